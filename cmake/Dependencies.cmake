@@ -1,0 +1,32 @@
+# Every package that the project uses, once. What is optional leaves one line in the feature summary when absent.
+include(FeatureSummary)
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+
+# Boost 1.81's message queue notices dead owners; 1.74 works with the timeout macro (docs/decisions).
+find_package(Boost 1.74 REQUIRED COMPONENTS program_options)
+
+find_package(assimp 5.2 REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(ZLIB REQUIRED)
+find_package(PNG REQUIRED)
+find_package(JPEG REQUIRED)
+find_package(TIFF REQUIRED)
+find_path(CIMG_INCLUDE_DIR CImg.h REQUIRED)
+
+if(RT_WITH_OPENMP)
+    find_package(OpenMP COMPONENTS CXX)
+endif()
+add_feature_info(OpenMP OpenMP_CXX_FOUND "all cores render and build")
+
+if(RT_WITH_OPENEXR)
+    # By pkg-config: the CMake files of Debian's Imath refuse to load without a Python library packaged elsewhere.
+    pkg_check_modules(OpenEXR IMPORTED_TARGET OpenEXR)
+endif()
+add_feature_info(OpenEXR OpenEXR_FOUND "EXR images")
+
+if(RT_WITH_MAGICK)
+    pkg_check_modules(MAGICK IMPORTED_TARGET Magick++)
+endif()
+add_feature_info(ImageMagick MAGICK_FOUND "rare image formats")

@@ -1,0 +1,28 @@
+# A room is a folder of a library: one static target, included as "rtcore/<room>/<file>.h".
+#   rt_room(rtcore accel SOURCES a.cpp b.cpp DEPENDS math scene [LINK ZLIB::ZLIB])
+# DEPENDS names rooms of the same library whose headers its own headers include; CMake refuses cycles.
+function(rt_room library room)
+    cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;LINK" ${ARGN})
+    set(target ${library}_${room})
+    if(ARG_SOURCES)
+        add_library(${target} STATIC ${ARG_SOURCES})
+        set(scope PUBLIC)
+        target_link_libraries(${target} PRIVATE rt_compile_options ${ARG_LINK})
+    else()
+        add_library(${target} INTERFACE)
+        set(scope INTERFACE)
+    endif()
+    target_include_directories(${target} ${scope} ${CMAKE_SOURCE_DIR}/libs)
+    list(TRANSFORM ARG_DEPENDS PREPEND ${library}_)
+    target_link_libraries(${target} ${scope} ${ARG_DEPENDS})
+endfunction()
+
+# A test program of one room, its tests found by name.
+#   rt_test(accel SOURCES a_test.cpp LINK rtcore_accel [LABELS slow])
+function(rt_test name)
+    cmake_parse_arguments(ARG "" "" "SOURCES;LINK;LABELS" ${ARGN})
+    add_executable(test_${name} ${ARG_SOURCES})
+    target_link_libraries(test_${name} PRIVATE rt_compile_options ${ARG_LINK} GTest::gtest GTest::gtest_main)
+    target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+    gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600 LABELS "${ARG_LABELS}")
+endfunction()
