@@ -1,0 +1,40 @@
+/// Axis-aligned boxes.
+#pragma once
+
+#include "rtcore/math/vec.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace rtcore {
+
+/// Closed box [lo, hi]. A default box is empty: lo > hi on every axis, and `extend` makes it what it is given.
+struct Box3 {
+    Vec3 lo{kHuge, kHuge, kHuge};
+    Vec3 hi{-kHuge, -kHuge, -kHuge};
+
+    static constexpr float kHuge = std::numeric_limits<float>::max();
+
+    void extend(Vec3 p) {
+        for (int a = 0; a < 3; ++a) {
+            lo[a] = std::min(lo[a], p[a]);
+            hi[a] = std::max(hi[a], p[a]);
+        }
+    }
+    void extend(const Box3& b) {
+        extend(b.lo);
+        extend(b.hi);
+    }
+    bool empty() const { return lo.x > hi.x || lo.y > hi.y || lo.z > hi.z; }
+    Vec3 size() const { return hi - lo; }
+    Vec3 centre() const { return lo * 0.5F + hi * 0.5F; }
+    float diagonal() const { return empty() ? 0.0F : length(size()); }
+    /// Half of the surface area: all that the surface area heuristic needs.
+    float halfArea() const {
+        const Vec3 d = size();
+        return d.x * d.y + d.y * d.z + d.z * d.x;
+    }
+    friend bool operator==(const Box3&, const Box3&) = default;
+};
+
+} // namespace rtcore

@@ -1,0 +1,50 @@
+/// Other programs, started and watched. Beside files.h the only place of this library that calls the system.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rtcore {
+
+struct ProcessLimits {
+    std::uint64_t memory = 0;   ///< bytes, resident and swapped out; 0 = no limit; looked at every 20 ms
+    double silence = 0;         ///< seconds without a byte on its standard output; 0 = no limit
+    std::size_t kept = 1 << 18; ///< bytes kept of each output stream; what comes after them is dropped
+    const std::atomic<bool>* stop = nullptr; ///< becomes true: kill the program
+};
+
+enum class ProcessEnd { Exited, Signalled, MemoryLimit, SilenceLimit, Stopped };
+
+struct ProcessResult {
+    ProcessEnd end = ProcessEnd::Exited;
+    int code = 0; ///< Exited: the exit code; Signalled: the number of the signal
+    std::string output, errors;
+    std::uint64_t peakMemory = 0; ///< bytes, the most that was seen by a look every 20 ms
+    double seconds = 0;
+};
+
+/// Runs `program` with `arguments` (without its own name) and waits until it ends or breaks a limit. It gets
+/// no input, none of our open files, default signals, and a process group of its own, which is killed as a
+/// whole when a limit is hit, and whose rest is killed when the program ends. Reacts to the end within a
+/// millisecond. Leaves no zombie. Safe from many threads, but a program that calls dieWithParent dies with
+/// the thread that called this function. Throws FileError: NoInput when there is no such program, TryAgain
+/// when resources are short.
+ProcessResult runProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                         const ProcessLimits& limits = {});
+
+/// For the started program, first thing in main: it is killed when `parent` (a processId) ends.
+void dieWithParent(std::int64_t parent);
+/// For the started program: allocations fail beyond `bytes` of address space. Does nothing under sanitizers,
+/// which reserve terabytes.
+void limitAddressSpace(std::uint64_t bytes);
+void disableCoreDumps();
+
+std::int64_t processId();
+/// "Segmentation fault" for 11, and so on.
+std::string signalName(int signal);
+
+} // namespace rtcore

@@ -1,0 +1,284 @@
+#include "rtcore/platform/processes.h"
+
+#include "rtcore/platform/error.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <utility>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char** environ;
+
+namespace rtcore {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kWatchMilliseconds = 20;
+
+class Descriptor {
+  public:
+    explicit Descriptor(int fd = -1) : fd_(fd) {}
+    Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+    Descriptor& operator=(Descriptor&& other) noexcept {
+        if (this != &other) {
+            close();
+            fd_ = std::exchange(other.fd_, -1);
+        }
+        return *this;
+    }
+    ~Descriptor() { close(); }
+    int get() const { return fd_; }
+    void close() {
+        if (fd_ >= 0) ::close(fd_);
+        fd_ = -1;
+    }
+
+  private:
+    int fd_;
+};
+
+struct Pipe {
+    Descriptor read, write;
+};
+
+Pipe makePipe(const std::string& program) {
+    int ends[2];
+    if (::pipe2(ends, O_CLOEXEC) != 0) {
+        throw FileError(FailureKind::TryAgain, program,
+                        std::string("cannot be started: ") + std::strerror(errno) + "; close some programs");
+    }
+    ::fcntl(ends[0], F_SETFL, O_NONBLOCK);
+    return {Descriptor(ends[0]), Descriptor(ends[1])};
+}
+
+/// What posix_spawn does between fork and exec.
+class SpawnPlan {
+  public:
+    SpawnPlan(int output, int errors) {
+        ::posix_spawn_file_actions_init(&actions_);
+        ::posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDONLY, 0);
+        ::posix_spawn_file_actions_adddup2(&actions_, output, 1);
+        ::posix_spawn_file_actions_adddup2(&actions_, errors, 2);
+#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 34)
+        ::posix_spawn_file_actions_addclosefrom_np(&actions_, 3);
+#endif
+        ::posix_spawnattr_init(&attributes_);
+        sigset_t signals;
+        ::sigemptyset(&signals);
+        ::posix_spawnattr_setsigmask(&attributes_, &signals);
+        ::sigfillset(&signals);
+        ::posix_spawnattr_setsigdefault(&attributes_, &signals);
+        ::posix_spawnattr_setpgroup(&attributes_, 0);
+        ::posix_spawnattr_setflags(&attributes_,
+                                   POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+    }
+    ~SpawnPlan() {
+        ::posix_spawn_file_actions_destroy(&actions_);
+        ::posix_spawnattr_destroy(&attributes_);
+    }
+    SpawnPlan(const SpawnPlan&) = delete;
+    SpawnPlan& operator=(const SpawnPlan&) = delete;
+
+    pid_t start(const std::string& program, const std::vector<std::string>& arguments) const {
+        std::vector<char*> words{const_cast<char*>(program.c_str())};
+        for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
+        words.push_back(nullptr);
+        pid_t pid = 0;
+        const int error =
+            ::posix_spawn(&pid, program.c_str(), &actions_, &attributes_, words.data(), environ);
+        if (error == 0) return pid;
+        const bool shortage = error == EAGAIN || error == ENOMEM;
+        throw FileError(shortage ? FailureKind::TryAgain : FailureKind::NoInput, program,
+                        std::string("cannot be started: ") + std::strerror(error));
+    }
+
+  private:
+    posix_spawn_file_actions_t actions_{};
+    posix_spawnattr_t attributes_{};
+};
+
+/// One output stream of the program: read as it comes, so that the program never blocks on it.
+class Capture {
+  public:
+    Capture(Descriptor end, std::size_t kept) : end_(std::move(end)), kept_(kept) {}
+    /// Reads what is there; true when there was something.
+    bool drain() {
+        bool any = false;
+        std::array<char, 16384> chunk{};
+        while (end_.get() >= 0) {
+            const ssize_t n = ::read(end_.get(), chunk.data(), chunk.size());
+            if (n > 0) {
+                any = true;
+                text_.append(chunk.data(), std::min(static_cast<std::size_t>(n), kept_ - text_.size()));
+            } else if (n == 0 || (errno != EAGAIN && errno != EINTR)) {
+                end_.close();
+            } else if (errno == EAGAIN) {
+                break;
+            }
+        }
+        return any;
+    }
+    int descriptor() const { return end_.get(); }
+    std::string take() { return std::move(text_); }
+
+  private:
+    Descriptor end_;
+    std::size_t kept_;
+    std::string text_;
+};
+
+struct MemoryUse {
+    std::uint64_t now = 0;  ///< bytes resident and swapped out
+    std::uint64_t peak = 0; ///< most bytes ever resident
+};
+
+/// All zero when the process is gone.
+MemoryUse memoryOf(pid_t pid) {
+    std::ifstream status("/proc/" + std::to_string(pid) + "/status");
+    MemoryUse use;
+    for (std::string line; std::getline(status, line);) {
+        const bool peak = line.starts_with("VmHWM:");
+        if (!peak && !line.starts_with("VmRSS:") && !line.starts_with("VmSwap:")) continue;
+        (peak ? use.peak : use.now) += std::strtoull(line.c_str() + line.find(':') + 1, nullptr, 10) * 1024;
+    }
+    return use;
+}
+
+bool hasEnded(pid_t pid) {
+    siginfo_t info{};
+    return ::waitid(P_PID, static_cast<id_t>(pid), &info, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+           info.si_pid == pid;
+}
+
+/// Watches one running program until it is over. The process is reaped by `finish` alone, so that its number
+/// cannot be given to another in between.
+class Watch {
+  public:
+    Watch(pid_t pid, Capture output, Capture errors, const ProcessLimits& limits)
+        : pid_(pid), handle_(static_cast<int>(::syscall(SYS_pidfd_open, pid, 0))), output_(std::move(output)),
+          errors_(std::move(errors)), limits_(limits) {}
+
+    ProcessResult finish() {
+        const Clock::time_point start = Clock::now();
+        lastWord_ = lastLook_ = start;
+        ProcessResult result;
+        while (!hasEnded(pid_)) {
+            if (const ProcessEnd broken = brokenLimit(); broken != ProcessEnd::Exited) {
+                result.end = broken;
+                break;
+            }
+            sleepUntilNews();
+        }
+        ::kill(-pid_, SIGKILL);
+        reap(result);
+        output_.drain();
+        errors_.drain();
+        result.output = output_.take();
+        result.errors = errors_.take();
+        result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        return result;
+    }
+
+  private:
+    void sleepUntilNews() {
+        std::array<pollfd, 3> news{pollfd{handle_.get(), POLLIN, 0}, pollfd{output_.descriptor(), POLLIN, 0},
+                                   pollfd{errors_.descriptor(), POLLIN, 0}};
+        // Without a handle (Linux before 5.3) the end is noticed by looking.
+        ::poll(news.data(), news.size(), handle_.get() >= 0 ? kWatchMilliseconds : 1);
+        if (output_.drain()) lastWord_ = Clock::now();
+        errors_.drain();
+    }
+
+    ProcessEnd brokenLimit() {
+        const Clock::time_point now = Clock::now();
+        if (limits_.stop != nullptr && limits_.stop->load()) return ProcessEnd::Stopped;
+        if (limits_.silence > 0 && std::chrono::duration<double>(now - lastWord_).count() > limits_.silence) {
+            return ProcessEnd::SilenceLimit;
+        }
+        if (now - lastLook_ < std::chrono::milliseconds(kWatchMilliseconds)) return ProcessEnd::Exited;
+        lastLook_ = now;
+        const MemoryUse use = memoryOf(pid_);
+        peakMemory_ = std::max(peakMemory_, std::max(use.now, use.peak));
+        if (limits_.memory > 0 && use.now > limits_.memory) return ProcessEnd::MemoryLimit;
+        return ProcessEnd::Exited;
+    }
+
+    void reap(ProcessResult& result) const {
+        int status = 0;
+        rusage usage{};
+        while (::wait4(pid_, &status, 0, &usage) < 0 && errno == EINTR) {
+        }
+        result.peakMemory = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+        if (result.end != ProcessEnd::Exited) return;
+        const bool signalled = WIFSIGNALED(status);
+        result.end = signalled ? ProcessEnd::Signalled : ProcessEnd::Exited;
+        result.code = signalled ? WTERMSIG(status) : WEXITSTATUS(status);
+    }
+
+    pid_t pid_;
+    Descriptor handle_;
+    Capture output_, errors_;
+    ProcessLimits limits_;
+    Clock::time_point lastWord_, lastLook_;
+    std::uint64_t peakMemory_ = 0;
+};
+
+void setLimit(__rlimit_resource resource, rlim_t value) {
+    rlimit limit{};
+    if (::getrlimit(resource, &limit) != 0) return;
+    limit.rlim_cur = std::min(value, limit.rlim_max);
+    ::setrlimit(resource, &limit);
+}
+
+} // namespace
+
+ProcessResult runProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                         const ProcessLimits& limits) {
+    Pipe output = makePipe(program.string());
+    Pipe errors = makePipe(program.string());
+    const pid_t pid = SpawnPlan(output.write.get(), errors.write.get()).start(program.string(), arguments);
+    output.write.close();
+    errors.write.close();
+    Watch watch(pid, Capture(std::move(output.read), limits.kept),
+                Capture(std::move(errors.read), limits.kept), limits);
+    return watch.finish();
+}
+
+void dieWithParent(std::int64_t parent) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    // The parent may have died before the line above.
+    if (::getppid() != parent) std::_Exit(1);
+}
+
+void limitAddressSpace([[maybe_unused]] std::uint64_t bytes) {
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+    setLimit(RLIMIT_AS, bytes);
+#endif
+}
+
+void disableCoreDumps() { setLimit(RLIMIT_CORE, 0); }
+
+std::int64_t processId() { return ::getpid(); }
+
+std::string signalName(int signal) {
+    const char* const name = ::strsignal(signal);
+    return name != nullptr ? name : "signal " + std::to_string(signal);
+}
+
+} // namespace rtcore

@@ -1,0 +1,228 @@
+#include "rtcore/scene/environment.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+
+namespace rtcore {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+struct FacePoint {
+    int face;
+    double s, t;
+};
+
+// In double: the centre of a border texel lies 1/(n+1) of a texel from its neighbour's edge, less than a
+// float resolves on large faces.
+FacePoint facePoint(double x, double y, double z) {
+    const double ax = std::fabs(x), ay = std::fabs(y), az = std::fabs(z);
+    int face = 0;
+    double sc = 0, tc = 0, major = 0;
+    if (ax >= ay && ax >= az) {
+        face = x >= 0 ? 0 : 1;
+        sc = x >= 0 ? -z : z;
+        tc = -y;
+        major = ax;
+    } else if (ay >= az) {
+        face = y >= 0 ? 2 : 3;
+        sc = x;
+        tc = y >= 0 ? z : -z;
+        major = ay;
+    } else {
+        face = z >= 0 ? 4 : 5;
+        sc = z >= 0 ? x : -x;
+        tc = -y;
+        major = az;
+    }
+    return {face, 0.5 * (sc / major + 1), 0.5 * (tc / major + 1)};
+}
+
+struct Direction {
+    double x, y, z;
+};
+
+Direction faceDirection(int face, double s, double t) {
+    const double sc = 2 * s - 1, tc = 2 * t - 1;
+    switch (face) {
+    case 0:
+        return {1, -tc, -sc};
+    case 1:
+        return {-1, -tc, sc};
+    case 2:
+        return {sc, 1, tc};
+    case 3:
+        return {sc, -1, -tc};
+    case 4:
+        return {sc, -tc, 1};
+    default:
+        return {-sc, -tc, -1};
+    }
+}
+
+int texelOf(double coordinate, int n) { return std::clamp(static_cast<int>(coordinate * n), 0, n - 1); }
+
+/// What the texel outside of the face shows: the nearest texel of the face that its centre's direction meets.
+Colour neighbour(const std::array<HdrImage, 6>& faces, int face, int x, int y) {
+    const int n = faces[0].width;
+    const Direction d = faceDirection(face, (x + 0.5) / n, (y + 0.5) / n);
+    const FacePoint p = facePoint(d.x, d.y, d.z);
+    return faces[static_cast<std::size_t>(p.face)].at(texelOf(p.s, n), texelOf(p.t, n));
+}
+
+/// `image` in the middle of a picture that is one texel larger on each side.
+HdrImage withRoomForBorder(const HdrImage& image) {
+    HdrImage padded(image.width + 2, image.height + 2);
+    for (int y = 0; y < image.height; ++y) {
+        const Colour* row = &image.at(0, y);
+        std::copy(row, row + image.width, &padded.at(1, y + 1));
+    }
+    return padded;
+}
+
+HdrImage borderedFace(const std::array<HdrImage, 6>& faces, int face) {
+    const int n = faces[0].width;
+    HdrImage padded = withRoomForBorder(faces[static_cast<std::size_t>(face)]);
+    for (int i = 0; i < n; ++i) {
+        padded.at(i + 1, 0) = neighbour(faces, face, i, -1);
+        padded.at(i + 1, n + 1) = neighbour(faces, face, i, n);
+        padded.at(0, i + 1) = neighbour(faces, face, -1, i);
+        padded.at(n + 1, i + 1) = neighbour(faces, face, n, i);
+    }
+    // Three faces meet at a corner, and each of them sees the mean of their corner texels there.
+    for (const int y : {0, n + 1}) {
+        for (const int x : {0, n + 1}) {
+            const int insideX = std::clamp(x, 1, n), insideY = std::clamp(y, 1, n);
+            const Colour sum = padded.at(insideX, insideY) + padded.at(x, insideY) + padded.at(insideX, y);
+            padded.at(x, y) = sum / 3.0F;
+        }
+    }
+    return padded;
+}
+
+Colour meanOfRow(const HdrImage& image, int y) {
+    double r = 0, g = 0, b = 0;
+    for (int x = 0; x < image.width; ++x) {
+        const Colour c = image.at(x, y);
+        r += c.r;
+        g += c.g;
+        b += c.b;
+    }
+    const double n = image.width;
+    return {static_cast<float>(r / n), static_cast<float>(g / n), static_cast<float>(b / n)};
+}
+
+HdrImage borderedEquirectangular(const HdrImage& image) {
+    const int w = image.width, h = image.height;
+    HdrImage padded = withRoomForBorder(image);
+    // Mirrored at the mean, so that every longitude reaches the mean of the outermost row exactly at the
+    // pole.
+    const Colour top = meanOfRow(image, 0), bottom = meanOfRow(image, h - 1);
+    for (int x = 0; x < w; ++x) {
+        padded.at(x + 1, 0) = 2.0F * top - image.at(x, 0);
+        padded.at(x + 1, h + 1) = 2.0F * bottom - image.at(x, h - 1);
+    }
+    for (int y = 0; y < h + 2; ++y) {
+        padded.at(0, y) = padded.at(w, y);
+        padded.at(w + 1, y) = padded.at(1, y);
+    }
+    return padded;
+}
+
+/// x and y in texels of the picture without its border, whose first texel has its centre at 0.5.
+Colour bilinear(const HdrImage& padded, float x, float y) {
+    const float left = std::clamp(x + 0.5F, 0.0F, static_cast<float>(padded.width - 1));
+    const float top = std::clamp(y + 0.5F, 0.0F, static_cast<float>(padded.height - 1));
+    const int x0 = std::min(static_cast<int>(left), padded.width - 2);
+    const int y0 = std::min(static_cast<int>(top), padded.height - 2);
+    const float fx = left - static_cast<float>(x0), fy = top - static_cast<float>(y0);
+    const Colour upper = padded.at(x0, y0) * (1 - fx) + padded.at(x0 + 1, y0) * fx;
+    const Colour lower = padded.at(x0, y0 + 1) * (1 - fx) + padded.at(x0 + 1, y0 + 1) * fx;
+    return upper * (1 - fy) + lower * fy;
+}
+
+Colour sample(const HdrImage& padded, float u, float v, TexelFilter filter) {
+    const int w = padded.width - 2, h = padded.height - 2;
+    if (filter == TexelFilter::Nearest) {
+        return padded.at(texelOf(u, w) + 1, texelOf(v, h) + 1);
+    }
+    return bilinear(padded, u * static_cast<float>(w), v * static_cast<float>(h));
+}
+
+/// atan of x in [-1, 1] to the last bits of a double: halved twice to |x| < 0.199, then its series.
+double portableAtan(double x) {
+    for (int i = 0; i < 2; ++i) x = x / (1 + std::sqrt(1 + x * x));
+    const double xx = x * x;
+    double sum = 0;
+    for (int k = 23; k > 0; k -= 2) sum = 1.0 / k - xx * sum;
+    return 4 * x * sum;
+}
+
+/// Solid angle of the rectangle between the middle of a face, one unit away, and (x, y).
+double solidAngleToCorner(double x, double y) { return portableAtan(x * y / std::sqrt(x * x + y * y + 1)); }
+
+void require(bool condition, const char* message) {
+    if (!condition) throw std::invalid_argument(message);
+}
+
+} // namespace
+
+CubeCoordinate cubeCoordinate(Vec3 direction) {
+    const FacePoint p = facePoint(direction.x, direction.y, direction.z);
+    return {p.face, static_cast<float>(p.s), static_cast<float>(p.t)};
+}
+
+Vec3 cubeDirection(int face, float s, float t) {
+    const Direction d = faceDirection(face, s, t);
+    return {static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)};
+}
+
+double cubeTexelSolidAngle(int n, int x, int y) {
+    const double x0 = 2.0 * x / n - 1, x1 = 2.0 * (x + 1) / n - 1;
+    const double y0 = 2.0 * y / n - 1, y1 = 2.0 * (y + 1) / n - 1;
+    return solidAngleToCorner(x0, y0) - solidAngleToCorner(x0, y1) - solidAngleToCorner(x1, y0) +
+           solidAngleToCorner(x1, y1);
+}
+
+Environment Environment::fromCube(std::array<HdrImage, 6> faces, std::string name) {
+    const int n = faces[0].width;
+    for (const HdrImage& face : faces) {
+        require(!face.empty() && face.width == n && face.height == n,
+                "the six faces of a cube map must be squares of one size");
+    }
+    Environment environment;
+    environment.name_ = std::move(name);
+    environment.cube_ = true;
+    environment.images_.reserve(6);
+    for (int face = 0; face < 6; ++face) environment.images_.push_back(borderedFace(faces, face));
+    return environment;
+}
+
+Environment Environment::fromEquirectangular(HdrImage image, std::string name) {
+    require(!image.empty(), "an equirectangular picture must not be empty");
+    Environment environment;
+    environment.name_ = std::move(name);
+    environment.images_.push_back(borderedEquirectangular(image));
+    return environment;
+}
+
+Colour Environment::radiance(Vec3 direction, TexelFilter filter) const {
+    assert(isFinite(direction) && direction != Vec3{});
+    if (cube_) {
+        const CubeCoordinate c = cubeCoordinate(direction);
+        return intensity * sample(images_[static_cast<std::size_t>(c.face)], c.s, c.t, filter);
+    }
+    const Vec3 d = normalize(direction);
+    // acos(y) as an angle of two coordinates, which keeps its precision near the poles.
+    const float polar = portableAtan2(std::sqrt(d.x * d.x + d.z * d.z), d.y);
+    const float u = 0.5F + portableAtan2(d.x, -d.z) * static_cast<float>(0.5 / kPi);
+    return intensity * sample(images_[0], u, polar * static_cast<float>(1 / kPi), filter);
+}
+
+int Environment::resolution() const { return images_[0].width - 2; }
+
+} // namespace rtcore

@@ -1,0 +1,48 @@
+/// What a surface does with light. The record is written to .bsp files as it stands here.
+///
+/// Light that arrives is divided in this order (docs/shading.md):
+///   1. mirror:   weight M. `fresnel` set: Schlick's curve from `mirror` (at normal incidence) to 1 at grazing
+///                angles, all scaled by `mirrorScale`; not set: `mirror * mirrorScale` at any angle. A transparent
+///                surface (opacity < 1) uses the exact Fresnel equations of `indexOfRefraction` instead.
+///   2. of the rest, (1 - opacity) passes through, tinted by `transmission`;
+///   3. of the rest, `opacity` goes to the diffuse and the glossy lobe (physical Phong, notes in shading/phong.h).
+#pragma once
+
+#include "rtcore/math/colour.h"
+
+#include <cstdint>
+#include <type_traits>
+
+namespace rtcore {
+
+inline constexpr std::uint32_t kNoTexture = 0xFFFFFFFFU;
+
+struct Material {
+    Colour diffuse{0.8F, 0.8F, 0.8F}; ///< albedo k_d, multiplied with texture and vertex colour; 0..1
+    float opacity = 1;                ///< 0 (clear) .. 1 (opaque)
+    Colour specular;                  ///< albedo k_s of the Phong lobe; k_d + k_s <= 1
+    float shininess = 1;              ///< Phong exponent n, 0..100000
+    Colour mirror;                    ///< reflectance at normal incidence, 0..1
+    float mirrorScale = 1;            ///< 0..1; under 1 where roughness blurs mirrored rays away
+    Colour transmission{1, 1, 1};     ///< tint of light that passes, 0..1
+    float attenuationDistance = 0;    ///< closed meshes: distance in scene units over which light is tinted by
+                                      ///< `transmission` (Beer); 0 = tint once, on entering
+    Colour emission;                  ///< radiance given off, >= 0
+    float indexOfRefraction = 1.5F;   ///< inside over outside, 1..5
+    std::uint32_t fresnel = 0;        ///< 0 or 1, see above
+    std::uint32_t diffuseTexture = kNoTexture;
+    std::uint32_t alphaTexture = kNoTexture; ///< red channel times `opacity`; alpha channel when `alphaFromAlpha`
+    std::uint32_t alphaFromAlpha = 0;
+    std::uint32_t normalTexture = kNoTexture;
+    std::uint32_t emissionTexture = kNoTexture;
+    float alphaCutoff = 0;        ///< > 0: alpha of a texture below it is a hole, above it is solid
+    std::uint32_t nameOffset = 0; ///< of the name in the model's string table
+
+    friend bool operator==(const Material&, const Material&) = default;
+};
+static_assert(std::is_trivially_copyable_v<Material> && sizeof(Material) == 112);
+
+/// A part of the light passes straight through or refracted (not counting holes cut by alpha textures).
+inline bool isTransparent(const Material& m) { return m.opacity < 1 || m.alphaTexture != kNoTexture; }
+
+} // namespace rtcore

@@ -1,0 +1,67 @@
+/// What a model file holds once it is imported, or a .bsp once it is mapped: geometry, materials, textures, and
+/// the file's own lights and cameras. Immutable; views stay valid while `storage` lives.
+#pragma once
+
+#include "rtcore/scene/camera.h"
+#include "rtcore/scene/image.h"
+#include "rtcore/scene/light.h"
+#include "rtcore/scene/material.h"
+#include "rtcore/scene/mesh.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rtcore {
+
+/// One texture: rows from the top, in Model::texels from `firstTexel`.
+struct Texture {
+    std::uint64_t firstTexel = 0;
+    std::uint32_t width = 0, height = 0;
+    friend bool operator==(const Texture&, const Texture&) = default;
+};
+static_assert(sizeof(Texture) == 16);
+
+struct Model {
+    Mesh mesh;
+    std::span<const Material> materials; ///< at least one
+    std::span<const Texture> textures;
+    std::span<const Rgba8> texels; ///< colour as sRGB, alpha linear
+    std::span<const Light> lights;
+    std::span<const Camera> cameras;
+    std::span<const char> strings; ///< names, each ended by a zero byte; the first is ""; the last byte is zero
+
+    std::shared_ptr<const void> storage; ///< owns all of the above
+
+    /// The name at `offset` of the string table; "" when there is none.
+    std::string_view name(std::uint32_t offset) const {
+        return offset < strings.size() ? std::string_view(strings.data() + offset) : std::string_view();
+    }
+};
+
+/// The same with memory of its own: what an importer or a test fills.
+struct ModelBuffers {
+    std::vector<Vertex> vertices;
+    std::vector<Triangle> triangles;
+    std::vector<ShadingTriangle> shading;
+    std::vector<Vec3> normals;
+    std::vector<Vec2> texcoords;
+    std::vector<Colour> colours;
+    std::vector<Material> materials;
+    std::vector<Texture> textures;
+    std::vector<Rgba8> texels;
+    std::vector<Light> lights;
+    std::vector<Camera> cameras;
+    std::vector<char> strings{'\0'};
+
+    /// Adds a name to the string table and returns its offset; "" is always 0.
+    std::uint32_t addName(std::string_view name);
+};
+
+/// Views of what `buffers` holds; takes the memory over.
+Model makeModel(ModelBuffers buffers);
+
+} // namespace rtcore

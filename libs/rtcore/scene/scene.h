@@ -1,0 +1,60 @@
+/// A scene ready to be rendered, apart from its kd-tree. Immutable while rays are traced.
+#pragma once
+
+#include "rtcore/scene/camera.h"
+#include "rtcore/scene/environment.h"
+#include "rtcore/scene/light.h"
+#include "rtcore/scene/material.h"
+#include "rtcore/scene/model.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace rtcore {
+
+enum class FogKind { None, Homogeneous, Exponential };
+
+/// Participating medium between the surfaces.
+struct Fog {
+    FogKind kind = FogKind::None;
+    float density = 0;               ///< extinction per scene unit (at `groundHeight`)
+    float scaleHeight = 1;           ///< exponential: height over which the density falls to 1/e
+    float groundHeight = 0;          ///< exponential: height along the up axis where `density` holds
+    Colour colour{0.5F, 0.5F, 0.5F}; ///< radiance that a ray tends to inside the fog
+};
+
+/// How big the player is and how he moves in walk-through mode; metres and seconds.
+struct WalkParameters {
+    float height = 1.8F;
+    float speed = 1.4F;
+    float jumpHeight = 0.45F;
+    float stepHeight = 0.4F;
+    float gravity = 9.81F;
+};
+
+struct Scene {
+    Model model;
+    std::vector<Material> materials; ///< the model's with the scene's overrides; indexed by ShadingTriangle::material
+    std::vector<Light> lights;
+    std::vector<std::string> lightNames; ///< one per light, may be ""
+    std::vector<std::shared_ptr<const Environment>> environments;
+    int activeEnvironment = 0; ///< index into `environments`; ignored when there are none
+    Colour background;         ///< radiance where there is no environment
+    Colour ambient;            ///< radiance that reaches every surface from everywhere, unshadowed
+    Fog fog;
+    WalkParameters walk;
+    Vec3 up{0, 1, 0};
+    float metresPerUnit = 1;
+    /// One per triangle, or empty when nothing is transparent: 1 where the triangle's surface is closed, so that
+    /// it bounds a solid (shading/closed_surfaces.h).
+    std::vector<std::uint8_t> closed;
+
+    const Mesh& mesh() const { return model.mesh; }
+    const Environment* environment() const {
+        const auto i = static_cast<std::size_t>(activeEnvironment);
+        return activeEnvironment >= 0 && i < environments.size() ? environments[i].get() : nullptr;
+    }
+};
+
+} // namespace rtcore

@@ -1,0 +1,89 @@
+#include "rtcore/settings/nearest_name.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace rtcore {
+
+namespace {
+
+constexpr std::size_t kLongestName = 64;
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+std::string_view lastPart(std::string_view name) {
+    const auto dot = name.rfind('.');
+    return dot == std::string_view::npos ? name : name.substr(dot + 1);
+}
+
+/// Where the text may be cut without cutting a UTF-8 sequence.
+std::size_t cutBefore(std::string_view text, std::size_t length) {
+    while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) --length;
+    return length;
+}
+
+} // namespace
+
+std::size_t editDistance(std::string_view a, std::string_view b) {
+    // Three rows of the table of distances between prefixes: two letters back, one letter back, now.
+    std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), now(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) now[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        before.swap(last);
+        last.swap(now);
+        now[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const bool equal = lower(a[i - 1]) == lower(b[j - 1]);
+            now[j] = std::min({last[j] + 1, now[j - 1] + 1, last[j - 1] + (equal ? 0 : 1)});
+            const bool swapped =
+                i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
+            if (swapped) now[j] = std::min(now[j], before[j - 2] + 1);
+        }
+    }
+    return now[b.size()];
+}
+
+std::string_view nearestName(std::string_view name, std::span<const std::string_view> known) {
+    if (name.size() > kLongestName) return {};
+    std::string_view nearest;
+    std::size_t best = std::max<std::size_t>(2, name.size() / 2) + 1;
+    for (const std::string_view candidate : known) {
+        // The last part alone counts one more, so that a name which fits as a whole wins.
+        const std::size_t distance =
+            std::min(editDistance(name, candidate), editDistance(name, lastPart(candidate)) + 1);
+        if (distance >= best) continue;
+        best = distance;
+        nearest = candidate;
+    }
+    return nearest;
+}
+
+std::string printable(std::string_view text, std::size_t limit) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    const bool shortened = text.size() > limit;
+    if (shortened) text = text.substr(0, cutBefore(text, limit));
+    std::string result;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte >= 0x20 && byte != 0x7F) {
+            result += c;
+        } else {
+            result += {'\\', 'x', digits[byte >> 4U], digits[byte & 15U]};
+        }
+    }
+    return shortened ? result + "..." : result;
+}
+
+std::string quoted(std::string_view text) { return "'" + printable(text, kLongestName) + "'"; }
+
+std::string unknownNameMessage(std::string_view what, std::string_view name,
+                               std::span<const std::string_view> known) {
+    std::string message = "unknown " + std::string(what) + " " + quoted(name);
+    const std::string_view nearest = nearestName(name, known);
+    if (!nearest.empty()) return message + "; did you mean " + quoted(nearest) + "?";
+    message += "; known:";
+    for (const std::string_view candidate : known) message += " " + std::string(candidate);
+    return message;
+}
+
+} // namespace rtcore

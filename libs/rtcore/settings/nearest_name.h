@@ -1,0 +1,30 @@
+/// What the user may have meant: suggestions for misspelt names in files and on command lines.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace rtcore {
+
+/// Insertions, deletions, substitutions and swaps of neighbours that turn `a` into `b`, upper and lower case
+/// counting as equal (optimal string alignment, Damerau 1964). Time and memory grow with the product of the
+/// lengths.
+std::size_t editDistance(std::string_view a, std::string_view b);
+
+/// The member of `known` that is nearest to `name`, or "" when none is near (more than half of the letters
+/// differ) or `name` is longer than any name. A dotted name is also found by its last part alone.
+std::string_view nearestName(std::string_view name, std::span<const std::string_view> known);
+
+/// `text` fit for a message on one line: control characters as \xNN, cut to `limit` bytes and "..." when
+/// longer.
+std::string printable(std::string_view text, std::size_t limit);
+/// The same for a name, in single quotes.
+std::string quoted(std::string_view text);
+
+/// Says that `name` is none of `known`, with the nearest one, or with all of them when none is near:
+///   unknown key 'eey'; did you mean 'eye'?
+std::string unknownNameMessage(std::string_view what, std::string_view name,
+                               std::span<const std::string_view> known);
+
+} // namespace rtcore

@@ -1,0 +1,281 @@
+#include "rtcore/settings/settings_table.h"
+
+#include "rtcore/settings/nearest_name.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <stdexcept>
+#include <type_traits>
+
+namespace rtcore {
+
+namespace {
+
+constexpr std::array<std::string_view, 2> kExposureModes{"automatic", "fixed"};
+constexpr std::array<std::string_view, 2> kToneMappings{"luminance", "channels"};
+constexpr std::array<std::string_view, 2> kEnvironmentFilters{"bilinear", "nearest"};
+
+using Choices = std::span<const std::string_view>;
+
+/// The names of an enumeration, in its order.
+template <typename Enum>
+Choices choicesOf() {
+    if constexpr (std::is_same_v<Enum, ExposureMode>) return kExposureModes;
+    if constexpr (std::is_same_v<Enum, ToneMapping>) return kToneMappings;
+    if constexpr (std::is_same_v<Enum, EnvironmentFilter>) return kEnvironmentFilters;
+    return {};
+}
+
+/// The member that a path of member pointers leads to: member<&RenderSettings::exposure,
+/// &ExposureSettings::key>.
+template <auto... Path>
+auto& member(auto& settings) {
+    return (settings.*....*Path);
+}
+template <auto... Path>
+using MemberType = std::remove_cvref_t<decltype(member<Path...>(std::declval<RenderSettings&>()))>;
+
+template <auto... Path>
+SettingValue getMember(const RenderSettings& settings) {
+    using Type = MemberType<Path...>;
+    const Type value = member<Path...>(settings);
+    if constexpr (std::is_enum_v<Type>) {
+        return std::string(choicesOf<Type>()[static_cast<std::size_t>(value)]);
+    } else {
+        return value;
+    }
+}
+
+template <auto... Path>
+void setMember(RenderSettings& settings, const SettingValue& value) {
+    using Type = MemberType<Path...>;
+    if constexpr (std::is_enum_v<Type>) {
+        const Choices names = choicesOf<Type>();
+        const auto found = std::find(names.begin(), names.end(), std::get<std::string>(value));
+        member<Path...>(settings) = static_cast<Type>(found - names.begin());
+    } else {
+        member<Path...>(settings) = std::get<Type>(value);
+    }
+}
+
+template <typename Type>
+constexpr SettingType settingType() {
+    if (std::is_same_v<Type, bool>) return SettingType::Boolean;
+    if (std::is_same_v<Type, int>) return SettingType::Integer;
+    return std::is_same_v<Type, float> ? SettingType::Number : SettingType::Choice;
+}
+
+struct Range {
+    double minimum = 0, maximum = 0;
+};
+
+template <auto... Path>
+Setting row(std::string_view name, Range range, std::string_view unit, std::string_view help) {
+    using Type = MemberType<Path...>;
+    return {name,
+            settingType<Type>(),
+            getMember<Path...>(RenderSettings{}),
+            range.minimum,
+            range.maximum,
+            unit,
+            help,
+            choicesOf<Type>(),
+            &getMember<Path...>,
+            &setMember<Path...>};
+}
+template <auto... Path>
+Setting row(std::string_view name, std::string_view help) {
+    return row<Path...>(name, Range{}, "", help);
+}
+
+std::vector<Setting> makeTable() {
+    using S = RenderSettings;
+    using Occlusion = AmbientOcclusionSettings;
+    using Exposure = ExposureSettings;
+    return {
+        row<&S::width>("width", {1, 32768}, "pixels", "width of the picture"),
+        row<&S::height>("height", {1, 32768}, "pixels", "height of the picture"),
+        row<&S::antialiasing>("antialiasing", {1, 16}, "", "N x N samples a pixel, averaged"),
+        row<&S::shadows>("shadows", "lights cast shadows"),
+        row<&S::reflections>("reflections", "mirrors reflect"),
+        row<&S::refractions>("refractions", "transparent surfaces let light through"),
+        row<&S::textures>("textures", "textures are shown"),
+        row<&S::maxDepth>("maxDepth", {0, 1000}, "bounces", "most bounces by mirrors and glass"),
+        row<&S::minContribution>("minContribution", {0, 1}, "",
+                                 "a ray that adds less than this share to its pixel is not traced"),
+        row<&S::ambientOcclusion, &Occlusion::on>("ambientOcclusion.on",
+                                                  "corners are darker than open surfaces"),
+        row<&S::ambientOcclusion, &Occlusion::samples>("ambientOcclusion.samples", {1, 4096}, "rays",
+                                                       "rays a point for ambient occlusion"),
+        row<&S::ambientOcclusion, &Occlusion::distance>(
+            "ambientOcclusion.distance", {0, kUnlimited}, "scene units",
+            "how far off a surface occludes; 0: 15 % of the scene's diagonal"),
+        row<&S::bloom>("bloom", {0, 4096}, "pixels", "radius of the glow around bright spots; 0: none"),
+        row<&S::exposure, &Exposure::mode>("exposure.mode", "automatic follows the picture's brightness"),
+        row<&S::exposure, &Exposure::value>("exposure.value", {1e-30, 1e30}, "radiance",
+                                            "fixed exposure: radiance that is shown as half of white"),
+        row<&S::exposure, &Exposure::key>("exposure.key", {1e-4, 100}, "",
+                                          "automatic exposure: larger is brighter"),
+        row<&S::toneMapping>("toneMapping",
+                             "luminance keeps hues, channels lets bright colours fade to white"),
+        row<&S::dithering>("dithering", "noise of less than one step hides bands in smooth gradients"),
+        row<&S::environmentFilter>("environmentFilter", "lookup in environment maps"),
+    };
+}
+
+const std::vector<Setting>& table() {
+    static const std::vector<Setting> rows = makeTable();
+    return rows;
+}
+
+[[noreturn]] void refuse(const Setting& setting, const std::string& given) {
+    const std::string unit = setting.unit.empty() ? "" : " " + std::string(setting.unit);
+    const std::string kind = setting.type == SettingType::Integer ? "a whole number, " : "";
+    throw std::invalid_argument(std::string(setting.name) + " is " + given + ", but takes " + kind +
+                                settingRange(setting) + unit);
+}
+
+/// Compared as floats, so that the limits themselves are taken. Not a number is in no range.
+bool inRange(const Setting& setting, float value) {
+    return value >= static_cast<float>(setting.minimum) && value <= static_cast<float>(setting.maximum);
+}
+
+int checkInteger(const Setting& setting, const SettingValue& value) {
+    const int* number = std::get_if<int>(&value);
+    const bool good = number != nullptr && *number >= setting.minimum && *number <= setting.maximum;
+    if (!good) refuse(setting, settingText(value));
+    return *number;
+}
+
+float checkNumber(const Setting& setting, const SettingValue& value) {
+    const int* whole = std::get_if<int>(&value);
+    const float* number = std::get_if<float>(&value);
+    if (whole == nullptr && number == nullptr) refuse(setting, settingText(value));
+    const float checked = number != nullptr ? *number : static_cast<float>(*whole);
+    if (!inRange(setting, checked)) refuse(setting, settingText(value));
+    return checked;
+}
+
+std::string checkChoice(const Setting& setting, const SettingValue& value) {
+    const std::string* name = std::get_if<std::string>(&value);
+    if (name == nullptr) refuse(setting, settingText(value));
+    if (std::find(setting.choices.begin(), setting.choices.end(), *name) == setting.choices.end())
+        refuse(setting, quoted(*name));
+    return *name;
+}
+
+/// The whole text as a number; no white space, no hexadecimal.
+template <typename Number>
+bool parseNumber(std::string_view text, Number& number) {
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, number);
+    return error == std::errc() && stop == end;
+}
+
+bool parseBoolean(const Setting& setting, std::string_view text) {
+    constexpr std::array<std::string_view, 4> yes{"true", "on", "yes", "1"}, no{"false", "off", "no", "0"};
+    if (std::find(yes.begin(), yes.end(), text) != yes.end()) return true;
+    if (std::find(no.begin(), no.end(), text) == no.end()) refuse(setting, quoted(text));
+    return false;
+}
+
+} // namespace
+
+std::span<const Setting> settingsTable() { return table(); }
+
+const Setting* findSetting(std::string_view name) {
+    const auto found = std::find_if(table().begin(), table().end(),
+                                    [&](const Setting& setting) { return setting.name == name; });
+    return found == table().end() ? nullptr : &*found;
+}
+
+const Setting& requireSetting(std::string_view name) {
+    if (const Setting* setting = findSetting(name)) return *setting;
+    std::vector<std::string_view> names;
+    for (const Setting& setting : table()) names.push_back(setting.name);
+    throw std::invalid_argument(unknownNameMessage("setting", name, names));
+}
+
+SettingValue checkSetting(const Setting& setting, const SettingValue& value) {
+    switch (setting.type) {
+    case SettingType::Boolean:
+        if (!std::holds_alternative<bool>(value)) refuse(setting, settingText(value));
+        return value;
+    case SettingType::Integer:
+        return checkInteger(setting, value);
+    case SettingType::Number:
+        return checkNumber(setting, value);
+    case SettingType::Choice:
+        break;
+    }
+    return checkChoice(setting, value);
+}
+
+SettingValue parseSetting(const Setting& setting, std::string_view text) {
+    if (setting.type == SettingType::Boolean) return parseBoolean(setting, text);
+    if (setting.type == SettingType::Choice) return checkSetting(setting, std::string(text));
+    if (int whole = 0; parseNumber(text, whole)) return checkSetting(setting, whole);
+    if (float number = 0; parseNumber(text, number)) return checkSetting(setting, number);
+    refuse(setting, quoted(text));
+}
+
+void setSetting(RenderSettings& settings, std::string_view name, const SettingValue& value) {
+    const Setting& setting = requireSetting(name);
+    setting.set(settings, checkSetting(setting, value));
+}
+
+void setSettingFromText(RenderSettings& settings, std::string_view name, std::string_view text) {
+    const Setting& setting = requireSetting(name);
+    setting.set(settings, parseSetting(setting, text));
+}
+
+SettingValue getSetting(const RenderSettings& settings, std::string_view name) {
+    return requireSetting(name).get(settings);
+}
+
+void applySettings(RenderSettings& settings, std::span<const SettingAssignment> assignments) {
+    RenderSettings changed = settings;
+    for (const SettingAssignment& assignment : assignments)
+        setSetting(changed, assignment.name, assignment.value);
+    settings = changed;
+}
+
+std::vector<SettingAssignment> settingAssignments(const RenderSettings& settings, bool everything) {
+    std::vector<SettingAssignment> assignments;
+    for (const Setting& setting : table()) {
+        SettingValue value = setting.get(settings);
+        if (everything || value != setting.defaultValue)
+            assignments.push_back({std::string(setting.name), std::move(value)});
+    }
+    return assignments;
+}
+
+std::string settingText(const SettingValue& value) {
+    if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+    if (const int* whole = std::get_if<int>(&value)) return std::to_string(*whole);
+    if (const std::string* name = std::get_if<std::string>(&value)) return *name;
+    std::array<char, 32> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), std::get<float>(value)).ptr;
+    return {digits.data(), end};
+}
+
+std::string settingRange(const Setting& setting) {
+    const auto text = [](double limit) { return settingText(static_cast<float>(limit)); };
+    std::string names;
+    switch (setting.type) {
+    case SettingType::Boolean:
+        return "true or false";
+    case SettingType::Integer:
+    case SettingType::Number:
+        if (setting.maximum >= kUnlimited) return "at least " + text(setting.minimum);
+        return text(setting.minimum) + " to " + text(setting.maximum);
+    case SettingType::Choice:
+        break;
+    }
+    for (const std::string_view name : setting.choices)
+        names += (names.empty() ? "" : " or ") + std::string(name);
+    return names;
+}
+
+} // namespace rtcore

@@ -1,0 +1,77 @@
+/// THE table of settings: what settings/render_settings.h holds, by name. File readers, command lines,
+/// dialogs, messages between processes and the manual all read this table.
+#pragma once
+
+#include "rtcore/settings/render_settings.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace rtcore {
+
+/// The value of one setting. An enumerator goes by its name ("automatic").
+using SettingValue = std::variant<bool, int, float, std::string>;
+
+enum class SettingType { Boolean, Integer, Number, Choice };
+
+/// One row. The views are valid for the whole run of the program.
+struct Setting {
+    std::string_view name; ///< "width"; with dots where the struct is nested: "ambientOcclusion.samples"
+    SettingType type;
+    SettingValue defaultValue; ///< what a default RenderSettings holds
+    double minimum, maximum;   ///< Integer and Number: inclusive; a maximum of kUnlimited is none
+    std::string_view unit;     ///< "pixels"; "" when it has none
+    std::string_view help;     ///< one line
+    std::span<const std::string_view> choices; ///< Choice: names in the order of the enumeration
+
+    SettingValue (*get)(const RenderSettings&);
+    void (*set)(RenderSettings&, const SettingValue&); ///< takes only what checkSetting() returns
+};
+
+inline constexpr double kUnlimited = 3.4028234663852886e38; ///< the largest float
+
+/// All rows, in the order in which they are shown. Safe from many threads.
+std::span<const Setting> settingsTable();
+
+/// The row of that name, or null.
+const Setting* findSetting(std::string_view name);
+
+/// The row of that name. Throws std::invalid_argument that tells the nearest known name.
+const Setting& requireSetting(std::string_view name);
+
+/// `value` as the setting's own type (a whole number is taken where a Number is wanted).
+/// Throws std::invalid_argument that tells the type, range or choices when the value is of another type, out
+/// of range or not finite.
+SettingValue checkSetting(const Setting& setting, const SettingValue& value);
+
+/// Reads the value from text, as the command line gives it: true/false, on/off, yes/no, 1/0; decimal numbers;
+/// names of choices. Throws as checkSetting does.
+SettingValue parseSetting(const Setting& setting, std::string_view text);
+
+/// By name. They throw std::invalid_argument as above and leave `settings` as it was.
+void setSetting(RenderSettings& settings, std::string_view name, const SettingValue& value);
+void setSettingFromText(RenderSettings& settings, std::string_view name, std::string_view text);
+SettingValue getSetting(const RenderSettings& settings, std::string_view name);
+
+/// A setting and the value that a file or a command line gives it.
+struct SettingAssignment {
+    std::string name;
+    SettingValue value;
+    friend bool operator==(const SettingAssignment&, const SettingAssignment&) = default;
+};
+/// In order, so that the last one wins. Throws as setSetting does.
+void applySettings(RenderSettings& settings, std::span<const SettingAssignment> assignments);
+/// One assignment for every setting that differs from a default RenderSettings; for all with `everything`.
+std::vector<SettingAssignment> settingAssignments(const RenderSettings& settings, bool everything);
+
+/// The value as parseSetting reads it; numbers in the fewest digits that keep every bit.
+std::string settingText(const SettingValue& value);
+
+/// What the setting takes, for help and messages: "1 to 32768", "at least 0", "true or false", "automatic or
+/// fixed".
+std::string settingRange(const Setting& setting);
+
+} // namespace rtcore
