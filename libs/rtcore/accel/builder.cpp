@@ -1,0 +1,102 @@
+#include "rtcore/accel/builder.h"
+
+#include "rtcore/accel/exact_builder.h"
+#include "rtcore/accel/fast_builder.h"
+#include "rtcore/platform/task_errors.h"
+#include "rtcore/accel/triangle_clip.h"
+
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <stdexcept>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
+
+namespace rtcore {
+
+namespace {
+
+class Stopwatch {
+  public:
+    /// Seconds since the last call or the construction.
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        const double seconds = std::chrono::duration<double>(now - last_).count();
+        last_ = now;
+        return seconds;
+    }
+
+  private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// Deep enough for any tree worth having (Havran 2000), and never deeper than traversal stacks.
+int depthLimit(std::size_t triangles) {
+    const int log2 = static_cast<int>(std::bit_width(triangles));
+    return std::min(kMaxKdDepth - 1, 10 + log2 + log2 / 2);
+}
+
+KdTree emptyTree() {
+    Subtree leaf;
+    leaf.nodes.emplace_back();
+    return stitch(leaf, Box3{});
+}
+
+std::unique_ptr<Subtree> buildPieces(const BuildContext& context, const BuildOptions& options, const Box3& bounds,
+                                     BuildTimes& times) {
+    Stopwatch watch;
+    if (options.method == BuildMethod::Fast) {
+        auto root = buildFast(context, fastOptions(options.fastQuality), bounds);
+        times.split = watch.lap();
+        return root;
+    }
+    EventLists lists = makeEvents(context.mesh);
+    times.prepare += watch.lap();
+    auto root = buildExact(context, std::move(lists), bounds, 0);
+    times.split = watch.lap();
+    return root;
+}
+
+} // namespace
+
+float automaticIntersectionCost(std::size_t triangles) {
+    return triangles < 100'000 ? 0.3F : triangles < 500'000 ? 0.2F : 0.15F;
+}
+
+KdTree buildKdTree(const Mesh& mesh, const BuildOptions& options, BuildTimes* times, BuildProgress* progress) {
+    const std::size_t triangles = mesh.triangles.size();
+    if (triangles == 0) return emptyTree();
+    if (triangles > kEventTriangleMask) throw std::length_error("a scene may have at most 2^30 - 1 triangles");
+
+    BuildTimes ownTimes;
+    BuildTimes& t = times != nullptr ? *times : ownTimes;
+    Stopwatch watch;
+    const Box3 bounds = mesh.bounds();
+    BuildContext context{mesh, {}, depthLimit(triangles), std::max(0, options.lookAhead), clipMargin(bounds), progress};
+    context.cost.traversal = options.traversalCost;
+    context.cost.intersection =
+        options.intersectionCost > 0 ? options.intersectionCost : automaticIntersectionCost(triangles);
+    context.cost.emptyFactor = 1 - options.emptyBonus;
+    if (progress != nullptr) progress->triangles = triangles;
+    t.prepare = watch.lap();
+
+    TaskErrors errors;
+    std::unique_ptr<Subtree> root;
+#ifdef _OPENMP
+    const int threads = options.threads > 0 ? options.threads : omp_get_max_threads();
+#pragma omp parallel num_threads(threads) default(shared)
+#pragma omp single
+#endif
+    errors.guard([&] { root = buildPieces(context, options, bounds, t); });
+    errors.rethrow();
+
+    watch.lap();
+    KdTree tree = stitch(*root, bounds);
+    root.reset();
+    t.emit = watch.lap();
+    return tree;
+}
+
+} // namespace rtcore

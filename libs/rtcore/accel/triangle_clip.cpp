@@ -1,0 +1,89 @@
+#include "rtcore/accel/triangle_clip.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rtcore {
+
+namespace {
+
+using Point = std::array<double, 3>;
+
+/// Six planes add at most one corner each to the three.
+struct Polygon {
+    std::array<Point, 9> points;
+    int count = 0;
+
+    void add(const Point& p) { points[static_cast<std::size_t>(count++)] = p; }
+};
+
+/// Keeps the part of `in` where sign * (coordinate - limit) <= 0.
+void clipAgainst(const Polygon& in, std::size_t axis, double limit, double sign, Polygon& out) {
+    out.count = 0;
+    for (int i = 0; i < in.count; ++i) {
+        const Point& a = in.points[static_cast<std::size_t>(i)];
+        const Point& b = in.points[static_cast<std::size_t>(i + 1 == in.count ? 0 : i + 1)];
+        const double da = sign * (a[axis] - limit);
+        const double db = sign * (b[axis] - limit);
+        if (da <= 0) out.add(a);
+        if ((da < 0 && db > 0) || (da > 0 && db < 0)) {
+            const double share = da / (da - db);
+            Point p;
+            for (std::size_t k = 0; k < 3; ++k) p[k] = a[k] + share * (b[k] - a[k]);
+            p[axis] = limit;
+            out.add(p);
+        }
+    }
+}
+
+} // namespace
+
+float clipMargin(const Box3& bounds) {
+    float largest = 0;
+    for (int a = 0; a < 3; ++a) {
+        largest = std::max({largest, std::fabs(bounds.lo[a]), std::fabs(bounds.hi[a])});
+    }
+    return largest * 0x1p-21F;
+}
+
+Box3 clippedBounds(const std::array<Vec3, 3>& corners, const Box3& cell, float margin) {
+    Box3 own;
+    for (const Vec3 p : corners) own.extend(p);
+    Polygon polygons[2];
+    Polygon* current = &polygons[0];
+    Polygon* next = &polygons[1];
+    for (const Vec3 p : corners) current->add({p.x, p.y, p.z});
+    for (int axis = 0; axis < 3; ++axis) {
+        const double lo = static_cast<double>(cell.lo[axis]) - margin;
+        const double hi = static_cast<double>(cell.hi[axis]) + margin;
+        if (own.lo[axis] < lo) {
+            clipAgainst(*current, static_cast<std::size_t>(axis), lo, -1, *next);
+            std::swap(current, next);
+        }
+        if (own.hi[axis] > hi) {
+            clipAgainst(*current, static_cast<std::size_t>(axis), hi, 1, *next);
+            std::swap(current, next);
+        }
+        if (current->count == 0) return {};
+    }
+    Box3 result;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        double lo = current->points[0][a];
+        double hi = lo;
+        for (int i = 1; i < current->count; ++i) {
+            lo = std::min(lo, current->points[static_cast<std::size_t>(i)][a]);
+            hi = std::max(hi, current->points[static_cast<std::size_t>(i)][a]);
+        }
+        result.lo[axis] = std::max({static_cast<float>(lo - margin), own.lo[axis], cell.lo[axis]});
+        result.hi[axis] = std::min({static_cast<float>(hi + margin), own.hi[axis], cell.hi[axis]});
+        // A triangle that only the margin brought in lies outside the cell: it touches the nearer face.
+        if (result.lo[axis] > result.hi[axis]) {
+            const float face = own.lo[axis] > cell.hi[axis] ? cell.hi[axis] : cell.lo[axis];
+            result.lo[axis] = result.hi[axis] = std::clamp(face, cell.lo[axis], cell.hi[axis]);
+        }
+    }
+    return result;
+}
+
+} // namespace rtcore

@@ -1,0 +1,61 @@
+/// Rays in bulk: thousands at once, as one array for each coordinate, so that vector code loads them directly.
+#pragma once
+
+#include "rtcore/math/vec.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace rtcore {
+
+inline constexpr std::uint32_t kNoTriangle = 0xFFFFFFFFU;
+
+/// A half-line or segment: origin + t * direction, tMin <= t <= tMax. The direction must be finite and not zero;
+/// its length is free (t is in units of it).
+struct Ray {
+    Vec3 origin;
+    float tMin = 0;
+    Vec3 direction;
+    float tMax = 0;
+};
+
+/// The closest hit: position = (1-u-v) p0 + u p1 + v p2 of the triangle.
+struct Hit {
+    float t = 0;
+    std::uint32_t triangle = kNoTriangle;
+    float u = 0, v = 0;
+};
+
+/// What rays are for; decides how they are traced and how they are counted, never what they find.
+enum class RayKind { Primary, Shadow, Mirror, Refracted, Occlusion, Scattered };
+inline constexpr int kRayKinds = 6;
+
+/// A queue of rays. clear() keeps the memory, so that a steady frame does not allocate.
+struct RayWave {
+    std::vector<float> ox, oy, oz, dx, dy, dz, tMin, tMax;
+
+    std::size_t size() const { return ox.size(); }
+    bool empty() const { return ox.empty(); }
+    void clear();
+    void reserve(std::size_t count);
+    void push(const Ray& ray);
+    /// Keeps the first `count` rays.
+    void truncate(std::size_t count);
+    Ray ray(std::size_t i) const {
+        return {{ox[i], oy[i], oz[i]}, tMin[i], {dx[i], dy[i], dz[i]}, tMax[i]};
+    }
+};
+
+/// One hit for each ray of a wave; a miss has triangle = kNoTriangle and undefined t, u, v.
+struct HitWave {
+    std::vector<float> t, u, v;
+    std::vector<std::uint32_t> triangle;
+
+    std::size_t size() const { return t.size(); }
+    void resize(std::size_t count);
+    bool isHit(std::size_t i) const { return triangle[i] != kNoTriangle; }
+    Hit hit(std::size_t i) const { return {t[i], triangle[i], u[i], v[i]}; }
+};
+
+} // namespace rtcore

@@ -1,0 +1,19 @@
+/// One ray at a time. Watertight: a ray that starts inside a closed mesh never leaves it without a hit, whatever
+/// its direction (Woop, Benthin and Wald 2013, "Watertight Ray/Triangle Intersection", on a tree whose clipping and
+/// intervals are widened by a few units in the last place; docs/architecture.md).
+#pragma once
+
+#include "rtcore/accel/kd_tree.h"
+#include "rtcore/kernels/ray_wave.h"
+#include "rtcore/scene/mesh.h"
+
+namespace rtcore {
+
+/// Closest hit in [ray.tMin, ray.tMax]; at equal distance the triangle with the lower index.
+/// Does not allocate. Safe from many threads. Miss: returns false and leaves `hit` untouched.
+bool intersect(const KdTree& tree, const Mesh& mesh, const Ray& ray, Hit& hit);
+
+/// Whether anything is hit in [ray.tMin, ray.tMax]. Agrees with intersect().
+bool occluded(const KdTree& tree, const Mesh& mesh, const Ray& ray);
+
+} // namespace rtcore
