@@ -1,0 +1,94 @@
+#include "rtcore/shading/shadows.h"
+
+#include "rtcore/math/ray_offset.h"
+#include "rtcore/shading/fresnel.h"
+#include "rtcore/shading/medium.h"
+#include "rtcore/shading/surface.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rtcore {
+
+namespace {
+
+/// Light that passed this many surfaces counts as lost; it bounds the work of a hostile model.
+constexpr int kMaxLayers = 256;
+
+} // namespace
+
+ShadowTracer::ShadowTracer(const Scene& scene, const RayTracer& tracer, bool textures, bool refractions)
+    : scene_(scene), tracer_(tracer), textures_(textures), refractions_(refractions),
+      tinted_(std::any_of(scene.materials.begin(), scene.materials.end(), [&](const Material& m) {
+          return (refractions && m.opacity < 1) || (textures && m.alphaTexture != kNoTexture);
+      })) {}
+
+const std::vector<Colour>& ShadowTracer::transmittance(const RayWave& rays, RayStatistics& statistics) {
+    transmittance_.assign(rays.size(), kWhite);
+    if (tinted_) {
+        traceTinted(rays, statistics);
+    } else {
+        tracePlain(rays, statistics);
+    }
+    return transmittance_;
+}
+
+void ShadowTracer::tracePlain(const RayWave& rays, RayStatistics& statistics) {
+    statistics.count(RayKind::Shadow, rays.size());
+    tracer_.occluded(RayKind::Shadow, rays, occluded_);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (occluded_[i] != 0) transmittance_[i] = {};
+    }
+}
+
+void ShadowTracer::traceTinted(const RayWave& rays, RayStatistics& statistics) {
+    current_ = rays;
+    currentIndex_.resize(rays.size());
+    for (std::uint32_t i = 0; i < rays.size(); ++i) currentIndex_[i] = i;
+
+    for (int layer = 0; layer < kMaxLayers && !current_.empty(); ++layer) {
+        statistics.count(RayKind::Shadow, current_.size());
+        tracer_.intersect(RayKind::Shadow, current_, hits_);
+        next_.clear();
+        nextIndex_.clear();
+        for (std::size_t i = 0; i < current_.size(); ++i) {
+            if (!hits_.isHit(i)) continue;
+            const Ray ray = current_.ray(i);
+            const Hit hit = hits_.hit(i);
+            const Surface surface = surfaceAt(scene_, false, ray.direction, hit);
+            Colour& light = transmittance_[currentIndex_[i]];
+            light *= throughSurface(surface, hit);
+            if (isBlack(light)) continue;
+            Ray rest = ray;
+            rest.origin = offsetRayOrigin(surface.position, -surface.geometricNormal);
+            rest.tMax = ray.tMax - hit.t;
+            if (!(rest.tMax > 0)) continue;
+            next_.push(rest);
+            nextIndex_.push_back(currentIndex_[i]);
+        }
+        std::swap(current_, next_);
+        std::swap(currentIndex_, nextIndex_);
+    }
+    for (const std::uint32_t lost : currentIndex_) transmittance_[lost] = {};
+}
+
+Colour ShadowTracer::throughSurface(const Surface& surface, const Hit& hit) const {
+    const Material& material = *surface.material;
+    const float coverage = coverageAt(scene_, textures_, hit);
+    Colour through{};
+    if (refractions_ && material.opacity < 1) {
+        // The outer angle on both faces: total reflection inside would make solids opaque to straight rays.
+        const float reflected = fresnelDielectric(dot(surface.toViewer, surface.shadingNormal), material.indexOfRefraction);
+        through = kWhite * (1 - material.opacity);
+        if (surface.closed) {
+            through = through * (1 - reflected);
+            if (!surface.fromInside) through *= tintOnEntering(material);
+            if (surface.fromInside) through *= absorption(extinctionOf(material), hit.t);
+        } else {
+            through = through * (1 - thinWallReflectance(reflected)) * material.transmission;
+        }
+    }
+    return kWhite * (1 - coverage) + through * coverage;
+}
+
+} // namespace rtcore

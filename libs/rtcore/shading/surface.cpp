@@ -1,0 +1,79 @@
+#include "rtcore/shading/surface.h"
+
+#include "rtcore/shading/texture_lookup.h"
+
+namespace rtcore {
+
+namespace {
+
+/// An attribute of the corners at the hit.
+template <typename Value>
+Value interpolate(std::span<const Value> values, const ShadingTriangle& triangle, const Hit& hit) {
+    const Value& a = values[triangle.v[0]];
+    const Value& b = values[triangle.v[1]];
+    const Value& c = values[triangle.v[2]];
+    return a * (1 - hit.u - hit.v) + b * hit.u + c * hit.v;
+}
+
+Vec2 texcoordAt(const Mesh& mesh, const ShadingTriangle& triangle, const Hit& hit) {
+    if (mesh.texcoords.empty()) return {};
+    const Vec2& a = mesh.texcoords[triangle.v[0]];
+    const Vec2& b = mesh.texcoords[triangle.v[1]];
+    const Vec2& c = mesh.texcoords[triangle.v[2]];
+    const float w = 1 - hit.u - hit.v;
+    return {a.x * w + b.x * hit.u + c.x * hit.v, a.y * w + b.y * hit.u + c.y * hit.v};
+}
+
+float coverageOf(const Scene& scene, const Material& material, Vec2 uv) {
+    if (material.alphaTexture == kNoTexture) return 1;
+    const TextureSample s = sampleTexture(scene.model, scene.model.textures[material.alphaTexture], uv);
+    const float alpha = material.alphaFromAlpha != 0 ? s.alpha : s.mask;
+    if (material.alphaCutoff > 0) return alpha < material.alphaCutoff ? 0.0F : 1.0F;
+    return alpha;
+}
+
+Colour textureColour(const Scene& scene, std::uint32_t texture, Vec2 uv) {
+    return sampleTexture(scene.model, scene.model.textures[texture], uv).colour;
+}
+
+} // namespace
+
+Surface surfaceAt(const Scene& scene, bool textures, Vec3 direction, const Hit& hit) {
+    const Mesh& mesh = scene.mesh();
+    const ShadingTriangle& shading = mesh.shading[hit.triangle];
+    const Material& material = scene.materials[shading.material];
+
+    Surface s;
+    s.material = &material;
+    // From the corners, not along the ray: the error then is that of the triangle's size, not of the ray's length.
+    s.position = mesh.position(hit.triangle, 0) * (1 - hit.u - hit.v) + mesh.position(hit.triangle, 1) * hit.u +
+                 mesh.position(hit.triangle, 2) * hit.v;
+    s.toViewer = -direction;
+    s.geometricNormal = normalize(mesh.geometricNormal(hit.triangle));
+    s.shadingNormal = normalize(interpolate(mesh.normals, shading, hit));
+    s.fromInside = dot(s.geometricNormal, direction) > 0;
+    if (s.fromInside) s.geometricNormal = -s.geometricNormal;
+    if (s.shadingNormal == Vec3{}) s.shadingNormal = s.geometricNormal;
+    if (dot(s.shadingNormal, s.geometricNormal) < 0) s.shadingNormal = -s.shadingNormal;
+    s.closed = !scene.closed.empty() && scene.closed[hit.triangle] != 0;
+
+    s.diffuse = material.diffuse;
+    s.emission = material.emission;
+    if (!mesh.colours.empty()) s.diffuse *= interpolate(mesh.colours, shading, hit);
+    if (textures) {
+        const Vec2 uv = texcoordAt(mesh, shading, hit);
+        if (material.diffuseTexture != kNoTexture) s.diffuse *= textureColour(scene, material.diffuseTexture, uv);
+        if (material.emissionTexture != kNoTexture) s.emission *= textureColour(scene, material.emissionTexture, uv);
+        s.coverage = coverageOf(scene, material, uv);
+    }
+    return s;
+}
+
+float coverageAt(const Scene& scene, bool textures, const Hit& hit) {
+    const ShadingTriangle& shading = scene.mesh().shading[hit.triangle];
+    const Material& material = scene.materials[shading.material];
+    if (!textures || material.alphaTexture == kNoTexture) return 1;
+    return coverageOf(scene, material, texcoordAt(scene.mesh(), shading, hit));
+}
+
+} // namespace rtcore

@@ -1,0 +1,28 @@
+/// What a ray found: the surface at its hit, ready to be lit.
+#pragma once
+
+#include "rtcore/kernels/ray_wave.h"
+#include "rtcore/scene/scene.h"
+
+namespace rtcore {
+
+struct Surface {
+    Vec3 position;
+    Vec3 geometricNormal;   ///< unit, on the side of the viewer
+    Vec3 shadingNormal;     ///< unit, interpolated, on the same side as geometricNormal
+    Vec3 toViewer;          ///< unit
+    Colour diffuse;         ///< albedo with texture and vertex colour
+    Colour emission;        ///< radiance
+    float coverage = 1;     ///< under 1 where an alpha texture lets rays pass as if nothing were there
+    bool fromInside = false; ///< the viewer is behind the front side
+    bool closed = false;    ///< the surface bounds a solid
+    const Material* material = nullptr;
+};
+
+/// `direction` is the ray's, of unit length. Safe from many threads.
+Surface surfaceAt(const Scene& scene, bool textures, Vec3 direction, const Hit& hit);
+
+/// Only what a shadow ray needs to know: the share of it that an alpha texture lets pass.
+float coverageAt(const Scene& scene, bool textures, const Hit& hit);
+
+} // namespace rtcore

@@ -1,0 +1,17 @@
+/// Texture lookups: bilinear, repeating, linear light.
+#pragma once
+
+#include "rtcore/scene/model.h"
+
+namespace rtcore {
+
+struct TextureSample {
+    Colour colour; ///< linear
+    float alpha = 1;
+    float mask = 1; ///< the red channel as it is stored, 0..1: masks are numbers, not light
+};
+
+/// `uv` of any size; (0,0) is the lower left corner of the picture, which repeats. Safe from many threads.
+TextureSample sampleTexture(const Model& model, const Texture& texture, Vec2 uv);
+
+} // namespace rtcore
