@@ -1,0 +1,380 @@
+#include "rtcore/platform/files.h"
+
+#include "rtcore/platform/error.h"
+#include "support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+using rtcore::FailureKind;
+using rtcore::FileError;
+
+namespace {
+
+std::span<const std::byte> bytesOf(const std::string& text) { return std::as_bytes(std::span(text)); }
+
+std::string textOf(const rtcore::FileBytes& file) {
+    return {reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()};
+}
+
+void put(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+
+void replaceBy(const fs::path& path, const std::string& text) {
+    const std::array pieces{bytesOf(text)};
+    rtcore::writeFileAtomically(path, pieces);
+}
+
+std::size_t entries(const fs::path& folder) {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {}));
+}
+
+/// The error that `action` ends with; fails the test when it ends well.
+template <typename Action>
+FileError errorOf(Action action) {
+    try {
+        action();
+    } catch (const FileError& error) {
+        return error;
+    }
+    ADD_FAILURE() << "no FileError";
+    return {FailureKind::Stopped, "", ""};
+}
+
+/// Runs `action` in a child process; its exit code, or minus the signal that ended it.
+template <typename Action>
+int inChild(Action action) {
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(action());
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+} // namespace
+
+TEST(OpenFileBytes, givesSmallAndMappedFilesAsTheyAre) {
+    const test::TemporaryFolder folder;
+    for (const std::size_t size : {0, 1, 4095, 65535, 65536, 300000}) {
+        std::string content(size, '\0');
+        for (std::size_t i = 0; i < size; ++i) content[i] = static_cast<char>(i * 7 + i / 251);
+        put(folder / "f", content);
+        EXPECT_EQ(textOf(rtcore::openFileBytes(folder / "f")), content) << size;
+    }
+}
+
+TEST(OpenFileBytes, contentLivesAsLongAsItsOwnerThoughTheFileIsReplaced) {
+    const test::TemporaryFolder folder;
+    const std::string before(100000, 'a');
+    put(folder / "f", before);
+    const rtcore::FileBytes bytes = rtcore::openFileBytes(folder / "f");
+    replaceBy(folder / "f", "new");
+    fs::remove(folder / "f");
+    EXPECT_EQ(textOf(bytes), before);
+}
+
+TEST(OpenFileBytes, readsPipesAndFilesWithoutASize) {
+    const test::TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    const std::string content(200000, 'p');
+    std::thread writer([&] { put(folder / "pipe", content); });
+    EXPECT_EQ(textOf(rtcore::openFileBytes(folder / "pipe")), content);
+    writer.join();
+    if (fs::exists("/proc/self/status")) {
+        EXPECT_NE(rtcore::readTextFile("/proc/self/status").find("Pid:"), std::string::npos);
+    }
+}
+
+TEST(OpenFileBytes, namesTheFileThatIsMissingOrAFolder) {
+    const test::TemporaryFolder folder;
+    const FileError missing = errorOf([&] { rtcore::openFileBytes(folder / "nothing"); });
+    EXPECT_EQ(missing.kind, FailureKind::NoInput);
+    EXPECT_NE(std::string(missing.what()).find("nothing: cannot be read"), std::string::npos)
+        << missing.what();
+    EXPECT_EQ(errorOf([&] { rtcore::openFileBytes(folder.path()); }).kind, FailureKind::NoInput);
+    EXPECT_EQ(errorOf([&] { rtcore::openFileBytes(folder / "nothing" / "below"); }).kind,
+              FailureKind::NoInput);
+    if (::geteuid() == 0) return;
+    put(folder / "secret", "x");
+    fs::permissions(folder / "secret", fs::perms::none);
+    EXPECT_EQ(errorOf([&] { rtcore::openFileBytes(folder / "secret"); }).kind, FailureKind::NoInput);
+}
+
+TEST(ReadTextFile, refusesWhatIsLargerThanItsLimit) {
+    const test::TemporaryFolder folder;
+    put(folder / "f", "12345");
+    EXPECT_EQ(rtcore::readTextFile(folder / "f", 5), "12345");
+    EXPECT_EQ(errorOf([&] { rtcore::readTextFile(folder / "f", 4); }).kind, FailureKind::BadData);
+    if (fs::exists("/dev/zero")) {
+        EXPECT_EQ(errorOf([&] { rtcore::readTextFile("/dev/zero", 1000); }).kind, FailureKind::BadData);
+    }
+}
+
+TEST(ReplaceFile, writesPiecesInOrderAndLeavesNothingElse) {
+    const test::TemporaryFolder folder;
+    const std::string a = "one ", b, c(100000, 'c');
+    const std::array pieces{bytesOf(a), bytesOf(b), bytesOf(c)};
+    rtcore::writeFileAtomically(folder / "f", pieces);
+    EXPECT_EQ(rtcore::readTextFile(folder / "f"), a + c);
+    replaceBy(folder / "f", "short");
+    EXPECT_EQ(rtcore::readTextFile(folder / "f"), "short");
+    EXPECT_EQ(entries(folder.path()), 1U);
+}
+
+TEST(ReplaceFile, temporaryFileIsEmptyBesideTheTargetAndKeepsItsExtension) {
+    const test::TemporaryFolder folder;
+    rtcore::replaceFile(folder / "picture.png", [&](const fs::path& temporary) {
+        EXPECT_EQ(temporary.parent_path(), folder.path());
+        EXPECT_EQ(temporary.extension(), ".png");
+        EXPECT_EQ(fs::file_size(temporary), 0U);
+        EXPECT_FALSE(fs::exists(folder / "picture.png"));
+        put(temporary, "pixels");
+    });
+    EXPECT_EQ(rtcore::readTextFile(folder / "picture.png"), "pixels");
+}
+
+TEST(ReplaceFile, modeFollowsTheUmask) {
+    const test::TemporaryFolder folder;
+    for (const mode_t mask : {0022, 0077, 0000}) {
+        const fs::path path = folder / std::to_string(mask);
+        EXPECT_EQ(inChild([&] {
+                      ::umask(mask);
+                      replaceBy(path, "x");
+                      return 0;
+                  }),
+                  0);
+        struct stat status {};
+        ASSERT_EQ(::stat(path.c_str(), &status), 0);
+        EXPECT_EQ(status.st_mode & 0777U, 0666U & ~mask);
+    }
+}
+
+TEST(ReplaceFile, exceptionLeavesTheOldContentAndNoTemporary) {
+    const test::TemporaryFolder folder;
+    put(folder / "f", "old");
+    EXPECT_THROW(rtcore::replaceFile(folder / "f",
+                                     [](const fs::path& temporary) {
+                                         put(temporary, "half of the n");
+                                         throw std::runtime_error("stopped");
+                                     }),
+                 std::runtime_error);
+    EXPECT_EQ(rtcore::readTextFile(folder / "f"), "old");
+    EXPECT_EQ(entries(folder.path()), 1U);
+}
+
+TEST(ReplaceFile, followsLinksToTheirEnd) {
+    const test::TemporaryFolder folder;
+    fs::create_directory(folder / "real");
+    put(folder / "real" / "f", "old");
+    fs::create_symlink("real/f", folder / "middle");
+    fs::create_symlink(folder / "middle", folder / "link");
+    replaceBy(folder / "link", "new");
+    EXPECT_TRUE(fs::is_symlink(folder / "link"));
+    EXPECT_TRUE(fs::is_symlink(folder / "middle"));
+    EXPECT_EQ(rtcore::readTextFile(folder / "real" / "f"), "new");
+    EXPECT_EQ(entries(folder / "real"), 1U);
+
+    fs::create_symlink("real/later", folder / "dangling");
+    replaceBy(folder / "dangling", "made");
+    EXPECT_EQ(rtcore::readTextFile(folder / "real" / "later"), "made");
+
+    fs::create_symlink("circle", folder / "circle");
+    EXPECT_EQ(errorOf([&] { replaceBy(folder / "circle", "x"); }).kind, FailureKind::CannotWrite);
+}
+
+TEST(ReplaceFile, relativeNamesBelongToTheCurrentFolder) {
+    const test::TemporaryFolder folder;
+    EXPECT_EQ(inChild([&] {
+                  if (::chdir(folder.path().c_str()) != 0) return 1;
+                  replaceBy("plain.txt", "here");
+                  return 0;
+              }),
+              0);
+    EXPECT_EQ(rtcore::readTextFile(folder / "plain.txt"), "here");
+}
+
+TEST(ReplaceFile, writesPipesDirectly) {
+    const test::TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    std::string received;
+    std::thread reader([&] { received = rtcore::readTextFile(folder / "pipe"); });
+    replaceBy(folder / "pipe", "through the pipe");
+    reader.join();
+    EXPECT_EQ(received, "through the pipe");
+    EXPECT_TRUE(fs::is_fifo(folder / "pipe"));
+}
+
+TEST(ReplaceFile, standardOutputStaysTheSameFile) {
+    if (!fs::exists("/dev/stdout")) GTEST_SKIP() << "no /dev/stdout";
+    const test::TemporaryFolder folder;
+    put(folder / "out", "");
+    struct stat before {
+    }, after{};
+    ASSERT_EQ(::stat((folder / "out").c_str(), &before), 0);
+    EXPECT_EQ(inChild([&] {
+                  if (std::freopen((folder / "out").c_str(), "wb", stdout) == nullptr) return 1;
+                  replaceBy("/dev/stdout", "result");
+                  return 0;
+              }),
+              0);
+    ASSERT_EQ(::stat((folder / "out").c_str(), &after), 0);
+    EXPECT_EQ(before.st_ino, after.st_ino);
+    EXPECT_EQ(rtcore::readTextFile(folder / "out"), "result");
+    EXPECT_EQ(entries(folder.path()), 1U);
+}
+
+TEST(ReplaceFile, saysWhyItCannotWrite) {
+    const test::TemporaryFolder folder;
+    const FileError noFolder = errorOf([&] { replaceBy(folder / "missing" / "f", "x"); });
+    EXPECT_EQ(noFolder.kind, FailureKind::CannotWrite);
+    EXPECT_NE(std::string(noFolder.what()).find("missing/f: cannot be written: No such file"),
+              std::string::npos)
+        << noFolder.what();
+    EXPECT_EQ(errorOf([&] { replaceBy(folder.path(), "x"); }).kind, FailureKind::CannotWrite);
+    EXPECT_EQ(errorOf([&] { replaceBy(folder / std::string(300, 'n'), "x"); }).kind,
+              FailureKind::CannotWrite);
+    EXPECT_EQ(entries(folder.path()), 0U);
+}
+
+TEST(ReplaceFile, fullDeviceIsAnError) {
+    if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
+    const FileError full = errorOf([] { replaceBy("/dev/full", "x"); });
+    EXPECT_EQ(full.kind, FailureKind::CannotWrite);
+    EXPECT_NE(std::string(full.what()).find("No space left"), std::string::npos) << full.what();
+    EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
+TEST(ReplaceFile, unwritableFolderIsAnError) {
+    if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
+    const test::TemporaryFolder folder;
+    fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec);
+    const FileError denied = errorOf([&] { replaceBy(folder / "f", "x"); });
+    fs::permissions(folder.path(), fs::perms::owner_all);
+    EXPECT_EQ(denied.kind, FailureKind::CannotWrite);
+}
+
+TEST(ReplaceFile, fileSizeLimitIsAnErrorAndLeavesTheOldFile) {
+    const test::TemporaryFolder folder;
+    put(folder / "f", "old");
+    const int code = inChild([&] {
+        const rlimit limit{1000, 1000};
+        ::signal(SIGXFSZ, SIG_IGN);
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        try {
+            replaceBy(folder / "f", std::string(5000, 'x'));
+        } catch (const FileError& error) {
+            return error.kind == FailureKind::CannotWrite ? 7 : 1;
+        }
+        return 2;
+    });
+    EXPECT_EQ(code, 7);
+    EXPECT_EQ(rtcore::readTextFile(folder / "f"), "old");
+    EXPECT_EQ(entries(folder.path()), 1U);
+}
+
+TEST(ReplaceFile, threadsThatReplaceOneFileEachWriteAllOfIt) {
+    const test::TemporaryFolder folder;
+    put(folder / "f", std::string(5000, 'a'));
+    const auto replaceOften = [&](char letter) {
+        for (int i = 0; i < 50; ++i) replaceBy(folder / "f", std::string(5000, letter));
+    };
+    std::thread one(replaceOften, 'a'), two(replaceOften, 'b');
+    for (int i = 0; i < 200; ++i) {
+        const std::string seen = rtcore::readTextFile(folder / "f");
+        ASSERT_TRUE(seen == std::string(5000, 'a') || seen == std::string(5000, 'b')) << seen.size();
+    }
+    one.join();
+    two.join();
+    EXPECT_EQ(entries(folder.path()), 1U);
+}
+
+TEST(RemoveTemporaryFiles, handlerOfASignalLeavesOnlyTheOldFile) {
+    const test::TemporaryFolder folder;
+    put(folder / "f", "old");
+    const int code = inChild([&] {
+        ::signal(SIGTERM, [](int) {
+            rtcore::removeTemporaryFiles();
+            ::_exit(143);
+        });
+        rtcore::replaceFile(folder / "f", [](const fs::path& temporary) {
+            put(temporary, "half");
+            ::raise(SIGTERM);
+        });
+        return 1;
+    });
+    EXPECT_EQ(code, 143);
+    EXPECT_EQ(rtcore::readTextFile(folder / "f"), "old");
+    EXPECT_EQ(entries(folder.path()), 1U);
+}
+
+TEST(RemoveTemporaryFiles, aForkedChildLeavesItsParentsFiles) {
+    const test::TemporaryFolder folder;
+    rtcore::replaceFile(folder / "f", [](const fs::path& temporary) {
+        put(temporary, "whole");
+        EXPECT_EQ(inChild([] {
+                      rtcore::removeTemporaryFiles();
+                      return 0;
+                  }),
+                  0);
+    });
+    EXPECT_EQ(rtcore::readTextFile(folder / "f"), "whole");
+}
+
+TEST(RemoveTemporaryFiles, theTableServesAgainAfterwards) {
+    const test::TemporaryFolder folder;
+    for (int i = 0; i < 100; ++i) {
+        const auto removeMidway = [](const fs::path& temporary) {
+            rtcore::removeTemporaryFiles();
+            EXPECT_FALSE(fs::exists(temporary));
+        };
+        ASSERT_EQ(errorOf([&] { rtcore::replaceFile(folder / "f", removeMidway); }).kind,
+                  FailureKind::CannotWrite);
+        replaceBy(folder / "f", "x");
+    }
+    EXPECT_EQ(entries(folder.path()), 1U);
+}
+
+TEST(TemporaryFile, isPrivateEmptyAndGoesAway) {
+    fs::path path;
+    {
+        const rtcore::TemporaryFile file("rtsuite-test-");
+        path = file.path();
+        struct stat status {};
+        ASSERT_EQ(::stat(path.c_str(), &status), 0);
+        EXPECT_EQ(status.st_mode & 07777U, 0600U);
+        EXPECT_EQ(status.st_size, 0);
+        const rtcore::TemporaryFile other("rtsuite-test-");
+        EXPECT_NE(other.path(), path);
+    }
+    EXPECT_FALSE(fs::exists(path));
+}
+
+TEST(TemporaryFile, badFolderIsAnError) {
+    EXPECT_EQ(inChild([] {
+                  ::setenv("TMPDIR", "/nonexistent/folder", 1);
+                  try {
+                      const rtcore::TemporaryFile file("x");
+                  } catch (const FileError& error) {
+                      return error.kind == FailureKind::CannotWrite ? 7 : 1;
+                  }
+                  return 2;
+              }),
+              7);
+}
+
+TEST(ProgramFolder, holdsThisProgram) {
+    EXPECT_TRUE(fs::is_directory(rtcore::programFolder()));
+    EXPECT_TRUE(fs::exists(rtcore::programFolder() / "test_platform"));
+}

@@ -1,0 +1,52 @@
+#include "rtcore/settings/nearest_name.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace {
+
+using rtcore::editDistance;
+using rtcore::nearestName;
+
+constexpr std::array<std::string_view, 4> kNames{"eye", "forward", "exposure.mode",
+                                                 "ambientOcclusion.samples"};
+
+TEST(NearestName, EditDistanceCountsEditsAndSwaps) {
+    EXPECT_EQ(editDistance("", ""), 0U);
+    EXPECT_EQ(editDistance("", "abc"), 3U);
+    EXPECT_EQ(editDistance("abc", ""), 3U);
+    EXPECT_EQ(editDistance("kitten", "sitting"), 3U);
+    EXPECT_EQ(editDistance("form", "from"), 1U);
+    EXPECT_EQ(editDistance("WIDTH", "width"), 0U);
+}
+
+TEST(NearestName, FindsMisspeltNames) {
+    EXPECT_EQ(nearestName("eey", kNames), "eye");
+    EXPECT_EQ(nearestName("foward", kNames), "forward");
+    EXPECT_EQ(nearestName("exposure.mod", kNames), "exposure.mode");
+    EXPECT_EQ(nearestName("ambientocclusion.sampels", kNames), "ambientOcclusion.samples");
+}
+
+TEST(NearestName, FindsDottedNamesByTheirLastPart) { EXPECT_EQ(nearestName("samples", kNames), kNames[3]); }
+
+TEST(NearestName, SuggestsNothingWhenNothingIsNear) {
+    EXPECT_EQ(nearestName("qqqqqqqq", kNames), "");
+    EXPECT_EQ(nearestName(std::string(100'000, 'e'), kNames), "");
+    EXPECT_EQ(nearestName("eye", {}), "");
+}
+
+TEST(NearestName, MessagesListAllNamesWhenNoneIsNear) {
+    EXPECT_EQ(rtcore::unknownNameMessage("key", "eey", kNames), "unknown key 'eey'; did you mean 'eye'?");
+    EXPECT_EQ(rtcore::unknownNameMessage("key", "qqqqqqqq", kNames),
+              "unknown key 'qqqqqqqq'; known: eye forward exposure.mode ambientOcclusion.samples");
+}
+
+TEST(NearestName, MessagesStayOnOneShortLine) {
+    EXPECT_EQ(rtcore::quoted("a\nb\x1b[0m"), "'a\\x0ab\\x1b[0m'");
+    EXPECT_LT(rtcore::quoted(std::string(1'000'000, 'x')).size(), 100U);
+    // Cut between characters, not within one.
+    EXPECT_EQ(rtcore::printable("ab\xC3\xA4", 3), "ab...");
+}
+
+} // namespace

@@ -1,0 +1,227 @@
+#include "rtcore/settings/settings_table.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <set>
+#include <stdexcept>
+
+namespace {
+
+using rtcore::RenderSettings;
+using rtcore::Setting;
+using rtcore::SettingType;
+using rtcore::SettingValue;
+
+std::string refusal(std::string_view name, const SettingValue& value) {
+    RenderSettings settings;
+    try {
+        rtcore::setSetting(settings, name, value);
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+std::string textRefusal(std::string_view name, std::string_view text) {
+    RenderSettings settings;
+    try {
+        rtcore::setSettingFromText(settings, name, text);
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+/// A value that the setting takes and that is not its default.
+SettingValue otherValue(const Setting& setting) {
+    switch (setting.type) {
+    case SettingType::Boolean:
+        return !std::get<bool>(setting.defaultValue);
+    case SettingType::Integer:
+        return std::get<int>(setting.defaultValue) + 1;
+    case SettingType::Number:
+        return std::get<float>(setting.defaultValue) + 0.1F;
+    case SettingType::Choice:
+        break;
+    }
+    return std::string(setting.choices.back());
+}
+
+TEST(SettingsTable, HasEveryMemberOfTheStructOnce) {
+    std::set<std::string_view> names;
+    for (const Setting& setting : rtcore::settingsTable()) {
+        EXPECT_TRUE(names.insert(setting.name).second) << setting.name;
+        EXPECT_FALSE(setting.help.empty()) << setting.name;
+    }
+    const std::set<std::string_view> expected{"width",
+                                              "height",
+                                              "antialiasing",
+                                              "shadows",
+                                              "reflections",
+                                              "refractions",
+                                              "textures",
+                                              "maxDepth",
+                                              "minContribution",
+                                              "ambientOcclusion.on",
+                                              "ambientOcclusion.samples",
+                                              "ambientOcclusion.distance",
+                                              "bloom",
+                                              "exposure.mode",
+                                              "exposure.value",
+                                              "exposure.key",
+                                              "toneMapping",
+                                              "dithering",
+                                              "environmentFilter"};
+    EXPECT_EQ(names, expected);
+}
+
+TEST(SettingsTable, DefaultsAreThoseOfTheStructAndInRange) {
+    const RenderSettings defaults;
+    for (const Setting& setting : rtcore::settingsTable()) {
+        EXPECT_EQ(setting.get(defaults), setting.defaultValue) << setting.name;
+        EXPECT_EQ(rtcore::checkSetting(setting, setting.defaultValue), setting.defaultValue) << setting.name;
+    }
+    EXPECT_EQ(std::get<int>(rtcore::getSetting(defaults, "width")), defaults.width);
+    EXPECT_EQ(std::get<std::string>(rtcore::getSetting(defaults, "exposure.mode")), "automatic");
+}
+
+TEST(SettingsTable, SettingOneChangesThatOneAlone) {
+    for (const Setting& setting : rtcore::settingsTable()) {
+        RenderSettings settings;
+        rtcore::setSetting(settings, setting.name, otherValue(setting));
+        const auto changes = rtcore::settingAssignments(settings, false);
+        ASSERT_EQ(changes.size(), 1U) << setting.name;
+        EXPECT_EQ(changes[0].name, setting.name);
+        EXPECT_EQ(changes[0].value, otherValue(setting));
+    }
+}
+
+TEST(SettingsTable, ReachesTheMembersOfTheirNames) {
+    RenderSettings s;
+    rtcore::setSettingFromText(s, "height", "1080");
+    rtcore::setSettingFromText(s, "ambientOcclusion.distance", "2.5");
+    rtcore::setSettingFromText(s, "exposure.mode", "fixed");
+    rtcore::setSettingFromText(s, "toneMapping", "channels");
+    rtcore::setSettingFromText(s, "environmentFilter", "nearest");
+    rtcore::setSettingFromText(s, "dithering", "off");
+    EXPECT_EQ(s.height, 1080);
+    EXPECT_EQ(s.ambientOcclusion.distance, 2.5F);
+    EXPECT_EQ(s.exposure.mode, rtcore::ExposureMode::Fixed);
+    EXPECT_EQ(s.toneMapping, rtcore::ToneMapping::Channels);
+    EXPECT_EQ(s.environmentFilter, rtcore::EnvironmentFilter::Nearest);
+    EXPECT_FALSE(s.dithering);
+}
+
+TEST(SettingsTable, LimitsAreTakenAndWhatLiesBeyondIsRefused) {
+    for (const Setting& setting : rtcore::settingsTable()) {
+        if (setting.type == SettingType::Integer) {
+            const int low = static_cast<int>(setting.minimum), high = static_cast<int>(setting.maximum);
+            EXPECT_EQ(refusal(setting.name, low), "accepted");
+            EXPECT_EQ(refusal(setting.name, high), "accepted");
+            EXPECT_NE(refusal(setting.name, low - 1), "accepted");
+            EXPECT_NE(refusal(setting.name, high + 1), "accepted");
+        }
+        if (setting.type == SettingType::Number) {
+            const auto low = static_cast<float>(setting.minimum), high = static_cast<float>(setting.maximum);
+            constexpr float infinity = std::numeric_limits<float>::infinity();
+            EXPECT_EQ(refusal(setting.name, low), "accepted");
+            EXPECT_EQ(refusal(setting.name, high), "accepted");
+            EXPECT_NE(refusal(setting.name, std::nextafter(low, -infinity)), "accepted");
+            EXPECT_NE(refusal(setting.name, std::nextafter(high, infinity)), "accepted");
+            EXPECT_NE(refusal(setting.name, infinity), "accepted");
+            EXPECT_NE(refusal(setting.name, std::numeric_limits<float>::quiet_NaN()), "accepted");
+        }
+    }
+}
+
+TEST(SettingsTable, RefusalsTellTheRangeOrTheChoices) {
+    EXPECT_EQ(refusal("width", 0), "width is 0, but takes a whole number, 1 to 32768 pixels");
+    EXPECT_EQ(refusal("width", 3.5F), "width is 3.5, but takes a whole number, 1 to 32768 pixels");
+    EXPECT_EQ(refusal("shadows", 1), "shadows is 1, but takes true or false");
+    EXPECT_EQ(refusal("ambientOcclusion.distance", -1),
+              "ambientOcclusion.distance is -1, but takes at least 0 scene units");
+    EXPECT_EQ(refusal("exposure.mode", std::string("auto")),
+              "exposure.mode is 'auto', but takes automatic or fixed");
+    EXPECT_EQ(refusal("toneMapping", true), "toneMapping is true, but takes luminance or channels");
+    EXPECT_EQ(textRefusal("bloom", "much"), "bloom is 'much', but takes a whole number, 0 to 4096 pixels");
+}
+
+TEST(SettingsTable, UnknownNamesGetTheNearest) {
+    EXPECT_EQ(refusal("widht", 1), "unknown setting 'widht'; did you mean 'width'?");
+    EXPECT_EQ(textRefusal("samples", "3"),
+              "unknown setting 'samples'; did you mean 'ambientOcclusion.samples'?");
+    EXPECT_EQ(textRefusal("antiAliasing", "3"),
+              "unknown setting 'antiAliasing'; did you mean 'antialiasing'?");
+    EXPECT_THROW(rtcore::getSetting({}, "exposure"), std::invalid_argument);
+}
+
+TEST(SettingsTable, TextOfEachKindIsUnderstood) {
+    RenderSettings s;
+    for (const char* yes : {"true", "on", "yes", "1"}) {
+        s.ambientOcclusion.on = false;
+        rtcore::setSettingFromText(s, "ambientOcclusion.on", yes);
+        EXPECT_TRUE(s.ambientOcclusion.on) << yes;
+    }
+    for (const char* no : {"false", "off", "no", "0"}) {
+        s.shadows = true;
+        rtcore::setSettingFromText(s, "shadows", no);
+        EXPECT_FALSE(s.shadows) << no;
+    }
+    rtcore::setSettingFromText(s, "exposure.value", "2");
+    EXPECT_EQ(s.exposure.value, 2.0F);
+    rtcore::setSettingFromText(s, "exposure.value", "1e-3");
+    EXPECT_EQ(s.exposure.value, 0.001F);
+}
+
+TEST(SettingsTable, TextThatIsNoValueIsRefused) {
+    for (const char* text :
+         {"", " 3", "3 ", "3x", "0x10", "nan", "inf", "99999999999999999999", "-1", "3.5", "true"})
+        EXPECT_NE(textRefusal("width", text), "accepted") << text;
+    for (const char* text : {"", "nan", "inf", "-inf", "1e39", "1e-50", "one", "0"})
+        EXPECT_NE(textRefusal("exposure.value", text), "accepted") << text;
+    for (const char* text : {"", "2", "TRUE ", "maybe"})
+        EXPECT_NE(textRefusal("shadows", text), "accepted") << text;
+}
+
+TEST(SettingsTable, FailureLeavesEverythingAsItWas) {
+    RenderSettings settings;
+    settings.width = 123;
+    const std::vector<rtcore::SettingAssignment> assignments{{"width", 7}, {"height", 0}};
+    EXPECT_THROW(rtcore::applySettings(settings, assignments), std::invalid_argument);
+    EXPECT_EQ(settings.width, 123);
+}
+
+TEST(SettingsTable, LaterAssignmentsWin) {
+    RenderSettings settings;
+    const std::vector<rtcore::SettingAssignment> assignments{{"width", 7}, {"bloom", 3}, {"width", 8}};
+    rtcore::applySettings(settings, assignments);
+    EXPECT_EQ(settings.width, 8);
+    EXPECT_EQ(settings.bloom, 3);
+}
+
+TEST(SettingsTable, AllAssignmentsMakeTheSameSettingsAgain) {
+    RenderSettings settings;
+    settings.exposure.key = 0.33F;
+    settings.antialiasing = 5;
+    settings.toneMapping = rtcore::ToneMapping::Channels;
+    const auto everything = rtcore::settingAssignments(settings, true);
+    EXPECT_EQ(everything.size(), rtcore::settingsTable().size());
+    RenderSettings again;
+    rtcore::applySettings(again, everything);
+    EXPECT_EQ(rtcore::settingAssignments(again, true), everything);
+}
+
+TEST(SettingsTable, NumbersSurviveTheTripThroughText) {
+    std::mt19937 random(5);
+    const Setting& setting = rtcore::requireSetting("ambientOcclusion.distance");
+    for (int i = 0; i < 10'000; ++i) {
+        const float value =
+            std::ldexp(static_cast<float>(random() >> 8U), static_cast<int>(random() % 200) - 140);
+        EXPECT_EQ(rtcore::parseSetting(setting, rtcore::settingText(value)), SettingValue(value));
+    }
+}
+
+} // namespace
