@@ -1,0 +1,36 @@
+/// .cam: one camera, and what else makes one picture the same again (docs/formats.md).
+#pragma once
+
+#include "rtcore/scene/camera.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rtcore {
+
+/// What is absent in the file leaves the scene's and the settings' values as they are.
+struct CameraFile {
+    Camera camera;                           ///< nameOffset is 0
+    std::optional<int> width, height;        ///< pixels
+    std::optional<int> antialiasing, bloom;  ///< as the settings of these names
+    std::optional<float> exposure;           ///< the fixed constant c; absent: automatic
+    std::optional<std::vector<bool>> lights; ///< which are on, in the scene's order
+    std::optional<int> environment;          ///< index into the scene's environments
+    std::optional<double> time;              ///< seconds since the recording began, >= 0
+    friend bool operator==(const CameraFile&, const CameraFile&) = default;
+};
+
+/// Throws FileError: NoInput, or BadData with line and column.
+CameraFile readCameraFile(const std::filesystem::path& path);
+/// The same from memory; `path` is named in errors.
+CameraFile parseCameraFile(std::string_view text, const std::filesystem::path& path);
+
+/// Replaces the file. Throws FileError CannotWrite, also when a value is one that readCameraFile would
+/// refuse.
+void writeCameraFile(const std::filesystem::path& path, const CameraFile& file);
+std::string formatCameraFile(const CameraFile& file);
+
+} // namespace rtcore

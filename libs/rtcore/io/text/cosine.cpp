@@ -1,0 +1,60 @@
+#include "rtcore/io/text/cosine.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace rtcore {
+
+namespace {
+
+/// sin of |x| <= pi / 2 by its series; the first term left out is below 1e-20.
+double sine(double x) {
+    const double square = x * x;
+    double term = x, sum = x;
+    for (int n = 2; n < 24; n += 2) {
+        term *= -square / (n * (n + 1.0));
+        sum += term;
+    }
+    return sum;
+}
+
+double roundedToDigits(double value, int digits) {
+    std::array<char, 64> text{};
+    char* const begin = text.data();
+    const auto end =
+        std::to_chars(begin, begin + text.size(), value, std::chars_format::scientific, digits - 1).ptr;
+    double rounded = value;
+    std::from_chars(begin, end, rounded);
+    return rounded;
+}
+
+} // namespace
+
+float cosineOfDegrees(double degrees) {
+    constexpr double radians = 3.14159265358979323846 / 180.0;
+    return static_cast<float>(sine((90.0 - degrees) * radians));
+}
+
+double degreesOfCosine(float cosine) {
+    if (cosine >= 1) return 0;
+    // Bisection: the cosine falls as the angle grows.
+    double low = 0, high = 180;
+    for (int step = 0; step < 80; ++step) {
+        const double middle = (low + high) / 2;
+        const float found = cosineOfDegrees(middle);
+        if (found == cosine) {
+            low = high = middle;
+            break;
+        }
+        (found > cosine ? low : high) = middle;
+    }
+    const double angle = (low + high) / 2;
+    for (int digits = 1; digits < 17; ++digits) {
+        const double rounded = roundedToDigits(angle, digits);
+        if (rounded >= 0 && rounded <= 180 && cosineOfDegrees(rounded) == cosine) return rounded;
+    }
+    return angle;
+}
+
+} // namespace rtcore

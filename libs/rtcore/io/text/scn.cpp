@@ -1,0 +1,220 @@
+#include "rtcore/io/text/scn.h"
+
+#include "rtcore/io/text/camera_section.h"
+#include "rtcore/io/text/scn_sections.h"
+#include "rtcore/io/text/settings_section.h"
+#include "rtcore/io/text/text_file.h"
+#include "rtcore/io/text/toml_parser.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace rtcore {
+
+namespace {
+
+constexpr std::array<std::string_view, 6> kAxisNames{"+x", "-x", "+y", "-y", "+z", "-z"};
+constexpr std::array<Vec3, 6> kAxes{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
+constexpr std::array<std::string_view, 3> kFogKinds{"none", "homogeneous", "exponential"};
+
+constexpr Limits kMetresPerUnit{.minimum = 1e-9, .maximum = 1e9};
+constexpr Limits kCreaseAngle{.minimum = 0, .maximum = 180};
+
+Fog readFog(StrictTable& table) {
+    const auto kind = table.choice("kind", kFogKinds);
+    Fog fog;
+    fog.density = table.number("density", kNotNegative).value_or(fog.density);
+    fog.scaleHeight = table.number("scaleHeight", kPositive).value_or(fog.scaleHeight);
+    fog.groundHeight = table.number("groundHeight", kAnyNumber).value_or(fog.groundHeight);
+    fog.colour = table.colour("colour", kNotNegative).value_or(fog.colour);
+    table.finish();
+    fog.kind = static_cast<FogKind>(table.require("kind", kind));
+    return fog;
+}
+
+WalkParameters readWalk(StrictTable& table) {
+    WalkParameters walk;
+    walk.height = table.number("height", kPositive).value_or(walk.height);
+    walk.speed = table.number("speed", kPositive).value_or(walk.speed);
+    walk.jumpHeight = table.number("jumpHeight", kNotNegative).value_or(walk.jumpHeight);
+    walk.stepHeight = table.number("stepHeight", kNotNegative).value_or(walk.stepHeight);
+    walk.gravity = table.number("gravity", kNotNegative).value_or(walk.gravity);
+    table.finish();
+    return walk;
+}
+
+/// Reads one .scn. What needs several keys is decided when all were read.
+class SceneReader {
+  public:
+    SceneReader(const TextValue& content, const std::string& file, std::filesystem::path folder)
+        : root_(content, file), folder_(std::move(folder)) {}
+
+    SceneFile read() {
+        root_.checkVersion();
+        readRoot();
+        readLists();
+        readSections();
+        root_.finish();
+        scene_.model = root_.require("model", model_);
+        return std::move(scene_);
+    }
+
+  private:
+    void readRoot() {
+        model_ = root_.path("model", folder_);
+        scene_.settings = root_.path("settings", folder_);
+        scene_.output = root_.path("output", folder_);
+        scene_.metresPerUnit = root_.number("metresPerUnit", kMetresPerUnit).value_or(scene_.metresPerUnit);
+        if (const auto axis = root_.choice("up", kAxisNames)) scene_.up = kAxes.at(*axis);
+        scene_.background = root_.colour("background", kNotNegative).value_or(scene_.background);
+        scene_.ambient = root_.colour("ambient", kNotNegative).value_or(scene_.ambient);
+        scene_.creaseAngle = root_.number("creaseAngle", kCreaseAngle).value_or(scene_.creaseAngle);
+    }
+
+    void readLists() {
+        for (StrictTable& table : root_.tables("light")) scene_.lights.push_back(readLight(table));
+        for (StrictTable& table : root_.tables("material"))
+            scene_.materials.push_back(readMaterial(table, folder_));
+        for (StrictTable& table : root_.tables("environment"))
+            scene_.environments.push_back(readEnvironment(table, folder_));
+        scene_.modelLights = root_.boolean("modelLights").value_or(scene_.lights.empty());
+        readActiveEnvironment();
+    }
+
+    void readActiveEnvironment() {
+        const auto index = root_.integer("activeEnvironment", 0, std::numeric_limits<int>::max());
+        const std::size_t count = scene_.environments.size();
+        scene_.activeEnvironment = index.value_or(0);
+        if (index && static_cast<std::size_t>(*index) >= count)
+            root_.fail("activeEnvironment", "activeEnvironment is " + std::to_string(*index) +
+                                                ", but there are " + std::to_string(count) +
+                                                " [[environment]], counted from 0");
+    }
+
+    void readSections() {
+        if (auto table = root_.table("camera")) readCameraTable(*table);
+        if (auto table = root_.table("fog")) scene_.fog = readFog(*table);
+        if (auto table = root_.table("walk")) scene_.walk = readWalk(*table);
+        scene_.live = readSettingsSection(root_, "live");
+        scene_.still = readSettingsSection(root_, "still");
+    }
+
+    /// Either the name of a .cam or the camera itself; a misspelt key is reported before a wrong mixture.
+    void readCameraTable(StrictTable& table) {
+        scene_.cameraFile = table.path("file", folder_);
+        if (!scene_.cameraFile) {
+            scene_.camera = readCamera(table, scene_.up, true);
+            return;
+        }
+        for (const std::string_view key : {"eye", "forward", "lookAt", "up", "fov"}) {
+            if (table.value(key) != nullptr)
+                table.fail(key, "file and " + std::string(key) + " are both given; leave one out");
+        }
+        table.finish();
+    }
+
+    StrictTable root_;
+    std::filesystem::path folder_;
+    SceneFile scene_;
+    std::optional<std::filesystem::path> model_;
+};
+
+/// "" (which the reader refuses) for a vector that is no axis.
+std::string_view axisName(Vec3 up) {
+    const auto found = std::find(kAxes.begin(), kAxes.end(), up);
+    return found == kAxes.end() ? "" : kAxisNames.at(static_cast<std::size_t>(found - kAxes.begin()));
+}
+
+class SceneWriter {
+  public:
+    SceneWriter(const SceneFile& scene, std::filesystem::path folder)
+        : scene_(scene), folder_(std::move(folder)) {}
+
+    std::string write() {
+        writer_.add("version", 1);
+        writeRoot();
+        writeCameraTable();
+        for (const LightDescription& light : scene_.lights) writeLight(writer_, light);
+        for (const MaterialOverride& material : scene_.materials) writeMaterial(writer_, material, folder_);
+        for (const EnvironmentFile& environment : scene_.environments)
+            writeEnvironment(writer_, environment, folder_);
+        writeFog();
+        writeWalk();
+        writeSettingsSection(writer_, "live", scene_.live);
+        writeSettingsSection(writer_, "still", scene_.still);
+        return writer_.text();
+    }
+
+  private:
+    void addPath(std::string_view key, const std::filesystem::path& path) {
+        writer_.add(key, pathToUtf8(pathSeenFrom(folder_, path)));
+    }
+
+    void writeRoot() {
+        addPath("model", scene_.model);
+        if (scene_.settings) addPath("settings", *scene_.settings);
+        if (scene_.output) addPath("output", *scene_.output);
+        writer_.add("metresPerUnit", scene_.metresPerUnit);
+        writer_.add("up", axisName(scene_.up));
+        writer_.add("background", scene_.background);
+        writer_.add("ambient", scene_.ambient);
+        writer_.add("modelLights", scene_.modelLights);
+        if (!scene_.environments.empty()) writer_.add("activeEnvironment", scene_.activeEnvironment);
+        writer_.add("creaseAngle", scene_.creaseAngle);
+    }
+
+    void writeCameraTable() {
+        if (!scene_.camera && !scene_.cameraFile) return;
+        writer_.section("[camera]");
+        if (scene_.cameraFile) addPath("file", *scene_.cameraFile);
+        if (scene_.camera) writeCamera(writer_, *scene_.camera);
+    }
+
+    void writeFog() {
+        const Fog& fog = scene_.fog;
+        writer_.section("[fog]");
+        writer_.add("kind", kFogKinds.at(static_cast<std::size_t>(fog.kind)));
+        writer_.add("density", fog.density);
+        writer_.add("scaleHeight", fog.scaleHeight);
+        writer_.add("groundHeight", fog.groundHeight);
+        writer_.add("colour", fog.colour);
+    }
+
+    void writeWalk() {
+        const WalkParameters& walk = scene_.walk;
+        writer_.section("[walk]");
+        writer_.add("height", walk.height);
+        writer_.add("speed", walk.speed);
+        writer_.add("jumpHeight", walk.jumpHeight);
+        writer_.add("stepHeight", walk.stepHeight);
+        writer_.add("gravity", walk.gravity);
+    }
+
+    const SceneFile& scene_;
+    std::filesystem::path folder_;
+    TomlWriter writer_;
+};
+
+} // namespace
+
+SceneFile parseSceneFile(std::string_view text, const std::filesystem::path& path) {
+    const std::string name = path.string();
+    const TextValue content = parseToml(text, name);
+    return SceneReader(content, name, path.parent_path()).read();
+}
+
+SceneFile readSceneFile(const std::filesystem::path& path) {
+    return parseSceneFile(readShortText(path), path);
+}
+
+std::string formatSceneFile(const SceneFile& scene, const std::filesystem::path& path) {
+    return SceneWriter(scene, path.parent_path()).write();
+}
+
+void writeSceneFile(const std::filesystem::path& path, const SceneFile& scene) {
+    writeCheckedText(path, formatSceneFile(scene, path),
+                     [&](std::string_view text) { parseSceneFile(text, path); });
+}
+
+} // namespace rtcore

@@ -1,0 +1,57 @@
+#include "rtcore/io/text/scn_sections.h"
+#include "rtcore/io/text/text_file.h"
+
+#include <array>
+
+namespace rtcore {
+
+namespace {
+
+/// In the order of EnvironmentKind.
+constexpr std::array<std::string_view, 3> kSingleFileKeys{"equirectangular", "cross", "strip"};
+constexpr std::size_t kFaces = 6;
+
+} // namespace
+
+EnvironmentFile readEnvironment(StrictTable& table, const std::filesystem::path& folder) {
+    EnvironmentFile environment;
+    environment.name = table.text("name").value_or("");
+    environment.intensity = table.number("intensity", kNotNegative).value_or(1.0F);
+    int given = 0;
+    for (std::size_t i = 0; i < kSingleFileKeys.size(); ++i) {
+        const auto file = table.path(kSingleFileKeys[i], folder);
+        if (!file) continue;
+        environment.kind = static_cast<EnvironmentKind>(i);
+        environment.files = {*file};
+        ++given;
+    }
+    if (const auto faces = table.paths("faces", folder)) {
+        environment.kind = EnvironmentKind::Faces;
+        environment.files = *faces;
+        ++given;
+        if (faces->size() != kFaces)
+            table.fail("faces", "faces has " + std::to_string(faces->size()) +
+                                    " files, but takes six: +x, -x, +y, -y, +z, -z");
+    }
+    table.finish();
+    if (given != 1)
+        table.fail("", "an environment has exactly one of the keys equirectangular, cross, strip and faces");
+    return environment;
+}
+
+void writeEnvironment(TomlWriter& writer, const EnvironmentFile& environment,
+                      const std::filesystem::path& folder) {
+    std::vector<std::string> files;
+    for (const std::filesystem::path& file : environment.files)
+        files.push_back(pathToUtf8(pathSeenFrom(folder, file)));
+    writer.section("[[environment]]");
+    if (!environment.name.empty()) writer.add("name", environment.name);
+    if (environment.kind == EnvironmentKind::Faces) {
+        writer.add("faces", files);
+    } else if (!files.empty()) {
+        writer.add(kSingleFileKeys.at(static_cast<std::size_t>(environment.kind)), files.front());
+    }
+    writer.add("intensity", environment.intensity);
+}
+
+} // namespace rtcore

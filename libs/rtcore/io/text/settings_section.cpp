@@ -1,0 +1,95 @@
+#include "rtcore/io/text/settings_section.h"
+
+#include "rtcore/platform/error.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+namespace rtcore {
+
+namespace {
+
+class SectionReader {
+  public:
+    explicit SectionReader(const std::string& file) : file_(file) {}
+
+    /// Recursion ends where names of the settings table end: two levels.
+    void read(const TextTable& table, const std::string& prefix) {
+        for (const TextEntry& entry : table.entries) {
+            const std::string name = prefix + entry.key;
+            const auto* nested = std::get_if<TextTable>(&entry.value.content);
+            if (nested != nullptr && isGroup(name)) {
+                read(*nested, name + ".");
+            } else {
+                assign(name, entry);
+            }
+        }
+    }
+
+    std::vector<SettingAssignment> assignments;
+
+  private:
+    static bool isGroup(const std::string& name) {
+        const auto table = settingsTable();
+        return std::any_of(table.begin(), table.end(),
+                           [&](const Setting& setting) { return setting.name.starts_with(name + "."); });
+    }
+
+    void assign(const std::string& name, const TextEntry& entry) {
+        const Setting& setting = at(entry.position, [&]() -> const Setting& { return requireSetting(name); });
+        assignments.push_back({name, at(entry.value.position,
+                                        [&] { return checkSetting(setting, convert(name, entry.value)); })});
+    }
+
+    /// What the settings table refuses becomes an error at its place in the file.
+    template <typename Work>
+    std::invoke_result_t<Work> at(TextPosition position, Work work) const {
+        try {
+            return work();
+        } catch (const std::invalid_argument& error) {
+            throw FileError(FailureKind::BadData, file_, error.what(), position.line, position.column);
+        }
+    }
+
+    static SettingValue convert(const std::string& name, const TextValue& value) {
+        if (const auto* flag = std::get_if<bool>(&value.content)) return *flag;
+        if (const auto* text = std::get_if<std::string>(&value.content)) return *text;
+        if (const auto* number = std::get_if<double>(&value.content)) return toFloat(*number);
+        if (const auto* whole = std::get_if<std::int64_t>(&value.content)) return toNumber(*whole);
+        throw std::invalid_argument(name + " is " + std::string(describeType(value)) +
+                                    ", but takes one value");
+    }
+
+    static SettingValue toNumber(std::int64_t whole) {
+        const bool fits =
+            whole >= std::numeric_limits<int>::min() && whole <= std::numeric_limits<int>::max();
+        if (fits) return static_cast<int>(whole);
+        return static_cast<float>(whole);
+    }
+
+    const std::string& file_;
+};
+
+} // namespace
+
+std::vector<SettingAssignment> readSettingsSection(StrictTable& parent, std::string_view key) {
+    const TextValue* value = parent.value(key);
+    if (value == nullptr) return {};
+    const auto* table = std::get_if<TextTable>(&value->content);
+    if (table == nullptr)
+        parent.fail(key, std::string(key) + " is " + std::string(describeType(*value)) +
+                             ", but takes a table, [" + std::string(key) + "]");
+    SectionReader reader(parent.file());
+    reader.read(*table, "");
+    return std::move(reader.assignments);
+}
+
+void writeSettingsSection(TomlWriter& writer, std::string_view key,
+                          std::span<const SettingAssignment> assignments) {
+    if (assignments.empty()) return;
+    writer.section("[" + std::string(key) + "]");
+    for (const SettingAssignment& assignment : assignments) writer.add(assignment.name, assignment.value);
+}
+
+} // namespace rtcore

@@ -1,0 +1,269 @@
+#include "rtcore/io/text/strict_table.h"
+
+#include "rtcore/io/text/text_file.h"
+#include "rtcore/io/text/toml_writer.h"
+#include "rtcore/platform/error.h"
+#include "rtcore/settings/nearest_name.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+
+namespace rtcore {
+
+namespace {
+
+[[noreturn]] void failAt(const std::string& file, TextPosition position, const std::string& message) {
+    throw FileError(FailureKind::BadData, file, message, position.line, position.column);
+}
+
+[[noreturn]] void failType(const std::string& file, std::string_view key, const TextValue& value,
+                           std::string_view wanted) {
+    failAt(file, value.position,
+           std::string(key) + " is " + std::string(describeType(value)) + ", but takes " +
+               std::string(wanted));
+}
+
+std::string describeLimits(const Limits& limits) {
+    const bool bounded = limits.maximum < kAnyNumber.maximum;
+    if (limits.minimum <= kAnyNumber.minimum) return "a finite number";
+    const std::string low = (limits.minimumExcluded ? "above " : "at least ") + plainNumber(limits.minimum);
+    if (!bounded) return "a finite number " + low;
+    return "a number " + low + " and " + (limits.maximumExcluded ? "below " : "at most ") +
+           plainNumber(limits.maximum);
+}
+
+template <typename Number>
+bool within(Number value, const Limits& limits) {
+    const auto low = static_cast<Number>(limits.minimum), high = static_cast<Number>(limits.maximum);
+    const bool aboveLow = limits.minimumExcluded ? value > low : value >= low;
+    const bool belowHigh = limits.maximumExcluded ? value < high : value <= high;
+    return std::isfinite(value) && aboveLow && belowHigh;
+}
+
+/// Where a number is read: for the messages.
+struct Place {
+    const std::string& file;
+    std::string_view key;
+};
+
+double anyNumber(const Place& place, const TextValue& value, const Limits& limits) {
+    if (const auto* whole = std::get_if<std::int64_t>(&value.content)) return static_cast<double>(*whole);
+    if (const auto* number = std::get_if<double>(&value.content)) return *number;
+    failType(place.file, place.key, value, describeLimits(limits));
+}
+
+template <typename Number>
+Number checkedNumber(const Place& place, const TextValue& value, const Limits& limits) {
+    const double number = anyNumber(place, value, limits);
+    Number rounded{};
+    if constexpr (std::is_same_v<Number, float>) {
+        rounded = toFloat(number);
+    } else {
+        rounded = number;
+    }
+    if (within(rounded, limits)) return rounded;
+    failAt(place.file, value.position,
+           std::string(place.key) + " is " + plainNumber(number) + ", but takes " + describeLimits(limits));
+}
+
+std::array<float, 3> threeNumbers(const Place& place, const TextValue& value, const Limits& limits) {
+    const auto* array = std::get_if<TextArray>(&value.content);
+    if (array == nullptr) failType(place.file, place.key, value, "three numbers in brackets");
+    if (array->size() != 3)
+        failAt(place.file, value.position,
+               std::string(place.key) + " has " + std::to_string(array->size()) +
+                   " values, but takes three numbers in brackets");
+    std::array<float, 3> numbers{};
+    for (std::size_t i = 0; i < 3; ++i) numbers[i] = checkedNumber<float>(place, (*array)[i], limits);
+    return numbers;
+}
+
+std::filesystem::path checkedPath(const Place& place, const TextValue& value,
+                                  const std::filesystem::path& folder) {
+    const auto* text = std::get_if<std::string>(&value.content);
+    if (text == nullptr) failType(place.file, place.key, value, "a path in quotes");
+    const bool hasZero = text->find('\0') != std::string::npos;
+    if (text->empty() || hasZero)
+        failAt(place.file, value.position, std::string(place.key) + " is no path; give the name of a file");
+    return folder / pathFromUtf8(*text);
+}
+
+} // namespace
+
+std::string_view describeType(const TextValue& value) {
+    constexpr std::array<std::string_view, 7> names{
+        "a date or time", "true or false", "a whole number", "a number", "text", "an array", "a table"};
+    return names[value.content.index()];
+}
+
+float toFloat(double number) {
+    constexpr double roundsToInfinity = 0x1.FFFFFFp127, largest = std::numeric_limits<float>::max();
+    const double size = std::fabs(number);
+    if (size <= largest || std::isnan(number)) return static_cast<float>(number);
+    const float bound =
+        size < roundsToInfinity ? std::numeric_limits<float>::max() : std::numeric_limits<float>::infinity();
+    return number < 0 ? -bound : bound;
+}
+
+StrictTable::StrictTable(const TextValue& table, const std::string& file) : table_(&table), file_(&file) {}
+
+const TextEntry* StrictTable::find(std::string_view key) const {
+    const auto& entries = std::get<TextTable>(table_->content).entries;
+    const auto found =
+        std::find_if(entries.begin(), entries.end(), [&](const TextEntry& e) { return e.key == key; });
+    return found == entries.end() ? nullptr : &*found;
+}
+
+const TextValue* StrictTable::value(std::string_view key) {
+    asked_.push_back(key);
+    const TextEntry* entry = find(key);
+    return entry == nullptr ? nullptr : &entry->value;
+}
+
+template <typename T>
+const T* StrictTable::typed(std::string_view key, std::string_view wanted) {
+    const TextValue* found = value(key);
+    if (found == nullptr) return nullptr;
+    const T* content = std::get_if<T>(&found->content);
+    if (content == nullptr) failType(*file_, key, *found, wanted);
+    return content;
+}
+
+std::optional<bool> StrictTable::boolean(std::string_view key) {
+    const bool* flag = typed<bool>(key, "true or false");
+    return flag == nullptr ? std::nullopt : std::optional(*flag);
+}
+
+std::optional<int> StrictTable::integer(std::string_view key, int minimum, int maximum) {
+    const std::string range =
+        "a whole number from " + std::to_string(minimum) + " to " + std::to_string(maximum);
+    const auto* whole = typed<std::int64_t>(key, range);
+    if (whole == nullptr) return std::nullopt;
+    if (*whole < minimum || *whole > maximum)
+        fail(key, std::string(key) + " is " + std::to_string(*whole) + ", but takes " + range);
+    return static_cast<int>(*whole);
+}
+
+std::optional<float> StrictTable::number(std::string_view key, const Limits& limits) {
+    const TextValue* found = value(key);
+    return found == nullptr ? std::nullopt
+                            : std::optional(checkedNumber<float>({*file_, key}, *found, limits));
+}
+
+std::optional<double> StrictTable::preciseNumber(std::string_view key, const Limits& limits) {
+    const TextValue* found = value(key);
+    return found == nullptr ? std::nullopt
+                            : std::optional(checkedNumber<double>({*file_, key}, *found, limits));
+}
+
+std::optional<std::string> StrictTable::text(std::string_view key) {
+    const std::string* found = typed<std::string>(key, "text in quotes");
+    return found == nullptr ? std::nullopt : std::optional(*found);
+}
+
+std::optional<std::size_t> StrictTable::choice(std::string_view key,
+                                               std::span<const std::string_view> names) {
+    const std::string* name = typed<std::string>(key, "a name in quotes");
+    if (name == nullptr) return std::nullopt;
+    const auto found = std::find(names.begin(), names.end(), *name);
+    if (found == names.end()) fail(key, unknownNameMessage(key, *name, names));
+    return static_cast<std::size_t>(found - names.begin());
+}
+
+std::optional<Vec3> StrictTable::vector(std::string_view key) {
+    const TextValue* found = value(key);
+    if (found == nullptr) return std::nullopt;
+    const auto [x, y, z] = threeNumbers({*file_, key}, *found, kAnyNumber);
+    return Vec3{x, y, z};
+}
+
+std::optional<Colour> StrictTable::colour(std::string_view key, const Limits& limits) {
+    const TextValue* found = value(key);
+    if (found == nullptr) return std::nullopt;
+    const auto [r, g, b] = threeNumbers({*file_, key}, *found, limits);
+    return Colour{r, g, b};
+}
+
+std::optional<Colour> StrictTable::colourOrNumber(std::string_view key, const Limits& limits) {
+    const TextEntry* entry = find(key);
+    const bool array = entry != nullptr && std::holds_alternative<TextArray>(entry->value.content);
+    if (array) return colour(key, limits);
+    const std::optional<float> grey = number(key, limits);
+    return grey ? std::optional(Colour{*grey, *grey, *grey}) : std::nullopt;
+}
+
+std::optional<std::vector<bool>> StrictTable::booleans(std::string_view key) {
+    const auto* array = typed<TextArray>(key, "true and false in brackets");
+    if (array == nullptr) return std::nullopt;
+    std::vector<bool> flags;
+    for (const TextValue& item : *array) {
+        const bool* flag = std::get_if<bool>(&item.content);
+        if (flag == nullptr) failType(*file_, key, item, "only true and false");
+        flags.push_back(*flag);
+    }
+    return flags;
+}
+
+std::optional<std::filesystem::path> StrictTable::path(std::string_view key,
+                                                       const std::filesystem::path& folder) {
+    const TextValue* found = value(key);
+    return found == nullptr ? std::nullopt : std::optional(checkedPath({*file_, key}, *found, folder));
+}
+
+std::optional<std::vector<std::filesystem::path>> StrictTable::paths(std::string_view key,
+                                                                     const std::filesystem::path& folder) {
+    const auto* array = typed<TextArray>(key, "paths in brackets");
+    if (array == nullptr) return std::nullopt;
+    std::vector<std::filesystem::path> result;
+    for (const TextValue& item : *array) result.push_back(checkedPath({*file_, key}, item, folder));
+    return result;
+}
+
+std::optional<StrictTable> StrictTable::table(std::string_view key) {
+    const TextValue* found = value(key);
+    if (found == nullptr) return std::nullopt;
+    if (!std::holds_alternative<TextTable>(found->content))
+        failType(*file_, key, *found, "a table, [" + std::string(key) + "]");
+    return StrictTable(*found, *file_);
+}
+
+std::vector<StrictTable> StrictTable::tables(std::string_view key) {
+    const std::string wanted = "tables, [[" + std::string(key) + "]]";
+    std::vector<StrictTable> result;
+    const auto* array = typed<TextArray>(key, wanted);
+    if (array == nullptr) return result;
+    for (const TextValue& item : *array) {
+        if (!std::holds_alternative<TextTable>(item.content)) failType(*file_, key, item, wanted);
+        result.emplace_back(item, *file_);
+    }
+    return result;
+}
+
+void StrictTable::checkVersion() {
+    const auto* version = typed<std::int64_t>("version", "1");
+    if (version == nullptr)
+        failAt(*file_, {1, 1}, "the version is missing; begin the file with: version = 1");
+    if (*version != 1)
+        fail("version", "version " + std::to_string(*version) + " is unknown; this program reads version 1");
+}
+
+void StrictTable::finish() const {
+    for (const TextEntry& entry : std::get<TextTable>(table_->content).entries) {
+        const bool known = std::find(asked_.begin(), asked_.end(), entry.key) != asked_.end();
+        if (!known) failAt(*file_, entry.position, unknownNameMessage("key", entry.key, asked_));
+    }
+}
+
+void StrictTable::fail(std::string_view key, const std::string& message) const {
+    const TextEntry* entry = find(key);
+    failAt(*file_, entry == nullptr ? table_->position : entry->value.position, message);
+}
+
+void StrictTable::failMissing(std::string_view key) const {
+    failAt(*file_, table_->position, "the key " + quoted(key) + " is missing here; add it");
+}
+
+} // namespace rtcore

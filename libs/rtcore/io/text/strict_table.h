@@ -1,0 +1,84 @@
+/// A table of a text file as its reader asks for it: by key, type and range. What does not fit is an error
+/// with file, line and column, and so is every key that nobody asked for.
+#pragma once
+
+#include "rtcore/io/text/text_value.h"
+#include "rtcore/math/colour.h"
+#include "rtcore/math/vec.h"
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rtcore {
+
+/// What a number may be. Compared after it was rounded to float. Not a number and infinity are always
+/// refused.
+struct Limits {
+    double minimum = -3.4028234663852886e38, maximum = 3.4028234663852886e38;
+    bool minimumExcluded = false, maximumExcluded = false;
+};
+inline constexpr Limits kAnyNumber{};
+inline constexpr Limits kNotNegative{.minimum = 0};
+inline constexpr Limits kPositive{.minimum = 0, .minimumExcluded = true};
+inline constexpr Limits kShare{.minimum = 0, .maximum = 1};
+
+/// Use: ask for every key that the format knows, call finish(), then check what must be there.
+/// An absent key is nullopt. All functions throw FileError BadData. Keeps references to what it was made
+/// from.
+class StrictTable {
+  public:
+    /// `table` must hold a TextTable.
+    StrictTable(const TextValue& table, const std::string& file);
+
+    std::optional<bool> boolean(std::string_view key);
+    std::optional<int> integer(std::string_view key, int minimum, int maximum);
+    std::optional<float> number(std::string_view key, const Limits& limits);
+    std::optional<double> preciseNumber(std::string_view key, const Limits& limits);
+    std::optional<std::string> text(std::string_view key);
+    /// The number of the name in `names`.
+    std::optional<std::size_t> choice(std::string_view key, std::span<const std::string_view> names);
+    std::optional<Vec3> vector(std::string_view key);
+    std::optional<Colour> colour(std::string_view key, const Limits& limits);
+    /// A number means grey.
+    std::optional<Colour> colourOrNumber(std::string_view key, const Limits& limits);
+    std::optional<std::vector<bool>> booleans(std::string_view key);
+    /// Joined to `folder`; an absolute path stays.
+    std::optional<std::filesystem::path> path(std::string_view key, const std::filesystem::path& folder);
+    std::optional<std::vector<std::filesystem::path>> paths(std::string_view key,
+                                                            const std::filesystem::path& folder);
+    std::optional<StrictTable> table(std::string_view key);
+    /// An array of tables, [[key]]; empty when absent.
+    std::vector<StrictTable> tables(std::string_view key);
+    /// The value as it is, or null.
+    const TextValue* value(std::string_view key);
+
+    /// The root of a file of this suite: `version = 1` must be there.
+    void checkVersion();
+    /// Refuses the first key that was not asked for, and names the nearest that was.
+    void finish() const;
+    template <typename T>
+    T require(std::string_view key, const std::optional<T>& value) const {
+        if (!value) failMissing(key);
+        return *value;
+    }
+    /// Refuses the value of `key`, or the table when it has no such key.
+    [[noreturn]] void fail(std::string_view key, const std::string& message) const;
+    [[noreturn]] void failMissing(std::string_view key) const;
+
+    const std::string& file() const { return *file_; }
+
+  private:
+    const TextEntry* find(std::string_view key) const;
+    template <typename T>
+    const T* typed(std::string_view key, std::string_view wanted);
+
+    const TextValue* table_;
+    const std::string* file_;
+    std::vector<std::string_view> asked_;
+};
+
+} // namespace rtcore

@@ -1,0 +1,46 @@
+/// What a text file says, before anybody asks what it means: a tree of values with their places.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace rtcore {
+
+/// Both from 1; the column counts characters, not bytes.
+struct TextPosition {
+    int line = 1, column = 1;
+};
+
+struct TextValue;
+struct TextEntry;
+
+using TextArray = std::vector<TextValue>;
+/// The entries in the order of the file; no key twice.
+struct TextTable {
+    std::vector<TextEntry> entries;
+};
+/// A date or time: no format has a use for one.
+struct TextDate {};
+
+struct TextValue {
+    TextPosition position;
+    std::variant<TextDate, bool, std::int64_t, double, std::string, TextArray, TextTable> content;
+};
+
+struct TextEntry {
+    std::string key;
+    TextPosition position;
+    TextValue value;
+};
+
+/// "a table", "text", ...
+std::string_view describeType(const TextValue& value);
+
+/// The nearest float; infinity (which no range holds) beyond all floats, where a plain conversion is
+/// undefined.
+float toFloat(double number);
+
+} // namespace rtcore

@@ -1,0 +1,85 @@
+// docs/formats.md shows what the readers take, and all of it.
+#include "rtcore/io/text/cam.h"
+#include "rtcore/io/text/camera_list.h"
+#include "rtcore/io/text/scn.h"
+#include "rtcore/io/text/set.h"
+#include "unit/text/text_test_support.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace {
+
+const std::string& document() {
+    static const std::string text = test::fileContent(RT_FORMATS_DOCUMENT);
+    return text;
+}
+
+TEST(FormatsDocument, SceneExamplesAreScenes) {
+    const auto examples = test::documentedExamples("toml scn");
+    ASSERT_GE(examples.size(), 4U);
+    for (const std::string& example : examples)
+        EXPECT_NO_THROW(rtcore::parseSceneFile(example, "x.scn")) << example;
+}
+
+TEST(FormatsDocument, CameraExamplesAreCameras) {
+    const auto examples = test::documentedExamples("toml cam");
+    ASSERT_GE(examples.size(), 2U);
+    for (const std::string& example : examples)
+        EXPECT_NO_THROW(rtcore::parseCameraFile(example, "x.cam")) << example;
+}
+
+TEST(FormatsDocument, SettingsExamplesAreSettings) {
+    const auto examples = test::documentedExamples("toml set");
+    ASSERT_GE(examples.size(), 1U);
+    for (const std::string& example : examples)
+        EXPECT_NO_THROW(rtcore::parseSettingsFile(example, "x.set")) << example;
+}
+
+TEST(FormatsDocument, ListExamplesAreLists) {
+    const auto examples = test::documentedExamples("text list");
+    ASSERT_GE(examples.size(), 1U);
+    for (const std::string& example : examples)
+        EXPECT_FALSE(rtcore::parseCameraList(example, "l").empty()) << example;
+}
+
+TEST(FormatsDocument, TheTableOfSettingsIsTheOneOfTheProgram) {
+    std::ostringstream table;
+    for (const rtcore::Setting& setting : rtcore::settingsTable())
+        table << "| `" << setting.name << "` | `" << rtcore::settingText(setting.defaultValue) << "` | "
+              << rtcore::settingRange(setting) << " | " << setting.unit << " | " << setting.help << " |\n";
+    const std::string rows = table.str();
+    EXPECT_NE(document().find("|---|---|---|---|---|\n" + rows + "\n"), std::string::npos)
+        << "replace the table in docs/formats.md by:\n"
+        << rows;
+}
+
+/// The keys that a reader knows: those that its message about an unknown key lists.
+std::vector<std::string> knownKeys(const std::string& text) {
+    const std::string message = test::badData([&] { rtcore::parseSceneFile(text, "f"); });
+    std::vector<std::string> keys;
+    const std::string mark = "known: ";
+    std::size_t at = message.find(mark);
+    if (at == std::string::npos) return keys;
+    for (at += mark.size() - 1; at != std::string::npos; at = message.find(' ', at + 1))
+        keys.push_back(message.substr(at + 1, message.find(' ', at + 1) - at - 1));
+    return keys;
+}
+
+TEST(FormatsDocument, NamesEveryKeyOfAScene) {
+    for (const char* section :
+         {"", "[camera]\n", "[[light]]\n", "[[material]]\n", "[[environment]]\n", "[fog]\n", "[walk]\n"}) {
+        std::string text = "version = 1\nmodel = 'a'\n";
+        text.append(section).append("qqqqqqqqqqqqqqqq = 1\n");
+        const auto keys = knownKeys(text);
+        EXPECT_GE(keys.size(), 5U) << section;
+        for (const std::string& key : keys) {
+            const bool shown = document().find(key + " = ") != std::string::npos ||
+                               document().find("[" + key + "]") != std::string::npos;
+            EXPECT_TRUE(shown) << section << key;
+        }
+    }
+}
+
+} // namespace

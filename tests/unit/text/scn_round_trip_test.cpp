@@ -1,0 +1,197 @@
+#include "rtcore/io/text/scn.h"
+
+#include "support/temporary_folder.h"
+#include "unit/text/text_test_support.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+
+namespace {
+
+using rtcore::Colour;
+using rtcore::SceneFile;
+using rtcore::Vec3;
+using test::Random;
+
+Colour share(Random& random, float most) {
+    return {most * random.share(), most * random.share(), most * random.share()};
+}
+Colour positive(Random& random) { return {random.positive(), random.positive(), random.positive()}; }
+Vec3 point(Random& random) { return {random.number(), random.number(), random.number()}; }
+
+/// With quotes, backslashes, control characters and letters of two to four bytes; never empty.
+std::string awkwardName(Random& random) {
+    constexpr std::array<std::string_view, 14> pieces{
+        "a", "\"", "\\", "\n", "\t", "\x01", "\x7F", "\u00e4", "\u20ac", "\U0001F4A1", "'", " ", "\r", "#"};
+    std::string name;
+    for (std::size_t n = 1 + random.below(12); n > 0; --n) name += pieces.at(random.below(pieces.size()));
+    return name;
+}
+
+rtcore::LightDescription randomLight(Random& random) {
+    rtcore::LightDescription result;
+    rtcore::Light& light = result.light;
+    if (random.flag()) result.name = awkwardName(random);
+    light.kind = static_cast<rtcore::LightKind>(random.below(3));
+    if (light.kind != rtcore::LightKind::Directional) {
+        light.position = point(random);
+        light.radius = random.positive();
+    }
+    if (light.kind != rtcore::LightKind::Point) light.direction = rtcore::normalize(point(random));
+    light.intensity = positive(random);
+    if (light.kind == rtcore::LightKind::Spot) {
+        light.cosOuter = random.share() - 0.5F;
+        light.cosInner = light.cosOuter + 0.1F + 0.4F * random.share();
+    }
+    light.on = random.flag() ? 1 : 0;
+    return result;
+}
+
+rtcore::MaterialOverride randomMaterial(Random& random) {
+    rtcore::MaterialOverride m;
+    m.pattern = awkwardName(random);
+    if (random.flag()) m.diffuse = share(random, 0.5F);
+    if (random.flag()) m.specular = share(random, 0.5F);
+    if (random.flag()) m.transmission = share(random, 1);
+    if (random.flag()) m.emission = positive(random);
+    if (random.flag()) m.reflectivity = share(random, 1);
+    if (random.flag()) m.shininess = 100'000 * random.share();
+    if (random.flag()) m.opacity = random.share();
+    if (random.flag()) m.attenuationDistance = random.positive();
+    if (random.flag()) m.indexOfRefraction = 1 + 4 * random.share();
+    if (random.flag()) m.fresnel = random.flag();
+    if (random.flag()) m.diffuseTexture = "/t/" + awkwardName(random);
+    return m;
+}
+
+rtcore::EnvironmentFile randomEnvironment(Random& random) {
+    rtcore::EnvironmentFile environment;
+    environment.kind = static_cast<rtcore::EnvironmentKind>(random.below(4));
+    const std::size_t count = environment.kind == rtcore::EnvironmentKind::Faces ? 6 : 1;
+    for (std::size_t i = 0; i < count; ++i) environment.files.emplace_back("/e/" + awkwardName(random));
+    if (random.flag()) environment.name = awkwardName(random);
+    environment.intensity = random.positive();
+    return environment;
+}
+
+SceneFile randomScene(Random& random) {
+    SceneFile s;
+    s.model = "/m/" + awkwardName(random);
+    if (random.flag()) s.settings = "/s/" + awkwardName(random);
+    if (random.flag()) s.output = "/o/" + awkwardName(random);
+    s.metresPerUnit = 1e-6F + random.share();
+    s.up = random.flag() ? Vec3{0, 0, 1} : Vec3{-1, 0, 0};
+    s.background = positive(random);
+    s.ambient = positive(random);
+    s.modelLights = random.flag();
+    s.creaseAngle = 180 * random.share();
+    if (random.flag()) {
+        s.camera = rtcore::Camera{point(random),
+                                  {1, 0.1F * random.share(), 0},
+                                  {0, 1, random.share()},
+                                  0.1F + 179 * random.share()};
+    } else if (random.flag()) {
+        s.cameraFile = "/c/" + awkwardName(random);
+    }
+    for (std::size_t n = random.below(4); n > 0; --n) s.lights.push_back(randomLight(random));
+    for (std::size_t n = random.below(4); n > 0; --n) s.materials.push_back(randomMaterial(random));
+    for (std::size_t n = random.below(4); n > 0; --n) s.environments.push_back(randomEnvironment(random));
+    if (!s.environments.empty()) s.activeEnvironment = static_cast<int>(random.below(s.environments.size()));
+    s.fog.kind = static_cast<rtcore::FogKind>(random.below(3));
+    s.fog.density = random.positive();
+    s.fog.scaleHeight = random.positive();
+    s.fog.groundHeight = random.number();
+    s.fog.colour = positive(random);
+    s.walk = {random.positive(), random.positive(), random.positive(), random.positive(), random.positive()};
+    if (random.flag()) s.live = {{"width", 17}, {"exposure.key", 0.1F + random.share()}};
+    if (random.flag()) s.still = {{"shadows", false}, {"toneMapping", std::string("channels")}};
+    return s;
+}
+
+void expectEqual(const SceneFile& a, const SceneFile& b) {
+    EXPECT_EQ(a.model, b.model);
+    EXPECT_EQ(a.settings, b.settings);
+    EXPECT_EQ(a.output, b.output);
+    EXPECT_EQ(a.metresPerUnit, b.metresPerUnit);
+    EXPECT_EQ(a.up, b.up);
+    EXPECT_EQ(a.background, b.background);
+    EXPECT_EQ(a.ambient, b.ambient);
+    EXPECT_EQ(a.modelLights, b.modelLights);
+    EXPECT_EQ(a.activeEnvironment, b.activeEnvironment);
+    EXPECT_EQ(a.creaseAngle, b.creaseAngle);
+    EXPECT_EQ(a.camera, b.camera);
+    EXPECT_EQ(a.cameraFile, b.cameraFile);
+    EXPECT_EQ(a.lights, b.lights);
+    EXPECT_EQ(a.materials, b.materials);
+    EXPECT_EQ(a.environments, b.environments);
+    EXPECT_EQ(a.fog.kind, b.fog.kind);
+    EXPECT_EQ(a.fog.density, b.fog.density);
+    EXPECT_EQ(a.fog.scaleHeight, b.fog.scaleHeight);
+    EXPECT_EQ(a.fog.groundHeight, b.fog.groundHeight);
+    EXPECT_EQ(a.fog.colour, b.fog.colour);
+    EXPECT_EQ(a.walk.height, b.walk.height);
+    EXPECT_EQ(a.walk.speed, b.walk.speed);
+    EXPECT_EQ(a.walk.jumpHeight, b.walk.jumpHeight);
+    EXPECT_EQ(a.walk.stepHeight, b.walk.stepHeight);
+    EXPECT_EQ(a.walk.gravity, b.walk.gravity);
+    EXPECT_EQ(a.live, b.live);
+    EXPECT_EQ(a.still, b.still);
+}
+
+TEST(ScnRoundTrip, RandomScenesSurviveBitForBit) {
+    Random random(41);
+    for (int i = 0; i < 300 && !testing::Test::HasFailure(); ++i) {
+        const SceneFile scene = randomScene(random);
+        const std::string text = rtcore::formatSceneFile(scene, "/somewhere/x.scn");
+        SCOPED_TRACE(text);
+        expectEqual(rtcore::parseSceneFile(text, "/somewhere/x.scn"), scene);
+    }
+}
+
+TEST(ScnRoundTrip, PathsBelowTheSceneAreWrittenRelative) {
+    const test::TemporaryFolder folder;
+    SceneFile scene;
+    scene.model = folder / "models/a.obj";
+    scene.settings = folder.path().parent_path() / "b.set";
+    scene.output = folder / "deep/../c.png";
+    rtcore::writeSceneFile(folder / "x.scn", scene);
+    const std::string text = test::fileContent(folder / "x.scn");
+    EXPECT_NE(text.find("model = \"models/a.obj\"\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("settings = \"" + scene.settings->string() + "\"\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("output = \"c.png\"\n"), std::string::npos) << text;
+    EXPECT_EQ(rtcore::readSceneFile(folder / "x.scn").model, scene.model);
+    EXPECT_EQ(rtcore::readSceneFile(folder / "x.scn").settings, scene.settings);
+}
+
+TEST(ScnRoundTrip, PathsOfASceneInTheCurrentFolderAreRelativeToIt) {
+    SceneFile scene;
+    scene.model = "a/b.obj";
+    const SceneFile again = rtcore::parseSceneFile(rtcore::formatSceneFile(scene, "x.scn"), "x.scn");
+    EXPECT_EQ(again.model, scene.model);
+}
+
+TEST(ScnRoundTrip, WhatCouldNotBeReadIsNotWritten) {
+    const test::TemporaryFolder folder;
+    SceneFile good;
+    good.model = "a.obj";
+    std::vector<SceneFile> bad(8, good);
+    bad[0].model = "";
+    bad[1].up = {0, 1, 1};
+    bad[2].fog.density = -1;
+    bad[3].environments.resize(1);
+    bad[4].camera.emplace();
+    bad[4].cameraFile = "a.cam";
+    bad[5].model = "\xFF.obj";
+    bad[6].materials.resize(1);
+    bad[7].walk.gravity = std::numeric_limits<float>::infinity();
+    for (const SceneFile& scene : bad) {
+        EXPECT_THROW(rtcore::writeSceneFile(folder / "x.scn", scene), rtcore::FileError);
+        EXPECT_FALSE(std::filesystem::exists(folder / "x.scn"));
+    }
+    rtcore::writeSceneFile(folder / "x.scn", good);
+    EXPECT_TRUE(std::filesystem::exists(folder / "x.scn"));
+}
+
+} // namespace

@@ -1,0 +1,252 @@
+#include "rtcore/io/text/scn.h"
+
+#include "support/temporary_folder.h"
+#include "unit/text/text_test_support.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using rtcore::Colour;
+using rtcore::EnvironmentKind;
+using rtcore::Material;
+using rtcore::parseSceneFile;
+using rtcore::SceneFile;
+using rtcore::Vec3;
+
+const std::string kLeast = "version = 1\nmodel = \"nave.glb\"\n";
+
+SceneFile parse(const std::string& more, const std::string& path = "x.scn") {
+    return parseSceneFile(kLeast + more, path);
+}
+/// The problem of the least scene with more lines, from the third on.
+std::string problem(const std::string& more) {
+    return test::badData([&] { parse(more); });
+}
+
+TEST(Scn, TheLeastSceneHasDefaults) {
+    const SceneFile scene = parse("");
+    EXPECT_EQ(scene.model, "nave.glb");
+    EXPECT_FALSE(scene.settings || scene.output || scene.camera || scene.cameraFile);
+    EXPECT_EQ(scene.metresPerUnit, 1.0F);
+    EXPECT_EQ(scene.up, (Vec3{0, 1, 0}));
+    EXPECT_EQ(scene.background, Colour{});
+    EXPECT_TRUE(scene.modelLights);
+    EXPECT_EQ(scene.activeEnvironment, 0);
+    EXPECT_EQ(scene.creaseAngle, 40.0F);
+    EXPECT_TRUE(scene.lights.empty() && scene.materials.empty() && scene.environments.empty());
+    EXPECT_EQ(scene.fog.kind, rtcore::FogKind::None);
+    EXPECT_EQ(scene.walk.height, 1.8F);
+}
+
+TEST(Scn, KeysOfTheRootAreRead) {
+    const SceneFile scene =
+        parse("metresPerUnit = 0.01\nup = \"-z\"\nbackground = [1, 2, 3]\nambient = [0, 0.5, 0]\n"
+              "creaseAngle = 60\nmodelLights = false\n");
+    EXPECT_EQ(scene.metresPerUnit, 0.01F);
+    EXPECT_EQ(scene.up, (Vec3{0, 0, -1}));
+    EXPECT_EQ(scene.background, (Colour{1, 2, 3}));
+    EXPECT_EQ(scene.ambient, (Colour{0, 0.5F, 0}));
+    EXPECT_EQ(scene.creaseAngle, 60.0F);
+    EXPECT_FALSE(scene.modelLights);
+}
+
+TEST(Scn, PathsStartAtTheFolderOfTheScene) {
+    const SceneFile scene =
+        parse("settings = \"../a.set\"\noutput = \"/tmp/b.png\"\n[camera]\nfile = \"c/d.cam\"\n"
+              "[[material]]\nname = \"m\"\ndiffuseTexture = \"t.png\"\n"
+              "[[environment]]\ncross = \"e.hdr\"\n",
+              "scenes/nave/x.scn");
+    EXPECT_EQ(scene.model, "scenes/nave/nave.glb");
+    EXPECT_EQ(*scene.settings, "scenes/nave/../a.set");
+    EXPECT_EQ(*scene.output, "/tmp/b.png");
+    EXPECT_EQ(*scene.cameraFile, "scenes/nave/c/d.cam");
+    EXPECT_EQ(*scene.materials[0].diffuseTexture, "scenes/nave/t.png");
+    EXPECT_EQ(scene.environments[0].files[0], "scenes/nave/e.hdr");
+}
+
+TEST(Scn, ErrorsNameTheirPlace) {
+    EXPECT_EQ(test::badData([] { parseSceneFile("version = 1\n", "x.scn"); }),
+              "x.scn:1:1: the key 'model' is missing here; add it");
+    EXPECT_EQ(problem("modle = 1"), "x.scn:3:1: unknown key 'modle'; did you mean 'model'?");
+    EXPECT_EQ(problem("up = \"y\"").substr(0, 36), "x.scn:3:6: unknown up 'y'; did you m");
+    EXPECT_EQ(problem("metresPerUnit = 0"),
+              "x.scn:3:17: metresPerUnit is 0, but takes a number at least 1e-09 and at most 1e+09");
+    EXPECT_EQ(problem("output = \"\""), "x.scn:3:10: output is no path; give the name of a file");
+    EXPECT_EQ(problem("output = \"a\\u0000b\""), "x.scn:3:10: output is no path; give the name of a file");
+    EXPECT_EQ(problem("output = 3"), "x.scn:3:10: output is a whole number, but takes a path in quotes");
+    EXPECT_EQ(problem("background = [0, 0, -1]"),
+              "x.scn:3:21: background is -1, but takes a finite number at least 0");
+    EXPECT_EQ(problem("[fog]\nkind = \"exponental\""),
+              "x.scn:4:8: unknown kind 'exponental'; did you mean 'exponential'?");
+    EXPECT_EQ(problem("[fog]\ndensity = 1"), "x.scn:3:1: the key 'kind' is missing here; add it");
+    EXPECT_EQ(problem("[fog]\nkind = \"none\"\nscaleHeight = 0"),
+              "x.scn:5:15: scaleHeight is 0, but takes a finite number above 0");
+    EXPECT_EQ(problem("[walk]\nsped = 1"), "x.scn:4:1: unknown key 'sped'; did you mean 'speed'?");
+    EXPECT_EQ(problem("[light]\nkind = \"point\""),
+              "x.scn:3:1: light is a table, but takes tables, [[light]]");
+    EXPECT_EQ(problem("light = [1]"), "x.scn:3:10: light is a whole number, but takes tables, [[light]]");
+    EXPECT_EQ(problem("[[fog]]"), "x.scn:3:1: fog is an array, but takes a table, [fog]");
+    EXPECT_EQ(problem("[still]\nmaxdepth = 1"),
+              "x.scn:4:1: unknown setting 'maxdepth'; did you mean 'maxDepth'?");
+}
+
+TEST(Scn, TheCameraLooksAtAPointOrForward) {
+    const SceneFile at = parse("[camera]\neye = [1, 2, 3]\nlookAt = [1, 2, 8]\nfov = 90\n");
+    EXPECT_EQ(at.camera->forward, (Vec3{0, 0, 5}));
+    EXPECT_EQ(at.camera->horizontalFov, 90.0F);
+    const SceneFile forward = parse("[camera]\neye = [1, 2, 3]\nforward = [1, 0, 0]\nup = [0, 0, 1]\n");
+    EXPECT_EQ(forward.camera->forward, (Vec3{1, 0, 0}));
+    EXPECT_EQ(forward.camera->up, (Vec3{0, 0, 1}));
+    // The scene's up is the camera's, too.
+    EXPECT_EQ(parse("up = \"+z\"\n[camera]\neye = [0, 0, 0]\nforward = [1, 0, 0]\n").camera->up,
+              (Vec3{0, 0, 1}));
+}
+
+TEST(Scn, CamerasThatMakeNoViewAreRefused) {
+    EXPECT_EQ(problem("[camera]\neye = [1, 2, 3]\nlookAt = [1, 2, 3]"),
+              "x.scn:5:10: lookAt is where eye is; the camera needs a direction");
+    EXPECT_EQ(problem("[camera]\neye = [0, 0, 0]\nforward = [1, 0, 0]\nlookAt = [1, 0, 0]"),
+              "x.scn:6:10: forward and lookAt are both given; leave one out");
+    EXPECT_EQ(problem("[camera]\neye = [0, 0, 0]"), "x.scn:3:1: the key 'forward' is missing here; add it");
+    EXPECT_EQ(problem("[camera]\neye = [0, 0, 0]\nlookAt = [0, 9, 0]"),
+              "x.scn:5:10: up is parallel to the view direction; give another up");
+    EXPECT_EQ(problem("[camera]\neye = [0, 0, 0]\nfile = \"a.cam\""),
+              "x.scn:4:7: file and eye are both given; leave one out");
+    EXPECT_EQ(problem("[camera]\nfille = \"a.cam\""), "x.scn:4:1: unknown key 'fille'; did you mean 'file'?");
+    // The way from one end of all floats to the other is no float.
+    EXPECT_NE(problem("[camera]\neye = [-3e38, 0, 0]\nlookAt = [3e38, 0, 0]"), "no error");
+}
+
+TEST(Scn, LightsOfEachKindAreRead) {
+    const SceneFile scene =
+        parse("[[light]]\nname = \"candle\"\nkind = \"point\"\nposition = [0, 3, 0]\nintensity = [10, 9, 8]\n"
+              "radius = 0.02\n"
+              "[[light]]\nkind = \"directional\"\ndirection = [0, 0, -7]\non = false\n"
+              "[[light]]\nkind = \"spot\"\nposition = [1, 0, 0]\ndirection = [0, -1, 0]\ninnerAngle = 0\n"
+              "outerAngle = 60\n");
+    ASSERT_EQ(scene.lights.size(), 3U);
+    EXPECT_FALSE(scene.modelLights); // since there are some here
+    const rtcore::Light &point = scene.lights[0].light, &sun = scene.lights[1].light,
+                        &spot = scene.lights[2].light;
+    EXPECT_EQ(scene.lights[0].name, "candle");
+    EXPECT_EQ(point.kind, rtcore::LightKind::Point);
+    EXPECT_EQ(point.position, (Vec3{0, 3, 0}));
+    EXPECT_EQ(point.intensity, (Colour{10, 9, 8}));
+    EXPECT_EQ(point.radius, 0.02F);
+    EXPECT_EQ(point.on, 1U);
+    EXPECT_EQ(sun.kind, rtcore::LightKind::Directional);
+    EXPECT_EQ(sun.direction, (Vec3{0, 0, -1}));
+    EXPECT_EQ(sun.intensity, (Colour{1, 1, 1}));
+    EXPECT_EQ(sun.on, 0U);
+    EXPECT_EQ(spot.kind, rtcore::LightKind::Spot);
+    EXPECT_EQ(spot.cosInner, 1.0F);
+    EXPECT_EQ(spot.cosOuter, 0.5F);
+}
+
+TEST(Scn, LightsThatMakeNoSenseAreRefused) {
+    EXPECT_EQ(problem("[[light]]\nposition = [0, 0, 0]"),
+              "x.scn:3:1: the key 'kind' is missing here; add it");
+    EXPECT_EQ(problem("[[light]]\nkind = \"point\""),
+              "x.scn:3:1: the key 'position' is missing here; add it");
+    EXPECT_EQ(problem("[[light]]\nkind = \"directional\"\ndirection = [0, 0, 0]"),
+              "x.scn:5:13: direction is zero; give where the light shines to");
+    const std::string spot = "[[light]]\nkind = \"spot\"\nposition = [0,0,0]\ndirection = [1,0,0]\n";
+    EXPECT_EQ(problem(spot), "x.scn:3:1: the key 'outerAngle' is missing here; add it");
+    EXPECT_EQ(problem(spot + "outerAngle = 20\ninnerAngle = 20"),
+              "x.scn:8:14: innerAngle must be below outerAngle, by enough to tell them apart");
+    EXPECT_EQ(problem(spot + "outerAngle = 0"),
+              "x.scn:7:14: innerAngle must be below outerAngle, by enough to tell them apart");
+    EXPECT_EQ(problem(spot + "outerAngle = 181").substr(0, 30), "x.scn:7:14: outerAngle is 181,");
+    EXPECT_EQ(problem(spot + "outerAngle = 180"), "no error");
+}
+
+TEST(Scn, MaterialOverridesChangeWhatTheyName) {
+    const SceneFile scene =
+        parse("[[material]]\nname = \"glass*\"\nreflectivity = 0.25\nfresnel = true\nopacity = 0\n"
+              "indexOfRefraction = 1.6\nshininess = 90\ntransmission = [1, 0.5, 0]\nattenuationDistance = 2\n"
+              "emission = [4, 5, 6]\n"
+              "[[material]]\nname = \"floor\"\ndiffuse = [0.9, 0.5, 0]\nspecular = [0.1, 0.1, 0.1]\n"
+              "reflectivity = [0, 0, 1]\n");
+    Material glass;
+    glass.mirrorScale = 0.5F;
+    scene.materials[0].applyTo(glass);
+    EXPECT_EQ(glass.mirror, (Colour{0.25F, 0.25F, 0.25F}));
+    EXPECT_EQ(glass.mirrorScale, 1.0F);
+    EXPECT_EQ(glass.fresnel, 1U);
+    EXPECT_EQ(glass.opacity, 0.0F);
+    EXPECT_EQ(glass.indexOfRefraction, 1.6F);
+    EXPECT_EQ(glass.shininess, 90.0F);
+    EXPECT_EQ(glass.transmission, (Colour{1, 0.5F, 0}));
+    EXPECT_EQ(glass.attenuationDistance, 2.0F);
+    EXPECT_EQ(glass.emission, (Colour{4, 5, 6}));
+    EXPECT_EQ(glass.diffuse, Material{}.diffuse);
+
+    Material floor;
+    scene.materials[1].applyTo(floor);
+    EXPECT_EQ(floor.diffuse, (Colour{0.9F, 0.5F, 0}));
+    EXPECT_EQ(floor.specular, (Colour{0.1F, 0.1F, 0.1F}));
+    EXPECT_EQ(floor.mirror, (Colour{0, 0, 1}));
+    EXPECT_EQ(floor.opacity, 1.0F);
+}
+
+TEST(Scn, AnOverrideOfOneLobeTakesFromTheOther) {
+    Material material;
+    material.diffuse = {0.5F, 0.5F, 0.5F};
+    material.specular = {0.5F, 0.25F, 0};
+    rtcore::MaterialOverride change;
+    change.diffuse = Colour{0.75F, 0.75F, 0.75F};
+    change.applyTo(material);
+    EXPECT_EQ(material.specular, (Colour{0.25F, 0.25F, 0}));
+    change = {};
+    change.specular = Colour{1, 0, 0};
+    change.applyTo(material);
+    EXPECT_EQ(material.diffuse, (Colour{0, 0.75F, 0.75F}));
+}
+
+TEST(Scn, MaterialsThatMakeNoSenseAreRefused) {
+    EXPECT_EQ(problem("[[material]]\nopacity = 1"), "x.scn:3:1: the key 'name' is missing here; add it");
+    EXPECT_EQ(problem("[[material]]\nname = \"\"").substr(0, 20), "x.scn:4:8: name is e");
+    EXPECT_EQ(problem("[[material]]\nname = \"a\"\nreflectivity = 1.5"),
+              "x.scn:5:16: reflectivity is 1.5, but takes a number at least 0 and at most 1");
+    EXPECT_EQ(
+        problem("[[material]]\nname = \"a\"\ndiffuse = [0.9, 0, 0]\nspecular = [0.2, 0, 0]").substr(0, 41),
+        "x.scn:6:12: diffuse and specular together");
+    EXPECT_EQ(problem("[[material]]\nname = \"a\"\nopactiy = 1"),
+              "x.scn:5:1: unknown key 'opactiy'; did you mean 'opacity'?");
+}
+
+TEST(Scn, EnvironmentsOfEachKindAreRead) {
+    const SceneFile scene =
+        parse("activeEnvironment = 3\n[[environment]]\nequirectangular = \"a.hdr\"\nname = \"night\"\n"
+              "intensity = 2\n[[environment]]\ncross = \"b.png\"\n[[environment]]\nstrip = \"c.png\"\n"
+              "[[environment]]\nfaces = [\"1\", \"2\", \"3\", \"4\", \"5\", \"6\"]\n");
+    ASSERT_EQ(scene.environments.size(), 4U);
+    EXPECT_EQ(scene.activeEnvironment, 3);
+    EXPECT_EQ(scene.environments[0].kind, EnvironmentKind::Equirectangular);
+    EXPECT_EQ(scene.environments[0].name, "night");
+    EXPECT_EQ(scene.environments[0].intensity, 2.0F);
+    EXPECT_EQ(scene.environments[1].kind, EnvironmentKind::Cross);
+    EXPECT_EQ(scene.environments[2].kind, EnvironmentKind::Strip);
+    EXPECT_EQ(scene.environments[3].kind, EnvironmentKind::Faces);
+    EXPECT_EQ(scene.environments[3].files.size(), 6U);
+    EXPECT_EQ(scene.environments[3].files[5], "6");
+}
+
+TEST(Scn, EnvironmentsThatMakeNoSenseAreRefused) {
+    const std::string exactlyOne =
+        "x.scn:3:1: an environment has exactly one of the keys equirectangular, cross, strip and faces";
+    EXPECT_EQ(problem("[[environment]]"), exactlyOne);
+    EXPECT_EQ(problem("[[environment]]\ncross = \"a\"\nstrip = \"b\""), exactlyOne);
+    EXPECT_EQ(problem("[[environment]]\nfaces = [\"a\"]"),
+              "x.scn:4:9: faces has 1 files, but takes six: +x, -x, +y, -y, +z, -z");
+    EXPECT_EQ(problem("activeEnvironment = 0"),
+              "x.scn:3:21: activeEnvironment is 0, but there are 0 [[environment]], counted from 0");
+    EXPECT_EQ(problem("activeEnvironment = 1\n[[environment]]\ncross = \"a\"").substr(0, 12), "x.scn:3:21: ");
+    EXPECT_EQ(problem("activeEnvironment = -1\n[[environment]]\ncross = \"a\"").substr(0, 12),
+              "x.scn:3:21: ");
+}
+
+} // namespace
