@@ -1,0 +1,166 @@
+#include "rtcore/io/images/image_file.h"
+
+#include "rtcore/io/images/codecs.h"
+#include "rtcore/io/images/image_format.h"
+#include "rtcore/platform/files.h"
+
+#include <array>
+#include <new>
+
+namespace rtcore {
+namespace {
+
+using Decoder = DecodedImage (*)(ByteSpan, const std::string&);
+
+Decoder decoderFor(ImageFormat format) {
+    switch (format) {
+    case ImageFormat::Png:
+        return decodePng;
+    case ImageFormat::Jpeg:
+        return decodeJpeg;
+    case ImageFormat::Bmp:
+        return decodeBmp;
+    case ImageFormat::Pnm:
+        return decodePnm;
+    case ImageFormat::Tga:
+        return decodeTga;
+    case ImageFormat::Tiff:
+        return decodeTiff;
+    case ImageFormat::Radiance:
+        return decodeRadiance;
+    case ImageFormat::Exr:
+        return decodeExr;
+    case ImageFormat::Pfm:
+        return decodePfm;
+    case ImageFormat::Rare:
+        return decodeRare;
+    case ImageFormat::Unknown:
+        break;
+    }
+    return nullptr;
+}
+
+DecodedImage decode(ByteSpan bytes, const std::string& name) {
+    if (bytes.empty()) badImage(name, "the file is empty");
+    const Decoder decoder = decoderFor(sniffImageFormat(bytes));
+    if (decoder == nullptr) badImage(name, "not a picture of a known format; convert it to PNG, JPEG or EXR");
+    try {
+        return decoder(bytes, name);
+    } catch (const std::bad_alloc&) {
+        throw FileError(FailureKind::TryAgain, name, "not enough memory for this picture");
+    }
+}
+
+template <typename Pixel>
+void checkEncodable(const Image<Pixel>& image, const std::string& name) {
+    const bool sized = image.width > 0 && image.height > 0 && image.width <= kMaxImageSide &&
+                       image.height <= kMaxImageSide && image.pixels.size() <= kMaxImagePixels;
+    if (!sized || image.pixels.size() !=
+                      static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height)) {
+        cannotEncode(name, "a picture of " + std::to_string(image.width) + " x " +
+                               std::to_string(image.height) + " pixels cannot be written");
+    }
+}
+
+Bytes encodeHdr(const HdrImage& image, ImageFormat format, const std::string& name) {
+    checkEncodable(image, name);
+    switch (format) {
+    case ImageFormat::Exr:
+        return encodeExr(image, name);
+    case ImageFormat::Radiance:
+        return encodeRadiance(image, name);
+    case ImageFormat::Pfm:
+        return encodePfm(image, name);
+    default:
+        cannotEncode(name, "linear colour goes into .exr, .hdr or .pfm only");
+    }
+}
+
+Bytes encodeLdr(const LdrImage& image, const FormatName* target, const std::string& name) {
+    if (target == nullptr) cannotEncode(name, "unknown picture format; known are " + writableFormats());
+    checkEncodable(image, name);
+    switch (target->format) {
+    case ImageFormat::Png:
+        return encodePng(image, name);
+    case ImageFormat::Jpeg:
+        return encodeJpeg(image, name);
+    case ImageFormat::Bmp:
+        return encodeBmp(image, name);
+    case ImageFormat::Pnm:
+        return encodePpm(image, name);
+    case ImageFormat::Tga:
+        return encodeTga(image, name);
+    case ImageFormat::Tiff:
+        return encodeTiff(image, name);
+    case ImageFormat::Rare:
+        return encodeRare(image, name, target->magickName);
+    default:
+        return encodeHdr(toHdr(image), target->format, name);
+    }
+}
+
+void replaceWith(const std::filesystem::path& path, const Bytes& bytes) {
+    const std::array<std::span<const std::byte>, 1> pieces{bytes};
+    writeFileAtomically(path, pieces);
+}
+
+bool isWritable(const FormatName& name) {
+    if (name.format == ImageFormat::Rare) return rareWritable(name.magickName);
+    return name.format != ImageFormat::Exr || exrAvailable();
+}
+
+} // namespace
+
+LdrImage readLdrImage(const std::filesystem::path& path) {
+    const FileBytes file = openFileBytes(path);
+    return decodeLdrImage(file.bytes, path.string());
+}
+
+HdrImage readHdrImage(const std::filesystem::path& path) {
+    const FileBytes file = openFileBytes(path);
+    return decodeHdrImage(file.bytes, path.string());
+}
+
+LdrImage decodeLdrImage(std::span<const std::byte> bytes, const std::string& nameForErrors) {
+    return toLdr(decode(bytes, nameForErrors));
+}
+
+HdrImage decodeHdrImage(std::span<const std::byte> bytes, const std::string& nameForErrors) {
+    return toHdr(decode(bytes, nameForErrors));
+}
+
+void writeImage(const std::filesystem::path& path, const LdrImage& image) {
+    replaceWith(path, encodeLdr(image, findFormat(extensionOf(path)), path.string()));
+}
+
+void writeHdrImage(const std::filesystem::path& path, const HdrImage& image) {
+    const FormatName* target = findFormat(extensionOf(path));
+    replaceWith(path,
+                encodeHdr(image, target != nullptr ? target->format : ImageFormat::Unknown, path.string()));
+}
+
+bool isHdrFormat(const std::filesystem::path& path) {
+    const FormatName* target = findFormat(extensionOf(path));
+    return target != nullptr && isLinear(target->format);
+}
+
+bool isWritableFormat(const std::filesystem::path& path) {
+    const FormatName* target = findFormat(extensionOf(path));
+    return target != nullptr && isWritable(*target);
+}
+
+std::string writableFormats() {
+    std::string list;
+    for (const FormatName& name : formatNames()) {
+        if (!isWritable(name)) continue;
+        list += list.empty() ? "" : ", ";
+        list += name.extension;
+    }
+    return list;
+}
+
+std::vector<std::byte> encodeImage(const LdrImage& image, const std::string& format) {
+    return encodeLdr(image, findFormat(format), "output." + format);
+}
+
+} // namespace rtcore

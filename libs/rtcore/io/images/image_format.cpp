@@ -1,0 +1,117 @@
+#include "rtcore/io/images/image_format.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace rtcore {
+namespace {
+
+using namespace std::string_view_literals;
+
+// ImageMagick 6 writes AVIF and HEIC, too, but with pixels that it never set.
+constexpr FormatName kNames[] = {
+    {"png", ImageFormat::Png, ""},     {"jpg", ImageFormat::Jpeg, ""},
+    {"jpeg", ImageFormat::Jpeg, ""},   {"bmp", ImageFormat::Bmp, ""},
+    {"ppm", ImageFormat::Pnm, ""},     {"tga", ImageFormat::Tga, ""},
+    {"tif", ImageFormat::Tiff, ""},    {"tiff", ImageFormat::Tiff, ""},
+    {"exr", ImageFormat::Exr, ""},     {"hdr", ImageFormat::Radiance, ""},
+    {"pfm", ImageFormat::Pfm, ""},     {"webp", ImageFormat::Rare, "WEBP"},
+    {"gif", ImageFormat::Rare, "GIF"}, {"jp2", ImageFormat::Rare, "JP2"},
+    {"psd", ImageFormat::Rare, "PSD"}, {"dds", ImageFormat::Rare, "DDS"},
+    {"pcx", ImageFormat::Rare, "PCX"}, {"sgi", ImageFormat::Rare, "SGI"},
+};
+
+struct Signature {
+    std::size_t offset;
+    std::string_view mark;
+    ImageFormat format;
+    const char* magickName;
+};
+constexpr Signature kSignatures[] = {
+    {0, "\x89PNG\r\n\x1a\n"sv, ImageFormat::Png, ""},
+    {0, "\xff\xd8\xff"sv, ImageFormat::Jpeg, ""},
+    {0, "II*\0"sv, ImageFormat::Tiff, ""},
+    {0, "MM\0*"sv, ImageFormat::Tiff, ""},
+    {0, "II+\0"sv, ImageFormat::Tiff, ""},
+    {0, "MM\0+"sv, ImageFormat::Tiff, ""},
+    {0, "#?"sv, ImageFormat::Radiance, ""},
+    {0, "\x76\x2f\x31\x01"sv, ImageFormat::Exr, ""},
+    {8, "WEBP"sv, ImageFormat::Rare, "WEBP"},
+    {0, "GIF8"sv, ImageFormat::Rare, "GIF"},
+    {0, "DDS "sv, ImageFormat::Rare, "DDS"},
+    {0, "8BPS"sv, ImageFormat::Rare, "PSD"},
+    {4, "jP  \r\n"sv, ImageFormat::Rare, "JP2"},
+    {0, "\x01\xda"sv, ImageFormat::Rare, "SGI"},
+    {0, "BM"sv, ImageFormat::Bmp, ""},
+};
+
+unsigned byteAt(ByteSpan bytes, std::size_t i) { return std::to_integer<unsigned>(bytes[i]); }
+
+bool matches(ByteSpan bytes, const Signature& s) {
+    if (bytes.size() < s.offset + s.mark.size()) return false;
+    for (std::size_t i = 0; i < s.mark.size(); ++i) {
+        if (byteAt(bytes, s.offset + i) != static_cast<unsigned char>(s.mark[i])) return false;
+    }
+    return true;
+}
+
+const Signature* findSignature(ByteSpan bytes) {
+    const auto* found = std::find_if(std::begin(kSignatures), std::end(kSignatures),
+                                     [&](const Signature& s) { return matches(bytes, s); });
+    return found == std::end(kSignatures) ? nullptr : found;
+}
+
+bool isBlank(unsigned c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '#'; }
+
+bool looksLikeTga(ByteSpan bytes) {
+    if (bytes.size() < 18) return false;
+    const unsigned mapType = byteAt(bytes, 1), type = byteAt(bytes, 2), depth = byteAt(bytes, 16);
+    const unsigned width = byteAt(bytes, 12) | byteAt(bytes, 13) << 8U;
+    const unsigned height = byteAt(bytes, 14) | byteAt(bytes, 15) << 8U;
+    const unsigned kind = type & 7U;
+    const bool depthFits =
+        depth == 8 || ((depth == 15 || depth == 16 || depth == 24 || depth == 32) && kind == 2);
+    return mapType <= 1 && kind >= 1 && kind <= 3 && (type & ~11U) == 0 && depthFits && width > 0 &&
+           height > 0;
+}
+
+} // namespace
+
+ImageFormat sniffImageFormat(ByteSpan bytes) {
+    if (const Signature* signature = findSignature(bytes)) return signature->format;
+    if (bytes.size() > 2 && byteAt(bytes, 0) == 'P' && isBlank(byteAt(bytes, 2))) {
+        const unsigned kind = byteAt(bytes, 1);
+        if (kind >= '1' && kind <= '6') return ImageFormat::Pnm;
+        if (kind == 'F' || kind == 'f') return ImageFormat::Pfm;
+    }
+    return looksLikeTga(bytes) ? ImageFormat::Tga : ImageFormat::Unknown;
+}
+
+std::string sniffRareFormat(ByteSpan bytes) {
+    const Signature* signature = findSignature(bytes);
+    return signature != nullptr ? signature->magickName : "";
+}
+
+std::span<const FormatName> formatNames() { return kNames; }
+
+const FormatName* findFormat(const std::string& extension) {
+    std::string lower = extension;
+    for (char& c : lower) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    const auto* found = std::find_if(std::begin(kNames), std::end(kNames),
+                                     [&](const FormatName& n) { return lower == n.extension; });
+    return found == std::end(kNames) ? nullptr : found;
+}
+
+std::string extensionOf(const std::filesystem::path& path) {
+    const std::string extension = path.extension().string();
+    return extension.empty() ? extension : extension.substr(1);
+}
+
+bool isLinear(ImageFormat format) {
+    return format == ImageFormat::Exr || format == ImageFormat::Radiance || format == ImageFormat::Pfm;
+}
+
+} // namespace rtcore
