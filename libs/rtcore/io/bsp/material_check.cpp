@@ -1,0 +1,108 @@
+#include "rtcore/io/bsp/model_check.h"
+
+#include <cmath>
+
+namespace rtcore {
+
+namespace {
+
+using Finding = std::optional<std::string>;
+
+/// What sums of albedos may exceed 1 by, and lengths of directions differ from it.
+constexpr float kRounding = 1e-3F;
+
+bool within(float value, float lo, float hi) { return value >= lo && value <= hi; } // false for NaN
+bool within(Colour c, float lo, float hi) {
+    return within(c.r, lo, hi) && within(c.g, lo, hi) && within(c.b, lo, hi);
+}
+bool within(Vec3 v, float lo, float hi) {
+    return within(v.x, lo, hi) && within(v.y, lo, hi) && within(v.z, lo, hi);
+}
+bool isSwitch(std::uint32_t value) { return value <= 1; }
+bool isPlace(Vec3 v) { return within(v, -kLargestNumber, kLargestNumber); }
+bool isUnit(Vec3 v) { return isPlace(v) && std::fabs(length(v) - 1) < kRounding; }
+
+const char* problemOf(const Material& m, const Model& model) {
+    if (!within(m.diffuse, 0, 1)) return "diffuse is not in 0..1";
+    if (!within(m.opacity, 0, 1)) return "opacity is not in 0..1";
+    if (!within(m.specular, 0, 1)) return "specular is not in 0..1";
+    if (!within(m.diffuse + m.specular, 0, 1 + kRounding)) return "diffuse and specular together exceed 1";
+    if (!within(m.shininess, 0, 100000)) return "shininess is not in 0..100000";
+    if (!within(m.mirror, 0, 1)) return "mirror is not in 0..1";
+    if (!within(m.mirrorScale, 0, 1)) return "mirrorScale is not in 0..1";
+    if (!within(m.transmission, 0, 1)) return "transmission is not in 0..1";
+    if (!within(m.attenuationDistance, 0, kLargestNumber)) return "attenuationDistance is out of range";
+    if (!within(m.emission, 0, kLargestNumber)) return "emission is out of range";
+    if (!within(m.indexOfRefraction, 1, 5)) return "indexOfRefraction is not in 1..5";
+    if (!isSwitch(m.fresnel) || !isSwitch(m.alphaFromAlpha)) return "a switch is neither 0 nor 1";
+    if (!within(m.alphaCutoff, 0, 1)) return "alphaCutoff is not in 0..1";
+    for (const std::uint32_t t : {m.diffuseTexture, m.alphaTexture, m.normalTexture, m.emissionTexture}) {
+        if (t != kNoTexture && t >= model.textures.size()) return "it names a texture that does not exist";
+    }
+    return m.nameOffset < model.strings.size() ? nullptr : "its name lies outside of the strings";
+}
+
+const char* problemOf(const Texture& t, const Model& model) {
+    if (t.width == 0 || t.height == 0) return "it is empty";
+    if (t.width > static_cast<std::uint32_t>(kMaxImageSide) ||
+        t.height > static_cast<std::uint32_t>(kMaxImageSide)) {
+        return "it is too wide or too high";
+    }
+    const std::uint64_t texels = std::uint64_t{t.width} * t.height;
+    if (texels > kMaxImagePixels) return "it has too many texels";
+    const std::uint64_t available = model.texels.size();
+    if (t.firstTexel > available || texels > available - t.firstTexel) return "it ends outside of the texels";
+    return nullptr;
+}
+
+const char* problemOf(const Light& l, const Model& model) {
+    if (l.kind != LightKind::Point && l.kind != LightKind::Directional && l.kind != LightKind::Spot) {
+        return "it is of no known kind";
+    }
+    if (!isPlace(l.position)) return "position is out of range";
+    if (!isPlace(l.direction)) return "direction is out of range";
+    if (l.kind != LightKind::Point && !isUnit(l.direction)) return "direction is not of unit length";
+    if (!within(l.intensity, 0, kLargestNumber)) return "intensity is out of range";
+    if (!within(l.radius, 0, kLargestNumber)) return "radius is out of range";
+    if (!within(l.cosInner, -1, 1) || !within(l.cosOuter, -1, 1)) return "a cosine is not in -1..1";
+    if (l.kind == LightKind::Spot && !(l.cosOuter < l.cosInner))
+        return "the outer angle is not wider than the inner";
+    if (!isSwitch(l.on)) return "a switch is neither 0 nor 1";
+    return l.nameOffset < model.strings.size() ? nullptr : "its name lies outside of the strings";
+}
+
+const char* problemOf(const Camera& c, const Model& model) {
+    if (!isPlace(c.eye)) return "eye is out of range";
+    const Vec3 forward = normalize(c.forward), up = normalize(c.up); // zero for zero and for NaN
+    if (forward == Vec3{} || up == Vec3{}) return "forward or up is zero or not a number";
+    if (!(length(cross(forward, up)) > 1e-6F)) return "forward and up are parallel";
+    if (!(c.horizontalFov > 0 && c.horizontalFov < 180)) return "the field of view is not in 0..180 degrees";
+    return c.nameOffset < model.strings.size() ? nullptr : "its name lies outside of the strings";
+}
+
+template <typename Record>
+Finding checkEach(const char* section, std::span<const Record> records, const Model& model) {
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        if (const char* problem = problemOf(records[i], model)) {
+            return std::string(section) + ": element " + std::to_string(i) + ": " + problem;
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+std::optional<std::string> checkMaterials(const Model& model) {
+    return checkEach("materials", model.materials, model);
+}
+std::optional<std::string> checkTextures(const Model& model) {
+    return checkEach("textures", model.textures, model);
+}
+std::optional<std::string> checkLights(const Model& model) {
+    return checkEach("lights", model.lights, model);
+}
+std::optional<std::string> checkCameras(const Model& model) {
+    return checkEach("cameras", model.cameras, model);
+}
+
+} // namespace rtcore

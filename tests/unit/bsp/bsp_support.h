@@ -1,0 +1,101 @@
+/// What the tests of .bsp files share: a file in memory, and the comparison of what is in it.
+#pragma once
+
+#include "rtcore/io/bsp/bsp_checksum.h"
+#include "rtcore/io/bsp/bsp_file.h"
+#include "rtcore/platform/error.h"
+#include "support/sample_model.h"
+#include "support/sample_tree.h"
+#include "support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace test {
+
+using Bytes = std::vector<std::byte>;
+
+inline Bytes fileContent(const std::filesystem::path& path) {
+    const rtcore::FileBytes file = rtcore::openFileBytes(path);
+    return {file.bytes.begin(), file.bytes.end()};
+}
+
+/// A sample model with its tree, as the bytes of a file.
+inline Bytes sampleFile(std::uint32_t seed, std::size_t triangles) {
+    const TemporaryFolder folder;
+    const rtcore::Model model = rtcore::makeModel(SampleModel(seed).make(triangles));
+    const SampleTree tree = sampleTree(model.mesh, 2);
+    const rtcore::KdTree view = tree.view();
+    rtcore::writeBsp(folder / "sample.bsp", model, &view, {1234, 0xABCD, 42});
+    return fileContent(folder / "sample.bsp");
+}
+
+/// Reads from memory of exactly that size, so that a sanitizer sees every step beyond the end.
+inline rtcore::BspContent readFrom(const Bytes& bytes) {
+    const std::shared_ptr<std::byte[]> memory(new std::byte[bytes.size()]);
+    std::copy(bytes.begin(), bytes.end(), memory.get());
+    return rtcore::readBsp({{memory.get(), bytes.size()}, memory}, "memory.bsp");
+}
+
+/// What readBsp() says about the bytes; nothing when it accepts them.
+inline std::optional<std::string> refusal(const Bytes& bytes) {
+    try {
+        readFrom(bytes);
+    } catch (const rtcore::FileError& error) {
+        EXPECT_EQ(error.kind, rtcore::FailureKind::BadData);
+        return error.what();
+    }
+    return {};
+}
+
+inline rtcore::BspHeader headerOf(const Bytes& bytes) {
+    rtcore::BspHeader header;
+    std::memcpy(&header, bytes.data(), sizeof header);
+    return header;
+}
+
+/// Puts the header in, with both checksums made right.
+inline void seal(Bytes& bytes, rtcore::BspHeader header) {
+    header.payloadCrc = rtcore::crc32Of(std::span(bytes).subspan(sizeof header));
+    header.headerCrc = rtcore::headerCrcOf(header);
+    std::memcpy(bytes.data(), &header, sizeof header);
+}
+
+template <typename T>
+bool equal(std::span<const T> a, std::span<const T> b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end());
+}
+
+inline void expectEqual(const rtcore::Model& a, const rtcore::Model& b) {
+    EXPECT_TRUE(equal(a.mesh.vertices, b.mesh.vertices));
+    EXPECT_TRUE(equal(a.mesh.triangles, b.mesh.triangles));
+    EXPECT_TRUE(equal(a.mesh.shading, b.mesh.shading));
+    EXPECT_TRUE(equal(a.mesh.normals, b.mesh.normals));
+    EXPECT_TRUE(equal(a.mesh.texcoords, b.mesh.texcoords));
+    EXPECT_TRUE(equal(a.mesh.colours, b.mesh.colours));
+    EXPECT_TRUE(equal(a.materials, b.materials));
+    EXPECT_TRUE(equal(a.textures, b.textures));
+    EXPECT_TRUE(equal(a.texels, b.texels));
+    EXPECT_TRUE(equal(a.lights, b.lights));
+    EXPECT_TRUE(equal(a.cameras, b.cameras));
+    EXPECT_TRUE(equal(a.strings, b.strings));
+}
+
+inline void expectEqual(const rtcore::KdTree& a, const rtcore::KdTree& b) {
+    EXPECT_TRUE(std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(),
+                           [](rtcore::KdNode x, rtcore::KdNode y) {
+                               return x.bits == y.bits && x.firstReference == y.firstReference;
+                           }));
+    EXPECT_TRUE(equal(a.references, b.references));
+    EXPECT_EQ(a.bounds, b.bounds);
+}
+
+} // namespace test

@@ -1,0 +1,119 @@
+#include "bsp_support.h"
+
+#include <array>
+#include <fstream>
+
+using rtcore::BspContent;
+using rtcore::BspIdentity;
+using rtcore::KdTree;
+using rtcore::Model;
+
+namespace {
+
+constexpr BspIdentity kIdentity{987654321012, 0xDEADBEEF, 77};
+
+} // namespace
+
+TEST(BspRoundTrip, everythingComesBack) {
+    const test::TemporaryFolder folder;
+    for (const std::size_t triangles : {1, 20, 5000}) { // read, read, mapped
+        const Model model = rtcore::makeModel(test::SampleModel(7).make(triangles));
+        const test::SampleTree tree = test::sampleTree(model.mesh);
+        const KdTree view = tree.view();
+        rtcore::writeBsp(folder / "f.bsp", model, &view, kIdentity);
+        const BspContent content = rtcore::readBsp(folder / "f.bsp");
+        test::expectEqual(content.model, model);
+        ASSERT_TRUE(content.tree);
+        test::expectEqual(*content.tree, view);
+        EXPECT_EQ(content.identity, kIdentity);
+        EXPECT_EQ(content.model.name(content.model.materials[1].nameOffset), "material 1");
+    }
+}
+
+TEST(BspRoundTrip, fileWithoutATreeHandsOverAModel) {
+    const test::TemporaryFolder folder;
+    const Model model = rtcore::makeModel(test::SampleModel(8).make(50));
+    rtcore::writeBsp(folder / "f.bsp", model, nullptr, {1, 2, 0});
+    const BspContent content = rtcore::readBsp(folder / "f.bsp");
+    EXPECT_FALSE(content.tree);
+    test::expectEqual(content.model, model);
+}
+
+TEST(BspRoundTrip, whatAModelMayLackMayBeMissing) {
+    const test::TemporaryFolder folder;
+    rtcore::ModelBuffers buffers = test::SampleModel(9).make(10);
+    buffers.texcoords.clear();
+    buffers.colours.clear();
+    buffers.lights.clear();
+    buffers.cameras.clear();
+    buffers.textures.clear();
+    buffers.texels.clear();
+    buffers.materials = {rtcore::Material{}};
+    for (auto& s : buffers.shading) s.material = 0;
+    const Model model = rtcore::makeModel(std::move(buffers));
+    rtcore::writeBsp(folder / "f.bsp", model, nullptr, {});
+    test::expectEqual(rtcore::readBsp(folder / "f.bsp").model, model);
+}
+
+TEST(BspRoundTrip, aSceneWithoutTrianglesHasATreeOfOneLeaf) {
+    const test::TemporaryFolder folder;
+    rtcore::ModelBuffers buffers;
+    buffers.materials.emplace_back();
+    const Model model = rtcore::makeModel(std::move(buffers));
+    const std::array nodes{rtcore::KdNode::leaf(0, 0)};
+    const KdTree tree{nodes, {}, rtcore::Box3{}, nullptr};
+    rtcore::writeBsp(folder / "f.bsp", model, &tree, {});
+    const BspContent content = rtcore::readBsp(folder / "f.bsp");
+    ASSERT_TRUE(content.tree);
+    EXPECT_EQ(content.tree->bounds, rtcore::Box3{});
+    EXPECT_EQ(content.tree->nodes.size(), 1U);
+    EXPECT_TRUE(content.model.mesh.triangles.empty());
+}
+
+TEST(BspRoundTrip, sameContentGivesSameBytes) {
+    EXPECT_EQ(test::sampleFile(3, 40), test::sampleFile(3, 40));
+    EXPECT_NE(test::sampleFile(3, 40), test::sampleFile(4, 40));
+}
+
+TEST(BspRoundTrip, viewsPointIntoTheFileAndKeepItAlive) {
+    const test::Bytes bytes = test::sampleFile(5, 30);
+    const std::shared_ptr<std::byte[]> memory(new std::byte[bytes.size()]);
+    std::copy(bytes.begin(), bytes.end(), memory.get());
+    auto content = std::make_unique<BspContent>(rtcore::readBsp({{memory.get(), bytes.size()}, memory}, "f"));
+    const auto inside = [&](const void* p) { return p >= memory.get() && p < memory.get() + bytes.size(); };
+    EXPECT_TRUE(inside(content->model.mesh.vertices.data()));
+    EXPECT_TRUE(inside(content->model.strings.data()));
+    EXPECT_TRUE(inside(content->tree->nodes.data()));
+    EXPECT_TRUE(inside(content->tree->references.data()));
+    EXPECT_EQ(memory.use_count(), 3) << "this test, the model and the tree";
+    const KdTree tree = *content->tree;
+    content.reset();
+    EXPECT_EQ(memory.use_count(), 2);
+}
+
+TEST(BspRoundTrip, sectionsAreAligned) {
+    const rtcore::BspHeader header = test::headerOf(test::sampleFile(5, 30));
+    for (const auto& section : header.sections) EXPECT_EQ(section.offset % rtcore::kBspAlignment, 0U);
+    EXPECT_EQ(header.headerSize % rtcore::kBspAlignment, 0U);
+}
+
+TEST(BspWriting, refusesATreeOfAnotherModel) {
+    const test::TemporaryFolder folder;
+    const Model small = rtcore::makeModel(test::SampleModel(1).make(5));
+    const Model large = rtcore::makeModel(test::SampleModel(1).make(50));
+    const test::SampleTree tree = test::sampleTree(large.mesh);
+    const KdTree view = tree.view();
+    EXPECT_THROW(rtcore::writeBsp(folder / "f.bsp", small, &view, {}), rtcore::FileError);
+    EXPECT_FALSE(std::filesystem::exists(folder / "f.bsp"));
+}
+
+TEST(BspWriting, missingFolderIsAnError) {
+    const test::TemporaryFolder folder;
+    const Model model = rtcore::makeModel(test::SampleModel(1).make(5));
+    try {
+        rtcore::writeBsp(folder / "no" / "f.bsp", model, nullptr, {});
+        ADD_FAILURE() << "written";
+    } catch (const rtcore::FileError& error) {
+        EXPECT_EQ(error.kind, rtcore::FailureKind::CannotWrite);
+    }
+}
