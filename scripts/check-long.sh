@@ -1,0 +1,34 @@
+#!/bin/sh
+# The checks that take too long for every run; their output belongs into the note that closes an issue.
+#   scripts/check-long.sh [leaks] [oracle] [mutations] [kills] [formats]     without arguments: all
+set -eu
+cd "$(dirname "$0")/.."
+scripts/build.sh
+[ $# -gt 0 ] || set -- leaks oracle mutations kills formats
+release=build/release/bin
+for check in "$@"; do
+    echo "== $check"
+    case $check in
+    leaks)
+        RT_LEAK_RAYS=${RT_LEAK_RAYS:-100000000} $release/test_leaks
+        ;;
+    oracle)
+        RT_ORACLE_RAYS=${RT_ORACLE_RAYS:-1000000} $release/test_embree
+        ;;
+    mutations)
+        cmake --preset asan-ubsan >/dev/null
+        cmake --build --preset asan-ubsan
+        RT_MUTATIONS=${RT_MUTATIONS:-200000} ctest --preset asan-ubsan -R Mutat -j "$(nproc)" --timeout 7200 --verbose
+        ;;
+    kills)
+        RT_KILLS=${RT_KILLS:-500} ctest --preset release -R Kill --timeout 7200 --verbose
+        ;;
+    formats)
+        scripts/check-formats.sh
+        ;;
+    *)
+        echo "check-long: no check is called $check" >&2
+        exit 2
+        ;;
+    esac
+done
