@@ -1,0 +1,334 @@
+#include "rtcore/io/import/assimp_import.h"
+
+#include "rtcore/io/import/assimp_parts.h"
+#include "rtcore/io/import/mesh_assembly.h"
+#include "rtcore/io/import/polygon.h"
+#include "rtcore/platform/error.h"
+
+#include <assimp/Importer.hpp>
+#include <assimp/config.h>
+#include <assimp/importerdesc.h>
+#include <assimp/scene.h>
+
+#include <array>
+#include <cmath>
+#include <new>
+#include <utility>
+
+namespace rtcore {
+
+namespace {
+
+static_assert(sizeof(ai_real) == sizeof(float), "this file takes Assimp's numbers for floats");
+
+[[noreturn]] void refuse(const std::string& message) { throw FileError(FailureKind::BadData, "", message); }
+
+Affine affineOf(const aiMatrix4x4& m) {
+    Affine a;
+    a.m = {{{m.a1, m.a2, m.a3, m.a4}, {m.b1, m.b2, m.b3, m.b4}, {m.c1, m.c2, m.c3, m.c4}}};
+    return a;
+}
+
+/// A mesh under a node.
+struct Instance {
+    unsigned mesh;
+    Affine place;
+};
+
+/// All that the node graph says.
+struct NodeWalk {
+    std::vector<Instance> instances; ///< depth first, in the order of the file
+    NodePlaces places;
+};
+
+bool hasMesh(const aiScene& scene, unsigned number) {
+    return number < scene.mNumMeshes && scene.mMeshes[number] != nullptr;
+}
+
+/// Iterative, with a limit that only a graph with cycles reaches.
+NodeWalk walkNodes(const aiScene& scene) {
+    constexpr std::size_t kMostNodes = 4'000'000;
+    NodeWalk walk;
+    std::size_t visited = 0;
+    std::vector<std::pair<const aiNode*, Affine>> open;
+    if (scene.mRootNode != nullptr) open.emplace_back(scene.mRootNode, Affine{});
+    while (!open.empty()) {
+        const auto [node, parent] = open.back();
+        open.pop_back();
+        if (++visited > kMostNodes) refuse("its node graph has no end; repair the file");
+        const Affine place = parent * affineOf(node->mTransformation);
+        if (scene.mNumLights + scene.mNumCameras > 0) walk.places.try_emplace(node->mName.C_Str(), place);
+        for (unsigned i = 0; i < node->mNumMeshes; ++i) {
+            if (hasMesh(scene, node->mMeshes[i])) walk.instances.push_back({node->mMeshes[i], place});
+        }
+        for (unsigned i = node->mNumChildren; i-- > 0;) {
+            if (node->mChildren[i] != nullptr) open.emplace_back(node->mChildren[i], place);
+        }
+    }
+    return walk;
+}
+
+/// Codes of one byte are found in a table: most colours are such.
+class ColourDecoder {
+  public:
+    explicit ColourDecoder(bool linear) : linear_(linear) {
+        for (std::size_t i = 0; i < table_.size(); ++i) table_[i] = srgbDecode(static_cast<float>(i) / 255);
+    }
+    Colour operator()(const aiColor4D& c) const { return {decode(c.r), decode(c.g), decode(c.b)}; }
+
+  private:
+    float decode(float v) const {
+        if (linear_ || !(v > 0)) return v;
+        if (v >= 1) return 1;
+        const auto code = static_cast<std::size_t>(std::lround(v * 255));
+        return static_cast<float>(code) / 255 == v ? table_[code] : srgbDecode(v);
+    }
+    bool linear_;
+    std::array<float, 256> table_{};
+};
+
+/// Makes SourceMeshes of Assimp's meshes; keeps its memory from one to the next.
+class MeshReader {
+  public:
+    MeshReader(const FormatQuirks& quirks, ImportReport& report)
+        : quirks_(quirks), report_(report), decode_(quirks.linearVertexColours) {}
+
+    /// Valid until the next call.
+    SourceMesh read(const aiMesh& mesh, const Affine& place, const TexcoordUse& use) {
+        SourceMesh out;
+        readTriangles(mesh, place.determinant() < 0);
+        out.triangles = triangles_;
+        if (triangles_.empty()) return out;
+        readPositions(mesh, place);
+        out.positions = positions_;
+        if (mesh.mNormals != nullptr && !quirks_.facetNormals) out.normals = readNormals(mesh, place);
+        out.texcoords = readTexcoords(mesh, use);
+        if (mesh.mColors[0] != nullptr) out.colours = readColours(mesh);
+        return out;
+    }
+
+  private:
+    void readTriangles(const aiMesh& mesh, bool mirrored) {
+        triangles_.clear();
+        const unsigned faces = mesh.mFaces != nullptr && mesh.mVertices != nullptr ? mesh.mNumFaces : 0;
+        triangles_.reserve(faces);
+        for (unsigned f = 0; f < faces; ++f) {
+            const aiFace& face = mesh.mFaces[f];
+            if (face.mNumIndices < 3 || face.mIndices == nullptr) {
+                ++report_.ignoredPrimitives;
+            } else if (!valid(face, mesh.mNumVertices)) {
+                addWarning(report_, "faces that name vertices which do not exist are left out");
+            } else if (face.mNumIndices == 3) {
+                addTriangle(face, 0, 1, 2, mirrored);
+            } else {
+                cutPolygon(mesh, face, mirrored);
+            }
+        }
+    }
+
+    static bool valid(const aiFace& face, unsigned vertices) {
+        for (unsigned i = 0; i < face.mNumIndices; ++i) {
+            if (face.mIndices[i] >= vertices) return false;
+        }
+        return true;
+    }
+
+    void addTriangle(const aiFace& face, std::uint32_t a, std::uint32_t b, std::uint32_t c, bool mirrored) {
+        if (mirrored) std::swap(b, c);
+        triangles_.push_back({{face.mIndices[a], face.mIndices[b], face.mIndices[c]}});
+    }
+
+    void cutPolygon(const aiMesh& mesh, const aiFace& face, bool mirrored) {
+        corners_.clear();
+        for (unsigned i = 0; i < face.mNumIndices; ++i) {
+            const aiVector3D& v = mesh.mVertices[face.mIndices[i]];
+            corners_.push_back({v.x, v.y, v.z});
+        }
+        for (const Triangle& t : cutter_.cut(corners_)) addTriangle(face, t.v[0], t.v[1], t.v[2], mirrored);
+    }
+
+    void readPositions(const aiMesh& mesh, const Affine& place) {
+        positions_.clear();
+        positions_.reserve(mesh.mNumVertices);
+        const bool unmoved = place.identity();
+        for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+            const aiVector3D& v = mesh.mVertices[i];
+            const Vec3 p{v.x, v.y, v.z};
+            positions_.push_back(unmoved ? p : place.point(p));
+        }
+    }
+
+    std::span<const Vec3> readNormals(const aiMesh& mesh, const Affine& place) {
+        normals_.clear();
+        normals_.reserve(mesh.mNumVertices);
+        const bool unmoved = place.identity();
+        for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+            const aiVector3D& v = mesh.mNormals[i];
+            const Vec3 n{v.x, v.y, v.z};
+            normals_.push_back(unmoved ? n : place.normal(n));
+        }
+        return normals_;
+    }
+
+    std::span<const Vec2> readTexcoords(const aiMesh& mesh, const TexcoordUse& use) {
+        const bool there =
+            use.set < AI_MAX_NUMBER_OF_TEXTURECOORDS && mesh.mTextureCoords[use.set] != nullptr;
+        const aiVector3D* const source = mesh.mTextureCoords[there ? use.set : 0];
+        if (source == nullptr) return {};
+        texcoords_.clear();
+        texcoords_.reserve(mesh.mNumVertices);
+        for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+            texcoords_.push_back(
+                {source[i].x * use.scale.x + use.offset.x, source[i].y * use.scale.y + use.offset.y});
+        }
+        return texcoords_;
+    }
+
+    std::span<const Colour> readColours(const aiMesh& mesh) {
+        colours_.clear();
+        colours_.reserve(mesh.mNumVertices);
+        for (unsigned i = 0; i < mesh.mNumVertices; ++i) colours_.push_back(decode_(mesh.mColors[0][i]));
+        return colours_;
+    }
+
+    const FormatQuirks& quirks_;
+    ImportReport& report_;
+    ColourDecoder decode_;
+    PolygonCutter cutter_;
+    std::vector<Triangle> triangles_;
+    std::vector<Vec3> positions_, normals_, corners_;
+    std::vector<Vec2> texcoords_;
+    std::vector<Colour> colours_;
+};
+
+/// Model materials, in the order of the file, without those that no mesh uses.
+class Materials {
+  public:
+    Materials(const aiScene& scene, const NodeWalk& walk, const FormatQuirks& quirks, ModelBuffers& model,
+              ImportReport& report, TextureStore& textures)
+        : numbers_(scene.mNumMaterials, kNoMaterial), uses_(scene.mNumMaterials) {
+        std::vector<char> used(scene.mNumMaterials, 0);
+        for (const Instance& i : walk.instances) {
+            const unsigned material = scene.mMeshes[i.mesh]->mMaterialIndex;
+            if (material < used.size()) used[material] = 1;
+        }
+        for (unsigned m = 0; m < scene.mNumMaterials; ++m) {
+            if (used[m] == 0 || scene.mMaterials[m] == nullptr) continue;
+            const SourceMaterial source = sourceMaterialOf(*scene.mMaterials[m], quirks);
+            uses_[m] = texcoordUseOf(*scene.mMaterials[m], report);
+            numbers_[m] = append(mapMaterial(source, textures), source.name, model);
+        }
+        model_ = &model;
+    }
+    std::uint32_t numberOf(unsigned material) {
+        if (material < numbers_.size() && numbers_[material] != kNoMaterial) return numbers_[material];
+        if (plain_ == kNoMaterial) plain_ = append(Material{}, "", *model_);
+        return plain_;
+    }
+    TexcoordUse texcoordUse(unsigned material) const {
+        return material < uses_.size() ? uses_[material] : TexcoordUse{};
+    }
+
+  private:
+    static constexpr std::uint32_t kNoMaterial = 0xFFFFFFFFU;
+    static std::uint32_t append(Material material, const std::string& name, ModelBuffers& model) {
+        material.nameOffset = model.addName(name);
+        model.materials.push_back(material);
+        return static_cast<std::uint32_t>(model.materials.size() - 1);
+    }
+    std::vector<std::uint32_t> numbers_;
+    std::vector<TexcoordUse> uses_;
+    std::uint32_t plain_ = kNoMaterial;
+    ModelBuffers* model_ = nullptr;
+};
+
+/// Only parses: Assimp's own post-processing takes ten times as long as ours.
+const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path& path) {
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, false);
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_MD5_NO_ANIM_AUTOLOAD, true);
+    const aiScene* const scene = importer.ReadFile(path.string(), 0);
+    if (scene != nullptr) return *scene;
+    const std::string reason = importer.GetErrorString();
+    if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
+    if (reason.find("No suitable reader") != std::string::npos) {
+        refuse("no importer knows this format; convert it to glTF, OBJ, PLY or STL");
+    }
+    refuse(
+        "Assimp cannot read it: " + reason +
+        "; it is damaged or of a variant that Assimp does not know: open it in the program that wrote it and "
+        "export it again, as glTF or OBJ for example");
+}
+
+std::string formatOf(const Assimp::Importer& importer) {
+    const int index = importer.GetPropertyInteger("importerIndex", -1);
+    const aiImporterDesc* const info =
+        index >= 0 ? importer.GetImporterInfo(static_cast<std::size_t>(index)) : nullptr;
+    return info != nullptr && info->mName != nullptr ? info->mName : "";
+}
+
+/// Instances multiply: a small file can stand for more triangles than any memory holds.
+void refuseTooMuch(const aiScene& scene, const NodeWalk& walk, std::uint64_t memoryLimit,
+                   MeshAssembler& assembler) {
+    constexpr std::uint64_t kBytesPerTriangle = 100;
+    std::uint64_t triangles = 0, vertices = 0;
+    for (const Instance& i : walk.instances) {
+        const aiMesh& mesh = *scene.mMeshes[i.mesh];
+        vertices += mesh.mNumVertices;
+        triangles += mesh.mNumFaces; // polygons have more, but no more than vertices
+    }
+    const std::uint64_t most = memoryLimit > 0 ? memoryLimit / kBytesPerTriangle : ~std::uint64_t{0};
+    if (triangles > most || vertices / 4 > most) {
+        refuse(
+            "with all instances it has " + std::to_string(triangles) +
+            " faces, more than fit into the memory that it may use; raise the limit or simplify the model");
+    }
+    assembler.reserve(vertices, triangles);
+}
+
+void refuseEmpty(const aiScene& scene, const ImportReport& report, ModelBuffers& model) {
+    if (!model.triangles.empty()) return;
+    refuse("it holds no triangles (" + std::to_string(report.ignoredPrimitives) + " points and lines, " +
+           std::to_string(report.degenerateTriangles) + " triangles without area, " +
+           std::to_string(report.nonFiniteTriangles) + " with broken coordinates, " +
+           std::to_string(scene.mNumMeshes) + " meshes); give a model with surfaces");
+}
+
+} // namespace
+
+AssimpResult importWithAssimp(const std::filesystem::path& path, const AssimpOptions& options) {
+    const auto importer = std::make_shared<Assimp::Importer>();
+    const aiScene& scene = readScene(*importer, path);
+    options.alive();
+    AssimpResult result;
+    result.source = importer;
+    result.report.format = formatOf(*importer);
+    const FormatQuirks quirks = quirksOf(result.report.format);
+    const NodeWalk walk = walkNodes(scene);
+    MeshAssembler assembler;
+    refuseTooMuch(scene, walk, options.memoryLimit, assembler);
+
+    const SceneEmbeddedPictures embedded(scene);
+    TextureStore textures(result.model, result.report, path.parent_path(), embedded, options.alive);
+    Materials materials(scene, walk, quirks, result.model, result.report, textures);
+    MeshReader reader(quirks, result.report);
+    for (const Instance& instance : walk.instances) {
+        const aiMesh& mesh = *scene.mMeshes[instance.mesh];
+        SourceMesh source = reader.read(mesh, instance.place, materials.texcoordUse(mesh.mMaterialIndex));
+        if (source.triangles.empty()) continue;
+        source.material = materials.numberOf(mesh.mMaterialIndex);
+        assembler.add(source);
+        options.alive();
+    }
+    assembler.finish(result.model, options.creaseAngle);
+    result.report.degenerateTriangles = assembler.degenerateTriangles();
+    result.report.nonFiniteTriangles = assembler.nonFiniteTriangles();
+    refuseEmpty(scene, result.report, result.model);
+
+    Box3 bounds;
+    for (const Vertex& v : result.model.vertices) bounds.extend(v.position());
+    addLights(scene, walk.places, quirks, bounds, result.model, result.report);
+    addCameras(scene, walk.places, quirks, result.model, result.report);
+    return result;
+}
+
+} // namespace rtcore

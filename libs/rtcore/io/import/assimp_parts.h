@@ -1,0 +1,49 @@
+/// What the files that see Assimp hand to each other.
+#pragma once
+
+#include "rtcore/io/import/affine.h"
+#include "rtcore/io/import/format_quirks.h"
+#include "rtcore/io/import/import_report.h"
+#include "rtcore/io/import/material_mapping.h"
+#include "rtcore/math/box.h"
+#include "rtcore/scene/model.h"
+
+#include <map>
+#include <string>
+
+struct aiMaterial;
+struct aiScene;
+
+namespace rtcore {
+
+/// Which of a mesh's texture coordinates a material uses, and what is done to them first: uv * scale +
+/// offset.
+struct TexcoordUse {
+    unsigned int set = 0;
+    Vec2 scale{1, 1}, offset;
+};
+
+SourceMaterial sourceMaterialOf(const aiMaterial& material, const FormatQuirks& quirks);
+/// Of the diffuse picture; one record has one set of coordinates for all of its pictures.
+TexcoordUse texcoordUseOf(const aiMaterial& material, ImportReport& report);
+
+class SceneEmbeddedPictures : public EmbeddedPictures {
+  public:
+    explicit SceneEmbeddedPictures(const aiScene& scene) : scene_(scene) {}
+    bool has(const std::string& name) const override;
+    LdrImage decode(const std::string& name) const override;
+
+  private:
+    const aiScene& scene_;
+};
+
+/// World transforms of the nodes that lights and cameras are named after.
+using NodePlaces = std::map<std::string, Affine>;
+
+/// Appends the scene's lights and cameras. `bounds` of the model sets the scale of lights without units.
+void addLights(const aiScene& scene, const NodePlaces& places, const FormatQuirks& quirks, const Box3& bounds,
+               ModelBuffers& model, ImportReport& report);
+void addCameras(const aiScene& scene, const NodePlaces& places, const FormatQuirks& quirks,
+                ModelBuffers& model, ImportReport& report);
+
+} // namespace rtcore

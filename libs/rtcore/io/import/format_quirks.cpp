@@ -1,0 +1,20 @@
+#include "rtcore/io/import/format_quirks.h"
+
+namespace rtcore {
+
+FormatQuirks quirksOf(const std::string& importer) {
+    FormatQuirks q;
+    const auto is = [&](const char* part) { return importer.find(part) != std::string::npos; };
+    if (is("glTF")) {
+        q.linearVertexColours = q.physicalLights = q.halfSpotAngles = true;
+        q.cameraAtNode = q.fovTimesAspect = true;
+    }
+    if (is("Stereolithography")) q.facetNormals = true;
+    if (is("Collada")) q.oneSpotAngle = q.mapReplacesDiffuse = true;
+    if (is("FBX")) q.mapReplacesDiffuse = true;
+    if (is("3DS")) q.lightsInRoot = true;
+    if (is("ASE")) q.cameraBackwards = true;
+    return q;
+}
+
+} // namespace rtcore

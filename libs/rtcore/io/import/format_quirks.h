@@ -1,0 +1,24 @@
+/// What Assimp 5.2 means by its data in one format or another: its importers do not agree.
+#pragma once
+
+#include <string>
+
+namespace rtcore {
+
+struct FormatQuirks {
+    bool linearVertexColours = false; ///< else encoded as sRGB, as colours of one byte are
+    bool facetNormals = false;        ///< the file's normals are those of triangles, not of vertices
+    bool physicalLights = false;      ///< candela and lux; else brightness of the picture
+    bool halfSpotAngles = false;      ///< else the angle is that of the whole cone
+    bool oneSpotAngle = false;        ///< the outer angle is made up, the inner one is the cone
+    bool lightsInRoot = false;        ///< lights and cameras stand relative to the root, not to their node
+    bool cameraAtNode = false;        ///< the camera's own position repeats its node's
+    bool cameraBackwards = false;     ///< cameras look along -z whatever is said
+    bool fovTimesAspect = false;      ///< the camera's angle is the vertical one times the aspect ratio
+    bool mapReplacesDiffuse = false;  ///< a diffuse picture stands in place of the diffuse colour
+};
+
+/// By Assimp's name for its importer.
+FormatQuirks quirksOf(const std::string& importer);
+
+} // namespace rtcore

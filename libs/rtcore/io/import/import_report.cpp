@@ -1,0 +1,57 @@
+#include "rtcore/io/import/import_report.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+
+namespace rtcore {
+
+namespace {
+
+constexpr std::size_t kMaxWarnings = 50;
+const std::string kMore = "there are more warnings than these";
+
+/// One line whatever the text holds: it may come from a damaged file.
+std::string printable(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
+    return text.substr(0, 500);
+}
+
+} // namespace
+
+void addWarning(ImportReport& report, const std::string& text) {
+    const std::string line = printable(text);
+    const auto& known = report.warnings;
+    if (known.size() > kMaxWarnings || std::find(known.begin(), known.end(), line) != known.end()) return;
+    report.warnings.push_back(known.size() < kMaxWarnings ? line : kMore);
+}
+
+std::string writeReport(const ImportReport& report) {
+    std::ostringstream out;
+    out << "format " << printable(report.format) << '\n'
+        << "degenerate " << report.degenerateTriangles << '\n'
+        << "ignored " << report.ignoredPrimitives << '\n'
+        << "nonfinite " << report.nonFiniteTriangles << '\n';
+    for (const std::string& warning : report.warnings) out << "warning " << warning << '\n';
+    return out.str();
+}
+
+ImportReport readReport(const std::string& text) {
+    ImportReport report;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) {
+        const std::size_t space = line.find(' ');
+        if (space == std::string::npos) continue;
+        const std::string name = line.substr(0, space);
+        const std::string value = line.substr(space + 1);
+        if (name == "format") report.format = value;
+        if (name == "degenerate") report.degenerateTriangles = std::strtoull(value.c_str(), nullptr, 10);
+        if (name == "ignored") report.ignoredPrimitives = std::strtoull(value.c_str(), nullptr, 10);
+        if (name == "nonfinite") report.nonFiniteTriangles = std::strtoull(value.c_str(), nullptr, 10);
+        if (name == "warning") addWarning(report, value);
+    }
+    return report;
+}
+
+} // namespace rtcore

@@ -1,0 +1,29 @@
+/// What an import left out or changed, and its form on the way from the importer program to the one that
+/// asked.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace rtcore {
+
+struct ImportReport {
+    std::string format;                    ///< the importer's name for it, as "Wavefront Object Importer"
+    std::uint64_t degenerateTriangles = 0; ///< without area: dropped
+    std::uint64_t ignoredPrimitives = 0;   ///< points and lines: dropped
+    std::uint64_t nonFiniteTriangles = 0;  ///< a coordinate is no number or beyond 1e16: dropped
+    std::vector<std::string> warnings;     ///< sentences for the user, without a file name
+
+    friend bool operator==(const ImportReport&, const ImportReport&) = default;
+};
+
+/// A warning; beyond the 50th they are counted only. A warning that is there already is not repeated.
+void addWarning(ImportReport& report, const std::string& text);
+
+/// Lines "name value".
+std::string writeReport(const ImportReport& report);
+/// Takes any text: lines that it does not know are skipped.
+ImportReport readReport(const std::string& text);
+
+} // namespace rtcore

@@ -1,0 +1,14 @@
+/// What the importer program returns; importModel makes errors of it.
+#pragma once
+
+namespace rtcore {
+
+enum class ImporterExit {
+    Done = 0,
+    Usage = 2,
+    BadData = 65,     ///< the reason is on its standard error, without the name of the file
+    CannotWrite = 73, ///< likewise, with the name
+    NoMemory = 71,
+};
+
+} // namespace rtcore

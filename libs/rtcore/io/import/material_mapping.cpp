@@ -1,0 +1,194 @@
+#include "rtcore/io/import/material_mapping.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rtcore {
+
+namespace {
+
+float bounded(float v, float lo, float hi, float otherwise) {
+    return std::isfinite(v) ? std::clamp(v, lo, hi) + 0.0F : otherwise;
+}
+float unit(float v, float otherwise = 0) { return bounded(v, 0, 1, otherwise); }
+Colour unit(Colour c) { return {unit(c.r), unit(c.g), unit(c.b)}; }
+Colour mix(Colour a, Colour b, float t) { return a * (1 - t) + b * t; }
+
+/// Scales k_s, keeping its hue, so that no channel gives off more than it gets.
+void conserveEnergy(Material& m) {
+    float scale = 1;
+    const auto limit = [&](float kd, float ks) {
+        if (kd + ks > 1) scale = std::min(scale, std::max(0.0F, (1 - kd) / ks));
+    };
+    limit(m.diffuse.r, m.specular.r);
+    limit(m.diffuse.g, m.specular.g);
+    limit(m.diffuse.b, m.specular.b);
+    m.specular = m.specular * scale;
+}
+
+/// Light passes straight: neither bent nor mirrored at the surface.
+void makeVeil(Material& m, float opacity) {
+    m.opacity = opacity;
+    m.indexOfRefraction = 1;
+}
+
+void makeGlass(Material& m, float opacity, float refraction) {
+    m.opacity = opacity;
+    m.indexOfRefraction = bounded(refraction, 1, 5, 1.5F);
+}
+
+void mapClassic(const SourceMaterial& s, Material& m) {
+    // Without an exponent there is no highlight: many formats default to a white one.
+    if (s.shininess >= 1) {
+        m.specular = unit(unit(s.specular) * bounded(s.specularStrength, 0, 1, 1));
+        m.shininess = bounded(s.shininess, 1, 100000, 1);
+    }
+    m.mirror = unit(unit(s.reflective) * unit(s.reflectivity));
+    const float opacity = unit(s.opacity, 1);
+    if (opacity < 1) makeGlass(m, opacity, std::max(s.refraction, 1.0F));
+}
+
+/// MTL's illum: 0 constant, 1 Lambert, 2 highlight, 3 mirror, 4 glass, 5 Fresnel mirror, 6 glass, 7 Fresnel
+/// glass, 8 and 9 as 3 and 4 without rays, so plain.
+void mapWavefront(const SourceMaterial& s, Material& m) {
+    if (s.illumination >= 2 && s.shininess > 0) {
+        m.specular = unit(s.specular);
+        m.shininess = bounded(s.shininess, 1, 1000, 1);
+    }
+    // Opacity 0 with an opaque illumination model is Tr written the wrong way round ("d 1, Tr 1").
+    const bool glassModel = s.illumination == 4 || s.illumination == 6 || s.illumination == 7;
+    float opacity = unit(s.opacity, 1);
+    if (opacity == 0 && !glassModel) opacity = 1;
+    // Maya writes illum 4 and Ni 1 for everything.
+    if (glassModel && (opacity < 1 || s.refraction != 1)) {
+        makeGlass(m, opacity < 1 ? opacity : 0, s.refraction);
+        // Exporters write a grey Tf of 0, 0.1 and 1 for clear glass alike: only a hue is meant.
+        const Colour tint = unit(s.transmission);
+        const float largest = maxComponent(tint), smallest = std::min({tint.r, tint.g, tint.b});
+        if (largest - smallest > 0.01F * largest) m.transmission = tint;
+        return;
+    }
+    if (opacity < 1) makeVeil(m, opacity);
+    if (s.illumination >= 3 && s.illumination <= 7) {
+        m.mirror = unit(s.specular);
+        m.fresnel = s.illumination == 5 || s.illumination == 7 ? 1 : 0;
+    }
+}
+
+/// F0 as a highlight of the width that `roughness` gives, and as mirrored rays that fade out where roughness
+/// would blur them.
+void setReflection(Material& m, Colour f0, float roughness) {
+    const float r = std::max(roughness, 0.01F);
+    const float alpha = r * r;
+    m.specular = unit(f0);
+    m.shininess = bounded((2 / (alpha * alpha) - 2) / 4, 0, 100000, 0);
+    m.mirrorScale = std::max(0.0F, 1 - roughness / 0.3F);
+    m.fresnel = m.mirrorScale > 0 ? 1 : 0;
+    if (m.mirrorScale > 0) m.mirror = m.specular;
+}
+
+void mapTransparency(const SourceMaterial& s, Material& m, float roughness, Colour base) {
+    const float alpha = s.alphaMode == AlphaMode::Blend ? unit(s.opacity, 1) : 1;
+    const float passing = unit(s.transmissionFactor) * (1 - unit(s.metallic));
+    if (passing > 0) {
+        makeGlass(m, alpha * (1 - passing), s.refraction > 1 ? s.refraction : 1.5F);
+        m.transmission = unit(base) * unit(s.transmission);
+        m.attenuationDistance = bounded(s.attenuationDistance, 0, 1e16F, 0);
+    } else if (alpha < 1 && roughness < 0.3F && s.diffuseMap.empty()) {
+        // Blended, smooth and plain: car windows and bottles from before there was
+        // KHR_materials_transmission.
+        makeGlass(m, alpha, s.refraction > 1 ? s.refraction : 1.5F);
+        m.transmission = unit(base);
+    } else if (alpha < 1) {
+        makeVeil(m, alpha);
+    }
+    const bool hole = s.alphaMode == AlphaMode::Mask && unit(s.opacity, 1) < unit(s.alphaCutoff, 0.5F);
+    if (hole && s.diffuseMap.empty()) makeVeil(m, 0);
+}
+
+void mapMetallicRoughness(const SourceMaterial& s, Material& m, TextureStore& textures) {
+    float metallic = unit(s.metallic), roughness = unit(s.roughness, 1);
+    if (const auto map = textures.summary(s.metallicRoughnessMap)) {
+        roughness *= map->meanChannel[1];
+        metallic *= map->meanChannel[2];
+    }
+    Colour base = m.diffuse;
+    if (const auto map = textures.summary(s.diffuseMap)) base *= map->meanColour;
+    setReflection(m, mix({0.04F, 0.04F, 0.04F}, base, metallic), roughness);
+    m.diffuse = m.diffuse * (1 - metallic);
+    mapTransparency(s, m, roughness, m.diffuse);
+}
+
+void mapSpecularGlossiness(const SourceMaterial& s, Material& m, TextureStore& textures) {
+    Colour f0 = unit(s.specular);
+    float glossiness = unit(s.glossiness, 1);
+    if (const auto map = textures.summary(s.specularGlossinessMap)) {
+        f0 *= map->meanColour;
+        glossiness *= map->meanChannel[3];
+    }
+    setReflection(m, f0, 1 - glossiness);
+    m.diffuse = m.diffuse * (1 - maxComponent(f0));
+    mapTransparency(s, m, 1 - glossiness, m.diffuse);
+}
+
+/// Black, or the grey that Assimp gives where a file says nothing: a picture is meant to be seen.
+bool diffuseIsUnset(Colour c) { return isBlack(c) || c == Colour{0.6F, 0.6F, 0.6F}; }
+
+void setPictures(const SourceMaterial& s, Material& m, TextureStore& textures) {
+    m.diffuseTexture = textures.texture(s.diffuseMap);
+    m.normalTexture = textures.texture(s.normalMap);
+    m.emissionTexture = textures.texture(s.emissionMap);
+    const bool inDiffuse = s.alphaInDiffuseMap && s.alphaMap.empty();
+    const std::string& alphaMap = inDiffuse ? s.diffuseMap : s.alphaMap;
+    // A picture that hides nothing would make every ray ask for nothing.
+    const auto summary = textures.summary(alphaMap);
+    if (!summary || !(inDiffuse ? summary->transparent : summary->transparent || summary->dark)) return;
+    m.alphaTexture = textures.texture(alphaMap);
+    m.alphaFromAlpha = summary->transparent ? 1 : 0;
+    if (s.alphaMode != AlphaMode::Mask) return;
+    // The cutoff is for texel times factor.
+    const float factor = std::max(unit(s.opacity, 1), 1e-3F);
+    m.alphaCutoff = std::clamp(unit(s.alphaCutoff, 0.5F) / factor, 1e-3F, 1.0F);
+}
+
+void makeUnlit(Material& m, Colour colour) {
+    m.emission = colour;
+    m.emissionTexture = m.diffuseTexture;
+    m.diffuse = m.specular = m.mirror = {};
+    m.fresnel = 0;
+}
+
+} // namespace
+
+Material mapMaterial(const SourceMaterial& source, TextureStore& textures) {
+    Material m;
+    m.diffuse = unit(source.diffuse);
+    const auto light = [](float v) { return bounded(v, 0, 1e16F, 0); };
+    m.emission = {light(source.emission.r), light(source.emission.g), light(source.emission.b)};
+    setPictures(source, m, textures);
+    const bool pbr =
+        source.rules == MaterialRules::MetallicRoughness || source.rules == MaterialRules::SpecularGlossiness;
+    const bool unset = source.mapReplacesDiffuse || (!pbr && diffuseIsUnset(m.diffuse));
+    if (m.diffuseTexture != kNoTexture && unset) m.diffuse = kWhite;
+    if (m.emissionTexture != kNoTexture && !pbr && isBlack(m.emission)) m.emission = kWhite;
+    const Colour colour = m.diffuse;
+    switch (source.rules) {
+    case MaterialRules::Classic:
+        mapClassic(source, m);
+        break;
+    case MaterialRules::Wavefront:
+        mapWavefront(source, m);
+        break;
+    case MaterialRules::MetallicRoughness:
+        mapMetallicRoughness(source, m, textures);
+        break;
+    case MaterialRules::SpecularGlossiness:
+        mapSpecularGlossiness(source, m, textures);
+        break;
+    }
+    if (source.unlit) makeUnlit(m, colour);
+    conserveEnergy(m);
+    return m;
+}
+
+} // namespace rtcore

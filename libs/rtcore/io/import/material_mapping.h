@@ -1,0 +1,52 @@
+/// From the materials of model files to ours. Knows nothing of Assimp.
+#pragma once
+
+#include "rtcore/io/import/texture_store.h"
+#include "rtcore/scene/material.h"
+
+#include <string>
+
+namespace rtcore {
+
+/// The rules by which the numbers of a SourceMaterial are meant.
+enum class MaterialRules {
+    Classic,            ///< diffuse, specular, shininess, opacity, reflectivity: most formats
+    Wavefront,          ///< the same with the illumination models of MTL
+    MetallicRoughness,  ///< glTF 2
+    SpecularGlossiness, ///< glTF 2, KHR_materials_pbrSpecularGlossiness
+};
+enum class AlphaMode { Opaque, Mask, Blend };
+
+/// A material as its file has it. Any floats; names of pictures as they stand there, "" = none.
+struct SourceMaterial {
+    MaterialRules rules = MaterialRules::Classic;
+    std::string name;
+    bool unlit = false; ///< shows its colour whatever the light
+
+    Colour diffuse{0.8F, 0.8F, 0.8F}; ///< or base colour
+    Colour specular, emission, reflective{1, 1, 1}, transmission{1, 1, 1};
+    float opacity = 1;
+    float shininess = 0;
+    float specularStrength = 1;
+    float reflectivity = 0;
+    float refraction = 1; ///< index
+    int illumination = 2; ///< MTL's illum
+    float metallic = 0, roughness = 1;
+    float glossiness = 1;
+    float transmissionFactor = 0;  ///< KHR_materials_transmission
+    float attenuationDistance = 0; ///< KHR_materials_volume; 0 = none
+    AlphaMode alphaMode = AlphaMode::Opaque;
+    float alphaCutoff = 0.5F;
+
+    std::string diffuseMap, alphaMap, normalMap, emissionMap;
+    std::string metallicRoughnessMap;  ///< roughness in green, metal in blue; only its mean is used
+    std::string specularGlossinessMap; ///< glossiness in alpha; only its mean is used
+    bool alphaInDiffuseMap = false;
+    bool mapReplacesDiffuse = false; ///< `diffuse` counts only without a picture
+};
+
+/// Maps numbers and pictures; `textures` gets the pictures. Every number of the result is in the range that
+/// material.h states, and k_d + k_s <= 1. The name is not set. Formulas: docs/import.md.
+Material mapMaterial(const SourceMaterial& source, TextureStore& textures);
+
+} // namespace rtcore

@@ -1,0 +1,85 @@
+/// Many meshes into the flat arrays of a model.
+#pragma once
+
+#include "rtcore/scene/model.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace rtcore {
+
+/// One mesh where it stands in the scene. All spans but `positions` and `triangles` may be empty, else they
+/// are as long as `positions`.
+struct SourceMesh {
+    std::span<const Vec3> positions = {};     ///< any floats
+    std::span<const Vec3> normals = {};       ///< any length; zero or not finite = to be computed
+    std::span<const Vec2> texcoords = {};     ///< (0, 0) = lower left of the image
+    std::span<const Colour> colours = {};     ///< linear
+    std::span<const Triangle> triangles = {}; ///< indices below positions.size(); the caller has checked
+    std::uint32_t material = 0;
+};
+
+/// An open hash table of numbers of elements that live elsewhere. It grows; nothing is ever removed.
+class IndexTable {
+  public:
+    static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+
+    /// The element with this hash for which `same` holds, else kNone.
+    template <typename Same>
+    std::uint32_t find(std::uint64_t hash, Same same) const {
+        if (slots_.empty()) return kNone;
+        for (std::size_t i = hash & mask_;; i = (i + 1) & mask_) {
+            if (slots_[i].element == kNone) return kNone;
+            if (slots_[i].hash == static_cast<std::uint32_t>(hash >> 32) && same(slots_[i].element)) {
+                return slots_[i].element;
+            }
+        }
+    }
+    /// Elements come in the order of their numbers: 0, 1, 2...
+    void insert(std::uint64_t hash, std::uint32_t element);
+    void reserve(std::size_t elements);
+
+  private:
+    struct Slot {
+        std::uint32_t element = kNone, hash = 0; ///< the upper half of its hash
+    };
+    std::vector<Slot> slots_;
+    std::vector<std::uint64_t> hashes_; ///< of every element
+    std::size_t mask_ = 0;
+};
+
+/// Welds vertices whose positions are equal (-0 = 0), so that neighbours share them; keeps the order of
+/// triangles; drops and counts triangles without area and those with a coordinate that is no number or beyond
+/// 1e16. Entries of normals, texture coordinates and colours are shared where all of them are equal. One
+/// thread.
+class MeshAssembler {
+  public:
+    void reserve(std::size_t vertices, std::size_t triangles);
+    void add(const SourceMesh& mesh);
+    /// Fills the geometry of `model`; computes the normals that are missing (crease_normals.h). Call it once.
+    void finish(ModelBuffers& model, float creaseAngle);
+
+    std::uint64_t degenerateTriangles() const { return degenerate_; }
+    std::uint64_t nonFiniteTriangles() const { return nonFinite_; }
+
+  private:
+    std::uint32_t vertexAt(Vec3 position);
+    std::uint32_t plainEntryFor(std::uint32_t vertex);
+    std::uint32_t appendEntry(std::uint32_t vertex, Vec3 normal, Vec2 texcoord, Colour colour);
+    std::uint32_t entryFor(std::uint32_t vertex, Vec3 normal, Vec2 texcoord, Colour colour);
+    bool weldTriangle(const SourceMesh& mesh, const Triangle& t, Triangle& welded);
+    std::uint32_t entryOfCorner(const SourceMesh& mesh, std::uint32_t corner, std::uint32_t vertex);
+    void widen(const SourceMesh& mesh);
+
+    ModelBuffers out_;
+    std::vector<std::uint32_t> vertexOfEntry_;
+    std::vector<std::uint32_t> hashedEntries_; ///< entries by their number in `entries_`
+    IndexTable vertices_, entries_;
+    std::vector<std::uint32_t> plainEntry_; ///< by vertex: the one with nothing of its own, if there is one
+    std::vector<std::uint32_t> localVertex_, localEntry_; ///< of the mesh being added
+    bool hasTexcoords_ = false, hasColours_ = false;
+    std::uint64_t degenerate_ = 0, nonFinite_ = 0;
+};
+
+} // namespace rtcore

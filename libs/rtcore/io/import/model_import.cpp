@@ -1,0 +1,151 @@
+#include "rtcore/io/import/model_import.h"
+
+#include "rtcore/io/bsp/bsp_file.h"
+#include "rtcore/io/import/hand_over_folder.h"
+#include "rtcore/io/import/importer_exit.h"
+#include "rtcore/platform/error.h"
+#include "rtcore/platform/files.h"
+#include "rtcore/platform/processes.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+#include <system_error>
+
+namespace rtcore {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kGigabyte = 1'000'000'000;
+const std::string kRemedy =
+    "; the file is damaged or Assimp cannot read it: open it in the program that wrote it and "
+    "export it again, as glTF or OBJ for example";
+
+/// The size of the file in bytes; says at once what no importer needs to be asked about.
+std::uint64_t sizeOf(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::exists(status)) {
+        throw FileError(FailureKind::NoInput, path.string(), "there is no such file; check the path");
+    }
+    if (!fs::is_regular_file(status)) {
+        throw FileError(FailureKind::NoInput, path.string(), "it is not a file; give the path of a model");
+    }
+    if (openFileBytes(path).bytes.empty()) {
+        throw FileError(FailureKind::BadData, path.string(), "it is empty; export the model again");
+    }
+    return fs::file_size(path);
+}
+
+fs::path importerProgram() {
+    // Nobody changes the environment while models are loaded.
+    const char* const chosen = std::getenv("RT_IMPORTER"); // NOLINT(concurrency-mt-unsafe)
+    return chosen != nullptr && *chosen != '\0' ? fs::path(chosen) : programFolder() / "rtimport";
+}
+
+ProcessLimits limitsFor(std::uint64_t size, const ImportOptions& options) {
+    ProcessLimits limits;
+    limits.memory = options.memoryLimit > 0 ? options.memoryLimit : std::max(2 * kGigabyte, 40 * size);
+    limits.silence = options.timeLimit > 0 ? options.timeLimit : 15 + 2e-6 * static_cast<double>(size);
+    limits.stop = options.stop;
+    return limits;
+}
+
+/// What the importer said last: libraries may have complained before.
+std::string lastLine(std::string text) {
+    while (!text.empty() && text.back() == '\n') text.pop_back();
+    const std::size_t end = text.rfind('\n');
+    if (end != std::string::npos) text.erase(0, end + 1);
+    return text.empty() ? "no reason given" : text;
+}
+
+[[noreturn]] void refuse(const fs::path& path, const std::string& message,
+                         FailureKind kind = FailureKind::BadData) {
+    throw FileError(kind, path.string(), message);
+}
+
+const std::string kRaise = " limit when the model is that large, else the file is damaged: export it again";
+
+[[noreturn]] void refuseForMemory(const fs::path& path, const ProcessLimits& limits) {
+    refuse(path, "reading it takes more than the " + std::to_string(limits.memory / 1'000'000) +
+                     " MB of memory that the importer may use; raise the memory" + kRaise);
+}
+
+[[noreturn]] void refuseForTime(const fs::path& path, const ProcessLimits& limits) {
+    std::ostringstream seconds;
+    seconds << limits.silence;
+    refuse(path, "the importer got no further for " + seconds.str() +
+                     " seconds and was ended; raise the time" + kRaise);
+}
+
+void throwExit(const fs::path& path, const ProcessResult& result, const ProcessLimits& limits) {
+    switch (static_cast<ImporterExit>(result.code)) {
+    case ImporterExit::Done:
+        return;
+    case ImporterExit::BadData:
+        refuse(path, lastLine(result.errors));
+    case ImporterExit::NoMemory:
+        refuseForMemory(path, limits);
+    case ImporterExit::CannotWrite:
+        refuse(path, lastLine(result.errors), FailureKind::CannotWrite);
+    case ImporterExit::Usage:
+        break;
+    }
+    refuse(path, "the importer failed (exit code " + std::to_string(result.code) + ": " +
+                     lastLine(result.errors) + ")" + kRemedy);
+}
+
+void throwFailure(const fs::path& path, const ProcessResult& result, const ProcessLimits& limits) {
+    switch (result.end) {
+    case ProcessEnd::Exited:
+        throwExit(path, result, limits);
+        return;
+    case ProcessEnd::Signalled:
+        refuse(path, "the importer crashed (signal " + std::to_string(result.code) + ", " +
+                         signalName(result.code) + ") while reading it" + kRemedy);
+    case ProcessEnd::MemoryLimit:
+        refuseForMemory(path, limits);
+    case ProcessEnd::SilenceLimit:
+        refuseForTime(path, limits);
+    case ProcessEnd::Stopped:
+        refuse(path, "the import was stopped", FailureKind::Stopped);
+    }
+}
+
+} // namespace
+
+ImportedModel importModel(const fs::path& path, const ImportOptions& options) {
+    const std::uint64_t size = sizeOf(path);
+    const ProcessLimits limits = limitsFor(size, options);
+    const fs::path importer = importerProgram();
+    std::error_code error;
+    if (!fs::exists(importer, error)) {
+        refuse(importer,
+               "the importer program is missing; install it beside this program or name it in RT_IMPORTER",
+               FailureKind::NoInput);
+    }
+    // Triangles take about four times their room in a compact file; pictures are unpacked.
+    const HandOverFolder folder(kGigabyte + 6 * size);
+    const fs::path handOver = folder.path() / "model.bsp";
+    const ProcessResult result = runProcess(
+        importer,
+        {"--parent", std::to_string(processId()), "--memory", std::to_string(limits.memory), "--crease",
+         std::to_string(options.creaseAngle), "--", fs::absolute(path).string(), handOver.string()},
+        limits);
+    throwFailure(path, result, limits);
+    ImportedModel imported;
+    try {
+        imported.model = readBsp(handOver).model;
+    } catch (const FileError& damage) {
+        refuse(path, std::string("the importer handed over a model that cannot be used (") + damage.what() +
+                         ")" + kRemedy);
+    }
+    if (imported.model.mesh.triangles.empty())
+        refuse(path, "it holds no triangles; give a model with surfaces");
+    imported.report = readReport(result.output);
+    return imported;
+}
+
+} // namespace rtcore

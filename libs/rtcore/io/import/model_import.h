@@ -1,0 +1,38 @@
+/// 3D models of every format that Assimp reads.
+#pragma once
+
+#include "rtcore/io/import/import_report.h"
+#include "rtcore/scene/model.h"
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+
+namespace rtcore {
+
+struct ImportOptions {
+    float creaseAngle = 40; ///< degrees: where a file has no normals, sharper edges stay edges
+    std::uint64_t memoryLimit =
+        0;                ///< bytes the importer may use; 0 = the larger of 2 GB and 40 times the file
+    double timeLimit = 0; ///< seconds the importer may take for one step (parsing, one picture, one mesh);
+                          ///< 0 = 15, and 2 more for each MB of the file
+    const std::atomic<bool>* stop = nullptr; ///< becomes true: give up with FailureKind::Stopped
+};
+
+struct ImportedModel {
+    Model model;
+    ImportReport report;
+};
+
+/// Imports a model in a program of its own (`rtimport` in programFolder(), or what the environment variable
+/// RT_IMPORTER names), so that a file that crashes, hangs or starves Assimp gives an error and nothing worse.
+/// The program hands over a .bsp without a tree, which is checked like any other. Beside the model's file
+/// Assimp and this function read what it names: material libraries, buffers, pictures.
+///
+/// The model has at least one triangle; its vertices are welded where positions are equal, its normals
+/// complete, its materials within their ranges. What was left out or is missing - a picture, say - is in the
+/// report. Safe from many threads. Throws FileError: NoInput (no file), BadData (cannot be imported),
+/// CannotWrite or TryAgain (no room to hand over), Stopped.
+ImportedModel importModel(const std::filesystem::path& path, const ImportOptions& options = {});
+
+} // namespace rtcore

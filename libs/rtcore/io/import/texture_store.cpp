@@ -1,0 +1,107 @@
+#include "rtcore/io/import/texture_store.h"
+
+#include "rtcore/io/images/image_file.h"
+#include "rtcore/io/import/texture_files.h"
+#include "rtcore/platform/error.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rtcore {
+
+namespace {
+
+ImageSummary summarise(const LdrImage& image) {
+    // Histograms: the transfer curve is evaluated 256 times, whatever the size.
+    std::array<std::array<std::uint64_t, 256>, 4> count{};
+    for (const Rgba8 p : image.pixels) {
+        ++count[0][p.r];
+        ++count[1][p.g];
+        ++count[2][p.b];
+        ++count[3][p.a];
+    }
+    const auto total = static_cast<double>(image.pixels.size());
+    std::array<double, 4> linear{}, code{};
+    for (std::size_t v = 0; v < 256; ++v) {
+        const float encoded = static_cast<float>(v) / 255;
+        for (std::size_t c = 0; c < 4; ++c) {
+            const double share = static_cast<double>(count[c][v]) / total;
+            linear[c] += share * srgbDecode(encoded);
+            code[c] += share * encoded;
+        }
+    }
+    ImageSummary s;
+    s.meanColour = {static_cast<float>(linear[0]), static_cast<float>(linear[1]),
+                    static_cast<float>(linear[2])};
+    for (std::size_t c = 0; c < 4; ++c) s.meanChannel[c] = static_cast<float>(code[c]);
+    s.transparent = count[3][255] != image.pixels.size();
+    s.dark = count[0][255] != image.pixels.size();
+    return s;
+}
+
+} // namespace
+
+TextureStore::TextureStore(ModelBuffers& model, ImportReport& report, std::filesystem::path folder,
+                           const EmbeddedPictures& embedded, std::function<void()> alive)
+    : model_(model), report_(report), folder_(std::move(folder)), embedded_(embedded),
+      alive_(std::move(alive)) {}
+
+std::uint32_t TextureStore::texture(const std::string& name) {
+    return name.empty() ? kNoTexture : lookUp(name, true).texture;
+}
+
+std::optional<ImageSummary> TextureStore::summary(const std::string& name) {
+    return name.empty() ? std::nullopt : lookUp(name, false).summary;
+}
+
+const std::string& TextureStore::keyOf(const std::string& name) {
+    const auto [entry, isNew] = keys_.try_emplace(name);
+    if (!isNew) return entry->second;
+    if (embedded_.has(name)) {
+        entry->second = "<" + name; // no path begins like this: they are made absolute below
+    } else if (const auto path = findTextureFile(folder_, name)) {
+        entry->second = std::filesystem::absolute(*path).lexically_normal().string();
+    } else {
+        addWarning(report_, "texture '" + name + "' is missing; its material is plain");
+    }
+    return entry->second;
+}
+
+TextureStore::Picture& TextureStore::lookUp(const std::string& name, bool keep) {
+    const std::string& key = keyOf(name);
+    Picture& picture = pictures_[key];
+    const bool complete = picture.summary && (!keep || picture.texture != kNoTexture);
+    if (key.empty() || picture.unreadable || complete) return picture;
+    if (lastKey_ != key) {
+        auto image = read(name, key);
+        picture.unreadable = !image;
+        if (!image) return picture;
+        last_ = std::move(*image);
+        lastKey_ = key;
+    }
+    if (!picture.summary) picture.summary = summarise(last_);
+    if (keep) picture.texture = append(last_);
+    return picture;
+}
+
+std::optional<LdrImage> TextureStore::read(const std::string& name, const std::string& key) {
+    alive_();
+    try {
+        LdrImage image = key[0] == '<' ? embedded_.decode(name) : readLdrImage(key);
+        if (!image.empty()) return image;
+        addWarning(report_, "texture '" + name + "' is empty; its material is plain");
+    } catch (const FileError& error) {
+        addWarning(report_, std::string("texture ") + error.what() + "; its material is plain");
+    }
+    return {};
+}
+
+std::uint32_t TextureStore::append(const LdrImage& image) {
+    const auto number = static_cast<std::uint32_t>(model_.textures.size());
+    model_.textures.push_back({model_.texels.size(), static_cast<std::uint32_t>(image.width),
+                               static_cast<std::uint32_t>(image.height)});
+    model_.texels.insert(model_.texels.end(), image.pixels.begin(), image.pixels.end());
+    return number;
+}
+
+} // namespace rtcore

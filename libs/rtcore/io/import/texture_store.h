@@ -1,0 +1,71 @@
+/// The pictures of a model's materials, each read and kept once.
+#pragma once
+
+#include "rtcore/io/import/import_report.h"
+#include "rtcore/scene/model.h"
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace rtcore {
+
+/// What a whole picture is like, for what is not looked up texel by texel.
+struct ImageSummary {
+    Colour meanColour{1, 1, 1};                   ///< linear
+    std::array<float, 4> meanChannel{1, 1, 1, 1}; ///< of the codes as they stand, 0..1
+    bool transparent = false;                     ///< an alpha under 1 is there
+    bool dark = false;                            ///< a red under 1 is there
+};
+
+/// The pictures inside a model's file.
+class EmbeddedPictures {
+  public:
+    EmbeddedPictures() = default;
+    virtual ~EmbeddedPictures() = default;
+    EmbeddedPictures(const EmbeddedPictures&) = delete;
+    EmbeddedPictures& operator=(const EmbeddedPictures&) = delete;
+    virtual bool has(const std::string& name) const = 0;
+    /// Of a name that it has. Throws FileError BadData.
+    virtual LdrImage decode(const std::string& name) const = 0;
+};
+
+class TextureStore {
+  public:
+    /// `model` gets textures and texels; `report` a warning for each picture that cannot be had. `alive` is
+    /// called before each picture is read.
+    TextureStore(ModelBuffers& model, ImportReport& report, std::filesystem::path folder,
+                 const EmbeddedPictures& embedded, std::function<void()> alive);
+
+    /// The number of the texture, or kNoTexture when there is no such picture or `name` is empty.
+    std::uint32_t texture(const std::string& name);
+    /// Of the picture; nothing when it cannot be had. Does not add a texture.
+    std::optional<ImageSummary> summary(const std::string& name);
+
+  private:
+    struct Picture {
+        std::uint32_t texture = kNoTexture;
+        std::optional<ImageSummary> summary;
+        bool unreadable = false;
+    };
+    Picture& lookUp(const std::string& name, bool keep);
+    const std::string& keyOf(const std::string& name);
+    std::optional<LdrImage> read(const std::string& name, const std::string& key);
+    std::uint32_t append(const LdrImage& image);
+
+    ModelBuffers& model_;
+    ImportReport& report_;
+    std::filesystem::path folder_;
+    const EmbeddedPictures& embedded_;
+    std::function<void()> alive_;
+    std::map<std::string, std::string>
+        keys_; ///< by name: the path that it means, "<name" inside the file, or ""
+    std::map<std::string, Picture> pictures_; ///< by key
+    LdrImage last_; ///< the picture read last: often asked for its summary first, then kept
+    std::string lastKey_;
+};
+
+} // namespace rtcore

@@ -1,0 +1,44 @@
+/// From a path that the user named - a .scn, a .bsp or any model - to a scene with its kd-tree.
+#pragma once
+
+#include "rtcore/accel/builder.h"
+#include "rtcore/accel/kd_tree.h"
+#include "rtcore/io/default_view.h"
+#include "rtcore/io/import/model_import.h"
+#include "rtcore/io/text/scn.h"
+#include "rtcore/scene/scene.h"
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rtcore {
+
+enum class LoadPhase { ReadingScene, ImportingModel, BuildingTree, LoadingImages, Done };
+
+struct LoadOptions {
+    BuildOptions build; ///< for models that have no tree yet
+    ImportOptions import;
+    std::function<void(LoadPhase)> onPhase; ///< called at the start of each phase, in the calling thread
+    BuildProgress* buildProgress = nullptr;
+};
+
+struct LoadedScene {
+    Scene scene;
+    KdTree tree;
+    Camera camera;                     ///< the .scn's, else the model's first, else defaultCamera()
+    std::optional<SceneFile> sceneFile; ///< when a .scn was named
+    std::vector<SettingAssignment> live, still; ///< the .scn's own settings, then those of the .set that it names
+    std::vector<std::string> warnings;  ///< each one line, with the file's name
+    std::filesystem::path modelPath;
+    BuildTimes buildTimes; ///< zero when the tree came from a .bsp
+};
+
+/// Content is sniffed before the extension is believed: a .bsp by its magic, a .scn by its first TOML key, anything
+/// else goes to the importer. Throws FileError.
+LoadedScene loadScene(const std::filesystem::path& path, const LoadOptions& options = {});
+
+} // namespace rtcore

@@ -1,0 +1,38 @@
+#include "rtcore/io/import/import_report.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace rtcore;
+
+TEST(ImportReport, SurvivesTheWay) {
+    ImportReport report;
+    report.format = "Wavefront";
+    report.degenerateTriangles = 3;
+    report.ignoredPrimitives = 1;
+    report.nonFiniteTriangles = 9;
+    addWarning(report, "texture 'a b.png' is missing");
+    addWarning(report, "another");
+    EXPECT_EQ(readReport("alive\nalive\n" + writeReport(report)), report);
+}
+
+TEST(ImportReport, StaysOneLineAWarningAndOfBoundedLength) {
+    ImportReport report;
+    addWarning(report, "two\nlines\x01");
+    addWarning(report, std::string(10000, 'x'));
+    EXPECT_EQ(report.warnings[0], "two?lines?");
+    EXPECT_LE(report.warnings[1].size(), 500U);
+    for (int i = 0; i < 1000; ++i) addWarning(report, "w" + std::to_string(i));
+    EXPECT_EQ(report.warnings.size(), 51U);
+    addWarning(report, "w1");
+    EXPECT_EQ(report.warnings.size(), 51U);
+}
+
+TEST(ImportReport, ReadsAnything) {
+    EXPECT_EQ(readReport(""), ImportReport{});
+    EXPECT_EQ(readReport("degenerate\nfoo bar\n\n degenerate 7"), ImportReport{});
+    EXPECT_EQ(readReport("degenerate many").degenerateTriangles, 0U);
+}
+
+} // namespace
