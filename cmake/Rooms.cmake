@@ -17,12 +17,18 @@ function(rt_room library room)
     target_link_libraries(${target} ${scope} ${ARG_DEPENDS})
 endfunction()
 
-# A test program of one room, its tests found by name.
+# A test program, its tests found by name. Without LABELS it is a unit test: the target `unit_tests` builds all of
+# these, and they run under sanitizers too.
 #   rt_test(accel SOURCES a_test.cpp LINK rtcore_accel [LABELS slow])
+add_custom_target(unit_tests)
 function(rt_test name)
     cmake_parse_arguments(ARG "" "" "SOURCES;LINK;LABELS" ${ARGN})
     add_executable(test_${name} ${ARG_SOURCES})
     target_link_libraries(test_${name} PRIVATE rt_compile_options ${ARG_LINK} GTest::gtest GTest::gtest_main)
     target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+    if(NOT ARG_LABELS)
+        set(ARG_LABELS unit)
+        add_dependencies(unit_tests test_${name})
+    endif()
     gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 600 LABELS "${ARG_LABELS}")
 endfunction()

@@ -17,7 +17,7 @@ for check in "$@"; do
         ;;
     mutations)
         cmake --preset asan-ubsan >/dev/null
-        cmake --build --preset asan-ubsan
+        cmake --build --preset asan-ubsan --target unit_tests
         RT_MUTATIONS=${RT_MUTATIONS:-200000} ctest --preset asan-ubsan -R Mutat -j "$(nproc)" --timeout 7200 --verbose
         ;;
     kills)

@@ -8,6 +8,6 @@ jobs=$(nproc)
 ctest --preset release -j "$jobs"
 
 cmake --preset asan-ubsan >/dev/null
-cmake --build --preset asan-ubsan
+cmake --build --preset asan-ubsan --target unit_tests
 UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=allocator_may_return_null=1 \
     ctest --preset asan-ubsan -j "$jobs" -L unit

@@ -22,9 +22,11 @@ inline bool bruteForce(const rtcore::Mesh& mesh, const rtcore::Ray& ray, rtcore:
     const rtcore::RayShear shear(ray.direction);
     rtcore::Hit best;
     best.t = ray.tMax;
-    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-        rtcore::testTriangle(mesh, i, ray.origin, ray.tMin, shear, best);
-    }
+    rtcore::alongAxis(shear.kz, [&](auto kz) {
+        for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+            rtcore::testTriangle<kz>(mesh, i, ray.origin, ray.tMin, shear, best);
+        }
+    });
     if (best.triangle == rtcore::kNoTriangle) return false;
     hit = best;
     return true;

@@ -5,11 +5,13 @@
 #include "rtcore/scene/mesh.h"
 #include "support/random_numbers.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace test {
@@ -59,8 +61,8 @@ struct SampleMesh {
     SampleMesh& rotate(std::uint64_t seed) {
         Random random(seed);
         const rtcore::Vec3 z = random.unitVector();
-        const auto [x, y] = rtcore::basisAround(z);
-        return map([=](rtcore::Vec3 p) { return x * p.x + y * p.y + z * p.z; });
+        const rtcore::Basis side = rtcore::basisAround(z);
+        return map([=](rtcore::Vec3 p) { return side.tangent * p.x + side.bitangent * p.y + z * p.z; });
     }
 
     /// Valid while this object lives and its vectors stay as they are.

@@ -1,0 +1,66 @@
+#include "bspbuilder/build_report.h"
+
+#include <cstdio>
+
+namespace bspbuilder {
+
+namespace {
+
+constexpr int kLabelWidth = 25;
+
+std::string line(const std::string& label, const std::string& value) {
+    std::string text = label + ":";
+    text.resize(kLabelWidth, ' ');
+    return text + value + "\n";
+}
+
+std::string line(const std::string& label, std::uint64_t value) { return line(label, std::to_string(value)); }
+
+std::string decimals(double value, const char* format) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+std::string seconds(double value) { return decimals(value, "%.3f s"); }
+std::string megabytes(std::uint64_t bytes) { return decimals(static_cast<double>(bytes) / 1e6, "%.2f MB"); }
+
+std::string describe(const std::optional<std::string>& problem) {
+    return problem ? "WRONG: " + *problem : "sound";
+}
+
+} // namespace
+
+std::string describeModel(const BuildReport& report) {
+    return line("format", report.format) + line("triangles", report.triangles) +
+           line("dropped: no area", report.degenerate) + line("dropped: not finite", report.nonFinite) +
+           line("dropped: points, lines", report.primitives) + line("vertices", report.vertices) +
+           line("materials", report.materials) + line("textures", report.textures) +
+           line("lights", report.lights) + line("cameras", report.cameras) +
+           line("import", seconds(report.importSeconds)) + line("tree", seconds(report.build.total())) +
+           line("write", seconds(report.writeSeconds)) + line("file", megabytes(report.fileBytes));
+}
+
+std::string describeTree(const BuildReport& report, const rtcore::KdStatistics& statistics,
+                         const TreeVerdict& verdict) {
+    return line("tree: prepare", seconds(report.build.prepare)) +
+           line("tree: split", seconds(report.build.split)) + line("tree: emit", seconds(report.build.emit)) +
+           line("nodes", statistics.nodes) + line("leaves", statistics.leaves) +
+           line("empty leaves", statistics.emptyLeaves) +
+           line("depth", static_cast<std::uint64_t>(statistics.depth)) +
+           line("average leaf depth", decimals(statistics.averageLeafDepth, "%.2f")) +
+           line("references", statistics.references) + line("largest leaf", statistics.largestLeaf) +
+           line("average filled leaf", decimals(statistics.averageFilledLeaf, "%.2f")) +
+           line("expected cost", decimals(statistics.expectedCost, "%.3f")) +
+           line("tree memory", megabytes(statistics.bytes)) +
+           line("peak memory", megabytes(report.peakBytes)) +
+           line("check: structure", describe(verdict.structure)) +
+           line("check: coverage", describe(verdict.coverage)) + line("checks", seconds(verdict.seconds));
+}
+
+std::string describeLeaves(const rtcore::KdStatistics& statistics, int bands) {
+    return rtcore::drawHistogram("Leaves by number of triangles", statistics.leavesBySize, bands) +
+           rtcore::drawHistogram("Leaves by depth", statistics.leavesByDepth, bands);
+}
+
+} // namespace bspbuilder

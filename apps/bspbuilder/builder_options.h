@@ -1,0 +1,36 @@
+/// BSPBuilder's command line, read.
+#pragma once
+
+#include "common/command_line.h"
+#include "common/options.h"
+#include "common/progress.h"
+
+#include "rtcore/accel/build_options.h"
+#include "rtcore/io/import/model_import.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+namespace bspbuilder {
+
+enum class Verbosity { Quiet, Verbose, VeryVerbose };
+
+struct BuilderOptions {
+    std::filesystem::path input, output;
+    rtcore::BuildOptions build;
+    rtcore::ImportOptions import;
+    Verbosity verbosity = Verbosity::Quiet;
+    std::optional<int> histogramBands;
+    app::ProgressStyle progress = app::ProgressStyle::None;
+};
+
+/// The table of options.
+const app::ProgramSpec& builderSpec();
+
+BuilderOptions readBuilderOptions(const app::Arguments& arguments);
+
+/// Of all that decides which tree is built, for BspIdentity.
+std::uint32_t buildOptionsHash(const BuilderOptions& options);
+
+} // namespace bspbuilder

@@ -1,0 +1,190 @@
+#include "bspbuilder/builder_run.h"
+
+#include "bspbuilder/build_report.h"
+#include "bspbuilder/builder_options.h"
+
+#include "common/progress.h"
+#include "common/stop.h"
+#include "common/terminal.h"
+
+#include "rtcore/accel/builder.h"
+#include "rtcore/accel/validation.h"
+#include "rtcore/io/bsp/bsp_checksum.h"
+#include "rtcore/io/bsp/bsp_file.h"
+#include "rtcore/io/import/model_import.h"
+#include "rtcore/platform/error.h"
+#include "rtcore/platform/files.h"
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <fstream>
+#include <span>
+#include <system_error>
+#include <utility>
+
+namespace bspbuilder {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// Nothing that might be precious is overwritten: neither the input nor any file that is no .bsp.
+void checkOutput(const std::filesystem::path& input, const std::filesystem::path& output) {
+    std::error_code missing;
+    if (std::filesystem::equivalent(input, output, missing)) {
+        throw app::UsageError("input and output are the same file, " + output.string());
+    }
+    const auto refuse = [&](const std::string& reason) {
+        throw rtcore::FileError(rtcore::FailureKind::CannotWrite, output.string(), reason);
+    };
+    const std::filesystem::path folder = output.parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder, missing)) {
+        refuse("there is no folder " + folder.string() + "; make it first");
+    }
+    if (std::filesystem::is_directory(output, missing)) refuse("this is a folder; name a file in it");
+    if (!std::filesystem::is_regular_file(output, missing) ||
+        std::filesystem::file_size(output, missing) == 0)
+        return;
+    std::array<char, 8> head{};
+    std::ifstream(output, std::ios::binary).read(head.data(), head.size());
+    if (!rtcore::isBsp(std::as_bytes(std::span(head)))) {
+        refuse("there is a file of this name that is no .bsp file; remove it, or name another");
+    }
+}
+
+// What the .bsp is made from; refuses a .bsp.
+rtcore::BspIdentity identify(const BuilderOptions& options) {
+    const rtcore::FileBytes file = rtcore::openFileBytes(options.input);
+    if (rtcore::isBsp(file.bytes)) {
+        throw rtcore::FileError(rtcore::FailureKind::BadData, options.input.string(),
+                                "this is a .bsp file already; build from the model that it was made of");
+    }
+    return {file.bytes.size(), rtcore::crc32Of(file.bytes), buildOptionsHash(options)};
+}
+
+class Builder {
+  public:
+    Builder(const BuilderOptions& options, app::Progress& progress)
+        : options_(options), progress_(progress) {}
+
+    app::ExitCode run() {
+        checkOutput(options_.input, options_.output);
+        const rtcore::BspIdentity identity = identify(options_);
+        import();
+        buildTree();
+        write(identity);
+        return tell();
+    }
+
+  private:
+    void import() {
+        const auto start = Clock::now();
+        std::atomic<bool> stop{false};
+        rtcore::ImportOptions import = options_.import;
+        import.stop = &stop;
+        const app::ProgressScope scope(progress_, {"importing", {}, &stop});
+        rtcore::ImportedModel imported = rtcore::importModel(options_.input, import);
+        report_.importSeconds = secondsSince(start);
+        for (const std::string& warning : imported.report.warnings) {
+            progress_.print("warning: " + options_.input.string() + ": " + warning);
+        }
+        model_ = std::move(imported.model);
+        report_.degenerate = imported.report.degenerateTriangles;
+        report_.nonFinite = imported.report.nonFiniteTriangles;
+        report_.primitives = imported.report.ignoredPrimitives;
+        report_.format = imported.report.format;
+        app::throwIfStopped();
+    }
+
+    void buildTree() {
+        rtcore::BuildProgress build;
+        const auto fraction = [&build] {
+            const std::uint64_t all = build.triangles.load();
+            return all == 0 ? 0.0 : static_cast<double>(build.finished.load()) / static_cast<double>(all);
+        };
+        const app::ProgressScope scope(progress_, {"building the tree", fraction, &build.cancel});
+        try {
+            tree_ = rtcore::buildKdTree(model_.mesh, options_.build, &report_.build, &build);
+        } catch (const rtcore::BuildCancelled&) {
+            throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "stopped");
+        }
+        app::throwIfStopped();
+    }
+
+    void write(const rtcore::BspIdentity& identity) {
+        const auto start = Clock::now();
+        const app::ProgressScope scope(progress_, {"writing", {}, nullptr});
+        rtcore::writeBsp(options_.output, model_, &tree_, identity);
+        report_.writeSeconds = secondsSince(start);
+    }
+
+    app::ExitCode tell() {
+        fillReport();
+        const bool very = options_.verbosity == Verbosity::VeryVerbose;
+        if (options_.verbosity != Verbosity::Quiet) app::writeOutput(describeModel(report_));
+        if (!very && !options_.histogramBands) return app::ExitCode::Done;
+
+        const rtcore::KdStatistics statistics = measure();
+        TreeVerdict verdict;
+        if (very) {
+            verdict = check();
+            app::writeOutput(describeTree(report_, statistics, verdict));
+        }
+        if (options_.histogramBands) app::writeOutput(describeLeaves(statistics, *options_.histogramBands));
+        return verdict.sound() ? app::ExitCode::Done : app::ExitCode::Failed;
+    }
+
+    void fillReport() {
+        report_.triangles = model_.mesh.triangles.size();
+        report_.vertices = model_.mesh.vertices.size();
+        report_.materials = model_.materials.size();
+        report_.textures = model_.textures.size();
+        report_.lights = model_.lights.size();
+        report_.cameras = model_.cameras.size();
+        std::error_code unknown;
+        const std::uintmax_t size = std::filesystem::file_size(options_.output, unknown);
+        report_.fileBytes = unknown ? 0 : size;
+        report_.peakBytes = app::peakMemoryBytes();
+    }
+
+    rtcore::KdStatistics measure() const {
+        const rtcore::BuildOptions& build = options_.build;
+        const float intersection = build.intersectionCost > 0
+                                       ? build.intersectionCost
+                                       : rtcore::automaticIntersectionCost(model_.mesh.triangles.size());
+        return rtcore::computeStatistics(tree_, build.traversalCost, intersection);
+    }
+
+    TreeVerdict check() {
+        const app::ProgressScope scope(progress_, {"checking the tree", {}, nullptr});
+        const auto start = Clock::now();
+        TreeVerdict verdict;
+        verdict.structure = rtcore::validateKdTree(tree_, model_.mesh.triangles.size());
+        if (!verdict.structure) verdict.coverage = rtcore::validateCoverage(tree_, model_.mesh);
+        verdict.seconds = secondsSince(start);
+        return verdict;
+    }
+
+    const BuilderOptions& options_;
+    app::Progress& progress_;
+    rtcore::Model model_;
+    rtcore::KdTree tree_;
+    BuildReport report_;
+};
+
+} // namespace
+
+app::ExitCode runBuilder(const app::Arguments& arguments) {
+    const BuilderOptions options = readBuilderOptions(arguments);
+    app::Progress progress(builderSpec().name, options.progress);
+    if (arguments.has("quality") && !arguments.has("fast"))
+        progress.print("warning: --quality counts with --fast only");
+    return Builder(options, progress).run();
+}
+
+} // namespace bspbuilder

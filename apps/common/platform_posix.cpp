@@ -1,0 +1,88 @@
+// The only file of the programs that calls the operating system.
+#include "common/stop.h"
+#include "common/terminal.h"
+
+#include "rtcore/platform/error.h"
+#include "rtcore/platform/files.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+
+#include <sys/ioctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace app {
+
+namespace {
+
+std::atomic<int> receivedSignal{0};
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may touch it");
+
+extern "C" void onStopSignal(int signal) {
+    int none = 0;
+    if (receivedSignal.compare_exchange_strong(none, signal)) return;
+    rtcore::removeTemporaryFiles();
+    _exit(128 + signal);
+}
+
+void handle(int signal, void (*handler)(int)) {
+    struct sigaction current {};
+    if (sigaction(signal, nullptr, &current) == 0 && current.sa_handler == SIG_IGN) return;
+    struct sigaction action {};
+    action.sa_handler = handler;
+    action.sa_flags = SA_RESTART;
+    sigemptyset(&action.sa_mask);
+    sigaction(signal, &action, nullptr);
+}
+
+// Returns 0, or errno.
+int writeAll(int stream, std::string_view bytes) noexcept {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(stream, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return errno;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return 0;
+}
+
+} // namespace
+
+void installSignalHandlers() {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) handle(signal, onStopSignal);
+    std::signal(SIGPIPE, SIG_IGN);
+}
+
+int stopSignal() noexcept { return receivedSignal.load(); }
+
+std::optional<int> terminalColumns() {
+    if (isatty(STDERR_FILENO) == 0) return std::nullopt;
+    winsize size{};
+    const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+    return known ? std::max<int>(20, size.ws_col) : 80;
+}
+
+void writeOutput(std::string_view bytes) {
+    const int error = writeAll(STDOUT_FILENO, bytes);
+    if (error != 0) {
+        throw rtcore::FileError(rtcore::FailureKind::CannotWrite, "standard output", std::strerror(error));
+    }
+}
+
+void writeError(std::string_view text) noexcept { writeAll(STDERR_FILENO, text); }
+
+std::uint64_t peakMemoryBytes() noexcept {
+    rusage usage{};
+    if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
+#ifdef __APPLE__
+    return static_cast<std::uint64_t>(usage.ru_maxrss);
+#else
+    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+#endif
+}
+
+} // namespace app

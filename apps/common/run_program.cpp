@@ -1,0 +1,88 @@
+#include "common/run_program.h"
+
+#include "common/help_text.h"
+#include "common/stop.h"
+#include "common/terminal.h"
+
+#include "rtcore/platform/error.h"
+
+#include <exception>
+#include <new>
+#include <stdexcept>
+
+namespace app {
+
+namespace {
+
+ExitCode exitCodeOf(rtcore::FailureKind kind) {
+    switch (kind) {
+    case rtcore::FailureKind::BadData:
+        return ExitCode::BadData;
+    case rtcore::FailureKind::NoInput:
+        return ExitCode::NoInput;
+    case rtcore::FailureKind::CannotWrite:
+        return ExitCode::CannotWrite;
+    case rtcore::FailureKind::TryAgain:
+        return ExitCode::TryAgain;
+    case rtcore::FailureKind::Stopped:
+        return stopExitCode();
+    }
+    return ExitCode::Failed;
+}
+
+ExitCode parseAndRun(const ProgramSpec& spec, const std::vector<std::string>& words,
+                     const std::function<ExitCode(const Arguments&)>& work) {
+    if (words.empty()) {
+        writeError(briefText(spec));
+        return ExitCode::Usage;
+    }
+    const Arguments arguments = parseCommandLine(spec, words);
+    if (arguments.has("help")) {
+        writeOutput(helpText(spec));
+    } else if (arguments.has("version")) {
+        writeOutput(versionText(spec));
+    } else {
+        return work(arguments);
+    }
+    return ExitCode::Done;
+}
+
+} // namespace
+
+void printMessage(std::string_view program, std::string_view text) noexcept {
+    try {
+        std::string line(program);
+        line.append(": ").append(text).append("\n");
+        writeError(line);
+    } catch (const std::bad_alloc&) {
+        writeError("not enough memory\n");
+    }
+}
+
+int runProgram(int argc, const char* const* argv, const ProgramSpec& spec,
+               const std::function<ExitCode(const Arguments&)>& work) {
+    ExitCode code = ExitCode::Failed;
+    try {
+        installSignalHandlers();
+        const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
+        code = parseAndRun(withStandardOptions(spec), words, work);
+    } catch (const UsageError& error) {
+        printMessage(spec.name, error.what());
+        writeError("Try '" + spec.name + " --help'.\n");
+        code = ExitCode::Usage;
+    } catch (const rtcore::FileError& error) {
+        printMessage(spec.name, error.what());
+        code = exitCodeOf(error.kind);
+    } catch (const std::bad_alloc&) {
+        printMessage(spec.name, "not enough memory");
+    } catch (const std::length_error& error) {
+        printMessage(spec.name, std::string("the input is too large: ") + error.what());
+    } catch (const std::exception& error) {
+        printMessage(spec.name, error.what());
+    } catch (...) {
+        printMessage(spec.name, "unknown error");
+    }
+    return static_cast<int>(code);
+}
+
+} // namespace app

@@ -1,0 +1,28 @@
+#include "common/help_text.h"
+
+// RT_VERSION and RT_HAS_... come from the build system, for this file alone; _OPENMP from the compiler.
+
+namespace app {
+
+namespace {
+
+std::string feature(const std::string& name, bool present, const std::string& without) {
+    return "  " + name + ": " + (present ? "yes" : "no (" + without + ")") + "\n";
+}
+
+} // namespace
+
+std::string versionText(const ProgramSpec& spec) {
+#ifdef _OPENMP
+    constexpr bool kOpenMp = true;
+#else
+    constexpr bool kOpenMp = false;
+#endif
+    std::string text = spec.name + " (rtsuite) " RT_VERSION "\nLicence MIT. Built with:\n";
+    text += feature("OpenMP", kOpenMp, "one thread renders");
+    text += feature("ImageMagick", RT_HAS_MAGICK != 0, "only the common image formats");
+    text += feature("OpenEXR", RT_HAS_OPENEXR != 0, "no .exr images");
+    return text;
+}
+
+} // namespace app

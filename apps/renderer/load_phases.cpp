@@ -1,0 +1,103 @@
+#include "renderer/load_phases.h"
+
+#include "common/stop.h"
+
+#include "rtcore/platform/error.h"
+
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <utility>
+
+namespace renderer {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+const char* phaseName(rtcore::LoadPhase phase) {
+    switch (phase) {
+    case rtcore::LoadPhase::ReadingScene:
+        return "reading the scene";
+    case rtcore::LoadPhase::ImportingModel:
+        return "importing";
+    case rtcore::LoadPhase::BuildingTree:
+        return "building the tree";
+    case rtcore::LoadPhase::LoadingImages:
+        return "loading images";
+    case rtcore::LoadPhase::Done:
+        break;
+    }
+    return "";
+}
+
+// Follows the loader from phase to phase.
+class PhaseWatch {
+  public:
+    PhaseWatch(app::Progress& progress, bool verbose) : progress_(progress), verbose_(verbose) {}
+
+    rtcore::BuildProgress build;
+    std::atomic<bool> stopImport{false};
+
+    void enter(rtcore::LoadPhase phase) {
+        leave();
+        app::throwIfStopped();
+        if (phase == rtcore::LoadPhase::Done) return;
+        current_ = phaseName(phase);
+        begun_ = Clock::now();
+        app::ProgressPhase shown{.name = current_, .fraction = {}};
+        if (phase == rtcore::LoadPhase::ImportingModel) shown.cancel = &stopImport;
+        if (phase == rtcore::LoadPhase::BuildingTree) {
+            shown.cancel = &build.cancel;
+            shown.fraction = [this] { return buildFraction(build); };
+        }
+        progress_.begin(std::move(shown));
+    }
+
+  private:
+    static double buildFraction(const rtcore::BuildProgress& build) {
+        const std::uint64_t all = build.triangles.load();
+        return all == 0 ? 0.0 : static_cast<double>(build.finished.load()) / static_cast<double>(all);
+    }
+
+    void leave() {
+        if (current_.empty()) return;
+        progress_.end();
+        const double seconds = std::chrono::duration<double>(Clock::now() - begun_).count();
+        char text[32];
+        std::snprintf(text, sizeof text, " took %.3f s", seconds);
+        if (verbose_) progress_.print(current_ + text);
+        current_.clear();
+    }
+
+    app::Progress& progress_;
+    bool verbose_;
+    std::string current_;
+    Clock::time_point begun_;
+};
+
+} // namespace
+
+rtcore::LoadedScene loadWithProgress(const RendererOptions& options, app::Progress& progress) {
+    PhaseWatch watch(progress, options.verbose);
+    rtcore::LoadOptions load;
+    load.build.threads = options.threads;
+    load.buildProgress = &watch.build;
+    load.import = options.import;
+    load.import.stop = &watch.stopImport;
+    load.onPhase = [&](rtcore::LoadPhase phase) { watch.enter(phase); };
+    const auto giveUp = [&] { progress.end(false); };
+    try {
+        rtcore::LoadedScene loaded = rtcore::loadScene(options.scene, load);
+        for (const std::string& warning : loaded.warnings) progress.print("warning: " + warning);
+        return loaded;
+    } catch (const rtcore::BuildCancelled&) {
+        giveUp();
+        throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "stopped");
+    } catch (...) {
+        giveUp();
+        throw;
+    }
+}
+
+} // namespace renderer

@@ -1,0 +1,78 @@
+#include "renderer/output_names.h"
+
+#include "common/command_line.h"
+
+#include "rtcore/io/images/image_file.h"
+#include "rtcore/platform/error.h"
+
+#include <algorithm>
+#include <optional>
+#include <system_error>
+
+namespace renderer {
+
+namespace {
+
+[[noreturn]] void failRange() {
+    throw app::UsageError("option '--frames' takes a frame number from 1 or a range, such as 3-9");
+}
+
+int frameNumber(std::string_view text, int fallback) {
+    if (text.empty()) return fallback;
+    const std::optional<std::int64_t> number = app::parseInteger(text);
+    if (!number || *number < 1 || *number > INT_MAX) failRange();
+    return static_cast<int>(*number);
+}
+
+} // namespace
+
+FrameRange parseFrameRange(std::string_view text) {
+    const std::size_t dash = text.find('-');
+    if (dash == std::string_view::npos && !text.empty()) {
+        const int number = frameNumber(text, 1);
+        return {number, number};
+    }
+    if (text.size() < 2) failRange();
+    const FrameRange range{frameNumber(text.substr(0, dash), 1), frameNumber(text.substr(dash + 1), INT_MAX)};
+    if (range.first > range.last) {
+        throw app::UsageError("option '--frames': the range " + std::string(text) + " is empty");
+    }
+    return range;
+}
+
+std::filesystem::path numberedPath(const std::filesystem::path& pattern, int number, bool always) {
+    std::string name = pattern.filename().string();
+    std::size_t last = name.find_last_of('#');
+    if (last == std::string::npos) {
+        if (!always) return pattern;
+        const std::size_t stem = pattern.stem().string().size();
+        name.insert(stem, "_####");
+        last = stem + 4;
+    }
+    const std::size_t before = name.find_last_not_of('#', last);
+    const std::size_t first = before == std::string::npos ? 0 : before + 1;
+    std::string digits = std::to_string(number);
+    const std::size_t width = last - first + 1;
+    if (digits.size() < width) digits.insert(0, width - digits.size(), '0');
+    name.replace(first, width, digits);
+    return pattern.parent_path() / name;
+}
+
+void checkOutput(const std::filesystem::path& path) {
+    if (isStandardOutput(path)) return;
+    if (!rtcore::isWritableFormat(path)) {
+        throw app::UsageError(path.string() + ": cannot write images with this extension, only " +
+                              rtcore::writableFormats());
+    }
+    const auto refuse = [&](const std::string& reason) {
+        throw rtcore::FileError(rtcore::FailureKind::CannotWrite, path.string(), reason);
+    };
+    std::error_code ignored;
+    const std::filesystem::path folder = path.parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder, ignored)) {
+        refuse("there is no folder " + folder.string() + "; make it first");
+    }
+    if (std::filesystem::is_directory(path, ignored)) refuse("this is a folder; name a file in it");
+}
+
+} // namespace renderer

@@ -1,0 +1,35 @@
+/// Where pictures go: the names of the files, by pattern and frame number.
+#pragma once
+
+#include <climits>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace renderer {
+
+/// Frame numbers start at 1, as the lines of a list do.
+struct FrameRange {
+    int first = 1;
+    int last = INT_MAX;
+
+    bool contains(int number) const { return number >= first && number <= last; }
+    friend bool operator==(const FrameRange&, const FrameRange&) = default;
+};
+
+/// "7", "3-9", "3-" and "-9". Throws app::UsageError.
+FrameRange parseFrameRange(std::string_view text);
+
+/// The name of frame `number`: the last run of # in the file's name (not in its folders) becomes the number,
+/// padded with zeros to the length of the run. `always`: a name without # gets "_####" before its extension.
+std::filesystem::path numberedPath(const std::filesystem::path& pattern, int number, bool always);
+
+/// "-" stands for standard output.
+inline bool isStandardOutput(const std::filesystem::path& path) { return path == "-"; }
+
+/// Throws before hours are spent on a picture that cannot be written: app::UsageError when no image format
+/// goes by the name's extension, rtcore::FileError CannotWrite when its folder does not exist or it is a
+/// folder.
+void checkOutput(const std::filesystem::path& path);
+
+} // namespace renderer

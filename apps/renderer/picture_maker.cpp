@@ -1,0 +1,111 @@
+#include "renderer/picture_maker.h"
+
+#include "renderer/settings_merge.h"
+
+#include "common/stop.h"
+#include "common/terminal.h"
+
+#include "rtcore/io/images/image_file.h"
+#include "rtcore/platform/error.h"
+#include "rtcore/post/develop.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <utility>
+
+namespace renderer {
+
+namespace {
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::string_view asText(const std::vector<std::byte>& bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+} // namespace
+
+PictureMaker::PictureMaker(rtcore::LoadedScene scene, std::vector<rtcore::SettingAssignment> settingsFile,
+                           const RendererOptions& options, app::Progress& progress)
+    : loaded_(std::move(scene)), lights_(loaded_.scene.lights), environment_(loaded_.scene.activeEnvironment),
+      settingsFile_(std::move(settingsFile)), options_(options), progress_(progress),
+      tracer_(loaded_.tree, loaded_.scene.mesh()) {}
+
+FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
+    rtcore::Camera camera = loaded_.camera;
+    const rtcore::RenderSettings settings = prepare(task, camera);
+    warnOfWhatIsMissing(settings);
+
+    FrameReport report{.width = settings.width, .height = settings.height, .rays = {}};
+    auto start = std::chrono::steady_clock::now();
+    render(camera, settings, index, count);
+    report.renderSeconds = secondsSince(start);
+    report.rays = frame_.statistics;
+
+    start = std::chrono::steady_clock::now();
+    write(task, settings);
+    report.writeSeconds = secondsSince(start);
+    return report;
+}
+
+rtcore::RenderSettings PictureMaker::prepare(const FrameTask& task, rtcore::Camera& camera) {
+    loaded_.scene.lights = lights_;
+    loaded_.scene.activeEnvironment = environment_;
+    std::optional<rtcore::CameraFile> file;
+    if (!task.camera.empty()) {
+        file = rtcore::readCameraFile(task.camera);
+        camera = file->camera;
+        applyCameraToScene(*file, task.camera, loaded_.scene);
+    }
+    return mergeSettings({.scene = loaded_.still,
+                          .settingsFile = settingsFile_,
+                          .camera = file ? &*file : nullptr,
+                          .commandLine = options_.settings});
+}
+
+void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSettings& settings, int index,
+                          int count) {
+    app::throwIfStopped();
+    rtcore::RenderControl control;
+    const auto fraction = [&control] {
+        const std::uint64_t tiles = control.tiles.load();
+        return tiles == 0 ? 0.0 : static_cast<double>(control.tilesDone.load()) / static_cast<double>(tiles);
+    };
+    const app::ProgressScope scope(progress_, {"rendering", fraction, &control.cancel}, index, count);
+    if (!rtcore::renderFrame(loaded_.scene, tracer_, camera, settings, options_.threads, control, frame_)) {
+        throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "stopped");
+    }
+    app::throwIfStopped();
+}
+
+void PictureMaker::write(const FrameTask& task, const rtcore::RenderSettings& settings) {
+    std::optional<rtcore::LdrImage> developed;
+    for (const std::filesystem::path& output : task.outputs) {
+        if (!isStandardOutput(output) && rtcore::isHdrFormat(output)) {
+            rtcore::writeHdrImage(output, frame_.radiance);
+            continue;
+        }
+        if (!developed) {
+            developed = rtcore::develop(frame_, settings, rtcore::exposureFor(frame_, settings.exposure));
+        }
+        if (isStandardOutput(output)) {
+            app::writeOutput(asText(rtcore::encodeImage(*developed, options_.standardOutputFormat)));
+        } else {
+            rtcore::writeImage(output, *developed);
+        }
+    }
+}
+
+void PictureMaker::warnOfWhatIsMissing(const rtcore::RenderSettings& settings) {
+    if (settings.bloom > 0) warnOnce("bloom is not rendered by this version yet");
+    if (settings.ambientOcclusion.on) warnOnce("ambient occlusion is not rendered by this version yet");
+}
+
+void PictureMaker::warnOnce(const std::string& text) {
+    if (warned_.insert(text).second) progress_.print("warning: " + text);
+}
+
+} // namespace renderer

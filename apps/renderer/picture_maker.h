@@ -1,0 +1,55 @@
+/// One loaded scene, and the pictures that are made of it.
+#pragma once
+
+#include "renderer/frame_list.h"
+#include "renderer/renderer_options.h"
+
+#include "common/progress.h"
+
+#include "rtcore/io/scene_loader.h"
+#include "rtcore/io/text/cam.h"
+#include "rtcore/kernels/ray_tracer.h"
+#include "rtcore/render/frame_renderer.h"
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace renderer {
+
+struct FrameReport {
+    int width = 0, height = 0;
+    double renderSeconds = 0, writeSeconds = 0;
+    rtcore::RayStatistics rays;
+};
+
+/// Not for several threads at once: it uses all of them itself.
+class PictureMaker {
+  public:
+    /// `settingsFile` holds what --set names. `options` and `progress` must outlive it.
+    PictureMaker(rtcore::LoadedScene scene, std::vector<rtcore::SettingAssignment> settingsFile,
+                 const RendererOptions& options, app::Progress& progress);
+
+    /// Renders the frame and writes all its outputs, each one complete or not at all; `index` of `count` is
+    /// for the progress. Throws rtcore::FileError: a bad .cam, an output that cannot be written, Stopped.
+    FrameReport make(const FrameTask& task, int index, int count);
+
+  private:
+    rtcore::RenderSettings prepare(const FrameTask& task, rtcore::Camera& camera);
+    void render(const rtcore::Camera& camera, const rtcore::RenderSettings& settings, int index, int count);
+    void write(const FrameTask& task, const rtcore::RenderSettings& settings);
+    void warnOfWhatIsMissing(const rtcore::RenderSettings& settings);
+    void warnOnce(const std::string& text);
+
+    rtcore::LoadedScene loaded_;
+    std::vector<rtcore::Light> lights_; ///< as the scene has them, before a .cam switches any
+    int environment_;
+    std::vector<rtcore::SettingAssignment> settingsFile_;
+    const RendererOptions& options_;
+    app::Progress& progress_;
+    rtcore::KdRayTracer tracer_;
+    rtcore::Frame frame_; ///< kept, so that its memory is reused
+    std::set<std::string> warned_;
+};
+
+} // namespace renderer

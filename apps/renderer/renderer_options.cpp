@@ -1,0 +1,235 @@
+#include "renderer/renderer_options.h"
+
+#include "common/import_options.h"
+#include "common/threads.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace renderer {
+
+namespace {
+
+using app::OptionGroup;
+using app::ValueKind;
+
+OptionGroup outputOptions() {
+    return {
+        "Output",
+        {{.name = "output",
+          .letter = 'o',
+          .value = ValueKind::Text,
+          .argument = "FILE",
+          .help = "write the picture there; the extension says the format; .exr, .hdr and .pfm hold linear "
+                  "radiance, not tone mapped; '-' is standard output; may be given several times [the "
+                  "scene's output, else its name with .png in the current folder]"},
+         {.name = "format",
+          .value = ValueKind::Choice,
+          .argument = "NAME",
+          .help = "format of the picture on standard output: png or ppm [png]",
+          .choices = {"png", "ppm"}},
+         {.name = "width",
+          .letter = 'w',
+          .value = ValueKind::Text,
+          .argument = "N",
+          .help = "pixels from left to right"},
+         {.name = "height",
+          .letter = 'h',
+          .value = ValueKind::Text,
+          .argument = "N",
+          .help = "pixels from top to bottom"}}};
+}
+
+OptionGroup sequenceOptions() {
+    return {
+        "View and video",
+        {{.name = "camera",
+          .value = ValueKind::Text,
+          .argument = "FILE",
+          .help = "look through this .cam file"},
+         {.name = "list",
+          .letter = 'l',
+          .value = ValueKind::Text,
+          .argument = "FILE",
+          .help = "render a frame for each .cam file that this text file lists; #### in the output's name "
+                  "becomes the number of the frame, from 0001"},
+         {.name = "frames",
+          .value = ValueKind::Text,
+          .argument = "A-B",
+          .help = "render only these frames of the list; also A, A- and -B"},
+         {.name = "force",
+          .help = "render frames again whose files exist already; they are skipped otherwise"}}};
+}
+
+OptionGroup qualityOptions() {
+    return {"Quality",
+            {{.name = "antialiasing",
+              .letter = 'a',
+              .value = ValueKind::Text,
+              .argument = "N",
+              .help = "N x N samples a pixel"},
+             {.name = "bloom",
+              .letter = 'b',
+              .value = ValueKind::Text,
+              .argument = "N",
+              .help = "glow around what is bright, N pixels wide; not rendered by this version yet"},
+             {.name = "ambient-occlusion",
+              .thesis = {"-ao"},
+              .help = "switch ambient occlusion on; not rendered by this version yet"},
+             {.name = "no-ambient-occlusion", .thesis = {"-nao"}, .help = "switch ambient occlusion off"},
+             {.name = "ao-samples",
+              .thesis = {"-aon"},
+              .value = ValueKind::Text,
+              .argument = "N",
+              .help = "switch ambient occlusion on, with N rays a point"},
+             {.name = "ao-distance",
+              .thesis = {"-aok"},
+              .value = ValueKind::Text,
+              .argument = "X",
+              .help = "switch ambient occlusion on, up to this distance"},
+             {.name = "exposure",
+              .value = ValueKind::Text,
+              .argument = "C",
+              .help = "fixed exposure: a luminance of C becomes half of the display's range [automatic]"},
+             {.name = "set",
+              .value = ValueKind::Text,
+              .argument = "FILE",
+              .help = "take settings from the table [still] of this .set file"},
+             {.name = "setting",
+              .value = ValueKind::Text,
+              .argument = "NAME=VALUE",
+              .help = "any setting by its name; may be given several times"},
+             {.name = "settings", .help = "list all settings and exit", .answers = true}}};
+}
+
+OptionGroup runOptions() {
+    return {"Running",
+            {{.name = "threads",
+              .value = ValueKind::Integer,
+              .argument = "N",
+              .help = "use N threads; 0 is all cores; the picture is the same for every number [0]",
+              .minimum = 0,
+              .maximum = 1024},
+             app::progressOption(),
+             {.name = "verbose", .letter = 'v', .help = "report times and rays on stderr"},
+             {.name = "debug-scene",
+              .thesis = {"-dbg"},
+              .value = ValueKind::Text,
+              .argument = "FILE",
+              .help = "export the debug scene; not done by this version yet"}}};
+}
+
+// Options that set settings, by the settings' own names; the range is checked by the table of settings.
+struct SettingOption {
+    const char* option;
+    std::vector<std::pair<const char*, const char*>> assignments; ///< value null = the option's
+};
+
+const std::vector<SettingOption>& settingOptions() {
+    static const std::vector<SettingOption> table = {
+        {"width", {{"width", nullptr}}},
+        {"height", {{"height", nullptr}}},
+        {"antialiasing", {{"antialiasing", nullptr}}},
+        {"bloom", {{"bloom", nullptr}}},
+        {"ambient-occlusion", {{"ambientOcclusion.on", "true"}}},
+        {"no-ambient-occlusion", {{"ambientOcclusion.on", "false"}}},
+        {"ao-samples", {{"ambientOcclusion.samples", nullptr}, {"ambientOcclusion.on", "true"}}},
+        {"ao-distance", {{"ambientOcclusion.distance", nullptr}, {"ambientOcclusion.on", "true"}}},
+        {"exposure", {{"exposure.value", nullptr}, {"exposure.mode", "fixed"}}},
+    };
+    return table;
+}
+
+rtcore::SettingAssignment assignment(const std::string& option, const std::string& name,
+                                     const std::string& value) {
+    try {
+        return {name, rtcore::parseSetting(rtcore::requireSetting(name), value)};
+    } catch (const std::invalid_argument& error) {
+        throw app::UsageError("option '--" + option + "': " + error.what());
+    }
+}
+
+rtcore::SettingAssignment namedAssignment(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) {
+        throw app::UsageError(
+            "option '--setting' takes NAME=VALUE, such as maxDepth=8; --settings lists the names");
+    }
+    return assignment("setting", text.substr(0, equals), text.substr(equals + 1));
+}
+
+std::vector<rtcore::SettingAssignment> readSettings(const app::Arguments& arguments) {
+    std::vector<rtcore::SettingAssignment> settings;
+    for (const app::Occurrence& given : arguments.options()) {
+        if (given.name == "setting") settings.push_back(namedAssignment(given.value));
+        for (const SettingOption& row : settingOptions()) {
+            if (given.name != row.option) continue;
+            for (const auto& [name, value] : row.assignments) {
+                settings.push_back(assignment(given.name, name, value != nullptr ? value : given.value));
+            }
+        }
+    }
+    return settings;
+}
+
+std::optional<std::filesystem::path> readPath(const app::Arguments& arguments, const char* name) {
+    const std::optional<std::string> text = arguments.text(name);
+    return text ? std::optional<std::filesystem::path>(*text) : std::nullopt;
+}
+
+void checkCombinations(const RendererOptions& options, const app::Arguments& arguments) {
+    if (options.list && options.camera) {
+        throw app::UsageError("--list and --camera exclude each other: a list names its cameras");
+    }
+    if (!options.list && arguments.has("frames")) throw app::UsageError("--frames needs --list");
+    const bool toStandardOutput =
+        std::any_of(options.outputs.begin(), options.outputs.end(), isStandardOutput);
+    if (arguments.has("format") && !toStandardOutput) {
+        throw app::UsageError("--format is for --output=-; files are written as their extension says");
+    }
+}
+
+} // namespace
+
+const app::ProgramSpec& rendererSpec() {
+    static const app::ProgramSpec spec{
+        .name = "Renderer",
+        .purpose =
+            "Renders pictures of a scene by ray tracing. Values on the command line beat those of the .cam "
+            "file, these the .set file, and these the .scn file.",
+        .positionals = {{"SCENE", "scene description (.scn), kd-tree (.bsp) or any model file"}},
+        .groups = {outputOptions(), sequenceOptions(), qualityOptions(), runOptions(),
+                   app::importOptionGroup()},
+        .examples = {{"Renderer nave.scn -o nave.png -w 1280 -h 720 -a 3",
+                      "one picture, 3 x 3 samples a pixel"},
+                     {"Renderer cow.obj -o cow.png -o cow.exr",
+                      "a model by itself, as it is shown and as linear radiance"},
+                     {"Renderer nave.scn -l flight.lst -o out/frame_####.png --frames 1-100",
+                      "a part of a video; frames that are there already are skipped"}},
+    };
+    return spec;
+}
+
+RendererOptions readRendererOptions(const app::Arguments& arguments) {
+    RendererOptions options;
+    options.scene = arguments.positionals().at(0);
+    for (const std::string& output : arguments.all("output")) options.outputs.emplace_back(output);
+    options.standardOutputFormat = arguments.text("format").value_or("png");
+    options.camera = readPath(arguments, "camera");
+    options.list = readPath(arguments, "list");
+    options.settingsFile = readPath(arguments, "set");
+    if (const auto range = arguments.text("frames")) options.frames = parseFrameRange(*range);
+    options.force = arguments.has("force");
+    options.settings = readSettings(arguments);
+    options.threads = app::threadCount(arguments.integer("threads"));
+    options.import = app::readImportOptions(arguments);
+    options.verbose = arguments.has("verbose");
+    options.debugScene = arguments.has("debug-scene");
+    checkCombinations(options, arguments);
+    for (const std::filesystem::path& output : options.outputs) checkOutput(output);
+    options.progress = app::progressStyle(arguments.text("progress").value_or("auto"));
+    return options;
+}
+
+} // namespace renderer

@@ -1,0 +1,41 @@
+/// The Renderer's command line, read.
+#pragma once
+
+#include "renderer/output_names.h"
+
+#include "common/command_line.h"
+#include "common/options.h"
+#include "common/progress.h"
+
+#include "rtcore/io/import/model_import.h"
+#include "rtcore/settings/settings_table.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace renderer {
+
+struct RendererOptions {
+    std::filesystem::path scene;
+    std::vector<std::filesystem::path> outputs; ///< patterns as given; empty = what the scene names
+    std::string standardOutputFormat = "png";   ///< of the output "-": png or ppm
+    std::optional<std::filesystem::path> camera, list, settingsFile;
+    FrameRange frames;
+    bool force = false;
+    std::vector<rtcore::SettingAssignment> settings; ///< in the order of the command line
+    int threads = 0;                                 ///< 0 = all cores
+    rtcore::ImportOptions import;
+    bool verbose = false;
+    bool debugScene = false;
+    app::ProgressStyle progress = app::ProgressStyle::None;
+};
+
+/// The table of options.
+const app::ProgramSpec& rendererSpec();
+
+/// Throws app::UsageError for values and combinations that make no sense.
+RendererOptions readRendererOptions(const app::Arguments& arguments);
+
+} // namespace renderer

@@ -1,0 +1,13 @@
+/// What the Renderer does, from its command line to its exit code.
+#pragma once
+
+#include "common/command_line.h"
+#include "common/exit_codes.h"
+
+namespace renderer {
+
+/// Loads the scene once and renders every frame that is asked for. A frame of a list whose .cam file is bad
+/// is reported and left out; the exit code is then that of the first such frame. Anything else throws.
+app::ExitCode runRenderer(const app::Arguments& arguments);
+
+} // namespace renderer

@@ -1,0 +1,128 @@
+/// What is wrong with the world: each kind has its exit code, and no file is left behind.
+#include "process/sample_scene.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+class Failures : public testing::Test {
+  protected:
+    void expect(const test::ProgramResult& result, int code, const std::string& message) {
+        EXPECT_EQ(result.exitCode, code) << result.error;
+        EXPECT_EQ(result.signal, 0);
+        EXPECT_EQ(result.output, "");
+        EXPECT_NE(result.error.find(message), std::string::npos) << result.error;
+    }
+    std::string file(const std::string& name) const { return (folder / name).string(); }
+
+    test::TemporaryFolder folder;
+};
+
+TEST_F(Failures, MissingInputs) {
+    test::writeRoom(folder / "room.obj");
+    expect(test::renderer({file("none.scn"), "-o", file("a.png")}), 66, "none.scn");
+    expect(test::renderer({file("none.obj"), "-o", file("a.png")}), 66, "none.obj");
+    expect(test::renderer({file("room.obj"), "-o", file("a.png"), "--camera", file("none.cam")}), 66,
+           "none.cam");
+    expect(test::renderer({file("room.obj"), "-o", file("a.png"), "--set", file("none.set")}), 66,
+           "none.set");
+    expect(test::renderer({file("room.obj"), "-o", file("a.png"), "-l", file("none.lst")}), 66, "none.lst");
+    expect(test::bspBuilder({file("none.obj"), file("a.bsp")}), 66, "none.obj");
+    EXPECT_EQ(test::filesIn(folder.path()), std::vector<std::string>{"room.obj"});
+}
+
+TEST_F(Failures, BrokenInputs) {
+    test::writeRoom(folder / "room.obj");
+    test::writeText(folder / "bad.glb", "glTF and then nonsense");
+    test::writeText(folder / "bad.scn", "version = 1\nmodle = \"room.obj\"\n");
+    test::writeText(folder / "bad.set", "version = 1\n[still]\nwidth = \"wide\"\n");
+    test::writeText(folder / "bad.cam", "version = 1\neye = [0.0, 0.0]\n");
+    expect(test::renderer({file("bad.glb"), "-o", file("a.png")}), 65, "bad.glb");
+    expect(test::renderer({file("bad.scn"), "-o", file("a.png")}), 65, "bad.scn:2");
+    expect(test::renderer({file("room.obj"), "-o", file("a.png"), "--set", file("bad.set")}), 65,
+           "bad.set:3");
+    expect(test::renderer({file("room.obj"), "-o", file("a.png"), "--camera", file("bad.cam")}), 65,
+           "bad.cam:2");
+    expect(test::bspBuilder({file("bad.glb"), file("a.bsp")}), 65, "bad.glb");
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.png"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.bsp"));
+}
+
+TEST_F(Failures, ATruncatedBsp) {
+    test::writeRoom(folder / "room.obj");
+    ASSERT_EQ(test::bspBuilder({file("room.obj"), file("room.bsp")}).exitCode, 0);
+    const std::string bytes = test::readBytes(folder / "room.bsp");
+    test::writeText(folder / "half.bsp", bytes.substr(0, bytes.size() / 2));
+    expect(test::renderer({file("half.bsp"), "-o", file("a.png")}), 65, "half.bsp");
+}
+
+TEST_F(Failures, ABspIsNoInputForBspBuilder) {
+    test::writeRoom(folder / "room.obj");
+    ASSERT_EQ(test::bspBuilder({file("room.obj"), file("room.bsp")}).exitCode, 0);
+    expect(test::bspBuilder({file("room.bsp"), file("b.bsp")}), 65, "is a .bsp file already");
+}
+
+TEST_F(Failures, AnInputIsNeverOverwritten) {
+    test::writeRoom(folder / "room.obj");
+    const std::string before = test::readBytes(folder / "room.obj");
+    expect(test::bspBuilder({file("room.obj"), file("room.obj")}), 2, "input and output are the same file");
+    std::filesystem::create_hard_link(folder / "room.obj", folder / "link.obj");
+    expect(test::bspBuilder({file("room.obj"), file("link.obj")}), 2, "input and output are the same file");
+    test::writeText(folder / "notes.txt", "precious");
+    expect(test::bspBuilder({file("room.obj"), file("notes.txt")}), 73, "is no .bsp file");
+    EXPECT_EQ(test::readBytes(folder / "notes.txt"), "precious");
+    EXPECT_EQ(test::readBytes(folder / "room.obj"), before);
+}
+
+TEST_F(Failures, OutputsThatCannotBeWritten) {
+    test::writeRoom(folder / "room.obj");
+    expect(test::renderer({file("room.obj"), "-o", file("none/a.png")}), 73, "none");
+    expect(test::bspBuilder({file("room.obj"), file("none/a.bsp")}), 73, "none");
+    expect(test::renderer({file("room.obj"), "-o", file("a.nonsense")}), 2, "extension");
+    test::writeText(folder / "bad.scn", "version = 1\nmodel = \"room.obj\"\noutput = \"a.nonsense\"\n");
+    expect(test::renderer({file("bad.scn")}), 65, "extension");
+}
+
+TEST_F(Failures, AFullDiskUnderAPicture) {
+    test::writeRoom(folder / "room.obj");
+    test::ProgramSettings settings;
+    settings.outputFile = "/dev/full";
+    const test::ProgramResult result =
+        test::renderer({file("room.obj"), "-o", "-", "-w", "16", "-h", "16"}, settings);
+    EXPECT_EQ(result.exitCode, 73) << result.error;
+}
+
+TEST_F(Failures, AClosedPipeIsAnErrorLikeAnyOther) {
+    test::writeRoom(folder / "room.obj");
+    // The reader is gone before the picture comes: the subshell waits until it has ended.
+    const std::string command = "( sleep 0.3; '" + test::programPath("Renderer").string() +
+                                "' room.obj -o - -w 16 -h 16 --progress=none; echo $? > code ) | true";
+    const test::ProgramResult result =
+        test::runProgram("/bin/sh", {"-c", command}, {.folder = folder.path()});
+    EXPECT_EQ(test::readBytes(folder / "code"), "73\n") << result.error;
+    EXPECT_NE(result.error.find("Renderer: standard output: "), std::string::npos) << result.error;
+}
+
+TEST_F(Failures, LightsAndEnvironmentsThatTheSceneLacks) {
+    test::writeRoom(folder / "room.obj");
+    test::writeCamera(folder / "dark.cam", 0, "lights = [true, true, true, true, true]\n");
+    expect(test::renderer({file("room.obj"), "-o", file("a.png"), "--camera", file("dark.cam")}), 65,
+           "lights");
+    test::writeCamera(folder / "sky.cam", 0, "environment = 3\n");
+    expect(test::renderer({file("room.obj"), "-o", file("a.png"), "--camera", file("sky.cam")}), 65,
+           "environment 3");
+}
+
+TEST_F(Failures, ThePictureStandsBesideWarnings) {
+    test::writeRoom(folder / "room.obj");
+    const test::ProgramResult result =
+        test::renderer({file("room.obj"), "-o", file("a.png"), "-w", "16", "-h", "16", "-b", "3", "-aon", "4",
+                        "-dbg", file("debug.obj")});
+    EXPECT_EQ(result.exitCode, 0) << result.error;
+    EXPECT_EQ(test::pngFileSize(folder / "a.png"), (test::PictureSize{16, 16}));
+    for (const char* text : {"bloom", "ambient occlusion", "debug scene"}) {
+        EXPECT_NE(result.error.find(text), std::string::npos) << result.error;
+    }
+}
+
+} // namespace

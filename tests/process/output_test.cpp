@@ -1,0 +1,91 @@
+/// Where pictures go: files of several formats, standard output, names that need care.
+#include "process/sample_scene.h"
+
+#include "rtcore/io/images/image_file.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+class Outputs : public testing::Test {
+  protected:
+    void SetUp() override { test::writeRoom(folder / "room.obj"); }
+    test::ProgramResult render(std::vector<std::string> extra) {
+        extra.insert(extra.begin(), {"room.obj", "-w", "16", "-h", "12"});
+        return test::renderer(extra, {.folder = folder.path()});
+    }
+
+    test::TemporaryFolder folder;
+};
+
+TEST_F(Outputs, StandardOutputHoldsThePictureAndNothingElse) {
+    const test::ProgramResult result = render({"-o", "-"});
+    EXPECT_EQ(result.exitCode, 0) << result.error;
+    EXPECT_EQ(test::pngSize(result.output), (test::PictureSize{16, 12}));
+    EXPECT_EQ(result.output.substr(result.output.size() - 8, 4), "IEND");
+    EXPECT_EQ(result.error, "");
+    ASSERT_EQ(render({"-o", "a.png"}).exitCode, 0);
+    EXPECT_EQ(result.output, test::readBytes(folder / "a.png"));
+}
+
+TEST_F(Outputs, StandardOutputTakesPpm) {
+    const test::ProgramResult result = render({"-o", "-", "--format", "ppm", "--verbose"});
+    EXPECT_EQ(result.exitCode, 0) << result.error;
+    EXPECT_EQ(result.output.rfind("P6\n16 12\n255\n", 0), 0U);
+    EXPECT_EQ(result.output.size(), 13U + 16 * 12 * 3);
+    EXPECT_NE(result.error.find("Mrays/s"), std::string::npos) << result.error;
+}
+
+TEST_F(Outputs, AListCanStreamToStandardOutput) {
+    test::writeCamera(folder / "a.cam", 0);
+    test::writeText(folder / "film.lst", "a.cam\na.cam\n");
+    const test::ProgramResult result = render({"-l", "film.lst", "-o", "-", "--format=ppm"});
+    EXPECT_EQ(result.exitCode, 0) << result.error;
+    EXPECT_EQ(result.output.size(), 2 * (13U + 16 * 12 * 3));
+}
+
+TEST_F(Outputs, OneRenderingCanHaveSeveralFiles) {
+    const test::ProgramResult result = render({"-o", "a.png", "-o", "a.hdr", "-o", "a.ppm"});
+    EXPECT_EQ(result.exitCode, 0) << result.error;
+    EXPECT_EQ(test::pngFileSize(folder / "a.png"), (test::PictureSize{16, 12}));
+    EXPECT_EQ(test::readBytes(folder / "a.hdr").rfind("#?RADIANCE", 0), 0U);
+    EXPECT_EQ(test::readBytes(folder / "a.ppm").rfind("P6", 0), 0U);
+    EXPECT_EQ(test::filesIn(folder.path()),
+              (std::vector<std::string>{"a.hdr", "a.png", "a.ppm", "room.obj"}));
+}
+
+TEST_F(Outputs, LinearFormatsAreNotToneMapped) {
+    test::writeText(folder / "bright.scn", "version = 1\nmodel = \"room.obj\"\nbackground = [7.5, 7.5, 7.5]\n"
+                                           "[camera]\neye = [0.0, 50.0, 0.0]\nforward = [0.0, 1.0, 0.0]\n"
+                                           "up = [0.0, 0.0, 1.0]\nfov = 60.0\n");
+    for (const char* exposure : {"0.1", "100"}) {
+        const test::ProgramResult result =
+            test::renderer({"bright.scn", "-w", "4", "-h", "4", "--exposure", exposure, "-o", "a.pfm"},
+                           {.folder = folder.path()});
+        ASSERT_EQ(result.exitCode, 0) << result.error;
+        EXPECT_EQ(rtcore::readHdrImage(folder / "a.pfm").at(2, 2), (rtcore::Colour{7.5F, 7.5F, 7.5F}));
+    }
+}
+
+TEST_F(Outputs, NamesMayHoldAnything) {
+    for (const char* name : {"with space", "quote'\"s", "kostel žlutý 光", "-dash", "per%cent"}) {
+        const std::string base(name);
+        std::filesystem::create_directory(folder / base);
+        std::filesystem::copy_file(folder / "room.obj", folder.path() / base / (base + ".obj"));
+        const std::string prefix = std::string("./").append(base).append("/").append(base);
+        const test::ProgramSettings here{.folder = folder.path()};
+        const test::ProgramResult built = test::bspBuilder({prefix + ".obj", prefix + ".bsp"}, here);
+        EXPECT_EQ(built.exitCode, 0) << built.error;
+        const test::ProgramResult rendered =
+            test::renderer({prefix + ".bsp", "-w", "8", "-h", "8", "-o", prefix + ".png"}, here);
+        EXPECT_EQ(rendered.exitCode, 0) << rendered.error;
+        EXPECT_EQ(test::pngFileSize(folder.path() / base / (base + ".png")), (test::PictureSize{8, 8}));
+        EXPECT_EQ(test::filesIn(folder / base).size(), 3U);
+    }
+    const test::ProgramResult terminated = test::renderer(
+        {"-w", "8", "-h", "8", "--output=-dash.png", "--", "-dash/-dash.obj"}, {.folder = folder.path()});
+    EXPECT_EQ(terminated.exitCode, 0) << terminated.error;
+    EXPECT_TRUE(std::filesystem::exists(folder / "-dash.png"));
+}
+
+} // namespace

@@ -1,0 +1,113 @@
+/// The tables of options of all programs: no spelling stands for two things.
+#include "bspbuilder/builder_options.h"
+#include "renderer/renderer_options.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace {
+
+class OptionsTable : public testing::TestWithParam<const app::ProgramSpec*> {};
+
+TEST_P(OptionsTable, EachSpellingStandsOnce) {
+    const app::ProgramSpec spec = app::withStandardOptions(*GetParam());
+    std::set<std::string> seen;
+    const auto claim = [&](const std::string& spelling) {
+        EXPECT_TRUE(seen.insert(spelling).second) << spelling << " stands twice";
+    };
+    for (const app::OptionGroup& group : spec.groups) {
+        for (const app::Option& option : group.options) {
+            claim("--" + option.name);
+            if (option.letter != 0) claim(std::string("-") + option.letter);
+            for (const std::string& spelling : option.thesis) claim(spelling);
+        }
+    }
+}
+
+TEST_P(OptionsTable, EachOptionSaysWhatItIs) {
+    for (const app::OptionGroup& group : GetParam()->groups) {
+        for (const app::Option& option : group.options) {
+            EXPECT_FALSE(option.help.empty()) << option.name;
+            EXPECT_NE(option.help.back(), '.') << option.name;
+            EXPECT_EQ(option.argument.empty(), option.value == app::ValueKind::None) << option.name;
+            EXPECT_EQ(option.choices.empty(), option.value != app::ValueKind::Choice) << option.name;
+            for (const std::string& spelling : option.thesis) EXPECT_EQ(spelling.front(), '-') << spelling;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Programs, OptionsTable,
+                         testing::Values(&renderer::rendererSpec(), &bspbuilder::builderSpec()),
+                         [](const auto& program) { return program.param->name; });
+
+app::Arguments parse(const app::ProgramSpec& spec, const std::vector<std::string>& words) {
+    return app::parseCommandLine(app::withStandardOptions(spec), words);
+}
+
+TEST(RendererOptions, TakesTheThesisCommandLine) {
+    const renderer::RendererOptions options = renderer::readRendererOptions(parse(
+        renderer::rendererSpec(), {"a.scn", "-o", "a.png", "-a", "3", "-b", "2", "-w", "320", "-h", "240",
+                                   "-nao", "-aon", "16", "-aok", "0.5", "-dbg", "d.obj", "--progress=none"}));
+    EXPECT_EQ(options.scene, "a.scn");
+    EXPECT_EQ(options.outputs, std::vector<std::filesystem::path>{"a.png"});
+    EXPECT_TRUE(options.debugScene);
+    rtcore::RenderSettings settings;
+    rtcore::applySettings(settings, options.settings);
+    EXPECT_EQ(settings.antialiasing, 3);
+    EXPECT_EQ(settings.bloom, 2);
+    EXPECT_EQ(settings.width, 320);
+    EXPECT_EQ(settings.height, 240);
+    EXPECT_TRUE(settings.ambientOcclusion.on);
+    EXPECT_EQ(settings.ambientOcclusion.samples, 16);
+    EXPECT_EQ(settings.ambientOcclusion.distance, 0.5F);
+}
+
+TEST(RendererOptions, TheLastOneWinsAcrossSpellings) {
+    const renderer::RendererOptions options = renderer::readRendererOptions(
+        parse(renderer::rendererSpec(), {"a.scn", "-ao", "-nao", "-w", "10", "--setting", "width=20"}));
+    rtcore::RenderSettings settings;
+    rtcore::applySettings(settings, options.settings);
+    EXPECT_FALSE(settings.ambientOcclusion.on);
+    EXPECT_EQ(settings.width, 20);
+}
+
+TEST(RendererOptions, RefusesWhatMakesNoSense) {
+    for (const std::vector<std::string>& words :
+         std::vector<std::vector<std::string>>{{"a.scn", "-w", "0"},
+                                               {"a.scn", "-a", "x"},
+                                               {"a.scn", "--setting", "width"},
+                                               {"a.scn", "--setting", "widht=3"},
+                                               {"a.scn", "--setting", "shadows=maybe"},
+                                               {"a.scn", "--list", "l", "--camera", "c"},
+                                               {"a.scn", "--frames", "1-2"},
+                                               {"a.scn", "--format", "ppm"},
+                                               {"a.scn", "-o", "a.nonsense"}}) {
+        EXPECT_THROW(renderer::readRendererOptions(parse(renderer::rendererSpec(), words)), app::UsageError)
+            << testing::PrintToString(words);
+    }
+}
+
+TEST(BuilderOptions, TakesTheThesisCommandLine) {
+    const bspbuilder::BuilderOptions options = bspbuilder::readBuilderOptions(
+        parse(bspbuilder::builderSpec(), {"a.obj", "a.bsp", "-f", "-m", "7", "-v", "-vv", "-hist", "20"}));
+    EXPECT_EQ(options.input, "a.obj");
+    EXPECT_EQ(options.output, "a.bsp");
+    EXPECT_EQ(options.build.method, rtcore::BuildMethod::Fast);
+    EXPECT_EQ(options.build.fastQuality, 7);
+    EXPECT_EQ(options.verbosity, bspbuilder::Verbosity::VeryVerbose);
+    EXPECT_EQ(options.histogramBands, 20);
+}
+
+TEST(BuilderOptions, HashTellsTreesApartButNotThreads) {
+    bspbuilder::BuilderOptions exact, threaded, fast, faster;
+    threaded.build.threads = 3;
+    fast.build.method = faster.build.method = rtcore::BuildMethod::Fast;
+    faster.build.fastQuality = 1;
+    EXPECT_EQ(bspbuilder::buildOptionsHash(exact), bspbuilder::buildOptionsHash(threaded));
+    EXPECT_NE(bspbuilder::buildOptionsHash(exact), bspbuilder::buildOptionsHash(fast));
+    EXPECT_NE(bspbuilder::buildOptionsHash(fast), bspbuilder::buildOptionsHash(faster));
+    EXPECT_NE(bspbuilder::buildOptionsHash(exact), 0U);
+}
+
+} // namespace
