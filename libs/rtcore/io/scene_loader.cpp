@@ -81,7 +81,7 @@ class Loader {
                             "its model is a scene file too; name a .bsp or a model: " + file.model.string());
         }
         ImportOptions import = options_.import;
-        import.creaseAngle = file.creaseAngle;
+        if (!import.creaseAngle) import.creaseAngle = file.creaseAngle;
         loadModel(file.model, std::move(model), kind, import);
 
         Scene& scene = out_.scene;

@@ -37,7 +37,7 @@ struct LoadedScene {
     BuildTimes buildTimes; ///< zero when the tree came from a .bsp
 };
 
-/// Content is sniffed before the extension is believed: a .bsp by its magic, a .scn by its first TOML key, anything
+/// Content is sniffed before the extension is believed: a .bsp by its magic, a .scn by its extension or a line that sets `version`, anything
 /// else goes to the importer. Throws FileError.
 LoadedScene loadScene(const std::filesystem::path& path, const LoadOptions& options = {});
 

@@ -44,6 +44,8 @@ void limitAddressSpace(std::uint64_t bytes);
 void disableCoreDumps();
 
 std::int64_t processId();
+/// Whether a process of that number runs now; it may be another one than once had the number.
+bool processRuns(std::int64_t process);
 /// "Segmentation fault" for 11, and so on.
 std::string signalName(int signal);
 

@@ -274,6 +274,10 @@ void disableCoreDumps() { setLimit(RLIMIT_CORE, 0); }
 
 std::int64_t processId() { return ::getpid(); }
 
+bool processRuns(std::int64_t process) {
+    return ::kill(static_cast<pid_t>(process), 0) == 0 || errno == EPERM;
+}
+
 std::string signalName(int signal) {
     const char* const name = ::strsignal(signal);
     return name != nullptr ? name : "signal " + std::to_string(signal);

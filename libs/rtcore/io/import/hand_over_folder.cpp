@@ -1,7 +1,10 @@
 #include "rtcore/io/import/hand_over_folder.h"
 
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/processes.h"
 
+#include <charconv>
+#include <cstdint>
 #include <random>
 #include <string>
 #include <system_error>
@@ -19,11 +22,29 @@ bool createPrivate(const fs::path& path) {
     return !error;
 }
 
+const std::string kPrefix = "rtimport-";
+
+/// Removes what programs left that were killed: a name tells the process that made the folder.
+void sweep(const fs::path& parent) {
+    std::error_code error;
+    for (fs::directory_iterator entry(parent, error), end; !error && entry != end; entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        if (!name.starts_with(kPrefix)) continue;
+        std::int64_t maker = 0;
+        const char* const last = name.data() + name.size();
+        const auto number = std::from_chars(name.data() + kPrefix.size(), last, maker);
+        if (number.ec != std::errc() || number.ptr == last || *number.ptr != '-' || maker <= 0) continue;
+        std::error_code ignored; // it is somebody else's
+        if (!processRuns(maker)) fs::remove_all(entry->path(), ignored);
+    }
+}
+
 /// Empty when the folder takes no new one.
 fs::path createIn(const fs::path& parent) {
+    sweep(parent);
     std::random_device random;
     for (int attempt = 0; attempt < 8; ++attempt) {
-        const std::string name = "rtimport-" + std::to_string(random()) + std::to_string(random());
+        const std::string name = kPrefix + std::to_string(processId()) + "-" + std::to_string(random());
         if (createPrivate(parent / name)) return parent / name;
     }
     return {};

@@ -7,11 +7,15 @@
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 
 namespace rtcore {
 
+inline constexpr float kCreaseAngle = 40;
+
 struct ImportOptions {
-    float creaseAngle = 40; ///< degrees: where a file has no normals, sharper edges stay edges
+    std::optional<float> creaseAngle; ///< degrees: where a file has no normals, sharper edges stay edges;
+                                      ///< absent: kCreaseAngle
     std::uint64_t memoryLimit =
         0;                ///< bytes the importer may use; 0 = the larger of 2 GB and 40 times the file
     double timeLimit = 0; ///< seconds the importer may take for one step (parsing, one picture, one mesh);
