@@ -24,7 +24,7 @@ inline bool bruteForce(const rtcore::Mesh& mesh, const rtcore::Ray& ray, rtcore:
     best.t = ray.tMax;
     rtcore::alongAxis(shear.kz, [&](auto kz) {
         for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-            rtcore::testTriangle<kz>(mesh, i, ray.origin, ray.tMin, shear, best);
+            rtcore::testTriangle<kz>(mesh, i, ray, shear, best);
         }
     });
     if (best.triangle == rtcore::kNoTriangle) return false;

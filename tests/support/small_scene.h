@@ -80,6 +80,7 @@ class SceneBuilder {
     /// Closed: its faces share eight vertices. `faces` of them, in the order -x +x -y +y -z +z.
     void box(Vec3 lo, Vec3 hi, std::uint32_t material, int faces = 6) {
         std::vector<Vec3> corners;
+        corners.reserve(8);
         for (int i = 0; i < 8; ++i) {
             corners.push_back(
                 {(i & 1) != 0 ? hi.x : lo.x, (i & 2) != 0 ? hi.y : lo.y, (i & 4) != 0 ? hi.z : lo.z});
@@ -109,6 +110,7 @@ class SceneBuilder {
         }
         points.push_back({0, -1, 0});
         std::vector<Vec3> places;
+        places.reserve(points.size());
         for (const Vec3 p : points) places.push_back(centre + p * radius);
         const std::uint32_t first = addVertices(places);
         const auto firstNormal = static_cast<std::uint32_t>(buffers.normals.size());

@@ -17,7 +17,7 @@ struct BuildOptions {
     float intersectionCost = 0; ///< K_I; 0 = by size: 0.3 under 100k triangles, 0.2 under 500k, 0.15 above
     float emptyBonus = 0.2F;    ///< 0..1: a split that cuts off empty space costs this share less
     int lookAhead = 1;          ///< splits in a row that may fail to pay; undone when they did not in the end
-    int fastQuality = 5;        ///< 1..10, Fast only: number of bins is 8 * quality
+    int fastQuality = 5;        ///< 1..10, Fast only: more bins, and from 5 on exact splits of small nodes
     int threads = 0;            ///< 0 = all cores; the tree does not depend on it
 };
 
@@ -32,7 +32,8 @@ struct BuildTimes {
 /// Shared with another thread that shows progress or stops the build.
 struct BuildProgress {
     std::atomic<std::uint64_t> triangles{0}; ///< of the input
-    std::atomic<std::uint64_t> finished{0};  ///< triangle references settled in leaves so far, scaled to `triangles`
+    std::atomic<std::uint64_t> finished{0};  ///< triangle references settled so far; in the end more than `triangles`,
+                                            ///< since some are in several leaves
     std::atomic<bool> cancel{false};
 };
 

@@ -10,7 +10,7 @@ namespace rtcore {
 
 namespace {
 
-constexpr int kMaxBins = 64;
+constexpr std::size_t kMaxBins = 64;
 
 /// A triangle and the box of its part inside the node.
 struct Item {
@@ -18,67 +18,207 @@ struct Item {
     std::uint32_t triangle;
 };
 
-/// Which bin a coordinate falls into, clamped to those there are.
-struct Binning {
-    Binning(const Box3& cell, int axis, int bins)
-        : lo(cell.lo[axis]), scale(static_cast<float>(bins) / (cell.hi[axis] - cell.lo[axis])), last(bins - 1) {}
-    int bin(float x) const { return std::clamp(static_cast<int>((x - lo) * scale), 0, last); }
-    float lo, scale;
-    int last;
+/// Where the items of a node begin and end along one axis, counted by bins.
+class Bins {
+  public:
+    Bins(const Box3& cell, int axis, std::size_t count)
+        : axis_(axis), count_(count), lo_(cell.lo[axis]), extent_(cell.hi[axis] - cell.lo[axis]),
+          scale_(static_cast<float>(count) / extent_) {}
+
+    bool usable() const { return extent_ > 0 && scale_ < Box3::kHuge; }
+    void add(const Item& item) {
+        const float lo = item.box.lo[axis_];
+        const float hi = item.box.hi[axis_];
+        ++starts_[bin(lo)];
+        ++ends_[bin(hi)];
+        first_ = std::min(first_, lo);
+        last_ = std::max(last_, hi);
+    }
+
+    /// The cheapest border of a bin, or end of all items: that cuts off empty space exactly.
+    Split cheapest(const Box3& cell, std::uint32_t items, const CostModel& cost) const {
+        Split best;
+        const AreaOfParts area(cell, axis_);
+        const auto consider = [&](float position, std::uint32_t lower, std::uint32_t upper) {
+            if (!(position > area.lo && position < area.hi)) return;
+            const float c = cost.split(area.lower(position), area.upper(position), lower, upper);
+            if (c < best.cost) best = {c, position, axis_, position != first_};
+        };
+        std::uint32_t lower = 0;
+        std::uint32_t upper = items;
+        for (std::size_t i = 1; i < count_; ++i) {
+            lower += starts_[i - 1];
+            upper -= ends_[i - 1];
+            consider(lo_ + extent_ * (static_cast<float>(i) / static_cast<float>(count_)), lower, upper);
+        }
+        consider(first_, 0, items);
+        consider(last_, items, 0);
+        return best;
+    }
+
+  private:
+    std::size_t bin(float x) const {
+        const float place = (x - lo_) * scale_;
+        return place > 0 ? std::min(static_cast<std::size_t>(place), count_ - 1) : 0;
+    }
+
+    int axis_;
+    std::size_t count_;
+    float lo_, extent_, scale_;
+    float first_ = Box3::kHuge, last_ = -Box3::kHuge;
+    std::array<std::uint32_t, kMaxBins> starts_{}, ends_{};
 };
 
-Split cheapestBinnedSplit(const std::vector<Item>& items, const Box3& cell, int axis, int bins,
-                          const CostModel& cost) {
+Split cheapestBinned(const Item* items, std::size_t count, const Box3& cell, std::size_t bins, const CostModel& cost) {
     Split best;
-    const float extent = cell.hi[axis] - cell.lo[axis];
-    const Binning binning(cell, axis, bins);
-    if (!(extent > 0) || !(binning.scale < Box3::kHuge)) return best;
-    std::array<std::uint32_t, kMaxBins> starts{};
-    std::array<std::uint32_t, kMaxBins> ends{};
-    for (const Item& item : items) {
-        ++starts[static_cast<std::size_t>(binning.bin(item.box.lo[axis]))];
-        ++ends[static_cast<std::size_t>(binning.bin(item.box.hi[axis]))];
-    }
-    const AreaOfParts area(cell, axis);
-    std::uint32_t lower = 0;
-    auto upper = static_cast<std::uint32_t>(items.size());
-    for (int i = 1; i < bins; ++i) {
-        lower += starts[static_cast<std::size_t>(i - 1)];
-        upper -= ends[static_cast<std::size_t>(i - 1)];
-        const float position = cell.lo[axis] + extent * (static_cast<float>(i) / static_cast<float>(bins));
-        if (!(position > cell.lo[axis] && position < cell.hi[axis])) continue;
-        const float c = cost.split(area.lower(position), area.upper(position), lower, upper);
-        if (c < best.cost) best = {c, position, axis, true};
+    for (int axis = 0; axis < 3; ++axis) {
+        Bins counted(cell, axis, bins);
+        if (!counted.usable()) continue;
+        for (std::size_t i = 0; i < count; ++i) counted.add(items[i]);
+        const Split s = counted.cheapest(cell, static_cast<std::uint32_t>(count), cost);
+        if (s.cost < best.cost) best = s;
     }
     return best;
 }
+
+/// Copies each item to its side or, cut in two, to both. `upper` may be `items` itself. Returns the numbers.
+struct Counts {
+    std::size_t lower, upper;
+};
+Counts divide(const Item* items, std::size_t count, const Split& split, Item* lower, Item* upper) {
+    const int axis = split.axis;
+    Counts n{0, 0};
+    for (std::size_t i = 0; i < count; ++i) {
+        const Item item = items[i];
+        const float lo = item.box.lo[axis];
+        const float hi = item.box.hi[axis];
+        const bool planar = lo == split.position && hi == split.position;
+        const bool inLower = planar ? split.planarLower : lo < split.position;
+        const bool inUpper = planar ? !split.planarLower : hi > split.position;
+        if (inLower) {
+            lower[n.lower] = item;
+            lower[n.lower++].box.hi[axis] = std::min(hi, split.position);
+        }
+        if (inUpper) {
+            upper[n.upper] = item;
+            upper[n.upper++].box.lo[axis] = std::max(lo, split.position);
+        }
+    }
+    return n;
+}
+
+EventLists makeLists(const Item* items, std::size_t count) {
+    EventLists lists;
+    lists.triangles.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) lists.triangles.push_back(items[i].triangle);
+    std::vector<Event> scratch;
+    for (int axis = 0; axis < 3; ++axis) {
+        auto& events = lists.axis[static_cast<std::size_t>(axis)];
+        events.resize(2 * count);
+        Event* out = events.data();
+        for (std::size_t i = 0; i < count; ++i) {
+            out = writeEvents(items[i].box, axis, static_cast<std::uint32_t>(i), out);
+        }
+        events.resize(static_cast<std::size_t>(out - events.data()));
+        sortEvents(events, scratch);
+    }
+    return lists;
+}
+
+/// Everything below one node of at most kSerialTriangles, by one thread.
+class SerialFastBuilder {
+  public:
+    SerialFastBuilder(const BuildContext& context, const FastOptions& options)
+        : context_(context), options_(options), tree_(std::make_unique<Subtree>()) {}
+
+    std::unique_ptr<Subtree> build(const std::vector<Item>& items, const Box3& cell, int depth) {
+        arena_ = items;
+        tree_->nodes.emplace_back();
+        buildNode(0, 0, items.size(), arena_.size(), cell, depth);
+        return std::move(tree_);
+    }
+
+  private:
+    /// The node's items are arena_[first, first + count); all from `top` on is free.
+    void buildNode(std::uint32_t index, std::size_t first, std::size_t count, std::size_t top, const Box3& cell,
+                   int depth) {
+        if (count < options_.exactBelow) {
+            attachExact(index, first, count, cell, depth);
+            return;
+        }
+        // Few items need few bins.
+        const std::size_t bins = std::min(options_.bins, std::max<std::size_t>(8, count / 2));
+        Split split;
+        if (depth < context_.maxDepth && count > 0) {
+            split = cheapestBinned(&arena_[first], count, cell, bins, context_.cost);
+        }
+        if (!(split.cost < context_.cost.leaf(static_cast<std::uint32_t>(count)))) {
+            makeLeaf(index, first, count);
+            return;
+        }
+        if (arena_.size() < top + count) arena_.resize(std::max(top + count, arena_.size() * 3 / 2));
+        const Counts n = divide(&arena_[first], count, split, &arena_[top], &arena_[first]);
+        Box3 lowerCell = cell;
+        Box3 upperCell = cell;
+        lowerCell.hi[split.axis] = upperCell.lo[split.axis] = split.position;
+        const auto children = static_cast<std::uint32_t>(tree_->nodes.size());
+        tree_->nodes.resize(tree_->nodes.size() + 2);
+        tree_->nodes[index] = {split.axis, split.position, children, children + 1};
+        buildNode(children, top, n.lower, top + n.lower, lowerCell, depth + 1);
+        buildNode(children + 1, first, n.upper, top, upperCell, depth + 1);
+    }
+
+    void makeLeaf(std::uint32_t index, std::size_t first, std::size_t count) {
+        const auto firstReference = static_cast<std::uint32_t>(tree_->references.size());
+        for (std::size_t i = 0; i < count; ++i) tree_->references.push_back(arena_[first + i].triangle);
+        tree_->nodes[index] = {BuildNode::kLeaf, 0, firstReference, static_cast<std::uint32_t>(count)};
+    }
+
+    /// The exact builder's tree in the place of a node; all its indices move up.
+    void attachExact(std::uint32_t index, std::size_t first, std::size_t count, const Box3& cell, int depth) {
+        const auto piece = buildExactSubtree(context_, makeLists(&arena_[first], count), cell, depth);
+        const auto nodes = static_cast<std::uint32_t>(tree_->nodes.size()) - 1; // its root takes no new place
+        const auto references = static_cast<std::uint32_t>(tree_->references.size());
+        for (std::size_t i = 0; i < piece->nodes.size(); ++i) {
+            BuildNode node = piece->nodes[i];
+            node.first += node.axis == BuildNode::kLeaf ? references : nodes;
+            if (node.axis != BuildNode::kLeaf) node.second += nodes;
+            if (i == 0) {
+                tree_->nodes[index] = node;
+            } else {
+                tree_->nodes.push_back(node);
+            }
+        }
+        tree_->references.insert(tree_->references.end(), piece->references.begin(), piece->references.end());
+    }
+
+    const BuildContext& context_;
+    const FastOptions& options_;
+    std::unique_ptr<Subtree> tree_;
+    std::vector<Item> arena_;
+};
 
 class FastBuilder {
   public:
     FastBuilder(const BuildContext& context, const FastOptions& options) : context_(context), options_(options) {}
 
     void buildNode(std::vector<Item> items, const Box3& cell, int depth, std::unique_ptr<Subtree>& out) {
-        if (items.size() < options_.exactBelow) {
-            out = buildExactSubtree(context_, makeLists(items), cell, depth);
-            return;
-        }
-        if (items.size() > kSerialTriangles) context_.checkCancelled();
-        const float leafCost = context_.cost.leaf(static_cast<std::uint32_t>(items.size()));
+        context_.checkCancelled();
         Split split;
-        for (int axis = 0; depth < context_.maxDepth && axis < 3; ++axis) {
-            const Split s = cheapestBinnedSplit(items, cell, axis, options_.bins, context_.cost);
-            if (s.cost < split.cost) split = s;
+        if (items.size() > kSerialTriangles && depth < context_.maxDepth) {
+            split = cheapestBinned(items.data(), items.size(), cell, options_.bins, context_.cost);
         }
-        std::vector<Item> lower;
-        std::vector<Item> upper;
-        if (split.cost < leafCost) divide(items, split, lower, upper);
-        if (!(split.cost < leafCost) || (lower.size() == items.size() && upper.size() == items.size())) {
-            // Bins are blind to details: the exact sweep may still find a way, and makes the leaf if not.
-            out = buildExactSubtree(context_, makeLists(items), cell, depth);
+        if (!(split.cost < context_.cost.leaf(static_cast<std::uint32_t>(items.size())))) {
+            const std::size_t count = items.size();
+            out = SerialFastBuilder(context_, options_).build(items, cell, depth);
+            if (context_.progress != nullptr) context_.progress->finished += count;
             return;
         }
-        const bool large = items.size() > kSerialTriangles;
-        std::vector<Item>().swap(items);
+        std::vector<Item> lower(items.size());
+        const Counts n = divide(items.data(), items.size(), split, lower.data(), items.data());
+        lower.resize(n.lower);
+        lower.shrink_to_fit();
+        items.resize(n.upper);
         Box3 lowerCell = cell;
         Box3 upperCell = cell;
         lowerCell.hi[split.axis] = upperCell.lo[split.axis] = split.position;
@@ -86,9 +226,9 @@ class FastBuilder {
         out->axis = split.axis;
         out->split = split.position;
         Subtree* const node = out.get();
-        const auto moved = std::make_shared<std::vector<Item>>(std::move(upper));
-#pragma omp task default(shared) firstprivate(moved, upperCell, depth, node) if (large)
-        errors_.guard([&] { buildNode(std::move(*moved), upperCell, depth + 1, node->upper); });
+        const auto upper = std::make_shared<std::vector<Item>>(std::move(items));
+#pragma omp task default(shared) firstprivate(upper, upperCell, depth, node)
+        errors_.guard([&] { buildNode(std::move(*upper), upperCell, depth + 1, node->upper); });
         errors_.guard([&] { buildNode(std::move(lower), lowerCell, depth + 1, node->lower); });
 #pragma omp taskwait
     }
@@ -96,43 +236,6 @@ class FastBuilder {
     void rethrow() const { errors_.rethrow(); }
 
   private:
-    void divide(const std::vector<Item>& items, const Split& split, std::vector<Item>& lower,
-                std::vector<Item>& upper) const {
-        const int axis = split.axis;
-        lower.reserve(items.size());
-        upper.reserve(items.size());
-        for (const Item& item : items) {
-            if (item.box.hi[axis] <= split.position) {
-                lower.push_back(item);
-            } else if (item.box.lo[axis] >= split.position) {
-                upper.push_back(item);
-            } else {
-                lower.push_back(item);
-                lower.back().box.hi[axis] = split.position;
-                upper.push_back(item);
-                upper.back().box.lo[axis] = split.position;
-            }
-        }
-    }
-
-    static EventLists makeLists(const std::vector<Item>& items) {
-        EventLists lists;
-        lists.triangles.reserve(items.size());
-        for (const Item& item : items) lists.triangles.push_back(item.triangle);
-        for (int axis = 0; axis < 3; ++axis) {
-            auto& events = lists.axis[static_cast<std::size_t>(axis)];
-            events.resize(2 * items.size());
-            Event* out = events.data();
-            for (std::size_t i = 0; i < items.size(); ++i) {
-                out = writeEvents(items[i].box, axis, static_cast<std::uint32_t>(i), out);
-            }
-            events.resize(static_cast<std::size_t>(out - events.data()));
-            std::vector<Event> scratch;
-            sortEvents(events, scratch);
-        }
-        return lists;
-    }
-
     const BuildContext& context_;
     const FastOptions& options_;
     TaskErrors errors_;
@@ -141,8 +244,8 @@ class FastBuilder {
 } // namespace
 
 FastOptions fastOptions(int quality) {
-    const int q = std::clamp(quality, 1, 10);
-    return {4 + 4 * q, std::size_t{4} << q};
+    const auto q = static_cast<std::size_t>(std::clamp(quality, 1, 10));
+    return {4 + 4 * q, q < 5 ? 0 : std::size_t{16} << (q - 5)};
 }
 
 std::unique_ptr<Subtree> buildFast(const BuildContext& context, const FastOptions& options, const Box3& cell) {

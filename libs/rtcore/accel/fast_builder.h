@@ -1,5 +1,5 @@
 /// The fast builder: candidates are the borders of equal bins (Popov et al. 2006; Shevtsov et al. 2007), boxes are cut
-/// by planes instead of clipping triangles, and only small nodes are left to the exact builder.
+/// by planes instead of clipping triangles, and at most small nodes are left to the exact builder.
 #pragma once
 
 #include "rtcore/accel/exact_subtree.h"
@@ -9,8 +9,8 @@
 namespace rtcore {
 
 struct FastOptions {
-    int bins = 24;               ///< 4..64
-    std::size_t exactBelow = 64; ///< nodes of fewer triangles are built exactly
+    std::size_t bins = 20;      ///< 4..64, of large nodes
+    std::size_t exactBelow = 0; ///< nodes of fewer triangles are built exactly
 };
 
 /// What `quality` (1..10) stands for.

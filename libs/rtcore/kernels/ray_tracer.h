@@ -15,7 +15,8 @@ class RayTracer {
   public:
     virtual ~RayTracer() = default;
 
-    /// Closest hit of each ray in [tMin, tMax]; at equal distance the triangle with the lower index. Resizes `hits`.
+    /// Closest hit of each ray in [tMin, tMax]; at equal distance the triangle with the lower index. Resizes
+    /// `hits`.
     virtual void intersect(RayKind kind, const RayWave& rays, HitWave& hits) const = 0;
     /// 1 for each ray that hits anything in [tMin, tMax], else 0. Resizes `occluded`.
     virtual void occluded(RayKind kind, const RayWave& rays, std::vector<std::uint8_t>& occluded) const = 0;

@@ -1,4 +1,5 @@
-/// Rays in bulk: thousands at once, as one array for each coordinate, so that vector code loads them directly.
+/// Rays in bulk: thousands at once, as one array for each coordinate, so that vector code loads them
+/// directly.
 #pragma once
 
 #include "rtcore/math/vec.h"
@@ -11,8 +12,8 @@ namespace rtcore {
 
 inline constexpr std::uint32_t kNoTriangle = 0xFFFFFFFFU;
 
-/// A half-line or segment: origin + t * direction, tMin <= t <= tMax. The direction must be finite and not zero;
-/// its length is free (t is in units of it).
+/// A half-line or segment: origin + t * direction, tMin <= t <= tMax. The direction must be finite and not
+/// zero; its length is free (t is in units of it).
 struct Ray {
     Vec3 origin;
     float tMin = 0;
@@ -42,9 +43,7 @@ struct RayWave {
     void push(const Ray& ray);
     /// Keeps the first `count` rays.
     void truncate(std::size_t count);
-    Ray ray(std::size_t i) const {
-        return {{ox[i], oy[i], oz[i]}, tMin[i], {dx[i], dy[i], dz[i]}, tMax[i]};
-    }
+    Ray ray(std::size_t i) const { return {{ox[i], oy[i], oz[i]}, tMin[i], {dx[i], dy[i], dz[i]}, tMax[i]}; }
 };
 
 /// One hit for each ray of a wave; a miss has triangle = kNoTriangle and undefined t, u, v.

@@ -9,8 +9,8 @@ namespace rtcore {
 
 namespace {
 
-// Plane distances are (s - o) * (1 / d), three roundings; each is taken a little too small where an interval begins
-// and too large where it ends (notes on errors: Ize 2013, "Robust BVH ray traversal").
+// Plane distances are (s - o) * (1 / d), three roundings; each is taken a little too small where an interval
+// begins and too large where it ends (notes on errors: Ize 2013, "Robust BVH ray traversal").
 constexpr float kDown = 1 - 6 * 0x1p-24F;
 constexpr float kUp = 1 + 6 * 0x1p-24F;
 
@@ -24,9 +24,10 @@ struct Interval {
     float t0, t1;
 };
 
-/// The part of [tMin, tMax] inside the box. 0 * infinity (a ray inside a face, parallel to it) is NaN, which these
-/// comparisons ignore: such a ray counts as inside.
-bool clipToBox(const Box3& box, const Ray& ray, Vec3 inverse, Interval& interval) {
+/// The part of [tMin, tMax] inside the box. 0 * infinity (a ray inside a face, parallel to it) is NaN, which
+/// these comparisons ignore: such a ray counts as inside.
+[[gnu::always_inline]] inline bool clipToBox(const Box3& box, const Ray& ray, Vec3 inverse,
+                                             Interval& interval) {
     interval = {ray.tMin, ray.tMax};
     for (int axis = 0; axis < 3; ++axis) {
         const float a = (box.lo[axis] - ray.origin[axis]) * inverse[axis];
@@ -39,25 +40,33 @@ bool clipToBox(const Box3& box, const Ray& ray, Vec3 inverse, Interval& interval
     return interval.t0 <= interval.t1;
 }
 
-/// Visits the leaves along the ray in order; `visit` gets each leaf and returns true to stop. `closest` is the
-/// distance beyond which nothing matters any more.
+/// Visits the leaves along the ray in order; `visit` gets each leaf and returns true to stop. `closest` is
+/// the distance beyond which nothing matters any more.
 template <typename Visit>
 void traverse(const KdTree& tree, const Ray& ray, const float& closest, Visit&& visit) {
     const Vec3 inverse{1.0F / ray.direction.x, 1.0F / ray.direction.y, 1.0F / ray.direction.z};
     Interval interval{};
     if (tree.bounds.empty() || !clipToBox(tree.bounds, ray, inverse, interval)) return;
-    const std::array<std::uint32_t, 3> nearIsUpper{std::signbit(inverse.x), std::signbit(inverse.y),
-                                                   std::signbit(inverse.z)};
+    // Bit 4 i + axis is set when the upper child is the nearer one: a shift by all of a node's bits finds it
+    // without waiting for the axis.
+    const std::uint32_t signs = (std::signbit(inverse.x) ? 1U : 0U) | (std::signbit(inverse.y) ? 2U : 0U) |
+                                (std::signbit(inverse.z) ? 4U : 0U);
+    const std::uint32_t nearIsUpper = signs * 0x11111111U;
+    // Arrays, since the axis of a node is not known in advance.
+    const std::array<float, 3> origin{ray.origin.x, ray.origin.y, ray.origin.z};
+    const std::array<float, 3> scale{inverse.x, inverse.y, inverse.z};
+    const KdNode* const nodes = tree.nodes.data();
     std::array<Waiting, kMaxKdDepth> stack;
     std::size_t waiting = 0;
     std::uint32_t index = 0;
     while (true) {
-        KdNode node = tree.nodes[index];
+        KdNode node = nodes[index];
         while (!node.isLeaf()) {
-            const int axis = node.axis();
-            const float t = (node.split - ray.origin[axis]) * inverse[axis];
-            const std::uint32_t near = node.lowerChild() + nearIsUpper[static_cast<std::size_t>(axis)];
-            const std::uint32_t far = node.lowerChild() + 1 - nearIsUpper[static_cast<std::size_t>(axis)];
+            const auto axis = static_cast<std::size_t>(node.axis());
+            const float t = (node.split - origin[axis]) * scale[axis];
+            const std::uint32_t upperFirst = nearIsUpper >> (node.bits & 31U) & 1U;
+            const std::uint32_t near = node.lowerChild() + upperFirst;
+            const std::uint32_t far = node.lowerChild() + 1 - upperFirst;
             // Inclusive: on equality, and for a ray inside the plane (NaN), both sides are visited.
             if (t > interval.t1) {
                 index = near;
@@ -70,12 +79,15 @@ void traverse(const KdTree& tree, const Ray& ray, const float& closest, Visit&& 
                 if (end < interval.t1) interval.t1 = end;
                 index = near;
             }
-            node = tree.nodes[index];
+            node = nodes[index];
         }
         if (visit(node)) return;
-        if (waiting == 0) return;
-        --waiting;
-        if (stack[waiting].t0 > closest) return;
+        // Those behind the closest hit are passed over one by one: where the ray lies in a plane, both sides
+        // begin at once, so that what waits below may begin before what waits above it.
+        do {
+            if (waiting == 0) return;
+            --waiting;
+        } while (stack[waiting].t0 > closest);
         index = stack[waiting].node;
         interval = {stack[waiting].t0, stack[waiting].t1};
     }
@@ -87,11 +99,14 @@ bool intersect(const KdTree& tree, const Mesh& mesh, const Ray& ray, Hit& hit) {
     const RayShear shear(ray.direction);
     Hit best;
     best.t = ray.tMax;
-    traverse(tree, ray, best.t, [&](const KdNode& leaf) {
-        for (std::uint32_t i = 0; i < leaf.count(); ++i) {
-            testTriangle(mesh, tree.references[leaf.firstReference + i], ray.origin, ray.tMin, shear, best);
-        }
-        return false;
+    alongAxis(shear.kz, [&](auto kz) {
+        traverse(tree, ray, best.t, [&](const KdNode& leaf) {
+            const std::uint32_t* const references = tree.references.data() + leaf.firstReference;
+            for (std::uint32_t i = 0; i < leaf.count(); ++i) {
+                testTriangle<kz>(mesh, references[i], ray, shear, best);
+            }
+            return false;
+        });
     });
     if (best.triangle == kNoTriangle) return false;
     hit = best;
@@ -102,14 +117,16 @@ bool occluded(const KdTree& tree, const Mesh& mesh, const Ray& ray) {
     const RayShear shear(ray.direction);
     Hit any;
     any.t = ray.tMax;
-    bool found = false;
-    traverse(tree, ray, ray.tMax, [&](const KdNode& leaf) {
-        for (std::uint32_t i = 0; i < leaf.count() && !found; ++i) {
-            found = testTriangle(mesh, tree.references[leaf.firstReference + i], ray.origin, ray.tMin, shear, any);
-        }
-        return found;
+    alongAxis(shear.kz, [&](auto kz) {
+        traverse(tree, ray, ray.tMax, [&](const KdNode& leaf) {
+            const std::uint32_t* const references = tree.references.data() + leaf.firstReference;
+            for (std::uint32_t i = 0; i < leaf.count(); ++i) {
+                if (testTriangle<kz>(mesh, references[i], ray, shear, any)) return true;
+            }
+            return false;
+        });
     });
-    return found;
+    return any.triangle != kNoTriangle;
 }
 
 } // namespace rtcore

@@ -1,0 +1,95 @@
+// What building the kd-tree of model files costs, and what tree comes out.
+//   bench_build FILE...     PLY or OBJ
+// The best wall time of five; peak memory above what the process held before, of the last.
+#include "rtcore/accel/builder.h"
+#include "rtcore/accel/statistics.h"
+#include "support/mesh_files.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <string>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace {
+
+constexpr int kRepeats = 5;
+
+/// A line "VmHWM:  1234 kB" of this process; 0 where there is none.
+double statusMegabytes(const std::string& name) {
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);) {
+        if (line.rfind(name + ":", 0) == 0) return std::atof(line.c_str() + name.size() + 1) / 1024;
+    }
+    return 0;
+}
+
+/// Gives free memory back and makes the present use the peak so far.
+void resetPeak() {
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
+    std::ofstream("/proc/self/clear_refs") << "5";
+}
+
+void measure(const rtcore::Mesh& mesh, const char* name, const rtcore::BuildOptions& options) {
+    rtcore::BuildTimes best;
+    double bestSeconds = 1e30;
+    double peak = 0;
+    rtcore::KdTree tree;
+    for (int i = 0; i < kRepeats; ++i) {
+        tree = {};
+        resetPeak();
+        const double before = statusMegabytes("VmRSS");
+        rtcore::BuildTimes times;
+        const auto start = std::chrono::steady_clock::now();
+        tree = buildKdTree(mesh, options, &times);
+        const double seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        peak = statusMegabytes("VmHWM") - before;
+        if (seconds < bestSeconds) best = times;
+        bestSeconds = std::min(bestSeconds, seconds);
+    }
+    const float cost = rtcore::automaticIntersectionCost(mesh.triangles.size());
+    const rtcore::KdStatistics s = computeStatistics(tree, 1, cost);
+    std::printf(
+        "  %-5s %d threads: %7.1f ms (prepare %.1f, split %.1f, emit %.1f), peak %.0f MB = %.0f B/triangle; "
+        "%llu nodes, %llu references, %.1f B/triangle, expected cost %.2f\n",
+        name, options.threads, bestSeconds * 1e3, best.prepare * 1e3, best.split * 1e3, best.emit * 1e3, peak,
+        peak * 1048576 / static_cast<double>(mesh.triangles.size()), static_cast<unsigned long long>(s.nodes),
+        static_cast<unsigned long long>(s.references),
+        static_cast<double>(s.bytes) / static_cast<double>(mesh.triangles.size()), s.expectedCost);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 2) {
+        std::fprintf(stderr, "bench_build FILE...\n");
+        return 2;
+    }
+    try {
+        for (int i = 1; i < argc; ++i) {
+            const test::SampleMesh sample = test::readMesh(argv[i]);
+            std::printf("%s: %zu triangles\n", argv[i], sample.triangles.size());
+            for (const auto method : {rtcore::BuildMethod::Exact, rtcore::BuildMethod::Fast}) {
+                for (const int threads : {1, 2}) {
+                    rtcore::BuildOptions options;
+                    options.method = method;
+                    options.threads = threads;
+                    measure(sample.view(), method == rtcore::BuildMethod::Exact ? "exact" : "fast", options);
+                }
+            }
+        }
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "bench_build: %s\n", error.what());
+        return 1;
+    }
+    return 0;
+}

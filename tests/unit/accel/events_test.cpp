@@ -1,0 +1,176 @@
+#include "rtcore/accel/events.h"
+
+#include "support/random_numbers.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+using rtcore::Box3;
+using rtcore::Event;
+using rtcore::EventKind;
+using rtcore::Side;
+using rtcore::Split;
+
+namespace {
+
+/// Boxes on a coarse lattice, so that planes coincide often; some are flat.
+std::vector<Box3> latticeBoxes(std::size_t count, test::Random& random) {
+    std::vector<Box3> boxes(count);
+    for (Box3& box : boxes) {
+        for (int axis = 0; axis < 3; ++axis) {
+            box.lo[axis] = static_cast<float>(random.index(12)) - 6;
+            box.hi[axis] = box.lo[axis] + static_cast<float>(random.index(4));
+        }
+    }
+    return boxes;
+}
+
+std::vector<Event> eventsOf(const std::vector<Box3>& boxes, int axis) {
+    std::vector<Event> events(2 * boxes.size());
+    Event* out = events.data();
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) out = rtcore::writeEvents(boxes[i], axis, i, out);
+    events.resize(static_cast<std::size_t>(out - events.data()));
+    return events;
+}
+
+Side sideByDefinition(const Box3& box, const Split& split) {
+    const float lo = box.lo[split.axis];
+    const float hi = box.hi[split.axis];
+    if (lo == split.position && hi == split.position) return split.planarLower ? Side::Lower : Side::Upper;
+    if (hi <= split.position) return Side::Lower;
+    return lo >= split.position ? Side::Upper : Side::Both;
+}
+
+} // namespace
+
+TEST(Events, orderedBitsSortAsFloatsDo) {
+    const float infinity = std::numeric_limits<float>::infinity();
+    const std::vector<float> ascending{-infinity, -3e38F, -1.5F, -1, -1e-38F, -1e-45F, 0,
+                                       1e-45F,    1e-38F, 1,     2,  3e38F,   infinity};
+    for (std::size_t i = 0; i < ascending.size(); ++i) {
+        EXPECT_EQ(rtcore::fromOrderedBits(rtcore::orderedBits(ascending[i])), ascending[i]);
+        for (std::size_t j = 0; j < i; ++j) {
+            EXPECT_LT(rtcore::orderedBits(ascending[j]), rtcore::orderedBits(ascending[i]));
+        }
+    }
+    EXPECT_EQ(rtcore::orderedBits(-0.0F), rtcore::orderedBits(0.0F));
+}
+
+TEST(Events, anEventHoldsPositionKindAndTriangle) {
+    for (const EventKind kind : {EventKind::End, EventKind::Planar, EventKind::Start}) {
+        const Event e = rtcore::makeEvent(-2.5F, kind, rtcore::kEventTriangleMask);
+        EXPECT_EQ(rtcore::eventPosition(e), -2.5F);
+        EXPECT_EQ(rtcore::eventKind(e), kind);
+        EXPECT_EQ(rtcore::eventTriangle(e), rtcore::kEventTriangleMask);
+    }
+}
+
+TEST(Events, endsComeBeforePlanarOnesAndThoseBeforeStarts) {
+    const Event end = rtcore::makeEvent(1, EventKind::End, 9);
+    const Event planar = rtcore::makeEvent(1, EventKind::Planar, 5);
+    const Event start = rtcore::makeEvent(1, EventKind::Start, 0);
+    EXPECT_LT(end, planar);
+    EXPECT_LT(planar, start);
+    EXPECT_LT(start, rtcore::makeEvent(1.0000001F, EventKind::End, 0));
+}
+
+TEST(Events, aFlatBoxHasOneEvent) {
+    const std::vector<Box3> boxes{{{0, 1, 2}, {0, 3, 4}}};
+    ASSERT_EQ(eventsOf(boxes, 0).size(), 1U);
+    EXPECT_EQ(rtcore::eventKind(eventsOf(boxes, 0)[0]), EventKind::Planar);
+    EXPECT_EQ(eventsOf(boxes, 1).size(), 2U);
+}
+
+TEST(Events, shortAndLongListsAreSorted) {
+    test::Random random(1);
+    for (const std::size_t count : {0UL, 1UL, 50UL, 2000UL, 3000UL, 20000UL}) {
+        for (const bool onLattice : {true, false}) {
+            std::vector<Box3> boxes = latticeBoxes(count, random);
+            for (Box3& box : boxes) {
+                if (!onLattice) box.lo.x -= random.number(0, 1e-3F);
+            }
+            std::vector<Event> events = eventsOf(boxes, 0);
+            std::vector<Event> expected = events;
+            std::sort(expected.begin(), expected.end());
+            std::vector<Event> scratch;
+            rtcore::sortEvents(events, scratch);
+            EXPECT_EQ(events, expected) << count;
+        }
+    }
+}
+
+TEST(Events, everyTriangleIsClassifiedByItsBox) {
+    test::Random random(2);
+    for (int round = 0; round < 300; ++round) {
+        const std::vector<Box3> boxes = latticeBoxes(40, random);
+        const int axis = round % 3;
+        std::vector<Event> events = eventsOf(boxes, axis);
+        std::sort(events.begin(), events.end());
+        const Split split{0, static_cast<float>(random.index(9)) - 5, axis, random.coin()};
+        std::vector<Side> sides(boxes.size(), Side::Both);
+        std::vector<std::uint32_t> straddling;
+        rtcore::classify(events.data(), events.size(), split, sides.data(), straddling);
+
+        std::size_t both = 0;
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            EXPECT_EQ(sides[i], sideByDefinition(boxes[i], split));
+            both += sides[i] == Side::Both ? 1 : 0;
+        }
+        ASSERT_EQ(straddling.size(), both);
+        for (std::size_t i = 0; i < straddling.size(); ++i) {
+            EXPECT_EQ(sides[straddling[i]], Side::Both);
+            if (i == 0) continue;
+            EXPECT_LE(boxes[straddling[i - 1]].lo[axis], boxes[straddling[i]].lo[axis]);
+        }
+    }
+}
+
+TEST(Events, partitionKeepsTheOrderAlsoInPlace) {
+    test::Random random(3);
+    const std::vector<Box3> boxes = latticeBoxes(200, random);
+    std::vector<Event> events = eventsOf(boxes, 1);
+    std::sort(events.begin(), events.end());
+    std::vector<Side> sides(boxes.size());
+    for (Side& side : sides) side = static_cast<Side>(random.index(3));
+    std::vector<Event> expectedLower;
+    std::vector<Event> expectedUpper;
+    for (const Event e : events) {
+        const Side side = sides[rtcore::eventTriangle(e)];
+        if (side == Side::Lower) expectedLower.push_back(e);
+        if (side == Side::Upper) expectedUpper.push_back(e);
+    }
+
+    std::vector<Event> lower(events.size() + 1);
+    const auto counts =
+        rtcore::partition(events.data(), events.size(), sides.data(), lower.data(), events.data());
+    lower.resize(counts.lower);
+    events.resize(counts.upper);
+    EXPECT_EQ(lower, expectedLower);
+    EXPECT_EQ(events, expectedUpper);
+}
+
+TEST(Events, mergingKeepsAllInOrder) {
+    test::Random random(4);
+    for (const std::size_t old : {0UL, 1UL, 100UL}) {
+        for (const std::size_t added : {0UL, 1UL, 100UL}) {
+            std::vector<Event> events(old);
+            std::vector<Event> more(added);
+            for (auto* list : {&events, &more}) {
+                for (Event& e : *list) {
+                    e = rtcore::makeEvent(static_cast<float>(random.index(9)), EventKind::Start,
+                                          random.index(99));
+                }
+                std::sort(list->begin(), list->end());
+            }
+            std::vector<Event> expected = events;
+            expected.insert(expected.end(), more.begin(), more.end());
+            std::sort(expected.begin(), expected.end());
+            events.resize(old + added);
+            EXPECT_EQ(rtcore::mergeEvents(events.data(), old, more), old + added);
+            EXPECT_EQ(events, expected);
+        }
+    }
+}
