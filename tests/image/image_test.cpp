@@ -22,7 +22,8 @@ using rtcore::LdrImage;
 const fs::path kScenes = fs::path(RT_SOURCE_FOLDER) / "tests/image/scenes";
 const fs::path kFailures = RT_FAILURE_FOLDER;
 
-LdrImage render(const rtcore::LoadedScene& loaded, const rtcore::Camera& camera, const rtcore::RenderSettings& settings) {
+LdrImage render(const rtcore::LoadedScene& loaded, const rtcore::Camera& camera,
+                const rtcore::RenderSettings& settings) {
     const rtcore::KdRayTracer tracer(loaded.tree, loaded.scene.mesh());
     rtcore::RenderControl control;
     rtcore::Frame frame;
@@ -36,7 +37,8 @@ void keep(const std::string& name, const LdrImage& result, const LdrImage& refer
     rtcore::writeImage(kFailures / (name + "-difference.png"), test::differencePicture(result, reference));
 }
 
-void expectSame(const std::string& name, const LdrImage& result, const LdrImage& reference, double mean, double block) {
+void expectSame(const std::string& name, const LdrImage& result, const LdrImage& reference, double mean,
+                double block) {
     ASSERT_EQ(result.width, reference.width);
     ASSERT_EQ(result.height, reference.height);
     const test::PictureDifference d = test::comparePictures(result, reference);
@@ -72,14 +74,16 @@ TEST_P(Picture, looksAsItDid) {
 
 std::string nameOf(const testing::TestParamInfo<fs::path>& info) {
     std::string name = info.param.stem().string();
-    std::replace_if(name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; },
+        '_');
     return name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Picture, testing::ValuesIn(scenes()), nameOf);
 
-// One mesh in nine files. All carry positions and triangles; STL has neither shared normals nor texture, so what is
-// compared is the shape: plain grey, and smooth normals computed with one crease angle.
+// One mesh in nine files. All carry positions and triangles; STL has neither shared normals nor texture, so
+// what is compared is the shape: plain grey, and smooth normals computed with one crease angle.
 TEST(NineFiles, giveTheSamePicture) {
     const char* const folder = std::getenv("RT_TEST_SCENES");
     if (folder == nullptr) GTEST_SKIP() << "skipped: RT_TEST_SCENES names no folder of models";
@@ -90,8 +94,8 @@ TEST(NineFiles, giveTheSamePicture) {
     settings.dithering = false;
     LdrImage first;
     rtcore::Camera camera;
-    for (const char* const name : {"spot.obj", "spot.ply", "spot_bin.ply", "spot.stl", "spot_bin.stl", "spot.3ds",
-                                   "spot.x", "spot.dae", "spot.glb"}) {
+    for (const char* const name : {"spot.obj", "spot.ply", "spot_bin.ply", "spot.stl", "spot_bin.stl",
+                                   "spot.3ds", "spot.x", "spot.dae", "spot.glb"}) {
         rtcore::LoadedScene loaded = rtcore::loadScene(fs::path(folder) / "spot" / name);
         ASSERT_EQ(loaded.scene.mesh().triangles.size(), 5856U) << name;
         if (first.empty()) camera = loaded.camera;

@@ -1,4 +1,5 @@
-/// How much two pictures differ to an eye: by the means of small blocks, so that single pixels at edges do not count.
+/// How much two pictures differ to an eye: by the means of small blocks, so that single pixels at edges do
+/// not count.
 #pragma once
 
 #include "rtcore/scene/image.h"
@@ -31,7 +32,8 @@ inline PictureDifference comparePictures(const rtcore::LdrImage& a, const rtcore
                     }
                 }
             }
-            for (const double sum : signedSum) result.worstBlock = std::max(result.worstBlock, std::fabs(sum) / pixels);
+            for (const double sum : signedSum)
+                result.worstBlock = std::max(result.worstBlock, std::fabs(sum) / pixels);
         }
     }
     result.mean /= 3.0 * static_cast<double>(a.pixels.size());
@@ -41,7 +43,9 @@ inline PictureDifference comparePictures(const rtcore::LdrImage& a, const rtcore
 /// |a - b| eight times enlarged.
 inline rtcore::LdrImage differencePicture(const rtcore::LdrImage& a, const rtcore::LdrImage& b) {
     rtcore::LdrImage result(a.width, a.height);
-    const auto enlarge = [](int x, int y) { return static_cast<std::uint8_t>(std::min(255, 8 * std::abs(x - y))); };
+    const auto enlarge = [](int x, int y) {
+        return static_cast<std::uint8_t>(std::min(255, 8 * std::abs(x - y)));
+    };
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
         const rtcore::Rgba8 p = a.pixels[i];
         const rtcore::Rgba8 q = b.pixels[i];

@@ -32,8 +32,8 @@ struct BuildTimes {
 /// Shared with another thread that shows progress or stops the build.
 struct BuildProgress {
     std::atomic<std::uint64_t> triangles{0}; ///< of the input
-    std::atomic<std::uint64_t> finished{0};  ///< triangle references settled so far; in the end more than `triangles`,
-                                            ///< since some are in several leaves
+    std::atomic<std::uint64_t> finished{0};  ///< triangle references settled so far; in the end more than
+                                            ///< `triangles`, since some are in several leaves
     std::atomic<bool> cancel{false};
 };
 

@@ -2,8 +2,8 @@
 
 #include "rtcore/accel/exact_builder.h"
 #include "rtcore/accel/fast_builder.h"
-#include "rtcore/platform/task_errors.h"
 #include "rtcore/accel/triangle_clip.h"
+#include "rtcore/platform/task_errors.h"
 
 #include <algorithm>
 #include <bit>
@@ -44,8 +44,8 @@ KdTree emptyTree() {
     return stitch(leaf, Box3{});
 }
 
-std::unique_ptr<Subtree> buildPieces(const BuildContext& context, const BuildOptions& options, const Box3& bounds,
-                                     BuildTimes& times) {
+std::unique_ptr<Subtree> buildPieces(const BuildContext& context, const BuildOptions& options,
+                                     const Box3& bounds, BuildTimes& times) {
     Stopwatch watch;
     if (options.method == BuildMethod::Fast) {
         auto root = buildFast(context, fastOptions(options.fastQuality), bounds);
@@ -65,16 +65,19 @@ float automaticIntersectionCost(std::size_t triangles) {
     return triangles < 100'000 ? 0.3F : triangles < 500'000 ? 0.2F : 0.15F;
 }
 
-KdTree buildKdTree(const Mesh& mesh, const BuildOptions& options, BuildTimes* times, BuildProgress* progress) {
+KdTree buildKdTree(const Mesh& mesh, const BuildOptions& options, BuildTimes* times,
+                   BuildProgress* progress) {
     const std::size_t triangles = mesh.triangles.size();
     if (triangles == 0) return emptyTree();
-    if (triangles > kEventTriangleMask) throw std::length_error("a scene may have at most 2^30 - 1 triangles");
+    if (triangles > kEventTriangleMask)
+        throw std::length_error("a scene may have at most 2^30 - 1 triangles");
 
     BuildTimes ownTimes;
     BuildTimes& t = times != nullptr ? *times : ownTimes;
     Stopwatch watch;
     const Box3 bounds = mesh.bounds();
-    BuildContext context{mesh, {}, depthLimit(triangles), std::max(0, options.lookAhead), clipMargin(bounds), progress};
+    BuildContext context{
+        mesh, {}, depthLimit(triangles), std::max(0, options.lookAhead), clipMargin(bounds), progress};
     context.cost.traversal = options.traversalCost;
     context.cost.intersection =
         options.intersectionCost > 0 ? options.intersectionCost : automaticIntersectionCost(triangles);

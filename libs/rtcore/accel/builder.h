@@ -1,5 +1,5 @@
-/// Builds the kd-tree of a mesh by the surface area heuristic (thesis 2.2.2; Wald and Havran 2006, "On building
-/// fast kd-trees for ray tracing, and on doing that in O(N log N)").
+/// Builds the kd-tree of a mesh by the surface area heuristic (thesis 2.2.2; Wald and Havran 2006, "On
+/// building fast kd-trees for ray tracing, and on doing that in O(N log N)").
 #pragma once
 
 #include "rtcore/accel/build_options.h"
@@ -15,9 +15,9 @@ struct BuildCancelled : std::runtime_error {
     BuildCancelled() : std::runtime_error("building the kd-tree was stopped") {}
 };
 
-/// The tree over all triangles of `mesh`; degenerate triangles are kept where they lie. Positions must be finite
-/// (asserted). The same input and options give the same tree, whatever the number of threads.
-/// Throws std::length_error when a tree would not fit into 2^30 nodes or references, and BuildCancelled.
+/// The tree over all triangles of `mesh`; degenerate triangles are kept where they lie. Positions must be
+/// finite (asserted). The same input and options give the same tree, whatever the number of threads. Throws
+/// std::length_error when a tree would not fit into 2^30 nodes or references, and BuildCancelled.
 KdTree buildKdTree(const Mesh& mesh, const BuildOptions& options, BuildTimes* times = nullptr,
                    BuildProgress* progress = nullptr);
 

@@ -9,8 +9,8 @@
 namespace rtcore {
 
 struct CostModel {
-    float traversal = 1;     ///< K_T
-    float intersection = 1;  ///< K_I
+    float traversal = 1;      ///< K_T
+    float intersection = 1;   ///< K_I
     float emptyFactor = 0.8F; ///< 1 - bonus for a split that leaves one side empty
 
     float leaf(std::uint32_t triangles) const { return intersection * static_cast<float>(triangles); }

@@ -39,8 +39,8 @@ void sortEvents(std::vector<Event>& events, std::vector<Event>& scratch) {
     events.swap(scratch);
 }
 
-Split cheapestSplit(const Event* events, std::size_t count, std::uint32_t triangles, const Box3& cell, int axis,
-                    const CostModel& cost) {
+Split cheapestSplit(const Event* events, std::size_t count, std::uint32_t triangles, const Box3& cell,
+                    int axis, const CostModel& cost) {
     Split best;
     const AreaOfParts area(cell, axis);
     std::uint32_t lower = 0;
@@ -96,7 +96,8 @@ void classify(const Event* events, std::size_t count, const Split& split, Side* 
     }
 }
 
-PartitionCounts partition(const Event* events, std::size_t count, const Side* sides, Event* lower, Event* upper) {
+PartitionCounts partition(const Event* events, std::size_t count, const Side* sides, Event* lower,
+                          Event* upper) {
     Event* l = lower;
     Event* u = upper;
     for (std::size_t i = 0; i < count; ++i) {

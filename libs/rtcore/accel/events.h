@@ -1,5 +1,5 @@
-/// The events of the exact builder: where the bound of a triangle begins or ends along one axis. An event is one
-/// 64-bit key - position, kind, triangle - so that sorting and comparing are those of integers.
+/// The events of the exact builder: where the bound of a triangle begins or ends along one axis. An event is
+/// one 64-bit key - position, kind, triangle - so that sorting and comparing are those of integers.
 #pragma once
 
 #include "rtcore/accel/cost_model.h"
@@ -14,7 +14,8 @@ namespace rtcore {
 
 using Event = std::uint64_t;
 
-/// Ends come before what lies in the plane, and that before starts, so that one sweep counts in the right order.
+/// Ends come before what lies in the plane, and that before starts, so that one sweep counts in the right
+/// order.
 enum class EventKind : std::uint32_t { End = 0, Planar = 1, Start = 2 };
 
 inline constexpr std::uint32_t kEventTriangleMask = (1U << 30U) - 1;
@@ -50,8 +51,8 @@ inline Event* writeEvents(const Box3& box, int axis, std::uint32_t triangle, Eve
 void sortEvents(std::vector<Event>& events, std::vector<Event>& scratch);
 
 /// The cheapest plane across `axis` strictly inside `cell`; `triangles` is how many the node holds.
-Split cheapestSplit(const Event* events, std::size_t count, std::uint32_t triangles, const Box3& cell, int axis,
-                    const CostModel& cost);
+Split cheapestSplit(const Event* events, std::size_t count, std::uint32_t triangles, const Box3& cell,
+                    int axis, const CostModel& cost);
 
 enum class Side : std::uint8_t { Both, Lower, Upper };
 
@@ -65,7 +66,8 @@ void classify(const Event* events, std::size_t count, const Split& split, Side* 
 struct PartitionCounts {
     std::size_t lower, upper;
 };
-PartitionCounts partition(const Event* events, std::size_t count, const Side* sides, Event* lower, Event* upper);
+PartitionCounts partition(const Event* events, std::size_t count, const Side* sides, Event* lower,
+                          Event* upper);
 
 /// Merges the sorted `added` into the sorted `events`, which has room for both. Returns the number of all.
 std::size_t mergeEvents(Event* events, std::size_t count, const std::vector<Event>& added);

@@ -15,10 +15,11 @@ struct Halves {
     EventLists lower, upper;
 };
 
-/// Clips the straddling triangles to one side: their new events, with the parent's numbers, and for each triangle
-/// of the parent whether this side has it.
-void clipTo(const BuildContext& context, const EventLists& lists, const std::vector<std::uint32_t>& straddling,
-            const Box3& cell, AxisEvents& events, std::vector<std::uint8_t>& kept) {
+/// Clips the straddling triangles to one side: their new events, with the parent's numbers, and for each
+/// triangle of the parent whether this side has it.
+void clipTo(const BuildContext& context, const EventLists& lists,
+            const std::vector<std::uint32_t>& straddling, const Box3& cell, AxisEvents& events,
+            std::vector<std::uint8_t>& kept) {
     for (const std::uint32_t local : straddling) {
         kept[local] = addClippedEvents(context, lists.triangles[local], local, cell, events) ? 1 : 0;
     }
@@ -38,7 +39,8 @@ struct Numbering {
         }
     }
     void apply(std::vector<Event>& events) const {
-        for (Event& e : events) e = (e & ~static_cast<Event>(kEventTriangleMask)) | newNumber[eventTriangle(e)];
+        for (Event& e : events)
+            e = (e & ~static_cast<Event>(kEventTriangleMask)) | newNumber[eventTriangle(e)];
     }
 };
 
@@ -92,8 +94,9 @@ Split findSplit(const BuildContext& context, const EventLists& lists, const Box3
 #pragma omp taskloop grainsize(1) default(shared)
     for (int axis = 0; axis < 3; ++axis) {
         const auto a = static_cast<std::size_t>(axis);
-        splits[a] = cheapestSplit(lists.axis[a].data(), lists.axis[a].size(),
-                                  static_cast<std::uint32_t>(lists.triangles.size()), cell, axis, context.cost);
+        splits[a] =
+            cheapestSplit(lists.axis[a].data(), lists.axis[a].size(),
+                          static_cast<std::uint32_t>(lists.triangles.size()), cell, axis, context.cost);
     }
     Split best;
     for (const Split& s : splits) {
@@ -110,7 +113,8 @@ void buildNode(const BuildContext& context, TaskErrors& errors, EventLists lists
     }
     context.checkCancelled();
     const Split split = findSplit(context, lists, cell);
-    if (!split.valid() || split.cost >= context.cost.leaf(static_cast<std::uint32_t>(lists.triangles.size()))) {
+    if (!split.valid() ||
+        split.cost >= context.cost.leaf(static_cast<std::uint32_t>(lists.triangles.size()))) {
         out = buildExactSubtree(context, std::move(lists), cell, depth);
         return;
     }
@@ -125,7 +129,8 @@ void buildNode(const BuildContext& context, TaskErrors& errors, EventLists lists
     const auto upper = std::make_shared<EventLists>(std::move(halves.upper));
 #pragma omp task default(shared) firstprivate(upper, upperCell, depth, node)
     errors.guard([&] { buildNode(context, errors, std::move(*upper), upperCell, depth + 1, node->upper); });
-    errors.guard([&] { buildNode(context, errors, std::move(halves.lower), lowerCell, depth + 1, node->lower); });
+    errors.guard(
+        [&] { buildNode(context, errors, std::move(halves.lower), lowerCell, depth + 1, node->lower); });
 #pragma omp taskwait
 }
 
@@ -157,7 +162,8 @@ EventLists makeEvents(const Mesh& mesh) {
     return lists;
 }
 
-std::unique_ptr<Subtree> buildExact(const BuildContext& context, EventLists lists, const Box3& cell, int depth) {
+std::unique_ptr<Subtree> buildExact(const BuildContext& context, EventLists lists, const Box3& cell,
+                                    int depth) {
     TaskErrors errors;
     std::unique_ptr<Subtree> root;
     errors.guard([&] { buildNode(context, errors, std::move(lists), cell, depth, root); });

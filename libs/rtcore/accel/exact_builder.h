@@ -7,14 +7,16 @@
 
 namespace rtcore {
 
-/// Nodes of at most this many triangles are built by one thread. A constant, so that the tree does not depend on
-/// the number of threads.
+/// Nodes of at most this many triangles are built by one thread. A constant, so that the tree does not depend
+/// on the number of threads.
 inline constexpr std::size_t kSerialTriangles = 4096;
 
 /// Events of all triangles, numbered as they are in the mesh.
 EventLists makeEvents(const Mesh& mesh);
 
-/// Must be called inside an OpenMP parallel region by one thread (or without OpenMP): it makes tasks for the others.
-std::unique_ptr<Subtree> buildExact(const BuildContext& context, EventLists lists, const Box3& cell, int depth);
+/// Must be called inside an OpenMP parallel region by one thread (or without OpenMP): it makes tasks for the
+/// others.
+std::unique_ptr<Subtree> buildExact(const BuildContext& context, EventLists lists, const Box3& cell,
+                                    int depth);
 
 } // namespace rtcore

@@ -49,12 +49,13 @@ class SubtreeBuilder {
 
   private:
     /// Returns the expected cost of the finished node.
-    float buildNode(std::uint32_t index, const NodeEvents& events, std::uint32_t count, const Box3& cell, int depth,
-                    int failures) {
+    float buildNode(std::uint32_t index, const NodeEvents& events, std::uint32_t count, const Box3& cell,
+                    int depth, int failures) {
         const float leafCost = context_.cost.leaf(count);
         const std::size_t firstReference = tree_->references.size();
         Split split;
-        // One triangle pays for a split only when much of the cell around it is empty; the cost says so itself.
+        // One triangle pays for a split only when much of the cell around it is empty; the cost says so
+        // itself.
         if (depth < context_.maxDepth && leafCost > context_.cost.traversal * context_.cost.emptyFactor) {
             split = findSplit(events, count, cell);
         }
@@ -124,7 +125,8 @@ class SubtreeBuilder {
             const PartitionCounts sides = partition(mine, count, sides_.data(), above, mine);
             lower.count[a] = mergeEvents(above, sides.lower, addedLower_[a]);
             top_ += lower.count[a];
-            // Nearly always the upper side fits where the node was; rounding in the clipping can make it grow.
+            // Nearly always the upper side fits where the node was; rounding in the clipping can make it
+            // grow.
             if (sides.upper + addedUpper_[a].size() > count) {
                 std::copy(mine, mine + sides.upper, &arena_[top_]);
                 upper.first[a] = top_;
@@ -160,7 +162,8 @@ class SubtreeBuilder {
         tree_->nodes[index] = {BuildNode::kLeaf, 0, first, count};
     }
 
-    /// Replaces all below a node by a leaf: its splits did not pay. Nodes and references below it are the last ones.
+    /// Replaces all below a node by a leaf: its splits did not pay. Nodes and references below it are the
+    /// last ones.
     void undo(std::uint32_t index, std::size_t firstReference) {
         tree_->nodes.resize(tree_->nodes[index].first);
         auto& references = tree_->references;
@@ -185,8 +188,8 @@ class SubtreeBuilder {
 
 } // namespace
 
-bool addClippedEvents(const BuildContext& context, std::uint32_t triangle, std::uint32_t number, const Box3& cell,
-                      AxisEvents& events) {
+bool addClippedEvents(const BuildContext& context, std::uint32_t triangle, std::uint32_t number,
+                      const Box3& cell, AxisEvents& events) {
     const std::array<Vec3, 3> corners{context.mesh.position(triangle, 0), context.mesh.position(triangle, 1),
                                       context.mesh.position(triangle, 2)};
     const Box3 box = clippedBounds(corners, cell, context.margin);

@@ -36,8 +36,8 @@ struct EventLists {
 
 /// Appends the events of the part of `triangle` (of the mesh) inside `cell`, as triangle `number`.
 /// Returns false, and adds nothing, when no part is inside.
-bool addClippedEvents(const BuildContext& context, std::uint32_t triangle, std::uint32_t number, const Box3& cell,
-                      AxisEvents& events);
+bool addClippedEvents(const BuildContext& context, std::uint32_t triangle, std::uint32_t number,
+                      const Box3& cell, AxisEvents& events);
 
 /// Builds the tree below a node at `depth`. The result depends on nothing else.
 std::unique_ptr<Subtree> buildExactSubtree(const BuildContext& context, EventLists lists, const Box3& cell,

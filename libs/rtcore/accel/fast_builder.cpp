@@ -69,7 +69,8 @@ class Bins {
     std::array<std::uint32_t, kMaxBins> starts_{}, ends_{};
 };
 
-Split cheapestBinned(const Item* items, std::size_t count, const Box3& cell, std::size_t bins, const CostModel& cost) {
+Split cheapestBinned(const Item* items, std::size_t count, const Box3& cell, std::size_t bins,
+                     const CostModel& cost) {
     Split best;
     for (int axis = 0; axis < 3; ++axis) {
         Bins counted(cell, axis, bins);
@@ -140,8 +141,8 @@ class SerialFastBuilder {
 
   private:
     /// The node's items are arena_[first, first + count); all from `top` on is free.
-    void buildNode(std::uint32_t index, std::size_t first, std::size_t count, std::size_t top, const Box3& cell,
-                   int depth) {
+    void buildNode(std::uint32_t index, std::size_t first, std::size_t count, std::size_t top,
+                   const Box3& cell, int depth) {
         if (count < options_.exactBelow) {
             attachExact(index, first, count, cell, depth);
             return;
@@ -200,7 +201,8 @@ class SerialFastBuilder {
 
 class FastBuilder {
   public:
-    FastBuilder(const BuildContext& context, const FastOptions& options) : context_(context), options_(options) {}
+    FastBuilder(const BuildContext& context, const FastOptions& options)
+        : context_(context), options_(options) {}
 
     void buildNode(std::vector<Item> items, const Box3& cell, int depth, std::unique_ptr<Subtree>& out) {
         context_.checkCancelled();
@@ -248,7 +250,8 @@ FastOptions fastOptions(int quality) {
     return {4 + 4 * q, q < 5 ? 0 : std::size_t{16} << (q - 5)};
 }
 
-std::unique_ptr<Subtree> buildFast(const BuildContext& context, const FastOptions& options, const Box3& cell) {
+std::unique_ptr<Subtree> buildFast(const BuildContext& context, const FastOptions& options,
+                                   const Box3& cell) {
     std::vector<Item> items(context.mesh.triangles.size());
     for (std::uint32_t i = 0; i < items.size(); ++i) {
         items[i].triangle = i;

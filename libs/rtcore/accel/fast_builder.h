@@ -1,5 +1,6 @@
-/// The fast builder: candidates are the borders of equal bins (Popov et al. 2006; Shevtsov et al. 2007), boxes are cut
-/// by planes instead of clipping triangles, and at most small nodes are left to the exact builder.
+/// The fast builder: candidates are the borders of equal bins (Popov et al. 2006; Shevtsov et al. 2007),
+/// boxes are cut by planes instead of clipping triangles, and at most small nodes are left to the exact
+/// builder.
 #pragma once
 
 #include "rtcore/accel/exact_subtree.h"

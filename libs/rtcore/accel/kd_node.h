@@ -7,8 +7,8 @@
 namespace rtcore {
 
 /// Inner node: split position, and the index of the lower child; the upper child is the next node.
-/// Leaf: index of its first reference, and their number. The low two bits of `bits` tell them apart: 0, 1, 2 is
-/// the split axis, 3 a leaf.
+/// Leaf: index of its first reference, and their number. The low two bits of `bits` tell them apart: 0, 1, 2
+/// is the split axis, 3 a leaf.
 struct KdNode {
     union {
         float split;

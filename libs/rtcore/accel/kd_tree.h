@@ -11,9 +11,9 @@
 namespace rtcore {
 
 /// Root is node 0. The two children of a node are adjacent and lie after it; the pairs appear in the order in
-/// which a depth-first walk (lower child first) meets their parents, and the references of leaves in the order in
-/// which it meets the leaves: so the arrays have one valid form for each tree, which validateKdTree() checks.
-/// Immutable; safe from many threads.
+/// which a depth-first walk (lower child first) meets their parents, and the references of leaves in the
+/// order in which it meets the leaves: so the arrays have one valid form for each tree, which
+/// validateKdTree() checks. Immutable; safe from many threads.
 struct KdTree {
     std::span<const KdNode> nodes;             ///< at least one
     std::span<const std::uint32_t> references; ///< triangle indices; ascending inside a leaf

@@ -69,10 +69,13 @@ std::string drawHistogram(const std::string& title, const std::vector<std::uint6
     for (std::size_t i = 0; i < sums.size(); ++i) {
         const std::size_t from = i * width;
         const std::size_t to = std::min(values, from + width) - 1;
-        const std::string range = from == to ? std::to_string(from) : std::to_string(from) + "-" + std::to_string(to);
-        const auto bar = static_cast<std::size_t>(static_cast<double>(sums[i]) / static_cast<double>(largest) * kBarLength + 0.5);
+        const std::string range =
+            from == to ? std::to_string(from) : std::to_string(from) + "-" + std::to_string(to);
+        const auto bar = static_cast<std::size_t>(
+            static_cast<double>(sums[i]) / static_cast<double>(largest) * kBarLength + 0.5);
         char line[64];
-        std::snprintf(line, sizeof line, "%12s %10llu ", range.c_str(), static_cast<unsigned long long>(sums[i]));
+        std::snprintf(line, sizeof line, "%12s %10llu ", range.c_str(),
+                      static_cast<unsigned long long>(sums[i]));
         text += line + std::string(bar, '#') + "\n";
     }
     return text;

@@ -45,7 +45,8 @@ class Stitcher {
             return;
         }
         const std::size_t first = out_.references.size();
-        if (first + node.second > kMaxLeafCount) throw std::length_error("the kd-tree has more than 2^30 references");
+        if (first + node.second > kMaxLeafCount)
+            throw std::length_error("the kd-tree has more than 2^30 references");
         out_.nodes[at] = KdNode::leaf(static_cast<std::uint32_t>(first), node.second);
         const auto begin = tree.references.begin() + node.first;
         out_.references.insert(out_.references.end(), begin, begin + node.second);

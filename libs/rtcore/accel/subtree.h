@@ -1,4 +1,5 @@
-/// The tree while it is built: pieces that tasks make independently, and their stitching into the final arrays.
+/// The tree while it is built: pieces that tasks make independently, and their stitching into the final
+/// arrays.
 #pragma once
 
 #include "rtcore/accel/kd_tree.h"

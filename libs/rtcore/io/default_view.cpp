@@ -59,7 +59,8 @@ struct Stand {
 
 std::optional<Hit> look(const KdTree& tree, const Mesh& mesh, Vec3 from, Vec3 direction) {
     Hit hit;
-    if (!intersect(tree, mesh, {from, 0, direction, std::numeric_limits<float>::max()}, hit)) return std::nullopt;
+    if (!intersect(tree, mesh, {from, 0, direction, std::numeric_limits<float>::max()}, hit))
+        return std::nullopt;
     return hit;
 }
 
@@ -107,9 +108,9 @@ Survey survey(const KdTree& tree, const Mesh& mesh, const Axes& axes) {
     const Vec3 centre = tree.bounds.centre();
     for (int i = -2; i <= 2; ++i) {
         for (int j = -2; j <= 2; ++j) {
-            const Vec3 place = centre +
-                               axes.right * (0.2F * static_cast<float>(i) * extentAlong(tree.bounds, axes.right)) +
-                               axes.front * (0.2F * static_cast<float>(j) * extentAlong(tree.bounds, axes.front));
+            const Vec3 place =
+                centre + axes.right * (0.2F * static_cast<float>(i) * extentAlong(tree.bounds, axes.right)) +
+                axes.front * (0.2F * static_cast<float>(j) * extentAlong(tree.bounds, axes.front));
             const auto stand = standAt(tree, mesh, axes, place);
             if (!stand || stand->walled < kWalled) continue;
             if (stand->enclosed < kEnclosed) {
@@ -181,7 +182,8 @@ Camera defaultCamera(const KdTree& tree, const Mesh& mesh, Vec3 up) {
         camera.horizontalFov = kInteriorFov;
         return camera;
     }
-    const Vec3 from = found.openSide == Vec3{} ? axes.front + axes.right * 0.45F + axes.up * 0.35F : found.openSide;
+    const Vec3 from =
+        found.openSide == Vec3{} ? axes.front + axes.right * 0.45F + axes.up * 0.35F : found.openSide;
     return frameAll(mesh, tree.bounds, -normalize(from), up);
 }
 

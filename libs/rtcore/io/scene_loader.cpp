@@ -107,7 +107,8 @@ class Loader {
         out_.sceneFile = file;
     }
 
-    void loadModel(const std::filesystem::path& path, FileBytes bytes, FileKind kind, const ImportOptions& import) {
+    void loadModel(const std::filesystem::path& path, FileBytes bytes, FileKind kind,
+                   const ImportOptions& import) {
         Scene& scene = out_.scene;
         out_.modelPath = path;
         if (kind == FileKind::Bsp) {
@@ -192,14 +193,17 @@ class Loader {
     void loadEnvironment(const EnvironmentFile& file) {
         const auto read = [&]() -> Environment {
             switch (file.kind) {
-            case EnvironmentKind::Cross: return loadCubeCross(file.files.at(0));
-            case EnvironmentKind::Strip: return loadCubeStrip(file.files.at(0));
+            case EnvironmentKind::Cross:
+                return loadCubeCross(file.files.at(0));
+            case EnvironmentKind::Strip:
+                return loadCubeStrip(file.files.at(0));
             case EnvironmentKind::Faces: {
                 std::array<std::filesystem::path, 6> faces;
                 std::copy_n(file.files.begin(), std::min<std::size_t>(6, file.files.size()), faces.begin());
                 return loadCubeFaces(faces);
             }
-            case EnvironmentKind::Equirectangular: break;
+            case EnvironmentKind::Equirectangular:
+                break;
             }
             return loadEquirectangular(file.files.at(0));
         };
@@ -224,7 +228,8 @@ class Loader {
         // A scene lit by its surroundings alone is a choice; one without any light is an oversight.
         const bool glows = std::any_of(scene.materials.begin(), scene.materials.end(),
                                        [](const Material& m) { return !isBlack(m.emission); });
-        if (scene.lights.empty() && (isBlack(scene.ambient) || !out_.sceneFile) && !(glows && out_.sceneFile)) {
+        if (scene.lights.empty() && (isBlack(scene.ambient) || !out_.sceneFile) &&
+            !(glows && out_.sceneFile)) {
             scene.lights.push_back(defaultLight(out_.camera, out_.tree.bounds));
             scene.lightNames.emplace_back("default");
         }

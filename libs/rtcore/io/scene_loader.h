@@ -29,16 +29,17 @@ struct LoadOptions {
 struct LoadedScene {
     Scene scene;
     KdTree tree;
-    Camera camera;                     ///< the .scn's, else the model's first, else defaultCamera()
+    Camera camera;                      ///< the .scn's, else the model's first, else defaultCamera()
     std::optional<SceneFile> sceneFile; ///< when a .scn was named
-    std::vector<SettingAssignment> live, still; ///< the .scn's own settings, then those of the .set that it names
-    std::vector<std::string> warnings;  ///< each one line, with the file's name
+    std::vector<SettingAssignment> live,
+        still;                         ///< the .scn's own settings, then those of the .set that it names
+    std::vector<std::string> warnings; ///< each one line, with the file's name
     std::filesystem::path modelPath;
     BuildTimes buildTimes; ///< zero when the tree came from a .bsp
 };
 
-/// Content is sniffed before the extension is believed: a .bsp by its magic, a .scn by its extension or a line that sets `version`, anything
-/// else goes to the importer. Throws FileError.
+/// Content is sniffed before the extension is believed: a .bsp by its magic, a .scn by its extension or a
+/// line that sets `version`, anything else goes to the importer. Throws FileError.
 LoadedScene loadScene(const std::filesystem::path& path, const LoadOptions& options = {});
 
 } // namespace rtcore

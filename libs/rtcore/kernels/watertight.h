@@ -37,7 +37,8 @@ struct RayShear {
 /// distance `t` is a mean of the corners', whose error grows with the triangle: too much for a ray that
 /// starts beside a large wall. Where the plane is seen so nearly edge-on that its distance is the worse one,
 /// `t` stays.
-[[gnu::noinline]] inline float planeDistance(const Mesh& mesh, std::uint32_t index, Vec3 origin, Vec3 direction, float t) {
+[[gnu::noinline]] inline float planeDistance(const Mesh& mesh, std::uint32_t index, Vec3 origin,
+                                             Vec3 direction, float t) {
     const Vec3 corner = mesh.position(index, 0);
     const Vec3 a = corner - origin;
     const Vec3 b = mesh.position(index, 1) - origin;

@@ -8,7 +8,8 @@
 
 namespace rtcore {
 
-/// Closed box [lo, hi]. A default box is empty: lo > hi on every axis, and `extend` makes it what it is given.
+/// Closed box [lo, hi]. A default box is empty: lo > hi on every axis, and `extend` makes it what it is
+/// given.
 struct Box3 {
     Vec3 lo{kHuge, kHuge, kHuge};
     Vec3 hi{-kHuge, -kHuge, -kHuge};

@@ -1,5 +1,5 @@
-/// Linear RGB with the primaries and white point of sRGB; 1 is the white of the display before exposure, values
-/// may be any size >= 0 (high dynamic range).
+/// Linear RGB with the primaries and white point of sRGB; 1 is the white of the display before exposure,
+/// values may be any size >= 0 (high dynamic range).
 #pragma once
 
 #include "rtcore/math/portable_math.h"

@@ -39,10 +39,9 @@ double exp2Double(double x) {
     const double f = (x - whole) * kLn2;
     const double series =
         1 +
-        f * (1 +
-             f * (1.0 / 2 +
-                  f * (1.0 / 6 +
-                       f * (1.0 / 24 + f * (1.0 / 120 + f * (1.0 / 720 + f * (1.0 / 5040 + f / 40320)))))));
+        f * (1 + f * (1.0 / 2 +
+                      f * (1.0 / 6 + f * (1.0 / 24 + f * (1.0 / 120 +
+                                                          f * (1.0 / 720 + f * (1.0 / 5040 + f / 40320)))))));
     const auto exponentBits = static_cast<std::uint64_t>(static_cast<std::int64_t>(whole) + 1023) << 52;
     return series * std::bit_cast<double>(exponentBits);
 }
@@ -65,7 +64,8 @@ double sinQuadrant(double x, int shift) {
     return which >= 2 ? -value : value;
 }
 
-/// atan of 0 <= x <= 1: shifted by atan(k) for the nearest of 9 nodes, so that the series' argument is < 1/16.
+/// atan of 0 <= x <= 1: shifted by atan(k) for the nearest of 9 nodes, so that the series' argument is <
+/// 1/16.
 double atanUnit(double x) {
     static constexpr double kAtanOfEighths[9] = {
         0,
@@ -78,7 +78,7 @@ double atanUnit(double x) {
         0.71882999962162450542, // atan(7/8)
         0.78539816339744830962, // atan(8/8)
     };
-    const int node = static_cast<int>(x * 8 + 0.5);
+    const int node = static_cast<int>(std::floor(x * 8 + 0.5));
     const double k = node / 8.0;
     const double d = (x - k) / (1 + x * k);
     const double z = d * d;

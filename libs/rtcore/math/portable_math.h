@@ -1,6 +1,6 @@
-/// Transcendental functions that give the same bits on every processor. The C library's choose their code by the
-/// processor (fused multiply-add or not), so that two machines of one farm would render films that differ.
-/// All are evaluated in double from sums, products and quotients alone, in a fixed order.
+/// Transcendental functions that give the same bits on every processor. The C library's choose their code by
+/// the processor (fused multiply-add or not), so that two machines of one farm would render films that
+/// differ. All are evaluated in double from sums, products and quotients alone, in a fixed order.
 #pragma once
 
 namespace rtcore {
@@ -11,7 +11,8 @@ float portableLog2(float x);
 float portableExp2(float x);
 /// e^x.
 float portableExp(float x);
-/// x^y for x >= 0; 0^0 = 1, 0^y = 0 for y > 0. Relative error below 1e-6 for |y log2 x| < 128. x < 0 counts as 0.
+/// x^y for x >= 0; 0^0 = 1, 0^y = 0 for y > 0. Relative error below 1e-6 for |y log2 x| < 128. x < 0 counts
+/// as 0.
 float portablePow(float x, float y);
 /// sin and cos of |x| <= 1000 radians; absolute error below 1e-7.
 float portableSin(float x);

@@ -25,11 +25,11 @@ FileBytes openFileBytes(const std::filesystem::path& path);
 /// The whole text of a file. Throws as openFileBytes does, and BadData when it is larger than `limit` bytes.
 std::string readTextFile(const std::filesystem::path& path, std::size_t limit = std::size_t{64} << 20);
 
-/// Writes a file so that `path` always names the old content or all of the new: into a temporary file beside it,
-/// flushed to the disk, then renamed. `write` gets the name of the temporary file, which exists and is empty.
-/// When `write` throws, the temporary file is removed and the exception passes on. Follows a symbolic link at
-/// `path`. A path that is no regular file (/dev/stdout, a pipe) is written to directly.
-/// Throws FileError CannotWrite, with the system's reason.
+/// Writes a file so that `path` always names the old content or all of the new: into a temporary file beside
+/// it, flushed to the disk, then renamed. `write` gets the name of the temporary file, which exists and is
+/// empty. When `write` throws, the temporary file is removed and the exception passes on. Follows a symbolic
+/// link at `path`. A path that is no regular file (/dev/stdout, a pipe) is written to directly. Throws
+/// FileError CannotWrite, with the system's reason.
 void replaceFile(const std::filesystem::path& path,
                  const std::function<void(const std::filesystem::path& temporary)>& write);
 

@@ -20,7 +20,8 @@ float middleOfBin(std::size_t bin) {
 
 } // namespace
 
-std::optional<float> logAverageLuminance(std::span<const Colour> pixels, std::span<const std::uint8_t> weights) {
+std::optional<float> logAverageLuminance(std::span<const Colour> pixels,
+                                         std::span<const std::uint8_t> weights) {
     std::vector<std::uint64_t> histogram(kBins);
     std::uint64_t valid = 0;
     std::uint64_t possible = 0;

@@ -9,9 +9,10 @@
 
 namespace rtcore {
 
-/// The robust log-average luminance: of the pixels with luminance > 0, without the darkest and brightest tenth,
-/// each weighted by `weights` (geometry counts, background does not). Nothing when less than 1 % of the weight is on
-/// such pixels. The spans have one size. The same bits for the same input.
-std::optional<float> logAverageLuminance(std::span<const Colour> pixels, std::span<const std::uint8_t> weights);
+/// The robust log-average luminance: of the pixels with luminance > 0, without the darkest and brightest
+/// tenth, each weighted by `weights` (geometry counts, background does not). Nothing when less than 1 % of
+/// the weight is on such pixels. The spans have one size. The same bits for the same input.
+std::optional<float> logAverageLuminance(std::span<const Colour> pixels,
+                                         std::span<const std::uint8_t> weights);
 
 } // namespace rtcore

@@ -7,8 +7,8 @@
 
 namespace rtcore {
 
-/// The sRGB curve as a table over the bits of the float, 64 chords in each power of two: within 1/500 of a code of
-/// the exact curve, at a fraction of its time, and the same on every processor.
+/// The sRGB curve as a table over the bits of the float, 64 chords in each power of two: within 1/500 of a
+/// code of the exact curve, at a fraction of its time, and the same on every processor.
 class SrgbCurve {
   public:
     SrgbCurve();
@@ -17,13 +17,14 @@ class SrgbCurve {
 
   private:
     static constexpr unsigned kShift = 17;
-    static constexpr std::size_t kFirst = std::size_t{0x39000000U} >> kShift; ///< 2^-13, still on the linear part
-    static constexpr std::size_t kLast = std::size_t{0x3F800000U} >> kShift;  ///< 1
+    static constexpr std::size_t kFirst =
+        std::size_t{0x39000000U} >> kShift; ///< 2^-13, still on the linear part
+    static constexpr std::size_t kLast = std::size_t{0x3F800000U} >> kShift; ///< 1
     std::array<float, kLast - kFirst + 2> codes_{};
 };
 
-/// A threshold in [0, 1) for each pixel, the same in every frame: neighbouring thresholds differ much, so that the
-/// error of rounding spreads as fine grain (Jimenez 2014, interleaved gradient noise).
+/// A threshold in [0, 1) for each pixel, the same in every frame: neighbouring thresholds differ much, so
+/// that the error of rounding spreads as fine grain (Jimenez 2014, interleaved gradient noise).
 float ditherThreshold(int x, int y);
 
 /// floor(code + threshold), within 0..255.

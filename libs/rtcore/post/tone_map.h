@@ -13,10 +13,13 @@ inline float sigmoid(float y, float c) {
     return 1 / (1 + std::max(c, 1e-30F) / y);
 }
 
-inline Colour toneMapChannels(Colour x, float c) { return {sigmoid(x.r, c), sigmoid(x.g, c), sigmoid(x.b, c)}; }
+inline Colour toneMapChannels(Colour x, float c) {
+    return {sigmoid(x.r, c), sigmoid(x.g, c), sigmoid(x.b, c)};
+}
 
-/// Maps the luminance and keeps the ratios of the channels. Where a channel would exceed 1, the colour is blended
-/// towards the grey of the same luminance just as far as needed, so that bright colours fade to white.
+/// Maps the luminance and keeps the ratios of the channels. Where a channel would exceed 1, the colour is
+/// blended towards the grey of the same luminance just as far as needed, so that bright colours fade to
+/// white.
 inline Colour toneMapLuminance(Colour x, float c) {
     const float y = luminance(x);
     const float l = sigmoid(y, c);

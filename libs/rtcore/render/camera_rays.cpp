@@ -30,7 +30,8 @@ CameraRays::CameraRays(const Camera& camera, int width, int height) : eye_(camer
     const float pixel = 2 * portableSin(half) / portableCos(half) / static_cast<float>(width);
     right_ = right * pixel;
     down_ = down * pixel;
-    corner_ = forward - right_ * (static_cast<float>(width) * 0.5F) - down_ * (static_cast<float>(height) * 0.5F);
+    corner_ =
+        forward - right_ * (static_cast<float>(width) * 0.5F) - down_ * (static_cast<float>(height) * 0.5F);
 }
 
 Ray CameraRays::at(float x, float y) const {

@@ -6,7 +6,8 @@
 
 namespace rtcore {
 
-/// Directions for a picture of `width` x `height` pixels; pixels are square, so the vertical field of view follows.
+/// Directions for a picture of `width` x `height` pixels; pixels are square, so the vertical field of view
+/// follows.
 class CameraRays {
   public:
     CameraRays(const Camera& camera, int width, int height);
@@ -17,7 +18,7 @@ class CameraRays {
 
   private:
     Vec3 eye_;
-    Vec3 corner_;      ///< towards the upper left corner of the picture at distance 1
+    Vec3 corner_;       ///< towards the upper left corner of the picture at distance 1
     Vec3 right_, down_; ///< one pixel, at distance 1
 };
 

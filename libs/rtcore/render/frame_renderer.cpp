@@ -22,8 +22,8 @@ void prepare(Frame& frame, const RenderSettings& settings) {
 
 } // namespace
 
-bool renderFrame(const Scene& scene, const RayTracer& tracer, const Camera& camera, const RenderSettings& settings,
-                 int threads, RenderControl& control, Frame& frame) {
+bool renderFrame(const Scene& scene, const RayTracer& tracer, const Camera& camera,
+                 const RenderSettings& settings, int threads, RenderControl& control, Frame& frame) {
     prepare(frame, settings);
     const CameraRays cameraRays(camera, settings.width, settings.height);
     const TileGrid grid(settings);
@@ -31,8 +31,7 @@ bool renderFrame(const Scene& scene, const RayTracer& tracer, const Camera& came
     control.tiles = static_cast<std::uint64_t>(grid.count());
     TaskErrors errors;
 #ifdef _OPENMP
-    const int workers = threads > 0 ? threads : omp_get_max_threads();
-#pragma omp parallel num_threads(workers) default(shared)
+#pragma omp parallel num_threads(threads > 0 ? threads : omp_get_max_threads()) default(shared)
 #else
     static_cast<void>(threads);
 #endif

@@ -68,7 +68,9 @@ void TileRenderer::averageSamples(int left, int top, int columns, int rows, Fram
             int hits = 0;
             for (int j = 0; j < n; ++j) {
                 for (int i = 0; i < n; ++i) {
-                    const auto at = static_cast<std::size_t>((y * n + j) * columns * n + x * n + i);
+                    const auto at =
+                        static_cast<std::size_t>(y * n + j) * static_cast<std::size_t>(columns * n) +
+                        static_cast<std::size_t>(x * n + i);
                     sum += gridRadiance_[at];
                     hits += gridHit_[at];
                 }

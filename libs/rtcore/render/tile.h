@@ -27,7 +27,8 @@ class TileGrid {
 /// Renders tiles one after another; one for each thread, reuses its memory.
 class TileRenderer {
   public:
-    TileRenderer(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings, const CameraRays& camera);
+    TileRenderer(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
+                 const CameraRays& camera);
 
     /// Writes the pixels of one tile into `frame`.
     void render(const TileGrid& grid, int tile, Frame& frame);

@@ -17,12 +17,14 @@ enum class TexelFilter { Bilinear, Nearest };
 class Environment {
   public:
     /// Six square faces of one size, in the order +X -X +Y -Y +Z -Z, seen from inside as OpenGL orients them
-    /// (left-handed: the +X face has s = -z, t = -y, t down). Throws std::invalid_argument when the sizes differ.
+    /// (left-handed: the +X face has s = -z, t = -y, t down). Throws std::invalid_argument when the sizes
+    /// differ.
     static Environment fromCube(std::array<HdrImage, 6> faces, std::string name);
     /// Full sphere: u = 0.5 + atan2(x, -z) / 2 pi, v = acos(y) / pi, rows from the top.
     static Environment fromEquirectangular(HdrImage image, std::string name);
 
-    /// Radiance from `direction`. Bilinear lookups have no seam at the edges of faces, at the wrap or at the poles.
+    /// Radiance from `direction`. Bilinear lookups have no seam at the edges of faces, at the wrap or at the
+    /// poles.
     Colour radiance(Vec3 direction, TexelFilter filter) const;
 
     const std::string& name() const { return name_; }
@@ -39,13 +41,15 @@ class Environment {
     std::vector<HdrImage> images_; ///< six faces with a border of one texel, or one picture
 };
 
-/// Direction -> face (0..5 in the order above) and s, t in [0, 1] on it, t down (notes: OpenGL 4.6, table 8.19).
+/// Direction -> face (0..5 in the order above) and s, t in [0, 1] on it, t down (notes: OpenGL 4.6,
+/// table 8.19).
 struct CubeCoordinate {
     int face;
     float s, t;
 };
 CubeCoordinate cubeCoordinate(Vec3 direction);
-/// The direction through (s, t) of a face, not normalised; s and t may lie outside [0, 1]. Inverse of the above.
+/// The direction through (s, t) of a face, not normalised; s and t may lie outside [0, 1]. Inverse of the
+/// above.
 Vec3 cubeDirection(int face, float s, float t);
 /// Solid angle of texel (x, y) of a face of n x n texels, steradian; all 6 n n of them sum to 4 pi.
 double cubeTexelSolidAngle(int n, int x, int y);

@@ -38,7 +38,8 @@ static_assert(sizeof(Rgba8) == 4);
 using HdrImage = Image<Colour>; ///< linear, unbounded
 using LdrImage = Image<Rgba8>;
 
-/// The largest side and pixel count that any reader accepts, so that a lying header cannot ask for all memory.
+/// The largest side and pixel count that any reader accepts, so that a lying header cannot ask for all
+/// memory.
 inline constexpr int kMaxImageSide = 32768;
 inline constexpr std::size_t kMaxImagePixels = std::size_t{1} << 28;
 

@@ -1,11 +1,14 @@
 /// What a surface does with light. The record is written to .bsp files as it stands here.
 ///
 /// Light that arrives is divided in this order (docs/shading.md):
-///   1. mirror:   weight M. `fresnel` set: Schlick's curve from `mirror` (at normal incidence) to 1 at grazing
-///                angles, all scaled by `mirrorScale`; not set: `mirror * mirrorScale` at any angle. A transparent
-///                surface (opacity < 1) uses the exact Fresnel equations of `indexOfRefraction` instead.
+///   1. mirror:   weight M. `fresnel` set: Schlick's curve from `mirror` (at normal incidence) to 1 at
+///   grazing
+///                angles, all scaled by `mirrorScale`; not set: `mirror * mirrorScale` at any angle. A
+///                transparent surface (opacity < 1) uses the exact Fresnel equations of `indexOfRefraction`
+///                instead.
 ///   2. of the rest, (1 - opacity) passes through, tinted by `transmission`;
-///   3. of the rest, `opacity` goes to the diffuse and the glossy lobe (physical Phong, notes in shading/phong.h).
+///   3. of the rest, `opacity` goes to the diffuse and the glossy lobe (physical Phong, notes in
+///   shading/phong.h).
 #pragma once
 
 #include "rtcore/math/colour.h"
@@ -25,13 +28,14 @@ struct Material {
     Colour mirror;                    ///< reflectance at normal incidence, 0..1
     float mirrorScale = 1;            ///< 0..1; under 1 where roughness blurs mirrored rays away
     Colour transmission{1, 1, 1};     ///< tint of light that passes, 0..1
-    float attenuationDistance = 0;    ///< closed meshes: distance in scene units over which light is tinted by
-                                      ///< `transmission` (Beer); 0 = tint once, on entering
-    Colour emission;                  ///< radiance given off, >= 0
-    float indexOfRefraction = 1.5F;   ///< inside over outside, 1..5
-    std::uint32_t fresnel = 0;        ///< 0 or 1, see above
+    float attenuationDistance = 0;  ///< closed meshes: distance in scene units over which light is tinted by
+                                    ///< `transmission` (Beer); 0 = tint once, on entering
+    Colour emission;                ///< radiance given off, >= 0
+    float indexOfRefraction = 1.5F; ///< inside over outside, 1..5
+    std::uint32_t fresnel = 0;      ///< 0 or 1, see above
     std::uint32_t diffuseTexture = kNoTexture;
-    std::uint32_t alphaTexture = kNoTexture; ///< red channel times `opacity`; alpha channel when `alphaFromAlpha`
+    std::uint32_t alphaTexture =
+        kNoTexture; ///< red channel times `opacity`; alpha channel when `alphaFromAlpha`
     std::uint32_t alphaFromAlpha = 0;
     std::uint32_t normalTexture = kNoTexture;
     std::uint32_t emissionTexture = kNoTexture;

@@ -12,8 +12,8 @@
 
 namespace rtcore {
 
-/// 16 bytes, so that one aligned vector load fetches it. Neighbouring triangles share vertices, which makes the
-/// ray test watertight: both see the same bits.
+/// 16 bytes, so that one aligned vector load fetches it. Neighbouring triangles share vertices, which makes
+/// the ray test watertight: both see the same bits.
 struct alignas(16) Vertex {
     float x = 0, y = 0, z = 0, unused = 0;
 
@@ -42,8 +42,8 @@ struct Mesh {
     std::span<const Triangle> triangles;
     std::span<const ShadingTriangle> shading; ///< one per triangle
     std::span<const Vec3> normals;            ///< unit length
-    std::span<const Vec2> texcoords;          ///< empty, or as many as normals; (0,0) = lower left of the image
-    std::span<const Colour> colours;          ///< empty, or as many as normals; linear, multiplies the diffuse albedo
+    std::span<const Vec2> texcoords; ///< empty, or as many as normals; (0,0) = lower left of the image
+    std::span<const Colour> colours; ///< empty, or as many as normals; linear, multiplies the diffuse albedo
 
     Vec3 position(std::uint32_t triangle, int corner) const {
         return vertices[triangles[triangle].v[corner]].position();

@@ -1,5 +1,5 @@
-/// What a model file holds once it is imported, or a .bsp once it is mapped: geometry, materials, textures, and
-/// the file's own lights and cameras. Immutable; views stay valid while `storage` lives.
+/// What a model file holds once it is imported, or a .bsp once it is mapped: geometry, materials, textures,
+/// and the file's own lights and cameras. Immutable; views stay valid while `storage` lives.
 #pragma once
 
 #include "rtcore/scene/camera.h"
@@ -32,7 +32,8 @@ struct Model {
     std::span<const Rgba8> texels; ///< colour as sRGB, alpha linear
     std::span<const Light> lights;
     std::span<const Camera> cameras;
-    std::span<const char> strings; ///< names, each ended by a zero byte; the first is ""; the last byte is zero
+    std::span<const char>
+        strings; ///< names, each ended by a zero byte; the first is ""; the last byte is zero
 
     std::shared_ptr<const void> storage; ///< owns all of the above
 

@@ -35,7 +35,8 @@ struct WalkParameters {
 
 struct Scene {
     Model model;
-    std::vector<Material> materials; ///< the model's with the scene's overrides; indexed by ShadingTriangle::material
+    std::vector<Material>
+        materials; ///< the model's with the scene's overrides; indexed by ShadingTriangle::material
     std::vector<Light> lights;
     std::vector<std::string> lightNames; ///< one per light, may be ""
     std::vector<std::shared_ptr<const Environment>> environments;
@@ -46,8 +47,8 @@ struct Scene {
     WalkParameters walk;
     Vec3 up{0, 1, 0};
     float metresPerUnit = 1;
-    /// One per triangle, or empty when nothing is transparent: 1 where the triangle's surface is closed, so that
-    /// it bounds a solid (shading/closed_surfaces.h).
+    /// One per triangle, or empty when nothing is transparent: 1 where the triangle's surface is closed, so
+    /// that it bounds a solid (shading/closed_surfaces.h).
     std::vector<std::uint8_t> closed;
 
     const Mesh& mesh() const { return model.mesh; }

@@ -23,8 +23,8 @@ struct ExposureSettings {
 };
 
 struct RenderSettings {
-    int width = 640;  ///< pixels
-    int height = 480; ///< pixels
+    int width = 640;      ///< pixels
+    int height = 480;     ///< pixels
     int antialiasing = 1; ///< N: N x N samples a pixel
     bool shadows = true;
     bool reflections = true;

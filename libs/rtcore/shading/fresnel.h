@@ -9,8 +9,9 @@
 
 namespace rtcore {
 
-/// Reflectance of a dielectric for unpolarised light. `cosine` (0..1) is on the side where the light comes from,
-/// `eta` the index of refraction of the other side over that of this one. 1 under total internal reflection.
+/// Reflectance of a dielectric for unpolarised light. `cosine` (0..1) is on the side where the light comes
+/// from, `eta` the index of refraction of the other side over that of this one. 1 under total internal
+/// reflection.
 inline float fresnelDielectric(float cosine, float eta) {
     const float ci = std::clamp(cosine, 0.0F, 1.0F);
     const float sine2 = (1 - ci * ci) / (eta * eta);
@@ -26,7 +27,9 @@ inline float schlickFade(float cosine) {
     const float x = 1 - std::clamp(cosine, 0.0F, 1.0F);
     return x * x * x * x * x;
 }
-inline Colour fresnelSchlick(Colour normal, float cosine) { return normal + (kWhite - normal) * schlickFade(cosine); }
+inline Colour fresnelSchlick(Colour normal, float cosine) {
+    return normal + (kWhite - normal) * schlickFade(cosine);
+}
 
 /// A thin wall has two interfaces; with all the reflections between them it reflects 2R/(1+R).
 inline float thinWallReflectance(float interfaceReflectance) {
@@ -36,7 +39,8 @@ inline float thinWallReflectance(float interfaceReflectance) {
 /// Direction of `d` (unit, towards the surface) after mirroring at `n`.
 inline Vec3 reflect(Vec3 d, Vec3 n) { return d - n * (2 * dot(d, n)); }
 
-/// Direction of `d` (unit, dot(d, n) <= 0) after refraction, by Snell's law; false under total internal reflection.
+/// Direction of `d` (unit, dot(d, n) <= 0) after refraction, by Snell's law; false under total internal
+/// reflection.
 inline bool refract(Vec3 d, Vec3 n, float eta, Vec3& refracted) {
     const float ci = -dot(d, n);
     const float sine2 = (1 - ci * ci) / (eta * eta);

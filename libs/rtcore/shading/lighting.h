@@ -12,8 +12,9 @@ namespace rtcore {
 
 struct Illumination {
     Vec3 toLight;       ///< unit
-    float distance = 0; ///< a shadow ray from the point need not go further
-    Colour irradiance;  ///< on a surface that faces the light, before shadows
+    float distance = 0; ///< how far a shadow ray has to go: almost to the light, so that a lamp that lies in
+                        ///< a ceiling shines whichever way its distance is rounded
+    Colour irradiance; ///< on a surface that faces the light, before shadows
 };
 
 /// 1 inside the inner cone of a spot, 0 outside the outer one, smoothstep of the cosine between.
@@ -31,8 +32,10 @@ inline Illumination illuminate(const Light& light, Vec3 position) {
     const Vec3 toLight = distance > 0 ? offset / distance : Vec3{0, 1, 0};
     const float counted = std::max(std::max(distance, light.radius), 1e-18F);
     Colour irradiance = light.intensity / (counted * counted);
-    if (light.kind == LightKind::Spot) irradiance = irradiance * spotFactor(light, -dot(toLight, light.direction));
-    return {toLight, std::max(distance - light.radius, 0.0F), irradiance};
+    if (light.kind == LightKind::Spot)
+        irradiance = irradiance * spotFactor(light, -dot(toLight, light.direction));
+    constexpr float kAlmost = 0.9999F;
+    return {toLight, std::max(distance * kAlmost - light.radius, 0.0F), irradiance};
 }
 
 } // namespace rtcore

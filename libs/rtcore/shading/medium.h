@@ -28,6 +28,8 @@ inline Colour absorption(Colour extinction, float distance) {
 }
 
 /// The tint of a solid whose material has no attenuation distance: all of it at once, on entering.
-inline Colour tintOnEntering(const Material& m) { return m.attenuationDistance > 0 ? kWhite : m.transmission; }
+inline Colour tintOnEntering(const Material& m) {
+    return m.attenuationDistance > 0 ? kWhite : m.transmission;
+}
 
 } // namespace rtcore

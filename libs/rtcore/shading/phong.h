@@ -1,5 +1,5 @@
-/// The physical Phong model: radiance = albedo terms times irradiance, so that lights in W/sr and surfaces of any
-/// shininess agree in brightness, and no surface reflects more than it gets (Lafortune and Willems 1994).
+/// The physical Phong model: radiance = albedo terms times irradiance, so that lights in W/sr and surfaces of
+/// any shininess agree in brightness, and no surface reflects more than it gets (Lafortune and Willems 1994).
 #pragma once
 
 #include "rtcore/math/colour.h"
@@ -17,8 +17,9 @@ inline float phongLobe(float cosine, float shininess) {
     return (shininess + 2) / (2 * kPi) * portablePow(cosine, shininess);
 }
 
-/// Smooth normals show a hard edge where the triangles turn away from the light. This factor on the irradiance
-/// softens it (Chiang et al. 2019, "Taming the Shadow Terminator"). All vectors of unit length, towards the outside.
+/// Smooth normals show a hard edge where the triangles turn away from the light. This factor on the
+/// irradiance softens it (Chiang et al. 2019, "Taming the Shadow Terminator"). All vectors of unit length,
+/// towards the outside.
 inline float terminatorFactor(Vec3 geometricNormal, Vec3 shadingNormal, Vec3 toLight) {
     const float geometric = dot(geometricNormal, toLight);
     const float shading = dot(shadingNormal, toLight);

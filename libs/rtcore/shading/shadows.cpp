@@ -1,6 +1,5 @@
 #include "rtcore/shading/shadows.h"
 
-#include "rtcore/math/ray_offset.h"
 #include "rtcore/shading/fresnel.h"
 #include "rtcore/shading/medium.h"
 #include "rtcore/shading/surface.h"
@@ -60,7 +59,7 @@ void ShadowTracer::traceTinted(const RayWave& rays, RayStatistics& statistics) {
             light *= throughSurface(surface, hit);
             if (isBlack(light)) continue;
             Ray rest = ray;
-            rest.origin = offsetRayOrigin(surface.position, -surface.geometricNormal);
+            rest.origin = surface.position - surface.geometricNormal * surface.clearance;
             rest.tMax = ray.tMax - hit.t;
             if (!(rest.tMax > 0)) continue;
             next_.push(rest);
@@ -78,7 +77,8 @@ Colour ShadowTracer::throughSurface(const Surface& surface, const Hit& hit) cons
     Colour through{};
     if (refractions_ && material.opacity < 1) {
         // The outer angle on both faces: total reflection inside would make solids opaque to straight rays.
-        const float reflected = fresnelDielectric(dot(surface.toViewer, surface.shadingNormal), material.indexOfRefraction);
+        const float reflected =
+            fresnelDielectric(dot(surface.toViewer, surface.shadingNormal), material.indexOfRefraction);
         through = kWhite * (1 - material.opacity);
         if (surface.closed) {
             through = through * (1 - reflected);

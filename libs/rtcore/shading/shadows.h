@@ -15,9 +15,9 @@ class ShadowTracer {
   public:
     ShadowTracer(const Scene& scene, const RayTracer& tracer, bool textures, bool refractions);
 
-    /// For each ray (directions of unit length) the share of light that arrives along it: 1 unhindered, 0 behind
-    /// anything opaque. Transparent surfaces take (1 - Fresnel) of it and tint it; light goes straight on through
-    /// them, without focusing. Valid until the next call.
+    /// For each ray (directions of unit length) the share of light that arrives along it: 1 unhindered, 0
+    /// behind anything opaque. Transparent surfaces take (1 - Fresnel) of it and tint it; light goes straight
+    /// on through them, without focusing. Valid until the next call.
     const std::vector<Colour>& transmittance(const RayWave& rays, RayStatistics& statistics);
 
   private:

@@ -1,6 +1,10 @@
 #include "rtcore/shading/surface.h"
 
+#include "rtcore/math/ray_offset.h"
 #include "rtcore/shading/texture_lookup.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace rtcore {
 
@@ -32,6 +36,14 @@ float coverageOf(const Scene& scene, const Material& material, Vec2 uv) {
     return alpha;
 }
 
+/// The largest |coordinate| on each axis.
+Vec3 extentOf(Vec3 a, Vec3 b, Vec3 c) {
+    const auto largest = [](float x, float y, float z) {
+        return std::max(std::fabs(x), std::max(std::fabs(y), std::fabs(z)));
+    };
+    return {largest(a.x, b.x, c.x), largest(a.y, b.y, c.y), largest(a.z, b.z, c.z)};
+}
+
 Colour textureColour(const Scene& scene, std::uint32_t texture, Vec2 uv) {
     return sampleTexture(scene.model, scene.model.textures[texture], uv).colour;
 }
@@ -45,12 +57,16 @@ Surface surfaceAt(const Scene& scene, bool textures, Vec3 direction, const Hit& 
 
     Surface s;
     s.material = &material;
-    // From the corners, not along the ray: the error then is that of the triangle's size, not of the ray's length.
-    s.position = mesh.position(hit.triangle, 0) * (1 - hit.u - hit.v) + mesh.position(hit.triangle, 1) * hit.u +
-                 mesh.position(hit.triangle, 2) * hit.v;
+    // From the corners, not along the ray: the error then is that of the triangle's size, not of the ray's
+    // length.
+    const Vec3 a = mesh.position(hit.triangle, 0);
+    const Vec3 b = mesh.position(hit.triangle, 1);
+    const Vec3 c = mesh.position(hit.triangle, 2);
+    s.position = a * (1 - hit.u - hit.v) + b * hit.u + c * hit.v;
     s.toViewer = -direction;
     s.geometricNormal = normalize(mesh.geometricNormal(hit.triangle));
     s.shadingNormal = normalize(interpolate(mesh.normals, shading, hit));
+    s.clearance = surfaceClearance(extentOf(a, b, c), s.geometricNormal);
     s.fromInside = dot(s.geometricNormal, direction) > 0;
     if (s.fromInside) s.geometricNormal = -s.geometricNormal;
     if (s.shadingNormal == Vec3{}) s.shadingNormal = s.geometricNormal;
@@ -62,8 +78,10 @@ Surface surfaceAt(const Scene& scene, bool textures, Vec3 direction, const Hit& 
     if (!mesh.colours.empty()) s.diffuse *= interpolate(mesh.colours, shading, hit);
     if (textures) {
         const Vec2 uv = texcoordAt(mesh, shading, hit);
-        if (material.diffuseTexture != kNoTexture) s.diffuse *= textureColour(scene, material.diffuseTexture, uv);
-        if (material.emissionTexture != kNoTexture) s.emission *= textureColour(scene, material.emissionTexture, uv);
+        if (material.diffuseTexture != kNoTexture)
+            s.diffuse *= textureColour(scene, material.diffuseTexture, uv);
+        if (material.emissionTexture != kNoTexture)
+            s.emission *= textureColour(scene, material.emissionTexture, uv);
         s.coverage = coverageOf(scene, material, uv);
     }
     return s;

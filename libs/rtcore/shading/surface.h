@@ -8,14 +8,15 @@ namespace rtcore {
 
 struct Surface {
     Vec3 position;
-    Vec3 geometricNormal;   ///< unit, on the side of the viewer
-    Vec3 shadingNormal;     ///< unit, interpolated, on the same side as geometricNormal
-    Vec3 toViewer;          ///< unit
-    Colour diffuse;         ///< albedo with texture and vertex colour
-    Colour emission;        ///< radiance
-    float coverage = 1;     ///< under 1 where an alpha texture lets rays pass as if nothing were there
+    float clearance = 0;     ///< rays that leave start so far off `position`, on the side that they leave to
+    Vec3 geometricNormal;    ///< unit, on the side of the viewer
+    Vec3 shadingNormal;      ///< unit, interpolated, on the same side as geometricNormal
+    Vec3 toViewer;           ///< unit
+    Colour diffuse;          ///< albedo with texture and vertex colour
+    Colour emission;         ///< radiance
+    float coverage = 1;      ///< under 1 where an alpha texture lets rays pass as if nothing were there
     bool fromInside = false; ///< the viewer is behind the front side
-    bool closed = false;    ///< the surface bounds a solid
+    bool closed = false;     ///< the surface bounds a solid
     const Material* material = nullptr;
 };
 

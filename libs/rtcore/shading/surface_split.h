@@ -24,7 +24,8 @@ inline SurfaceSplit splitLight(const Surface& s, const RenderSettings& settings)
             const float r = fresnelDielectric(cosine, eta);
             split.mirrored = kWhite * (s.closed ? r : thinWallReflectance(r));
         } else {
-            split.mirrored = (m.fresnel != 0 && !isBlack(m.mirror) ? fresnelSchlick(m.mirror, cosine) : m.mirror);
+            split.mirrored =
+                (m.fresnel != 0 && !isBlack(m.mirror) ? fresnelSchlick(m.mirror, cosine) : m.mirror);
             split.mirrored = split.mirrored * m.mirrorScale;
         }
     }

@@ -29,30 +29,34 @@ Tap tapAt(float coordinate, std::uint32_t size) {
     const float whole = std::floor(x);
     const auto base = static_cast<std::int64_t>(whole);
     const auto n = static_cast<std::int64_t>(size);
-    return {static_cast<std::uint32_t>((base + n) % n), static_cast<std::uint32_t>((base + 1) % n), x - whole};
+    return {static_cast<std::uint32_t>((base + n) % n), static_cast<std::uint32_t>((base + 1) % n),
+            x - whole};
+}
+
+TextureSample sampleOf(Rgba8 p) {
+    const std::array<float, 256>& linear = linearOfCode();
+    return {{linear[p.r], linear[p.g], linear[p.b]},
+            static_cast<float>(p.a) / 255,
+            static_cast<float>(p.r) / 255};
+}
+
+/// Exact where both are equal, so that what is solid all over has no hole.
+TextureSample mix(const TextureSample& a, const TextureSample& b, float share) {
+    return {a.colour + (b.colour - a.colour) * share, a.alpha + (b.alpha - a.alpha) * share,
+            a.mask + (b.mask - a.mask) * share};
 }
 
 } // namespace
 
 TextureSample sampleTexture(const Model& model, const Texture& texture, Vec2 uv) {
-    const std::array<float, 256>& linear = linearOfCode();
     const Tap x = tapAt(uv.x, texture.width);
     const Tap y = tapAt(1 - uv.y, texture.height);
     const auto texel = [&](std::uint32_t column, std::uint32_t row) {
-        return model.texels[texture.firstTexel + std::uint64_t{row} * texture.width + column];
+        return sampleOf(model.texels[texture.firstTexel + std::uint64_t{row} * texture.width + column]);
     };
-    TextureSample sum{{}, 0, 0};
-    const auto add = [&](std::uint32_t column, std::uint32_t row, float weight) {
-        const Rgba8 p = texel(column, row);
-        sum.colour += Colour{linear[p.r], linear[p.g], linear[p.b]} * weight;
-        sum.alpha += static_cast<float>(p.a) / 255 * weight;
-        sum.mask += static_cast<float>(p.r) / 255 * weight;
-    };
-    add(x.first, y.first, (1 - x.share) * (1 - y.share));
-    add(x.second, y.first, x.share * (1 - y.share));
-    add(x.first, y.second, (1 - x.share) * y.share);
-    add(x.second, y.second, x.share * y.share);
-    return sum;
+    const TextureSample upper = mix(texel(x.first, y.first), texel(x.second, y.first), x.share);
+    const TextureSample lower = mix(texel(x.first, y.second), texel(x.second, y.second), x.share);
+    return mix(upper, lower, y.share);
 }
 
 } // namespace rtcore

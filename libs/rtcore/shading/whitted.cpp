@@ -1,6 +1,5 @@
 #include "rtcore/shading/whitted.h"
 
-#include "rtcore/math/ray_offset.h"
 #include "rtcore/shading/lighting.h"
 #include "rtcore/shading/medium.h"
 #include "rtcore/shading/phong.h"
@@ -18,8 +17,9 @@ constexpr std::size_t kWaveSize = 16384;
 constexpr std::uint16_t kMaxPasses = 1000;
 constexpr float kInfinity = std::numeric_limits<float>::max();
 
-Ray rayFrom(Vec3 position, Vec3 sideNormal, Vec3 direction) {
-    return {offsetRayOrigin(position, sideNormal), 0, direction, kInfinity};
+/// `side` is the normal on the side that the ray leaves to.
+Ray rayFrom(const Surface& s, Vec3 side, Vec3 direction) {
+    return {s.position + side * s.clearance, 0, direction, kInfinity};
 }
 
 /// The mirrored direction, bent back where a smooth normal would send it below the real surface.
@@ -43,11 +43,13 @@ Colour reflectedShare(const Surface& s, Vec3 toLight) {
 
 } // namespace
 
-WhittedIntegrator::WhittedIntegrator(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings)
+WhittedIntegrator::WhittedIntegrator(const Scene& scene, const RayTracer& tracer,
+                                     const RenderSettings& settings)
     : scene_(scene), tracer_(tracer), settings_(settings),
       shadows_(scene, tracer, settings.textures, settings.refractions) {}
 
-void WhittedIntegrator::trace(const RayWave& primary, std::span<Colour> radiance, std::span<std::uint8_t> hit) {
+void WhittedIntegrator::trace(const RayWave& primary, std::span<Colour> radiance,
+                              std::span<std::uint8_t> hit) {
     radiance_ = radiance;
     hit_ = hit;
     std::fill(radiance.begin(), radiance.end(), Colour{});
@@ -93,8 +95,9 @@ void WhittedIntegrator::traceWave(RayKind kind) {
 
 void WhittedIntegrator::addBackground(const Path& path, Vec3 direction) {
     const Environment* const environment = scene_.environment();
-    const TexelFilter filter = settings_.environmentFilter == EnvironmentFilter::Bilinear ? TexelFilter::Bilinear
-                                                                                          : TexelFilter::Nearest;
+    const TexelFilter filter = settings_.environmentFilter == EnvironmentFilter::Bilinear
+                                   ? TexelFilter::Bilinear
+                                   : TexelFilter::Nearest;
     const Colour seen = environment != nullptr ? environment->radiance(direction, filter) : scene_.background;
     radiance_[path.sample] += path.weight * seen;
 }
@@ -118,7 +121,7 @@ void WhittedIntegrator::passThroughHole(const Ray& ray, const Surface& surface, 
     path.weight = path.weight * (1 - surface.coverage);
     if (!matters(path.weight) || path.passes >= kMaxPasses) return;
     ++path.passes;
-    refracted_.push(rayFrom(surface.position, -surface.geometricNormal, ray.direction), path);
+    refracted_.push(rayFrom(surface, -surface.geometricNormal, ray.direction), path);
 }
 
 /// Emission, and the constant light from everywhere.
@@ -143,8 +146,8 @@ void WhittedIntegrator::addLight(const Light& light) {
             radiance_[point.path.sample] += added;
             continue;
         }
-        Ray ray = rayFrom(s.position, s.geometricNormal, lit.toLight);
-        ray.tMax = lit.distance;
+        Ray ray = rayFrom(s, s.geometricNormal, lit.toLight);
+        ray.tMax = std::max(lit.distance - s.clearance, 0.0F);
         shadowRays_.push(ray);
         unshadowed_.push_back(added);
         unshadowedSample_.push_back(point.path.sample);
@@ -161,7 +164,8 @@ void WhittedIntegrator::spawnMirrored(const Point& point) {
     path.weight *= point.split.mirrored;
     if (path.depth >= settings_.maxDepth || !matters(path.weight)) return;
     ++path.depth;
-    mirrored_.push(rayFrom(point.surface.position, point.surface.geometricNormal, mirrorDirection(point.surface)), path);
+    mirrored_.push(rayFrom(point.surface, point.surface.geometricNormal, mirrorDirection(point.surface)),
+                   path);
 }
 
 void WhittedIntegrator::spawnTransmitted(const Point& point) {
@@ -184,7 +188,7 @@ void WhittedIntegrator::spawnTransmitted(const Point& point) {
         path.extinction = s.fromInside ? Colour{} : extinctionOf(m);
     }
     if (!matters(path.weight)) return;
-    refracted_.push(rayFrom(s.position, -s.geometricNormal, direction), path);
+    refracted_.push(rayFrom(s, -s.geometricNormal, direction), path);
 }
 
 bool WhittedIntegrator::matters(Colour weight) const {

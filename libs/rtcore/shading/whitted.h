@@ -1,5 +1,5 @@
-/// Whitted's ray tracing (1980), wave by wave: all rays of one kind are traced at once, what they hit is lit by one
-/// light after another, and the rays that follow wait in queues. Nothing recurses.
+/// Whitted's ray tracing (1980), wave by wave: all rays of one kind are traced at once, what they hit is lit
+/// by one light after another, and the rays that follow wait in queues. Nothing recurses.
 #pragma once
 
 #include "rtcore/kernels/ray_statistics.h"
@@ -59,7 +59,7 @@ class WhittedIntegrator {
     HitWave hits_;
     std::vector<Point> points_;
     RayWave shadowRays_;
-    std::vector<Colour> unshadowed_;            ///< what each shadow ray's light would add
+    std::vector<Colour> unshadowed_; ///< what each shadow ray's light would add
     std::vector<std::uint32_t> unshadowedSample_;
 };
 

@@ -6,7 +6,8 @@
 
 namespace rtcore {
 
-/// A new empty folder that only this user can enter, removed with all that is in it by the destructor. In memory
+/// A new empty folder that only this user can enter, removed with all that is in it by the destructor. In
+/// memory
 /// (/dev/shm) when `bytes` are free there, else in the folder for temporary files. What a killed program left
 /// behind is removed by the next one that makes such a folder.
 class HandOverFolder {

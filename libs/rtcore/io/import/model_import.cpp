@@ -129,11 +129,12 @@ ImportedModel importModel(const fs::path& path, const ImportOptions& options) {
     // Triangles take about four times their room in a compact file; pictures are unpacked.
     const HandOverFolder folder(kGigabyte + 6 * size);
     const fs::path handOver = folder.path() / "model.bsp";
-    const ProcessResult result = runProcess(
-        importer,
-        {"--parent", std::to_string(processId()), "--memory", std::to_string(limits.memory), "--crease",
-         std::to_string(options.creaseAngle.value_or(kCreaseAngle)), "--", fs::absolute(path).string(), handOver.string()},
-        limits);
+    const ProcessResult result =
+        runProcess(importer,
+                   {"--parent", std::to_string(processId()), "--memory", std::to_string(limits.memory),
+                    "--crease", std::to_string(options.creaseAngle.value_or(kCreaseAngle)), "--",
+                    fs::absolute(path).string(), handOver.string()},
+                   limits);
     throwFailure(path, result, limits);
     ImportedModel imported;
     try {

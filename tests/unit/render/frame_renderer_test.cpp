@@ -1,0 +1,188 @@
+#include "rtcore/render/frame_renderer.h"
+
+#include "sample_view.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+namespace rtcore {
+namespace {
+
+using test::sampleSettings;
+using test::TracedScene;
+
+std::size_t at(int x, int y, int width) {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+}
+
+TEST(RenderFrame, TheSameBitsForAnyNumberOfThreads) {
+    const TracedScene s(test::sampleScene());
+    for (const int antialiasing : {1, 3}) {
+        const RenderSettings settings = sampleSettings(101, 67, antialiasing);
+        const Frame one = test::render(s, settings, 1);
+        for (const int threads : {0, 2, 7}) {
+            const Frame other = test::render(s, settings, threads);
+            EXPECT_EQ(one.radiance.pixels, other.radiance.pixels) << threads;
+            EXPECT_EQ(one.covered, other.covered);
+            EXPECT_EQ(one.statistics.rays, other.statistics.rays);
+        }
+    }
+}
+
+TEST(RenderFrame, TheSameBitsForAnyTree) {
+    const TracedScene exact(test::sampleScene(), BuildMethod::Exact);
+    const TracedScene fast(test::sampleScene(), BuildMethod::Fast);
+    EXPECT_EQ(test::render(exact, sampleSettings(101, 67)).radiance.pixels,
+              test::render(fast, sampleSettings(101, 67)).radiance.pixels);
+}
+
+TEST(RenderFrame, SurfacesInOnePlaceShowTheFirst) {
+    test::SceneBuilder b;
+    for (int i = 0; i < 20; ++i) {
+        b.square({0.1F, 0.2F, -3}, {0, 0, 1}, 5, b.material(test::lamp({static_cast<float>(i + 1), 0, 0})));
+    }
+    const Scene scene = b.finish();
+    const TracedScene exact(scene, BuildMethod::Exact), fast(scene, BuildMethod::Fast);
+    for (const Colour c : test::render(exact, sampleSettings(20, 20)).radiance.pixels) EXPECT_EQ(c.r, 1);
+    for (const Colour c : test::render(fast, sampleSettings(20, 20)).radiance.pixels) EXPECT_EQ(c.r, 1);
+}
+
+TEST(RenderFrame, AntialiasingIsTheMeanOfThePictureThatIsSoMuchLarger) {
+    const TracedScene s(test::sampleScene());
+    constexpr int n = 4, w = 30, h = 20;
+    const Frame fine = test::render(s, sampleSettings(w * n, h * n));
+    const Frame averaged = test::render(s, sampleSettings(w, h, n));
+    int different = 0;
+    for (int y = 0; y < h; ++y) {
+        for (int x = 0; x < w; ++x) {
+            Colour sum;
+            int covered = 0;
+            for (int i = 0; i < n * n; ++i) {
+                sum += fine.radiance.at(x * n + i % n, y * n + i / n);
+                covered += fine.covered[at(x * n + i % n, y * n + i / n, w * n)] / 255;
+            }
+            const Colour mean = sum / (n * n), got = averaged.radiance.at(x, y);
+            // The two round directions differently: a ray at an edge may meet the other side.
+            if (std::fabs(mean.g - got.g) > 1e-3F * (1 + mean.g)) ++different;
+            const int share = 255 * covered / (n * n);
+            if (averaged.covered[at(x, y, w)] != share) ++different;
+        }
+    }
+    EXPECT_LE(different, w * h / 100);
+}
+
+TEST(RenderFrame, OddSizes) {
+    const TracedScene s(test::sampleScene());
+    for (const auto& [w, h, n] :
+         {std::tuple{1, 1, 1}, {33, 7, 1}, {1, 40, 2}, {5, 3, 16}, {1, 1, 16}, {97, 2, 5}}) {
+        const Frame frame = test::render(s, sampleSettings(w, h, n), 2);
+        ASSERT_EQ(frame.radiance.width, w);
+        ASSERT_EQ(frame.radiance.height, h);
+        ASSERT_EQ(frame.covered.size(), static_cast<std::size_t>(w * h));
+        for (const Colour c : frame.radiance.pixels) {
+            EXPECT_TRUE(isFinite(c));
+            EXPECT_GT(luminance(c), 0); // each sample adds something, if only the background
+        }
+        EXPECT_EQ(frame.statistics.rays[0], static_cast<std::uint64_t>(w * h * n * n));
+    }
+}
+
+TEST(RenderFrame, APictureIsIndependentOfItsPlaceInTiles) {
+    // The middle pixels of two pictures of different size, through which the same rays go.
+    const TracedScene s(test::sampleScene());
+    Camera camera = test::sampleCamera();
+    RenderControl control;
+    Frame small, large;
+    camera.horizontalFov = 2 * std::atan(0.1F) * 180 / static_cast<float>(test::kPi);
+    ASSERT_TRUE(renderFrame(s.scene, s.tracer, camera, sampleSettings(16, 16), 1, control, small));
+    camera.horizontalFov = 2 * std::atan(0.7F) * 180 / static_cast<float>(test::kPi);
+    ASSERT_TRUE(renderFrame(s.scene, s.tracer, camera, sampleSettings(112, 112), 1, control, large));
+    int different = 0;
+    for (int y = 0; y < 16; ++y) {
+        for (int x = 0; x < 16; ++x) {
+            const Colour a = small.radiance.at(x, y), b = large.radiance.at(x + 48, y + 48);
+            if (std::fabs(a.g - b.g) > 1e-3F * (1 + a.g)) ++different;
+        }
+    }
+    EXPECT_LE(different, 3);
+}
+
+TEST(RenderFrame, CoveredTellsGeometryFromBackground) {
+    test::SceneBuilder b;
+    b.quad({-100, -100, -1}, {0, -100, -1}, {0, 100, -1}, {-100, 100, -1},
+           b.material(test::matte(1))); // the left half
+    const TracedScene s(b.finish());
+    Camera camera;
+    RenderControl control;
+    Frame frame;
+    ASSERT_TRUE(renderFrame(s.scene, s.tracer, camera, sampleSettings(9, 3, 2), 1, control, frame));
+    for (std::size_t y = 0; y < 3; ++y) {
+        for (std::size_t x = 0; x < 9; ++x) {
+            EXPECT_EQ(frame.covered[y * 9 + x], x < 4 ? 255 : x == 4 ? 127 : 0) << x;
+        }
+    }
+}
+
+TEST(RenderFrame, CountsItsTiles) {
+    const TracedScene s(test::sampleScene());
+    Frame frame;
+    RenderControl control;
+    ASSERT_TRUE(
+        renderFrame(s.scene, s.tracer, test::sampleCamera(), sampleSettings(100, 70), 2, control, frame));
+    EXPECT_EQ(control.tiles, 4U * 3U); // of 32 x 32 pixels
+    EXPECT_EQ(control.tilesDone, control.tiles);
+}
+
+TEST(RenderFrame, ReusesAFrameOfAnySize) {
+    const TracedScene s(test::sampleScene());
+    Frame frame;
+    RenderControl control;
+    ASSERT_TRUE(
+        renderFrame(s.scene, s.tracer, test::sampleCamera(), sampleSettings(64, 64), 1, control, frame));
+    ASSERT_TRUE(
+        renderFrame(s.scene, s.tracer, test::sampleCamera(), sampleSettings(20, 10), 1, control, frame));
+    const Frame fresh = test::render(s, sampleSettings(20, 10));
+    EXPECT_EQ(frame.radiance.pixels, fresh.radiance.pixels);
+    EXPECT_EQ(frame.covered, fresh.covered);
+    EXPECT_EQ(frame.statistics.rays, fresh.statistics.rays);
+}
+
+TEST(RenderFrame, StopsWhenItIsTold) {
+    const TracedScene s(test::sampleScene());
+    Frame frame;
+    RenderControl control;
+    control.cancel = true;
+    EXPECT_FALSE(
+        renderFrame(s.scene, s.tracer, test::sampleCamera(), sampleSettings(64, 64), 1, control, frame));
+    EXPECT_EQ(control.tilesDone, 0U);
+}
+
+TEST(RenderFrame, StopsSoonWhenItIsToldWhileItWorks) {
+    const TracedScene s(test::sampleScene());
+    Frame frame;
+    RenderControl control;
+    std::thread stopper([&] {
+        while (control.tilesDone == 0) std::this_thread::yield();
+        control.cancel = true;
+    });
+    // Minutes of work.
+    EXPECT_FALSE(renderFrame(s.scene, s.tracer, test::sampleCamera(), sampleSettings(4000, 3000, 4), 2,
+                             control, frame));
+    stopper.join();
+    EXPECT_LT(control.tilesDone, control.tiles / 10);
+}
+
+TEST(RenderFrame, AnEmptySceneIsBackground) {
+    test::SceneBuilder b;
+    b.scene.background = {1, 2, 3};
+    const TracedScene s(b.finish());
+    const Frame frame = test::render(s, sampleSettings(8, 8));
+    for (const Colour c : frame.radiance.pixels) EXPECT_EQ(c, (Colour{1, 2, 3}));
+    for (const std::uint8_t c : frame.covered) EXPECT_EQ(c, 0);
+}
+
+} // namespace
+} // namespace rtcore
