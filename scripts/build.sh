@@ -1,10 +1,10 @@
 #!/bin/sh
 # Installs what is missing and builds everything, optimised, into build/release (programs in build/release/bin).
-#   scripts/build.sh [--no-apt]
+#   scripts/build.sh [--no-apt]     RT_WERROR=ON makes warnings errors
 set -eu
 cd "$(dirname "$0")/.."
 scripts/setup.sh "$@"
-cmake --preset release >build-configure.log 2>&1 || {
+cmake --preset release -DRT_WERROR="${RT_WERROR:-OFF}" >build-configure.log 2>&1 || {
     cat build-configure.log >&2
     exit 1
 }

@@ -1,5 +1,7 @@
 #include "renderer/load_phases.h"
 
+#include "renderer/settings_merge.h"
+
 #include "common/stop.h"
 
 #include "rtcore/platform/error.h"
@@ -76,6 +78,15 @@ class PhaseWatch {
     Clock::time_point begun_;
 };
 
+// The primary rays of a single picture whose size no file can change; else 0.
+std::uint64_t knownRays(const RendererOptions& options) {
+    if (options.list || options.camera || options.settingsFile || options.scene.extension() == ".scn")
+        return 0;
+    const rtcore::RenderSettings s = mergeSettings({.commandLine = options.settings});
+    return static_cast<std::uint64_t>(s.width) * static_cast<std::uint64_t>(s.height) *
+           static_cast<std::uint64_t>(s.antialiasing) * static_cast<std::uint64_t>(s.antialiasing);
+}
+
 } // namespace
 
 rtcore::LoadedScene loadWithProgress(const RendererOptions& options, app::Progress& progress) {
@@ -85,6 +96,8 @@ rtcore::LoadedScene loadWithProgress(const RendererOptions& options, app::Progre
     load.buildProgress = &watch.build;
     load.import = options.import;
     load.import.stop = &watch.stopImport;
+    load.model = options.model;
+    load.primaryRays = knownRays(options);
     load.onPhase = [&](rtcore::LoadPhase phase) { watch.enter(phase); };
     const auto giveUp = [&] { progress.end(false); };
     try {

@@ -48,6 +48,10 @@ OptionGroup sequenceOptions() {
           .value = ValueKind::Text,
           .argument = "FILE",
           .help = "look through this .cam file"},
+         {.name = "model",
+          .value = ValueKind::Text,
+          .argument = "FILE",
+          .help = "take this model or .bsp in place of the one that the .scn names"},
          {.name = "list",
           .letter = 'l',
           .value = ValueKind::Text,
@@ -217,6 +221,7 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     for (const std::string& output : arguments.all("output")) options.outputs.emplace_back(output);
     options.standardOutputFormat = arguments.text("format").value_or("png");
     options.camera = readPath(arguments, "camera");
+    options.model = readPath(arguments, "model");
     options.list = readPath(arguments, "list");
     options.settingsFile = readPath(arguments, "set");
     if (const auto range = arguments.text("frames")) options.frames = parseFrameRange(*range);

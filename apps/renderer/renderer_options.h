@@ -21,7 +21,7 @@ struct RendererOptions {
     std::filesystem::path scene;
     std::vector<std::filesystem::path> outputs; ///< patterns as given; empty = what the scene names
     std::string standardOutputFormat = "png";   ///< of the output "-": png or ppm
-    std::optional<std::filesystem::path> camera, list, settingsFile;
+    std::optional<std::filesystem::path> camera, model, list, settingsFile;
     FrameRange frames;
     bool force = false;
     std::vector<rtcore::SettingAssignment> settings; ///< in the order of the command line

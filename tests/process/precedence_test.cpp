@@ -53,6 +53,32 @@ TEST_F(Precedence, ThesisSpellingsAndLongOnesAreOne) {
     EXPECT_EQ(render({"room.obj", "--width=15", "--height", "25", "--antialiasing=1"}), (Size{15, 25}));
 }
 
+TEST_F(Precedence, TheModelOfTheCommandLineBeatsTheScenes) {
+    test::writeText(folder / "lost.scn",
+                    "version = 1\nmodel = \"nowhere.obj\"\n[still]\nwidth = 10\nheight = 20\n");
+    ASSERT_EQ(test::bspBuilder({"room.obj", "room.bsp"}, {.folder = folder.path()}).exitCode, 0);
+    EXPECT_EQ(test::renderer({"lost.scn", "-o", "a.png"}, {.folder = folder.path()}).exitCode, 66);
+    EXPECT_EQ(render({"lost.scn", "--model", "room.bsp"}), (Size{10, 20}));
+}
+
+TEST_F(Precedence, TheCreaseAngleOfTheCommandLineBeatsTheScenes) {
+    test::writeText(folder / "wedge.obj", "v -1 0 0\nv 1 0 0\nv -1 0 -1\nv 1 0 -1\nv -1 1 -2\nv 1 1 -2\n"
+                                          "f 1 2 4 3\nf 3 4 6 5\n");
+    for (const char* const angle : {"10", "120"}) {
+        test::writeText(folder / (std::string("wedge") + angle + ".scn"),
+                        "version = 1\nmodel = \"wedge.obj\"\ncreaseAngle = " + std::string(angle) + "\n");
+    }
+    const auto picture = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.end(), {"-o", "a.ppm", "-w", "40", "-h", "30", "--force"});
+        EXPECT_EQ(test::renderer(arguments, {.folder = folder.path()}).exitCode, 0);
+        return test::readBytes(folder / "a.ppm");
+    };
+    const std::string sharp = picture({"wedge10.scn"});
+    const std::string smooth = picture({"wedge120.scn"});
+    EXPECT_NE(sharp, smooth);
+    EXPECT_EQ(picture({"wedge10.scn", "--crease-angle", "120"}), smooth);
+}
+
 TEST_F(Precedence, TheOutputOfTheSceneLiesBesideIt) {
     std::filesystem::create_directory(folder / "elsewhere");
     const test::ProgramResult result = test::renderer({"../named.scn"}, {.folder = folder / "elsewhere"});

@@ -88,8 +88,8 @@ KdTree buildKdTree(const Mesh& mesh, const BuildOptions& options, BuildTimes* ti
     TaskErrors errors;
     std::unique_ptr<Subtree> root;
 #ifdef _OPENMP
-    const int threads = options.threads > 0 ? options.threads : omp_get_max_threads();
-#pragma omp parallel num_threads(threads) default(shared)
+#pragma omp parallel num_threads(options.threads > 0 ? options.threads                                       \
+                                                     : omp_get_max_threads()) default(shared)
 #pragma omp single
 #endif
     errors.guard([&] { root = buildPieces(context, options, bounds, t); });

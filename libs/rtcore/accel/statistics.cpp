@@ -1,6 +1,7 @@
 #include "rtcore/accel/statistics.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace rtcore {
@@ -71,8 +72,8 @@ std::string drawHistogram(const std::string& title, const std::vector<std::uint6
         const std::size_t to = std::min(values, from + width) - 1;
         const std::string range =
             from == to ? std::to_string(from) : std::to_string(from) + "-" + std::to_string(to);
-        const auto bar = static_cast<std::size_t>(
-            static_cast<double>(sums[i]) / static_cast<double>(largest) * kBarLength + 0.5);
+        const double share = static_cast<double>(sums[i]) / static_cast<double>(largest);
+        const auto bar = static_cast<std::size_t>(std::lround(share * kBarLength));
         char line[64];
         std::snprintf(line, sizeof line, "%12s %10llu ", range.c_str(),
                       static_cast<unsigned long long>(sums[i]));

@@ -8,6 +8,7 @@
 #include "rtcore/io/text/scn.h"
 #include "rtcore/scene/scene.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -22,6 +23,10 @@ enum class LoadPhase { ReadingScene, ImportingModel, BuildingTree, LoadingImages
 struct LoadOptions {
     BuildOptions build; ///< for models that have no tree yet
     ImportOptions import;
+    std::optional<std::filesystem::path> model; ///< in place of the one that a .scn names; ignored for others
+    /// Primary rays that the scene is loaded for, when they are known and few: a large model then gets a fast
+    /// tree, whose pictures are the same. 0 = many.
+    std::uint64_t primaryRays = 0;
     std::function<void(LoadPhase)> onPhase; ///< called at the start of each phase, in the calling thread
     BuildProgress* buildProgress = nullptr;
 };

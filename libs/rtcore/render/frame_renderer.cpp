@@ -36,7 +36,7 @@ bool renderFrame(const Scene& scene, const RayTracer& tracer, const Camera& came
     static_cast<void>(threads);
 #endif
     errors.guard([&] {
-        TileRenderer renderer(scene, tracer, settings, cameraRays);
+        TileRenderer renderer(scene, tracer, settings, cameraRays, control.cancel);
 #pragma omp for schedule(dynamic, 1) nowait
         for (int tile = 0; tile < grid.count(); ++tile) {
             if (control.cancel.load(std::memory_order_relaxed) || errors.any()) continue;

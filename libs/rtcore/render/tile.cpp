@@ -19,8 +19,10 @@ TileGrid::TileGrid(const RenderSettings& settings) {
 }
 
 TileRenderer::TileRenderer(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
-                           const CameraRays& camera)
-    : settings_(settings), camera_(camera), integrator_(scene, tracer, settings) {}
+                           const CameraRays& camera, const std::atomic<bool>& cancel)
+    : settings_(settings), camera_(camera), integrator_(scene, tracer, settings) {
+    integrator_.stopWhen(&cancel);
+}
 
 void TileRenderer::render(const TileGrid& grid, int tile, Frame& frame) {
     const int left = grid.left(tile);

@@ -28,9 +28,9 @@ class TileGrid {
 class TileRenderer {
   public:
     TileRenderer(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
-                 const CameraRays& camera);
+                 const CameraRays& camera, const std::atomic<bool>& cancel);
 
-    /// Writes the pixels of one tile into `frame`.
+    /// Writes the pixels of one tile into `frame`; soon returns, with them undefined, when `cancel` is set.
     void render(const TileGrid& grid, int tile, Frame& frame);
     const RayStatistics& statistics() const { return integrator_.statistics(); }
 

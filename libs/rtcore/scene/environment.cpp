@@ -202,7 +202,7 @@ Environment Environment::fromCube(std::array<HdrImage, 6> faces, std::string nam
     return environment;
 }
 
-Environment Environment::fromEquirectangular(HdrImage image, std::string name) {
+Environment Environment::fromEquirectangular(const HdrImage& image, std::string name) {
     require(!image.empty(), "an equirectangular picture must not be empty");
     Environment environment;
     environment.name_ = std::move(name);

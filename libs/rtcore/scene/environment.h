@@ -21,7 +21,7 @@ class Environment {
     /// differ.
     static Environment fromCube(std::array<HdrImage, 6> faces, std::string name);
     /// Full sphere: u = 0.5 + atan2(x, -z) / 2 pi, v = acos(y) / pi, rows from the top.
-    static Environment fromEquirectangular(HdrImage image, std::string name);
+    static Environment fromEquirectangular(const HdrImage& image, std::string name);
 
     /// Radiance from `direction`. Bilinear lookups have no seam at the edges of faces, at the wrap or at the
     /// poles.

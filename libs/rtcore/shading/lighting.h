@@ -14,7 +14,7 @@ struct Illumination {
     Vec3 toLight;       ///< unit
     float distance = 0; ///< how far a shadow ray has to go: almost to the light, so that a lamp that lies in
                         ///< a ceiling shines whichever way its distance is rounded
-    Colour irradiance; ///< on a surface that faces the light, before shadows
+    Colour irradiance;  ///< on a surface that faces the light, before shadows
 };
 
 /// 1 inside the inner cone of a spot, 0 outside the outer one, smoothstep of the cosine between.

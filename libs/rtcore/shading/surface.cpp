@@ -1,6 +1,7 @@
 #include "rtcore/shading/surface.h"
 
 #include "rtcore/math/ray_offset.h"
+#include "rtcore/shading/normal_map.h"
 #include "rtcore/shading/texture_lookup.h"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ Vec2 texcoordAt(const Mesh& mesh, const ShadingTriangle& triangle, const Hit& hi
 float coverageOf(const Scene& scene, const Material& material, Vec2 uv) {
     if (material.alphaTexture == kNoTexture) return 1;
     const TextureSample s = sampleTexture(scene.model, scene.model.textures[material.alphaTexture], uv);
-    const float alpha = material.alphaFromAlpha != 0 ? s.alpha : s.mask;
+    const float alpha = material.alphaFromAlpha != 0 ? s.alpha : s.stored.x;
     if (material.alphaCutoff > 0) return alpha < material.alphaCutoff ? 0.0F : 1.0F;
     return alpha;
 }
@@ -70,7 +71,12 @@ Surface surfaceAt(const Scene& scene, bool textures, Vec3 direction, const Hit& 
     s.fromInside = dot(s.geometricNormal, direction) > 0;
     if (s.fromInside) s.geometricNormal = -s.geometricNormal;
     if (s.shadingNormal == Vec3{}) s.shadingNormal = s.geometricNormal;
-    if (dot(s.shadingNormal, s.geometricNormal) < 0) s.shadingNormal = -s.shadingNormal;
+    const bool turned = dot(s.shadingNormal, s.geometricNormal) < 0;
+    if (textures && material.normalTexture != kNoTexture) {
+        s.shadingNormal = mapNormal(scene, scene.model.textures[material.normalTexture], hit.triangle,
+                                    texcoordAt(mesh, shading, hit), s.shadingNormal);
+    }
+    if (turned) s.shadingNormal = -s.shadingNormal;
     s.closed = !scene.closed.empty() && scene.closed[hit.triangle] != 0;
 
     s.diffuse = material.diffuse;

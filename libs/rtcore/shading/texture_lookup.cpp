@@ -37,13 +37,13 @@ TextureSample sampleOf(Rgba8 p) {
     const std::array<float, 256>& linear = linearOfCode();
     return {{linear[p.r], linear[p.g], linear[p.b]},
             static_cast<float>(p.a) / 255,
-            static_cast<float>(p.r) / 255};
+            {static_cast<float>(p.r) / 255, static_cast<float>(p.g) / 255, static_cast<float>(p.b) / 255}};
 }
 
 /// Exact where both are equal, so that what is solid all over has no hole.
 TextureSample mix(const TextureSample& a, const TextureSample& b, float share) {
     return {a.colour + (b.colour - a.colour) * share, a.alpha + (b.alpha - a.alpha) * share,
-            a.mask + (b.mask - a.mask) * share};
+            a.stored + (b.stored - a.stored) * share};
 }
 
 } // namespace

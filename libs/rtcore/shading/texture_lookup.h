@@ -8,7 +8,7 @@ namespace rtcore {
 struct TextureSample {
     Colour colour; ///< linear
     float alpha = 1;
-    float mask = 1; ///< the red channel as it is stored, 0..1: masks are numbers, not light
+    Vec3 stored; ///< red, green, blue as they are stored, 0..1: masks and normals are numbers, not light
 };
 
 /// `uv` of any size; (0,0) is the lower left corner of the picture, which repeats. Safe from many threads.

@@ -65,6 +65,7 @@ void WhittedIntegrator::trace(const RayWave& primary, std::span<Colour> radiance
     }
     traceWave(RayKind::Primary);
     while (!mirrored_.empty() || !refracted_.empty()) {
+        if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) return;
         const bool mirror = mirrored_.size() >= refracted_.size();
         (mirror ? mirrored_ : refracted_).takeLast(kWaveSize, wave_);
         traceWave(mirror ? RayKind::Mirror : RayKind::Refracted);

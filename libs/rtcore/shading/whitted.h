@@ -11,6 +11,7 @@
 #include "rtcore/shading/surface.h"
 #include "rtcore/shading/surface_split.h"
 
+#include <atomic>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,9 @@ class WhittedIntegrator {
     /// Radiance along each primary ray (directions of unit length), and 1 where it hits something, else 0.
     /// The spans have the size of the wave.
     void trace(const RayWave& primary, std::span<Colour> radiance, std::span<std::uint8_t> hit);
+
+    /// Becomes true: trace() returns soon, with radiance undefined. May be null.
+    void stopWhen(const std::atomic<bool>* flag) { stop_ = flag; }
 
     /// All rays since construction.
     const RayStatistics& statistics() const { return statistics_; }
@@ -51,6 +55,7 @@ class WhittedIntegrator {
     const RenderSettings& settings_;
     ShadowTracer shadows_;
     RayStatistics statistics_;
+    const std::atomic<bool>* stop_ = nullptr;
 
     std::span<Colour> radiance_;
     std::span<std::uint8_t> hit_;

@@ -58,14 +58,14 @@ TEST_F(TextureLookup, DecodesSrgbButNotAlphaAndMask) {
     EXPECT_FLOAT_EQ(s.colour.g, srgbDecode(64.0F / 255));
     EXPECT_FLOAT_EQ(s.colour.b, srgbDecode(200.0F / 255));
     EXPECT_FLOAT_EQ(s.alpha, 100.0F / 255);
-    EXPECT_FLOAT_EQ(s.mask, 128.0F / 255);
+    EXPECT_FLOAT_EQ(s.stored.x, 128.0F / 255);
 }
 
 TEST_F(TextureLookup, IsExactWhereAllTexelsAreEqual) {
     for (const float u : test::steps(-2.0F, 2.0F, 0.0137F)) {
         const TextureSample s = sampleTexture(model_, model_.textures[1], {u, 0.77F * u});
         ASSERT_EQ(s.alpha, 100.0F / 255);
-        ASSERT_EQ(s.mask, 128.0F / 255);
+        ASSERT_EQ(s.stored.x, 128.0F / 255);
     }
 }
 

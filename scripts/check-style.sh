@@ -1,0 +1,14 @@
+#!/bin/sh
+# The layout of the code by clang-format 14; with --tidy also clang-tidy over the release build (takes a while).
+#   scripts/check-style.sh [--tidy]
+set -eu
+cd "$(dirname "$0")/.."
+if clang-format --version 2>/dev/null | grep -q "version 14\."; then
+    git ls-files '*.cpp' '*.h' | xargs clang-format --dry-run -Werror
+    echo "check-style: clang-format is content"
+else
+    echo "check-style: skipped clang-format: version 14 is not installed" >&2
+fi
+[ "${1:-}" = "--tidy" ] || exit 0
+git ls-files '*.cpp' | xargs -n 4 -P "$(nproc)" clang-tidy -p build/release --quiet --extra-arg=-Wno-unknown-warning-option
+echo "check-style: clang-tidy is content"
