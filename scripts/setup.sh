@@ -16,16 +16,16 @@ if ! command -v dpkg-query >/dev/null 2>&1; then
     exit 0
 fi
 
+# One entry a line that is not served: its alternatives, joined by "|".
 missing=""
-updated=no
 while IFS= read -r line; do
-    line=${line%%#*}
-    first=$(echo "$line" | cut -d'|' -f1 | tr -d ' ')
-    second=$(echo "$line" | cut -s -d'|' -f2 | tr -d ' ')
-    [ -n "$first" ] || continue
-    installed "$first" && continue
-    [ -n "$second" ] && installed "$second" && continue
-    missing="$missing $first${second:+|$second}"
+    alternatives=$(echo "${line%%#*}" | tr -d ' ')
+    [ -n "$alternatives" ] || continue
+    served=no
+    for package in $(echo "$alternatives" | tr '|' ' '); do
+        if installed "$package"; then served=yes; fi
+    done
+    [ "$served" = yes ] || missing="$missing $alternatives"
 done <"$here/packages.txt"
 [ -n "$missing" ] || exit 0
 
@@ -42,15 +42,18 @@ if [ "$(id -u)" -ne 0 ]; then
     }
     root="sudo"
 fi
-export DEBIAN_FRONTEND=noninteractive
 echo "setup: installing$missing"
-$root apt-get -o DPkg::Lock::Timeout=300 update -q
+$root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 update -q
 names=""
-for entry in $missing; do
-    first=${entry%%|*}
-    second=$(echo "$entry" | cut -s -d'|' -f2)
-    if available "$first" || [ -z "$second" ]; then names="$names $first"; else names="$names $second"; fi
+for alternatives in $missing; do
+    chosen=""
+    for package in $(echo "$alternatives" | tr '|' ' '); do
+        # Boost 1.81 would take the place of an installed 1.74.
+        case $package in *1.81*) if installed libboost1.74-dev; then continue; fi ;; esac
+        if [ -z "$chosen" ] && available "$package"; then chosen=$package; fi
+    done
+    names="$names ${chosen:-${alternatives%%|*}}"
 done
 # --no-remove: a machine with other versions keeps them, and this fails with a reason instead.
 # shellcheck disable=SC2086
-$root apt-get -o DPkg::Lock::Timeout=300 install -y -q --no-remove --no-install-recommends $names
+$root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 install -y -q --no-remove --no-install-recommends $names

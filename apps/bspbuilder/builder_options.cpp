@@ -16,7 +16,7 @@ OptionGroup treeOptions() {
     return {"Tree",
             {{.name = "fast",
               .letter = 'f',
-              .help = "build several times as fast; the tree is a little slower to trace"},
+              .help = "build in less than half the time; the tree is about a sixth slower to trace"},
              {.name = "quality",
               .letter = 'm',
               .value = ValueKind::Integer,
@@ -91,7 +91,8 @@ std::uint32_t buildOptionsHash(const BuilderOptions& options) {
                              build.emptyBonus,
                              static_cast<float>(build.lookAhead),
                              fast ? static_cast<float>(build.fastQuality) : 0,
-                             options.import.creaseAngle.value_or(rtcore::kCreaseAngle)};
+                             options.import.creaseAngle.value_or(rtcore::kCreaseAngle),
+                             options.import.flipTextures.value_or(false) ? 1.0F : 0.0F};
     std::uint32_t hash = 2166136261U; // FNV-1a
     for (const float number : numbers) {
         for (std::uint32_t bits = std::bit_cast<std::uint32_t>(number), byte = 0; byte < 4;

@@ -8,7 +8,7 @@
 
 namespace app {
 
-/// --crease-angle, --memory-limit, --time-limit.
+/// --crease-angle, --flip-textures, --memory-limit, --time-limit.
 OptionGroup importOptionGroup();
 
 /// What they were given, else the importer's defaults.

@@ -8,6 +8,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <new>
 #include <string>
@@ -22,11 +23,12 @@ struct Arguments {
     std::int64_t parent = 0;
     std::uint64_t memory = 0;
     float crease = 40;
+    bool flip = false; ///< textures stand on their heads
     std::string input, output;
 };
 
 const char* const kUsage =
-    "Usage: rtimport [--parent PID] [--memory BYTES] [--crease DEGREES] MODEL OUTPUT.bsp\n"
+    "Usage: rtimport [--parent PID] [--memory BYTES] [--crease DEGREES] [--flip 0|1] MODEL OUTPUT.bsp\n"
     "Reads a 3D model and writes it as a .bsp without a tree; BSPBuilder makes one with a "
     "tree. The report goes to standard output.\n";
 
@@ -46,6 +48,8 @@ bool parse(int argc, char** argv, Arguments& arguments) {
             arguments.memory = std::strtoull(value, nullptr, 10);
         } else if (word == "--crease") {
             arguments.crease = std::strtof(value, nullptr);
+        } else if (word == "--flip") {
+            arguments.flip = std::strcmp(value, "1") == 0;
         } else {
             files.push_back(word);
             continue;
@@ -78,6 +82,9 @@ void importFile(const Arguments& arguments) {
     options.memoryLimit = arguments.memory;
     options.alive = sayAlive;
     rtcore::AssimpResult result = rtcore::importWithAssimp(arguments.input, options);
+    if (arguments.flip) {
+        for (rtcore::Vec2& t : result.model.texcoords) t.y = 1 - t.y;
+    }
     rtcore::writeBsp(arguments.output, rtcore::makeModel(std::move(result.model)), nullptr, {});
     std::fputs(rtcore::writeReport(result.report).c_str(), stdout);
     std::fflush(stdout);

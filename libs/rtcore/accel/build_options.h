@@ -33,7 +33,7 @@ struct BuildTimes {
 struct BuildProgress {
     std::atomic<std::uint64_t> triangles{0}; ///< of the input
     std::atomic<std::uint64_t> finished{0};  ///< triangle references settled so far; in the end more than
-                                            ///< `triangles`, since some are in several leaves
+                                             ///< `triangles`, since some are in several leaves
     std::atomic<bool> cancel{false};
 };
 

@@ -83,6 +83,7 @@ class Loader {
         }
         ImportOptions import = options_.import;
         if (!import.creaseAngle) import.creaseAngle = file.creaseAngle;
+        if (!import.flipTextures) import.flipTextures = file.flipTextures;
         loadModel(file.model, std::move(model), kind, import);
 
         Scene& scene = out_.scene;

@@ -17,10 +17,10 @@ struct Light {
     Vec3 direction{0, -1, 0};  ///< directional and spot: where it shines to, unit length
     Colour intensity{1, 1, 1}; ///< point and spot: radiant intensity, W/sr (so irradiance is intensity /
                                ///< d^2); directional: irradiance on a surface that faces it, W/m^2
-    float radius = 0;     ///< point and spot: distances below it count as it (no infinite brightness)
-    float cosInner = 1;   ///< spot: cosine of the half-angle of full brightness
-    float cosOuter = 0;   ///< spot: cosine of the half-angle at which it ends; < cosInner
-    std::uint32_t on = 1; ///< 0 or 1
+    float radius = 0;          ///< point and spot: distances below it count as it (no infinite brightness)
+    float cosInner = 1;        ///< spot: cosine of the half-angle of full brightness
+    float cosOuter = 0;        ///< spot: cosine of the half-angle at which it ends; < cosInner
+    std::uint32_t on = 1;      ///< 0 or 1
     std::uint32_t nameOffset = 0;
 
     friend bool operator==(const Light&, const Light&) = default;

@@ -57,6 +57,20 @@ TEST_F(Textures, MissingAndBrokenOnesAreWarnings) {
     }
 }
 
+TEST_F(Textures, CanBeTurnedUpsideDown) {
+    ImportOptions options;
+    ofMtl("Kd 1 1 1\n");
+    const ImportedModel upright = test::importFile(folder_ / "m.obj", options);
+    options.flipTextures = true;
+    const ImportedModel turned = test::importFile(folder_ / "m.obj", options);
+    ASSERT_EQ(turned.model.mesh.texcoords.size(), upright.model.mesh.texcoords.size());
+    ASSERT_FALSE(turned.model.mesh.texcoords.empty());
+    for (std::size_t i = 0; i < turned.model.mesh.texcoords.size(); ++i) {
+        EXPECT_EQ(turned.model.mesh.texcoords[i].x, upright.model.mesh.texcoords[i].x);
+        EXPECT_EQ(turned.model.mesh.texcoords[i].y, 1 - upright.model.mesh.texcoords[i].y);
+    }
+}
+
 TEST_F(Textures, AnUnsetColourDoesNotDarkenThem) {
     writeImage(folder_ / "a.png", picture(false));
     EXPECT_EQ(ofMtl("map_Kd a.png\n").model.materials[0].diffuse, kWhite);

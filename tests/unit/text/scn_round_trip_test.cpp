@@ -86,6 +86,7 @@ SceneFile randomScene(Random& random) {
     s.background = positive(random);
     s.ambient = positive(random);
     s.modelLights = random.flag();
+    s.flipTextures = random.flag();
     s.creaseAngle = 180 * random.share();
     if (random.flag()) {
         s.camera = rtcore::Camera{point(random),
@@ -119,6 +120,7 @@ void expectEqual(const SceneFile& a, const SceneFile& b) {
     EXPECT_EQ(a.background, b.background);
     EXPECT_EQ(a.ambient, b.ambient);
     EXPECT_EQ(a.modelLights, b.modelLights);
+    EXPECT_EQ(a.flipTextures, b.flipTextures);
     EXPECT_EQ(a.activeEnvironment, b.activeEnvironment);
     EXPECT_EQ(a.creaseAngle, b.creaseAngle);
     EXPECT_EQ(a.camera, b.camera);

@@ -132,8 +132,9 @@ ImportedModel importModel(const fs::path& path, const ImportOptions& options) {
     const ProcessResult result =
         runProcess(importer,
                    {"--parent", std::to_string(processId()), "--memory", std::to_string(limits.memory),
-                    "--crease", std::to_string(options.creaseAngle.value_or(kCreaseAngle)), "--",
-                    fs::absolute(path).string(), handOver.string()},
+                    "--crease", std::to_string(options.creaseAngle.value_or(kCreaseAngle)), "--flip",
+                    options.flipTextures.value_or(false) ? "1" : "0", "--", fs::absolute(path).string(),
+                    handOver.string()},
                    limits);
     throwFailure(path, result, limits);
     ImportedModel imported;

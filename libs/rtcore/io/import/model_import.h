@@ -16,6 +16,7 @@ inline constexpr float kCreaseAngle = 40;
 struct ImportOptions {
     std::optional<float> creaseAngle; ///< degrees: where a file has no normals, sharper edges stay edges;
                                       ///< absent: kCreaseAngle
+    std::optional<bool> flipTextures; ///< turn all textures upside down: some exporters count v from the top
     std::uint64_t memoryLimit =
         0;                ///< bytes the importer may use; 0 = the larger of 2 GB and 40 times the file
     double timeLimit = 0; ///< seconds the importer may take for one step (parsing, one picture, one mesh);

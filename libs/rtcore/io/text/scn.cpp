@@ -70,6 +70,7 @@ class SceneReader {
         scene_.background = root_.colour("background", kNotNegative).value_or(scene_.background);
         scene_.ambient = root_.colour("ambient", kNotNegative).value_or(scene_.ambient);
         scene_.creaseAngle = root_.number("creaseAngle", kCreaseAngle).value_or(scene_.creaseAngle);
+        scene_.flipTextures = root_.boolean("flipTextures").value_or(false);
     }
 
     void readLists() {
@@ -162,6 +163,7 @@ class SceneWriter {
         writer_.add("modelLights", scene_.modelLights);
         if (!scene_.environments.empty()) writer_.add("activeEnvironment", scene_.activeEnvironment);
         writer_.add("creaseAngle", scene_.creaseAngle);
+        writer_.add("flipTextures", scene_.flipTextures);
     }
 
     void writeCameraTable() {

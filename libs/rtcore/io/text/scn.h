@@ -63,10 +63,11 @@ struct SceneFile {
     float metresPerUnit = 1;
     Vec3 up{0, 1, 0}; ///< one of the six axes
     Colour background, ambient;
-    bool modelLights = true;                         ///< use the model's own lights beside `lights`
-    int activeEnvironment = 0;                       ///< index into `environments`; 0 when there are none
-    float creaseAngle = 40;                          ///< degrees, for models without normals
-    std::optional<Camera> camera;                    ///< at most one of these two; nameOffset is 0
+    bool modelLights = true;      ///< use the model's own lights beside `lights`
+    int activeEnvironment = 0;    ///< index into `environments`; 0 when there are none
+    float creaseAngle = 40;       ///< degrees, for models without normals
+    bool flipTextures = false;    ///< of a model that is imported: turn its textures upside down
+    std::optional<Camera> camera; ///< at most one of these two; nameOffset is 0
     std::optional<std::filesystem::path> cameraFile; ///< a .cam
     std::vector<LightDescription> lights;
     std::vector<MaterialOverride> materials; ///< in order; later ones win
