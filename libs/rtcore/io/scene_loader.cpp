@@ -142,9 +142,13 @@ class Loader {
     BuildOptions buildOptions(std::size_t triangles) const {
         constexpr std::size_t kLarge = 200'000;
         constexpr std::uint64_t kRaysPerTriangle = 4;
+        constexpr int kQuick = 3;
         BuildOptions build = options_.build;
         const bool few = options_.primaryRays > 0 && options_.primaryRays < kRaysPerTriangle * triangles;
-        if (few && triangles > kLarge) build.method = BuildMethod::Fast;
+        if (few && triangles > kLarge) {
+            build.method = BuildMethod::Fast;
+            build.fastQuality = kQuick;
+        }
         return build;
     }
 

@@ -37,6 +37,8 @@ inline bool isFinite(Vec3 a) { return std::isfinite(a.x) && std::isfinite(a.y) &
 /// The unit vector along `a`, also where the square of its length would over- or underflow; (0,0,0) for a
 /// vector that is zero or not finite.
 inline Vec3 normalize(Vec3 a) {
+    const float square = dot(a, a);
+    if (square > 1e-28F && square < 1e28F) return a / std::sqrt(square);
     const float largest = std::fmax(std::fabs(a.x), std::fmax(std::fabs(a.y), std::fabs(a.z)));
     if (!(largest > 0) || !isFinite(a)) return {};
     if (largest < 1e-15F || largest > 1e15F) {

@@ -100,6 +100,7 @@ class Smoother {
 
     void measureFacets() {
         facets_.resize(model_.triangles.size());
+#pragma omp parallel for schedule(static)
         for (std::size_t t = 0; t < facets_.size(); ++t) facets_[t] = facetOf(model_, model_.triangles[t]);
     }
 
