@@ -13,15 +13,17 @@ for check in "$@"; do
         RT_LEAK_RAYS=${RT_LEAK_RAYS:-100000000} $release/test_leaks
         ;;
     oracle)
+        [ -n "${RT_TEST_SCENES:-}" ] || echo "check-long: RT_TEST_SCENES is not set: nothing to check" >&2
         RT_ORACLE_RAYS=${RT_ORACLE_RAYS:-1000000} $release/test_embree
         ;;
     mutations)
         cmake --preset asan-ubsan >/dev/null
         cmake --build --preset asan-ubsan --target unit_tests
-        RT_MUTATIONS=${RT_MUTATIONS:-200000} ctest --preset asan-ubsan -R Mutat -j "$(nproc)" --timeout 7200 --verbose
+        RT_MUTATIONS=${RT_MUTATIONS:-200000} ctest --preset asan-ubsan -R Mutat -j "$(nproc)" --verbose
+        RT_MUTATIONS=${RT_IMAGE_MUTATIONS:-20000} ctest --preset asan-ubsan -R ChangedAnywhere -j "$(nproc)" --verbose
         ;;
     kills)
-        RT_KILLS=${RT_KILLS:-500} ctest --preset release -R Kill --timeout 7200 --verbose
+        RT_KILLS=${RT_KILLS:-500} ctest --preset release -R Kill --verbose
         ;;
     formats)
         scripts/check-formats.sh

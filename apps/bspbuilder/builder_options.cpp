@@ -75,6 +75,7 @@ BuilderOptions readBuilderOptions(const app::Arguments& arguments) {
         options.build.fastQuality = static_cast<int>(*quality);
     options.build.threads = app::threadCount(arguments.integer("threads"));
     options.import = app::readImportOptions(arguments);
+    options.import.threads = options.build.threads;
     if (arguments.has("verbose")) options.verbosity = Verbosity::Verbose;
     if (arguments.has("very-verbose")) options.verbosity = Verbosity::VeryVerbose;
     if (const auto bands = arguments.integer("histogram")) options.histogramBands = static_cast<int>(*bands);

@@ -148,6 +148,9 @@ void checkValue(const Option& option, const std::string& value) {
 
 void checkPositionals(const ProgramSpec& spec, const Arguments& arguments) {
     const std::size_t given = arguments.positionals().size();
+    for (const std::string& name : arguments.positionals()) {
+        if (name.empty()) throw UsageError("the name of a file is empty");
+    }
     if (given > spec.positionals.size()) {
         throw UsageError("unexpected argument " +
                          rtcore::quoted(arguments.positionals()[spec.positionals.size()]));

@@ -1,5 +1,7 @@
 /// rtimport: reads a model with Assimp and writes it as a .bsp without a tree. It is started by importModel,
 /// which watches its memory and its time; whatever a damaged file does to Assimp ends with this process.
+#include "common/threads.h"
+
 #include "rtcore/io/bsp/bsp_file.h"
 #include "rtcore/io/import/assimp_import.h"
 #include "rtcore/io/import/importer_exit.h"
@@ -23,12 +25,14 @@ struct Arguments {
     std::int64_t parent = 0;
     std::uint64_t memory = 0;
     float crease = 40;
+    int threads = 0;
     bool flip = false; ///< textures stand on their heads
     std::string input, output;
 };
 
 const char* const kUsage =
-    "Usage: rtimport [--parent PID] [--memory BYTES] [--crease DEGREES] [--flip 0|1] MODEL OUTPUT.bsp\n"
+    "Usage: rtimport [--parent PID] [--memory BYTES] [--crease DEGREES] [--flip 0|1] [--threads N] MODEL "
+    "OUTPUT.bsp\n"
     "Reads a 3D model and writes it as a .bsp without a tree; BSPBuilder makes one with a "
     "tree. The report goes to standard output.\n";
 
@@ -48,6 +52,8 @@ bool parse(int argc, char** argv, Arguments& arguments) {
             arguments.memory = std::strtoull(value, nullptr, 10);
         } else if (word == "--crease") {
             arguments.crease = std::strtof(value, nullptr);
+        } else if (word == "--threads") {
+            arguments.threads = static_cast<int>(std::strtol(value, nullptr, 10));
         } else if (word == "--flip") {
             arguments.flip = std::strcmp(value, "1") == 0;
         } else {
@@ -100,6 +106,7 @@ ImporterExit complain(const char* message, ImporterExit code) {
 ImporterExit run(const Arguments& arguments) {
     try {
         limitSelf(arguments);
+        app::useThreads(arguments.threads);
         importFile(arguments);
         return ImporterExit::Done;
     } catch (const rtcore::FileError& error) {

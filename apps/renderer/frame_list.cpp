@@ -31,7 +31,7 @@ std::vector<FrameTask> framesOfList(std::span<const std::filesystem::path> camer
         const int number = static_cast<int>(i) + 1;
         if (range.contains(number)) frames.push_back(makeFrame(number, cameras[i], patterns, true));
     }
-    if (frames.empty()) {
+    if (frames.empty() && !cameras.empty()) {
         throw app::UsageError("no frame to render: the list has " + std::to_string(cameras.size()) +
                               ", and --frames picks none of them");
     }

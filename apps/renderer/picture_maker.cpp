@@ -2,6 +2,7 @@
 
 #include "renderer/settings_merge.h"
 
+#include "common/command_line.h"
 #include "common/stop.h"
 #include "common/terminal.h"
 
@@ -69,6 +70,12 @@ rtcore::RenderSettings PictureMaker::prepare(const FrameTask& task, rtcore::Came
 void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSettings& settings, int index,
                           int count) {
     app::throwIfStopped();
+    if (static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height) >
+        rtcore::kMaxImagePixels) {
+        throw app::UsageError("a picture of " + std::to_string(settings.width) + " x " +
+                              std::to_string(settings.height) + " pixels is too large; " +
+                              std::to_string(rtcore::kMaxImagePixels) + " pixels is the most");
+    }
     rtcore::RenderControl control;
     const auto fraction = [&control] {
         const std::uint64_t tiles = control.tiles.load();
@@ -84,6 +91,7 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
 void PictureMaker::write(const FrameTask& task, const rtcore::RenderSettings& settings) {
     std::optional<rtcore::LdrImage> developed;
     for (const std::filesystem::path& output : task.outputs) {
+        app::throwIfStopped();
         if (!isStandardOutput(output) && rtcore::isHdrFormat(output)) {
             rtcore::writeHdrImage(output, frame_.radiance);
             continue;

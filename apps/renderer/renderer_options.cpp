@@ -229,6 +229,7 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     options.settings = readSettings(arguments);
     options.threads = app::threadCount(arguments.integer("threads"));
     options.import = app::readImportOptions(arguments);
+    options.import.threads = options.threads;
     options.verbose = arguments.has("verbose");
     options.debugScene = arguments.has("debug-scene");
     checkCombinations(options, arguments);

@@ -8,6 +8,7 @@
 
 #include "common/run_program.h"
 #include "common/terminal.h"
+#include "common/threads.h"
 
 #include "rtcore/io/text/camera_list.h"
 #include "rtcore/io/text/set.h"
@@ -113,7 +114,13 @@ app::ExitCode renderAll(const RendererOptions& options, app::Progress& progress)
     std::vector<rtcore::SettingAssignment> settingsFile;
     if (options.settingsFile) settingsFile = rtcore::readSettingsFile(*options.settingsFile).still;
     Paths cameras;
-    if (options.list) cameras = rtcore::readCameraList(*options.list);
+    if (options.list) {
+        cameras = rtcore::readCameraList(*options.list);
+        if (cameras.empty()) {
+            throw rtcore::FileError(rtcore::FailureKind::BadData, options.list->string(),
+                                    "it names no .cam file; write one path a line");
+        }
+    }
 
     rtcore::LoadedScene loaded = loadWithProgress(options, progress);
     const Paths patterns = outputPatterns(options, loaded);
@@ -134,6 +141,7 @@ app::ExitCode runRenderer(const app::Arguments& arguments) {
         return app::ExitCode::Done;
     }
     const RendererOptions options = readRendererOptions(arguments);
+    app::useThreads(options.threads);
     app::Progress progress(rendererSpec().name, options.progress);
     if (options.debugScene) progress.print("warning: the debug scene is not exported by this version yet");
     return renderAll(options, progress);

@@ -106,11 +106,14 @@ class Aim {
         const std::uint32_t triangle = random.index(view_.triangles.size());
         const float u = random.number(0.1F, 0.8F);
         const float v = random.number(0.1F, 0.9F - u);
-        const Vec3 p = view_.position(triangle, 0) * (1 - u - v) + view_.position(triangle, 1) * u +
-                       view_.position(triangle, 2) * v;
+        const Vec3 a = view_.position(triangle, 0);
+        const Vec3 b = view_.position(triangle, 1);
+        const Vec3 c = view_.position(triangle, 2);
+        const Vec3 p = a * (1 - u - v) + b * u + c * v;
         const Vec3 normal = normalize(view_.geometricNormal(triangle));
         const Vec3 inwards = mesh_.inside.vertices[view_.triangles[triangle].v[0]].position() - p;
-        return rtcore::offsetRayOrigin(p, dot(normal, inwards) > 0 ? normal : -normal);
+        const float step = rtcore::surfaceClearance(a, b, c, normal);
+        return p + normal * (dot(normal, inwards) > 0 ? step : -step);
     }
     std::array<Vec3, 2> edge(test::Random& random) const {
         const std::uint32_t triangle = random.index(view_.triangles.size());

@@ -48,6 +48,34 @@ TEST_F(Failures, BrokenInputs) {
     EXPECT_FALSE(std::filesystem::exists(folder / "a.bsp"));
 }
 
+TEST_F(Failures, FilesOfThisSuiteInTheWrongPlace) {
+    test::writeRoom(folder / "room.obj");
+    test::writeText(folder / "garbage.bsp", "no magic number");
+    test::writeText(folder / "room.scn", "version = 1\nmodel = \"room.obj\"\n");
+    test::writeText(folder / "empty.lst", "# nothing yet\n");
+    expect(test::renderer({file("garbage.bsp"), "-o", file("a.png")}), 65, "build it again with BSPBuilder");
+    expect(test::bspBuilder({file("room.scn"), file("a.bsp")}), 65, "give the model");
+    expect(test::renderer({file("room.obj"), "-o", file("a.png"), "-l", file("empty.lst")}), 65,
+           "names no .cam file");
+}
+
+// An attribute on a line of its own looks like the first line of a .scn.
+TEST_F(Failures, XmlWithAVersionIsNoScene) {
+    test::writeText(folder / "broken.dae", "<?xml\nversion=\"1.0\"?>\n<COLLADA\nversion=\"1.4.1\">\n");
+    const test::ProgramResult result = test::renderer({file("broken.dae"), "-o", file("a.png")});
+    expect(result, 65, "broken.dae");
+    EXPECT_EQ(result.error.find("TOML"), std::string::npos) << result.error;
+    EXPECT_EQ(result.error.find("version"), std::string::npos) << result.error;
+}
+
+TEST_F(Failures, NamesAndSizesThatMakeNoSense) {
+    test::writeRoom(folder / "room.obj");
+    expect(test::renderer({"", "-o", file("a.png")}), 2, "is empty");
+    expect(test::bspBuilder({file("room.obj"), ""}), 2, "is empty");
+    expect(test::renderer({file("room.obj"), "-w", "20000", "-h", "20000", "-o", file("a.png")}), 2,
+           "too large");
+}
+
 TEST_F(Failures, ATruncatedBsp) {
     test::writeRoom(folder / "room.obj");
     ASSERT_EQ(test::bspBuilder({file("room.obj"), file("room.bsp")}).exitCode, 0);

@@ -63,8 +63,11 @@ inline std::vector<SurfacePoint> surfacePoints(const rtcore::Mesh& mesh, const s
         if (hits[i].triangle == rtcore::kNoTriangle) continue;
         rtcore::Vec3 normal = normalize(mesh.geometricNormal(hits[i].triangle));
         if (dot(normal, rays[i].direction) > 0) normal = -normal;
-        const rtcore::Vec3 position = rays[i].origin + rays[i].direction * hits[i].t;
-        points.push_back({rtcore::offsetRayOrigin(position, normal), normal});
+        const rtcore::Vec3 a = mesh.position(hits[i].triangle, 0);
+        const rtcore::Vec3 b = mesh.position(hits[i].triangle, 1);
+        const rtcore::Vec3 c = mesh.position(hits[i].triangle, 2);
+        const rtcore::Vec3 position = a * (1 - hits[i].u - hits[i].v) + b * hits[i].u + c * hits[i].v;
+        points.push_back({position + normal * rtcore::surfaceClearance(a, b, c, normal), normal});
     }
     return points;
 }

@@ -54,7 +54,7 @@ std::unique_ptr<Subtree> buildPieces(const BuildContext& context, const BuildOpt
     }
     EventLists lists = makeEvents(context.mesh);
     times.prepare += watch.lap();
-    auto root = buildExact(context, std::move(lists), bounds, 0);
+    auto root = buildExact(context, std::move(lists), bounds);
     times.split = watch.lap();
     return root;
 }

@@ -38,7 +38,7 @@ struct AreaOfParts {
         const float v = d[(axis + 2) % 3];
         const float whole = cell.halfArea();
         const float inverse = whole > 0 ? 1 / whole : 0;
-        face = u * v * inverse;
+        face = whole > 0 ? u * v * inverse : 1; // in a line or a point no split saves anything
         rim = (u + v) * inverse;
     }
     float lower(float position) const { return face + (position - lo) * rim; }

@@ -106,31 +106,39 @@ Split findSplit(const BuildContext& context, const EventLists& lists, const Box3
 }
 
 void buildNode(const BuildContext& context, TaskErrors& errors, EventLists lists, const Box3& cell, int depth,
-               std::unique_ptr<Subtree>& out) {
-    if (lists.triangles.size() <= kSerialTriangles || depth >= context.maxDepth) {
-        out = buildExactSubtree(context, std::move(lists), cell, depth);
+               ReferenceBudget budget, std::unique_ptr<Subtree>& out) {
+    if (errors.any()) return;
+    if (lists.triangles.size() <= kSerialTriangles || depth >= context.maxDepth ||
+        !budget.allows(lists.triangles.size())) {
+        out = buildExactSubtree(context, std::move(lists), cell, depth, budget);
         return;
     }
     context.checkCancelled();
     const Split split = findSplit(context, lists, cell);
     if (!split.valid() ||
         split.cost >= context.cost.leaf(static_cast<std::uint32_t>(lists.triangles.size()))) {
-        out = buildExactSubtree(context, std::move(lists), cell, depth);
+        out = buildExactSubtree(context, std::move(lists), cell, depth, budget);
         return;
     }
     Box3 lowerCell = cell;
     Box3 upperCell = cell;
     lowerCell.hi[split.axis] = upperCell.lo[split.axis] = split.position;
     Halves halves = divide(context, lists, split, lowerCell, upperCell);
+    const std::size_t all = halves.lower.triangles.size() + halves.upper.triangles.size();
+    const ReferenceBudget lowerBudget = budget.share(halves.lower.triangles.size(), all);
+    const ReferenceBudget upperBudget = budget.share(halves.upper.triangles.size(), all);
     out = std::make_unique<Subtree>();
     out->axis = split.axis;
     out->split = split.position;
     Subtree* const node = out.get();
     const auto upper = std::make_shared<EventLists>(std::move(halves.upper));
-#pragma omp task default(shared) firstprivate(upper, upperCell, depth, node)
-    errors.guard([&] { buildNode(context, errors, std::move(*upper), upperCell, depth + 1, node->upper); });
-    errors.guard(
-        [&] { buildNode(context, errors, std::move(halves.lower), lowerCell, depth + 1, node->lower); });
+#pragma omp task default(shared) firstprivate(upper, upperCell, upperBudget, depth, node)
+    errors.guard([&] {
+        buildNode(context, errors, std::move(*upper), upperCell, depth + 1, upperBudget, node->upper);
+    });
+    errors.guard([&] {
+        buildNode(context, errors, std::move(halves.lower), lowerCell, depth + 1, lowerBudget, node->lower);
+    });
 #pragma omp taskwait
 }
 
@@ -162,11 +170,11 @@ EventLists makeEvents(const Mesh& mesh) {
     return lists;
 }
 
-std::unique_ptr<Subtree> buildExact(const BuildContext& context, EventLists lists, const Box3& cell,
-                                    int depth) {
+std::unique_ptr<Subtree> buildExact(const BuildContext& context, EventLists lists, const Box3& cell) {
     TaskErrors errors;
     std::unique_ptr<Subtree> root;
-    errors.guard([&] { buildNode(context, errors, std::move(lists), cell, depth, root); });
+    const auto budget = ReferenceBudget::ofScene(lists.triangles.size());
+    errors.guard([&] { buildNode(context, errors, std::move(lists), cell, 0, budget, root); });
     errors.rethrow();
     return root;
 }

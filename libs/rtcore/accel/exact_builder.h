@@ -16,7 +16,6 @@ EventLists makeEvents(const Mesh& mesh);
 
 /// Must be called inside an OpenMP parallel region by one thread (or without OpenMP): it makes tasks for the
 /// others.
-std::unique_ptr<Subtree> buildExact(const BuildContext& context, EventLists lists, const Box3& cell,
-                                    int depth);
+std::unique_ptr<Subtree> buildExact(const BuildContext& context, EventLists lists, const Box3& cell);
 
 } // namespace rtcore

@@ -32,16 +32,18 @@ class SubtreeBuilder {
         : context_(context), triangles_(std::move(lists.triangles)), sides_(triangles_.size()),
           tree_(std::make_unique<Subtree>()) {
         for (std::size_t a = 0; a < 3; ++a) {
+            // Taken out, so that each list is freed once copied: a piece that no split divides may be large.
+            const std::vector<Event> events = std::move(lists.axis[a]);
             root_.first[a] = arena_.size();
-            root_.count[a] = lists.axis[a].size();
-            arena_.insert(arena_.end(), lists.axis[a].begin(), lists.axis[a].end());
+            root_.count[a] = events.size();
+            arena_.insert(arena_.end(), events.begin(), events.end());
         }
         top_ = arena_.size();
     }
 
-    std::unique_ptr<Subtree> build(const Box3& cell, int depth) {
+    std::unique_ptr<Subtree> build(const Box3& cell, int depth, ReferenceBudget budget) {
         tree_->nodes.emplace_back();
-        buildNode(0, root_, static_cast<std::uint32_t>(triangles_.size()), cell, depth, 0);
+        buildNode(0, root_, static_cast<std::uint32_t>(triangles_.size()), cell, depth, 0, budget);
         tree_->nodes.shrink_to_fit();
         tree_->references.shrink_to_fit();
         return std::move(tree_);
@@ -50,13 +52,14 @@ class SubtreeBuilder {
   private:
     /// Returns the expected cost of the finished node.
     float buildNode(std::uint32_t index, const NodeEvents& events, std::uint32_t count, const Box3& cell,
-                    int depth, int failures) {
+                    int depth, int failures, ReferenceBudget budget) {
         const float leafCost = context_.cost.leaf(count);
         const std::size_t firstReference = tree_->references.size();
         Split split;
         // One triangle pays for a split only when much of the cell around it is empty; the cost says so
         // itself.
-        if (depth < context_.maxDepth && leafCost > context_.cost.traversal * context_.cost.emptyFactor) {
+        if (depth < context_.maxDepth && budget.allows(count) &&
+            leafCost > context_.cost.traversal * context_.cost.emptyFactor) {
             split = findSplit(events, count, cell);
         }
         if (split.cost >= leafCost) ++failures;
@@ -76,9 +79,11 @@ class SubtreeBuilder {
         tree_->nodes.resize(tree_->nodes.size() + 2);
         tree_->nodes[index] = {split.axis, split.position, children, children + 1};
         const AreaOfParts area(cell, split.axis);
-        const float lowerCost = buildNode(children, lower, parts.lower, lowerCell, depth + 1, failures);
+        const float lowerCost = buildNode(children, lower, parts.lower, lowerCell, depth + 1, failures,
+                                          budget.share(parts.lower, parts.lower + parts.upper));
         top_ = parts.keep;
-        const float upperCost = buildNode(children + 1, upper, parts.upper, upperCell, depth + 1, failures);
+        const float upperCost = buildNode(children + 1, upper, parts.upper, upperCell, depth + 1, failures,
+                                          budget.share(parts.upper, parts.lower + parts.upper));
 
         const float cost = context_.cost.traversal + area.lower(split.position) * lowerCost +
                            area.upper(split.position) * upperCost;
@@ -204,10 +209,10 @@ bool addClippedEvents(const BuildContext& context, std::uint32_t triangle, std::
 }
 
 std::unique_ptr<Subtree> buildExactSubtree(const BuildContext& context, EventLists lists, const Box3& cell,
-                                           int depth) {
+                                           int depth, ReferenceBudget budget) {
     context.checkCancelled();
     const std::size_t triangles = lists.triangles.size();
-    auto tree = SubtreeBuilder(context, std::move(lists)).build(cell, depth);
+    auto tree = SubtreeBuilder(context, std::move(lists)).build(cell, depth, budget);
     if (context.progress != nullptr) context.progress->finished += triangles;
     return tree;
 }

@@ -132,41 +132,45 @@ class SerialFastBuilder {
     SerialFastBuilder(const BuildContext& context, const FastOptions& options)
         : context_(context), options_(options), tree_(std::make_unique<Subtree>()) {}
 
-    std::unique_ptr<Subtree> build(const std::vector<Item>& items, const Box3& cell, int depth) {
+    std::unique_ptr<Subtree> build(const std::vector<Item>& items, const Box3& cell, int depth,
+                                   ReferenceBudget budget) {
         arena_ = items;
         tree_->nodes.emplace_back();
-        buildNode(0, 0, items.size(), arena_.size(), cell, depth);
+        buildNode(0, 0, items.size(), arena_.size(), cell, depth, budget);
         return std::move(tree_);
     }
 
   private:
     /// The node's items are arena_[first, first + count); all from `top` on is free.
     void buildNode(std::uint32_t index, std::size_t first, std::size_t count, std::size_t top,
-                   const Box3& cell, int depth) {
+                   const Box3& cell, int depth, ReferenceBudget budget) {
         if (count < options_.exactBelow) {
-            attachExact(index, first, count, cell, depth);
+            attachExact(index, first, count, cell, depth, budget);
             return;
         }
         // Few items need few bins.
         const std::size_t bins = std::min(options_.bins, std::max<std::size_t>(8, count / 2));
         Split split;
-        if (depth < context_.maxDepth && count > 0) {
-            split = cheapestBinned(&arena_[first], count, cell, bins, context_.cost);
+        if (depth < context_.maxDepth && count > 0 && budget.allows(count)) {
+            split = cheapestBinned(arena_.data() + first, count, cell, bins, context_.cost);
         }
         if (!(split.cost < context_.cost.leaf(static_cast<std::uint32_t>(count)))) {
             makeLeaf(index, first, count);
             return;
         }
         if (arena_.size() < top + count) arena_.resize(std::max(top + count, arena_.size() * 3 / 2));
-        const Counts n = divide(&arena_[first], count, split, &arena_[top], &arena_[first]);
+        Item* const own = arena_.data() + first;
+        const Counts n = divide(own, count, split, arena_.data() + top, own);
         Box3 lowerCell = cell;
         Box3 upperCell = cell;
         lowerCell.hi[split.axis] = upperCell.lo[split.axis] = split.position;
         const auto children = static_cast<std::uint32_t>(tree_->nodes.size());
         tree_->nodes.resize(tree_->nodes.size() + 2);
         tree_->nodes[index] = {split.axis, split.position, children, children + 1};
-        buildNode(children, top, n.lower, top + n.lower, lowerCell, depth + 1);
-        buildNode(children + 1, first, n.upper, top, upperCell, depth + 1);
+        buildNode(children, top, n.lower, top + n.lower, lowerCell, depth + 1,
+                  budget.share(n.lower, n.lower + n.upper));
+        buildNode(children + 1, first, n.upper, top, upperCell, depth + 1,
+                  budget.share(n.upper, n.lower + n.upper));
     }
 
     void makeLeaf(std::uint32_t index, std::size_t first, std::size_t count) {
@@ -176,8 +180,10 @@ class SerialFastBuilder {
     }
 
     /// The exact builder's tree in the place of a node; all its indices move up.
-    void attachExact(std::uint32_t index, std::size_t first, std::size_t count, const Box3& cell, int depth) {
-        const auto piece = buildExactSubtree(context_, makeLists(&arena_[first], count), cell, depth);
+    void attachExact(std::uint32_t index, std::size_t first, std::size_t count, const Box3& cell, int depth,
+                     ReferenceBudget budget) {
+        const auto piece =
+            buildExactSubtree(context_, makeLists(arena_.data() + first, count), cell, depth, budget);
         const auto nodes = static_cast<std::uint32_t>(tree_->nodes.size()) - 1; // its root takes no new place
         const auto references = static_cast<std::uint32_t>(tree_->references.size());
         for (std::size_t i = 0; i < piece->nodes.size(); ++i) {
@@ -204,15 +210,17 @@ class FastBuilder {
     FastBuilder(const BuildContext& context, const FastOptions& options)
         : context_(context), options_(options) {}
 
-    void buildNode(std::vector<Item> items, const Box3& cell, int depth, std::unique_ptr<Subtree>& out) {
+    void buildNode(std::vector<Item> items, const Box3& cell, int depth, ReferenceBudget budget,
+                   std::unique_ptr<Subtree>& out) {
+        if (errors_.any()) return;
         context_.checkCancelled();
         Split split;
-        if (items.size() > kSerialTriangles && depth < context_.maxDepth) {
+        if (items.size() > kSerialTriangles && depth < context_.maxDepth && budget.allows(items.size())) {
             split = cheapestBinned(items.data(), items.size(), cell, options_.bins, context_.cost);
         }
         if (!(split.cost < context_.cost.leaf(static_cast<std::uint32_t>(items.size())))) {
             const std::size_t count = items.size();
-            out = SerialFastBuilder(context_, options_).build(items, cell, depth);
+            out = SerialFastBuilder(context_, options_).build(items, cell, depth, budget);
             if (context_.progress != nullptr) context_.progress->finished += count;
             return;
         }
@@ -228,10 +236,12 @@ class FastBuilder {
         out->axis = split.axis;
         out->split = split.position;
         Subtree* const node = out.get();
+        const ReferenceBudget lowerBudget = budget.share(n.lower, n.lower + n.upper);
+        const ReferenceBudget upperBudget = budget.share(n.upper, n.lower + n.upper);
         const auto upper = std::make_shared<std::vector<Item>>(std::move(items));
-#pragma omp task default(shared) firstprivate(upper, upperCell, depth, node)
-        errors_.guard([&] { buildNode(std::move(*upper), upperCell, depth + 1, node->upper); });
-        errors_.guard([&] { buildNode(std::move(lower), lowerCell, depth + 1, node->lower); });
+#pragma omp task default(shared) firstprivate(upper, upperCell, upperBudget, depth, node)
+        errors_.guard([&] { buildNode(std::move(*upper), upperCell, depth + 1, upperBudget, node->upper); });
+        errors_.guard([&] { buildNode(std::move(lower), lowerCell, depth + 1, lowerBudget, node->lower); });
 #pragma omp taskwait
     }
 
@@ -259,7 +269,8 @@ std::unique_ptr<Subtree> buildFast(const BuildContext& context, const FastOption
     }
     FastBuilder builder(context, options);
     std::unique_ptr<Subtree> root;
-    builder.buildNode(std::move(items), cell, 0, root);
+    const auto budget = ReferenceBudget::ofScene(items.size());
+    builder.buildNode(std::move(items), cell, 0, budget, root);
     builder.rethrow();
     return root;
 }

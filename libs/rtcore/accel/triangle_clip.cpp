@@ -9,9 +9,9 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-/// Six planes add at most one corner each to the three.
+/// Six planes add at most one corner each to the three; a sliver that rounding bends may gain a few more.
 struct Polygon {
-    std::array<Point, 9> points;
+    std::array<Point, 16> points;
     int count = 0;
 
     void add(const Point& p) { points[static_cast<std::size_t>(count++)] = p; }

@@ -125,8 +125,10 @@ Survey survey(const KdTree& tree, const Mesh& mesh, const Axes& axes) {
     }
     constexpr int kEnough = 5;
     Survey result;
-    if (indoors >= kEnough && indoors >= stages) result.indoors = widest;
-    if (stages >= kEnough && stages > indoors) {
+    // What stands on a stage hides its open side from some places; a room's door is seen from few.
+    const bool stage = stages >= kEnough && 2 * stages >= indoors;
+    if (indoors >= kEnough && !stage) result.indoors = widest;
+    if (stage) {
         // The nearest of the four sides.
         const float right = dot(open, axes.right);
         const float front = dot(open, axes.front);

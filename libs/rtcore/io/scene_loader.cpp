@@ -20,9 +20,12 @@ namespace {
 
 enum class FileKind { Scene, Bsp, Model };
 
-/// A .scn is text in which some line sets `version`; other programs' .scn files are not.
+/// A .scn is text in which some line sets `version`; other programs' .scn files are not. Nor is XML, where an
+/// attribute `version` may stand at the beginning of a line.
 bool isSceneText(std::string_view head) {
     if (head.find('\0') != std::string_view::npos) return false;
+    const std::size_t text = head.find_first_not_of("\xEF\xBB\xBF \t\r\n");
+    if (text != std::string_view::npos && head[text] == '<') return false;
     while (!head.empty()) {
         const std::size_t end = std::min(head.find('\n'), head.size());
         std::string_view line = head.substr(0, end);

@@ -44,7 +44,8 @@ struct LoadedScene {
 };
 
 /// Content is sniffed before the extension is believed: a .bsp by its magic, a .scn by its extension or a
-/// line that sets `version`, anything else goes to the importer. Throws FileError.
+/// line that sets `version`, anything else goes to the importer. Throws FileError, and
+/// what buildKdTree() throws: BuildCancelled when buildProgress->cancel was set.
 LoadedScene loadScene(const std::filesystem::path& path, const LoadOptions& options = {});
 
 } // namespace rtcore

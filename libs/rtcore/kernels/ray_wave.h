@@ -12,8 +12,8 @@ namespace rtcore {
 
 inline constexpr std::uint32_t kNoTriangle = 0xFFFFFFFFU;
 
-/// A half-line or segment: origin + t * direction, tMin <= t <= tMax. The direction must be finite and not
-/// zero; its length is free (t is in units of it).
+/// A half-line or segment: origin + t * direction, 0 <= tMin <= t <= tMax. The direction must be finite and
+/// not zero; its length is free (t is in units of it).
 struct Ray {
     Vec3 origin;
     float tMin = 0;

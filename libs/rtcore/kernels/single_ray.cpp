@@ -2,6 +2,7 @@
 
 #include "rtcore/kernels/watertight.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -24,11 +25,23 @@ struct Interval {
     float t0, t1;
 };
 
-/// The part of [tMin, tMax] inside the box. 0 * infinity (a ray inside a face, parallel to it) is NaN, which
-/// these comparisons ignore: such a ray counts as inside.
-[[gnu::always_inline]] inline bool clipToBox(const Box3& box, const Ray& ray, Vec3 inverse,
+/// By how much the distance of a hit may be off from where the tree says that its cell lies: the leaf test's
+/// error grows with the distance of a triangle's farthest corner (kDistanceError), which is at most that of
+/// the box.
+float slackOf(const Box3& box, const Ray& ray) {
+    Vec3 farthest;
+    for (int axis = 0; axis < 3; ++axis) {
+        farthest[axis] =
+            std::max(std::fabs(box.lo[axis] - ray.origin[axis]), std::fabs(box.hi[axis] - ray.origin[axis]));
+    }
+    return kDistanceError * std::sqrt(dot(farthest, farthest) / dot(ray.direction, ray.direction));
+}
+
+/// The part of [tMin, tMax + slack] inside the box. 0 * infinity (a ray inside a face, parallel to it) is
+/// NaN, which these comparisons ignore: such a ray counts as inside.
+[[gnu::always_inline]] inline bool clipToBox(const Box3& box, const Ray& ray, float slack, Vec3 inverse,
                                              Interval& interval) {
-    interval = {ray.tMin, ray.tMax};
+    interval = {ray.tMin, ray.tMax + slack};
     for (int axis = 0; axis < 3; ++axis) {
         const float a = (box.lo[axis] - ray.origin[axis]) * inverse[axis];
         const float b = (box.hi[axis] - ray.origin[axis]) * inverse[axis];
@@ -46,7 +59,9 @@ template <typename Visit>
 void traverse(const KdTree& tree, const Ray& ray, const float& closest, Visit&& visit) {
     const Vec3 inverse{1.0F / ray.direction.x, 1.0F / ray.direction.y, 1.0F / ray.direction.z};
     Interval interval{};
-    if (tree.bounds.empty() || !clipToBox(tree.bounds, ray, inverse, interval)) return;
+    if (tree.bounds.empty()) return;
+    const float slack = slackOf(tree.bounds, ray);
+    if (!clipToBox(tree.bounds, ray, slack, inverse, interval)) return;
     // Bit 4 i + axis is set when the upper child is the nearer one: a shift by all of a node's bits finds it
     // without waiting for the axis.
     const std::uint32_t signs = (std::signbit(inverse.x) ? 1U : 0U) | (std::signbit(inverse.y) ? 2U : 0U) |
@@ -87,7 +102,7 @@ void traverse(const KdTree& tree, const Ray& ray, const float& closest, Visit&& 
         do {
             if (waiting == 0) return;
             --waiting;
-        } while (stack[waiting].t0 > closest);
+        } while (stack[waiting].t0 - slack > closest);
         index = stack[waiting].node;
         interval = {stack[waiting].t0, stack[waiting].t1};
     }

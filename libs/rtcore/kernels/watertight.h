@@ -32,6 +32,9 @@ struct RayShear {
     float sx, sy, sz;
 };
 
+/// What rounding may do to the leaf test's distance, as a share of that of the farthest corner.
+inline constexpr float kDistanceError = 0x1p-17F;
+
 /// The distance of a hit once more, from the plane of its triangle: of the three corners the nearest one is
 /// taken, and an axis-parallel plane has no rounding but that of its own coordinate. The leaf test's own
 /// distance `t` is a mean of the corners', whose error grows with the triangle: too much for a ray that
@@ -50,10 +53,9 @@ struct RayShear {
     const Vec3 nearest = aa <= bb && aa <= cc ? a : bb <= cc ? b : c;
     const float farthest = aa >= bb && aa >= cc ? aa : bb >= cc ? bb : cc;
     const float exact = dot(normal, nearest) / dot(normal, direction);
-    // Of the farthest corner's distance: what differs more is no rounding of the leaf test.
-    constexpr float kShare = 0x1p-17F;
     const float apart = exact - t;
-    return apart * apart * dot(direction, direction) <= kShare * kShare * farthest ? exact : t;
+    return apart * apart * dot(direction, direction) <= kDistanceError * kDistanceError * farthest ? exact
+                                                                                                   : t;
 }
 
 /// Tests triangle `index` against the ray, whose shear.kz is `Kz`; `hit` holds the closest so far (its t

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -77,8 +78,23 @@ struct Opened {
     std::size_t size; ///< as the system states it; 0 for what is no regular file
 };
 
+/// Until the pipe has something to read, or its writer has left; closes it when there is none.
+void waitForWriter(const fs::path& path, int fd) {
+    constexpr int kMilliseconds = 10'000;
+    pollfd waiting{fd, POLLIN, 0};
+    int ready = 0;
+    do ready = ::poll(&waiting, 1, kMilliseconds);
+    while (ready < 0 && errno == EINTR);
+    if (ready == 0) {
+        ::close(fd);
+        throw FileError(FailureKind::NoInput, path.string(),
+                        "it is a pipe, and nobody writes to it; give a file");
+    }
+}
+
 Opened openForReading(const fs::path& path) {
-    const int fd = openRetrying(path, O_RDONLY);
+    // Opening must not wait: a pipe that nobody writes to would hold the program for ever.
+    const int fd = openRetrying(path, O_RDONLY | O_NONBLOCK);
     if (fd < 0) failReading(path, errno);
     struct stat status {};
     if (::fstat(fd, &status) != 0 || S_ISDIR(status.st_mode)) {
@@ -86,6 +102,8 @@ Opened openForReading(const fs::path& path) {
         ::close(fd);
         failReading(path, error);
     }
+    if (S_ISFIFO(status.st_mode)) waitForWriter(path, fd);
+    ::fcntl(fd, F_SETFL, ::fcntl(fd, F_GETFL) & ~O_NONBLOCK);
     const bool regular = S_ISREG(status.st_mode);
     return {Descriptor(fd), regular, regular ? static_cast<std::size_t>(status.st_size) : 0};
 }

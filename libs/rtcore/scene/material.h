@@ -35,7 +35,7 @@ struct Material {
     std::uint32_t fresnel = 0;      ///< 0 or 1, see above
     std::uint32_t diffuseTexture = kNoTexture;
     std::uint32_t alphaTexture =
-        kNoTexture; ///< red channel times `opacity`; alpha channel when `alphaFromAlpha`
+        kNoTexture; ///< coverage: the red channel, or the alpha channel when `alphaFromAlpha`
     std::uint32_t alphaFromAlpha = 0;
     std::uint32_t normalTexture = kNoTexture;
     std::uint32_t emissionTexture = kNoTexture;
@@ -46,7 +46,7 @@ struct Material {
 };
 static_assert(std::is_trivially_copyable_v<Material> && sizeof(Material) == 112);
 
-/// A part of the light passes straight through or refracted (not counting holes cut by alpha textures).
+/// A part of the light may pass, through the surface or through holes that an alpha texture cuts.
 inline bool isTransparent(const Material& m) { return m.opacity < 1 || m.alphaTexture != kNoTexture; }
 
 } // namespace rtcore

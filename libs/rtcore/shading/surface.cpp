@@ -37,14 +37,6 @@ float coverageOf(const Scene& scene, const Material& material, Vec2 uv) {
     return alpha;
 }
 
-/// The largest |coordinate| on each axis.
-Vec3 extentOf(Vec3 a, Vec3 b, Vec3 c) {
-    const auto largest = [](float x, float y, float z) {
-        return std::max(std::fabs(x), std::max(std::fabs(y), std::fabs(z)));
-    };
-    return {largest(a.x, b.x, c.x), largest(a.y, b.y, c.y), largest(a.z, b.z, c.z)};
-}
-
 Colour textureColour(const Scene& scene, std::uint32_t texture, Vec2 uv) {
     return sampleTexture(scene.model, scene.model.textures[texture], uv).colour;
 }
@@ -67,7 +59,7 @@ Surface surfaceAt(const Scene& scene, bool textures, Vec3 direction, const Hit& 
     s.toViewer = -direction;
     s.geometricNormal = normalize(mesh.geometricNormal(hit.triangle));
     s.shadingNormal = normalize(interpolate(mesh.normals, shading, hit));
-    s.clearance = surfaceClearance(extentOf(a, b, c), s.geometricNormal);
+    s.clearance = surfaceClearance(a, b, c, s.geometricNormal);
     s.fromInside = dot(s.geometricNormal, direction) > 0;
     if (s.fromInside) s.geometricNormal = -s.geometricNormal;
     if (s.shadingNormal == Vec3{}) s.shadingNormal = s.geometricNormal;

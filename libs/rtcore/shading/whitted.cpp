@@ -65,7 +65,7 @@ void WhittedIntegrator::trace(const RayWave& primary, std::span<Colour> radiance
     }
     traceWave(RayKind::Primary);
     while (!mirrored_.empty() || !refracted_.empty()) {
-        if (stop_ != nullptr && stop_->load(std::memory_order_relaxed)) return;
+        if (stopped()) return;
         const bool mirror = mirrored_.size() >= refracted_.size();
         (mirror ? mirrored_ : refracted_).takeLast(kWaveSize, wave_);
         traceWave(mirror ? RayKind::Mirror : RayKind::Refracted);
@@ -86,7 +86,7 @@ void WhittedIntegrator::traceWave(RayKind kind) {
     }
     for (const Point& point : points_) addGlow(point);
     for (const Light& light : scene_.lights) {
-        if (light.on != 0) addLight(light);
+        if (light.on != 0 && !stopped()) addLight(light);
     }
     for (const Point& point : points_) {
         spawnMirrored(point);

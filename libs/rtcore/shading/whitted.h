@@ -49,6 +49,7 @@ class WhittedIntegrator {
     void spawnMirrored(const Point& point);
     void spawnTransmitted(const Point& point);
     bool matters(Colour weight) const;
+    bool stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
 
     const Scene& scene_;
     const RayTracer& tracer_;

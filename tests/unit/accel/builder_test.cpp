@@ -135,6 +135,28 @@ INSTANTIATE_TEST_SUITE_P(
                     MeshCase{"allSizes", allSizes}),
     [](const auto& testCase) { return testCase.param.name; });
 
+// Every split along the bar would cut all slivers, and would still seem to pay.
+TEST(Builder, longSliversTakeMemoryInProportionToTheirNumber) {
+    test::Random random(31);
+    test::SampleMesh sample;
+    const auto across = [&] { return 1e-6F * random.number(0, 1); };
+    for (int i = 0; i < 6000; ++i) {
+        sample.addTriangle({0, across(), across()}, {1, across(), across()}, {1, across(), across()});
+    }
+    for (int i = 0; i < 1000; ++i) {
+        const float x = random.number(0, 1);
+        sample.addTriangle({x, across(), across()}, {x + 1e-6F, across(), across()}, {x, across(), across()});
+    }
+    for (const BuildMethod method : {BuildMethod::Exact, BuildMethod::Fast}) {
+        BuildOptions options;
+        options.method = method;
+        const KdTree tree = buildKdTree(sample.view(), options);
+        EXPECT_FALSE(validateKdTree(tree, sample.triangles.size()));
+        EXPECT_GT(tree.references.size(), 2 * sample.triangles.size());
+        EXPECT_LE(tree.references.size(), 2 * (16 * sample.triangles.size() + 4096));
+    }
+}
+
 TEST(Builder, theEmptyTreeIsOneEmptyLeafWithoutBounds) {
     const KdTree tree = buildKdTree(Mesh{}, {});
     ASSERT_EQ(tree.nodes.size(), 1U);

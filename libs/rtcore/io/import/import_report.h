@@ -12,7 +12,7 @@ struct ImportReport {
     std::string format;                    ///< the importer's name for it, as "Wavefront Object Importer"
     std::uint64_t degenerateTriangles = 0; ///< without area: dropped
     std::uint64_t ignoredPrimitives = 0;   ///< points and lines: dropped
-    std::uint64_t nonFiniteTriangles = 0;  ///< a coordinate is no number or beyond 1e16: dropped
+    std::uint64_t nonFiniteTriangles = 0;  ///< a coordinate is no number or beyond 1e12: dropped
     std::vector<std::string> warnings;     ///< sentences for the user, without a file name
 
     friend bool operator==(const ImportReport&, const ImportReport&) = default;

@@ -13,7 +13,7 @@ namespace rtcore {
 namespace {
 
 /// Squares of distances up to here stay finite in float.
-constexpr float kLargestCoordinate = 1e16F;
+constexpr float kLargestCoordinate = 1e12F;
 /// Corners are numbered in 32 bits.
 constexpr std::size_t kMostTriangles = std::size_t{1} << 30;
 

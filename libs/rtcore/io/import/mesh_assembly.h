@@ -51,7 +51,7 @@ class IndexTable {
 
 /// Welds vertices whose positions are equal (-0 = 0), so that neighbours share them; keeps the order of
 /// triangles; drops and counts triangles without area and those with a coordinate that is no number or beyond
-/// 1e16. Entries of normals, texture coordinates and colours are shared where all of them are equal. One
+/// 1e12. Entries of normals, texture coordinates and colours are shared where all of them are equal. One
 /// thread.
 class MeshAssembler {
   public:

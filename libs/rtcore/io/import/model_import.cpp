@@ -114,6 +114,17 @@ void throwFailure(const fs::path& path, const ProcessResult& result, const Proce
     }
 }
 
+/// For names that this suite gives its own files: what may really be wrong with them.
+void explainOwnFormats(const fs::path& path) {
+    if (path.extension() == ".bsp") {
+        refuse(path,
+               "it is no .bsp of this suite, or its beginning is damaged; build it again with BSPBuilder");
+    }
+    if (path.extension() == ".scn" || path.extension() == ".cam" || path.extension() == ".set") {
+        refuse(path, "it is no model; give the model or .bsp itself");
+    }
+}
+
 } // namespace
 
 ImportedModel importModel(const fs::path& path, const ImportOptions& options) {
@@ -133,10 +144,15 @@ ImportedModel importModel(const fs::path& path, const ImportOptions& options) {
         runProcess(importer,
                    {"--parent", std::to_string(processId()), "--memory", std::to_string(limits.memory),
                     "--crease", std::to_string(options.creaseAngle.value_or(kCreaseAngle)), "--flip",
-                    options.flipTextures.value_or(false) ? "1" : "0", "--", fs::absolute(path).string(),
-                    handOver.string()},
+                    options.flipTextures.value_or(false) ? "1" : "0", "--threads",
+                    std::to_string(options.threads), "--", fs::absolute(path).string(), handOver.string()},
                    limits);
-    throwFailure(path, result, limits);
+    try {
+        throwFailure(path, result, limits);
+    } catch (const FileError& failure) {
+        if (failure.kind == FailureKind::BadData) explainOwnFormats(path);
+        throw;
+    }
     ImportedModel imported;
     try {
         imported.model = readBsp(handOver).model;

@@ -21,6 +21,7 @@ struct ImportOptions {
         0;                ///< bytes the importer may use; 0 = the larger of 2 GB and 40 times the file
     double timeLimit = 0; ///< seconds the importer may take for one step (parsing, one picture, one mesh);
                           ///< 0 = 15, and 2 more for each MB of the file
+    int threads = 0;      ///< 0 = all cores; the model does not depend on it
     const std::atomic<bool>* stop = nullptr; ///< becomes true: give up with FailureKind::Stopped
 };
 
