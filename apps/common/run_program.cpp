@@ -5,6 +5,7 @@
 #include "common/terminal.h"
 
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/instruction_set.h"
 
 #include <exception>
 #include <new>
@@ -36,6 +37,7 @@ ExitCode parseAndRun(const ProgramSpec& spec, const std::vector<std::string>& wo
         writeError(briefText(spec));
         return ExitCode::Usage;
     }
+    rtcore::useInstructionSetOfEnvironment();
     const Arguments arguments = parseCommandLine(spec, words);
     if (arguments.has("help")) {
         writeOutput(helpText(spec));

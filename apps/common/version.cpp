@@ -1,5 +1,7 @@
 #include "common/help_text.h"
 
+#include "rtcore/platform/instruction_set.h"
+
 // RT_VERSION and RT_HAS_... come from the build system, for this file alone; _OPENMP from the compiler.
 
 namespace app {
@@ -22,7 +24,9 @@ std::string versionText(const ProgramSpec& spec) {
     text += feature("OpenMP", kOpenMp, "one thread renders");
     text += feature("ImageMagick", RT_HAS_MAGICK != 0, "only the common image formats");
     text += feature("OpenEXR", RT_HAS_OPENEXR != 0, "no .exr images");
-    return text;
+    text += "Vector code: " + rtcore::instructionSet() + ", of";
+    for (const std::string& name : rtcore::instructionSets()) text += " " + name;
+    return text + "; RT_ISA chooses another\n";
 }
 
 } // namespace app

@@ -1,0 +1,86 @@
+#include "rtcore/platform/instruction_set.h"
+
+#include <hwy/highway.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <stdexcept>
+
+namespace rtcore {
+
+namespace {
+
+std::string nameOf(std::int64_t target) {
+    switch (target) {
+    case HWY_AVX3:
+        return "avx512";
+    case HWY_AVX2:
+        return "avx2";
+    case HWY_SSE4:
+        return "sse4";
+    case HWY_NEON:
+        return "neon";
+    case HWY_STATIC_TARGET:
+        return "scalar";
+    default:
+        return {};
+    }
+}
+
+/// All that this program has code for and this processor can run, fastest first.
+std::vector<std::int64_t> targets() {
+    static const std::vector<std::int64_t> all = [] {
+        std::vector<std::int64_t> found;
+        for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+            if (!nameOf(target).empty()) found.push_back(target);
+        }
+        return found;
+    }();
+    return all;
+}
+
+/// Of the processor's targets, the ones from `first` on: what is slower stays possible, since not every
+/// function is compiled for every target.
+void allowFrom(std::size_t first) {
+    std::int64_t mask = 0;
+    for (std::size_t i = first; i < targets().size(); ++i) mask |= targets()[i];
+    hwy::SetSupportedTargetsForTest(mask);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+std::size_t& chosen() {
+    static std::size_t index = 0;
+    return index;
+}
+
+} // namespace
+
+std::vector<std::string> instructionSets() {
+    std::vector<std::string> names;
+    for (const std::int64_t target : targets()) names.push_back(nameOf(target));
+    return names;
+}
+
+std::string instructionSet() { return instructionSets()[chosen()]; }
+
+bool useInstructionSet(std::string_view name) {
+    const std::vector<std::string> names = instructionSets();
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (name != names[i] && !(name == "auto" && i == 0)) continue;
+        chosen() = i;
+        allowFrom(i);
+        return true;
+    }
+    return false;
+}
+
+void useInstructionSetOfEnvironment() {
+    const char* const name = std::getenv("RT_ISA");
+    if (name == nullptr || *name == '\0' || useInstructionSet(name)) return;
+    std::string known;
+    for (const std::string& each : instructionSets()) known += " " + each;
+    throw std::runtime_error(std::string("RT_ISA=") + name +
+                             " is not an instruction set of this processor; it has:" + known);
+}
+
+} // namespace rtcore
