@@ -11,7 +11,7 @@ namespace rtcore {
 
 /// Valid as long as the arrays behind the tree, the mesh and the records.
 struct KernelScene {
-    KernelScene(const KdTree& tree, const Mesh& mesh, const Vertex* inlineRecords = nullptr)
+    KernelScene(const KdTree& tree, const Mesh& mesh, const float* inlineRecords = nullptr)
         : nodes(tree.nodes.data()), references(tree.references.data()), vertices(mesh.vertices.data()),
           triangles(mesh.triangles.data()), records(inlineRecords),
           lo{tree.bounds.lo.x, tree.bounds.lo.y, tree.bounds.lo.z},
@@ -21,9 +21,8 @@ struct KernelScene {
     const std::uint32_t* references;
     const Vertex* vertices;
     const Triangle* triangles;
-    /// Null, or the three corners of each reference's triangle, in the order of the references, its index in the
-    /// place of the first corner's fourth float: more memory, fewer places to fetch from.
-    const Vertex* records;
+    /// Null, or copies of the corners in the order of the leaves (leaf_records.h).
+    const float* records;
     float lo[3], hi[3]; ///< the root's cell; lo > hi: nothing to hit
 };
 

@@ -6,6 +6,7 @@
 #define RTCORE_KERNELS_LEAF_TEST_INL_H_
 #endif
 
+#include "rtcore/kernels/leaf_records.h"
 #include "rtcore/kernels/wave_kernels.h"
 
 #include <hwy/highway.h>
@@ -38,22 +39,28 @@ enum class Shared {
     Nothing
 };
 
-/// Where the corners of a reference's triangle are, and its index.
-struct Corners {
-    const float *a, *b, *c;
-    std::int32_t triangle;
+/// The references of a leaf.
+struct Leaf {
+    std::uint32_t first, count;
 };
 
-HWY_INLINE Corners cornersOf(const KernelScene& scene, std::uint32_t reference) {
+/// Where the corners of a triangle are: the coordinates of each lie `stride` apart.
+struct Corners {
+    const float *a = nullptr, *b = nullptr, *c = nullptr;
+    std::size_t stride = 1;
+    std::int32_t triangle = kNone;
+};
+
+HWY_INLINE Corners cornersOf(const KernelScene& scene, const Leaf& leaf, std::uint32_t i) {
     if (scene.records != nullptr) {
-        const Vertex* const record = scene.records + std::size_t{reference} * 3;
-        return {&record[0].x, &record[1].x, &record[2].x,
-                std::bit_cast<std::int32_t>(record[0].unused)};
+        const std::size_t count = leaf.count;
+        const float* const a = scene.records + kFloatsPerRecord * leaf.first + i;
+        return {a, a + 3 * count, a + 6 * count, count, std::bit_cast<std::int32_t>(a[9 * count])};
     }
-    const std::uint32_t index = scene.references[reference];
+    const std::uint32_t index = scene.references[leaf.first + i];
     const Triangle& triangle = scene.triangles[index];
     return {&scene.vertices[triangle.v[0]].x, &scene.vertices[triangle.v[1]].x,
-            &scene.vertices[triangle.v[2]].x, static_cast<std::int32_t>(index)};
+            &scene.vertices[triangle.v[2]].x, 1, static_cast<std::int32_t>(index)};
 }
 
 /// The dominant axis of each lane as RayShear chooses it, and how to bring the coordinates of a vector (x, y,
@@ -91,7 +98,7 @@ struct AxisOrder {
 /// A vector of rays as the leaf test wants them: origin and shear in the order of the dominant axis.
 struct ShearedRays {
     Floats x, y, z;
-    Floats sx, sy, sz;
+    Floats sx, sy, minusSz;
 };
 
 HWY_INLINE ShearedRays shear(const AxisOrder& order, Floats ox, Floats oy, Floats oz, Floats dx, Floats dy,
@@ -102,19 +109,52 @@ HWY_INLINE ShearedRays shear(const AxisOrder& order, Floats ox, Floats oy, Float
             order.choose(ox, oy, oz),
             hn::Div(order.choose(dy, dz, dx), along),
             hn::Div(order.choose(dz, dx, dy), along),
-            hn::Div(hn::Set(FloatTag(), 1.0F), along)};
+            hn::Div(hn::Set(FloatTag(), -1.0F), along)};
 }
+
+/// Origin minus corner in the order of the dominant axis. (The single ray has corner minus origin: the signs
+/// cancel out, exactly, and this way a corner's coordinate can be fetched by the subtraction.)
+struct Offset {
+    Floats x, y, z;
+};
+
+/// Brings corners to rays that share their dominant axis `kz`.
+struct AlongAxis {
+    int kx, ky, kz;
+
+    HWY_INLINE Offset offset(const float* corner, std::size_t stride, const ShearedRays& rays) const {
+        const FloatTag d;
+        return {hn::Sub(rays.x, hn::Set(d, corner[static_cast<std::size_t>(kx) * stride])),
+                hn::Sub(rays.y, hn::Set(d, corner[static_cast<std::size_t>(ky) * stride])),
+                hn::Sub(rays.z, hn::Set(d, corner[static_cast<std::size_t>(kz) * stride]))};
+    }
+};
+
+/// Brings corners to rays of any axis.
+struct AlongEach {
+    const AxisOrder& order;
+
+    HWY_INLINE Offset offset(const float* corner, std::size_t stride, const ShearedRays& rays) const {
+        const FloatTag d;
+        if (stride != 1) {
+            const Floats x = hn::Set(d, corner[0]);
+            const Floats y = hn::Set(d, corner[stride]);
+            const Floats z = hn::Set(d, corner[2 * stride]);
+            return {hn::Sub(rays.x, order.choose(y, z, x)), hn::Sub(rays.y, order.choose(z, x, y)),
+                    hn::Sub(rays.z, order.choose(x, y, z))};
+        }
+        const Bytes all = hn::BitCast(ByteTag(), hn::LoadDup128(d, corner));
+        return {hn::Sub(rays.x, hn::BitCast(d, hn::TableLookupBytes(all, order.x))),
+                hn::Sub(rays.y, hn::BitCast(d, hn::TableLookupBytes(all, order.y))),
+                hn::Sub(rays.z, hn::BitCast(d, hn::TableLookupBytes(all, order.z)))};
+    }
+};
 
 /// What the test of one triangle says of each lane.
 struct Outcome {
     Lanes inside; ///< the ray's line meets the triangle
     Floats t;     ///< where; NaN or any other number outside
     Floats v, w, det;
-};
-
-/// Corner minus origin in the order of the dominant axis.
-struct Offset {
-    Floats x, y, z;
 };
 
 HWY_INLINE Outcome edgeTest(Offset a, Offset b, Offset c, const ShearedRays& rays) {
@@ -134,23 +174,66 @@ HWY_INLINE Outcome edgeTest(Offset a, Offset b, Offset c, const ShearedRays& ray
     const Floats det = hn::Add(hn::Add(u, v), w);
     const Lanes seen = hn::Ge(hn::Abs(det), hn::Set(d, std::numeric_limits<float>::min()));
     const Floats sum = hn::Add(hn::Add(hn::Mul(u, a.z), hn::Mul(v, b.z)), hn::Mul(w, c.z));
-    return {hn::And(hn::Or(front, back), seen), hn::Div(hn::Mul(sum, rays.sz), det), v, w, det};
+    return {hn::And(hn::Or(front, back), seen), hn::Div(hn::Mul(sum, rays.minusSz), det), v, w, det};
 }
 
-/// Corners at the rays of a packet that share their dominant axis `kz`.
-HWY_INLINE Offset offsetAlong(const float* corner, int kx, int ky, int kz, const ShearedRays& rays) {
+/// What a vector of rays has found so far.
+struct Found {
+    Floats best; ///< distance of the closest hit; for any hit tMax, or -1 once hit
+    Ints triangle;
+    Floats v, w, det; ///< only of the lanes in `changed`
+    Lanes changed;    ///< by the leaf
+};
+
+/// Tests one triangle against a vector of rays: those in `inCell`, from `tMin` on. Returns who hit it (for any
+/// hit `triangle`, v, w, det are left alone).
+template <bool kAny, typename Along>
+HWY_INLINE Lanes testTriangle(const Corners& corners, const Along& along, const ShearedRays& rays, Floats tMin,
+                              Lanes inCell, Found& found) {
     const FloatTag d;
-    return {hn::Sub(hn::Set(d, corner[kx]), rays.x), hn::Sub(hn::Set(d, corner[ky]), rays.y),
-            hn::Sub(hn::Set(d, corner[kz]), rays.z)};
+    const IntTag di;
+    const Outcome outcome =
+        edgeTest(along.offset(corners.a, corners.stride, rays), along.offset(corners.b, corners.stride, rays),
+                 along.offset(corners.c, corners.stride, rays), rays);
+    const Lanes open = hn::And(hn::And(outcome.inside, inCell), hn::Ge(outcome.t, tMin));
+    Lanes hit = open;
+    if constexpr (kAny) {
+        hit = hn::And(open, hn::Le(outcome.t, found.best));
+        found.best = hn::IfThenElse(hit, hn::Set(d, -1.0F), found.best);
+    } else {
+        const Ints index = hn::Set(di, corners.triangle);
+        const Lanes lower = hn::RebindMask(d, hn::Lt(index, found.triangle));
+        hit = hn::And(open, hn::Or(hn::Lt(outcome.t, found.best),
+                                   hn::And(hn::Eq(outcome.t, found.best), lower)));
+        found.best = hn::IfThenElse(hit, outcome.t, found.best);
+        found.triangle = hn::IfThenElse(hn::RebindMask(di, hit), index, found.triangle);
+        found.v = hn::IfThenElse(hit, outcome.v, found.v);
+        found.w = hn::IfThenElse(hit, outcome.w, found.w);
+        found.det = hn::IfThenElse(hit, outcome.det, found.det);
+    }
+    found.changed = hn::Or(found.changed, hit);
+    return hit;
 }
 
-/// Corners at rays of any axis.
-HWY_INLINE Offset offsetEach(const float* corner, const AxisOrder& order, const ShearedRays& rays) {
-    const FloatTag d;
-    const Bytes all = hn::BitCast(ByteTag(), hn::LoadDup128(d, corner));
-    return {hn::Sub(hn::BitCast(d, hn::TableLookupBytes(all, order.x)), rays.x),
-            hn::Sub(hn::BitCast(d, hn::TableLookupBytes(all, order.y)), rays.y),
-            hn::Sub(hn::BitCast(d, hn::TableLookupBytes(all, order.z)), rays.z)};
+/// Tests all triangles of a leaf. For any hit `occluder` becomes the last that was hit.
+template <bool kAny, typename Along>
+HWY_INLINE void testTriangles(const KernelScene& scene, const Leaf& leaf, const Along& along,
+                              const ShearedRays& rays, Floats tMin, Lanes inCell, Found& found,
+                              Corners& occluder) {
+    for (std::uint32_t i = 0; i < leaf.count; ++i) {
+        const Corners corners = cornersOf(scene, leaf, i);
+        const Lanes hit = testTriangle<kAny>(corners, along, rays, tMin, inCell, found);
+        if (kAny && !hn::AllFalse(FloatTag(), hit)) occluder = corners;
+    }
+}
+
+/// Calls `work` with the number of each lane that `lanes` holds.
+template <typename Work>
+HWY_INLINE void forEachLane(Lanes lanes, Work&& work) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(FloatTag(), lanes, bytes);
+    std::uint32_t bits = std::uint32_t{bytes[0]} | std::uint32_t{bytes[1]} << 8U;
+    for (; bits != 0; bits &= bits - 1) work(static_cast<std::size_t>(std::countr_zero(bits)));
 }
 
 /// The smaller of both; the second where either is not a number.

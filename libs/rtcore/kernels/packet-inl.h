@@ -8,7 +8,7 @@
 #define RTCORE_KERNELS_PACKET_INL_H_
 #endif
 
-#include "rtcore/kernels/leaf_test-inl.h"
+#include "rtcore/kernels/triangle_block-inl.h"
 #include "rtcore/kernels/rounding.h"
 
 #include <algorithm>
@@ -65,8 +65,6 @@ class Culling {
     }
 };
 
-constexpr std::uint32_t kNoReference = 0xFFFFFFFFU;
-
 /// A child that waits, with the intervals of all rays in its cell.
 template <std::size_t kVectors>
 struct WaitingPacket {
@@ -82,11 +80,7 @@ class PacketWalk {
     PacketWalk(const KernelScene& scene, Packet<kVectors>& packet) : scene_(scene), packet_(packet) {}
 
     /// Needed before run() unless kShared is Nothing: all rays have the dominant axis `kz`.
-    HWY_INLINE void setAxis(int kz) {
-        kz_ = kz;
-        kx_ = (kz + 1) % 3;
-        ky_ = (kz + 2) % 3;
-    }
+    HWY_INLINE void setAxis(int kz) { along_ = {(kz + 1) % 3, (kz + 2) % 3, kz}; }
 
     /// Visits all leaves below `root` that any ray meets.
     HWY_NOINLINE void run(std::uint32_t root, const Culling& culling) {
@@ -102,7 +96,7 @@ class PacketWalk {
         }
         if constexpr (kCull) interval = boundsOf(t0, t1);
         if constexpr (kAny) {
-            if (occluder != kNoReference && testReference(occluder, t0, t1) && allDone()) return;
+            if (occluder.a != nullptr && testOccluder(t0, t1)) return;
         }
         std::size_t waiting = 0;
         std::uint32_t index = root;
@@ -112,7 +106,7 @@ class PacketWalk {
                 index = descend(node, culling, t0, t1, interval, waiting);
                 continue;
             }
-            if (node.count() != 0 && testLeaf(node, t0, t1)) return;
+            if (node.count() != 0 && testLeaf({node.firstReference, node.count()}, t0, t1)) return;
             bool alive = false;
             do {
                 if (waiting == 0) return;
@@ -124,6 +118,7 @@ class PacketWalk {
     }
 
   private:
+    static constexpr std::size_t kTestCost = 10, kBlockCost = 25, kRayCost = 13;
     static constexpr float kDown = kPlaneDown;
     static constexpr float kUp = kPlaneUp;
 
@@ -271,12 +266,11 @@ class PacketWalk {
             hn::Store(rays.z, d, sheared_[2] + at);
             hn::Store(rays.sx, d, sheared_[3] + at);
             hn::Store(rays.sy, d, sheared_[4] + at);
-            hn::Store(rays.sz, d, sheared_[5] + at);
+            hn::Store(rays.minusSz, d, sheared_[5] + at);
             if constexpr (kShared == Shared::Nothing) {
-                const ByteTag bytes;
-                hn::Store(order.x, bytes, order_[0] + at * sizeof(float));
-                hn::Store(order.y, bytes, order_[1] + at * sizeof(float));
-                hn::Store(order.z, bytes, order_[2] + at * sizeof(float));
+                const IntTag di;
+                const auto axis = [&](std::int32_t x) HWY_ATTR { return hn::BitCast(d, hn::Set(di, x)); };
+                hn::Store(hn::BitCast(di, order.choose(axis(0), axis(1), axis(2))), di, axis_ + at);
             }
         }
     }
@@ -287,86 +281,137 @@ class PacketWalk {
                 hn::Load(d, sheared_[3] + at), hn::Load(d, sheared_[4] + at), hn::Load(d, sheared_[5] + at)};
     }
 
-    /// The three corners at the rays of vector `at`.
-    HWY_INLINE Offset offset(const float* corner, const ShearedRays& rays, std::size_t at) const {
-        const FloatTag d;
-        if constexpr (kShared == Shared::Origin) {
-            return {hn::Set(d, corner[kx_] - packet_.origin[kx_][0]),
-                    hn::Set(d, corner[ky_] - packet_.origin[ky_][0]),
-                    hn::Set(d, corner[kz_] - packet_.origin[kz_][0])};
-        } else if constexpr (kShared == Shared::Axis) {
-            return offsetAlong(corner, kx_, ky_, kz_, rays);
-        } else {
-            const ByteTag bytes;
-            const Bytes all = hn::BitCast(bytes, hn::LoadDup128(d, corner));
-            const auto place = [&](int i) HWY_ATTR {
-                return hn::BitCast(d, hn::TableLookupBytes(
-                                          all, hn::Load(bytes, order_[i] + at * sizeof(float))));
-            };
-            return {hn::Sub(place(0), rays.x), hn::Sub(place(1), rays.y), hn::Sub(place(2), rays.z)};
-        }
-    }
-
     /// Tests the triangles of a leaf; true when the walk can end.
-    HWY_INLINE bool testLeaf(KdNode leaf, const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
-        bool hit = false;
-        for (std::uint32_t i = 0; i < leaf.count(); ++i) {
-            hit |= testReference(leaf.firstReference + i, t0, t1);
-        }
-        return kAny && hit && allDone();
-    }
-
-    /// Tests one triangle; true when any ray hits it. For any hit, those that do take no further part.
-    HWY_INLINE bool testReference(std::uint32_t reference, const Floats (&t0)[kVectors],
-                                  Floats (&t1)[kVectors]) {
+    HWY_INLINE bool testLeaf(const Leaf& leaf, const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
         const FloatTag d;
         if (!leavesReady_) prepareLeaves();
-        const Corners corners = cornersOf(scene_, reference);
-        Lanes any = hn::FirstN(d, 0);
+        std::size_t vectors = 0;
+        std::size_t rays = 0;
         for (std::size_t k = 0; k < kVectors; ++k) {
-            const std::size_t at = k * kLanes;
-            const ShearedRays rays = shearedRays(at);
-            const Outcome outcome = edgeTest(offset(corners.a, rays, at), offset(corners.b, rays, at),
-                                             offset(corners.c, rays, at), rays);
-            const Lanes alive = hn::And(outcome.inside, hn::Le(t0[k], t1[k]));
-            if constexpr (kAny) {
-                const Lanes hit = keepAny(outcome, alive, at);
-                t1[k] = hn::IfThenElse(hit, hn::Set(d, -1.0F), t1[k]);
-                any = hn::Or(any, hit);
-            } else {
-                keepClosest(outcome, alive, corners.triangle, at);
-            }
+            const std::size_t inCell = hn::CountTrue(d, hn::Le(t0[k], t1[k]));
+            rays += inCell;
+            vectors += inCell > 0 ? 1 : 0;
         }
-        if (!kAny || hn::AllFalse(d, any)) return false;
-        occluder = reference;
-        return true;
+        if (rayByRayPays(rays, vectors, leaf.count)) return testRayByRay(leaf, t0, t1);
+        const auto test = [&](std::size_t at, Lanes inCell, Found& found) HWY_ATTR {
+            const Floats tMin = hn::Load(d, packet_.tMin + at);
+            const ShearedRays rays = shearedRays(at);
+            if constexpr (kShared == Shared::Nothing) {
+                const AxisOrder order = axisOrder(at);
+                testTriangles<kAny>(scene_, leaf, AlongEach{order}, rays, tMin, inCell, found, occluder);
+            } else {
+                testTriangles<kAny>(scene_, leaf, along_, rays, tMin, inCell, found, occluder);
+            }
+        };
+        return testVectors(test, t0, t1);
     }
 
-    HWY_INLINE Lanes keepAny(const Outcome& outcome, Lanes alive, std::size_t at) {
+    /// Tests the triangle that stopped a ray before.
+    HWY_NOINLINE bool testOccluder(const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
         const FloatTag d;
-        const Floats best = hn::Load(d, packet_.best + at);
-        const Lanes hit = hn::And(alive, hn::And(hn::Ge(outcome.t, hn::Load(d, packet_.tMin + at)),
-                                                 hn::Le(outcome.t, best)));
-        hn::Store(hn::IfThenElse(hit, hn::Set(d, -1.0F), best), d, packet_.best + at);
-        return hit;
+        if (!leavesReady_) prepareLeaves();
+        const auto test = [&](std::size_t at, Lanes inCell, Found& found) HWY_ATTR {
+            const Floats tMin = hn::Load(d, packet_.tMin + at);
+            const ShearedRays rays = shearedRays(at);
+            if constexpr (kShared == Shared::Nothing) {
+                const AxisOrder order = axisOrder(at);
+                testTriangle<kAny>(occluder, AlongEach{order}, rays, tMin, inCell, found);
+            } else {
+                testTriangle<kAny>(occluder, along_, rays, tMin, inCell, found);
+            }
+        };
+        return testVectors(test, t0, t1);
     }
 
-    HWY_INLINE void keepClosest(const Outcome& outcome, Lanes alive, std::int32_t triangle, std::size_t at) {
+    /// Runs `test` for each vector that has rays in the cell, and keeps what they find.
+    template <typename Test>
+    HWY_INLINE bool testVectors(const Test& test, const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
         const FloatTag d;
         const IntTag di;
-        const Floats best = hn::Load(d, packet_.best + at);
-        const Ints known = hn::Load(di, packet_.triangle + at);
-        const Ints index = hn::Set(di, triangle);
-        const Lanes lower = hn::RebindMask(d, hn::Lt(index, known));
-        const Lanes closer =
-            hn::Or(hn::Lt(outcome.t, best), hn::And(hn::Eq(outcome.t, best), lower));
-        const Lanes hit = hn::And(hn::And(alive, closer), hn::Ge(outcome.t, hn::Load(d, packet_.tMin + at)));
-        if (hn::AllFalse(d, hit)) return;
-        hn::Store(hn::IfThenElse(hit, outcome.t, best), d, packet_.best + at);
-        hn::Store(hn::IfThenElse(hn::RebindMask(di, hit), index, known), di, packet_.triangle + at);
-        hn::Store(hn::IfThenElse(hit, outcome.v, hn::Load(d, packet_.v + at)), d, packet_.v + at);
-        hn::Store(hn::IfThenElse(hit, outcome.w, hn::Load(d, packet_.w + at)), d, packet_.w + at);
-        hn::Store(hn::IfThenElse(hit, outcome.det, hn::Load(d, packet_.det + at)), d, packet_.det + at);
+        bool any = false;
+        for (std::size_t k = 0; k < kVectors; ++k) {
+            const Lanes inCell = hn::Le(t0[k], t1[k]);
+            if (hn::AllFalse(d, inCell)) continue;
+            const std::size_t at = k * kLanes;
+            Found found{hn::Load(d, packet_.best + at), hn::Zero(di), hn::Zero(d), hn::Zero(d), hn::Zero(d),
+                        hn::FirstN(d, 0)};
+            if constexpr (!kAny) found.triangle = hn::Load(di, packet_.triangle + at);
+            test(at, inCell, found);
+            if (hn::AllFalse(d, found.changed)) continue;
+            any = true;
+            hn::Store(found.best, d, packet_.best + at);
+            if constexpr (kAny) {
+                t1[k] = hn::IfThenElse(found.changed, hn::Set(d, -1.0F), t1[k]);
+            } else {
+                hn::Store(found.triangle, di, packet_.triangle + at);
+                hn::BlendedStore(found.v, found.changed, d, packet_.v + at);
+                hn::BlendedStore(found.w, found.changed, d, packet_.w + at);
+                hn::BlendedStore(found.det, found.changed, d, packet_.det + at);
+            }
+        }
+        return kAny && any && allDone();
+    }
+
+    HWY_INLINE AxisOrder axisOrder(std::size_t at) const {
+        const FloatTag d;
+        return AxisOrder(hn::Load(d, packet_.direction[0] + at), hn::Load(d, packet_.direction[1] + at),
+                         hn::Load(d, packet_.direction[2] + at));
+    }
+
+    /// Whether a leaf of `count` triangles takes less time when each of the rays is tested against vectors of
+    /// triangles, in units of one test (measured).
+    HWY_INLINE bool rayByRayPays(std::size_t rays, std::size_t vectors, std::size_t count) const {
+        const std::size_t blocks = (count + kLanes - 1) / kLanes;
+        const std::size_t blockCost = scene_.records == nullptr ? kBlockCost : 0;
+        return blocks * (blockCost + kRayCost * rays) < kTestCost * count * vectors;
+    }
+
+    HWY_NOINLINE bool testRayByRay(const Leaf& leaf, const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
+        const FloatTag d;
+        Lanes inCell[kVectors];
+        for (std::size_t k = 0; k < kVectors; ++k) inCell[k] = hn::Le(t0[k], t1[k]);
+        bool hit = false;
+        TriangleBlock block(scene_, leaf);
+        for (std::uint32_t i = 0; i < leaf.count; i += static_cast<std::uint32_t>(kLanes)) {
+            block.load(i);
+            for (std::size_t k = 0; k < kVectors; ++k) {
+                forEachLane(inCell[k], [&](std::size_t lane)
+                                           HWY_ATTR { hit |= testRay(block, k * kLanes + lane); });
+            }
+        }
+        if (!kAny || !hit) return false;
+        for (std::size_t k = 0; k < kVectors; ++k) {
+            const Floats best = hn::Load(d, packet_.best + k * kLanes);
+            t1[k] = hn::IfThenElse(hn::Lt(best, hn::Zero(d)), best, t1[k]);
+        }
+        return allDone();
+    }
+
+    HWY_INLINE bool testRay(const TriangleBlock& block, std::size_t i) {
+        ShearedRay ray{};
+        const int kz = kShared == Shared::Nothing ? axis_[i] : along_.kz;
+        ray.kx = (kz + 1) % 3;
+        ray.ky = (kz + 2) % 3;
+        ray.kz = kz;
+        ray.x = sheared_[0][i];
+        ray.y = sheared_[1][i];
+        ray.z = sheared_[2][i];
+        ray.sx = sheared_[3][i];
+        ray.sy = sheared_[4][i];
+        ray.minusSz = sheared_[5][i];
+        ray.tMin = packet_.tMin[i];
+        FoundByRay found{packet_.best[i], kAny ? kNone : packet_.triangle[i], 0, 0, 0};
+        if (!block.test<kAny>(ray, found)) return false;
+        packet_.best[i] = found.best;
+        if constexpr (kAny) {
+            occluder = block.corners(static_cast<std::uint32_t>(found.triangle));
+        } else {
+            packet_.triangle[i] = found.triangle;
+            packet_.v[i] = found.v;
+            packet_.w[i] = found.w;
+            packet_.det[i] = found.det;
+        }
+        return true;
     }
 
     HWY_INLINE bool allDone() const {
@@ -379,17 +424,17 @@ class PacketWalk {
     }
 
   public:
-    /// For any hit: the last reference that stopped a ray. It is tested first: neighbours are often stopped by
+    /// For any hit: the last triangle that stopped a ray. It is tested first: neighbours are often stopped by
     /// the same.
-    std::uint32_t occluder = kNoReference;
+    Corners occluder;
 
   private:
     const KernelScene& scene_;
     Packet<kVectors>& packet_;
-    int kx_ = 0, ky_ = 0, kz_ = 0;
+    AlongAxis along_{0, 0, 0};
     bool leavesReady_ = false;
     alignas(64) float sheared_[6][Packet<kVectors>::kSize];
-    alignas(64) std::uint8_t order_[3][Packet<kVectors>::kSize * sizeof(float)];
+    alignas(64) std::int32_t axis_[Packet<kVectors>::kSize];
     WaitingPacket<kVectors> stack_[kMaxKdDepth];
 };
 

@@ -1,9 +1,9 @@
 #include "rtcore/kernels/ray_tracer.h"
 
 #include "rtcore/kernels/hit_distance.h"
+#include "rtcore/kernels/leaf_records.h"
 #include "rtcore/kernels/wave_kernels.h"
 
-#include <bit>
 #include <memory>
 
 namespace rtcore {
@@ -29,21 +29,11 @@ RaySpan spanOf(const RayWave& rays) {
             rays.size()};
 }
 
-std::vector<Vertex> recordsOf(const KdTree& tree, const Mesh& mesh) {
-    std::vector<Vertex> records;
-    records.reserve(tree.references.size() * 3);
-    for (const std::uint32_t triangle : tree.references) {
-        for (const std::uint32_t v : mesh.triangles[triangle].v) records.push_back(mesh.vertices[v]);
-        records[records.size() - 3].unused = std::bit_cast<float>(triangle);
-    }
-    return records;
-}
-
 } // namespace
 
 KdRayTracer::KdRayTracer(const KdTree& tree, const Mesh& mesh, LeafRecords records)
     : tree_(tree), mesh_(mesh),
-      records_(records == LeafRecords::Inline ? recordsOf(tree, mesh) : std::vector<Vertex>{}),
+      records_(records == LeafRecords::Inline ? makeLeafRecords(tree, mesh) : std::vector<float>{}),
       scene_(tree_, mesh_, records_.empty() ? nullptr : records_.data()), nearLimit_(nearLimit(tree.bounds)) {}
 
 void KdRayTracer::intersect(RayKind /*kind*/, const RayWave& rays, HitWave& hits) const {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 
 namespace rtcore {
@@ -14,10 +13,6 @@ namespace rtcore {
 namespace {
 
 TriangleCorners cornersOf(const KernelScene& scene, std::uint32_t reference) {
-    if (scene.records != nullptr) {
-        const Vertex* const record = scene.records + std::size_t{reference} * 3;
-        return {record[0], record[1], record[2], std::bit_cast<std::uint32_t>(record[0].unused)};
-    }
     const std::uint32_t index = scene.references[reference];
     const Triangle& t = scene.triangles[index];
     return {scene.vertices[t.v[0]], scene.vertices[t.v[1]], scene.vertices[t.v[2]], index};

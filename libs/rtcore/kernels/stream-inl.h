@@ -14,15 +14,6 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// Calls `work` with the number of each lane that `lanes` holds.
-template <typename Work>
-HWY_INLINE void forEachLane(Lanes lanes, Work&& work) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(FloatTag(), lanes, bytes);
-    std::uint32_t bits = std::uint32_t{bytes[0]} | std::uint32_t{bytes[1]} << 8U;
-    for (; bits != 0; bits &= bits - 1) work(static_cast<std::size_t>(std::countr_zero(bits)));
-}
-
 template <bool kAny>
 class StreamWalk {
   public:
@@ -167,7 +158,7 @@ class StreamWalk {
             if (list.count > kShort) {
                 const KdNode node = scene_.nodes[list.node];
                 if (node.isLeaf()) {
-                    if (node.count() != 0) testLeaf(node, list);
+                    if (node.count() != 0) testLeaf({node.firstReference, node.count()}, list);
                 } else {
                     more = split(node, list, waiting, top);
                 }
@@ -349,12 +340,12 @@ class StreamWalk {
         return hn::IfThenElse(hn::Lt(best, hn::Zero(d)), best, end);
     }
 
-    HWY_INLINE void testLeaf(KdNode leaf, const List& list) {
+    HWY_INLINE void testLeaf(const Leaf& leaf, const List& list) {
         for (std::size_t i = 0; i < list.count; i += kLanes) testLeafVector(leaf, list.begin + i);
     }
 
     /// The triangles of a leaf against one vector of the list.
-    HWY_INLINE void testLeafVector(KdNode leaf, std::size_t at) {
+    HWY_INLINE void testLeafVector(const Leaf& leaf, std::size_t at) {
         const FloatTag d;
         const IntTag di;
         const Ints slot = slotsAt(at);
@@ -366,54 +357,26 @@ class StreamWalk {
         const ShearedRays rays =
             shear(order, get(Origin, at), get(Origin + 1, at), get(Origin + 2, at), dx, dy, dz);
         const Floats tMin = hn::GatherIndex(d, scratch_.tMin, slot);
-        Floats best = hn::GatherIndex(d, scratch_.best, slot);
-        Ints triangle = hn::Zero(di);
-        if constexpr (!kAny) triangle = hn::GatherIndex(di, scratch_.triangle, slot);
-        Floats v = hn::Zero(d);
-        Floats w = v;
-        Floats det = v;
-        Lanes changed = hn::FirstN(d, 0);
-        for (std::uint32_t i = 0; i < leaf.count(); ++i) {
-            const Corners corners = cornersOf(scene_, leaf.firstReference + i);
-            const Outcome outcome =
-                edgeTest(offsetEach(corners.a, order, rays), offsetEach(corners.b, order, rays),
-                         offsetEach(corners.c, order, rays), rays);
-            const Lanes open = hn::And(hn::And(outcome.inside, inCell), hn::Ge(outcome.t, tMin));
-            if constexpr (kAny) {
-                const Lanes hit = hn::And(open, hn::Le(outcome.t, best));
-                best = hn::IfThenElse(hit, hn::Set(d, -1.0F), best);
-                changed = hn::Or(changed, hit);
-            } else {
-                const Ints index = hn::Set(di, corners.triangle);
-                const Lanes lower = hn::RebindMask(d, hn::Lt(index, triangle));
-                const Lanes hit = hn::And(
-                    open, hn::Or(hn::Lt(outcome.t, best), hn::And(hn::Eq(outcome.t, best), lower)));
-                best = hn::IfThenElse(hit, outcome.t, best);
-                triangle = hn::IfThenElse(hn::RebindMask(di, hit), index, triangle);
-                v = hn::IfThenElse(hit, outcome.v, v);
-                w = hn::IfThenElse(hit, outcome.w, w);
-                det = hn::IfThenElse(hit, outcome.det, det);
-                changed = hn::Or(changed, hit);
-            }
-        }
-        if (hn::AllFalse(d, changed)) return;
-        keep(changed, slot, best, triangle, v, w, det);
+        Found found{hn::GatherIndex(d, scratch_.best, slot), hn::Zero(di), hn::Zero(d), hn::Zero(d),
+                    hn::Zero(d), hn::FirstN(d, 0)};
+        if constexpr (!kAny) found.triangle = hn::GatherIndex(di, scratch_.triangle, slot);
+        testTriangles<kAny>(scene_, leaf, AlongEach{order}, rays, tMin, inCell, found, occluder_);
+        if (!hn::AllFalse(d, found.changed)) keep(slot, found);
     }
 
-    HWY_INLINE void keep(Lanes which, Ints slots, Floats best, Ints triangle, Floats v, Floats w,
-                         Floats det) {
+    HWY_INLINE void keep(Ints slots, const Found& found) {
         const FloatTag d;
         const IntTag di;
         alignas(64) std::int32_t slot[kLanes];
         alignas(64) std::int32_t triangles[kLanes];
         alignas(64) float values[4][kLanes];
         hn::Store(slots, di, slot);
-        hn::Store(triangle, di, triangles);
-        hn::Store(best, d, values[0]);
-        hn::Store(v, d, values[1]);
-        hn::Store(w, d, values[2]);
-        hn::Store(det, d, values[3]);
-        forEachLane(which, [&](std::size_t lane) {
+        hn::Store(found.triangle, di, triangles);
+        hn::Store(found.best, d, values[0]);
+        hn::Store(found.v, d, values[1]);
+        hn::Store(found.w, d, values[2]);
+        hn::Store(found.det, d, values[3]);
+        forEachLane(found.changed, [&](std::size_t lane) {
             const std::int32_t at = slot[lane];
             scratch_.best[at] = values[0][lane];
             if constexpr (kAny) return;
@@ -471,6 +434,7 @@ class StreamWalk {
     float* columns_[StreamScratch::kColumns];
     float slack_ = 0;
     Culling culling_{};
+    Corners occluder_; ///< not used: streams have too many
     Packet<kShortVectors> short_;
     PacketWalk<kShortVectors, Shared::Nothing, false, kAny> shortWalk_;
     alignas(64) std::int32_t shortSlot_[kShort];

@@ -167,7 +167,7 @@ class PacketTracer {
 
     const KernelScene& scene_;
     const RaySpan& rays_;
-    std::uint32_t occluder_ = kNoReference;
+    Corners occluder_;
     PacketWalk<kGroupVectors, Shared::Origin, true, kAny> byOrigin_;
     PacketWalk<kGroupVectors, Shared::Axis, true, kAny> byAxis_;
     PacketWalk<kGroupVectors, Shared::Nothing, true, kAny> byNothing_;
