@@ -18,6 +18,14 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
+// With registers enough for all vectors, loops over them are unrolled, so that the intervals stay there.
+#undef RTCORE_EACH_VECTOR
+#if HWY_TARGET == HWY_AVX3
+#define RTCORE_EACH_VECTOR _Pragma("GCC unroll 4")
+#else
+#define RTCORE_EACH_VECTOR
+#endif
+
 /// The rays of a packet and what they have found, one array for each component.
 template <std::size_t kVectors>
 struct Packet {
@@ -90,6 +98,7 @@ class PacketWalk {
         Floats t0[kVectors];
         Floats t1[kVectors];
         Range interval{};
+        RTCORE_EACH_VECTOR
         for (std::size_t i = 0; i < kVectors; ++i) {
             t0[i] = hn::Load(d, packet_.t0 + i * kLanes);
             t1[i] = hn::Load(d, packet_.t1 + i * kLanes);
@@ -127,6 +136,7 @@ class PacketWalk {
         const Floats none = hn::Set(d, std::numeric_limits<float>::max());
         Floats lo = none;
         Floats hi = hn::Neg(none);
+        RTCORE_EACH_VECTOR
         for (std::size_t i = 0; i < kVectors; ++i) {
             const Lanes alive = hn::Le(t0[i], t1[i]);
             lo = hn::Min(lo, hn::IfThenElse(alive, t0[i], none));
@@ -156,6 +166,7 @@ class PacketWalk {
         Floats farBegin[kVectors];
         Lanes entersNear = hn::FirstN(d, 0);
         Lanes entersFar = hn::FirstN(d, 0);
+        RTCORE_EACH_VECTOR
         for (std::size_t i = 0; i < kVectors; ++i) {
             const Floats t = planeDistance(axis, node.split, culling, i);
             nearEnd[i] = smaller(hn::Mul(t, hn::Set(d, kUp)), t1[i]);
@@ -171,6 +182,7 @@ class PacketWalk {
             entry.interval = {std::max(interval.lo, planes.lo * kDown), interval.hi};
             interval.hi = std::min(interval.hi, planes.hi * kUp);
         }
+        RTCORE_EACH_VECTOR
         for (std::size_t i = 0; i < kVectors; ++i) {
             hn::Store(farBegin[i], d, entry.t0 + i * kLanes);
             hn::Store(t1[i], d, entry.t1 + i * kLanes);
@@ -200,6 +212,7 @@ class PacketWalk {
         WaitingPacket<kVectors>& entry = stack_[waiting];
         Floats lower0[kVectors];
         Floats lower1[kVectors];
+        RTCORE_EACH_VECTOR
         for (std::size_t i = 0; i < kVectors; ++i) {
             const Floats inverse = hn::Load(d, packet_.inverse[axis] + i * kLanes);
             const Floats origin = hn::Load(d, packet_.origin[axis] + i * kLanes);
@@ -221,6 +234,7 @@ class PacketWalk {
         entry.node = node.lowerChild() + 1;
         entry.interval = interval;
         ++waiting;
+        RTCORE_EACH_VECTOR
         for (std::size_t i = 0; i < kVectors; ++i) {
             t0[i] = lower0[i];
             t1[i] = lower1[i];
@@ -233,6 +247,7 @@ class PacketWalk {
                          Floats (&t1)[kVectors]) const {
         const FloatTag d;
         Lanes alive = hn::FirstN(d, 0);
+        RTCORE_EACH_VECTOR
         for (std::size_t i = 0; i < kVectors; ++i) {
             const Floats best = hn::Load(d, packet_.best + i * kLanes);
             t0[i] = hn::Load(d, entry.t0 + i * kLanes);
@@ -251,6 +266,7 @@ class PacketWalk {
     HWY_NOINLINE void prepareLeaves() {
         const FloatTag d;
         leavesReady_ = true;
+        RTCORE_EACH_VECTOR
         for (std::size_t i = 0; i < kVectors; ++i) {
             const std::size_t at = i * kLanes;
             Floats o[3];
@@ -287,6 +303,7 @@ class PacketWalk {
         if (!leavesReady_) prepareLeaves();
         std::size_t vectors = 0;
         std::size_t rays = 0;
+        RTCORE_EACH_VECTOR
         for (std::size_t k = 0; k < kVectors; ++k) {
             const std::size_t inCell = hn::CountTrue(d, hn::Le(t0[k], t1[k]));
             rays += inCell;
@@ -329,6 +346,7 @@ class PacketWalk {
         const FloatTag d;
         const IntTag di;
         bool any = false;
+        RTCORE_EACH_VECTOR
         for (std::size_t k = 0; k < kVectors; ++k) {
             const Lanes inCell = hn::Le(t0[k], t1[k]);
             if (hn::AllFalse(d, inCell)) continue;
@@ -374,12 +392,14 @@ class PacketWalk {
         TriangleBlock block(scene_, leaf);
         for (std::uint32_t i = 0; i < leaf.count; i += static_cast<std::uint32_t>(kLanes)) {
             block.load(i);
+            RTCORE_EACH_VECTOR
             for (std::size_t k = 0; k < kVectors; ++k) {
                 forEachLane(inCell[k], [&](std::size_t lane)
                                            HWY_ATTR { hit |= testRay(block, k * kLanes + lane); });
             }
         }
         if (!kAny || !hit) return false;
+        RTCORE_EACH_VECTOR
         for (std::size_t k = 0; k < kVectors; ++k) {
             const Floats best = hn::Load(d, packet_.best + k * kLanes);
             t1[k] = hn::IfThenElse(hn::Lt(best, hn::Zero(d)), best, t1[k]);
@@ -417,6 +437,7 @@ class PacketWalk {
     HWY_INLINE bool allDone() const {
         const FloatTag d;
         Lanes open = hn::FirstN(d, 0);
+        RTCORE_EACH_VECTOR
         for (std::size_t i = 0; i < kVectors; ++i) {
             open = hn::Or(open, hn::Ge(hn::Load(d, packet_.best + i * kLanes), hn::Zero(d)));
         }
