@@ -30,7 +30,7 @@ namespace HWY_NAMESPACE {
 template <std::size_t kVectors>
 struct Packet {
     static constexpr std::size_t kSize = kVectors * kLanes;
-    using Array = float[kSize];
+    using Array = float[kSize + kLanes]; // room for a vector that is stored past the last ray
 
     alignas(64) Array origin[3], direction[3], inverse[3];
     alignas(64) Array t0, t1; ///< of the cell where the walk begins; t0 > t1: no ray

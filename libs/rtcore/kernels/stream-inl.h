@@ -37,10 +37,13 @@ class StreamWalk {
 
   private:
     enum Column { Slot, T0, T1, Origin, Direction = Origin + 3 };
-    /// Rays of a list lie at [begin, begin + count) of every column, followed by a vector of empty intervals.
+    /// The rays that enter a node. Their slots, origins and directions lie at [rays, rays + size) of the columns,
+    /// their intervals at [intervals, intervals + size). Some of these are empty: a list is only copied where
+    /// too few of its rays go on, else the two children share the rays. Vectors are always whole.
     struct List {
         std::uint32_t node;
-        std::size_t begin, count;
+        std::size_t rays, intervals, size;
+        std::size_t active; ///< rays whose interval is not empty
     };
     struct WaitingList {
         List list;
@@ -50,9 +53,10 @@ class StreamWalk {
     static constexpr std::size_t kShort = kShortVectors * kLanes;
     static constexpr std::uint32_t kOutside = 8; ///< octant of rays that miss the box
 
-    static std::size_t after(const List& list) {
-        return (list.begin + list.count + 2 * kLanes - 1) / kLanes * kLanes;
-    }
+    static std::size_t wholeVectors(std::size_t rays) { return (rays + kLanes - 1) / kLanes * kLanes; }
+
+    /// Whether so few rays go on that they are worth copying.
+    static bool isSparse(std::size_t active, std::size_t size) { return active * 4 < size * 3; }
 
     /// Fills the slots; returns which octants there are.
     HWY_INLINE std::uint32_t start(const RaySpan& rays) {
@@ -106,7 +110,7 @@ class StreamWalk {
     HWY_INLINE List collect(const RaySpan& rays, std::uint32_t octant) {
         const FloatTag d;
         const IntTag di;
-        List list{0, 0, 0};
+        List list{0, 0, 0, 0, 0};
         for (std::size_t group = 0; group < scratch_.groupCount; ++group) {
             for (std::size_t lane = 0; lane < StreamScratch::kGroup; lane += kLanes) {
                 const std::size_t from = scratch_.groups[group] + lane;
@@ -116,19 +120,19 @@ class StreamWalk {
                 if (hn::AllFalse(d, here)) continue;
                 const RayVector ray = loadRays(rays, from);
                 const Ints slots = hn::Iota(di, static_cast<std::int32_t>(slot));
-                put(Slot, list.count, hn::BitCast(d, slots), here);
-                put(T0, list.count, hn::Load(d, scratch_.rootBegin + slot), here);
-                put(T1, list.count, hn::Load(d, scratch_.rootEnd + slot), here);
-                put(Origin, list.count, ray.ox, here);
-                put(Origin + 1, list.count, ray.oy, here);
-                put(Origin + 2, list.count, ray.oz, here);
-                put(Direction, list.count, ray.dx, here);
-                put(Direction + 1, list.count, ray.dy, here);
-                put(Direction + 2, list.count, ray.dz, here);
-                list.count += hn::CountTrue(d, here);
+                put(Slot, list.active, hn::BitCast(d, slots), here);
+                put(T0, list.active, hn::Load(d, scratch_.rootBegin + slot), here);
+                put(T1, list.active, hn::Load(d, scratch_.rootEnd + slot), here);
+                put(Origin, list.active, ray.ox, here);
+                put(Origin + 1, list.active, ray.oy, here);
+                put(Origin + 2, list.active, ray.oz, here);
+                put(Direction, list.active, ray.dx, here);
+                put(Direction + 1, list.active, ray.dy, here);
+                put(Direction + 2, list.active, ray.dz, here);
+                list.active += hn::CountTrue(d, here);
             }
         }
-        close(list);
+        finish(list);
         return list;
     }
 
@@ -142,27 +146,28 @@ class StreamWalk {
         return hn::LoadU(FloatTag(), columns_[column] + at);
     }
 
-    /// Empty intervals behind the last ray: the vector that it lies in has no others.
-    HWY_INLINE void close(const List& list) {
+    /// Empty intervals from the last active ray to the end of its vector.
+    HWY_INLINE void finish(List& list) {
         const FloatTag d;
-        const std::size_t end = list.begin + list.count;
+        const std::size_t end = list.intervals + list.active;
         hn::StoreU(hn::Set(d, 1.0F), d, columns_[T0] + end);
         hn::StoreU(hn::Set(d, -1.0F), d, columns_[T1] + end);
+        list.size = wholeVectors(list.active);
     }
 
     HWY_INLINE void walk(List list) {
         std::size_t waiting = 0;
-        std::size_t top = after(list);
+        std::size_t top = list.size + kLanes;
         while (true) {
             bool more = false;
-            if (list.count > kShort) {
+            if (list.active > kShort) {
                 const KdNode node = scene_.nodes[list.node];
                 if (node.isLeaf()) {
                     if (node.count() != 0) testLeaf({node.firstReference, node.count()}, list);
                 } else {
                     more = split(node, list, waiting, top);
                 }
-            } else if (list.count > 0) {
+            } else if (list.active > 0) {
                 walkShort(list);
             }
             while (!more) {
@@ -170,7 +175,7 @@ class StreamWalk {
                 list = stack_[--waiting].list;
                 top = stack_[waiting].top;
                 dropDone(list);
-                more = list.count > 0;
+                more = list.active > 0;
             }
         }
     }
@@ -188,34 +193,23 @@ class StreamWalk {
         std::size_t entersNear = 0;
         std::size_t entersFar = 0;
         measure(node, list, entersNear, entersFar);
-        const std::size_t all = list.count;
         const bool goNear = entersNear > 0 && !isEmptyLeaf(near);
         const bool goFar = entersFar > 0 && !isEmptyLeaf(far);
-        if (!goNear && !goFar) return false;
-        if (goNear && !goFar) {
-            if (entersFar > 0 || entersNear < all) keepNear(list, entersNear);
-            list.node = near;
-            return true;
-        }
-        if (goFar && !goNear) {
-            if (entersNear > 0 || entersFar < all) keepFar(list, entersFar);
+        if (goFar && goNear) {
+            stack_[waiting].list = enterFar(list, far, entersFar, top);
+            stack_[waiting++].top = top;
+        } else if (goFar) {
+            const bool same = entersNear == 0;
+            if (!same) list = enterFar(list, far, entersFar, top);
             list.node = far;
             return true;
         }
-        if (entersFar == all && entersNear < all) {
-            const List kept{near, top, entersNear};
-            copyNear(list, kept);
-            keepFar(list, entersFar);
-            stack_[waiting++] = {{far, list.begin, list.count}, top};
-            list = kept;
-            top = after(list);
-        } else {
-            const List other{far, top, entersFar};
-            copyFar(list, other);
-            keepNear(list, entersNear);
+        if (!goNear) return false;
+        // Those that pass the far child by keep their intervals.
+        if (entersFar == 0) {
             list.node = near;
-            top = after(other);
-            stack_[waiting++] = {other, top};
+        } else {
+            enterNear(list, near, entersNear, top);
         }
         return true;
     }
@@ -224,16 +218,16 @@ class StreamWalk {
     HWY_INLINE void measure(KdNode node, const List& list, std::size_t& entersNear, std::size_t& entersFar) {
         const FloatTag d;
         const Floats plane = hn::Set(d, node.split);
-        const float* const origin = columns_[Origin + node.axis()] + list.begin;
-        const float* const direction = columns_[Direction + node.axis()] + list.begin;
-        const float* const begin = columns_[T0] + list.begin;
-        const float* const end = columns_[T1] + list.begin;
+        const float* const origin = columns_[Origin + node.axis()] + list.rays;
+        const float* const direction = columns_[Direction + node.axis()] + list.rays;
+        const float* const begin = columns_[T0] + list.intervals;
+        const float* const end = columns_[T1] + list.intervals;
         const Floats one = hn::Set(d, 1.0F);
-        for (std::size_t i = 0; i < list.count; i += kLanes) {
-            const Floats inverse = hn::Div(one, hn::LoadU(d, direction + i));
-            const Floats t = hn::Mul(hn::Sub(plane, hn::LoadU(d, origin + i)), inverse);
-            const Floats t0 = hn::LoadU(d, begin + i);
-            const Floats t1 = hn::LoadU(d, end + i);
+        for (std::size_t i = 0; i < list.size; i += kLanes) {
+            const Floats inverse = hn::Div(one, hn::Load(d, direction + i));
+            const Floats t = hn::Mul(hn::Sub(plane, hn::Load(d, origin + i)), inverse);
+            const Floats t0 = hn::Load(d, begin + i);
+            const Floats t1 = hn::Load(d, end + i);
             const Floats nearEnd = smaller(hn::Mul(t, hn::Set(d, kPlaneUp)), t1);
             const Floats farBegin = larger(hn::Mul(t, hn::Set(d, kPlaneDown)), t0);
             hn::Store(nearEnd, d, scratch_.nearEnd + i);
@@ -243,93 +237,77 @@ class StreamWalk {
         }
     }
 
-    /// Keeps the `count` rays that enter the near child, with the intervals they have there.
-    HWY_INLINE void keepNear(List& list, std::size_t count) {
-        if (count < list.count) {
-            List kept{list.node, list.begin, count};
-            copyNear(list, kept);
-            list = kept;
+    /// The list of those that enter the far child, at `top`.
+    HWY_INLINE List enterFar(const List& list, std::uint32_t node, std::size_t active, std::size_t& top) {
+        const FloatTag d;
+        if (isSparse(active, list.size)) {
+            return copy(list, node, active, scratch_.farBegin, columns_[T1] + list.intervals, top);
+        }
+        for (std::size_t i = 0; i < list.size; i += kLanes) {
+            hn::Store(hn::Load(d, scratch_.farBegin + i), d, columns_[T0] + top + i);
+            hn::Store(hn::Load(d, columns_[T1] + list.intervals + i), d, columns_[T1] + top + i);
+        }
+        const List far{node, list.rays, top, list.size, active};
+        top += list.size;
+        return far;
+    }
+
+    HWY_INLINE void enterNear(List& list, std::uint32_t node, std::size_t active, std::size_t& top) {
+        const FloatTag d;
+        if (isSparse(active, list.size)) {
+            list = copy(list, node, active, columns_[T0] + list.intervals, scratch_.nearEnd, top);
             return;
         }
+        for (std::size_t i = 0; i < list.size; i += kLanes) {
+            hn::Store(hn::Load(d, scratch_.nearEnd + i), d, columns_[T1] + list.intervals + i);
+        }
+        list.node = node;
+        list.active = active;
+    }
+
+    /// Copies the rays whose interval [begin, end] is not empty to `top`.
+    HWY_INLINE List copy(const List& list, std::uint32_t node, std::size_t active, const float* begin,
+                         const float* end, std::size_t& top) {
         const FloatTag d;
-        for (std::size_t i = 0; i < list.count; i += kLanes) {
-            hn::StoreU(hn::Load(d, scratch_.nearEnd + i), d, columns_[T1] + list.begin + i);
+        List out{node, top, top, 0, active};
+        std::size_t to = top;
+        for (std::size_t i = 0; i < list.size; i += kLanes) {
+            const Floats t0 = hn::Load(d, begin + i);
+            const Floats t1 = hn::Load(d, end + i);
+            const Lanes which = hn::Le(t0, t1);
+            const std::size_t count = hn::CountTrue(d, which);
+            if (count == 0) continue;
+            put(Slot, to, get(Slot, list.rays + i), which);
+            for (std::size_t c = Origin; c < StreamScratch::kColumns; ++c) {
+                put(c, to, get(c, list.rays + i), which);
+            }
+            put(T0, to, t0, which);
+            put(T1, to, t1, which);
+            to += count;
         }
-        close(list);
+        finish(out);
+        top += out.size + kLanes;
+        return out;
     }
 
-    HWY_INLINE void keepFar(List& list, std::size_t count) {
-        if (count < list.count) {
-            List kept{list.node, list.begin, count};
-            copyFar(list, kept);
-            list = kept;
-            return;
-        }
-        const FloatTag d;
-        for (std::size_t i = 0; i < list.count; i += kLanes) {
-            hn::StoreU(hn::Load(d, scratch_.farBegin + i), d, columns_[T0] + list.begin + i);
-        }
-        close(list);
-    }
-
-    /// Copies the rays that enter the near child into `to`, which may begin where `from` does.
-    HWY_INLINE void copyNear(const List& from, const List& to) {
-        const FloatTag d;
-        std::size_t out = to.begin;
-        for (std::size_t i = 0; i < from.count; i += kLanes) {
-            const std::size_t in = from.begin + i;
-            const Floats end = hn::Load(d, scratch_.nearEnd + i);
-            const Floats begin = get(T0, in);
-            const Lanes which = hn::Le(begin, end);
-            copyRays(in, out, which);
-            put(T0, out, begin, which);
-            put(T1, out, end, which);
-            out += hn::CountTrue(d, which);
-        }
-        close(to);
-    }
-
-    HWY_INLINE void copyFar(const List& from, const List& to) {
-        const FloatTag d;
-        std::size_t out = to.begin;
-        for (std::size_t i = 0; i < from.count; i += kLanes) {
-            const std::size_t in = from.begin + i;
-            const Floats begin = hn::Load(d, scratch_.farBegin + i);
-            const Floats end = get(T1, in);
-            const Lanes which = hn::Le(begin, end);
-            copyRays(in, out, which);
-            put(T0, out, begin, which);
-            put(T1, out, end, which);
-            out += hn::CountTrue(d, which);
-        }
-        close(to);
-    }
-
-    /// All columns but the intervals.
-    HWY_INLINE void copyRays(std::size_t in, std::size_t out, Lanes which) {
-        put(Slot, out, get(Slot, in), which);
-        for (std::size_t c = Origin; c < StreamScratch::kColumns; ++c) put(c, out, get(c, in), which);
-    }
-
-    /// Drops the rays whose search has ended before this cell.
+    /// Empties the intervals of the rays whose search has ended before this cell.
     HWY_INLINE void dropDone(List& list) {
         const FloatTag d;
-        std::size_t open = 0;
-        for (std::size_t i = 0; i < list.count; i += kLanes) {
-            const std::size_t at = list.begin + i;
-            const Floats end = hn::Min(get(T1, at), endOf(slotsAt(at)));
-            hn::Store(end, d, scratch_.nearEnd + i);
-            open += hn::CountTrue(d, hn::Le(get(T0, at), end));
+        list.active = 0;
+        for (std::size_t i = 0; i < list.size; i += kLanes) {
+            const Floats t0 = get(T0, list.intervals + i);
+            const Floats t1 = get(T1, list.intervals + i);
+            const Floats end = hn::Min(t1, endOf(slotsAt(list, i)));
+            hn::Store(end, d, columns_[T1] + list.intervals + i);
+            list.active += hn::CountTrue(d, hn::Le(t0, end));
         }
-        keepNear(list, open);
     }
 
-    /// The lanes behind a list's end have any slot: they read the first.
-    HWY_INLINE Ints slotsAt(std::size_t at) const {
-        const FloatTag d;
+    /// Lanes that are not active may hold no slot at all: they read the first.
+    HWY_INLINE Ints slotsAt(const List& list, std::size_t i) const {
         const IntTag di;
-        const Lanes used = hn::Le(get(T0, at), get(T1, at));
-        return hn::IfThenElseZero(hn::RebindMask(di, used), hn::BitCast(di, get(Slot, at)));
+        const Lanes used = hn::Le(get(T0, list.intervals + i), get(T1, list.intervals + i));
+        return hn::IfThenElseZero(hn::RebindMask(di, used), hn::BitCast(di, get(Slot, list.rays + i)));
     }
 
     HWY_INLINE Floats endOf(Ints slot) const {
@@ -341,15 +319,17 @@ class StreamWalk {
     }
 
     HWY_INLINE void testLeaf(const Leaf& leaf, const List& list) {
-        for (std::size_t i = 0; i < list.count; i += kLanes) testLeafVector(leaf, list.begin + i);
+        for (std::size_t i = 0; i < list.size; i += kLanes) testLeafVector(leaf, list, i);
     }
 
     /// The triangles of a leaf against one vector of the list.
-    HWY_INLINE void testLeafVector(const Leaf& leaf, std::size_t at) {
+    HWY_INLINE void testLeafVector(const Leaf& leaf, const List& list, std::size_t i) {
         const FloatTag d;
         const IntTag di;
-        const Ints slot = slotsAt(at);
-        const Lanes inCell = hn::Le(get(T0, at), get(T1, at));
+        const Lanes inCell = hn::Le(get(T0, list.intervals + i), get(T1, list.intervals + i));
+        if (hn::AllFalse(d, inCell)) return;
+        const Ints slot = slotsAt(list, i);
+        const std::size_t at = list.rays + i;
         const Floats dx = get(Direction, at);
         const Floats dy = get(Direction + 1, at);
         const Floats dz = get(Direction + 2, at);
@@ -391,30 +371,47 @@ class StreamWalk {
     HWY_INLINE void walkShort(const List& list) {
         const FloatTag d;
         const IntTag di;
-        for (std::size_t i = 0; i < kShort; i += kLanes) {
-            const std::size_t at = list.begin + i;
-            // The second vector may lie wholly behind the list, where nothing is written.
-            const bool used = i < list.count;
-            const Ints slot = used ? slotsAt(at) : hn::Zero(di);
-            hn::Store(used ? get(T0, at) : hn::Set(d, 1.0F), d, short_.t0 + i);
-            hn::Store(used ? get(T1, at) : hn::Set(d, -1.0F), d, short_.t1 + i);
-            const std::size_t from = used ? at : list.begin;
+        std::size_t to = 0;
+        for (std::size_t i = 0; i < list.size; i += kLanes) {
+            const Floats t0 = get(T0, list.intervals + i);
+            const Floats t1 = get(T1, list.intervals + i);
+            const Lanes which = hn::Le(t0, t1);
+            const std::size_t count = hn::CountTrue(d, which);
+            if (count == 0) continue;
+            const auto take = [&](Floats values, float* array)
+                                  HWY_ATTR { hn::StoreU(hn::Compress(values, which), d, array + to); };
+            take(t0, short_.t0);
+            take(t1, short_.t1);
+            take(get(Slot, list.rays + i), shortSlot_);
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                const Floats direction = get(Direction + axis, from);
-                hn::Store(get(Origin + axis, from), d, short_.origin[axis] + i);
-                hn::Store(direction, d, short_.direction[axis] + i);
-                hn::Store(hn::Div(hn::Set(d, 1.0F), direction), d, short_.inverse[axis] + i);
+                take(get(Origin + axis, list.rays + i), short_.origin[axis]);
+                take(get(Direction + axis, list.rays + i), short_.direction[axis]);
+            }
+            to += count;
+        }
+        hn::StoreU(hn::Set(d, 1.0F), d, short_.t0 + to);
+        hn::StoreU(hn::Set(d, -1.0F), d, short_.t1 + to);
+        for (std::size_t i = wholeVectors(to); i < kShort; i += kLanes) {
+            hn::Store(hn::Set(d, 1.0F), d, short_.t0 + i);
+            hn::Store(hn::Set(d, -1.0F), d, short_.t1 + i);
+        }
+        for (std::size_t i = 0; i < to; i += kLanes) {
+            const Lanes used = hn::Le(hn::Load(d, short_.t0 + i), hn::Load(d, short_.t1 + i));
+            const Ints slot = hn::IfThenElseZero(hn::RebindMask(di, used),
+                                                 hn::BitCast(di, hn::Load(d, shortSlot_ + i)));
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                hn::Store(hn::Div(hn::Set(d, 1.0F), hn::Load(d, short_.direction[axis] + i)), d,
+                          short_.inverse[axis] + i);
             }
             hn::Store(hn::GatherIndex(d, scratch_.tMin, slot), d, short_.tMin + i);
             hn::Store(hn::GatherIndex(d, scratch_.best, slot), d, short_.best + i);
-            hn::Store(slot, di, shortSlot_ + i);
             if constexpr (kAny) continue;
             hn::Store(hn::GatherIndex(di, scratch_.triangle, slot), di, short_.triangle + i);
         }
         short_.slack = slack_;
         shortWalk_.run(list.node, culling_);
-        for (std::size_t i = 0; i < list.count; ++i) {
-            const std::int32_t slot = shortSlot_[i];
+        for (std::size_t i = 0; i < to; ++i) {
+            const std::int32_t slot = std::bit_cast<std::int32_t>(shortSlot_[i]);
             if constexpr (kAny) {
                 scratch_.best[slot] = short_.best[i];
             } else if (scratch_.triangle[slot] != short_.triangle[i]) {
@@ -437,7 +434,7 @@ class StreamWalk {
     Corners occluder_; ///< not used: streams have too many
     Packet<kShortVectors> short_;
     PacketWalk<kShortVectors, Shared::Nothing, false, kAny> shortWalk_;
-    alignas(64) std::int32_t shortSlot_[kShort];
+    alignas(64) float shortSlot_[kShort + kLanes]; ///< their bits
     WaitingList stack_[kMaxKdDepth];
 };
 

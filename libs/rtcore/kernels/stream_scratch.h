@@ -36,8 +36,11 @@ class StreamScratch {
     std::size_t groupCount = 0;
 
   private:
+    struct Release {
+        void operator()(float* memory) const;
+    };
     std::size_t stride_;
-    std::unique_ptr<float[]> columns_;
+    std::unique_ptr<float, Release> columns_; ///< aligned to 64 bytes
 };
 
 } // namespace rtcore
