@@ -147,8 +147,12 @@ class Bench {
 } // namespace
 
 app::ExitCode runBench(const app::Arguments& arguments) {
-    const BenchOptions options = readBenchOptions(arguments);
+    BenchOptions options = readBenchOptions(arguments);
     app::Progress progress(benchSpec().name, options.progress);
+#ifndef _OPENMP
+    if (options.threads > 1) progress.print("warning: built without OpenMP, one thread traces");
+    options.threads = 1;
+#endif
     return Bench(options, progress).run();
 }
 
