@@ -1,5 +1,6 @@
 #include "rtcore/accel/builder.h"
 
+#include "rtcore/accel/event_sort.h"
 #include "rtcore/accel/exact_builder.h"
 #include "rtcore/accel/fast_builder.h"
 #include "rtcore/accel/triangle_clip.h"
@@ -52,7 +53,8 @@ std::unique_ptr<Subtree> buildPieces(const BuildContext& context, const BuildOpt
         times.split = watch.lap();
         return root;
     }
-    EventLists lists = makeEvents(context.mesh);
+    EventLists lists{makeEvents(context.mesh, bounds),
+                     static_cast<std::uint32_t>(context.mesh.triangles.size())};
     times.prepare += watch.lap();
     auto root = buildExact(context, std::move(lists), bounds);
     times.split = watch.lap();

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace rtcore {
@@ -26,7 +27,8 @@ inline std::uint32_t orderedBits(float x) {
     return (bits & 0x80000000U) != 0 ? ~bits : bits | 0x80000000U;
 }
 inline float fromOrderedBits(std::uint32_t ordered) {
-    return std::bit_cast<float>((ordered & 0x80000000U) != 0 ? ordered & 0x7FFFFFFFU : ~ordered);
+    const std::uint32_t negative = (ordered >> 31U) - 1; // all ones or none: a choice without a branch
+    return std::bit_cast<float>(ordered ^ (negative | 0x80000000U));
 }
 
 inline Event makeEvent(float position, EventKind kind, std::uint32_t triangle) {
@@ -47,8 +49,24 @@ inline Event* writeEvents(const Box3& box, int axis, std::uint32_t triangle, Eve
     return out;
 }
 
-/// Sorts events whose triangles already ascend among equal positions and kinds.
-void sortEvents(std::vector<Event>& events, std::vector<Event>& scratch);
+/// Sorted events, in memory that is not cleared first: pages that are never used cost nothing.
+class EventList {
+  public:
+    EventList() = default;
+    explicit EventList(std::size_t capacity)
+        : data_(std::make_unique_for_overwrite<Event[]>(capacity)), capacity_(capacity) {}
+
+    Event* data() { return data_.get(); }
+    const Event* data() const { return data_.get(); }
+    std::size_t capacity() const { return capacity_; }
+    std::size_t size() const { return size_; }
+    void setSize(std::size_t size) { size_ = size; }
+
+  private:
+    std::unique_ptr<Event[]> data_;
+    std::size_t capacity_ = 0;
+    std::size_t size_ = 0;
+};
 
 /// The cheapest plane across `axis` strictly inside `cell`; `triangles` is how many the node holds.
 Split cheapestSplit(const Event* events, std::size_t count, std::uint32_t triangles, const Box3& cell,
@@ -57,7 +75,7 @@ Split cheapestSplit(const Event* events, std::size_t count, std::uint32_t triang
 enum class Side : std::uint8_t { Both, Lower, Upper };
 
 /// Sets `sides` of every triangle in `events` (those along split.axis), and appends those on both sides to
-/// `straddling` in ascending order of their starts.
+/// `straddling`, in an order that depends on the events alone.
 void classify(const Event* events, std::size_t count, const Split& split, Side* sides,
               std::vector<std::uint32_t>& straddling);
 

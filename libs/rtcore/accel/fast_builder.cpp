@@ -12,11 +12,7 @@ namespace {
 
 constexpr std::size_t kMaxBins = 64;
 
-/// A triangle and the box of its part inside the node.
-struct Item {
-    Box3 box;
-    std::uint32_t triangle;
-};
+using Item = BoundedTriangle;
 
 /// Where the items of a node begin and end along one axis, counted by bins.
 class Bins {
@@ -108,29 +104,11 @@ Counts divide(const Item* items, std::size_t count, const Split& split, Item* lo
     return n;
 }
 
-EventLists makeLists(const Item* items, std::size_t count) {
-    EventLists lists;
-    lists.triangles.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) lists.triangles.push_back(items[i].triangle);
-    std::vector<Event> scratch;
-    for (int axis = 0; axis < 3; ++axis) {
-        auto& events = lists.axis[static_cast<std::size_t>(axis)];
-        events.resize(2 * count);
-        Event* out = events.data();
-        for (std::size_t i = 0; i < count; ++i) {
-            out = writeEvents(items[i].box, axis, static_cast<std::uint32_t>(i), out);
-        }
-        events.resize(static_cast<std::size_t>(out - events.data()));
-        sortEvents(events, scratch);
-    }
-    return lists;
-}
-
 /// Everything below one node of at most kSerialTriangles, by one thread.
 class SerialFastBuilder {
   public:
     SerialFastBuilder(const BuildContext& context, const FastOptions& options)
-        : context_(context), options_(options), tree_(std::make_unique<Subtree>()) {}
+        : context_(context), options_(options), tree_(std::make_unique<Subtree>()), exact_(context) {}
 
     std::unique_ptr<Subtree> build(const std::vector<Item>& items, const Box3& cell, int depth,
                                    ReferenceBudget budget) {
@@ -145,7 +123,7 @@ class SerialFastBuilder {
     void buildNode(std::uint32_t index, std::size_t first, std::size_t count, std::size_t top,
                    const Box3& cell, int depth, ReferenceBudget budget) {
         if (count < options_.exactBelow) {
-            attachExact(index, first, count, cell, depth, budget);
+            exact_.build(arena_.data() + first, count, cell, depth, budget, *tree_, index);
             return;
         }
         // Few items need few bins.
@@ -179,30 +157,11 @@ class SerialFastBuilder {
         tree_->nodes[index] = {BuildNode::kLeaf, 0, firstReference, static_cast<std::uint32_t>(count)};
     }
 
-    /// The exact builder's tree in the place of a node; all its indices move up.
-    void attachExact(std::uint32_t index, std::size_t first, std::size_t count, const Box3& cell, int depth,
-                     ReferenceBudget budget) {
-        const auto piece =
-            buildExactSubtree(context_, makeLists(arena_.data() + first, count), cell, depth, budget);
-        const auto nodes = static_cast<std::uint32_t>(tree_->nodes.size()) - 1; // its root takes no new place
-        const auto references = static_cast<std::uint32_t>(tree_->references.size());
-        for (std::size_t i = 0; i < piece->nodes.size(); ++i) {
-            BuildNode node = piece->nodes[i];
-            node.first += node.axis == BuildNode::kLeaf ? references : nodes;
-            if (node.axis != BuildNode::kLeaf) node.second += nodes;
-            if (i == 0) {
-                tree_->nodes[index] = node;
-            } else {
-                tree_->nodes.push_back(node);
-            }
-        }
-        tree_->references.insert(tree_->references.end(), piece->references.begin(), piece->references.end());
-    }
-
     const BuildContext& context_;
     const FastOptions& options_;
     std::unique_ptr<Subtree> tree_;
     std::vector<Item> arena_;
+    ExactSubtreeBuilder exact_;
 };
 
 class FastBuilder {

@@ -1,0 +1,166 @@
+#include "rtcore/accel/event_sort.h"
+
+#include "rtcore/platform/task_errors.h"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+#include <vector>
+
+namespace rtcore {
+
+namespace {
+
+/// Below this a comparison sort is quicker than passes over counters.
+constexpr std::size_t kRadixFrom = 512;
+constexpr unsigned kDigitBits = 11;
+
+/// One stable pass of a radix sort by the digit of `bits` bits from `shift` on.
+void radixPass(const Event* from, std::size_t count, Event* to, Event least, unsigned shift, unsigned bits) {
+    std::array<std::uint32_t, std::size_t{1} << kDigitBits> next{};
+    const Event mask = (Event{1} << bits) - 1;
+    for (std::size_t i = 0; i < count; ++i) ++next[((from[i] >> 30U) - least) >> shift & mask];
+    std::uint32_t sum = 0;
+    for (std::size_t i = 0; i <= mask; ++i) sum += std::exchange(next[i], sum);
+    for (std::size_t i = 0; i < count; ++i) {
+        to[next[((from[i] >> 30U) - least) >> shift & mask]++] = from[i];
+    }
+}
+
+/// Slices of space along one axis, so that the events of each fit into a cache. Planes in order fall into
+/// slices in order.
+struct Slices {
+    Slices(const Box3& bounds, int axis, std::size_t number)
+        : lo(bounds.lo[axis]), scale(static_cast<float>(number) / (bounds.hi[axis] - lo)), last(number - 1) {
+        if (!(scale > 0 && scale < Box3::kHuge)) scale = 0;
+    }
+    std::size_t of(float position) const {
+        const float place = (position - lo) * scale;
+        return place > 0 ? std::min(static_cast<std::size_t>(place), last) : 0;
+    }
+
+    float lo, scale;
+    std::size_t last;
+};
+
+Box3 boundsOf(const Mesh& mesh, std::size_t triangle) {
+    Box3 box;
+    for (const std::uint32_t v : mesh.triangles[triangle].v) box.extend(mesh.vertices[v].position());
+    return box;
+}
+
+constexpr std::size_t kEventsPerSlice = 24'000;
+constexpr std::size_t kMaxSlices = 128;
+constexpr std::size_t kTrianglesPerChunk = 32'768;
+
+/// For each axis and slice, events of one chunk of triangles: how many, and later where the next goes.
+using Counters = std::array<std::array<std::size_t, kMaxSlices>, 3>;
+
+class MeshEvents {
+  public:
+    MeshEvents(const Mesh& mesh, const Box3& bounds)
+        : mesh_(mesh), count_(mesh.triangles.size()),
+          sliceCount_(std::clamp<std::size_t>(2 * count_ / kEventsPerSlice, 1, kMaxSlices)),
+          slices_{Slices(bounds, 0, sliceCount_), Slices(bounds, 1, sliceCount_),
+                  Slices(bounds, 2, sliceCount_)},
+          counters_((count_ + kTrianglesPerChunk - 1) / kTrianglesPerChunk) {}
+
+    std::array<EventList, 3> make() {
+        forEach(counters_.size(), [&](std::size_t chunk) { countEvents(chunk); });
+        for (std::size_t a = 0; a < 3; ++a) assignPlaces(a);
+        forEach(counters_.size(), [&](std::size_t chunk) { placeEvents(chunk); });
+        forEach(3 * sliceCount_, [&](std::size_t i) {
+            const std::size_t a = i / sliceCount_;
+            const std::size_t slice = i % sliceCount_;
+            EventList scratch;
+            sortEvents(lists_[a].data() + sliceFirst_[a][slice],
+                       sliceFirst_[a][slice + 1] - sliceFirst_[a][slice], scratch);
+        });
+        return std::move(lists_);
+    }
+
+  private:
+    template <typename Work>
+    void forEach(std::size_t count, const Work& work) {
+        TaskErrors errors;
+#pragma omp taskloop grainsize(1) default(shared)
+        for (std::size_t i = 0; i < count; ++i) errors.guard([&] { work(i); });
+        errors.rethrow();
+    }
+
+    template <typename Visit>
+    void visitEvents(std::size_t chunk, const Visit& visit) const {
+        const std::size_t end = std::min(count_, (chunk + 1) * kTrianglesPerChunk);
+        for (std::size_t i = chunk * kTrianglesPerChunk; i < end; ++i) {
+            const Box3 box = boundsOf(mesh_, i);
+            for (std::size_t a = 0; a < 3; ++a) {
+                std::array<Event, 2> pair{};
+                const Event* const last =
+                    writeEvents(box, static_cast<int>(a), static_cast<std::uint32_t>(i), pair.data());
+                visit(a, slices_[a].of(box.lo[static_cast<int>(a)]), pair[0]);
+                if (last == pair.data() + 2) visit(a, slices_[a].of(box.hi[static_cast<int>(a)]), pair[1]);
+            }
+        }
+    }
+
+    void countEvents(std::size_t chunk) {
+        Counters& counters = counters_[chunk];
+        visitEvents(chunk, [&](std::size_t a, std::size_t slice, Event) { ++counters[a][slice]; });
+    }
+
+    void assignPlaces(std::size_t a) {
+        std::size_t place = 0;
+        for (std::size_t slice = 0; slice < sliceCount_; ++slice) {
+            sliceFirst_[a][slice] = place;
+            for (Counters& chunk : counters_) place += std::exchange(chunk[a][slice], place);
+        }
+        sliceFirst_[a][sliceCount_] = place;
+        lists_[a] = EventList(place);
+        lists_[a].setSize(place);
+    }
+
+    void placeEvents(std::size_t chunk) {
+        Counters& next = counters_[chunk];
+        visitEvents(chunk, [&](std::size_t a, std::size_t slice, Event e) {
+            lists_[a].data()[next[a][slice]++] = e;
+        });
+    }
+
+    const Mesh& mesh_;
+    std::size_t count_;
+    std::size_t sliceCount_;
+    std::array<Slices, 3> slices_;
+    std::vector<Counters> counters_;
+    std::array<std::array<std::size_t, kMaxSlices + 1>, 3> sliceFirst_{};
+    std::array<EventList, 3> lists_;
+};
+
+} // namespace
+
+void sortEvents(Event* events, std::size_t count, EventList& scratch) {
+    if (count < kRadixFrom) {
+        std::sort(events, events + count);
+        return;
+    }
+    // Kind and position are the upper 34 bits; the triangles below them are in order already.
+    const auto [first, last] = std::minmax_element(events, events + count);
+    const Event least = *first >> 30U;
+    const auto bits = static_cast<unsigned>(std::bit_width((*last >> 30U) - least));
+    const unsigned passes = (bits + kDigitBits - 1) / kDigitBits;
+    if (passes == 0) return;
+    const unsigned digit = (bits + passes - 1) / passes;
+    if (scratch.capacity() < count) scratch = EventList(count);
+    Event* from = events;
+    Event* to = scratch.data();
+    for (unsigned pass = 0; pass < passes; ++pass) {
+        radixPass(from, count, to, least, pass * digit, digit);
+        std::swap(from, to);
+    }
+    if (from != events) std::copy(from, from + count, events);
+}
+
+std::array<EventList, 3> makeEvents(const Mesh& mesh, const Box3& bounds) {
+    return MeshEvents(mesh, bounds).make();
+}
+
+} // namespace rtcore
