@@ -1,5 +1,7 @@
 #include "rtcore/accel/events.h"
 
+#include "rtcore/accel/event_sweep.h"
+
 #include <algorithm>
 #include <cstring>
 
@@ -7,118 +9,102 @@ namespace rtcore {
 
 namespace {
 
-Event positionAndKind(Event e) { return e >> 30U; }
-
 /// The sweep of a plane over the events of one axis.
 class Sweep {
   public:
     Sweep(std::uint32_t triangles, const Box3& cell, int axis, const CostModel& cost)
-        : area_(cell, axis), cost_(cost), axis_(axis), upper_(triangles) {}
-
-    Split best() const { return best_; }
+        : cost_(cost), axis_(axis), state_{cost.traversal,
+                                           cost.intersection,
+                                           AreaOfParts(cell, axis),
+                                           0,
+                                           triangles,
+                                           Split{}.cost,
+                                           nullptr,
+                                           0,
+                                           0,
+                                           false} {}
 
     /// Passes planes on the lower face of the cell, which are none. Returns where the others begin.
     const Event* skipLowerFace(const Event* e, const Event* end) {
-        const std::uint32_t face = orderedBits(area_.lo);
+        const std::uint32_t face = orderedBits(state_.area.lo);
         for (; e != end && *e >> 32U <= face; ++e) {
-            lower_ += eventKind(*e) != EventKind::End ? 1 : 0;
-            upper_ -= eventKind(*e) != EventKind::Start ? 1 : 0;
+            state_.lower += eventKind(*e) != EventKind::End ? 1 : 0;
+            state_.upper -= eventKind(*e) != EventKind::Start ? 1 : 0;
         }
         return e;
     }
     /// The end of what precedes the planes on the upper face of the cell.
     const Event* withoutUpperFace(const Event* e, const Event* end) const {
-        const std::uint32_t face = orderedBits(area_.hi);
+        const std::uint32_t face = orderedBits(state_.area.hi);
         while (end != e && end[-1] >> 32U >= face) --end;
         return end;
     }
 
-    /// All events at the position of the first, whose sides may be empty. Returns where the next begin.
+    /// All events at the position of the first, where a side may be empty. Returns where the next begin.
     const Event* passPosition(const Event* e, const Event* end) {
+        const Event* plane = e;
         const Event position = *e >> 32U << 2U;
         std::uint32_t planar = 0;
-        for (; e != end && positionAndKind(*e) == position; ++e) --upper_;
-        for (; e != end && positionAndKind(*e) == (position | 1U); ++e) ++planar;
-        const float p = fromOrderedBits(static_cast<std::uint32_t>(position >> 2U));
-        consider(p, lower_, upper_, false);
-        upper_ -= planar;
-        lower_ += planar;
-        if (planar > 0) consider(p, lower_, upper_, true);
-        for (; e != end && positionAndKind(*e) == (position | 2U); ++e) ++lower_;
+        for (; e != end && *e >> 30U == position; ++e) {
+            --state_.upper;
+            plane = e;
+        }
+        for (; e != end && *e >> 30U == (position | 1U); ++e) ++planar;
+        consider(plane, false);
+        state_.upper -= planar;
+        state_.lower += planar;
+        if (planar > 0) consider(plane, true);
+        for (; e != end && *e >> 30U == (position | 2U); ++e) ++state_.lower;
         return e;
     }
 
-    /// Positions with triangles on both sides, up to `end`, where a position begins. Considers a plane at
-    /// every event instead of every position: among equal ones only the last end and the first start count
-    /// right, but the others count more triangles and so are never cheaper. That leaves no branch to
-    /// mispredict.
+    /// Positions with triangles on both sides: from where a position begins to where one does.
     void passOccupied(const Event* e, const Event* end) {
-        const float traversal = cost_.traversal;
-        const float intersection = cost_.intersection;
-        const AreaOfParts area = area_;
-        float best = best_.cost;
-        const Event* cheapest = nullptr;
-        std::uint32_t lower = lower_;
-        std::uint32_t upper = upper_;
-        while (e != end) {
-            const Event event = *e;
-            if (eventKind(event) == EventKind::Planar) {
-                lower_ = lower;
-                upper_ = upper;
-                best_.cost = best;
-                settle(cheapest, end);
-                cheapest = nullptr;
-                e = passPosition(e, end);
-                lower = lower_;
-                upper = upper_;
-                best = best_.cost;
-                continue;
+        constexpr std::ptrdiff_t kMost = std::ptrdiff_t{1} << 30U;
+        while (end - e >= 8) e += sweepBlocks(e, static_cast<std::size_t>(std::min(end - e, kMost)), state_);
+        for (; e != end; ++e) {
+            const EventKind kind = eventKind(*e);
+            if (kind == EventKind::Planar) {
+                considerPlanar(e, state_.lower, state_.upper, state_);
+            } else {
+                state_.upper -= kind == EventKind::End ? 1 : 0;
+                consider(e, false);
+                state_.upper += kind == EventKind::End ? 1 : 0;
             }
-            const std::uint32_t start = static_cast<std::uint32_t>(event >> 31U) & 1U;
-            upper -= 1 - start;
-            const float p = eventPosition(event);
-            const float c =
-                traversal +
-                intersection * (area.lower(p) * static_cast<float>(static_cast<std::int32_t>(lower)) +
-                                area.upper(p) * static_cast<float>(static_cast<std::int32_t>(upper)));
-            if (c < best) {
-                best = c;
-                cheapest = e;
-                best_.lower = lower;
-                best_.upper = upper;
-            }
-            lower += start;
-            ++e;
+            state_.lower += kind != EventKind::End ? 1 : 0;
+            state_.upper -= kind != EventKind::Start ? 1 : 0;
         }
-        lower_ = lower;
-        upper_ = upper;
-        best_.cost = best;
-        settle(cheapest, end);
+    }
+
+    /// `end` is that of all events.
+    Split best(const Event* end) const {
+        const Event* e = state_.cheapest;
+        if (e == nullptr) return {};
+        Split split{state_.cost,        eventPosition(*e),    axis_,
+                    state_.planarLower, state_.cheapestLower, state_.cheapestUpper};
+        // Triangles that end in the plane and were not yet counted out, since it cost the same.
+        const Event positionAndKind = *e >> 30U;
+        if (eventKind(*e) != EventKind::End) return split;
+        while (++e != end && *e >> 30U == positionAndKind) --split.upper;
+        return split;
     }
 
   private:
-    void consider(float position, std::uint32_t lower, std::uint32_t upper, bool planarLower) {
-        const float cost = cost_.split(area_.lower(position), area_.upper(position), lower, upper);
-        if (cost < best_.cost) best_ = {cost, position, axis_, planarLower, lower, upper};
+    void consider(const Event* e, bool planarLower) {
+        const float p = eventPosition(*e);
+        const float cost =
+            cost_.split(state_.area.lower(p), state_.area.upper(p), state_.lower, state_.upper);
+        if (!(cost < state_.cost)) return;
+        state_.cost = cost;
+        state_.cheapest = e;
+        state_.cheapestLower = state_.lower;
+        state_.cheapestUpper = state_.upper;
+        state_.planarLower = planarLower;
     }
 
-    /// Completes the best split when it is the one at `e`: other ends at its position follow.
-    void settle(const Event* e, const Event* end) {
-        if (e == nullptr) return;
-        best_.position = eventPosition(*e);
-        best_.axis = axis_;
-        best_.planarLower = false;
-        if (eventKind(*e) != EventKind::End) return;
-        const Event kind = positionAndKind(*e);
-        while (++e != end && positionAndKind(*e) == kind) --best_.upper;
-    }
-
-    AreaOfParts area_;
     const CostModel& cost_;
     int axis_;
-    Split best_;
-    std::uint32_t lower_ = 0;
-    std::uint32_t upper_;
+    SweepState state_;
 };
 
 } // namespace
@@ -128,14 +114,14 @@ Split cheapestSplit(const Event* events, std::size_t count, std::uint32_t triang
     Sweep sweep(triangles, cell, axis, cost);
     const Event* e = sweep.skipLowerFace(events, events + count);
     const Event* const end = sweep.withoutUpperFace(e, events + count);
-    if (e == end) return sweep.best();
+    if (e == end) return {};
     e = sweep.passPosition(e, end);
-    if (e == end) return sweep.best();
+    if (e == end) return sweep.best(end);
     const Event* last = end - 1;
     while (last != e && last[-1] >> 32U == *last >> 32U) --last;
     sweep.passOccupied(e, last);
     sweep.passPosition(last, end);
-    return sweep.best();
+    return sweep.best(end);
 }
 
 void classify(const Event* events, std::size_t count, const Split& split, Side* sides,
