@@ -106,7 +106,8 @@ float ExactSubtreeBuilder::buildNode(std::uint32_t index, const NodeEvents& even
         split = findSplit(events, count, cell);
     }
     if (split.cost >= leafCost) ++failures;
-    if (!split.valid() || failures > context_.lookAhead) {
+    if (!split.valid() || failures > context_.lookAhead ||
+        (split.cost >= leafCost && leastCost(split, cell) >= leafCost)) {
         makeLeaf(index, events);
         return leafCost;
     }
@@ -143,6 +144,14 @@ Split ExactSubtreeBuilder::findSplit(const NodeEvents& events, std::uint32_t cou
         if (s.cost < best.cost) best = s;
     }
     return best;
+}
+
+/// What a split costs at least, whatever the splits below it bring: each of them costs a step.
+float ExactSubtreeBuilder::leastCost(const Split& split, const Box3& cell) const {
+    const CostModel& cost = context_.cost;
+    const AreaOfParts area(cell, split.axis);
+    return cost.traversal + area.lower(split.position) * std::min(cost.leaf(split.lower), cost.traversal) +
+           area.upper(split.position) * std::min(cost.leaf(split.upper), cost.traversal);
 }
 
 /// Leaves the upper side where the node's events were and puts the lower side on top of the arena.

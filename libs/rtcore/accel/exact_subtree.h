@@ -87,6 +87,7 @@ class ExactSubtreeBuilder {
     float buildNode(std::uint32_t index, const NodeEvents& events, std::uint32_t count, const Box3& cell,
                     int depth, int failures, ReferenceBudget budget);
     Split findSplit(const NodeEvents& events, std::uint32_t count, const Box3& cell) const;
+    float leastCost(const Split& split, const Box3& cell) const;
     Division divide(const Split& split, std::uint32_t count, NodeEvents& upper, NodeEvents& lower,
                     const Box3& lowerCell, const Box3& upperCell);
     std::uint32_t clipStraddling(const Box3& cell, AxisEvents& added);
