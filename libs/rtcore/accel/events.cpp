@@ -124,30 +124,35 @@ Split cheapestSplit(const Event* events, std::size_t count, std::uint32_t triang
     return sweep.best(end);
 }
 
-void classify(const Event* events, std::size_t count, const Split& split, Side* sides,
-              std::vector<std::uint32_t>& straddling) {
-    const Event plane = static_cast<Event>(orderedBits(split.position)) << 32U;
-    const Event* const end = events + count;
-    const Event* const inPlane = std::lower_bound(events, end, plane);
-    const Event* const after = std::lower_bound(inPlane, end, plane + (Event{1} << 32U));
-    // Whoever ends above the plane is there, unless it begins below: then its start finds it on both sides.
-    for (const Event* e = after; e != end; ++e) sides[eventTriangle(*e)] = Side::Upper;
-    for (const Event* e = events; e != inPlane; ++e) {
+AlongSplit divideAlong(Event* events, std::size_t count, const Split& split, Side* sides, Event* lower,
+                       std::vector<std::uint32_t>& straddling) {
+    const EventKind firstUpper = split.planarLower ? EventKind::Start : EventKind::Planar;
+    Event* const end = events + count;
+    Event* const border = std::lower_bound(events, end, makeEvent(split.position, firstUpper, 0));
+    // Whoever ends above is there, unless it begins below: then its start finds it on both sides.
+    for (const Event* e = border; e != end; ++e) sides[eventTriangle(*e)] = Side::Upper;
+    for (const Event* e = events; e != border; ++e) {
         sides[eventTriangle(*e)] = eventKind(*e) == EventKind::Start ? Side::Both : Side::Lower;
     }
-    for (const Event* e = inPlane; e != after; ++e) {
-        const EventKind kind = eventKind(*e);
-        const bool isLower = kind == EventKind::End || (kind == EventKind::Planar && split.planarLower);
-        sides[eventTriangle(*e)] = isLower ? Side::Lower : Side::Upper;
+    Event* l = lower;
+    for (const Event* e = events; e != border; ++e) {
+        const bool both = sides[eventTriangle(*e)] == Side::Both;
+        *l = *e;
+        l += both ? 0 : 1;
+        if (both) straddling.push_back(eventTriangle(*e));
     }
-    // Both starts below and ends above name the straddling ones; the shorter part is quicker to read.
-    const bool above = end - after < inPlane - events;
-    const EventKind wanted = above ? EventKind::End : EventKind::Start;
-    for (const Event* e = above ? after : events; e != (above ? end : inPlane); ++e) {
-        if (sides[eventTriangle(*e)] == Side::Both && eventKind(*e) == wanted) {
-            straddling.push_back(eventTriangle(*e));
-        }
+    if (straddling.empty()) {
+        return {static_cast<std::size_t>(l - lower), static_cast<std::size_t>(border - events),
+                static_cast<std::size_t>(end - border)};
     }
+    Event* const upper = border - straddling.size();
+    Event* u = upper;
+    for (const Event* e = border; e != end; ++e) {
+        *u = *e;
+        u += sides[eventTriangle(*e)] != Side::Both ? 1 : 0;
+    }
+    return {static_cast<std::size_t>(l - lower), static_cast<std::size_t>(upper - events),
+            static_cast<std::size_t>(u - upper)};
 }
 
 PartitionCounts partition(const Event* events, std::size_t count, const Side* sides, Event* lower,

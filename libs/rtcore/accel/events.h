@@ -56,15 +56,21 @@ class EventList {
     explicit EventList(std::size_t capacity)
         : data_(std::make_unique_for_overwrite<Event[]>(capacity)), capacity_(capacity) {}
 
-    Event* data() { return data_.get(); }
-    const Event* data() const { return data_.get(); }
-    std::size_t capacity() const { return capacity_; }
+    Event* data() { return data_.get() + first_; }
+    const Event* data() const { return data_.get() + first_; }
+    std::size_t capacity() const { return capacity_ - first_; }
     std::size_t size() const { return size_; }
     void setSize(std::size_t size) { size_ = size; }
+    /// Forgets the first `count` events without moving the others.
+    void dropFront(std::size_t count) {
+        first_ += count;
+        size_ -= count;
+    }
 
   private:
     std::unique_ptr<Event[]> data_;
     std::size_t capacity_ = 0;
+    std::size_t first_ = 0;
     std::size_t size_ = 0;
 };
 
@@ -74,10 +80,17 @@ Split cheapestSplit(const Event* events, std::size_t count, std::uint32_t triang
 
 enum class Side : std::uint8_t { Both, Lower, Upper };
 
-/// Sets `sides` of every triangle in `events` (those along split.axis), and appends those on both sides to
-/// `straddling`, in an order that depends on the events alone.
-void classify(const Event* events, std::size_t count, const Split& split, Side* sides,
-              std::vector<std::uint32_t>& straddling);
+/// Divides the events along split.axis: sets the `sides` of all their triangles, copies to `lower` (room for
+/// `count` and one) the events of those on the lower side only, and moves together, in place, those of the
+/// upper side only, so that two more for each triangle on both sides fit behind them. Appends those on both
+/// sides to `straddling`, in the order of their starts; it must be empty before.
+struct AlongSplit {
+    std::size_t lower;      ///< how many are in `lower`
+    std::size_t upperFirst; ///< where those of the upper side begin in `events`
+    std::size_t upper;      ///< and how many they are
+};
+AlongSplit divideAlong(Event* events, std::size_t count, const Split& split, Side* sides, Event* lower,
+                       std::vector<std::uint32_t>& straddling);
 
 /// Copies the events of triangles that are on one side only, in order. `upper` may be `events` itself; both
 /// outputs need room for `count` events. Returns how many went to each side.

@@ -107,20 +107,43 @@ class ExactBuilder {
 
     void divide(EventLists lists, const Split& split, const Box3& lowerCell, const Box3& upperCell,
                 EventLists& lower, EventLists& upper) {
+        if (split.lower == 0 || split.upper == 0) { // only empty space is cut off
+            (split.lower == 0 ? upper : lower) = std::move(lists);
+            return;
+        }
         const auto scratch = borrowScratch();
+        const auto along = static_cast<std::size_t>(split.axis);
         std::vector<std::uint32_t> straddling;
-        const EventList& along = lists.axis[static_cast<std::size_t>(split.axis)];
-        classify(along.data(), along.size(), split, scratch->sides.get(), straddling);
-        const Clipped addedLower = clipTo(context_, straddling, lowerCell);
-        const Clipped addedUpper = clipTo(context_, straddling, upperCell);
-        lower.triangles = lists.triangles - split.upper + addedLower.inside;
-        upper.triangles = lists.triangles - split.lower + addedUpper.inside;
+        EventList& all = lists.axis[along];
+        // Events below the plane are of triangles on the lower side and of straddling ones, that clipping
+        // keeps.
+        EventList below(2 * std::size_t{split.lower} + 1);
+        const AlongSplit parts =
+            divideAlong(all.data(), all.size(), split, scratch->sides.get(), below.data(), straddling);
+        std::array<Clipped, 2> added;
         TaskErrors errors;
 #pragma omp taskloop grainsize(1) default(shared)
-        for (std::size_t a = 0; a < 3; ++a) {
+        for (std::size_t side = 0; side < 2; ++side) {
+            errors.guard(
+                [&] { added[side] = clipTo(context_, straddling, side == 0 ? lowerCell : upperCell); });
+        }
+        errors.rethrow();
+        lower.triangles = lists.triangles - split.upper + added[0].inside;
+        upper.triangles = lists.triangles - split.lower + added[1].inside;
+#pragma omp taskloop grainsize(1) default(shared)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t a = (along + 1 + i) % 3;
+            if (a == along) {
+                lower.axis[a] = std::move(below);
+                lower.axis[a].setSize(mergeEvents(lower.axis[a].data(), parts.lower, added[0].events[a]));
+                upper.axis[a] = std::move(all);
+                upper.axis[a].dropFront(parts.upperFirst);
+                upper.axis[a].setSize(mergeEvents(upper.axis[a].data(), parts.upper, added[1].events[a]));
+                continue;
+            }
             errors.guard([&] {
                 lower.axis[a] = EventList(2 * std::size_t{lower.triangles} + 1);
-                divideAxis(lists.axis[a], scratch->sides.get(), addedLower.events[a], addedUpper.events[a],
+                divideAxis(lists.axis[a], scratch->sides.get(), added[0].events[a], added[1].events[a],
                            lower.axis[a], upper.axis[a]);
             });
         }

@@ -158,13 +158,28 @@ float ExactSubtreeBuilder::leastCost(const Split& split, const Box3& cell) const
 ExactSubtreeBuilder::Division ExactSubtreeBuilder::divide(const Split& split, std::uint32_t count,
                                                           NodeEvents& upper, NodeEvents& lower,
                                                           const Box3& lowerCell, const Box3& upperCell) {
-    const auto s = static_cast<std::size_t>(split.axis);
+    // Only empty space is cut off: nothing changes for the triangles.
+    if (split.lower == 0) return {0, count, top_};
+    if (split.upper == 0) {
+        std::swap(lower, upper);
+        return {count, 0, top_};
+    }
+    const auto along = static_cast<std::size_t>(split.axis);
     straddling_.clear();
-    classify(at(upper.first[s]), upper.count[s], split, sides_.data(), straddling_);
+    makeRoom(3 * upper.count[along] + 1); // with what clipping may add to the lower side
+    const AlongSplit parts =
+        divideAlong(at(upper.first[along]), upper.count[along], split, sides_.data(), at(top_), straddling_);
     const std::uint32_t lowerCount = count - split.upper + clipStraddling(lowerCell, addedLower_);
     const std::uint32_t upperCount = count - split.lower + clipStraddling(upperCell, addedUpper_);
     std::size_t keep = top_;
-    for (std::size_t a = 0; a < 3; ++a) {
+
+    lower.first[along] = top_;
+    lower.count[along] = mergeEvents(at(top_), parts.lower, addedLower_[along]);
+    top_ += lower.count[along];
+    upper.first[along] += parts.upperFirst;
+    upper.count[along] = mergeEvents(at(upper.first[along]), parts.upper, addedUpper_[along]);
+
+    for (const std::size_t a : {(along + 1) % 3, (along + 2) % 3}) {
         const std::size_t all = upper.count[a];
         lower.first[a] = top_;
         makeRoom(2 * all + addedLower_[a].size() + addedUpper_[a].size() + 1);
