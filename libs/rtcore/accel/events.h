@@ -3,12 +3,12 @@
 #pragma once
 
 #include "rtcore/accel/cost_model.h"
+#include "rtcore/accel/raw_list.h"
 #include "rtcore/math/box.h"
 
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace rtcore {
@@ -49,30 +49,7 @@ inline Event* writeEvents(const Box3& box, int axis, std::uint32_t triangle, Eve
     return out;
 }
 
-/// Sorted events, in memory that is not cleared first: pages that are never used cost nothing.
-class EventList {
-  public:
-    EventList() = default;
-    explicit EventList(std::size_t capacity)
-        : data_(std::make_unique_for_overwrite<Event[]>(capacity)), capacity_(capacity) {}
-
-    Event* data() { return data_.get() + first_; }
-    const Event* data() const { return data_.get() + first_; }
-    std::size_t capacity() const { return capacity_ - first_; }
-    std::size_t size() const { return size_; }
-    void setSize(std::size_t size) { size_ = size; }
-    /// Forgets the first `count` events without moving the others.
-    void dropFront(std::size_t count) {
-        first_ += count;
-        size_ -= count;
-    }
-
-  private:
-    std::unique_ptr<Event[]> data_;
-    std::size_t capacity_ = 0;
-    std::size_t first_ = 0;
-    std::size_t size_ = 0;
-};
+using EventList = RawList<Event>;
 
 /// The cheapest plane across `axis` strictly inside `cell`; `triangles` is how many the node holds.
 Split cheapestSplit(const Event* events, std::size_t count, std::uint32_t triangles, const Box3& cell,

@@ -82,7 +82,7 @@ ExactSubtreeBuilder::NodeEvents ExactSubtreeBuilder::load(const BoundedTriangle*
         Event* const first = at(top_);
         Event* out = first;
         for (std::size_t i = 0; i < count; ++i) {
-            out = writeEvents(triangles[i].box, static_cast<int>(a), static_cast<std::uint32_t>(i), out);
+            out = writeEvents(triangles[i].box(), static_cast<int>(a), static_cast<std::uint32_t>(i), out);
         }
         root.first[a] = top_;
         root.count[a] = static_cast<std::size_t>(out - first);
