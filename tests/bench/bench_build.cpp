@@ -1,5 +1,5 @@
 // What building the kd-tree of model files costs, and what tree comes out.
-//   bench_build [--exact | --fast] [--threads N] FILE...     PLY or OBJ
+//   bench_build [--exact | --fast] [--threads N] [--quality N] FILE...     PLY or OBJ
 // The best wall time of five, and the least processor time; peak memory above what the process held before,
 // of the last.
 #include "rtcore/accel/builder.h"
@@ -91,6 +91,7 @@ void measure(const rtcore::Mesh& mesh, const char* name, const rtcore::BuildOpti
 struct Selection {
     std::vector<rtcore::BuildMethod> methods{rtcore::BuildMethod::Exact, rtcore::BuildMethod::Fast};
     std::vector<int> threads{1, 2};
+    int quality = rtcore::BuildOptions{}.fastQuality;
     std::vector<const char*> files;
 };
 
@@ -104,6 +105,8 @@ Selection parse(int argc, char** argv) {
             selection.methods = {rtcore::BuildMethod::Fast};
         } else if (word == "--threads" && i + 1 < argc) {
             selection.threads = {std::atoi(argv[++i])};
+        } else if (word == "--quality" && i + 1 < argc) {
+            selection.quality = std::atoi(argv[++i]);
         } else {
             selection.files.push_back(argv[i]);
         }
@@ -116,7 +119,7 @@ Selection parse(int argc, char** argv) {
 int main(int argc, char** argv) {
     const Selection selection = parse(argc, argv);
     if (selection.files.empty()) {
-        std::fprintf(stderr, "bench_build [--exact | --fast] [--threads N] FILE...\n");
+        std::fprintf(stderr, "bench_build [--exact | --fast] [--threads N] [--quality N] FILE...\n");
         return 2;
     }
     try {
@@ -128,6 +131,7 @@ int main(int argc, char** argv) {
                     rtcore::BuildOptions options;
                     options.method = method;
                     options.threads = threads;
+                    options.fastQuality = selection.quality;
                     measure(sample.view(), method == rtcore::BuildMethod::Exact ? "exact" : "fast", options);
                 }
             }

@@ -93,15 +93,21 @@ Split Bins::cheapestAlong(int axis, const Box3& cell, std::uint32_t triangles, c
                                                          area.upper(position) * static_cast<float>(upper[k]));
     }
     Split best;
+    std::size_t cheapest = 0;
+    for (std::size_t i = 1; i < bins_; ++i) {
+        const bool inside = positions[i] > area.lo && positions[i] < area.hi;
+        const float c = lower[i] == 0 || upper[i] == 0 ? costs[i] * cost.emptyFactor : costs[i];
+        const bool better = inside && c < best.cost;
+        best.cost = better ? c : best.cost;
+        cheapest = better ? i : cheapest;
+    }
+    if (cheapest > 0) best.position = positions[cheapest];
     const auto consider = [&](float position, float c) {
         if (c < best.cost && position > area.lo && position < area.hi) {
             best.cost = c;
             best.position = position;
         }
     };
-    for (std::size_t i = 1; i < bins_; ++i) {
-        consider(positions[i], lower[i] == 0 || upper[i] == 0 ? costs[i] * cost.emptyFactor : costs[i]);
-    }
     const auto considerEnd = [&](float position, std::uint32_t below, std::uint32_t above) {
         consider(position, cost.split(area.lower(position), area.upper(position), below, above));
     };

@@ -1,5 +1,6 @@
 #include "rtcore/accel/event_sort.h"
 
+#include "rtcore/accel/rank_sort.h"
 #include "rtcore/platform/task_errors.h"
 
 #include <algorithm>
@@ -11,14 +12,18 @@ namespace rtcore {
 
 namespace {
 
-/// Below this a comparison sort is quicker than passes over counters.
-constexpr std::size_t kRadixFrom = 512;
 constexpr unsigned kDigitBits = 11;
+/// Lists of fewer events are sorted by smaller digits, since counters cost as much as they.
+constexpr std::size_t kLargeDigitsFrom = 2048;
+constexpr unsigned kSmallDigitBits = 8;
+/// Below this insertion is quickest.
+constexpr std::size_t kRankedFrom = 8;
 
 /// One stable pass of a radix sort by the digit of `bits` bits from `shift` on.
 void radixPass(const Event* from, std::size_t count, Event* to, Event least, unsigned shift, unsigned bits) {
-    std::array<std::uint32_t, std::size_t{1} << kDigitBits> next{};
+    std::array<std::uint32_t, std::size_t{1} << kDigitBits> next;
     const Event mask = (Event{1} << bits) - 1;
+    std::fill_n(next.begin(), mask + 1, 0U);
     for (std::size_t i = 0; i < count; ++i) ++next[((from[i] >> 30U) - least) >> shift & mask];
     std::uint32_t sum = 0;
     for (std::size_t i = 0; i <= mask; ++i) sum += std::exchange(next[i], sum);
@@ -137,16 +142,25 @@ class MeshEvents {
 
 } // namespace
 
-void sortEvents(Event* events, std::size_t count, EventList& scratch) {
-    if (count < kRadixFrom) {
+void sortFewEvents(Event* events, std::size_t count) {
+    if (count < kRankedFrom || count > kMostRanked) {
         std::sort(events, events + count);
+    } else {
+        rankSort(events, count);
+    }
+}
+
+void sortEvents(Event* events, std::size_t count, EventList& scratch) {
+    if (count <= kMostRanked) {
+        sortFewEvents(events, count);
         return;
     }
     // Kind and position are the upper 34 bits; the triangles below them are in order already.
     const auto [first, last] = std::minmax_element(events, events + count);
     const Event least = *first >> 30U;
     const auto bits = static_cast<unsigned>(std::bit_width((*last >> 30U) - least));
-    const unsigned passes = (bits + kDigitBits - 1) / kDigitBits;
+    const unsigned most = count < kLargeDigitsFrom ? kSmallDigitBits : kDigitBits;
+    const unsigned passes = (bits + most - 1) / most;
     if (passes == 0) return;
     const unsigned digit = (bits + passes - 1) / passes;
     if (scratch.capacity() < count) scratch = EventList(count);

@@ -1,5 +1,6 @@
 #include "rtcore/accel/exact_builder.h"
 
+#include "rtcore/accel/event_sort.h"
 #include "rtcore/accel/pool.h"
 #include "rtcore/platform/task_errors.h"
 
@@ -32,7 +33,7 @@ Clipped clipTo(const BuildContext& context, const std::vector<std::uint32_t>& st
     for (const std::uint32_t triangle : straddling) {
         clipped.inside += addClippedEvents(context, triangle, triangle, cell, clipped.events) ? 1 : 0;
     }
-    for (auto& list : clipped.events) std::sort(list.begin(), list.end());
+    for (auto& list : clipped.events) sortFewEvents(list.data(), list.size());
     return clipped;
 }
 

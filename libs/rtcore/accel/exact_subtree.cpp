@@ -13,13 +13,6 @@ void BuildContext::checkCancelled() const {
     if (progress != nullptr && progress->cancel.load(std::memory_order_relaxed)) throw BuildCancelled();
 }
 
-namespace {
-
-/// Lists of a few events, as straddling triangles make them, are mostly in order already.
-void sortFew(std::vector<Event>& events) { std::sort(events.begin(), events.end()); }
-
-} // namespace
-
 std::unique_ptr<Subtree> ExactSubtreeBuilder::build(EventLists lists, std::uint32_t* numbers,
                                                     const Box3& cell, int depth, ReferenceBudget budget) {
     context_.checkCancelled();
@@ -213,7 +206,7 @@ std::uint32_t ExactSubtreeBuilder::clipStraddling(const Box3& cell, AxisEvents& 
     for (const std::uint32_t local : straddling_) {
         inside += addClippedEvents(context_, triangles_[local], local, cell, added) ? 1 : 0;
     }
-    for (auto& list : added) sortFew(list);
+    for (auto& list : added) sortFewEvents(list.data(), list.size());
     return inside;
 }
 
