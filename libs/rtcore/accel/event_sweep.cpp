@@ -30,8 +30,24 @@ struct BitCounts {
 };
 alignas(64) constexpr BitCounts kBitCounts;
 
-std::size_t sweepBlocks(const Event* events, std::size_t count, SweepState& state) {
-    // Lanes name their block in 31 bits; at most eight, since one byte holds a bit for each.
+/// The flat triangle of event `e`, with `lower` and `upper` triangles before it; it counts as upper. Only the
+/// whole run of flat ones at a position may change sides: considers a plane before the first and after the
+/// last.
+void considerPlanar(const Event* e, const Event* begin, const Event* end, std::uint32_t lower,
+                    std::uint32_t upper, const AreaOfParts& area, const CostModel& cost, SweptPlane& best) {
+    const float p = eventPosition(*e);
+    if (!(p > area.lo && p < area.hi)) return;
+    const auto consider = [&](std::uint32_t below, std::uint32_t above, bool planarLower) {
+        const float c = cost.split(area.lower(p), area.upper(p), below, above);
+        if (c < best.cost) best = {c, e, below, above, planarLower};
+    };
+    if (e == begin || e[-1] >> 30U != *e >> 30U) consider(lower, upper, false);
+    if (e + 1 == end || e[1] >> 30U != *e >> 30U) consider(lower + 1, upper - 1, true);
+}
+
+SweptPlane sweepEvents(const Event* events, std::size_t count, std::uint32_t triangles,
+                       const AreaOfParts& area, const CostModel& cost) {
+    // Eight lanes at most, since one byte holds a bit for each. They name their block in 31 bits.
     const hn::CappedTag<std::uint32_t, 8> du;
     const hn::RebindToSigned<decltype(du)> di;
     const hn::RebindToFloat<decltype(du)> df;
@@ -39,32 +55,40 @@ std::size_t sweepBlocks(const Event* events, std::size_t count, SweepState& stat
     const std::size_t lanes = hn::Lanes(du);
     const unsigned allLanes = (1U << lanes) - 1;
 
-    const auto traversal = hn::Set(df, state.traversal);
-    const auto intersection = hn::Set(df, state.intersection);
-    const auto face = hn::Set(df, state.area.face);
-    const auto rim = hn::Set(df, state.area.rim);
-    const auto lo = hn::Set(df, state.area.lo);
-    const auto hi = hn::Set(df, state.area.hi);
+    const auto traversal = hn::Set(df, cost.traversal);
+    const auto intersection = hn::Set(df, cost.intersection);
+    const auto emptyFactor = hn::Set(df, cost.emptyFactor);
+    const auto face = hn::Set(df, area.face);
+    const auto rim = hn::Set(df, area.rim);
+    const auto lo = hn::Set(df, area.lo);
+    const auto hi = hn::Set(df, area.hi);
     const auto signBit = hn::Set(du, 0x80000000U);
     const auto one = hn::Set(du, 1);
+    const auto zero = hn::Zero(di);
     const auto infinity = hn::Inf(df);
 
-    auto bestCost = hn::Set(df, state.cost);
+    auto bestCost = infinity;
     auto bestBlock = hn::Set(di, -1);
-    auto bestLower = hn::Zero(di);
-    auto bestUpper = hn::Zero(di);
-    std::uint32_t lower = state.lower;
-    std::uint32_t upper = state.upper;
-
-    std::size_t i = 0;
-    for (; i + lanes <= count; i += lanes) {
+    auto bestLower = zero;
+    auto bestUpper = zero;
+    SweptPlane best; // of those through flat triangles, and in the end of all
+    std::uint32_t lower = 0;
+    std::uint32_t upper = triangles;
+    for (std::size_t i = 0; i < count; i += lanes) {
+        const Event* block = events + i;
+        Event rest[8];
+        if (count - i < lanes) {
+            // Filled with starts beyond the upper face, where no plane is.
+            for (std::size_t k = 0; k < lanes; ++k) rest[k] = i + k < count ? block[k] : ~(Event{1} << 30U);
+            block = rest;
+        }
         hn::Vec<decltype(du)> low;
         hn::Vec<decltype(du)> high;
-        hn::LoadInterleaved2(du, reinterpret_cast<const std::uint32_t*>(events + i), low, high);
-        const auto planar = hn::Lt(hn::BitCast(di, hn::ShiftLeft<1>(low)), hn::Zero(di));
+        hn::LoadInterleaved2(du, reinterpret_cast<const std::uint32_t*>(block), low, high);
+        const auto planar = hn::Lt(hn::BitCast(di, hn::ShiftLeft<1>(low)), zero);
         std::uint8_t startBits[8] = {};
         std::uint8_t planarBits[8] = {};
-        hn::StoreMaskBits(di, hn::Lt(hn::BitCast(di, low), hn::Zero(di)), startBits);
+        hn::StoreMaskBits(di, hn::Lt(hn::BitCast(di, low), zero), startBits);
         hn::StoreMaskBits(di, planar, planarBits);
         const unsigned begins = (startBits[0] | planarBits[0]) & allLanes;
         const unsigned ends = ~startBits[0] & allLanes;
@@ -77,28 +101,29 @@ std::size_t sweepBlocks(const Event* events, std::size_t count, SweepState& stat
         const auto p = hn::BitCast(df, hn::Xor(high, hn::Or(negative, signBit)));
         const auto lowerArea = hn::Add(face, hn::Mul(hn::Sub(p, lo), rim));
         const auto upperArea = hn::Add(face, hn::Mul(hn::Sub(hi, p), rim));
-        const auto triangles = hn::Add(hn::Mul(lowerArea, hn::ConvertTo(df, below)),
-                                       hn::Mul(upperArea, hn::ConvertTo(df, above)));
-        auto cost = hn::Add(traversal, hn::Mul(intersection, triangles));
+        const auto tests = hn::Add(hn::Mul(lowerArea, hn::ConvertTo(df, below)),
+                                   hn::Mul(upperArea, hn::ConvertTo(df, above)));
+        const auto full = hn::Add(traversal, hn::Mul(intersection, tests));
+        const auto empty = hn::Or(hn::Eq(below, zero), hn::Eq(above, zero));
+        const auto c = hn::IfThenElse(hn::RebindMask(df, empty), hn::Mul(full, emptyFactor), full);
+        auto better = hn::And(hn::Lt(c, bestCost), hn::And(hn::Gt(p, lo), hn::Lt(p, hi)));
         if (const unsigned flat = planarBits[0] & allLanes; flat != 0) {
-            cost = hn::IfThenElse(hn::RebindMask(df, planar), infinity, cost);
+            better = hn::AndNot(hn::RebindMask(df, planar), better);
             for (unsigned lane = 0; lane < lanes; ++lane) {
                 if ((flat >> lane & 1U) == 0) continue;
-                considerPlanar(events + i + lane, lower + kBitCounts.before[begins][lane],
-                               upper - kBitCounts.before[ends][lane], state);
+                considerPlanar(events + i + lane, events, events + count,
+                               lower + kBitCounts.before[begins][lane], upper - kBitCounts.before[ends][lane],
+                               area, cost, best);
             }
         }
-        const auto better = hn::Lt(cost, bestCost);
         const auto betterInt = hn::RebindMask(di, better);
-        bestCost = hn::IfThenElse(better, cost, bestCost);
+        bestCost = hn::IfThenElse(better, c, bestCost);
         bestBlock = hn::IfThenElse(betterInt, hn::Set(di, static_cast<std::int32_t>(i / lanes)), bestBlock);
         bestLower = hn::IfThenElse(betterInt, below, bestLower);
         bestUpper = hn::IfThenElse(betterInt, above, bestUpper);
         lower += kBitCounts.upTo[begins][7];
         upper -= kBitCounts.upTo[ends][7];
     }
-    state.lower = lower;
-    state.upper = upper;
 
     float costs[8];
     std::int32_t blocks[8];
@@ -109,16 +134,13 @@ std::size_t sweepBlocks(const Event* events, std::size_t count, SweepState& stat
     hn::StoreU(bestLower, di, lowers);
     hn::StoreU(bestUpper, di, uppers);
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-        if (blocks[lane] < 0 || costs[lane] > state.cost) continue;
+        if (blocks[lane] < 0 || costs[lane] > best.cost) continue;
         const Event* const event = events + static_cast<std::size_t>(blocks[lane]) * lanes + lane;
-        if (costs[lane] == state.cost && (state.cheapest == nullptr || event > state.cheapest)) continue;
-        state.cost = costs[lane];
-        state.cheapest = event;
-        state.cheapestLower = static_cast<std::uint32_t>(lowers[lane]);
-        state.cheapestUpper = static_cast<std::uint32_t>(uppers[lane]);
-        state.planarLower = false;
+        if (costs[lane] == best.cost && event > best.event) continue;
+        best = {costs[lane], event, static_cast<std::uint32_t>(lowers[lane]),
+                static_cast<std::uint32_t>(uppers[lane]), false};
     }
-    return i;
+    return best;
 }
 
 } // namespace HWY_NAMESPACE
@@ -128,10 +150,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace rtcore {
 
-HWY_EXPORT(sweepBlocks);
+HWY_EXPORT(sweepEvents);
 
-std::size_t sweepBlocks(const Event* events, std::size_t count, SweepState& state) {
-    return HWY_DYNAMIC_DISPATCH(sweepBlocks)(events, count, state);
+SweptPlane sweepEvents(const Event* events, std::size_t count, std::uint32_t triangles,
+                       const AreaOfParts& area, const CostModel& cost) {
+    return HWY_DYNAMIC_DISPATCH(sweepEvents)(events, count, triangles, area, cost);
 }
 
 } // namespace rtcore

@@ -7,121 +7,16 @@
 
 namespace rtcore {
 
-namespace {
-
-/// The sweep of a plane over the events of one axis.
-class Sweep {
-  public:
-    Sweep(std::uint32_t triangles, const Box3& cell, int axis, const CostModel& cost)
-        : cost_(cost), axis_(axis), state_{cost.traversal,
-                                           cost.intersection,
-                                           AreaOfParts(cell, axis),
-                                           0,
-                                           triangles,
-                                           Split{}.cost,
-                                           nullptr,
-                                           0,
-                                           0,
-                                           false} {}
-
-    /// Passes planes on the lower face of the cell, which are none. Returns where the others begin.
-    const Event* skipLowerFace(const Event* e, const Event* end) {
-        const std::uint32_t face = orderedBits(state_.area.lo);
-        for (; e != end && *e >> 32U <= face; ++e) {
-            state_.lower += eventKind(*e) != EventKind::End ? 1 : 0;
-            state_.upper -= eventKind(*e) != EventKind::Start ? 1 : 0;
-        }
-        return e;
-    }
-    /// The end of what precedes the planes on the upper face of the cell.
-    const Event* withoutUpperFace(const Event* e, const Event* end) const {
-        const std::uint32_t face = orderedBits(state_.area.hi);
-        while (end != e && end[-1] >> 32U >= face) --end;
-        return end;
-    }
-
-    /// All events at the position of the first, where a side may be empty. Returns where the next begin.
-    const Event* passPosition(const Event* e, const Event* end) {
-        const Event* plane = e;
-        const Event position = *e >> 32U << 2U;
-        std::uint32_t planar = 0;
-        for (; e != end && *e >> 30U == position; ++e) {
-            --state_.upper;
-            plane = e;
-        }
-        for (; e != end && *e >> 30U == (position | 1U); ++e) ++planar;
-        consider(plane, false);
-        state_.upper -= planar;
-        state_.lower += planar;
-        if (planar > 0) consider(plane, true);
-        for (; e != end && *e >> 30U == (position | 2U); ++e) ++state_.lower;
-        return e;
-    }
-
-    /// Positions with triangles on both sides: from where a position begins to where one does.
-    void passOccupied(const Event* e, const Event* end) {
-        constexpr std::ptrdiff_t kMost = std::ptrdiff_t{1} << 30U;
-        while (end - e >= 8) e += sweepBlocks(e, static_cast<std::size_t>(std::min(end - e, kMost)), state_);
-        for (; e != end; ++e) {
-            const EventKind kind = eventKind(*e);
-            if (kind == EventKind::Planar) {
-                considerPlanar(e, state_.lower, state_.upper, state_);
-            } else {
-                state_.upper -= kind == EventKind::End ? 1 : 0;
-                consider(e, false);
-                state_.upper += kind == EventKind::End ? 1 : 0;
-            }
-            state_.lower += kind != EventKind::End ? 1 : 0;
-            state_.upper -= kind != EventKind::Start ? 1 : 0;
-        }
-    }
-
-    /// `end` is that of all events.
-    Split best(const Event* end) const {
-        const Event* e = state_.cheapest;
-        if (e == nullptr) return {};
-        Split split{state_.cost,        eventPosition(*e),    axis_,
-                    state_.planarLower, state_.cheapestLower, state_.cheapestUpper};
-        // Triangles that end in the plane and were not yet counted out, since it cost the same.
-        const Event positionAndKind = *e >> 30U;
-        if (eventKind(*e) != EventKind::End) return split;
-        while (++e != end && *e >> 30U == positionAndKind) --split.upper;
-        return split;
-    }
-
-  private:
-    void consider(const Event* e, bool planarLower) {
-        const float p = eventPosition(*e);
-        const float cost =
-            cost_.split(state_.area.lower(p), state_.area.upper(p), state_.lower, state_.upper);
-        if (!(cost < state_.cost)) return;
-        state_.cost = cost;
-        state_.cheapest = e;
-        state_.cheapestLower = state_.lower;
-        state_.cheapestUpper = state_.upper;
-        state_.planarLower = planarLower;
-    }
-
-    const CostModel& cost_;
-    int axis_;
-    SweepState state_;
-};
-
-} // namespace
-
 Split cheapestSplit(const Event* events, std::size_t count, std::uint32_t triangles, const Box3& cell,
                     int axis, const CostModel& cost) {
-    Sweep sweep(triangles, cell, axis, cost);
-    const Event* e = sweep.skipLowerFace(events, events + count);
-    const Event* const end = sweep.withoutUpperFace(e, events + count);
-    if (e == end) return {};
-    e = sweep.passPosition(e, end);
-    if (e == end) return sweep.best(end);
-    const Event* last = end - 1;
-    while (last != e && last[-1] >> 32U == *last >> 32U) --last;
-    sweep.passOccupied(e, last);
-    sweep.passPosition(last, end);
-    return sweep.best(end);
+    const SweptPlane plane = sweepEvents(events, count, triangles, AreaOfParts(cell, axis), cost);
+    const Event* e = plane.event;
+    if (e == nullptr) return {};
+    Split split{plane.cost, eventPosition(*e), axis, plane.planarLower, plane.lower, plane.upper};
+    if (eventKind(*e) != EventKind::End) return split;
+    const Event positionAndKind = *e >> 30U;
+    while (++e != events + count && *e >> 30U == positionAndKind) --split.upper;
+    return split;
 }
 
 AlongSplit divideAlong(Event* events, std::size_t count, const Split& split, Side* sides, Event* lower,

@@ -226,7 +226,7 @@ class FastBuilder {
 
 FastOptions fastOptions(int quality) {
     const auto q = static_cast<std::size_t>(std::clamp(quality, 1, 10));
-    return {4 + 4 * q, q < 5 ? 0 : std::size_t{16} << (q - 5)};
+    return {4 + 4 * q, q < 5 ? 0 : std::size_t{18} << (q - 5)};
 }
 
 std::unique_ptr<Subtree> buildFast(const BuildContext& context, const FastOptions& options,
