@@ -3,6 +3,7 @@
 #include "rtcore/accel/event_sweep.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 namespace rtcore {
@@ -74,7 +75,9 @@ std::size_t mergeEvents(Event* events, std::size_t count, const std::vector<Even
         while (left >= kBlock && events[left - kBlock] > added[right - 1]) {
             left -= kBlock;
             out -= kBlock;
-            std::memmove(events + out, events + left, kBlock * sizeof(Event));
+            std::array<Event, kBlock> block; // since both may overlap
+            std::memcpy(block.data(), events + left, sizeof block);
+            std::memcpy(events + out, block.data(), sizeof block);
         }
         const bool takeOld = left > 0 && events[left - 1] > added[right - 1];
         events[--out] = takeOld ? events[--left] : added[--right];

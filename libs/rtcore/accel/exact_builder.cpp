@@ -1,6 +1,5 @@
 #include "rtcore/accel/exact_builder.h"
 
-#include "rtcore/accel/event_sort.h"
 #include "rtcore/accel/pool.h"
 #include "rtcore/platform/task_errors.h"
 
@@ -30,10 +29,8 @@ struct Clipped {
 
 Clipped clipTo(const BuildContext& context, const std::vector<std::uint32_t>& straddling, const Box3& cell) {
     Clipped clipped;
-    for (const std::uint32_t triangle : straddling) {
-        clipped.inside += addClippedEvents(context, triangle, triangle, cell, clipped.events) ? 1 : 0;
-    }
-    for (auto& list : clipped.events) sortFewEvents(list.data(), list.size());
+    clipped.inside = clipEvents(
+        context, straddling, [](std::uint32_t triangle) { return triangle; }, cell, clipped.events);
     return clipped;
 }
 

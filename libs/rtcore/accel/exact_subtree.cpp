@@ -1,8 +1,6 @@
 #include "rtcore/accel/exact_subtree.h"
 
 #include "rtcore/accel/builder.h"
-#include "rtcore/accel/event_sort.h"
-#include "rtcore/accel/triangle_clip.h"
 
 #include <algorithm>
 #include <utility>
@@ -201,13 +199,12 @@ void ExactSubtreeBuilder::makeRoom(std::size_t events) {
 
 /// New events of the straddling triangles in one child's cell; returns how many are inside at all.
 std::uint32_t ExactSubtreeBuilder::clipStraddling(const Box3& cell, AxisEvents& added) {
-    for (auto& list : added) list.clear();
-    std::uint32_t inside = 0;
-    for (const std::uint32_t local : straddling_) {
-        inside += addClippedEvents(context_, triangles_[local], local, cell, added) ? 1 : 0;
+    if (straddling_.empty()) {
+        for (auto& list : added) list.clear();
+        return 0;
     }
-    for (auto& list : added) sortFewEvents(list.data(), list.size());
-    return inside;
+    return clipEvents(
+        context_, straddling_, [&](std::uint32_t number) { return triangles_[number]; }, cell, added);
 }
 
 void ExactSubtreeBuilder::makeLeaf(std::uint32_t index, const NodeEvents& events) {
@@ -230,21 +227,6 @@ void ExactSubtreeBuilder::undo(std::uint32_t index, std::size_t firstReference) 
     references.erase(std::unique(begin, references.end()), references.end());
     tree_->nodes[index] = {BuildNode::kLeaf, 0, static_cast<std::uint32_t>(firstReference),
                            static_cast<std::uint32_t>(references.size() - firstReference)};
-}
-
-bool addClippedEvents(const BuildContext& context, std::uint32_t triangle, std::uint32_t number,
-                      const Box3& cell, AxisEvents& events) {
-    const std::array<Vec3, 3> corners{context.mesh.position(triangle, 0), context.mesh.position(triangle, 1),
-                                      context.mesh.position(triangle, 2)};
-    const Box3 box = clippedBounds(corners, cell, context.margin);
-    if (box.empty()) return false;
-    for (int axis = 0; axis < 3; ++axis) {
-        std::array<Event, 2> pair{};
-        Event* const end = writeEvents(box, axis, number, pair.data());
-        auto& list = events[static_cast<std::size_t>(axis)];
-        list.insert(list.end(), pair.data(), end);
-    }
-    return true;
 }
 
 } // namespace rtcore

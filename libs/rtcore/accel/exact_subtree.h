@@ -4,8 +4,10 @@
 #include "rtcore/accel/bounded_triangle.h"
 #include "rtcore/accel/build_options.h"
 #include "rtcore/accel/cost_model.h"
+#include "rtcore/accel/event_sort.h"
 #include "rtcore/accel/events.h"
 #include "rtcore/accel/subtree.h"
+#include "rtcore/accel/triangle_clip.h"
 #include "rtcore/scene/mesh.h"
 
 #include <array>
@@ -36,10 +38,31 @@ struct EventLists {
 
 using AxisEvents = std::array<std::vector<Event>, 3>;
 
-/// Appends the events of the part of `triangle` (of the mesh) inside `cell`, as triangle `number`.
-/// Returns false, and adds nothing, when no part is inside.
-bool addClippedEvents(const BuildContext& context, std::uint32_t triangle, std::uint32_t number,
-                      const Box3& cell, AxisEvents& events);
+inline std::array<Vec3, 3> corners(const Mesh& mesh, std::uint32_t triangle) {
+    return {mesh.position(triangle, 0), mesh.position(triangle, 1), mesh.position(triangle, 2)};
+}
+
+/// Appends the events of the parts of triangles inside `cell` to the empty `added`, and sorts them.
+/// `meshTriangle(number)` is the index in the mesh of a triangle in the events. Returns how many have a part
+/// inside.
+template <typename MeshTriangle>
+std::uint32_t clipEvents(const BuildContext& context, const std::vector<std::uint32_t>& numbers,
+                         const MeshTriangle& meshTriangle, const Box3& cell, AxisEvents& added) {
+    for (auto& list : added) list.resize(2 * numbers.size());
+    std::array<Event*, 3> end{added[0].data(), added[1].data(), added[2].data()};
+    std::uint32_t inside = 0;
+    for (const std::uint32_t number : numbers) {
+        const Box3 box = clippedBounds(corners(context.mesh, meshTriangle(number)), cell, context.margin);
+        if (box.empty()) continue;
+        ++inside;
+        for (std::size_t a = 0; a < 3; ++a) end[a] = writeEvents(box, static_cast<int>(a), number, end[a]);
+    }
+    for (std::size_t a = 0; a < 3; ++a) {
+        added[a].resize(static_cast<std::size_t>(end[a] - added[a].data()));
+        sortFewEvents(added[a].data(), added[a].size());
+    }
+    return inside;
+}
 
 /// How many references the tree below a node may hold. Splits that cut triangles in two share it out by the
 /// numbers of triangles on both sides; a node with more triangles than its share becomes a leaf. So a model
