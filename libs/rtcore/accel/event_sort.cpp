@@ -1,10 +1,12 @@
 #include "rtcore/accel/event_sort.h"
 
+#include "rtcore/accel/pool.h"
 #include "rtcore/accel/rank_sort.h"
 #include "rtcore/platform/task_errors.h"
 
 #include <algorithm>
 #include <bit>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -77,9 +79,9 @@ class MeshEvents {
         forEach(3 * sliceCount_, [&](std::size_t i) {
             const std::size_t a = i / sliceCount_;
             const std::size_t slice = i % sliceCount_;
-            EventList scratch;
+            const auto scratch = scratch_.borrow([] { return std::make_unique<EventList>(); });
             sortEvents(lists_[a].data() + sliceFirst_[a][slice],
-                       sliceFirst_[a][slice + 1] - sliceFirst_[a][slice], scratch);
+                       sliceFirst_[a][slice + 1] - sliceFirst_[a][slice], *scratch);
         });
         return std::move(lists_);
     }
@@ -138,6 +140,7 @@ class MeshEvents {
     std::vector<Counters> counters_;
     std::array<std::array<std::size_t, kMaxSlices + 1>, 3> sliceFirst_{};
     std::array<EventList, 3> lists_;
+    Pool<EventList> scratch_;
 };
 
 } // namespace
