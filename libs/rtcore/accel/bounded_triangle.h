@@ -3,6 +3,7 @@
 
 #include "rtcore/math/box.h"
 
+#include <bit>
 #include <cstdint>
 #include <type_traits>
 
@@ -11,15 +12,11 @@ namespace rtcore {
 /// A triangle of the mesh and the box of its part inside a node. Two aligned vectors, so that all axes are
 /// computed at once; without initial values, so that lists of it cost nothing until they are written.
 struct alignas(16) BoundedTriangle {
-    float lo[3];
-    std::uint32_t triangle;
-    float hi[3];
-    std::uint32_t zero; ///< makes the second vector one of four numbers
+    float lo[4]; ///< the fourth: bits of the triangle's index, which below 2^30 are a positive number
+    float hi[4]; ///< the fourth: 0
 
-    static BoundedTriangle of(std::uint32_t triangle, const Box3& box) {
-        return {{box.lo.x, box.lo.y, box.lo.z}, triangle, {box.hi.x, box.hi.y, box.hi.z}, 0};
-    }
     Box3 box() const { return {{lo[0], lo[1], lo[2]}, {hi[0], hi[1], hi[2]}}; }
+    std::uint32_t triangle() const { return std::bit_cast<std::uint32_t>(lo[3]); }
 };
 static_assert(sizeof(BoundedTriangle) == 32 && std::is_trivial_v<BoundedTriangle>);
 

@@ -1,5 +1,6 @@
 #include "rtcore/accel/event_sort.h"
 
+#include "rtcore/accel/float4.h"
 #include "rtcore/accel/pool.h"
 #include "rtcore/accel/rank_sort.h"
 #include "rtcore/platform/task_errors.h"
@@ -34,27 +35,20 @@ void radixPass(const Event* from, std::size_t count, Event* to, Event least, uns
     }
 }
 
-/// Slices of space along one axis, so that the events of each fit into a cache. Planes in order fall into
+/// Slices of space along each axis, so that the events of each fit into a cache. Planes in order fall into
 /// slices in order.
 struct Slices {
-    Slices(const Box3& bounds, int axis, std::size_t number)
-        : lo(bounds.lo[axis]), scale(static_cast<float>(number) / (bounds.hi[axis] - lo)), last(number - 1) {
-        if (!(scale > 0 && scale < Box3::kHuge)) scale = 0;
+    Slices(const Box3& bounds, std::size_t number) : last(set4(static_cast<float>(number - 1))) {
+        for (int a = 0; a < 3; ++a) {
+            lo[a] = bounds.lo[a];
+            scale[a] = static_cast<float>(number) / (bounds.hi[a] - bounds.lo[a]);
+            if (!(scale[a] > 0 && scale[a] < Box3::kHuge)) scale[a] = 0;
+        }
     }
-    std::size_t of(float position) const {
-        const float place = (position - lo) * scale;
-        return place > 0 ? std::min(static_cast<std::size_t>(place), last) : 0;
-    }
+    Int4 of(Float4 position) const { return truncate4(min4(max4((position - lo) * scale, Float4{}), last)); }
 
-    float lo, scale;
-    std::size_t last;
+    Float4 lo{}, scale{}, last;
 };
-
-Box3 boundsOf(const Mesh& mesh, std::size_t triangle) {
-    Box3 box;
-    for (const std::uint32_t v : mesh.triangles[triangle].v) box.extend(mesh.vertices[v].position());
-    return box;
-}
 
 constexpr std::size_t kEventsPerSlice = 24'000;
 constexpr std::size_t kMaxSlices = 128;
@@ -68,9 +62,7 @@ class MeshEvents {
     MeshEvents(const Mesh& mesh, const Box3& bounds)
         : mesh_(mesh), count_(mesh.triangles.size()),
           sliceCount_(std::clamp<std::size_t>(2 * count_ / kEventsPerSlice, 1, kMaxSlices)),
-          slices_{Slices(bounds, 0, sliceCount_), Slices(bounds, 1, sliceCount_),
-                  Slices(bounds, 2, sliceCount_)},
-          counters_((count_ + kTrianglesPerChunk - 1) / kTrianglesPerChunk) {}
+          slices_(bounds, sliceCount_), counters_((count_ + kTrianglesPerChunk - 1) / kTrianglesPerChunk) {}
 
     std::array<EventList, 3> make() {
         forEach(counters_.size(), [&](std::size_t chunk) { countEvents(chunk); });
@@ -99,13 +91,17 @@ class MeshEvents {
     void visitEvents(std::size_t chunk, const Visit& visit) const {
         const std::size_t end = std::min(count_, (chunk + 1) * kTrianglesPerChunk);
         for (std::size_t i = chunk * kTrianglesPerChunk; i < end; ++i) {
-            const Box3 box = boundsOf(mesh_, i);
-            for (std::size_t a = 0; a < 3; ++a) {
+            Bounds4 box = boundsOf(mesh_, i);
+            box.lo[3] = box.hi[3] = 0;
+            const Int4 startSlice = slices_.of(box.lo);
+            const Int4 endSlice = slices_.of(box.hi);
+            for (int axis = 0; axis < 3; ++axis) {
+                const auto a = static_cast<std::size_t>(axis);
                 std::array<Event, 2> pair{};
                 const Event* const last =
-                    writeEvents(box, static_cast<int>(a), static_cast<std::uint32_t>(i), pair.data());
-                visit(a, slices_[a].of(box.lo[static_cast<int>(a)]), pair[0]);
-                if (last == pair.data() + 2) visit(a, slices_[a].of(box.hi[static_cast<int>(a)]), pair[1]);
+                    writeEvents(box.lo[axis], box.hi[axis], static_cast<std::uint32_t>(i), pair.data());
+                visit(a, static_cast<std::size_t>(startSlice[axis]), pair[0]);
+                if (last == pair.data() + 2) visit(a, static_cast<std::size_t>(endSlice[axis]), pair[1]);
             }
         }
     }
@@ -136,7 +132,7 @@ class MeshEvents {
     const Mesh& mesh_;
     std::size_t count_;
     std::size_t sliceCount_;
-    std::array<Slices, 3> slices_;
+    Slices slices_;
     std::vector<Counters> counters_;
     std::array<std::array<std::size_t, kMaxSlices + 1>, 3> sliceFirst_{};
     std::array<EventList, 3> lists_;

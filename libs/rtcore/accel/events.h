@@ -38,15 +38,18 @@ inline float eventPosition(Event e) { return fromOrderedBits(static_cast<std::ui
 inline EventKind eventKind(Event e) { return static_cast<EventKind>(e >> 30U & 3U); }
 inline std::uint32_t eventTriangle(Event e) { return static_cast<std::uint32_t>(e) & kEventTriangleMask; }
 
-/// Writes the one or two events of `box` along `axis` and returns the position after them.
-inline Event* writeEvents(const Box3& box, int axis, std::uint32_t triangle, Event* out) {
-    if (box.lo[axis] == box.hi[axis]) {
-        *out++ = makeEvent(box.lo[axis], EventKind::Planar, triangle);
+/// Writes the one or two events of what reaches from `lo` to `hi` and returns the position after them.
+inline Event* writeEvents(float lo, float hi, std::uint32_t triangle, Event* out) {
+    if (lo == hi) {
+        *out++ = makeEvent(lo, EventKind::Planar, triangle);
     } else {
-        *out++ = makeEvent(box.lo[axis], EventKind::Start, triangle);
-        *out++ = makeEvent(box.hi[axis], EventKind::End, triangle);
+        *out++ = makeEvent(lo, EventKind::Start, triangle);
+        *out++ = makeEvent(hi, EventKind::End, triangle);
     }
     return out;
+}
+inline Event* writeEvents(const Box3& box, int axis, std::uint32_t triangle, Event* out) {
+    return writeEvents(box.lo[axis], box.hi[axis], triangle, out);
 }
 
 using EventList = RawList<Event>;

@@ -68,7 +68,7 @@ ExactSubtreeBuilder::NodeEvents ExactSubtreeBuilder::load(const BoundedTriangle*
     top_ = 0;
     makeRoom(6 * count);
     triangles_.clear();
-    for (std::size_t i = 0; i < count; ++i) triangles_.push_back(triangles[i].triangle);
+    for (std::size_t i = 0; i < count; ++i) triangles_.push_back(triangles[i].triangle());
     for (std::size_t a = 0; a < 3; ++a) {
         Event* const first = at(top_);
         Event* out = first;

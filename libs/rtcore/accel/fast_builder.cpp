@@ -7,6 +7,7 @@
 #include "rtcore/platform/task_errors.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 #include <vector>
 
@@ -32,7 +33,7 @@ Counts divide(const Item* items, std::size_t count, const Split& split, Item* lo
     lowerHi[split.axis] = upperLo[split.axis] = split.position;
     Counts n{0, 0};
     for (std::size_t i = 0; i < count; ++i) {
-        const Float4 lo = load4(items[i].lo); // with the triangle, whose bits are a positive number
+        const Float4 lo = load4(items[i].lo); // with the triangle
         const Float4 hi = load4(items[i].hi);
         const float first = items[i].lo[axis];
         const float last = items[i].hi[axis];
@@ -109,7 +110,7 @@ class SerialFastBuilder {
     void makeLeaf(std::uint32_t index, std::size_t first, std::size_t count) {
         const auto firstReference = static_cast<std::uint32_t>(tree_->references.size());
         for (std::size_t i = 0; i < count; ++i)
-            tree_->references.push_back(arena_.data()[first + i].triangle);
+            tree_->references.push_back(arena_.data()[first + i].triangle());
         tree_->nodes[index] = {BuildNode::kLeaf, 0, firstReference, static_cast<std::uint32_t>(count)};
     }
 
@@ -153,9 +154,12 @@ class FastBuilder {
         items.setSize(mesh.triangles.size());
         forEachChunk(items.size(), [&](std::size_t, std::size_t first, std::size_t end) {
             for (std::size_t i = first; i < end; ++i) {
-                Box3 box;
-                for (const std::uint32_t v : mesh.triangles[i].v) box.extend(mesh.vertices[v].position());
-                items.data()[i] = Item::of(static_cast<std::uint32_t>(i), box);
+                Item& item = items.data()[i];
+                Bounds4 box = boundsOf(mesh, i);
+                box.lo[3] = std::bit_cast<float>(static_cast<std::uint32_t>(i));
+                box.hi[3] = 0;
+                store4(box.lo, item.lo);
+                store4(box.hi, item.hi);
             }
         });
         return items;
