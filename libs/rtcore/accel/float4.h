@@ -29,13 +29,16 @@ struct Bounds4 {
     Float4 lo, hi; ///< the fourth numbers mean nothing
 };
 
+/// Of equal numbers those of `a`, as std::min has it.
+inline Bounds4 extended(const Bounds4& a, const Bounds4& b) { return {min4(b.lo, a.lo), max4(b.hi, a.hi)}; }
+
 /// The box of a triangle of the mesh.
 inline Bounds4 boundsOf(const Mesh& mesh, std::size_t triangle) {
     const auto corner = [&](int k) { return load4(&mesh.vertices[mesh.triangles[triangle].v[k]]); };
     const Float4 a = corner(0);
     const Float4 b = corner(1);
     const Float4 c = corner(2);
-    return {min4(min4(a, b), c), max4(max4(a, b), c)};
+    return extended(extended({a, a}, {b, b}), {c, c});
 }
 
 } // namespace rtcore
