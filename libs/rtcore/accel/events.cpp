@@ -57,11 +57,11 @@ PartitionCounts partition(const Event* events, std::size_t count, const Side* si
     Event* u = upper;
     for (std::size_t i = 0; i < count; ++i) {
         const Event e = events[i];
-        const Side side = sides[eventTriangle(e)];
+        const auto side = static_cast<unsigned>(sides[eventTriangle(e)]);
         *l = e;
-        l += side == Side::Lower ? 1 : 0;
+        l += side & 1U; // Side::Lower
         *u = e;
-        u += side == Side::Upper ? 1 : 0;
+        u += side >> 1U; // Side::Upper
     }
     return {static_cast<std::size_t>(l - lower), static_cast<std::size_t>(u - upper)};
 }

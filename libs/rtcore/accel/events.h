@@ -58,7 +58,8 @@ using EventList = RawList<Event>;
 Split cheapestSplit(const Event* events, std::size_t count, std::uint32_t triangles, const Box3& cell,
                     int axis, const CostModel& cost);
 
-enum class Side : std::uint8_t { Both, Lower, Upper };
+/// A bit for each side that a triangle is on alone, so that counting needs no comparison.
+enum class Side : std::uint8_t { Both = 0, Lower = 1, Upper = 2 };
 
 /// Divides the events along split.axis: sets the `sides` of all their triangles, copies to `lower` (room for
 /// `count` and one) the events of those on the lower side only, and moves together, in place, those of the
