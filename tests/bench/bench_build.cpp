@@ -1,5 +1,6 @@
 // What building the kd-tree of model files costs, and what tree comes out.
-//   bench_build [--exact | --fast] [--threads N] [--quality N] FILE...     PLY or OBJ
+//   bench_build [--exact | --fast] [--threads N] [--quality N] [--equal N] FILE...     PLY or OBJ
+// --equal adds a scene of N equal triangles.
 // The best wall time of five, and the least processor time; peak memory above what the process held before,
 // of the last.
 #include "rtcore/accel/builder.h"
@@ -92,6 +93,7 @@ struct Selection {
     std::vector<rtcore::BuildMethod> methods{rtcore::BuildMethod::Exact, rtcore::BuildMethod::Fast};
     std::vector<int> threads{1, 2};
     int quality = rtcore::BuildOptions{}.fastQuality;
+    std::size_t equalTriangles = 0;
     std::vector<const char*> files;
 };
 
@@ -105,6 +107,8 @@ Selection parse(int argc, char** argv) {
             selection.methods = {rtcore::BuildMethod::Fast};
         } else if (word == "--threads" && i + 1 < argc) {
             selection.threads = {std::atoi(argv[++i])};
+        } else if (word == "--equal" && i + 1 < argc) {
+            selection.equalTriangles = static_cast<std::size_t>(std::atoll(argv[++i]));
         } else if (word == "--quality" && i + 1 < argc) {
             selection.quality = std::atoi(argv[++i]);
         } else {
@@ -114,27 +118,41 @@ Selection parse(int argc, char** argv) {
     return selection;
 }
 
+void measureAll(const Selection& selection, const char* name, const test::SampleMesh& sample) {
+    std::printf("%s: %zu triangles\n", name, sample.triangles.size());
+    for (const auto method : selection.methods) {
+        for (const int threads : selection.threads) {
+            rtcore::BuildOptions options;
+            options.method = method;
+            options.threads = threads;
+            options.fastQuality = selection.quality;
+            measure(sample.view(), method == rtcore::BuildMethod::Exact ? "exact" : "fast", options);
+        }
+    }
+}
+
+/// One apart from all others makes a cell that could be split.
+test::SampleMesh equalTriangles(std::size_t count) {
+    test::SampleMesh sample;
+    sample.addTriangle({0, 0, 0}, {1, 0.2F, 0.1F}, {0.3F, 1, 0.7F});
+    sample.addTriangle({4, 4, 4}, {5, 4, 4}, {4, 5, 5});
+    sample.triangles.insert(sample.triangles.end(), count - 1, sample.triangles[0]);
+    return sample;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
     const Selection selection = parse(argc, argv);
-    if (selection.files.empty()) {
-        std::fprintf(stderr, "bench_build [--exact | --fast] [--threads N] [--quality N] FILE...\n");
+    if (selection.files.empty() && selection.equalTriangles == 0) {
+        std::fprintf(stderr,
+                     "bench_build [--exact | --fast] [--threads N] [--quality N] [--equal N] FILE...\n");
         return 2;
     }
     try {
-        for (const char* file : selection.files) {
-            const test::SampleMesh sample = test::readMesh(file);
-            std::printf("%s: %zu triangles\n", file, sample.triangles.size());
-            for (const auto method : selection.methods) {
-                for (const int threads : selection.threads) {
-                    rtcore::BuildOptions options;
-                    options.method = method;
-                    options.threads = threads;
-                    options.fastQuality = selection.quality;
-                    measure(sample.view(), method == rtcore::BuildMethod::Exact ? "exact" : "fast", options);
-                }
-            }
+        for (const char* file : selection.files) measureAll(selection, file, test::readMesh(file));
+        if (selection.equalTriangles > 0) {
+            measureAll(selection, "equal", equalTriangles(selection.equalTriangles));
         }
     } catch (const std::exception& error) {
         std::fprintf(stderr, "bench_build: %s\n", error.what());
