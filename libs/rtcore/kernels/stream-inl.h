@@ -11,26 +11,56 @@
 #include "rtcore/kernels/packet-inl.h"
 #include "rtcore/kernels/ray_box-inl.h"
 
+#undef RTCORE_COMPRESS_BY_TABLE
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4
+#define RTCORE_COMPRESS_BY_TABLE 1
+#else
+#define RTCORE_COMPRESS_BY_TABLE 0
+#endif
+
 HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// The lanes in `which` side by side. Where there is no such instruction, hn::Compress looks up a table that
-/// GCC 12 copies to the stack at each use, which takes most of the time of a stream.
-HWY_INLINE Floats compress(Floats values, Lanes which) {
-#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4
-    const FloatTag d;
-    std::uint8_t set[8] = {};
-    hn::StoreMaskBits(d, which, set);
-    // In a set of four, lanes from 4 on are none of its own and come after them.
-    const hn::RebindToSigned<FloatTag> di;
-    const hn::Rebind<std::uint8_t, FloatTag> bytes;
-    const auto lanes = hn::LoadU(bytes, kCompressTable.lanes[set[0]]);
-    return hn::TableLookupLanes(values, hn::IndicesFromVec(d, hn::PromoteTo(di, lanes)));
+/// Puts chosen lanes of vectors side by side. Where there is no instruction for it, hn::Compress looks up a table
+/// that GCC 12 copies to the stack at each use, which takes most of the time of a stream.
+class Compaction {
+  public:
+    HWY_INLINE explicit Compaction(Lanes which)
+#if RTCORE_COMPRESS_BY_TABLE
+        : lanes_(lanesOf(which)) {
+    }
 #else
-    return hn::Compress(values, which);
+        : which_(which) {
+    }
 #endif
-}
+
+    HWY_INLINE void store(Floats values, float* to) const {
+        const FloatTag d;
+#if RTCORE_COMPRESS_BY_TABLE
+        hn::StoreU(hn::TableLookupLanes(values, lanes_), d, to);
+#else
+        hn::StoreU(hn::Compress(values, which_), d, to);
+#endif
+    }
+
+  private:
+#if RTCORE_COMPRESS_BY_TABLE
+    using Indices = decltype(hn::IndicesFromVec(FloatTag(), Ints()));
+
+    HWY_INLINE static Indices lanesOf(Lanes which) {
+        const hn::Rebind<std::uint8_t, FloatTag> bytes;
+        std::uint8_t set[8] = {};
+        hn::StoreMaskBits(FloatTag(), which, set);
+        // In a set of four, lanes from 4 on are none of its own and come after them.
+        const auto lanes = hn::LoadU(bytes, kCompressTable.lanes[set[0]]);
+        return hn::IndicesFromVec(FloatTag(), hn::PromoteTo(IntTag(), lanes));
+    }
+    Indices lanes_;
+#else
+    Lanes which_;
+#endif
+};
 
 template <bool kAny>
 class StreamWalk {
@@ -138,26 +168,21 @@ class StreamWalk {
                 if (hn::AllFalse(d, here)) continue;
                 const RayVector ray = loadRays(rays, from);
                 const Ints slots = hn::Iota(di, static_cast<std::int32_t>(slot));
-                put(Slot, list.active, hn::BitCast(d, slots), here);
-                put(T0, list.active, hn::Load(d, scratch_.rootBegin + slot), here);
-                put(T1, list.active, hn::Load(d, scratch_.rootEnd + slot), here);
-                put(Origin, list.active, ray.ox, here);
-                put(Origin + 1, list.active, ray.oy, here);
-                put(Origin + 2, list.active, ray.oz, here);
-                put(Direction, list.active, ray.dx, here);
-                put(Direction + 1, list.active, ray.dy, here);
-                put(Direction + 2, list.active, ray.dz, here);
+                const Compaction some(here);
+                some.store(hn::BitCast(d, slots), columns_[Slot] + list.active);
+                some.store(hn::Load(d, scratch_.rootBegin + slot), columns_[T0] + list.active);
+                some.store(hn::Load(d, scratch_.rootEnd + slot), columns_[T1] + list.active);
+                some.store(ray.ox, columns_[Origin] + list.active);
+                some.store(ray.oy, columns_[Origin + 1] + list.active);
+                some.store(ray.oz, columns_[Origin + 2] + list.active);
+                some.store(ray.dx, columns_[Direction] + list.active);
+                some.store(ray.dy, columns_[Direction + 1] + list.active);
+                some.store(ray.dz, columns_[Direction + 2] + list.active);
                 list.active += hn::CountTrue(d, here);
             }
         }
         finish(list);
         return list;
-    }
-
-    /// Writes the lanes in `which` side by side.
-    HWY_INLINE void put(std::size_t column, std::size_t at, Floats values, Lanes which) {
-        const FloatTag d;
-        hn::StoreU(compress(values, which), d, columns_[column] + at);
     }
 
     HWY_INLINE Floats get(std::size_t column, std::size_t at) const {
@@ -295,12 +320,13 @@ class StreamWalk {
             const Lanes which = hn::Le(t0, t1);
             const std::size_t count = hn::CountTrue(d, which);
             if (count == 0) continue;
-            put(Slot, to, get(Slot, list.rays + i), which);
+            const Compaction some(which);
+            some.store(get(Slot, list.rays + i), columns_[Slot] + to);
             for (std::size_t c = Origin; c < StreamScratch::kColumns; ++c) {
-                put(c, to, get(c, list.rays + i), which);
+                some.store(get(c, list.rays + i), columns_[c] + to);
             }
-            put(T0, to, t0, which);
-            put(T1, to, t1, which);
+            some.store(t0, columns_[T0] + to);
+            some.store(t1, columns_[T1] + to);
             to += count;
         }
         finish(out);
@@ -396,14 +422,13 @@ class StreamWalk {
             const Lanes which = hn::Le(t0, t1);
             const std::size_t count = hn::CountTrue(d, which);
             if (count == 0) continue;
-            const auto take = [&](Floats values, float* array)
-                                  HWY_ATTR { hn::StoreU(hn::Compress(values, which), d, array + to); };
-            take(t0, short_.t0);
-            take(t1, short_.t1);
-            take(get(Slot, list.rays + i), shortSlot_);
+            const Compaction some(which);
+            some.store(t0, short_.t0 + to);
+            some.store(t1, short_.t1 + to);
+            some.store(get(Slot, list.rays + i), shortSlot_ + to);
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                take(get(Origin + axis, list.rays + i), short_.origin[axis]);
-                take(get(Direction + axis, list.rays + i), short_.direction[axis]);
+                some.store(get(Origin + axis, list.rays + i), short_.origin[axis] + to);
+                some.store(get(Direction + axis, list.rays + i), short_.direction[axis] + to);
             }
             to += count;
         }
