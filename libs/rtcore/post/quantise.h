@@ -15,11 +15,13 @@ class SrgbCurve {
     /// x in [0, 1] -> [0, 255], before rounding.
     float code(float x) const;
 
+    /// The codes at the ends of the chords: of the floats with the bits (kFirst + i) << kShift.
+    const float* codes() const { return codes_.data(); }
+    static constexpr int kShift = 17;
+    static constexpr std::uint32_t kFirst = 0x39000000U >> kShift; ///< 2^-13, still on the linear part
+    static constexpr std::uint32_t kLast = 0x3F800000U >> kShift;  ///< 1
+
   private:
-    static constexpr unsigned kShift = 17;
-    static constexpr std::size_t kFirst =
-        std::size_t{0x39000000U} >> kShift; ///< 2^-13, still on the linear part
-    static constexpr std::size_t kLast = std::size_t{0x3F800000U} >> kShift; ///< 1
     std::array<float, kLast - kFirst + 2> codes_{};
 };
 

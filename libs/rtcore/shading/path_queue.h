@@ -37,7 +37,7 @@ struct PathQueue {
         taken.clear();
         const std::size_t keep = size() - std::min(count, size());
         for (std::size_t i = keep; i < size(); ++i) taken.push(rays.ray(i), paths[i]);
-        rays.truncate(keep);
+        rays.resize(keep);
         paths.resize(keep);
     }
 };

@@ -27,10 +27,11 @@ Tap tapAt(float coordinate, std::uint32_t size) {
     if (!(wrapped >= 0 && wrapped <= 1)) return {0, 0, 0}; // not finite
     const float x = wrapped * static_cast<float>(size) - 0.5F;
     const float whole = std::floor(x);
+    // From -1 to size, since float rounds: wrapped by comparisons, which cost less than a remainder.
     const auto base = static_cast<std::int64_t>(whole);
     const auto n = static_cast<std::int64_t>(size);
-    return {static_cast<std::uint32_t>((base + n) % n), static_cast<std::uint32_t>((base + 1) % n),
-            x - whole};
+    const auto wrap = [n](std::int64_t i) { return static_cast<std::uint32_t>(i < 0 ? i + n : i >= n ? i - n : i); };
+    return {wrap(base), wrap(base + 1), x - whole};
 }
 
 TextureSample sampleOf(Rgba8 p) {
