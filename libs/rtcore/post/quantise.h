@@ -15,14 +15,18 @@ class SrgbCurve {
     /// x in [0, 1] -> [0, 255], before rounding.
     float code(float x) const;
 
-    /// The codes at the ends of the chords: of the floats with the bits (kFirst + i) << kShift.
-    const float* codes() const { return codes_.data(); }
+    /// A chord: the code at its begin, and how much greater it is at its end.
+    struct Chord {
+        float code, rise;
+    };
+    /// Chord i begins at the float with the bits (kFirst + i) << kShift; the last one begins before kLast.
+    const Chord* chords() const { return chords_.data(); }
     static constexpr int kShift = 17;
     static constexpr std::uint32_t kFirst = 0x39000000U >> kShift; ///< 2^-13, still on the linear part
     static constexpr std::uint32_t kLast = 0x3F800000U >> kShift;  ///< 1
 
   private:
-    std::array<float, kLast - kFirst + 2> codes_{};
+    std::array<Chord, kLast - kFirst + 1> chords_{};
 };
 
 /// A threshold in [0, 1) for each pixel, the same in every frame: neighbouring thresholds differ much, so

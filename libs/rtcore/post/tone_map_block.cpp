@@ -2,7 +2,6 @@
 
 #include "rtcore/post/quantise.h"
 
-#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -13,6 +12,20 @@
 #include <hwy/foreach_target.h>
 // The loop over targets comes before the code that is compiled for each of them.
 #include "rtcore/shading/vector_math-inl.h"
+
+#ifndef RTCORE_POST_TONE_MAP_TYPES
+#define RTCORE_POST_TONE_MAP_TYPES
+namespace rtcore {
+
+/// A block of pixels between the two halves of its way.
+struct ToneBlock {
+    alignas(64) float shown[3][kToneBlock];
+    alignas(64) std::uint32_t index[3][kToneBlock];
+    alignas(64) SrgbCurve::Chord chords[3][kToneBlock];
+};
+
+} // namespace rtcore
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace rtcore {
@@ -47,24 +60,30 @@ HWY_INLINE Vectors mapLuminance(Vectors x, Floats c) {
     return selectOrZero(shown, select(ordinary, mapped, grey));
 }
 
-/// SrgbCurve::code()
-HWY_INLINE Floats srgbCodes(const float* HWY_RESTRICT codes, Floats x) {
+/// x where the sRGB curve is taken from its table.
+HWY_INLINE Lanes isOnChord(Floats x) { return hn::And(hn::Gt(x, constant(0x1p-13F)), hn::Lt(x, constant(1))); }
+
+HWY_INLINE Bits chordOf(Floats x) {
+    const BitsTag du;
+    const Bits bits = hn::BitCast(du, hn::IfThenElse(isOnChord(x), x, constant(0.5F)));
+    return hn::Sub(hn::ShiftRight<SrgbCurve::kShift>(bits), hn::Set(du, SrgbCurve::kFirst));
+}
+
+/// SrgbCurve::code(), with the chord of each x.
+HWY_INLINE Floats srgbCodes(Floats x, const SrgbCurve::Chord* HWY_RESTRICT chords) {
     const FloatTag d;
     const BitsTag du;
     const hn::RebindToSigned<FloatTag> di;
-    const Lanes onChord = hn::And(hn::Gt(x, constant(0x1p-13F)), hn::Lt(x, constant(1)));
-    const Bits bits = hn::BitCast(du, hn::IfThenElse(onChord, x, constant(0.5F)));
-    const auto chord = hn::BitCast(
-        di, hn::Sub(hn::ShiftRight<SrgbCurve::kShift>(bits), hn::Set(du, SrgbCurve::kFirst)));
+    Floats code, rise;
+    hn::LoadInterleaved2(d, &chords->code, code, rise);
     constexpr std::uint32_t kMask = (std::uint32_t{1} << SrgbCurve::kShift) - 1;
-    const Floats rest = hn::ConvertTo(d, hn::BitCast(di, hn::And(bits, hn::Set(du, kMask))));
+    const Floats rest = hn::ConvertTo(d, hn::BitCast(di, hn::And(hn::BitCast(du, x), hn::Set(du, kMask))));
     const Floats share = hn::Mul(rest, constant(1.0F / static_cast<float>(kMask + 1))); // a power of two: exact
-    const Floats from = hn::GatherIndex(d, codes, chord);
-    const Floats to = hn::GatherIndex(d, codes + 1, chord);
-    const Floats curved = hn::Add(from, hn::Mul(hn::Sub(to, from), share));
+    const Floats curved = hn::Add(code, hn::Mul(rise, share));
     const Floats linear =
         hn::IfThenElseZero(hn::Gt(x, constant(0)), hn::Mul(constant(255 * 12.92F), x));
-    return hn::IfThenElse(onChord, curved, hn::IfThenElse(hn::Ge(x, constant(1)), constant(255), linear));
+    const Floats outside = hn::IfThenElse(hn::Ge(x, constant(1)), constant(255), linear);
+    return hn::IfThenElse(isOnChord(x), curved, outside);
 }
 
 /// ditherThreshold()
@@ -84,27 +103,42 @@ HWY_INLINE Bits quantiseAll(Floats code, Floats threshold) {
     return hn::BitCast(BitsTag(), hn::ConvertTo(di, kept));
 }
 
-void developAll(const Development& how, const float* HWY_RESTRICT codes, const float* HWY_RESTRICT radiance,
-                int column, int row, std::uint32_t* HWY_RESTRICT pixels) {
+/// First half: what is shown of each pixel, and its chords of the sRGB curve.
+void mapBlock(const Development& how, const float* HWY_RESTRICT radiance, ToneBlock& block) {
     const FloatTag d;
     const BitsTag du;
-    const hn::RebindToSigned<FloatTag> di;
-    const Floats c = constant(std::max(how.exposure, 1e-30F));
+    const Floats c = constant(how.exposure > 1e-30F ? how.exposure : 1e-30F);
     for (std::size_t i = 0; i < kToneBlock; i += hn::Lanes(d)) {
         Vectors x;
         hn::LoadInterleaved3(d, radiance + 3 * i, x.x, x.y, x.z);
         const Vectors shown = how.toneMapping == ToneMapping::Luminance
                                   ? mapLuminance(x, c)
                                   : Vectors{sigmoids(x.x, c), sigmoids(x.y, c), sigmoids(x.z, c)};
+        storeVectors(shown, block.shown[0] + i, block.shown[1] + i, block.shown[2] + i);
+        hn::StoreU(chordOf(shown.x), du, block.index[0] + i);
+        hn::StoreU(chordOf(shown.y), du, block.index[1] + i);
+        hn::StoreU(chordOf(shown.z), du, block.index[2] + i);
+    }
+}
+
+/// Second half, with the chords fetched.
+void quantiseBlock(const Development& how, const ToneBlock& block, int column, int row,
+                   std::uint32_t* HWY_RESTRICT pixels) {
+    const FloatTag d;
+    const BitsTag du;
+    const hn::RebindToSigned<FloatTag> di;
+    const auto lane = hn::Iota(di, 0);
+    for (std::size_t i = 0; i < kToneBlock; i += hn::Lanes(d)) {
         Floats threshold = constant(0.5F);
         if (how.dithering) {
-            const Floats columns = hn::ConvertTo(d, hn::Iota(di, column + static_cast<int>(i)));
+            const Floats columns = hn::ConvertTo(d, hn::Add(lane, hn::Set(di, column + static_cast<int>(i))));
             threshold = ditherThresholds(columns, static_cast<float>(row));
         }
-        const Bits r = quantiseAll(srgbCodes(codes, shown.x), threshold);
-        const Bits g = quantiseAll(srgbCodes(codes, shown.y), threshold);
-        const Bits b = quantiseAll(srgbCodes(codes, shown.z), threshold);
-        const Bits rgb = hn::Or(hn::Or(r, hn::ShiftLeft<8>(g)), hn::ShiftLeft<16>(b));
+        const auto quantised = [&](std::size_t channel) {
+            const Floats shown = hn::LoadU(d, block.shown[channel] + i);
+            return quantiseAll(srgbCodes(shown, block.chords[channel] + i), threshold);
+        };
+        const Bits rgb = hn::Or(hn::Or(quantised(0), hn::ShiftLeft<8>(quantised(1))), hn::ShiftLeft<16>(quantised(2)));
         hn::StoreU(hn::Or(rgb, hn::Set(du, 0xFF000000U)), du, pixels + i);
     }
 }
@@ -116,13 +150,23 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace rtcore {
 
-HWY_EXPORT(developAll);
+HWY_EXPORT(mapBlock);
+HWY_EXPORT(quantiseBlock);
 
 void developBlock(const Development& how, const Colour* radiance, int x, int y, Rgba8* pixels) {
     static_assert(std::endian::native == std::endian::little); // red is the lowest byte
     static const SrgbCurve curve;
+    ToneBlock block;
+    HWY_DYNAMIC_DISPATCH(mapBlock)(how, &radiance->r, block);
+    const SrgbCurve::Chord* const chords = curve.chords();
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        // One by one: gathering in vector code takes twice as long.
+        for (std::size_t i = 0; i < kToneBlock; ++i) {
+            block.chords[channel][i] = chords[block.index[channel][i]];
+        }
+    }
     std::uint32_t packed[kToneBlock];
-    HWY_DYNAMIC_DISPATCH(developAll)(how, curve.codes(), &radiance->r, x, y, packed);
+    HWY_DYNAMIC_DISPATCH(quantiseBlock)(how, block, x, y, packed);
     std::memcpy(pixels, packed, sizeof packed);
 }
 

@@ -29,8 +29,9 @@ void blockDirections(const CameraRays::Plane& plane, const CameraRays::Block& bl
         const Floats whole = hn::ConvertTo(d, hn::Add(hn::Set(di, first), hn::BitCast(di, offset)));
         return hn::Add(constant(from), hn::Mul(hn::Add(whole, half), step));
     };
+    const Bits lane = hn::Iota(du, 0);
     for (std::uint32_t i = 0; i < kCameraBlock * kCameraBlock; i += static_cast<std::uint32_t>(hn::Lanes(d))) {
-        const Bits index = hn::Iota(du, i);
+        const Bits index = hn::Add(lane, hn::Set(du, i));
         const Floats x = place(block.column, hn::And(index, hn::Set(du, 7U)), block.left);
         const Floats y = place(block.row, hn::ShiftRight<3>(index), block.top);
         const Vectors direction = normalize(corner + right * x + down * y, hn::Eq(half, half));

@@ -111,6 +111,7 @@ HWY_INLINE std::size_t lightAll(const Light& light, const MaterialRow* rows, con
     const BitsTag du;
     const Bits zeroBits = hn::Zero(du);
     const Floats zero = hn::Zero(d);
+    const Bits lane = hn::Iota(du, 0);
     std::size_t count = 0;
     for (std::size_t i = 0; i < s.size(); i += hn::Lanes(d)) {
         const Bits traits = hn::LoadU(du, s.traits + i);
@@ -162,7 +163,7 @@ HWY_INLINE std::size_t lightAll(const Light& light, const MaterialRow* rows, con
         storeSome(arriving.toLight.y, lit, all, shadows->dy + count);
         storeSome(arriving.toLight.z, lit, all, shadows->dz + count);
         storeSome(larger(hn::Sub(arriving.distance, clearance), zero), lit, all, shadows->tMax + count);
-        const Bits index = hn::Iota(du, static_cast<std::uint32_t>(i));
+        const Bits index = hn::Add(lane, hn::Set(du, static_cast<std::uint32_t>(i)));
         hn::StoreU(hn::BitCast(du, hn::Compress(hn::BitCast(d, index), lit)), du, shadows->point + count);
         count += hn::CountTrue(d, lit);
     }

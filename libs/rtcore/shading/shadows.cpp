@@ -40,6 +40,9 @@ const std::vector<Colour>& ShadowTracer::transmittance(const RayWave& rays, RayS
 void ShadowTracer::traceTinted(const RayWave& rays, RayStatistics& statistics) {
     current_ = rays;
     currentIndex_.resize(rays.size());
+    // As much as the other: the two change places, and steady frames must not allocate whichever is which.
+    next_.reserve(rays.size());
+    nextIndex_.reserve(rays.size());
     for (std::uint32_t i = 0; i < rays.size(); ++i) currentIndex_[i] = i;
 
     for (int layer = 0; layer < kMaxLayers && !current_.empty(); ++layer) {

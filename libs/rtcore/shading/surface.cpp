@@ -38,7 +38,7 @@ float coverageOf(const Scene& scene, const Material& material, Vec2 uv) {
 }
 
 Colour textureColour(const Scene& scene, std::uint32_t texture, Vec2 uv) {
-    return sampleTexture(scene.model, scene.model.textures[texture], uv).colour;
+    return sampleColour(scene.model, scene.model.textures[texture], uv);
 }
 
 } // namespace

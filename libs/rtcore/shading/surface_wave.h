@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace rtcore {
@@ -33,7 +34,7 @@ class SurfaceWave {
     void fill(const Mesh& mesh, const MaterialTable& materials, const RayWave& rays, const HitWave& hits);
 
     std::size_t size() const { return size_; }
-    const std::vector<std::uint32_t>& notPlain() const { return notPlain_; }
+    std::span<const std::uint32_t> notPlain() const { return {notPlain_.data(), notPlainCount_}; }
 
     std::uint32_t* traits = nullptr;   ///< material_table.h; 0 where the ray missed
     std::uint32_t* material = nullptr; ///< index; undefined where the ray missed, as is all that follows
@@ -41,7 +42,7 @@ class SurfaceWave {
     float* clearance = nullptr; ///< as in Surface
     ArraysOf3 geometricNormal;  ///< unit, on the side of the viewer
     ArraysOf3 shadingNormal;    ///< unit, on the same side
-    ArraysOf3 toViewer;         ///< unit
+    ArraysOf3 toViewer;         ///< unit; undefined where no point of the block is glossy or a mirror
     ArraysOf3 diffuse;          ///< albedo / pi
     ArraysOf3 share;            ///< of the light scattered here, what reaches the sample
     ArraysOf3 added;            ///< radiance that the present light, glow or background adds to the sample
@@ -52,7 +53,8 @@ class SurfaceWave {
     std::size_t size_ = 0;
     WaveMemory memory_;
     std::vector<std::uint32_t> traits_, materials_;
-    std::vector<std::uint32_t> notPlain_;
+    std::vector<std::uint32_t> notPlain_; ///< the first notPlainCount_ count
+    std::size_t notPlainCount_ = 0;
 };
 
 } // namespace rtcore

@@ -53,7 +53,7 @@ void WhittedIntegrator::trace(const RayWave& primary) {
     const std::size_t count = primary.size();
     radianceMemory_.resize(3, count);
     radiance_ = {radianceMemory_.array(0), radianceMemory_.array(1), radianceMemory_.array(2)};
-    hit_.resize(count);
+    hit_.resize(count + kWaveBlock);
     mirrored_.clear();
     refracted_.clear();
 
@@ -103,15 +103,15 @@ Path WhittedIntegrator::pathOf(std::size_t ray) const {
     return first_ ? path : wave_.paths[ray];
 }
 
-/// What reaches the samples from each hit, were it all scattered; and which samples hit something.
+/// What reaches the samples from each hit, were it all scattered; and which samples hit something. Starts the
+/// sums of the samples.
 void WhittedIntegrator::setShares() {
-    const std::size_t count = surfaces_.size();
     if (first_) {
-        startSums(scene_->environment() == nullptr ? scene_->background : Colour{}, surfaces_, radiance_);
-        for (std::size_t i = 0; i < count; ++i) hit_[i] = surfaces_.traits[i] != 0 ? 1 : 0;
+        startSums(scene_->environment() == nullptr ? scene_->background : Colour{}, *materials_, surfaces_,
+                  radiance_, hit_.data());
         return;
     }
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
         if (surfaces_.traits[i] == 0) continue;
         Path& path = wave_.paths[i];
         path.weight *= absorption(path.extinction, hits_.t[i]);
@@ -206,16 +206,19 @@ void WhittedIntegrator::setScattered(std::size_t i, const Surface& surface, cons
     glow_.push_back(path.weight * (surface.emission + ambient));
 }
 
-/// Emission, and the constant light from everywhere.
+/// Emission, and the constant light from everywhere. Of primary hits, the plain ones have it already.
 void WhittedIntegrator::addGlow() {
+    const std::span<const std::uint32_t> notPlain = surfaces_.notPlain();
+    if (first_) {
+        for (std::size_t i = 0; i < notPlain.size(); ++i) radiance_.set(notPlain[i], glow_[i]);
+        return;
+    }
     const MaterialRow* const rows = materials_->rows();
-    auto notPlain = surfaces_.notPlain().begin();
-    auto ofNotPlain = glow_.begin();
+    std::size_t next = 0;
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
         Colour glow;
-        if (notPlain != surfaces_.notPlain().end() && *notPlain == i) {
-            ++notPlain;
-            glow = *ofNotPlain++;
+        if (next < notPlain.size() && notPlain[next] == i) {
+            glow = glow_[next++];
         } else if (surfaces_.traits[i] != 0) {
             const float* const g = rows[surfaces_.material[i]].glow;
             glow = surfaces_.share.colourAt(i) * Colour{g[0], g[1], g[2]};

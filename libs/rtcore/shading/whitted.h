@@ -36,8 +36,8 @@ class WhittedIntegrator {
 
     /// Traces primary rays (directions of unit length) and all that follow from them.
     void trace(const RayWave& primary);
-    /// Of the last wave: radiance along each primary ray, with room for whole blocks of kWaveBlock, and 1 where
-    /// it hit something, else 0.
+    /// Of the last wave: radiance along each primary ray, and 1 where it hit something, else 0; both with room for
+    /// whole blocks of kWaveBlock.
     const ArraysOf3& radiance() const { return radiance_; }
     const std::vector<std::uint8_t>& hit() const { return hit_; }
 
