@@ -7,7 +7,7 @@
 #define HWY_DISABLED_TARGETS HWY_SSSE3
 #include <hwy/foreach_target.h>
 // The loop over targets comes before the code that is compiled for each of them.
-#include "rtcore/shading/vector_math-inl.h"
+#include "rtcore/shading/vector_materials-inl.h"
 
 #ifndef RTCORE_SHADING_LIGHT_WAVE_TYPES
 #define RTCORE_SHADING_LIGHT_WAVE_TYPES
@@ -69,35 +69,23 @@ HWY_INLINE Floats terminatorFactors(Vectors geometricNormal, Vectors shadingNorm
     return hn::Mul(g, hn::Add(constant(1), hn::Mul(g, hn::Sub(constant(1), g))));
 }
 
-/// The columns of the materials of some points, from `first` (an index into the row) on.
-HWY_INLINE Floats columnOf(const MaterialRow* rows, Bits material, std::size_t column) {
-    const hn::RebindToSigned<FloatTag> di;
-    const auto index = hn::ShiftLeft<4>(hn::BitCast(di, material));
-    return hn::GatherIndex(FloatTag(), reinterpret_cast<const float*>(rows) + column, index);
-}
-
 /// The glossy part of the reflected share: k_s times the Phong lobe, zero where there is none.
-HWY_INLINE Vectors glossyShare(const MaterialRow* rows, Bits material, Lanes glossy, Vectors toLight,
+HWY_INLINE Vectors glossyShare(const MaterialRow* rows, const std::uint32_t* material, Lanes glossy, Vectors toLight,
                                Vectors normal, Vectors toViewer, Floats cosine) {
     const FloatTag d;
     const Vectors mirrored = normal * hn::Mul(constant(2), cosine) - toLight;
     const Floats lobe = dot(mirrored, toViewer);
     const Lanes seen = hn::And(glossy, hn::Gt(lobe, constant(0)));
     if (hn::AllFalse(d, seen)) return constant(0, 0, 0);
-    const BitsTag du;
-    // Rows of other points may hold anything, or not be there.
-    const Bits row = hn::BitCast(du, hn::IfThenElseZero(seen, hn::BitCast(d, material)));
+    const Rows ofPoints(rows, material, seen);
     constexpr std::size_t kMost = HWY_MAX(hn::MaxLanes(FloatTag()), 2);
     HWY_ALIGN float power[kMost] = {};
     HWY_ALIGN float exponent[kMost] = {};
     hn::StoreU(hn::IfThenElse(seen, lobe, constant(1)), d, power);
-    hn::StoreU(columnOf(rows, row, offsetof(MaterialRow, shininess) / 4), d, exponent);
+    hn::StoreU(ofPoints.get(&MaterialRow::shininess), d, exponent);
     powArray(power, exponent, hn::Lanes(d));
-    const Floats scale = columnOf(rows, row, offsetof(MaterialRow, lobeScale) / 4);
-    const std::size_t specular = offsetof(MaterialRow, specular) / 4;
-    const Vectors k{columnOf(rows, row, specular), columnOf(rows, row, specular + 1),
-                    columnOf(rows, row, specular + 2)};
-    return selectOrZero(seen, k * hn::Mul(scale, hn::LoadU(d, power)));
+    const Floats scale = hn::Mul(ofPoints.get(&MaterialRow::lobeScale), hn::LoadU(d, power));
+    return selectOrZero(seen, ofPoints.get(&MaterialRow::specular) * scale);
 }
 
 HWY_INLINE void storeSome(Floats v, Lanes lanes, bool all, float* HWY_RESTRICT to) {
@@ -109,13 +97,12 @@ HWY_INLINE std::size_t lightAll(const Light& light, const MaterialRow* rows, con
                                 const ShadowArrays* shadows) {
     const FloatTag d;
     const BitsTag du;
-    const Bits zeroBits = hn::Zero(du);
     const Floats zero = hn::Zero(d);
     const Bits lane = hn::Iota(du, 0);
     std::size_t count = 0;
     for (std::size_t i = 0; i < s.size(); i += hn::Lanes(d)) {
         const Bits traits = hn::LoadU(du, s.traits + i);
-        Lanes lit = hn::MaskFromVec(hn::BitCast(d, hn::VecFromMask(du, hn::Ne(traits, zeroBits))));
+        Lanes lit = hasTrait(traits, traits::kPoint);
         const auto nothing = [&] {
             storeVectors({zero, zero, zero}, s.added.x + i, s.added.y + i, s.added.z + i);
         };
@@ -137,11 +124,9 @@ HWY_INLINE std::size_t lightAll(const Light& light, const MaterialRow* rows, con
             continue;
         }
         Vectors share = loadVectors(s.diffuse.x + i, s.diffuse.y + i, s.diffuse.z + i);
-        const Lanes glossy = hn::And(
-            lit, hn::MaskFromVec(hn::BitCast(
-                     d, hn::VecFromMask(du, hn::Ne(hn::And(traits, hn::Set(du, traits::kGlossy)), zeroBits)))));
+        const Lanes glossy = hn::And(lit, hasTrait(traits, traits::kGlossy));
         if (!hn::AllFalse(d, glossy)) {
-            share = share + glossyShare(rows, hn::LoadU(du, s.material + i), glossy, arriving.toLight, normal,
+            share = share + glossyShare(rows, s.material + i, glossy, arriving.toLight, normal,
                                         loadVectors(s.toViewer.x + i, s.toViewer.y + i, s.toViewer.z + i),
                                         cosine);
         }

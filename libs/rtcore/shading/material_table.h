@@ -9,28 +9,35 @@
 
 namespace rtcore {
 
-/// What is asked of a point beyond the diffuse lobe of its material's own colour. A point with none of these but
-/// kGlossy is plain: vector code alone shades it.
+/// What is asked of a point beyond the diffuse lobe of its material's own colour.
 namespace traits {
-inline constexpr std::uint32_t kPoint = 1;     ///< there is a surface to be lit
-inline constexpr std::uint32_t kGlossy = 2;    ///< it has a Phong lobe
-inline constexpr std::uint32_t kColoured = 4;  ///< the albedo varies: texture, colours of vertices
-inline constexpr std::uint32_t kMirror = 8;    ///< opaque, and reflects
-inline constexpr std::uint32_t kGeneral = 16;  ///< transparent, perforated, bump mapped, glowing by a texture
-inline constexpr std::uint32_t kNotPlain = kColoured | kMirror | kGeneral;
+inline constexpr std::uint32_t kPoint = 1;    ///< there is a surface to be lit
+inline constexpr std::uint32_t kGlossy = 2;   ///< it has a Phong lobe
+inline constexpr std::uint32_t kMirror = 4;   ///< opaque, reflects, and is none of those below
+inline constexpr std::uint32_t kFresnel = 8;  ///< a mirror that reflects more at grazing angles
+inline constexpr std::uint32_t kColoured = 16; ///< the albedo varies: texture, colours of vertices
+inline constexpr std::uint32_t kGeneral = 32; ///< transparent, perforated, bump mapped, glowing by a texture
+inline constexpr std::uint32_t kOnward = 64;  ///< of points, not of materials: a mirrored ray follows
+/// Vector code alone cannot shade such a point.
+inline constexpr std::uint32_t kNotPlain = kColoured | kGeneral;
 } // namespace traits
 
-/// Sixteen numbers, so that a row is a cache line.
+/// As many floats as index arithmetic by shifts wants.
 struct alignas(64) MaterialRow {
     float diffuse[3] = {}; ///< albedo / pi
     std::uint32_t traits = 0;
-    float glow[3] = {};    ///< emission and reflected ambient light, as radiance
-    float shininess = 0;
     float specular[3] = {};
+    float shininess = 0;
     float lobeScale = 0;   ///< of the Phong lobe, (n + 2) / 2 pi
-    float unused[4] = {};
+    float mirrorScale = 0;
+    float mirror[3] = {};
+    float emission[3] = {};
+    float ambient[3] = {}; ///< radiance of reflected ambient light
+    float glow[3] = {};    ///< emission + ambient
+    float unused[10] = {};
 };
-static_assert(sizeof(MaterialRow) == 64);
+inline constexpr int kRowShift = 5; ///< a row has 2^kRowShift floats
+static_assert(sizeof(MaterialRow) == sizeof(float) << kRowShift);
 
 /// Immutable while rays are traced; shared by all threads.
 class MaterialTable {
@@ -40,11 +47,15 @@ class MaterialTable {
 
     const MaterialRow* rows() const { return rows_.data(); }
     bool anyGlow() const { return anyGlow_; }
+    bool anyMirror() const { return (traits_ & traits::kMirror) != 0; }
+    /// Mirrored rays may follow from points.
+    bool anyOnward() const { return (traits_ & (traits::kMirror | traits::kGeneral)) != 0; }
     /// Something lets light through, so that shadows may be tinted.
     bool tintedShadows() const { return tintedShadows_; }
 
   private:
     std::vector<MaterialRow> rows_; ///< by index of the material
+    std::uint32_t traits_ = 0; ///< of any
     bool anyGlow_ = false, tintedShadows_ = false;
 };
 

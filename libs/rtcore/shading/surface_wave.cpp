@@ -84,7 +84,7 @@ void fillBlock(const BlockCorners& block, const BlockRays& rays, std::size_t fir
     const FloatTag d;
     const BitsTag du;
     const Floats zero = hn::Zero(d);
-    const bool viewed = (block.traits & (traits::kGlossy | traits::kMirror)) != 0;
+    const bool viewed = (block.traits & (traits::kGlossy | traits::kMirror | traits::kGeneral)) != 0;
     std::uint32_t known = kNoTriangle; // whose normal and clearance these are
     Vectors front = constant(0, 0, 0);
     Floats clearance = zero;
@@ -252,7 +252,7 @@ class LastRays {
 void SurfaceWave::resize(std::size_t count) {
     size_ = count;
     ArraysOf3* const vectors[] = {&position, &geometricNormal, &shadingNormal, &toViewer,
-                                  &diffuse,  &share,           &added};
+                                  &diffuse,  &share,           &onward,        &added};
     memory_.resize(3 * std::size(vectors) + 1, count);
     std::size_t next = 0;
     for (ArraysOf3* const v : vectors) {

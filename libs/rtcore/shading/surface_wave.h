@@ -28,9 +28,9 @@ struct ArraysOf3 {
 /// memory.
 class SurfaceWave {
   public:
-    /// Fills everything but `share` from the hits of `rays` (directions of unit length). Plain points
-    /// (material_table.h) are then complete; for the others `diffuse` and `shadingNormal` are those of the
-    /// material and mesh without textures, and `notPlain()` lists them in ascending order.
+    /// Fills everything down to `diffuse` from the hits of `rays` (directions of unit length). Of points with a
+    /// trait of kNotPlain, `diffuse` and `shadingNormal` are those of the material and mesh without textures;
+    /// `notPlain()` lists them in ascending order.
     void fill(const Mesh& mesh, const MaterialTable& materials, const RayWave& rays, const HitWave& hits);
 
     std::size_t size() const { return size_; }
@@ -42,9 +42,10 @@ class SurfaceWave {
     float* clearance = nullptr; ///< as in Surface
     ArraysOf3 geometricNormal;  ///< unit, on the side of the viewer
     ArraysOf3 shadingNormal;    ///< unit, on the same side
-    ArraysOf3 toViewer;         ///< unit; undefined where no point of the block is glossy or a mirror
+    ArraysOf3 toViewer;         ///< unit; undefined where no point of the block needs it
     ArraysOf3 diffuse;          ///< albedo / pi
     ArraysOf3 share;            ///< of the light scattered here, what reaches the sample
+    ArraysOf3 onward;           ///< weight of the mirrored ray, where traits have kOnward
     ArraysOf3 added;            ///< radiance that the present light, glow or background adds to the sample
 
   private:

@@ -1,6 +1,7 @@
 #include "rtcore/shading/whitted.h"
 
 #include "rtcore/shading/medium.h"
+#include "rtcore/shading/mirror_wave.h"
 #include "rtcore/shading/phong.h"
 #include "rtcore/shading/sample_sums.h"
 
@@ -20,14 +21,6 @@ constexpr float kInfinity = std::numeric_limits<float>::max();
 /// `side` is the normal on the side that the ray leaves to.
 Ray rayFrom(const Surface& s, Vec3 side, Vec3 direction) {
     return {s.position + side * s.clearance, 0, direction, kInfinity};
-}
-
-/// The mirrored direction, bent back where a smooth normal would send it below the real surface.
-Vec3 mirrorDirection(const Surface& s) {
-    constexpr float kLowest = 1e-3F;
-    const Vec3 r = reflect(-s.toViewer, s.shadingNormal);
-    const float height = dot(r, s.geometricNormal);
-    return height < kLowest ? normalize(r + s.geometricNormal * (kLowest - height)) : normalize(r);
 }
 
 } // namespace
@@ -66,6 +59,13 @@ void WhittedIntegrator::trace(const RayWave& primary) {
         (mirror ? mirrored_ : refracted_).takeLast(kWaveSize, wave_);
         traceWave(mirror ? RayKind::Mirror : RayKind::Refracted, wave_.rays);
     }
+    evenQueues();
+}
+
+/// The queues change places as they are emptied: in a steady frame any must have room for the largest.
+void WhittedIntegrator::evenQueues() {
+    const std::size_t most = std::max({wave_.capacity(), mirrored_.capacity(), refracted_.capacity()});
+    for (PathQueue* const queue : {&wave_, &mirrored_, &refracted_}) queue->reserve(most);
 }
 
 void WhittedIntegrator::trace(const RayWave& primary, std::span<Colour> radiance,
@@ -80,42 +80,45 @@ void WhittedIntegrator::traceWave(RayKind kind, const RayWave& rays) {
     tracer_->intersect(kind, rays, hits_);
     clock_.lap(Stage::Trace);
     surfaces_.fill(scene_->mesh(), *materials_, rays, hits_);
-    setShares();
+    setShares(kind);
     addBackground(rays);
-    followers_.clear();
+    transparent_.clear();
     glow_.clear();
     for (const std::uint32_t i : surfaces_.notPlain()) completePoint(rays, i);
-    if (materials_->anyGlow()) addGlow();
+    addGlow();
     clock_.lap(Stage::Surfaces);
     for (const Light& light : scene_->lights) {
         if (light.on != 0 && !stopped()) lightBy(light);
     }
-    for (const Follower& point : followers_) {
-        spawnMirrored(point);
-        spawnTransmitted(point);
-    }
+    spawn();
     clock_.lap(Stage::Spawn);
 }
 
 Path WhittedIntegrator::pathOf(std::size_t ray) const {
+    if (!first_) return wave_.path(ray);
     Path path;
     path.sample = static_cast<std::uint32_t>(ray);
-    return first_ ? path : wave_.paths[ray];
+    return path;
 }
 
 /// What reaches the samples from each hit, were it all scattered; and which samples hit something. Starts the
 /// sums of the samples.
-void WhittedIntegrator::setShares() {
+void WhittedIntegrator::setShares(RayKind kind) {
     if (first_) {
-        startSums(scene_->environment() == nullptr ? scene_->background : Colour{}, *materials_, surfaces_,
-                  radiance_, hit_.data());
+        startSums(scene_->environment() == nullptr ? scene_->background : Colour{}, surfaces_, radiance_,
+                  hit_.data());
         return;
     }
-    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    const std::size_t count = surfaces_.size();
+    std::copy_n(wave_.weight[0].data(), count, surfaces_.share.x);
+    std::copy_n(wave_.weight[1].data(), count, surfaces_.share.y);
+    std::copy_n(wave_.weight[2].data(), count, surfaces_.share.z);
+    // Only where something is transparent, rays are inside of it, or have passed it before they hit.
+    if (kind == RayKind::Mirror && !materials_->tintedShadows()) return;
+    for (std::size_t i = 0; i < count; ++i) {
         if (surfaces_.traits[i] == 0) continue;
-        Path& path = wave_.paths[i];
-        path.weight *= absorption(path.extinction, hits_.t[i]);
-        surfaces_.share.set(i, path.weight);
+        const Path path = wave_.path(i);
+        surfaces_.share.set(i, path.weight * absorption(path.extinction, hits_.t[i]));
         if (path.depth == 0 && (surfaces_.traits[i] & traits::kGeneral) == 0) hit_[path.sample] = 1;
     }
 }
@@ -132,40 +135,32 @@ void WhittedIntegrator::addBackground(const RayWave& rays) {
         if (environment != nullptr) {
             seen = environment->radiance({rays.dx[i], rays.dy[i], rays.dz[i]}, filter);
         }
-        const std::size_t sample = first_ ? i : wave_.paths[i].sample;
-        if (!first_) seen = wave_.paths[i].weight * seen;
-        radiance_.set(sample, radiance_.colourAt(sample) + seen);
+        const Path path = pathOf(i);
+        if (!first_) seen = path.weight * seen;
+        radiance_.set(path.sample, radiance_.colourAt(path.sample) + seen);
     }
 }
 
-/// Colours, texture, mirror, glass: what vector code leaves over.
+/// Colours, textures, holes, glass: what vector code leaves over.
 void WhittedIntegrator::completePoint(const RayWave& rays, std::size_t i) {
-    const std::uint32_t has = surfaces_.traits[i];
-    if ((has & (traits::kMirror | traits::kGeneral)) == 0) {
+    if ((surfaces_.traits[i] & traits::kGeneral) == 0) {
         completeColoured(i);
         return;
     }
     Path path = pathOf(i);
-    Surface s;
-    if ((has & traits::kGeneral) != 0) {
-        s = surfaceAt(*scene_, settings_->textures, {rays.dx[i], rays.dy[i], rays.dz[i]}, hits_.hit(i));
-        if (s.coverage < 1 && !passHole(rays, i, s, path)) return;
-        if (path.depth == 0) hit_[path.sample] = 1;
-        surfaces_.shadingNormal.set(i, s.shadingNormal);
-    } else {
-        s.material = &scene_->materials[surfaces_.material[i]];
-        s.position = surfaces_.position.at(i);
-        s.clearance = surfaces_.clearance[i];
-        s.geometricNormal = surfaces_.geometricNormal.at(i);
-        s.shadingNormal = surfaces_.shadingNormal.at(i);
-        s.toViewer = surfaces_.toViewer.at(i);
-        s.diffuse = (has & traits::kColoured) != 0 ? diffuseAt(*scene_, settings_->textures, hits_.hit(i))
-                                                   : s.material->diffuse;
-        s.emission = s.material->emission;
-    }
+    path.weight = surfaces_.share.colourAt(i);
+    const Vec3 direction{rays.dx[i], rays.dy[i], rays.dz[i]};
+    const Surface s = surfaceAt(*scene_, settings_->textures, direction, hits_.hit(i));
+    if (s.coverage < 1 && !passHole(rays, i, s, path)) return;
+    if (path.depth == 0) hit_[path.sample] = 1;
+    surfaces_.shadingNormal.set(i, s.shadingNormal);
     const SurfaceSplit split = splitLight(s, *settings_);
     setScattered(i, s, split, path);
-    if (!isBlack(split.mirrored) || !isBlack(split.transmitted)) followers_.push_back({s, split, path});
+    if (!isBlack(split.mirrored)) {
+        surfaces_.onward.set(i, path.weight * split.mirrored);
+        surfaces_.traits[i] |= traits::kOnward;
+    }
+    if (!isBlack(split.transmitted)) transparent_.push_back({s, split, path});
 }
 
 void WhittedIntegrator::completeColoured(std::size_t i) {
@@ -206,26 +201,19 @@ void WhittedIntegrator::setScattered(std::size_t i, const Surface& surface, cons
     glow_.push_back(path.weight * (surface.emission + ambient));
 }
 
-/// Emission, and the constant light from everywhere. Of primary hits, the plain ones have it already.
+/// Emission, and the constant light from everywhere; on the way, mirrors take their share of all light.
 void WhittedIntegrator::addGlow() {
+    const bool any = materials_->anyGlow();
+    const ArraysOf3& glow = first_ ? radiance_ : surfaces_.added;
+    if (any && !first_) {
+        for (float* const array : {glow.x, glow.y, glow.z}) std::fill_n(array, surfaces_.size(), 0.0F);
+    }
+    if (any) glowOf(*materials_, surfaces_, glow);
+    if (materials_->anyMirror()) splitAtMirrors(*materials_, surfaces_, any ? &glow : nullptr);
+    if (!any) return;
     const std::span<const std::uint32_t> notPlain = surfaces_.notPlain();
-    if (first_) {
-        for (std::size_t i = 0; i < notPlain.size(); ++i) radiance_.set(notPlain[i], glow_[i]);
-        return;
-    }
-    const MaterialRow* const rows = materials_->rows();
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-        Colour glow;
-        if (next < notPlain.size() && notPlain[next] == i) {
-            glow = glow_[next++];
-        } else if (surfaces_.traits[i] != 0) {
-            const float* const g = rows[surfaces_.material[i]].glow;
-            glow = surfaces_.share.colourAt(i) * Colour{g[0], g[1], g[2]};
-        }
-        surfaces_.added.set(i, glow);
-    }
-    accumulate();
+    for (std::size_t i = 0; i < notPlain.size(); ++i) glow.set(notPlain[i], glow_[i]);
+    if (!first_) accumulate();
 }
 
 void WhittedIntegrator::lightBy(const Light& light) {
@@ -268,21 +256,17 @@ void WhittedIntegrator::accumulate() {
         return;
     }
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-        const std::size_t sample = wave_.paths[i].sample;
+        const std::size_t sample = wave_.sample[i];
         radiance_.set(sample, radiance_.colourAt(sample) + added.colourAt(i));
     }
 }
 
-void WhittedIntegrator::spawnMirrored(const Follower& point) {
-    Path path = point.path;
-    path.weight *= point.split.mirrored;
-    if (path.depth >= settings_->maxDepth || !matters(path.weight)) return;
-    ++path.depth;
-    mirrored_.push(rayFrom(point.surface, point.surface.geometricNormal, mirrorDirection(point.surface)),
-                   path);
+void WhittedIntegrator::spawn() {
+    if (materials_->anyOnward()) spawnMirrored(surfaces_, first_ ? nullptr : &wave_, *settings_, mirrored_);
+    for (const Transparent& point : transparent_) spawnTransmitted(point);
 }
 
-void WhittedIntegrator::spawnTransmitted(const Follower& point) {
+void WhittedIntegrator::spawnTransmitted(const Transparent& point) {
     const Surface& s = point.surface;
     const Material& m = *s.material;
     Path path = point.path;

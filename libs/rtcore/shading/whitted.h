@@ -52,8 +52,8 @@ class WhittedIntegrator {
     StageClock& clock() { return clock_; }
 
   private:
-    /// A point that sends rays on.
-    struct Follower {
+    /// A point that lets light through.
+    struct Transparent {
         Surface surface;
         SurfaceSplit split;
         Path path;
@@ -61,7 +61,7 @@ class WhittedIntegrator {
 
     void traceWave(RayKind kind, const RayWave& rays);
     Path pathOf(std::size_t ray) const;
-    void setShares();
+    void setShares(RayKind kind);
     void addBackground(const RayWave& rays);
     void addGlow();
     void completePoint(const RayWave& rays, std::size_t i);
@@ -72,8 +72,9 @@ class WhittedIntegrator {
     void darken(const std::vector<std::uint8_t>& occluded);
     void tint(const std::vector<Colour>& arriving);
     void accumulate();
-    void spawnMirrored(const Follower& point);
-    void spawnTransmitted(const Follower& point);
+    void spawn();
+    void spawnTransmitted(const Transparent& point);
+    void evenQueues();
     bool matters(Colour weight) const;
     bool stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
 
@@ -96,7 +97,7 @@ class WhittedIntegrator {
     HitWave hits_;
     SurfaceWave surfaces_;
     std::vector<Colour> glow_; ///< of the points that are not plain, in their order
-    std::vector<Follower> followers_;
+    std::vector<Transparent> transparent_;
     ShadowRays shadowRays_;
 };
 
