@@ -70,6 +70,8 @@ auto lookUp(const Model& model, const Texture& texture, Vec2 uv, ValueOf&& value
 
 } // namespace
 
+const float* linearOfCodes() { return kLinear.data(); }
+
 TextureSample sampleTexture(const Model& model, const Texture& texture, Vec2 uv) {
     return lookUp(model, texture, uv, sampleOf);
 }

@@ -17,4 +17,7 @@ TextureSample sampleTexture(const Model& model, const Texture& texture, Vec2 uv)
 /// The colour of sampleTexture() alone, in a third of the time.
 Colour sampleColour(const Model& model, const Texture& texture, Vec2 uv);
 
+/// Linear light of each of the 256 codes of sRGB.
+const float* linearOfCodes();
+
 } // namespace rtcore

@@ -4,6 +4,7 @@
 #include "rtcore/shading/mirror_wave.h"
 #include "rtcore/shading/phong.h"
 #include "rtcore/shading/sample_sums.h"
+#include "rtcore/shading/texture_wave.h"
 
 #include <algorithm>
 #include <limits>
@@ -82,9 +83,7 @@ void WhittedIntegrator::traceWave(RayKind kind, const RayWave& rays) {
     surfaces_.fill(scene_->mesh(), *materials_, rays, hits_);
     setShares(kind);
     addBackground(rays);
-    transparent_.clear();
-    glow_.clear();
-    for (const std::uint32_t i : surfaces_.notPlain()) completePoint(rays, i);
+    completePoints(rays);
     addGlow();
     clock_.lap(Stage::Surfaces);
     for (const Light& light : scene_->lights) {
@@ -142,35 +141,62 @@ void WhittedIntegrator::addBackground(const RayWave& rays) {
 }
 
 /// Colours, textures, holes, glass: what vector code leaves over.
-void WhittedIntegrator::completePoint(const RayWave& rays, std::size_t i) {
-    if ((surfaces_.traits[i] & traits::kGeneral) == 0) {
-        completeColoured(i);
-        return;
+void WhittedIntegrator::completePoints(const RayWave& rays) {
+    const std::span<const std::uint32_t> points = surfaces_.notPlain();
+    transparent_.clear();
+    glow_.resize(points.size());
+    const bool colours = !scene_->mesh().colours.empty();
+    for (std::uint32_t k = 0; k < points.size(); ++k) {
+        const std::uint32_t i = points[k];
+        if ((surfaces_.traits[i] & traits::kGeneral) != 0) {
+            completeGeneral(rays, i, glow_[k]);
+        } else if (colours) {
+            setAlbedo(i, diffuseAt(*scene_, settings_->textures, hits_.hit(i)), glow_[k]);
+        } else {
+            textured_.point[textured_.count] = i;
+            textured_.place[textured_.count++] = k;
+            if (textured_.count == kWaveBlock) completeTextured();
+        }
     }
+    completeTextured();
+}
+
+void WhittedIntegrator::completeTextured() {
+    if (textured_.count == 0) return;
+    Colour albedo[kWaveBlock];
+    texturedAlbedos(*scene_, hits_, {textured_.point, textured_.count}, albedo);
+    for (std::size_t i = 0; i < textured_.count; ++i) {
+        setAlbedo(textured_.point[i], albedo[i], glow_[textured_.place[i]]);
+    }
+    textured_.count = 0;
+}
+
+void WhittedIntegrator::setAlbedo(std::size_t i, Colour albedo, Colour& glow) {
+    surfaces_.diffuse.set(i, albedo / kPi);
+    if (!materials_->anyGlow()) return;
+    const Material& m = scene_->materials[surfaces_.material[i]];
+    glow = surfaces_.share.colourAt(i) * (m.emission + scene_->ambient * (albedo + m.specular));
+}
+
+void WhittedIntegrator::completeGeneral(const RayWave& rays, std::size_t i, Colour& glow) {
+    glow = {};
     Path path = pathOf(i);
     path.weight = surfaces_.share.colourAt(i);
     const Vec3 direction{rays.dx[i], rays.dy[i], rays.dz[i]};
     const Surface s = surfaceAt(*scene_, settings_->textures, direction, hits_.hit(i));
     if (s.coverage < 1 && !passHole(rays, i, s, path)) return;
     if (path.depth == 0) hit_[path.sample] = 1;
-    surfaces_.shadingNormal.set(i, s.shadingNormal);
     const SurfaceSplit split = splitLight(s, *settings_);
-    setScattered(i, s, split, path);
+    surfaces_.shadingNormal.set(i, s.shadingNormal);
+    surfaces_.diffuse.set(i, s.diffuse / kPi);
+    surfaces_.share.set(i, path.weight * split.scattered);
+    const Colour ambient = scene_->ambient * (s.diffuse + s.material->specular) * split.scattered;
+    glow = path.weight * (s.emission + ambient);
     if (!isBlack(split.mirrored)) {
         surfaces_.onward.set(i, path.weight * split.mirrored);
         surfaces_.traits[i] |= traits::kOnward;
     }
     if (!isBlack(split.transmitted)) transparent_.push_back({s, split, path});
-}
-
-void WhittedIntegrator::completeColoured(std::size_t i) {
-    const Material& m = scene_->materials[surfaces_.material[i]];
-    const Colour diffuse = diffuseAt(*scene_, settings_->textures, hits_.hit(i));
-    surfaces_.diffuse.set(i, diffuse / kPi);
-    if (materials_->anyGlow()) {
-        glow_.push_back(surfaces_.share.colourAt(i) *
-                        (m.emission + scene_->ambient * (diffuse + m.specular)));
-    }
 }
 
 /// Sends the share that passes an alpha texture on; returns whether anything is left for the surface.
@@ -185,20 +211,10 @@ bool WhittedIntegrator::passHole(const RayWave& rays, std::size_t i, const Surfa
     if (surface.coverage == 0) {
         surfaces_.traits[i] = 0;
         if (first_) hit_[i] = 0;
-        if (materials_->anyGlow()) glow_.push_back({});
         return false;
     }
     path.weight = path.weight * surface.coverage;
     return true;
-}
-
-void WhittedIntegrator::setScattered(std::size_t i, const Surface& surface, const SurfaceSplit& split,
-                                     const Path& path) {
-    surfaces_.diffuse.set(i, surface.diffuse / kPi);
-    surfaces_.share.set(i, path.weight * split.scattered);
-    if (!materials_->anyGlow()) return;
-    const Colour ambient = scene_->ambient * (surface.diffuse + surface.material->specular) * split.scattered;
-    glow_.push_back(path.weight * (surface.emission + ambient));
 }
 
 /// Emission, and the constant light from everywhere; on the way, mirrors take their share of all light.

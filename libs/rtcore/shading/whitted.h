@@ -64,10 +64,11 @@ class WhittedIntegrator {
     void setShares(RayKind kind);
     void addBackground(const RayWave& rays);
     void addGlow();
-    void completePoint(const RayWave& rays, std::size_t i);
-    void completeColoured(std::size_t i);
+    void completePoints(const RayWave& rays);
+    void completeGeneral(const RayWave& rays, std::size_t i, Colour& glow);
+    void setAlbedo(std::size_t i, Colour albedo, Colour& glow);
+    void completeTextured();
     bool passHole(const RayWave& rays, std::size_t i, const Surface& surface, Path& path);
-    void setScattered(std::size_t i, const Surface& surface, const SurfaceSplit& split, const Path& path);
     void lightBy(const Light& light);
     void darken(const std::vector<std::uint8_t>& occluded);
     void tint(const std::vector<Colour>& arriving);
@@ -97,6 +98,11 @@ class WhittedIntegrator {
     HitWave hits_;
     SurfaceWave surfaces_;
     std::vector<Colour> glow_; ///< of the points that are not plain, in their order
+    /// Points that wait until there is a block of them: which, and their place in glow_.
+    struct TexturedPoints {
+        std::size_t count = 0;
+        std::uint32_t point[kWaveBlock], place[kWaveBlock];
+    } textured_;
     std::vector<Transparent> transparent_;
     ShadowRays shadowRays_;
 };
