@@ -1,10 +1,11 @@
 // What a steady frame costs, stage by stage.
-//   bench_frame SCENE [--view NAME] [--size WxH] [--mirror SHARE] [--specular SHARE] [--threads N] [--frames N]
+//   bench_frame SCENE [--view NAME] [--size WxH] [--mirror SHARE] [--specular SHARE] [--threads N] [--frames
+//   N]
 //               [--antialiasing N] [--no-shadows] [--replay-only]
-// SCENE is a .bsp, .scn or model. Without lights of its own it gets one at the eye's height; a view of that name
-// (tests/support/view_rays.h) sets camera and light. The best of N frames (20) counts. The line `without tracing`
-// renders the same frame with the answers of the tracer played back, by one thread: what is left is all that a
-// faster tracer cannot save.
+// SCENE is a .bsp, .scn or model. Without lights of its own it gets one at the eye's height; a view of that
+// name (tests/support/view_rays.h) sets camera and light. The best of N frames (20) counts. The line `without
+// tracing` renders the same frame with the answers of the tracer played back, by one thread: what is left is
+// all that a faster tracer cannot save.
 #include "rtcore/io/scene_loader.h"
 #include "rtcore/platform/instruction_set.h"
 #include "rtcore/post/develop.h"
@@ -13,10 +14,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -125,6 +129,16 @@ void applyView(const Options& o, LoadedScene& loaded) {
     }
 }
 
+/// FNV-1a, to see whether two builds make the same picture.
+template <typename Pixel>
+unsigned long long hashOf(const std::vector<Pixel>& pixels) {
+    std::uint64_t hash = 0xCBF29CE484222325U;
+    for (const std::byte b : std::as_bytes(std::span(pixels))) {
+        hash = (hash ^ std::to_integer<std::uint64_t>(b)) * 0x100000001B3U;
+    }
+    return hash;
+}
+
 class Bench {
   public:
     Bench(const Options& o, const LoadedScene& loaded)
@@ -157,22 +171,25 @@ class Bench {
         return processSeconds() - start;
     }
 
-    /// The least of each stage: the machine may do something else meanwhile, and a stage's clock does not stop.
+    /// The least of each stage: the machine may do something else meanwhile, and a stage's clock does not
+    /// stop.
     static StageTimes endless() {
         StageTimes times;
         times.seconds.fill(1e30);
         return times;
     }
     static void keepLeast(StageTimes& least, const StageTimes& times) {
-        for (std::size_t i = 0; i < kStages; ++i) least.seconds[i] = std::min(least.seconds[i], times.seconds[i]);
+        for (std::size_t i = 0; i < kStages; ++i)
+            least.seconds[i] = std::min(least.seconds[i], times.seconds[i]);
     }
 
     static void printStages(const char* what, const StageTimes& t) {
-        std::printf("  %s, ms: rays %.2f, trace %.2f, surfaces %.2f, light %.2f, shadows %.2f, secondary rays "
-                    "%.2f, store %.2f\n",
-                    what, t.of(Stage::Rays) * 1e3, t.of(Stage::Trace) * 1e3, t.of(Stage::Surfaces) * 1e3,
-                    t.of(Stage::Light) * 1e3, t.of(Stage::Shadows) * 1e3, t.of(Stage::Spawn) * 1e3,
-                    t.of(Stage::Store) * 1e3);
+        std::printf(
+            "  %s, ms: rays %.2f, trace %.2f, surfaces %.2f, light %.2f, shadows %.2f, secondary rays "
+            "%.2f, store %.2f\n",
+            what, t.of(Stage::Rays) * 1e3, t.of(Stage::Trace) * 1e3, t.of(Stage::Surfaces) * 1e3,
+            t.of(Stage::Light) * 1e3, t.of(Stage::Shadows) * 1e3, t.of(Stage::Spawn) * 1e3,
+            t.of(Stage::Store) * 1e3);
     }
 
     void measureFrames() {
@@ -200,6 +217,8 @@ class Bench {
         std::printf("  frame %.2f, exposure %.2f, develop %.2f\n", best * 1e3, bestExposure * 1e3,
                     bestDevelop * 1e3);
         const auto rays = frame_.statistics.rays;
+        std::printf("  hashes: radiance %016llx, picture %016llx\n", hashOf(frame_.radiance.pixels),
+                    hashOf(image_.pixels));
         std::printf("  rays: primary %llu, shadow %llu, mirror %llu, refracted %llu\n",
                     static_cast<unsigned long long>(rays[0]), static_cast<unsigned long long>(rays[1]),
                     static_cast<unsigned long long>(rays[2]), static_cast<unsigned long long>(rays[3]));
@@ -241,8 +260,10 @@ class Bench {
 int main(int argc, char** argv) {
     const Options options = parse(argc, argv);
     if (options.scene.empty() || options.width < 1 || options.height < 1) {
-        std::fprintf(stderr, "bench_frame SCENE [--view NAME] [--size WxH] [--mirror SHARE] [--specular SHARE]\n"
-                             "            [--threads N] [--frames N] [--antialiasing N] [--no-shadows] [--replay-only]\n");
+        std::fprintf(
+            stderr,
+            "bench_frame SCENE [--view NAME] [--size WxH] [--mirror SHARE] [--specular SHARE]\n"
+            "            [--threads N] [--frames N] [--antialiasing N] [--no-shadows] [--replay-only]\n");
         return 2;
     }
     try {

@@ -53,7 +53,8 @@ void developRow(const Development& how, const Colour* radiance, int width, int y
 
 std::optional<float> PictureDeveloper::average(const Frame& frame, bool background, int threads) {
     const int team = threadsFor(threads);
-    if (histograms_.size() < static_cast<std::size_t>(team)) histograms_.resize(static_cast<std::size_t>(team));
+    if (histograms_.size() < static_cast<std::size_t>(team))
+        histograms_.resize(static_cast<std::size_t>(team));
     for (LuminanceHistogram& histogram : histograms_) histogram.clear();
     const HdrImage& radiance = frame.radiance;
     const auto width = static_cast<std::size_t>(radiance.width);
@@ -80,8 +81,8 @@ float PictureDeveloper::exposure(const Frame& frame, const ExposureSettings& set
     return std::clamp(found.value_or(kDarkness) / settings.key, kLeast, kMost);
 }
 
-void PictureDeveloper::develop(const Frame& frame, const RenderSettings& settings, float exposure, int threads,
-                               LdrImage& image) {
+void PictureDeveloper::develop(const Frame& frame, const RenderSettings& settings, float exposure,
+                               int threads, LdrImage& image) {
     const HdrImage& radiance = frame.radiance;
     if (image.width != radiance.width || image.height != radiance.height) {
         image = LdrImage(radiance.width, radiance.height);

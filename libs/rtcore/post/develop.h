@@ -11,16 +11,16 @@
 
 namespace rtcore {
 
-/// Develops frames one after another and keeps the memory of its threads, so that a frame of the size of the one
-/// before it allocates nothing. Not for several threads at once: it uses `threads` itself, 0 = all cores. The same
-/// input gives the same bits, for any number of threads.
+/// Develops frames one after another and keeps the memory of its threads, so that a frame of the size of the
+/// one before it allocates nothing. Not for several threads at once: it uses `threads` itself, 0 = all cores.
+/// The same input gives the same bits, for any number of threads.
 class PictureDeveloper {
   public:
     /// The constant c of L = Y / (Y + c): the fixed value, or what suits the frame (exposure.h).
     float exposure(const Frame& frame, const ExposureSettings& settings, int threads);
 
-    /// Tone maps with the constant `exposure` and quantises into `image`, whose memory is reused when the size
-    /// fits.
+    /// Tone maps with the constant `exposure` and quantises into `image`, whose memory is reused when the
+    /// size fits.
     void develop(const Frame& frame, const RenderSettings& settings, float exposure, int threads,
                  LdrImage& image);
 

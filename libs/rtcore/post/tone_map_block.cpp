@@ -61,7 +61,9 @@ HWY_INLINE Vectors mapLuminance(Vectors x, Floats c) {
 }
 
 /// x where the sRGB curve is taken from its table.
-HWY_INLINE Lanes isOnChord(Floats x) { return hn::And(hn::Gt(x, constant(0x1p-13F)), hn::Lt(x, constant(1))); }
+HWY_INLINE Lanes isOnChord(Floats x) {
+    return hn::And(hn::Gt(x, constant(0x1p-13F)), hn::Lt(x, constant(1)));
+}
 
 HWY_INLINE Bits chordOf(Floats x) {
     const BitsTag du;
@@ -78,10 +80,10 @@ HWY_INLINE Floats srgbCodes(Floats x, const SrgbCurve::Chord* HWY_RESTRICT chord
     hn::LoadInterleaved2(d, &chords->code, code, rise);
     constexpr std::uint32_t kMask = (std::uint32_t{1} << SrgbCurve::kShift) - 1;
     const Floats rest = hn::ConvertTo(d, hn::BitCast(di, hn::And(hn::BitCast(du, x), hn::Set(du, kMask))));
-    const Floats share = hn::Mul(rest, constant(1.0F / static_cast<float>(kMask + 1))); // a power of two: exact
+    const Floats share =
+        hn::Mul(rest, constant(1.0F / static_cast<float>(kMask + 1))); // a power of two: exact
     const Floats curved = hn::Add(code, hn::Mul(rise, share));
-    const Floats linear =
-        hn::IfThenElseZero(hn::Gt(x, constant(0)), hn::Mul(constant(255 * 12.92F), x));
+    const Floats linear = hn::IfThenElseZero(hn::Gt(x, constant(0)), hn::Mul(constant(255 * 12.92F), x));
     const Floats outside = hn::IfThenElse(hn::Ge(x, constant(1)), constant(255), linear);
     return hn::IfThenElse(isOnChord(x), curved, outside);
 }
@@ -138,7 +140,8 @@ void quantiseBlock(const Development& how, const ToneBlock& block, int column, i
             const Floats shown = hn::LoadU(d, block.shown[channel] + i);
             return quantiseAll(srgbCodes(shown, block.chords[channel] + i), threshold);
         };
-        const Bits rgb = hn::Or(hn::Or(quantised(0), hn::ShiftLeft<8>(quantised(1))), hn::ShiftLeft<16>(quantised(2)));
+        const Bits rgb =
+            hn::Or(hn::Or(quantised(0), hn::ShiftLeft<8>(quantised(1))), hn::ShiftLeft<16>(quantised(2)));
         hn::StoreU(hn::Or(rgb, hn::Set(du, 0xFF000000U)), du, pixels + i);
     }
 }

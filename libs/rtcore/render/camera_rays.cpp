@@ -24,13 +24,15 @@ void blockDirections(const CameraRays::Plane& plane, const CameraRays::Block& bl
     const hn::RebindToSigned<FloatTag> di;
     const Floats half = constant(0.5F);
     const Floats step = constant(block.step);
-    const Vectors corner = everywhere(plane.corner), right = everywhere(plane.right), down = everywhere(plane.down);
+    const Vectors corner = everywhere(plane.corner), right = everywhere(plane.right),
+                  down = everywhere(plane.down);
     const auto place = [&](int first, Bits offset, float from) {
         const Floats whole = hn::ConvertTo(d, hn::Add(hn::Set(di, first), hn::BitCast(di, offset)));
         return hn::Add(constant(from), hn::Mul(hn::Add(whole, half), step));
     };
     const Bits lane = hn::Iota(du, 0);
-    for (std::uint32_t i = 0; i < kCameraBlock * kCameraBlock; i += static_cast<std::uint32_t>(hn::Lanes(d))) {
+    for (std::uint32_t i = 0; i < kCameraBlock * kCameraBlock;
+         i += static_cast<std::uint32_t>(hn::Lanes(d))) {
         const Bits index = hn::Add(lane, hn::Set(du, i));
         const Floats x = place(block.column, hn::And(index, hn::Set(du, 7U)), block.left);
         const Floats y = place(block.row, hn::ShiftRight<3>(index), block.top);
@@ -77,7 +79,8 @@ CameraRays::CameraRays(const Camera& camera, int width, int height) : eye_(camer
 }
 
 Ray CameraRays::at(float x, float y) const {
-    return {eye_, 0, normalize(plane_.corner + plane_.right * x + plane_.down * y), std::numeric_limits<float>::max()};
+    return {eye_, 0, normalize(plane_.corner + plane_.right * x + plane_.down * y),
+            std::numeric_limits<float>::max()};
 }
 
 void CameraRays::directions(const Block& block, float* dx, float* dy, float* dz) const {

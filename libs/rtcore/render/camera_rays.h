@@ -6,7 +6,8 @@
 
 namespace rtcore {
 
-/// Rays of neighbouring samples lie together in blocks of 8 x 8, row by row: they take the same way through the tree.
+/// Rays of neighbouring samples lie together in blocks of 8 x 8, row by row: they take the same way through
+/// the tree.
 inline constexpr int kCameraBlock = 8;
 
 /// Directions for a picture of `width` x `height` pixels; pixels are square, so the vertical field of view
@@ -21,8 +22,8 @@ class CameraRays {
     Ray at(float x, float y) const;
     Vec3 eye() const { return eye_; }
 
-    /// Directions of a block of 8 x 8 samples: those of at(left + (i + 0.5) * step, top + (j + 0.5) * step) for
-    /// the samples (i, j) from (column, row) on, to dx[64], dy[64], dz[64].
+    /// Directions of a block of 8 x 8 samples: those of at(left + (i + 0.5) * step, top + (j + 0.5) * step)
+    /// for the samples (i, j) from (column, row) on, to dx[64], dy[64], dz[64].
     struct Block {
         float left, top;
         int column, row;

@@ -51,12 +51,13 @@ TileRenderer& FrameRenderer::rendererOfThread(int thread) {
 }
 
 bool FrameRenderer::render(const Scene& scene, const RayTracer& tracer, const Camera& camera,
-                           const RenderSettings& settings, int threads, RenderControl& control, Frame& frame) {
+                           const RenderSettings& settings, int threads, RenderControl& control,
+                           Frame& frame) {
     prepare(frame, settings);
     materials_.prepare(scene, settings);
     stageTimes_ = {};
     const CameraRays cameraRays(camera, settings.width, settings.height);
-    const TileGrid grid(settings);
+    const TileGrid grid(settings, materials_.anyOnward());
     control.tilesDone = 0;
     control.tiles = static_cast<std::uint64_t>(grid.count());
     const int team = threadsFor(threads);

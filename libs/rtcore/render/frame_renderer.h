@@ -24,8 +24,8 @@ struct RenderControl {
     std::atomic<std::uint64_t> tiles{0}; ///< of the whole frame; 0 before it starts
 };
 
-/// Renders frames one after another and keeps the memory of its threads, so that a frame like the one before it
-/// allocates nothing. Not for several threads at once: it uses all of them itself.
+/// Renders frames one after another and keeps the memory of its threads, so that a frame like the one before
+/// it allocates nothing. Not for several threads at once: it uses all of them itself.
 class FrameRenderer {
   public:
     FrameRenderer();
@@ -33,11 +33,11 @@ class FrameRenderer {
     FrameRenderer(const FrameRenderer&) = delete;
     FrameRenderer& operator=(const FrameRenderer&) = delete;
 
-    /// Renders into `frame`, whose memory is reused when the size fits. `threads` = 0: all cores; the picture has
-    /// the same bits for every number. Scene, camera and settings may differ in every frame, but not change during
-    /// one. Returns false when control.cancel was set, with `frame` undefined.
-    bool render(const Scene& scene, const RayTracer& tracer, const Camera& camera, const RenderSettings& settings,
-                int threads, RenderControl& control, Frame& frame);
+    /// Renders into `frame`, whose memory is reused when the size fits. `threads` = 0: all cores; the picture
+    /// has the same bits for every number. Scene, camera and settings may differ in every frame, but not
+    /// change during one. Returns false when control.cancel was set, with `frame` undefined.
+    bool render(const Scene& scene, const RayTracer& tracer, const Camera& camera,
+                const RenderSettings& settings, int threads, RenderControl& control, Frame& frame);
 
     /// Whether frames to come measure stageTimes().
     void measureStages(bool on) { measureStages_ = on; }

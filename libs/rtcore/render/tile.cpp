@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::size_t kBlockRays = std::size_t{kCameraBlock} * kCameraBlock;
 
-/// The rays of one tile, block after block. `work` gets the block's first column and row, its width and height,
-/// and the number of its first ray.
+/// The rays of one tile, block after block. `work` gets the block's first column and row, its width and
+/// height, and the number of its first ray.
 template <typename Work>
 void forEachBlock(int width, int height, Work&& work) {
     std::size_t first = 0;
@@ -33,9 +33,13 @@ void copyPart(const float* block, int width, int height, float* to) {
 
 } // namespace
 
-TileGrid::TileGrid(const RenderSettings& settings) {
-    // 32 x 32 samples at least, so that waves are large, and about 64 x 64 with antialiasing.
-    side_ = settings.antialiasing == 1 ? 32 : std::max(4, 64 / settings.antialiasing);
+TileGrid::TileGrid(const RenderSettings& settings, bool secondaryRays) {
+    // 32 x 32 samples: what is known of them stays in the second cache. Secondary rays go everywhere, and
+    // only waves of some thousands of them share work; so tiles are larger then, where there are enough for
+    // all threads.
+    constexpr std::int64_t kManyPixels = 1 << 18;
+    const bool large = secondaryRays && std::int64_t{settings.width} * settings.height >= kManyPixels;
+    side_ = settings.antialiasing == 1 ? (large ? 64 : 32) : std::max(4, 64 / settings.antialiasing);
     columns_ = (settings.width + side_ - 1) / side_;
     rows_ = (settings.height + side_ - 1) / side_;
 }
@@ -67,7 +71,8 @@ void TileRenderer::render(const TileGrid& grid, int tile, Frame& frame) {
 
 void TileRenderer::collectRays(const Area& area) {
     const auto n = static_cast<std::size_t>(settings_->antialiasing);
-    const std::size_t count = static_cast<std::size_t>(area.columns) * static_cast<std::size_t>(area.rows) * n * n;
+    const std::size_t count =
+        static_cast<std::size_t>(area.columns) * static_cast<std::size_t>(area.rows) * n * n;
     if (!sameOrigin_ || rays_.size() != count) {
         rays_.resize(count);
         std::fill(rays_.ox.begin(), rays_.ox.end(), camera_->eye().x);
@@ -103,8 +108,8 @@ void TileRenderer::storePixels(const Area& area, Frame& frame) {
     const ArraysOf3& radiance = integrator_.radiance();
     const std::uint8_t* const hit = integrator_.hit().data();
     forEachBlock(area.columns, area.rows, [&](int column, int row, int w, int h, std::size_t first) {
-        const std::size_t pixel = static_cast<std::size_t>(area.top + row) * width +
-                                  static_cast<std::size_t>(area.left + column);
+        const std::size_t pixel =
+            static_cast<std::size_t>(area.top + row) * width + static_cast<std::size_t>(area.left + column);
         Colour* const pixels = &frame.radiance.pixels[pixel];
         std::uint8_t* const covered = &frame.covered[pixel];
         if (w == kCameraBlock && h == kCameraBlock) {
@@ -126,7 +131,8 @@ void TileRenderer::averageSamples(const Area& area, Frame& frame) {
     const int n = settings_->antialiasing;
     const int width = area.columns * n, height = area.rows * n;
     const auto at = [width](int column, int row) {
-        return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(column);
     };
     slot_.resize(rays_.size());
     forEachBlock(width, height, [&](int column, int row, int w, int h, std::size_t first) {

@@ -13,7 +13,8 @@ namespace rtcore {
 /// How a picture is cut into square tiles, in pixels. Depends on the picture alone, never on threads.
 class TileGrid {
   public:
-    explicit TileGrid(const RenderSettings& settings);
+    /// `secondaryRays`: mirrors or transparent surfaces may send rays on.
+    TileGrid(const RenderSettings& settings, bool secondaryRays);
 
     int count() const { return columns_ * rows_; }
     int side() const { return side_; }
@@ -24,7 +25,8 @@ class TileGrid {
     int side_, columns_, rows_;
 };
 
-/// Renders tiles one after another; one for each thread, reuses its memory from tile to tile and from frame to frame.
+/// Renders tiles one after another; one for each thread, reuses its memory from tile to tile and from frame
+/// to frame.
 class TileRenderer {
   public:
     /// Starts a frame; the arguments must outlive it.

@@ -52,7 +52,12 @@ HWY_INLINE Illuminations illuminateAll(const Light& light, Vectors position) {
     const Lanes apart = hn::Gt(distance, constant(0));
     const Vectors toLight = select(apart, offset / distance, constant(0, 1, 0));
     const Floats counted = larger(larger(distance, constant(light.radius)), constant(1e-18F));
-    Vectors irradiance = intensity / hn::Mul(counted, counted);
+    const Floats square = hn::Mul(counted, counted);
+    Vectors irradiance;
+    irradiance.x = hn::Div(intensity.x, square);
+    // Most lights are white: a division less for each of the others.
+    irradiance.y = light.intensity.g == light.intensity.r ? irradiance.x : hn::Div(intensity.y, square);
+    irradiance.z = light.intensity.b == light.intensity.r ? irradiance.x : hn::Div(intensity.z, square);
     if constexpr (kind == LightKind::Spot) {
         const Vectors axis = constant(light.direction.x, light.direction.y, light.direction.z);
         irradiance = irradiance * spotFactors(light, hn::Neg(dot(toLight, axis)));
@@ -70,8 +75,8 @@ HWY_INLINE Floats terminatorFactors(Vectors geometricNormal, Vectors shadingNorm
 }
 
 /// The glossy part of the reflected share: k_s times the Phong lobe, zero where there is none.
-HWY_INLINE Vectors glossyShare(const MaterialRow* rows, const std::uint32_t* material, Lanes glossy, Vectors toLight,
-                               Vectors normal, Vectors toViewer, Floats cosine) {
+HWY_INLINE Vectors glossyShare(const MaterialRow* rows, const std::uint32_t* material, Lanes glossy,
+                               Vectors toLight, Vectors normal, Vectors toViewer, Floats cosine) {
     const FloatTag d;
     const Vectors mirrored = normal * hn::Mul(constant(2), cosine) - toLight;
     const Floats lobe = dot(mirrored, toViewer);
@@ -130,8 +135,7 @@ HWY_INLINE std::size_t lightAll(const Light& light, const MaterialRow* rows, con
                                         loadVectors(s.toViewer.x + i, s.toViewer.y + i, s.toViewer.z + i),
                                         cosine);
         }
-        share = share *
-                hn::Mul(cosine, terminatorFactors(geometricNormal, normal, geometric, cosine));
+        share = share * hn::Mul(cosine, terminatorFactors(geometricNormal, normal, geometric, cosine));
         const Vectors scale = loadVectors(s.share.x + i, s.share.y + i, s.share.z + i);
         const Vectors added = selectOrZero(lit, scale * share * arriving.irradiance);
         storeVectors(added, s.added.x + i, s.added.y + i, s.added.z + i);
@@ -177,7 +181,8 @@ namespace rtcore {
 
 HWY_EXPORT(lightSurfaces);
 
-void addLight(const Light& light, const MaterialTable& materials, SurfaceWave& surfaces, ShadowRays* shadows) {
+void addLight(const Light& light, const MaterialTable& materials, SurfaceWave& surfaces,
+              ShadowRays* shadows) {
     if (shadows == nullptr) {
         HWY_DYNAMIC_DISPATCH(lightSurfaces)(light, materials.rows(), surfaces, nullptr);
         return;
@@ -186,7 +191,7 @@ void addLight(const Light& light, const MaterialTable& materials, SurfaceWave& s
     const std::size_t room = surfaces.size() + kWaveBlock;
     rays.resize(room);
     if (shadows->point.size() < room) shadows->point.resize(room);
-    const ShadowArrays arrays{rays.ox.data(), rays.oy.data(), rays.oz.data(), rays.dx.data(),
+    const ShadowArrays arrays{rays.ox.data(), rays.oy.data(), rays.oz.data(),   rays.dx.data(),
                               rays.dy.data(), rays.dz.data(), rays.tMax.data(), shadows->point.data()};
     rays.resize(HWY_DYNAMIC_DISPATCH(lightSurfaces)(light, materials.rows(), surfaces, &arrays));
 }

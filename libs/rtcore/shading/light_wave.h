@@ -16,8 +16,9 @@ struct ShadowRays {
     std::vector<std::uint32_t> point; ///< of the surface wave; may be longer than the rays
 };
 
-/// Sets surfaces.added to what `light` adds unshadowed to each point, zero where it adds nothing, and `shadows` to
-/// one ray for each point where it adds something, unless it is null. Keeps the memory of `shadows`.
+/// Sets surfaces.added to what `light` adds unshadowed to each point, zero where it adds nothing, and
+/// `shadows` to one ray for each point where it adds something, unless it is null. Keeps the memory of
+/// `shadows`.
 void addLight(const Light& light, const MaterialTable& materials, SurfaceWave& surfaces, ShadowRays* shadows);
 
 } // namespace rtcore

@@ -11,13 +11,13 @@ namespace rtcore {
 
 /// What is asked of a point beyond the diffuse lobe of its material's own colour.
 namespace traits {
-inline constexpr std::uint32_t kPoint = 1;    ///< there is a surface to be lit
-inline constexpr std::uint32_t kGlossy = 2;   ///< it has a Phong lobe
-inline constexpr std::uint32_t kMirror = 4;   ///< opaque, reflects, and is none of those below
-inline constexpr std::uint32_t kFresnel = 8;  ///< a mirror that reflects more at grazing angles
+inline constexpr std::uint32_t kPoint = 1;     ///< there is a surface to be lit
+inline constexpr std::uint32_t kGlossy = 2;    ///< it has a Phong lobe
+inline constexpr std::uint32_t kMirror = 4;    ///< opaque, reflects, and is none of those below
+inline constexpr std::uint32_t kFresnel = 8;   ///< a mirror that reflects more at grazing angles
 inline constexpr std::uint32_t kColoured = 16; ///< the albedo varies: texture, colours of vertices
-inline constexpr std::uint32_t kGeneral = 32; ///< transparent, perforated, bump mapped, glowing by a texture
-inline constexpr std::uint32_t kOnward = 64;  ///< of points, not of materials: a mirrored ray follows
+inline constexpr std::uint32_t kGeneral = 32;  ///< transparent, perforated, bump mapped, glowing by a texture
+inline constexpr std::uint32_t kOnward = 64;   ///< of points, not of materials: a mirrored ray follows
 /// Vector code alone cannot shade such a point.
 inline constexpr std::uint32_t kNotPlain = kColoured | kGeneral;
 } // namespace traits
@@ -28,7 +28,7 @@ struct alignas(64) MaterialRow {
     std::uint32_t traits = 0;
     float specular[3] = {};
     float shininess = 0;
-    float lobeScale = 0;   ///< of the Phong lobe, (n + 2) / 2 pi
+    float lobeScale = 0; ///< of the Phong lobe, (n + 2) / 2 pi
     float mirrorScale = 0;
     float mirror[3] = {};
     float emission[3] = {};
@@ -55,7 +55,7 @@ class MaterialTable {
 
   private:
     std::vector<MaterialRow> rows_; ///< by index of the material
-    std::uint32_t traits_ = 0; ///< of any
+    std::uint32_t traits_ = 0;      ///< of any
     bool anyGlow_ = false, tintedShadows_ = false;
 };
 

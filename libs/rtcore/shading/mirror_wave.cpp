@@ -66,8 +66,8 @@ void splitAll(const MaterialRow* rows, const SurfaceWave& s, const ArraysOf3* gl
         storeAt(select(mirrors, weight * mirrored, loadAt(s.onward, i)), s.onward, i);
         storeAt(select(mirrors, weight * scattered, weight), s.share, i);
         const Bits onward = hn::Or(traits, hn::Set(du, traits::kOnward));
-        hn::StoreU(hn::BitCast(du, hn::IfThenElse(mirrors, hn::BitCast(d, onward), hn::BitCast(d, traits))), du,
-                   s.traits + i);
+        hn::StoreU(hn::BitCast(du, hn::IfThenElse(mirrors, hn::BitCast(d, onward), hn::BitCast(d, traits))),
+                   du, s.traits + i);
         if (glow == nullptr) continue;
         const Vectors own =
             weight * (row.get(&MaterialRow::emission) + row.get(&MaterialRow::ambient) * scattered);
@@ -75,7 +75,8 @@ void splitAll(const MaterialRow* rows, const SurfaceWave& s, const ArraysOf3* gl
     }
 }
 
-HWY_INLINE Vectors mirrorDirections(Vectors toViewer, Vectors shadingNormal, Vectors geometricNormal, Lanes used) {
+HWY_INLINE Vectors mirrorDirections(Vectors toViewer, Vectors shadingNormal, Vectors geometricNormal,
+                                    Lanes used) {
     const Floats lowest = constant(1e-3F);
     const Floats twice = hn::Mul(constant(2), dot(toViewer, shadingNormal));
     const Vectors mirrored = shadingNormal * twice - toViewer;
@@ -93,8 +94,8 @@ HWY_INLINE void storeSome(Bits v, Lanes lanes, std::uint32_t* to) {
 }
 
 /// Returns how many rays were appended. `paths`: of the points, null for primary rays.
-std::size_t spawnAll(const SurfaceWave& s, const PathArrays* paths, MirrorLimits limits, const RayArrays& rays,
-                     const PathArrays& queue) {
+std::size_t spawnAll(const SurfaceWave& s, const PathArrays* paths, MirrorLimits limits,
+                     const RayArrays& rays, const PathArrays& queue) {
     const FloatTag d;
     const BitsTag du;
     const hn::RebindToSigned<FloatTag> di;
@@ -105,8 +106,8 @@ std::size_t spawnAll(const SurfaceWave& s, const PathArrays* paths, MirrorLimits
         if (hn::AllFalse(d, onward)) continue;
         const Vectors weight = loadAt(s.onward, i);
         const Floats largest = larger(weight.x, larger(weight.y, weight.z));
-        onward = hn::And(onward, hn::And(hn::Gt(largest, constant(0)),
-                                         hn::Ge(largest, constant(limits.minContribution))));
+        onward = hn::And(
+            onward, hn::And(hn::Gt(largest, constant(0)), hn::Ge(largest, constant(limits.minContribution))));
         Bits bounces = hn::Zero(du);
         if (paths != nullptr) bounces = hn::LoadU(du, paths->bounces + i);
         const auto depth = hn::BitCast(di, hn::And(bounces, hn::Set(du, 0xFFFFU)));
@@ -170,8 +171,8 @@ void spawnMirrored(const SurfaceWave& surfaces, PathQueue* paths, const RenderSe
     const MirrorLimits limits{static_cast<std::uint32_t>(settings.maxDepth), settings.minContribution};
     PathArrays old{};
     if (paths != nullptr) old = pathsFrom(*paths, 0);
-    const std::size_t count = HWY_DYNAMIC_DISPATCH(spawnAll)(surfaces, paths != nullptr ? &old : nullptr, limits,
-                                                             to, newPaths);
+    const std::size_t count =
+        HWY_DYNAMIC_DISPATCH(spawnAll)(surfaces, paths != nullptr ? &old : nullptr, limits, to, newPaths);
     queue.truncate(before + count);
 }
 

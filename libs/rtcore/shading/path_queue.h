@@ -18,8 +18,8 @@ struct Path {
     std::uint16_t passes = 0; ///< went straight through thin walls and holes so often
 };
 
-/// One array for each value, as vector code likes it: those of the paths have room for a block more than there are
-/// rays.
+/// One array for each value, as vector code likes it: those of the paths have room for a block more than
+/// there are rays.
 struct PathQueue {
     RayWave rays;
     std::vector<std::uint32_t> sample, bounces; ///< bounces: depth in the lower, passes in the upper 16 bits
@@ -31,8 +31,8 @@ struct PathQueue {
     void push(const Ray& ray, const Path& path);
     Path path(std::size_t i) const;
 
-    /// Appends `count` rays with undefined origins, directions and paths, from 0 to infinity, and returns how many
-    /// there were before.
+    /// Appends `count` rays with undefined origins, directions and paths, from 0 to infinity, and returns how
+    /// many there were before.
     std::size_t grow(std::size_t count);
     void truncate(std::size_t count) { rays.resize(count); }
 

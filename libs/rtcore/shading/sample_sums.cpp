@@ -11,7 +11,8 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-void startAll(Colour background, const SurfaceWave& s, const ArraysOf3& radiance, std::uint8_t* HWY_RESTRICT hit) {
+void startAll(Colour background, const SurfaceWave& s, const ArraysOf3& radiance,
+              std::uint8_t* HWY_RESTRICT hit) {
     const FloatTag d;
     const BitsTag du;
     const hn::Rebind<std::uint8_t, FloatTag> d8;

@@ -14,13 +14,14 @@ namespace rtcore {
 /// Reuses its memory from wave to wave and from frame to frame; one for each thread.
 class ShadowTracer {
   public:
-    /// For the waves of one frame, during which the arguments must live. `tinted`: something lets light through
-    /// (MaterialTable::tintedShadows()).
+    /// For the waves of one frame, during which the arguments must live. `tinted`: something lets light
+    /// through (MaterialTable::tintedShadows()).
     void begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings, bool tinted);
 
     /// Whether transmittance() has to be asked: without transparent surfaces, occluded() says all.
     bool tinted() const { return tinted_; }
-    /// 1 for each ray (directions of unit length) whose light does not arrive, else 0. Valid until the next call.
+    /// 1 for each ray (directions of unit length) whose light does not arrive, else 0. Valid until the next
+    /// call.
     const std::vector<std::uint8_t>& occluded(const RayWave& rays, RayStatistics& statistics);
 
     /// For each ray the share of light that arrives along it: 1 unhindered, 0

@@ -1,4 +1,5 @@
-/// Where the time of a frame goes. Off unless somebody asks: reading the clock costs about 1 % of a fast frame.
+/// Where the time of a frame goes. Off unless somebody asks: reading the clock costs about 1 % of a fast
+/// frame.
 #pragma once
 
 #include <array>

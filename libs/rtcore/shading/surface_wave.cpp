@@ -1,7 +1,7 @@
 #include "rtcore/shading/surface_wave.h"
 
 #include <algorithm>
-#include <cstring>
+#include <iterator>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/shading/surface_wave.cpp"
@@ -10,26 +10,23 @@
 // The loop over targets comes before the code that is compiled for each of them.
 #include "rtcore/shading/vector_math-inl.h"
 
-#ifndef RTCORE_SHADING_SURFACE_CORNERS
-#define RTCORE_SHADING_SURFACE_CORNERS
+#ifndef RTCORE_SHADING_SURFACE_WAVE_TYPES
+#define RTCORE_SHADING_SURFACE_WAVE_TYPES
 namespace rtcore {
 
-/// Rays that often hit one and the same triangle; no vector is longer.
-inline constexpr std::size_t kGroup = 16;
-
-/// The corners of the triangles of one block, four floats each, as loads that split them want them.
-struct BlockCorners {
-    alignas(64) float position[3][4 * kWaveBlock];
-    alignas(64) float normal[3][4 * kWaveBlock];
-    alignas(64) float diffuse[4 * kWaveBlock]; ///< the fourth: traits
-    /// What all rays of a group hit, and then only its first element is set; kNoTriangle: they differ.
-    std::uint32_t shared[kWaveBlock / kGroup];
-    std::uint32_t traits; ///< of any point
+/// What is looked up for a hit.
+struct SurfaceSources {
+    const Vertex* vertices;
+    const Triangle* triangles;
+    const ShadingTriangle* shading;
+    const Vec3* normals;
+    const MaterialRow* rows;
 };
 
-/// What rays and hits of one block are, with room for a whole block.
+/// The rays and hits of one block, with room for a whole one: beyond the last, nothing is hit.
 struct BlockRays {
     const float *dx, *dy, *dz, *u, *v;
+    const std::uint32_t* triangle;
 };
 
 } // namespace rtcore
@@ -43,18 +40,40 @@ struct Corners {
     Vectors a, b, c;
 };
 
-/// Values of consecutive rays, or the same one for all.
-HWY_INLINE Vectors loadCorner(const float* HWY_RESTRICT corner, bool shared) {
-    if (shared) return constant(corner[0], corner[1], corner[2]);
-    Vectors v;
-    Floats unused;
-    hn::LoadInterleaved4(FloatTag(), corner, v.x, v.y, v.z, unused);
-    return v;
+HWY_INLINE Vectors everywhere(const float* HWY_RESTRICT v) { return constant(v[0], v[1], v[2]); }
+
+/// What consecutive rays hit.
+struct Found {
+    Corners position, normal;
+    Vectors diffuse;
+    Bits traits, material;
+};
+
+/// The same triangle for all.
+HWY_INLINE Found lookUp(const SurfaceSources& from, std::uint32_t t) {
+    const BitsTag du;
+    const Triangle& triangle = from.triangles[t];
+    const ShadingTriangle& shading = from.shading[t];
+    const MaterialRow& row = from.rows[shading.material];
+    const auto vertex = [&](std::size_t i) { return everywhere(&from.vertices[triangle.v[i]].x); };
+    const auto normal = [&](std::size_t i) { return everywhere(&from.normals[shading.v[i]].x); };
+    return {{vertex(0), vertex(1), vertex(2)},
+            {normal(0), normal(1), normal(2)},
+            everywhere(row.diffuse),
+            hn::Set(du, row.traits),
+            hn::Set(du, shading.material)};
 }
 
-HWY_INLINE Corners loadCorners(const float (&corners)[3][4 * kWaveBlock], std::size_t i, bool shared) {
-    return {loadCorner(corners[0] + 4 * i, shared), loadCorner(corners[1] + 4 * i, shared),
-            loadCorner(corners[2] + 4 * i, shared)};
+HWY_INLINE Corners select(Lanes lanes, const Corners& a, const Corners& b) {
+    return {select(lanes, a.a, b.a), select(lanes, a.b, b.b), select(lanes, a.c, b.c)};
+}
+HWY_INLINE Bits select(Lanes lanes, Bits a, Bits b) {
+    const FloatTag d;
+    return hn::BitCast(BitsTag(), hn::IfThenElse(lanes, hn::BitCast(d, a), hn::BitCast(d, b)));
+}
+
+HWY_INLINE Lanes lanesOf(decltype(hn::Eq(Bits(), Bits())) mask) {
+    return hn::MaskFromVec(hn::BitCast(FloatTag(), hn::VecFromMask(BitsTag(), mask)));
 }
 
 HWY_INLINE void storeAt(Vectors v, const ArraysOf3& arrays, std::size_t at) {
@@ -79,59 +98,73 @@ HWY_INLINE Floats clearanceOf(const Corners& p, Vectors normal) {
     return hn::Mul(hn::Add(hn::Mul(constant(4), across), most), constant(0x1p-20F));
 }
 
-/// The surfaces of a block from its corners; elements from `first` on of `wave`.
-void fillBlock(const BlockCorners& block, const BlockRays& rays, std::size_t first, SurfaceWave& wave) {
+/// The surfaces of a block; elements from `first` on of `wave`. Appends the points that are not plain to
+/// `notPlain`, which has room for a vector more, and returns how many.
+std::size_t fillBlock(const SurfaceSources& sources, const BlockRays& rays, std::size_t first,
+                      SurfaceWave& wave, std::uint32_t* HWY_RESTRICT notPlain) {
     const FloatTag d;
     const BitsTag du;
     const Floats zero = hn::Zero(d);
-    const bool viewed = (block.traits & (traits::kGlossy | traits::kMirror | traits::kGeneral)) != 0;
+    const Bits lane = hn::Iota(du, 0);
+    std::size_t notPlainCount = 0;
     std::uint32_t known = kNoTriangle; // whose normal and clearance these are
     Vectors front = constant(0, 0, 0);
     Floats clearance = zero;
     for (std::size_t i = 0; i < kWaveBlock; i += hn::Lanes(d)) {
         const std::size_t at = first + i;
-        const std::uint32_t triangle = block.shared[i / kGroup];
-        const bool shared = triangle != kNoTriangle;
-        const std::size_t from = shared ? i / kGroup * kGroup : i;
-        Vectors diffuse;
-        Bits traits;
-        if (shared) {
-            diffuse = loadCorner(block.diffuse + 4 * from, true);
-            std::uint32_t bits = 0;
-            hwy::CopyBytes<sizeof bits>(block.diffuse + 4 * from + 3, &bits);
-            traits = hn::Set(du, bits);
-        } else {
-            Floats bits;
-            hn::LoadInterleaved4(d, block.diffuse + 4 * i, diffuse.x, diffuse.y, diffuse.z, bits);
-            traits = hn::BitCast(du, bits);
+        const Bits hit = hn::LoadU(du, rays.triangle + i);
+        const Lanes used = lanesOf(hn::Ne(hit, hn::Set(du, kNoTriangle)));
+        if (hn::AllFalse(d, used)) {
+            hn::StoreU(hn::Zero(du), du, wave.traits + at);
+            continue;
         }
+        // Neighbours hit few triangles: one after another, and each for all of its rays at once.
+        std::uint32_t triangle = rays.triangle[i + static_cast<std::size_t>(hn::FindFirstTrue(d, used))];
+        Found found = lookUp(sources, triangle);
+        Lanes rest = hn::And(used, lanesOf(hn::Ne(hit, hn::Set(du, triangle))));
+        const bool same = hn::AllFalse(d, rest);
+        while (!hn::AllFalse(d, rest)) {
+            triangle = rays.triangle[i + static_cast<std::size_t>(hn::FindFirstTrue(d, rest))];
+            const Lanes these = lanesOf(hn::Eq(hit, hn::Set(du, triangle)));
+            const Found next = lookUp(sources, triangle);
+            found = {select(these, next.position, found.position), select(these, next.normal, found.normal),
+                     select(these, next.diffuse, found.diffuse), select(these, next.traits, found.traits),
+                     select(these, next.material, found.material)};
+            rest = hn::AndNot(these, rest);
+        }
+        const Bits traits = select(used, found.traits, hn::Zero(du));
         hn::StoreU(traits, du, wave.traits + at);
-        const Lanes used =
-            hn::MaskFromVec(hn::BitCast(d, hn::VecFromMask(du, hn::Ne(traits, hn::Zero(du)))));
-        if (hn::AllFalse(d, used)) continue;
-        storeAt(diffuse, wave.diffuse, at);
+        hn::StoreU(found.material, du, wave.material + at);
+        storeAt(found.diffuse, wave.diffuse, at);
+        const Lanes special = lanesOf(hn::Ne(hn::And(traits, hn::Set(du, traits::kNotPlain)), hn::Zero(du)));
+        if (!hn::AllFalse(d, special)) {
+            const Bits index = hn::Add(lane, hn::Set(du, static_cast<std::uint32_t>(at)));
+            const Floats some = hn::Compress(hn::BitCast(d, index), special);
+            hn::StoreU(hn::BitCast(du, some), du, notPlain + notPlainCount);
+            notPlainCount += hn::CountTrue(d, special);
+        }
 
         const Floats u = hn::LoadU(d, rays.u + i);
         const Floats v = hn::LoadU(d, rays.v + i);
-        const Corners p = loadCorners(block.position, from, shared);
+        const Corners& p = found.position;
         storeAt(interpolate(p, u, v), wave.position, at);
-
-        if (!shared || triangle != known) {
+        if (!same || triangle != known) {
             front = normalize(cross(p.b - p.a, p.c - p.a), used);
             clearance = clearanceOf(p, front);
-            known = triangle;
+            known = same ? triangle : kNoTriangle;
         }
         hn::StoreU(clearance, d, wave.clearance + at);
         const Vectors direction = loadVectors(rays.dx + i, rays.dy + i, rays.dz + i);
         const Vectors geometric = negateWhere(hn::Gt(dot(front, direction), zero), front);
         storeAt(geometric, wave.geometricNormal, at);
-        if (viewed) storeAt({hn::Neg(direction.x), hn::Neg(direction.y), hn::Neg(direction.z)}, wave.toViewer, at);
+        storeAt({hn::Neg(direction.x), hn::Neg(direction.y), hn::Neg(direction.z)}, wave.toViewer, at);
 
-        Vectors shading = normalize(interpolate(loadCorners(block.normal, from, shared), u, v), used);
+        Vectors shading = normalize(interpolate(found.normal, u, v), used);
         shading = select(isZero(shading), geometric, shading);
         shading = negateWhere(hn::Lt(dot(shading, geometric), zero), shading);
         storeAt(shading, wave.shadingNormal, at);
     }
+    return notPlainCount;
 }
 
 } // namespace HWY_NAMESPACE
@@ -145,106 +178,19 @@ HWY_EXPORT(fillBlock);
 
 namespace {
 
-bool allEqual(const std::uint32_t* hits) {
-    std::uint32_t difference = 0;
-    for (std::size_t i = 1; i < kGroup; ++i) difference |= hits[i] ^ hits[0];
-    return difference == 0;
-}
-
-/// Copies what blocks of hits need to where vector code loads it.
-class CornerCollector {
-  public:
-    /// `material` has room for whole blocks, `notPlain` for one number more than there are hits.
-    CornerCollector(const Mesh& mesh, const MaterialTable& materials, const HitWave& hits,
-                    std::uint32_t* material, std::uint32_t* notPlain)
-        : vertices_(mesh.vertices.data()), normals_(mesh.normals.data()), triangles_(mesh.triangles.data()),
-          shading_(mesh.shading.data()), rows_(materials.rows()), hits_(hits.triangle.data()),
-          count_(hits.size()), material_(material), notPlain_(notPlain) {
-        std::memset(&block, 0, sizeof block);
-    }
-
-    /// The block from hit `first` on; returns whether anything is hit.
-    bool collect(std::size_t first) {
-        block.traits = 0;
-        for (std::size_t group = 0; group < kWaveBlock / kGroup; ++group) {
-            const std::size_t at = group * kGroup;
-            const std::size_t begin = first + at;
-            const std::size_t end = std::clamp(count_, begin, begin + kGroup);
-            const bool shared = end == begin + kGroup && allEqual(hits_ + begin);
-            block.shared[group] = shared ? hits_[begin] : kNoTriangle;
-            if (shared && hits_[begin] != kNoTriangle) {
-                copy(begin, at);
-                share(begin);
-                continue;
-            }
-            for (std::size_t i = begin; i < end; ++i) copy(i, i - first);
-            for (std::size_t i = end; i < begin + kGroup; ++i) clear(i - first);
-        }
-        return block.traits != 0;
-    }
-    std::size_t notPlain() const { return notPlainCount_; }
-
-    BlockCorners block;
-
-  private:
-    void clear(std::size_t at) { std::memset(block.diffuse + 4 * at, 0, sizeof(float) * 4); }
-
-    void copy(std::size_t hit, std::size_t at) {
-        constexpr std::size_t kVertexBytes = 16, kNormalBytes = 12;
-        const std::uint32_t t = hits_[hit];
-        if (t == kNoTriangle) {
-            clear(at);
-            return;
-        }
-        const Triangle triangle = triangles_[t];
-        const ShadingTriangle shading = shading_[t];
-        const MaterialRow& row = rows_[shading.material];
-        std::memcpy(block.position[0] + 4 * at, vertices_ + triangle.v[0], kVertexBytes);
-        std::memcpy(block.position[1] + 4 * at, vertices_ + triangle.v[1], kVertexBytes);
-        std::memcpy(block.position[2] + 4 * at, vertices_ + triangle.v[2], kVertexBytes);
-        std::memcpy(block.normal[0] + 4 * at, normals_ + shading.v[0], kNormalBytes);
-        std::memcpy(block.normal[1] + 4 * at, normals_ + shading.v[1], kNormalBytes);
-        std::memcpy(block.normal[2] + 4 * at, normals_ + shading.v[2], kNormalBytes);
-        std::memcpy(block.diffuse + 4 * at, row.diffuse, sizeof(float) * 4);
-        const std::uint32_t traits = row.traits;
-        material_[hit] = shading.material;
-        block.traits |= traits;
-        notPlain_[notPlainCount_] = static_cast<std::uint32_t>(hit);
-        notPlainCount_ += (traits & traits::kNotPlain) != 0 ? 1 : 0;
-    }
-
-    /// Material and list of what is not plain for the other rays of a group that hits one triangle.
-    void share(std::size_t begin) {
-        std::fill_n(material_ + begin, kGroup, material_[begin]);
-        if ((rows_[material_[begin]].traits & traits::kNotPlain) == 0) return;
-        for (std::size_t i = 1; i < kGroup; ++i) {
-            notPlain_[notPlainCount_++] = static_cast<std::uint32_t>(begin + i);
-        }
-    }
-
-    const Vertex* vertices_;
-    const Vec3* normals_;
-    const Triangle* triangles_;
-    const ShadingTriangle* shading_;
-    const MaterialRow* rows_;
-    const std::uint32_t* hits_;
-    std::size_t count_;
-    std::uint32_t* material_;
-    std::uint32_t* notPlain_;
-    std::size_t notPlainCount_ = 0;
-};
-
 /// The rest of a wave that does not fill a block, copied to where a whole one may be read.
 class LastRays {
   public:
     BlockRays copy(const BlockRays& from, std::size_t count) {
         const float* const arrays[] = {from.dx, from.dy, from.dz, from.u, from.v};
         for (std::size_t i = 0; i < 5; ++i) std::copy_n(arrays[i], count, values_[i]);
-        return {values_[0], values_[1], values_[2], values_[3], values_[4]};
+        std::fill_n(std::copy_n(from.triangle, count, triangles_), kWaveBlock - count, kNoTriangle);
+        return {values_[0], values_[1], values_[2], values_[3], values_[4], triangles_};
     }
 
   private:
     float values_[5][kWaveBlock] = {};
+    std::uint32_t triangles_[kWaveBlock];
 };
 
 } // namespace
@@ -267,30 +213,24 @@ void SurfaceWave::resize(std::size_t count) {
     }
     traits = traits_.data();
     material = materials_.data();
-    if (notPlain_.size() < count + 1) notPlain_.resize(count + 1);
+    if (notPlain_.size() < count + kWaveBlock) notPlain_.resize(count + kWaveBlock);
 }
 
 void SurfaceWave::fill(const Mesh& mesh, const MaterialTable& materials, const RayWave& rays,
                        const HitWave& hits) {
     resize(rays.size());
-    CornerCollector corners(mesh, materials, hits, material, notPlain_.data());
-    const BlockCorners& block = corners.block;
+    const SurfaceSources sources{mesh.vertices.data(), mesh.triangles.data(), mesh.shading.data(),
+                                 mesh.normals.data(), materials.rows()};
+    notPlainCount_ = 0;
+    LastRays last;
     for (std::size_t first = 0; first < size_; first += kWaveBlock) {
         const std::size_t count = std::min(kWaveBlock, size_ - first);
-        if (!corners.collect(first)) {
-            std::fill_n(traits + first, kWaveBlock, 0U);
-            continue;
-        }
-        const BlockRays ofBlock{rays.dx.data() + first, rays.dy.data() + first, rays.dz.data() + first,
-                                hits.u.data() + first, hits.v.data() + first};
-        if (count == kWaveBlock) {
-            HWY_DYNAMIC_DISPATCH(fillBlock)(block, ofBlock, first, *this);
-        } else {
-            LastRays last;
-            HWY_DYNAMIC_DISPATCH(fillBlock)(block, last.copy(ofBlock, count), first, *this);
-        }
+        BlockRays block{rays.dx.data() + first, rays.dy.data() + first, rays.dz.data() + first,
+                        hits.u.data() + first,  hits.v.data() + first,  hits.triangle.data() + first};
+        if (count < kWaveBlock) block = last.copy(block, count);
+        notPlainCount_ +=
+            HWY_DYNAMIC_DISPATCH(fillBlock)(sources, block, first, *this, notPlain_.data() + notPlainCount_);
     }
-    notPlainCount_ = corners.notPlain();
 }
 
 } // namespace rtcore

@@ -24,13 +24,13 @@ struct ArraysOf3 {
     void set(std::size_t i, Colour c) const { x[i] = c.r, y[i] = c.g, z[i] = c.b; }
 };
 
-/// One element for each ray of the wave, and room for whole blocks of kWaveBlock. One for each thread; keeps its
-/// memory.
+/// One element for each ray of the wave, and room for whole blocks of kWaveBlock. One for each thread; keeps
+/// its memory.
 class SurfaceWave {
   public:
-    /// Fills everything down to `diffuse` from the hits of `rays` (directions of unit length). Of points with a
-    /// trait of kNotPlain, `diffuse` and `shadingNormal` are those of the material and mesh without textures;
-    /// `notPlain()` lists them in ascending order.
+    /// Fills everything down to `diffuse` from the hits of `rays` (directions of unit length). Of points with
+    /// a trait of kNotPlain, `diffuse` and `shadingNormal` are those of the material and mesh without
+    /// textures; `notPlain()` lists them in ascending order.
     void fill(const Mesh& mesh, const MaterialTable& materials, const RayWave& rays, const HitWave& hits);
 
     std::size_t size() const { return size_; }
@@ -42,7 +42,7 @@ class SurfaceWave {
     float* clearance = nullptr; ///< as in Surface
     ArraysOf3 geometricNormal;  ///< unit, on the side of the viewer
     ArraysOf3 shadingNormal;    ///< unit, on the same side
-    ArraysOf3 toViewer;         ///< unit; undefined where no point of the block needs it
+    ArraysOf3 toViewer;         ///< unit
     ArraysOf3 diffuse;          ///< albedo / pi
     ArraysOf3 share;            ///< of the light scattered here, what reaches the sample
     ArraysOf3 onward;           ///< weight of the mirrored ray, where traits have kOnward

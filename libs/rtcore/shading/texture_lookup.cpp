@@ -36,7 +36,9 @@ Tap tapAt(float coordinate, std::uint32_t size) {
     // From -1 to size, since float rounds: wrapped by comparisons, which cost less than a remainder.
     const auto base = static_cast<std::int64_t>(whole);
     const auto n = static_cast<std::int64_t>(size);
-    const auto wrap = [n](std::int64_t i) { return static_cast<std::uint32_t>(i < 0 ? i + n : i >= n ? i - n : i); };
+    const auto wrap = [n](std::int64_t i) {
+        return static_cast<std::uint32_t>(i < 0 ? i + n : i >= n ? i - n : i);
+    };
     return {wrap(base), wrap(base + 1), x - whole};
 }
 

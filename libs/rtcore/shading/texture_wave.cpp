@@ -44,7 +44,8 @@ HWY_INLINE Taps tapsAt(Floats coordinate, Bits size) {
     const auto n = hn::BitCast(di, size);
     const Floats fraction = hn::Sub(coordinate, hn::Floor(coordinate));
     const Lanes finite = hn::And(hn::Ge(fraction, constant(0)), hn::Le(fraction, constant(1)));
-    const Floats x = hn::Sub(hn::Mul(hn::IfThenElseZero(finite, fraction), hn::ConvertTo(d, n)), constant(0.5F));
+    const Floats x =
+        hn::Sub(hn::Mul(hn::IfThenElseZero(finite, fraction), hn::ConvertTo(d, n)), constant(0.5F));
     const Floats whole = hn::Floor(x);
     const auto base = hn::ConvertTo(di, whole);
     const auto wrapped = [&](auto i) {
@@ -52,7 +53,8 @@ HWY_INLINE Taps tapsAt(Floats coordinate, Bits size) {
         const auto inside = hn::IfThenElse(hn::Lt(i, n), below, hn::Sub(i, n));
         return hn::BitCast(du, hn::IfThenElseZero(hn::RebindMask(di, finite), inside));
     };
-    return {wrapped(base), wrapped(hn::Add(base, hn::Set(di, 1))), hn::IfThenElseZero(finite, hn::Sub(x, whole))};
+    return {wrapped(base), wrapped(hn::Add(base, hn::Set(di, 1))),
+            hn::IfThenElseZero(finite, hn::Sub(x, whole))};
 }
 
 void findTexels(TextureBlock& block) {
@@ -81,7 +83,9 @@ void findTexels(TextureBlock& block) {
 
 void mixTexels(TextureBlock& block) {
     const FloatTag d;
-    const auto mix = [](Floats a, Floats b, Floats share) { return hn::Add(a, hn::Mul(hn::Sub(b, a), share)); };
+    const auto mix = [](Floats a, Floats b, Floats share) {
+        return hn::Add(a, hn::Mul(hn::Sub(b, a), share));
+    };
     for (std::size_t i = 0; i < kWaveBlock; i += hn::Lanes(d)) {
         const Floats x = hn::Load(d, block.share[0] + i), y = hn::Load(d, block.share[1] + i);
         for (std::size_t c = 0; c < 3; ++c) {

@@ -1,5 +1,5 @@
-// Values of the materials of consecutive points. Included once for each instruction set, inside foreach_target.h's
-// loop.
+// Values of the materials of consecutive points. Included once for each instruction set, inside
+// foreach_target.h's loop.
 #include "rtcore/shading/material_table.h"
 #include "rtcore/shading/vector_math-inl.h"
 

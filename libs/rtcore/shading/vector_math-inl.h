@@ -1,5 +1,6 @@
-// Vector counterparts of math/vec.h and math/portable_math.h: the same operations in the same order, so that they
-// give the same bits, on every instruction set. Included once for each of them, inside foreach_target.h's loop.
+// Vector counterparts of math/vec.h and math/portable_math.h: the same operations in the same order, so that
+// they give the same bits, on every instruction set. Included once for each of them, inside
+// foreach_target.h's loop.
 #include <hwy/highway.h>
 
 #include "rtcore/math/vec.h"
@@ -50,7 +51,8 @@ struct Vectors {
 
 HWY_INLINE Vectors constant(float x, float y, float z) { return {constant(x), constant(y), constant(z)}; }
 HWY_INLINE Vectors select(Lanes lanes, Vectors a, Vectors b) {
-    return {hn::IfThenElse(lanes, a.x, b.x), hn::IfThenElse(lanes, a.y, b.y), hn::IfThenElse(lanes, a.z, b.z)};
+    return {hn::IfThenElse(lanes, a.x, b.x), hn::IfThenElse(lanes, a.y, b.y),
+            hn::IfThenElse(lanes, a.z, b.z)};
 }
 HWY_INLINE Vectors selectOrZero(Lanes lanes, Vectors a) {
     return {hn::IfThenElseZero(lanes, a.x), hn::IfThenElseZero(lanes, a.y), hn::IfThenElseZero(lanes, a.z)};
@@ -123,9 +125,10 @@ HWY_INLINE Doubles log2Vector(Doubles x) {
     const hn::RebindToUnsigned<DoubleTag> du;
     const hn::RebindToSigned<DoubleTag> di;
     const auto bits = hn::BitCast(du, x);
-    const Doubles exponent = hn::Sub(hn::ConvertTo(d, hn::BitCast(di, hn::ShiftRight<52>(bits))), constantDouble(1023));
-    const Doubles mantissa = hn::BitCast(d, hn::Or(hn::And(bits, hn::Set(du, 0xFFFFFFFFFFFFFULL)),
-                                                   hn::Set(du, 0x3FF0000000000000ULL)));
+    const Doubles exponent =
+        hn::Sub(hn::ConvertTo(d, hn::BitCast(di, hn::ShiftRight<52>(bits))), constantDouble(1023));
+    const Doubles mantissa = hn::BitCast(
+        d, hn::Or(hn::And(bits, hn::Set(du, 0xFFFFFFFFFFFFFULL)), hn::Set(du, 0x3FF0000000000000ULL)));
     const auto upper = hn::Gt(mantissa, constantDouble(1.41421356237309505));
     const Doubles m = hn::IfThenElse(upper, hn::Mul(mantissa, constantDouble(0.5)), mantissa);
     const Doubles e = hn::IfThenElse(upper, hn::Add(exponent, constantDouble(1)), exponent);
@@ -160,7 +163,8 @@ HWY_INLINE Doubles exp2Vector(Doubles x) {
     return hn::IfThenElseZero(possible, hn::Mul(sum, hn::BitCast(d, exponent)));
 }
 
-/// portablePow() of 0 < x <= 2 and 0 < y, in place: x becomes x^y. `count` is a multiple of the lanes of doubles.
+/// portablePow() of 0 < x <= 2 and 0 < y, in place: x becomes x^y. `count` is a multiple of the lanes of
+/// doubles.
 HWY_INLINE void powArray(float* HWY_RESTRICT x, const float* HWY_RESTRICT y, std::size_t count) {
     const DoubleTag d;
     const hn::Rebind<float, DoubleTag> df;

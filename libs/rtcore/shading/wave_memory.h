@@ -7,14 +7,14 @@
 
 namespace rtcore {
 
-/// Values of a wave are worked on in blocks of so many: no vector is longer, and a block's data stay in the first
-/// cache. Arrays of waves have room for whole blocks.
+/// Values of a wave are worked on in blocks of so many: no vector is longer, and a block's data stay in the
+/// first cache. Arrays of waves have room for whole blocks.
 inline constexpr std::size_t kWaveBlock = 64;
 
 class WaveMemory {
   public:
-    /// Makes room for `arrays` arrays of `count` values. What they held is lost, and undefined; allocates only
-    /// when more is needed than ever before.
+    /// Makes room for `arrays` arrays of `count` values. What they held is lost, and undefined; allocates
+    /// only when more is needed than ever before.
     void resize(std::size_t arrays, std::size_t count) {
         // One line more than needed, so that the arrays do not fall on the same sets of the cache.
         stride_ = (count + kWaveBlock - 1) / kWaveBlock * (kWaveBlock / kLine) + 1;

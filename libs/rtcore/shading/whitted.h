@@ -21,8 +21,8 @@
 
 namespace rtcore {
 
-/// One for each thread; reuses its memory from wave to wave and from frame to frame, so that steady frames do not
-/// allocate. The result for a wave depends on nothing but the wave.
+/// One for each thread; reuses its memory from wave to wave and from frame to frame, so that steady frames do
+/// not allocate. The result for a wave depends on nothing but the wave.
 class WhittedIntegrator {
   public:
     WhittedIntegrator() = default;
@@ -36,8 +36,8 @@ class WhittedIntegrator {
 
     /// Traces primary rays (directions of unit length) and all that follow from them.
     void trace(const RayWave& primary);
-    /// Of the last wave: radiance along each primary ray, and 1 where it hit something, else 0; both with room for
-    /// whole blocks of kWaveBlock.
+    /// Of the last wave: radiance along each primary ray, and 1 where it hit something, else 0; both with
+    /// room for whole blocks of kWaveBlock.
     const ArraysOf3& radiance() const { return radiance_; }
     const std::vector<std::uint8_t>& hit() const { return hit_; }
 

@@ -1,6 +1,8 @@
 // Every instruction set that this processor has gives the same bits.
 #include "rtcore/platform/instruction_set.h"
 #include "rtcore/post/develop.h"
+#include "rtcore/post/quantise.h"
+#include "rtcore/post/tone_map.h"
 #include "rtcore/render/camera_rays.h"
 
 #include "sample_view.h"
@@ -67,10 +69,28 @@ TEST_F(InstructionSets, GiveTheSameDirections) {
     }
 }
 
+LdrImage developedOneByOne(const Frame& frame, const RenderSettings& settings, float exposure) {
+    const SrgbCurve curve;
+    LdrImage image(frame.radiance.width, frame.radiance.height);
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            const Colour c = frame.radiance.at(x, y);
+            const Colour shown = settings.toneMapping == ToneMapping::Luminance
+                                     ? toneMapLuminance(c, exposure)
+                                     : toneMapChannels(c, exposure);
+            const float t = settings.dithering ? ditherThreshold(x, y) : 0.5F;
+            image.at(x, y) = {quantise(curve.code(shown.r), t), quantise(curve.code(shown.g), t),
+                              quantise(curve.code(shown.b), t), 255};
+        }
+    }
+    return image;
+}
+
 TEST_F(InstructionSets, DevelopAlike) {
     constexpr float inf = std::numeric_limits<float>::infinity();
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-    const std::array<float, 15> odd{0, 1e-40F, 1e-5F, 0.001F, 0.18F, 1, 3, 7, 1000, 1e25F, 3e38F, inf, nan, -1, -inf};
+    const std::array<float, 15> odd{0,    1e-40F, 1e-5F, 0.001F, 0.18F, 1,  3,   7,
+                                    1000, 1e25F,  3e38F, inf,    nan,   -1, -inf};
     Frame frame;
     frame.radiance = HdrImage(225, 15);
     frame.covered.assign(frame.radiance.pixels.size(), 255);
@@ -85,6 +105,7 @@ TEST_F(InstructionSets, DevelopAlike) {
             ASSERT_TRUE(useInstructionSet("scalar"));
             const float exposure = exposureFor(frame, settings.exposure);
             const LdrImage expected = develop(frame, settings, exposure);
+            ASSERT_EQ(expected.pixels, developedOneByOne(frame, settings, exposure).pixels);
             for (const std::string& name : instructionSets()) {
                 ASSERT_TRUE(useInstructionSet(name));
                 EXPECT_EQ(exposureFor(frame, settings.exposure), exposure) << name;

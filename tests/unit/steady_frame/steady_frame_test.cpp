@@ -96,8 +96,8 @@ TEST(SteadyFrame, OfOpaqueSurfacesAllocatesNothing) {
     EXPECT_EQ(pictures.make(settingsWith(1, true, 5), 1), 0U);
 }
 
-// Threads share the tiles in another way each time, so that one may meet a larger wave than any before; but soon
-// there is none larger.
+// Threads share the tiles in another way each time, so that one may meet a larger wave than any before; but
+// soon there is none larger.
 TEST(SteadyFrame, OfManyThreadsSoonAllocatesNothing) {
     Pictures pictures(test::sampleScene());
     const RenderSettings settings = settingsWith(1, true, 5);
