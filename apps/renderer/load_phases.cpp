@@ -78,7 +78,8 @@ class PhaseWatch {
     Clock::time_point begun_;
 };
 
-// The primary rays of a single picture whose size no file can change; else 0.
+} // namespace
+
 std::uint64_t knownRays(const RendererOptions& options) {
     if (options.list || options.camera || options.settingsFile || options.scene.extension() == ".scn")
         return 0;
@@ -86,8 +87,6 @@ std::uint64_t knownRays(const RendererOptions& options) {
     return static_cast<std::uint64_t>(s.width) * static_cast<std::uint64_t>(s.height) *
            static_cast<std::uint64_t>(s.antialiasing) * static_cast<std::uint64_t>(s.antialiasing);
 }
-
-} // namespace
 
 rtcore::LoadedScene loadWithProgress(const RendererOptions& options, app::Progress& progress) {
     PhaseWatch watch(progress, options.verbose);

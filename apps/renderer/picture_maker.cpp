@@ -1,5 +1,6 @@
 #include "renderer/picture_maker.h"
 
+#include "renderer/load_phases.h"
 #include "renderer/settings_merge.h"
 
 #include "common/command_line.h"
@@ -32,7 +33,7 @@ PictureMaker::PictureMaker(rtcore::LoadedScene scene, std::vector<rtcore::Settin
                            const RendererOptions& options, app::Progress& progress)
     : loaded_(std::move(scene)), lights_(loaded_.scene.lights), environment_(loaded_.scene.activeEnvironment),
       settingsFile_(std::move(settingsFile)), options_(options), progress_(progress),
-      tracer_(loaded_.tree, loaded_.scene.mesh()) {}
+      tracer_(loaded_.tree, loaded_.scene.mesh(), chooseLeafRecords(loaded_.tree, knownRays(options))) {}
 
 FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     rtcore::Camera camera = loaded_.camera;

@@ -1,6 +1,7 @@
 #include "renderer/renderer_options.h"
 
 #include "common/import_options.h"
+#include "common/isa_option.h"
 #include "common/threads.h"
 
 #include <algorithm>
@@ -115,6 +116,7 @@ OptionGroup runOptions() {
               .help = "use N threads; 0 is all cores; the picture is the same for every number [0]",
               .minimum = 0,
               .maximum = 1024},
+             app::isaOption(),
              app::progressOption(),
              {.name = "verbose", .letter = 'v', .help = "report times and rays on stderr"},
              {.name = "debug-scene",
@@ -228,6 +230,7 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     options.force = arguments.has("force");
     options.settings = readSettings(arguments);
     options.threads = app::threadCount(arguments.integer("threads"));
+    app::useIsa(arguments);
     options.import = app::readImportOptions(arguments);
     options.import.threads = options.threads;
     options.verbose = arguments.has("verbose");

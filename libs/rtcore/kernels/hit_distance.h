@@ -35,9 +35,7 @@ inline float planeDistance(const Mesh& mesh, std::uint32_t index, Vec3 origin, V
 }
 
 /// Hits from here on are exact to about 1e-5 anyway: a 64th of the scene's diagonal, in scene units.
-inline float nearLimit(const Box3& bounds) {
-    return length(bounds.hi - bounds.lo) / 64;
-}
+inline float nearLimit(const Box3& bounds) { return length(bounds.hi - bounds.lo) / 64; }
 
 inline bool isNear(const Ray& ray, const Hit& hit, float limit) {
     return hit.t * hit.t * dot(ray.direction, ray.direction) < limit * limit;

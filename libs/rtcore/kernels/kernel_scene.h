@@ -13,8 +13,8 @@ namespace rtcore {
 struct KernelScene {
     KernelScene(const KdTree& tree, const Mesh& mesh, const float* inlineRecords = nullptr)
         : nodes(tree.nodes.data()), references(tree.references.data()), vertices(mesh.vertices.data()),
-          triangles(mesh.triangles.data()), records(inlineRecords),
-          lo{tree.bounds.lo.x, tree.bounds.lo.y, tree.bounds.lo.z},
+          triangles(mesh.triangles.data()),
+          records(inlineRecords), lo{tree.bounds.lo.x, tree.bounds.lo.y, tree.bounds.lo.z},
           hi{tree.bounds.hi.x, tree.bounds.hi.y, tree.bounds.hi.z} {}
 
     const KdNode* nodes;

@@ -1,5 +1,5 @@
-/// Copies of the triangles' corners in the order in which leaves refer to them: more memory than fetching them
-/// through the mesh (40 bytes a reference), and no waiting for three places in turn.
+/// Copies of the triangles' corners in the order in which leaves refer to them: more memory than fetching
+/// them through the mesh (40 bytes a reference), and no waiting for three places in turn.
 #pragma once
 
 #include "rtcore/accel/kd_tree.h"
@@ -13,8 +13,8 @@ namespace rtcore {
 inline constexpr std::size_t kFloatsPerRecord = 10;
 
 /// The records of a leaf begin at kFloatsPerRecord * firstReference: ten arrays of count() numbers, the x, y
-/// and z of the first corner of each triangle, then of the second and of the third, and the bits of its index.
-/// A vector's length of padding follows the last leaf.
+/// and z of the first corner of each triangle, then of the second and of the third, and the bits of its
+/// index. A vector's length of padding follows the last leaf.
 std::vector<float> makeLeafRecords(const KdTree& tree, const Mesh& mesh);
 
 } // namespace rtcore

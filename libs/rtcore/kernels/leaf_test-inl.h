@@ -81,14 +81,21 @@ struct AxisOrder {
         constexpr std::int32_t kY = 0x07060504;
         constexpr std::int32_t kZ = 0x0B0A0908;
         const auto order = [&](std::int32_t forX, std::int32_t forY, std::int32_t forZ) HWY_ATTR {
-            const Ints i = hn::IfThenElse(hn::RebindMask(di, isX), hn::Set(di, forX),
-                                          hn::IfThenElse(hn::RebindMask(di, isY), hn::Set(di, forY),
-                                                         hn::Set(di, forZ)));
+            const Ints i =
+                hn::IfThenElse(hn::RebindMask(di, isX), hn::Set(di, forX),
+                               hn::IfThenElse(hn::RebindMask(di, isY), hn::Set(di, forY), hn::Set(di, forZ)));
             return hn::BitCast(ByteTag(), i);
         };
         x = order(kY, kZ, kX);
         y = order(kZ, kX, kY);
         z = order(kX, kY, kZ);
+    }
+    /// 0, 1, 2 where that is the axis of all lanes; else 3.
+    HWY_INLINE int common() const {
+        const FloatTag d;
+        if (hn::AllTrue(d, isX)) return 0;
+        if (hn::AllTrue(d, isY)) return 1;
+        return hn::AllFalse(d, hn::Or(isX, isY)) ? 2 : 3;
     }
     HWY_INLINE Floats choose(Floats forX, Floats forY, Floats forZ) const {
         return hn::IfThenElse(isX, forX, hn::IfThenElse(isY, forY, forZ));
@@ -185,11 +192,11 @@ struct Found {
     Lanes changed;    ///< by the leaf
 };
 
-/// Tests one triangle against a vector of rays: those in `inCell`, from `tMin` on. Returns who hit it (for any
-/// hit `triangle`, v, w, det are left alone).
+/// Tests one triangle against a vector of rays: those in `inCell`, from `tMin` on. Returns who hit it (for
+/// any hit `triangle`, v, w, det are left alone).
 template <bool kAny, typename Along>
-HWY_INLINE Lanes testTriangle(const Corners& corners, const Along& along, const ShearedRays& rays, Floats tMin,
-                              Lanes inCell, Found& found) {
+HWY_INLINE Lanes testTriangle(const Corners& corners, const Along& along, const ShearedRays& rays,
+                              Floats tMin, Lanes inCell, Found& found) {
     const FloatTag d;
     const IntTag di;
     const Outcome outcome =
@@ -203,8 +210,8 @@ HWY_INLINE Lanes testTriangle(const Corners& corners, const Along& along, const 
     } else {
         const Ints index = hn::Set(di, corners.triangle);
         const Lanes lower = hn::RebindMask(d, hn::Lt(index, found.triangle));
-        hit = hn::And(open, hn::Or(hn::Lt(outcome.t, found.best),
-                                   hn::And(hn::Eq(outcome.t, found.best), lower)));
+        hit = hn::And(open,
+                      hn::Or(hn::Lt(outcome.t, found.best), hn::And(hn::Eq(outcome.t, found.best), lower)));
         found.best = hn::IfThenElse(hit, outcome.t, found.best);
         found.triangle = hn::IfThenElse(hn::RebindMask(di, hit), index, found.triangle);
         found.v = hn::IfThenElse(hit, outcome.v, found.v);
@@ -213,6 +220,10 @@ HWY_INLINE Lanes testTriangle(const Corners& corners, const Along& along, const 
     }
     found.changed = hn::Or(found.changed, hit);
     return hit;
+}
+
+HWY_INLINE AlongAxis alongAxis(int kz) {
+    return {(kz + 1) % 3, (kz + 2) % 3, kz};
 }
 
 /// Tests all triangles of a leaf. For any hit `occluder` becomes the last that was hit.

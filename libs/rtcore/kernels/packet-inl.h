@@ -8,8 +8,8 @@
 #define RTCORE_KERNELS_PACKET_INL_H_
 #endif
 
-#include "rtcore/kernels/triangle_block-inl.h"
 #include "rtcore/kernels/rounding.h"
+#include "rtcore/kernels/triangle_block-inl.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,7 +88,7 @@ class PacketWalk {
     PacketWalk(const KernelScene& scene, Packet<kVectors>& packet) : scene_(scene), packet_(packet) {}
 
     /// Needed before run() unless kShared is Nothing: all rays have the dominant axis `kz`.
-    HWY_INLINE void setAxis(int kz) { along_ = {(kz + 1) % 3, (kz + 2) % 3, kz}; }
+    HWY_INLINE void setAxis(int kz) { along_ = alongAxis(kz); }
 
     /// Visits all leaves below `root` that any ray meets.
     HWY_NOINLINE void run(std::uint32_t root, const Culling& culling) {
@@ -351,7 +351,11 @@ class PacketWalk {
             const Lanes inCell = hn::Le(t0[k], t1[k]);
             if (hn::AllFalse(d, inCell)) continue;
             const std::size_t at = k * kLanes;
-            Found found{hn::Load(d, packet_.best + at), hn::Zero(di), hn::Zero(d), hn::Zero(d), hn::Zero(d),
+            Found found{hn::Load(d, packet_.best + at),
+                        hn::Zero(di),
+                        hn::Zero(d),
+                        hn::Zero(d),
+                        hn::Zero(d),
                         hn::FirstN(d, 0)};
             if constexpr (!kAny) found.triangle = hn::Load(di, packet_.triangle + at);
             test(at, inCell, found);
@@ -394,8 +398,8 @@ class PacketWalk {
             block.load(i);
             RTCORE_EACH_VECTOR
             for (std::size_t k = 0; k < kVectors; ++k) {
-                forEachLane(inCell[k], [&](std::size_t lane)
-                                           HWY_ATTR { hit |= testRay(block, k * kLanes + lane); });
+                forEachLane(inCell[k],
+                            [&](std::size_t lane) HWY_ATTR { hit |= testRay(block, k * kLanes + lane); });
             }
         }
         if (!kAny || !hit) return false;

@@ -31,10 +31,19 @@ RaySpan spanOf(const RayWave& rays) {
 
 } // namespace
 
+LeafRecords chooseLeafRecords(const KdTree& tree, std::uint64_t expectedRays) {
+    constexpr std::uint64_t kLargest = 1U << 30U;
+    const std::uint64_t references = tree.references.size();
+    const bool few = expectedRays > 0 && expectedRays < 2 * references;
+    const bool large = references * kFloatsPerRecord * sizeof(float) > kLargest;
+    return few || large ? LeafRecords::Shared : LeafRecords::Inline;
+}
+
 KdRayTracer::KdRayTracer(const KdTree& tree, const Mesh& mesh, LeafRecords records)
     : tree_(tree), mesh_(mesh),
       records_(records == LeafRecords::Inline ? makeLeafRecords(tree, mesh) : std::vector<float>{}),
-      scene_(tree_, mesh_, records_.empty() ? nullptr : records_.data()), nearLimit_(nearLimit(tree.bounds)) {}
+      scene_(tree_, mesh_, records_.empty() ? nullptr : records_.data()), nearLimit_(nearLimit(tree.bounds)) {
+}
 
 void KdRayTracer::intersect(RayKind /*kind*/, const RayWave& rays, HitWave& hits) const {
     hits.resize(rays.size());

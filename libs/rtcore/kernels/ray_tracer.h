@@ -29,9 +29,13 @@ enum class LeafRecords {
     Inline  ///< through copies in the order of the leaves (leaf_records.h): 40 bytes a reference, faster
 };
 
-/// By the kd-tree, in packets and streams. What is found does not depend on how: not on the instruction set, not
-/// on what else is in the wave. `tree` and the arrays behind `mesh` must outlive it. Each thread that calls it
-/// keeps some MB until it ends.
+/// Inline, unless that takes more than a gigabyte, or `expectedRays` (0 = not known) are so few that making
+/// the copies would take longer than they save.
+LeafRecords chooseLeafRecords(const KdTree& tree, std::uint64_t expectedRays);
+
+/// By the kd-tree, in packets and streams. What is found does not depend on how: not on the instruction set,
+/// not on what else is in the wave. `tree` and the arrays behind `mesh` must outlive it. Each thread that
+/// calls it keeps some MB until it ends.
 class KdRayTracer final : public RayTracer {
   public:
     KdRayTracer(const KdTree& tree, const Mesh& mesh, LeafRecords records = LeafRecords::Inline);

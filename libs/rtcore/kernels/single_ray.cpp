@@ -44,8 +44,8 @@ float slackOf(const KernelScene& scene, const Ray& ray) {
 
 /// The part of [tMin, tMax + slack] inside the box. 0 * infinity (a ray inside a face, parallel to it) is
 /// NaN, which these comparisons ignore: such a ray counts as inside.
-[[gnu::always_inline]] inline bool clipToBox(const KernelScene& scene, const Ray& ray, float slack, Vec3 inverse,
-                                             Interval& interval) {
+[[gnu::always_inline]] inline bool clipToBox(const KernelScene& scene, const Ray& ray, float slack,
+                                             Vec3 inverse, Interval& interval) {
     interval = {ray.tMin, ray.tMax + slack};
     for (int axis = 0; axis < 3; ++axis) {
         const float a = (scene.lo[axis] - ray.origin[axis]) * inverse[axis];
@@ -130,9 +130,8 @@ bool find(const KernelScene& scene, const Ray& ray, Hit& hit) {
     Hit best;
     best.t = ray.tMax;
     alongAxis(shear.kz, [&](auto kz) {
-        traverse(scene, ray, best.t, [&](const KdNode& leaf) {
-            return testLeaf<kz, kAny>(scene, leaf, ray, shear, best);
-        });
+        traverse(scene, ray, best.t,
+                 [&](const KdNode& leaf) { return testLeaf<kz, kAny>(scene, leaf, ray, shear, best); });
     });
     if (best.triangle == kNoTriangle) return false;
     hit = best;
@@ -141,9 +140,7 @@ bool find(const KernelScene& scene, const Ray& ray, Hit& hit) {
 
 } // namespace
 
-bool findClosest(const KernelScene& scene, const Ray& ray, Hit& hit) {
-    return find<false>(scene, ray, hit);
-}
+bool findClosest(const KernelScene& scene, const Ray& ray, Hit& hit) { return find<false>(scene, ray, hit); }
 
 bool findAny(const KernelScene& scene, const Ray& ray) {
     Hit any;
@@ -156,8 +153,6 @@ bool intersect(const KdTree& tree, const Mesh& mesh, const Ray& ray, Hit& hit) {
     return true;
 }
 
-bool occluded(const KdTree& tree, const Mesh& mesh, const Ray& ray) {
-    return findAny({tree, mesh}, ray);
-}
+bool occluded(const KdTree& tree, const Mesh& mesh, const Ray& ray) { return findAny({tree, mesh}, ray); }
 
 } // namespace rtcore

@@ -1,5 +1,6 @@
 // A stream: thousands of rays of any directions walk the tree at once. One depth-first walk carries lists of
-// rays, split at each node; short lists go on as packets (docs/performance.md). Included once for each target.
+// rays, split at each node; short lists go on as packets (docs/performance.md). Included once for each
+// target.
 #if defined(RTCORE_KERNELS_STREAM_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RTCORE_KERNELS_STREAM_INL_H_
 #undef RTCORE_KERNELS_STREAM_INL_H_
@@ -22,20 +23,19 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// Puts chosen lanes of vectors side by side. Where there is no instruction for it, hn::Compress looks up a table
-/// that GCC 12 copies to the stack at each use, which takes most of the time of a stream.
+/// Puts chosen lanes of vectors side by side. Where there is no instruction for it, hn::Compress looks up a
+/// table that GCC 12 copies to the stack at each use, which takes most of the time of a stream.
 class Compaction {
   public:
     HWY_INLINE explicit Compaction(Lanes which)
 #if RTCORE_COMPRESS_BY_TABLE
-        : lanes_(lanesOf(which)) {
-    }
+        : lanes_(lanesOf(which)){}
 #else
         : which_(which) {
     }
 #endif
 
-    HWY_INLINE void store(Floats values, float* to) const {
+          HWY_INLINE void store(Floats values, float* to) const {
         const FloatTag d;
 #if RTCORE_COMPRESS_BY_TABLE
         hn::StoreU(hn::TableLookupLanes(values, lanes_), d, to);
@@ -85,9 +85,10 @@ class StreamWalk {
 
   private:
     enum Column { Slot, T0, T1, Origin, Direction = Origin + 3 };
-    /// The rays that enter a node. Their slots, origins and directions lie at [rays, rays + size) of the columns,
-    /// their intervals at [intervals, intervals + size). Some of these are empty: a list is only copied where
-    /// too few of its rays go on, else the two children share the rays. Vectors are always whole.
+    /// The rays that enter a node. Their slots, origins and directions lie at [rays, rays + size) of the
+    /// columns, their intervals at [intervals, intervals + size). Some of these are empty: a list is only
+    /// copied where too few of its rays go on, else the two children share the rays. Vectors are always
+    /// whole.
     struct List {
         std::uint32_t node;
         std::size_t rays, intervals, size;
@@ -95,7 +96,8 @@ class StreamWalk {
     };
     struct WaitingList {
         List list;
-        std::size_t top; ///< what lies from here on is free once this list's turn comes
+        std::size_t top;   ///< what lies from here on is free once this list's turn comes
+        std::size_t found; ///< of found_, when it was made
     };
     static constexpr std::size_t kShortVectors = 2;
     static constexpr std::size_t kShort = kShortVectors * kLanes;
@@ -123,8 +125,8 @@ class StreamWalk {
                 const auto sign = [&](Floats x) HWY_ATTR {
                     return hn::BitCast(di, hn::ShiftRight<31>(hn::BitCast(UIntTag(), x)));
                 };
-                const Ints code = hn::Or(sign(ray.dx), hn::Or(hn::ShiftLeft<1>(sign(ray.dy)),
-                                                              hn::ShiftLeft<2>(sign(ray.dz))));
+                const Ints code = hn::Or(
+                    sign(ray.dx), hn::Or(hn::ShiftLeft<1>(sign(ray.dy)), hn::ShiftLeft<2>(sign(ray.dz))));
                 const Lanes enters = hn::Le(inside.t0, inside.t1);
                 hn::Store(hn::IfThenElse(hn::RebindMask(di, enters), code, hn::Set(di, kOutside)), di,
                           scratch_.octant + slot);
@@ -163,8 +165,8 @@ class StreamWalk {
             for (std::size_t lane = 0; lane < StreamScratch::kGroup; lane += kLanes) {
                 const std::size_t from = scratch_.groups[group] + lane;
                 const std::size_t slot = group * StreamScratch::kGroup + lane;
-                const Lanes here = hn::RebindMask(
-                    d, hn::Eq(hn::Load(di, scratch_.octant + slot), hn::Set(di, static_cast<std::int32_t>(octant))));
+                const Lanes here = hn::RebindMask(d, hn::Eq(hn::Load(di, scratch_.octant + slot),
+                                                            hn::Set(di, static_cast<std::int32_t>(octant))));
                 if (hn::AllFalse(d, here)) continue;
                 const RayVector ray = loadRays(rays, from);
                 const Ints slots = hn::Iota(di, static_cast<std::int32_t>(slot));
@@ -217,7 +219,7 @@ class StreamWalk {
                 if (waiting == 0) return;
                 list = stack_[--waiting].list;
                 top = stack_[waiting].top;
-                dropDone(list);
+                if (stack_[waiting].found != found_) dropDone(list);
                 more = list.active > 0;
             }
         }
@@ -239,8 +241,8 @@ class StreamWalk {
         const bool goNear = entersNear > 0 && !isEmptyLeaf(near);
         const bool goFar = entersFar > 0 && !isEmptyLeaf(far);
         if (goFar && goNear) {
-            stack_[waiting].list = enterFar(list, far, entersFar, top);
-            stack_[waiting++].top = top;
+            const List other = enterFar(list, far, entersFar, top);
+            stack_[waiting++] = {other, top, found_};
         } else if (goFar) {
             const bool same = entersNear == 0;
             if (!same) list = enterFar(list, far, entersFar, top);
@@ -381,15 +383,25 @@ class StreamWalk {
         const ShearedRays rays =
             shear(order, get(Origin, at), get(Origin + 1, at), get(Origin + 2, at), dx, dy, dz);
         const Floats tMin = hn::GatherIndex(d, scratch_.tMin, slot);
-        Found found{hn::GatherIndex(d, scratch_.best, slot), hn::Zero(di), hn::Zero(d), hn::Zero(d),
-                    hn::Zero(d), hn::FirstN(d, 0)};
+        Found found{hn::GatherIndex(d, scratch_.best, slot),
+                    hn::Zero(di),
+                    hn::Zero(d),
+                    hn::Zero(d),
+                    hn::Zero(d),
+                    hn::FirstN(d, 0)};
         if constexpr (!kAny) found.triangle = hn::GatherIndex(di, scratch_.triangle, slot);
-        testTriangles<kAny>(scene_, leaf, AlongEach{order}, rays, tMin, inCell, found, occluder_);
+        const int axis = order.common();
+        if (axis < 3) {
+            testTriangles<kAny>(scene_, leaf, alongAxis(axis), rays, tMin, inCell, found, occluder_);
+        } else {
+            testTriangles<kAny>(scene_, leaf, AlongEach{order}, rays, tMin, inCell, found, occluder_);
+        }
         if (!hn::AllFalse(d, found.changed)) keep(slot, found);
     }
 
     HWY_INLINE void keep(Ints slots, const Found& found) {
         const FloatTag d;
+        ++found_;
         const IntTag di;
         alignas(64) std::int32_t slot[kLanes];
         alignas(64) std::int32_t triangles[kLanes];
@@ -440,8 +452,8 @@ class StreamWalk {
         }
         for (std::size_t i = 0; i < to; i += kLanes) {
             const Lanes used = hn::Le(hn::Load(d, short_.t0 + i), hn::Load(d, short_.t1 + i));
-            const Ints slot = hn::IfThenElseZero(hn::RebindMask(di, used),
-                                                 hn::BitCast(di, hn::Load(d, shortSlot_ + i)));
+            const Ints slot =
+                hn::IfThenElseZero(hn::RebindMask(di, used), hn::BitCast(di, hn::Load(d, shortSlot_ + i)));
             for (std::size_t axis = 0; axis < 3; ++axis) {
                 hn::Store(hn::Div(hn::Set(d, 1.0F), hn::Load(d, short_.direction[axis] + i)), d,
                           short_.inverse[axis] + i);
@@ -456,8 +468,10 @@ class StreamWalk {
         for (std::size_t i = 0; i < to; ++i) {
             const std::int32_t slot = std::bit_cast<std::int32_t>(shortSlot_[i]);
             if constexpr (kAny) {
+                found_ += short_.best[i] < 0 ? 1 : 0;
                 scratch_.best[slot] = short_.best[i];
             } else if (scratch_.triangle[slot] != short_.triangle[i]) {
+                ++found_;
                 scratch_.best[slot] = short_.best[i];
                 scratch_.triangle[slot] = short_.triangle[i];
                 scratch_.v[slot] = short_.v[i];
@@ -473,6 +487,7 @@ class StreamWalk {
     StreamScratch& scratch_;
     float* columns_[StreamScratch::kColumns];
     float slack_ = 0;
+    std::size_t found_ = 0; ///< grows with each hit
     Culling culling_{};
     Corners occluder_; ///< not used: streams have too many
     Packet<kShortVectors> short_;

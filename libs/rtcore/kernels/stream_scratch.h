@@ -24,11 +24,12 @@ class StreamScratch {
 
     /// By slot: the state of each ray of the stream.
     alignas(64) float tMin[kRays + kPadding];
-    alignas(64) float best[kRays + kPadding]; ///< distance of the closest hit; for any hit tMax, or -1 once hit
+    alignas(
+        64) float best[kRays + kPadding]; ///< distance of the closest hit; for any hit tMax, or -1 once hit
     alignas(64) std::int32_t triangle[kRays + kPadding];
     alignas(64) float v[kRays + kPadding], w[kRays + kPadding], det[kRays + kPadding];
     alignas(64) float rootBegin[kRays + kPadding], rootEnd[kRays + kPadding]; ///< in the root's cell
-    alignas(64) std::int32_t octant[kRays + kPadding];                       ///< 0..7; 8 outside the root's cell
+    alignas(64) std::int32_t octant[kRays + kPadding]; ///< 0..7; 8 outside the root's cell
     /// Of the list being split.
     alignas(64) float nearEnd[kRays + kPadding], farBegin[kRays + kPadding];
     /// First rays of the groups that wait to be streamed.

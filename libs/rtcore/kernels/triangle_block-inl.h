@@ -53,13 +53,15 @@ class TriangleBlock {
     /// Of triangle `i` of the block.
     HWY_INLINE Corners corners(std::uint32_t i) const { return cornersOf(scene_, leaf_, first_ + i); }
 
-    /// Returns whether the ray hits one of them, closer than what it has found or as close and of lower index.
+    /// Returns whether the ray hits one of them, closer than what it has found or as close and of lower
+    /// index.
     template <bool kAny>
     HWY_INLINE bool test(const ShearedRay& ray, FoundByRay& found) const {
         const FloatTag d;
         const ShearedRays rays{hn::Set(d, ray.x),  hn::Set(d, ray.y),  hn::Set(d, ray.z),
                                hn::Set(d, ray.sx), hn::Set(d, ray.sy), hn::Set(d, ray.minusSz)};
-        const Outcome outcome = edgeTest(offset(0, ray, rays), offset(1, ray, rays), offset(2, ray, rays), rays);
+        const Outcome outcome =
+            edgeTest(offset(0, ray, rays), offset(1, ray, rays), offset(2, ray, rays), rays);
         const Floats best = hn::Set(d, found.best);
         const Lanes open = hn::And(hn::And(outcome.inside, hn::FirstN(d, count_)),
                                    hn::And(hn::Ge(outcome.t, hn::Set(d, ray.tMin)), hn::Le(outcome.t, best)));

@@ -39,8 +39,8 @@ struct TriangleCorners {
 };
 
 /// Tests a triangle against the ray, whose shear.kz is `Kz`; `hit` holds the closest so far (its t bounds the
-/// search) and is replaced when this one is closer, or as close and of lower index. A constant axis spares the
-/// choice of nine coordinates: see alongAxis().
+/// search) and is replaced when this one is closer, or as close and of lower index. A constant axis spares
+/// the choice of nine coordinates: see alongAxis().
 template <int Kz>
 [[gnu::always_inline]] inline bool testTriangle(const TriangleCorners& corners, const Ray& ray,
                                                 const RayShear& shear, Hit& hit) {
@@ -78,8 +78,8 @@ template <int Kz>
 [[gnu::always_inline]] inline bool testTriangle(const Mesh& mesh, std::uint32_t index, const Ray& ray,
                                                 const RayShear& shear, Hit& hit) {
     const Triangle& t = mesh.triangles[index];
-    return testTriangle<Kz>({mesh.vertices[t.v[0]], mesh.vertices[t.v[1]], mesh.vertices[t.v[2]], index},
-                            ray, shear, hit);
+    return testTriangle<Kz>({mesh.vertices[t.v[0]], mesh.vertices[t.v[1]], mesh.vertices[t.v[2]], index}, ray,
+                            shear, hit);
 }
 
 /// Calls `work` with the ray's dominant axis as a constant.

@@ -20,10 +20,10 @@ constexpr std::size_t kGroupVectors = kGroup / kLanes;
 struct GroupShape {
     Range origin[3], direction[3];
 
-    /// Whether they take much the same way: no component of their directions spans more than a fifth of the
+    /// Whether they take much the same way: no component of their directions spans more than three tenths of the
     /// longest (docs/performance.md).
     bool coherent() const {
-        constexpr float kSpread = 0.2F;
+        constexpr float kSpread = 0.3F;
         float spread = 0;
         float longest = 0;
         for (const Range& r : direction) {
@@ -42,8 +42,8 @@ struct GroupShape {
             c.inverse[axis] = {1 / direction[axis].hi, 1 / direction[axis].lo};
             const Range& r = c.inverse[axis];
             constexpr float kLargest = std::numeric_limits<float>::max();
-            c.uniform[axis] = (direction[axis].lo > 0 && r.hi <= kLargest) ||
-                              (direction[axis].hi < 0 && r.lo >= -kLargest);
+            c.uniform[axis] =
+                (direction[axis].lo > 0 && r.hi <= kLargest) || (direction[axis].hi < 0 && r.lo >= -kLargest);
             c.upperFirst[axis] = direction[axis].hi < 0 ? 1 : 0;
         }
         return c;
@@ -183,7 +183,10 @@ struct LastGroup {
                 values[c][i] = from[c][first + i < rays.count ? first + i : first];
             }
         }
-        span = {{values[0], values[1], values[2]}, {values[3], values[4], values[5]}, values[6], values[7],
+        span = {{values[0], values[1], values[2]},
+                {values[3], values[4], values[5]},
+                values[6],
+                values[7],
                 kGroup};
     }
     alignas(64) float values[8][kGroup];

@@ -1,5 +1,6 @@
 /// The vector kernels: whole waves, by packets of coherent rays and streams of the others. Data only, so that
-/// the code behind it can be compiled once for each instruction set; ray_tracer.h is the interface for others.
+/// the code behind it can be compiled once for each instruction set; ray_tracer.h is the interface for
+/// others.
 #pragma once
 
 #include "rtcore/kernels/kernel_scene.h"
@@ -32,8 +33,8 @@ void traceClosest(const KernelScene& scene, const RaySpan& rays, StreamScratch& 
 /// 1 for each ray that hits anything, else 0.
 void traceAny(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch, std::uint8_t* occluded);
 
-/// Writes the indices of those hits that are nearer than `limit` scene units, ascending; returns their number.
-/// `indices` has room for all.
+/// Writes the indices of those hits that are nearer than `limit` scene units, ascending; returns their
+/// number. `indices` has room for all.
 std::size_t findNear(const RaySpan& rays, const HitSpan& hits, float limit, std::uint32_t* indices);
 
 } // namespace rtcore

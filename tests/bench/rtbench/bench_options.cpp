@@ -1,6 +1,7 @@
 #include "bench/rtbench/bench_options.h"
 
 #include "common/import_options.h"
+#include "common/isa_option.h"
 
 #include "rtcore/platform/instruction_set.h"
 #include "rtcore/settings/nearest_name.h"
@@ -53,10 +54,7 @@ OptionGroup measuringOptions() {
           .help = "trace with N threads; one is measured in its processor time, more in wall time [1]",
           .minimum = 1,
           .maximum = 1024},
-         {.name = "isa",
-          .value = ValueKind::Text,
-          .argument = "NAME",
-          .help = "hold both sides to an instruction set, one of those that --version lists [the best]"},
+         app::isaOption(),
          {.name = "embree",
           .value = ValueKind::Choice,
           .argument = "STATE",
@@ -117,14 +115,6 @@ void readFrameSize(const std::string& text, BenchOptions& options) {
     options.frameHeight = side(cross == std::string::npos ? "" : all.substr(cross + 1));
 }
 
-void useIsa(const std::string& name) {
-    if (rtcore::useInstructionSet(name)) return;
-    std::string known;
-    for (const std::string& each : rtcore::instructionSets()) known += (known.empty() ? "" : ", ") + each;
-    throw app::UsageError("option '--isa': " + rtcore::quoted(name) +
-                          " is no instruction set of this processor; it has " + known);
-}
-
 } // namespace
 
 const app::ProgramSpec& benchSpec() {
@@ -149,7 +139,7 @@ BenchOptions readBenchOptions(const app::Arguments& arguments) {
     if (const auto size = arguments.integer("size")) options.size = static_cast<int>(*size);
     if (const auto threads = arguments.integer("threads")) options.threads = static_cast<int>(*threads);
     if (const auto rounds = arguments.integer("rounds")) options.rounds = static_cast<int>(*rounds);
-    if (const auto isa = arguments.text("isa")) useIsa(*isa);
+    app::useIsa(arguments);
     options.embree = arguments.text("embree").value_or("on") == "on";
     options.modes = arguments.has("modes");
     options.fast = arguments.has("fast");

@@ -54,7 +54,7 @@ class FrameRunner {
 
     void render() {
         const Stopwatch stopwatch(threads_);
-        renderFrame(scene_, *contender_.tracer, camera_, settings_, threads_, control_, frame_);
+        renderer_.render(scene_, *contender_.tracer, camera_, settings_, threads_, control_, frame_);
         seconds_.push_back(stopwatch.seconds());
     }
     /// Of all but the first, which fetches memory.
@@ -71,6 +71,7 @@ class FrameRunner {
     const Contender& contender_;
     const rtcore::RenderSettings& settings_;
     int threads_;
+    rtcore::FrameRenderer renderer_;
     rtcore::RenderControl control_;
     rtcore::Frame frame_;
     std::vector<double> seconds_;

@@ -1,0 +1,26 @@
+#include "common/isa_option.h"
+
+#include "rtcore/platform/instruction_set.h"
+#include "rtcore/settings/nearest_name.h"
+
+namespace app {
+
+Option isaOption() {
+    return {.name = "isa",
+            .value = ValueKind::Text,
+            .argument = "NAME",
+            .help =
+                "use the vector code of one instruction set, of those that --version lists; the results are "
+                "the same [auto]"};
+}
+
+void useIsa(const Arguments& arguments) {
+    const auto name = arguments.text("isa");
+    if (!name || rtcore::useInstructionSet(*name)) return;
+    std::string known;
+    for (const std::string& each : rtcore::instructionSets()) known += (known.empty() ? "" : ", ") + each;
+    throw UsageError("option '--isa': " + rtcore::quoted(*name) +
+                     " is no instruction set of this processor; it has " + known);
+}
+
+} // namespace app
