@@ -34,8 +34,12 @@ void blockDirections(const CameraRays::Plane& plane, const CameraRays::Block& bl
     for (std::uint32_t i = 0; i < kCameraBlock * kCameraBlock;
          i += static_cast<std::uint32_t>(hn::Lanes(d))) {
         const Bits index = hn::Add(lane, hn::Set(du, i));
-        const Floats x = place(block.column, hn::And(index, hn::Set(du, 7U)), block.left);
-        const Floats y = place(block.row, hn::ShiftRight<3>(index), block.top);
+        const Bits column =
+            hn::Or(hn::And(index, hn::Set(du, 3U)), hn::And(hn::ShiftRight<2>(index), hn::Set(du, 4U)));
+        const Bits row = hn::Or(hn::And(hn::ShiftRight<2>(index), hn::Set(du, 3U)),
+                                hn::And(hn::ShiftRight<3>(index), hn::Set(du, 4U)));
+        const Floats x = place(block.column, column, block.left);
+        const Floats y = place(block.row, row, block.top);
         const Vectors direction = normalize(corner + right * x + down * y, hn::Eq(half, half));
         storeVectors(direction, dx + i, dy + i, dz + i);
     }

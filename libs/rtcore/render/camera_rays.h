@@ -6,9 +6,17 @@
 
 namespace rtcore {
 
-/// Rays of neighbouring samples lie together in blocks of 8 x 8, row by row: they take the same way through
-/// the tree.
+/// Rays of neighbouring samples lie together in blocks of 8 x 8, and these in quarters of 4 x 4, each row by
+/// row: what is near takes the same way through the tree, and one vector of rays covers a square.
 inline constexpr int kCameraBlock = 8;
+inline constexpr int kCameraBlockRays = kCameraBlock * kCameraBlock;
+
+/// Where in its block the ray of the sample (column, row) stands, 0..63, and the way back.
+constexpr int indexInBlock(int column, int row) {
+    return (column & 3) | (row & 3) << 2 | (column & 4) << 2 | (row & 4) << 3;
+}
+constexpr int columnInBlock(int index) { return (index & 3) | (index >> 2 & 4); }
+constexpr int rowInBlock(int index) { return (index >> 2 & 3) | (index >> 3 & 4); }
 
 /// Directions for a picture of `width` x `height` pixels; pixels are square, so the vertical field of view
 /// follows.
@@ -23,7 +31,7 @@ class CameraRays {
     Vec3 eye() const { return eye_; }
 
     /// Directions of a block of 8 x 8 samples: those of at(left + (i + 0.5) * step, top + (j + 0.5) * step)
-    /// for the samples (i, j) from (column, row) on, to dx[64], dy[64], dz[64].
+    /// for the samples (i, j) from (column, row) on, to dx[64], dy[64], dz[64], at indexInBlock().
     struct Block {
         float left, top;
         int column, row;

@@ -9,8 +9,6 @@ namespace rtcore {
 
 namespace {
 
-constexpr std::size_t kBlockRays = std::size_t{kCameraBlock} * kCameraBlock;
-
 /// The rays of one tile, block after block. `work` gets the block's first column and row, its width and
 /// height, and the number of its first ray.
 template <typename Work>
@@ -26,9 +24,20 @@ void forEachBlock(int width, int height, Work&& work) {
     }
 }
 
-/// The part of a block of 8 x 8 values that lies inside the picture, row by row.
+/// Calls `work` with the column and the row of each sample of a block that lies inside the picture, in the
+/// order of the rays.
+template <typename Work>
+void forEachSample(int width, int height, Work&& work) {
+    for (int index = 0; index < kCameraBlockRays; ++index) {
+        const int column = columnInBlock(index);
+        const int row = rowInBlock(index);
+        if (column < width && row < height) work(column, row);
+    }
+}
+
+/// The part of a block's values that lies inside the picture.
 void copyPart(const float* block, int width, int height, float* to) {
-    for (int y = 0; y < height; ++y) to = std::copy_n(block + y * kCameraBlock, width, to);
+    forEachSample(width, height, [&](int column, int row) { *to++ = block[indexInBlock(column, row)]; });
 }
 
 } // namespace
@@ -95,7 +104,7 @@ void TileRenderer::collectDirections(const Area& area) {
             camera_->directions(block, &rays_.dx[first], &rays_.dy[first], &rays_.dz[first]);
             return;
         }
-        float directions[3][kBlockRays];
+        float directions[3][kCameraBlockRays];
         camera_->directions(block, directions[0], directions[1], directions[2]);
         copyPart(directions[0], w, h, &rays_.dx[first]);
         copyPart(directions[1], w, h, &rays_.dy[first]);
@@ -117,13 +126,12 @@ void TileRenderer::storePixels(const Area& area, Frame& frame) {
                        covered);
             return;
         }
-        const auto columns = static_cast<std::size_t>(w), rows = static_cast<std::size_t>(h);
-        for (std::size_t y = 0; y < rows; ++y) {
-            for (std::size_t x = 0; x < columns; ++x) {
-                pixels[y * width + x] = radiance.colourAt(first + y * columns + x);
-                covered[y * width + x] = static_cast<std::uint8_t>(255 * hit[first + y * columns + x]);
-            }
-        }
+        std::size_t next = first;
+        forEachSample(w, h, [&](int x, int y) {
+            const std::size_t at = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
+            pixels[at] = radiance.colourAt(next);
+            covered[at] = static_cast<std::uint8_t>(255 * hit[next++]);
+        });
     });
 }
 
@@ -137,9 +145,7 @@ void TileRenderer::averageSamples(const Area& area, Frame& frame) {
     slot_.resize(rays_.size());
     forEachBlock(width, height, [&](int column, int row, int w, int h, std::size_t first) {
         auto next = static_cast<std::uint32_t>(first);
-        for (int y = row; y < row + h; ++y) {
-            for (int x = column; x < column + w; ++x) slot_[at(x, y)] = next++;
-        }
+        forEachSample(w, h, [&](int x, int y) { slot_[at(column + x, row + y)] = next++; });
     });
     const ArraysOf3& radiance = integrator_.radiance();
     for (int y = 0; y < area.rows; ++y) {

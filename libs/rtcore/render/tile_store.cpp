@@ -19,12 +19,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 void storeColours(const float* HWY_RESTRICT r, const float* HWY_RESTRICT g, const float* HWY_RESTRICT b,
                   std::size_t width, Colour* HWY_RESTRICT pixels) {
-    const hn::CappedTag<float, kCameraBlock> d;
-    for (std::size_t y = 0; y < kCameraBlock; ++y) {
-        for (std::size_t x = 0; x < kCameraBlock; x += hn::Lanes(d)) {
-            const std::size_t i = y * kCameraBlock + x;
+    const hn::CappedTag<float, 4> d;
+    for (int y = 0; y < kCameraBlock; ++y) {
+        for (int x = 0; x < kCameraBlock; x += static_cast<int>(hn::Lanes(d))) {
+            const auto i = static_cast<std::size_t>(indexInBlock(x, y));
+            const std::size_t pixel = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
             hn::StoreInterleaved3(hn::LoadU(d, r + i), hn::LoadU(d, g + i), hn::LoadU(d, b + i), d,
-                                  &pixels[y * width + x].r);
+                                  &pixels[pixel].r);
         }
     }
 }
@@ -41,11 +42,13 @@ HWY_EXPORT(storeColours);
 void storeBlock(const float* r, const float* g, const float* b, const std::uint8_t* hit, std::size_t width,
                 Colour* pixels, std::uint8_t* covered) {
     HWY_DYNAMIC_DISPATCH(storeColours)(r, g, b, width, pixels);
-    for (std::size_t y = 0; y < kCameraBlock; ++y) {
-        std::uint64_t row = 0;
-        std::memcpy(&row, hit + y * kCameraBlock, sizeof row);
-        row *= 255; // bytes of 0 or 1: no carry
-        std::memcpy(covered + y * width, &row, sizeof row);
+    for (int y = 0; y < kCameraBlock; ++y) {
+        for (int x = 0; x < kCameraBlock; x += 4) {
+            std::uint32_t four = 0;
+            std::memcpy(&four, hit + indexInBlock(x, y), sizeof four);
+            four *= 255; // bytes of 0 or 1: no carry
+            std::memcpy(covered + static_cast<std::size_t>(y) * width + x, &four, sizeof four);
+        }
     }
 }
 

@@ -61,8 +61,10 @@ TEST_F(InstructionSets, GiveTheSameDirections) {
             std::array<float, 64> dx{}, dy{}, dz{};
             rays.directions({32, 96, 24, 8, step}, dx.data(), dy.data(), dz.data());
             for (std::size_t i = 0; i < 64; ++i) {
-                const float x = 32 + (static_cast<float>(24 + i % 8) + 0.5F) * step;
-                const float y = 96 + (static_cast<float>(8 + i / 8) + 0.5F) * step;
+                const int index = static_cast<int>(i);
+                ASSERT_EQ(indexInBlock(columnInBlock(index), rowInBlock(index)), index);
+                const float x = 32 + (static_cast<float>(24 + columnInBlock(index)) + 0.5F) * step;
+                const float y = 96 + (static_cast<float>(8 + rowInBlock(index)) + 0.5F) * step;
                 ASSERT_EQ(rays.at(x, y).direction, (Vec3{dx[i], dy[i], dz[i]})) << name << " " << i;
             }
         }
