@@ -1,5 +1,7 @@
 #include "rtcore/accel/event_sweep.h"
 
+#include "rtcore/platform/vector_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/accel/event_sweep.cpp"
 #include <hwy/foreach_target.h>

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <limits>
 
-// Compiled once for each instruction set, and the best chosen when the program runs. SSSE3 without SSE4 is
-// too rare to be worth it.
-#define HWY_DISABLED_TARGETS HWY_SSSE3
+// Compiled once for each instruction set, and the best chosen when the program runs.
+#include "rtcore/platform/vector_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/kernels/wave_kernels.cpp"
 #include <hwy/foreach_target.h>

@@ -1,5 +1,7 @@
 #include "rtcore/platform/instruction_set.h"
 
+#include "rtcore/platform/vector_targets.h"
+
 #include <hwy/highway.h>
 
 #include <cstdint>
@@ -11,20 +13,11 @@ namespace rtcore {
 namespace {
 
 std::string nameOf(std::int64_t target) {
-    switch (target) {
-    case HWY_AVX3:
-        return "avx512";
-    case HWY_AVX2:
-        return "avx2";
-    case HWY_SSE4:
-        return "sse4";
-    case HWY_NEON:
-        return "neon";
-    case HWY_STATIC_TARGET:
-        return "scalar";
-    default:
-        return {};
-    }
+    if (target == HWY_AVX3) return "avx512";
+    if (target == HWY_AVX2) return "avx2";
+    if (target == HWY_SSE4) return "sse4";
+    if (target == HWY_NEON) return "neon";
+    return target == HWY_STATIC_TARGET ? "scalar" : "";
 }
 
 /// All that this program has code for and this processor can run, fastest first.

@@ -4,9 +4,10 @@
 #include <bit>
 #include <cmath>
 
+#include "rtcore/platform/vector_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/post/exposure.cpp"
-#define HWY_DISABLED_TARGETS HWY_SSSE3
 #include <hwy/foreach_target.h>
 // The loop over targets comes before the code that is compiled for each of them.
 #include <hwy/highway.h>

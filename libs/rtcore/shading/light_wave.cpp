@@ -2,9 +2,10 @@
 
 #include <limits>
 
+#include "rtcore/platform/vector_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/shading/light_wave.cpp"
-#define HWY_DISABLED_TARGETS HWY_SSSE3
 #include <hwy/foreach_target.h>
 // The loop over targets comes before the code that is compiled for each of them.
 #include "rtcore/shading/vector_materials-inl.h"

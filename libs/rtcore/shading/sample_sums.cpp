@@ -1,8 +1,9 @@
 #include "rtcore/shading/sample_sums.h"
 
+#include "rtcore/platform/vector_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/shading/sample_sums.cpp"
-#define HWY_DISABLED_TARGETS HWY_SSSE3
 #include <hwy/foreach_target.h>
 // The loop over targets comes before the code that is compiled for each of them.
 #include "rtcore/shading/vector_materials-inl.h"
