@@ -21,8 +21,8 @@ struct IntervalVector {
     Floats t0, t1;
 };
 
-/// Intervals that end before 0 are empty; they become [infinity, 0], since ends below 0 mean "has been hit" to
-/// any-hit walks.
+/// Intervals that end before 0 are empty; they become [infinity, 0], since ends below 0 mean "has been hit"
+/// to any-hit walks.
 HWY_INLINE RayVector loadRays(const RaySpan& rays, std::size_t at) {
     const FloatTag d;
     const Floats tMin = hn::LoadU(d, rays.tMin + at);
