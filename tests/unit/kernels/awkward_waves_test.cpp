@@ -1,6 +1,6 @@
 // Degenerate input through every kernel: each must find what single rays find, and those what all triangles
-// one by one give. RT_EQUAL_TRIANGLES sets how many triangles lie in one place (100,000 unless told;
-// 10,000,000 in the long check).
+// one by one give. RT_WAVE_ROUNDS sets how many times as many rays are tried (1 unless told, 200 in the long
+// check), RT_EQUAL_TRIANGLES how many triangles lie in one place (100,000 unless told, there 10,000,000).
 #include "wave_support.h"
 
 #include <algorithm>
@@ -74,11 +74,19 @@ std::vector<std::pair<std::string, RayWave>> waysOf(Random& random, MakeRay&& ma
     return waves;
 }
 
+/// How often waves are made anew: RT_WAVE_ROUNDS, or once.
+int rounds() {
+    const char* const text = std::getenv("RT_WAVE_ROUNDS");
+    return text != nullptr ? std::max(std::atoi(text), 1) : 1;
+}
+
 /// Traces all those waves; returns how many rays hit something.
 template <typename MakeRay>
 std::size_t expectBruteForce(const WaveScene& scene, Random& random, MakeRay&& makeRay) {
     std::size_t hits = 0;
-    for (const auto& [name, wave] : waysOf(random, makeRay)) hits += scene.expectBruteForce(name, wave);
+    for (int i = 0; i < rounds() && !testing::Test::HasFailure(); ++i) {
+        for (const auto& [name, wave] : waysOf(random, makeRay)) hits += scene.expectBruteForce(name, wave);
+    }
     return hits;
 }
 
@@ -194,7 +202,6 @@ TEST(AwkwardWaves, fromInsideClosedMeshes) {
     Random random(10);
     for (const bool box : {true, false}) {
         const WaveScene scene(box ? test::boxGrid(5) : test::icosphere(2), deep());
-        std::vector<RayWave> waves;
         for (const auto& [name, wave] :
              waysOf(random, [&] { return rayFrom(random.vector(0.5F), random.unitVector()); })) {
             EXPECT_EQ(scene.expectBruteForce(name, wave), wave.size());
