@@ -113,7 +113,7 @@ inline bool pushGroup(const LeakAim& aim, const StartPlace& place, rtcore::Vec3 
         if (DirectionSquares::squareOf(direction) == square) wave.push(endless(origin, direction));
     }
     if (wave.size() == begin + kRaysOfGroup) return true;
-    wave.truncate(begin);
+    wave.resize(begin);
     return false;
 }
 

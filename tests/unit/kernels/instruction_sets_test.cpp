@@ -152,7 +152,7 @@ class EveryKernel : public testing::TestWithParam<NamedMesh> {
     /// The wave as it is, and cut short in the middle of a group.
     void expectSingleRays(const std::string& name, RayWave wave) {
         hits_ += scene_.expectSingleRays(name, wave);
-        wave.truncate(wave.size() - 1 - random_.index(kGroup - 1));
+        wave.resize(wave.size() - 1 - random_.index(kGroup - 1));
         scene_.expectSingleRays(name + " cut short", wave);
     }
 
@@ -209,7 +209,7 @@ TEST_P(EveryKernel, tracesWavesOfAnyLength) {
          {0U, 1U, 3U, 4U, 7U, 8U, 15U, 16U, 17U, 63U, 64U, 65U, 127U, 511U, 512U, 513U}) {
         scene_.expectSingleRays(std::to_string(count) + " rays", scattered(count, random_));
         RayWave narrow = camera(9, random_);
-        narrow.truncate(count);
+        narrow.resize(count);
         scene_.expectSingleRays(std::to_string(count) + " rays of a camera", narrow);
     }
 }
