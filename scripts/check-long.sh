@@ -1,16 +1,21 @@
 #!/bin/sh
 # The checks that take too long for every run; their output belongs into the note that closes an issue.
-#   scripts/check-long.sh [leaks] [oracle] [mutations] [kills] [formats]     without arguments: all
+#   scripts/check-long.sh [leaks] [waves] [oracle] [mutations] [kills] [formats]     without arguments: all
 set -eu
 cd "$(dirname "$0")/.."
 scripts/build.sh
-[ $# -gt 0 ] || set -- leaks oracle mutations kills formats
+[ $# -gt 0 ] || set -- leaks waves oracle mutations kills formats
 release=build/release/bin
 for check in "$@"; do
     echo "== $check"
     case $check in
     leaks)
+        # So many rays for each kernel, five times as many in all; RT_ISA chooses the instruction set.
         RT_LEAK_RAYS=${RT_LEAK_RAYS:-100000000} $release/test_leaks
+        ;;
+    waves)
+        RT_WAVE_ROUNDS=${RT_WAVE_ROUNDS:-200} $release/test_kernels --gtest_filter='AwkwardWaves.*-*EqualTriangles*'
+        RT_EQUAL_TRIANGLES=${RT_EQUAL_TRIANGLES:-10000000} $release/test_kernels --gtest_filter='*EqualTriangles*'
         ;;
     oracle)
         [ -n "${RT_TEST_SCENES:-}" ] || echo "check-long: RT_TEST_SCENES is not set: nothing to check" >&2

@@ -1,8 +1,10 @@
 // The kernels and Embree trace the same rays; where they differ, brute force in double precision decides.
-// RT_TEST_SCENES is the folder of models; RT_ORACLE_RAYS sets how many rays of each kind (200,000 unless
-// told).
+// What the kernels find in whole waves has the bits that single rays find. RT_TEST_SCENES is the folder of
+// models; RT_ORACLE_RAYS sets how many rays of each kind (200,000 unless told), RT_ISA the instruction set.
 #include "rtcore/accel/builder.h"
+#include "rtcore/kernels/ray_tracer.h"
 #include "rtcore/kernels/single_ray.h"
+#include "rtcore/platform/instruction_set.h"
 #include "support/embree_scene.h"
 #include "support/exact_rays.h"
 #include "support/mesh_files.h"
@@ -11,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -40,17 +43,24 @@ std::size_t rayCount() {
 /// Verdicts over the rays on which the two differ.
 struct Verdicts {
     std::size_t rays = 0, hits = 0, differences = 0;
+    std::size_t otherBits = 0; ///< ours in waves, compared with our single rays
     std::size_t oursWrong = 0, theirsWrong = 0;
     std::size_t undecidable = 0; ///< both are right within the rounding of single precision
     /// Of the undecidable ones: who is nearer than 1e-4 to the answer in double, edges included.
     std::size_t oursExact = 0, theirsExact = 0;
 
+    void count(bool hit, bool asAlone) {
+        ++rays;
+        hits += hit ? 1 : 0;
+        otherBits += asAlone ? 0 : 1;
+    }
+
     void print(const char* scene, const char* kind) const {
-        std::printf(
-            "%-8s %-8s %8zu rays, %8zu hits, %4zu differ: ours wrong %zu, Embree wrong %zu, within rounding "
-            "%zu (within 1e-4 of double: ours %zu, Embree %zu)\n",
-            scene, kind, rays, hits, differences, oursWrong, theirsWrong, undecidable, oursExact,
-            theirsExact);
+        std::printf("%-8s %-8s %-6s %8zu rays, %8zu hits, %4zu differ: ours wrong %zu, Embree wrong %zu, "
+                    "within rounding "
+                    "%zu (within 1e-4 of double: ours %zu, Embree %zu)\n",
+                    scene, kind, rtcore::instructionSet().c_str(), rays, hits, differences, oursWrong,
+                    theirsWrong, undecidable, oursExact, theirsExact);
     }
 };
 
@@ -58,6 +68,13 @@ struct Answer {
     bool found = false;
     Hit hit;
 };
+
+bool sameBits(const Answer& a, const Answer& b) {
+    const auto bits = [](float x) { return std::bit_cast<std::uint32_t>(x); };
+    if (!a.found || !b.found) return a.found == b.found;
+    return a.hit.triangle == b.hit.triangle && bits(a.hit.t) == bits(b.hit.t) &&
+           bits(a.hit.u) == bits(b.hit.u) && bits(a.hit.v) == bits(b.hit.v);
+}
 
 bool differ(const Answer& a, const Answer& b) {
     if (a.found != b.found) return true;
@@ -77,52 +94,80 @@ struct Dispute {
 
 class AgainstEmbree : public testing::TestWithParam<test::View> {
   protected:
+    static void SetUpTestSuite() { rtcore::useInstructionSetOfEnvironment(); }
+
     void SetUp() override {
         const char* const folder = std::getenv("RT_TEST_SCENES");
         if (folder == nullptr) GTEST_SKIP() << "RT_TEST_SCENES is not set";
         sample_ = test::readMesh(std::filesystem::path(folder) / GetParam().file);
         mesh_ = sample_.view();
         tree_ = buildKdTree(mesh_, {});
+        tracer_ = std::make_unique<rtcore::KdRayTracer>(tree_, mesh_);
         embree_ = std::make_unique<test::EmbreeScene>(mesh_);
     }
 
     std::vector<Hit> compareClosest(const char* kind, const std::vector<Ray>& rays) const {
-        std::vector<Hit> hits(rays.size());
+        std::vector<Hit> hits;
         std::vector<Dispute> disputes;
         Verdicts verdicts;
-        verdicts.rays = rays.size();
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            Dispute d{rays[i], {}, {}};
-            d.ours.found = intersect(tree_, mesh_, rays[i], d.ours.hit);
-            d.theirs.found = embree_->intersect(rays[i], d.theirs.hit);
-            hits[i] = d.ours.hit;
-            verdicts.hits += d.ours.found ? 1 : 0;
-            if (differ(d.ours, d.theirs)) disputes.push_back(d);
-        }
+        forEachWave(rays, [&](const rtcore::RayWave& wave) {
+            rtcore::HitWave found;
+            tracer_->intersect(rtcore::RayKind::Scattered, wave, found);
+            for (std::size_t i = 0; i < wave.size(); ++i) {
+                Dispute d{wave.ray(i), {}, {}};
+                if (found.isHit(i)) d.ours = {true, found.hit(i)};
+                Answer single;
+                single.found = intersect(tree_, mesh_, d.ray, single.hit);
+                d.theirs.found = embree_->intersect(d.ray, d.theirs.hit);
+                hits.push_back(d.ours.hit);
+                verdicts.count(d.ours.found, sameBits(d.ours, single));
+                if (differ(d.ours, d.theirs)) disputes.push_back(d);
+            }
+        });
         decide(disputes, verdicts, [&](const test::ExactAnswer& answer, const Ray& ray, const Answer& given) {
             return test::faultOfClosest(answer, mesh_, ray, given.found, given.hit);
         });
-        verdicts.print(GetParam().name, kind);
-        EXPECT_EQ(verdicts.oursWrong, 0U);
+        expectRight(kind, verdicts);
         return hits;
     }
 
     void compareAny(const char* kind, const std::vector<Ray>& rays) const {
         std::vector<Dispute> disputes;
         Verdicts verdicts;
-        verdicts.rays = rays.size();
-        for (const Ray& ray : rays) {
-            Dispute d{ray, {}, {}};
-            d.ours.found = occluded(tree_, mesh_, ray);
-            d.theirs.found = embree_->occluded(ray);
-            verdicts.hits += d.ours.found ? 1 : 0;
-            if (d.ours.found != d.theirs.found) disputes.push_back(d);
-        }
+        forEachWave(rays, [&](const rtcore::RayWave& wave) {
+            std::vector<std::uint8_t> found;
+            tracer_->occluded(rtcore::RayKind::Shadow, wave, found);
+            for (std::size_t i = 0; i < wave.size(); ++i) {
+                Dispute d{wave.ray(i), {}, {}};
+                d.ours.found = found[i] != 0;
+                d.theirs.found = embree_->occluded(d.ray);
+                verdicts.count(d.ours.found, d.ours.found == occluded(tree_, mesh_, d.ray));
+                if (d.ours.found != d.theirs.found) disputes.push_back(d);
+            }
+        });
         decide(disputes, verdicts, [](const test::ExactAnswer& answer, const Ray&, const Answer& given) {
             return test::faultOfAny(answer, given.found);
         });
+        expectRight(kind, verdicts);
+    }
+
+    /// Calls `work` with the rays, in waves as long as those of a renderer.
+    template <typename Work>
+    static void forEachWave(const std::vector<Ray>& rays, Work&& work) {
+        constexpr std::size_t kLongest = 16384;
+        rtcore::RayWave wave;
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            wave.push(rays[i]);
+            if (wave.size() < kLongest && i + 1 < rays.size()) continue;
+            work(wave);
+            wave.clear();
+        }
+    }
+
+    static void expectRight(const char* kind, const Verdicts& verdicts) {
         verdicts.print(GetParam().name, kind);
         EXPECT_EQ(verdicts.oursWrong, 0U);
+        EXPECT_EQ(verdicts.otherBits, 0U) << kind << " rays find other things in waves than alone";
     }
 
     template <typename FaultOf>
@@ -154,6 +199,7 @@ class AgainstEmbree : public testing::TestWithParam<test::View> {
     test::SampleMesh sample_;
     rtcore::Mesh mesh_;
     rtcore::KdTree tree_;
+    std::unique_ptr<rtcore::KdRayTracer> tracer_;
     std::unique_ptr<test::EmbreeScene> embree_;
 };
 

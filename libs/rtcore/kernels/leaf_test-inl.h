@@ -119,8 +119,8 @@ HWY_INLINE ShearedRays shear(const AxisOrder& order, Floats ox, Floats oy, Float
             hn::Div(hn::Set(FloatTag(), -1.0F), along)};
 }
 
-/// Origin minus corner in the order of the dominant axis. (The single ray has corner minus origin: the signs
-/// cancel out, exactly, and this way a corner's coordinate can be fetched by the subtraction.)
+/// Origin minus corner in the order of the dominant axis. (This way round a corner's coordinate can be
+/// fetched by the subtraction.)
 struct Offset {
     Floats x, y, z;
 };

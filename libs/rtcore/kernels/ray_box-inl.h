@@ -21,12 +21,21 @@ struct IntervalVector {
     Floats t0, t1;
 };
 
+/// Intervals that end before 0 are empty; they become [infinity, 0], since ends below 0 mean "has been hit"
+/// to any-hit walks.
 HWY_INLINE RayVector loadRays(const RaySpan& rays, std::size_t at) {
     const FloatTag d;
-    return {hn::LoadU(d, rays.origin[0] + at),    hn::LoadU(d, rays.origin[1] + at),
-            hn::LoadU(d, rays.origin[2] + at),    hn::LoadU(d, rays.direction[0] + at),
-            hn::LoadU(d, rays.direction[1] + at), hn::LoadU(d, rays.direction[2] + at),
-            hn::LoadU(d, rays.tMin + at),         hn::LoadU(d, rays.tMax + at)};
+    const Floats tMin = hn::LoadU(d, rays.tMin + at);
+    const Floats tMax = hn::LoadU(d, rays.tMax + at);
+    const Lanes isEmpty = hn::Lt(tMax, hn::Zero(d));
+    return {hn::LoadU(d, rays.origin[0] + at),
+            hn::LoadU(d, rays.origin[1] + at),
+            hn::LoadU(d, rays.origin[2] + at),
+            hn::LoadU(d, rays.direction[0] + at),
+            hn::LoadU(d, rays.direction[1] + at),
+            hn::LoadU(d, rays.direction[2] + at),
+            hn::IfThenElse(isEmpty, hn::Set(d, std::numeric_limits<float>::infinity()), tMin),
+            hn::IfThenElse(isEmpty, hn::Zero(d), tMax)};
 }
 
 /// At least the single ray's slack: by how much the distance of a hit may be off from where the tree says

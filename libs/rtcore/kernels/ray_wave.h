@@ -12,8 +12,9 @@ namespace rtcore {
 
 inline constexpr std::uint32_t kNoTriangle = 0xFFFFFFFFU;
 
-/// A half-line or segment: origin + t * direction, 0 <= tMin <= t <= tMax. The direction must be finite and
-/// not zero; its length is free (t is in units of it).
+/// A half-line or segment: origin + t * direction, 0 <= tMin <= t <= tMax; empty where tMin > tMax or tMax <
+/// 0. The direction must be finite and not zero; its length is free (t is in units of it) from 1e-30 to 1e30:
+/// beyond, distances leave the range of single precision, and what is hit at them is left open.
 struct Ray {
     Vec3 origin;
     float tMin = 0;

@@ -133,8 +133,8 @@ class StreamWalk {
                 octants |= octantsOf(code, enters);
                 hn::Store(inside.t0, d, scratch_.rootBegin + slot);
                 hn::Store(inside.t1, d, scratch_.rootEnd + slot);
-                hn::Store(hn::LoadU(d, rays.tMin + from), d, scratch_.tMin + slot);
-                hn::Store(hn::LoadU(d, rays.tMax + from), d, scratch_.best + slot);
+                hn::Store(ray.tMin, d, scratch_.tMin + slot);
+                hn::Store(ray.tMax, d, scratch_.best + slot);
                 if constexpr (kAny) continue;
                 hn::Store(hn::Set(di, kNone), di, scratch_.triangle + slot);
                 hn::Store(hn::Zero(d), d, scratch_.v + slot);

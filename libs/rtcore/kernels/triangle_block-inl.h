@@ -72,7 +72,7 @@ class TriangleBlock {
             return true;
         }
         // References ascend inside a leaf: of several as close the first has the lowest index.
-        const Floats far = hn::Set(d, std::numeric_limits<float>::max());
+        const Floats far = hn::Set(d, std::numeric_limits<float>::infinity());
         const Floats t = hn::IfThenElse(open, outcome.t, far);
         const Floats closest = hn::MinOfLanes(d, t);
         const std::size_t lane = firstOf(hn::And(open, hn::Eq(t, closest)));

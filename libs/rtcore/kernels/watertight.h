@@ -26,10 +26,10 @@ struct RayShear {
         const int ky = kx == 2 ? 0 : kx + 1;
         sx = direction[kx] / direction[kz];
         sy = direction[ky] / direction[kz];
-        sz = 1.0F / direction[kz];
+        minusSz = -1.0F / direction[kz];
     }
     int kz; ///< the axis along which the direction is longest; x and y are the two that follow it
-    float sx, sy, sz;
+    float sx, sy, minusSz;
 };
 
 /// A triangle as the test wants it.
@@ -46,9 +46,10 @@ template <int Kz>
                                                 const RayShear& shear, Hit& hit) {
     constexpr int kx = (Kz + 1) % 3;
     constexpr int ky = (Kz + 2) % 3;
-    const Vec3 a = corners.a.position() - ray.origin;
-    const Vec3 b = corners.b.position() - ray.origin;
-    const Vec3 c = corners.c.position() - ray.origin;
+    // Origin minus corner, as leaf_test-inl.h has it: the other way round only the signs of zeros differ.
+    const Vec3 a = ray.origin - corners.a.position();
+    const Vec3 b = ray.origin - corners.b.position();
+    const Vec3 c = ray.origin - corners.c.position();
     const float az = a[Kz];
     const float bz = b[Kz];
     const float cz = c[Kz];
@@ -65,7 +66,7 @@ template <int Kz>
     const float det = u + v + w;
     // Seen edge-on; or so nearly that products underflow, and the distance would be noise.
     if (std::fabs(det) < std::numeric_limits<float>::min()) return false;
-    const float t = (u * az + v * bz + w * cz) * shear.sz / det;
+    const float t = (u * az + v * bz + w * cz) * shear.minusSz / det;
     // Written so that NaN fails.
     if (!(t >= ray.tMin && t <= hit.t)) return false;
     if (t == hit.t && corners.index >= hit.triangle) return false;
