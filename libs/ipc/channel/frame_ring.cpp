@@ -27,10 +27,11 @@ std::size_t frameSegmentBytes(std::size_t frameBytes, std::uint32_t slots) {
 
 FrameRingWriter::FrameRingWriter(void* memory, std::size_t frameBytes, std::uint32_t slots, std::uint64_t epoch,
                                  std::uint64_t generation, std::uint64_t firstNumber)
-    : segment_(static_cast<FrameSegment*>(memory)), capacity_(frameBytes), slots_(slots), next_(firstNumber) {
+    : segment_(static_cast<FrameSegment*>(memory)), capacity_(frameBytes),
+      slotBytes_(roundUp(frameBytes)), slots_(slots), next_(firstNumber) {
     segment_->epoch = epoch;
     segment_->generation = generation;
-    segment_->slotBytes = roundUp(frameBytes);
+    segment_->slotBytes = slotBytes_;
     segment_->slots = slots;
     stage("frames laid out");
     segment_->magic.store(kFramesMagic, std::memory_order_release);
@@ -39,7 +40,7 @@ FrameRingWriter::FrameRingWriter(void* memory, std::size_t frameBytes, std::uint
 std::span<std::byte> FrameRingWriter::begin() {
     slot(next_).sequence.store(writing(next_), std::memory_order_relaxed);
     fenceBeforeWriting();
-    const std::size_t offset = kPixelsOffset + next_ % slots_ * segment_->slotBytes;
+    const std::size_t offset = kPixelsOffset + next_ % slots_ * slotBytes_;
     return {reinterpret_cast<std::byte*>(segment_) + offset, capacity_};
 }
 
@@ -74,8 +75,8 @@ FrameRead FrameRingReader::read(FrameInfo& info, std::vector<std::byte>& pixels)
 }
 
 FrameRead FrameRingReader::tryRead(std::uint64_t number, FrameInfo& info, std::vector<std::byte>& pixels) const {
-    const std::uint32_t slots = segment_->slots;
-    const std::uint64_t slotBytes = segment_->slotBytes;
+    const std::uint32_t slots = segment_->slots.load(std::memory_order_relaxed);
+    const std::uint64_t slotBytes = segment_->slotBytes.load(std::memory_order_relaxed);
     if (slots < kMinFrameSlots || slots > kMaxFrameSlots || slotBytes > (bytes_ - kPixelsOffset) / slots) {
         return FrameRead::Broken;
     }

@@ -34,7 +34,7 @@ class FrameRingWriter {
     FrameSlot& slot(std::uint64_t number) { return segment_->slot[number % slots_]; }
 
     FrameSegment* segment_;
-    std::size_t capacity_;
+    std::size_t capacity_, slotBytes_; ///< own copies: the segment is written by nobody else, but who knows
     std::uint32_t slots_;
     std::uint64_t next_;
 };

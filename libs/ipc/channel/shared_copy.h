@@ -46,6 +46,8 @@ inline void copyToShared(void* to, const void* from, std::size_t bytes) {
 }
 inline void copyFromShared(void* to, const void* from, std::size_t bytes) {
     if (bytes != 0) std::memcpy(to, from, bytes);
+    // The compiler shall not look at `from` a second time: what is checked is what is used.
+    std::atomic_signal_fence(std::memory_order_seq_cst);
 }
 inline void fenceBeforeWriting() { std::atomic_thread_fence(std::memory_order_release); }
 inline void fenceAfterReading() { std::atomic_thread_fence(std::memory_order_acquire); }

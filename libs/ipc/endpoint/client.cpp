@@ -87,13 +87,16 @@ LinkState Client::State::update() {
     const LinkState now = link.check();
     if (now != LinkState::Gone && attachment && attachment->accepted()) return now;
     collectAnswers(); // the last words of a server that ended in good order
+    if (now == LinkState::Gone) {
+        attachment.reset();
+        loseAll();
+    }
     if (Clock::now() - lastLook < kLookEvery) return LinkState::Gone;
     lastLook = Clock::now();
     if (now != LinkState::Gone) {
         attachAgain();
         return now;
     }
-    loseAll();
     std::optional<Link> next = Link::open(names, Access::Write);
     if (!next || next->epoch() == link.epoch()) return LinkState::Gone;
     follow(std::move(*next));

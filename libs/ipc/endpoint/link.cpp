@@ -1,5 +1,6 @@
 #include "ipc/endpoint/link.h"
 
+#include "ipc/channel/shared_copy.h"
 #include "ipc/platform/boost_interprocess.h"
 #include "ipc/platform/error.h"
 #include "ipc/platform/owner_lock.h"
@@ -43,10 +44,12 @@ std::optional<ControlFacts> readControlFacts(const Segment& segment) {
     if (segment.bytes() < sizeof(ControlHeader)) return std::nullopt;
     const auto& header = *static_cast<const ControlHeader*>(segment.data());
     if (header.magic.load(std::memory_order_acquire) != kControlMagic) return std::nullopt;
-    ControlFacts facts{.handshake = header.handshake,
-                       .epoch = header.epoch,
-                       .serverProcess = header.serverProcess,
-                       .lockFolder = std::string(header.lockFolder, kLockFolderBytes)};
+    ControlFacts facts;
+    facts.lockFolder.resize(kLockFolderBytes);
+    copyFromShared(&facts.handshake, &header.handshake, sizeof(facts.handshake));
+    copyFromShared(&facts.epoch, &header.epoch, sizeof(facts.epoch));
+    copyFromShared(&facts.serverProcess, &header.serverProcess, sizeof(facts.serverProcess));
+    copyFromShared(facts.lockFolder.data(), header.lockFolder, kLockFolderBytes);
     const std::size_t end = facts.lockFolder.find('\0');
     if (end == std::string::npos || facts.lockFolder.front() != '/' || facts.epoch == 0) return std::nullopt;
     facts.lockFolder.resize(end);

@@ -23,8 +23,8 @@ struct FrameSegment {
     std::atomic<std::uint64_t> magic; ///< stored last
     std::uint64_t epoch;              ///< of the control segment
     std::uint64_t generation;
-    std::uint64_t slotBytes;          ///< room for one frame's pixels, a multiple of 4096
-    std::uint32_t slots;
+    std::atomic<std::uint64_t> slotBytes; ///< room for one frame's pixels, a multiple of 4096
+    std::atomic<std::uint32_t> slots;
     alignas(64) std::atomic<std::uint64_t> latest; ///< number of the newest whole frame, 0 = none; stored last
     FrameSlot slot[kMaxFrameSlots];
 };

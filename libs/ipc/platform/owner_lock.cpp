@@ -14,12 +14,18 @@ namespace {
 
 // A process drops its lock by closing any descriptor of the file, so it never opens a file that it holds.
 struct Held {
+    struct Entry {
+        std::int64_t process; ///< a fork inherits the table, not the locks
+        FileIdentity identity;
+        friend bool operator==(const Entry&, const Entry&) = default;
+    };
     std::mutex mutex;
-    std::map<std::string, std::int64_t> byPath; ///< path -> process: a fork inherits the table, not the locks
+    std::map<std::string, Entry> byPath;
 
+    // A removed file is held, but is of no use to anybody.
     bool holds(const std::string& path) const {
         const auto entry = byPath.find(path);
-        return entry != byPath.end() && entry->second == processId();
+        return entry != byPath.end() && entry->second == Entry{processId(), identityOf(path)};
     }
 };
 
@@ -47,7 +53,9 @@ OwnerLock& OwnerLock::operator=(OwnerLock&& other) noexcept {
 OwnerLock::~OwnerLock() {
     if (!state_) return;
     const std::lock_guard guard(held().mutex);
-    if (held().holds(state_->path)) held().byPath.erase(state_->path);
+    const auto entry = held().byPath.find(state_->path);
+    const Held::Entry own{processId(), state_->identity};
+    if (entry != held().byPath.end() && entry->second == own) held().byPath.erase(entry);
     state_.reset();
 }
 
@@ -59,7 +67,7 @@ std::optional<OwnerLock> OwnerLock::tryTake(const std::string& path) {
         auto state = std::make_unique<State>(State{path, boost::interprocess::file_lock(path.c_str()), {}});
         if (!state->lock.try_lock()) return std::nullopt;
         state->identity = identityOf(path);
-        held().byPath[path] = processId();
+        held().byPath[path] = {processId(), state->identity};
         return OwnerLock(std::move(state));
     } catch (const boost::interprocess::interprocess_exception& error) {
         throw Error(Problem::System, path + ": cannot be locked: " + error.what());
