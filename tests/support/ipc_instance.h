@@ -13,7 +13,8 @@ namespace test {
 
 class IpcInstance {
   public:
-    IpcInstance() : name_("t" + std::to_string(ipc::processId()) + "-" + std::to_string(ipc::randomTag() % 100000)) {
+    IpcInstance()
+        : name_("t" + std::to_string(ipc::processId()) + "-" + std::to_string(ipc::randomTag() % 100000)) {
         ::setenv("XDG_RUNTIME_DIR", folder_.path().c_str(), 1);
     }
     ~IpcInstance() {

@@ -49,7 +49,8 @@ CommandSender& CommandSender::operator=(CommandSender&&) noexcept = default;
 
 QueueResult CommandSender::trySend(std::span<const std::byte> message) {
     try {
-        return state_->queue.try_send(message.data(), message.size(), 0) ? QueueResult::Done : QueueResult::Nothing;
+        return state_->queue.try_send(message.data(), message.size(), 0) ? QueueResult::Done
+                                                                         : QueueResult::Nothing;
     } catch (const bi::interprocess_exception&) {
         return QueueResult::Broken;
     }
@@ -69,7 +70,8 @@ CommandReceiver& CommandReceiver::operator=(CommandReceiver&&) noexcept = defaul
 QueueResult CommandReceiver::open(const std::string& name, CommandReceiver& receiver) {
     try {
         // Boost believes whatever it opens, so the file is looked at first.
-        if (!Segment::open(name, Access::Read, kCommandQueueLength * kMaxMessageBytes)) return QueueResult::Broken;
+        if (!Segment::open(name, Access::Read, kCommandQueueLength * kMaxMessageBytes))
+            return QueueResult::Broken;
         auto state = std::make_unique<State>(name);
         Segment::remove(name);
         stage("queue opened");
@@ -91,7 +93,8 @@ QueueResult CommandReceiver::tryReceive(std::vector<std::byte>& message) {
         bi::message_queue::size_type bytes = 0;
         unsigned priority = 0;
         std::vector<std::byte>& buffer = state_->buffer;
-        if (!state_->queue.try_receive(buffer.data(), buffer.size(), bytes, priority)) return QueueResult::Nothing;
+        if (!state_->queue.try_receive(buffer.data(), buffer.size(), bytes, priority))
+            return QueueResult::Nothing;
         if (bytes > buffer.size()) return QueueResult::Broken;
         message.assign(buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(bytes));
         return QueueResult::Done;

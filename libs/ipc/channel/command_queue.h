@@ -1,5 +1,6 @@
-/// The queue of one client's commands: Boost's message queue, used only in ways that no death of the other side can
-/// turn into waiting. Nobody ever waits on the queue itself: a process killed there would block the next one for good.
+/// The queue of one client's commands: Boost's message queue, used only in ways that no death of the other
+/// side can turn into waiting. Nobody ever waits on the queue itself: a process killed there would block the
+/// next one for good.
 #pragma once
 
 #include <cstddef>
@@ -35,8 +36,8 @@ class CommandSender {
 /// The server's end. One thread.
 class CommandReceiver {
   public:
-    /// Opens the queue and removes its name, so that nothing is left when both are gone. Broken when it is not there,
-    /// not of this user alone, or not of the agreed dimensions.
+    /// Opens the queue and removes its name, so that nothing is left when both are gone. Broken when it is
+    /// not there, not of this user alone, or not of the agreed dimensions.
     static QueueResult open(const std::string& name, CommandReceiver& receiver);
 
     CommandReceiver();

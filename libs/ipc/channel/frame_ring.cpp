@@ -16,8 +16,8 @@ constexpr std::uint64_t whole(std::uint64_t number) { return 2 * number + 2; }
 } // namespace
 
 std::size_t pixelBytes(const FrameInfo& info) {
-    const bool possible = info.format == PixelFormat::Rgba8 && info.width >= 1 && info.width <= kMaxFrameSide &&
-                          info.height >= 1 && info.height <= kMaxFrameSide;
+    const bool possible = info.format == PixelFormat::Rgba8 && info.width >= 1 &&
+                          info.width <= kMaxFrameSide && info.height >= 1 && info.height <= kMaxFrameSide;
     return possible ? std::size_t{4} * info.width * info.height : 0;
 }
 
@@ -25,10 +25,10 @@ std::size_t frameSegmentBytes(std::size_t frameBytes, std::uint32_t slots) {
     return kPixelsOffset + slots * roundUp(frameBytes);
 }
 
-FrameRingWriter::FrameRingWriter(void* memory, std::size_t frameBytes, std::uint32_t slots, std::uint64_t epoch,
-                                 std::uint64_t generation, std::uint64_t firstNumber)
-    : segment_(static_cast<FrameSegment*>(memory)), capacity_(frameBytes),
-      slotBytes_(roundUp(frameBytes)), slots_(slots), next_(firstNumber) {
+FrameRingWriter::FrameRingWriter(void* memory, std::size_t frameBytes, std::uint32_t slots,
+                                 std::uint64_t epoch, std::uint64_t generation, std::uint64_t firstNumber)
+    : segment_(static_cast<FrameSegment*>(memory)), capacity_(frameBytes), slotBytes_(roundUp(frameBytes)),
+      slots_(slots), next_(firstNumber) {
     segment_->epoch = epoch;
     segment_->generation = generation;
     segment_->slotBytes = slotBytes_;
@@ -59,7 +59,8 @@ FrameRingReader::FrameRingReader(const void* memory, std::size_t bytes, Copy cop
       copy_(copy ? std::move(copy) : Copy(copyFromShared)) {}
 
 bool FrameRingReader::ready(std::uint64_t epoch, std::uint64_t generation) const {
-    if (bytes_ < kPixelsOffset || segment_->magic.load(std::memory_order_acquire) != kFramesMagic) return false;
+    if (bytes_ < kPixelsOffset || segment_->magic.load(std::memory_order_acquire) != kFramesMagic)
+        return false;
     return segment_->epoch == epoch && segment_->generation == generation;
 }
 
@@ -74,7 +75,8 @@ FrameRead FrameRingReader::read(FrameInfo& info, std::vector<std::byte>& pixels)
     return result;
 }
 
-FrameRead FrameRingReader::tryRead(std::uint64_t number, FrameInfo& info, std::vector<std::byte>& pixels) const {
+FrameRead FrameRingReader::tryRead(std::uint64_t number, FrameInfo& info,
+                                   std::vector<std::byte>& pixels) const {
     const std::uint32_t slots = segment_->slots.load(std::memory_order_relaxed);
     const std::uint64_t slotBytes = segment_->slotBytes.load(std::memory_order_relaxed);
     if (slots < kMinFrameSlots || slots > kMaxFrameSlots || slotBytes > (bytes_ - kPixelsOffset) / slots) {

@@ -24,8 +24,8 @@ class FrameRingWriter {
     std::size_t capacity() const { return capacity_; } ///< bytes of the largest frame
     std::uint64_t nextNumber() const { return next_; }
 
-    /// The pixels of the next frame, to be drawn in place. May be called again instead of publish: the frame is
-    /// given up. The memory holds an old frame.
+    /// The pixels of the next frame, to be drawn in place. May be called again instead of publish: the frame
+    /// is given up. The memory holds an old frame.
     std::span<std::byte> begin();
     /// The frame that was begun is whole. Sets `info.number`; the rest is the caller's.
     void publish(FrameInfo info);
@@ -51,14 +51,16 @@ class FrameRingReader {
   public:
     using Copy = std::function<void(void* to, const void* from, std::size_t bytes)>;
 
-    /// Of a mapped segment of `bytes`, which must outlive it. `copy` is for tests that write in the middle of it.
+    /// Of a mapped segment of `bytes`, which must outlive it. `copy` is for tests that write in the middle of
+    /// it.
     FrameRingReader(const void* memory, std::size_t bytes, Copy copy = {});
 
-    /// True once the writer has laid the segment out, for this epoch and generation, with slots within `bytes`.
+    /// True once the writer has laid the segment out, for this epoch and generation, with slots within
+    /// `bytes`.
     bool ready(std::uint64_t epoch, std::uint64_t generation) const;
 
-    /// Takes the newest frame when its number is not `info.number`. Otherwise `info` and `pixels` stay as they are,
-    /// except that `pixels` may hold rubbish after Missed.
+    /// Takes the newest frame when its number is not `info.number`. Otherwise `info` and `pixels` stay as
+    /// they are, except that `pixels` may hold rubbish after Missed.
     FrameRead read(FrameInfo& info, std::vector<std::byte>& pixels) const;
 
   private:

@@ -50,7 +50,8 @@ std::vector<std::byte> encode(const Message& message, std::uint64_t epoch) {
     return bytes;
 }
 
-bool decode(std::span<const std::byte> bytes, std::uint64_t epoch, std::uint64_t lastSequence, Message& message) {
+bool decode(std::span<const std::byte> bytes, std::uint64_t epoch, std::uint64_t lastSequence,
+            Message& message) {
     MessageHeader header;
     if (bytes.size() < sizeof(header)) return false;
     std::memcpy(&header, bytes.data(), sizeof(header));

@@ -22,7 +22,8 @@ std::vector<std::byte> encode(const Message& message, std::uint64_t epoch);
 
 /// False, and `message` untouched, unless the bytes are a whole message for this epoch that comes after
 /// `lastSequence`.
-bool decode(std::span<const std::byte> bytes, std::uint64_t epoch, std::uint64_t lastSequence, Message& message);
+bool decode(std::span<const std::byte> bytes, std::uint64_t epoch, std::uint64_t lastSequence,
+            Message& message);
 
 /// CRC-32 (IEEE 802.3, reflected), as zlib computes it; goes on from `start`.
 std::uint32_t crc32(std::span<const std::byte> bytes, std::uint32_t start = 0);

@@ -7,7 +7,8 @@
 namespace ipc {
 
 /// One writer at a time. Never waits.
-template <class T> void write(Sequenced<T>& shared, const T& value) {
+template <class T>
+void write(Sequenced<T>& shared, const T& value) {
     const std::uint64_t before = shared.sequence.load(std::memory_order_relaxed) & ~std::uint64_t{1};
     shared.sequence.store(before + 1, std::memory_order_relaxed);
     fenceBeforeWriting();
@@ -16,7 +17,8 @@ template <class T> void write(Sequenced<T>& shared, const T& value) {
 }
 
 /// False, and `value` untouched, when the writer was always in between or died there. Never waits.
-template <class T> bool read(const Sequenced<T>& shared, T& value) {
+template <class T>
+bool read(const Sequenced<T>& shared, T& value) {
     for (int tries = 0; tries < 64; ++tries) {
         const std::uint64_t before = shared.sequence.load(std::memory_order_acquire);
         if (before % 2 == 1) continue;

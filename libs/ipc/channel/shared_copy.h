@@ -1,7 +1,7 @@
-/// Copies to and from memory that another process may change at the same time. What was read counts only when the
-/// sequence number beside it did not change meanwhile (Boehm 2012, "Can seqlocks get along with programming language
-/// memory models?"): a writer stores odd, releases, copies, stores even with release; a reader loads with acquire,
-/// copies, acquires, loads again.
+/// Copies to and from memory that another process may change at the same time. What was read counts only when
+/// the sequence number beside it did not change meanwhile (Boehm 2012, "Can seqlocks get along with
+/// programming language memory models?"): a writer stores odd, releases, copies, stores even with release; a
+/// reader loads with acquire, copies, acquires, loads again.
 #pragma once
 
 #include <atomic>

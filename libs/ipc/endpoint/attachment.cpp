@@ -8,7 +8,10 @@ namespace ipc {
 SlotLock SlotLock::take(const Names& names, const std::string& folder) {
     for (int slot = 0; slot < kMaxClients; ++slot) {
         std::optional<OwnerLock> lock = OwnerLock::tryTake(names.clientLock(folder, slot));
-        if (lock) return {slot, folder, std::move(*lock)};
+        if (!lock) continue;
+        // Whoever made these had the lock, and is dead.
+        for (const std::string& queue : segmentNames(names.queuePrefix(slot))) Segment::remove(queue);
+        return {slot, folder, std::move(*lock)};
     }
     throw Error(Problem::NoSlot, "server '" + names.instance() + "' has " + std::to_string(kMaxClients) +
                                      " clients, and takes no more; end one");

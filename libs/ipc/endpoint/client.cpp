@@ -49,7 +49,8 @@ struct Client::State {
         attach();
     }
     void loseAll() {
-        for (const Ticket ticket : open) keep(ticket, {ReplyStatus::Lost, "the server ended before it answered"});
+        for (const Ticket ticket : open)
+            keep(ticket, {ReplyStatus::Lost, "the server ended before it answered"});
         open.clear();
     }
     void keep(Ticket ticket, Reply reply) {
@@ -76,8 +77,9 @@ struct Client::State {
     std::optional<Attachment> attachment; ///< empty while attaching failed
     FrameFeed feed;
     std::uint64_t lastSequence = 0;
-    std::uint64_t attachments = 0, lastSentIn = 0; ///< how often attached, and in which of these was sent last
-    std::set<Ticket> open; ///< sent, without an answer
+    std::uint64_t attachments = 0,
+                  lastSentIn = 0; ///< how often attached, and in which of these was sent last
+    std::set<Ticket> open;        ///< sent, without an answer
     std::map<Ticket, Reply> answers;
     Status status;
     Clock::time_point lastLook;
@@ -119,9 +121,7 @@ void Client::State::collectAnswers() {
 Client::Client(const std::string& instance, std::chrono::nanoseconds patience)
     : state_(std::make_unique<State>(instance, Clock::now() + patience)) {}
 
-Client::~Client() {
-    state_->keys.releaseAll(state_->board());
-}
+Client::~Client() { state_->keys.releaseAll(state_->board()); }
 
 LinkState Client::update() {
     const LinkState now = state_->update();
@@ -135,7 +135,8 @@ std::int64_t Client::serverProcess() const { return state_->link.serverProcess()
 SendStatus Client::send(std::string_view command, Ticket* ticket) {
     if (command.size() > kMaxCommandText || command.find('\0') != std::string_view::npos) {
         throw Error(Problem::TooLarge, "a command has up to " + std::to_string(kMaxCommandText) +
-                                           " bytes, none of them NUL; this one has " + std::to_string(command.size()));
+                                           " bytes, none of them NUL; this one has " +
+                                           std::to_string(command.size()));
     }
     State& state = *state_;
     if (update() == LinkState::Gone || !state.attachment) return SendStatus::NoServer;

@@ -1,5 +1,6 @@
-/// Commands a server: text commands with answers, and keys. Also sees what a Viewer sees. Up to 32 clients per server.
-/// This header, viewer.h and instances.h are all that another program needs; docs/example_client.cpp shows how.
+/// Commands a server: text commands with answers, and keys. Also sees what a Viewer sees. Up to 32 clients
+/// per server. This header, viewer.h and instances.h are all that another program needs;
+/// docs/example_client.cpp shows how.
 #pragma once
 
 #include "ipc/endpoint/frame.h"
@@ -39,11 +40,12 @@ enum class SendStatus {
     NoServer, ///< nothing was sent
 };
 
-/// One thread per object. A client whose server dies finds the next one of that instance by itself, with its keys
-/// still down; commands without an answer are Lost then.
+/// One thread per object. A client whose server dies finds the next one of that instance by itself, with its
+/// keys still down; commands without an answer are Lost then.
 class Client {
   public:
-    /// Waits up to `patience` for a server. Throws Error: BadName, NoServer, NoSlot, WrongVersion, NotYours, NoSpace.
+    /// Waits up to `patience` for a server. Throws Error: BadName, NoServer, NoSlot, WrongVersion, NotYours,
+    /// NoSpace.
     explicit Client(const std::string& instance = "default",
                     std::chrono::nanoseconds patience = std::chrono::seconds(2));
     /// Releases its keys. Commands that the server has not taken yet may be lost: see flush.
@@ -51,14 +53,14 @@ class Client {
     Client(const Client&) = delete;
     Client& operator=(const Client&) = delete;
 
-    /// Looks whether the server lives; attaches to its successor. Every other function does it, too. Throws Error
-    /// WrongVersion, NotYours or NoSpace when there is one that cannot be attached to.
+    /// Looks whether the server lives; attaches to its successor. Every other function does it, too. Throws
+    /// Error WrongVersion, NotYours or NoSpace when there is one that cannot be attached to.
     LinkState update();
     std::uint64_t epoch() const; ///< another number after another server, or another start of it
     std::int64_t serverProcess() const;
 
-    /// Sends a command of up to 8192 bytes without NUL (else Error TooLarge). Never waits. `ticket` is for wait();
-    /// null: no answer is wanted.
+    /// Sends a command of up to 8192 bytes without NUL (else Error TooLarge). Never waits. `ticket` is for
+    /// wait(); null: no answer is wanted.
     SendStatus send(std::string_view command, Ticket* ticket = nullptr);
     /// The answer to a command; each is given once. At most 1024 answers that nobody asked for are kept.
     Reply wait(Ticket ticket, std::chrono::nanoseconds timeout);

@@ -16,7 +16,8 @@ bool FrameFeed::read(const Link& link, Frame& frame) {
 bool FrameFeed::follow(const Link& link) {
     const std::uint64_t generation = link.block().pulse.frameGeneration.load(std::memory_order_acquire);
     if (generation != generation_ || link.epoch() != epoch_) {
-        std::optional<Segment> next = Segment::open(names_.frames(link.epoch(), generation), Access::Read, kPixelsOffset);
+        std::optional<Segment> next =
+            Segment::open(names_.frames(link.epoch(), generation), Access::Read, kPixelsOffset);
         if (next) {
             FrameRingReader reader(next->data(), next->bytes());
             if (reader.ready(link.epoch(), generation)) {

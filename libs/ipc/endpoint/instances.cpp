@@ -12,7 +12,8 @@ namespace {
 // Another program's lock folder may be another than ours: the control segment tells.
 std::string lockFolderOf(const Names& names) {
     try {
-        const std::optional<Segment> segment = Segment::open(names.control(), Access::Read, sizeof(ControlHeader));
+        const std::optional<Segment> segment =
+            Segment::open(names.control(), Access::Read, sizeof(ControlHeader));
         const std::optional<ControlFacts> facts = segment ? readControlFacts(*segment) : std::nullopt;
         return facts ? facts->lockFolder : lockFolder();
     } catch (const Error&) {

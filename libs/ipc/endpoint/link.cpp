@@ -11,7 +11,7 @@ namespace ipc {
 
 namespace {
 
-constexpr auto kSilence = std::chrono::milliseconds(50); ///< then the lock is looked at
+constexpr auto kSilence = std::chrono::milliseconds(30); ///< then the lock is looked at
 constexpr auto kProbeEvery = std::chrono::milliseconds(20);
 
 std::uint64_t pulseOf(const ServerPulse& pulse) {
@@ -21,13 +21,14 @@ std::uint64_t pulseOf(const ServerPulse& pulse) {
 [[noreturn]] void wrongVersion(const Names& names, const ControlFacts& facts) {
     const Handshake own = ownHandshake();
     const auto describe = [](const Handshake& side) {
-        return "protocol " + std::to_string(side.protocolVersion) + "/" + std::to_string(side.controlBytes) + ", Boost " +
-               std::to_string(side.boostVersion) + ", " + std::to_string(8 * side.pointerBytes) + " bit";
+        return "protocol " + std::to_string(side.protocolVersion) + "/" + std::to_string(side.controlBytes) +
+               ", Boost " + std::to_string(side.boostVersion) + ", " + std::to_string(8 * side.pointerBytes) +
+               " bit";
     };
     throw Error(Problem::WrongVersion, "server '" + names.instance() + "' (process " +
                                            std::to_string(facts.serverProcess) + ") is of another version (" +
-                                           describe(facts.handshake) + ") than this program (" + describe(own) +
-                                           "); use programs of one version");
+                                           describe(facts.handshake) + ") than this program (" +
+                                           describe(own) + "); use programs of one version");
 }
 
 } // namespace

@@ -35,7 +35,8 @@ class Link {
     std::int64_t serverProcess() const { return facts_.serverProcess; }
     const std::string& lockFolder() const { return facts_.lockFolder; }
 
-    /// Cheap enough for every call. Silence alone never means death: a silent server that holds its lock is busy.
+    /// Cheap enough for every call. Silence alone never means death: a silent server that holds its lock is
+    /// busy.
     LinkState check();
 
   private:

@@ -12,10 +12,12 @@ namespace ipc {
 
 Publication::Publication(const Names& names, const std::string& lockFolder, std::size_t frameBytes,
                          std::uint32_t slots, std::uint64_t firstFrame)
-    : names_(names), epoch_(randomTag()), slots_(slots), control_(Segment::create(names.control(), sizeof(ControlBlock))) {
+    : names_(names), epoch_(randomTag()), slots_(slots),
+      control_(Segment::create(names.control(), sizeof(ControlBlock))) {
     try {
         stage("control made");
-        if (lockFolder.size() >= kLockFolderBytes) throw Error(Problem::System, lockFolder + ": the path is too long");
+        if (lockFolder.size() >= kLockFolderBytes)
+            throw Error(Problem::System, lockFolder + ": the path is too long");
         ControlBlock& control = *new (control_.data()) ControlBlock;
         initialise(control.bell);
         for (ClientSlot& slot : control.slots) initialise(slot.bell);
@@ -43,13 +45,15 @@ Publication::~Publication() {
 
 std::unique_ptr<Publication::Frames> Publication::makeFrames(std::uint64_t generation, std::size_t frameBytes,
                                                              std::uint64_t firstFrame) {
-    Segment segment = Segment::create(names_.frames(epoch_, generation), frameSegmentBytes(frameBytes, slots_));
+    Segment segment =
+        Segment::create(names_.frames(epoch_, generation), frameSegmentBytes(frameBytes, slots_));
     FrameRingWriter ring(segment.data(), frameBytes, slots_, epoch_, generation, firstFrame);
     return std::make_unique<Frames>(Frames{std::move(segment), ring, generation});
 }
 
 void Publication::replaceFrames(std::size_t frameBytes) {
-    std::unique_ptr<Frames> next = makeFrames(frames_->generation + 1, frameBytes, frames_->ring.nextNumber());
+    std::unique_ptr<Frames> next =
+        makeFrames(frames_->generation + 1, frameBytes, frames_->ring.nextNumber());
     stage("frames replaced");
     block().pulse.frameGeneration.store(next->generation, std::memory_order_release);
     Segment::remove(names_.frames(epoch_, frames_->generation));

@@ -16,8 +16,8 @@ namespace ipc {
 class Publication {
   public:
     /// Complete when it can be found. Frames count on from `firstFrame`. Throws Error; nothing is left then.
-    Publication(const Names& names, const std::string& lockFolder, std::size_t frameBytes, std::uint32_t slots,
-                std::uint64_t firstFrame);
+    Publication(const Names& names, const std::string& lockFolder, std::size_t frameBytes,
+                std::uint32_t slots, std::uint64_t firstFrame);
     ~Publication();
     Publication(const Publication&) = delete;
     Publication& operator=(const Publication&) = delete;
@@ -41,7 +41,8 @@ class Publication {
         FrameRingWriter ring;
         std::uint64_t generation;
     };
-    std::unique_ptr<Frames> makeFrames(std::uint64_t generation, std::size_t frameBytes, std::uint64_t firstFrame);
+    std::unique_ptr<Frames> makeFrames(std::uint64_t generation, std::size_t frameBytes,
+                                       std::uint64_t firstFrame);
 
     Names names_;
     std::uint64_t epoch_;

@@ -105,7 +105,8 @@ bool ServedClient::tooManyMalformed() {
     return ++inWindow_ > kMaxMalformedPerSecond;
 }
 
-void ServedClient::answer(ClientSlot& slot, const Command& command, AnswerStatus status, std::string_view text) {
+void ServedClient::answer(ClientSlot& slot, const Command& command, AnswerStatus status,
+                          std::string_view text) {
     if (!command.wantsAnswer || command.client != tag_ || unanswered_ == 0) return;
     --unanswered_;
     waiting_.push_back({command.sequence, static_cast<std::uint32_t>(status),

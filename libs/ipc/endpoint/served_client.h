@@ -20,7 +20,8 @@ class ServedClient {
     bool active() const { return tag_ != 0; }
 
     /// Sees whether the slot changed hands. The last commands of who left go to `commands`. True when it did.
-    bool look(int index, ClientSlot& slot, const Names& names, std::uint64_t epoch, std::vector<Command>& commands);
+    bool look(int index, ClientSlot& slot, const Names& names, std::uint64_t epoch,
+              std::vector<Command>& commands);
     /// To be called when the slot's lock was free while `tag` was in it: its owner is dead.
     static void declareDead(ClientSlot& slot, std::uint64_t tag);
     std::uint64_t tag() const { return tag_; }

@@ -24,8 +24,9 @@ constexpr int kCommandsPerTurn = 16;
 std::size_t checkedBytes(std::uint32_t width, std::uint32_t height) {
     const std::size_t bytes = pixelBytes({.width = width, .height = height});
     if (bytes == 0) {
-        throw Error(Problem::TooLarge, "a frame has 1 to " + std::to_string(kMaxFrameSide) + " pixels a side, not " +
-                                           std::to_string(width) + " x " + std::to_string(height));
+        throw Error(Problem::TooLarge, "a frame has 1 to " + std::to_string(kMaxFrameSide) +
+                                           " pixels a side, not " + std::to_string(width) + " x " +
+                                           std::to_string(height));
     }
     return bytes;
 }
@@ -43,7 +44,8 @@ struct Server::State {
         refuseServerElsewhere(names, folder);
         removeSegments(names);
         stage("names cleared");
-        publication = std::make_unique<Publication>(names, folder, checkedBytes(options.width, options.height), slots, 1);
+        publication = std::make_unique<Publication>(names, folder,
+                                                    checkedBytes(options.width, options.height), slots, 1);
     }
 
     ControlBlock& block() const { return publication->block(); }
@@ -74,7 +76,8 @@ struct Server::State {
 bool Server::State::lookAtSlots() {
     bool changed = false;
     for (int i = 0; i < kMaxClients; ++i) {
-        changed |= clients[static_cast<std::size_t>(i)].look(i, block().slots[i], names, publication->epoch(), backlog);
+        changed |= clients[static_cast<std::size_t>(i)].look(i, block().slots[i], names, publication->epoch(),
+                                                             backlog);
     }
     return changed;
 }
@@ -110,8 +113,8 @@ void Server::State::removeLeftQueues() const {
     }
 }
 
-// Clients find the new control segment as they would find another server's. On failure the old one serves on, for
-// those who have it, and the next second tries again.
+// Clients find the new control segment as they would find another server's. On failure the old one serves on,
+// for those who have it, and the next second tries again.
 void Server::State::publishAnew() {
     lookAtSlots();
     for (int i = 0; i < kMaxClients; ++i) {
@@ -144,7 +147,11 @@ Server::Server(const ServerOptions& options) : state_(std::make_unique<State>(op
 
 Server::~Server() {
     // A child that was forked has the object, but not the right to remove anything.
-    if (processId() != state_->process) (void)state_->publication.release();
+    if (processId() != state_->process) {
+        (void)state_->publication.release();
+    } else {
+        state_->removeLeftQueues();
+    }
 }
 
 std::uint64_t Server::epoch() const { return state_->publication->epoch(); }

@@ -18,7 +18,8 @@ namespace {
 // What cannot even be opened as ours is left to whoever creates the name.
 std::optional<ControlFacts> factsByName(const Names& names) {
     try {
-        const std::optional<Segment> segment = Segment::open(names.control(), Access::Read, sizeof(ControlHeader));
+        const std::optional<Segment> segment =
+            Segment::open(names.control(), Access::Read, sizeof(ControlHeader));
         return segment ? readControlFacts(*segment) : std::nullopt;
     } catch (const Error&) {
         return std::nullopt;

@@ -6,7 +6,8 @@
 
 namespace ipc {
 
-/// Tries until `deadline` (a killed server is alive until its memory is torn down). Throws Error AlreadyRunning.
+/// Tries until `deadline` (a killed server is alive until its memory is torn down). Throws Error
+/// AlreadyRunning.
 OwnerLock takeServerLock(const Names& names, const std::string& folder, Clock::time_point deadline);
 
 /// A server may hold its lock in another folder than ours, when its environment is another.

@@ -11,9 +11,9 @@ enum class PixelFormat : std::uint32_t {
 };
 
 struct FrameInfo {
-    std::uint64_t number = 0;     ///< counts up from 1 while the server lives; the library sets it
-    std::uint64_t run = 0;        ///< which run of a program drew it; a viewer may ignore other runs
-    std::uint32_t width = 0;      ///< pixels
+    std::uint64_t number = 0; ///< counts up from 1 while the server lives; the library sets it
+    std::uint64_t run = 0;    ///< which run of a program drew it; a viewer may ignore other runs
+    std::uint32_t width = 0;  ///< pixels
     std::uint32_t height = 0;
     PixelFormat format = PixelFormat::Rgba8;
     std::uint32_t samples = 1;    ///< per pixel

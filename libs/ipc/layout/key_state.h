@@ -12,8 +12,8 @@ namespace ipc {
 
 /// What is pressed, united over the clients.
 struct KeyState {
-    std::bitset<kMaxKeys> down;                     ///< down now
-    std::array<std::uint32_t, kMaxKeys> presses{};  ///< times pressed since the state was last asked for
+    std::bitset<kMaxKeys> down;                    ///< down now
+    std::array<std::uint32_t, kMaxKeys> presses{}; ///< times pressed since the state was last asked for
     bool held(int key) const { return down[static_cast<std::size_t>(key)]; }
     std::uint32_t pressed(int key) const { return presses[static_cast<std::size_t>(key)]; }
 };

@@ -1,4 +1,5 @@
-/// One value with one writer and any number of readers, none of whom waits. The number is odd while the value changes.
+/// One value with one writer and any number of readers, none of whom waits. The number is odd while the value
+/// changes.
 #pragma once
 
 #include <atomic>
@@ -7,7 +8,8 @@
 
 namespace ipc {
 
-template <class T> struct alignas(64) Sequenced {
+template <class T>
+struct alignas(64) Sequenced {
     static_assert(std::is_trivially_copyable_v<T> && alignof(T) == 8 && sizeof(T) % 8 == 0);
     std::atomic<std::uint64_t> sequence;
     T value;

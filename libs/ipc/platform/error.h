@@ -1,4 +1,5 @@
-/// What can go wrong between the processes. Thrown by constructors and by what says so; `what()` tells what to do.
+/// What can go wrong between the processes. Thrown by constructors and by what says so; `what()` tells what
+/// to do.
 #pragma once
 
 #include <stdexcept>

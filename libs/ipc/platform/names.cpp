@@ -38,9 +38,7 @@ std::string Names::frames(std::uint64_t epoch, std::uint64_t generation) const {
     return prefix_ + "f" + hexadecimal(epoch) + "-" + std::to_string(generation);
 }
 
-std::string Names::queue(int slot, std::uint64_t tag) const {
-    return prefix_ + "q" + std::to_string(slot) + "-" + hexadecimal(tag);
-}
+std::string Names::queue(int slot, std::uint64_t tag) const { return queuePrefix(slot) + hexadecimal(tag); }
 
 int Names::slotOfQueue(std::string_view name) const {
     if (!name.starts_with(prefix_)) return -1;

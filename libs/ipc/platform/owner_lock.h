@@ -1,5 +1,5 @@
-/// Proof that the owner of a name lives: a locked file. The system unlocks it when the process ends, however it ends,
-/// once its memory is torn down. Not inherited by children.
+/// Proof that the owner of a name lives: a locked file. The system unlocks it when the process ends, however
+/// it ends, once its memory is torn down. Not inherited by children.
 #pragma once
 
 #include "ipc/platform/system.h"
@@ -12,8 +12,9 @@ namespace ipc {
 
 class OwnerLock {
   public:
-    /// Nothing when somebody - another process or another object of this one - holds it. Makes the file when missing
-    /// and never removes it: a name that comes and goes could have two owners. Throws Error System. Any thread.
+    /// Nothing when somebody - another process or another object of this one - holds it. Makes the file when
+    /// missing and never removes it: a name that comes and goes could have two owners. Throws Error System.
+    /// Any thread.
     static std::optional<OwnerLock> tryTake(const std::string& path);
 
     OwnerLock(OwnerLock&&) noexcept;

@@ -33,7 +33,8 @@ Segment::~Segment() = default;
 Segment Segment::create(const std::string& name, std::size_t bytes) {
     try {
         auto state = std::make_unique<State>();
-        state->memory = bi::shared_memory_object(bi::create_only, name.c_str(), bi::read_write, bi::permissions(0600));
+        state->memory =
+            bi::shared_memory_object(bi::create_only, name.c_str(), bi::read_write, bi::permissions(0600));
         try {
             stage("segment made");
             reserveSpace(state->memory.get_mapping_handle().handle, bytes, name);
@@ -45,7 +46,8 @@ Segment Segment::create(const std::string& name, std::size_t bytes) {
         }
         return Segment(std::move(state));
     } catch (const bi::interprocess_exception& error) {
-        if (error.get_error_code() == bi::already_exists_error) notYours(name, "the name is taken and cannot be removed");
+        if (error.get_error_code() == bi::already_exists_error)
+            notYours(name, "the name is taken and cannot be removed");
         throw Error(Problem::System, "shared memory " + name + ": " + error.what());
     }
 }

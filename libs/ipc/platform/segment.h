@@ -1,5 +1,5 @@
-/// A named piece of shared memory. Only this user can open it. Whoever makes it removes it; maps are closed by the
-/// destructor, names are not.
+/// A named piece of shared memory. Only this user can open it. Whoever makes it removes it; maps are closed
+/// by the destructor, names are not.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +13,11 @@ enum class Access { Read, Write };
 
 class Segment {
   public:
-    /// New, zeroed, mode 0600, its memory reserved. Throws Error: NotYours when the name is taken, NoSpace, System.
+    /// New, zeroed, mode 0600, its memory reserved. Throws Error: NotYours when the name is taken, NoSpace,
+    /// System.
     static Segment create(const std::string& name, std::size_t bytes);
-    /// Nothing when there is no such segment, or when it has less than `atLeast` bytes (its maker is not done, or
-    /// died). Throws Error NotYours when it is not a segment of this user alone.
+    /// Nothing when there is no such segment, or when it has less than `atLeast` bytes (its maker is not
+    /// done, or died). Throws Error NotYours when it is not a segment of this user alone.
     static std::optional<Segment> open(const std::string& name, Access access, std::size_t atLeast);
     /// No error when there is none, or when it belongs to somebody else.
     static void remove(const std::string& name) noexcept;

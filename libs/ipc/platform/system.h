@@ -16,8 +16,8 @@ using Clock = std::chrono::steady_clock;
 std::uint32_t userId();
 std::int64_t processId();
 
-/// The folder of the lock files, made when missing, with mode 0700: $XDG_RUNTIME_DIR/rts, or a folder of this user in
-/// the temporary folder. Throws Error NotYours when somebody else made it.
+/// The folder of the lock files, made when missing, with mode 0700: $XDG_RUNTIME_DIR/rts, or a folder of this
+/// user in the temporary folder. Throws Error NotYours when somebody else made it.
 std::string lockFolder();
 
 /// Makes an empty file with mode 0600 unless it is there. Throws Error.
@@ -40,10 +40,10 @@ LockHolder foreignLockHolder(const std::string& path);
 
 /// What an open segment is.
 struct SegmentFacts {
-    bool regular = false;     ///< a segment, not a folder or a pipe of that name
-    bool ours = false;        ///< belongs to this user, and nobody else may read or write it
+    bool regular = false; ///< a segment, not a folder or a pipe of that name
+    bool ours = false;    ///< belongs to this user, and nobody else may read or write it
     std::uint64_t bytes = 0;
-    bool named = false;       ///< its name still stands
+    bool named = false; ///< its name still stands
 };
 SegmentFacts factsOf(int segment);
 
@@ -55,12 +55,12 @@ void requireSpace(std::size_t bytes);
 /// Names of all segments that begin with `prefix`, whoever made them.
 std::vector<std::string> segmentNames(const std::string& prefix);
 
-/// A counter that can be waited on, shared by processes. A process may be killed at any point in these functions
-/// without harm to the others.
+/// A counter that can be waited on, shared by processes. A process may be killed at any point in these
+/// functions without harm to the others.
 void initialise(Doorbell& bell);
 void ring(Doorbell& bell);
-/// True when it was rung since the last call (any number of times counts as one), or as soon as it is; false at
-/// `deadline` or when a signal arrived.
+/// True when it was rung since the last call (any number of times counts as one), or as soon as it is; false
+/// at `deadline` or when a signal arrived.
 bool waitUntil(Doorbell& bell, Clock::time_point deadline);
 
 } // namespace ipc

@@ -46,7 +46,8 @@ void makePrivateFolder(const std::string& path) {
     struct stat facts {};
     if (::lstat(path.c_str(), &facts) != 0 || !S_ISDIR(facts.st_mode) || facts.st_uid != ::geteuid() ||
         (facts.st_mode & 077) != 0) {
-        throw Error(Problem::NotYours, path + ": is not a folder of yours alone; remove it or correct its mode to 0700");
+        throw Error(Problem::NotYours,
+                    path + ": is not a folder of yours alone; remove it or correct its mode to 0700");
     }
 }
 
@@ -64,9 +65,10 @@ std::string megabytes(std::uint64_t bytes) {
 }
 
 [[noreturn]] void noSpace(std::size_t need, std::uint64_t rest) {
-    throw Error(Problem::NoSpace, "shared memory: needs " + megabytes(need) + ", " + kSegmentFolder + " has " +
-                                      megabytes(rest) +
-                                      " left; free some (in a container: --shm-size) or ask for a lower resolution");
+    throw Error(Problem::NoSpace,
+                "shared memory: needs " + megabytes(need) + ", " + kSegmentFolder + " has " +
+                    megabytes(rest) +
+                    " left; free some (in a container: --shm-size) or ask for a lower resolution");
 }
 
 sem_t* semaphore(Doorbell& bell) { return std::launder(reinterpret_cast<sem_t*>(bell.memory)); }
@@ -166,7 +168,8 @@ std::vector<std::string> segmentNames(const std::string& prefix) {
     DIR* folder = ::opendir(kSegmentFolder);
     if (folder == nullptr) return names;
     while (const dirent* entry = ::readdir(folder)) {
-        if (std::strncmp(entry->d_name, prefix.c_str(), prefix.size()) == 0) names.emplace_back(entry->d_name);
+        if (std::strncmp(entry->d_name, prefix.c_str(), prefix.size()) == 0)
+            names.emplace_back(entry->d_name);
     }
     ::closedir(folder);
     return names;
@@ -182,7 +185,8 @@ void ring(Doorbell& bell) { ::sem_post(semaphore(bell)); } // fails only when it
 
 bool waitUntil(Doorbell& bell, Clock::time_point deadline) {
     if (drain(semaphore(bell))) return true;
-    const auto nanoseconds = std::chrono::duration_cast<std::chrono::nanoseconds>(deadline.time_since_epoch()).count();
+    const auto nanoseconds =
+        std::chrono::duration_cast<std::chrono::nanoseconds>(deadline.time_since_epoch()).count();
     if (deadline <= Clock::now()) return false;
     timespec until{};
     until.tv_sec = static_cast<time_t>(nanoseconds / 1000000000);

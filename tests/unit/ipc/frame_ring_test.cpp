@@ -25,7 +25,9 @@ struct Ring {
         std::memset(memory.get(), 0, bytes);
         return new (memory.get()) FrameSegment;
     }
-    FrameRingReader reader(FrameRingReader::Copy copy = {}) const { return {memory.get(), bytes, std::move(copy)}; }
+    FrameRingReader reader(FrameRingReader::Copy copy = {}) const {
+        return {memory.get(), bytes, std::move(copy)};
+    }
 
     std::size_t bytes;
     std::unique_ptr<void, decltype(&std::free)> memory;
@@ -58,7 +60,8 @@ TEST(FrameRing, GivesTheNewestFrameOnce) {
     EXPECT_TRUE(reader.ready(kEpoch, kGeneration));
     EXPECT_EQ(reader.read(info, pixels), FrameRead::Old);
     for (std::uint64_t number = 1; number < 20; ++number) {
-        publish(ring.writer, {.run = 9, .width = kSide, .height = 1 + static_cast<std::uint32_t>(number) % kSide});
+        publish(ring.writer,
+                {.run = 9, .width = kSide, .height = 1 + static_cast<std::uint32_t>(number) % kSide});
         ASSERT_EQ(reader.read(info, pixels), FrameRead::New);
         EXPECT_EQ(info.number, number);
         EXPECT_EQ(info.run, 9u);

@@ -1,5 +1,5 @@
-/// What a client makes of segments that are not, not yet, or no longer a server of its version; and a server of what
-/// lies in its way. Nobody may wait longer than told.
+/// What a client makes of segments that are not, not yet, or no longer a server of its version; and a server
+/// of what lies in its way. Nobody may wait longer than told.
 #include "ipc/endpoint/client.h"
 #include "ipc/endpoint/link.h"
 #include "ipc/endpoint/server.h"
@@ -46,7 +46,8 @@ class Handshakes : public testing::Test {
         EXPECT_EQ(viewers, clients);
         return clients;
     }
-    template <class Endpoint> std::optional<Problem> attempt() const {
+    template <class Endpoint>
+    std::optional<Problem> attempt() const {
         const auto start = Clock::now();
         std::optional<Problem> met;
         try {
@@ -81,9 +82,11 @@ TEST_F(Handshakes, ASegmentWithoutItsServersLockIsNoServer) {
 
 TEST_F(Handshakes, OtherVersionsAreNamed) {
     const std::function<void(ControlHeader&)> changes[] = {
-        [](ControlHeader& h) { h.handshake.protocolVersion++; }, [](ControlHeader& h) { h.handshake.controlBytes--; },
+        [](ControlHeader& h) { h.handshake.protocolVersion++; },
+        [](ControlHeader& h) { h.handshake.controlBytes--; },
         [](ControlHeader& h) { h.handshake.boostVersion = 107400; },
-        [](ControlHeader& h) { h.handshake.pointerBytes = 4; }, [](ControlHeader& h) { h.handshake.byteOrder = 0x0201; }};
+        [](ControlHeader& h) { h.handshake.pointerBytes = 4; },
+        [](ControlHeader& h) { h.handshake.byteOrder = 0x0201; }};
     for (const auto& change : changes) {
         makeControl(change);
         EXPECT_EQ(problem(), Problem::WrongVersion);

@@ -20,7 +20,8 @@ TEST(Names, BelongToUserAndInstance) {
 }
 
 TEST(Names, CannotLeaveTheirFolder) {
-    for (const char* bad : {"", ".", "..", "a/b", "a.b", "a b", "\xC3\xA4", "123456789012345678901234567890123"}) {
+    for (const char* bad :
+         {"", ".", "..", "a/b", "a.b", "a b", "\xC3\xA4", "123456789012345678901234567890123"}) {
         try {
             const Names names(bad);
             FAIL() << bad;

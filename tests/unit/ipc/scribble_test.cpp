@@ -1,5 +1,5 @@
-/// Random bytes over the segments of a running server: nobody crashes, reads out of bounds, or hangs. Spared are the
-/// semaphores and the queues, whose insides belong to the C library and to Boost.
+/// Random bytes over the segments of a running server: nobody crashes, reads out of bounds, or hangs. Spared
+/// are the semaphores and the queues, whose insides belong to the C library and to Boost.
 #include "ipc/channel/message.h"
 #include "ipc/endpoint/client.h"
 #include "ipc/endpoint/server.h"
@@ -58,12 +58,14 @@ TEST(Scribble, OverTheControlSegment) {
         ASSERT_TRUE(control);
         auto* bytes = static_cast<unsigned char*>(control->data());
         for (int step = 0; step < 40; ++step) {
-            for (std::uint64_t n = random() % 16; n > 0; --n) bytes[randomOffset(random)] = static_cast<unsigned char>(random());
+            for (std::uint64_t n = random() % 16; n > 0; --n)
+                bytes[randomOffset(random)] = static_cast<unsigned char>(random());
             Frame frame;
             try {
                 server.beginFrame(16, 16);
                 server.publishFrame();
-                for (const Command& command : server.takeCommands()) server.answer(command, AnswerStatus::Done, "yes");
+                for (const Command& command : server.takeCommands())
+                    server.answer(command, AnswerStatus::Done, "yes");
                 server.keys();
                 viewer.readFrame(frame);
                 viewer.status();
@@ -83,7 +85,8 @@ TEST(Scribble, OverTheFrameSegment) {
     std::mt19937_64 random(12);
     test::IpcInstance instance;
     Server server({.instance = instance.name(), .width = 32, .height = 32});
-    const auto frames = Segment::open(instance.names().frames(server.epoch(), 1), Access::Write, kPixelsOffset);
+    const auto frames =
+        Segment::open(instance.names().frames(server.epoch(), 1), Access::Write, kPixelsOffset);
     ASSERT_TRUE(frames);
     auto* bytes = static_cast<unsigned char*>(frames->data());
     for (int round = 0; round < 20 * rounds(); ++round) {
@@ -114,7 +117,8 @@ TEST(Scribble, MalformedCommandsAreCountedAndEndTheirSender) {
     const OwnerLock lock = std::move(*OwnerLock::tryTake(instance.names().clientLock(lockFolder(), 1)));
     const std::string name = instance.names().queue(1, 99);
     namespace bi = boost::interprocess;
-    bi::message_queue queue(bi::create_only, name.c_str(), kCommandQueueLength, kMaxMessageBytes, bi::permissions(0600));
+    bi::message_queue queue(bi::create_only, name.c_str(), kCommandQueueLength, kMaxMessageBytes,
+                            bi::permissions(0600));
     slot.clientTag = 99;
     server.takeCommands();
     EXPECT_EQ(slot.servedTag, 99u);
@@ -145,7 +149,8 @@ TEST(Scribble, AQueueOfOtherDimensionsIsRefused) {
     const OwnerLock lock = std::move(*OwnerLock::tryTake(instance.names().clientLock(lockFolder(), 0)));
     namespace bi = boost::interprocess;
     const std::string wide = instance.names().queue(0, 5);
-    bi::message_queue queue(bi::create_only, wide.c_str(), 2 * kCommandQueueLength, kMaxMessageBytes, bi::permissions(0600));
+    bi::message_queue queue(bi::create_only, wide.c_str(), 2 * kCommandQueueLength, kMaxMessageBytes,
+                            bi::permissions(0600));
     for (const std::uint64_t tag : {std::uint64_t{5}, std::uint64_t{6}}) { // 6: there is no such queue
         slot.clientTag = tag;
         server.takeCommands();

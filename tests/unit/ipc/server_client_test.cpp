@@ -84,7 +84,8 @@ TEST_F(ServerClient, LongAnswersAreDeliveredOneAfterTheOther) {
         while (!stop) {
             server->wait(5ms);
             for (const Command& command : server->takeCommands()) {
-                server->answer(command, AnswerStatus::Done, std::string(70000, static_cast<char>('a' + command.sequence)));
+                server->answer(command, AnswerStatus::Done,
+                               std::string(70000, static_cast<char>('a' + command.sequence)));
             }
         }
     });
@@ -248,7 +249,8 @@ TEST_F(ServerClient, FramesFollowEverySize) {
         }
         EXPECT_FALSE(viewer.readFrame(frame));
         ++number;
-        EXPECT_EQ(instance.segments().size(), 2u + (number == 1)); // the old size is gone; the queue's name, at first
+        EXPECT_EQ(instance.segments().size(),
+                  2u + (number == 1)); // the old size is gone; the queue's name, at first
         server->takeCommands();
     }
     EXPECT_THROW(server->beginFrame(0, 5), Error);
@@ -288,7 +290,8 @@ TEST_F(ServerClient, StatusIsPassedOn) {
     const auto server = start();
     Viewer viewer(instance.name());
     EXPECT_EQ(viewer.status(), Status{});
-    const Status status{.frameSeconds = 0.25, .raysPerSecond = 1e9, .polygons = 66450, .exposure = 0.5f, .idle = 1};
+    const Status status{
+        .frameSeconds = 0.25, .raysPerSecond = 1e9, .polygons = 66450, .exposure = 0.5f, .idle = 1};
     server->setStatus(status);
     EXPECT_EQ(viewer.status(), status);
 }
