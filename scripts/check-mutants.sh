@@ -28,12 +28,12 @@ wait-to-send channel/command_queue.cpp s/state_->queue.try_send(\(.*\), 0)/(stat
 wait-to-receive channel/command_queue.cpp s/if (!state_->queue.try_receive(\(.*\)))/state_->queue.receive(\1); if (false)/
 silence-is-death endpoint/link.cpp s/return LinkState::Busy;/return LinkState::Gone;/
 lock-unchecked endpoint/link.cpp s/!lockHolder([^;]*).held || replaced()/replaced()/
-dead-clients-kept endpoint/server.cpp s/ServedClient::declareDead(/(void)sizeof(/;s/(void)sizeof(\(.*\), client.tag());/(void)sizeof(client.tag());/
+dead-clients-kept endpoint/server.cpp /ServedClient::declareDead(/d
 queue-name-kept channel/command_queue.cpp /^        Segment::remove(name);/d
 nothing-removed-at-start endpoint/server.cpp /^        removeSegments(names);/d
 names-not-watched endpoint/server.cpp /publishAnew();$/d
 mode-unchecked platform/segment.cpp /if (!facts.ours)/d
-space-not-reserved platform/segment.cpp s/reserveSpace(\(.*\), bytes, name);/state->memory.truncate(0); (void)ftruncate(\1, static_cast<off_t>(bytes));/;s/^#include "ipc.platform.system.h"/&\n#include <unistd.h>/
+space-not-reserved platform/segment.cpp s/reserveSpace(\(.*\), bytes, name);/if (ftruncate(\1, static_cast<off_t>(bytes)) != 0) throw 1;/;s/^#include "ipc.platform.system.h"/&\n#include <unistd.h>/
 crc-unchecked channel/message.cpp /header.checksum) return false/d
 keys-kept endpoint/attachment.cpp s/^    keys.restore(.*/(void)keys;/
 END

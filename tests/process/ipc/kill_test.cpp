@@ -1,5 +1,6 @@
 /// kill -9 at random moments (docs/protocol.md, "Deaths"): everybody gets on, nothing is torn, nothing is
 /// left.
+#include "ipc/endpoint/client.h"
 #include "process/ipc/troupe.h"
 
 #include <gtest/gtest.h>
@@ -61,6 +62,24 @@ TEST(Killed, ServersAndClients) {
 TEST(Killed, ClientsInTheMiddleOfSending) {
     Troupe troupe;
     killAtRandom(troupe, rounds(200), "flood", {"pause=0"});
+}
+
+TEST(Killed, AServerIsNoticedAndItsLastFrameStays) {
+    Troupe troupe;
+    troupe.start(0, "server");
+    ipc::Client client(troupe.instance.name());
+    ipc::Viewer viewer(troupe.instance.name());
+    ASSERT_EQ(client.request("echo").status, ipc::ReplyStatus::Done);
+    ipc::Ticket ticket = 0;
+    troupe[0].send(SIGSTOP);
+    EXPECT_EQ(client.send("echo", &ticket), ipc::SendStatus::Sent);
+    troupe[0].kill();
+    EXPECT_EQ(client.wait(ticket, 500ms).status, ipc::ReplyStatus::Lost);
+    EXPECT_TRUE(eventually([&] { return viewer.update() == ipc::LinkState::Gone; }, 500ms));
+    ipc::Frame frame;
+    EXPECT_TRUE(viewer.readFrame(frame));
+    EXPECT_EQ(client.send("echo"), ipc::SendStatus::NoServer);
+    EXPECT_EQ(client.request("echo", 20ms).status, ipc::ReplyStatus::NotSent);
 }
 
 TEST(Killed, WhileWaitingForABusyServer) {
