@@ -1,4 +1,5 @@
-// How fast the shared memory between the programs is: command round trips, frames, and what clients cost a server.
+// How fast the shared memory between the programs is: command round trips, frames, and what clients cost a
+// server.
 //   bench_ipc
 #include "ipc/endpoint/client.h"
 #include "ipc/endpoint/server.h"
@@ -66,7 +67,8 @@ void roundTrips() {
         ipc::Server server({.instance = instance.name(), .width = 64, .height = 64});
         while (true) {
             server.wait(1s);
-            for (const ipc::Command& command : server.takeCommands()) server.answer(command, ipc::AnswerStatus::Done);
+            for (const ipc::Command& command : server.takeCommands())
+                server.answer(command, ipc::AnswerStatus::Done);
         }
     });
     ipc::Client client(instance.name());
@@ -101,9 +103,10 @@ void frames() {
         reading.push_back(microseconds(Clock::now() - start));
     }
     const double plain = quantile(copying, 0.5);
-    std::printf("frame of %u x %u: published by copy %.0f us median (%.2f of a memcpy), read %.0f us (%.2f)\n", kWidth,
-                kHeight, quantile(publishing, 0.5), quantile(publishing, 0.5) / plain, quantile(reading, 0.5),
-                quantile(reading, 0.5) / plain);
+    std::printf(
+        "frame of %u x %u: published by copy %.0f us median (%.2f of a memcpy), read %.0f us (%.2f)\n",
+        kWidth, kHeight, quantile(publishing, 0.5), quantile(publishing, 0.5) / plain, quantile(reading, 0.5),
+        quantile(reading, 0.5) / plain);
 }
 
 // In another process, 60 frames a second, drawn in place.
@@ -136,7 +139,8 @@ double serverCost(ipc::Server& server, int count) {
     for (int i = 0; i < count; ++i) {
         std::this_thread::sleep_for(9ms);
         const double start = cpuMicroseconds();
-        for (const ipc::Command& command : server.takeCommands()) server.answer(command, ipc::AnswerStatus::Done);
+        for (const ipc::Command& command : server.takeCommands())
+            server.answer(command, ipc::AnswerStatus::Done);
         server.keys();
         server.publishFrame({.width = kWidth, .height = kHeight}, pixels);
         server.setStatus({});
@@ -167,7 +171,8 @@ void crowd() {
     serverCost(server, 50);
     clients[0]->send(SIGSTOP);
     const double crowded = serverCost(server, 200);
-    std::printf("serving and publishing, per frame: %.0f us alone, %.0f us with 16 clients, one of them stopped and one "
+    std::printf("serving and publishing, per frame: %.0f us alone, %.0f us with 16 clients, one of them "
+                "stopped and one "
                 "flooding: %.2f%% of a frame of 16.7 ms more\n",
                 alone, crowded, (crowded - alone) / 16700 * 100);
 }

@@ -99,8 +99,8 @@ LinkState Client::State::update() {
         attachAgain();
         return now;
     }
-    std::optional<Link> next = Link::open(names, Access::Write);
-    if (!next || next->epoch() == link.epoch()) return LinkState::Gone;
+    std::optional<Link> next = link.successor(Access::Write);
+    if (!next) return LinkState::Gone;
     follow(std::move(*next));
     return LinkState::Connected;
 }

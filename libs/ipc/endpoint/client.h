@@ -54,7 +54,7 @@ class Client {
     Client& operator=(const Client&) = delete;
 
     /// Looks whether the server lives; attaches to its successor. Every other function does it, too. Throws
-    /// Error WrongVersion, NotYours or NoSpace when there is one that cannot be attached to.
+    /// Error WrongVersion, NotYours, NoSlot or NoSpace when there is one that cannot be attached to.
     LinkState update();
     std::uint64_t epoch() const; ///< another number after another server, or another start of it
     std::int64_t serverProcess() const;

@@ -73,6 +73,13 @@ std::optional<Link> Link::open(const Names& names, Access access) {
     return link;
 }
 
+// The same epoch with a still pulse is a dead server's whose successor already has the lock.
+std::optional<Link> Link::successor(Access access) const {
+    std::optional<Link> next = open(names_, access);
+    if (next && next->epoch() == epoch() && next->pulse_ == pulse_) return std::nullopt;
+    return next;
+}
+
 LinkState Link::check() {
     const ServerPhase phase = block().pulse.phase.load(std::memory_order_acquire);
     if (phase != ServerPhase::Running) state_ = LinkState::Gone;

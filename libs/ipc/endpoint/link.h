@@ -35,6 +35,10 @@ class Link {
     std::int64_t serverProcess() const { return facts_.serverProcess; }
     const std::string& lockFolder() const { return facts_.lockFolder; }
 
+    /// The server's next epoch; or this one again, when it turns out to live (its lock file had been
+    /// removed). Otherwise as open. For a link that is Gone.
+    std::optional<Link> successor(Access access) const;
+
     /// Cheap enough for every call. Silence alone never means death: a silent server that holds its lock is
     /// busy.
     LinkState check();

@@ -29,8 +29,8 @@ LinkState Viewer::update() {
     const LinkState now = state.link->check();
     if (now != LinkState::Gone || Clock::now() - state.lastLook < kLookEvery) return now;
     state.lastLook = Clock::now();
-    std::optional<Link> next = Link::open(state.names, Access::Read);
-    if (!next || next->epoch() == state.link->epoch()) return LinkState::Gone;
+    std::optional<Link> next = state.link->successor(Access::Read);
+    if (!next) return LinkState::Gone;
     state.link = std::move(next);
     return LinkState::Connected;
 }

@@ -64,8 +64,12 @@ std::optional<Segment> Segment::open(const std::string& name, Access access, std
         state->map = bi::mapped_region(state->memory, mode, 0, facts.bytes);
         return Segment(std::move(state));
     } catch (const bi::interprocess_exception& error) {
-        if (error.get_error_code() == bi::not_found_error) return std::nullopt;
-        notYours(name, error.what());
+        const bi::error_code_t code = error.get_error_code();
+        if (code == bi::not_found_error) return std::nullopt;
+        if (code == bi::out_of_resource_error || code == bi::out_of_memory_error) {
+            throw Error(Problem::System, "shared memory " + name + ": " + error.what());
+        }
+        notYours(name, error.what()); // no permission, a link, a folder
     }
 }
 

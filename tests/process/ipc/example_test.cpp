@@ -14,7 +14,8 @@ using namespace test;
 TEST(Example, GetsAnAnswerAndAPicture) {
     Troupe troupe;
     troupe.start(0, "server");
-    const ProgramResult result = runProgram(RT_IPC_EXAMPLE, {troupe.instance.name()}, {.folder = troupe.instance.folder().path()});
+    const ProgramResult result =
+        runProgram(RT_IPC_EXAMPLE, {troupe.instance.name()}, {.folder = troupe.instance.folder().path()});
     EXPECT_EQ(result.exitCode, 0) << result.error;
     EXPECT_NE(result.output.find("ping: ping\n"), std::string::npos) << result.output;
     std::stringstream picture;

@@ -25,6 +25,7 @@ class DeathAt : public testing::TestWithParam<Point> {
     bool comesToTheStage(int time) {
         const bool again = server() && !GetParam().beforeRunning && !GetParam().once;
         const std::string dieAt = std::string(GetParam().stage) + ":" + std::to_string(again ? time : 1);
+        const std::uint64_t before = troupe.board[1].progress;
         troupe.start(0, "server", kServer, server() ? dieAt : "");
         troupe.start(1, "client", {}, server() ? "" : dieAt);
         troupe.start(2, "client");
@@ -33,7 +34,7 @@ class DeathAt : public testing::TestWithParam<Point> {
             const int status = victim.wait(30ms);
             if (status != -1) return WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
             if (server()) troupe.start(1, "client");
-            if (!server() && troupe.board[1].progress > 0) victim.send(SIGTERM);
+            if (!server() && troupe.board[1].progress > before) victim.send(SIGTERM);
         }
         return false;
     }

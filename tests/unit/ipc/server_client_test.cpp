@@ -183,6 +183,28 @@ TEST_F(ServerClient, ThirtyTwoClientsAndAnyNumberOfViewers) {
     EXPECT_NO_THROW(Client(instance.name()));
 }
 
+std::size_t openDescriptors() {
+    const std::filesystem::directory_iterator folder("/proc/self/fd");
+    return static_cast<std::size_t>(std::distance(begin(folder), end(folder)));
+}
+
+TEST_F(ServerClient, NothingIsLostByComingAndGoing) {
+    const auto server = start();
+    std::vector<std::unique_ptr<Client>> clients(32);
+    for (std::uint32_t round = 0; round < 100; ++round) server->beginFrame(16 + round, 16);
+    const std::size_t before = openDescriptors();
+    for (std::size_t round = 0; round < 1000; ++round) {
+        auto& client = clients[round * 7 % 32];
+        client ? client.reset() : void(client = std::make_unique<Client>(instance.name()));
+        if (round % 3 == 0) server->takeCommands();
+    }
+    clients.clear();
+    server->takeCommands();
+    EXPECT_EQ(server->clients(), 0);
+    EXPECT_EQ(openDescriptors(), before);
+    EXPECT_EQ(instance.segments().size(), 2u);
+}
+
 TEST_F(ServerClient, KeysAreUnitedAndCounted) {
     const auto server = start();
     Client one(instance.name()), two(instance.name());
@@ -377,14 +399,33 @@ TEST_F(ServerClient, RemovedNamesArePublishedAnew) {
     EXPECT_EQ(viewer.status().polygons, 5u);
 }
 
+template <class Endpoint> bool becomes(Endpoint& endpoint, LinkState state) {
+    const auto deadline = Clock::now() + 1s;
+    while (endpoint.update() != state) {
+        if (Clock::now() > deadline) return false;
+        std::this_thread::sleep_for(1ms);
+    }
+    return true;
+}
+
 TEST_F(ServerClient, ARemovedLockFileIsTakenAgain) {
     const auto server = start();
     const std::string path = instance.names().serverLock(lockFolder());
+    Client client(instance.name());
+    Viewer viewer(instance.name());
+    client.pressKey(8);
+    server->takeCommands();
     std::filesystem::remove(path);
+    EXPECT_TRUE(becomes(client, LinkState::Gone));
+    EXPECT_TRUE(becomes(viewer, LinkState::Gone));
     const auto deadline = Clock::now() + 3s;
     while (!std::filesystem::exists(path) && Clock::now() < deadline) server->wait(50ms);
     EXPECT_TRUE(std::filesystem::exists(path));
     EXPECT_THROW(start(), Error);
+    EXPECT_TRUE(becomes(client, LinkState::Connected));
+    EXPECT_TRUE(becomes(viewer, LinkState::Connected));
+    server->takeCommands();
+    EXPECT_TRUE(server->keys().held(8));
 }
 
 } // namespace
