@@ -5,6 +5,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 work=$(mktemp -d "${TMPDIR:-/tmp}/rtsuite-mutants-XXXXXX")
+chmod 755 "$work"
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
 git ls-files -co --exclude-standard | tar -cf - -T - | tar -xf - -C "$work"
@@ -48,7 +49,9 @@ caught() {
         # shellcheck disable=SC2086
         timeout -k 5 120 build/headless/bin/$program --gtest_fail_fast >run.log 2>&1 || code=$?
         [ $code -eq 0 ] && continue
-        sed -n 's/^\[ RUN *\] //p' run.log | tail -n 1
+        failed=$(sed -n 's/^\[  FAILED  \] \([^ ,]*\).*/\1/p' run.log | head -n 1)
+        [ -n "$failed" ] || failed="$(sed -n 's/^\[ RUN *\] //p' run.log | tail -n 1) (ended with $code)"
+        echo "$failed"
         return
     done
 }

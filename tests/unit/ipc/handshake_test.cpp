@@ -84,7 +84,7 @@ TEST_F(Handshakes, OtherVersionsAreNamed) {
     const std::function<void(ControlHeader&)> changes[] = {
         [](ControlHeader& h) { h.handshake.protocolVersion++; },
         [](ControlHeader& h) { h.handshake.controlBytes--; },
-        [](ControlHeader& h) { h.handshake.boostVersion = 107400; },
+        [](ControlHeader& h) { h.handshake.boostVersion += 100; },
         [](ControlHeader& h) { h.handshake.pointerBytes = 4; },
         [](ControlHeader& h) { h.handshake.byteOrder = 0x0201; }};
     for (const auto& change : changes) {
