@@ -9,8 +9,8 @@ chmod 755 "$work"
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
 git ls-files -co --exclude-standard | tar -cf - -T - | tar -xf - -C "$work"
-sources=$PWD/libs/ipc
 cd "$work"
+cp -R libs/ipc intact
 cmake --preset headless >/dev/null
 
 # name file sed-expression
@@ -68,7 +68,7 @@ mutants >mutants.txt
 while read -r name file expression; do
     case " $* " in "  " | *" $name "*) ;; *) continue ;; esac
     sed -i "$expression" "libs/ipc/$file"
-    if cmp -s "libs/ipc/$file" "$sources/$file"; then
+    if cmp -s "libs/ipc/$file" "intact/$file"; then
         echo "check-mutants: $name changes nothing: bring its line in this script up to date" >&2
         survived=$((survived + 1))
         continue
@@ -82,7 +82,7 @@ while read -r name file expression; do
         echo "$name: ${test:-SURVIVED}"
         [ -n "$test" ] || survived=$((survived + 1))
     fi
-    cp "$sources/$file" "libs/ipc/$file"
+    cp "intact/$file" "libs/ipc/$file"
 done <mutants.txt
 [ $survived -eq 0 ] || exit 1
 echo "check-mutants: every mutant is caught"

@@ -15,7 +15,7 @@ namespace bi = boost::interprocess;
 
 namespace {
 
-// Before Boost 1.81 a queue's memory was not reserved; nearly what the queue takes, and a margin.
+// Nearly what a queue takes, and a margin: before Boost 1.81 its memory was not reserved when it was made.
 constexpr std::size_t kQueueBytes = kCommandQueueLength * (kMaxMessageBytes + 64) + 65536;
 
 } // namespace
@@ -36,6 +36,7 @@ CommandSender::CommandSender(const std::string& name) {
     requireSpace(kQueueBytes);
     try {
         state_ = std::make_unique<State>(name);
+        if constexpr (BOOST_VERSION < 108100) Segment::reserve(name);
     } catch (const bi::interprocess_exception& error) {
         const Problem problem =
             error.get_error_code() == bi::already_exists_error ? Problem::NotYours : Problem::System;

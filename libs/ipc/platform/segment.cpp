@@ -73,6 +73,16 @@ std::optional<Segment> Segment::open(const std::string& name, Access access, std
     }
 }
 
+void Segment::reserve(const std::string& name) {
+    try {
+        const bi::shared_memory_object memory(bi::open_only, name.c_str(), bi::read_write);
+        const int handle = memory.get_mapping_handle().handle;
+        reserveSpace(handle, factsOf(handle).bytes, name);
+    } catch (const bi::interprocess_exception& error) {
+        throw Error(Problem::System, "shared memory " + name + ": " + error.what());
+    }
+}
+
 void Segment::remove(const std::string& name) noexcept { bi::shared_memory_object::remove(name.c_str()); }
 
 void* Segment::data() const { return state_->map.get_address(); }

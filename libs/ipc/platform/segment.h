@@ -19,6 +19,8 @@ class Segment {
     /// Nothing when there is no such segment, or when it has less than `atLeast` bytes (its maker is not
     /// done, or died). Throws Error NotYours when it is not a segment of this user alone.
     static std::optional<Segment> open(const std::string& name, Access access, std::size_t atLeast);
+    /// Reserves the memory of a segment that another library made. Throws Error NoSpace, System.
+    static void reserve(const std::string& name);
     /// No error when there is none, or when it belongs to somebody else.
     static void remove(const std::string& name) noexcept;
 

@@ -399,7 +399,8 @@ TEST_F(ServerClient, RemovedNamesArePublishedAnew) {
     EXPECT_EQ(viewer.status().polygons, 5u);
 }
 
-template <class Endpoint> bool becomes(Endpoint& endpoint, LinkState state) {
+template <class Endpoint>
+bool becomes(Endpoint& endpoint, LinkState state) {
     const auto deadline = Clock::now() + 1s;
     while (endpoint.update() != state) {
         if (Clock::now() > deadline) return false;
