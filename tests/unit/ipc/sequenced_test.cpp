@@ -39,7 +39,7 @@ TEST(Sequenced, NeverGivesAMixture) {
             Words words;
             for (auto& word : words.word) word = i;
             write(shared, words);
-            if (i % 16 == 0) std::this_thread::yield();
+            if (i % 512 == 0) std::this_thread::yield();
         }
         stop = true;
     });
