@@ -19,7 +19,6 @@ mutants() {
 recheck-removed channel/frame_ring.cpp /memory_order_relaxed) != whole(number)/d
 odd-mark-omitted channel/frame_ring.cpp /sequence.store(writing(next_)/d
 latest-before-copy channel/frame_ring.cpp s/^    fenceBeforeWriting();/&segment_->latest.store(next_);/
-frame-whole-before-copy channel/frame_ring.cpp s/^    fenceBeforeWriting();/&slot(next_).sequence.store(whole(next_));/
 status-recheck-removed channel/sequenced_value.h /memory_order_relaxed) != before/d
 magic-first endpoint/publication.cpp s/^ *header.handshake = .*/header.magic.store(kControlMagic);&/
 link-epoch-unchecked endpoint/link.cpp s/facts->epoch != facts_.epoch/false/
@@ -27,7 +26,7 @@ message-epoch-unchecked channel/message.cpp s/header.epoch != epoch/false/
 handshake-unchecked endpoint/link.cpp s/facts->handshake != ownHandshake()/false/
 wait-to-send channel/command_queue.cpp s/state_->queue.try_send(\(.*\), 0)/(state_->queue.send(\1, 0), true)/
 wait-to-receive channel/command_queue.cpp s/if (!state_->queue.try_receive(\(.*\)))/state_->queue.receive(\1); if (false)/
-silence-is-death endpoint/link.cpp s/return LinkState::Busy;/return LinkState::Gone;/
+silence-is-death endpoint/link.cpp s/? LinkState::Busy :/? LinkState::Gone :/
 lock-unchecked endpoint/link.cpp s/!lockHolder([^;]*).held || replaced()/replaced()/
 dead-clients-kept endpoint/server.cpp /ServedClient::declareDead(/d
 queue-name-kept channel/command_queue.cpp /^        Segment::remove(name);/d

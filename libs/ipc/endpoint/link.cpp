@@ -11,7 +11,8 @@ namespace ipc {
 
 namespace {
 
-constexpr auto kSilence = std::chrono::milliseconds(30); ///< then the lock is looked at
+constexpr auto kSilence = std::chrono::milliseconds(30);    ///< then the lock is looked at
+constexpr auto kBusyAfter = std::chrono::milliseconds(500); ///< slow frames are everyday life
 constexpr auto kProbeEvery = std::chrono::milliseconds(20);
 
 std::uint64_t pulseOf(const ServerPulse& pulse) {
@@ -93,14 +94,14 @@ LinkState Link::check() {
     }
     if (now - lastPulse_ >= kSilence && now - lastProbe_ >= kProbeEvery) {
         lastProbe_ = now;
-        state_ = probe();
+        state_ = probe(now);
     }
     return state_;
 }
 
-LinkState Link::probe() const {
+LinkState Link::probe(Clock::time_point now) const {
     if (!lockHolder(names_.serverLock(facts_.lockFolder)).held || replaced()) return LinkState::Gone;
-    return LinkState::Busy;
+    return now - lastPulse_ >= kBusyAfter ? LinkState::Busy : state_;
 }
 
 // A server that was killed and started again holds the lock before anybody sees it free: the epoch tells.

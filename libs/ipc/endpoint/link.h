@@ -45,7 +45,7 @@ class Link {
 
   private:
     Link(const Names& names, Segment segment, ControlFacts facts);
-    LinkState probe() const;
+    LinkState probe(Clock::time_point now) const;
     bool replaced() const;
 
     Names names_;

@@ -5,7 +5,7 @@ namespace ipc {
 
 enum class LinkState {
     Connected,
-    Busy, ///< the server lives but has been silent for 30 ms or more: it draws a long frame, or is stopped
+    Busy, ///< the server lives but has been silent for half a second: it draws a long frame, or is stopped
     Gone, ///< no server; a new one is looked for with every call
 };
 
