@@ -46,7 +46,7 @@ caught() {
     for program in test_ipc "test_ipc_process --gtest_filter=-Killed.ServersAndClients"; do
         code=0
         # shellcheck disable=SC2086
-        timeout -k 5 120 build/headless/bin/$program --gtest_fail_fast >run.log 2>&1 || code=$?
+        timeout -k 5 90 build/headless/bin/$program --gtest_fail_fast >run.log 2>&1 || code=$?
         [ $code -eq 0 ] && continue
         failed=$(sed -n 's/^\[  FAILED  \] \([^ ,]*\).*/\1/p' run.log | head -n 1)
         [ -n "$failed" ] || failed="$(sed -n 's/^\[ RUN *\] //p' run.log | tail -n 1) (ended with $code)"

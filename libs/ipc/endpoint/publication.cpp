@@ -29,7 +29,6 @@ Publication::Publication(const Names& names, const std::string& lockFolder, std:
         stage("header written");
         frames_ = makeFrames(1, frameBytes, firstFrame);
         control.pulse.frameGeneration.store(1, std::memory_order_relaxed);
-        control.pulse.phase.store(ServerPhase::Running, std::memory_order_relaxed);
         stage("before magic");
         header.magic.store(kControlMagic, std::memory_order_release);
         stage("after magic");

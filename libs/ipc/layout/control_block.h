@@ -34,10 +34,9 @@ struct Handshake {
 static_assert(sizeof(Handshake) == 16);
 
 enum class ServerPhase : std::uint32_t {
-    Starting = 0,
-    Running = 1,
-    Left = 2,     ///< ended in good order
-    Replaced = 3, ///< the same server goes on with a new control segment
+    Running = 0,
+    Left = 1,     ///< ended in good order
+    Replaced = 2, ///< the same server goes on with a new control segment
 };
 
 struct alignas(64) ControlHeader {

@@ -2,7 +2,7 @@
 ///   ipc_participant server|client|flood|viewer <instance> <board> <index> [name=value...]
 /// Options of a server: pause=<us> between frames, side=<pixels>, resize=<frames>, patience=<ms>, idle=1 (no
 /// frames). The environment variable RT_DIE_AT=<stage>:<n> has it killed the n-th time that it passes the
-/// stage.
+/// stage, or stopped with :stop behind it.
 #include "board.h"
 
 #include "ipc/endpoint/client.h"
@@ -193,7 +193,9 @@ void stage(const char* name) {
     static const std::string wish = std::getenv("RT_DIE_AT") == nullptr ? "" : std::getenv("RT_DIE_AT");
     static const std::size_t colon = wish.find(':');
     static int left = colon == std::string::npos ? 0 : std::atoi(wish.c_str() + colon + 1);
-    if (left > 0 && wish.compare(0, colon, name) == 0 && --left == 0) ::raise(SIGKILL);
+    if (left > 0 && wish.compare(0, colon, name) == 0 && --left == 0) {
+        ::raise(wish.ends_with(":stop") ? SIGSTOP : SIGKILL);
+    }
 }
 
 } // namespace ipc

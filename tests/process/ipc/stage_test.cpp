@@ -66,6 +66,33 @@ TEST_P(DeathAt, IsSurvived) {
     }
 }
 
+template <class Endpoint>
+bool findsNoServer(const std::string& instance) {
+    try {
+        const Endpoint endpoint(instance, 30ms);
+    } catch (const ipc::Error& error) {
+        return error.problem == ipc::Problem::NoServer;
+    }
+    return false;
+}
+
+// Alive, and with its lock, but not complete: nobody may attach. It may be as slow as it likes.
+TEST(StoppedAt, AnyPointOfTheStartIsNoServerYet) {
+    for (const char* stage : {"server locked", "names cleared", "segment made", "segment reserved",
+                              "control made", "header written", "frames laid out", "before magic"}) {
+        Troupe troupe;
+        troupe.start(0, "server", {}, std::string(stage) + ":1:stop");
+        int status = 0;
+        ASSERT_EQ(::waitpid(troupe[0].process(), &status, WUNTRACED), troupe[0].process());
+        ASSERT_TRUE(WIFSTOPPED(status)) << stage;
+        EXPECT_TRUE(findsNoServer<ipc::Viewer>(troupe.instance.name())) << stage;
+        EXPECT_TRUE(findsNoServer<ipc::Client>(troupe.instance.name())) << stage;
+        troupe[0].send(SIGCONT);
+        EXPECT_EQ(ipc::Client(troupe.instance.name()).request("echo").status, ipc::ReplyStatus::Done)
+            << stage;
+    }
+}
+
 constexpr Point kPoints[] = {
     {"server", "server locked", true},
     {"server", "names cleared", true},
