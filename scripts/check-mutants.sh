@@ -31,7 +31,7 @@ lock-unchecked endpoint/link.cpp s/!lockHolder([^;]*).held || replaced()/replace
 dead-clients-kept endpoint/server.cpp /ServedClient::declareDead(/d
 queue-name-kept channel/command_queue.cpp /^        Segment::remove(name);/d
 nothing-removed-at-start endpoint/server.cpp /^        removeSegments(names);/d
-names-not-watched endpoint/server.cpp /publishAnew();$/d
+names-not-watched endpoint/server.cpp /named()) publishAnew();/d
 mode-unchecked platform/segment.cpp /if (!facts.ours)/d
 space-not-reserved platform/segment.cpp s/reserveSpace(\(.*\), bytes, name);/if (ftruncate(\1, static_cast<off_t>(bytes)) != 0) throw 1;/;s/^#include "ipc.platform.system.h"/&\n#include <unistd.h>/
 crc-unchecked channel/message.cpp /header.checksum) return false/d

@@ -82,6 +82,24 @@ TEST(Killed, AServerIsNoticedAndItsLastFrameStays) {
     EXPECT_EQ(client.request("echo", 20ms).status, ipc::ReplyStatus::NotSent);
 }
 
+// The lock is never seen free: the epoch alone tells.
+TEST(Killed, AServerThatIsReplacedUnseenIsNoticed) {
+    Troupe troupe;
+    troupe.start(0, "server");
+    ipc::Client client(troupe.instance.name());
+    ipc::Viewer viewer(troupe.instance.name());
+    ipc::Frame frame;
+    ASSERT_TRUE(viewer.waitForFrame(frame, 1s));
+    ASSERT_EQ(client.request("echo").status, ipc::ReplyStatus::Done);
+    troupe[0].kill();
+    troupe.start(0, "server");
+    ASSERT_TRUE(troupe.progresses({0}, 3s));
+    EXPECT_TRUE(eventually([&] { return client.request("echo", 200ms).status == ipc::ReplyStatus::Done; }));
+    EXPECT_EQ(client.serverProcess(), troupe[0].process());
+    const std::uint64_t before = frame.epoch;
+    EXPECT_TRUE(eventually([&] { return viewer.readFrame(frame) && frame.epoch != before; }));
+}
+
 TEST(Killed, WhileWaitingForABusyServer) {
     Troupe troupe;
     troupe.start(0, "server", {"idle=1"});
