@@ -6,7 +6,10 @@ set -eu
 cd "$(dirname "$0")/.."
 work=$(mktemp -d "${TMPDIR:-/tmp}/rtsuite-mutants-XXXXXX")
 chmod 755 "$work"
-trap 'rm -rf "$work"' EXIT
+export RT_TEST_INSTANCE="m$$-" TMPDIR="$work/tmp"
+mkdir "$TMPDIR"
+chmod 755 "$TMPDIR"
+trap 'rm -rf "$work" /dev/shm/rts.*.m$$-*' EXIT
 trap 'exit 130' INT TERM
 git ls-files -co --exclude-standard | tar -cf - -T - | tar -xf - -C "$work"
 cd "$work"

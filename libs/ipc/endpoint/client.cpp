@@ -77,9 +77,9 @@ struct Client::State {
     std::optional<Attachment> attachment; ///< empty while attaching failed
     FrameFeed feed;
     std::uint64_t lastSequence = 0;
-    std::uint64_t attachments = 0,
-                  lastSentIn = 0; ///< how often attached, and in which of these was sent last
-    std::set<Ticket> open;        ///< sent, without an answer
+    std::uint64_t attachments = 0; ///< how often attached
+    std::uint64_t lastSentIn = 0;  ///< the attachment in which was sent last
+    std::set<Ticket> open;         ///< sent, without an answer
     std::map<Ticket, Reply> answers;
     Status status;
     Clock::time_point lastLook;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <csignal>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -46,6 +47,7 @@ class Participant {
         arguments.push_back(nullptr);
         process_ = ::fork();
         if (process_ != 0) return;
+        ::prctl(PR_SET_PDEATHSIG, SIGKILL); // a test that is killed leaves nobody running
         if (!dieAt.empty()) ::setenv("RT_DIE_AT", dieAt.c_str(), 1);
         ::execv(arguments[0], arguments.data());
         ::_exit(127);
