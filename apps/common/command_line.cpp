@@ -151,7 +151,8 @@ void checkPositionals(const ProgramSpec& spec, const Arguments& arguments) {
     for (const std::string& name : arguments.positionals()) {
         if (name.empty()) throw UsageError("the name of a file is empty");
     }
-    if (given > spec.positionals.size()) {
+    const bool repeats = !spec.positionals.empty() && spec.positionals.back().repeats;
+    if (given > spec.positionals.size() && !repeats) {
         throw UsageError("unexpected argument " +
                          rtcore::quoted(arguments.positionals()[spec.positionals.size()]));
     }

@@ -55,7 +55,9 @@ std::string entry(const std::string& label, const std::string& text) {
 
 std::string usageLine(const ProgramSpec& spec) {
     std::string line = "Usage: " + spec.name;
-    for (const Positional& positional : spec.positionals) line += " " + positional.name;
+    for (const Positional& positional : spec.positionals) {
+        line += " " + positional.name + (positional.repeats ? "..." : "");
+    }
     return line + " [OPTION]...\n";
 }
 

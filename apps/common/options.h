@@ -38,6 +38,7 @@ struct OptionGroup {
 struct Positional {
     std::string name; ///< in capitals
     std::string help;
+    bool repeats = false; ///< stands for one or more; the last positional only
 };
 
 struct Example {

@@ -8,7 +8,6 @@
 
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/platform/error.h"
-#include "rtcore/post/develop.h"
 
 #include <algorithm>
 #include <chrono>
@@ -82,14 +81,14 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
         return tiles == 0 ? 0.0 : static_cast<double>(control.tilesDone.load()) / static_cast<double>(tiles);
     };
     const app::ProgressScope scope(progress_, {"rendering", fraction, &control.cancel}, index, count);
-    if (!rtcore::renderFrame(loaded_.scene, tracer_, camera, settings, options_.threads, control, frame_)) {
+    if (!renderer_.render(loaded_.scene, tracer_, camera, settings, options_.threads, control, frame_)) {
         throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "stopped");
     }
     app::throwIfStopped();
 }
 
 void PictureMaker::write(const FrameTask& task, const rtcore::RenderSettings& settings) {
-    std::optional<rtcore::LdrImage> developed;
+    bool developed = false;
     for (const std::filesystem::path& output : task.outputs) {
         app::throwIfStopped();
         if (!isStandardOutput(output) && rtcore::isHdrFormat(output)) {
@@ -97,12 +96,14 @@ void PictureMaker::write(const FrameTask& task, const rtcore::RenderSettings& se
             continue;
         }
         if (!developed) {
-            developed = rtcore::develop(frame_, settings, rtcore::exposureFor(frame_, settings.exposure));
+            const float exposure = developer_.exposure(frame_, settings.exposure, options_.threads);
+            developer_.develop(frame_, settings, exposure, options_.threads, developed_);
+            developed = true;
         }
         if (isStandardOutput(output)) {
-            app::writeOutput(asText(rtcore::encodeImage(*developed, options_.standardOutputFormat)));
+            app::writeOutput(asText(rtcore::encodeImage(developed_, options_.standardOutputFormat)));
         } else {
-            rtcore::writeImage(output, *developed);
+            rtcore::writeImage(output, developed_);
         }
     }
 }

@@ -9,6 +9,7 @@
 #include "rtcore/io/scene_loader.h"
 #include "rtcore/io/text/cam.h"
 #include "rtcore/kernels/ray_tracer.h"
+#include "rtcore/post/develop.h"
 #include "rtcore/render/frame_renderer.h"
 
 #include <set>
@@ -48,7 +49,11 @@ class PictureMaker {
     const RendererOptions& options_;
     app::Progress& progress_;
     rtcore::KdRayTracer tracer_;
-    rtcore::Frame frame_; ///< kept, so that its memory is reused
+    // Kept, so that their memory is reused.
+    rtcore::FrameRenderer renderer_;
+    rtcore::PictureDeveloper developer_;
+    rtcore::Frame frame_;
+    rtcore::LdrImage developed_;
     std::set<std::string> warned_;
 };
 

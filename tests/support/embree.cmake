@@ -1,5 +1,18 @@
-# Embree 3, the peer of tests and benchmarks. Optional; rtsuite itself never uses it.
-find_package(embree 3 QUIET)
-if(NOT embree_FOUND)
-    message(STATUS "Embree 3 is absent (libembree-dev): the kernels are not compared with it in ${CMAKE_CURRENT_SOURCE_DIR}")
+# Embree 4 or 3, the peer of tests and benchmarks. Optional; rtsuite itself never uses it. Where it is found, the target
+# embree_peer is what links it; RT_EMBREE is its major version.
+if(NOT TARGET embree_peer)
+    find_package(embree 4 QUIET GLOBAL)
+    if(NOT embree_FOUND)
+        find_package(embree 3 QUIET GLOBAL)
+    endif()
+    if(embree_FOUND)
+        add_library(embree_peer STATIC ${CMAKE_CURRENT_LIST_DIR}/embree_tracer.cpp ${CMAKE_CURRENT_LIST_DIR}/embree_waves.cpp)
+        string(REGEX MATCH "^[0-9]+" embree_major ${embree_VERSION})
+        target_compile_definitions(embree_peer PUBLIC RT_EMBREE=${embree_major})
+        target_include_directories(embree_peer PUBLIC ${CMAKE_SOURCE_DIR}/tests)
+        target_link_libraries(embree_peer PUBLIC embree rtcore_kernels PRIVATE rt_compile_options hwy::hwy)
+    endif()
+endif()
+if(NOT TARGET embree_peer)
+    message(STATUS "Embree is absent (libembree-dev): the kernels are not compared with it in ${CMAKE_CURRENT_SOURCE_DIR}")
 endif()

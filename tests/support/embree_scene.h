@@ -1,28 +1,33 @@
-/// A mesh in Embree 3, the peer that the kernels are compared with. For tests and benchmarks only.
+/// A mesh in Embree, the peer that the kernels are compared with. For tests and benchmarks only.
 #pragma once
 
 #include "rtcore/kernels/ray_wave.h"
 #include "rtcore/scene/mesh.h"
-
-#include <embree3/rtcore.h>
+#include "support/embree_api.h"
 
 #include <stdexcept>
 #include <string>
 
 namespace test {
 
+struct EmbreeBuild {
+    RTCSceneFlags flags = RTC_SCENE_FLAG_ROBUST;
+    RTCBuildQuality quality = RTC_BUILD_QUALITY_HIGH; ///< robust scenes are built as MEDIUM all the same
+    int threads = 1;                                  ///< for building; 0 = all
+    std::string isa = {}; ///< Embree's name of an instruction set ("avx2"); empty = the best
+};
+
 class EmbreeScene {
   public:
-    /// `mesh` must outlive it. `threads` is for building.
-    explicit EmbreeScene(const rtcore::Mesh& mesh, RTCSceneFlags flags = RTC_SCENE_FLAG_ROBUST,
-                         RTCBuildQuality quality = RTC_BUILD_QUALITY_HIGH, int threads = 1)
-        : device_(rtcNewDevice(("threads=" + std::to_string(threads)).c_str())) {
-        if (device_ == nullptr) throw std::runtime_error("no device of Embree");
+    /// The arrays behind `mesh` must outlive it. Throws std::runtime_error when Embree refuses.
+    explicit EmbreeScene(const rtcore::Mesh& mesh, const EmbreeBuild& build = {})
+        : device_(rtcNewDevice(configuration(build).c_str())) {
+        if (device_ == nullptr) throw std::runtime_error("no device of Embree for " + configuration(build));
         scene_ = rtcNewScene(device_);
-        rtcSetSceneFlags(scene_, flags);
-        rtcSetSceneBuildQuality(scene_, quality);
+        rtcSetSceneFlags(scene_, build.flags);
+        rtcSetSceneBuildQuality(scene_, build.quality);
         RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
-        rtcSetGeometryBuildQuality(geometry, quality);
+        rtcSetGeometryBuildQuality(geometry, build.quality);
         rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                    mesh.vertices.data(), 0, sizeof(rtcore::Vertex), mesh.vertices.size());
         rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
@@ -31,22 +36,22 @@ class EmbreeScene {
         rtcAttachGeometry(scene_, geometry);
         rtcReleaseGeometry(geometry);
         rtcCommitScene(scene_);
+        if (rtcGetDeviceError(device_) == RTC_ERROR_NONE) return;
+        release();
+        throw std::runtime_error("Embree cannot build its tree");
     }
-    ~EmbreeScene() {
-        rtcReleaseScene(scene_);
-        rtcReleaseDevice(device_);
-    }
+    ~EmbreeScene() { release(); }
     EmbreeScene(const EmbreeScene&) = delete;
     EmbreeScene& operator=(const EmbreeScene&) = delete;
+
+    RTCScene handle() const { return scene_; }
 
     bool intersect(const rtcore::Ray& ray, rtcore::Hit& hit) const {
         RTCRayHit query;
         query.ray = convert(ray);
         query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
         query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        rtcIntersect1(scene_, &context, &query);
+        EmbreeQuery(false).intersect(scene_, query);
         if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return false;
         hit = {query.ray.tfar, query.hit.primID, query.hit.u, query.hit.v};
         return true;
@@ -54,13 +59,20 @@ class EmbreeScene {
 
     bool occluded(const rtcore::Ray& ray) const {
         RTCRay query = convert(ray);
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        rtcOccluded1(scene_, &context, &query);
+        EmbreeQuery(false).occluded(scene_, query);
         return query.tfar < 0;
     }
 
   private:
+    static std::string configuration(const EmbreeBuild& build) {
+        return "threads=" + std::to_string(build.threads) + (build.isa.empty() ? "" : ",isa=" + build.isa);
+    }
+
+    void release() {
+        rtcReleaseScene(scene_);
+        rtcReleaseDevice(device_);
+    }
+
     static RTCRay convert(const rtcore::Ray& ray) {
         RTCRay r;
         r.org_x = ray.origin.x;

@@ -4,6 +4,7 @@
 /// within that error of an edge may be hit or missed, and both answers are right. Everything else is decided.
 #pragma once
 
+#include "rtcore/kernels/hit_distance.h"
 #include "rtcore/kernels/ray_wave.h"
 #include "rtcore/kernels/watertight.h"
 #include "rtcore/scene/mesh.h"
@@ -17,7 +18,7 @@
 
 namespace test {
 
-/// The closest hit among all triangles by the kernel's own leaf test: what a tree must find, bit for bit.
+/// The closest hit among all triangles by the kernels' own arithmetic: what a tree must find, bit for bit.
 inline bool bruteForce(const rtcore::Mesh& mesh, const rtcore::Ray& ray, rtcore::Hit& hit) {
     const rtcore::RayShear shear(ray.direction);
     rtcore::Hit best;
@@ -29,6 +30,7 @@ inline bool bruteForce(const rtcore::Mesh& mesh, const rtcore::Ray& ray, rtcore:
     });
     if (best.triangle == rtcore::kNoTriangle) return false;
     hit = best;
+    if (isNear(ray, hit, rtcore::nearLimit(mesh.bounds()))) refineDistance(mesh, ray, hit);
     return true;
 }
 

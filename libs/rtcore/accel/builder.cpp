@@ -1,7 +1,9 @@
 #include "rtcore/accel/builder.h"
 
+#include "rtcore/accel/event_sort.h"
 #include "rtcore/accel/exact_builder.h"
 #include "rtcore/accel/fast_builder.h"
+#include "rtcore/accel/float4.h"
 #include "rtcore/accel/triangle_clip.h"
 #include "rtcore/platform/task_errors.h"
 
@@ -9,6 +11,8 @@
 #include <bit>
 #include <chrono>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #ifdef _OPENMP
 #include <omp.h>
@@ -44,19 +48,42 @@ KdTree emptyTree() {
     return stitch(leaf, Box3{});
 }
 
-std::unique_ptr<Subtree> buildPieces(const BuildContext& context, const BuildOptions& options,
-                                     const Box3& bounds, BuildTimes& times) {
-    Stopwatch watch;
-    if (options.method == BuildMethod::Fast) {
-        auto root = buildFast(context, fastOptions(options.fastQuality), bounds);
-        times.split = watch.lap();
-        return root;
+/// As Mesh::bounds(), which is the same to the last bit, by several threads.
+Box3 boundsOfAll(const Mesh& mesh) {
+    constexpr std::size_t kChunk = 65'536;
+    std::vector<Bounds4> parts((mesh.triangles.size() + kChunk - 1) / kChunk);
+#pragma omp taskloop grainsize(1) default(shared)
+    for (std::size_t chunk = 0; chunk < parts.size(); ++chunk) {
+        const std::size_t end = std::min(mesh.triangles.size(), (chunk + 1) * kChunk);
+        Bounds4 part{set4(Box3::kHuge), set4(-Box3::kHuge)};
+        for (std::size_t i = chunk * kChunk; i < end; ++i) part = extended(part, boundsOf(mesh, i));
+        parts[chunk] = part;
     }
-    EventLists lists = makeEvents(context.mesh);
-    times.prepare += watch.lap();
-    auto root = buildExact(context, std::move(lists), bounds);
+    Bounds4 all{set4(Box3::kHuge), set4(-Box3::kHuge)};
+    for (const Bounds4& part : parts) all = extended(all, part);
+    return {{all.lo[0], all.lo[1], all.lo[2]}, {all.hi[0], all.hi[1], all.hi[2]}};
+}
+
+/// Inside a parallel region, by one thread.
+KdTree build(BuildContext& context, const BuildOptions& options, BuildTimes& times) {
+    Stopwatch watch;
+    const Box3 bounds = boundsOfAll(context.mesh);
+    context.margin = clipMargin(bounds);
+    std::unique_ptr<Subtree> root;
+    if (options.method == BuildMethod::Fast) {
+        times.prepare = watch.lap();
+        root = buildFast(context, fastOptions(options.fastQuality), bounds);
+    } else {
+        EventLists lists{makeEvents(context.mesh, bounds),
+                         static_cast<std::uint32_t>(context.mesh.triangles.size())};
+        times.prepare = watch.lap();
+        root = buildExact(context, std::move(lists), bounds);
+    }
     times.split = watch.lap();
-    return root;
+    KdTree tree = stitch(*root, bounds);
+    root.reset();
+    times.emit = watch.lap();
+    return tree;
 }
 
 } // namespace
@@ -74,31 +101,22 @@ KdTree buildKdTree(const Mesh& mesh, const BuildOptions& options, BuildTimes* ti
 
     BuildTimes ownTimes;
     BuildTimes& t = times != nullptr ? *times : ownTimes;
-    Stopwatch watch;
-    const Box3 bounds = mesh.bounds();
-    BuildContext context{
-        mesh, {}, depthLimit(triangles), std::max(0, options.lookAhead), clipMargin(bounds), progress};
+    BuildContext context{mesh, {}, depthLimit(triangles), std::max(0, options.lookAhead), 0, progress};
     context.cost.traversal = options.traversalCost;
     context.cost.intersection =
         options.intersectionCost > 0 ? options.intersectionCost : automaticIntersectionCost(triangles);
     context.cost.emptyFactor = 1 - options.emptyBonus;
     if (progress != nullptr) progress->triangles = triangles;
-    t.prepare = watch.lap();
 
     TaskErrors errors;
-    std::unique_ptr<Subtree> root;
+    KdTree tree;
 #ifdef _OPENMP
 #pragma omp parallel num_threads(options.threads > 0 ? options.threads                                       \
                                                      : omp_get_max_threads()) default(shared)
 #pragma omp single
 #endif
-    errors.guard([&] { root = buildPieces(context, options, bounds, t); });
+    errors.guard([&] { tree = build(context, options, t); });
     errors.rethrow();
-
-    watch.lap();
-    KdTree tree = stitch(*root, bounds);
-    root.reset();
-    t.emit = watch.lap();
     return tree;
 }
 

@@ -27,6 +27,8 @@ struct Split {
     float position = 0;
     int axis = -1;
     bool planarLower = false; ///< triangles in the plane go to the lower side
+    std::uint32_t lower = 0;  ///< triangles on each side; those cut in two count in both
+    std::uint32_t upper = 0;
     bool valid() const { return axis >= 0; }
 };
 

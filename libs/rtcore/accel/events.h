@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rtcore/accel/cost_model.h"
+#include "rtcore/accel/raw_list.h"
 #include "rtcore/math/box.h"
 
 #include <bit>
@@ -26,7 +27,8 @@ inline std::uint32_t orderedBits(float x) {
     return (bits & 0x80000000U) != 0 ? ~bits : bits | 0x80000000U;
 }
 inline float fromOrderedBits(std::uint32_t ordered) {
-    return std::bit_cast<float>((ordered & 0x80000000U) != 0 ? ordered & 0x7FFFFFFFU : ~ordered);
+    const std::uint32_t negative = (ordered >> 31U) - 1; // all ones or none: a choice without a branch
+    return std::bit_cast<float>(ordered ^ (negative | 0x80000000U));
 }
 
 inline Event makeEvent(float position, EventKind kind, std::uint32_t triangle) {
@@ -36,30 +38,40 @@ inline float eventPosition(Event e) { return fromOrderedBits(static_cast<std::ui
 inline EventKind eventKind(Event e) { return static_cast<EventKind>(e >> 30U & 3U); }
 inline std::uint32_t eventTriangle(Event e) { return static_cast<std::uint32_t>(e) & kEventTriangleMask; }
 
-/// Writes the one or two events of `box` along `axis` and returns the position after them.
-inline Event* writeEvents(const Box3& box, int axis, std::uint32_t triangle, Event* out) {
-    if (box.lo[axis] == box.hi[axis]) {
-        *out++ = makeEvent(box.lo[axis], EventKind::Planar, triangle);
+/// Writes the one or two events of what reaches from `lo` to `hi` and returns the position after them.
+inline Event* writeEvents(float lo, float hi, std::uint32_t triangle, Event* out) {
+    if (lo == hi) {
+        *out++ = makeEvent(lo, EventKind::Planar, triangle);
     } else {
-        *out++ = makeEvent(box.lo[axis], EventKind::Start, triangle);
-        *out++ = makeEvent(box.hi[axis], EventKind::End, triangle);
+        *out++ = makeEvent(lo, EventKind::Start, triangle);
+        *out++ = makeEvent(hi, EventKind::End, triangle);
     }
     return out;
 }
+inline Event* writeEvents(const Box3& box, int axis, std::uint32_t triangle, Event* out) {
+    return writeEvents(box.lo[axis], box.hi[axis], triangle, out);
+}
 
-/// Sorts events whose triangles already ascend among equal positions and kinds.
-void sortEvents(std::vector<Event>& events, std::vector<Event>& scratch);
+using EventList = RawList<Event>;
 
 /// The cheapest plane across `axis` strictly inside `cell`; `triangles` is how many the node holds.
 Split cheapestSplit(const Event* events, std::size_t count, std::uint32_t triangles, const Box3& cell,
                     int axis, const CostModel& cost);
 
-enum class Side : std::uint8_t { Both, Lower, Upper };
+/// A bit for each side that a triangle is on alone, so that counting needs no comparison.
+enum class Side : std::uint8_t { Both = 0, Lower = 1, Upper = 2 };
 
-/// Sets `sides` of every triangle in `events` (those along split.axis), and appends those on both sides to
-/// `straddling` in ascending order of their starts.
-void classify(const Event* events, std::size_t count, const Split& split, Side* sides,
-              std::vector<std::uint32_t>& straddling);
+/// Divides the events along split.axis: sets the `sides` of all their triangles, copies to `lower` (room for
+/// `count` and one) the events of those on the lower side only, and moves together, in place, those of the
+/// upper side only, so that two more for each triangle on both sides fit behind them. Appends those on both
+/// sides to `straddling`, in the order of their starts; it must be empty before.
+struct AlongSplit {
+    std::size_t lower;      ///< how many are in `lower`
+    std::size_t upperFirst; ///< where those of the upper side begin in `events`
+    std::size_t upper;      ///< and how many they are
+};
+AlongSplit divideAlong(Event* events, std::size_t count, const Split& split, Side* sides, Event* lower,
+                       std::vector<std::uint32_t>& straddling);
 
 /// Copies the events of triangles that are on one side only, in order. `upper` may be `events` itself; both
 /// outputs need room for `count` events. Returns how many went to each side.

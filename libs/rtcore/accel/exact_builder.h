@@ -11,9 +11,6 @@ namespace rtcore {
 /// on the number of threads.
 inline constexpr std::size_t kSerialTriangles = 4096;
 
-/// Events of all triangles, numbered as they are in the mesh.
-EventLists makeEvents(const Mesh& mesh);
-
 /// Must be called inside an OpenMP parallel region by one thread (or without OpenMP): it makes tasks for the
 /// others.
 std::unique_ptr<Subtree> buildExact(const BuildContext& context, EventLists lists, const Box3& cell);

@@ -1,14 +1,18 @@
 /// The exact builder for one small piece of the scene, by one thread, in memory of its own.
 #pragma once
 
+#include "rtcore/accel/bounded_triangle.h"
 #include "rtcore/accel/build_options.h"
 #include "rtcore/accel/cost_model.h"
+#include "rtcore/accel/event_sort.h"
 #include "rtcore/accel/events.h"
 #include "rtcore/accel/subtree.h"
+#include "rtcore/accel/triangle_clip.h"
 #include "rtcore/scene/mesh.h"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace rtcore {
@@ -26,18 +30,39 @@ struct BuildContext {
     void checkCancelled() const;
 };
 
-using AxisEvents = std::array<std::vector<Event>, 3>;
-
-/// Sorted events along the three axes, their triangles numbered 0 .. triangles.size()-1 in ascending order.
+/// The events of one node along the three axes.
 struct EventLists {
-    AxisEvents axis;
-    std::vector<std::uint32_t> triangles; ///< of the mesh
+    std::array<EventList, 3> axis;
+    std::uint32_t triangles = 0; ///< how many they are of
 };
 
-/// Appends the events of the part of `triangle` (of the mesh) inside `cell`, as triangle `number`.
-/// Returns false, and adds nothing, when no part is inside.
-bool addClippedEvents(const BuildContext& context, std::uint32_t triangle, std::uint32_t number,
-                      const Box3& cell, AxisEvents& events);
+using AxisEvents = std::array<std::vector<Event>, 3>;
+
+inline std::array<Vec3, 3> corners(const Mesh& mesh, std::uint32_t triangle) {
+    return {mesh.position(triangle, 0), mesh.position(triangle, 1), mesh.position(triangle, 2)};
+}
+
+/// Appends the events of the parts of triangles inside `cell` to the empty `added`, and sorts them.
+/// `meshTriangle(number)` is the index in the mesh of a triangle in the events. Returns how many have a part
+/// inside.
+template <typename MeshTriangle>
+std::uint32_t clipEvents(const BuildContext& context, const std::vector<std::uint32_t>& numbers,
+                         const MeshTriangle& meshTriangle, const Box3& cell, AxisEvents& added) {
+    for (auto& list : added) list.resize(2 * numbers.size());
+    std::array<Event*, 3> end{added[0].data(), added[1].data(), added[2].data()};
+    std::uint32_t inside = 0;
+    for (const std::uint32_t number : numbers) {
+        const Box3 box = clippedBounds(corners(context.mesh, meshTriangle(number)), cell, context.margin);
+        if (box.empty()) continue;
+        ++inside;
+        for (std::size_t a = 0; a < 3; ++a) end[a] = writeEvents(box, static_cast<int>(a), number, end[a]);
+    }
+    for (std::size_t a = 0; a < 3; ++a) {
+        added[a].resize(static_cast<std::size_t>(end[a] - added[a].data()));
+        sortFewEvents(added[a].data(), added[a].size());
+    }
+    return inside;
+}
 
 /// How many references the tree below a node may hold. Splits that cut triangles in two share it out by the
 /// numbers of triangles on both sides; a node with more triangles than its share becomes a leaf. So a model
@@ -53,8 +78,58 @@ struct ReferenceBudget {
     std::size_t references = 0;
 };
 
-/// Builds the tree below a node at `depth`. The result depends on nothing else.
-std::unique_ptr<Subtree> buildExactSubtree(const BuildContext& context, EventLists lists, const Box3& cell,
-                                           int depth, ReferenceBudget budget);
+/// Builds the trees of small pieces one after another, in memory that it keeps. For one thread at a time.
+class ExactSubtreeBuilder {
+  public:
+    /// `context` must outlive the builder.
+    explicit ExactSubtreeBuilder(const BuildContext& context) : context_(context) {}
+
+    /// The tree below a node at `depth`, of events that are numbered as the mesh's triangles. `numbers` is
+    /// scratch for as many as the mesh has. The tree depends on nothing else.
+    std::unique_ptr<Subtree> build(EventLists lists, std::uint32_t* numbers, const Box3& cell, int depth,
+                                   ReferenceBudget budget);
+
+    /// The same below node `index` of `tree`, of `count` triangles; all that is new is appended.
+    void build(const BoundedTriangle* triangles, std::size_t count, const Box3& cell, int depth,
+               ReferenceBudget budget, Subtree& tree, std::uint32_t index);
+
+  private:
+    /// The three event lists of a node inside the arena.
+    struct NodeEvents {
+        std::array<std::size_t, 3> first{};
+        std::array<std::size_t, 3> count{};
+    };
+    /// Triangles on each side of a split, and the part of the arena that holds the upper side's events.
+    struct Division {
+        std::uint32_t lower, upper;
+        std::size_t keep;
+    };
+
+    NodeEvents load(EventLists lists, std::uint32_t* numbers);
+    NodeEvents load(const BoundedTriangle* triangles, std::size_t count);
+    float buildNode(std::uint32_t index, const NodeEvents& events, std::uint32_t count, const Box3& cell,
+                    int depth, int failures, ReferenceBudget budget);
+    Split findSplit(const NodeEvents& events, std::uint32_t count, const Box3& cell) const;
+    float leastCost(const Split& split, const Box3& cell) const;
+    Division divide(const Split& split, std::uint32_t count, NodeEvents& upper, NodeEvents& lower,
+                    const Box3& lowerCell, const Box3& upperCell);
+    std::uint32_t clipStraddling(const Box3& cell, AxisEvents& added);
+    void makeLeaf(std::uint32_t index, const NodeEvents& events);
+    void undo(std::uint32_t index, std::size_t firstReference);
+    void makeRoom(std::size_t events);
+    Event* at(std::size_t place) { return arena_.data() + place; }
+    const Event* at(std::size_t place) const { return arena_.data() + place; }
+
+    const BuildContext& context_;
+    Subtree* tree_ = nullptr;
+    std::vector<std::uint32_t> triangles_; ///< of the mesh, by number in the piece
+    std::vector<Side> sides_;
+
+    EventList arena_; ///< event lists of the nodes that wait, as a stack
+    std::size_t top_ = 0;
+    EventList scratch_;
+    std::vector<std::uint32_t> straddling_;
+    AxisEvents addedLower_, addedUpper_;
+};
 
 } // namespace rtcore

@@ -12,48 +12,71 @@ struct TreeArrays {
     std::vector<std::uint32_t> references;
 };
 
-class Stitcher {
-  public:
-    explicit Stitcher(TreeArrays& out) : out_(out) {}
+/// A piece and where it goes. Its root is there already, beside its sibling; all other nodes follow each
+/// other.
+struct Placement {
+    const Subtree* piece;
+    std::size_t root, nodes, references;
+};
 
-    void layOut(const Subtree& tree, std::size_t at) {
-        if (tree.lower == nullptr) {
-            layOutSmall(tree, 0, at);
+/// Writes one piece in the order of a depth-first walk.
+class PieceWriter {
+  public:
+    PieceWriter(const Placement& place, TreeArrays& out)
+        : piece_(*place.piece), out_(out), node_(place.nodes), reference_(place.references) {}
+
+    void write(std::uint32_t index, std::size_t at) {
+        const BuildNode& node = piece_.nodes[index];
+        if (node.axis != BuildNode::kLeaf) {
+            const std::size_t children = node_;
+            node_ += 2;
+            out_.nodes[at] = KdNode::inner(node.axis, node.split, static_cast<std::uint32_t>(children));
+            write(node.first, children);
+            write(node.second, children + 1);
             return;
         }
-        const std::size_t children = addPair();
-        out_.nodes[at] = KdNode::inner(tree.axis, tree.split, static_cast<std::uint32_t>(children));
-        layOut(*tree.lower, children);
-        layOut(*tree.upper, children + 1);
+        out_.nodes[at] = KdNode::leaf(static_cast<std::uint32_t>(reference_), node.second);
+        const auto from = piece_.references.begin() + node.first;
+        const auto to = out_.references.begin() + static_cast<std::ptrdiff_t>(reference_);
+        std::sort(to, std::copy(from, from + node.second, to));
+        reference_ += node.second;
     }
 
   private:
-    std::size_t addPair() {
-        const std::size_t first = out_.nodes.size();
-        if (first + 2 > kMaxKdNodes) throw std::length_error("the kd-tree has more than 2^30 nodes");
-        out_.nodes.resize(first + 2);
-        return first;
+    const Subtree& piece_;
+    TreeArrays& out_;
+    std::size_t node_, reference_;
+};
+
+/// Places all pieces of a tree in the order of a depth-first walk, and writes the large nodes above them.
+class Layout {
+  public:
+    explicit Layout(TreeArrays& out) : out_(out) {}
+
+    const std::vector<Placement>& place(const Subtree& root) {
+        place(root, 0);
+        return pieces_;
     }
 
-    void layOutSmall(const Subtree& tree, std::uint32_t index, std::size_t at) {
-        const BuildNode& node = tree.nodes[index];
-        if (node.axis != BuildNode::kLeaf) {
-            const std::size_t children = addPair();
-            out_.nodes[at] = KdNode::inner(node.axis, node.split, static_cast<std::uint32_t>(children));
-            layOutSmall(tree, node.first, children);
-            layOutSmall(tree, node.second, children + 1);
+  private:
+    void place(const Subtree& tree, std::size_t at) {
+        if (tree.lower == nullptr) {
+            pieces_.push_back({&tree, at, node_, reference_});
+            node_ += tree.nodes.size() - 1;
+            reference_ += tree.references.size();
             return;
         }
-        const std::size_t first = out_.references.size();
-        if (first + node.second > kMaxLeafCount)
-            throw std::length_error("the kd-tree has more than 2^30 references");
-        out_.nodes[at] = KdNode::leaf(static_cast<std::uint32_t>(first), node.second);
-        const auto begin = tree.references.begin() + node.first;
-        out_.references.insert(out_.references.end(), begin, begin + node.second);
-        std::sort(out_.references.begin() + static_cast<std::ptrdiff_t>(first), out_.references.end());
+        const std::size_t children = node_;
+        node_ += 2;
+        out_.nodes[at] = KdNode::inner(tree.axis, tree.split, static_cast<std::uint32_t>(children));
+        place(*tree.lower, children);
+        place(*tree.upper, children + 1);
     }
 
     TreeArrays& out_;
+    std::vector<Placement> pieces_;
+    std::size_t node_ = 1;
+    std::size_t reference_ = 0;
 };
 
 void count(const Subtree& tree, std::size_t& nodes, std::size_t& references) {
@@ -70,14 +93,19 @@ void count(const Subtree& tree, std::size_t& nodes, std::size_t& references) {
 } // namespace
 
 KdTree stitch(const Subtree& root, const Box3& bounds) {
-    auto arrays = std::make_shared<TreeArrays>();
     std::size_t nodes = 0;
     std::size_t references = 0;
     count(root, nodes, references);
-    arrays->nodes.reserve(nodes);
-    arrays->references.reserve(references);
-    arrays->nodes.resize(1);
-    Stitcher(*arrays).layOut(root, 0);
+    if (nodes > kMaxKdNodes) throw std::length_error("the kd-tree has more than 2^30 nodes");
+    if (references > kMaxLeafCount) throw std::length_error("the kd-tree has more than 2^30 references");
+    auto arrays = std::make_shared<TreeArrays>();
+    arrays->nodes.resize(nodes);
+    arrays->references.resize(references);
+    const std::vector<Placement> pieces = Layout(*arrays).place(root);
+#pragma omp taskloop grainsize(4) default(shared)
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        PieceWriter(pieces[i], *arrays).write(0, pieces[i].root);
+    }
     return {arrays->nodes, arrays->references, bounds, arrays};
 }
 

@@ -31,6 +31,7 @@ struct Subtree {
 };
 
 /// Lays the pieces out in the order that KdTree documents, which depends only on the tree.
+/// Makes OpenMP tasks when called inside a parallel region.
 /// Throws std::length_error when nodes or references exceed what a node can name.
 KdTree stitch(const Subtree& root, const Box3& bounds);
 

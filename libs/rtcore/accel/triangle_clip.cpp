@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace rtcore {
 
@@ -17,23 +18,33 @@ struct Polygon {
     void add(const Point& p) { points[static_cast<std::size_t>(count++)] = p; }
 };
 
-/// Keeps the part of `in` where sign * (coordinate - limit) <= 0.
-void clipAgainst(const Polygon& in, std::size_t axis, double limit, double sign, Polygon& out) {
-    out.count = 0;
-    for (int i = 0; i < in.count; ++i) {
-        const Point& a = in.points[static_cast<std::size_t>(i)];
-        const Point& b = in.points[static_cast<std::size_t>(i + 1 == in.count ? 0 : i + 1)];
-        const double da = sign * (a[axis] - limit);
-        const double db = sign * (b[axis] - limit);
-        if (da <= 0) out.add(a);
+/// Keeps the part of `in` where sign * (coordinate - limit) <= 0: `in` itself if that is all, or `out`.
+Polygon* clipAgainst(Polygon* in, std::size_t axis, double limit, double sign, Polygon* out) {
+    const auto count = static_cast<std::size_t>(in->count);
+    std::array<double, 16> distance;
+    bool outside = false;
+    for (std::size_t i = 0; i < count; ++i) {
+        distance[i] = sign * (in->points[i][axis] - limit);
+        outside |= distance[i] > 0;
+    }
+    if (!outside) return in;
+    out->count = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t next = i + 1 == count ? 0 : i + 1;
+        const Point& a = in->points[i];
+        const double da = distance[i];
+        const double db = distance[next];
+        if (da <= 0) out->add(a);
         if ((da < 0 && db > 0) || (da > 0 && db < 0)) {
+            const Point& b = in->points[next];
             const double share = da / (da - db);
             Point p;
             for (std::size_t k = 0; k < 3; ++k) p[k] = a[k] + share * (b[k] - a[k]);
             p[axis] = limit;
-            out.add(p);
+            out->add(p);
         }
     }
+    return out;
 }
 
 } // namespace
@@ -56,14 +67,13 @@ Box3 clippedBounds(const std::array<Vec3, 3>& corners, const Box3& cell, float m
     for (int axis = 0; axis < 3; ++axis) {
         const double lo = static_cast<double>(cell.lo[axis]) - margin;
         const double hi = static_cast<double>(cell.hi[axis]) + margin;
-        if (own.lo[axis] < lo) {
-            clipAgainst(*current, static_cast<std::size_t>(axis), lo, -1, *next);
-            std::swap(current, next);
-        }
-        if (own.hi[axis] > hi) {
-            clipAgainst(*current, static_cast<std::size_t>(axis), hi, 1, *next);
-            std::swap(current, next);
-        }
+        const auto a = static_cast<std::size_t>(axis);
+        const auto clip = [&](double limit, double sign) {
+            Polygon* const clipped = clipAgainst(current, a, limit, sign, next);
+            if (clipped != current) next = std::exchange(current, clipped);
+        };
+        if (own.lo[axis] < lo) clip(lo, -1);
+        if (own.hi[axis] > hi) clip(hi, 1);
         if (current->count == 0) return {};
     }
     Box3 result;

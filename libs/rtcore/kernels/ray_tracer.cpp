@@ -1,26 +1,60 @@
 #include "rtcore/kernels/ray_tracer.h"
 
-#include "rtcore/kernels/single_ray.h"
+#include "rtcore/kernels/hit_distance.h"
+#include "rtcore/kernels/leaf_records.h"
+#include "rtcore/kernels/wave_kernels.h"
+
+#include <memory>
 
 namespace rtcore {
 
+namespace {
+
+/// What each thread works in. It lives as long as the thread: the pages of a fresh one cost more than a wave.
+struct ThreadMemory {
+    StreamScratch streams;
+    std::vector<std::uint32_t> near;
+};
+
+ThreadMemory& threadMemory() {
+    static thread_local const auto memory = std::make_unique<ThreadMemory>();
+    return *memory;
+}
+
+RaySpan spanOf(const RayWave& rays) {
+    return {{rays.ox.data(), rays.oy.data(), rays.oz.data()},
+            {rays.dx.data(), rays.dy.data(), rays.dz.data()},
+            rays.tMin.data(),
+            rays.tMax.data(),
+            rays.size()};
+}
+
+} // namespace
+
+KdRayTracer::KdRayTracer(const KdTree& tree, const Mesh& mesh, LeafRecords records)
+    : tree_(tree), mesh_(mesh),
+      records_(records == LeafRecords::Inline ? makeLeafRecords(tree, mesh) : std::vector<float>{}),
+      scene_(tree_, mesh_, records_.empty() ? nullptr : records_.data()), nearLimit_(nearLimit(tree.bounds)) {}
+
 void KdRayTracer::intersect(RayKind /*kind*/, const RayWave& rays, HitWave& hits) const {
     hits.resize(rays.size());
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        Hit hit;
-        rtcore::intersect(tree_, mesh_, rays.ray(i), hit);
-        hits.t[i] = hit.t;
-        hits.u[i] = hit.u;
-        hits.v[i] = hit.v;
-        hits.triangle[i] = hit.triangle;
+    const RaySpan span = spanOf(rays);
+    const HitSpan found{hits.t.data(), hits.triangle.data(), hits.u.data(), hits.v.data()};
+    ThreadMemory& memory = threadMemory();
+    traceClosest(scene_, span, memory.streams, found);
+    memory.near.resize(rays.size());
+    const std::size_t near = findNear(span, found, nearLimit_, memory.near.data());
+    for (std::size_t i = 0; i < near; ++i) {
+        const std::uint32_t ray = memory.near[i];
+        Hit hit = hits.hit(ray);
+        refineDistance(mesh_, rays.ray(ray), hit);
+        hits.t[ray] = hit.t;
     }
 }
 
 void KdRayTracer::occluded(RayKind /*kind*/, const RayWave& rays, std::vector<std::uint8_t>& occluded) const {
     occluded.resize(rays.size());
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        occluded[i] = rtcore::occluded(tree_, mesh_, rays.ray(i)) ? 1 : 0;
-    }
+    traceAny(scene_, spanOf(rays), threadMemory().streams, occluded.data());
 }
 
 } // namespace rtcore

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtcore/accel/kd_tree.h"
+#include "rtcore/kernels/kernel_scene.h"
 #include "rtcore/kernels/ray_wave.h"
 #include "rtcore/scene/mesh.h"
 
@@ -22,10 +23,18 @@ class RayTracer {
     virtual void occluded(RayKind kind, const RayWave& rays, std::vector<std::uint8_t>& occluded) const = 0;
 };
 
-/// By the kd-tree. `tree` and the arrays behind `mesh` must outlive it.
+/// How leaves find the corners of their triangles.
+enum class LeafRecords {
+    Shared, ///< through the mesh's own vertices: no memory of their own
+    Inline  ///< through copies in the order of the leaves (leaf_records.h): 40 bytes a reference, faster
+};
+
+/// By the kd-tree, in packets and streams. What is found does not depend on how: not on the instruction set, not
+/// on what else is in the wave. `tree` and the arrays behind `mesh` must outlive it. Each thread that calls it
+/// keeps some MB until it ends.
 class KdRayTracer final : public RayTracer {
   public:
-    KdRayTracer(const KdTree& tree, const Mesh& mesh) : tree_(tree), mesh_(mesh) {}
+    KdRayTracer(const KdTree& tree, const Mesh& mesh, LeafRecords records = LeafRecords::Inline);
 
     void intersect(RayKind kind, const RayWave& rays, HitWave& hits) const override;
     void occluded(RayKind kind, const RayWave& rays, std::vector<std::uint8_t>& occluded) const override;
@@ -33,6 +42,9 @@ class KdRayTracer final : public RayTracer {
   private:
     KdTree tree_;
     Mesh mesh_;
+    std::vector<float> records_;
+    KernelScene scene_;
+    float nearLimit_;
 };
 
 } // namespace rtcore

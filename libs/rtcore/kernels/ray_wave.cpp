@@ -21,7 +21,7 @@ void RayWave::push(const Ray& ray) {
     tMax.push_back(ray.tMax);
 }
 
-void RayWave::truncate(std::size_t count) {
+void RayWave::resize(std::size_t count) {
     for (auto* array : {&ox, &oy, &oz, &dx, &dy, &dz, &tMin, &tMax}) array->resize(count);
 }
 

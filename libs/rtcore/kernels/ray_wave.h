@@ -41,8 +41,8 @@ struct RayWave {
     void clear();
     void reserve(std::size_t count);
     void push(const Ray& ray);
-    /// Keeps the first `count` rays.
-    void truncate(std::size_t count);
+    /// Keeps the first `count` rays; those beyond the present ones are all zero.
+    void resize(std::size_t count);
     Ray ray(std::size_t i) const { return {{ox[i], oy[i], oz[i]}, tMin[i], {dx[i], dy[i], dz[i]}, tMax[i]}; }
 };
 

@@ -1,5 +1,7 @@
 #include "rtcore/kernels/single_ray.h"
 
+#include "rtcore/kernels/hit_distance.h"
+#include "rtcore/kernels/rounding.h"
 #include "rtcore/kernels/watertight.h"
 
 #include <algorithm>
@@ -10,10 +12,11 @@ namespace rtcore {
 
 namespace {
 
-// Plane distances are (s - o) * (1 / d), three roundings; each is taken a little too small where an interval
-// begins and too large where it ends (notes on errors: Ize 2013, "Robust BVH ray traversal").
-constexpr float kDown = 1 - 6 * 0x1p-24F;
-constexpr float kUp = 1 + 6 * 0x1p-24F;
+TriangleCorners cornersOf(const KernelScene& scene, std::uint32_t reference) {
+    const std::uint32_t index = scene.references[reference];
+    const Triangle& t = scene.triangles[index];
+    return {scene.vertices[t.v[0]], scene.vertices[t.v[1]], scene.vertices[t.v[2]], index};
+}
 
 /// A node that waits, with the part of the ray inside its cell.
 struct Waiting {
@@ -28,27 +31,29 @@ struct Interval {
 /// By how much the distance of a hit may be off from where the tree says that its cell lies: the leaf test's
 /// error grows with the distance of a triangle's farthest corner (kDistanceError), which is at most that of
 /// the box.
-float slackOf(const Box3& box, const Ray& ray) {
-    Vec3 farthest;
+float slackOf(const KernelScene& scene, const Ray& ray) {
+    float far = 0;
+    float length = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        farthest[axis] =
-            std::max(std::fabs(box.lo[axis] - ray.origin[axis]), std::fabs(box.hi[axis] - ray.origin[axis]));
+        const float o = ray.origin[axis];
+        far += std::max(std::fabs(scene.lo[axis] - o), std::fabs(scene.hi[axis] - o));
+        length = std::max(length, std::fabs(ray.direction[axis]));
     }
-    return kDistanceError * std::sqrt(dot(farthest, farthest) / dot(ray.direction, ray.direction));
+    return kDistanceError * far / length;
 }
 
 /// The part of [tMin, tMax + slack] inside the box. 0 * infinity (a ray inside a face, parallel to it) is
 /// NaN, which these comparisons ignore: such a ray counts as inside.
-[[gnu::always_inline]] inline bool clipToBox(const Box3& box, const Ray& ray, float slack, Vec3 inverse,
+[[gnu::always_inline]] inline bool clipToBox(const KernelScene& scene, const Ray& ray, float slack, Vec3 inverse,
                                              Interval& interval) {
     interval = {ray.tMin, ray.tMax + slack};
     for (int axis = 0; axis < 3; ++axis) {
-        const float a = (box.lo[axis] - ray.origin[axis]) * inverse[axis];
-        const float b = (box.hi[axis] - ray.origin[axis]) * inverse[axis];
+        const float a = (scene.lo[axis] - ray.origin[axis]) * inverse[axis];
+        const float b = (scene.hi[axis] - ray.origin[axis]) * inverse[axis];
         const float enter = std::signbit(inverse[axis]) ? b : a;
         const float leave = std::signbit(inverse[axis]) ? a : b;
-        if (enter * kDown > interval.t0) interval.t0 = enter * kDown;
-        if (leave * kUp < interval.t1) interval.t1 = leave * kUp;
+        if (enter * kPlaneDown > interval.t0) interval.t0 = enter * kPlaneDown;
+        if (leave * kPlaneUp < interval.t1) interval.t1 = leave * kPlaneUp;
     }
     return interval.t0 <= interval.t1;
 }
@@ -56,12 +61,12 @@ float slackOf(const Box3& box, const Ray& ray) {
 /// Visits the leaves along the ray in order; `visit` gets each leaf and returns true to stop. `closest` is
 /// the distance beyond which nothing matters any more.
 template <typename Visit>
-void traverse(const KdTree& tree, const Ray& ray, const float& closest, Visit&& visit) {
+void traverse(const KernelScene& scene, const Ray& ray, const float& closest, Visit&& visit) {
     const Vec3 inverse{1.0F / ray.direction.x, 1.0F / ray.direction.y, 1.0F / ray.direction.z};
     Interval interval{};
-    if (tree.bounds.empty()) return;
-    const float slack = slackOf(tree.bounds, ray);
-    if (!clipToBox(tree.bounds, ray, slack, inverse, interval)) return;
+    if (!(scene.lo[0] <= scene.hi[0])) return;
+    const float slack = slackOf(scene, ray);
+    if (!clipToBox(scene, ray, slack, inverse, interval)) return;
     // Bit 4 i + axis is set when the upper child is the nearer one: a shift by all of a node's bits finds it
     // without waiting for the axis.
     const std::uint32_t signs = (std::signbit(inverse.x) ? 1U : 0U) | (std::signbit(inverse.y) ? 2U : 0U) |
@@ -70,7 +75,7 @@ void traverse(const KdTree& tree, const Ray& ray, const float& closest, Visit&& 
     // Arrays, since the axis of a node is not known in advance.
     const std::array<float, 3> origin{ray.origin.x, ray.origin.y, ray.origin.z};
     const std::array<float, 3> scale{inverse.x, inverse.y, inverse.z};
-    const KdNode* const nodes = tree.nodes.data();
+    const KdNode* const nodes = scene.nodes;
     std::array<Waiting, kMaxKdDepth> stack;
     std::size_t waiting = 0;
     std::uint32_t index = 0;
@@ -83,13 +88,13 @@ void traverse(const KdTree& tree, const Ray& ray, const float& closest, Visit&& 
             const std::uint32_t near = node.lowerChild() + upperFirst;
             const std::uint32_t far = node.lowerChild() + 1 - upperFirst;
             // Inclusive: on equality, and for a ray inside the plane (NaN), both sides are visited.
-            if (t > interval.t1) {
+            const float begin = t * kPlaneDown;
+            const float end = t * kPlaneUp;
+            if (begin > interval.t1) {
                 index = near;
-            } else if (t < interval.t0) {
+            } else if (end < interval.t0) {
                 index = far;
             } else {
-                const float begin = t * kDown;
-                const float end = t * kUp;
                 stack[waiting++] = {far, begin > interval.t0 ? begin : interval.t0, interval.t1};
                 if (end < interval.t1) interval.t1 = end;
                 index = near;
@@ -108,19 +113,25 @@ void traverse(const KdTree& tree, const Ray& ray, const float& closest, Visit&& 
     }
 }
 
-} // namespace
+/// Tests the triangles of a leaf; with `kAny`, true at the first hit.
+template <int kz, bool kAny>
+[[gnu::always_inline]] inline bool testLeaf(const KernelScene& scene, const KdNode& leaf, const Ray& ray,
+                                            const RayShear& shear, Hit& best) {
+    for (std::uint32_t i = 0; i < leaf.count(); ++i) {
+        const TriangleCorners corners = cornersOf(scene, leaf.firstReference + i);
+        if (testTriangle<kz>(corners, ray, shear, best) && kAny) return true;
+    }
+    return false;
+}
 
-bool intersect(const KdTree& tree, const Mesh& mesh, const Ray& ray, Hit& hit) {
+template <bool kAny>
+bool find(const KernelScene& scene, const Ray& ray, Hit& hit) {
     const RayShear shear(ray.direction);
     Hit best;
     best.t = ray.tMax;
     alongAxis(shear.kz, [&](auto kz) {
-        traverse(tree, ray, best.t, [&](const KdNode& leaf) {
-            const std::uint32_t* const references = tree.references.data() + leaf.firstReference;
-            for (std::uint32_t i = 0; i < leaf.count(); ++i) {
-                testTriangle<kz>(mesh, references[i], ray, shear, best);
-            }
-            return false;
+        traverse(scene, ray, best.t, [&](const KdNode& leaf) {
+            return testLeaf<kz, kAny>(scene, leaf, ray, shear, best);
         });
     });
     if (best.triangle == kNoTriangle) return false;
@@ -128,20 +139,25 @@ bool intersect(const KdTree& tree, const Mesh& mesh, const Ray& ray, Hit& hit) {
     return true;
 }
 
-bool occluded(const KdTree& tree, const Mesh& mesh, const Ray& ray) {
-    const RayShear shear(ray.direction);
+} // namespace
+
+bool findClosest(const KernelScene& scene, const Ray& ray, Hit& hit) {
+    return find<false>(scene, ray, hit);
+}
+
+bool findAny(const KernelScene& scene, const Ray& ray) {
     Hit any;
-    any.t = ray.tMax;
-    alongAxis(shear.kz, [&](auto kz) {
-        traverse(tree, ray, ray.tMax, [&](const KdNode& leaf) {
-            const std::uint32_t* const references = tree.references.data() + leaf.firstReference;
-            for (std::uint32_t i = 0; i < leaf.count(); ++i) {
-                if (testTriangle<kz>(mesh, references[i], ray, shear, any)) return true;
-            }
-            return false;
-        });
-    });
-    return any.triangle != kNoTriangle;
+    return find<true>(scene, ray, any);
+}
+
+bool intersect(const KdTree& tree, const Mesh& mesh, const Ray& ray, Hit& hit) {
+    if (!findClosest({tree, mesh}, ray, hit)) return false;
+    if (isNear(ray, hit, nearLimit(tree.bounds))) refineDistance(mesh, ray, hit);
+    return true;
+}
+
+bool occluded(const KdTree& tree, const Mesh& mesh, const Ray& ray) {
+    return findAny({tree, mesh}, ray);
 }
 
 } // namespace rtcore

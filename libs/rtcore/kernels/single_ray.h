@@ -4,6 +4,7 @@
 #pragma once
 
 #include "rtcore/accel/kd_tree.h"
+#include "rtcore/kernels/kernel_scene.h"
 #include "rtcore/kernels/ray_wave.h"
 #include "rtcore/scene/mesh.h"
 
@@ -15,5 +16,10 @@ bool intersect(const KdTree& tree, const Mesh& mesh, const Ray& ray, Hit& hit);
 
 /// Whether anything is hit in [ray.tMin, ray.tMax]. Agrees with intersect().
 bool occluded(const KdTree& tree, const Mesh& mesh, const Ray& ray);
+
+/// As intersect(), but the distance is the leaf test's own, before refineDistance() (hit_distance.h).
+bool findClosest(const KernelScene& scene, const Ray& ray, Hit& hit);
+/// As occluded().
+bool findAny(const KernelScene& scene, const Ray& ray);
 
 } // namespace rtcore

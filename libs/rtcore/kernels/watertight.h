@@ -32,44 +32,23 @@ struct RayShear {
     float sx, sy, sz;
 };
 
-/// What rounding may do to the leaf test's distance, as a share of that of the farthest corner.
-inline constexpr float kDistanceError = 0x1p-17F;
+/// A triangle as the test wants it.
+struct TriangleCorners {
+    const Vertex &a, &b, &c;
+    std::uint32_t index;
+};
 
-/// The distance of a hit once more, from the plane of its triangle: of the three corners the nearest one is
-/// taken, and an axis-parallel plane has no rounding but that of its own coordinate. The leaf test's own
-/// distance `t` is a mean of the corners', whose error grows with the triangle: too much for a ray that
-/// starts beside a large wall. Where the plane is seen so nearly edge-on that its distance is the worse one,
-/// `t` stays.
-[[gnu::noinline]] inline float planeDistance(const Mesh& mesh, std::uint32_t index, Vec3 origin,
-                                             Vec3 direction, float t) {
-    const Vec3 corner = mesh.position(index, 0);
-    const Vec3 a = corner - origin;
-    const Vec3 b = mesh.position(index, 1) - origin;
-    const Vec3 c = mesh.position(index, 2) - origin;
-    const Vec3 normal = cross(mesh.position(index, 1) - corner, mesh.position(index, 2) - corner);
-    const float aa = dot(a, a);
-    const float bb = dot(b, b);
-    const float cc = dot(c, c);
-    const Vec3 nearest = aa <= bb && aa <= cc ? a : bb <= cc ? b : c;
-    const float farthest = aa >= bb && aa >= cc ? aa : bb >= cc ? bb : cc;
-    const float exact = dot(normal, nearest) / dot(normal, direction);
-    const float apart = exact - t;
-    return apart * apart * dot(direction, direction) <= kDistanceError * kDistanceError * farthest ? exact
-                                                                                                   : t;
-}
-
-/// Tests triangle `index` against the ray, whose shear.kz is `Kz`; `hit` holds the closest so far (its t
-/// bounds the search) and is replaced when this one is closer, or as close and of lower index. A constant
-/// axis spares the choice of nine coordinates: see alongAxis().
+/// Tests a triangle against the ray, whose shear.kz is `Kz`; `hit` holds the closest so far (its t bounds the
+/// search) and is replaced when this one is closer, or as close and of lower index. A constant axis spares the
+/// choice of nine coordinates: see alongAxis().
 template <int Kz>
-[[gnu::always_inline]] inline bool testTriangle(const Mesh& mesh, std::uint32_t index, const Ray& ray,
+[[gnu::always_inline]] inline bool testTriangle(const TriangleCorners& corners, const Ray& ray,
                                                 const RayShear& shear, Hit& hit) {
     constexpr int kx = (Kz + 1) % 3;
     constexpr int ky = (Kz + 2) % 3;
-    const Triangle& triangle = mesh.triangles[index];
-    const Vec3 a = mesh.vertices[triangle.v[0]].position() - ray.origin;
-    const Vec3 b = mesh.vertices[triangle.v[1]].position() - ray.origin;
-    const Vec3 c = mesh.vertices[triangle.v[2]].position() - ray.origin;
+    const Vec3 a = corners.a.position() - ray.origin;
+    const Vec3 b = corners.b.position() - ray.origin;
+    const Vec3 c = corners.c.position() - ray.origin;
     const float az = a[Kz];
     const float bz = b[Kz];
     const float cz = c[Kz];
@@ -87,12 +66,20 @@ template <int Kz>
     // Seen edge-on; or so nearly that products underflow, and the distance would be noise.
     if (std::fabs(det) < std::numeric_limits<float>::min()) return false;
     const float t = (u * az + v * bz + w * cz) * shear.sz / det;
-    const float exact = planeDistance(mesh, index, ray.origin, ray.direction, t);
     // Written so that NaN fails.
-    if (!(exact >= ray.tMin && exact <= hit.t)) return false;
-    if (exact == hit.t && index >= hit.triangle) return false;
-    hit = {exact, index, v / det, w / det};
+    if (!(t >= ray.tMin && t <= hit.t)) return false;
+    if (t == hit.t && corners.index >= hit.triangle) return false;
+    hit = {t, corners.index, v / det, w / det};
     return true;
+}
+
+/// The same for triangle `index` of a mesh.
+template <int Kz>
+[[gnu::always_inline]] inline bool testTriangle(const Mesh& mesh, std::uint32_t index, const Ray& ray,
+                                                const RayShear& shear, Hit& hit) {
+    const Triangle& t = mesh.triangles[index];
+    return testTriangle<Kz>({mesh.vertices[t.v[0]], mesh.vertices[t.v[1]], mesh.vertices[t.v[2]], index},
+                            ray, shear, hit);
 }
 
 /// Calls `work` with the ray's dominant axis as a constant.

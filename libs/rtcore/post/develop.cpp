@@ -1,17 +1,17 @@
 #include "rtcore/post/develop.h"
 
-#include "rtcore/post/exposure.h"
-#include "rtcore/post/quantise.h"
-#include "rtcore/post/tone_map.h"
+#include "rtcore/post/tone_map_block.h"
 
 #include <algorithm>
-#include <vector>
+
+#ifdef _OPENMP
+#include <omp.h>
+#endif
 
 namespace rtcore {
 
 namespace {
 
-constexpr float kRounding = 0.5F;
 /// The exposure of a picture that is black all over.
 constexpr float kDarkness = 1;
 /// What a fixed exposure may be (settings_table.cpp), so that any automatic one can be written down and
@@ -19,35 +19,88 @@ constexpr float kDarkness = 1;
 constexpr float kLeast = 1e-30F;
 constexpr float kMost = 1e30F;
 
+int threadsFor(int wanted) {
+#ifdef _OPENMP
+    return wanted > 0 ? wanted : omp_get_max_threads();
+#else
+    static_cast<void>(wanted);
+    return 1;
+#endif
+}
+
+std::size_t threadNumber() {
+#ifdef _OPENMP
+    return static_cast<std::size_t>(omp_get_thread_num());
+#else
+    return 0;
+#endif
+}
+
+/// A row, of which the last block may be short.
+void developRow(const Development& how, const Colour* radiance, int width, int y, Rgba8* pixels) {
+    constexpr int kBlock = static_cast<int>(kToneBlock);
+    int x = 0;
+    for (; x + kBlock <= width; x += kBlock) developBlock(how, radiance + x, x, y, pixels + x);
+    if (x == width) return;
+    Colour last[kToneBlock];
+    Rgba8 developed[kToneBlock];
+    std::copy(radiance + x, radiance + width, last);
+    developBlock(how, last, x, y, developed);
+    std::copy(developed, developed + (width - x), pixels + x);
+}
+
 } // namespace
 
-float exposureFor(const Frame& frame, const ExposureSettings& settings) {
-    if (settings.mode == ExposureMode::Fixed) return settings.value;
-    auto average = logAverageLuminance(frame.radiance.pixels, frame.covered);
-    if (!average) {
-        // Nothing but background: then that is what the eye adapts to.
-        const std::vector<std::uint8_t> all(frame.covered.size(), 255);
-        average = logAverageLuminance(frame.radiance.pixels, all);
+std::optional<float> PictureDeveloper::average(const Frame& frame, bool background, int threads) {
+    const int team = threadsFor(threads);
+    if (histograms_.size() < static_cast<std::size_t>(team))
+        histograms_.resize(static_cast<std::size_t>(team));
+    for (LuminanceHistogram& histogram : histograms_) histogram.clear();
+    const HdrImage& radiance = frame.radiance;
+    const auto width = static_cast<std::size_t>(radiance.width);
+#pragma omp parallel for schedule(static) num_threads(team)
+    for (int y = 0; y < radiance.height; ++y) {
+        const std::size_t first = static_cast<std::size_t>(y) * width;
+        const std::span<const Colour> row(&radiance.pixels[first], width);
+        LuminanceHistogram& histogram = histograms_[threadNumber()];
+        if (background) {
+            histogram.count(row);
+        } else {
+            histogram.count(row, {&frame.covered[first], width});
+        }
     }
-    return std::clamp(average.value_or(kDarkness) / settings.key, kLeast, kMost);
+    for (std::size_t i = 1; i < histograms_.size(); ++i) histograms_[0].add(histograms_[i]);
+    return histograms_[0].logAverage();
+}
+
+float PictureDeveloper::exposure(const Frame& frame, const ExposureSettings& settings, int threads) {
+    if (settings.mode == ExposureMode::Fixed) return settings.value;
+    auto found = average(frame, false, threads);
+    // Nothing but background: then that is what the eye adapts to.
+    if (!found) found = average(frame, true, threads);
+    return std::clamp(found.value_or(kDarkness) / settings.key, kLeast, kMost);
+}
+
+void PictureDeveloper::develop(const Frame& frame, const RenderSettings& settings, float exposure,
+                               int threads, LdrImage& image) {
+    const HdrImage& radiance = frame.radiance;
+    if (image.width != radiance.width || image.height != radiance.height) {
+        image = LdrImage(radiance.width, radiance.height);
+    }
+    const Development how{settings.toneMapping, settings.dithering, exposure};
+#pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
+    for (int y = 0; y < radiance.height; ++y) {
+        developRow(how, &radiance.at(0, y), radiance.width, y, &image.at(0, y));
+    }
+}
+
+float exposureFor(const Frame& frame, const ExposureSettings& settings) {
+    return PictureDeveloper().exposure(frame, settings, 0);
 }
 
 LdrImage develop(const Frame& frame, const RenderSettings& settings, float exposure) {
-    static const SrgbCurve curve;
-    const HdrImage& radiance = frame.radiance;
-    LdrImage image(radiance.width, radiance.height);
-#pragma omp parallel for schedule(static)
-    for (int y = 0; y < radiance.height; ++y) {
-        for (int x = 0; x < radiance.width; ++x) {
-            const Colour c = radiance.at(x, y);
-            const Colour shown = settings.toneMapping == ToneMapping::Luminance
-                                     ? toneMapLuminance(c, exposure)
-                                     : toneMapChannels(c, exposure);
-            const float t = settings.dithering ? ditherThreshold(x, y) : kRounding;
-            image.at(x, y) = {quantise(curve.code(shown.r), t), quantise(curve.code(shown.g), t),
-                              quantise(curve.code(shown.b), t), 255};
-        }
-    }
+    LdrImage image;
+    PictureDeveloper().develop(frame, settings, exposure, 0, image);
     return image;
 }
 

@@ -1,16 +1,37 @@
 /// From radiance to what a display shows: exposure, tone mapping, sRGB, eight bits. (thesis 3.2)
 #pragma once
 
-#include "rtcore/render/frame_renderer.h"
+#include "rtcore/post/exposure.h"
+#include "rtcore/render/frame.h"
 #include "rtcore/scene/image.h"
 #include "rtcore/settings/render_settings.h"
 
+#include <optional>
+#include <vector>
+
 namespace rtcore {
 
-/// The constant c of L = Y / (Y + c): the fixed value, or what suits the frame (exposure.h).
-float exposureFor(const Frame& frame, const ExposureSettings& settings);
+/// Develops frames one after another and keeps the memory of its threads, so that a frame of the size of the
+/// one before it allocates nothing. Not for several threads at once: it uses `threads` itself, 0 = all cores.
+/// The same input gives the same bits, for any number of threads.
+class PictureDeveloper {
+  public:
+    /// The constant c of L = Y / (Y + c): the fixed value, or what suits the frame (exposure.h).
+    float exposure(const Frame& frame, const ExposureSettings& settings, int threads);
 
-/// Tone maps with the constant `exposure` and quantises. The same input gives the same bits.
+    /// Tone maps with the constant `exposure` and quantises into `image`, whose memory is reused when the
+    /// size fits.
+    void develop(const Frame& frame, const RenderSettings& settings, float exposure, int threads,
+                 LdrImage& image);
+
+  private:
+    std::optional<float> average(const Frame& frame, bool background, int threads);
+
+    std::vector<LuminanceHistogram> histograms_; ///< by thread
+};
+
+/// The same for a single frame, on all cores.
+float exposureFor(const Frame& frame, const ExposureSettings& settings);
 LdrImage develop(const Frame& frame, const RenderSettings& settings, float exposure);
 
 } // namespace rtcore

@@ -3,44 +3,119 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <vector>
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "rtcore/post/exposure.cpp"
+#define HWY_DISABLED_TARGETS HWY_SSSE3
+#include <hwy/foreach_target.h>
+// The loop over targets comes before the code that is compiled for each of them.
+#include <hwy/highway.h>
+
+#ifndef RTCORE_POST_EXPOSURE_BINS
+#define RTCORE_POST_EXPOSURE_BINS
 namespace rtcore {
+
+/// Bins of a histogram over the bits of a positive float: 256 in each power of two.
+inline constexpr int kBinShift = 15;
+inline constexpr std::size_t kBins = std::size_t{0x7F800000U} >> kBinShift;
+/// Pixels whose bins are found at once.
+inline constexpr std::size_t kBinBlock = 64;
+
+} // namespace rtcore
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace rtcore {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The bin of each pixel's luminance, kBins where it does not count.
+void binsOf(const float* HWY_RESTRICT rgb, std::uint32_t* HWY_RESTRICT bins) {
+    const hn::ScalableTag<float> d;
+    const hn::RebindToUnsigned<decltype(d)> du;
+    for (std::size_t i = 0; i < kBinBlock; i += hn::Lanes(d)) {
+        hn::Vec<decltype(d)> r, g, b;
+        hn::LoadInterleaved3(d, rgb + 3 * i, r, g, b);
+        const auto y = hn::Add(hn::Add(hn::Mul(hn::Set(d, 0.2126F), r), hn::Mul(hn::Set(d, 0.7152F), g)),
+                               hn::Mul(hn::Set(d, 0.0722F), b));
+        const auto infinity = hn::BitCast(d, hn::Set(du, 0x7F800000U));
+        const auto counts = hn::And(hn::Gt(y, hn::Zero(d)), hn::Lt(y, infinity));
+        const auto bin = hn::ShiftRight<kBinShift>(hn::BitCast(du, hn::IfThenElse(counts, y, infinity)));
+        hn::StoreU(bin, du, bins + i);
+    }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace rtcore
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace rtcore {
+
+HWY_EXPORT(binsOf);
 
 namespace {
 
-/// Bins of a histogram over the bits of a positive float: 256 in each power of two.
-constexpr unsigned kShift = 15;
-constexpr std::size_t kBins = std::size_t{0x7F800000U} >> kShift;
 constexpr double kDropped = 0.1; ///< share of the weight at each end
 
 float middleOfBin(std::size_t bin) {
-    return std::bit_cast<float>(static_cast<std::uint32_t>(bin << kShift | std::size_t{1} << (kShift - 1)));
+    return std::bit_cast<float>(
+        static_cast<std::uint32_t>(bin << kBinShift | std::size_t{1} << (kBinShift - 1)));
+}
+
+/// `weightOf` gives the weight of a pixel by its index.
+template <typename Weight>
+void countAll(std::span<const Colour> pixels, std::uint64_t* histogram, Weight&& weightOf) {
+    std::uint32_t bins[kBinBlock];
+    Colour last[kBinBlock];
+    for (std::size_t first = 0; first < pixels.size(); first += kBinBlock) {
+        const std::size_t n = std::min(kBinBlock, pixels.size() - first);
+        const Colour* block = &pixels[first];
+        if (n < kBinBlock) block = std::copy_n(block, n, last) - n;
+        HWY_DYNAMIC_DISPATCH(binsOf)(&block->r, bins);
+        for (std::size_t i = 0; i < n; ++i) histogram[bins[i]] += weightOf(first + i);
+    }
 }
 
 } // namespace
 
-std::optional<float> logAverageLuminance(std::span<const Colour> pixels,
-                                         std::span<const std::uint8_t> weights) {
-    std::vector<std::uint64_t> histogram(kBins);
+void LuminanceHistogram::clear() {
+    bins_.assign(kBins + 1, 0);
+    possible_ = 0;
+}
+
+void LuminanceHistogram::count(std::span<const Colour> pixels, std::span<const std::uint8_t> weights) {
+    if (bins_.empty()) clear();
+    possible_ += 255 * std::uint64_t{pixels.size()};
+    countAll(pixels, bins_.data(), [&](std::size_t i) { return std::uint64_t{weights[i]}; });
+}
+
+void LuminanceHistogram::count(std::span<const Colour> pixels) {
+    if (bins_.empty()) clear();
+    possible_ += 255 * std::uint64_t{pixels.size()};
+    countAll(pixels, bins_.data(), [](std::size_t) { return std::uint64_t{255}; });
+}
+
+void LuminanceHistogram::add(const LuminanceHistogram& other) {
+    if (bins_.empty()) clear();
+    for (std::size_t i = 0; i < other.bins_.size(); ++i) bins_[i] += other.bins_[i];
+    possible_ += other.possible_;
+}
+
+std::optional<float> LuminanceHistogram::logAverage() const {
     std::uint64_t valid = 0;
-    std::uint64_t possible = 0;
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        const float y = luminance(pixels[i]);
-        possible += 255;
-        if (!(y > 0) || !std::isfinite(y)) continue;
-        histogram[std::bit_cast<std::uint32_t>(y) >> kShift] += weights[i];
-        valid += weights[i];
-    }
-    if (valid == 0 || valid * 100 < possible) return std::nullopt;
+    const std::size_t bins = bins_.empty() ? 0 : kBins;
+    for (std::size_t bin = 0; bin < bins; ++bin) valid += bins_[bin];
+    if (valid == 0 || valid * 100 < possible_) return std::nullopt;
 
     const double from = kDropped * static_cast<double>(valid);
     const double to = (1 - kDropped) * static_cast<double>(valid);
     double below = 0;
     double sum = 0;
-    for (std::size_t bin = 0; bin < kBins; ++bin) {
-        if (histogram[bin] == 0) continue;
-        const double above = below + static_cast<double>(histogram[bin]);
+    for (std::size_t bin = 0; bin < bins; ++bin) {
+        if (bins_[bin] == 0) continue;
+        const double above = below + static_cast<double>(bins_[bin]);
         const double kept = std::min(above, to) - std::max(below, from);
         if (kept > 0) sum += kept * static_cast<double>(portableLog2(middleOfBin(bin)));
         below = above;
@@ -48,4 +123,12 @@ std::optional<float> logAverageLuminance(std::span<const Colour> pixels,
     return portableExp2(static_cast<float>(sum / (to - from)));
 }
 
+std::optional<float> logAverageLuminance(std::span<const Colour> pixels,
+                                         std::span<const std::uint8_t> weights) {
+    LuminanceHistogram histogram;
+    histogram.count(pixels, weights);
+    return histogram.logAverage();
+}
+
 } // namespace rtcore
+#endif

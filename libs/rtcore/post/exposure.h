@@ -6,13 +6,34 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace rtcore {
 
-/// The robust log-average luminance: of the pixels with luminance > 0, without the darkest and brightest
-/// tenth, each weighted by `weights` (255: geometry counts, 0: background does not). Nothing when the weight
-/// on such pixels is less than 1 % of what a picture full of geometry has. The spans have one size. The same
-/// bits for the same input.
+/// How much weight pixels of each luminance have, 256 bins in each power of two. Integers, so that parts of a
+/// picture may be counted apart and added in any order.
+class LuminanceHistogram {
+  public:
+    /// Forgets all; keeps the memory, half a megabyte.
+    void clear();
+    /// Counts pixels with luminance > 0, each by its weight (0..255); spans of one size. No weights: 255
+    /// each.
+    void count(std::span<const Colour> pixels, std::span<const std::uint8_t> weights);
+    void count(std::span<const Colour> pixels);
+    void add(const LuminanceHistogram& other);
+
+    /// The robust log-average luminance: without the darkest and brightest tenth. Nothing when the weight of
+    /// the counted pixels is less than 1 % of what all given ones could have. The same bits for the same
+    /// input.
+    std::optional<float> logAverage() const;
+
+  private:
+    std::vector<std::uint64_t> bins_; ///< the last one for what does not count
+    std::uint64_t possible_ = 0;
+};
+
+/// The robust log-average luminance of a whole picture, each pixel weighted by `weights` (255: geometry
+/// counts, 0: background does not).
 std::optional<float> logAverageLuminance(std::span<const Colour> pixels,
                                          std::span<const std::uint8_t> weights);
 

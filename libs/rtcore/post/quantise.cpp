@@ -8,10 +8,10 @@
 namespace rtcore {
 
 SrgbCurve::SrgbCurve() {
-    for (std::size_t i = 0; i < codes_.size(); ++i) {
-        const auto x = std::bit_cast<float>(static_cast<std::uint32_t>((kFirst + i) << kShift));
-        codes_[i] = 255 * srgbEncode(x);
-    }
+    const auto codeAt = [](std::size_t i) {
+        return 255 * srgbEncode(std::bit_cast<float>(static_cast<std::uint32_t>((kFirst + i) << kShift)));
+    };
+    for (std::size_t i = 0; i < chords_.size(); ++i) chords_[i] = {codeAt(i), codeAt(i + 1) - codeAt(i)};
 }
 
 float SrgbCurve::code(float x) const {
@@ -21,7 +21,7 @@ float SrgbCurve::code(float x) const {
     const std::size_t chord = (bits >> kShift) - kFirst;
     constexpr auto kMask = (std::uint32_t{1} << kShift) - 1;
     const float share = static_cast<float>(bits & kMask) / static_cast<float>(kMask + 1);
-    return codes_[chord] + (codes_[chord + 1] - codes_[chord]) * share;
+    return chords_[chord].code + chords_[chord].rise * share;
 }
 
 float ditherThreshold(int x, int y) {

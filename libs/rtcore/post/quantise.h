@@ -15,12 +15,18 @@ class SrgbCurve {
     /// x in [0, 1] -> [0, 255], before rounding.
     float code(float x) const;
 
+    /// A chord: the code at its begin, and how much greater it is at its end.
+    struct Chord {
+        float code, rise;
+    };
+    /// Chord i begins at the float with the bits (kFirst + i) << kShift; the last one begins before kLast.
+    const Chord* chords() const { return chords_.data(); }
+    static constexpr int kShift = 17;
+    static constexpr std::uint32_t kFirst = 0x39000000U >> kShift; ///< 2^-13, still on the linear part
+    static constexpr std::uint32_t kLast = 0x3F800000U >> kShift;  ///< 1
+
   private:
-    static constexpr unsigned kShift = 17;
-    static constexpr std::size_t kFirst =
-        std::size_t{0x39000000U} >> kShift; ///< 2^-13, still on the linear part
-    static constexpr std::size_t kLast = std::size_t{0x3F800000U} >> kShift; ///< 1
-    std::array<float, kLast - kFirst + 2> codes_{};
+    std::array<Chord, kLast - kFirst + 1> chords_{};
 };
 
 /// A threshold in [0, 1) for each pixel, the same in every frame: neighbouring thresholds differ much, so

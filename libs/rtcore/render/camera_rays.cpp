@@ -4,7 +4,51 @@
 
 #include <limits>
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "rtcore/render/camera_rays.cpp"
+#define HWY_DISABLED_TARGETS HWY_SSSE3
+#include <hwy/foreach_target.h>
+// The loop over targets comes before the code that is compiled for each of them.
+#include "rtcore/shading/vector_math-inl.h"
+
+HWY_BEFORE_NAMESPACE();
 namespace rtcore {
+namespace HWY_NAMESPACE {
+
+HWY_INLINE Vectors everywhere(Vec3 v) { return constant(v.x, v.y, v.z); }
+
+void blockDirections(const CameraRays::Plane& plane, const CameraRays::Block& block, float* HWY_RESTRICT dx,
+                     float* HWY_RESTRICT dy, float* HWY_RESTRICT dz) {
+    const FloatTag d;
+    const BitsTag du;
+    const hn::RebindToSigned<FloatTag> di;
+    const Floats half = constant(0.5F);
+    const Floats step = constant(block.step);
+    const Vectors corner = everywhere(plane.corner), right = everywhere(plane.right),
+                  down = everywhere(plane.down);
+    const auto place = [&](int first, Bits offset, float from) {
+        const Floats whole = hn::ConvertTo(d, hn::Add(hn::Set(di, first), hn::BitCast(di, offset)));
+        return hn::Add(constant(from), hn::Mul(hn::Add(whole, half), step));
+    };
+    const Bits lane = hn::Iota(du, 0);
+    for (std::uint32_t i = 0; i < kCameraBlock * kCameraBlock;
+         i += static_cast<std::uint32_t>(hn::Lanes(d))) {
+        const Bits index = hn::Add(lane, hn::Set(du, i));
+        const Floats x = place(block.column, hn::And(index, hn::Set(du, 7U)), block.left);
+        const Floats y = place(block.row, hn::ShiftRight<3>(index), block.top);
+        const Vectors direction = normalize(corner + right * x + down * y, hn::Eq(half, half));
+        storeVectors(direction, dx + i, dy + i, dz + i);
+    }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace rtcore
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace rtcore {
+
+HWY_EXPORT(blockDirections);
 
 namespace {
 
@@ -28,14 +72,20 @@ CameraRays::CameraRays(const Camera& camera, int width, int height) : eye_(camer
 
     const float half = camera.horizontalFov * 0.5F * kRadiansPerDegree;
     const float pixel = 2 * portableSin(half) / portableCos(half) / static_cast<float>(width);
-    right_ = right * pixel;
-    down_ = down * pixel;
-    corner_ =
-        forward - right_ * (static_cast<float>(width) * 0.5F) - down_ * (static_cast<float>(height) * 0.5F);
+    plane_.right = right * pixel;
+    plane_.down = down * pixel;
+    plane_.corner = forward - plane_.right * (static_cast<float>(width) * 0.5F) -
+                    plane_.down * (static_cast<float>(height) * 0.5F);
 }
 
 Ray CameraRays::at(float x, float y) const {
-    return {eye_, 0, normalize(corner_ + right_ * x + down_ * y), std::numeric_limits<float>::max()};
+    return {eye_, 0, normalize(plane_.corner + plane_.right * x + plane_.down * y),
+            std::numeric_limits<float>::max()};
+}
+
+void CameraRays::directions(const Block& block, float* dx, float* dy, float* dz) const {
+    HWY_DYNAMIC_DISPATCH(blockDirections)(plane_, block, dx, dy, dz);
 }
 
 } // namespace rtcore
+#endif

@@ -4,6 +4,8 @@
 #include "rtcore/render/camera_rays.h"
 #include "rtcore/render/tile.h"
 
+#include <algorithm>
+
 #ifdef _OPENMP
 #include <omp.h>
 #endif
@@ -20,23 +22,52 @@ void prepare(Frame& frame, const RenderSettings& settings) {
     frame.statistics = {};
 }
 
+int threadsFor(int wanted) {
+#ifdef _OPENMP
+    return wanted > 0 ? wanted : omp_get_max_threads();
+#else
+    static_cast<void>(wanted);
+    return 1;
+#endif
+}
+
+int threadNumber() {
+#ifdef _OPENMP
+    return omp_get_thread_num();
+#else
+    return 0;
+#endif
+}
+
 } // namespace
 
-bool renderFrame(const Scene& scene, const RayTracer& tracer, const Camera& camera,
-                 const RenderSettings& settings, int threads, RenderControl& control, Frame& frame) {
+FrameRenderer::FrameRenderer() = default;
+FrameRenderer::~FrameRenderer() = default;
+
+TileRenderer& FrameRenderer::rendererOfThread(int thread) {
+    std::unique_ptr<TileRenderer>& renderer = renderers_[static_cast<std::size_t>(thread)];
+    if (renderer == nullptr) renderer = std::make_unique<TileRenderer>();
+    return *renderer;
+}
+
+bool FrameRenderer::render(const Scene& scene, const RayTracer& tracer, const Camera& camera,
+                           const RenderSettings& settings, int threads, RenderControl& control,
+                           Frame& frame) {
     prepare(frame, settings);
+    materials_.prepare(scene, settings);
+    stageTimes_ = {};
     const CameraRays cameraRays(camera, settings.width, settings.height);
-    const TileGrid grid(settings);
+    const TileGrid grid(settings, materials_.anyOnward());
     control.tilesDone = 0;
     control.tiles = static_cast<std::uint64_t>(grid.count());
+    const int team = threadsFor(threads);
+    if (renderers_.size() < static_cast<std::size_t>(team)) renderers_.resize(static_cast<std::size_t>(team));
     TaskErrors errors;
-#ifdef _OPENMP
-#pragma omp parallel num_threads(threads > 0 ? threads : omp_get_max_threads()) default(shared)
-#else
-    static_cast<void>(threads);
-#endif
+#pragma omp parallel num_threads(team) default(shared)
     errors.guard([&] {
-        TileRenderer renderer(scene, tracer, settings, cameraRays, control.cancel);
+        TileRenderer& renderer = rendererOfThread(threadNumber());
+        renderer.begin(scene, tracer, settings, materials_, cameraRays, control.cancel, measureStages_);
+        // In the order of the picture: its last row of tiles is the one that its lower edge cuts.
 #pragma omp for schedule(dynamic, 1) nowait
         for (int tile = 0; tile < grid.count(); ++tile) {
             if (control.cancel.load(std::memory_order_relaxed) || errors.any()) continue;
@@ -44,10 +75,18 @@ bool renderFrame(const Scene& scene, const RayTracer& tracer, const Camera& came
             control.tilesDone.fetch_add(1, std::memory_order_relaxed);
         }
 #pragma omp critical(rtcore_statistics)
-        frame.statistics.add(renderer.statistics());
+        {
+            frame.statistics.add(renderer.statistics());
+            stageTimes_.add(renderer.stageTimes());
+        }
     });
     errors.rethrow();
     return !control.cancel;
+}
+
+bool renderFrame(const Scene& scene, const RayTracer& tracer, const Camera& camera,
+                 const RenderSettings& settings, int threads, RenderControl& control, Frame& frame) {
+    return FrameRenderer().render(scene, tracer, camera, settings, threads, control, frame);
 }
 
 } // namespace rtcore

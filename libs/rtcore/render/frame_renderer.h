@@ -1,24 +1,21 @@
 /// From a scene and a camera to a picture of unbounded linear radiance.
 #pragma once
 
-#include "rtcore/kernels/ray_statistics.h"
 #include "rtcore/kernels/ray_tracer.h"
-#include "rtcore/scene/image.h"
+#include "rtcore/render/frame.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
+#include "rtcore/shading/material_table.h"
+#include "rtcore/shading/stage_times.h"
 
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace rtcore {
 
-struct Frame {
-    HdrImage radiance; ///< settings.width x settings.height, averaged over the samples of each pixel
-    std::vector<std::uint8_t>
-        covered; ///< per pixel: 255 where all samples hit geometry, 0 where all saw the background
-    RayStatistics statistics;
-};
+class TileRenderer;
 
 /// Shared with threads that show progress or stop the work. One frame at a time.
 struct RenderControl {
@@ -27,8 +24,36 @@ struct RenderControl {
     std::atomic<std::uint64_t> tiles{0}; ///< of the whole frame; 0 before it starts
 };
 
-/// Renders into `frame`, whose memory is reused when the size fits. `threads` = 0: all cores; the picture has
-/// the same bits for every number. Returns false when control.cancel was set, with `frame` undefined.
+/// Renders frames one after another and keeps the memory of its threads, so that a frame like the one before
+/// it allocates nothing. Not for several threads at once: it uses all of them itself.
+class FrameRenderer {
+  public:
+    FrameRenderer();
+    ~FrameRenderer();
+    FrameRenderer(const FrameRenderer&) = delete;
+    FrameRenderer& operator=(const FrameRenderer&) = delete;
+
+    /// Renders into `frame`, whose memory is reused when the size fits. `threads` = 0: all cores; the picture
+    /// has the same bits for every number. Scene, camera and settings may differ in every frame, but not
+    /// change during one. Returns false when control.cancel was set, with `frame` undefined.
+    bool render(const Scene& scene, const RayTracer& tracer, const Camera& camera,
+                const RenderSettings& settings, int threads, RenderControl& control, Frame& frame);
+
+    /// Whether frames to come measure stageTimes().
+    void measureStages(bool on) { measureStages_ = on; }
+    /// Of the last frame, all threads together.
+    const StageTimes& stageTimes() const { return stageTimes_; }
+
+  private:
+    TileRenderer& rendererOfThread(int thread);
+
+    MaterialTable materials_;
+    std::vector<std::unique_ptr<TileRenderer>> renderers_; ///< by thread
+    bool measureStages_ = false;
+    StageTimes stageTimes_;
+};
+
+/// A single frame: FrameRenderer::render() with memory of its own.
 bool renderFrame(const Scene& scene, const RayTracer& tracer, const Camera& camera,
                  const RenderSettings& settings, int threads, RenderControl& control, Frame& frame);
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "rtcore/render/camera_rays.h"
-#include "rtcore/render/frame_renderer.h"
+#include "rtcore/render/frame.h"
 #include "rtcore/shading/whitted.h"
 
 #include <cstdint>
@@ -13,7 +13,8 @@ namespace rtcore {
 /// How a picture is cut into square tiles, in pixels. Depends on the picture alone, never on threads.
 class TileGrid {
   public:
-    explicit TileGrid(const RenderSettings& settings);
+    /// `secondaryRays`: mirrors or transparent surfaces may send rays on.
+    TileGrid(const RenderSettings& settings, bool secondaryRays);
 
     int count() const { return columns_ * rows_; }
     int side() const { return side_; }
@@ -24,29 +25,37 @@ class TileGrid {
     int side_, columns_, rows_;
 };
 
-/// Renders tiles one after another; one for each thread, reuses its memory.
+/// Renders tiles one after another; one for each thread, reuses its memory from tile to tile and from frame
+/// to frame.
 class TileRenderer {
   public:
-    TileRenderer(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
-                 const CameraRays& camera, const std::atomic<bool>& cancel);
+    /// Starts a frame; the arguments must outlive it.
+    void begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
+               const MaterialTable& materials, const CameraRays& camera, const std::atomic<bool>& cancel,
+               bool measureStages);
 
     /// Writes the pixels of one tile into `frame`; soon returns, with them undefined, when `cancel` is set.
     void render(const TileGrid& grid, int tile, Frame& frame);
     const RayStatistics& statistics() const { return integrator_.statistics(); }
+    const StageTimes& stageTimes() { return integrator_.clock().times(); }
 
   private:
-    void collectRays(int left, int top, int columns, int rows);
-    void averageSamples(int left, int top, int columns, int rows, Frame& frame);
+    /// The pixels of a tile; at the right and lower edge of the picture fewer than in others.
+    struct Area {
+        int left, top, columns, rows;
+    };
 
-    const RenderSettings& settings_;
-    const CameraRays& camera_;
+    void collectRays(const Area& area);
+    void collectDirections(const Area& area);
+    void storePixels(const Area& area, Frame& frame);
+    void averageSamples(const Area& area, Frame& frame);
+
+    const RenderSettings* settings_ = nullptr;
+    const CameraRays* camera_ = nullptr;
     WhittedIntegrator integrator_;
     RayWave rays_;
-    std::vector<std::uint32_t> place_; ///< of each ray: row * width + column in the tile's grid of samples
-    std::vector<Colour> radiance_;
-    std::vector<std::uint8_t> hit_;
-    std::vector<Colour> gridRadiance_; ///< the same by place
-    std::vector<std::uint8_t> gridHit_;
+    bool sameOrigin_ = false;         ///< all of rays_ begin at the eye already
+    std::vector<std::uint32_t> slot_; ///< of each sample of the tile, by row * width + column: its ray
 };
 
 } // namespace rtcore

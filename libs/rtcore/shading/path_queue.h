@@ -3,8 +3,8 @@
 
 #include "rtcore/kernels/ray_wave.h"
 #include "rtcore/math/colour.h"
+#include "rtcore/shading/wave_memory.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -18,28 +18,29 @@ struct Path {
     std::uint16_t passes = 0; ///< went straight through thin walls and holes so often
 };
 
+/// One array for each value, as vector code likes it: those of the paths have room for a block more than
+/// there are rays.
 struct PathQueue {
     RayWave rays;
-    std::vector<Path> paths; ///< one per ray
+    std::vector<std::uint32_t> sample, bounces; ///< bounces: depth in the lower, passes in the upper 16 bits
+    std::vector<float> weight[3], extinction[3];
 
-    std::size_t size() const { return paths.size(); }
-    bool empty() const { return paths.empty(); }
-    void clear() {
-        rays.clear();
-        paths.clear();
-    }
-    void push(const Ray& ray, const Path& path) {
-        rays.push(ray);
-        paths.push_back(path);
-    }
+    std::size_t size() const { return rays.size(); }
+    bool empty() const { return rays.empty(); }
+    void clear() { rays.clear(); }
+    void push(const Ray& ray, const Path& path);
+    Path path(std::size_t i) const;
+
+    /// Appends `count` rays with undefined origins, directions and paths, from 0 to infinity, and returns how
+    /// many there were before.
+    std::size_t grow(std::size_t count);
+    void truncate(std::size_t count) { rays.resize(count); }
+
     /// Moves the last `count` (or all, when there are fewer) into `taken`, whose content is replaced.
-    void takeLast(std::size_t count, PathQueue& taken) {
-        taken.clear();
-        const std::size_t keep = size() - std::min(count, size());
-        for (std::size_t i = keep; i < size(); ++i) taken.push(rays.ray(i), paths[i]);
-        rays.truncate(keep);
-        paths.resize(keep);
-    }
+    void takeLast(std::size_t count, PathQueue& taken);
+    /// Room for `count`, or for as many as the largest of the queues has ever had.
+    void reserve(std::size_t count);
+    std::size_t capacity() const { return rays.ox.capacity(); }
 };
 
 } // namespace rtcore

@@ -16,45 +16,45 @@ constexpr int kMaxLayers = 256;
 
 } // namespace
 
-ShadowTracer::ShadowTracer(const Scene& scene, const RayTracer& tracer, bool textures, bool refractions)
-    : scene_(scene), tracer_(tracer), textures_(textures), refractions_(refractions),
-      tinted_(std::any_of(scene.materials.begin(), scene.materials.end(), [&](const Material& m) {
-          return (refractions && m.opacity < 1) || (textures && m.alphaTexture != kNoTexture);
-      })) {}
+void ShadowTracer::begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
+                         bool tinted) {
+    scene_ = &scene;
+    tracer_ = &tracer;
+    textures_ = settings.textures;
+    refractions_ = settings.refractions;
+    tinted_ = tinted;
+}
+
+const std::vector<std::uint8_t>& ShadowTracer::occluded(const RayWave& rays, RayStatistics& statistics) {
+    statistics.count(RayKind::Shadow, rays.size());
+    tracer_->occluded(RayKind::Shadow, rays, occluded_);
+    return occluded_;
+}
 
 const std::vector<Colour>& ShadowTracer::transmittance(const RayWave& rays, RayStatistics& statistics) {
     transmittance_.assign(rays.size(), kWhite);
-    if (tinted_) {
-        traceTinted(rays, statistics);
-    } else {
-        tracePlain(rays, statistics);
-    }
+    traceTinted(rays, statistics);
     return transmittance_;
-}
-
-void ShadowTracer::tracePlain(const RayWave& rays, RayStatistics& statistics) {
-    statistics.count(RayKind::Shadow, rays.size());
-    tracer_.occluded(RayKind::Shadow, rays, occluded_);
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (occluded_[i] != 0) transmittance_[i] = {};
-    }
 }
 
 void ShadowTracer::traceTinted(const RayWave& rays, RayStatistics& statistics) {
     current_ = rays;
     currentIndex_.resize(rays.size());
+    // As much as the other: the two change places, and steady frames must not allocate whichever is which.
+    next_.reserve(rays.size());
+    nextIndex_.reserve(rays.size());
     for (std::uint32_t i = 0; i < rays.size(); ++i) currentIndex_[i] = i;
 
     for (int layer = 0; layer < kMaxLayers && !current_.empty(); ++layer) {
         statistics.count(RayKind::Shadow, current_.size());
-        tracer_.intersect(RayKind::Shadow, current_, hits_);
+        tracer_->intersect(RayKind::Shadow, current_, hits_);
         next_.clear();
         nextIndex_.clear();
         for (std::size_t i = 0; i < current_.size(); ++i) {
             if (!hits_.isHit(i)) continue;
             const Ray ray = current_.ray(i);
             const Hit hit = hits_.hit(i);
-            const Surface surface = surfaceAt(scene_, false, ray.direction, hit);
+            const Surface surface = surfaceAt(*scene_, false, ray.direction, hit);
             Colour& light = transmittance_[currentIndex_[i]];
             light *= throughSurface(surface, hit);
             if (isBlack(light)) continue;
@@ -73,7 +73,7 @@ void ShadowTracer::traceTinted(const RayWave& rays, RayStatistics& statistics) {
 
 Colour ShadowTracer::throughSurface(const Surface& surface, const Hit& hit) const {
     const Material& material = *surface.material;
-    const float coverage = coverageAt(scene_, textures_, hit);
+    const float coverage = coverageAt(*scene_, textures_, hit);
     Colour through{};
     if (refractions_ && material.opacity < 1) {
         // The outer angle on both faces: total reflection inside would make solids opaque to straight rays.

@@ -4,32 +4,39 @@
 #include "rtcore/kernels/ray_statistics.h"
 #include "rtcore/kernels/ray_tracer.h"
 #include "rtcore/scene/scene.h"
+#include "rtcore/settings/render_settings.h"
 #include "rtcore/shading/surface.h"
 
 #include <vector>
 
 namespace rtcore {
 
-/// Reuses its memory from wave to wave; one for each thread. `scene` and `tracer` must outlive it.
+/// Reuses its memory from wave to wave and from frame to frame; one for each thread.
 class ShadowTracer {
   public:
-    ShadowTracer(const Scene& scene, const RayTracer& tracer, bool textures, bool refractions);
+    /// For the waves of one frame, during which the arguments must live. `tinted`: something lets light
+    /// through (MaterialTable::tintedShadows()).
+    void begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings, bool tinted);
 
-    /// For each ray (directions of unit length) the share of light that arrives along it: 1 unhindered, 0
+    /// Whether transmittance() has to be asked: without transparent surfaces, occluded() says all.
+    bool tinted() const { return tinted_; }
+    /// 1 for each ray (directions of unit length) whose light does not arrive, else 0. Valid until the next
+    /// call.
+    const std::vector<std::uint8_t>& occluded(const RayWave& rays, RayStatistics& statistics);
+
+    /// For each ray the share of light that arrives along it: 1 unhindered, 0
     /// behind anything opaque. Transparent surfaces take (1 - Fresnel) of it and tint it; light goes straight
     /// on through them, without focusing. Valid until the next call.
     const std::vector<Colour>& transmittance(const RayWave& rays, RayStatistics& statistics);
 
   private:
-    void tracePlain(const RayWave& rays, RayStatistics& statistics);
     void traceTinted(const RayWave& rays, RayStatistics& statistics);
     /// What one surface leaves of the light; the ray came from the surface before it, hit.t away.
     Colour throughSurface(const Surface& surface, const Hit& hit) const;
 
-    const Scene& scene_;
-    const RayTracer& tracer_;
-    bool textures_, refractions_;
-    bool tinted_; ///< something in the scene lets light through
+    const Scene* scene_ = nullptr;
+    const RayTracer* tracer_ = nullptr;
+    bool textures_ = true, refractions_ = true, tinted_ = false;
 
     std::vector<Colour> transmittance_;
     std::vector<std::uint8_t> occluded_;

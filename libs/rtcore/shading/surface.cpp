@@ -38,7 +38,7 @@ float coverageOf(const Scene& scene, const Material& material, Vec2 uv) {
 }
 
 Colour textureColour(const Scene& scene, std::uint32_t texture, Vec2 uv) {
-    return sampleTexture(scene.model, scene.model.textures[texture], uv).colour;
+    return sampleColour(scene.model, scene.model.textures[texture], uv);
 }
 
 } // namespace
@@ -71,18 +71,27 @@ Surface surfaceAt(const Scene& scene, bool textures, Vec3 direction, const Hit& 
     if (turned) s.shadingNormal = -s.shadingNormal;
     s.closed = !scene.closed.empty() && scene.closed[hit.triangle] != 0;
 
-    s.diffuse = material.diffuse;
+    s.diffuse = diffuseAt(scene, textures, hit);
     s.emission = material.emission;
-    if (!mesh.colours.empty()) s.diffuse *= interpolate(mesh.colours, shading, hit);
-    if (textures) {
+    if (textures && (material.emissionTexture != kNoTexture || material.alphaTexture != kNoTexture)) {
         const Vec2 uv = texcoordAt(mesh, shading, hit);
-        if (material.diffuseTexture != kNoTexture)
-            s.diffuse *= textureColour(scene, material.diffuseTexture, uv);
         if (material.emissionTexture != kNoTexture)
             s.emission *= textureColour(scene, material.emissionTexture, uv);
         s.coverage = coverageOf(scene, material, uv);
     }
     return s;
+}
+
+Colour diffuseAt(const Scene& scene, bool textures, const Hit& hit) {
+    const Mesh& mesh = scene.mesh();
+    const ShadingTriangle& shading = mesh.shading[hit.triangle];
+    const Material& material = scene.materials[shading.material];
+    Colour diffuse = material.diffuse;
+    if (!mesh.colours.empty()) diffuse *= interpolate(mesh.colours, shading, hit);
+    if (textures && material.diffuseTexture != kNoTexture) {
+        diffuse *= textureColour(scene, material.diffuseTexture, texcoordAt(mesh, shading, hit));
+    }
+    return diffuse;
 }
 
 float coverageAt(const Scene& scene, bool textures, const Hit& hit) {

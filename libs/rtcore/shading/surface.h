@@ -23,6 +23,9 @@ struct Surface {
 /// `direction` is the ray's, of unit length. Safe from many threads.
 Surface surfaceAt(const Scene& scene, bool textures, Vec3 direction, const Hit& hit);
 
+/// The albedo alone, with texture and vertex colour.
+Colour diffuseAt(const Scene& scene, bool textures, const Hit& hit);
+
 /// Only what a shadow ray needs to know: the share of it that an alpha texture lets pass.
 float coverageAt(const Scene& scene, bool textures, const Hit& hit);
 

@@ -7,13 +7,19 @@ namespace rtcore {
 
 namespace {
 
-const std::array<float, 256>& linearOfCode() {
-    static const std::array<float, 256> table = [] {
-        std::array<float, 256> t{};
-        for (std::size_t i = 0; i < t.size(); ++i) t[i] = srgbDecode(static_cast<float>(i) / 255);
-        return t;
-    }();
-    return table;
+/// Linear light of each code.
+const std::array<float, 256> kLinear = [] {
+    std::array<float, 256> t{};
+    for (std::size_t i = 0; i < t.size(); ++i) t[i] = srgbDecode(static_cast<float>(i) / 255);
+    return t;
+}();
+
+/// std::floor() without a call; -0 becomes 0.
+float floorOf(float x) {
+    constexpr float kWholeFromHere = 0x1p23F;
+    if (!(std::fabs(x) < kWholeFromHere)) return x;
+    const auto whole = static_cast<float>(static_cast<std::int32_t>(x));
+    return whole > x ? whole - 1 : whole;
 }
 
 /// Texel index and weight of its neighbour for a coordinate in units of the whole picture.
@@ -23,40 +29,57 @@ struct Tap {
 };
 
 Tap tapAt(float coordinate, std::uint32_t size) {
-    const float wrapped = coordinate - std::floor(coordinate);
+    const float wrapped = coordinate - floorOf(coordinate);
     if (!(wrapped >= 0 && wrapped <= 1)) return {0, 0, 0}; // not finite
     const float x = wrapped * static_cast<float>(size) - 0.5F;
-    const float whole = std::floor(x);
+    const float whole = floorOf(x);
+    // From -1 to size, since float rounds: wrapped by comparisons, which cost less than a remainder.
     const auto base = static_cast<std::int64_t>(whole);
     const auto n = static_cast<std::int64_t>(size);
-    return {static_cast<std::uint32_t>((base + n) % n), static_cast<std::uint32_t>((base + 1) % n),
-            x - whole};
+    const auto wrap = [n](std::int64_t i) {
+        return static_cast<std::uint32_t>(i < 0 ? i + n : i >= n ? i - n : i);
+    };
+    return {wrap(base), wrap(base + 1), x - whole};
 }
 
+Colour colourOf(Rgba8 p) { return {kLinear[p.r], kLinear[p.g], kLinear[p.b]}; }
+
 TextureSample sampleOf(Rgba8 p) {
-    const std::array<float, 256>& linear = linearOfCode();
-    return {{linear[p.r], linear[p.g], linear[p.b]},
+    return {colourOf(p),
             static_cast<float>(p.a) / 255,
             {static_cast<float>(p.r) / 255, static_cast<float>(p.g) / 255, static_cast<float>(p.b) / 255}};
 }
 
 /// Exact where both are equal, so that what is solid all over has no hole.
+Colour mix(Colour a, Colour b, float share) { return a + (b - a) * share; }
 TextureSample mix(const TextureSample& a, const TextureSample& b, float share) {
-    return {a.colour + (b.colour - a.colour) * share, a.alpha + (b.alpha - a.alpha) * share,
+    return {mix(a.colour, b.colour, share), a.alpha + (b.alpha - a.alpha) * share,
             a.stored + (b.stored - a.stored) * share};
+}
+
+/// `valueOf` a texel, bilinear.
+template <typename ValueOf>
+auto lookUp(const Model& model, const Texture& texture, Vec2 uv, ValueOf&& valueOf) {
+    const Tap x = tapAt(uv.x, texture.width);
+    const Tap y = tapAt(1 - uv.y, texture.height);
+    const Rgba8* const texels = model.texels.data() + texture.firstTexel;
+    const Rgba8* const upperRow = texels + std::uint64_t{y.first} * texture.width;
+    const Rgba8* const lowerRow = texels + std::uint64_t{y.second} * texture.width;
+    const auto upper = mix(valueOf(upperRow[x.first]), valueOf(upperRow[x.second]), x.share);
+    const auto lower = mix(valueOf(lowerRow[x.first]), valueOf(lowerRow[x.second]), x.share);
+    return mix(upper, lower, y.share);
 }
 
 } // namespace
 
+const float* linearOfCodes() { return kLinear.data(); }
+
 TextureSample sampleTexture(const Model& model, const Texture& texture, Vec2 uv) {
-    const Tap x = tapAt(uv.x, texture.width);
-    const Tap y = tapAt(1 - uv.y, texture.height);
-    const auto texel = [&](std::uint32_t column, std::uint32_t row) {
-        return sampleOf(model.texels[texture.firstTexel + std::uint64_t{row} * texture.width + column]);
-    };
-    const TextureSample upper = mix(texel(x.first, y.first), texel(x.second, y.first), x.share);
-    const TextureSample lower = mix(texel(x.first, y.second), texel(x.second, y.second), x.share);
-    return mix(upper, lower, y.share);
+    return lookUp(model, texture, uv, sampleOf);
+}
+
+Colour sampleColour(const Model& model, const Texture& texture, Vec2 uv) {
+    return lookUp(model, texture, uv, colourOf);
 }
 
 } // namespace rtcore

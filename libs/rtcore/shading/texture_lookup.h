@@ -14,4 +14,10 @@ struct TextureSample {
 /// `uv` of any size; (0,0) is the lower left corner of the picture, which repeats. Safe from many threads.
 TextureSample sampleTexture(const Model& model, const Texture& texture, Vec2 uv);
 
+/// The colour of sampleTexture() alone, in a third of the time.
+Colour sampleColour(const Model& model, const Texture& texture, Vec2 uv);
+
+/// Linear light of each of the 256 codes of sRGB.
+const float* linearOfCodes();
+
 } // namespace rtcore

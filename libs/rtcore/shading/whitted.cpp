@@ -1,8 +1,10 @@
 #include "rtcore/shading/whitted.h"
 
-#include "rtcore/shading/lighting.h"
 #include "rtcore/shading/medium.h"
+#include "rtcore/shading/mirror_wave.h"
 #include "rtcore/shading/phong.h"
+#include "rtcore/shading/sample_sums.h"
+#include "rtcore/shading/texture_wave.h"
 
 #include <algorithm>
 #include <limits>
@@ -22,154 +24,265 @@ Ray rayFrom(const Surface& s, Vec3 side, Vec3 direction) {
     return {s.position + side * s.clearance, 0, direction, kInfinity};
 }
 
-/// The mirrored direction, bent back where a smooth normal would send it below the real surface.
-Vec3 mirrorDirection(const Surface& s) {
-    constexpr float kLowest = 1e-3F;
-    const Vec3 r = reflect(-s.toViewer, s.shadingNormal);
-    const float height = dot(r, s.geometricNormal);
-    return height < kLowest ? normalize(r + s.geometricNormal * (kLowest - height)) : normalize(r);
-}
-
-/// Diffuse and glossy reflection towards the viewer, times the cosine: what irradiance is multiplied with.
-Colour reflectedShare(const Surface& s, Vec3 toLight) {
-    const float cosine = dot(s.shadingNormal, toLight);
-    Colour share = s.diffuse / kPi;
-    if (!isBlack(s.material->specular)) {
-        const float lobe = dot(reflect(-toLight, s.shadingNormal), s.toViewer);
-        share += s.material->specular * phongLobe(lobe, s.material->shininess);
-    }
-    return share * (cosine * terminatorFactor(s.geometricNormal, s.shadingNormal, toLight));
-}
-
 } // namespace
 
 WhittedIntegrator::WhittedIntegrator(const Scene& scene, const RayTracer& tracer,
-                                     const RenderSettings& settings)
-    : scene_(scene), tracer_(tracer), settings_(settings),
-      shadows_(scene, tracer, settings.textures, settings.refractions) {}
+                                     const RenderSettings& settings) {
+    ownMaterials_.prepare(scene, settings);
+    begin(scene, tracer, settings, ownMaterials_);
+}
 
-void WhittedIntegrator::trace(const RayWave& primary, std::span<Colour> radiance,
-                              std::span<std::uint8_t> hit) {
-    radiance_ = radiance;
-    hit_ = hit;
-    std::fill(radiance.begin(), radiance.end(), Colour{});
-    std::fill(hit.begin(), hit.end(), std::uint8_t{0});
+void WhittedIntegrator::begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
+                              const MaterialTable& materials, bool measureStages) {
+    scene_ = &scene;
+    tracer_ = &tracer;
+    settings_ = &settings;
+    materials_ = &materials;
+    statistics_ = {};
+    shadows_.begin(scene, tracer, settings, materials.tintedShadows());
+    clock_.start(measureStages);
+}
+
+void WhittedIntegrator::trace(const RayWave& primary) {
+    const std::size_t count = primary.size();
+    radianceMemory_.resize(3, count);
+    radiance_ = {radianceMemory_.array(0), radianceMemory_.array(1), radianceMemory_.array(2)};
+    hit_.resize(count + kWaveBlock);
     mirrored_.clear();
     refracted_.clear();
 
-    wave_.rays = primary;
-    wave_.paths.resize(primary.size());
-    for (std::uint32_t i = 0; i < primary.size(); ++i) {
-        wave_.paths[i] = {};
-        wave_.paths[i].sample = i;
-    }
-    traceWave(RayKind::Primary);
+    first_ = true;
+    traceWave(RayKind::Primary, primary);
+    first_ = false;
     while (!mirrored_.empty() || !refracted_.empty()) {
         if (stopped()) return;
         const bool mirror = mirrored_.size() >= refracted_.size();
         (mirror ? mirrored_ : refracted_).takeLast(kWaveSize, wave_);
-        traceWave(mirror ? RayKind::Mirror : RayKind::Refracted);
+        traceWave(mirror ? RayKind::Mirror : RayKind::Refracted, wave_.rays);
+    }
+    evenQueues();
+}
+
+/// The queues change places as they are emptied: in a steady frame any must have room for the largest.
+void WhittedIntegrator::evenQueues() {
+    const std::size_t most = std::max({wave_.capacity(), mirrored_.capacity(), refracted_.capacity()});
+    for (PathQueue* const queue : {&wave_, &mirrored_, &refracted_}) queue->reserve(most);
+}
+
+void WhittedIntegrator::trace(const RayWave& primary, std::span<Colour> radiance,
+                              std::span<std::uint8_t> hit) {
+    trace(primary);
+    for (std::size_t i = 0; i < primary.size(); ++i) radiance[i] = radiance_.colourAt(i);
+    std::copy_n(hit_.begin(), primary.size(), hit.begin());
+}
+
+void WhittedIntegrator::traceWave(RayKind kind, const RayWave& rays) {
+    statistics_.count(kind, rays.size());
+    tracer_->intersect(kind, rays, hits_);
+    clock_.lap(Stage::Trace);
+    surfaces_.fill(scene_->mesh(), *materials_, rays, hits_);
+    setShares(kind);
+    addBackground(rays);
+    completePoints(rays);
+    addGlow();
+    clock_.lap(Stage::Surfaces);
+    for (const Light& light : scene_->lights) {
+        if (light.on != 0 && !stopped()) lightBy(light);
+    }
+    spawn();
+    clock_.lap(Stage::Spawn);
+}
+
+Path WhittedIntegrator::pathOf(std::size_t ray) const {
+    if (!first_) return wave_.path(ray);
+    Path path;
+    path.sample = static_cast<std::uint32_t>(ray);
+    return path;
+}
+
+/// What reaches the samples from each hit, were it all scattered; and which samples hit something. Starts the
+/// sums of the samples.
+void WhittedIntegrator::setShares(RayKind kind) {
+    if (first_) {
+        startSums(scene_->environment() == nullptr ? scene_->background : Colour{}, surfaces_, radiance_,
+                  hit_.data());
+        return;
+    }
+    const std::size_t count = surfaces_.size();
+    std::copy_n(wave_.weight[0].data(), count, surfaces_.share.x);
+    std::copy_n(wave_.weight[1].data(), count, surfaces_.share.y);
+    std::copy_n(wave_.weight[2].data(), count, surfaces_.share.z);
+    // Only where something is transparent, rays are inside of it, or have passed it before they hit.
+    if (kind == RayKind::Mirror && !materials_->tintedShadows()) return;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (surfaces_.traits[i] == 0) continue;
+        const Path path = wave_.path(i);
+        surfaces_.share.set(i, path.weight * absorption(path.extinction, hits_.t[i]));
+        if (path.depth == 0 && (surfaces_.traits[i] & traits::kGeneral) == 0) hit_[path.sample] = 1;
     }
 }
 
-void WhittedIntegrator::traceWave(RayKind kind) {
-    statistics_.count(kind, wave_.size());
-    tracer_.intersect(kind, wave_.rays, hits_);
-    points_.clear();
-    for (std::size_t i = 0; i < wave_.size(); ++i) {
-        const Ray ray = wave_.rays.ray(i);
-        if (hits_.isHit(i)) {
-            addPoint(ray, hits_.hit(i), wave_.paths[i]);
-        } else {
-            addBackground(wave_.paths[i], ray.direction);
-        }
-    }
-    for (const Point& point : points_) addGlow(point);
-    for (const Light& light : scene_.lights) {
-        if (light.on != 0 && !stopped()) addLight(light);
-    }
-    for (const Point& point : points_) {
-        spawnMirrored(point);
-        spawnTransmitted(point);
-    }
-}
-
-void WhittedIntegrator::addBackground(const Path& path, Vec3 direction) {
-    const Environment* const environment = scene_.environment();
-    const TexelFilter filter = settings_.environmentFilter == EnvironmentFilter::Bilinear
+void WhittedIntegrator::addBackground(const RayWave& rays) {
+    const Environment* const environment = scene_->environment();
+    if (environment == nullptr && (first_ || isBlack(scene_->background))) return; // startSums() did it
+    const TexelFilter filter = settings_->environmentFilter == EnvironmentFilter::Bilinear
                                    ? TexelFilter::Bilinear
                                    : TexelFilter::Nearest;
-    const Colour seen = environment != nullptr ? environment->radiance(direction, filter) : scene_.background;
-    radiance_[path.sample] += path.weight * seen;
-}
-
-void WhittedIntegrator::addPoint(const Ray& ray, const Hit& hit, Path path) {
-    path.weight *= absorption(path.extinction, hit.t);
-    Point point;
-    point.surface = surfaceAt(scene_, settings_.textures, ray.direction, hit);
-    if (point.surface.coverage < 1) {
-        passThroughHole(ray, point.surface, path);
-        if (point.surface.coverage == 0) return;
-        path.weight = path.weight * point.surface.coverage;
-    }
-    if (path.depth == 0) hit_[path.sample] = 1;
-    point.split = splitLight(point.surface, settings_);
-    point.path = path;
-    points_.push_back(point);
-}
-
-void WhittedIntegrator::passThroughHole(const Ray& ray, const Surface& surface, Path path) {
-    path.weight = path.weight * (1 - surface.coverage);
-    if (!matters(path.weight) || path.passes >= kMaxPasses) return;
-    ++path.passes;
-    refracted_.push(rayFrom(surface, -surface.geometricNormal, ray.direction), path);
-}
-
-/// Emission, and the constant light from everywhere.
-void WhittedIntegrator::addGlow(const Point& point) {
-    const Surface& s = point.surface;
-    const Colour ambient = scene_.ambient * (s.diffuse + s.material->specular) * point.split.scattered;
-    radiance_[point.path.sample] += point.path.weight * (s.emission + ambient);
-}
-
-void WhittedIntegrator::addLight(const Light& light) {
-    shadowRays_.clear();
-    unshadowed_.clear();
-    unshadowedSample_.clear();
-    for (const Point& point : points_) {
-        const Surface& s = point.surface;
-        const Illumination lit = illuminate(light, s.position);
-        if (dot(s.geometricNormal, lit.toLight) <= 0 || dot(s.shadingNormal, lit.toLight) <= 0) continue;
-        const Colour share = point.path.weight * point.split.scattered * reflectedShare(s, lit.toLight);
-        const Colour added = share * lit.irradiance;
-        if (isBlack(added)) continue;
-        if (!settings_.shadows) {
-            radiance_[point.path.sample] += added;
-            continue;
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+        if (surfaces_.traits[i] != 0) continue;
+        Colour seen = scene_->background;
+        if (environment != nullptr) {
+            seen = environment->radiance({rays.dx[i], rays.dy[i], rays.dz[i]}, filter);
         }
-        Ray ray = rayFrom(s, s.geometricNormal, lit.toLight);
-        ray.tMax = std::max(lit.distance - s.clearance, 0.0F);
-        shadowRays_.push(ray);
-        unshadowed_.push_back(added);
-        unshadowedSample_.push_back(point.path.sample);
-    }
-    if (shadowRays_.empty()) return;
-    const std::vector<Colour>& arriving = shadows_.transmittance(shadowRays_, statistics_);
-    for (std::size_t i = 0; i < unshadowed_.size(); ++i) {
-        radiance_[unshadowedSample_[i]] += unshadowed_[i] * arriving[i];
+        const Path path = pathOf(i);
+        if (!first_) seen = path.weight * seen;
+        radiance_.set(path.sample, radiance_.colourAt(path.sample) + seen);
     }
 }
 
-void WhittedIntegrator::spawnMirrored(const Point& point) {
-    Path path = point.path;
-    path.weight *= point.split.mirrored;
-    if (path.depth >= settings_.maxDepth || !matters(path.weight)) return;
-    ++path.depth;
-    mirrored_.push(rayFrom(point.surface, point.surface.geometricNormal, mirrorDirection(point.surface)),
-                   path);
+/// Colours, textures, holes, glass: what vector code leaves over.
+void WhittedIntegrator::completePoints(const RayWave& rays) {
+    const std::span<const std::uint32_t> points = surfaces_.notPlain();
+    transparent_.clear();
+    glow_.resize(points.size());
+    const bool colours = !scene_->mesh().colours.empty();
+    for (std::uint32_t k = 0; k < points.size(); ++k) {
+        const std::uint32_t i = points[k];
+        if ((surfaces_.traits[i] & traits::kGeneral) != 0) {
+            completeGeneral(rays, i, glow_[k]);
+        } else if (colours) {
+            setAlbedo(i, diffuseAt(*scene_, settings_->textures, hits_.hit(i)), glow_[k]);
+        } else {
+            textured_.point[textured_.count] = i;
+            textured_.place[textured_.count++] = k;
+            if (textured_.count == kWaveBlock) completeTextured();
+        }
+    }
+    completeTextured();
 }
 
-void WhittedIntegrator::spawnTransmitted(const Point& point) {
+void WhittedIntegrator::completeTextured() {
+    if (textured_.count == 0) return;
+    Colour albedo[kWaveBlock];
+    texturedAlbedos(*scene_, hits_, {textured_.point, textured_.count}, albedo);
+    for (std::size_t i = 0; i < textured_.count; ++i) {
+        setAlbedo(textured_.point[i], albedo[i], glow_[textured_.place[i]]);
+    }
+    textured_.count = 0;
+}
+
+void WhittedIntegrator::setAlbedo(std::size_t i, Colour albedo, Colour& glow) {
+    surfaces_.diffuse.set(i, albedo / kPi);
+    if (!materials_->anyGlow()) return;
+    const Material& m = scene_->materials[surfaces_.material[i]];
+    glow = surfaces_.share.colourAt(i) * (m.emission + scene_->ambient * (albedo + m.specular));
+}
+
+void WhittedIntegrator::completeGeneral(const RayWave& rays, std::size_t i, Colour& glow) {
+    glow = {};
+    Path path = pathOf(i);
+    path.weight = surfaces_.share.colourAt(i);
+    const Vec3 direction{rays.dx[i], rays.dy[i], rays.dz[i]};
+    const Surface s = surfaceAt(*scene_, settings_->textures, direction, hits_.hit(i));
+    if (s.coverage < 1 && !passHole(rays, i, s, path)) return;
+    if (path.depth == 0) hit_[path.sample] = 1;
+    const SurfaceSplit split = splitLight(s, *settings_);
+    surfaces_.shadingNormal.set(i, s.shadingNormal);
+    surfaces_.diffuse.set(i, s.diffuse / kPi);
+    surfaces_.share.set(i, path.weight * split.scattered);
+    const Colour ambient = scene_->ambient * (s.diffuse + s.material->specular) * split.scattered;
+    glow = path.weight * (s.emission + ambient);
+    if (!isBlack(split.mirrored)) {
+        surfaces_.onward.set(i, path.weight * split.mirrored);
+        surfaces_.traits[i] |= traits::kOnward;
+    }
+    if (!isBlack(split.transmitted)) transparent_.push_back({s, split, path});
+}
+
+/// Sends the share that passes an alpha texture on; returns whether anything is left for the surface.
+bool WhittedIntegrator::passHole(const RayWave& rays, std::size_t i, const Surface& surface, Path& path) {
+    Path through = path;
+    through.weight = path.weight * (1 - surface.coverage);
+    if (matters(through.weight) && through.passes < kMaxPasses) {
+        ++through.passes;
+        const Vec3 direction{rays.dx[i], rays.dy[i], rays.dz[i]};
+        refracted_.push(rayFrom(surface, -surface.geometricNormal, direction), through);
+    }
+    if (surface.coverage == 0) {
+        surfaces_.traits[i] = 0;
+        if (first_) hit_[i] = 0;
+        return false;
+    }
+    path.weight = path.weight * surface.coverage;
+    return true;
+}
+
+/// Emission, and the constant light from everywhere; on the way, mirrors take their share of all light.
+void WhittedIntegrator::addGlow() {
+    const bool any = materials_->anyGlow();
+    const ArraysOf3& glow = first_ ? radiance_ : surfaces_.added;
+    if (any && !first_) {
+        for (float* const array : {glow.x, glow.y, glow.z}) std::fill_n(array, surfaces_.size(), 0.0F);
+    }
+    if (any) glowOf(*materials_, surfaces_, glow);
+    if (materials_->anyMirror()) splitAtMirrors(*materials_, surfaces_, any ? &glow : nullptr);
+    if (!any) return;
+    const std::span<const std::uint32_t> notPlain = surfaces_.notPlain();
+    for (std::size_t i = 0; i < notPlain.size(); ++i) glow.set(notPlain[i], glow_[i]);
+    if (!first_) accumulate();
+}
+
+void WhittedIntegrator::lightBy(const Light& light) {
+    addLight(light, *materials_, surfaces_, settings_->shadows ? &shadowRays_ : nullptr);
+    clock_.lap(Stage::Light);
+    if (settings_->shadows) {
+        if (shadowRays_.rays.empty()) return;
+        if (shadows_.tinted()) {
+            tint(shadows_.transmittance(shadowRays_.rays, statistics_));
+        } else {
+            darken(shadows_.occluded(shadowRays_.rays, statistics_));
+        }
+        clock_.lap(Stage::Shadows);
+    }
+    accumulate();
+    clock_.lap(Stage::Light);
+}
+
+void WhittedIntegrator::darken(const std::vector<std::uint8_t>& occluded) {
+    const std::uint32_t* const point = shadowRays_.point.data();
+    const ArraysOf3& added = surfaces_.added;
+    for (std::size_t i = 0; i < occluded.size(); ++i) {
+        if (occluded[i] != 0) added.set(point[i], Colour{});
+    }
+}
+
+void WhittedIntegrator::tint(const std::vector<Colour>& arriving) {
+    const ArraysOf3& added = surfaces_.added;
+    for (std::size_t i = 0; i < arriving.size(); ++i) {
+        const std::uint32_t point = shadowRays_.point[i];
+        added.set(point, added.colourAt(point) * arriving[i]);
+    }
+}
+
+/// Each sample's sum grows in the order of the rays.
+void WhittedIntegrator::accumulate() {
+    const ArraysOf3& added = surfaces_.added;
+    if (first_) {
+        addToSums(surfaces_, radiance_);
+        return;
+    }
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+        const std::size_t sample = wave_.sample[i];
+        radiance_.set(sample, radiance_.colourAt(sample) + added.colourAt(i));
+    }
+}
+
+void WhittedIntegrator::spawn() {
+    if (materials_->anyOnward()) spawnMirrored(surfaces_, first_ ? nullptr : &wave_, *settings_, mirrored_);
+    for (const Transparent& point : transparent_) spawnTransmitted(point);
+}
+
+void WhittedIntegrator::spawnTransmitted(const Transparent& point) {
     const Surface& s = point.surface;
     const Material& m = *s.material;
     Path path = point.path;
@@ -180,7 +293,7 @@ void WhittedIntegrator::spawnTransmitted(const Point& point) {
         path.weight *= m.transmission;
         if (++path.passes > kMaxPasses) return;
     } else {
-        if (path.depth >= settings_.maxDepth) return;
+        if (path.depth >= settings_->maxDepth) return;
         ++path.depth;
         const float eta = s.fromInside ? 1 / m.indexOfRefraction : m.indexOfRefraction;
         if (!refract(direction, s.shadingNormal, eta, direction)) return;
@@ -194,7 +307,7 @@ void WhittedIntegrator::spawnTransmitted(const Point& point) {
 
 bool WhittedIntegrator::matters(Colour weight) const {
     const float largest = maxComponent(weight);
-    return largest > 0 && largest >= settings_.minContribution;
+    return largest > 0 && largest >= settings_->minContribution;
 }
 
 } // namespace rtcore

@@ -6,10 +6,14 @@
 #include "rtcore/kernels/ray_tracer.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
+#include "rtcore/shading/light_wave.h"
+#include "rtcore/shading/material_table.h"
 #include "rtcore/shading/path_queue.h"
 #include "rtcore/shading/shadows.h"
+#include "rtcore/shading/stage_times.h"
 #include "rtcore/shading/surface.h"
 #include "rtcore/shading/surface_split.h"
+#include "rtcore/shading/surface_wave.h"
 
 #include <atomic>
 #include <span>
@@ -17,56 +21,90 @@
 
 namespace rtcore {
 
-/// One for each thread; reuses its memory from wave to wave. The arguments must outlive it.
-/// The result for a wave depends on nothing but the wave.
+/// One for each thread; reuses its memory from wave to wave and from frame to frame, so that steady frames do
+/// not allocate. The result for a wave depends on nothing but the wave.
 class WhittedIntegrator {
   public:
+    WhittedIntegrator() = default;
+    /// Ready for waves of one frame; the arguments must outlive it.
     WhittedIntegrator(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings);
 
-    /// Radiance along each primary ray (directions of unit length), and 1 where it hits something, else 0.
-    /// The spans have the size of the wave.
+    /// Starts a frame, during which the arguments must live; `materials` was prepared for the same scene and
+    /// settings. Resets the statistics.
+    void begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
+               const MaterialTable& materials, bool measureStages = false);
+
+    /// Traces primary rays (directions of unit length) and all that follow from them.
+    void trace(const RayWave& primary);
+    /// Of the last wave: radiance along each primary ray, and 1 where it hit something, else 0; both with
+    /// room for whole blocks of kWaveBlock.
+    const ArraysOf3& radiance() const { return radiance_; }
+    const std::vector<std::uint8_t>& hit() const { return hit_; }
+
+    /// trace(), with the results copied to spans of the size of the wave.
     void trace(const RayWave& primary, std::span<Colour> radiance, std::span<std::uint8_t> hit);
 
     /// Becomes true: trace() returns soon, with radiance undefined. May be null.
     void stopWhen(const std::atomic<bool>* flag) { stop_ = flag; }
 
-    /// All rays since construction.
+    /// All rays since the frame began.
     const RayStatistics& statistics() const { return statistics_; }
+    StageClock& clock() { return clock_; }
 
   private:
-    struct Point {
+    /// A point that lets light through.
+    struct Transparent {
         Surface surface;
         SurfaceSplit split;
         Path path;
     };
 
-    void traceWave(RayKind kind);
-    void addBackground(const Path& path, Vec3 direction);
-    void addPoint(const Ray& ray, const Hit& hit, Path path);
-    void passThroughHole(const Ray& ray, const Surface& surface, Path path);
-    void addGlow(const Point& point);
-    void addLight(const Light& light);
-    void spawnMirrored(const Point& point);
-    void spawnTransmitted(const Point& point);
+    void traceWave(RayKind kind, const RayWave& rays);
+    Path pathOf(std::size_t ray) const;
+    void setShares(RayKind kind);
+    void addBackground(const RayWave& rays);
+    void addGlow();
+    void completePoints(const RayWave& rays);
+    void completeGeneral(const RayWave& rays, std::size_t i, Colour& glow);
+    void setAlbedo(std::size_t i, Colour albedo, Colour& glow);
+    void completeTextured();
+    bool passHole(const RayWave& rays, std::size_t i, const Surface& surface, Path& path);
+    void lightBy(const Light& light);
+    void darken(const std::vector<std::uint8_t>& occluded);
+    void tint(const std::vector<Colour>& arriving);
+    void accumulate();
+    void spawn();
+    void spawnTransmitted(const Transparent& point);
+    void evenQueues();
     bool matters(Colour weight) const;
     bool stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
 
-    const Scene& scene_;
-    const RayTracer& tracer_;
-    const RenderSettings& settings_;
+    const Scene* scene_ = nullptr;
+    const RayTracer* tracer_ = nullptr;
+    const RenderSettings* settings_ = nullptr;
+    const MaterialTable* materials_ = nullptr;
+    MaterialTable ownMaterials_; ///< when no frame shares its table
     ShadowTracer shadows_;
     RayStatistics statistics_;
+    StageClock clock_;
     const std::atomic<bool>* stop_ = nullptr;
 
-    std::span<Colour> radiance_;
-    std::span<std::uint8_t> hit_;
-    PathQueue wave_; ///< being traced
+    WaveMemory radianceMemory_;
+    ArraysOf3 radiance_;
+    std::vector<std::uint8_t> hit_;
+    PathQueue wave_;     ///< the secondary rays being traced
+    bool first_ = false; ///< it is the primary rays that are being traced: ray i is sample i, of weight 1
     PathQueue mirrored_, refracted_;
     HitWave hits_;
-    std::vector<Point> points_;
-    RayWave shadowRays_;
-    std::vector<Colour> unshadowed_; ///< what each shadow ray's light would add
-    std::vector<std::uint32_t> unshadowedSample_;
+    SurfaceWave surfaces_;
+    std::vector<Colour> glow_; ///< of the points that are not plain, in their order
+    /// Points that wait until there is a block of them: which, and their place in glow_.
+    struct TexturedPoints {
+        std::size_t count = 0;
+        std::uint32_t point[kWaveBlock], place[kWaveBlock];
+    } textured_;
+    std::vector<Transparent> transparent_;
+    ShadowRays shadowRays_;
 };
 
 } // namespace rtcore

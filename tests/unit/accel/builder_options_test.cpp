@@ -2,12 +2,14 @@
 #include "rtcore/accel/fast_builder.h"
 #include "rtcore/accel/statistics.h"
 #include "rtcore/accel/validation.h"
+#include "rtcore/platform/instruction_set.h"
 #include "support/sample_meshes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <chrono>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -68,6 +70,19 @@ TEST(BuilderThreads, fastTreesAreTheSameForAnyNumber) {
     BuildOptions options;
     options.method = BuildMethod::Fast;
     expectSameTreeForAllThreads(largeMesh().view(), options, {1, 2, 3, 7});
+}
+
+TEST(BuilderInstructionSets, allMakeTheSameTree) {
+    for (const BuildMethod method : {BuildMethod::Exact, BuildMethod::Fast}) {
+        BuildOptions options;
+        options.method = method;
+        const KdTree expected = buildKdTree(largeMesh().view(), options);
+        for (const std::string& name : rtcore::instructionSets()) {
+            ASSERT_TRUE(rtcore::useInstructionSet(name));
+            EXPECT_TRUE(sameBits(buildKdTree(largeMesh().view(), options), expected)) << name;
+        }
+        ASSERT_TRUE(rtcore::useInstructionSet("auto"));
+    }
 }
 
 TEST(BuilderThreads, allCoresIsTheDefault) {

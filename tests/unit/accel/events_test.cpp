@@ -1,6 +1,9 @@
 #include "rtcore/accel/events.h"
 
+#include "rtcore/accel/event_sort.h"
+#include "rtcore/platform/instruction_set.h"
 #include "support/random_numbers.h"
+#include "support/sample_meshes.h"
 
 #include <gtest/gtest.h>
 
@@ -86,7 +89,7 @@ TEST(Events, aFlatBoxHasOneEvent) {
 
 TEST(Events, shortAndLongListsAreSorted) {
     test::Random random(1);
-    for (const std::size_t count : {0UL, 1UL, 50UL, 2000UL, 3000UL, 20000UL}) {
+    for (const std::size_t count : {0UL, 1UL, 50UL, 900UL, 2000UL, 3000UL, 20000UL}) {
         for (const bool onLattice : {true, false}) {
             std::vector<Box3> boxes = latticeBoxes(count, random);
             for (Box3& box : boxes) {
@@ -95,24 +98,70 @@ TEST(Events, shortAndLongListsAreSorted) {
             std::vector<Event> events = eventsOf(boxes, 0);
             std::vector<Event> expected = events;
             std::sort(expected.begin(), expected.end());
-            std::vector<Event> scratch;
-            rtcore::sortEvents(events, scratch);
+            rtcore::EventList scratch;
+            rtcore::sortEvents(events.data(), events.size(), scratch);
             EXPECT_EQ(events, expected) << count;
         }
     }
 }
 
-TEST(Events, everyTriangleIsClassifiedByItsBox) {
+TEST(Events, fewAreSortedInAnyOrderByEveryInstructionSet) {
+    test::Random random(6);
+    for (const std::string& name : rtcore::instructionSets()) {
+        ASSERT_TRUE(rtcore::useInstructionSet(name));
+        for (std::uint32_t count = 0; count < 130; ++count) {
+            std::vector<Event> events;
+            for (std::uint32_t i = 0; i < count; ++i) {
+                const auto kind = static_cast<EventKind>(random.index(3));
+                events.push_back(rtcore::makeEvent(random.number(-1, 1), kind, i));
+            }
+            std::vector<Event> expected = events;
+            std::sort(expected.begin(), expected.end());
+            rtcore::sortFewEvents(events.data(), events.size());
+            EXPECT_EQ(events, expected) << name << ' ' << count;
+        }
+    }
+    ASSERT_TRUE(rtcore::useInstructionSet("auto"));
+}
+
+TEST(Events, ofAMeshAreItsBoxesInOrder) {
+    test::SampleMesh sample = test::soup(40'000, 0.1F, 3); // several slices, and more than one chunk
+    sample.append(test::sheet(20, 1, 0.5F));
+    sample.append(test::soup(100, 0.1F, 4).move({1000, 0, 0})); // most are in one slice
+    const rtcore::Mesh mesh = sample.view();
+    const auto lists = rtcore::makeEvents(mesh, mesh.bounds());
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<Box3> boxes(mesh.triangles.size());
+        for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+            for (int corner = 0; corner < 3; ++corner) boxes[i].extend(mesh.position(i, corner));
+        }
+        std::vector<Event> expected = eventsOf(boxes, axis);
+        std::sort(expected.begin(), expected.end());
+        const rtcore::EventList& list = lists[static_cast<std::size_t>(axis)];
+        EXPECT_TRUE(std::equal(expected.begin(), expected.end(), list.data(), list.data() + list.size()));
+    }
+}
+
+TEST(Events, alongTheSplitTrianglesAreDividedByTheirBoxes) {
     test::Random random(2);
     for (int round = 0; round < 300; ++round) {
         const std::vector<Box3> boxes = latticeBoxes(40, random);
         const int axis = round % 3;
         std::vector<Event> events = eventsOf(boxes, axis);
         std::sort(events.begin(), events.end());
-        const Split split{0, static_cast<float>(random.index(9)) - 5, axis, random.coin()};
+        const Split split{0, static_cast<float>(random.index(9)) - 5, axis, random.coin(), 0, 0};
         std::vector<Side> sides(boxes.size(), Side::Both);
         std::vector<std::uint32_t> straddling;
-        rtcore::classify(events.data(), events.size(), split, sides.data(), straddling);
+        std::vector<Event> expectedLower;
+        std::vector<Event> expectedUpper;
+        for (const Event e : events) {
+            const Side side = sideByDefinition(boxes[rtcore::eventTriangle(e)], split);
+            if (side == Side::Lower) expectedLower.push_back(e);
+            if (side == Side::Upper) expectedUpper.push_back(e);
+        }
+        std::vector<Event> lower(events.size() + 1);
+        const auto parts =
+            rtcore::divideAlong(events.data(), events.size(), split, sides.data(), lower.data(), straddling);
 
         std::size_t both = 0;
         for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -125,6 +174,11 @@ TEST(Events, everyTriangleIsClassifiedByItsBox) {
             if (i == 0) continue;
             EXPECT_LE(boxes[straddling[i - 1]].lo[axis], boxes[straddling[i]].lo[axis]);
         }
+        lower.resize(parts.lower);
+        EXPECT_EQ(lower, expectedLower);
+        const auto upper = events.begin() + static_cast<std::ptrdiff_t>(parts.upperFirst);
+        EXPECT_EQ(std::vector<Event>(upper, upper + static_cast<std::ptrdiff_t>(parts.upper)), expectedUpper);
+        EXPECT_LE(parts.upperFirst + parts.upper + 2 * both, events.size());
     }
 }
 

@@ -26,7 +26,7 @@ Case randomCase(test::Random& random, bool onLattice) {
     Case c;
     c.cell = {{-4, -2, -8}, {4, 2, 8}};
     c.cost = {1, random.number(0.1F, 3), random.number(0.2F, 1)};
-    c.boxes.resize(1 + random.index(30));
+    c.boxes.resize(1 + random.index(30)); // below and above what one vector holds
     for (Box3& box : c.boxes) {
         for (int axis = 0; axis < 3; ++axis) {
             float a = random.number(c.cell.lo[axis], c.cell.hi[axis]);
@@ -42,18 +42,27 @@ Case randomCase(test::Random& random, bool onLattice) {
     return c;
 }
 
-/// The surface area heuristic from its definition, in double.
-double costOf(const Case& c, int axis, float position, bool planarLower) {
-    int lower = 0;
-    int upper = 0;
+struct Sides {
+    std::uint32_t lower = 0;
+    std::uint32_t upper = 0;
+};
+
+Sides sidesOf(const Case& c, int axis, float position, bool planarLower) {
+    Sides n;
     for (const Box3& box : c.boxes) {
         if (box.lo[axis] == position && box.hi[axis] == position) {
-            (planarLower ? lower : upper) += 1;
+            (planarLower ? n.lower : n.upper) += 1;
             continue;
         }
-        lower += box.lo[axis] < position ? 1 : 0;
-        upper += box.hi[axis] > position ? 1 : 0;
+        n.lower += box.lo[axis] < position ? 1 : 0;
+        n.upper += box.hi[axis] > position ? 1 : 0;
     }
+    return n;
+}
+
+/// The surface area heuristic from its definition, in double.
+double costOf(const Case& c, int axis, float position, bool planarLower) {
+    const auto [lower, upper] = sidesOf(c, axis, position, planarLower);
     const auto area = [&](float from, float to) {
         std::array<double, 3> d{};
         for (int a = 0; a < 3; ++a) {
@@ -107,6 +116,9 @@ TEST(CheapestSplit, isTheOneThatBruteForceFinds) {
             EXPECT_EQ(split.axis, axis);
             EXPECT_NEAR(split.cost, expected, 1e-5 * expected);
             EXPECT_NEAR(costOf(c, axis, split.position, split.planarLower), expected, 1e-5 * expected);
+            const Sides sides = sidesOf(c, axis, split.position, split.planarLower);
+            EXPECT_EQ(split.lower, sides.lower);
+            EXPECT_EQ(split.upper, sides.upper);
         }
     }
 }

@@ -106,6 +106,14 @@ TEST(CommandLine, CountsPositionals) {
     EXPECT_TRUE(parse({"--version"}).has("version"));
 }
 
+TEST(CommandLine, TheLastPositionalMayRepeat) {
+    app::ProgramSpec spec = sampleSpec();
+    spec.positionals.back().repeats = true;
+    const std::vector<std::string> words{"s", "-w", "1", "t", "u"};
+    EXPECT_EQ(app::parseCommandLine(spec, words).positionals(), (std::vector<std::string>{"s", "t", "u"}));
+    EXPECT_THROW(app::parseCommandLine(spec, std::vector<std::string>{"-w", "1"}), UsageError);
+}
+
 TEST(CommandLine, NumbersAreWholeWordsInEveryLocale) {
     EXPECT_EQ(app::parseNumber("0.5"), 0.5);
     EXPECT_EQ(app::parseNumber("-2e3"), -2000);

@@ -48,6 +48,12 @@ TEST(HelpText, BriefTextNamesTheHelp) {
     EXPECT_NE(text.find("Try 'Sample --help'"), std::string::npos);
 }
 
+TEST(HelpText, MarksPositionalsThatRepeat) {
+    app::ProgramSpec spec = sampleSpec();
+    spec.positionals.back().repeats = true;
+    EXPECT_EQ(app::briefText(spec).rfind("Usage: Sample SCENE... [OPTION]...\n", 0), 0U);
+}
+
 TEST(HelpText, VersionListsTheOptionalParts) {
     const std::string text = app::versionText(sampleSpec());
     EXPECT_EQ(text.rfind("Sample (rtsuite) ", 0), 0U);

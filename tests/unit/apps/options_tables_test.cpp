@@ -1,4 +1,5 @@
 /// The tables of options of all programs: no spelling stands for two things.
+#include "bench/rtbench/bench_options.h"
 #include "bspbuilder/builder_options.h"
 #include "renderer/renderer_options.h"
 
@@ -38,7 +39,8 @@ TEST_P(OptionsTable, EachOptionSaysWhatItIs) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, OptionsTable,
-                         testing::Values(&renderer::rendererSpec(), &bspbuilder::builderSpec()),
+                         testing::Values(&renderer::rendererSpec(), &bspbuilder::builderSpec(),
+                                         &rtbench::benchSpec()),
                          [](const auto& program) { return program.param->name; });
 
 app::Arguments parse(const app::ProgramSpec& spec, const std::vector<std::string>& words) {

@@ -100,7 +100,7 @@ TEST(RayWave, keepsWhatIsPushed) {
     EXPECT_EQ(wave.ray(1).tMin, 12);
     EXPECT_EQ(wave.ray(1).direction, (rtcore::Vec3{13, 14, 15}));
     EXPECT_EQ(wave.ray(1).tMax, 16);
-    wave.truncate(1);
+    wave.resize(1);
     ASSERT_EQ(wave.size(), 1U);
     EXPECT_EQ(wave.ray(0).direction, (rtcore::Vec3{5, 6, 7}));
     const std::size_t memory = wave.ox.capacity();

@@ -1,0 +1,20 @@
+/// Copies of the triangles' corners in the order in which leaves refer to them: more memory than fetching them
+/// through the mesh (40 bytes a reference), and no waiting for three places in turn.
+#pragma once
+
+#include "rtcore/accel/kd_tree.h"
+#include "rtcore/scene/mesh.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace rtcore {
+
+inline constexpr std::size_t kFloatsPerRecord = 10;
+
+/// The records of a leaf begin at kFloatsPerRecord * firstReference: ten arrays of count() numbers, the x, y
+/// and z of the first corner of each triangle, then of the second and of the third, and the bits of its index.
+/// A vector's length of padding follows the last leaf.
+std::vector<float> makeLeafRecords(const KdTree& tree, const Mesh& mesh);
+
+} // namespace rtcore

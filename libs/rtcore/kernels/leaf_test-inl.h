@@ -1,0 +1,261 @@
+// One triangle against a vector of rays: watertight.h, with the same bits. Included once for each target.
+#if defined(RTCORE_KERNELS_LEAF_TEST_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RTCORE_KERNELS_LEAF_TEST_INL_H_
+#undef RTCORE_KERNELS_LEAF_TEST_INL_H_
+#else
+#define RTCORE_KERNELS_LEAF_TEST_INL_H_
+#endif
+
+#include "rtcore/kernels/leaf_records.h"
+#include "rtcore/kernels/wave_kernels.h"
+
+#include <hwy/highway.h>
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+
+HWY_BEFORE_NAMESPACE();
+namespace rtcore {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using FloatTag = hn::ScalableTag<float>;
+using IntTag = hn::ScalableTag<std::int32_t>;
+using ByteTag = hn::ScalableTag<std::uint8_t>;
+using Floats = hn::Vec<FloatTag>;
+using Ints = hn::Vec<IntTag>;
+using Bytes = hn::Vec<ByteTag>;
+using Lanes = hn::Mask<FloatTag>; ///< which lanes something holds for
+constexpr std::size_t kLanes = hn::MaxLanes(FloatTag());
+
+/// While a kernel works, "no triangle" is the largest index, so that comparisons of signed numbers order it.
+constexpr std::int32_t kNone = std::numeric_limits<std::int32_t>::max();
+
+/// What the rays of a packet have in common, which decides how corners are brought to them.
+enum class Shared {
+    Origin, ///< the origin and the dominant axis
+    Axis,   ///< the dominant axis
+    Nothing
+};
+
+/// The references of a leaf.
+struct Leaf {
+    std::uint32_t first, count;
+};
+
+/// Where the corners of a triangle are: the coordinates of each lie `stride` apart.
+struct Corners {
+    const float *a = nullptr, *b = nullptr, *c = nullptr;
+    std::size_t stride = 1;
+    std::int32_t triangle = kNone;
+};
+
+HWY_INLINE Corners cornersOf(const KernelScene& scene, const Leaf& leaf, std::uint32_t i) {
+    if (scene.records != nullptr) {
+        const std::size_t count = leaf.count;
+        const float* const a = scene.records + kFloatsPerRecord * leaf.first + i;
+        return {a, a + 3 * count, a + 6 * count, count, std::bit_cast<std::int32_t>(a[9 * count])};
+    }
+    const std::uint32_t index = scene.references[leaf.first + i];
+    const Triangle& triangle = scene.triangles[index];
+    return {&scene.vertices[triangle.v[0]].x, &scene.vertices[triangle.v[1]].x,
+            &scene.vertices[triangle.v[2]].x, 1, static_cast<std::int32_t>(index)};
+}
+
+/// The dominant axis of each lane as RayShear chooses it, and how to bring the coordinates of a vector (x, y,
+/// z, -) into the order (kx, ky, kz).
+struct AxisOrder {
+    Bytes x, y, z; ///< for TableLookupBytes
+    Lanes isX, isY;
+
+    HWY_INLINE AxisOrder(Floats dx, Floats dy, Floats dz) {
+        const IntTag di;
+        const Floats ax = hn::Abs(dx);
+        const Floats ay = hn::Abs(dy);
+        const Floats az = hn::Abs(dz);
+        isX = hn::And(hn::Gt(ax, ay), hn::Gt(ax, az));
+        isY = hn::AndNot(hn::Gt(ax, ay), hn::Gt(ay, az));
+        // Byte positions of one coordinate's float inside its vertex.
+        constexpr std::int32_t kX = 0x03020100;
+        constexpr std::int32_t kY = 0x07060504;
+        constexpr std::int32_t kZ = 0x0B0A0908;
+        const auto order = [&](std::int32_t forX, std::int32_t forY, std::int32_t forZ) HWY_ATTR {
+            const Ints i = hn::IfThenElse(hn::RebindMask(di, isX), hn::Set(di, forX),
+                                          hn::IfThenElse(hn::RebindMask(di, isY), hn::Set(di, forY),
+                                                         hn::Set(di, forZ)));
+            return hn::BitCast(ByteTag(), i);
+        };
+        x = order(kY, kZ, kX);
+        y = order(kZ, kX, kY);
+        z = order(kX, kY, kZ);
+    }
+    HWY_INLINE Floats choose(Floats forX, Floats forY, Floats forZ) const {
+        return hn::IfThenElse(isX, forX, hn::IfThenElse(isY, forY, forZ));
+    }
+};
+
+/// A vector of rays as the leaf test wants them: origin and shear in the order of the dominant axis.
+struct ShearedRays {
+    Floats x, y, z;
+    Floats sx, sy, minusSz;
+};
+
+HWY_INLINE ShearedRays shear(const AxisOrder& order, Floats ox, Floats oy, Floats oz, Floats dx, Floats dy,
+                             Floats dz) {
+    const Floats along = order.choose(dx, dy, dz);
+    return {order.choose(oy, oz, ox),
+            order.choose(oz, ox, oy),
+            order.choose(ox, oy, oz),
+            hn::Div(order.choose(dy, dz, dx), along),
+            hn::Div(order.choose(dz, dx, dy), along),
+            hn::Div(hn::Set(FloatTag(), -1.0F), along)};
+}
+
+/// Origin minus corner in the order of the dominant axis. (The single ray has corner minus origin: the signs
+/// cancel out, exactly, and this way a corner's coordinate can be fetched by the subtraction.)
+struct Offset {
+    Floats x, y, z;
+};
+
+/// Brings corners to rays that share their dominant axis `kz`.
+struct AlongAxis {
+    int kx, ky, kz;
+
+    HWY_INLINE Offset offset(const float* corner, std::size_t stride, const ShearedRays& rays) const {
+        const FloatTag d;
+        return {hn::Sub(rays.x, hn::Set(d, corner[static_cast<std::size_t>(kx) * stride])),
+                hn::Sub(rays.y, hn::Set(d, corner[static_cast<std::size_t>(ky) * stride])),
+                hn::Sub(rays.z, hn::Set(d, corner[static_cast<std::size_t>(kz) * stride]))};
+    }
+};
+
+/// Brings corners to rays of any axis.
+struct AlongEach {
+    const AxisOrder& order;
+
+    HWY_INLINE Offset offset(const float* corner, std::size_t stride, const ShearedRays& rays) const {
+        const FloatTag d;
+        if (stride != 1) {
+            const Floats x = hn::Set(d, corner[0]);
+            const Floats y = hn::Set(d, corner[stride]);
+            const Floats z = hn::Set(d, corner[2 * stride]);
+            return {hn::Sub(rays.x, order.choose(y, z, x)), hn::Sub(rays.y, order.choose(z, x, y)),
+                    hn::Sub(rays.z, order.choose(x, y, z))};
+        }
+        const Bytes all = hn::BitCast(ByteTag(), hn::LoadDup128(d, corner));
+        return {hn::Sub(rays.x, hn::BitCast(d, hn::TableLookupBytes(all, order.x))),
+                hn::Sub(rays.y, hn::BitCast(d, hn::TableLookupBytes(all, order.y))),
+                hn::Sub(rays.z, hn::BitCast(d, hn::TableLookupBytes(all, order.z)))};
+    }
+};
+
+/// What the test of one triangle says of each lane.
+struct Outcome {
+    Lanes inside; ///< the ray's line meets the triangle
+    Floats t;     ///< where; NaN or any other number outside
+    Floats v, w, det;
+};
+
+HWY_INLINE Outcome edgeTest(Offset a, Offset b, Offset c, const ShearedRays& rays) {
+    const FloatTag d;
+    const Floats ax = hn::Sub(a.x, hn::Mul(rays.sx, a.z));
+    const Floats ay = hn::Sub(a.y, hn::Mul(rays.sy, a.z));
+    const Floats bx = hn::Sub(b.x, hn::Mul(rays.sx, b.z));
+    const Floats by = hn::Sub(b.y, hn::Mul(rays.sy, b.z));
+    const Floats cx = hn::Sub(c.x, hn::Mul(rays.sx, c.z));
+    const Floats cy = hn::Sub(c.y, hn::Mul(rays.sy, c.z));
+    const Floats u = hn::Sub(hn::Mul(cx, by), hn::Mul(cy, bx));
+    const Floats v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
+    const Floats w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
+    const Floats zero = hn::Zero(d);
+    const Lanes front = hn::Ge(hn::Min(hn::Min(u, v), w), zero);
+    const Lanes back = hn::Le(hn::Max(hn::Max(u, v), w), zero);
+    const Floats det = hn::Add(hn::Add(u, v), w);
+    const Lanes seen = hn::Ge(hn::Abs(det), hn::Set(d, std::numeric_limits<float>::min()));
+    const Floats sum = hn::Add(hn::Add(hn::Mul(u, a.z), hn::Mul(v, b.z)), hn::Mul(w, c.z));
+    return {hn::And(hn::Or(front, back), seen), hn::Div(hn::Mul(sum, rays.minusSz), det), v, w, det};
+}
+
+/// What a vector of rays has found so far.
+struct Found {
+    Floats best; ///< distance of the closest hit; for any hit tMax, or -1 once hit
+    Ints triangle;
+    Floats v, w, det; ///< only of the lanes in `changed`
+    Lanes changed;    ///< by the leaf
+};
+
+/// Tests one triangle against a vector of rays: those in `inCell`, from `tMin` on. Returns who hit it (for any
+/// hit `triangle`, v, w, det are left alone).
+template <bool kAny, typename Along>
+HWY_INLINE Lanes testTriangle(const Corners& corners, const Along& along, const ShearedRays& rays, Floats tMin,
+                              Lanes inCell, Found& found) {
+    const FloatTag d;
+    const IntTag di;
+    const Outcome outcome =
+        edgeTest(along.offset(corners.a, corners.stride, rays), along.offset(corners.b, corners.stride, rays),
+                 along.offset(corners.c, corners.stride, rays), rays);
+    const Lanes open = hn::And(hn::And(outcome.inside, inCell), hn::Ge(outcome.t, tMin));
+    Lanes hit = open;
+    if constexpr (kAny) {
+        hit = hn::And(open, hn::Le(outcome.t, found.best));
+        found.best = hn::IfThenElse(hit, hn::Set(d, -1.0F), found.best);
+    } else {
+        const Ints index = hn::Set(di, corners.triangle);
+        const Lanes lower = hn::RebindMask(d, hn::Lt(index, found.triangle));
+        hit = hn::And(open, hn::Or(hn::Lt(outcome.t, found.best),
+                                   hn::And(hn::Eq(outcome.t, found.best), lower)));
+        found.best = hn::IfThenElse(hit, outcome.t, found.best);
+        found.triangle = hn::IfThenElse(hn::RebindMask(di, hit), index, found.triangle);
+        found.v = hn::IfThenElse(hit, outcome.v, found.v);
+        found.w = hn::IfThenElse(hit, outcome.w, found.w);
+        found.det = hn::IfThenElse(hit, outcome.det, found.det);
+    }
+    found.changed = hn::Or(found.changed, hit);
+    return hit;
+}
+
+/// Tests all triangles of a leaf. For any hit `occluder` becomes the last that was hit.
+template <bool kAny, typename Along>
+HWY_INLINE void testTriangles(const KernelScene& scene, const Leaf& leaf, const Along& along,
+                              const ShearedRays& rays, Floats tMin, Lanes inCell, Found& found,
+                              Corners& occluder) {
+    for (std::uint32_t i = 0; i < leaf.count; ++i) {
+        const Corners corners = cornersOf(scene, leaf, i);
+        const Lanes hit = testTriangle<kAny>(corners, along, rays, tMin, inCell, found);
+        if (kAny && !hn::AllFalse(FloatTag(), hit)) occluder = corners;
+    }
+}
+
+/// Calls `work` with the number of each lane that `lanes` holds.
+template <typename Work>
+HWY_INLINE void forEachLane(Lanes lanes, Work&& work) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(FloatTag(), lanes, bytes);
+    std::uint32_t bits = std::uint32_t{bytes[0]} | std::uint32_t{bytes[1]} << 8U;
+    for (; bits != 0; bits &= bits - 1) work(static_cast<std::size_t>(std::countr_zero(bits)));
+}
+
+/// The smaller of both; the second where either is not a number.
+HWY_INLINE Floats smaller(Floats a, Floats b) {
+#if HWY_ARCH_X86
+    return hn::Min(a, b);
+#else
+    return hn::IfThenElse(hn::Lt(a, b), a, b);
+#endif
+}
+
+/// The larger of both; the second where either is not a number.
+HWY_INLINE Floats larger(Floats a, Floats b) {
+#if HWY_ARCH_X86
+    return hn::Max(a, b);
+#else
+    return hn::IfThenElse(hn::Gt(a, b), a, b);
+#endif
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace rtcore
+HWY_AFTER_NAMESPACE();
+
+#endif

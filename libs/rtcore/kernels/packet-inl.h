@@ -1,0 +1,466 @@
+// A packet: a few vectors of rays that walk the tree together, each lane with its own interval of the node's
+// cell. Lanes enter exactly the nodes that the single ray enters (single_ray.cpp), or more. Included once for
+// each target.
+#if defined(RTCORE_KERNELS_PACKET_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RTCORE_KERNELS_PACKET_INL_H_
+#undef RTCORE_KERNELS_PACKET_INL_H_
+#else
+#define RTCORE_KERNELS_PACKET_INL_H_
+#endif
+
+#include "rtcore/kernels/triangle_block-inl.h"
+#include "rtcore/kernels/rounding.h"
+
+#include <algorithm>
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace rtcore {
+namespace HWY_NAMESPACE {
+
+// With registers enough for all vectors, loops over them are unrolled, so that the intervals stay there.
+#undef RTCORE_EACH_VECTOR
+#if HWY_TARGET == HWY_AVX3
+#define RTCORE_EACH_VECTOR _Pragma("GCC unroll 4")
+#else
+#define RTCORE_EACH_VECTOR
+#endif
+
+/// The rays of a packet and what they have found, one array for each component.
+template <std::size_t kVectors>
+struct Packet {
+    static constexpr std::size_t kSize = kVectors * kLanes;
+    using Array = float[kSize + kLanes]; // room for a vector that is stored past the last ray
+
+    alignas(64) Array origin[3], direction[3], inverse[3];
+    alignas(64) Array t0, t1; ///< of the cell where the walk begins; t0 > t1: no ray
+    alignas(64) Array tMin;
+    alignas(64) Array best; ///< distance of the closest hit; for any hit tMax, or -1 once hit
+    alignas(64) std::int32_t triangle[kSize];
+    alignas(64) Array v, w, det;
+    float slack; ///< the largest of all rays'
+};
+
+/// The bounds of a component over the rays of a packet.
+struct Range {
+    float lo, hi;
+};
+
+/// Decides for all rays of a packet at once whether they pass a plane before or behind their intervals, from
+/// the ranges of their components alone (rounding is monotone, so the verdict holds for each ray).
+class Culling {
+  public:
+    Range origin[3], inverse[3];
+    bool uniform[3]; ///< all directions have the same sign on this axis, and none is zero
+    std::uint32_t upperFirst[3];
+
+    /// Bounds of (split - origin) * inverse.
+    HWY_INLINE Range planes(int axis, float split) const {
+        const float a = split - origin[axis].hi;
+        const float b = split - origin[axis].lo;
+        const float p = a * inverse[axis].lo;
+        const float q = a * inverse[axis].hi;
+        const float r = b * inverse[axis].lo;
+        const float s = b * inverse[axis].hi;
+        return {std::min(std::min(p, q), std::min(r, s)), std::max(std::max(p, q), std::max(r, s))};
+    }
+    /// The same for one common origin.
+    HWY_INLINE Range planesOfOrigin(int axis, float split) const {
+        const float a = split - origin[axis].lo;
+        const float p = a * inverse[axis].lo;
+        const float q = a * inverse[axis].hi;
+        return {std::min(p, q), std::max(p, q)};
+    }
+};
+
+/// A child that waits, with the intervals of all rays in its cell.
+template <std::size_t kVectors>
+struct WaitingPacket {
+    alignas(64) float t0[kVectors * kLanes], t1[kVectors * kLanes];
+    std::uint32_t node;
+    Range interval; ///< no ray's interval reaches beyond it
+};
+
+/// `kCull`: worth trying to decide for all rays at once.
+template <std::size_t kVectors, Shared kShared, bool kCull, bool kAny>
+class PacketWalk {
+  public:
+    PacketWalk(const KernelScene& scene, Packet<kVectors>& packet) : scene_(scene), packet_(packet) {}
+
+    /// Needed before run() unless kShared is Nothing: all rays have the dominant axis `kz`.
+    HWY_INLINE void setAxis(int kz) { along_ = {(kz + 1) % 3, (kz + 2) % 3, kz}; }
+
+    /// Visits all leaves below `root` that any ray meets.
+    HWY_NOINLINE void run(std::uint32_t root, const Culling& culling) {
+        const FloatTag d;
+        const Floats slack = hn::Set(d, packet_.slack);
+        leavesReady_ = false;
+        Floats t0[kVectors];
+        Floats t1[kVectors];
+        Range interval{};
+        RTCORE_EACH_VECTOR
+        for (std::size_t i = 0; i < kVectors; ++i) {
+            t0[i] = hn::Load(d, packet_.t0 + i * kLanes);
+            t1[i] = hn::Load(d, packet_.t1 + i * kLanes);
+        }
+        if constexpr (kCull) interval = boundsOf(t0, t1);
+        if constexpr (kAny) {
+            if (occluder.a != nullptr && testOccluder(t0, t1)) return;
+        }
+        std::size_t waiting = 0;
+        std::uint32_t index = root;
+        while (true) {
+            const KdNode node = scene_.nodes[index];
+            if (!node.isLeaf()) {
+                index = descend(node, culling, t0, t1, interval, waiting);
+                continue;
+            }
+            if (node.count() != 0 && testLeaf({node.firstReference, node.count()}, t0, t1)) return;
+            bool alive = false;
+            do {
+                if (waiting == 0) return;
+                alive = take(stack_[--waiting], slack, t0, t1);
+            } while (!alive);
+            index = stack_[waiting].node;
+            interval = stack_[waiting].interval;
+        }
+    }
+
+  private:
+    static constexpr std::size_t kTestCost = 10, kBlockCost = 25, kRayCost = 13;
+    static constexpr float kDown = kPlaneDown;
+    static constexpr float kUp = kPlaneUp;
+
+    HWY_INLINE static Range boundsOf(const Floats (&t0)[kVectors], const Floats (&t1)[kVectors]) {
+        const FloatTag d;
+        const Floats none = hn::Set(d, std::numeric_limits<float>::max());
+        Floats lo = none;
+        Floats hi = hn::Neg(none);
+        RTCORE_EACH_VECTOR
+        for (std::size_t i = 0; i < kVectors; ++i) {
+            const Lanes alive = hn::Le(t0[i], t1[i]);
+            lo = hn::Min(lo, hn::IfThenElse(alive, t0[i], none));
+            hi = hn::Max(hi, hn::IfThenElse(alive, t1[i], hn::Neg(none)));
+        }
+        return {hn::GetLane(hn::MinOfLanes(d, lo)), hn::GetLane(hn::MaxOfLanes(d, hi))};
+    }
+
+    /// The next node; leaves the intervals of its cell in t0 and t1.
+    HWY_INLINE std::uint32_t descend(KdNode node, const Culling& culling, Floats (&t0)[kVectors],
+                                     Floats (&t1)[kVectors], Range& interval, std::size_t& waiting) {
+        const int axis = node.axis();
+        if (!culling.uniform[axis]) return descendMixed(node, t0, t1, interval, waiting);
+        const std::uint32_t upperFirst = culling.upperFirst[axis];
+        const std::uint32_t near = node.lowerChild() + upperFirst;
+        const std::uint32_t far = node.lowerChild() + 1 - upperFirst;
+        Range planes{};
+        if constexpr (kCull) {
+            planes = kShared == Shared::Origin ? culling.planesOfOrigin(axis, node.split)
+                                               : culling.planes(axis, node.split);
+            if (planes.lo * kDown > interval.hi) return near;
+            if (planes.hi * kUp < interval.lo) return far;
+        }
+
+        const FloatTag d;
+        Floats nearEnd[kVectors];
+        Floats farBegin[kVectors];
+        Lanes entersNear = hn::FirstN(d, 0);
+        Lanes entersFar = hn::FirstN(d, 0);
+        RTCORE_EACH_VECTOR
+        for (std::size_t i = 0; i < kVectors; ++i) {
+            const Floats t = planeDistance(axis, node.split, culling, i);
+            nearEnd[i] = smaller(hn::Mul(t, hn::Set(d, kUp)), t1[i]);
+            farBegin[i] = larger(hn::Mul(t, hn::Set(d, kDown)), t0[i]);
+            entersNear = hn::Or(entersNear, hn::Le(t0[i], nearEnd[i]));
+            entersFar = hn::Or(entersFar, hn::Le(farBegin[i], t1[i]));
+        }
+        if (hn::AllFalse(d, entersFar)) return near;
+        if (hn::AllFalse(d, entersNear)) return far;
+        WaitingPacket<kVectors>& entry = stack_[waiting++];
+        entry.node = far;
+        if constexpr (kCull) {
+            entry.interval = {std::max(interval.lo, planes.lo * kDown), interval.hi};
+            interval.hi = std::min(interval.hi, planes.hi * kUp);
+        }
+        RTCORE_EACH_VECTOR
+        for (std::size_t i = 0; i < kVectors; ++i) {
+            hn::Store(farBegin[i], d, entry.t0 + i * kLanes);
+            hn::Store(t1[i], d, entry.t1 + i * kLanes);
+            t1[i] = nearEnd[i];
+        }
+        return near;
+    }
+
+    HWY_INLINE Floats planeDistance(int axis, float split, const Culling& culling, std::size_t i) const {
+        const FloatTag d;
+        const Floats inverse = hn::Load(d, packet_.inverse[axis] + i * kLanes);
+        if constexpr (kShared == Shared::Origin) {
+            return hn::Mul(hn::Set(d, split - culling.origin[axis].lo), inverse);
+        } else {
+            return hn::Mul(hn::Sub(hn::Set(d, split), hn::Load(d, packet_.origin[axis] + i * kLanes)),
+                           inverse);
+        }
+    }
+
+    /// Rays that point both ways along the axis: the lower child first, whichever is nearer.
+    HWY_NOINLINE std::uint32_t descendMixed(KdNode node, Floats (&t0)[kVectors], Floats (&t1)[kVectors],
+                                            Range& interval, std::size_t& waiting) {
+        const FloatTag d;
+        const int axis = node.axis();
+        Lanes entersLower = hn::FirstN(d, 0);
+        Lanes entersUpper = hn::FirstN(d, 0);
+        WaitingPacket<kVectors>& entry = stack_[waiting];
+        Floats lower0[kVectors];
+        Floats lower1[kVectors];
+        RTCORE_EACH_VECTOR
+        for (std::size_t i = 0; i < kVectors; ++i) {
+            const Floats inverse = hn::Load(d, packet_.inverse[axis] + i * kLanes);
+            const Floats origin = hn::Load(d, packet_.origin[axis] + i * kLanes);
+            const Floats t = hn::Mul(hn::Sub(hn::Set(d, node.split), origin), inverse);
+            const Floats nearEnd = smaller(hn::Mul(t, hn::Set(d, kUp)), t1[i]);
+            const Floats farBegin = larger(hn::Mul(t, hn::Set(d, kDown)), t0[i]);
+            const Lanes downwards = hn::Lt(inverse, hn::Zero(d));
+            lower0[i] = hn::IfThenElse(downwards, farBegin, t0[i]);
+            lower1[i] = hn::IfThenElse(downwards, t1[i], nearEnd);
+            const Floats upper0 = hn::IfThenElse(downwards, t0[i], farBegin);
+            const Floats upper1 = hn::IfThenElse(downwards, nearEnd, t1[i]);
+            hn::Store(upper0, d, entry.t0 + i * kLanes);
+            hn::Store(upper1, d, entry.t1 + i * kLanes);
+            entersLower = hn::Or(entersLower, hn::Le(lower0[i], lower1[i]));
+            entersUpper = hn::Or(entersUpper, hn::Le(upper0, upper1));
+        }
+        if (hn::AllFalse(d, entersUpper)) return node.lowerChild();
+        if (hn::AllFalse(d, entersLower)) return node.lowerChild() + 1;
+        entry.node = node.lowerChild() + 1;
+        entry.interval = interval;
+        ++waiting;
+        RTCORE_EACH_VECTOR
+        for (std::size_t i = 0; i < kVectors; ++i) {
+            t0[i] = lower0[i];
+            t1[i] = lower1[i];
+        }
+        return node.lowerChild();
+    }
+
+    /// Takes over the intervals that waited, cut at what was hit since; false when no ray is left.
+    HWY_INLINE bool take(const WaitingPacket<kVectors>& entry, Floats slack, Floats (&t0)[kVectors],
+                         Floats (&t1)[kVectors]) const {
+        const FloatTag d;
+        Lanes alive = hn::FirstN(d, 0);
+        RTCORE_EACH_VECTOR
+        for (std::size_t i = 0; i < kVectors; ++i) {
+            const Floats best = hn::Load(d, packet_.best + i * kLanes);
+            t0[i] = hn::Load(d, entry.t0 + i * kLanes);
+            t1[i] = hn::Min(hn::Load(d, entry.t1 + i * kLanes), endOf(best, slack));
+            alive = hn::Or(alive, hn::Le(t0[i], t1[i]));
+        }
+        return !hn::AllFalse(d, alive);
+    }
+
+    /// Where a ray's search ends. For any hit that is -1 for those that are done.
+    HWY_INLINE static Floats endOf(Floats best, Floats slack) {
+        if constexpr (!kAny) return hn::Add(best, slack);
+        return hn::IfThenElse(hn::Lt(best, hn::Zero(FloatTag())), best, hn::Add(best, slack));
+    }
+
+    HWY_NOINLINE void prepareLeaves() {
+        const FloatTag d;
+        leavesReady_ = true;
+        RTCORE_EACH_VECTOR
+        for (std::size_t i = 0; i < kVectors; ++i) {
+            const std::size_t at = i * kLanes;
+            Floats o[3];
+            Floats dir[3];
+            for (int axis = 0; axis < 3; ++axis) {
+                o[axis] = hn::Load(d, packet_.origin[axis] + at);
+                dir[axis] = hn::Load(d, packet_.direction[axis] + at);
+            }
+            const AxisOrder order(dir[0], dir[1], dir[2]);
+            const ShearedRays rays = shear(order, o[0], o[1], o[2], dir[0], dir[1], dir[2]);
+            hn::Store(rays.x, d, sheared_[0] + at);
+            hn::Store(rays.y, d, sheared_[1] + at);
+            hn::Store(rays.z, d, sheared_[2] + at);
+            hn::Store(rays.sx, d, sheared_[3] + at);
+            hn::Store(rays.sy, d, sheared_[4] + at);
+            hn::Store(rays.minusSz, d, sheared_[5] + at);
+            if constexpr (kShared == Shared::Nothing) {
+                const IntTag di;
+                const auto axis = [&](std::int32_t x) HWY_ATTR { return hn::BitCast(d, hn::Set(di, x)); };
+                hn::Store(hn::BitCast(di, order.choose(axis(0), axis(1), axis(2))), di, axis_ + at);
+            }
+        }
+    }
+
+    HWY_INLINE ShearedRays shearedRays(std::size_t at) const {
+        const FloatTag d;
+        return {hn::Load(d, sheared_[0] + at), hn::Load(d, sheared_[1] + at), hn::Load(d, sheared_[2] + at),
+                hn::Load(d, sheared_[3] + at), hn::Load(d, sheared_[4] + at), hn::Load(d, sheared_[5] + at)};
+    }
+
+    /// Tests the triangles of a leaf; true when the walk can end.
+    HWY_INLINE bool testLeaf(const Leaf& leaf, const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
+        const FloatTag d;
+        if (!leavesReady_) prepareLeaves();
+        std::size_t vectors = 0;
+        std::size_t rays = 0;
+        RTCORE_EACH_VECTOR
+        for (std::size_t k = 0; k < kVectors; ++k) {
+            const std::size_t inCell = hn::CountTrue(d, hn::Le(t0[k], t1[k]));
+            rays += inCell;
+            vectors += inCell > 0 ? 1 : 0;
+        }
+        if (rayByRayPays(rays, vectors, leaf.count)) return testRayByRay(leaf, t0, t1);
+        const auto test = [&](std::size_t at, Lanes inCell, Found& found) HWY_ATTR {
+            const Floats tMin = hn::Load(d, packet_.tMin + at);
+            const ShearedRays rays = shearedRays(at);
+            if constexpr (kShared == Shared::Nothing) {
+                const AxisOrder order = axisOrder(at);
+                testTriangles<kAny>(scene_, leaf, AlongEach{order}, rays, tMin, inCell, found, occluder);
+            } else {
+                testTriangles<kAny>(scene_, leaf, along_, rays, tMin, inCell, found, occluder);
+            }
+        };
+        return testVectors(test, t0, t1);
+    }
+
+    /// Tests the triangle that stopped a ray before.
+    HWY_NOINLINE bool testOccluder(const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
+        const FloatTag d;
+        if (!leavesReady_) prepareLeaves();
+        const auto test = [&](std::size_t at, Lanes inCell, Found& found) HWY_ATTR {
+            const Floats tMin = hn::Load(d, packet_.tMin + at);
+            const ShearedRays rays = shearedRays(at);
+            if constexpr (kShared == Shared::Nothing) {
+                const AxisOrder order = axisOrder(at);
+                testTriangle<kAny>(occluder, AlongEach{order}, rays, tMin, inCell, found);
+            } else {
+                testTriangle<kAny>(occluder, along_, rays, tMin, inCell, found);
+            }
+        };
+        return testVectors(test, t0, t1);
+    }
+
+    /// Runs `test` for each vector that has rays in the cell, and keeps what they find.
+    template <typename Test>
+    HWY_INLINE bool testVectors(const Test& test, const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
+        const FloatTag d;
+        const IntTag di;
+        bool any = false;
+        RTCORE_EACH_VECTOR
+        for (std::size_t k = 0; k < kVectors; ++k) {
+            const Lanes inCell = hn::Le(t0[k], t1[k]);
+            if (hn::AllFalse(d, inCell)) continue;
+            const std::size_t at = k * kLanes;
+            Found found{hn::Load(d, packet_.best + at), hn::Zero(di), hn::Zero(d), hn::Zero(d), hn::Zero(d),
+                        hn::FirstN(d, 0)};
+            if constexpr (!kAny) found.triangle = hn::Load(di, packet_.triangle + at);
+            test(at, inCell, found);
+            if (hn::AllFalse(d, found.changed)) continue;
+            any = true;
+            hn::Store(found.best, d, packet_.best + at);
+            if constexpr (kAny) {
+                t1[k] = hn::IfThenElse(found.changed, hn::Set(d, -1.0F), t1[k]);
+            } else {
+                hn::Store(found.triangle, di, packet_.triangle + at);
+                hn::BlendedStore(found.v, found.changed, d, packet_.v + at);
+                hn::BlendedStore(found.w, found.changed, d, packet_.w + at);
+                hn::BlendedStore(found.det, found.changed, d, packet_.det + at);
+            }
+        }
+        return kAny && any && allDone();
+    }
+
+    HWY_INLINE AxisOrder axisOrder(std::size_t at) const {
+        const FloatTag d;
+        return AxisOrder(hn::Load(d, packet_.direction[0] + at), hn::Load(d, packet_.direction[1] + at),
+                         hn::Load(d, packet_.direction[2] + at));
+    }
+
+    /// Whether a leaf of `count` triangles takes less time when each of the rays is tested against vectors of
+    /// triangles, in units of one test (measured).
+    HWY_INLINE bool rayByRayPays(std::size_t rays, std::size_t vectors, std::size_t count) const {
+        const std::size_t blocks = (count + kLanes - 1) / kLanes;
+        const std::size_t blockCost = scene_.records == nullptr ? kBlockCost : 0;
+        return blocks * (blockCost + kRayCost * rays) < kTestCost * count * vectors;
+    }
+
+    HWY_NOINLINE bool testRayByRay(const Leaf& leaf, const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
+        const FloatTag d;
+        Lanes inCell[kVectors];
+        for (std::size_t k = 0; k < kVectors; ++k) inCell[k] = hn::Le(t0[k], t1[k]);
+        bool hit = false;
+        TriangleBlock block(scene_, leaf);
+        for (std::uint32_t i = 0; i < leaf.count; i += static_cast<std::uint32_t>(kLanes)) {
+            block.load(i);
+            RTCORE_EACH_VECTOR
+            for (std::size_t k = 0; k < kVectors; ++k) {
+                forEachLane(inCell[k], [&](std::size_t lane)
+                                           HWY_ATTR { hit |= testRay(block, k * kLanes + lane); });
+            }
+        }
+        if (!kAny || !hit) return false;
+        RTCORE_EACH_VECTOR
+        for (std::size_t k = 0; k < kVectors; ++k) {
+            const Floats best = hn::Load(d, packet_.best + k * kLanes);
+            t1[k] = hn::IfThenElse(hn::Lt(best, hn::Zero(d)), best, t1[k]);
+        }
+        return allDone();
+    }
+
+    HWY_INLINE bool testRay(const TriangleBlock& block, std::size_t i) {
+        ShearedRay ray{};
+        const int kz = kShared == Shared::Nothing ? axis_[i] : along_.kz;
+        ray.kx = (kz + 1) % 3;
+        ray.ky = (kz + 2) % 3;
+        ray.kz = kz;
+        ray.x = sheared_[0][i];
+        ray.y = sheared_[1][i];
+        ray.z = sheared_[2][i];
+        ray.sx = sheared_[3][i];
+        ray.sy = sheared_[4][i];
+        ray.minusSz = sheared_[5][i];
+        ray.tMin = packet_.tMin[i];
+        FoundByRay found{packet_.best[i], kAny ? kNone : packet_.triangle[i], 0, 0, 0};
+        if (!block.test<kAny>(ray, found)) return false;
+        packet_.best[i] = found.best;
+        if constexpr (kAny) {
+            occluder = block.corners(static_cast<std::uint32_t>(found.triangle));
+        } else {
+            packet_.triangle[i] = found.triangle;
+            packet_.v[i] = found.v;
+            packet_.w[i] = found.w;
+            packet_.det[i] = found.det;
+        }
+        return true;
+    }
+
+    HWY_INLINE bool allDone() const {
+        const FloatTag d;
+        Lanes open = hn::FirstN(d, 0);
+        RTCORE_EACH_VECTOR
+        for (std::size_t i = 0; i < kVectors; ++i) {
+            open = hn::Or(open, hn::Ge(hn::Load(d, packet_.best + i * kLanes), hn::Zero(d)));
+        }
+        return hn::AllFalse(d, open);
+    }
+
+  public:
+    /// For any hit: the last triangle that stopped a ray. It is tested first: neighbours are often stopped by
+    /// the same.
+    Corners occluder;
+
+  private:
+    const KernelScene& scene_;
+    Packet<kVectors>& packet_;
+    AlongAxis along_{0, 0, 0};
+    bool leavesReady_ = false;
+    alignas(64) float sheared_[6][Packet<kVectors>::kSize];
+    alignas(64) std::int32_t axis_[Packet<kVectors>::kSize];
+    WaitingPacket<kVectors> stack_[kMaxKdDepth];
+};
+
+} // namespace HWY_NAMESPACE
+} // namespace rtcore
+HWY_AFTER_NAMESPACE();
+
+#endif

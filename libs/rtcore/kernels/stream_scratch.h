@@ -1,0 +1,46 @@
+/// The memory that streams work in.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+namespace rtcore {
+
+/// One for each thread; kept from wave to wave, since making it anew costs more than tracing. Takes about
+/// 40 MB of address space, of which a wave touches what it needs.
+class StreamScratch {
+  public:
+    StreamScratch();
+
+    /// Rays that are traced together at most.
+    static constexpr std::size_t kRays = 16384;
+    static constexpr std::size_t kGroup = 64; ///< rays that are judged coherent or not together
+    static constexpr std::size_t kPadding = 64;
+    /// What a list carries for each ray: slot, t0, t1, origin, direction.
+    static constexpr std::size_t kColumns = 9;
+
+    float* column(std::size_t i) { return columns_.get() + i * stride_; }
+
+    /// By slot: the state of each ray of the stream.
+    alignas(64) float tMin[kRays + kPadding];
+    alignas(64) float best[kRays + kPadding]; ///< distance of the closest hit; for any hit tMax, or -1 once hit
+    alignas(64) std::int32_t triangle[kRays + kPadding];
+    alignas(64) float v[kRays + kPadding], w[kRays + kPadding], det[kRays + kPadding];
+    alignas(64) float rootBegin[kRays + kPadding], rootEnd[kRays + kPadding]; ///< in the root's cell
+    alignas(64) std::int32_t octant[kRays + kPadding];                       ///< 0..7; 8 outside the root's cell
+    /// Of the list being split.
+    alignas(64) float nearEnd[kRays + kPadding], farBegin[kRays + kPadding];
+    /// First rays of the groups that wait to be streamed.
+    std::uint32_t groups[kRays / kGroup];
+    std::size_t groupCount = 0;
+
+  private:
+    struct Release {
+        void operator()(float* memory) const;
+    };
+    std::size_t stride_;
+    std::unique_ptr<float, Release> columns_; ///< aligned to 64 bytes
+};
+
+} // namespace rtcore

@@ -1,0 +1,137 @@
+// One ray against a vector of triangles: for leaves that few rays of a packet reach. The same expressions as
+// leaf_test-inl.h, so the same bits. Included once for each target.
+#if defined(RTCORE_KERNELS_TRIANGLE_BLOCK_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RTCORE_KERNELS_TRIANGLE_BLOCK_INL_H_
+#undef RTCORE_KERNELS_TRIANGLE_BLOCK_INL_H_
+#else
+#define RTCORE_KERNELS_TRIANGLE_BLOCK_INL_H_
+#endif
+
+#include "rtcore/kernels/leaf_test-inl.h"
+
+#include <algorithm>
+#include <bit>
+
+HWY_BEFORE_NAMESPACE();
+namespace rtcore {
+namespace HWY_NAMESPACE {
+
+/// One ray as the leaf test wants it: origin and shear in the order of the dominant axis kz.
+struct ShearedRay {
+    int kx, ky, kz;
+    float x, y, z;
+    float sx, sy, minusSz;
+    float tMin;
+};
+
+/// What one ray has found so far.
+struct FoundByRay {
+    float best; ///< for any hit tMax, or -1 once hit
+    std::int32_t triangle;
+    float v, w, det;
+};
+
+/// Triangles of a leaf, as many as a vector has lanes, one array for each coordinate.
+class TriangleBlock {
+  public:
+    HWY_INLINE TriangleBlock(const KernelScene& scene, const Leaf& leaf) : scene_(scene), leaf_(leaf) {}
+
+    /// Those from the leaf's reference `first` on.
+    HWY_INLINE void load(std::uint32_t first) {
+        first_ = first;
+        count_ = std::min(leaf_.count - first, static_cast<std::uint32_t>(kLanes));
+        if (scene_.records != nullptr) {
+            const float* const records = scene_.records + kFloatsPerRecord * leaf_.first + first;
+            for (std::size_t i = 0; i < 9; ++i) coordinates_[i] = records + i * leaf_.count;
+            triangle_ = reinterpret_cast<const std::int32_t*>(records + 9 * std::size_t{leaf_.count});
+        } else {
+            gather();
+            triangle_ = reinterpret_cast<const std::int32_t*>(scene_.references + leaf_.first + first);
+        }
+    }
+
+    /// Of triangle `i` of the block.
+    HWY_INLINE Corners corners(std::uint32_t i) const { return cornersOf(scene_, leaf_, first_ + i); }
+
+    /// Returns whether the ray hits one of them, closer than what it has found or as close and of lower index.
+    template <bool kAny>
+    HWY_INLINE bool test(const ShearedRay& ray, FoundByRay& found) const {
+        const FloatTag d;
+        const ShearedRays rays{hn::Set(d, ray.x),  hn::Set(d, ray.y),  hn::Set(d, ray.z),
+                               hn::Set(d, ray.sx), hn::Set(d, ray.sy), hn::Set(d, ray.minusSz)};
+        const Outcome outcome = edgeTest(offset(0, ray, rays), offset(1, ray, rays), offset(2, ray, rays), rays);
+        const Floats best = hn::Set(d, found.best);
+        const Lanes open = hn::And(hn::And(outcome.inside, hn::FirstN(d, count_)),
+                                   hn::And(hn::Ge(outcome.t, hn::Set(d, ray.tMin)), hn::Le(outcome.t, best)));
+        if (hn::AllFalse(d, open)) return false;
+        if constexpr (kAny) {
+            found.best = -1;
+            found.triangle = static_cast<std::int32_t>(firstOf(open));
+            return true;
+        }
+        // References ascend inside a leaf: of several as close the first has the lowest index.
+        const Floats far = hn::Set(d, std::numeric_limits<float>::max());
+        const Floats t = hn::IfThenElse(open, outcome.t, far);
+        const Floats closest = hn::MinOfLanes(d, t);
+        const std::size_t lane = firstOf(hn::And(open, hn::Eq(t, closest)));
+        const float distance = hn::GetLane(closest);
+        const std::int32_t triangle = triangle_[lane];
+        if (distance == found.best && triangle >= found.triangle) return false;
+        found = {distance, triangle, laneOf(outcome.v, lane), laneOf(outcome.w, lane),
+                 laneOf(outcome.det, lane)};
+        return true;
+    }
+
+  private:
+    /// Copies the corners from the mesh.
+    HWY_INLINE void gather() {
+        const hn::CappedTag<float, 4> d4;
+        for (std::uint32_t i = 0; i < count_; ++i) {
+            const Corners from = corners(i);
+            hn::Store(hn::Load(d4, from.a), d4, rows_[0] + std::size_t{i} * 4);
+            hn::Store(hn::Load(d4, from.b), d4, rows_[1] + std::size_t{i} * 4);
+            hn::Store(hn::Load(d4, from.c), d4, rows_[2] + std::size_t{i} * 4);
+        }
+        const FloatTag d;
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            Floats x;
+            Floats y;
+            Floats z;
+            Floats unused;
+            hn::LoadInterleaved4(d, rows_[corner], x, y, z, unused);
+            hn::Store(x, d, columns_[3 * corner]);
+            hn::Store(y, d, columns_[3 * corner + 1]);
+            hn::Store(z, d, columns_[3 * corner + 2]);
+        }
+        for (std::size_t i = 0; i < 9; ++i) coordinates_[i] = columns_[i];
+    }
+
+    HWY_INLINE Offset offset(int corner, const ShearedRay& ray, const ShearedRays& rays) const {
+        const FloatTag d;
+        return {hn::Sub(rays.x, hn::LoadU(d, coordinates_[3 * corner + ray.kx])),
+                hn::Sub(rays.y, hn::LoadU(d, coordinates_[3 * corner + ray.ky])),
+                hn::Sub(rays.z, hn::LoadU(d, coordinates_[3 * corner + ray.kz]))};
+    }
+    HWY_INLINE static std::size_t firstOf(Lanes lanes) {
+        return static_cast<std::size_t>(hn::FindFirstTrue(FloatTag(), lanes));
+    }
+    HWY_INLINE static float laneOf(Floats values, std::size_t lane) {
+        alignas(64) float all[kLanes];
+        hn::Store(values, FloatTag(), all);
+        return all[lane];
+    }
+
+    const KernelScene& scene_;
+    const Leaf leaf_;
+    std::uint32_t first_ = 0, count_ = 0;
+    const float* coordinates_[9];  ///< x, y, z of the first corners, of the second, of the third
+    const std::int32_t* triangle_; ///< their indices
+    alignas(64) float rows_[3][kLanes * 4];
+    alignas(64) float columns_[9][kLanes];
+};
+
+} // namespace HWY_NAMESPACE
+} // namespace rtcore
+HWY_AFTER_NAMESPACE();
+
+#endif

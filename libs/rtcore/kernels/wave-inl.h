@@ -1,0 +1,288 @@
+// Whole waves: groups of 64 rays go as packets where their directions agree, the others as streams. Included
+// once for each target.
+#if defined(RTCORE_KERNELS_WAVE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RTCORE_KERNELS_WAVE_INL_H_
+#undef RTCORE_KERNELS_WAVE_INL_H_
+#else
+#define RTCORE_KERNELS_WAVE_INL_H_
+#endif
+
+#include "rtcore/kernels/stream-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rtcore {
+namespace HWY_NAMESPACE {
+
+constexpr std::size_t kGroup = StreamScratch::kGroup;
+constexpr std::size_t kGroupVectors = kGroup / kLanes;
+
+/// What the rays of a group have in common.
+struct GroupShape {
+    Range origin[3], direction[3];
+
+    /// Whether they take much the same way: no component of their directions spans more than a fifth of the
+    /// longest (docs/performance.md).
+    bool coherent() const {
+        constexpr float kSpread = 0.2F;
+        float spread = 0;
+        float longest = 0;
+        for (const Range& r : direction) {
+            spread = std::max(spread, r.hi - r.lo);
+            longest = std::max(longest, std::max(std::fabs(r.lo), std::fabs(r.hi)));
+        }
+        return spread < kSpread * longest;
+    }
+    bool commonOrigin() const {
+        return origin[0].lo == origin[0].hi && origin[1].lo == origin[1].hi && origin[2].lo == origin[2].hi;
+    }
+    Culling culling() const {
+        Culling c{};
+        for (int axis = 0; axis < 3; ++axis) {
+            c.origin[axis] = origin[axis];
+            c.inverse[axis] = {1 / direction[axis].hi, 1 / direction[axis].lo};
+            const Range& r = c.inverse[axis];
+            constexpr float kLargest = std::numeric_limits<float>::max();
+            c.uniform[axis] = (direction[axis].lo > 0 && r.hi <= kLargest) ||
+                              (direction[axis].hi < 0 && r.lo >= -kLargest);
+            c.upperFirst[axis] = direction[axis].hi < 0 ? 1 : 0;
+        }
+        return c;
+    }
+};
+
+HWY_INLINE Range rangeOf(const float* values) {
+    const FloatTag d;
+    Floats lo = hn::LoadU(d, values);
+    Floats hi = lo;
+    for (std::size_t i = kLanes; i < kGroup; i += kLanes) {
+        const Floats v = hn::LoadU(d, values + i);
+        lo = hn::Min(lo, v);
+        hi = hn::Max(hi, v);
+    }
+    return {hn::GetLane(hn::MinOfLanes(d, lo)), hn::GetLane(hn::MaxOfLanes(d, hi))};
+}
+
+HWY_INLINE GroupShape shapeOf(const RaySpan& rays, std::size_t first) {
+    GroupShape shape;
+    for (int axis = 0; axis < 3; ++axis) {
+        shape.origin[axis] = rangeOf(rays.origin[axis] + first);
+        shape.direction[axis] = rangeOf(rays.direction[axis] + first);
+    }
+    return shape;
+}
+
+/// 0, 1, 2 where that is the dominant axis of all; else 3.
+HWY_INLINE int commonAxis(const RaySpan& rays, std::size_t first) {
+    const FloatTag d;
+    Lanes allX = hn::Eq(hn::Zero(d), hn::Zero(d));
+    Lanes allY = allX;
+    Lanes anyXY = hn::FirstN(d, 0);
+    for (std::size_t i = first; i < first + kGroup; i += kLanes) {
+        const AxisOrder order(hn::LoadU(d, rays.direction[0] + i), hn::LoadU(d, rays.direction[1] + i),
+                              hn::LoadU(d, rays.direction[2] + i));
+        allX = hn::And(allX, order.isX);
+        allY = hn::And(allY, order.isY);
+        anyXY = hn::Or(anyXY, hn::Or(order.isX, order.isY));
+    }
+    if (hn::AllTrue(d, allX)) return 0;
+    if (hn::AllTrue(d, allY)) return 1;
+    return hn::AllFalse(d, anyXY) ? 2 : 3;
+}
+
+/// The rays of a group as a packet; those from `count` on take no part.
+HWY_INLINE void load(const KernelScene& scene, const RaySpan& rays, std::size_t first, std::size_t count,
+                     Packet<kGroupVectors>& packet) {
+    const FloatTag d;
+    const IntTag di;
+    Floats slack = hn::Zero(d);
+    for (std::size_t i = 0; i < kGroup; i += kLanes) {
+        const RayVector ray = loadRays(rays, first + i);
+        slack = hn::Max(slack, slackOf(scene, ray));
+        hn::Store(ray.ox, d, packet.origin[0] + i);
+        hn::Store(ray.oy, d, packet.origin[1] + i);
+        hn::Store(ray.oz, d, packet.origin[2] + i);
+        hn::Store(ray.dx, d, packet.direction[0] + i);
+        hn::Store(ray.dy, d, packet.direction[1] + i);
+        hn::Store(ray.dz, d, packet.direction[2] + i);
+        hn::Store(ray.tMin, d, packet.tMin + i);
+        hn::Store(ray.tMax, d, packet.best + i);
+        hn::Store(hn::Set(di, kNone), di, packet.triangle + i);
+        hn::Store(hn::Zero(d), d, packet.v + i);
+        hn::Store(hn::Zero(d), d, packet.w + i);
+        hn::Store(hn::Set(d, 1.0F), d, packet.det + i);
+    }
+    packet.slack = hn::GetLane(hn::MaxOfLanes(d, slack));
+    for (std::size_t i = 0; i < kGroup; i += kLanes) {
+        const RayVector ray = loadRays(rays, first + i);
+        const IntervalVector inside = clipToBox(scene, ray, hn::Set(d, packet.slack));
+        hn::Store(inside.t0, d, packet.t0 + i);
+        hn::Store(inside.t1, d, packet.t1 + i);
+        for (int axis = 0; axis < 3; ++axis) {
+            hn::Store(hn::Div(hn::Set(d, 1.0F), hn::Load(d, packet.direction[axis] + i)), d,
+                      packet.inverse[axis] + i);
+        }
+    }
+    for (std::size_t i = count; i < kGroup; ++i) {
+        packet.t0[i] = 1;
+        packet.t1[i] = -1;
+        packet.best[i] = -1;
+    }
+}
+
+template <bool kAny>
+class PacketTracer {
+  public:
+    PacketTracer(const KernelScene& scene, const RaySpan& rays)
+        : scene_(scene), rays_(rays), byOrigin_(scene, packet), byAxis_(scene, packet),
+          byNothing_(scene, packet) {}
+
+    /// Traces `count` rays from `first` on; `packet` then holds what they found. All kGroup must be readable.
+    HWY_INLINE void trace(const GroupShape& shape, std::size_t first, std::size_t count) {
+        load(scene_, rays_, first, count, packet);
+        bool any = false;
+        for (std::size_t i = 0; i < kGroup; ++i) any |= packet.t0[i] <= packet.t1[i];
+        if (!any) return;
+        const Culling culling = shape.culling();
+        const int axis = commonAxis(rays_, first);
+        if (axis == 3) {
+            runWalk(byNothing_, culling);
+        } else if (shape.commonOrigin()) {
+            byOrigin_.setAxis(axis);
+            runWalk(byOrigin_, culling);
+        } else {
+            byAxis_.setAxis(axis);
+            runWalk(byAxis_, culling);
+        }
+    }
+
+    Packet<kGroupVectors> packet;
+
+  private:
+    template <typename Walk>
+    HWY_INLINE void runWalk(Walk& walk, const Culling& culling) {
+        walk.occluder = occluder_;
+        walk.run(0, culling);
+        occluder_ = walk.occluder;
+    }
+
+    const KernelScene& scene_;
+    const RaySpan& rays_;
+    Corners occluder_;
+    PacketWalk<kGroupVectors, Shared::Origin, true, kAny> byOrigin_;
+    PacketWalk<kGroupVectors, Shared::Axis, true, kAny> byAxis_;
+    PacketWalk<kGroupVectors, Shared::Nothing, true, kAny> byNothing_;
+};
+
+/// The last rays of a wave, filled up to a whole group by the first of them.
+struct LastGroup {
+    LastGroup(const RaySpan& rays, std::size_t first) {
+        const float* from[8] = {rays.origin[0],    rays.origin[1],    rays.origin[2], rays.direction[0],
+                                rays.direction[1], rays.direction[2], rays.tMin,      rays.tMax};
+        for (std::size_t c = 0; c < 8; ++c) {
+            for (std::size_t i = 0; i < kGroup; ++i) {
+                values[c][i] = from[c][first + i < rays.count ? first + i : first];
+            }
+        }
+        span = {{values[0], values[1], values[2]}, {values[3], values[4], values[5]}, values[6], values[7],
+                kGroup};
+    }
+    alignas(64) float values[8][kGroup];
+    RaySpan span;
+};
+
+/// `Output` stores what a packet or a stream's slots hold.
+template <bool kAny, typename Output>
+HWY_INLINE void traceWave(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch,
+                          Output&& output) {
+    constexpr std::size_t kFewest = 512 / kGroup; // below, packets are faster whatever the directions
+    PacketTracer<kAny> packets(scene, rays);
+    const auto asPacket = [&](std::size_t first) HWY_ATTR {
+        packets.trace(shapeOf(rays, first), first, kGroup);
+        output.fromPacket(packets.packet, first, kGroup);
+    };
+    const auto asStream = [&]() HWY_ATTR {
+        StreamWalk<kAny> stream(scene, scratch);
+        stream.run(rays);
+        for (std::size_t g = 0; g < scratch.groupCount; ++g) output.fromSlots(scratch, g);
+        scratch.groupCount = 0;
+    };
+    scratch.groupCount = 0;
+    const std::size_t whole = rays.count / kGroup * kGroup;
+    for (std::size_t first = 0; first < whole; first += kGroup) {
+        if (shapeOf(rays, first).coherent()) {
+            asPacket(first);
+            continue;
+        }
+        scratch.groups[scratch.groupCount++] = static_cast<std::uint32_t>(first);
+        if (scratch.groupCount == StreamScratch::kRays / kGroup) asStream();
+    }
+    if (scratch.groupCount >= kFewest) {
+        asStream();
+    } else {
+        for (std::size_t g = 0; g < scratch.groupCount; ++g) asPacket(scratch.groups[g]);
+    }
+    if (whole == rays.count) return;
+    const LastGroup last(rays, whole);
+    PacketTracer<kAny> tracer(scene, last.span);
+    tracer.trace(shapeOf(last.span, 0), 0, rays.count - whole);
+    output.fromPacket(tracer.packet, whole, rays.count - whole);
+}
+
+struct ClosestOutput {
+    const HitSpan& hits;
+
+    HWY_INLINE void fromPacket(const Packet<kGroupVectors>& p, std::size_t first, std::size_t count) const {
+        store(p.best, p.triangle, p.v, p.w, p.det, first, count);
+    }
+    HWY_INLINE void fromSlots(const StreamScratch& s, std::size_t group) const {
+        const std::size_t at = group * kGroup;
+        store(s.best + at, s.triangle + at, s.v + at, s.w + at, s.det + at, s.groups[group], kGroup);
+    }
+
+  private:
+    HWY_INLINE void store(const float* best, const std::int32_t* triangle, const float* v, const float* w,
+                          const float* det, std::size_t first, std::size_t count) const {
+        const FloatTag d;
+        const IntTag di;
+        for (std::size_t i = 0; i < count; i += kLanes) {
+            const Floats area = hn::Load(d, det + i);
+            const Ints known = hn::Load(di, triangle + i);
+            const Ints index = hn::IfThenElse(hn::Eq(known, hn::Set(di, kNone)), hn::Set(di, -1), known);
+            const Floats share1 = hn::Div(hn::Load(d, v + i), area);
+            const Floats share2 = hn::Div(hn::Load(d, w + i), area);
+            const Floats t = hn::Load(d, best + i);
+            const auto out = reinterpret_cast<std::int32_t*>(hits.triangle + first + i);
+            if (i + kLanes <= count) {
+                hn::StoreU(t, d, hits.t + first + i);
+                hn::StoreU(share1, d, hits.u + first + i);
+                hn::StoreU(share2, d, hits.v + first + i);
+                hn::StoreU(index, di, out);
+            } else {
+                const Lanes some = hn::FirstN(d, count - i);
+                hn::BlendedStore(t, some, d, hits.t + first + i);
+                hn::BlendedStore(share1, some, d, hits.u + first + i);
+                hn::BlendedStore(share2, some, d, hits.v + first + i);
+                hn::BlendedStore(index, hn::RebindMask(di, some), di, out);
+            }
+        }
+    }
+};
+
+struct AnyOutput {
+    std::uint8_t* occluded;
+
+    HWY_INLINE void fromPacket(const Packet<kGroupVectors>& p, std::size_t first, std::size_t count) const {
+        for (std::size_t i = 0; i < count; ++i) occluded[first + i] = p.best[i] < 0 ? 1 : 0;
+    }
+    HWY_INLINE void fromSlots(const StreamScratch& s, std::size_t group) const {
+        for (std::size_t i = 0; i < kGroup; ++i) {
+            occluded[s.groups[group] + i] = s.best[group * kGroup + i] < 0 ? 1 : 0;
+        }
+    }
+};
+
+} // namespace HWY_NAMESPACE
+} // namespace rtcore
+HWY_AFTER_NAMESPACE();
+
+#endif

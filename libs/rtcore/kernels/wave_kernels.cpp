@@ -1,0 +1,124 @@
+#include "rtcore/kernels/wave_kernels.h"
+
+#include "rtcore/kernels/hit_distance.h"
+#include "rtcore/kernels/single_ray.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+// Compiled once for each instruction set, and the best chosen when the program runs. SSSE3 without SSE4 is too
+// rare to be worth it.
+#define HWY_DISABLED_TARGETS HWY_SSSE3
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "rtcore/kernels/wave_kernels.cpp"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+#if HWY_TARGET != HWY_SCALAR
+#include "rtcore/kernels/wave-inl.h"
+#endif
+
+#ifndef RTCORE_KERNELS_WAVE_KERNELS_ONCE
+#define RTCORE_KERNELS_WAVE_KERNELS_ONCE
+namespace rtcore {
+namespace {
+
+Ray rayOf(const RaySpan& rays, std::size_t i) {
+    return {{rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]},
+            rays.tMin[i],
+            {rays.direction[0][i], rays.direction[1][i], rays.direction[2][i]},
+            rays.tMax[i]};
+}
+
+} // namespace
+} // namespace rtcore
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace rtcore {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+std::size_t nearHits(const RaySpan& rays, const HitSpan& hits, float limit, std::uint32_t* indices) {
+    const hn::ScalableTag<float> d;
+    const std::size_t lanes = hn::Lanes(d);
+    std::size_t found = 0;
+    const auto add = [&](std::size_t i) {
+        indices[found] = static_cast<std::uint32_t>(i);
+        const bool hit = hits.triangle[i] != kNoTriangle;
+        found += hit && isNear(rayOf(rays, i), {hits.t[i], 0, 0, 0}, limit) ? 1 : 0;
+    };
+    std::size_t i = 0;
+    for (; i + lanes <= rays.count; i += lanes) {
+        const auto t = hn::LoadU(d, hits.t + i);
+        const auto x = hn::LoadU(d, rays.direction[0] + i);
+        const auto y = hn::LoadU(d, rays.direction[1] + i);
+        const auto z = hn::LoadU(d, rays.direction[2] + i);
+        const auto squared = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
+        const auto isClose = hn::Lt(hn::Mul(hn::Mul(t, t), squared), hn::Set(d, limit * limit));
+        if (hn::AllFalse(d, isClose)) continue;
+        for (std::size_t k = i; k < i + lanes; ++k) add(k);
+    }
+    for (; i < rays.count; ++i) add(i);
+    return found;
+}
+
+#if HWY_TARGET == HWY_SCALAR
+
+void closest(const KernelScene& scene, const RaySpan& rays, StreamScratch& /*scratch*/, const HitSpan& hits) {
+    for (std::size_t i = 0; i < rays.count; ++i) {
+        Hit hit;
+        findClosest(scene, rayOf(rays, i), hit);
+        hits.t[i] = hit.t;
+        hits.u[i] = hit.u;
+        hits.v[i] = hit.v;
+        hits.triangle[i] = hit.triangle;
+    }
+}
+
+void any(const KernelScene& scene, const RaySpan& rays, StreamScratch& /*scratch*/, std::uint8_t* occluded) {
+    for (std::size_t i = 0; i < rays.count; ++i) occluded[i] = findAny(scene, rayOf(rays, i)) ? 1 : 0;
+}
+
+#else
+
+void closest(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch, const HitSpan& hits) {
+    traceWave<false>(scene, rays, scratch, ClosestOutput{hits});
+}
+
+void any(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch, std::uint8_t* occluded) {
+    traceWave<true>(scene, rays, scratch, AnyOutput{occluded});
+}
+
+#endif
+
+} // namespace HWY_NAMESPACE
+} // namespace rtcore
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace rtcore {
+
+HWY_EXPORT(closest);
+HWY_EXPORT(any);
+HWY_EXPORT(nearHits);
+
+void traceClosest(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch,
+                  const HitSpan& hits) {
+    HWY_DYNAMIC_DISPATCH(closest)(scene, rays, scratch, hits);
+}
+
+void traceAny(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch, std::uint8_t* occluded) {
+    HWY_DYNAMIC_DISPATCH(any)(scene, rays, scratch, occluded);
+}
+
+std::size_t findNear(const RaySpan& rays, const HitSpan& hits, float limit, std::uint32_t* indices) {
+    return HWY_DYNAMIC_DISPATCH(nearHits)(rays, hits, limit, indices);
+}
+
+} // namespace rtcore
+#endif

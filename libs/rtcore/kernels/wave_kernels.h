@@ -1,0 +1,39 @@
+/// The vector kernels: whole waves, by packets of coherent rays and streams of the others. Data only, so that
+/// the code behind it can be compiled once for each instruction set; ray_tracer.h is the interface for others.
+#pragma once
+
+#include "rtcore/kernels/kernel_scene.h"
+#include "rtcore/kernels/stream_scratch.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace rtcore {
+
+/// One array for each component, all of the same length.
+struct RaySpan {
+    const float* origin[3];
+    const float* direction[3];
+    const float* tMin;
+    const float* tMax;
+    std::size_t count;
+};
+
+struct HitSpan {
+    float* t;
+    std::uint32_t* triangle;
+    float *u, *v;
+};
+
+/// Finds the closest hits of all rays as single_ray.h defines them, but for the distances, which are the leaf
+/// test's own (watertight.h). The same bits by every instruction set.
+void traceClosest(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch, const HitSpan& hits);
+
+/// 1 for each ray that hits anything, else 0.
+void traceAny(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch, std::uint8_t* occluded);
+
+/// Writes the indices of those hits that are nearer than `limit` scene units, ascending; returns their number.
+/// `indices` has room for all.
+std::size_t findNear(const RaySpan& rays, const HitSpan& hits, float limit, std::uint32_t* indices);
+
+} // namespace rtcore

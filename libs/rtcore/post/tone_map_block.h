@@ -1,0 +1,22 @@
+/// Tone mapping and quantisation of many pixels at once; the bits are those of tone_map.h and quantise.h.
+#pragma once
+
+#include "rtcore/scene/image.h"
+#include "rtcore/settings/render_settings.h"
+
+#include <cstddef>
+
+namespace rtcore {
+
+inline constexpr std::size_t kToneBlock = 64;
+
+struct Development {
+    ToneMapping toneMapping = ToneMapping::Luminance;
+    bool dithering = true;
+    float exposure = 1;
+};
+
+/// kToneBlock pixels of row `y` from column `x` on.
+void developBlock(const Development& how, const Colour* radiance, int x, int y, Rgba8* pixels);
+
+} // namespace rtcore

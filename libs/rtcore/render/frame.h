@@ -1,0 +1,19 @@
+/// What rendering leaves behind.
+#pragma once
+
+#include "rtcore/kernels/ray_statistics.h"
+#include "rtcore/scene/image.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace rtcore {
+
+struct Frame {
+    HdrImage radiance; ///< settings.width x settings.height, averaged over the samples of each pixel
+    std::vector<std::uint8_t>
+        covered; ///< per pixel: 255 where all samples hit geometry, 0 where all saw the background
+    RayStatistics statistics;
+};
+
+} // namespace rtcore

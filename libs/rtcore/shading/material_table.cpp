@@ -1,0 +1,61 @@
+#include "rtcore/shading/material_table.h"
+
+#include "rtcore/shading/phong.h"
+
+namespace rtcore {
+
+namespace {
+
+std::uint32_t traitsOf(const Material& m, bool colours, const RenderSettings& settings) {
+    const auto used = [&](std::uint32_t texture) { return settings.textures && texture != kNoTexture; };
+    std::uint32_t result = traits::kPoint;
+    if (!isBlack(m.specular)) result |= traits::kGlossy;
+    if (colours || used(m.diffuseTexture)) result |= traits::kColoured;
+    if ((settings.refractions && !(m.opacity >= 1)) || used(m.alphaTexture) || used(m.normalTexture) ||
+        used(m.emissionTexture)) {
+        result |= traits::kGeneral;
+    }
+    if (settings.reflections && !isBlack(m.mirror * m.mirrorScale)) {
+        if ((result & traits::kNotPlain) != 0) return result | traits::kGeneral;
+        result |= traits::kMirror;
+        if (m.fresnel != 0) result |= traits::kFresnel;
+    }
+    return result;
+}
+
+void put(Colour c, float* to) {
+    to[0] = c.r;
+    to[1] = c.g;
+    to[2] = c.b;
+}
+
+} // namespace
+
+void MaterialTable::prepare(const Scene& scene, const RenderSettings& settings) {
+    rows_.resize(scene.materials.size());
+    traits_ = 0;
+    anyGlow_ = tintedShadows_ = false;
+    const bool colours = !scene.mesh().colours.empty();
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const Material& m = scene.materials[i];
+        MaterialRow& row = rows_[i];
+        row.traits = traitsOf(m, colours, settings);
+        const Colour ambient = scene.ambient * (m.diffuse + m.specular);
+        const Colour glow = m.emission + ambient;
+        put(m.diffuse / kPi, row.diffuse);
+        put(m.emission, row.emission);
+        put(ambient, row.ambient);
+        put(glow, row.glow);
+        put(m.mirror, row.mirror);
+        row.mirrorScale = m.mirrorScale;
+        put(m.specular, row.specular);
+        row.shininess = m.shininess;
+        row.lobeScale = (m.shininess + 2) / (2 * kPi);
+        traits_ |= row.traits;
+        anyGlow_ = anyGlow_ || !isBlack(glow);
+        tintedShadows_ = tintedShadows_ || (settings.refractions && m.opacity < 1) ||
+                         (settings.textures && m.alphaTexture != kNoTexture);
+    }
+}
+
+} // namespace rtcore

@@ -1,0 +1,21 @@
+/// The mirrored rays of a wave.
+#pragma once
+
+#include "rtcore/settings/render_settings.h"
+#include "rtcore/shading/material_table.h"
+#include "rtcore/shading/path_queue.h"
+#include "rtcore/shading/surface_wave.h"
+
+namespace rtcore {
+
+/// Divides the light at points with the trait kMirror, whose `share` is what it would be were all scattered:
+/// sets `onward` and the trait kOnward, and lowers `share`. Sets `glow` of these points, unless it is null.
+void splitAtMirrors(const MaterialTable& materials, const SurfaceWave& surfaces, const ArraysOf3* glow);
+
+/// Appends a mirrored ray to `queue` for each point with the trait kOnward whose ray was mirrored or
+/// refracted less than settings.maxDepth times and matters (minContribution). `paths` are those of the wave;
+/// null: primary rays. The direction is bent back where a smooth normal would send it below the real surface.
+void spawnMirrored(const SurfaceWave& surfaces, PathQueue* paths, const RenderSettings& settings,
+                   PathQueue& queue);
+
+} // namespace rtcore

@@ -1,0 +1,119 @@
+// Every instruction set that this processor has gives the same bits.
+#include "rtcore/platform/instruction_set.h"
+#include "rtcore/post/develop.h"
+#include "rtcore/post/quantise.h"
+#include "rtcore/post/tone_map.h"
+#include "rtcore/render/camera_rays.h"
+
+#include "sample_view.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+
+namespace rtcore {
+namespace {
+
+class InstructionSets : public testing::Test {
+  protected:
+    ~InstructionSets() override { useInstructionSet("auto"); }
+
+    /// Renders with each instruction set and compares the bits.
+    static void compare(const test::TracedScene& traced, const RenderSettings& settings) {
+        ASSERT_TRUE(useInstructionSet("scalar"));
+        const Frame expected = test::render(traced, settings);
+        for (const std::string& name : instructionSets()) {
+            ASSERT_TRUE(useInstructionSet(name));
+            const Frame frame = test::render(traced, settings);
+            EXPECT_EQ(hashOf(frame), hashOf(expected)) << name;
+            EXPECT_EQ(frame.covered, expected.covered) << name;
+            EXPECT_EQ(frame.statistics.rays, expected.statistics.rays) << name;
+        }
+    }
+    static std::uint64_t hashOf(const Frame& frame) {
+        return test::hashOf(std::as_bytes(std::span(frame.radiance.pixels)));
+    }
+};
+
+TEST_F(InstructionSets, GiveTheSamePictures) {
+    const test::TracedScene traced(test::sampleScene());
+    for (const int antialiasing : {1, 3}) compare(traced, test::sampleSettings(101, 67, antialiasing));
+}
+
+TEST_F(InstructionSets, GiveTheSameHighlights) {
+    Scene scene = test::sampleScene();
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        scene.materials[i].specular = {0.2F, 0.1F, 0.3F};
+        scene.materials[i].shininess = static_cast<float>(i * i * 7); // 0 among them
+    }
+    compare(test::TracedScene(scene), test::sampleSettings(101, 67));
+}
+
+TEST_F(InstructionSets, GiveTheSameDirections) {
+    Camera camera = test::sampleCamera();
+    for (const float fov : {1e-3F, 60.0F, 179.999F}) {
+        camera.horizontalFov = fov;
+        const CameraRays rays(camera, 1920, 1080);
+        for (const std::string& name : instructionSets()) {
+            ASSERT_TRUE(useInstructionSet(name));
+            constexpr float step = 1.0F / 3;
+            std::array<float, 64> dx{}, dy{}, dz{};
+            rays.directions({32, 96, 24, 8, step}, dx.data(), dy.data(), dz.data());
+            for (std::size_t i = 0; i < 64; ++i) {
+                const float x = 32 + (static_cast<float>(24 + i % 8) + 0.5F) * step;
+                const float y = 96 + (static_cast<float>(8 + i / 8) + 0.5F) * step;
+                ASSERT_EQ(rays.at(x, y).direction, (Vec3{dx[i], dy[i], dz[i]})) << name << " " << i;
+            }
+        }
+    }
+}
+
+LdrImage developedOneByOne(const Frame& frame, const RenderSettings& settings, float exposure) {
+    const SrgbCurve curve;
+    LdrImage image(frame.radiance.width, frame.radiance.height);
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            const Colour c = frame.radiance.at(x, y);
+            const Colour shown = settings.toneMapping == ToneMapping::Luminance
+                                     ? toneMapLuminance(c, exposure)
+                                     : toneMapChannels(c, exposure);
+            const float t = settings.dithering ? ditherThreshold(x, y) : 0.5F;
+            image.at(x, y) = {quantise(curve.code(shown.r), t), quantise(curve.code(shown.g), t),
+                              quantise(curve.code(shown.b), t), 255};
+        }
+    }
+    return image;
+}
+
+TEST_F(InstructionSets, DevelopAlike) {
+    constexpr float inf = std::numeric_limits<float>::infinity();
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    const std::array<float, 15> odd{0,    1e-40F, 1e-5F, 0.001F, 0.18F, 1,  3,   7,
+                                    1000, 1e25F,  3e38F, inf,    nan,   -1, -inf};
+    Frame frame;
+    frame.radiance = HdrImage(225, 15);
+    frame.covered.assign(frame.radiance.pixels.size(), 255);
+    for (std::size_t i = 0; i < frame.radiance.pixels.size(); ++i) {
+        frame.radiance.pixels[i] = {odd[i % 15], odd[i / 15 % 15], odd[i / 225]};
+    }
+    for (const ToneMapping toneMapping : {ToneMapping::Luminance, ToneMapping::Channels}) {
+        RenderSettings settings;
+        settings.toneMapping = toneMapping;
+        for (const bool dithering : {false, true}) {
+            settings.dithering = dithering;
+            ASSERT_TRUE(useInstructionSet("scalar"));
+            const float exposure = exposureFor(frame, settings.exposure);
+            const LdrImage expected = develop(frame, settings, exposure);
+            ASSERT_EQ(expected.pixels, developedOneByOne(frame, settings, exposure).pixels);
+            for (const std::string& name : instructionSets()) {
+                ASSERT_TRUE(useInstructionSet(name));
+                EXPECT_EQ(exposureFor(frame, settings.exposure), exposure) << name;
+                EXPECT_EQ(develop(frame, settings, exposure).pixels, expected.pixels) << name;
+            }
+        }
+    }
+}
+
+} // namespace
+} // namespace rtcore

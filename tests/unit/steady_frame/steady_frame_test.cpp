@@ -1,0 +1,122 @@
+// A frame like the one before it allocates nothing: counted by replacing operator new.
+#include "rtcore/post/develop.h"
+#include "rtcore/render/frame_renderer.h"
+
+#include "../render/sample_view.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+std::atomic<std::uint64_t> allocations{0};
+
+void* allocate(std::size_t bytes, std::size_t alignment) {
+    allocations.fetch_add(1, std::memory_order_relaxed);
+    const std::size_t rounded = (bytes + alignment - 1) / alignment * alignment;
+    void* const memory = std::aligned_alloc(alignment, rounded > 0 ? rounded : alignment);
+    if (memory == nullptr) throw std::bad_alloc();
+    return memory;
+}
+
+} // namespace
+
+void* operator new(std::size_t bytes) { return allocate(bytes, alignof(std::max_align_t)); }
+void* operator new(std::size_t bytes, std::align_val_t alignment) {
+    return allocate(bytes, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+
+namespace rtcore {
+namespace {
+
+/// Renders and develops; returns how often memory was allocated meanwhile.
+class Pictures {
+  public:
+    explicit Pictures(const Scene& scene) : traced_(scene) {}
+
+    std::uint64_t make(const RenderSettings& settings, int threads) {
+        const std::uint64_t before = allocations;
+        EXPECT_TRUE(renderer_.render(traced_.scene, traced_.tracer, test::sampleCamera(), settings, threads,
+                                     control_, frame_));
+        const float exposure = developer_.exposure(frame_, settings.exposure, threads);
+        developer_.develop(frame_, settings, exposure, threads, image_);
+        return allocations - before;
+    }
+    const LdrImage& image() const { return image_; }
+
+  private:
+    test::TracedScene traced_;
+    FrameRenderer renderer_;
+    PictureDeveloper developer_;
+    RenderControl control_;
+    Frame frame_;
+    LdrImage image_;
+};
+
+RenderSettings settingsWith(int antialiasing, bool shadows, int maxDepth) {
+    RenderSettings settings = test::sampleSettings(150, 101, antialiasing);
+    settings.shadows = shadows;
+    settings.maxDepth = maxDepth;
+    return settings;
+}
+
+TEST(SteadyFrame, TheCountIsTrue) {
+    const std::uint64_t before = allocations;
+    delete new int;
+    EXPECT_EQ(allocations - before, 1U);
+}
+
+TEST(SteadyFrame, OfOneThreadAllocatesNothing) {
+    for (const RenderSettings& settings : {settingsWith(1, true, 5), settingsWith(2, true, 5),
+                                           settingsWith(1, false, 0), settingsWith(1, true, 30)}) {
+        Pictures pictures(test::sampleScene());
+        EXPECT_GT(pictures.make(settings, 1), 0U);
+        const std::vector<Rgba8> first = pictures.image().pixels;
+        EXPECT_EQ(pictures.make(settings, 1), 0U);
+        EXPECT_EQ(pictures.make(settings, 1), 0U);
+        EXPECT_EQ(pictures.image().pixels, first);
+    }
+}
+
+TEST(SteadyFrame, OfOpaqueSurfacesAllocatesNothing) {
+    Scene scene = test::sampleScene();
+    for (Material& m : scene.materials) {
+        m.opacity = 1;
+        m.alphaTexture = kNoTexture;
+    }
+    Pictures pictures(scene);
+    pictures.make(settingsWith(1, true, 5), 1);
+    EXPECT_EQ(pictures.make(settingsWith(1, true, 5), 1), 0U);
+}
+
+// Threads share the tiles in another way each time, so that one may meet a larger wave than any before; but
+// soon there is none larger.
+TEST(SteadyFrame, OfManyThreadsSoonAllocatesNothing) {
+    Pictures pictures(test::sampleScene());
+    const RenderSettings settings = settingsWith(1, true, 5);
+    int without = 0;
+    for (int i = 0; i < 1000 && without < 5; ++i) without = pictures.make(settings, 3) == 0 ? without + 1 : 0;
+    EXPECT_EQ(without, 5);
+}
+
+TEST(SteadyFrame, ChangesOfSettingsAndSizeAreFollowed) {
+    const Scene scene = test::sampleScene();
+    Pictures pictures(scene);
+    pictures.make(settingsWith(3, true, 5), 2);
+    pictures.make(settingsWith(1, false, 0), 1);
+    const RenderSettings settings = test::sampleSettings(70, 40);
+    pictures.make(settings, 2);
+    Pictures fresh(scene);
+    fresh.make(settings, 1);
+    EXPECT_EQ(pictures.image().pixels, fresh.image().pixels);
+}
+
+} // namespace
+} // namespace rtcore
