@@ -102,20 +102,21 @@ TEST(Isolation, ANameTakenByAnotherUserIsRefused) {
     const std::string name = "rts." + std::to_string(kNobody) + "." + troupe.instance.name() + ".ctl";
     std::ofstream("/dev/shm/" + name) << std::string(4 << 20, 'x');
     std::filesystem::permissions("/dev/shm/" + name, std::filesystem::perms(0666));
-    const std::string board = troupe.instance.folder() / "theirs";
+    const TemporaryFolder theirs;
+    ASSERT_EQ(::chown(theirs.path().c_str(), kNobody, kNobody), 0);
+    ::setenv("XDG_RUNTIME_DIR", theirs.path().c_str(), 1);
+    const std::string board = theirs / "board";
     for (const char* role : {"server", "client", "viewer"}) {
         const auto start = Clock::now();
         EXPECT_EQ(asAnotherUser([&] {
-                      ::unsetenv("XDG_RUNTIME_DIR");
                       ::close(2);
                       ::execl(RT_IPC_PARTICIPANT, RT_IPC_PARTICIPANT, role, troupe.instance.name().c_str(),
-                              "/dev/shm/ipc-test-board", "0", "once=1", nullptr);
+                              board.c_str(), "0", "once=1", nullptr);
                       return 98;
                   }),
                   77)
             << role;
         EXPECT_LT(Clock::now() - start, 3s);
-        ::unlink("/dev/shm/ipc-test-board");
     }
     std::filesystem::remove("/dev/shm/" + name);
 }
