@@ -1,10 +1,11 @@
 #!/bin/sh
 # The checks that take too long for every run; their output belongs into the note that closes an issue.
-#   scripts/check-long.sh [leaks] [waves] [oracle] [mutations] [kills] [formats]     without arguments: all
+#   scripts/check-long.sh [leaks] [waves] [oracle] [mutations] [kills] [formats] [ipc] [mutants]    without arguments:
+# all. RT_ISA chooses the instruction set of the kernels.
 set -eu
 cd "$(dirname "$0")/.."
 scripts/build.sh
-[ $# -gt 0 ] || set -- leaks waves oracle mutations kills formats
+[ $# -gt 0 ] || set -- leaks waves oracle mutations kills formats ipc mutants
 release=build/release/bin
 for check in "$@"; do
     echo "== $check"
@@ -29,6 +30,14 @@ for check in "$@"; do
         ;;
     kills)
         RT_KILLS=${RT_KILLS:-500} ctest --preset release -R Kill --verbose
+        ;;
+    ipc)
+        RT_IPC_ROUNDS=${RT_IPC_ROUNDS:-10} $release/test_ipc_process
+        RT_MUTATIONS=${RT_MUTATIONS:-1000000} $release/test_ipc
+        $release/bench_ipc
+        ;;
+    mutants)
+        scripts/check-mutants.sh
         ;;
     formats)
         scripts/check-formats.sh

@@ -154,7 +154,7 @@ inline bool isFor(Kernel kernel, const rtcore::RayWave& wave, std::size_t first)
         const auto [from, to] = range(*origins[axis]);
         oneOrigin &= *from == *to;
     }
-    const bool coherent = spread < 0.2F * longest;
+    const bool coherent = spread < 0.3F * longest;
     if (kernel == Kernel::Stream || kernel == Kernel::Packet) return !coherent;
     int axes = 0;
     for (std::size_t i = first; i < first + kRaysOfGroup; ++i) {

@@ -222,9 +222,7 @@ HWY_INLINE Lanes testTriangle(const Corners& corners, const Along& along, const 
     return hit;
 }
 
-HWY_INLINE AlongAxis alongAxis(int kz) {
-    return {(kz + 1) % 3, (kz + 2) % 3, kz};
-}
+HWY_INLINE AlongAxis alongAxis(int kz) { return {(kz + 1) % 3, (kz + 2) % 3, kz}; }
 
 /// Tests all triangles of a leaf. For any hit `occluder` becomes the last that was hit.
 template <bool kAny, typename Along>

@@ -20,8 +20,8 @@ constexpr std::size_t kGroupVectors = kGroup / kLanes;
 struct GroupShape {
     Range origin[3], direction[3];
 
-    /// Whether they take much the same way: no component of their directions spans more than three tenths of the
-    /// longest (docs/performance.md).
+    /// Whether they take much the same way: no component of their directions spans more than three tenths of
+    /// the longest (docs/performance.md).
     bool coherent() const {
         constexpr float kSpread = 0.3F;
         float spread = 0;

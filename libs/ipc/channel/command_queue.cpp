@@ -1,0 +1,107 @@
+#include "ipc/channel/command_queue.h"
+
+#include "ipc/layout/message.h"
+#include "ipc/platform/boost_interprocess.h"
+#include "ipc/platform/error.h"
+#include "ipc/platform/segment.h"
+#include "ipc/platform/stage.h"
+#include "ipc/platform/system.h"
+
+#include <boost/interprocess/ipc/message_queue.hpp>
+
+namespace ipc {
+
+namespace bi = boost::interprocess;
+
+namespace {
+
+// Nearly what a queue takes, and a margin: before Boost 1.81 its memory was not reserved when it was made.
+constexpr std::size_t kQueueBytes = kCommandQueueLength * (kMaxMessageBytes + 64) + 65536;
+
+} // namespace
+
+struct CommandSender::State {
+    explicit State(const std::string& queueName)
+        : name(queueName), queue(bi::create_only, queueName.c_str(), kCommandQueueLength, kMaxMessageBytes,
+                                 bi::permissions(0600)) {}
+    ~State() { Segment::remove(name); }
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+
+    std::string name;
+    bi::message_queue queue;
+};
+
+CommandSender::CommandSender(const std::string& name) {
+    requireSpace(kQueueBytes);
+    try {
+        state_ = std::make_unique<State>(name);
+        if constexpr (BOOST_VERSION < 108100) Segment::reserve(name);
+    } catch (const bi::interprocess_exception& error) {
+        const Problem problem =
+            error.get_error_code() == bi::already_exists_error ? Problem::NotYours : Problem::System;
+        throw Error(problem, "command queue " + name + ": " + error.what());
+    }
+}
+
+CommandSender::~CommandSender() = default;
+CommandSender::CommandSender(CommandSender&&) noexcept = default;
+CommandSender& CommandSender::operator=(CommandSender&&) noexcept = default;
+
+QueueResult CommandSender::trySend(std::span<const std::byte> message) {
+    try {
+        return state_->queue.try_send(message.data(), message.size(), 0) ? QueueResult::Done
+                                                                         : QueueResult::Nothing;
+    } catch (const bi::interprocess_exception&) {
+        return QueueResult::Broken;
+    }
+}
+
+struct CommandReceiver::State {
+    explicit State(const std::string& name) : queue(bi::open_only, name.c_str()) {}
+    bi::message_queue queue;
+    std::vector<std::byte> buffer = std::vector<std::byte>(kMaxMessageBytes);
+};
+
+CommandReceiver::CommandReceiver() = default;
+CommandReceiver::~CommandReceiver() = default;
+CommandReceiver::CommandReceiver(CommandReceiver&&) noexcept = default;
+CommandReceiver& CommandReceiver::operator=(CommandReceiver&&) noexcept = default;
+
+QueueResult CommandReceiver::open(const std::string& name, CommandReceiver& receiver) {
+    try {
+        // Boost believes whatever it opens, so the file is looked at first.
+        if (!Segment::open(name, Access::Read, kCommandQueueLength * kMaxMessageBytes))
+            return QueueResult::Broken;
+        auto state = std::make_unique<State>(name);
+        Segment::remove(name);
+        stage("queue opened");
+        if (state->queue.get_max_msg() != kCommandQueueLength ||
+            state->queue.get_max_msg_size() != kMaxMessageBytes) {
+            return QueueResult::Broken;
+        }
+        receiver.state_ = std::move(state);
+        return QueueResult::Done;
+    } catch (const bi::interprocess_exception&) {
+        return QueueResult::Broken;
+    } catch (const Error&) {
+        return QueueResult::Broken;
+    }
+}
+
+QueueResult CommandReceiver::tryReceive(std::vector<std::byte>& message) {
+    try {
+        bi::message_queue::size_type bytes = 0;
+        unsigned priority = 0;
+        std::vector<std::byte>& buffer = state_->buffer;
+        if (!state_->queue.try_receive(buffer.data(), buffer.size(), bytes, priority))
+            return QueueResult::Nothing;
+        if (bytes > buffer.size()) return QueueResult::Broken;
+        message.assign(buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(bytes));
+        return QueueResult::Done;
+    } catch (const bi::interprocess_exception&) {
+        return QueueResult::Broken;
+    }
+}
+
+} // namespace ipc

@@ -1,0 +1,55 @@
+#include "ipc/channel/keys.h"
+
+namespace ipc {
+
+namespace {
+
+bool known(int key) { return key >= 0 && key < kMaxKeys; }
+std::uint64_t bit(int key) { return std::uint64_t{1} << (key % 64); }
+
+} // namespace
+
+void KeyWriter::press(KeyBoard* board, int key) {
+    if (!known(key)) return;
+    down_.set(static_cast<std::size_t>(key));
+    if (board == nullptr) return;
+    board->presses[key].fetch_add(1, std::memory_order_relaxed);
+    board->down[key / 64].fetch_or(bit(key), std::memory_order_release);
+}
+
+void KeyWriter::release(KeyBoard* board, int key) {
+    if (!known(key)) return;
+    down_.reset(static_cast<std::size_t>(key));
+    if (board == nullptr) return;
+    board->down[key / 64].fetch_and(~bit(key), std::memory_order_release);
+}
+
+void KeyWriter::releaseAll(KeyBoard* board) {
+    down_.reset();
+    if (board == nullptr) return;
+    for (auto& word : board->down) word.store(0, std::memory_order_release);
+}
+
+void KeyWriter::restore(KeyBoard& board) const {
+    for (auto& counter : board.presses) counter.store(0, std::memory_order_relaxed);
+    for (int word = 0; word < kMaxKeys / 64; ++word) {
+        std::uint64_t bits = 0;
+        for (int key = 64 * word; key < 64 * (word + 1); ++key) {
+            if (down_[static_cast<std::size_t>(key)]) bits |= bit(key);
+        }
+        board.down[word].store(bits, std::memory_order_release);
+    }
+}
+
+void KeyReader::collect(const KeyBoard& board, KeyState& state) {
+    for (int key = 0; key < kMaxKeys; ++key) {
+        const auto index = static_cast<std::size_t>(key);
+        // The bit first: who sees the key down has seen its press, too.
+        if ((board.down[key / 64].load(std::memory_order_acquire) & bit(key)) != 0) state.down.set(index);
+        const std::uint32_t count = board.presses[key].load(std::memory_order_relaxed);
+        state.presses[index] += count - seen_[index];
+        seen_[index] = count;
+    }
+}
+
+} // namespace ipc

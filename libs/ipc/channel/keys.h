@@ -1,0 +1,36 @@
+/// The key state of one client: a down bit and a press counter for each key.
+#pragma once
+
+#include "ipc/layout/control_block.h"
+#include "ipc/layout/key_state.h"
+
+#include <array>
+#include <bitset>
+#include <cstdint>
+
+namespace ipc {
+
+/// Key codes are 0..255; others are ignored. Without a board it keeps in mind what is down. One thread.
+class KeyWriter {
+  public:
+    void press(KeyBoard* board, int key);
+    void release(KeyBoard* board, int key);
+    void releaseAll(KeyBoard* board);
+    /// Makes a new board hold what is down now, with all counters 0.
+    void restore(KeyBoard& board) const;
+
+  private:
+    std::bitset<kMaxKeys> down_;
+};
+
+/// One client's board as the server sees it.
+class KeyReader {
+  public:
+    /// Adds what is down and what was pressed since the last call.
+    void collect(const KeyBoard& board, KeyState& state);
+
+  private:
+    std::array<std::uint32_t, kMaxKeys> seen_{};
+};
+
+} // namespace ipc

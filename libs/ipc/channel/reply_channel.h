@@ -1,0 +1,47 @@
+/// Answers from the server to one client, through the ring in the client's slot. Nobody waits.
+#pragma once
+
+#include "ipc/layout/control_block.h"
+#include "ipc/layout/message.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace ipc {
+
+struct ReplyRecord {
+    std::uint64_t sequence = 0;
+    std::uint32_t status = 0;
+    std::string text;
+};
+
+enum class RingResult {
+    Done,
+    Nothing, ///< no room (write) or no reply (read)
+    Broken,  ///< the other side's counter makes no sense
+};
+
+/// The server's end. Its counter is its own: what the ring says of it is not believed.
+class ReplyWriter {
+  public:
+    /// Empties the ring for a new client.
+    void reset(ReplyRing& ring);
+    /// `text` has at most kMaxAnswerText bytes.
+    RingResult write(ReplyRing& ring, std::uint64_t sequence, std::uint32_t status, std::string_view text);
+
+  private:
+    std::uint64_t head_ = 0;
+};
+
+/// The client's end.
+class ReplyReader {
+  public:
+    void reset() { tail_ = 0; }
+    RingResult read(ReplyRing& ring, ReplyRecord& reply);
+
+  private:
+    std::uint64_t tail_ = 0;
+};
+
+} // namespace ipc

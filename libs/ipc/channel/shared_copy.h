@@ -1,0 +1,57 @@
+/// Copies to and from memory that another process may change at the same time. What was read counts only when
+/// the sequence number beside it did not change meanwhile (Boehm 2012, "Can seqlocks get along with
+/// programming language memory models?"): a writer stores odd, releases, copies, stores even with release; a
+/// reader loads with acquire, copies, acquires, loads again.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+namespace ipc {
+
+#if defined(__SANITIZE_THREAD__)
+
+// The thread sanitizer knows no fences and counts a plain copy as a race. Word by word, as slow as that is.
+inline void copyToShared(void* to, const void* from, std::size_t bytes) {
+    auto* target = static_cast<std::uint8_t*>(to);
+    const auto* source = static_cast<const std::uint8_t*>(from);
+    std::size_t i = 0;
+    for (; i + 8 <= bytes; i += 8) {
+        std::uint64_t word = 0;
+        std::memcpy(&word, source + i, 8);
+        std::atomic_ref(*reinterpret_cast<std::uint64_t*>(target + i)).store(word, std::memory_order_release);
+    }
+    for (; i < bytes; ++i) std::atomic_ref(target[i]).store(source[i], std::memory_order_release);
+}
+inline void copyFromShared(void* to, const void* from, std::size_t bytes) {
+    auto* target = static_cast<std::uint8_t*>(to);
+    auto* source = const_cast<std::uint8_t*>(static_cast<const std::uint8_t*>(from));
+    std::size_t i = 0;
+    for (; i + 8 <= bytes; i += 8) {
+        const auto word =
+            std::atomic_ref(*reinterpret_cast<std::uint64_t*>(source + i)).load(std::memory_order_acquire);
+        std::memcpy(target + i, &word, 8);
+    }
+    for (; i < bytes; ++i) target[i] = std::atomic_ref(source[i]).load(std::memory_order_acquire);
+}
+inline void fenceBeforeWriting() {}
+inline void fenceAfterReading() {}
+
+#else
+
+inline void copyToShared(void* to, const void* from, std::size_t bytes) {
+    if (bytes != 0) std::memcpy(to, from, bytes);
+}
+inline void copyFromShared(void* to, const void* from, std::size_t bytes) {
+    if (bytes != 0) std::memcpy(to, from, bytes);
+    // The compiler shall not look at `from` a second time: what is checked is what is used.
+    std::atomic_signal_fence(std::memory_order_seq_cst);
+}
+inline void fenceBeforeWriting() { std::atomic_thread_fence(std::memory_order_release); }
+inline void fenceAfterReading() { std::atomic_thread_fence(std::memory_order_acquire); }
+
+#endif
+
+} // namespace ipc

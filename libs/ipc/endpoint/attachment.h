@@ -1,0 +1,50 @@
+/// One client's hold on a slot of one epoch of a server: the queue, the tag, the replies.
+#pragma once
+
+#include "ipc/channel/command_queue.h"
+#include "ipc/channel/keys.h"
+#include "ipc/channel/reply_channel.h"
+#include "ipc/endpoint/link.h"
+#include "ipc/platform/owner_lock.h"
+
+namespace ipc {
+
+/// The lock that makes a slot ours. Kept while servers come and go.
+struct SlotLock {
+    int slot = -1;
+    std::string folder;
+    OwnerLock lock;
+
+    /// The first slot that nobody holds. Throws Error NoSlot.
+    static SlotLock take(const Names& names, const std::string& folder);
+};
+
+/// One thread. `link` and `lock` must outlive it.
+class Attachment {
+  public:
+    /// Makes a queue, then claims the slot with the keys that are down. Does not wait for the server.
+    Attachment(const Names& names, const Link& link, const SlotLock& lock, const KeyWriter& keys);
+    /// Gives the slot back.
+    ~Attachment();
+    Attachment(const Attachment&) = delete;
+    Attachment& operator=(const Attachment&) = delete;
+
+    ClientSlot& slot() const { return *slot_; }
+    /// False when the server will have no more of us: attach again.
+    bool accepted() const;
+    QueueResult trySend(const std::vector<std::byte>& message);
+    RingResult tryReceive(ReplyRecord& reply);
+    /// The last command that the server took.
+    std::uint64_t taken() const;
+
+  private:
+    bool served() const { return slot_->servedTag.load(std::memory_order_acquire) == tag_; }
+
+    ControlBlock* block_;
+    ClientSlot* slot_;
+    std::uint64_t tag_;
+    CommandSender sender_;
+    ReplyReader replies_;
+};
+
+} // namespace ipc

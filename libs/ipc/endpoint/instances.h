@@ -1,0 +1,25 @@
+/// Which servers of this user there are, and the removal of what dead ones left.
+#pragma once
+
+#include "ipc/platform/error.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ipc {
+
+struct Instance {
+    std::string name;
+    bool running = false;     ///< false: left by a server that died; free it, or start a server of that name
+    std::int64_t process = 0; ///< of the server while it runs
+};
+
+/// Sorted by name. Any thread.
+std::vector<Instance> listInstances();
+
+/// Removes all shared memory of an instance that has no living server; returns how many names there were.
+/// Throws Error: BadName; AlreadyRunning, and removes nothing, when its server lives. Any thread.
+int freeInstance(const std::string& name);
+
+} // namespace ipc

@@ -1,0 +1,114 @@
+#include "ipc/endpoint/link.h"
+
+#include "ipc/channel/shared_copy.h"
+#include "ipc/platform/boost_interprocess.h"
+#include "ipc/platform/error.h"
+#include "ipc/platform/owner_lock.h"
+
+#include <cstring>
+
+namespace ipc {
+
+namespace {
+
+constexpr auto kSilence = std::chrono::milliseconds(30);    ///< then the lock is looked at
+constexpr auto kBusyAfter = std::chrono::milliseconds(500); ///< slow frames are everyday life
+constexpr auto kProbeEvery = std::chrono::milliseconds(20);
+
+std::uint64_t pulseOf(const ServerPulse& pulse) {
+    return pulse.alive.load(std::memory_order_relaxed) + pulse.progress.load(std::memory_order_relaxed);
+}
+
+[[noreturn]] void wrongVersion(const Names& names, const ControlFacts& facts) {
+    const Handshake own = ownHandshake();
+    const auto describe = [](const Handshake& side) {
+        return "protocol " + std::to_string(side.protocolVersion) + "/" + std::to_string(side.controlBytes) +
+               ", Boost " + std::to_string(side.boostVersion) + ", " + std::to_string(8 * side.pointerBytes) +
+               " bit";
+    };
+    throw Error(Problem::WrongVersion, "server '" + names.instance() + "' (process " +
+                                           std::to_string(facts.serverProcess) + ") is of another version (" +
+                                           describe(facts.handshake) + ") than this program (" +
+                                           describe(own) + "); use programs of one version");
+}
+
+} // namespace
+
+Handshake ownHandshake() {
+    return {.protocolVersion = kProtocolVersion,
+            .controlBytes = sizeof(ControlBlock),
+            .boostVersion = BOOST_VERSION,
+            .pointerBytes = sizeof(void*),
+            .byteOrder = 0x0102};
+}
+
+std::optional<ControlFacts> readControlFacts(const Segment& segment) {
+    if (segment.bytes() < sizeof(ControlHeader)) return std::nullopt;
+    const auto& header = *static_cast<const ControlHeader*>(segment.data());
+    if (header.magic.load(std::memory_order_acquire) != kControlMagic) return std::nullopt;
+    ControlFacts facts;
+    facts.lockFolder.resize(kLockFolderBytes);
+    copyFromShared(&facts.handshake, &header.handshake, sizeof(facts.handshake));
+    copyFromShared(&facts.epoch, &header.epoch, sizeof(facts.epoch));
+    copyFromShared(&facts.serverProcess, &header.serverProcess, sizeof(facts.serverProcess));
+    copyFromShared(facts.lockFolder.data(), header.lockFolder, kLockFolderBytes);
+    const std::size_t end = facts.lockFolder.find('\0');
+    if (end == std::string::npos || facts.lockFolder.front() != '/' || facts.epoch == 0) return std::nullopt;
+    facts.lockFolder.resize(end);
+    return facts;
+}
+
+Link::Link(const Names& names, Segment segment, ControlFacts facts)
+    : names_(names), segment_(std::move(segment)), facts_(std::move(facts)), pulse_(pulseOf(block().pulse)),
+      lastPulse_(Clock::now()) {}
+
+std::optional<Link> Link::open(const Names& names, Access access) {
+    std::optional<Segment> segment = Segment::open(names.control(), access, sizeof(ControlHeader));
+    if (!segment) return std::nullopt;
+    std::optional<ControlFacts> facts = readControlFacts(*segment);
+    if (!facts || !lockHolder(names.serverLock(facts->lockFolder)).held) return std::nullopt;
+    if (facts->handshake != ownHandshake()) wrongVersion(names, *facts);
+    if (segment->bytes() < sizeof(ControlBlock)) return std::nullopt;
+    Link link(names, std::move(*segment), std::move(*facts));
+    if (link.block().pulse.phase.load(std::memory_order_acquire) != ServerPhase::Running) return std::nullopt;
+    return link;
+}
+
+// The same epoch with a still pulse is a dead server's whose successor already has the lock.
+std::optional<Link> Link::successor(Access access) const {
+    std::optional<Link> next = open(names_, access);
+    if (next && next->epoch() == epoch() && next->pulse_ == pulse_) return std::nullopt;
+    return next;
+}
+
+LinkState Link::check() {
+    const ServerPhase phase = block().pulse.phase.load(std::memory_order_acquire);
+    if (phase != ServerPhase::Running) state_ = LinkState::Gone;
+    if (state_ == LinkState::Gone) return state_;
+    const Clock::time_point now = Clock::now();
+    const std::uint64_t pulse = pulseOf(block().pulse);
+    if (pulse != pulse_) {
+        pulse_ = pulse;
+        lastPulse_ = now;
+        return state_ = LinkState::Connected;
+    }
+    if (now - lastPulse_ >= kSilence && now - lastProbe_ >= kProbeEvery) {
+        lastProbe_ = now;
+        state_ = probe(now);
+    }
+    return state_;
+}
+
+LinkState Link::probe(Clock::time_point now) const {
+    if (!lockHolder(names_.serverLock(facts_.lockFolder)).held || replaced()) return LinkState::Gone;
+    return now - lastPulse_ >= kBusyAfter ? LinkState::Busy : state_;
+}
+
+// A server that was killed and started again holds the lock before anybody sees it free: the epoch tells.
+bool Link::replaced() const {
+    const std::optional<Segment> now = Segment::open(names_.control(), Access::Read, sizeof(ControlHeader));
+    const std::optional<ControlFacts> facts = now ? readControlFacts(*now) : std::nullopt;
+    return facts && facts->epoch != facts_.epoch;
+}
+
+} // namespace ipc

@@ -1,0 +1,71 @@
+#include "ipc/endpoint/publication.h"
+
+#include "ipc/endpoint/link.h"
+#include "ipc/platform/error.h"
+#include "ipc/platform/stage.h"
+#include "ipc/platform/system.h"
+
+#include <cstring>
+#include <new>
+
+namespace ipc {
+
+Publication::Publication(const Names& names, const std::string& lockFolder, std::size_t frameBytes,
+                         std::uint32_t slots, std::uint64_t firstFrame)
+    : names_(names), epoch_(randomTag()), slots_(slots),
+      control_(Segment::create(names.control(), sizeof(ControlBlock))) {
+    try {
+        stage("control made");
+        if (lockFolder.size() >= kLockFolderBytes)
+            throw Error(Problem::System, lockFolder + ": the path is too long");
+        ControlBlock& control = *new (control_.data()) ControlBlock;
+        initialise(control.bell);
+        for (ClientSlot& slot : control.slots) initialise(slot.bell);
+        ControlHeader& header = control.header;
+        header.handshake = ownHandshake();
+        header.epoch = epoch_;
+        header.serverProcess = processId();
+        std::memcpy(header.lockFolder, lockFolder.c_str(), lockFolder.size() + 1);
+        stage("header written");
+        frames_ = makeFrames(1, frameBytes, firstFrame);
+        control.pulse.frameGeneration.store(1, std::memory_order_relaxed);
+        stage("before magic");
+        header.magic.store(kControlMagic, std::memory_order_release);
+        stage("after magic");
+    } catch (...) {
+        Segment::remove(names_.control());
+        throw;
+    }
+}
+
+Publication::~Publication() {
+    if (!ended_) end(ServerPhase::Left);
+}
+
+std::unique_ptr<Publication::Frames> Publication::makeFrames(std::uint64_t generation, std::size_t frameBytes,
+                                                             std::uint64_t firstFrame) {
+    Segment segment =
+        Segment::create(names_.frames(epoch_, generation), frameSegmentBytes(frameBytes, slots_));
+    FrameRingWriter ring(segment.data(), frameBytes, slots_, epoch_, generation, firstFrame);
+    return std::make_unique<Frames>(Frames{std::move(segment), ring, generation});
+}
+
+void Publication::replaceFrames(std::size_t frameBytes) {
+    std::unique_ptr<Frames> next =
+        makeFrames(frames_->generation + 1, frameBytes, frames_->ring.nextNumber());
+    stage("frames replaced");
+    block().pulse.frameGeneration.store(next->generation, std::memory_order_release);
+    Segment::remove(names_.frames(epoch_, frames_->generation));
+    frames_ = std::move(next);
+}
+
+void Publication::end(ServerPhase last) {
+    ended_ = true;
+    block().pulse.phase.store(last, std::memory_order_release);
+    // A name that we lost may stand for somebody else's segment.
+    if (control_.named()) Segment::remove(names_.control());
+    Segment::remove(names_.frames(epoch_, frames_->generation));
+    for (ClientSlot& slot : block().slots) ring(slot.bell);
+}
+
+} // namespace ipc

@@ -1,0 +1,55 @@
+/// What a server has in shared memory during one epoch: a control segment and the current frame segment.
+#pragma once
+
+#include "ipc/channel/frame_ring.h"
+#include "ipc/endpoint/server.h"
+#include "ipc/layout/control_block.h"
+#include "ipc/platform/names.h"
+#include "ipc/platform/segment.h"
+
+#include <memory>
+#include <optional>
+
+namespace ipc {
+
+/// One thread. Its names are removed by the destructor.
+class Publication {
+  public:
+    /// Complete when it can be found. Frames count on from `firstFrame`. Throws Error; nothing is left then.
+    Publication(const Names& names, const std::string& lockFolder, std::size_t frameBytes,
+                std::uint32_t slots, std::uint64_t firstFrame);
+    ~Publication();
+    Publication(const Publication&) = delete;
+    Publication& operator=(const Publication&) = delete;
+
+    ControlBlock& block() const { return *static_cast<ControlBlock*>(control_.data()); }
+    std::uint64_t epoch() const { return epoch_; }
+    FrameRingWriter& frames() { return frames_->ring; }
+    const Segment& frameMemory() const { return frames_->segment; }
+    std::uint64_t generation() const { return frames_->generation; }
+
+    /// Another frame segment takes the place of this one. On failure (Error NoSpace) this one stays.
+    void replaceFrames(std::size_t frameBytes);
+    /// False once somebody removed one of the names.
+    bool named() const { return control_.named() && frames_->segment.named(); }
+    /// Tells who is attached that this is over, and removes the names.
+    void end(ServerPhase last);
+
+  private:
+    struct Frames {
+        Segment segment;
+        FrameRingWriter ring;
+        std::uint64_t generation;
+    };
+    std::unique_ptr<Frames> makeFrames(std::uint64_t generation, std::size_t frameBytes,
+                                       std::uint64_t firstFrame);
+
+    Names names_;
+    std::uint64_t epoch_;
+    std::uint32_t slots_;
+    Segment control_;
+    std::unique_ptr<Frames> frames_;
+    bool ended_ = false;
+};
+
+} // namespace ipc

@@ -1,0 +1,256 @@
+#include "ipc/endpoint/server.h"
+
+#include "ipc/channel/sequenced_value.h"
+#include "ipc/channel/shared_copy.h"
+#include "ipc/endpoint/publication.h"
+#include "ipc/endpoint/served_client.h"
+#include "ipc/endpoint/server_lock.h"
+#include "ipc/platform/stage.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <utility>
+
+namespace ipc {
+
+namespace {
+
+constexpr auto kSlice = std::chrono::milliseconds(10);
+constexpr auto kSweepEvery = std::chrono::milliseconds(50);
+constexpr auto kHousekeepingEvery = std::chrono::seconds(1);
+constexpr int kCommandsPerTurn = 16;
+
+std::size_t checkedBytes(std::uint32_t width, std::uint32_t height) {
+    const std::size_t bytes = pixelBytes({.width = width, .height = height});
+    if (bytes == 0) {
+        throw Error(Problem::TooLarge, "a frame has 1 to " + std::to_string(kMaxFrameSide) +
+                                           " pixels a side, not " + std::to_string(width) + " x " +
+                                           std::to_string(height));
+    }
+    return bytes;
+}
+
+std::uint32_t checkedSlots(std::uint32_t slots) { return std::clamp(slots, kMinFrameSlots, kMaxFrameSlots); }
+
+} // namespace
+
+struct Server::State {
+    explicit State(const ServerOptions& options)
+        : names(options.instance), folder(lockFolder()),
+          lock(takeServerLock(names, folder, Clock::now() + options.patience)),
+          slots(checkedSlots(options.frameSlots)), process(processId()) {
+        stage("server locked");
+        refuseServerElsewhere(names, folder);
+        removeSegments(names);
+        stage("names cleared");
+        publication = std::make_unique<Publication>(names, folder,
+                                                    checkedBytes(options.width, options.height), slots, 1);
+    }
+
+    ControlBlock& block() const { return publication->block(); }
+    void beat() const { block().pulse.alive.fetch_add(1, std::memory_order_relaxed); }
+
+    bool lookAtSlots();
+    void sweep();
+    void housekeep();
+    void removeLeftQueues() const;
+    void publishAnew();
+    void carryLastFrame(Publication& next) const;
+
+    Names names;
+    std::string folder;
+    OwnerLock lock;
+    std::uint32_t slots;
+    std::int64_t process;
+    std::unique_ptr<Publication> publication;
+    std::array<ServedClient, kMaxClients> clients;
+    std::vector<Command> backlog; ///< taken, not yet handed out
+    Clock::time_point lastSweep, lastHousekeeping;
+    FrameInfo begun;
+    bool drawing = false;
+    std::uint64_t shown = 0; ///< number of the last frame
+    Status status;
+};
+
+bool Server::State::lookAtSlots() {
+    bool changed = false;
+    for (int i = 0; i < kMaxClients; ++i) {
+        changed |= clients[static_cast<std::size_t>(i)].look(i, block().slots[i], names, publication->epoch(),
+                                                             backlog);
+    }
+    return changed;
+}
+
+void Server::State::sweep() {
+    const Clock::time_point now = Clock::now();
+    if (now - lastSweep >= kSweepEvery) {
+        lastSweep = now;
+        for (int i = 0; i < kMaxClients; ++i) {
+            const ServedClient& client = clients[static_cast<std::size_t>(i)];
+            if (client.active() && !lockHolder(names.clientLock(folder, i)).held) {
+                ServedClient::declareDead(block().slots[i], client.tag());
+            }
+        }
+    }
+    if (now - lastHousekeeping >= kHousekeepingEvery && !drawing) {
+        lastHousekeeping = now;
+        housekeep();
+    }
+}
+
+void Server::State::housekeep() {
+    removeLeftQueues();
+    if (!lock.stands()) lock = takeServerLock(names, folder, Clock::now());
+    if (!publication->named()) publishAnew();
+}
+
+// A queue is made by who holds the slot's lock. Seen before the lock was found free, it has no owner.
+void Server::State::removeLeftQueues() const {
+    for (const std::string& name : segmentNames(names.prefix() + "q")) {
+        const int slot = names.slotOfQueue(name);
+        if (slot >= 0 && !lockHolder(names.clientLock(folder, slot)).held) Segment::remove(name);
+    }
+}
+
+// Clients find the new control segment as they would find another server's. On failure the old one serves on,
+// for those who have it, and the next second tries again.
+void Server::State::publishAnew() {
+    lookAtSlots();
+    for (int i = 0; i < kMaxClients; ++i) {
+        ServedClient& client = clients[static_cast<std::size_t>(i)];
+        if (client.active()) client.leave(block().slots[i], publication->epoch(), backlog);
+    }
+    removeSegments(names);
+    try {
+        auto next = std::make_unique<Publication>(names, folder, publication->frames().capacity(), slots,
+                                                  std::max<std::uint64_t>(1, shown));
+        carryLastFrame(*next);
+        write(next->block().status, status);
+        publication->end(ServerPhase::Replaced);
+        publication = std::move(next);
+    } catch (const Error&) {
+        return;
+    }
+}
+
+void Server::State::carryLastFrame(Publication& next) const {
+    FrameInfo info;
+    std::vector<std::byte> pixels;
+    const Segment& old = publication->frameMemory();
+    if (FrameRingReader(old.data(), old.bytes()).read(info, pixels) != FrameRead::New) return;
+    std::memcpy(next.frames().begin().data(), pixels.data(), pixels.size());
+    next.frames().publish(info);
+}
+
+Server::Server(const ServerOptions& options) : state_(std::make_unique<State>(options)) {}
+
+Server::~Server() {
+    // A child that was forked has the object, but not the right to remove anything.
+    if (processId() != state_->process) {
+        (void)state_->publication.release();
+    } else {
+        state_->removeLeftQueues();
+    }
+}
+
+std::uint64_t Server::epoch() const { return state_->publication->epoch(); }
+
+bool Server::wait(std::chrono::nanoseconds timeout) {
+    State& state = *state_;
+    const Clock::time_point deadline = Clock::now() + timeout;
+    while (true) {
+        state.beat();
+        state.sweep();
+        if (state.lookAtSlots() || !state.backlog.empty()) return true;
+        const Clock::time_point now = Clock::now();
+        const Clock::time_point slice = std::min(deadline, now + kSlice);
+        if (waitUntil(state.block().bell, slice)) return true;
+        // Before the slice was over: a signal.
+        if (const auto then = Clock::now(); then >= deadline || then < slice) return false;
+    }
+}
+
+std::vector<Command> Server::takeCommands() {
+    State& state = *state_;
+    state.beat();
+    state.sweep();
+    state.lookAtSlots();
+    for (int i = 0; i < kMaxClients; ++i) {
+        ServedClient& client = state.clients[static_cast<std::size_t>(i)];
+        if (client.active()) {
+            client.serve(state.block().slots[i], state.publication->epoch(), kCommandsPerTurn, state.backlog);
+        }
+    }
+    return std::exchange(state.backlog, {});
+}
+
+void Server::answer(const Command& command, AnswerStatus status, std::string_view text) {
+    if (command.slot < 0 || command.slot >= kMaxClients) return;
+    stage("before answer");
+    ClientSlot& slot = state_->block().slots[command.slot];
+    state_->clients[static_cast<std::size_t>(command.slot)].answer(slot, command, status, text);
+}
+
+KeyState Server::keys() {
+    KeyState keys;
+    for (int i = 0; i < kMaxClients; ++i) {
+        ServedClient& client = state_->clients[static_cast<std::size_t>(i)];
+        if (client.active()) client.collectKeys(state_->block().slots[i], keys);
+    }
+    return keys;
+}
+
+int Server::clients() const {
+    return static_cast<int>(std::count_if(state_->clients.begin(), state_->clients.end(),
+                                          [](const ServedClient& client) { return client.active(); }));
+}
+
+std::uint64_t Server::malformed() const {
+    std::uint64_t sum = 0;
+    for (const ServedClient& client : state_->clients) sum += client.malformed();
+    return sum;
+}
+
+std::span<std::byte> Server::beginFrame(std::uint32_t width, std::uint32_t height) {
+    State& state = *state_;
+    const std::size_t bytes = checkedBytes(width, height);
+    state.drawing = false;
+    if (bytes > state.publication->frames().capacity()) state.publication->replaceFrames(bytes);
+    state.begun = {.width = width, .height = height};
+    state.drawing = true;
+    return state.publication->frames().begin().first(bytes);
+}
+
+std::uint64_t Server::publishFrame(const FrameInfo& info) {
+    State& state = *state_;
+    if (!state.drawing) return state.shown;
+    FrameInfo frame = info;
+    frame.width = state.begun.width;
+    frame.height = state.begun.height;
+    frame.format = PixelFormat::Rgba8;
+    frame.nanoseconds = std::chrono::nanoseconds(Clock::now().time_since_epoch()).count();
+    state.shown = state.publication->frames().nextNumber();
+    state.publication->frames().publish(frame);
+    state.drawing = false;
+    state.block().pulse.progress.fetch_add(1, std::memory_order_relaxed);
+    for (int i = 0; i < kMaxClients; ++i) {
+        ClientSlot& slot = state.block().slots[i];
+        const bool asks = slot.wantsFrames.load(std::memory_order_relaxed) != 0;
+        if (asks && state.clients[static_cast<std::size_t>(i)].active()) ring(slot.bell);
+    }
+    return state.shown;
+}
+
+std::uint64_t Server::publishFrame(const FrameInfo& info, std::span<const std::byte> pixels) {
+    const std::span<std::byte> target = beginFrame(info.width, info.height);
+    copyToShared(target.data(), pixels.data(), std::min(target.size(), pixels.size()));
+    return publishFrame(info);
+}
+
+void Server::setStatus(const Status& status) {
+    state_->status = status;
+    write(state_->block().status, status);
+}
+
+} // namespace ipc

@@ -1,0 +1,92 @@
+/// A server: publishes frames and status, takes commands and keys. This header is all that a server program
+/// needs.
+#pragma once
+
+#include "ipc/layout/frame_info.h"
+#include "ipc/layout/key_state.h"
+#include "ipc/layout/status.h"
+#include "ipc/platform/error.h"
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ipc {
+
+struct ServerOptions {
+    std::string instance = "default"; ///< 1 to 32 letters, digits, '_' or '-'
+    std::uint32_t width = 1280; ///< pixels that memory is reserved for at once; more is reserved when needed
+    std::uint32_t height = 720;
+    std::uint32_t frameSlots = 3; ///< 3..8; more let slow viewers copy longer before the writer comes round
+    /// How long to wait for a predecessor that is just dying.
+    std::chrono::nanoseconds patience = std::chrono::seconds(2);
+};
+
+struct Command {
+    int slot = -1;              ///< 0..31, of the client
+    std::uint64_t client = 0;   ///< another number for each client that ever had the slot
+    std::uint64_t sequence = 0; ///< counts up within a client
+    bool wantsAnswer = false;
+    std::string text; ///< up to 8192 bytes without NUL, otherwise as a client sent it
+};
+
+enum class AnswerStatus : std::uint32_t { Done = 0, Failed = 1 };
+
+/// One thread at a time, apart from the memory that beginFrame returns. Create it after fork and daemon, in
+/// the process that serves. No function waits for a client, whatever that does, apart from wait().
+class Server {
+  public:
+    /// Takes the instance over from a dead predecessor and removes what that left. Throws Error: BadName,
+    /// AlreadyRunning, NoSpace, NotYours, System.
+    explicit Server(const ServerOptions& options = {});
+    /// Tells the clients and removes all names.
+    ~Server();
+    Server(const Server&) = delete;
+    Server& operator=(const Server&) = delete;
+
+    std::uint64_t epoch() const;
+
+    // --- Requests ---
+
+    /// Sleeps until a command, a key or a client comes or goes, at most `timeout`. False when nothing came; a
+    /// signal ends the sleep early. Costs well under 1% of a core.
+    bool wait(std::chrono::nanoseconds timeout);
+    /// What the clients sent, up to 16 commands of each, each client's in order. Call it at least once per
+    /// frame; it also notices dead clients, and publishes everything anew when somebody removed our names.
+    /// Throws Error AlreadyRunning when another server took the instance over, which takes a removed lock
+    /// file.
+    std::vector<Command> takeCommands();
+    /// To be given once to each command that wants one, now or later; others and those of dead clients are
+    /// ignored. Text beyond 65,520 bytes is cut off. A client with 64 open answers is not served until some
+    /// are given.
+    void answer(const Command& command, AnswerStatus status, std::string_view text = {});
+    /// The keys that any client holds down, and how often each was pressed since the last call.
+    KeyState keys();
+    int clients() const;             ///< that command; viewers are not known
+    std::uint64_t malformed() const; ///< messages thrown away so far
+
+    // --- Frames ---
+
+    /// Memory for a frame of width x height pixels, 1..16384 each, to be drawn in place by any threads. It
+    /// holds rubbish. Reserves more memory when the frame is larger than any before: throws Error NoSpace or
+    /// TooLarge, and the last frame stands. May be called again instead of publishFrame, to give the frame
+    /// up.
+    std::span<std::byte> beginFrame(std::uint32_t width, std::uint32_t height);
+    /// Shows the frame that was begun. Uses `run`, `samples` and `tag` of `info`. Returns the frame's number.
+    std::uint64_t publishFrame(const FrameInfo& info = {});
+    /// Both at once: copies 4 * info.width * info.height bytes.
+    std::uint64_t publishFrame(const FrameInfo& info, std::span<const std::byte> pixels);
+
+    void setStatus(const Status& status);
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+} // namespace ipc

@@ -1,0 +1,110 @@
+/// The control segment: who the server is, how it does, and a slot for each client that commands.
+/// Everything is zero when the segment is made. Each field names its only writer. No pointers: the two sides
+/// map it at different addresses. docs/protocol.md tells the story.
+#pragma once
+
+#include "ipc/layout/doorbell.h"
+#include "ipc/layout/limits.h"
+#include "ipc/layout/sequenced.h"
+#include "ipc/layout/status.h"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+namespace ipc {
+
+static_assert(std::atomic<std::uint64_t>::is_always_lock_free &&
+                  std::atomic<std::uint32_t>::is_always_lock_free,
+              "other atomics are not shared between processes");
+
+inline constexpr std::uint64_t kControlMagic = 0x314C544353545221; ///< "!RTSCTL1"
+inline constexpr std::size_t kLockFolderBytes = 512;
+
+/// What both sides must agree on before they read on. Never reordered, only appended to.
+struct Handshake {
+    std::uint32_t protocolVersion;
+    std::uint32_t controlBytes; ///< sizeof(ControlBlock)
+    std::uint32_t boostVersion; ///< the layout of a message queue is Boost's own
+    std::uint16_t pointerBytes;
+    std::uint16_t byteOrder; ///< 0x0102 as the writer sees it
+    friend bool operator==(const Handshake&, const Handshake&) = default;
+};
+static_assert(sizeof(Handshake) == 16);
+
+enum class ServerPhase : std::uint32_t {
+    Running = 0,
+    Left = 1,     ///< ended in good order
+    Replaced = 2, ///< the same server goes on with a new control segment
+};
+
+struct alignas(64) ControlHeader {
+    std::atomic<std::uint64_t> magic; ///< server, stored last: what it vouches for is complete
+    Handshake handshake;
+    std::uint64_t epoch; ///< random: another start of the server has another one
+    std::int64_t serverProcess;
+    char lockFolder[kLockFolderBytes]; ///< where the lock files are, NUL-terminated
+};
+
+struct alignas(64) ServerPulse {
+    std::atomic<std::uint64_t> alive;           ///< server: counts while it serves or waits
+    std::atomic<std::uint64_t> progress;        ///< server: counts published frames
+    std::atomic<std::uint64_t> frameGeneration; ///< server: names the frame segment; 0 = none yet
+    std::atomic<ServerPhase> phase;             ///< server
+};
+
+struct alignas(64) KeyBoard {
+    std::atomic<std::uint64_t> down[kMaxKeys / 64]; ///< client: a bit per key
+    std::atomic<std::uint32_t>
+        presses[kMaxKeys]; ///< client: counts up with each press, so that no tap is lost
+};
+
+struct ReplyRing {
+    alignas(64) std::atomic<std::uint64_t> head; ///< server: bytes ever written
+    alignas(64)
+        std::atomic<std::uint64_t> tail; ///< client: bytes ever read (the server sets it to 0 at the start)
+    alignas(64) std::byte bytes[kReplyBytes];
+};
+
+enum class DropReason : std::uint32_t {
+    None = 0,
+    NoQueue = 1,     ///< the queue could not be opened or has other dimensions
+    BrokenQueue = 2, ///< a process died inside the queue
+    Malformed = 3,   ///< too many malformed messages within a second
+    BadReplies = 4,  ///< the reply ring makes no sense
+};
+
+/// Slot k belongs to the process that holds the lock file of client k.
+struct alignas(64) ClientSlot {
+    std::atomic<std::uint64_t> clientTag;    ///< client, stored last: random, names its queue; 0 = nobody
+    std::atomic<std::int64_t> clientProcess; ///< client
+    std::atomic<std::uint32_t> wantsFrames;  ///< client: 1 = ring my bell when a frame is published
+    alignas(64) std::atomic<std::uint64_t> servedTag; ///< server: the tag that it serves
+    std::atomic<std::uint64_t> droppedTag;            ///< server: the tag that it will not serve (again)
+    std::atomic<DropReason> dropReason;               ///< server, stored before droppedTag
+    std::atomic<std::uint64_t> taken;     ///< server: the last command that it took from the queue
+    std::atomic<std::uint64_t> malformed; ///< server: messages thrown away
+    std::atomic<std::uint32_t>
+        repliesWait; ///< server: 1 = there are more replies than room; ring when you read
+    Doorbell bell;   ///< rung by the server: a reply or a frame is there
+    KeyBoard keys;
+    ReplyRing replies;
+};
+
+struct ControlBlock {
+    ControlHeader header;
+    ServerPulse pulse;
+    Doorbell bell; ///< rung by clients: a command, a key or a client is there
+    Sequenced<Status> status;
+    ClientSlot slots[kMaxClients];
+};
+static_assert(std::is_trivially_copyable_v<Handshake> && std::is_standard_layout_v<ControlBlock>);
+static_assert(offsetof(ControlBlock, header) == 0 && offsetof(ControlHeader, magic) == 0 &&
+              offsetof(ControlHeader, handshake) == 8 && offsetof(ControlHeader, epoch) == 24);
+static_assert(sizeof(ControlHeader) == 576 && sizeof(ServerPulse) == 64 && sizeof(KeyBoard) == 1088 &&
+              sizeof(ReplyRing) == 128 + kReplyBytes &&
+              sizeof(ClientSlot) == 128 + 64 + 1088 + 128 + kReplyBytes &&
+              sizeof(ControlBlock) == 576 + 64 + 64 + 128 + kMaxClients * sizeof(ClientSlot));
+
+} // namespace ipc

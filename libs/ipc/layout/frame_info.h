@@ -1,0 +1,26 @@
+/// What is known of a frame beside its pixels.
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+namespace ipc {
+
+enum class PixelFormat : std::uint32_t {
+    Rgba8 = 1, ///< four bytes a pixel, sRGB, rows from top to bottom without gaps
+};
+
+struct FrameInfo {
+    std::uint64_t number = 0; ///< counts up from 1 while the server lives; the library sets it
+    std::uint64_t run = 0;    ///< which run of a program drew it; a viewer may ignore other runs
+    std::uint32_t width = 0;  ///< pixels
+    std::uint32_t height = 0;
+    PixelFormat format = PixelFormat::Rgba8;
+    std::uint32_t samples = 1;    ///< per pixel
+    std::int64_t nanoseconds = 0; ///< of the steady clock when it was published; the library sets it
+    std::uint64_t tag = 0;        ///< a number of the server's own
+    friend bool operator==(const FrameInfo&, const FrameInfo&) = default;
+};
+static_assert(std::is_trivially_copyable_v<FrameInfo> && sizeof(FrameInfo) == 48 && alignof(FrameInfo) == 8);
+
+} // namespace ipc

@@ -1,0 +1,30 @@
+/// What a server tells about itself. Plain numbers: the library attaches no meaning to them.
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+namespace ipc {
+
+struct Status {
+    double frameSeconds = 0;    ///< what the last frame took
+    double framesPerSecond = 0; ///< over the last second or so
+    double raysPerSecond = 0;
+    std::uint64_t polygons = 0; ///< of the scene
+    std::uint32_t width = 0;    ///< pixels of a frame
+    std::uint32_t height = 0;
+    float eye[3] = {0, 0, 0};      ///< camera position, scene units
+    float forward[3] = {0, 0, -1}; ///< unit vector
+    float up[3] = {0, 1, 0};       ///< unit vector
+    float fieldOfView = 0;         ///< horizontal, degrees
+    float exposure = 0;            ///< the constant of the tone mapping
+    float progress = 0;            ///< of work that takes long, 0..1; 1 = nothing under way
+    std::uint32_t mode = 0;        ///< a number of the server's own, such as flying or walking
+    std::uint32_t idle = 0;        ///< 1: the next frame would equal the last
+    std::uint32_t paused = 0;      ///< 1: no frame comes until the server is told to resume
+    std::uint32_t recording = 0;   ///< 1: frames are being recorded
+    friend bool operator==(const Status&, const Status&) = default;
+};
+static_assert(std::is_trivially_copyable_v<Status> && sizeof(Status) == 104 && alignof(Status) == 8);
+
+} // namespace ipc

@@ -1,0 +1,28 @@
+/// What can go wrong between the processes. Thrown by constructors and by what says so; `what()` tells what
+/// to do.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace ipc {
+
+enum class Problem {
+    BadName,        ///< an instance is 1 to 32 letters, digits, '_' or '-'
+    AlreadyRunning, ///< another server has this instance
+    NoServer,       ///< no server answers to this instance
+    NoSlot,         ///< all slots for commanding clients are taken
+    WrongVersion,   ///< the two programs are of different versions
+    NotYours,       ///< a name is taken by another user, or open to others
+    NoSpace,        ///< shared memory is full
+    TooLarge,       ///< a command or a frame is beyond the limits
+    System,         ///< the operating system refused something else
+};
+
+class Error : public std::runtime_error {
+  public:
+    Error(Problem kind, const std::string& message) : std::runtime_error(message), problem(kind) {}
+    Problem problem;
+};
+
+} // namespace ipc

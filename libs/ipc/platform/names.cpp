@@ -1,0 +1,64 @@
+#include "ipc/platform/names.h"
+
+#include "ipc/layout/limits.h"
+#include "ipc/platform/error.h"
+#include "ipc/platform/system.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <random>
+
+namespace ipc {
+
+namespace {
+
+bool allowed(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+}
+
+std::string hexadecimal(std::uint64_t number) {
+    std::array<char, 16> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), number, 16).ptr;
+    return {text.data(), end};
+}
+
+} // namespace
+
+std::string userPrefix() { return "rts." + std::to_string(userId()) + "."; }
+
+Names::Names(std::string_view instance) : instance_(instance), prefix_(userPrefix() + instance_ + ".") {
+    if (instance.empty() || instance.size() > 32 || !std::all_of(instance.begin(), instance.end(), allowed)) {
+        throw Error(Problem::BadName,
+                    "'" + instance_ + "' cannot name an instance: use 1 to 32 letters, digits, '_' or '-'");
+    }
+}
+
+std::string Names::frames(std::uint64_t epoch, std::uint64_t generation) const {
+    return prefix_ + "f" + hexadecimal(epoch) + "-" + std::to_string(generation);
+}
+
+std::string Names::queue(int slot, std::uint64_t tag) const { return queuePrefix(slot) + hexadecimal(tag); }
+
+int Names::slotOfQueue(std::string_view name) const {
+    if (!name.starts_with(prefix_)) return -1;
+    name.remove_prefix(prefix_.size());
+    if (name.empty() || name.front() != 'q') return -1;
+    int slot = -1;
+    const auto [end, error] = std::from_chars(name.data() + 1, name.data() + name.size(), slot);
+    const bool whole = error == std::errc() && end != name.data() + name.size() && *end == '-';
+    return whole && slot >= 0 && slot < kMaxClients ? slot : -1;
+}
+
+std::string Names::clientLock(const std::string& folder, int slot) const {
+    return folder + "/" + instance_ + ".c" + std::to_string(slot) + ".lock";
+}
+
+std::uint64_t randomTag() {
+    std::random_device source;
+    std::uint64_t tag = 0;
+    while (tag == 0) tag = (std::uint64_t{source()} << 32) | source();
+    return tag;
+}
+
+} // namespace ipc

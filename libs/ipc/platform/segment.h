@@ -1,0 +1,42 @@
+/// A named piece of shared memory. Only this user can open it. Whoever makes it removes it; maps are closed
+/// by the destructor, names are not.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace ipc {
+
+enum class Access { Read, Write };
+
+class Segment {
+  public:
+    /// New, zeroed, mode 0600, its memory reserved. Throws Error: NotYours when the name is taken, NoSpace,
+    /// System.
+    static Segment create(const std::string& name, std::size_t bytes);
+    /// Nothing when there is no such segment, or when it has less than `atLeast` bytes (its maker is not
+    /// done, or died). Throws Error NotYours when it is not a segment of this user alone.
+    static std::optional<Segment> open(const std::string& name, Access access, std::size_t atLeast);
+    /// Reserves the memory of a segment that another library made. Throws Error NoSpace, System.
+    static void reserve(const std::string& name);
+    /// No error when there is none, or when it belongs to somebody else.
+    static void remove(const std::string& name) noexcept;
+
+    Segment(Segment&&) noexcept;
+    Segment& operator=(Segment&&) noexcept;
+    ~Segment();
+
+    void* data() const;
+    std::size_t bytes() const;
+    /// False once its name was removed.
+    bool named() const;
+
+  private:
+    struct State;
+    explicit Segment(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+} // namespace ipc

@@ -1,0 +1,93 @@
+#include "ipc/channel/keys.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+namespace {
+
+using namespace ipc;
+
+TEST(Keys, ATapBetweenTwoLooksIsNotLost) {
+    KeyBoard board{};
+    KeyWriter writer;
+    KeyReader reader;
+    writer.press(&board, 65);
+    writer.release(&board, 65);
+    writer.press(&board, 65);
+    writer.release(&board, 65);
+    KeyState state;
+    reader.collect(board, state);
+    EXPECT_FALSE(state.held(65));
+    EXPECT_EQ(state.pressed(65), 2u);
+    KeyState next;
+    reader.collect(board, next);
+    EXPECT_EQ(next.pressed(65), 0u);
+}
+
+TEST(Keys, UniteOverClients) {
+    KeyBoard one{}, two{};
+    KeyWriter writerOne, writerTwo;
+    KeyReader readerOne, readerTwo;
+    writerOne.press(&one, 0);
+    writerTwo.press(&two, 255);
+    writerTwo.press(&two, 0);
+    writerTwo.release(&two, 0);
+    KeyState state;
+    readerOne.collect(one, state);
+    readerTwo.collect(two, state);
+    EXPECT_TRUE(state.held(0));
+    EXPECT_TRUE(state.held(255));
+    EXPECT_EQ(state.pressed(0), 2u);
+    EXPECT_EQ(state.down.count(), 2u);
+}
+
+TEST(Keys, UnknownCodesAreIgnored) {
+    KeyBoard board{};
+    KeyWriter writer;
+    for (const int key : {-1, 256, 100000}) {
+        writer.press(&board, key);
+        writer.release(&board, key);
+    }
+    KeyState state;
+    KeyReader().collect(board, state);
+    EXPECT_TRUE(state.down.none());
+}
+
+TEST(Keys, ANewBoardHoldsWhatIsDown) {
+    KeyBoard old{}, fresh{};
+    fresh.presses[5] = 99; // of somebody before us
+    fresh.down[1] = ~std::uint64_t{0};
+    KeyWriter writer;
+    writer.press(&old, 5);
+    writer.press(nullptr, 200);
+    writer.restore(fresh);
+    KeyState state;
+    KeyReader().collect(fresh, state);
+    EXPECT_EQ(state.down.count(), 2u);
+    EXPECT_TRUE(state.held(5) && state.held(200));
+    EXPECT_EQ(state.pressed(5), 0u);
+}
+
+TEST(Keys, WhoSeesAKeyDownHasSeenItsPress) {
+    KeyBoard board{};
+    std::thread presser([&] {
+        KeyWriter writer;
+        for (int i = 0; i < 20000; ++i) {
+            writer.press(&board, 7);
+            writer.release(&board, 7);
+        }
+    });
+    KeyReader reader;
+    KeyState sum;
+    while (sum.pressed(7) < 20000) {
+        reader.collect(board, sum);
+        if (sum.held(7)) {
+            ASSERT_GT(sum.pressed(7), 0u);
+        }
+    }
+    presser.join();
+    EXPECT_EQ(sum.pressed(7), 20000u);
+}
+
+} // namespace
