@@ -154,9 +154,10 @@ class Builder {
 
     rtcore::KdStatistics measure() const {
         const rtcore::BuildOptions& build = options_.build;
-        const float intersection = build.intersectionCost > 0
-                                       ? build.intersectionCost
-                                       : rtcore::automaticIntersectionCost(model_.mesh.triangles.size());
+        const float intersection =
+            build.intersectionCost > 0
+                ? build.intersectionCost
+                : rtcore::automaticIntersectionCost(model_.mesh.triangles.size(), build.method);
         return rtcore::computeStatistics(tree_, build.traversalCost, intersection);
     }
 

@@ -88,8 +88,11 @@ KdTree build(BuildContext& context, const BuildOptions& options, BuildTimes& tim
 
 } // namespace
 
-float automaticIntersectionCost(std::size_t triangles) {
-    return triangles < 100'000 ? 0.3F : triangles < 500'000 ? 0.2F : 0.15F;
+float automaticIntersectionCost(std::size_t triangles, BuildMethod method) {
+    const bool exact = method == BuildMethod::Exact;
+    if (triangles < 100'000) return exact ? 0.4F : 0.3F;
+    if (triangles < 500'000) return exact ? 0.3F : 0.2F;
+    return exact ? 0.2F : 0.15F;
 }
 
 KdTree buildKdTree(const Mesh& mesh, const BuildOptions& options, BuildTimes* times,
@@ -103,8 +106,9 @@ KdTree buildKdTree(const Mesh& mesh, const BuildOptions& options, BuildTimes* ti
     BuildTimes& t = times != nullptr ? *times : ownTimes;
     BuildContext context{mesh, {}, depthLimit(triangles), std::max(0, options.lookAhead), 0, progress};
     context.cost.traversal = options.traversalCost;
-    context.cost.intersection =
-        options.intersectionCost > 0 ? options.intersectionCost : automaticIntersectionCost(triangles);
+    context.cost.intersection = options.intersectionCost > 0
+                                    ? options.intersectionCost
+                                    : automaticIntersectionCost(triangles, options.method);
     context.cost.emptyFactor = 1 - options.emptyBonus;
     if (progress != nullptr) progress->triangles = triangles;
 

@@ -179,7 +179,7 @@ TEST(Builder, separatesTwoClustersByEmptySpace) {
 TEST(Builder, aTreeIsCheaperThanALeafAndTheFastOneNotMuchDearer) {
     const test::SampleMesh sample = test::icosphere(5).rotate(12);
     const Mesh mesh = sample.view();
-    const float cost = rtcore::automaticIntersectionCost(mesh.triangles.size());
+    const float cost = rtcore::automaticIntersectionCost(mesh.triangles.size(), BuildMethod::Exact);
     const auto expectedCost = [&](BuildMethod method) {
         BuildOptions options;
         options.method = method;
@@ -191,9 +191,11 @@ TEST(Builder, aTreeIsCheaperThanALeafAndTheFastOneNotMuchDearer) {
 }
 
 TEST(Builder, intersectionCostFollowsTheSize) {
-    EXPECT_EQ(rtcore::automaticIntersectionCost(99'999), 0.3F);
-    EXPECT_EQ(rtcore::automaticIntersectionCost(100'000), 0.2F);
-    EXPECT_EQ(rtcore::automaticIntersectionCost(500'000), 0.15F);
+    using rtcore::automaticIntersectionCost;
+    EXPECT_EQ(automaticIntersectionCost(99'999, BuildMethod::Exact), 0.4F);
+    EXPECT_EQ(automaticIntersectionCost(100'000, BuildMethod::Exact), 0.3F);
+    EXPECT_EQ(automaticIntersectionCost(500'000, BuildMethod::Exact), 0.2F);
+    EXPECT_EQ(automaticIntersectionCost(500'000, BuildMethod::Fast), 0.15F);
 }
 
 TEST(Builder, theArraysOutliveTheMesh) {
