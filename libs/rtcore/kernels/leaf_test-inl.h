@@ -224,15 +224,17 @@ HWY_INLINE Lanes testTriangle(const Corners& corners, const Along& along, const 
 
 HWY_INLINE AlongAxis alongAxis(int kz) { return {(kz + 1) % 3, (kz + 2) % 3, kz}; }
 
-/// Tests all triangles of a leaf. For any hit `occluder` becomes the last that was hit.
-template <bool kAny, typename Along>
+/// Tests all triangles of a leaf. For any hit `onHit` gets the corners of each that was hit.
+template <bool kAny, typename Along, typename OnHit>
 HWY_INLINE void testTriangles(const KernelScene& scene, const Leaf& leaf, const Along& along,
                               const ShearedRays& rays, Floats tMin, Lanes inCell, Found& found,
-                              Corners& occluder) {
+                              const OnHit& onHit) {
     for (std::uint32_t i = 0; i < leaf.count; ++i) {
         const Corners corners = cornersOf(scene, leaf, i);
         const Lanes hit = testTriangle<kAny>(corners, along, rays, tMin, inCell, found);
-        if (kAny && !hn::AllFalse(FloatTag(), hit)) occluder = corners;
+        if constexpr (kAny) {
+            if (!hn::AllFalse(FloatTag(), hit)) onHit(corners);
+        }
     }
 }
 

@@ -310,14 +310,15 @@ class PacketWalk {
             vectors += inCell > 0 ? 1 : 0;
         }
         if (rayByRayPays(rays, vectors, leaf.count)) return testRayByRay(leaf, t0, t1);
+        const auto remember = [&](const Corners& corners) HWY_ATTR { occluder = corners; };
         const auto test = [&](std::size_t at, Lanes inCell, Found& found) HWY_ATTR {
             const Floats tMin = hn::Load(d, packet_.tMin + at);
             const ShearedRays rays = shearedRays(at);
             if constexpr (kShared == Shared::Nothing) {
                 const AxisOrder order = axisOrder(at);
-                testTriangles<kAny>(scene_, leaf, AlongEach{order}, rays, tMin, inCell, found, occluder);
+                testTriangles<kAny>(scene_, leaf, AlongEach{order}, rays, tMin, inCell, found, remember);
             } else {
-                testTriangles<kAny>(scene_, leaf, along_, rays, tMin, inCell, found, occluder);
+                testTriangles<kAny>(scene_, leaf, along_, rays, tMin, inCell, found, remember);
             }
         };
         return testVectors(test, t0, t1);

@@ -8,59 +8,13 @@
 #define RTCORE_KERNELS_STREAM_INL_H_
 #endif
 
-#include "rtcore/kernels/compress_table.h"
+#include "rtcore/kernels/compaction-inl.h"
 #include "rtcore/kernels/packet-inl.h"
 #include "rtcore/kernels/ray_box-inl.h"
-
-#undef RTCORE_COMPRESS_BY_TABLE
-#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4
-#define RTCORE_COMPRESS_BY_TABLE 1
-#else
-#define RTCORE_COMPRESS_BY_TABLE 0
-#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
-
-/// Puts chosen lanes of vectors side by side. Where there is no instruction for it, hn::Compress looks up a
-/// table that GCC 12 copies to the stack at each use, which takes most of the time of a stream.
-class Compaction {
-  public:
-    HWY_INLINE explicit Compaction(Lanes which)
-#if RTCORE_COMPRESS_BY_TABLE
-        : lanes_(lanesOf(which)){}
-#else
-        : which_(which) {
-    }
-#endif
-
-          HWY_INLINE void store(Floats values, float* to) const {
-        const FloatTag d;
-#if RTCORE_COMPRESS_BY_TABLE
-        hn::StoreU(hn::TableLookupLanes(values, lanes_), d, to);
-#else
-        hn::StoreU(hn::Compress(values, which_), d, to);
-#endif
-    }
-
-  private:
-#if RTCORE_COMPRESS_BY_TABLE
-    using Indices = decltype(hn::IndicesFromVec(FloatTag(), Ints()));
-
-    HWY_INLINE static Indices lanesOf(Lanes which) {
-        const hn::Rebind<std::uint8_t, FloatTag> bytes;
-        std::uint8_t set[8] = {};
-        hn::StoreMaskBits(FloatTag(), which, set);
-        // In a set of four, lanes from 4 on are none of its own and come after them.
-        const auto lanes = hn::LoadU(bytes, kCompressTable.lanes[set[0]]);
-        return hn::IndicesFromVec(FloatTag(), hn::PromoteTo(IntTag(), lanes));
-    }
-    Indices lanes_;
-#else
-    Lanes which_;
-#endif
-};
 
 template <bool kAny>
 class StreamWalk {
@@ -390,11 +344,12 @@ class StreamWalk {
                     hn::Zero(d),
                     hn::FirstN(d, 0)};
         if constexpr (!kAny) found.triangle = hn::GatherIndex(di, scratch_.triangle, slot);
+        const auto forget = [](const Corners&) HWY_ATTR {}; // a stream has too many occluders
         const int axis = order.common();
         if (axis < 3) {
-            testTriangles<kAny>(scene_, leaf, alongAxis(axis), rays, tMin, inCell, found, occluder_);
+            testTriangles<kAny>(scene_, leaf, alongAxis(axis), rays, tMin, inCell, found, forget);
         } else {
-            testTriangles<kAny>(scene_, leaf, AlongEach{order}, rays, tMin, inCell, found, occluder_);
+            testTriangles<kAny>(scene_, leaf, AlongEach{order}, rays, tMin, inCell, found, forget);
         }
         if (!hn::AllFalse(d, found.changed)) keep(slot, found);
     }
@@ -489,7 +444,6 @@ class StreamWalk {
     float slack_ = 0;
     std::size_t found_ = 0; ///< grows with each hit
     Culling culling_{};
-    Corners occluder_; ///< not used: streams have too many
     Packet<kShortVectors> short_;
     PacketWalk<kShortVectors, Shared::Nothing, false, kAny> shortWalk_;
     alignas(64) float shortSlot_[kShort + kLanes]; ///< their bits
