@@ -5,9 +5,10 @@
 #include "common/command_line.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
-#include <span>
+#include <iterator>
+#include <sstream>
+#include <string_view>
 
 namespace renderer {
 
@@ -16,55 +17,45 @@ namespace {
 using Words = std::vector<std::string>;
 
 struct FilmFormat {
-    const char* extension; ///< with dot, lower case
-    bool even;
-    Words coding;
+    std::string_view extension; ///< with dot, lower case
+    bool even;                  ///< has colours of half the resolution
+    std::string_view coding;    ///< words without spaces
 };
 
-// Frames are sRGB; ffmpeg would convert them by the matrix of standard definition and not say so.
-const Words kColour = {"-vf",
-                       "scale=out_color_matrix=bt709:out_range=tv",
-                       "-pix_fmt",
-                       "yuv420p",
-                       "-colorspace",
-                       "bt709",
-                       "-color_trc",
-                       "bt709",
-                       "-color_range",
-                       "tv",
-                       "-color_primaries",
-                       "bt709"};
+constexpr FilmFormat kFormats[] = {
+    {".mp4", true, "-c:v libx264 -preset medium -crf 18 -movflags +faststart -f mp4"},
+    {".webm", true, "-c:v libvpx-vp9 -crf 24 -b:v 0 -row-mt 1 -f webm"},
+    {".mkv", false, "-c:v ffv1 -level 3 -g 1 -pix_fmt bgr0 -f matroska"},
+    // A palette for each frame: one for all would make ffmpeg keep the whole film in memory.
+    {".gif", false, "-vf split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1 -f gif"},
+};
 
-Words join(const Words& first, const Words& second) {
-    Words words = first;
-    words.insert(words.end(), second.begin(), second.end());
-    return words;
+// Frames are sRGB; left alone, ffmpeg would convert them by the matrix of standard definition and not say so.
+constexpr std::string_view kColour = "scale=out_color_matrix=bt709:out_range=tv -pix_fmt yuv420p -colorspace "
+                                     "bt709 -color_trc bt709 -color_primaries bt709 -color_range tv ";
+constexpr std::string_view kPadding = "pad=ceil(iw/2)*2:ceil(ih/2)*2,";
+
+Words splitWords(const std::string& text) {
+    std::istringstream stream(text);
+    return {std::istream_iterator<std::string>(stream), {}};
 }
 
-const std::array<FilmFormat, 4>& formats() {
-    static const std::array<FilmFormat, 4> table{{
-        {".mp4", true,
-         join(kColour, {"-c:v", "libx264", "-preset", "medium", "-crf", "18", "-movflags", "+faststart", "-f",
-                        "mp4"})},
-        {".webm", true,
-         join(kColour, {"-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0", "-row-mt", "1", "-f", "webm"})},
-        {".mkv", false, {"-c:v", "ffv1", "-level", "3", "-g", "1", "-pix_fmt", "bgr0", "-f", "matroska"}},
-        // A palette for each frame: one for all would make ffmpeg keep the whole film in memory.
-        {".gif",
-         false,
-         {"-vf", "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1", "-f", "gif"}},
-    }};
-    return table;
+Words codingOf(const FilmFormat& format, bool padded) {
+    std::string all;
+    if (format.even) all.append("-vf ").append(padded ? "" : kPadding).append(kColour);
+    return splitWords(all.append(format.coding));
 }
+
+void append(Words& words, const Words& more) { words.insert(words.end(), more.begin(), more.end()); }
 
 const FilmFormat* findFilmFormat(const std::filesystem::path& film) {
     std::string extension = film.extension().string();
     for (char& c : extension) {
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     }
-    const auto found = std::find_if(formats().begin(), formats().end(),
-                                    [&](const FilmFormat& format) { return extension == format.extension; });
-    return found == formats().end() ? nullptr : &*found;
+    const auto* found = std::find_if(std::begin(kFormats), std::end(kFormats),
+                                     [&](const FilmFormat& format) { return extension == format.extension; });
+    return found == std::end(kFormats) ? nullptr : found;
 }
 
 std::string rateText(double framesPerSecond) {
@@ -87,7 +78,7 @@ std::string quoted(const std::string& word) {
 
 std::string filmExtensions() {
     std::string list;
-    for (const FilmFormat& format : formats()) {
+    for (const FilmFormat& format : kFormats) {
         list.append(list.empty() ? "" : ", ").append(format.extension);
     }
     return list;
@@ -108,23 +99,11 @@ bool needsEvenSize(const std::filesystem::path& film) {
 
 std::vector<std::string> encodeArguments(const std::filesystem::path& film, const FilmShape& shape,
                                          const std::filesystem::path& target) {
-    Words words = {"-hide_banner",
-                   "-loglevel",
-                   "error",
-                   "-nostdin",
-                   "-y",
-                   "-f",
-                   "rawvideo",
-                   "-pixel_format",
-                   "rgb24",
-                   "-video_size",
-                   std::to_string(shape.width) + "x" + std::to_string(shape.height),
-                   "-framerate",
-                   rateText(shape.framesPerSecond),
-                   "-i",
-                   "pipe:0",
-                   "-an"};
-    if (const FilmFormat* format = findFilmFormat(film)) words = join(words, format->coding);
+    const std::string size = std::to_string(shape.width) + "x" + std::to_string(shape.height);
+    Words words =
+        splitWords("-hide_banner -loglevel error -nostdin -y -f rawvideo -pixel_format rgb24 -video_size " +
+                   size + " -framerate " + rateText(shape.framesPerSecond) + " -i pipe:0 -an");
+    if (const FilmFormat* format = findFilmFormat(film)) append(words, codingOf(*format, true));
     // Without "file:" a name such as "a:b.mp4" would be an address.
     words.push_back("file:" + target.string());
     return words;
@@ -132,7 +111,7 @@ std::vector<std::string> encodeArguments(const std::filesystem::path& film, cons
 
 std::string encodeCommand(const std::filesystem::path& film, double framesPerSecond) {
     Words words = {"ffmpeg", "-framerate", rateText(framesPerSecond), "-i", "frame_%04d.png"};
-    if (const FilmFormat* format = findFilmFormat(film)) words = join(words, format->coding);
+    if (const FilmFormat* format = findFilmFormat(film)) append(words, codingOf(*format, false));
     words.push_back("file:" + film.string());
     std::string command;
     for (const std::string& word : words) command += (command.empty() ? "" : " ") + quoted(word);

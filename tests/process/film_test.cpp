@@ -211,6 +211,16 @@ TEST_F(RealFilms, OfEveryKindAreMade) {
     }
 }
 
+TEST_F(RealFilms, CanBeMadeOfTheFramesAsTheAdviceSays) {
+    ASSERT_EQ(render({"-o", "frame_####.png"}, path()).exitCode, 0);
+    for (const char* film : {"films/a b.mp4", "films/a.gif"}) {
+        const test::ProgramResult result =
+            test::runProgram("/bin/sh", {"-c", renderer::encodeCommand(film, 25)}, {.folder = folder.path()});
+        EXPECT_EQ(result.exitCode, 0) << result.error;
+        EXPECT_TRUE(std::filesystem::exists(folder / film));
+    }
+}
+
 TEST_F(RealFilms, OfTheLosslessKindHoldTheFramesBitForBit) {
     ASSERT_EQ(render({"--video", "films/a.mkv"}, path()).exitCode, 0);
     const rtcore::ProcessResult decoded = rtcore::runProcess(

@@ -166,8 +166,9 @@ TEST_F(LongLists, AKilledRendererGoesOnToACompleteFilm) {
         program.send(SIGKILL);
         program.wait();
         for (const std::string& name : outputs()) {
-            if (name.front() != '.')
-                EXPECT_NO_THROW(rtcore::readLdrImage(folder.path() / "out" / name)) << name;
+            // The temporary file of a killed program may stay; it has another name.
+            if (name.starts_with('.')) continue;
+            EXPECT_NO_THROW(rtcore::readLdrImage(folder.path() / "out" / name)) << name;
         }
     }
     EXPECT_EQ(render({"-o", "out/f####.png"}).exitCode, 66);
