@@ -112,7 +112,9 @@ TEST(FrameLists, EveryTruncationIsFound) {
         rtcore::writeImage(path, picture);
         const std::vector<renderer::FrameTask> frames{renderer::singleFrame("", Paths{path})};
         EXPECT_TRUE(renderer::findFlaws(frames, 1, progress).empty()) << format;
-        for (auto size = std::filesystem::file_size(path); size-- > 0;) {
+        // Old TGA files have no footer.
+        const std::uintmax_t footer = format == "tga" ? 26 : 0;
+        for (auto size = std::filesystem::file_size(path) - footer; size-- > 0;) {
             std::filesystem::resize_file(path, size);
             ASSERT_EQ(renderer::findFlaws(frames, 1, progress).size(), 1U) << format << " of " << size;
         }
