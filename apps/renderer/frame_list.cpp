@@ -3,7 +3,8 @@
 #include "common/command_line.h"
 
 #include <algorithm>
-#include <system_error>
+#include <cstddef>
+#include <cstdint>
 
 namespace renderer {
 
@@ -11,7 +12,7 @@ namespace {
 
 FrameTask makeFrame(int number, const std::filesystem::path& camera,
                     std::span<const std::filesystem::path> patterns, bool ofList) {
-    FrameTask frame{number, camera, {}};
+    FrameTask frame{.number = number, .camera = camera, .outputs = {}};
     for (const std::filesystem::path& pattern : patterns) {
         const bool plain = isStandardOutput(pattern);
         frame.outputs.push_back(plain ? pattern : numberedPath(pattern, number, ofList));
@@ -24,13 +25,19 @@ FrameTask makeFrame(int number, const std::filesystem::path& camera,
 
 } // namespace
 
-std::vector<FrameTask> framesOfList(std::span<const std::filesystem::path> cameras, const FrameRange& range,
-                                    std::span<const std::filesystem::path> patterns) {
+std::vector<FrameTask> pickFrames(std::span<const std::filesystem::path> cameras, const FrameRange& range,
+                                  std::span<const std::filesystem::path> patterns) {
     std::vector<FrameTask> frames;
     for (std::size_t i = 0; i < cameras.size(); ++i) {
         const int number = static_cast<int>(i) + 1;
         if (range.contains(number)) frames.push_back(makeFrame(number, cameras[i], patterns, true));
     }
+    return frames;
+}
+
+std::vector<FrameTask> framesOfList(std::span<const std::filesystem::path> cameras, const FrameRange& range,
+                                    std::span<const std::filesystem::path> patterns) {
+    std::vector<FrameTask> frames = pickFrames(cameras, range, patterns);
     if (frames.empty() && !cameras.empty()) {
         throw app::UsageError("no frame to render: the list has " + std::to_string(cameras.size()) +
                               ", and --frames picks none of them");
@@ -42,11 +49,13 @@ FrameTask singleFrame(const std::filesystem::path& camera, std::span<const std::
     return makeFrame(1, camera, patterns, false);
 }
 
-bool isFinished(const FrameTask& frame) {
-    std::error_code ignored;
-    return std::all_of(frame.outputs.begin(), frame.outputs.end(), [&](const std::filesystem::path& output) {
-        return !isStandardOutput(output) && std::filesystem::is_regular_file(output, ignored);
-    });
+std::vector<FrameTask> framesOfChunk(std::vector<FrameTask> frames, const Chunk& chunk) {
+    const auto bound = [&](int part) {
+        return static_cast<std::ptrdiff_t>(static_cast<std::uint64_t>(frames.size()) *
+                                           static_cast<std::uint64_t>(part) /
+                                           static_cast<std::uint64_t>(chunk.parts));
+    };
+    return {frames.begin() + bound(chunk.part - 1), frames.begin() + bound(chunk.part)};
 }
 
 } // namespace renderer

@@ -13,17 +13,23 @@ struct FrameTask {
     int number = 1;
     std::filesystem::path camera; ///< .cam file; empty = the scene's own view
     std::vector<std::filesystem::path> outputs;
+    bool filmed = false;   ///< its picture as it is shown is wanted beside the files
+    bool finished = false; ///< its files are there and whole
 };
 
-/// The frames of a list that lie in `range`, numbered by their place in the list from 1.
-/// Throws app::UsageError when none does, or when two outputs of a frame have the same name.
+/// The frames of a list that lie in `range`, numbered by their place in the list from 1; may be none.
+/// Throws app::UsageError when two outputs of a frame have the same name.
+std::vector<FrameTask> pickFrames(std::span<const std::filesystem::path> cameras, const FrameRange& range,
+                                  std::span<const std::filesystem::path> patterns);
+
+/// The same for a list that is complete: throws app::UsageError when it has frames, but none in the range.
 std::vector<FrameTask> framesOfList(std::span<const std::filesystem::path> cameras, const FrameRange& range,
                                     std::span<const std::filesystem::path> patterns);
 
 /// The one frame of a run without a list.
 FrameTask singleFrame(const std::filesystem::path& camera, std::span<const std::filesystem::path> patterns);
 
-/// Whether all its files are there. They are written atomically, so that a file that exists is complete.
-bool isFinished(const FrameTask& frame);
+/// Those of the chunk, in a row. None when there are more chunks than frames.
+std::vector<FrameTask> framesOfChunk(std::vector<FrameTask> frames, const Chunk& chunk);
 
 } // namespace renderer

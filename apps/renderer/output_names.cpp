@@ -40,6 +40,17 @@ FrameRange parseFrameRange(std::string_view text) {
     return range;
 }
 
+Chunk parseChunk(std::string_view text) {
+    const std::size_t slash = text.find('/');
+    const auto number = [&](std::string_view digits) { return app::parseInteger(digits).value_or(0); };
+    const std::int64_t part = number(text.substr(0, slash));
+    const std::int64_t parts = slash == std::string_view::npos ? 0 : number(text.substr(slash + 1));
+    if (part < 1 || part > parts || parts > INT_MAX) {
+        throw app::UsageError("option '--chunk' takes I/N with I from 1 to N, such as 3/10");
+    }
+    return {static_cast<int>(part), static_cast<int>(parts)};
+}
+
 std::filesystem::path numberedPath(const std::filesystem::path& pattern, int number, bool always) {
     std::string name = pattern.filename().string();
     std::size_t last = name.find_last_of('#');
@@ -64,6 +75,10 @@ void checkOutput(const std::filesystem::path& path) {
         throw app::UsageError(path.string() + ": cannot write images with this extension, only " +
                               rtcore::writableFormats());
     }
+    checkPlace(path);
+}
+
+void checkPlace(const std::filesystem::path& path) {
     const auto refuse = [&](const std::string& reason) {
         throw rtcore::FileError(rtcore::FailureKind::CannotWrite, path.string(), reason);
     };

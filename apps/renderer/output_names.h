@@ -20,6 +20,15 @@ struct FrameRange {
 /// "7", "3-9", "3-" and "-9". Throws app::UsageError.
 FrameRange parseFrameRange(std::string_view text);
 
+/// The `part`-th of `parts` equal pieces of a list, which together hold each frame once.
+struct Chunk {
+    int part = 1, parts = 1; ///< 1 <= part <= parts
+    friend bool operator==(const Chunk&, const Chunk&) = default;
+};
+
+/// "3/10". Throws app::UsageError.
+Chunk parseChunk(std::string_view text);
+
 /// The name of frame `number`: the last run of # in the file's name (not in its folders) becomes the number,
 /// padded with zeros to the length of the run. `always`: a name without # gets "_####" before its extension.
 std::filesystem::path numberedPath(const std::filesystem::path& pattern, int number, bool always);
@@ -31,5 +40,8 @@ inline bool isStandardOutput(const std::filesystem::path& path) { return path ==
 /// goes by the name's extension, rtcore::FileError CannotWrite when its folder does not exist or it is a
 /// folder.
 void checkOutput(const std::filesystem::path& path);
+
+/// The same for any file: throws rtcore::FileError CannotWrite.
+void checkPlace(const std::filesystem::path& path);
 
 } // namespace renderer

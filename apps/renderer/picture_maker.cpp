@@ -47,7 +47,8 @@ FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     report.rays = frame_.statistics;
 
     start = std::chrono::steady_clock::now();
-    write(task, settings);
+    develop(task, settings);
+    write(task);
     report.writeSeconds = secondsSince(start);
     return report;
 }
@@ -88,21 +89,22 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
     app::throwIfStopped();
 }
 
-void PictureMaker::write(const FrameTask& task, const rtcore::RenderSettings& settings) {
-    bool developed = false;
+void PictureMaker::develop(const FrameTask& task, const rtcore::RenderSettings& settings) {
+    const bool shown = std::any_of(task.outputs.begin(), task.outputs.end(), [](const auto& output) {
+        return isStandardOutput(output) || !rtcore::isHdrFormat(output);
+    });
+    if (!shown && !task.filmed) return;
+    const float exposure = developer_.exposure(frame_, settings.exposure, options_.threads);
+    developer_.develop(frame_, settings, exposure, options_.threads, developed_);
+}
+
+void PictureMaker::write(const FrameTask& task) {
     for (const std::filesystem::path& output : task.outputs) {
         app::throwIfStopped();
-        if (!isStandardOutput(output) && rtcore::isHdrFormat(output)) {
-            rtcore::writeHdrImage(output, frame_.radiance);
-            continue;
-        }
-        if (!developed) {
-            const float exposure = developer_.exposure(frame_, settings.exposure, options_.threads);
-            developer_.develop(frame_, settings, exposure, options_.threads, developed_);
-            developed = true;
-        }
         if (isStandardOutput(output)) {
             app::writeOutput(asText(rtcore::encodeImage(developed_, options_.standardOutputFormat)));
+        } else if (rtcore::isHdrFormat(output)) {
+            rtcore::writeHdrImage(output, frame_.radiance);
         } else {
             rtcore::writeImage(output, developed_);
         }

@@ -35,10 +35,14 @@ class PictureMaker {
     /// for the progress. Throws rtcore::FileError: a bad .cam, an output that cannot be written, Stopped.
     FrameReport make(const FrameTask& task, int index, int count);
 
+    /// The last frame as it is shown, if it was filmed or written into a file that holds such pictures.
+    const rtcore::LdrImage& developed() const { return developed_; }
+
   private:
     rtcore::RenderSettings prepare(const FrameTask& task, rtcore::Camera& camera);
     void render(const rtcore::Camera& camera, const rtcore::RenderSettings& settings, int index, int count);
-    void write(const FrameTask& task, const rtcore::RenderSettings& settings);
+    void develop(const FrameTask& task, const rtcore::RenderSettings& settings);
+    void write(const FrameTask& task);
     void warnOfWhatIsMissing(const rtcore::RenderSettings& settings);
     void warnOnce(const std::string& text);
 

@@ -1,5 +1,7 @@
 #include "renderer/renderer_options.h"
 
+#include "renderer/film_format.h"
+
 #include "common/import_options.h"
 #include "common/isa_option.h"
 #include "common/threads.h"
@@ -63,8 +65,35 @@ OptionGroup sequenceOptions() {
           .value = ValueKind::Text,
           .argument = "A-B",
           .help = "render only these frames of the list; also A, A- and -B"},
+         {.name = "chunk",
+          .value = ValueKind::Text,
+          .argument = "I/N",
+          .help = "render the I-th of N equal parts of the list, or of --frames"},
          {.name = "force",
-          .help = "render frames again whose files exist already; they are skipped otherwise"}}};
+          .help = "render frames again whose files are there already and whole; they are skipped otherwise"},
+         {.name = "verify",
+          .help =
+              "render nothing; list the frames whose files are missing or broken, and exit with 1 if there "
+              "are any"},
+         {.name = "follow",
+          .help = "the list is still being written: wait for more frames until the line '# end' comes"},
+         {.name = "follow-timeout",
+          .value = ValueKind::Number,
+          .argument = "S",
+          .help = "with --follow: take the list as complete when no frame came for S seconds [60]",
+          .minimum = 0,
+          .maximum = 1e6},
+         {.name = "video",
+          .value = ValueKind::Text,
+          .argument = "FILE",
+          .help = "make a film of the list by ffmpeg: " + filmExtensions() +
+                  "; with -o the frames are kept as well, and those that are there are used"},
+         {.name = "fps",
+          .value = ValueKind::Number,
+          .argument = "X",
+          .help = "frames per second of the film [as the .cam files were recorded, else 25]",
+          .minimum = 0.1,
+          .maximum = 1000}}};
 }
 
 OptionGroup qualityOptions() {
@@ -118,6 +147,9 @@ OptionGroup runOptions() {
               .maximum = 1024},
              app::isaOption(),
              app::progressOption(),
+             {.name = "requeue",
+              .help = "exit with 75 (try again), not 143, when SIGTERM stops the run, so that a batch system "
+                      "sends the job again"},
              {.name = "verbose", .letter = 'v', .help = "report times and rays on stderr"},
              {.name = "debug-scene",
               .thesis = {"-dbg"},
@@ -188,7 +220,21 @@ void checkCombinations(const RendererOptions& options, const app::Arguments& arg
     if (options.list && options.camera) {
         throw app::UsageError("--list and --camera exclude each other: a list names its cameras");
     }
-    if (!options.list && arguments.has("frames")) throw app::UsageError("--frames needs --list");
+    for (const char* ofList : {"frames", "chunk", "verify", "follow", "video"}) {
+        if (!options.list && arguments.has(ofList)) {
+            throw app::UsageError("--" + std::string(ofList) + " needs --list");
+        }
+    }
+    if (arguments.has("fps") && !options.video) throw app::UsageError("--fps needs --video");
+    if (arguments.has("follow-timeout") && !options.follow) {
+        throw app::UsageError("--follow-timeout needs --follow");
+    }
+    if (options.follow && arguments.has("chunk")) {
+        throw app::UsageError("--chunk and --follow exclude each other: how long the list gets is not known");
+    }
+    if (options.verify && (options.video || options.follow || options.force)) {
+        throw app::UsageError("--verify renders nothing; leave out --video, --follow and --force");
+    }
     const bool toStandardOutput =
         std::any_of(options.outputs.begin(), options.outputs.end(), isStandardOutput);
     if (arguments.has("format") && !toStandardOutput) {
@@ -212,7 +258,8 @@ const app::ProgramSpec& rendererSpec() {
                      {"Renderer cow.obj -o cow.png -o cow.exr",
                       "a model by itself, as it is shown and as linear radiance"},
                      {"Renderer nave.scn -l flight.lst -o out/frame_####.png --frames 1-100",
-                      "a part of a video; frames that are there already are skipped"}},
+                      "a part of a video; frames that are there already are skipped"},
+                     {"Renderer nave.scn -l flight.lst --video flight.mp4", "a film; needs ffmpeg"}},
     };
     return spec;
 }
@@ -227,7 +274,14 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     options.list = readPath(arguments, "list");
     options.settingsFile = readPath(arguments, "set");
     if (const auto range = arguments.text("frames")) options.frames = parseFrameRange(*range);
+    if (const auto chunk = arguments.text("chunk")) options.chunk = parseChunk(*chunk);
     options.force = arguments.has("force");
+    options.verify = arguments.has("verify");
+    options.follow = arguments.has("follow");
+    options.followTimeout = arguments.number("follow-timeout").value_or(options.followTimeout);
+    options.video = readPath(arguments, "video");
+    options.framesPerSecond = arguments.number("fps");
+    options.requeue = arguments.has("requeue");
     options.settings = readSettings(arguments);
     options.threads = app::threadCount(arguments.integer("threads"));
     app::useIsa(arguments);
@@ -237,6 +291,7 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     options.debugScene = arguments.has("debug-scene");
     checkCombinations(options, arguments);
     for (const std::filesystem::path& output : options.outputs) checkOutput(output);
+    if (options.video) checkFilm(*options.video);
     options.progress = app::progressStyle(arguments.text("progress").value_or("auto"));
     return options;
 }

@@ -23,7 +23,14 @@ struct RendererOptions {
     std::string standardOutputFormat = "png";   ///< of the output "-": png or ppm
     std::optional<std::filesystem::path> camera, model, list, settingsFile;
     FrameRange frames;
+    Chunk chunk;
     bool force = false;
+    bool verify = false;                             ///< only look which frames are there
+    bool follow = false;                             ///< the list may still be written
+    double followTimeout = 60;                       ///< seconds
+    std::optional<std::filesystem::path> video;      ///< the film to make of the list
+    std::optional<double> framesPerSecond;           ///< of the film
+    bool requeue = false;                            ///< exit with TryAgain when SIGTERM stops the run
     std::vector<rtcore::SettingAssignment> settings; ///< in the order of the command line
     int threads = 0;                                 ///< 0 = all cores
     rtcore::ImportOptions import;

@@ -53,11 +53,11 @@ TEST_F(Lists, WithoutHashesTheNumberIsAppended) {
 }
 
 TEST_F(Lists, FinishedFramesAreSkippedUnlessForced) {
-    test::writeText(folder / "out" / "f2.png", "kept");
+    ASSERT_EQ(render({"-o", "out/f#.png", "--frames", "2", "-w", "20"}).exitCode, 0);
     const test::ProgramResult skipped = render({"-o", "out/f#.png"});
     EXPECT_EQ(skipped.exitCode, 0) << skipped.error;
     EXPECT_NE(skipped.error.find("1 of 4 frames are there already"), std::string::npos) << skipped.error;
-    EXPECT_EQ(test::readBytes(folder / "out" / "f2.png"), "kept");
+    EXPECT_EQ(test::pngFileSize(folder / "out" / "f2.png"), (test::PictureSize{20, 12}));
     EXPECT_EQ(outputs().size(), 4U);
     EXPECT_EQ(render({"-o", "out/f#.png", "--force"}).exitCode, 0);
     EXPECT_EQ(test::pngFileSize(folder / "out" / "f2.png"), (test::PictureSize{16, 12}));

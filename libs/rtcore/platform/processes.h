@@ -5,6 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,6 +39,32 @@ struct ProcessResult {
 /// when resources are short.
 ProcessResult runProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                          const ProcessLimits& limits = {});
+
+/// A program that runs while we feed its standard input: started as runProcess starts one, but with an input,
+/// and without limits. For one thread. The destructor kills the program if it still runs.
+class FedProcess {
+  public:
+    /// `stopped` is asked every 20 ms while we wait for the program; once it says true, the program is killed
+    /// and the waiting function throws FileError Stopped. Throws as runProcess does.
+    FedProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+               std::function<bool()> stopped);
+    ~FedProcess();
+    FedProcess(const FedProcess&) = delete;
+    FedProcess& operator=(const FedProcess&) = delete;
+
+    /// Waits until the program has taken all of it. False when it has ended or closed its input; finish()
+    /// then tells why.
+    bool write(std::span<const std::byte> bytes);
+    /// Closes the input and waits for the end. Call it once. The times and the memory are not filled in.
+    ProcessResult finish();
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+/// The first executable file of that name in the folders of PATH.
+std::optional<std::filesystem::path> findProgram(const std::string& name);
 
 /// For the started program, first thing in main: it is killed when `parent` (a processId) ends.
 void dieWithParent(std::int64_t parent);

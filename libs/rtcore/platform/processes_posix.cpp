@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <sstream>
+#include <system_error>
 #include <utility>
 
 #include <fcntl.h>
@@ -17,6 +19,7 @@
 #include <spawn.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -55,22 +58,36 @@ struct Pipe {
     Descriptor read, write;
 };
 
+[[noreturn]] void failForWantOfDescriptors(const std::string& program) {
+    throw FileError(FailureKind::TryAgain, program,
+                    std::string("cannot be started: ") + std::strerror(errno) + "; close some programs");
+}
+
 Pipe makePipe(const std::string& program) {
     int ends[2];
-    if (::pipe2(ends, O_CLOEXEC) != 0) {
-        throw FileError(FailureKind::TryAgain, program,
-                        std::string("cannot be started: ") + std::strerror(errno) + "; close some programs");
-    }
+    if (::pipe2(ends, O_CLOEXEC) != 0) failForWantOfDescriptors(program);
     ::fcntl(ends[0], F_SETFL, O_NONBLOCK);
+    return {Descriptor(ends[0]), Descriptor(ends[1])};
+}
+
+/// For the input of a program: unlike a pipe, a socket can be written without SIGPIPE.
+Pipe makeSocketPair(const std::string& program) {
+    int ends[2];
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) failForWantOfDescriptors(program);
     return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
 /// What posix_spawn does between fork and exec.
 class SpawnPlan {
   public:
-    SpawnPlan(int output, int errors) {
+    /// `input` negative: the program gets none.
+    SpawnPlan(int input, int output, int errors) {
         ::posix_spawn_file_actions_init(&actions_);
-        ::posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDONLY, 0);
+        if (input >= 0) {
+            ::posix_spawn_file_actions_adddup2(&actions_, input, 0);
+        } else {
+            ::posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDONLY, 0);
+        }
         ::posix_spawn_file_actions_adddup2(&actions_, output, 1);
         ::posix_spawn_file_actions_adddup2(&actions_, errors, 2);
 #if defined(__GLIBC__) && __GLIBC_PREREQ(2, 34)
@@ -164,6 +181,19 @@ bool hasEnded(pid_t pid) {
            info.si_pid == pid;
 }
 
+int waitForStatus(pid_t pid, rusage& usage) {
+    int status = 0;
+    while (::wait4(pid, &status, 0, &usage) < 0 && errno == EINTR) {
+    }
+    return status;
+}
+
+void setEnd(ProcessResult& result, int status) {
+    const bool signalled = WIFSIGNALED(status);
+    result.end = signalled ? ProcessEnd::Signalled : ProcessEnd::Exited;
+    result.code = signalled ? WTERMSIG(status) : WEXITSTATUS(status);
+}
+
 /// Watches one running program until it is over. The process is reaped by `finish` alone, so that its number
 /// cannot be given to another in between.
 class Watch {
@@ -218,15 +248,10 @@ class Watch {
     }
 
     void reap(ProcessResult& result) const {
-        int status = 0;
         rusage usage{};
-        while (::wait4(pid_, &status, 0, &usage) < 0 && errno == EINTR) {
-        }
+        const int status = waitForStatus(pid_, usage);
         result.peakMemory = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
-        if (result.end != ProcessEnd::Exited) return;
-        const bool signalled = WIFSIGNALED(status);
-        result.end = signalled ? ProcessEnd::Signalled : ProcessEnd::Exited;
-        result.code = signalled ? WTERMSIG(status) : WEXITSTATUS(status);
+        if (result.end == ProcessEnd::Exited) setEnd(result, status);
     }
 
     pid_t pid_;
@@ -250,12 +275,93 @@ ProcessResult runProcess(const std::filesystem::path& program, const std::vector
                          const ProcessLimits& limits) {
     Pipe output = makePipe(program.string());
     Pipe errors = makePipe(program.string());
-    const pid_t pid = SpawnPlan(output.write.get(), errors.write.get()).start(program.string(), arguments);
+    const pid_t pid =
+        SpawnPlan(-1, output.write.get(), errors.write.get()).start(program.string(), arguments);
     output.write.close();
     errors.write.close();
     Watch watch(pid, Capture(std::move(output.read), limits.kept),
                 Capture(std::move(errors.read), limits.kept), limits);
     return watch.finish();
+}
+
+struct FedProcess::Parts {
+    pid_t pid = -1; ///< -1 once it is reaped
+    Descriptor input;
+    Capture output, errors;
+    std::function<bool()> stopped;
+
+    void look(bool forRoom) {
+        std::array<pollfd, 3> news{pollfd{forRoom ? input.get() : -1, POLLOUT, 0},
+                                   pollfd{output.descriptor(), POLLIN, 0},
+                                   pollfd{errors.descriptor(), POLLIN, 0}};
+        ::poll(news.data(), news.size(), kWatchMilliseconds);
+        output.drain();
+        errors.drain();
+        if (stopped && stopped()) throw FileError(FailureKind::Stopped, "", "stopped");
+    }
+
+    int reap() {
+        ::kill(-pid, SIGKILL);
+        rusage ignored{};
+        return waitForStatus(std::exchange(pid, -1), ignored);
+    }
+};
+
+FedProcess::FedProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                       std::function<bool()> stopped) {
+    Pipe input = makeSocketPair(program.string());
+    Pipe output = makePipe(program.string());
+    Pipe errors = makePipe(program.string());
+    const std::size_t kept = ProcessLimits{}.kept;
+    parts_.reset(new Parts{.input = std::move(input.write),
+                           .output = Capture(std::move(output.read), kept),
+                           .errors = Capture(std::move(errors.read), kept),
+                           .stopped = std::move(stopped)});
+    parts_->pid = SpawnPlan(input.read.get(), output.write.get(), errors.write.get())
+                      .start(program.string(), arguments);
+}
+
+FedProcess::~FedProcess() {
+    if (parts_->pid > 0) parts_->reap();
+}
+
+bool FedProcess::write(std::span<const std::byte> bytes) {
+    Descriptor& input = parts_->input;
+    while (!bytes.empty() && input.get() >= 0) {
+        parts_->look(true);
+        const ssize_t put = ::send(input.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+        const bool full = put < 0 && (errno == EAGAIN || errno == EINTR);
+        if (put >= 0) bytes = bytes.subspan(static_cast<std::size_t>(put));
+        // A child of the program may hold its input open after the program has ended.
+        if ((put < 0 && !full) || (full && hasEnded(parts_->pid))) input.close();
+    }
+    return bytes.empty();
+}
+
+ProcessResult FedProcess::finish() {
+    parts_->input.close();
+    while (!hasEnded(parts_->pid)) parts_->look(false);
+    ProcessResult result;
+    setEnd(result, parts_->reap());
+    parts_->output.drain();
+    parts_->errors.drain();
+    result.output = parts_->output.take();
+    result.errors = parts_->errors.take();
+    return result;
+}
+
+std::optional<std::filesystem::path> findProgram(const std::string& name) {
+    const char* const folders = std::getenv("PATH");
+    std::istringstream list(folders != nullptr ? folders : "");
+    for (std::string folder; std::getline(list, folder, ':');) {
+        std::error_code ignored;
+        const std::filesystem::path program = std::filesystem::path(folder) / name;
+        if (!folder.empty() && std::filesystem::is_regular_file(program, ignored) &&
+            ::access(program.c_str(), X_OK) == 0) {
+            return program;
+        }
+    }
+    return std::nullopt;
 }
 
 void dieWithParent(std::int64_t parent) {

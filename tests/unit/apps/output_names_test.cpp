@@ -1,13 +1,18 @@
+#include "renderer/film_format.h"
+#include "renderer/frame_check.h"
 #include "renderer/frame_list.h"
 #include "renderer/output_names.h"
 
 #include "common/command_line.h"
+#include "common/progress.h"
 
+#include "rtcore/io/images/image_file.h"
 #include "rtcore/platform/error.h"
 #include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 namespace {
@@ -53,15 +58,80 @@ TEST(FrameLists, NumberFramesByTheirPlace) {
     EXPECT_THROW(renderer::framesOfList(cameras, {}, Paths{"x.png", "x.png"}), app::UsageError);
 }
 
-TEST(FrameLists, AFrameIsFinishedWhenAllItsFilesAreThere) {
+TEST(FrameLists, ChunksHoldEachFrameOnceInOrder) {
+    const Paths cameras(11, "a.cam"), patterns{"x_##.png"};
+    for (int parts = 1; parts <= 14; ++parts) {
+        int next = 1;
+        for (int part = 1; part <= parts; ++part) {
+            const auto frames =
+                renderer::framesOfChunk(renderer::framesOfList(cameras, {}, patterns), {part, parts});
+            EXPECT_LE(frames.size(), static_cast<std::size_t>(11 / parts + 1));
+            for (const renderer::FrameTask& frame : frames) EXPECT_EQ(frame.number, next++);
+        }
+        EXPECT_EQ(next, 12) << parts;
+    }
+}
+
+TEST(FrameLists, ChunksAreReadStrictly) {
+    EXPECT_EQ(renderer::parseChunk("3/10"), (renderer::Chunk{3, 10}));
+    for (const char* text :
+         {"", "/", "0/1", "2/1", "1", "1/", "/1", "a/b", "1/2/3", "-1/2", "1/99999999999"}) {
+        EXPECT_THROW(renderer::parseChunk(text), app::UsageError) << text;
+    }
+}
+
+TEST(FrameLists, AFrameIsWholeWhenAllItsFilesCanBeDecoded) {
     const test::TemporaryFolder folder;
-    const renderer::FrameTask frame = renderer::singleFrame("", Paths{folder / "a.png", folder / "a.exr"});
-    EXPECT_FALSE(renderer::isFinished(frame));
-    std::ofstream(folder / "a.png") << "x";
-    EXPECT_FALSE(renderer::isFinished(frame));
-    std::ofstream(folder / "a.exr") << "x";
-    EXPECT_TRUE(renderer::isFinished(frame));
-    EXPECT_FALSE(renderer::isFinished(renderer::singleFrame("", Paths{"-"})));
+    app::Progress progress("test", app::ProgressStyle::None);
+    const std::vector<renderer::FrameTask> frames{
+        renderer::singleFrame("", Paths{folder / "a.png", folder / "a.hdr"})};
+    const auto flaws = [&] { return renderer::findFlaws(frames, 2, progress); };
+    EXPECT_EQ(flaws().size(), 2U);
+    EXPECT_TRUE(flaws()[0].missing);
+    rtcore::writeImage(folder / "a.png", rtcore::LdrImage(3, 2));
+    std::ofstream(folder / "a.hdr") << "x";
+    ASSERT_EQ(flaws().size(), 1U);
+    EXPECT_FALSE(flaws()[0].missing);
+    EXPECT_EQ(flaws()[0].file, folder / "a.hdr");
+    rtcore::writeHdrImage(folder / "a.hdr", rtcore::HdrImage(3, 2));
+    EXPECT_TRUE(flaws().empty());
+    const std::vector<renderer::FrameTask> streamed{renderer::singleFrame("", Paths{"-"})};
+    EXPECT_EQ(renderer::findFlaws(streamed, 1, progress).size(), 1U);
+}
+
+// A file that lacks any number of bytes at its end is broken, whatever its format.
+TEST(FrameLists, EveryTruncationIsFound) {
+    const test::TemporaryFolder folder;
+    app::Progress progress("test", app::ProgressStyle::None);
+    rtcore::LdrImage picture(9, 7);
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i)
+        picture.pixels[i].g = static_cast<std::uint8_t>(i * 37);
+    for (const std::string format : {"png", "jpg", "bmp", "ppm", "tga", "tiff", "hdr", "pfm", "exr"}) {
+        const std::filesystem::path path = folder / ("a." + format);
+        if (!rtcore::isWritableFormat(path)) continue;
+        rtcore::writeImage(path, picture);
+        const std::vector<renderer::FrameTask> frames{renderer::singleFrame("", Paths{path})};
+        EXPECT_TRUE(renderer::findFlaws(frames, 1, progress).empty()) << format;
+        // Old TGA files have no footer.
+        const std::uintmax_t footer = format == "tga" ? 26 : 0;
+        for (auto size = std::filesystem::file_size(path) - footer; size-- > 0;) {
+            std::filesystem::resize_file(path, size);
+            ASSERT_EQ(renderer::findFlaws(frames, 1, progress).size(), 1U) << format << " of " << size;
+        }
+    }
+}
+
+TEST(FilmFormats, AskForWhatPlayersShow) {
+    const auto words = renderer::encodeArguments("a.MP4", {16, 12, 29.97}, "/tmp/x:y.mp4");
+    EXPECT_EQ(words.back(), "file:/tmp/x:y.mp4");
+    EXPECT_NE(std::find(words.begin(), words.end(), "yuv420p"), words.end());
+    EXPECT_NE(std::find(words.begin(), words.end(), "29.97"), words.end());
+    EXPECT_TRUE(renderer::needsEvenSize("a.MP4"));
+    EXPECT_FALSE(renderer::needsEvenSize("a.mkv"));
+    EXPECT_EQ(renderer::encodeCommand("my film.mkv", 25),
+              "ffmpeg -framerate 25 -i frame_%04d.png -c:v ffv1 -level 3 -g 1 -pix_fmt bgr0 -f matroska "
+              "'file:my film.mkv'");
+    EXPECT_THROW(renderer::checkFilm("a.avi"), app::UsageError);
 }
 
 TEST(OutputChecks, TellBeforeTheWorkWhatCannotBeWritten) {

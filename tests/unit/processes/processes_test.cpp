@@ -12,6 +12,7 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <span>
 #include <string>
 #include <thread>
 
@@ -136,6 +137,52 @@ TEST(Processes, NoticesTheEndAtOnce) {
         for (int i = 0; i < 20; ++i) runProcess("/bin/true", {});
     });
     EXPECT_LT(twenty, 20 * (one * 4 + 0.01));
+}
+
+std::span<const std::byte> bytesOf(const std::string& text) { return std::as_bytes(std::span(text)); }
+
+TEST(FedProcesses, GetAllThatIsWritten) {
+    const std::string much(3'000'000, 'x');
+    FedProcess process("/bin/sh", {"-c", "sleep 0.1; wc -c; echo err >&2; exit 5"}, {});
+    EXPECT_TRUE(process.write(bytesOf(much)));
+    EXPECT_TRUE(process.write(bytesOf("end")));
+    const ProcessResult result = process.finish();
+    EXPECT_EQ(result.end, ProcessEnd::Exited);
+    EXPECT_EQ(result.code, 5);
+    EXPECT_EQ(std::stoi(result.output), 3'000'003);
+    EXPECT_EQ(result.errors, "err\n");
+}
+
+TEST(FedProcesses, ThatEndEarlyEndTheWriting) {
+    const std::string much(3'000'000, 'x');
+    // The second leaves a child behind that holds the input open.
+    for (const char* script :
+         {"exec 0<&-; exit 4", "exec 3<&0; sleep 1000 & exit 4", "head -c 9 >/dev/null; exit 4"}) {
+        FedProcess process("/bin/sh", {"-c", script}, {});
+        EXPECT_FALSE(process.write(bytesOf(much))) << script;
+        EXPECT_EQ(process.finish().code, 4) << script;
+    }
+}
+
+TEST(FedProcesses, ThatTalkMuchDoNotBlock) {
+    const std::string much(1'000'000, 'x');
+    FedProcess process("/bin/sh", {"-c", "head -c 2000000 /dev/zero >&2; cat"}, {});
+    EXPECT_TRUE(process.write(bytesOf(much)));
+    EXPECT_EQ(process.finish().errors.size(), ProcessLimits{}.kept);
+}
+
+TEST(FedProcesses, CanBeStopped) {
+    const std::string much(3'000'000, 'x');
+    FedProcess writing("/bin/sh", {"-c", "exec sleep 1000"}, [] { return true; });
+    EXPECT_THROW(writing.write(bytesOf(much)), FileError);
+    FedProcess ending("/bin/sh", {"-c", "exec sleep 1000"}, [] { return true; });
+    EXPECT_THROW(ending.finish(), FileError);
+}
+
+TEST(Programs, AreFoundOnThePath) {
+    ASSERT_TRUE(findProgram("sh").has_value());
+    EXPECT_TRUE(std::filesystem::exists(*findProgram("sh")));
+    EXPECT_FALSE(findProgram("no-such-program-anywhere").has_value());
 }
 
 } // namespace

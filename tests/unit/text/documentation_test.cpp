@@ -44,6 +44,16 @@ TEST(FormatsDocument, ListExamplesAreLists) {
         EXPECT_FALSE(rtcore::parseCameraList(example, "l").empty()) << example;
 }
 
+TEST(FormatsDocument, RecordingExamplesAreWholeRecordings) {
+    const auto examples = test::documentedExamples("text recording");
+    ASSERT_GE(examples.size(), 1U);
+    for (const std::string& example : examples) {
+        const rtcore::GrowingCameraList list = rtcore::parseGrowingCameraList(example, "l");
+        EXPECT_TRUE(list.ended && !list.cameras.empty()) << example;
+        EXPECT_TRUE(example.starts_with(rtcore::kRecordingMark)) << example;
+    }
+}
+
 TEST(FormatsDocument, TheTableOfSettingsIsTheOneOfTheProgram) {
     std::ostringstream table;
     for (const rtcore::Setting& setting : rtcore::settingsTable())

@@ -4,6 +4,7 @@
 #include "rtcore/platform/error.h"
 
 #include <algorithm>
+#include <system_error>
 
 namespace rtcore {
 
@@ -34,7 +35,50 @@ void checkText(std::string_view text, const std::string& file) {
                     position.column);
 }
 
-std::string listLine(const std::filesystem::path& list, const std::filesystem::path& camera) {
+std::string_view completeLines(std::string_view text) {
+    const std::size_t last = text.rfind('\n');
+    return last == std::string_view::npos ? std::string_view{} : text.substr(0, last + 1);
+}
+
+std::string_view withoutSpace(std::string_view line) {
+    const auto first = line.find_first_not_of(kWhiteSpace);
+    return first == std::string_view::npos
+               ? std::string_view{}
+               : line.substr(first, line.find_last_not_of(kWhiteSpace) - first + 1);
+}
+
+bool isRecording(std::string_view text) {
+    text = withoutByteOrderMark(text);
+    const std::size_t end = text.find('\n');
+    return end != std::string_view::npos && withoutSpace(text.substr(0, end)) == kRecordingMark;
+}
+
+} // namespace
+
+GrowingCameraList parseGrowingCameraList(std::string_view text, const std::filesystem::path& path) {
+    text = completeLines(text);
+    checkText(text, path.string());
+    text = withoutByteOrderMark(text);
+    const std::filesystem::path folder = path.parent_path();
+    GrowingCameraList list;
+    while (!text.empty()) {
+        const std::size_t end = text.find('\n');
+        const std::string_view line = withoutSpace(text.substr(0, end));
+        text.remove_prefix(end + 1);
+        const std::string_view camera = trimmedLine(line);
+        if (!camera.empty()) list.cameras.push_back(folder / pathFromUtf8(camera));
+        if (!line.empty()) list.ended = line == kEndMark;
+    }
+    return list;
+}
+
+GrowingCameraList readGrowingCameraList(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) return {};
+    return parseGrowingCameraList(readShortText(path), path);
+}
+
+std::string cameraListLine(const std::filesystem::path& list, const std::filesystem::path& camera) {
     std::string line = pathToUtf8(pathSeenFrom(list.parent_path(), camera));
     if (line.starts_with('#')) line.insert(0, "./");
     const bool holds = trimmedLine(line) == line && line.find('\n') == std::string::npos;
@@ -44,22 +88,10 @@ std::string listLine(const std::filesystem::path& list, const std::filesystem::p
     return line + "\n";
 }
 
-} // namespace
-
 std::vector<std::filesystem::path> parseCameraList(std::string_view text, const std::filesystem::path& path) {
-    const std::string name = path.string();
-    const std::filesystem::path folder = path.parent_path();
-    std::vector<std::filesystem::path> cameras;
-    checkText(text, name);
-    text = withoutByteOrderMark(text);
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view line = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
-        const std::string_view camera = trimmedLine(line);
-        if (!camera.empty()) cameras.push_back(folder / pathFromUtf8(camera));
-    }
-    return cameras;
+    const bool whole = text.empty() || text.ends_with('\n') || isRecording(text);
+    // Where somebody types a list, the last line may lack its end.
+    return parseGrowingCameraList(whole ? text : std::string(text) + "\n", path).cameras;
 }
 
 std::vector<std::filesystem::path> readCameraList(const std::filesystem::path& path) {
@@ -68,7 +100,7 @@ std::vector<std::filesystem::path> readCameraList(const std::filesystem::path& p
 
 void writeCameraList(const std::filesystem::path& path, std::span<const std::filesystem::path> cameras) {
     std::string text;
-    for (const std::filesystem::path& camera : cameras) text += listLine(path, camera);
+    for (const std::filesystem::path& camera : cameras) text += cameraListLine(path, camera);
     writeCheckedText(path, text, [&](std::string_view written) { parseCameraList(written, path); });
 }
 

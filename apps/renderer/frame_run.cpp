@@ -1,0 +1,122 @@
+#include "renderer/frame_run.h"
+
+#include "renderer/frame_check.h"
+
+#include "rtcore/io/images/image_file.h"
+#include "rtcore/platform/error.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <set>
+#include <string>
+
+namespace renderer {
+
+namespace {
+
+std::string seconds(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3f s", value);
+    return text;
+}
+
+// The file from which a film can take a finished frame as it is shown; null when there is none.
+const std::filesystem::path* shownPicture(const FrameTask& frame) {
+    const auto found = std::find_if(frame.outputs.begin(), frame.outputs.end(), [](const auto& output) {
+        return !isStandardOutput(output) && !rtcore::isHdrFormat(output);
+    });
+    return found == frame.outputs.end() ? nullptr : &*found;
+}
+
+std::string places(const FrameTask& frame) {
+    std::string where;
+    for (const std::filesystem::path& output : frame.outputs) {
+        where +=
+            (where.empty() ? "" : ", ") + (isStandardOutput(output) ? "standard output" : output.string());
+    }
+    return where.empty() ? "frame " + std::to_string(frame.number) + " of the film" : where;
+}
+
+} // namespace
+
+void FrameRun::renderOne(const FrameTask& frame) { make(frame, 1, 1); }
+
+void FrameRun::renderList(std::vector<FrameTask> frames) {
+    for (FrameTask& frame : frames) frame.filmed = film_ != nullptr;
+    if (!options_.force) findFinished(frames);
+    const auto count = static_cast<int>(
+        std::count_if(frames.begin(), frames.end(), [](const FrameTask& frame) { return !frame.finished; }));
+    asked_ += count;
+    int index = 0;
+    for (const FrameTask& frame : frames) {
+        if (!frame.finished) {
+            renderListed(frame, ++index, count);
+        } else if (film_ != nullptr) {
+            film_->add(rtcore::readLdrImage(*shownPicture(frame)), frame.number);
+        }
+    }
+}
+
+app::ExitCode FrameRun::finish() {
+    if (failed_ > 0) {
+        progress_.print(std::to_string(failed_) + " of " + std::to_string(asked_) + " frames failed");
+    }
+    return result_;
+}
+
+void FrameRun::findFinished(std::vector<FrameTask>& frames) {
+    std::set<int> unfinished;
+    for (const FileFlaw& flaw : findFlaws(frames, options_.threads, progress_)) {
+        unfinished.insert(flaw.frame);
+        if (!flaw.missing) {
+            progress_.print("warning: " + flaw.file.string() + " is rendered again: " + flaw.reason);
+        }
+    }
+    std::size_t there = 0;
+    for (FrameTask& frame : frames) {
+        const bool usable = film_ != nullptr ? shownPicture(frame) != nullptr : !frame.outputs.empty();
+        frame.finished = usable && !unfinished.contains(frame.number);
+        there += frame.finished ? 1 : 0;
+    }
+    if (there > 0) {
+        progress_.print(std::to_string(there) + " of " + std::to_string(frames.size()) +
+                        " frames are there already (--force renders them again)");
+    }
+}
+
+void FrameRun::renderListed(const FrameTask& frame, int index, int count) {
+    try {
+        make(frame, index, count);
+    } catch (const rtcore::FileError& error) {
+        const bool badData = error.kind == rtcore::FailureKind::BadData;
+        const bool ofThisFrame = badData || error.kind == rtcore::FailureKind::NoInput;
+        if (!ofThisFrame || frame.outputs.empty()) throw;
+        progress_.print(error.what());
+        if (failed_++ == 0) result_ = badData ? app::ExitCode::BadData : app::ExitCode::NoInput;
+        // A film with a gap is not what was asked for.
+        film_ = nullptr;
+        return;
+    }
+    if (film_ != nullptr) film_->add(maker_.developed(), frame.number);
+}
+
+void FrameRun::make(const FrameTask& frame, int index, int count) {
+    report(frame, maker_.make(frame, index, count));
+}
+
+void FrameRun::report(const FrameTask& frame, const FrameReport& report) {
+    if (options_.verbose) {
+        const double rays = static_cast<double>(report.rays.total());
+        char figures[96];
+        std::snprintf(figures, sizeof figures, "%.0f rays, %.2f Mrays/s", rays,
+                      report.renderSeconds > 0 ? rays / report.renderSeconds * 1e-6 : 0.0);
+        progress_.print("rendered " + std::to_string(report.width) + " x " + std::to_string(report.height) +
+                        " in " + seconds(report.renderSeconds) + ", " + figures);
+    }
+    const bool logged = options_.list && options_.progress == app::ProgressStyle::Plain;
+    if (options_.verbose || logged) {
+        progress_.print("wrote " + places(frame) + " in " + seconds(report.writeSeconds));
+    }
+}
+
+} // namespace renderer

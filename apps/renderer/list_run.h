@@ -1,0 +1,29 @@
+/// A list of frames from its first to its last, with the film of it.
+#pragma once
+
+#include "renderer/picture_maker.h"
+#include "renderer/renderer_options.h"
+
+#include "common/exit_codes.h"
+#include "common/progress.h"
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace renderer {
+
+/// Finds ffmpeg, when a film is asked for. When there is none: throws rtcore::FileError NoInput that says how
+/// to make the film, unless the frames are kept in files and so are worth rendering.
+std::optional<std::filesystem::path> findFilmMaker(const RendererOptions& options);
+
+/// Renders the frames of a list that is complete (`cameras`) or, with --follow, of one that still grows. A
+/// film appears under its name only when all its frames are in it. Returns the exit code of the first bad
+/// frame. Throws rtcore::FileError: CannotWrite when an output cannot be written or ffmpeg fails, Stopped,
+/// and for a film that lacks frames, or ffmpeg.
+app::ExitCode runList(const RendererOptions& options, const std::vector<std::filesystem::path>& cameras,
+                      const std::vector<std::filesystem::path>& patterns,
+                      const std::optional<std::filesystem::path>& ffmpeg, PictureMaker& maker,
+                      app::Progress& progress);
+
+} // namespace renderer
