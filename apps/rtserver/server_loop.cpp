@@ -83,7 +83,9 @@ void ServerLoop::takeLoadedScene() {
         if (loader) server_.answer(*loader, ipc::AnswerStatus::Failed, failureText(error));
         return;
     }
-    if (loader) server_.answer(*loader, ipc::AnswerStatus::Done);
+    if (!loader) return;
+    tellStatus();
+    server_.answer(*loader, ipc::AnswerStatus::Done);
 }
 
 // --- Commands ---

@@ -223,7 +223,7 @@ TEST_F(Serving, ALongFrameHoldsNobodyUp) {
     start();
     const auto begun = Clock::now();
     ask({"set", "antialiasing", "16"});
-    ask({"resolution", "3000", "3000"});
+    ask({"resolution", "1200", "1200"});
     for (int i = 0; i < 5; ++i) EXPECT_EQ(ask({"ping"}), "pong\n");
     const ProgramResult result = end(SIGTERM);
     EXPECT_EQ(result.exitCode, 143);
@@ -233,7 +233,7 @@ TEST_F(Serving, ALongFrameHoldsNobodyUp) {
 TEST_F(Serving, ALongFrameIsGivenUpForAChange) {
     start();
     ask({"set", "antialiasing", "16"});
-    ask({"resolution", "3000", "3000"});
+    ask({"resolution", "1200", "1200"});
     std::this_thread::sleep_for(200ms);
     ask({"set", "antialiasing", "1"});
     ask({"resolution", "16", "16"});
