@@ -1,0 +1,60 @@
+/// The triangles of a scene near the player, found in the same kd-tree that rays use.
+#pragma once
+
+#include "rtcore/accel/kd_tree.h"
+#include "rtcore/motion/vec3d.h"
+#include "rtcore/motion/world_frame.h"
+#include "rtcore/scene/mesh.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace rtcore {
+
+/// In metres, z up.
+struct Box3d {
+    Vec3d lo, hi;
+    Box3d grown(double by) const { return {lo - Vec3d{by, by, by}, hi + Vec3d{by, by, by}}; }
+    bool contains(const Box3d& b) const {
+        return lo.x <= b.lo.x && lo.y <= b.lo.y && lo.z <= b.lo.z && hi.x >= b.hi.x && hi.y >= b.hi.y &&
+               hi.z >= b.hi.z;
+    }
+    bool overlaps(const Box3d& b) const {
+        return lo.x <= b.hi.x && lo.y <= b.hi.y && lo.z <= b.hi.z && hi.x >= b.lo.x && hi.y >= b.lo.y &&
+               hi.z >= b.lo.z;
+    }
+};
+
+struct SolidTriangle {
+    Vec3d a, b, c;
+    Box3d box;
+};
+
+/// Indices of all triangles that reach into `box` (scene units) and possibly others near it, ascending, each
+/// once.
+void findTriangles(const KdTree& tree, const Box3& box, std::vector<std::uint32_t>& found);
+
+/// Keeps what it found last for as long as it encloses what is asked for. One thread.
+class NearbyTriangles {
+  public:
+    /// `tree` and `mesh` must outlive it.
+    NearbyTriangles(const KdTree& tree, const Mesh& mesh, const WorldFrame& frame);
+
+    /// At least all triangles that reach into `need` and whose corners are finite, in the order of their
+    /// indices. Valid until the next call.
+    std::span<const SolidTriangle> in(const Box3d& need);
+
+  private:
+    Box3 toScene(const Box3d& box) const;
+
+    KdTree tree_;
+    Mesh mesh_;
+    WorldFrame frame_;
+    float rounding_; ///< scene units that coordinates of the tree may be off by
+    Box3d known_{{1, 1, 1}, {-1, -1, -1}};
+    std::vector<std::uint32_t> indices_;
+    std::vector<SolidTriangle> triangles_;
+};
+
+} // namespace rtcore

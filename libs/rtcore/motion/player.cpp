@@ -1,0 +1,132 @@
+#include "rtcore/motion/player.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rtcore {
+
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000'000;
+constexpr std::int64_t kLongest = kSecond / 4;
+
+double scaleOf(const KdTree& tree, const PlayerOptions& options) {
+    const double given = options.metresPerUnit;
+    return given > 0 && std::isfinite(given) ? given : guessMetresPerUnit(tree.bounds, options.up);
+}
+
+double flyingSpeedIn(const Box3& bounds, double metresPerUnit) {
+    constexpr double kShare = 0.1;
+    const double speed = kShare * double{bounds.diagonal()} * metresPerUnit;
+    return speed > 0 && std::isfinite(speed) ? speed : 1;
+}
+
+double between(double a, double b, double share) { return a + (b - a) * share; }
+
+} // namespace
+
+Player::Player(const KdTree& tree, const Mesh& mesh, const PlayerOptions& options)
+    : frame_(options.up, scaleOf(tree, options)), walker_(tree, mesh, frame_, WalkShape(options.walk)),
+      flyingSpeed_(flyingSpeedIn(tree.bounds, frame_.metresPerUnit())) {
+    Camera camera;
+    camera.forward = frame_.turnBack({0, 1, 0});
+    camera.up = frame_.up();
+    setCamera(camera);
+}
+
+void Player::setCamera(const Camera& camera) {
+    given_ = camera;
+    moved_ = turned_ = false;
+    flight_ = {frame_.toMetres(camera.eye), {}};
+    turn_ = {};
+    now_ = {flight_.eye, headingOf(frame_.turn(camera.forward), frame_.turn(camera.up))};
+    before_ = now_;
+    if (mode_ == MotionMode::View) return;
+    mode_ = MotionMode::View;
+    setMode(MotionMode::Walk);
+}
+
+Camera Player::camera() const {
+    Camera camera = given_;
+    const double share = static_cast<double>(clock_) / kSecond;
+    if (moved_) camera.eye = frame_.toScene(before_.eye + (now_.eye - before_.eye) * share);
+    if (turned_) {
+        const Heading heading{between(before_.heading.yaw, now_.heading.yaw, share),
+                              between(before_.heading.pitch, now_.heading.pitch, share)};
+        camera.forward = frame_.turnBack(lookDirection(heading));
+        camera.up = frame_.up();
+    }
+    return camera;
+}
+
+bool Player::setMode(MotionMode mode) {
+    if (mode == mode_) return true;
+    if (mode == MotionMode::Walk) {
+        if (!walker_.enter(now_.eye)) return false;
+        moved_ = moved_ || walker_.eye() != now_.eye;
+        // He may have been put aside: drawn there at once.
+        constexpr double kAside = 1e-6;
+        if (length(walker_.eye() - now_.eye) > kAside) now_.eye = walker_.eye();
+    }
+    flight_ = {now_.eye, {}};
+    before_ = now_;
+    mode_ = mode;
+    return true;
+}
+
+void Player::look(double right, double upwards) {
+    if (!std::isfinite(right) || !std::isfinite(upwards) || (right == 0 && upwards == 0)) return;
+    const Heading old = now_.heading;
+    now_.heading = normalize(Heading{old.yaw - right, old.pitch + upwards});
+    before_.heading.yaw += now_.heading.yaw - old.yaw;
+    before_.heading.pitch =
+        std::clamp(before_.heading.pitch + (now_.heading.pitch - old.pitch), -kMaxPitch, kMaxPitch);
+    turned_ = true;
+}
+
+void Player::advance(std::chrono::nanoseconds time) {
+    clock_ += std::clamp<std::int64_t>(time.count(), 0, kLongest) * kTicksPerSecond;
+    for (; clock_ >= kSecond; clock_ -= kSecond) step();
+}
+
+void Player::step() {
+    before_ = now_;
+    const ActionSet held = held_ | tapped_;
+    tapped_ = {};
+    Heading heading = now_.heading;
+    turn(turn_, heading, held);
+    const Heading wrapped = normalize(heading);
+    before_.heading.yaw += wrapped.yaw - heading.yaw;
+    now_.heading = wrapped;
+    turned_ = turned_ || turn_ != TurnState{};
+    if (mode_ == MotionMode::Walk) {
+        stepWalking(held);
+    } else {
+        fly(flight_, now_.heading, held, flyingSpeed_);
+        now_.eye = flight_.eye;
+    }
+    moved_ = moved_ || now_.eye != before_.eye;
+}
+
+void Player::stepWalking(const ActionSet& held) {
+    WalkInput input;
+    input.ahead = aheadOf(now_.heading);
+    input.forward = held.balance(Action::Forward, Action::Back);
+    input.right = held.balance(Action::Right, Action::Left);
+    input.jump = held.has(Action::Jump);
+    input.crouch = held.has(Action::Crouch);
+    input.crawl = held.has(Action::Crawl);
+    input.sprint = held.has(Action::Sprint);
+    const bool inWorld = walker_.tick(input);
+    now_.eye = walker_.eye();
+    if (inWorld) return;
+    flight_ = {now_.eye, {}};
+    mode_ = MotionMode::View;
+}
+
+bool Player::atRest() const {
+    if (!held_.none() || !tapped_.none() || turn_ != TurnState{} || before_ != now_) return false;
+    return mode_ == MotionMode::Walk ? walker_.atRest() : flight_.velocity == Vec3d{};
+}
+
+} // namespace rtcore

@@ -1,0 +1,93 @@
+/// From keys to a camera: the one class that a program needs of this room.
+#pragma once
+
+#include "rtcore/accel/kd_tree.h"
+#include "rtcore/motion/action.h"
+#include "rtcore/motion/flying.h"
+#include "rtcore/motion/walker.h"
+#include "rtcore/motion/world_frame.h"
+#include "rtcore/scene/camera.h"
+#include "rtcore/scene/scene.h"
+
+#include <chrono>
+#include <cstdint>
+
+namespace rtcore {
+
+enum class MotionMode {
+    View, ///< flies freely
+    Walk  ///< has a body; gravity
+};
+
+struct PlayerOptions {
+    Vec3 up{0, 1, 0};
+    double metresPerUnit = 0; ///< 0: guessMetresPerUnit()
+    WalkParameters walk;
+};
+
+/// Moves in steps of its own clock: the same presses at the same moments give the same cameras, bit for bit,
+/// however often advance() is called between them. One thread.
+///
+/// A program's turn: advance() by the time since its last turn, then hand in what was pressed meanwhile, then
+/// take camera(). So what is pressed after a long sleep starts now and not in the past.
+class Player {
+  public:
+    /// `tree` and `mesh` must outlive it. Starts in viewing mode at a default camera.
+    Player(const KdTree& tree, const Mesh& mesh, const PlayerOptions& options);
+
+    /// Jumps there. In walk-through mode the body comes along; where there is no room for it the mode becomes
+    /// View.
+    void setCamera(const Camera& camera);
+    /// What setCamera() was given, bit for bit, until something moves or turns it; only the part that moves
+    /// changes. Turning sets it upright.
+    Camera camera() const;
+
+    MotionMode mode() const { return mode_; }
+    /// False, and nothing changed, where there is no room for a body within a metre of the eye.
+    bool setMode(MotionMode mode);
+
+    /// What goes on (isHeld) until it is released.
+    void press(Action action) { held_.set(action); }
+    void release(Action action) { held_.set(action, false); }
+    /// All at once, in place of what was pressed.
+    void hold(const ActionSet& actions) { held_ = actions; }
+    /// Acts for one step at least, even if it is over before the step begins.
+    void tap(Action action) { tapped_.set(action); }
+    /// By the mouse, at once: radians to the right and upwards.
+    void look(double right, double upwards);
+
+    /// At most a quarter of a second counts: after a stall the player does not leap.
+    void advance(std::chrono::nanoseconds time);
+
+    /// Nothing will move until something is pressed.
+    bool atRest() const;
+
+    double metresPerUnit() const { return frame_.metresPerUnit(); }
+    /// Of the flying eye, in scene units a second: a tenth of the scene's diagonal.
+    double flyingSpeed() const { return flyingSpeed_ / frame_.metresPerUnit(); }
+
+  private:
+    /// What is drawn: between the last two steps.
+    struct View {
+        Vec3d eye;
+        Heading heading;
+        friend bool operator==(const View&, const View&) = default;
+    };
+
+    void step();
+    void stepWalking(const ActionSet& held);
+
+    WorldFrame frame_;
+    Walker walker_;
+    double flyingSpeed_; ///< m/s
+    MotionMode mode_ = MotionMode::View;
+    Camera given_;
+    bool moved_ = false, turned_ = false; ///< since the camera was given
+    FlightState flight_;
+    TurnState turn_;
+    View now_, before_;
+    ActionSet held_, tapped_;
+    std::int64_t clock_ = 0; ///< nanoseconds times ticks per second, less than a second's
+};
+
+} // namespace rtcore

@@ -1,0 +1,373 @@
+#include "rtcore/motion/walker.h"
+
+#include "rtcore/kernels/single_ray.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rtcore {
+
+namespace {
+
+constexpr Vec3d kUp{0, 0, 1};
+constexpr double kMargin = 0.1;       ///< metres around what a step may touch
+constexpr int kCoyoteTicks = 12;      ///< after leaving a floor one may still jump
+constexpr int kJumpWishTicks = 15;    ///< before reaching a floor one may already press
+constexpr int kFreeOfFloorTicks = 12; ///< after a jump the floor does not pull back
+constexpr int kForgetTicks = 1000;
+constexpr int kSaveTicks = kTicksPerSecond / 2;
+constexpr double kBelowWorld = 20;   ///< metres
+constexpr double kEyeDecay = 0.9011; ///< e^(-tick / 0.08 s)
+
+/// Towards `to` by at most `by`.
+double approach(double from, double to, double by) { return std::clamp(to, from - by, from + by); }
+
+int later(int ticks) { return std::min(ticks + 1, kForgetTicks); }
+
+double lowestPoint(const KdTree& tree, const WorldFrame& frame) {
+    if (tree.bounds.empty()) return 0;
+    double lowest = frame.toMetres(tree.bounds.lo).z;
+    for (int corner = 1; corner < 8; ++corner) {
+        const Box3& b = tree.bounds;
+        lowest = std::min(
+            lowest, frame
+                        .toMetres({(corner & 1) != 0 ? b.hi.x : b.lo.x, (corner & 2) != 0 ? b.hi.y : b.lo.y,
+                                   (corner & 4) != 0 ? b.hi.z : b.lo.z})
+                        .z);
+    }
+    return lowest;
+}
+
+Stance wantedStance(const WalkInput& input) {
+    return input.crawl ? Stance::Crawl : input.crouch ? Stance::Crouch : Stance::Stand;
+}
+
+} // namespace
+
+Walker::Walker(const KdTree& tree, const Mesh& mesh, const WorldFrame& frame, const WalkShape& shape)
+    : tree_(tree), mesh_(mesh), frame_(frame), shape_(shape), nearby_(tree, mesh, frame),
+      lowest_(lowestPoint(tree, frame) - kBelowWorld) {}
+
+Vec3d Walker::eye() const {
+    return state_.feet + kUp * (state_.height - shape_.eyeBelowTop + state_.eyeOffset);
+}
+
+bool Walker::atRest() const {
+    return state_.grounded && state_.velocity == Vec3d{} && state_.eyeOffset == 0 && !state_.climbing &&
+           state_.debt == 0 && state_.height == shape_.of(state_.stance).height;
+}
+
+void Walker::gather(Vec3d move) {
+    const Box3d here = body(std::max(state_.height, shape_.stand.height)).box(state_.feet);
+    const double reach = length(move) + shape_.stand.step + kMargin;
+    triangles_ = nearby_.in(here.grown(reach));
+}
+
+// --- entering -------------------------------------------------------------------------------------------
+
+bool Walker::fitsAt(Vec3d eye, Vec3d from, Stance stance) {
+    if (eye != from) {
+        const Vec3 a = frame_.toScene(from), b = frame_.toScene(eye);
+        if (occluded(tree_, mesh_, {a, 0, b - a, 1})) return false;
+    }
+    const double height = shape_.of(stance).height;
+    state_ = {};
+    state_.feet = eye - kUp * (height - shape_.eyeBelowTop);
+    state_.height = height;
+    state_.stance = stance;
+    gather({});
+    return body(height).isFree(state_.feet);
+}
+
+bool Walker::enter(Vec3d eye) {
+    const WalkState before = state_;
+    if (!isFinite(eye)) return false;
+    static constexpr Vec3d kWays[] = {{0, 0, 1},  {0, 0, -1}, {1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
+                                      {0, -1, 0}, {1, 1, 0},  {-1, 1, 0}, {1, -1, 0}, {-1, -1, 0}};
+    for (const double distance : {0.0, 0.125, 0.25, 0.5, 0.75, 1.0}) {
+        for (const Vec3d way : kWays) {
+            const Vec3d there = eye + normalize(way) * distance;
+            for (const Stance stance : {Stance::Stand, Stance::Crouch, Stance::Crawl}) {
+                if (!fitsAt(there, eye, stance)) continue;
+                savedCount_ = 0;
+                sinceSaved_ = 0;
+                return true;
+            }
+            if (distance == 0) break;
+        }
+    }
+    state_ = before;
+    return false;
+}
+
+// --- one step -------------------------------------------------------------------------------------------
+
+bool Walker::tick(const WalkInput& input, Trace* trace) {
+    const WalkState last = state_;
+    const bool wasGrounded = state_.grounded;
+    state_.jumpWish = input.jump && !state_.jumpHeld ? 0 : later(state_.jumpWish);
+    state_.jumpHeld = input.jump;
+    state_.sinceGround = later(state_.sinceGround);
+    state_.sinceJump = later(state_.sinceJump);
+
+    const double most =
+        (length(state_.velocity) + shape_.gravity * kTickSeconds + shape_.sprint * shape_.stand.speed) *
+        kTickSeconds;
+    gather({most, 0, 0});
+    recover(trace);
+    changeStance(input);
+    if (state_.climbing) {
+        climb(trace);
+    } else {
+        startJump();
+        const Vec3d wanted = wish(input);
+        accelerate(wanted);
+        if (state_.grounded) {
+            walk(trace);
+        } else {
+            fly(wanted, trace);
+        }
+    }
+    if (!state_.climbing) settle(wasGrounded, trace);
+    easeEye();
+
+    if (!isFinite(state_.feet) || state_.feet.z < lowest_) {
+        if (restorePose()) return true;
+        state_ = last;
+        return false;
+    }
+    if (!body(state_.height).isFree(state_.feet)) {
+        const WalkState failed = state_;
+        state_ = last;
+        state_.velocity = {};
+        state_.climbing = false;
+        state_.jumpWish = failed.jumpWish;
+        state_.jumpHeld = failed.jumpHeld;
+    }
+    savePose();
+    return true;
+}
+
+/// Back to the full distance from what the skin touches, a little in every step; not where that would bring
+/// him nearer to something else.
+void Walker::recover(Trace* trace) {
+    const Body b = body(state_.height);
+    double budget = 1e-3;
+    for (int pass = 0; pass < 8 && budget > 0; ++pass) {
+        constexpr double kEnough = 1e-5;
+        const auto deepest = b.nearest(state_.feet);
+        if (!deepest || deepest->distance >= b.reach() - kEnough) return;
+        // Out of all at once: in a corner, away from one wall alone may be nearer to the other.
+        Vec3d push;
+        for (const Separation& s : b.contacts(state_.feet)) {
+            const double lacking = b.reach() - s.distance - dot(push, s.normal);
+            if (lacking > 0) push += s.normal * lacking;
+        }
+        const double whole = length(push);
+        if (!(whole > 0)) return;
+        const double taken = std::min(budget, whole);
+        const Vec3d feet = state_.feet + push * (taken / whole);
+        const auto then = b.nearest(feet);
+        constexpr double kBetter = 1e-7;
+        if (then && then->distance <= deepest->distance + kBetter) return;
+        state_.feet = feet;
+        if (trace != nullptr) trace->push_back(feet);
+        budget -= taken;
+    }
+}
+
+void Walker::changeStance(const WalkInput& input) {
+    const Stance wanted = wantedStance(input);
+    Stance target = Stance::Crawl;
+    for (const Stance stance : {Stance::Stand, Stance::Crouch}) {
+        if (stance > wanted) continue;
+        const double height = shape_.of(stance).height;
+        if (height <= state_.height || body(height).isFree(state_.feet)) {
+            target = stance;
+            break;
+        }
+    }
+    state_.stance = target;
+    state_.height = approach(state_.height, shape_.of(target).height, shape_.stanceRate * kTickSeconds);
+}
+
+void Walker::startJump() {
+    const double height = shape_.of(state_.stance).jump;
+    const bool onFloor = state_.grounded || state_.sinceGround < kCoyoteTicks;
+    if (state_.jumpWish >= kJumpWishTicks || !onFloor || !(height > 0)) return;
+    state_.velocity.z = std::sqrt(2 * shape_.gravity * height);
+    state_.takeOff = state_.feet.z;
+    state_.grounded = false;
+    state_.jumpWish = kForgetTicks;
+    state_.sinceJump = 0;
+    state_.sinceGround = kForgetTicks;
+    state_.debt = 0;
+}
+
+Vec3d Walker::wish(const WalkInput& input) const {
+    const double whole = std::sqrt(input.forward * input.forward + input.right * input.right);
+    if (!(whole > 0)) return {};
+    const double speed = shape_.of(state_.stance).speed / whole;
+    const bool sprints = input.sprint && state_.stance == Stance::Stand && input.forward > 0;
+    const Vec3d aside{input.ahead.y, -input.ahead.x, 0};
+    return input.ahead * (input.forward * speed * (sprints ? shape_.sprint : 1)) +
+           aside * (input.right * speed);
+}
+
+void Walker::accelerate(Vec3d wanted) {
+    const Vec3d change = wanted - horizontal(state_.velocity);
+    const double most = (state_.grounded ? shape_.groundForce : shape_.airForce) * kTickSeconds;
+    const double whole = length(change);
+    if (whole <= most) {
+        state_.velocity = {wanted.x, wanted.y, state_.velocity.z};
+    } else {
+        state_.velocity += change * (most / whole);
+    }
+}
+
+void Walker::walk(Trace* trace) {
+    state_.velocity.z = 0;
+    const Vec3d move = state_.velocity * kTickSeconds;
+    if (state_.debt > 0) {
+        state_.debt = std::max(0.0, state_.debt - length(move));
+        if (move == Vec3d{}) state_.debt = 0;
+        return;
+    }
+    const Body b = body(state_.height);
+    Trace parts;
+    const Slide slide = slideOnGround(b, state_.feet, move, state_.floor, &parts);
+    if (slide.blocked) {
+        const auto step = stepUp(b, state_.feet, move, shape_.of(state_.stance).step, slide.feet, trace);
+        if (step) {
+            state_.eyeOffset -= step->feet.z - state_.feet.z;
+            state_.feet = step->feet;
+            state_.debt = step->extra;
+            return;
+        }
+    }
+    state_.feet = slide.feet;
+    state_.velocity = slide.met.clip(state_.velocity);
+    if (trace != nullptr) trace->insert(trace->end(), parts.begin(), parts.end());
+}
+
+void Walker::fly(const Vec3d& wanted, Trace* trace) {
+    const double before = state_.velocity.z;
+    state_.velocity.z = std::max(before - shape_.gravity * kTickSeconds, -shape_.terminal);
+    Vec3d move = state_.velocity * kTickSeconds;
+    move.z = (before + state_.velocity.z) / 2 * kTickSeconds;
+    const Body b = body(state_.height);
+    const Slide slide = slideInAir(b, state_.feet, move, trace);
+    state_.feet = slide.feet;
+    if (slide.landed) state_.velocity.z = std::max(state_.velocity.z, 0.0);
+    state_.velocity = slide.met.clip(state_.velocity);
+    if (slide.ceiling) state_.velocity.z = std::min(state_.velocity.z, 0.0);
+
+    // Against a wall while jumping: is its top within reach?
+    const bool jumped = state_.sinceJump < kForgetTicks;
+    if (!jumped || !slide.blocked || !(dot(wanted, slide.blocked->normal) < 0)) return;
+    const double top = state_.takeOff + shape_.ledge * state_.height / shape_.stand.height;
+    const Vec3d ahead = normalize(-horizontal(slide.blocked->normal));
+    if (!(top > state_.feet.z) || ahead == Vec3d{}) return;
+    triangles_ =
+        nearby_.in(body(state_.height).box(state_.feet).grown(shape_.ledge + shape_.stand.height / 2));
+    const auto ledge = findLedge(body(state_.height), state_.feet, ahead, top);
+    if (!ledge) return;
+    state_.climbing = true;
+    state_.ledge = *ledge;
+    state_.velocity = {};
+}
+
+void Walker::climb(Trace* trace) {
+    const Body b = body(state_.height);
+    const Vec3d left = state_.ledge - state_.feet;
+    const bool rising = left.z > 0;
+    const Vec3d way = rising ? Vec3d{0, 0, left.z} : horizontal(left);
+    const double speed = rising ? shape_.climbSpeed : shape_.of(state_.stance).speed;
+    const double wanted = std::min(length(way), speed * kTickSeconds);
+    const Vec3d direction = normalize(way);
+    const double travel = wanted > 0 ? b.sweep(state_.feet, direction, wanted).travel : 0;
+    constexpr double kThere = 1e-6;
+    // Straight up, the last bit must arrive exactly, or it would never be done.
+    state_.feet =
+        travel == wanted && wanted == length(way) ? state_.feet + way : state_.feet + direction * travel;
+    if (rising && travel > 0 && std::fabs(left.z - travel) < kThere) state_.feet.z = state_.ledge.z;
+    if (trace != nullptr) trace->push_back(state_.feet);
+    const bool arrived = !rising && length(way) - travel < kThere;
+    if (arrived || travel < kThere / 10) {
+        state_.climbing = false;
+        state_.sinceJump = kForgetTicks;
+    }
+}
+
+/// Decides whether the player stands, and draws him down to the floor that he walks on.
+void Walker::settle(bool wasGrounded, Trace* trace) {
+    const bool rising = state_.velocity.z > 0;
+    const bool justJumped = state_.sinceJump < kFreeOfFloorTicks;
+    const double step = shape_.of(state_.stance).step;
+    const Body b = body(state_.height);
+    state_.grounded = false;
+    if (rising) return;
+    constexpr double kTouch = 2e-3;
+    const bool follow = wasGrounded && !justJumped;
+    const auto ground = findGround(b, state_.feet, follow ? std::max(step, kTouch) : kTouch, step);
+    if (ground) {
+        const double down = state_.feet.z - ground->feet.z;
+        constexpr double kSlope = 5e-3; // what following a floor does not explain
+        if (follow && down > kSlope) state_.eyeOffset += down;
+        state_.feet = ground->feet;
+        if (trace != nullptr && down > 0) trace->push_back(state_.feet);
+        state_.floor = ground->normal;
+        state_.grounded = true;
+    } else if (!b.contacts(state_.feet).empty() && isWedged(b, state_.feet)) {
+        state_.floor = kUp;
+        state_.grounded = true;
+    }
+    if (!state_.grounded) return;
+    state_.velocity.z = 0;
+    state_.sinceGround = 0;
+    state_.sinceJump = kForgetTicks;
+}
+
+/// After a step the eye follows smoothly: below its place inside the body, above it only as far as there is
+/// room.
+void Walker::easeEye() {
+    double& offset = state_.eyeOffset;
+    offset *= kEyeDecay;
+    constexpr double kInvisible = 1e-4;
+    if (std::fabs(offset) < kInvisible) offset = 0;
+    const double lowest = shape_.radius + shape_.skin + shape_.eyeBelowTop - state_.height;
+    offset = std::max(offset, std::min(lowest, 0.0));
+    if (!(offset > 0)) return;
+    const UprightLine place{state_.feet + kUp * (state_.height - shape_.eyeBelowTop), 0};
+    offset =
+        sweepCapsule(triangles_, place, shape_.eyeClearance - shape_.skin / 2, shape_.skin / 2, kUp, offset)
+            .travel;
+}
+
+// --- falling out of the world ---------------------------------------------------------------------------
+
+void Walker::savePose() {
+    sinceSaved_ = later(sinceSaved_);
+    if (!state_.grounded || sinceSaved_ < kSaveTicks) return;
+    sinceSaved_ = 0;
+    saved_[static_cast<std::size_t>(savedNext_)] = {state_.feet, state_.height, state_.stance};
+    savedNext_ = (savedNext_ + 1) % static_cast<int>(saved_.size());
+    savedCount_ = std::min(savedCount_ + 1, static_cast<int>(saved_.size()));
+}
+
+bool Walker::restorePose() {
+    // Who falls again at once gets an older place, since each is used up.
+    if (savedCount_ == 0) return false;
+    savedNext_ = (savedNext_ + static_cast<int>(saved_.size()) - 1) % static_cast<int>(saved_.size());
+    --savedCount_;
+    const Pose& pose = saved_[static_cast<std::size_t>(savedNext_)];
+    state_ = {};
+    state_.feet = pose.feet;
+    state_.height = pose.height;
+    state_.stance = pose.stance;
+    sinceSaved_ = 0;
+    gather({});
+    return true;
+}
+
+} // namespace rtcore

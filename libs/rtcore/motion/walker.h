@@ -1,0 +1,109 @@
+/// Walk-through mode (thesis 7.2.1): a player with a body, who walks, falls, jumps, climbs, crouches and
+/// crawls.
+#pragma once
+
+#include "rtcore/motion/ground.h"
+#include "rtcore/motion/nearby_triangles.h"
+#include "rtcore/motion/slide.h"
+#include "rtcore/motion/vec3d.h"
+#include "rtcore/motion/walk_shape.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace rtcore {
+
+/// Physics goes in steps of this length, whatever the rate of frames: so the same keys give the same path.
+inline constexpr int kTicksPerSecond = 120;
+inline constexpr double kTickSeconds = 1.0 / kTicksPerSecond;
+
+/// What is asked of the player in one step.
+struct WalkInput {
+    Vec3d ahead{0, 1, 0}; ///< unit, horizontal: where he looks
+    double forward = 0;   ///< -1, 0, 1
+    double right = 0;     ///< -1, 0, 1
+    bool jump = false, crouch = false, crawl = false, sprint = false;
+};
+
+/// All that decides how it goes on; metres and seconds, z up.
+struct WalkState {
+    Vec3d feet, velocity;
+    double height = 1.8; ///< of the body now: changes smoothly between stances
+    Stance stance = Stance::Stand;
+    bool grounded = false;
+    Vec3d floor{0, 0, 1};   ///< normal to follow while grounded
+    double eyeOffset = 0;   ///< of the eye from its place in the body: smooths steps
+    double debt = 0;        ///< metres gone too far on an edge
+    double takeOff = 0;     ///< height of the floor that was jumped from
+    int sinceGround = 1000; ///< ticks since he stood
+    int sinceJump = 1000;   ///< ticks since he jumped
+    int jumpWish = 1000;    ///< ticks since the jump key went down
+    bool jumpHeld = false;
+    bool climbing = false;
+    Vec3d ledge; ///< where climbing ends
+    friend bool operator==(const WalkState&, const WalkState&) = default;
+};
+
+/// One thread. Never inside a surface: every step ends where the hard capsule (WalkShape::radius) is free of
+/// all triangles, or does not happen. Needs no closed meshes, no orientation of triangles. Work a tick: tens
+/// of microseconds.
+class Walker {
+  public:
+    /// `tree` and `mesh` must outlive it.
+    Walker(const KdTree& tree, const Mesh& mesh, const WorldFrame& frame, const WalkShape& shape);
+
+    Walker(const Walker&) = delete;
+    Walker& operator=(const Walker&) = delete;
+
+    /// Puts the player where his eye is at `eye` or, when there is no room, within a metre of it and in its
+    /// sight. False, and nothing changed, when there is no room at all.
+    bool enter(Vec3d eye);
+
+    /// One step of kTickSeconds. False when he fell out of the world and there is no place to put him back
+    /// to: the state is the last good one then.
+    bool tick(const WalkInput& input, Trace* trace = nullptr);
+
+    const WalkState& state() const { return state_; }
+    Vec3d eye() const;
+    /// Without input nothing would change any more.
+    bool atRest() const;
+    const WalkShape& shape() const { return shape_; }
+
+  private:
+    struct Pose {
+        Vec3d feet;
+        double height = 0;
+        Stance stance = Stance::Stand;
+    };
+
+    Body body(double height) { return {triangles_, shape_, height}; }
+    void gather(Vec3d move);
+    void recover(Trace* trace);
+    void changeStance(const WalkInput& input);
+    void startJump();
+    Vec3d wish(const WalkInput& input) const;
+    void accelerate(Vec3d wanted);
+    void walk(Trace* trace);
+    void fly(const Vec3d& wanted, Trace* trace);
+    void climb(Trace* trace);
+    void settle(bool wasGrounded, Trace* trace);
+    void easeEye();
+    void savePose();
+    bool restorePose();
+    bool fitsAt(Vec3d eye, Vec3d from, Stance stance);
+
+    KdTree tree_;
+    Mesh mesh_;
+    WorldFrame frame_;
+    WalkShape shape_;
+    NearbyTriangles nearby_;
+    std::span<const SolidTriangle> triangles_;
+    double lowest_; ///< below this height he has fallen out of the world
+    WalkState state_;
+    std::array<Pose, 16> saved_{};
+    int savedCount_ = 0, savedNext_ = 0;
+    int sinceSaved_ = 0;
+};
+
+} // namespace rtcore
