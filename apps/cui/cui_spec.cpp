@@ -35,6 +35,8 @@ constexpr std::array kCommands{
     CommandSpec{"camera set", "EX EY EZ FX FY FZ [FOV]", "look from E into the direction F"},
     CommandSpec{"camera look-at", "EX EY EZ TX TY TZ [FOV]", "look from E to the point T"},
     CommandSpec{"camera turn", "RIGHT UP", "turn by these angles, degrees"},
+    CommandSpec{"walk", "", "with a body, on the ground"},
+    CommandSpec{"fly", "", "freely"},
     CommandSpec{"load camera", "FILE", "look through a .cam file", Doer::Server, true},
     CommandSpec{"load scene", "FILE", "show another scene or model", Doer::Server, true},
     CommandSpec{"load set", "FILE", "take the table [live] of a .set file over", Doer::Server, true},

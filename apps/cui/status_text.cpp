@@ -36,6 +36,8 @@ const char* state(const ipc::Status& status) {
     return status.idle != 0 ? "idle" : "drawing";
 }
 
+const char* mode(const ipc::Status& status) { return status.mode == 0 ? "fly" : "walk"; }
+
 const char* truth(std::uint32_t value) { return value != 0 ? "true" : "false"; }
 
 } // namespace
@@ -53,6 +55,7 @@ std::string statusText(const std::string& instance, std::int64_t process, const 
     line("frame time", fixed(status.frameSeconds * 1e3, 2) + " ms");
     line("frames per second", fixed(status.framesPerSecond, 1));
     line("rays per second", fixed(status.raysPerSecond * 1e-6, 2) + " million");
+    line("mode", mode(status));
     line("eye", vector(status.eye, " "));
     line("forward", vector(status.forward, " "));
     line("up", vector(status.up, " "));
@@ -74,6 +77,7 @@ std::string statusJson(const std::string& instance, std::int64_t process, const 
     add("frameSeconds", exact(status.frameSeconds));
     add("framesPerSecond", exact(status.framesPerSecond));
     add("raysPerSecond", exact(status.raysPerSecond));
+    add("mode", "\"" + std::string(mode(status)) + "\"");
     add("eye", "[" + vector(status.eye, ",") + "]");
     add("forward", "[" + vector(status.forward, ",") + "]");
     add("up", "[" + vector(status.up, ",") + "]");

@@ -3,13 +3,13 @@
 #include "rtserver/exports.h"
 
 #include "common/command_line.h"
-#include "common/key_names.h"
 #include "common/run_program.h"
 #include "common/words.h"
 
 #include "ipc/platform/error.h"
 
 #include "rtcore/io/images/image_file.h"
+#include "rtcore/motion/key_codes.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/settings/nearest_name.h"
 #include "rtcore/settings/settings_table.h"
@@ -55,9 +55,13 @@ bool flag(const std::string& text) {
 }
 
 int keyOf(const std::string& name) {
-    const std::optional<int> code = app::keyCode(name);
-    if (!code)
-        throw app::UsageError("unknown key " + rtcore::quoted(name) + "; there are " + app::keyNames());
+    const std::optional<int> code = rtcore::keyNamed(name);
+    if (!code) {
+        throw app::UsageError(
+            "unknown key " + rtcore::quoted(name) +
+            "; there are letters, digits, Space, Left, Right, Up, Down, Shift, Control, CapsLock "
+            "and others");
+    }
     return *code;
 }
 
@@ -147,8 +151,17 @@ Result cameraSet(const Call& call) { return setCamera(call, vectorAt(call, 3)); 
 Result cameraLookAt(const Call& call) { return setCamera(call, vectorAt(call, 3) - vectorAt(call, 0)); }
 
 Result cameraTurn(const Call& call) {
-    call.session.flyer().look(number(call[0]), number(call[1]));
-    call.session.touch();
+    call.session.turn(number(call[0]), number(call[1]));
+    return {};
+}
+
+Result walk(const Call& call) {
+    call.session.setWalking(true);
+    return {};
+}
+
+Result fly(const Call& call) {
+    call.session.setWalking(false);
     return {};
 }
 
@@ -249,6 +262,8 @@ constexpr std::array kCommands{
     Command{"camera set", 6, 7, "EX EY EZ FX FY FZ [FOV]", true, cameraSet},
     Command{"camera look-at", 6, 7, "EX EY EZ TX TY TZ [FOV]", true, cameraLookAt},
     Command{"camera turn", 2, 2, "RIGHT UP", true, cameraTurn},
+    Command{"walk", 0, 0, "", true, walk},
+    Command{"fly", 0, 0, "", true, fly},
     Command{"load camera", 1, 1, "FILE", true, loadCamera},
     Command{"load scene", 1, 1, "FILE", true, loadScene},
     Command{"load set", 1, 1, "FILE", true, loadSet},

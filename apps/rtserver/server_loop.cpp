@@ -18,6 +18,7 @@ using namespace std::chrono_literals;
 
 constexpr auto kSleep = 250ms;
 constexpr auto kSleepWhileLoading = 20ms;
+constexpr auto kMotionStep = 2ms;      ///< until who is not at rest has moved
 constexpr auto kAdaptationStep = 16ms; ///< between frames that differ by their exposure alone
 constexpr auto kLongFrame = 1s;        ///< such a frame is given up for a change, but never two in a row
 
@@ -76,6 +77,7 @@ void ServerLoop::takeLoadedScene() {
     try {
         session_.show(load->take());
         frames_.forget();
+        moved_ = Clock::now();
         for (const std::string& warning : session_.world().loaded.warnings) print("warning: " + warning);
     } catch (const std::exception& error) {
         if (!session_.ready()) throw;
@@ -139,13 +141,12 @@ void ServerLoop::answerWhoWaitsForIdle() {
 
 void ServerLoop::move() {
     ipc::KeyState keys = server_.keys();
-    if (!session_.ready()) return;
-    session_.keyboard().collect(keys);
     const Clock::time_point now = Clock::now();
-    // A key that went down since the last look acts from now on.
-    const double seconds = moving_ ? std::chrono::duration<double>(now - moved_).count() : 0;
-    moved_ = now;
-    moving_ = session_.applyKeys(keys, session_.paused ? 0 : seconds);
+    const Clock::duration passed = now - std::exchange(moved_, now);
+    // Who looks at a picture that stands still does not move about.
+    if (!session_.ready() || session_.paused) return;
+    session_.keyboard().collect(keys);
+    session_.move(passed, keys);
 }
 
 bool ServerLoop::wantsFrame() const {
@@ -153,7 +154,8 @@ bool ServerLoop::wantsFrame() const {
 }
 
 bool ServerLoop::idle() const {
-    return session_.ready() && !session_.stale() && frames_.settled() && !moving_ && load_ == nullptr;
+    return session_.ready() && !session_.stale() && frames_.settled() && session_.atRest() &&
+           load_ == nullptr;
 }
 
 void ServerLoop::draw() {
@@ -202,8 +204,8 @@ void ServerLoop::publish() {
 void ServerLoop::sleep() {
     if (!pending_.empty() && session_.ready()) return;
     const Clock::time_point now = Clock::now();
-    if (moving_ && !session_.paused) {
-        if (due_ > now) server_.wait(due_ - now);
+    if (session_.ready() && !session_.paused && !session_.atRest()) {
+        server_.wait(std::max<Clock::duration>(due_ - now, session_.stale() ? 0ms : kMotionStep));
     } else if (wantsFrame()) {
         if (due_ > now) server_.wait(due_ - now);
     } else {
@@ -263,6 +265,7 @@ void ServerLoop::tellStatus() {
         copy(normalize(camera.forward), status.forward);
         copy(normalize(camera.up), status.up);
         status.fieldOfView = camera.horizontalFov;
+        status.mode = session_.walking() ? 1 : 0;
         status.exposure = frames_.exposure();
         status.idle = idle() ? 1 : 0;
     }

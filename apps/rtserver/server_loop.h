@@ -66,7 +66,7 @@ class ServerLoop : private Host {
     std::optional<ipc::Command> loader_; ///< who wants to know of the load; nobody: the command line
     std::deque<ipc::Command> pending_;
     std::vector<ipc::Command> idleWaiters_;
-    bool quit_ = false, moving_ = false;
+    bool quit_ = false;
     Clock::time_point moved_;                 ///< when keys acted last
     Clock::time_point due_;                   ///< no frame before that
     std::deque<Clock::time_point> published_; ///< within the last second

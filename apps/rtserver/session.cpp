@@ -3,16 +3,16 @@
 #include "renderer/settings_merge.h"
 
 #include "rtcore/io/text/set.h"
+#include "rtcore/motion/player.h"
 #include "rtcore/settings/settings_table.h"
 
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
 namespace rtserver {
 
 namespace {
-
-constexpr double kTapSeconds = 0.05; ///< how long a key acts that was released before anybody looked
 
 [[noreturn]] void refuseNumber(const std::string& what, int number, std::size_t count) {
     const std::string has = count == 0   ? "none"
@@ -31,6 +31,8 @@ bool isParallel(rtcore::Vec3 a, rtcore::Vec3 b) {
 
 Session::Session(const Options& options, std::function<void(int, int)> reserve)
     : options_(options), reserve_(std::move(reserve)) {}
+
+Session::~Session() = default;
 
 std::string Session::title() const { return world_->source.filename().string(); }
 
@@ -63,8 +65,16 @@ void Session::show(std::unique_ptr<World> world) {
     const rtcore::RenderSettings settings = settingsOf(*world, camera ? &*camera : nullptr);
     reserve_(settings.width, settings.height);
     settings_ = settings;
+    player_.reset();
     world_ = std::move(world);
-    flyer_.emplace(loaded.camera, loaded.tree.bounds, loaded.scene.up);
+    // A model by itself does not tell its unit.
+    const rtcore::Scene& scene = loaded.scene;
+    player_ = std::make_unique<rtcore::Player>(
+        loaded.tree, scene.mesh(),
+        rtcore::PlayerOptions{
+            .up = scene.up, .metresPerUnit = loaded.sceneFile ? scene.metresPerUnit : 0, .walk = scene.walk});
+    player_->setCamera(loaded.camera);
+    camera_ = player_->camera();
     touch();
 }
 
@@ -76,9 +86,8 @@ void Session::setCamera(const rtcore::Camera& camera) {
         throw std::invalid_argument("the camera cannot look straight along its up direction");
     if (!(camera.horizontalFov > 0 && camera.horizontalFov < 180))
         throw std::invalid_argument("the field of view is more than 0 and less than 180 degrees");
-    if (camera == flyer_->camera()) return;
-    flyer_->setCamera(camera);
-    touch();
+    player_->setCamera(camera);
+    takeCamera();
 }
 
 void Session::setSettings(const rtcore::RenderSettings& settings) {
@@ -102,8 +111,8 @@ void Session::loadCamera(const std::filesystem::path& path) {
         scene.activeEnvironment = environment;
         throw;
     }
-    flyer_->setCamera(file.camera);
-    touch();
+    player_->setCamera(file.camera);
+    takeCamera();
 }
 
 void Session::loadSettings(const std::filesystem::path& path) {
@@ -130,41 +139,51 @@ void Session::setEnvironment(int environment) {
     scene.activeEnvironment = environment;
 }
 
-void Session::applyToggles(const ipc::KeyState& keys) {
+void Session::turn(double right, double upwards) {
+    constexpr double kRadians = std::numbers::pi / 180;
+    player_->look(right * kRadians, upwards * kRadians);
+    takeCamera();
+}
+
+void Session::setWalking(bool walking) {
+    if (!player_->setMode(walking ? rtcore::MotionMode::Walk : rtcore::MotionMode::View))
+        throw std::runtime_error("there is no room to stand here; move elsewhere first");
+    takeCamera();
+}
+
+bool Session::walking() const { return player_->mode() == rtcore::MotionMode::Walk; }
+
+bool Session::atRest() const { return player_->atRest(); }
+
+void Session::takeCamera() {
+    const rtcore::Camera camera = player_->camera();
+    if (camera != camera_) touch();
+    camera_ = camera;
+}
+
+// What the scene does not have is no error of who presses a key.
+void Session::apply(const rtcore::ActionTap& tap) {
     const rtcore::Scene& scene = world_->loaded.scene;
-    for (int digit = 0; digit <= 9; ++digit) {
-        const std::uint32_t presses = keys.pressed('0' + digit);
-        if (presses == 0) continue;
-        const int number = (digit + 9) % 10; // 1 is the first, 0 the tenth
-        if (keys.held('M')) {
-            if (static_cast<std::size_t>(number) < scene.environments.size()) setEnvironment(number);
-        } else if (presses % 2 == 1 && static_cast<std::size_t>(number) < scene.lights.size()) {
-            switchLight(number, std::nullopt);
-        }
+    const int index = tap.number - 1;
+    const auto among = [&](std::size_t count) {
+        return index >= 0 && static_cast<std::size_t>(index) < count;
+    };
+    if (rtcore::isHeld(tap.action)) {
+        player_->tap(tap.action);
+    } else if (tap.action == rtcore::Action::ToggleWalk) {
+        player_->setMode(walking() ? rtcore::MotionMode::View : rtcore::MotionMode::Walk);
+    } else if (tap.action == rtcore::Action::ToggleLight && among(scene.lights.size())) {
+        switchLight(index, std::nullopt);
+    } else if (tap.action == rtcore::Action::SelectEnvironment && among(scene.environments.size())) {
+        setEnvironment(index);
     }
 }
 
-bool Session::applyKeys(const ipc::KeyState& keys, double seconds) {
-    applyToggles(keys);
-    const std::bitset<kActions> held = actionsOf(keys.down, defaultBindings());
-    std::bitset<ipc::kMaxKeys> tappedKeys = keys.down;
-    for (int key = 0; key < ipc::kMaxKeys; ++key) {
-        if (keys.pressed(key) > 0) tappedKeys.set(static_cast<std::size_t>(key));
-    }
-    const std::bitset<kActions> tapped = actionsOf(tappedKeys, defaultBindings()) & ~held;
-    const auto act = [&](const std::bitset<kActions>& actions, double time) {
-        flyer_->releaseAll();
-        for (int i = 0; i < kActions; ++i) {
-            if (actions[static_cast<std::size_t>(i)]) flyer_->press(static_cast<Action>(i));
-        }
-        if (flyer_->advance(time)) touch();
-        flyer_->releaseAll();
-    };
-    act(held, seconds);
-    if (tapped.any()) act(tapped, kTapSeconds);
-    std::bitset<kActions> moving = held;
-    moving.reset(static_cast<std::size_t>(Action::Sprint));
-    return moving.any();
+void Session::move(std::chrono::nanoseconds time, const ipc::KeyState& keys) {
+    player_->advance(time);
+    for (const rtcore::ActionTap& tap : bindings_.taps(keys.down, keys.presses)) apply(tap);
+    player_->hold(bindings_.held(keys.down));
+    takeCamera();
 }
 
 } // namespace rtserver

@@ -111,6 +111,30 @@ TEST_F(Serving, KeysMoveTheCamera) {
     refused({"key", "press", "hyper"}, 2, "unknown key 'hyper'");
 }
 
+TEST_F(Serving, WhoWalksStaysOnTheGround) {
+    writeText(folder() / "walk.scn", "version = 1\nmodel = \"room.obj\"\n[camera]\neye = [8.0, 5.0, -10.0]\n"
+                                     "forward = [0.0, 0.0, -1.0]\n[walk]\nheight = 1.8\n");
+    start({}, "walk.scn");
+    const auto height = [&] { return status()["eye"][1].get<double>(); };
+    ask({"wait-idle"});
+    EXPECT_EQ(status()["mode"], "fly");
+    EXPECT_EQ(height(), 5) << "who flies does not fall";
+    ask({"walk"});
+    ask({"wait-idle"});
+    EXPECT_EQ(status()["mode"], "walk");
+    const double standing = height();
+    EXPECT_GT(standing, -0.5 + 1.2) << "the floor is at -0.5";
+    EXPECT_LT(standing, -0.5 + 1.8);
+    const double before = status()["eye"][2];
+    ask({"key", "press", "s"});
+    EXPECT_TRUE(eventually([&] { return status()["eye"][2].get<double>() > before + 0.2; }));
+    ask({"key", "release", "s"});
+    ask({"wait-idle"});
+    EXPECT_NEAR(height(), standing, 0.01);
+    ask({"key", "tap", "f"});
+    EXPECT_TRUE(eventually([&] { return status()["mode"] == "fly"; }));
+}
+
 TEST_F(Serving, PausesAndResumes) {
     start();
     ask({"wait-idle"});

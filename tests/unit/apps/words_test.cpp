@@ -1,7 +1,6 @@
 #include "common/words.h"
 
 #include "common/command_line.h"
-#include "common/key_names.h"
 
 #include <gtest/gtest.h>
 
@@ -24,15 +23,6 @@ TEST(Words, SurviveTheRoundTrip) {
     const Words words{"", "a b", "\"", "\\", "a\\\"b", "tab\tline\n", "plain", "/tmp/\xC3\xA4 b.png"};
     EXPECT_EQ(app::splitWords(app::joinWords(words)), words);
     EXPECT_EQ(app::joinWords(Words{"set", "bloom", "3"}), "set bloom 3");
-}
-
-TEST(KeyNames, HaveCodes) {
-    EXPECT_EQ(app::keyCode("w"), 'W');
-    EXPECT_EQ(app::keyCode("W"), 'W');
-    EXPECT_EQ(app::keyCode("7"), '7');
-    EXPECT_EQ(app::keyCode("Space"), ' ');
-    EXPECT_EQ(app::keyCode("capslock"), app::key::kCapsLock);
-    for (const char* none : {"", "ww", "+", "hyper"}) EXPECT_FALSE(app::keyCode(none)) << none;
 }
 
 } // namespace
