@@ -15,6 +15,7 @@
 #include "rtcore/settings/settings_table.h"
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -35,8 +36,9 @@ struct Call {
 };
 
 float number(const std::string& text) {
+    constexpr double kMost = 1e30;
     const std::optional<double> value = app::parseNumber(text);
-    if (!value) throw app::UsageError(rtcore::quoted(text) + " is no number");
+    if (!value || std::fabs(*value) > kMost) throw app::UsageError(rtcore::quoted(text) + " is no number");
     return static_cast<float>(*value);
 }
 
@@ -151,7 +153,11 @@ Result cameraSet(const Call& call) { return setCamera(call, vectorAt(call, 3)); 
 Result cameraLookAt(const Call& call) { return setCamera(call, vectorAt(call, 3) - vectorAt(call, 0)); }
 
 Result cameraTurn(const Call& call) {
-    call.session.turn(number(call[0]), number(call[1]));
+    const float right = number(call[0]), upwards = number(call[1]);
+    constexpr float kMost = 360;
+    if (std::fabs(right) > kMost || std::fabs(upwards) > kMost)
+        throw app::UsageError("camera turn takes angles from -360 to 360 degrees");
+    call.session.turn(right, upwards);
     return {};
 }
 
