@@ -27,18 +27,18 @@ bool isFloor(const Body& body, Vec3d feet, Vec3d normal, Vec3d point) {
 std::optional<Ground> findGround(const Body& body, Vec3d feet, double distance, double step) {
     const Sweep down = body.sweep(feet, -kUp, distance);
     if (!down.hit) return std::nullopt;
-    Ground ground{feet - kUp * down.travel, kUp};
+    Ground ground{feet - kUp * down.travel, {}};
     double flattest = 0;
     bool edge = false;
-    const auto look = [&](Vec3d normal, Vec3d point) {
+    const auto look = [&](Vec3d normal, Vec3d point, bool onFace) {
         if (normal.z >= body.shape().walkable && normal.z > flattest) {
             flattest = normal.z;
-            ground.normal = normal;
+            ground.floor = {normal, !onFace};
         }
         edge = edge || (normal.z > kRounding && leadsToFloor(body, ground.feet, point));
     };
-    look(down.normal, down.point);
-    for (const Separation& s : body.contacts(ground.feet)) look(s.normal, s.onTriangle);
+    look(down.normal, down.point, down.onFace);
+    for (const Separation& s : body.contacts(ground.feet)) look(s.normal, s.onTriangle, s.onFace);
     if (flattest > 0) return ground;
     if (!edge) return std::nullopt;
     const auto below = body.floorBelow(body.lowCentre(ground.feet), body.reach() + step);
@@ -58,11 +58,12 @@ std::optional<StepUp> stepUp(const Body& body, Vec3d feet, Vec3d move, double st
     const double wanted = length(move);
     if (!(wanted > 0)) return std::nullopt;
     const Vec3d ahead = move * (1 / wanted);
-    const double distance = std::max(wanted, kLeast);
+    // Beyond what stopped him; else the step would not show.
+    const double distance = std::max(wanted, dot(without - feet, ahead) + kLeast);
     const double raised = body.sweep(feet, kUp, step).travel;
     const Vec3d above = feet + kUp * raised;
     Trace parts{above};
-    const Slide over = slideOnGround(body, above, ahead * distance, kUp, &parts);
+    const Slide over = slideOnGround(body, above, ahead * distance, {}, &parts);
     const double most = over.feet.z - feet.z;
     if (!(most > 0)) return std::nullopt;
     const Sweep down = body.sweep(over.feet, -kUp, most);

@@ -9,8 +9,8 @@
 namespace rtcore {
 
 struct Ground {
-    Vec3d feet;   ///< standing on it
-    Vec3d normal; ///< of the floor to follow
+    Vec3d feet;       ///< standing on it
+    FloorPlane floor; ///< to follow
 };
 
 /// The floor to stand on within `distance` below `feet`. A surface that is too steep is none, but the edge of

@@ -17,12 +17,14 @@ struct Nearest {
         const double d = dot(apart, apart);
         if (d >= square) return;
         square = d;
+        onFace = inFace;
         point = onTriangle;
         difference = apart;
     }
 
     double height;
     double square = std::numeric_limits<double>::max();
+    bool inFace = false, onFace = false;
     Vec3d point, difference;
 };
 
@@ -44,6 +46,7 @@ void offerFace(Nearest& nearest, Vec3d a, Vec3d b, Vec3d c, Vec3d normal) {
     const Vec3d ab = b - a, ac = c - a;
     const double square = dot(normal, normal);
     if (!(square > 0)) return;
+    nearest.inFace = true;
     for (const Vec3d end : {Vec3d{}, Vec3d{0, 0, nearest.height}}) {
         const Vec3d from = end - a;
         const double w = dot(cross(ab, from), normal) / square;
@@ -73,6 +76,7 @@ Separation separate(const UprightLine& line, const SolidTriangle& triangle) {
     Separation result;
     result.distance = std::sqrt(nearest.square);
     result.onTriangle = nearest.point + line.foot;
+    result.onFace = nearest.onFace;
     constexpr double kTouching = 1e-12;
     if (result.distance > kTouching) {
         result.normal = nearest.difference * (1 / result.distance);

@@ -14,8 +14,9 @@ struct UprightLine {
 
 struct Separation {
     double distance = 0;
-    Vec3d normal;     ///< unit, from the triangle to the line; where they meet, a normal of the triangle
-    Vec3d onTriangle; ///< the nearest point
+    Vec3d normal;        ///< unit, from the triangle to the line; where they meet, a normal of the triangle
+    Vec3d onTriangle;    ///< the nearest point
+    bool onFace = false; ///< it is inside the triangle, not on an edge
 };
 
 /// Exact but for rounding, for triangles of any shape: slivers count as their edges, points as points. The

@@ -10,10 +10,11 @@ namespace {
 constexpr int kSweeps = 5;
 constexpr double kNothing = 1e-9; ///< metres
 
-/// `move` turned into the plane of the floor, with its heading and length.
-Vec3d alongFloor(Vec3d move, Vec3d floor) {
-    const double rise = -(floor.x * move.x + floor.y * move.y) / floor.z;
+/// `move` turned into the plane of the floor, with its heading and length; over an edge it only rises.
+Vec3d alongFloor(Vec3d move, const FloorPlane& floor) {
+    const double rise = -(floor.normal.x * move.x + floor.normal.y * move.y) / floor.normal.z;
     const Vec3d path{move.x, move.y, rise};
+    if (floor.edge) return path;
     const double whole = length(path);
     return whole > 0 ? path * (length(move) / whole) : Vec3d{};
 }
@@ -61,17 +62,18 @@ Vec3d MetPlanes::clip(Vec3d move) const {
     return best;
 }
 
-Slide slideOnGround(const Body& body, Vec3d feet, Vec3d move, Vec3d floor, Trace* trace) {
+Slide slideOnGround(const Body& body, Vec3d feet, Vec3d move, FloorPlane floor, Trace* trace) {
     Slide slide;
     slide.feet = feet;
     Vec3d left = move;
     for (int i = 0; i < kSweeps && length(left) > kNothing; ++i) {
         Sweep sweep;
+        slide.rolled = slide.rolled || floor.edge;
         const double share = advance(body, alongFloor(left, floor), slide, sweep, trace);
         if (!sweep.hit) break;
         left = left * share;
         if (sweep.normal.z >= body.shape().walkable) {
-            floor = sweep.normal;
+            floor = {sweep.normal, !sweep.onFace};
             continue;
         }
         const Vec3d wall = normalize(horizontal(sweep.normal));

@@ -21,7 +21,15 @@ class MetPlanes {
     std::vector<Vec3d> normals_;
 };
 
+/// What is under the player while he walks.
+struct FloorPlane {
+    Vec3d normal{0, 0, 1};
+    bool edge = false; ///< the round body rolls over an edge: the floor around is not as steep
+    friend bool operator==(const FloorPlane&, const FloorPlane&) = default;
+};
+
 struct Slide {
+    bool rolled = false;          ///< over an edge
     Vec3d feet;                   ///< where it ended
     MetPlanes met;                ///< what the velocity loses its parts into
     std::optional<Sweep> blocked; ///< the last steep surface that was in the way
@@ -32,9 +40,9 @@ struct Slide {
 /// Positions at the end of each part of a step, for tests; null: not wanted.
 using Trace = std::vector<Vec3d>;
 
-/// `move` is horizontal. Its heading and length are kept along the floor of normal `floor`; steep surfaces
+/// `move` is horizontal. Its heading and length are kept along the `floor`; steep surfaces
 /// are walls, whatever their slope.
-Slide slideOnGround(const Body& body, Vec3d feet, Vec3d move, Vec3d floor, Trace* trace = nullptr);
+Slide slideOnGround(const Body& body, Vec3d feet, Vec3d move, FloorPlane floor, Trace* trace = nullptr);
 Slide slideInAir(const Body& body, Vec3d feet, Vec3d move, Trace* trace = nullptr);
 
 } // namespace rtcore

@@ -60,6 +60,7 @@ Sweep sweepCapsule(std::span<const SolidTriangle> triangles, const UprightLine& 
         sweep.hit = true;
         sweep.normal = touch.separation.normal;
         sweep.point = touch.separation.onTriangle;
+        sweep.onFace = touch.separation.onFace;
         sweep.travel = std::max(0.0, touch.at - (skin - touch.gap) / touch.approach);
     }
     constexpr double kNothing = 1e-7; // so that what rests stays where it is

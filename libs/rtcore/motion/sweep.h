@@ -10,8 +10,9 @@ namespace rtcore {
 struct Sweep {
     double travel = 0; ///< metres that are free
     bool hit = false;
-    Vec3d normal; ///< unit, from what was hit to the capsule
-    Vec3d point;  ///< what was hit
+    Vec3d normal;        ///< unit, from what was hit to the capsule
+    Vec3d point;         ///< what was hit
+    bool onFace = false; ///< the point is inside a triangle, not on an edge
 };
 
 /// How far the capsule of `radius` around `core` moves along `direction` (unit) before it touches one of

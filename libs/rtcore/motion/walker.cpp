@@ -227,12 +227,12 @@ void Walker::accelerate(Vec3d wanted) {
 
 void Walker::walk(Trace* trace) {
     state_.velocity.z = 0;
-    const Vec3d move = state_.velocity * kTickSeconds;
-    if (state_.debt > 0) {
-        state_.debt = std::max(0.0, state_.debt - length(move));
-        if (move == Vec3d{}) state_.debt = 0;
-        return;
-    }
+    const Vec3d due = state_.velocity * kTickSeconds;
+    const double paid = std::min(state_.debt, length(due));
+    state_.debt = due == Vec3d{} ? 0 : state_.debt - paid;
+    const Vec3d move = due - normalize(due) * paid;
+    constexpr double kNothing = 1e-9;
+    if (length(move) < kNothing) return;
     const Body b = body(state_.height);
     Trace parts;
     const Slide slide = slideOnGround(b, state_.feet, move, state_.floor, &parts);
@@ -245,6 +245,7 @@ void Walker::walk(Trace* trace) {
             return;
         }
     }
+    if (slide.rolled) state_.eyeOffset -= slide.feet.z - state_.feet.z;
     state_.feet = slide.feet;
     state_.velocity = slide.met.clip(state_.velocity);
     if (trace != nullptr) trace->insert(trace->end(), parts.begin(), parts.end());
@@ -313,13 +314,13 @@ void Walker::settle(bool wasGrounded, Trace* trace) {
     if (ground) {
         const double down = state_.feet.z - ground->feet.z;
         constexpr double kSlope = 5e-3; // what following a floor does not explain
-        if (follow && down > kSlope) state_.eyeOffset += down;
+        if (follow && (down > kSlope || ground->floor.edge)) state_.eyeOffset += down;
         state_.feet = ground->feet;
         if (trace != nullptr && down > 0) trace->push_back(state_.feet);
-        state_.floor = ground->normal;
+        state_.floor = ground->floor;
         state_.grounded = true;
     } else if (!b.contacts(state_.feet).empty() && isWedged(b, state_.feet)) {
-        state_.floor = kUp;
+        state_.floor = {};
         state_.grounded = true;
     }
     if (!state_.grounded) return;

@@ -32,7 +32,7 @@ struct WalkState {
     double height = 1.8; ///< of the body now: changes smoothly between stances
     Stance stance = Stance::Stand;
     bool grounded = false;
-    Vec3d floor{0, 0, 1};   ///< normal to follow while grounded
+    FloorPlane floor;       ///< to follow while grounded
     double eyeOffset = 0;   ///< of the eye from its place in the body: smooths steps
     double debt = 0;        ///< metres gone too far on an edge
     double takeOff = 0;     ///< height of the floor that was jumped from

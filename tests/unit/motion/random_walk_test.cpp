@@ -2,8 +2,11 @@
 // walks, RT_WALK_SCENE (a .bsp) adds a scene to them.
 #include "walk_world.h"
 
+#include "rtcore/io/bsp/bsp_file.h"
 #include "support/random_numbers.h"
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -57,21 +60,25 @@ class RandomKeys {
 /// The distance of the core to all triangles of a mesh, without a tree.
 class BruteForce {
   public:
-    explicit BruteForce(const rtcore::Mesh& mesh) {
+    BruteForce(const rtcore::Mesh& mesh, const rtcore::WorldFrame& frame) {
         for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
             Vec3d p[3];
             for (int corner = 0; corner < 3; ++corner) {
-                const rtcore::Vec3 v = mesh.position(i, corner);
-                p[corner] = {double{v.x}, double{v.y}, double{v.z}};
+                p[corner] = frame.toMetres(mesh.position(i, corner));
             }
-            triangles_.push_back({p[0], p[1], p[2], {}});
+            triangles_.push_back({p[0], p[1], p[2], boxOf(p[0], p[1], p[2])});
         }
     }
 
+    /// At most kReach.
     double clearance(Vec3d feet, double height) const {
         const rtcore::UprightLine core{feet + Vec3d{0, 0, kReach}, std::max(0.0, height - 2 * kReach)};
-        double least = std::numeric_limits<double>::max();
-        for (const rtcore::SolidTriangle& t : triangles_) least = std::min(least, separate(core, t).distance);
+        const rtcore::Box3d near =
+            boxOf(core.foot, core.foot + Vec3d{0, 0, core.height}, core.foot).grown(kReach);
+        double least = kReach;
+        for (const rtcore::SolidTriangle& t : triangles_) {
+            if (t.box.overlaps(near)) least = std::min(least, separate(core, t).distance);
+        }
         return least;
     }
 
@@ -80,14 +87,29 @@ class BruteForce {
     bool crosses(Vec3d a, Vec3d b, double height) const {
         for (const double share : {0.0, 0.5, 1.0}) {
             const Vec3d up{0, 0, kReach + share * std::max(0.0, height - 2 * kReach)};
+            const rtcore::Box3d way = boxOf(a + up, b + up, b + up);
             for (const rtcore::SolidTriangle& t : triangles_) {
-                if (through(t, a + up, b + up)) return true;
+                if (t.box.overlaps(way) && through(t, a + up, b + up)) return true;
             }
         }
         return false;
     }
 
+    /// Of the eye, at most 0.1.
+    double clearanceOf(Vec3d eye) const {
+        double least = 0.1;
+        const rtcore::Box3d near = boxOf(eye, eye, eye).grown(least);
+        for (const rtcore::SolidTriangle& t : triangles_) {
+            if (t.box.overlaps(near)) least = std::min(least, separate({eye, 0}, t).distance);
+        }
+        return least;
+    }
+
   private:
+    static rtcore::Box3d boxOf(Vec3d a, Vec3d b, Vec3d c) {
+        return {{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
+                {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
+    }
     static double volume(Vec3d a, Vec3d b, Vec3d c, Vec3d d) { return dot(a - d, cross(b - d, c - d)); }
     static bool sameSign(double a, double b, double c) {
         return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
@@ -142,73 +164,109 @@ WalkWorld soup(std::uint64_t seed) {
     return world;
 }
 
-struct Watch {
-    bool sealed = false; ///< in the closed room: nobody leaves it
-    int refused = 0, walked = 0;
-    double least = std::numeric_limits<double>::max();
+/// Where walks go, and what they came to.
+struct Stage {
+    Stage(const rtcore::KdTree& kdTree, const rtcore::Mesh& triangles, rtcore::Vec3 up, double metresPerUnit)
+        : tree(kdTree), mesh(triangles), frame(up, metresPerUnit), all(mesh, frame) {
+        const Vec3d a = frame.toMetres(tree.bounds.lo), b = frame.toMetres(tree.bounds.hi);
+        lo = {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+        hi = {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+    }
+    void startIn(Vec3d low, Vec3d high) {
+        lo = low;
+        hi = high;
+    }
+    rtcore::KdTree tree;
+    rtcore::Mesh mesh;
+    rtcore::WorldFrame frame;
+    BruteForce all;
+    Vec3d lo, hi;
+    bool sealed = false;  ///< nobody leaves the room of room()
+    int checkedEvery = 1; ///< one walk of so many is checked triangle by triangle
+    int walked = 0, ticks = 0;
+    double slowest = 0, seconds = 0; ///< of ticks
 };
 
-void walkOnce(WalkWorld& world, const BruteForce& all, std::uint64_t seed, Watch& watch) {
+void walkOnce(Stage& stage, std::uint64_t seed) {
     test::Random random(seed);
-    rtcore::Walker walker(world.tree(), world.view(), rtcore::WorldFrame({0, 0, 1}, 1), WalkWorld::shape());
-    const Vec3d eye{15 * test::share(random) - 7.5, 15 * test::share(random) - 7.5,
-                    0.2 + 4.5 * test::share(random)};
-    if (!walker.enter(eye)) {
-        ++watch.refused;
-        return;
-    }
-    ++watch.walked;
+    rtcore::Walker walker(stage.tree, stage.mesh, stage.frame, WalkWorld::shape());
+    const auto within = [&](double lo, double hi) { return lo + (hi - lo) * test::share(random); };
+    const Vec3d start{within(stage.lo.x, stage.hi.x), within(stage.lo.y, stage.hi.y),
+                      within(stage.lo.z, stage.hi.z)};
+    if (!walker.enter(start)) return;
+    ++stage.walked;
     RandomKeys keys(random);
     rtcore::Trace trace;
     for (int tick = 0; tick < kTicks; ++tick) {
         const rtcore::WalkState before = walker.state();
         trace.clear();
-        if (!walker.tick(keys.next(), &trace)) return;
+        const WalkInput input = keys.next();
+        const auto begin = std::chrono::steady_clock::now();
+        if (!walker.tick(input, &trace)) return;
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+        ++stage.ticks;
+        stage.seconds += took.count();
+        stage.slowest = std::max(stage.slowest, took.count());
         const rtcore::WalkState& now = walker.state();
         ASSERT_TRUE(isFinite(now.feet) && isFinite(now.velocity));
         if (length(now.feet - before.feet) > 1) continue; // put back into the world
+        if (seed % static_cast<std::uint64_t>(stage.checkedEvery) != 0) continue;
         const double lower = std::min(before.height, now.height);
         Vec3d from = before.feet;
         for (const Vec3d& to : trace) {
-            const double clear = all.clearance(to, lower);
-            watch.least = std::min(watch.least, clear);
-            ASSERT_GE(clear, kRadius - 1e-9) << "walk " << seed << " tick " << tick;
-            ASSERT_FALSE(all.crosses(from, to, lower)) << "walk " << seed << " tick " << tick;
+            ASSERT_GE(stage.all.clearance(to, lower), kRadius - 1e-9) << "walk " << seed << " tick " << tick;
+            ASSERT_FALSE(stage.all.crosses(from, to, lower)) << "walk " << seed << " tick " << tick;
             from = to;
         }
         ASSERT_LT(length(now.feet - from), 1e-9) << "walk " << seed << " tick " << tick;
-        ASSERT_GE(all.clearance(now.feet, now.height), kRadius - 1e-9) << "walk " << seed << " tick " << tick;
-        const double eyeHeight = walker.eye().z - now.feet.z;
-        ASSERT_GT(eyeHeight, 0.05);
-        if (!watch.sealed) continue;
+        ASSERT_GE(stage.all.clearance(now.feet, now.height), kRadius - 1e-9)
+            << "walk " << seed << " tick " << tick;
+        ASSERT_GE(stage.all.clearanceOf(walker.eye()), 0.08) << "walk " << seed << " tick " << tick;
+        if (!stage.sealed) continue;
         ASSERT_LE(std::max(std::fabs(now.feet.x), std::fabs(now.feet.y)), 8 - kRadius);
         ASSERT_GE(now.feet.z, -0.011);
         ASSERT_LE(now.feet.z + now.height, 5.011);
     }
 }
 
+void walkOften(Stage& stage, int count) {
+    for (int i = 0; i < count && !testing::Test::HasFatalFailure(); ++i) {
+        walkOnce(stage, static_cast<std::uint64_t>(i));
+    }
+    testing::Test::RecordProperty("walks", stage.walked);
+    testing::Test::RecordProperty("microsecondsPerTick",
+                                  static_cast<int>(1e6 * stage.seconds / (1 + stage.ticks)));
+    testing::Test::RecordProperty("slowestMicroseconds", static_cast<int>(1e6 * stage.slowest));
+}
+
 } // namespace
 
 TEST(RandomWalk, staysInTheRoom) {
-    Watch watch;
-    watch.sealed = true;
+    WalkWorld world = room(1);
+    Stage stage(world.tree(), world.view(), {0, 0, 1}, 1);
+    stage.sealed = true;
+    stage.startIn({-7.5, -7.5, 0.2}, {7.5, 7.5, 4.7});
     const int count = walks(40);
-    for (int i = 0; i < count && !testing::Test::HasFatalFailure(); ++i) {
-        static WalkWorld world = room(1);
-        static const BruteForce all(world.view());
-        walkOnce(world, all, static_cast<std::uint64_t>(i), watch);
-    }
-    EXPECT_GT(watch.walked, count / 2);
-    RecordProperty("leastClearance", std::to_string(watch.least));
+    walkOften(stage, count);
+    EXPECT_GT(stage.walked, count / 2);
 }
 
 TEST(RandomWalk, survivesASoup) {
-    Watch watch;
-    const int count = walks(40);
     WalkWorld world = soup(3);
-    const BruteForce all(world.view());
-    for (int i = 0; i < count && !testing::Test::HasFatalFailure(); ++i) {
-        walkOnce(world, all, 1000 + static_cast<std::uint64_t>(i), watch);
-    }
-    EXPECT_GT(watch.walked, count / 4);
+    Stage stage(world.tree(), world.view(), {0, 0, 1}, 1);
+    stage.startIn({-7.5, -7.5, 0.2}, {7.5, 7.5, 4.7});
+    const int count = walks(40);
+    walkOften(stage, count);
+    EXPECT_GT(stage.walked, count / 4);
+}
+
+TEST(RandomWalk, throughAScene) {
+    const char* file = std::getenv("RT_WALK_SCENE");
+    if (file == nullptr) GTEST_SKIP() << "RT_WALK_SCENE names no .bsp";
+    const rtcore::BspContent content = rtcore::readBsp(file);
+    ASSERT_TRUE(content.tree);
+    const rtcore::Vec3 up{0, 1, 0};
+    Stage stage(*content.tree, content.model.mesh, up, rtcore::guessMetresPerUnit(content.tree->bounds, up));
+    stage.checkedEvery = 20;
+    walkOften(stage, walks(40));
 }

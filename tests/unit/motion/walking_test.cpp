@@ -233,9 +233,9 @@ TEST(Walking, climbsStairsWithoutShaking) {
         int ticks = 0;
         for (; walker->state().feet.y < kLong && ticks < 1000; ++ticks) step(ahead(angle));
         EXPECT_NEAR(walker->state().feet.z, 3.4, 1e-2);
-        EXPECT_LT(ticks, (kLong + 0.5) / (0.85 * 3 * std::cos(angle * kPi / 180)) * 120 + 9);
+        EXPECT_LT(ticks, (kLong + 0.5) / (0.95 * 3 * std::cos(angle * kPi / 180)) * 120 + 9);
         for (ticks = 0; walker->state().feet.y > -0.4 && ticks < 1000; ++ticks) step(ahead(180 + angle));
-        EXPECT_LT(ticks, (kLong + 0.5) / (0.85 * 3 * std::cos(angle * kPi / 180)) * 120 + 20);
+        EXPECT_LT(ticks, (kLong + 0.5) / (0.95 * 3 * std::cos(angle * kPi / 180)) * 120 + 20);
         EXPECT_NEAR(walker->state().feet.z, 0, 1e-2);
         EXPECT_LT(most, 0.030);
     }
