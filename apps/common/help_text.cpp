@@ -101,6 +101,7 @@ std::string helpText(const ProgramSpec& spec) {
     for (const Positional& positional : spec.positionals) text += entry(positional.name, positional.help);
     for (const OptionGroup& group : spec.groups) {
         text += "\n" + group.title + ":\n";
+        for (const HelpWord& word : group.words) text += entry(word.label, word.help);
         for (const Option& option : group.options) text += entry(spellings(option), option.help);
     }
     if (!spec.examples.empty()) text += "\nExamples:\n";

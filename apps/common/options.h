@@ -29,9 +29,15 @@ struct Option {
     bool answers = false; ///< answers a question and exits, so that the positionals may be missing
 };
 
+/// A word that is no option, explained in the help: a command.
+struct HelpWord {
+    std::string label, help;
+};
+
 struct OptionGroup {
     std::string title;
     std::vector<Option> options;
+    std::vector<HelpWord> words = {};
 };
 
 /// An argument without a dash. All of them are required.

@@ -15,22 +15,6 @@ namespace app {
 
 namespace {
 
-ExitCode exitCodeOf(rtcore::FailureKind kind) {
-    switch (kind) {
-    case rtcore::FailureKind::BadData:
-        return ExitCode::BadData;
-    case rtcore::FailureKind::NoInput:
-        return ExitCode::NoInput;
-    case rtcore::FailureKind::CannotWrite:
-        return ExitCode::CannotWrite;
-    case rtcore::FailureKind::TryAgain:
-        return ExitCode::TryAgain;
-    case rtcore::FailureKind::Stopped:
-        return stopExitCode();
-    }
-    return ExitCode::Failed;
-}
-
 ExitCode parseAndRun(const ProgramSpec& spec, const std::vector<std::string>& words,
                      const std::function<ExitCode(const Arguments&)>& work) {
     if (words.empty()) {
@@ -50,6 +34,22 @@ ExitCode parseAndRun(const ProgramSpec& spec, const std::vector<std::string>& wo
 }
 
 } // namespace
+
+ExitCode exitCodeOf(rtcore::FailureKind kind) {
+    switch (kind) {
+    case rtcore::FailureKind::BadData:
+        return ExitCode::BadData;
+    case rtcore::FailureKind::NoInput:
+        return ExitCode::NoInput;
+    case rtcore::FailureKind::CannotWrite:
+        return ExitCode::CannotWrite;
+    case rtcore::FailureKind::TryAgain:
+        return ExitCode::TryAgain;
+    case rtcore::FailureKind::Stopped:
+        return stopExitCode();
+    }
+    return ExitCode::Failed;
+}
 
 void printMessage(std::string_view program, std::string_view text) noexcept {
     try {

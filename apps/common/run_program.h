@@ -5,10 +5,15 @@
 #include "common/exit_codes.h"
 #include "common/options.h"
 
+#include "rtcore/platform/error.h"
+
 #include <functional>
 #include <string_view>
 
 namespace app {
+
+/// The exit code that tells of such a failure.
+ExitCode exitCodeOf(rtcore::FailureKind kind);
 
 /// The body of main(): parses the command line by `spec` (which gains --help and --version), answers these
 /// two and the empty command line, runs `work`, prints "Program: message" on stderr for whatever it throws.

@@ -2,7 +2,9 @@
 #include "process/sample_scene.h"
 
 #include "bspbuilder/builder_options.h"
+#include "cui/cui_spec.h"
 #include "renderer/renderer_options.h"
+#include "rtserver/server_options.h"
 
 #include <gtest/gtest.h>
 
@@ -79,7 +81,9 @@ TEST_P(Program, TheManualHasEachOption) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Program, testing::Values(&renderer::rendererSpec(), &bspbuilder::builderSpec()),
+INSTANTIATE_TEST_SUITE_P(All, Program,
+                         testing::Values(&renderer::rendererSpec(), &bspbuilder::builderSpec(),
+                                         &rtserver::serverSpec(), &cui::cuiSpec()),
                          [](const auto& program) { return program.param->name; });
 
 TEST(RendererHelp, MinusHIsTheHeight) {

@@ -1,7 +1,9 @@
 /// The tables of options of all programs: no spelling stands for two things.
 #include "bench/rtbench/bench_options.h"
 #include "bspbuilder/builder_options.h"
+#include "cui/cui_spec.h"
 #include "renderer/renderer_options.h"
+#include "rtserver/server_options.h"
 
 #include <gtest/gtest.h>
 
@@ -40,7 +42,7 @@ TEST_P(OptionsTable, EachOptionSaysWhatItIs) {
 
 INSTANTIATE_TEST_SUITE_P(Programs, OptionsTable,
                          testing::Values(&renderer::rendererSpec(), &bspbuilder::builderSpec(),
-                                         &rtbench::benchSpec()),
+                                         &rtbench::benchSpec(), &rtserver::serverSpec(), &cui::cuiSpec()),
                          [](const auto& program) { return program.param->name; });
 
 app::Arguments parse(const app::ProgramSpec& spec, const std::vector<std::string>& words) {

@@ -1,0 +1,120 @@
+#include "cui/cui_spec.h"
+
+#include "common/command_line.h"
+
+#include "rtcore/settings/nearest_name.h"
+
+#include <array>
+
+namespace cui {
+
+namespace {
+
+using app::ValueKind;
+
+constexpr std::array kCommands{
+    CommandSpec{"status", "", "what the server shows and how fast; --json for programs", Doer::Local},
+    CommandSpec{"fps", "", "frames a second", Doer::Local},
+    CommandSpec{"watch", "", "a line of figures each second, until Ctrl-C", Doer::Local},
+    CommandSpec{"list", "", "all servers of this user", Doer::Local},
+    CommandSpec{"free", "", "remove the shared memory that a dead server left", Doer::Local},
+    CommandSpec{"about", "", "what this program is", Doer::Local},
+    CommandSpec{"script", "FILE|-", "run the commands of a file, or of standard input, line by line",
+                Doer::Local},
+    CommandSpec{"ping", "", "does it answer?"},
+    CommandSpec{"exit", "", "end the server, and wait until it has ended; also: quit"},
+    CommandSpec{"quit", "", "the same"},
+    CommandSpec{"pause", "", "no more frames for now"},
+    CommandSpec{"resume", "", "frames again"},
+    CommandSpec{"wait-idle", "", "until the next frame would equal the last"},
+    CommandSpec{"resolution", "WIDTH HEIGHT", "pixels of a frame"},
+    CommandSpec{"set", "NAME VALUE", "change a setting"},
+    CommandSpec{"get", "NAME", "print a setting"},
+    CommandSpec{"settings", "", "print all settings"},
+    CommandSpec{"camera get", "", "print the camera, as a .cam file has it"},
+    CommandSpec{"camera set", "EX EY EZ FX FY FZ [FOV]", "look from E into the direction F"},
+    CommandSpec{"camera look-at", "EX EY EZ TX TY TZ [FOV]", "look from E to the point T"},
+    CommandSpec{"camera turn", "RIGHT UP", "turn by these angles, degrees"},
+    CommandSpec{"walk", "", "with a body, on the ground"},
+    CommandSpec{"fly", "", "freely"},
+    CommandSpec{"load camera", "FILE", "look through a .cam file", Doer::Server, true},
+    CommandSpec{"load scene", "FILE", "show another scene or model", Doer::Server, true},
+    CommandSpec{"load set", "FILE", "take the table [live] of a .set file over", Doer::Server, true},
+    CommandSpec{"export camera", "FILE [WIDTH HEIGHT ANTIALIASING BLOOM]", "write the camera as a .cam file",
+                Doer::Server, true},
+    CommandSpec{"export scene", "FILE", "write a .scn file that shows the same again", Doer::Server, true},
+    CommandSpec{"screenshot", "FILE", "write the frame; the extension says the format", Doer::Server, true},
+    CommandSpec{"light", "N on|off", "switch a light; the first one is 0"},
+    CommandSpec{"environment", "N", "choose an environment map; the first one is 0"},
+    CommandSpec{"key press", "KEY", "hold a key down until it is released"},
+    CommandSpec{"key release", "KEY|all", "release it"},
+    CommandSpec{"key tap", "KEY", "press and release it"},
+};
+
+app::OptionGroup options() {
+    return {"Options",
+            {{.name = "instance",
+              .letter = 'i',
+              .value = ValueKind::Text,
+              .argument = "NAME",
+              .help = "the server's name [default]"},
+             {.name = "timeout",
+              .letter = 't',
+              .value = ValueKind::Number,
+              .argument = "SECONDS",
+              .help = "how long to wait for the answer to a command [60]",
+              .minimum = 0,
+              .maximum = 1e6},
+             {.name = "json", .help = "print status and list for programs"},
+             {.name = "count",
+              .value = ValueKind::Integer,
+              .argument = "N",
+              .help = "watch: end after N lines",
+              .minimum = 1,
+              .maximum = 1e9}}};
+}
+
+app::OptionGroup commandGroup() {
+    app::OptionGroup group{"Commands", {}};
+    for (const CommandSpec& command : kCommands) {
+        std::string label(command.name);
+        if (!command.arguments.empty()) label.append(" ").append(command.arguments);
+        group.words.push_back({label, std::string(command.help)});
+    }
+    return group;
+}
+
+} // namespace
+
+std::span<const CommandSpec> commands() { return kCommands; }
+
+FoundCommand findCommand(std::span<const std::string> words) {
+    if (words.empty()) throw app::UsageError("no command is given");
+    const std::string two = words.size() > 1 ? words[0] + " " + words[1] : words[0];
+    for (const CommandSpec& command : kCommands) {
+        if (command.name == two && words.size() > 1) return {&command, 2};
+        if (command.name == words[0]) return {&command, 1};
+    }
+    std::vector<std::string_view> names;
+    for (const CommandSpec& command : kCommands) {
+        names.push_back(command.name);
+        if (command.name.starts_with(words[0] + " "))
+            throw app::UsageError(rtcore::quoted(words[0]) +
+                                  " is the beginning of several commands; see --help");
+    }
+    throw app::UsageError(rtcore::unknownNameMessage("command", two, names));
+}
+
+const app::ProgramSpec& cuiSpec() {
+    static const app::ProgramSpec spec{
+        .name = "CUI",
+        .purpose = "Commands a running RTServer. Answers go to standard output.",
+        .positionals = {{"COMMAND", "what to do, and its arguments", true}},
+        .groups = {commandGroup(), options()},
+        .examples = {{"CUI resolution 1280 720", "larger frames"},
+                     {"CUI --instance=cow screenshot cow.png", "what the server 'cow' shows"}},
+    };
+    return spec;
+}
+
+} // namespace cui

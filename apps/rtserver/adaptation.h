@@ -1,0 +1,25 @@
+/// How the exposure follows the picture's brightness in time, as an eye does. (thesis 3.2)
+#pragma once
+
+#include <optional>
+
+namespace rtserver {
+
+/// One thread. The first target is taken at once; later ones are neared in the logarithm, so that getting
+/// used to light and to darkness take equally long.
+class Adaptation {
+  public:
+    /// The exposure `seconds` after the last call, on the way to `target` > 0. Near enough it is the target
+    /// itself, to the bit, and stays there.
+    float advance(float target, double seconds);
+    /// To `target` at once.
+    void jump(float target);
+    bool settled() const { return settled_; }
+    float value() const { return value_.value_or(1); }
+
+  private:
+    std::optional<float> value_;
+    bool settled_ = true;
+};
+
+} // namespace rtserver

@@ -1,0 +1,79 @@
+// The only file of RTServer that calls the operating system.
+#include "rtserver/background.h"
+
+#include "common/stop.h"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <stdexcept>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace rtserver {
+
+namespace {
+
+int readyPipe = -1; ///< the child's end
+
+app::ExitCode endOf(pid_t child) {
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0) {
+        if (errno != EINTR) return app::ExitCode::Failed;
+    }
+    return WIFEXITED(status) ? static_cast<app::ExitCode>(WEXITSTATUS(status)) : app::ExitCode::Failed;
+}
+
+app::ExitCode waitFor(pid_t child, int pipe) {
+    bool told = false;
+    while (true) {
+        constexpr int kMilliseconds = 50;
+        pollfd stream{pipe, POLLIN, 0};
+        const int ready = ::poll(&stream, 1, kMilliseconds);
+        if (app::stopRequested() && !told) {
+            ::kill(child, app::stopSignal());
+            told = true;
+        }
+        if (ready <= 0) continue;
+        char byte = 0;
+        const bool detached = ::read(pipe, &byte, 1) == 1;
+        return detached ? app::ExitCode::Done : endOf(child);
+    }
+}
+
+} // namespace
+
+std::optional<app::ExitCode> goToBackground() {
+    std::array<int, 2> ends{};
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe to the background process");
+    const pid_t child = ::fork();
+    if (child < 0) throw std::runtime_error("no background process");
+    if (child > 0) {
+        ::close(ends[1]);
+        return waitFor(child, ends[0]);
+    }
+    ::close(ends[0]);
+    readyPipe = ends[1];
+    ::setsid();
+    return std::nullopt;
+}
+
+void detach() {
+    const int nothing = ::open("/dev/null", O_RDWR | O_CLOEXEC);
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (nothing >= 0) ::dup2(nothing, stream);
+    }
+    if (nothing > STDERR_FILENO) ::close(nothing);
+    // A folder that nobody will want to unmount. The paths of the command line are absolute.
+    if (::chdir("/") != 0) errno = 0;
+    const char byte = 1;
+    while (::write(readyPipe, &byte, 1) < 0 && errno == EINTR) {
+    }
+    ::close(readyPipe);
+    readyPipe = -1;
+}
+
+} // namespace rtserver

@@ -1,0 +1,64 @@
+#include "rtserver/exports.h"
+
+#include "rtcore/settings/settings_table.h"
+
+namespace rtserver {
+
+namespace {
+
+// A model by itself has what the loader gives it.
+rtcore::SceneFile descriptionOf(const World& world) {
+    if (world.loaded.sceneFile) return *world.loaded.sceneFile;
+    rtcore::SceneFile file;
+    file.creaseAngle = world.import.creaseAngle.value_or(rtcore::kCreaseAngle);
+    file.flipTextures = world.import.flipTextures.value_or(false);
+    return file;
+}
+
+} // namespace
+
+rtcore::CameraFile cameraFileOf(const Session& session, float exposure) {
+    const rtcore::Scene& scene = session.world().loaded.scene;
+    const rtcore::RenderSettings& settings = session.settings();
+    rtcore::CameraFile file;
+    file.camera = session.camera();
+    file.camera.nameOffset = 0;
+    file.width = settings.width;
+    file.height = settings.height;
+    file.antialiasing = settings.antialiasing;
+    file.bloom = settings.bloom;
+    file.exposure = exposure;
+    file.lights.emplace();
+    for (const rtcore::Light& light : scene.lights) file.lights->push_back(light.on != 0);
+    if (!scene.environments.empty()) file.environment = scene.activeEnvironment;
+    return file;
+}
+
+rtcore::SceneFile sceneFileOf(const Session& session) {
+    const World& world = session.world();
+    const rtcore::Scene& scene = world.loaded.scene;
+    rtcore::SceneFile file = descriptionOf(world);
+    file.model = world.loaded.modelPath;
+    if (world.import.creaseAngle) file.creaseAngle = *world.import.creaseAngle;
+    if (world.import.flipTextures) file.flipTextures = *world.import.flipTextures;
+    file.settings.reset();
+    file.background = scene.background;
+    file.ambient = scene.ambient;
+    file.modelLights = false;
+    file.lights.clear();
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        rtcore::LightDescription light{i < scene.lightNames.size() ? scene.lightNames[i] : "",
+                                       scene.lights[i]};
+        light.light.nameOffset = 0;
+        file.lights.push_back(std::move(light));
+    }
+    file.activeEnvironment = scene.environments.empty() ? 0 : scene.activeEnvironment;
+    file.cameraFile.reset();
+    file.camera = session.camera();
+    file.camera->nameOffset = 0;
+    file.live = rtcore::settingAssignments(session.settings(), true);
+    file.still = file.live;
+    return file;
+}
+
+} // namespace rtserver

@@ -1,0 +1,9 @@
+/// RTServer: renders a scene in real time for the programs that look at it and command it.
+#include "rtserver/server_options.h"
+#include "rtserver/server_run.h"
+
+#include "common/run_program.h"
+
+int main(int argc, char** argv) {
+    return app::runProgram(argc, argv, rtserver::serverSpec(), rtserver::runServer);
+}

@@ -1,0 +1,83 @@
+/// Serve, update, render or idle, until told to exit. (thesis figure 7.2)
+#pragma once
+
+#include "rtserver/commands.h"
+#include "rtserver/frame_guard.h"
+#include "rtserver/frame_maker.h"
+#include "rtserver/scene_load.h"
+#include "rtserver/server_options.h"
+#include "rtserver/session.h"
+
+#include "common/exit_codes.h"
+
+#include "ipc/endpoint/server.h"
+
+#include <chrono>
+#include <deque>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace rtserver {
+
+/// One thread, beside which a scene is loaded and long frames are guarded.
+class ServerLoop : private Host {
+  public:
+    /// Takes the instance over. `onReady` is called when the first frame is published. Throws ipc::Error.
+    ServerLoop(const Options& options, std::function<void()> onReady);
+    ~ServerLoop() override;
+
+    /// Until a command or a signal ends it. Throws when the first scene cannot be shown, or when the instance
+    /// is lost.
+    app::ExitCode run();
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    void load(const std::filesystem::path& path) override;
+    void quit() override { quit_ = true; }
+    const FrameMaker& frames() const override { return frames_; }
+
+    void takeLoadedScene();
+    void serve();
+    bool serveOne(const ipc::Command& command);
+    void move();
+    void draw();
+    void publish();
+    void answerWhoWaitsForIdle();
+    void sleep();
+
+    bool guardFrame();
+    bool pollDuringFrame();
+
+    bool wantsFrame() const;
+    bool idle() const;
+    void tellStatus();
+    void count(Clock::time_point now);
+
+    const Options& options_;
+    std::function<void()> onReady_;
+    ipc::Server server_;
+    Session session_;
+    FrameMaker frames_;
+    std::unique_ptr<SceneLoad> load_;
+    std::optional<ipc::Command> loader_; ///< who wants to know of the load; nobody: the command line
+    std::deque<ipc::Command> pending_;
+    std::vector<ipc::Command> idleWaiters_;
+    bool quit_ = false;
+    Clock::time_point moved_;                 ///< when keys acted last
+    Clock::time_point due_;                   ///< no frame before that
+    std::deque<Clock::time_point> published_; ///< within the last second
+    std::uint64_t publishedFrames_ = 0;
+
+    // Of the frame that is drawn. The guard's thread has them then, and server_ and pending_ too.
+    Clock::time_point begun_;
+    bool gaveUpLast_ = false;
+    bool changeWaits_ = false;
+    std::exception_ptr guardError_;
+    FrameGuard guard_;
+};
+
+} // namespace rtserver

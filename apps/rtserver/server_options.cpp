@@ -1,0 +1,128 @@
+#include "rtserver/server_options.h"
+
+#include "common/import_options.h"
+#include "common/isa_option.h"
+#include "common/threads.h"
+
+#include <stdexcept>
+
+namespace rtserver {
+
+namespace {
+
+using app::OptionGroup;
+using app::ValueKind;
+
+OptionGroup viewOptions() {
+    return {
+        "View",
+        {{.name = "camera",
+          .value = ValueKind::Text,
+          .argument = "FILE",
+          .help = "begin with this .cam file, its size, exposure, lights and environment"},
+         {.name = "resolution",
+          .letter = 'r',
+          .value = ValueKind::Text,
+          .argument = "WxH",
+          .help = "pixels of a frame"},
+         {.name = "set",
+          .value = ValueKind::Text,
+          .argument = "FILE",
+          .help = "take settings from the table [live] of this .set file"},
+         {.name = "setting",
+          .value = ValueKind::Text,
+          .argument = "NAME=VALUE",
+          .help = "any setting by its name; may be given several times; 'Renderer --settings' lists them"}}};
+}
+
+OptionGroup runOptions() {
+    return {
+        "Running",
+        {{.name = "instance",
+          .letter = 'i',
+          .value = ValueKind::Text,
+          .argument = "NAME",
+          .help = "the name by which clients find this server [default]"},
+         {.name = "threads",
+          .value = ValueKind::Integer,
+          .argument = "N",
+          .help = "use N threads; 0 is all cores; the frames are the same for every number [0]",
+          .minimum = 0,
+          .maximum = 1024},
+         {.name = "fps-limit",
+          .value = ValueKind::Number,
+          .argument = "X",
+          .help = "at most X frames a second; 0 is no limit [0]",
+          .minimum = 0,
+          .maximum = 10000},
+         {.name = "daemon", .letter = 'd', .help = "go on in the background once the first frame is there"},
+         app::isaOption()}};
+}
+
+rtcore::SettingAssignment assignment(const std::string& option, const std::string& name,
+                                     const std::string& value) {
+    try {
+        return {name, rtcore::parseSetting(rtcore::requireSetting(name), value)};
+    } catch (const std::invalid_argument& error) {
+        throw app::UsageError("option '--" + option + "': " + error.what());
+    }
+}
+
+void readResolution(const std::string& text, std::vector<rtcore::SettingAssignment>& settings) {
+    const std::size_t cross = text.find_first_of("xX");
+    if (cross == std::string::npos)
+        throw app::UsageError("option '--resolution' takes WxH, such as 1280x720");
+    settings.push_back(assignment("resolution", "width", text.substr(0, cross)));
+    settings.push_back(assignment("resolution", "height", text.substr(cross + 1)));
+}
+
+void readSetting(const std::string& text, std::vector<rtcore::SettingAssignment>& settings) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0)
+        throw app::UsageError("option '--setting' takes NAME=VALUE, such as maxDepth=8");
+    settings.push_back(assignment("setting", text.substr(0, equals), text.substr(equals + 1)));
+}
+
+std::optional<std::filesystem::path> readPath(const app::Arguments& arguments, const char* name) {
+    const std::optional<std::string> text = arguments.text(name);
+    if (!text) return std::nullopt;
+    return std::filesystem::absolute(*text);
+}
+
+} // namespace
+
+const app::ProgramSpec& serverSpec() {
+    static const app::ProgramSpec spec{
+        .name = "RTServer",
+        .purpose =
+            "Renders a scene in real time. Programs of this machine look at its frames in shared memory, "
+            "move about by keys, and command it: see CUI.",
+        .positionals = {{"SCENE", "scene description (.scn), kd-tree (.bsp) or any model file"}},
+        .groups = {viewOptions(), runOptions(), app::importOptionGroup()},
+        .examples = {{"RTServer nave.scn --resolution=1280x720 --daemon", "a server in the background"},
+                     {"RTServer cow.obj --instance=cow",
+                      "a second one, which 'CUI --instance=cow' commands"}},
+    };
+    return spec;
+}
+
+Options readOptions(const app::Arguments& arguments) {
+    Options options;
+    options.scene = std::filesystem::absolute(arguments.positionals().at(0));
+    options.instance = arguments.text("instance").value_or("default");
+    options.camera = readPath(arguments, "camera");
+    options.settingsFile = readPath(arguments, "set");
+    for (const app::Occurrence& given : arguments.options()) {
+        if (given.name == "resolution") readResolution(given.value, options.settings);
+        if (given.name == "setting") readSetting(given.value, options.settings);
+    }
+    options.threads = app::threadCount(arguments.integer("threads"));
+    options.framesPerSecond = arguments.number("fps-limit").value_or(0);
+    options.daemon = arguments.has("daemon");
+    app::useIsa(arguments);
+    options.import = app::readImportOptions(arguments);
+    options.import.threads = options.threads;
+    return options;
+}
+
+} // namespace rtserver

@@ -1,0 +1,33 @@
+/// RTServer's command line, read.
+#pragma once
+
+#include "common/command_line.h"
+#include "common/options.h"
+
+#include "rtcore/io/import/model_import.h"
+#include "rtcore/settings/settings_table.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rtserver {
+
+struct Options {
+    std::filesystem::path scene; ///< absolute, as all paths here
+    std::string instance = "default";
+    std::optional<std::filesystem::path> camera, settingsFile;
+    std::vector<rtcore::SettingAssignment> settings; ///< in the order of the command line
+    int threads = 0;                                 ///< 0 = all cores
+    double framesPerSecond = 0;                      ///< at most; 0 = as many as there can be
+    bool daemon = false;
+    rtcore::ImportOptions import;
+};
+
+const app::ProgramSpec& serverSpec();
+
+/// Throws app::UsageError for values that make no sense.
+Options readOptions(const app::Arguments& arguments);
+
+} // namespace rtserver

@@ -1,0 +1,12 @@
+/// What RTServer does, from its command line to its exit code.
+#pragma once
+
+#include "common/command_line.h"
+#include "common/exit_codes.h"
+
+namespace rtserver {
+
+/// Serves until a command or a signal ends it. TryAgain when another server has the instance.
+app::ExitCode runServer(const app::Arguments& arguments);
+
+} // namespace rtserver

@@ -1,0 +1,189 @@
+#include "rtserver/session.h"
+
+#include "renderer/settings_merge.h"
+
+#include "rtcore/io/text/set.h"
+#include "rtcore/motion/player.h"
+#include "rtcore/settings/settings_table.h"
+
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+namespace rtserver {
+
+namespace {
+
+[[noreturn]] void refuseNumber(const std::string& what, int number, std::size_t count) {
+    const std::string has = count == 0   ? "none"
+                            : count == 1 ? "only number 0"
+                                         : "numbers 0 to " + std::to_string(count - 1);
+    throw std::invalid_argument("there is no " + what + " " + std::to_string(number) + "; the scene has " +
+                                has);
+}
+
+bool isParallel(rtcore::Vec3 a, rtcore::Vec3 b) {
+    constexpr float kSine = 1e-5F;
+    return length(cross(normalize(a), normalize(b))) < kSine;
+}
+
+} // namespace
+
+Session::Session(const Options& options, std::function<void(int, int)> reserve)
+    : options_(options), reserve_(std::move(reserve)) {}
+
+Session::~Session() = default;
+
+std::string Session::title() const { return world_->source.filename().string(); }
+
+rtcore::RenderSettings Session::settingsOf(const World& world, const rtcore::CameraFile* camera) const {
+    std::vector<rtcore::SettingAssignment> file;
+    if (options_.settingsFile) file = rtcore::readSettingsFile(*options_.settingsFile).live;
+    rtcore::RenderSettings settings = renderer::mergeSettings({.scene = world.loaded.live,
+                                                               .settingsFile = file,
+                                                               .camera = camera,
+                                                               .commandLine = options_.settings});
+    if (world_ != nullptr) {
+        settings.width = settings_.width;
+        settings.height = settings_.height;
+    }
+    return settings;
+}
+
+void Session::show(std::unique_ptr<World> world) {
+    rtcore::LoadedScene& loaded = world->loaded;
+    std::optional<rtcore::CameraFile> camera;
+    std::filesystem::path path;
+    if (world_ == nullptr && options_.camera) path = *options_.camera;
+    if (path.empty() && loaded.sceneFile && loaded.sceneFile->cameraFile)
+        path = *loaded.sceneFile->cameraFile;
+    if (!path.empty()) {
+        camera = rtcore::readCameraFile(path);
+        renderer::applyCameraToScene(*camera, path, loaded.scene);
+        loaded.camera = camera->camera;
+    }
+    const rtcore::RenderSettings settings = settingsOf(*world, camera ? &*camera : nullptr);
+    reserve_(settings.width, settings.height);
+    settings_ = settings;
+    player_.reset();
+    world_ = std::move(world);
+    // A model by itself does not tell its unit.
+    const rtcore::Scene& scene = loaded.scene;
+    player_ = std::make_unique<rtcore::Player>(
+        loaded.tree, scene.mesh(),
+        rtcore::PlayerOptions{
+            .up = scene.up, .metresPerUnit = loaded.sceneFile ? scene.metresPerUnit : 0, .walk = scene.walk});
+    player_->setCamera(loaded.camera);
+    camera_ = player_->camera();
+    touch();
+}
+
+void Session::setCamera(const rtcore::Camera& camera) {
+    const bool finite = isFinite(camera.eye) && isFinite(camera.forward) && isFinite(camera.up);
+    if (!finite || normalize(camera.forward) == rtcore::Vec3{})
+        throw std::invalid_argument("the camera needs a direction to look in");
+    if (isParallel(camera.forward, camera.up))
+        throw std::invalid_argument("the camera cannot look straight along its up direction");
+    if (!(camera.horizontalFov > 0 && camera.horizontalFov < 180))
+        throw std::invalid_argument("the field of view is more than 0 and less than 180 degrees");
+    player_->setCamera(camera);
+    takeCamera();
+}
+
+void Session::setSettings(const rtcore::RenderSettings& settings) {
+    if (settings.width != settings_.width || settings.height != settings_.height)
+        reserve_(settings.width, settings.height);
+    settings_ = settings;
+    touch();
+}
+
+void Session::loadCamera(const std::filesystem::path& path) {
+    const rtcore::CameraFile file = rtcore::readCameraFile(path);
+    const std::vector<rtcore::SettingAssignment> now = rtcore::settingAssignments(settings_, true);
+    rtcore::Scene& scene = world_->loaded.scene;
+    const std::vector<rtcore::Light> lights = scene.lights;
+    const int environment = scene.activeEnvironment;
+    try {
+        renderer::applyCameraToScene(file, path, scene);
+        setSettings(renderer::mergeSettings({.scene = now, .camera = &file}));
+    } catch (...) {
+        scene.lights = lights;
+        scene.activeEnvironment = environment;
+        throw;
+    }
+    player_->setCamera(file.camera);
+    takeCamera();
+}
+
+void Session::loadSettings(const std::filesystem::path& path) {
+    rtcore::RenderSettings settings = settings_;
+    rtcore::applySettings(settings, rtcore::readSettingsFile(path).live);
+    setSettings(settings);
+}
+
+void Session::switchLight(int light, std::optional<bool> on) {
+    std::vector<rtcore::Light>& lights = world_->loaded.scene.lights;
+    if (light < 0 || static_cast<std::size_t>(light) >= lights.size())
+        refuseNumber("light", light, lights.size());
+    std::uint32_t& state = lights[static_cast<std::size_t>(light)].on;
+    const std::uint32_t wanted = on.value_or(state == 0) ? 1 : 0;
+    if (state != wanted) touch();
+    state = wanted;
+}
+
+void Session::setEnvironment(int environment) {
+    rtcore::Scene& scene = world_->loaded.scene;
+    if (environment < 0 || static_cast<std::size_t>(environment) >= scene.environments.size())
+        refuseNumber("environment", environment, scene.environments.size());
+    if (scene.activeEnvironment != environment) touch();
+    scene.activeEnvironment = environment;
+}
+
+void Session::turn(double right, double upwards) {
+    constexpr double kRadians = std::numbers::pi / 180;
+    player_->look(right * kRadians, upwards * kRadians);
+    takeCamera();
+}
+
+void Session::setWalking(bool walking) {
+    if (!player_->setMode(walking ? rtcore::MotionMode::Walk : rtcore::MotionMode::View))
+        throw std::runtime_error("there is no room to stand here; move elsewhere first");
+    takeCamera();
+}
+
+bool Session::walking() const { return player_->mode() == rtcore::MotionMode::Walk; }
+
+bool Session::atRest() const { return player_->atRest(); }
+
+void Session::takeCamera() {
+    const rtcore::Camera camera = player_->camera();
+    if (camera != camera_) touch();
+    camera_ = camera;
+}
+
+// What the scene does not have is no error of who presses a key.
+void Session::apply(const rtcore::ActionTap& tap) {
+    const rtcore::Scene& scene = world_->loaded.scene;
+    const int index = tap.number - 1;
+    const auto among = [&](std::size_t count) {
+        return index >= 0 && static_cast<std::size_t>(index) < count;
+    };
+    if (rtcore::isHeld(tap.action)) {
+        player_->tap(tap.action);
+    } else if (tap.action == rtcore::Action::ToggleWalk) {
+        player_->setMode(walking() ? rtcore::MotionMode::View : rtcore::MotionMode::Walk);
+    } else if (tap.action == rtcore::Action::ToggleLight && among(scene.lights.size())) {
+        switchLight(index, std::nullopt);
+    } else if (tap.action == rtcore::Action::SelectEnvironment && among(scene.environments.size())) {
+        setEnvironment(index);
+    }
+}
+
+void Session::move(std::chrono::nanoseconds time, const ipc::KeyState& keys) {
+    player_->advance(time);
+    for (const rtcore::ActionTap& tap : bindings_.taps(keys.down, keys.presses)) apply(tap);
+    player_->hold(bindings_.held(keys.down));
+    takeCamera();
+}
+
+} // namespace rtserver

@@ -1,0 +1,28 @@
+/// A scene that is loaded and can be traced.
+#pragma once
+
+#include "rtcore/io/import/model_import.h"
+#include "rtcore/io/scene_loader.h"
+#include "rtcore/kernels/ray_tracer.h"
+
+#include <filesystem>
+
+namespace rtserver {
+
+/// Stays where it is: the tracer refers to the scene.
+class World {
+  public:
+    World(rtcore::LoadedScene scene, std::filesystem::path path, const rtcore::ImportOptions& options)
+        : loaded(std::move(scene)),
+          tracer(loaded.tree, loaded.scene.mesh(), chooseLeafRecords(loaded.tree, 0)),
+          source(std::move(path)), import(options) {}
+    World(const World&) = delete;
+    World& operator=(const World&) = delete;
+
+    rtcore::LoadedScene loaded;
+    rtcore::KdRayTracer tracer;
+    std::filesystem::path source; ///< what the user named
+    rtcore::ImportOptions import; ///< as far as the user gave them
+};
+
+} // namespace rtserver

@@ -1,0 +1,82 @@
+/// RTServer and programs that speak to it by the library: commands under way at once, keys of a client's own.
+#include "process/server/live_server.h"
+
+#include "ipc/endpoint/client.h"
+
+namespace {
+
+using namespace test;
+using namespace std::chrono_literals;
+
+class Clients : public LiveServer {
+  protected:
+    std::string path(const std::string& name) const { return (folder() / name).string(); }
+};
+
+TEST_F(Clients, CommandsUnderWayAreDoneInTheirOrder) {
+    start();
+    ipc::Client client(instance.name());
+    ipc::Ticket last = 0;
+    for (const std::string size : {"20", "30"}) {
+        ASSERT_EQ(client.send("resolution " + size + " 10"), ipc::SendStatus::Sent);
+        ASSERT_EQ(client.send("screenshot " + path(size + ".png"), &last), ipc::SendStatus::Sent);
+    }
+    EXPECT_EQ(client.wait(last, 20s).status, ipc::ReplyStatus::Done);
+    EXPECT_EQ(pngFileSize(folder() / "20.png"), (PictureSize{20, 10}));
+    EXPECT_EQ(pngFileSize(folder() / "30.png"), (PictureSize{30, 10}));
+}
+
+TEST_F(Clients, FailuresBeginWithTheExitCode) {
+    start();
+    ipc::Client client(instance.name());
+    const auto failure = [&](const std::string& command) {
+        const ipc::Reply reply = client.request(command);
+        EXPECT_EQ(reply.status, ipc::ReplyStatus::Failed) << command;
+        return reply.text;
+    };
+    EXPECT_EQ(failure("screenshot a.png"), "2 the path 'a.png' is not absolute");
+    EXPECT_EQ(failure(""), "2 the command is empty");
+    EXPECT_EQ(failure("set \"bloom"), "2 a quotation mark is not closed");
+    EXPECT_EQ(failure("set bloom"), "2 set takes NAME VALUE");
+    EXPECT_EQ(failure("camera set nan 0 0 0 0 1").substr(0, 2), "2 ");
+    EXPECT_EQ(failure("camera turn 1e99 0").substr(0, 2), "2 ");
+    EXPECT_EQ(failure("light 99999999999999999999 on").substr(0, 2), "2 ");
+    EXPECT_EQ(failure("load camera " + path("none.cam")).substr(0, 3), "66 ");
+    EXPECT_EQ(failure(std::string(8000, 'x')).substr(0, 2), "2 ");
+    EXPECT_EQ(client.request("ping").text, "pong");
+}
+
+TEST_F(Clients, TheKeysOfOneThatLeavesAreReleased) {
+    start();
+    {
+        ipc::Client client(instance.name());
+        ASSERT_EQ(client.request("wait-idle", 20s).status, ipc::ReplyStatus::Done);
+        client.pressKey('W');
+        ipc::Frame frame;
+        client.readFrame(frame);
+        ASSERT_TRUE(client.waitForFrame(frame, 10s));
+        ASSERT_TRUE(client.waitForFrame(frame, 10s));
+        EXPECT_EQ(client.status().idle, 0U);
+    }
+    ask({"wait-idle"});
+    EXPECT_NE(ask({"status"}).find("state: idle"), std::string::npos);
+}
+
+TEST_F(Clients, AFrameIsTheScreenshot) {
+    start();
+    ipc::Client client(instance.name());
+    ASSERT_EQ(client.request("wait-idle", 20s).status, ipc::ReplyStatus::Done);
+    ASSERT_EQ(client.request("screenshot " + path("a.ppm")).status, ipc::ReplyStatus::Done);
+    ipc::Frame frame;
+    ASSERT_TRUE(client.readFrame(frame) || frame.info.number > 0);
+    ASSERT_EQ(frame.info.width, 64U);
+    std::string colours;
+    for (std::size_t i = 0; i < frame.pixels.size(); ++i) {
+        if (i % 4 < 3) colours += static_cast<char>(frame.pixels[i]);
+    }
+    const std::string file = bytes("a.ppm");
+    ASSERT_GT(file.size(), colours.size());
+    EXPECT_EQ(file.substr(file.size() - colours.size()), colours);
+}
+
+} // namespace

@@ -1,0 +1,287 @@
+/// RTServer as its clients meet it: commands, keys, errors, ends.
+#include "process/server/live_server.h"
+
+#include "ipc/endpoint/viewer.h"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+namespace {
+
+using namespace test;
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+class Serving : public LiveServer {
+  protected:
+    nlohmann::json status() const { return nlohmann::json::parse(ask({"status", "--json"})); }
+
+    static bool eventually(const std::function<bool()>& condition, Clock::duration within = 10s) {
+        for (const auto deadline = Clock::now() + within; !condition(); std::this_thread::sleep_for(5ms)) {
+            if (Clock::now() > deadline) return false;
+        }
+        return true;
+    }
+    std::uint64_t frameNumber(ipc::Viewer& viewer) {
+        viewer.readFrame(frame_);
+        return frame_.info.number;
+    }
+    ipc::Frame frame_;
+};
+
+TEST_F(Serving, AnswersAndEnds) {
+    start();
+    EXPECT_EQ(ask({"ping"}), "pong\n");
+    const nlohmann::json now = status();
+    EXPECT_EQ(now["width"], 64);
+    EXPECT_EQ(now["height"], 48);
+    EXPECT_EQ(now["polygons"], 14 * 12);
+    EXPECT_NE(ask({"list"}).find(instance.name() + "  process "), std::string::npos);
+    ask({"exit"});
+    EXPECT_EQ(server->wait().exitCode, 0);
+    EXPECT_TRUE(instance.segments().empty());
+    refused({"ping"}, 75, "no server '" + instance.name() + "'");
+}
+
+TEST_F(Serving, SignalsEndItCleanly) {
+    for (const auto& [signal, code] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}}) {
+        start();
+        EXPECT_EQ(end(signal).exitCode, code);
+        EXPECT_TRUE(instance.segments().empty());
+    }
+}
+
+TEST_F(Serving, OfTwoWithOneNameOneWins) {
+    start();
+    const ProgramResult other = runProgram(
+        programPath("RTServer"), {"room.obj", "--instance=" + instance.name()}, {.folder = folder().path()});
+    EXPECT_EQ(other.exitCode, 75);
+    EXPECT_NE(other.error.find("RTServer: "), std::string::npos);
+    EXPECT_NE(other.error.find(instance.name()), std::string::npos) << other.error;
+    EXPECT_EQ(ask({"ping"}), "pong\n");
+}
+
+TEST_F(Serving, DrawsOnlyWhatChanged) {
+    start();
+    ask({"wait-idle"});
+    ipc::Viewer viewer(instance.name());
+    const std::uint64_t number = frameNumber(viewer);
+    EXPECT_TRUE(status()["idle"]);
+    ask({"get", "width"});
+    ask({"set", "exposure.key", "0.18"});
+    ask({"wait-idle"});
+    EXPECT_LE(frameNumber(viewer), number + 1);
+    const std::uint64_t settled = frameNumber(viewer);
+    std::this_thread::sleep_for(300ms);
+    EXPECT_EQ(frameNumber(viewer), settled);
+    ask({"camera", "turn", "5", "0"});
+    ask({"wait-idle"});
+    EXPECT_GT(frameNumber(viewer), settled);
+}
+
+TEST_F(Serving, TheEyeNeedsTimeToAdapt) {
+    start();
+    ask({"wait-idle"});
+    ipc::Viewer viewer(instance.name());
+    const std::uint64_t before = frameNumber(viewer);
+    ask({"set", "exposure.key", "1"});
+    ask({"wait-idle"});
+    EXPECT_GT(frameNumber(viewer), before + 5);
+}
+
+TEST_F(Serving, KeysMoveTheCamera) {
+    start();
+    ask({"wait-idle"});
+    const nlohmann::json before = status()["eye"];
+    ask({"key", "press", "W"});
+    EXPECT_TRUE(eventually([&] { return status()["eye"] != before; }));
+    EXPECT_FALSE(status()["idle"]);
+    ask({"key", "release", "w"});
+    ask({"wait-idle"});
+    const nlohmann::json after = status()["eye"];
+    std::this_thread::sleep_for(100ms);
+    EXPECT_EQ(status()["eye"], after);
+    ask({"key", "tap", "i"});
+    ask({"wait-idle"});
+    EXPECT_NE(status()["eye"], after) << "a tap is not lost";
+    EXPECT_EQ(status()["forward"], nlohmann::json::parse(ask({"status", "--json"}))["forward"]);
+    refused({"key", "press", "hyper"}, 2, "unknown key 'hyper'");
+}
+
+TEST_F(Serving, WhoWalksStaysOnTheGround) {
+    writeText(folder() / "walk.scn", "version = 1\nmodel = \"room.obj\"\n[camera]\neye = [8.0, 5.0, -10.0]\n"
+                                     "forward = [0.0, 0.0, -1.0]\n[walk]\nheight = 1.8\n");
+    start({}, "walk.scn");
+    const auto height = [&] { return status()["eye"][1].get<double>(); };
+    ask({"wait-idle"});
+    EXPECT_EQ(status()["mode"], "fly");
+    EXPECT_EQ(height(), 5) << "who flies does not fall";
+    ask({"walk"});
+    ask({"wait-idle"});
+    EXPECT_EQ(status()["mode"], "walk");
+    const double standing = height();
+    EXPECT_GT(standing, -0.5 + 1.2) << "the floor is at -0.5";
+    EXPECT_LT(standing, -0.5 + 1.8);
+    const double before = status()["eye"][2];
+    ask({"key", "press", "s"});
+    EXPECT_TRUE(eventually([&] { return status()["eye"][2].get<double>() > before + 0.2; }));
+    ask({"key", "release", "s"});
+    ask({"wait-idle"});
+    EXPECT_NEAR(height(), standing, 0.01);
+    ask({"key", "tap", "f"});
+    EXPECT_TRUE(eventually([&] { return status()["mode"] == "fly"; }));
+}
+
+TEST_F(Serving, PausesAndResumes) {
+    start();
+    ask({"wait-idle"});
+    ask({"pause"});
+    ipc::Viewer viewer(instance.name());
+    const std::uint64_t number = frameNumber(viewer);
+    ask({"camera", "turn", "10", "0"});
+    std::this_thread::sleep_for(100ms);
+    EXPECT_EQ(frameNumber(viewer), number);
+    EXPECT_TRUE(status()["paused"]);
+    refused({"wait-idle"}, 1, "paused");
+    ask({"resume"});
+    ask({"wait-idle"});
+    EXPECT_GT(frameNumber(viewer), number);
+}
+
+TEST_F(Serving, SettingsAreReadAndWritten) {
+    start();
+    EXPECT_EQ(ask({"get", "antialiasing"}), "1\n");
+    ask({"set", "antialiasing", "3"});
+    EXPECT_EQ(ask({"get", "antialiasing"}), "3\n");
+    EXPECT_NE(ask({"settings"}).find("antialiasing = 3\n"), std::string::npos);
+    writeText(folder() / "fast.set", "version = 1\n[live]\nshadows = false\n");
+    ask({"load", "set", "fast.set"});
+    EXPECT_EQ(ask({"get", "shadows"}), "false\n");
+    EXPECT_EQ(ask({"get", "antialiasing"}), "3\n");
+    refused({"set", "antialiazing", "3"}, 2, "did you mean 'antialiasing'?");
+    refused({"set", "antialiasing", "17"}, 2, "1 to 16");
+    refused({"resolution", "20000", "4"}, 1, "16384");
+    EXPECT_EQ(ask({"get", "width"}), "64\n");
+}
+
+TEST_F(Serving, ErrorsReachTheShell) {
+    start();
+    refused({"load", "camera", "nothing.cam"}, 66, "nothing.cam");
+    writeText(folder() / "bad.cam", "version = 1\neye = 3\n");
+    refused({"load", "camera", "bad.cam"}, 65, "bad.cam:2");
+    refused({"screenshot", "no/such/folder/a.png"}, 73, "a.png");
+    refused({"light", "9", "on"}, 2, "there is no light 9");
+    refused({"environment", "0"}, 2, "there is no environment 0");
+    refused({"camera", "look-at", "1", "1", "1", "1", "1", "1"}, 2, "direction");
+    refused({"camera", "set", "1", "1", "1", "0", "-1", "0"}, 2, "up direction");
+    refused({"camera", "set", "1", "1"}, 2, "EX EY EZ");
+    refused({"resolutoin", "3", "4"}, 2, "resolution");
+    refused({"free"}, 1, instance.name());
+    EXPECT_EQ(ask({"ping"}), "pong\n");
+}
+
+TEST_F(Serving, NegativeNumbersAreNoOptions) {
+    start();
+    ask({"camera", "set", "-1.5", "-2", "3e0", "-1", "0", "-0.5"});
+    EXPECT_EQ(status()["eye"], (nlohmann::json{-1.5, -2.0, 3.0}));
+}
+
+TEST_F(Serving, PathsMayHoldBlanksAndQuotes) {
+    start();
+    ask({"screenshot", "a \"b\" c.png"});
+    EXPECT_EQ(pngFileSize(folder() / "a \"b\" c.png"), (PictureSize{64, 48}));
+}
+
+TEST_F(Serving, ScriptsStopAtTheFirstError) {
+    start();
+    writeText(folder() / "a.script",
+              "# a comment\n\nresolution 33 22\nget width\nget nothing\nresolution 44 44\n");
+    const ProgramResult result = cui({"script", "a.script"});
+    EXPECT_EQ(result.exitCode, 2);
+    EXPECT_EQ(result.output, "33\n");
+    EXPECT_NE(result.error.find("a.script:5: "), std::string::npos) << result.error;
+    EXPECT_EQ(ask({"get", "width"}), "33\n");
+}
+
+TEST_F(Serving, OtherScenesCanBeLoaded) {
+    start();
+    writeWaves(folder() / "waves.obj", 10);
+    ask({"load", "scene", "waves.obj"});
+    EXPECT_EQ(status()["polygons"], 200);
+    EXPECT_EQ(status()["width"], 64);
+    writeText(folder() / "broken.scn", "version = 1\nmodell = \"room.obj\"\n");
+    refused({"load", "scene", "broken.scn"}, 65, "model");
+    EXPECT_EQ(status()["polygons"], 200);
+    ask({"wait-idle"});
+}
+
+TEST_F(Serving, AMissingSceneEndsIt) {
+    run({}, "nothing.obj");
+    const ProgramResult result = server->wait();
+    EXPECT_EQ(result.exitCode, 66);
+    EXPECT_NE(result.error.find("nothing.obj"), std::string::npos);
+    EXPECT_TRUE(instance.segments().empty());
+}
+
+TEST_F(Serving, InTheBackgroundItIsReadyWhenTheCommandReturns) {
+    const ProgramResult result =
+        runProgram(programPath("RTServer"),
+                   {"room.obj", "--daemon", "--resolution=32x24", "--instance=" + instance.name()},
+                   {.folder = folder().path(), .timeoutSeconds = 60});
+    EXPECT_EQ(result.exitCode, 0) << result.error;
+    EXPECT_FALSE(result.timedOut);
+    ask({"wait-idle"});
+    ask({"screenshot", "a.png"});
+    EXPECT_EQ(pngFileSize(folder() / "a.png"), (PictureSize{32, 24}));
+    ask({"quit"});
+    EXPECT_TRUE(instance.segments().empty());
+    EXPECT_EQ(
+        runProgram(programPath("RTServer"), {"no.obj", "--daemon", "--instance=" + instance.name()}).exitCode,
+        66);
+}
+
+TEST_F(Serving, ALongFrameHoldsNobodyUp) {
+    start();
+    const auto begun = Clock::now();
+    ask({"set", "antialiasing", "16"});
+    ask({"resolution", "1200", "1200"});
+    for (int i = 0; i < 5; ++i) EXPECT_EQ(ask({"ping"}), "pong\n");
+    const ProgramResult result = end(SIGTERM);
+    EXPECT_EQ(result.exitCode, 143);
+    EXPECT_LT(Clock::now() - begun, 5s) << "the frame takes minutes";
+}
+
+TEST_F(Serving, ALongFrameIsGivenUpForAChange) {
+    start();
+    ask({"set", "antialiasing", "16"});
+    ask({"resolution", "1200", "1200"});
+    std::this_thread::sleep_for(200ms);
+    ask({"set", "antialiasing", "1"});
+    ask({"resolution", "16", "16"});
+    ask({"wait-idle", "--timeout=20"});
+}
+
+TEST_F(Serving, WhatADeadServerLeftCanBeFreed) {
+    start();
+    server->send(SIGKILL);
+    server->wait();
+    ASSERT_FALSE(instance.segments().empty());
+    EXPECT_NE(ask({"list"}).find(instance.name() + "  dead"), std::string::npos);
+    ask({"free"});
+    EXPECT_TRUE(instance.segments().empty());
+}
+
+TEST_F(Serving, FramesAreLimited) {
+    start({"--fps-limit=20"});
+    ask({"wait-idle"});
+    ask({"key", "press", "d"});
+    std::this_thread::sleep_for(1500ms);
+    const double rate = std::stod(ask({"fps"}));
+    EXPECT_LE(rate, 21);
+    EXPECT_GE(rate, 5);
+}
+
+} // namespace
