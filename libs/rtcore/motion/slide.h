@@ -12,7 +12,6 @@ namespace rtcore {
 class MetPlanes {
   public:
     void add(Vec3d normal) { normals_.push_back(normal); }
-    bool empty() const { return normals_.empty(); }
     /// The nearest to `move` that leads into none of them: along one, along the crease of two, or zero.
     Vec3d clip(Vec3d move) const;
 
