@@ -82,7 +82,7 @@ float PictureDeveloper::exposure(const Frame& frame, const ExposureSettings& set
 }
 
 void PictureDeveloper::develop(const Frame& frame, const RenderSettings& settings, float exposure,
-                               int threads, LdrImage& image) {
+                               [[maybe_unused]] int threads, LdrImage& image) {
     const HdrImage& radiance = frame.radiance;
     if (image.width != radiance.width || image.height != radiance.height) {
         image = LdrImage(radiance.width, radiance.height);
