@@ -1,12 +1,9 @@
 #include "rtcore/post/develop.h"
 
+#include "rtcore/platform/threads.h"
 #include "rtcore/post/tone_map_block.h"
 
 #include <algorithm>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 namespace rtcore {
 
@@ -18,23 +15,6 @@ constexpr float kDarkness = 1;
 /// replayed.
 constexpr float kLeast = 1e-30F;
 constexpr float kMost = 1e30F;
-
-int threadsFor(int wanted) {
-#ifdef _OPENMP
-    return wanted > 0 ? wanted : omp_get_max_threads();
-#else
-    static_cast<void>(wanted);
-    return 1;
-#endif
-}
-
-std::size_t threadNumber() {
-#ifdef _OPENMP
-    return static_cast<std::size_t>(omp_get_thread_num());
-#else
-    return 0;
-#endif
-}
 
 /// A row, of which the last block may be short.
 void developRow(const Development& how, const Colour* radiance, int width, int y, Rgba8* pixels) {
@@ -62,7 +42,7 @@ std::optional<float> PictureDeveloper::average(const Frame& frame, bool backgrou
     for (int y = 0; y < radiance.height; ++y) {
         const std::size_t first = static_cast<std::size_t>(y) * width;
         const std::span<const Colour> row(&radiance.pixels[first], width);
-        LuminanceHistogram& histogram = histograms_[threadNumber()];
+        LuminanceHistogram& histogram = histograms_[static_cast<std::size_t>(threadNumber())];
         if (background) {
             histogram.count(row);
         } else {

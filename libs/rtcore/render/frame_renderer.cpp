@@ -1,14 +1,11 @@
 #include "rtcore/render/frame_renderer.h"
 
 #include "rtcore/platform/task_errors.h"
+#include "rtcore/platform/threads.h"
 #include "rtcore/render/camera_rays.h"
 #include "rtcore/render/tile.h"
 
 #include <algorithm>
-
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 namespace rtcore {
 
@@ -20,23 +17,6 @@ void prepare(Frame& frame, const RenderSettings& settings) {
     }
     frame.covered.resize(frame.radiance.pixels.size());
     frame.statistics = {};
-}
-
-int threadsFor(int wanted) {
-#ifdef _OPENMP
-    return wanted > 0 ? wanted : omp_get_max_threads();
-#else
-    static_cast<void>(wanted);
-    return 1;
-#endif
-}
-
-int threadNumber() {
-#ifdef _OPENMP
-    return omp_get_thread_num();
-#else
-    return 0;
-#endif
 }
 
 } // namespace
