@@ -21,7 +21,11 @@ ExitCode parseAndRun(const ProgramSpec& spec, const std::vector<std::string>& wo
         writeError(briefText(spec));
         return ExitCode::Usage;
     }
-    rtcore::useInstructionSetOfEnvironment();
+    try {
+        rtcore::useInstructionSetOfEnvironment();
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(error.what());
+    }
     const Arguments arguments = parseCommandLine(spec, words);
     if (arguments.has("help")) {
         writeOutput(helpText(spec));

@@ -1,6 +1,6 @@
 #include "renderer/load_phases.h"
 
-#include "renderer/settings_merge.h"
+#include "common/settings_merge.h"
 
 #include "common/stop.h"
 
@@ -83,7 +83,7 @@ class PhaseWatch {
 std::uint64_t knownRays(const RendererOptions& options) {
     if (options.list || options.camera || options.settingsFile || options.scene.extension() == ".scn")
         return 0;
-    const rtcore::RenderSettings s = mergeSettings({.commandLine = options.settings});
+    const rtcore::RenderSettings s = app::mergeSettings({.commandLine = options.settings});
     return static_cast<std::uint64_t>(s.width) * static_cast<std::uint64_t>(s.height) *
            static_cast<std::uint64_t>(s.antialiasing) * static_cast<std::uint64_t>(s.antialiasing);
 }

@@ -1,7 +1,7 @@
 #include "renderer/picture_maker.h"
 
+#include "common/settings_merge.h"
 #include "renderer/load_phases.h"
-#include "renderer/settings_merge.h"
 
 #include "common/command_line.h"
 #include "common/stop.h"
@@ -60,12 +60,12 @@ rtcore::RenderSettings PictureMaker::prepare(const FrameTask& task, rtcore::Came
     if (!task.camera.empty()) {
         file = rtcore::readCameraFile(task.camera);
         camera = file->camera;
-        applyCameraToScene(*file, task.camera, loaded_.scene);
+        app::applyCameraToScene(*file, task.camera, loaded_.scene);
     }
-    return mergeSettings({.scene = loaded_.still,
-                          .settingsFile = settingsFile_,
-                          .camera = file ? &*file : nullptr,
-                          .commandLine = options_.settings});
+    return app::mergeSettings({.scene = loaded_.still,
+                               .settingsFile = settingsFile_,
+                               .camera = file ? &*file : nullptr,
+                               .commandLine = options_.settings});
 }
 
 void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSettings& settings, int index,

@@ -4,6 +4,7 @@
 
 #include "common/import_options.h"
 #include "common/isa_option.h"
+#include "common/setting_option.h"
 #include "common/threads.h"
 
 #include <algorithm>
@@ -179,32 +180,14 @@ const std::vector<SettingOption>& settingOptions() {
     return table;
 }
 
-rtcore::SettingAssignment assignment(const std::string& option, const std::string& name,
-                                     const std::string& value) {
-    try {
-        return {name, rtcore::parseSetting(rtcore::requireSetting(name), value)};
-    } catch (const std::invalid_argument& error) {
-        throw app::UsageError("option '--" + option + "': " + error.what());
-    }
-}
-
-rtcore::SettingAssignment namedAssignment(const std::string& text) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) {
-        throw app::UsageError(
-            "option '--setting' takes NAME=VALUE, such as maxDepth=8; --settings lists the names");
-    }
-    return assignment("setting", text.substr(0, equals), text.substr(equals + 1));
-}
-
 std::vector<rtcore::SettingAssignment> readSettings(const app::Arguments& arguments) {
     std::vector<rtcore::SettingAssignment> settings;
     for (const app::Occurrence& given : arguments.options()) {
-        if (given.name == "setting") settings.push_back(namedAssignment(given.value));
+        if (given.name == "setting") settings.push_back(app::settingOf(given.value));
         for (const SettingOption& row : settingOptions()) {
             if (given.name != row.option) continue;
             for (const auto& [name, value] : row.assignments) {
-                settings.push_back(assignment(given.name, name, value != nullptr ? value : given.value));
+                settings.push_back(app::settingOf(given.name, name, value != nullptr ? value : given.value));
             }
         }
     }

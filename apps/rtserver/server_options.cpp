@@ -2,6 +2,7 @@
 
 #include "common/import_options.h"
 #include "common/isa_option.h"
+#include "common/setting_option.h"
 #include "common/threads.h"
 
 #include <stdexcept>
@@ -59,28 +60,12 @@ OptionGroup runOptions() {
          app::isaOption()}};
 }
 
-rtcore::SettingAssignment assignment(const std::string& option, const std::string& name,
-                                     const std::string& value) {
-    try {
-        return {name, rtcore::parseSetting(rtcore::requireSetting(name), value)};
-    } catch (const std::invalid_argument& error) {
-        throw app::UsageError("option '--" + option + "': " + error.what());
-    }
-}
-
 void readResolution(const std::string& text, std::vector<rtcore::SettingAssignment>& settings) {
     const std::size_t cross = text.find_first_of("xX");
     if (cross == std::string::npos)
         throw app::UsageError("option '--resolution' takes WxH, such as 1280x720");
-    settings.push_back(assignment("resolution", "width", text.substr(0, cross)));
-    settings.push_back(assignment("resolution", "height", text.substr(cross + 1)));
-}
-
-void readSetting(const std::string& text, std::vector<rtcore::SettingAssignment>& settings) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0)
-        throw app::UsageError("option '--setting' takes NAME=VALUE, such as maxDepth=8");
-    settings.push_back(assignment("setting", text.substr(0, equals), text.substr(equals + 1)));
+    settings.push_back(app::settingOf("resolution", "width", text.substr(0, cross)));
+    settings.push_back(app::settingOf("resolution", "height", text.substr(cross + 1)));
 }
 
 std::optional<std::filesystem::path> readPath(const app::Arguments& arguments, const char* name) {
@@ -114,7 +99,7 @@ Options readOptions(const app::Arguments& arguments) {
     options.settingsFile = readPath(arguments, "set");
     for (const app::Occurrence& given : arguments.options()) {
         if (given.name == "resolution") readResolution(given.value, options.settings);
-        if (given.name == "setting") readSetting(given.value, options.settings);
+        if (given.name == "setting") options.settings.push_back(app::settingOf(given.value));
     }
     options.threads = app::threadCount(arguments.integer("threads"));
     options.framesPerSecond = arguments.number("fps-limit").value_or(0);

@@ -1,6 +1,6 @@
 #include "rtserver/session.h"
 
-#include "renderer/settings_merge.h"
+#include "common/settings_merge.h"
 
 #include "rtcore/io/text/set.h"
 #include "rtcore/motion/player.h"
@@ -39,10 +39,10 @@ std::string Session::title() const { return world_->source.filename().string(); 
 rtcore::RenderSettings Session::settingsOf(const World& world, const rtcore::CameraFile* camera) const {
     std::vector<rtcore::SettingAssignment> file;
     if (options_.settingsFile) file = rtcore::readSettingsFile(*options_.settingsFile).live;
-    rtcore::RenderSettings settings = renderer::mergeSettings({.scene = world.loaded.live,
-                                                               .settingsFile = file,
-                                                               .camera = camera,
-                                                               .commandLine = options_.settings});
+    rtcore::RenderSettings settings = app::mergeSettings({.scene = world.loaded.live,
+                                                          .settingsFile = file,
+                                                          .camera = camera,
+                                                          .commandLine = options_.settings});
     if (world_ != nullptr) {
         settings.width = settings_.width;
         settings.height = settings_.height;
@@ -59,7 +59,7 @@ void Session::show(std::unique_ptr<World> world) {
         path = *loaded.sceneFile->cameraFile;
     if (!path.empty()) {
         camera = rtcore::readCameraFile(path);
-        renderer::applyCameraToScene(*camera, path, loaded.scene);
+        app::applyCameraToScene(*camera, path, loaded.scene);
         loaded.camera = camera->camera;
     }
     const rtcore::RenderSettings settings = settingsOf(*world, camera ? &*camera : nullptr);
@@ -104,8 +104,8 @@ void Session::loadCamera(const std::filesystem::path& path) {
     const std::vector<rtcore::Light> lights = scene.lights;
     const int environment = scene.activeEnvironment;
     try {
-        renderer::applyCameraToScene(file, path, scene);
-        setSettings(renderer::mergeSettings({.scene = now, .camera = &file}));
+        app::applyCameraToScene(file, path, scene);
+        setSettings(app::mergeSettings({.scene = now, .camera = &file}));
     } catch (...) {
         scene.lights = lights;
         scene.activeEnvironment = environment;

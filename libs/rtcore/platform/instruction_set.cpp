@@ -72,8 +72,8 @@ void useInstructionSetOfEnvironment() {
     if (name == nullptr || *name == '\0' || useInstructionSet(name)) return;
     std::string known;
     for (const std::string& each : instructionSets()) known += " " + each;
-    throw std::runtime_error(std::string("RT_ISA=") + name +
-                             " is not an instruction set of this processor; it has:" + known);
+    throw std::invalid_argument(std::string("RT_ISA=") + name +
+                                " is not an instruction set of this processor; it has:" + known);
 }
 
 } // namespace rtcore

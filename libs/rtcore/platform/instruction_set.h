@@ -19,7 +19,7 @@ std::string instructionSet();
 /// "auto". Returns false, and changes nothing, for any other name. Not to be called while anything renders.
 bool useInstructionSet(std::string_view name);
 
-/// Takes RT_ISA from the environment. Throws std::runtime_error when it names no instruction set of this
+/// Takes RT_ISA from the environment. Throws std::invalid_argument when it names no instruction set of this
 /// processor. Called by programs at their start.
 void useInstructionSetOfEnvironment();
 

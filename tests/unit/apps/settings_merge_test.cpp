@@ -1,4 +1,4 @@
-#include "renderer/settings_merge.h"
+#include "common/settings_merge.h"
 
 #include "rtcore/platform/error.h"
 
@@ -15,7 +15,7 @@ TEST(SettingsMerge, EachPlaceBeatsTheOneBefore) {
     camera.width = 3;
     camera.height = 3;
     const Assignments commandLine{{"width", 4}};
-    const rtcore::RenderSettings settings = renderer::mergeSettings(
+    const rtcore::RenderSettings settings = app::mergeSettings(
         {.scene = scene, .settingsFile = file, .camera = &camera, .commandLine = commandLine});
     EXPECT_EQ(settings.width, 4);
     EXPECT_EQ(settings.height, 3);
@@ -28,11 +28,11 @@ TEST(SettingsMerge, AnExposureOfTheCameraIsFixed) {
     rtcore::CameraFile camera;
     camera.exposure = 0.42F;
     const Assignments scene{{"exposure.mode", std::string("automatic")}};
-    rtcore::RenderSettings settings = renderer::mergeSettings({.scene = scene, .camera = &camera});
+    rtcore::RenderSettings settings = app::mergeSettings({.scene = scene, .camera = &camera});
     EXPECT_EQ(settings.exposure.mode, rtcore::ExposureMode::Fixed);
     EXPECT_EQ(settings.exposure.value, 0.42F);
     camera.exposure.reset();
-    settings = renderer::mergeSettings({.scene = scene, .camera = &camera});
+    settings = app::mergeSettings({.scene = scene, .camera = &camera});
     EXPECT_EQ(settings.exposure.mode, rtcore::ExposureMode::Automatic);
 }
 
@@ -41,21 +41,21 @@ TEST(SettingsMerge, ACameraSwitchesLights) {
     scene.lights.resize(3);
     rtcore::CameraFile camera;
     camera.lights = std::vector<bool>{false, true};
-    renderer::applyCameraToScene(camera, "x.cam", scene);
+    app::applyCameraToScene(camera, "x.cam", scene);
     EXPECT_EQ(scene.lights[0].on, 0U);
     EXPECT_EQ(scene.lights[1].on, 1U);
     EXPECT_EQ(scene.lights[2].on, 1U);
     camera.lights->resize(4);
-    EXPECT_THROW(renderer::applyCameraToScene(camera, "x.cam", scene), rtcore::FileError);
+    EXPECT_THROW(app::applyCameraToScene(camera, "x.cam", scene), rtcore::FileError);
 }
 
 TEST(SettingsMerge, ACameraPicksAnEnvironmentThatExists) {
     rtcore::Scene scene;
     rtcore::CameraFile camera;
     camera.environment = 0;
-    EXPECT_NO_THROW(renderer::applyCameraToScene(camera, "x.cam", scene));
+    EXPECT_NO_THROW(app::applyCameraToScene(camera, "x.cam", scene));
     camera.environment = 1;
-    EXPECT_THROW(renderer::applyCameraToScene(camera, "x.cam", scene), rtcore::FileError);
+    EXPECT_THROW(app::applyCameraToScene(camera, "x.cam", scene), rtcore::FileError);
 }
 
 } // namespace

@@ -1,10 +1,10 @@
-#include "renderer/settings_merge.h"
+#include "common/settings_merge.h"
 
 #include "rtcore/platform/error.h"
 
 #include <string>
 
-namespace renderer {
+namespace app {
 
 namespace {
 
@@ -55,4 +55,4 @@ void applyCameraToScene(const rtcore::CameraFile& camera, const std::filesystem:
     }
 }
 
-} // namespace renderer
+} // namespace app

@@ -10,7 +10,7 @@
 #include <optional>
 #include <span>
 
-namespace renderer {
+namespace app {
 
 /// Each may be empty.
 struct SettingSources {
@@ -28,4 +28,4 @@ rtcore::RenderSettings mergeSettings(const SettingSources& sources);
 void applyCameraToScene(const rtcore::CameraFile& camera, const std::filesystem::path& file,
                         rtcore::Scene& scene);
 
-} // namespace renderer
+} // namespace app

@@ -1,0 +1,27 @@
+#include "common/setting_option.h"
+
+#include "common/command_line.h"
+
+#include <stdexcept>
+
+namespace app {
+
+rtcore::SettingAssignment settingOf(const std::string& option, const std::string& name,
+                                    const std::string& value) {
+    try {
+        return {name, rtcore::parseSetting(rtcore::requireSetting(name), value)};
+    } catch (const std::invalid_argument& error) {
+        throw UsageError("option '--" + option + "': " + error.what());
+    }
+}
+
+rtcore::SettingAssignment settingOf(const std::string& nameAndValue) {
+    const std::size_t equals = nameAndValue.find('=');
+    if (equals == std::string::npos || equals == 0) {
+        throw UsageError(
+            "option '--setting' takes NAME=VALUE, such as maxDepth=8; 'Renderer --settings' lists the names");
+    }
+    return settingOf("setting", nameAndValue.substr(0, equals), nameAndValue.substr(equals + 1));
+}
+
+} // namespace app
