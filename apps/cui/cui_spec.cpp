@@ -26,6 +26,7 @@ constexpr std::array kCommands{
     CommandSpec{"quit", "", "the same"},
     CommandSpec{"pause", "", "no more frames for now"},
     CommandSpec{"resume", "", "frames again"},
+    CommandSpec{"idle", "on|off", "off: draw every frame, though it equals the last"},
     CommandSpec{"wait-idle", "", "until the next frame would equal the last"},
     CommandSpec{"resolution", "WIDTH HEIGHT", "pixels of a frame"},
     CommandSpec{"set", "NAME VALUE", "change a setting"},

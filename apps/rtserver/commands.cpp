@@ -241,7 +241,13 @@ Result keyTap(const Call& call) {
     return {};
 }
 
+Result idle(const Call& call) {
+    call.session.idles = flag(call[0]);
+    return {};
+}
+
 Result waitIdle(const Call& call) {
+    if (!call.session.idles) throw std::runtime_error("the server never idles; 'idle on' lets it");
     if (call.session.paused) throw std::runtime_error("the server is paused; resume it first");
     return {.turn = Turn::WhenIdle};
 }
@@ -281,6 +287,7 @@ constexpr std::array kCommands{
     Command{"key press", 1, 1, "KEY", true, keyPress},
     Command{"key release", 1, 1, "KEY|all", true, keyRelease},
     Command{"key tap", 1, 1, "KEY", true, keyTap},
+    Command{"idle", 1, 1, "on|off", false, idle},
     Command{"wait-idle", 0, 0, "", true, waitIdle},
 };
 

@@ -126,9 +126,10 @@ bool ServerLoop::serveOne(const ipc::Command& command) {
 }
 
 void ServerLoop::answerWhoWaitsForIdle() {
-    if (session_.paused) {
+    if (session_.paused || !session_.idles) {
+        const std::string reason = session_.paused ? "1 the server was paused" : "1 idling was turned off";
         for (const ipc::Command& command : idleWaiters_)
-            server_.answer(command, ipc::AnswerStatus::Failed, "1 the server was paused");
+            server_.answer(command, ipc::AnswerStatus::Failed, reason);
         idleWaiters_.clear();
     }
     if (!idle() || idleWaiters_.empty()) return;
@@ -150,16 +151,17 @@ void ServerLoop::move() {
 }
 
 bool ServerLoop::wantsFrame() const {
-    return session_.ready() && !session_.paused && (session_.stale() || !frames_.settled());
+    return session_.ready() && !session_.paused &&
+           (session_.stale() || !frames_.settled() || !session_.idles);
 }
 
 bool ServerLoop::idle() const {
-    return session_.ready() && !session_.stale() && frames_.settled() && session_.atRest() &&
+    return session_.ready() && session_.idles && !session_.stale() && frames_.settled() && session_.atRest() &&
            load_ == nullptr;
 }
 
 void ServerLoop::draw() {
-    if (session_.stale()) {
+    if (session_.stale() || !session_.idles) {
         begun_ = Clock::now();
         changeWaits_ = false;
         rtcore::RenderControl control;

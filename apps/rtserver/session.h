@@ -67,6 +67,7 @@ class Session {
     Keyboard& keyboard() { return keyboard_; }
 
     bool paused = false;
+    bool idles = true; ///< false: every frame is drawn, though it equals the last
     bool stale() const { return stale_; }
     void touch() { stale_ = true; }
     void drawn() { stale_ = false; }

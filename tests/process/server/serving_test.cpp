@@ -151,6 +151,19 @@ TEST_F(Serving, PausesAndResumes) {
     EXPECT_GT(frameNumber(viewer), number);
 }
 
+TEST_F(Serving, WithoutIdlingItDrawsOn) {
+    start();
+    ask({"idle", "off"});
+    EXPECT_FALSE(status()["idle"]);
+    ipc::Viewer viewer(instance.name());
+    const std::uint64_t before = frameNumber(viewer);
+    EXPECT_TRUE(eventually([&] { return frameNumber(viewer) > before + 100; }));
+    refused({"wait-idle"}, 1, "never idles");
+    ask({"idle", "on"});
+    ask({"wait-idle"});
+    EXPECT_TRUE(status()["idle"]);
+}
+
 TEST_F(Serving, SettingsAreReadAndWritten) {
     start();
     EXPECT_EQ(ask({"get", "antialiasing"}), "1\n");
