@@ -32,6 +32,8 @@ class Conversation {
     std::string request(std::string_view command);
     /// Ends the server and waits until it has ended.
     void quit(std::string_view command);
+    /// Lets go of the server until the next command.
+    void hangUp() { client_.reset(); }
     const std::string& instance() const { return instance_; }
 
   private:

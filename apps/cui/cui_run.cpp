@@ -2,6 +2,7 @@
 
 #include "cui/conversation.h"
 #include "cui/cui_spec.h"
+#include "cui/render_view.h"
 #include "cui/status_text.h"
 
 #include "common/help_text.h"
@@ -60,6 +61,7 @@ class Run {
             if (arguments.size() != 1) throw app::UsageError("script takes FILE, or - for standard input");
             return script(arguments[0]);
         }
+        if (spec.name == "render") return renderView(conversation_, arguments);
         if (!arguments.empty()) throw app::UsageError(std::string(spec.name) + " takes no arguments");
         if (spec.name == "status") return status();
         if (spec.name == "fps") return fps();

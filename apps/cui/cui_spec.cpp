@@ -21,6 +21,9 @@ constexpr std::array kCommands{
     CommandSpec{"about", "", "what this program is", Doer::Local},
     CommandSpec{"script", "FILE|-", "run the commands of a file, or of standard input, line by line",
                 Doer::Local},
+    CommandSpec{"render", "FILE [-- OPTION...]",
+                "render what the server shows by the Renderer, which takes the options behind --",
+                Doer::Local},
     CommandSpec{"ping", "", "does it answer?"},
     CommandSpec{"exit", "", "end the server, and wait until it has ended; also: quit"},
     CommandSpec{"quit", "", "the same"},
@@ -113,6 +116,7 @@ const app::ProgramSpec& cuiSpec() {
         .positionals = {{"COMMAND", "what to do, and its arguments", true}},
         .groups = {commandGroup(), options()},
         .examples = {{"CUI resolution 1280 720", "larger frames"},
+                     {"CUI render now.png -- -a 4 -w 3840 -h 2160", "the same view, large and smooth"},
                      {"CUI --instance=cow screenshot cow.png", "what the server 'cow' shows"}},
     };
     return spec;

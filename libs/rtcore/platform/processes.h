@@ -63,6 +63,14 @@ class FedProcess {
     std::unique_ptr<Parts> parts_;
 };
 
+/// Runs `program` in our place: with our standard streams, in our process group, so that the terminal's
+/// signals reach it, too. It is killed when we are. `stopSignal` is asked every 20 ms: once it names a signal
+/// (0 = none), the program gets that signal unless it ends by itself within a quarter of a second, and is
+/// killed after ten. Nothing but the end and the code is filled in. Call it in a process of one thread.
+/// Throws as runProcess does.
+ProcessResult runAttached(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                          const std::function<int()>& stopSignal);
+
 /// The first executable file of that name in the folders of PATH.
 std::optional<std::filesystem::path> findProgram(const std::string& name);
 

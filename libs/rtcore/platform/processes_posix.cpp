@@ -350,6 +350,71 @@ ProcessResult FedProcess::finish() {
     return result;
 }
 
+namespace {
+
+/// Between fork and exec: only calls that are safe there.
+[[noreturn]] void becomeAttached(const std::filesystem::path& program, char* const* words, pid_t parent,
+                                 int report) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (::getppid() != parent) ::_exit(1);
+    // Those that are handled become default by exec; those that our parent ignores (nohup) stay so.
+    ::signal(SIGPIPE, SIG_DFL);
+    ::execv(program.c_str(), words);
+    const int error = errno;
+    [[maybe_unused]] const ssize_t told = ::write(report, &error, sizeof error);
+    ::_exit(127);
+}
+
+/// Waits until the child is the program.
+pid_t startAttached(const std::filesystem::path& program, const std::vector<std::string>& arguments) {
+    std::vector<char*> words{const_cast<char*>(program.c_str())};
+    for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
+    words.push_back(nullptr);
+    int ends[2];
+    if (::pipe2(ends, O_CLOEXEC) != 0) failForWantOfDescriptors(program.string());
+    const Descriptor read(ends[0]);
+    Descriptor write(ends[1]);
+    const pid_t parent = ::getpid();
+    const pid_t pid = ::fork();
+    if (pid < 0) failForWantOfDescriptors(program.string());
+    if (pid == 0) becomeAttached(program, words.data(), parent, write.get());
+    write.close();
+    int error = 0;
+    ssize_t got = 0;
+    do got = ::read(read.get(), &error, sizeof error);
+    while (got < 0 && errno == EINTR);
+    if (got != sizeof error) return pid;
+    rusage ignored{};
+    waitForStatus(pid, ignored);
+    throw FileError(error == ENOMEM ? FailureKind::TryAgain : FailureKind::NoInput, program.string(),
+                    std::string("cannot be started: ") + std::strerror(error));
+}
+
+} // namespace
+
+ProcessResult runAttached(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                          const std::function<int()>& stopSignal) {
+    using namespace std::chrono_literals;
+    const pid_t pid = startAttached(program, arguments);
+    const Descriptor handle(static_cast<int>(::syscall(SYS_pidfd_open, pid, 0)));
+    Clock::time_point asked{};
+    bool sent = false;
+    while (!hasEnded(pid)) {
+        pollfd news{handle.get(), POLLIN, 0};
+        ::poll(&news, 1, kWatchMilliseconds);
+        const int signal = stopSignal ? stopSignal() : 0;
+        if (signal == 0) continue;
+        if (asked == Clock::time_point{}) asked = Clock::now();
+        // Ctrl-C reaches the whole group: a second signal would make the program end at once.
+        if (!sent && Clock::now() - asked > 250ms) sent = ::kill(pid, signal) == 0;
+        if (Clock::now() - asked > 10s) ::kill(pid, SIGKILL);
+    }
+    rusage ignored{};
+    ProcessResult result;
+    setEnd(result, waitForStatus(pid, ignored));
+    return result;
+}
+
 std::optional<std::filesystem::path> findProgram(const std::string& name) {
     const char* const folders = std::getenv("PATH");
     std::istringstream list(folders != nullptr ? folders : "");

@@ -5,11 +5,13 @@
 
 namespace rtcore {
 
+enum class TemporaryKind { File, Folder };
+
 /// Holds one name for the lifetime of the object. The table has room for 32 names; a file beyond that is
 /// still written correctly, only a signal leaves it behind. Safe from many threads.
 class TemporaryName {
   public:
-    explicit TemporaryName(const std::string& path) noexcept;
+    explicit TemporaryName(const std::string& path, TemporaryKind kind = TemporaryKind::File) noexcept;
     ~TemporaryName();
     TemporaryName(const TemporaryName&) = delete;
     TemporaryName& operator=(const TemporaryName&) = delete;

@@ -18,6 +18,7 @@ enum class SlotState { Free, Filling, Holding, Removing, Removed };
 struct Slot {
     std::atomic<SlotState> state{SlotState::Free};
     pid_t process = 0; ///< a forked child inherits the table but not the files
+    TemporaryKind kind = TemporaryKind::File;
     char path[PATH_MAX] = {};
 };
 static_assert(std::atomic<SlotState>::is_always_lock_free, "used by signal handlers");
@@ -29,22 +30,38 @@ bool change(Slot& slot, SlotState from, SlotState to) {
     return slot.state.compare_exchange_strong(from, to, std::memory_order_acq_rel);
 }
 
-int hold(const std::string& path) {
+int hold(const std::string& path, TemporaryKind kind) {
     if (path.size() >= PATH_MAX) return -1;
     for (int i = 0; i < kSlots; ++i) {
         Slot& slot = slots[i];
         if (!change(slot, SlotState::Free, SlotState::Filling)) continue;
         std::memcpy(slot.path, path.c_str(), path.size() + 1);
         slot.process = ::getpid();
+        slot.kind = kind;
         slot.state.store(SlotState::Holding, std::memory_order_release);
         return i;
     }
     return -1;
 }
 
+void removeAll(TemporaryKind kind) {
+    for (Slot& slot : slots) {
+        if (!change(slot, SlotState::Holding, SlotState::Removing)) continue;
+        if (slot.kind != kind) {
+            slot.state.store(SlotState::Holding, std::memory_order_release);
+            continue;
+        }
+        const bool ours = slot.process == ::getpid();
+        if (ours && kind == TemporaryKind::File) ::unlink(slot.path);
+        if (ours && kind == TemporaryKind::Folder) ::rmdir(slot.path);
+        slot.state.store(SlotState::Removed, std::memory_order_release);
+    }
+}
+
 } // namespace
 
-TemporaryName::TemporaryName(const std::string& path) noexcept : slot_(hold(path)) {}
+TemporaryName::TemporaryName(const std::string& path, TemporaryKind kind) noexcept
+    : slot_(hold(path, kind)) {}
 
 TemporaryName::~TemporaryName() {
     if (slot_ < 0) return;
@@ -55,11 +72,8 @@ TemporaryName::~TemporaryName() {
 
 void removeTemporaryFiles() noexcept {
     const int savedErrno = errno;
-    for (Slot& slot : slots) {
-        if (!change(slot, SlotState::Holding, SlotState::Removing)) continue;
-        if (slot.process == ::getpid()) ::unlink(slot.path);
-        slot.state.store(SlotState::Removed, std::memory_order_release);
-    }
+    // Folders last: only empty ones can be removed.
+    for (const TemporaryKind kind : {TemporaryKind::File, TemporaryKind::Folder}) removeAll(kind);
     errno = savedErrno;
 }
 

@@ -185,4 +185,22 @@ TEST(Programs, AreFoundOnThePath) {
     EXPECT_FALSE(findProgram("no-such-program-anywhere").has_value());
 }
 
+TEST(AttachedProcess, ReportsItsEnd) {
+    EXPECT_EQ(runAttached("/bin/sh", {"-c", "exit 7"}, nullptr).code, 7);
+    const ProcessResult killed = runAttached("/bin/sh", {"-c", "kill -9 $$"}, nullptr);
+    EXPECT_EQ(killed.end, ProcessEnd::Signalled);
+    EXPECT_EQ(killed.code, SIGKILL);
+    try {
+        runAttached("/nonexistent/program", {}, nullptr);
+        FAIL() << "it does not exist";
+    } catch (const FileError& error) {
+        EXPECT_EQ(error.kind, FailureKind::NoInput);
+    }
+}
+
+TEST(AttachedProcess, GetsTheSignalThatStopsUs) {
+    const std::string script = "trap 'exit 5' TERM; while :; do sleep 0.01; done";
+    EXPECT_EQ(runAttached("/bin/sh", {"-c", script}, [] { return SIGTERM; }).code, 5);
+}
+
 } // namespace

@@ -1,26 +1,24 @@
 /// A folder through which one program hands files to another.
 #pragma once
 
+#include "rtcore/platform/temporary_folder.h"
+
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 
 namespace rtcore {
 
-/// A new empty folder that only this user can enter, removed with all that is in it by the destructor. In
-/// memory
-/// (/dev/shm) when `bytes` are free there, else in the folder for temporary files. What a killed program left
-/// behind is removed by the next one that makes such a folder.
+/// A TemporaryFolder, in memory (/dev/shm) when `bytes` are free there, else in the folder for temporary
+/// files.
 class HandOverFolder {
   public:
     /// Throws FileError CannotWrite.
     explicit HandOverFolder(std::uint64_t bytes);
-    ~HandOverFolder();
-    HandOverFolder(const HandOverFolder&) = delete;
-    HandOverFolder& operator=(const HandOverFolder&) = delete;
-    const std::filesystem::path& path() const { return path_; }
+    const std::filesystem::path& path() const { return folder_->path(); }
 
   private:
-    std::filesystem::path path_;
+    std::optional<TemporaryFolder> folder_; ///< always there
 };
 
 } // namespace rtcore

@@ -1,0 +1,69 @@
+#include "cui/render_view.h"
+
+#include "common/command_line.h"
+#include "common/stop.h"
+#include "common/words.h"
+
+#include "rtcore/platform/error.h"
+#include "rtcore/platform/files.h"
+#include "rtcore/platform/processes.h"
+#include "rtcore/platform/temporary_folder.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <system_error>
+#include <vector>
+
+namespace cui {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+fs::path rendererProgram() {
+    // Nobody changes the environment meanwhile.
+    const char* const chosen = std::getenv("RT_RENDERER"); // NOLINT(concurrency-mt-unsafe)
+    const fs::path program =
+        chosen != nullptr && *chosen != '\0' ? fs::path(chosen) : rtcore::programFolder() / "Renderer";
+    std::error_code unknown;
+    if (fs::exists(program, unknown)) return program;
+    throw rtcore::FileError(rtcore::FailureKind::NoInput, program.string(),
+                            "the Renderer is missing; install it beside CUI or name it in RT_RENDERER");
+}
+
+void requestExport(Conversation& conversation, const std::string& what, const fs::path& file) {
+    conversation.request(app::joinWords(Words{"export", what, file.string()}));
+}
+
+} // namespace
+
+void renderView(Conversation& conversation, std::span<const std::string> arguments) {
+    if (arguments.empty() || arguments[0].empty())
+        throw app::UsageError("render takes FILE, and options for the Renderer behind --");
+    const std::string output = arguments[0];
+    arguments = arguments.subspan(1);
+    if (!arguments.empty() && arguments[0] == "--") arguments = arguments.subspan(1);
+
+    const fs::path renderer = rendererProgram();
+    rtcore::TemporaryFolder folder("rtsuite-view-");
+    const fs::path camera = folder.file("view.cam"), scene = folder.file("view.scn");
+    requestExport(conversation, "camera", camera);
+    requestExport(conversation, "scene", scene);
+    conversation.hangUp();
+
+    Words words{scene.string(), "--camera=" + camera.string(), "--output=" + output, "--force"};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    const rtcore::ProcessResult result = rtcore::runAttached(renderer, words, app::stopSignal);
+    app::throwIfStopped();
+    if (result.end == rtcore::ProcessEnd::Signalled) {
+        throw CommandFailure(app::ExitCode::Failed,
+                             "the Renderer was ended by a signal (" + rtcore::signalName(result.code) + ")");
+    }
+    if (result.code != 0) {
+        throw CommandFailure(static_cast<app::ExitCode>(result.code),
+                             "the Renderer failed with exit code " + std::to_string(result.code));
+    }
+}
+
+} // namespace cui
