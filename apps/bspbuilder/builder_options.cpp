@@ -1,5 +1,6 @@
 #include "bspbuilder/builder_options.h"
 
+#include "common/file_notes.h"
 #include "common/import_options.h"
 #include "common/threads.h"
 
@@ -57,11 +58,15 @@ const app::ProgramSpec& builderSpec() {
         .purpose =
             "Builds the kd-tree of a model and writes both to a .bsp file, which RTServer and Renderer "
             "load very quickly.",
-        .positionals = {{"INPUT", "model file: .obj, .ply, .gltf, .glb, .3ds, .x, .fbx, .dae, .stl, ..."},
-                        {"OUTPUT", "the .bsp file"}},
+        .positionals = {{.name = "INPUT",
+                         .help = "model file: .obj, .ply, .gltf, .glb, .3ds, .x, .fbx, .dae, .stl, ...",
+                         .files = app::modelExtensions()},
+                        {.name = "OUTPUT", .help = "the .bsp file", .files = {"bsp"}}},
         .groups = {treeOptions(), app::importOptionGroup(), runOptions()},
         .examples = {{"BSPBuilder nave.obj nave.bsp -vv", "the best tree, with a report"},
                      {"BSPBuilder dragon.ply dragon.bsp -f -m 3", "a quick build"}},
+        .environment = app::importEnvironmentNotes(),
+        .files = {app::sceneFileNotes()[1]},
     };
     return spec;
 }

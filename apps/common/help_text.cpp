@@ -11,19 +11,6 @@ namespace {
 constexpr std::size_t kColumns = 79;
 constexpr std::size_t kTextColumn = 29;
 
-constexpr std::array<const char*, 10> kExitCodes = {
-    "0    done",
-    "1    failed for a reason without a code of its own",
-    "2    the command line is wrong",
-    "65   the content of a file is wrong",
-    "66   an input is missing or cannot be read",
-    "73   an output cannot be written",
-    "75   a resource is short for the moment, try again",
-    "129  stopped by SIGHUP",
-    "130  stopped by SIGINT (Ctrl-C)",
-    "143  stopped by SIGTERM",
-};
-
 // Breaks at spaces; every line begins with `indent` spaces except the first, which continues at `column`.
 std::string wrap(const std::string& text, std::size_t indent, std::size_t column) {
     std::istringstream words(text);
@@ -62,6 +49,22 @@ std::string usageLine(const ProgramSpec& spec) {
 }
 
 } // namespace
+
+std::span<const HelpWord> exitCodeNotes() {
+    static const std::array<HelpWord, 10> notes = {{
+        {"0", "done"},
+        {"1", "failed for a reason without a code of its own"},
+        {"2", "the command line is wrong"},
+        {"65", "the content of a file is wrong"},
+        {"66", "an input is missing or cannot be read"},
+        {"73", "an output cannot be written"},
+        {"75", "a resource is short for the moment, try again"},
+        {"129", "stopped by SIGHUP"},
+        {"130", "stopped by SIGINT (Ctrl-C)"},
+        {"143", "stopped by SIGTERM"},
+    }};
+    return notes;
+}
 
 const Option* ProgramSpec::find(const std::string& longName) const {
     for (const OptionGroup& group : groups) {
@@ -109,7 +112,11 @@ std::string helpText(const ProgramSpec& spec) {
         text += "  " + example.command + "\n        " + wrap(example.meaning, 8, 8) + "\n";
     }
     text += "\nExit status:\n";
-    for (const char* line : kExitCodes) text += std::string("  ") + line + "\n";
+    for (const HelpWord& code : exitCodeNotes()) {
+        std::string number = code.label;
+        number.resize(5, ' ');
+        text += "  " + number + code.help + "\n";
+    }
     return text;
 }
 

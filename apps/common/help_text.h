@@ -3,6 +3,7 @@
 
 #include "common/options.h"
 
+#include <span>
 #include <string>
 
 namespace app {
@@ -16,6 +17,12 @@ std::string briefText(const ProgramSpec& spec);
 
 /// What --version prints: name, version, licence, and which optional parts this build has.
 std::string versionText(const ProgramSpec& spec);
+
+/// "0.1.0"
+std::string suiteVersion();
+
+/// What each exit code means: the number, and the words.
+std::span<const HelpWord> exitCodeNotes();
 
 /// "-a, --antialiasing=N": all spellings of an option as the help lists them.
 std::string spellings(const Option& option);

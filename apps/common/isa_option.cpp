@@ -5,13 +5,24 @@
 
 namespace app {
 
+namespace {
+
+std::vector<std::string> suggestIsa(std::span<const std::string> /*words*/) {
+    std::vector<std::string> names = rtcore::instructionSets();
+    names.emplace_back("auto");
+    return names;
+}
+
+} // namespace
+
 Option isaOption() {
     return {.name = "isa",
             .value = ValueKind::Text,
             .argument = "NAME",
             .help =
                 "use the vector code of one instruction set, of those that --version lists; the results are "
-                "the same [auto]"};
+                "the same [auto]",
+            .suggest = suggestIsa};
 }
 
 void useIsa(const Arguments& arguments) {

@@ -1,7 +1,9 @@
-/// A program's command line as data: what the parser accepts and what --help prints come from the same table.
+/// A program's command line as data: what the parser accepts, what --help and the manual page print, and what
+/// shells complete come from the same table.
 #pragma once
 
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,9 @@ enum class ValueKind {
     Choice,  ///< one of `choices`
 };
 
+/// What may stand for the last of `words`, for shells to complete; one that ends with '=' goes on.
+using Suggest = std::vector<std::string> (*)(std::span<const std::string> words);
+
 struct Option {
     std::string name; ///< long spelling, without the dashes
     char letter = 0;  ///< short spelling; 0 = none
@@ -27,9 +32,12 @@ struct Option {
     double maximum = std::numeric_limits<double>::max();
     std::vector<std::string> choices = {};
     bool answers = false; ///< answers a question and exits, so that the positionals may be missing
+    std::vector<std::string> files = {}; ///< with the argument FILE: usual extensions; none = any
+    Suggest suggest = nullptr;
 };
 
-/// A word that is no option, explained in the help: a command.
+/// A command: "key press KEY", "light N on|off", "export camera FILE [WIDTH HEIGHT]". Small letters are typed
+/// as they are, capitals stand for something, and '|' parts what may stand in one place.
 struct HelpWord {
     std::string label, help;
 };
@@ -44,7 +52,17 @@ struct OptionGroup {
 struct Positional {
     std::string name; ///< in capitals
     std::string help;
-    bool repeats = false; ///< stands for one or more; the last positional only
+    bool repeats = false;                ///< stands for one or more; the last positional only
+    std::vector<std::string> files = {}; ///< usual extensions; none = any
+};
+
+/// What a word in capitals stands for in the labels of commands, for completion. FILE is a file without that.
+struct Operand {
+    std::string command; ///< empty = in every command that has no row of its own
+    std::string name;
+    std::vector<std::string> files = {}; ///< of a FILE: usual extensions
+    Suggest suggest = nullptr;
+    std::string program = {}; ///< from here on all words are options of this program
 };
 
 struct Example {
@@ -58,6 +76,8 @@ struct ProgramSpec {
     std::vector<Positional> positionals;
     std::vector<OptionGroup> groups;
     std::vector<Example> examples;
+    std::vector<Operand> operands = {};
+    std::vector<HelpWord> environment = {}, files = {}; ///< for the manual page
 
     const Option* find(const std::string& longName) const;
 };

@@ -1,6 +1,8 @@
 #include "common/run_program.h"
 
+#include "common/completion.h"
 #include "common/help_text.h"
+#include "common/man_page.h"
 #include "common/stop.h"
 #include "common/terminal.h"
 
@@ -37,6 +39,19 @@ ExitCode parseAndRun(const ProgramSpec& spec, const std::vector<std::string>& wo
     return ExitCode::Done;
 }
 
+// What is no option for people: shells and the build ask it.
+bool answerForPackaging(const ProgramSpec& spec, std::span<const std::string> words) {
+    if (words.empty()) return false;
+    if (words.front() == kCompleteOption) {
+        writeOutput(completionText(completeWords(spec, words.subspan(1))));
+    } else if (words.front() == kManPageOption && words.size() == 1) {
+        writeOutput(manPage(spec));
+    } else {
+        return false;
+    }
+    return true;
+}
+
 } // namespace
 
 ExitCode exitCodeOf(rtcore::FailureKind kind) {
@@ -71,6 +86,7 @@ int runProgram(int argc, const char* const* argv, const ProgramSpec& spec,
     try {
         installSignalHandlers();
         const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
+        if (answerForPackaging(spec, words)) return static_cast<int>(ExitCode::Done);
         code = parseAndRun(withStandardOptions(spec), words, work);
     } catch (const UsageError& error) {
         printMessage(spec.name, error.what());

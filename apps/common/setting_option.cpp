@@ -1,6 +1,7 @@
 #include "common/setting_option.h"
 
 #include "common/command_line.h"
+#include "common/setting_names.h"
 
 #include <stdexcept>
 
@@ -22,6 +23,19 @@ rtcore::SettingAssignment settingOf(const std::string& nameAndValue) {
             "option '--setting' takes NAME=VALUE, such as maxDepth=8; 'Renderer --settings' lists the names");
     }
     return settingOf("setting", nameAndValue.substr(0, equals), nameAndValue.substr(equals + 1));
+}
+
+std::vector<std::string> suggestAssignments(std::span<const std::string> words) {
+    const std::string& begun = words.back();
+    const std::size_t equals = begun.find('=');
+    std::vector<std::string> all;
+    if (equals == std::string::npos) {
+        for (const std::string& name : settingNames()) all.push_back(name + "=");
+    } else {
+        const std::string name = begun.substr(0, equals);
+        for (const std::string& value : settingValues(name)) all.push_back(name + "=" + value);
+    }
+    return all;
 }
 
 } // namespace app

@@ -3,7 +3,9 @@
 
 #include "rtcore/settings/settings_table.h"
 
+#include <span>
 #include <string>
+#include <vector>
 
 namespace app {
 
@@ -14,5 +16,8 @@ rtcore::SettingAssignment settingOf(const std::string& option, const std::string
 
 /// NAME=VALUE, as --setting takes it. Throws UsageError as above.
 rtcore::SettingAssignment settingOf(const std::string& nameAndValue);
+
+/// NAME=VALUE, for completion: names until there is a "=", then values.
+std::vector<std::string> suggestAssignments(std::span<const std::string> words);
 
 } // namespace app

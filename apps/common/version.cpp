@@ -14,6 +14,8 @@ std::string feature(const std::string& name, bool present, const std::string& wi
 
 } // namespace
 
+std::string suiteVersion() { return RT_VERSION; }
+
 std::string versionText(const ProgramSpec& spec) {
 #ifdef _OPENMP
     constexpr bool kOpenMp = true;

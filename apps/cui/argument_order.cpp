@@ -1,6 +1,7 @@
 #include "cui/argument_order.h"
 
 #include "common/command_line.h"
+#include "common/completion.h"
 
 #include <algorithm>
 
@@ -27,6 +28,7 @@ bool takesNextWord(const app::ProgramSpec& spec, const std::string& word) {
 } // namespace
 
 std::vector<std::string> optionsFirst(const app::ProgramSpec& spec, const std::vector<std::string>& words) {
+    if (!words.empty() && words.front() == app::kCompleteOption) return words;
     std::vector<std::string> options, others;
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (words[i] == "--") {

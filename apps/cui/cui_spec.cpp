@@ -1,6 +1,9 @@
 #include "cui/cui_spec.h"
 
+#include "cui/cui_operands.h"
+
 #include "common/command_line.h"
+#include "common/file_notes.h"
 
 #include "rtcore/settings/nearest_name.h"
 
@@ -61,7 +64,8 @@ app::OptionGroup options() {
               .letter = 'i',
               .value = ValueKind::Text,
               .argument = "NAME",
-              .help = "the server's name [default]"},
+              .help = "the server's name [default]",
+              .suggest = suggestInstances},
              {.name = "timeout",
               .letter = 't',
               .value = ValueKind::Number,
@@ -118,6 +122,9 @@ const app::ProgramSpec& cuiSpec() {
         .examples = {{"CUI resolution 1280 720", "larger frames"},
                      {"CUI render now.png -- -a 4 -w 3840 -h 2160", "the same view, large and smooth"},
                      {"CUI --instance=cow screenshot cow.png", "what the server 'cow' shows"}},
+        .operands = operands(),
+        .environment = {{"RT_RENDERER", "the program that 'render' runs [Renderer, beside CUI]"}},
+        .files = app::sceneFileNotes(),
     };
     return spec;
 }

@@ -2,6 +2,7 @@
 
 #include "renderer/film_format.h"
 
+#include "common/file_notes.h"
 #include "common/import_options.h"
 #include "common/isa_option.h"
 #include "common/setting_option.h"
@@ -51,17 +52,20 @@ OptionGroup sequenceOptions() {
         {{.name = "camera",
           .value = ValueKind::Text,
           .argument = "FILE",
-          .help = "look through this .cam file"},
+          .help = "look through this .cam file",
+          .files = {"cam"}},
          {.name = "model",
           .value = ValueKind::Text,
           .argument = "FILE",
-          .help = "take this model or .bsp in place of the one that the .scn names"},
+          .help = "take this model or .bsp in place of the one that the .scn names",
+          .files = app::sceneExtensions()},
          {.name = "list",
           .letter = 'l',
           .value = ValueKind::Text,
           .argument = "FILE",
           .help = "render a frame for each .cam file that this text file lists; #### in the output's name "
-                  "becomes the number of the frame, from 0001"},
+                  "becomes the number of the frame, from 0001",
+          .files = {"lst", "txt"}},
          {.name = "frames",
           .value = ValueKind::Text,
           .argument = "A-B",
@@ -130,11 +134,13 @@ OptionGroup qualityOptions() {
              {.name = "set",
               .value = ValueKind::Text,
               .argument = "FILE",
-              .help = "take settings from the table [still] of this .set file"},
+              .help = "take settings from the table [still] of this .set file",
+              .files = {"set"}},
              {.name = "setting",
               .value = ValueKind::Text,
               .argument = "NAME=VALUE",
-              .help = "any setting by its name; may be given several times"},
+              .help = "any setting by its name; may be given several times",
+              .suggest = app::suggestAssignments},
              {.name = "settings", .help = "list all settings and exit", .answers = true}}};
 }
 
@@ -233,7 +239,9 @@ const app::ProgramSpec& rendererSpec() {
         .purpose =
             "Renders pictures of a scene by ray tracing. Values on the command line beat those of the .cam "
             "file, these the .set file, and these the .scn file.",
-        .positionals = {{"SCENE", "scene description (.scn), kd-tree (.bsp) or any model file"}},
+        .positionals = {{.name = "SCENE",
+                         .help = "scene description (.scn), kd-tree (.bsp) or any model file",
+                         .files = app::sceneExtensions()}},
         .groups = {outputOptions(), sequenceOptions(), qualityOptions(), runOptions(),
                    app::importOptionGroup()},
         .examples = {{"Renderer nave.scn -o nave.png -w 1280 -h 720 -a 3",
@@ -243,6 +251,8 @@ const app::ProgramSpec& rendererSpec() {
                      {"Renderer nave.scn -l flight.lst -o out/frame_####.png --frames 1-100",
                       "a part of a video; frames that are there already are skipped"},
                      {"Renderer nave.scn -l flight.lst --video flight.mp4", "a film; needs ffmpeg"}},
+        .environment = app::importEnvironmentNotes(),
+        .files = app::sceneFileNotes(),
     };
     return spec;
 }

@@ -1,5 +1,6 @@
 #include "rtserver/server_options.h"
 
+#include "common/file_notes.h"
 #include "common/import_options.h"
 #include "common/isa_option.h"
 #include "common/setting_option.h"
@@ -15,25 +16,27 @@ using app::OptionGroup;
 using app::ValueKind;
 
 OptionGroup viewOptions() {
-    return {
-        "View",
-        {{.name = "camera",
-          .value = ValueKind::Text,
-          .argument = "FILE",
-          .help = "begin with this .cam file, its size, exposure, lights and environment"},
-         {.name = "resolution",
-          .letter = 'r',
-          .value = ValueKind::Text,
-          .argument = "WxH",
-          .help = "pixels of a frame"},
-         {.name = "set",
-          .value = ValueKind::Text,
-          .argument = "FILE",
-          .help = "take settings from the table [live] of this .set file"},
-         {.name = "setting",
-          .value = ValueKind::Text,
-          .argument = "NAME=VALUE",
-          .help = "any setting by its name; may be given several times; 'Renderer --settings' lists them"}}};
+    return {"View",
+            {{.name = "camera",
+              .value = ValueKind::Text,
+              .argument = "FILE",
+              .help = "begin with this .cam file, its size, exposure, lights and environment",
+              .files = {"cam"}},
+             {.name = "resolution",
+              .letter = 'r',
+              .value = ValueKind::Text,
+              .argument = "WxH",
+              .help = "pixels of a frame"},
+             {.name = "set",
+              .value = ValueKind::Text,
+              .argument = "FILE",
+              .help = "take settings from the table [live] of this .set file",
+              .files = {"set"}},
+             {.name = "setting",
+              .value = ValueKind::Text,
+              .argument = "NAME=VALUE",
+              .help = "any setting by its name; may be given several times; 'Renderer --settings' lists them",
+              .suggest = app::suggestAssignments}}};
 }
 
 OptionGroup runOptions() {
@@ -82,11 +85,15 @@ const app::ProgramSpec& serverSpec() {
         .purpose =
             "Renders a scene in real time. Programs of this machine look at its frames in shared memory, "
             "move about by keys, and command it: see CUI.",
-        .positionals = {{"SCENE", "scene description (.scn), kd-tree (.bsp) or any model file"}},
+        .positionals = {{.name = "SCENE",
+                         .help = "scene description (.scn), kd-tree (.bsp) or any model file",
+                         .files = app::sceneExtensions()}},
         .groups = {viewOptions(), runOptions(), app::importOptionGroup()},
         .examples = {{"RTServer nave.scn --resolution=1280x720 --daemon", "a server in the background"},
                      {"RTServer cow.obj --instance=cow",
                       "a second one, which 'CUI --instance=cow' commands"}},
+        .environment = app::importEnvironmentNotes(),
+        .files = app::sceneFileNotes(),
     };
     return spec;
 }

@@ -74,6 +74,10 @@ ProcessResult runAttached(const std::filesystem::path& program, const std::vecto
 /// The first executable file of that name in the folders of PATH.
 std::optional<std::filesystem::path> findProgram(const std::string& name);
 
+/// A program that only our programs start: beside the running one, else, where it is installed, in
+/// ../libexec/rtsuite. The first place when it is in neither.
+std::filesystem::path helperProgram(const std::string& name);
+
 /// For the started program, first thing in main: it is killed when `parent` (a processId) ends.
 void dieWithParent(std::int64_t parent);
 /// For the started program: allocations fail beyond `bytes` of address space. Does nothing under sanitizers,

@@ -1,6 +1,7 @@
 #include "rtcore/platform/processes.h"
 
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/files.h"
 
 #include <algorithm>
 #include <array>
@@ -427,6 +428,14 @@ std::optional<std::filesystem::path> findProgram(const std::string& name) {
         }
     }
     return std::nullopt;
+}
+
+std::filesystem::path helperProgram(const std::string& name) {
+    std::error_code unknown;
+    const std::filesystem::path beside = programFolder() / name;
+    const std::filesystem::path apart = programFolder().parent_path() / "libexec" / "rtsuite" / name;
+    return !std::filesystem::exists(beside, unknown) && std::filesystem::exists(apart, unknown) ? apart
+                                                                                                : beside;
 }
 
 void dieWithParent(std::int64_t parent) {

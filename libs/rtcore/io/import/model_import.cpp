@@ -42,7 +42,7 @@ std::uint64_t sizeOf(const fs::path& path) {
 fs::path importerProgram() {
     // Nobody changes the environment while models are loaded.
     const char* const chosen = std::getenv("RT_IMPORTER"); // NOLINT(concurrency-mt-unsafe)
-    return chosen != nullptr && *chosen != '\0' ? fs::path(chosen) : programFolder() / "rtimport";
+    return chosen != nullptr && *chosen != '\0' ? fs::path(chosen) : helperProgram("rtimport");
 }
 
 ProcessLimits limitsFor(std::uint64_t size, const ImportOptions& options) {

@@ -30,7 +30,7 @@ struct ImportedModel {
     ImportReport report;
 };
 
-/// Imports a model in a program of its own (`rtimport` in programFolder(), or what the environment variable
+/// Imports a model in a program of its own (`rtimport`, a helperProgram(), or what the environment variable
 /// RT_IMPORTER names), so that a file that crashes, hangs or starves Assimp gives an error and nothing worse.
 /// The program hands over a .bsp without a tree, which is checked like any other. Beside the model's file
 /// Assimp and this function read what it names: material libraries, buffers, pictures.

@@ -1,0 +1,18 @@
+/// What the words in capitals of CUI's commands stand for, for completion by shells.
+#pragma once
+
+#include "common/options.h"
+
+#include <vector>
+
+namespace cui {
+
+std::vector<app::Operand> operands();
+
+/// Names of the servers that run.
+std::vector<std::string> suggestInstances(std::span<const std::string> words);
+
+/// Keys with names of more than one letter.
+std::vector<std::string> suggestKeys(std::span<const std::string> words);
+
+} // namespace cui
