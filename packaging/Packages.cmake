@@ -4,9 +4,10 @@ set(CPACK_PACKAGE_VENDOR "the rtsuite authors")
 set(CPACK_PACKAGE_CONTACT "the rtsuite authors <maintainers@rtsuite.invalid>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "interactive ray tracing on processors")
 set(CPACK_PACKAGE_DESCRIPTION
-    "Renders 3D models of many formats by ray tracing, at interactive rates and without a graphics card. \
-RTServer shows a scene in which one walks about, CUI commands it from a shell, Renderer makes stills and films in high \
-quality, and BSPBuilder prepares models so that they load quickly.")
+"Renders 3D models of many formats by ray tracing, at interactive rates and
+without a graphics card. RTServer shows a scene in which one walks about, CUI
+commands it from a shell, Renderer makes stills and films in high quality, and
+BSPBuilder prepares models so that they load quickly.")
 set(CPACK_RESOURCE_FILE_LICENSE ${CMAKE_SOURCE_DIR}/LICENSE)
 set(CPACK_GENERATOR DEB TGZ)
 set(CPACK_STRIP_FILES ON)

@@ -82,7 +82,7 @@ class Completer {
         if (option.suggest != nullptr) {
             for (const std::string& each : option.suggest(Words(&begun, 1))) add(prefix + each);
         }
-        if (option.argument == "FILE") files(prefix.size(), option.files);
+        if (option.argument == "FILE" || !option.files.empty()) files(prefix.size(), option.files);
     }
 
     void files(std::size_t prefix, const std::vector<std::string>& extensions) {

@@ -34,8 +34,8 @@ ipc::Client& Conversation::client() {
     return *client_;
 }
 
-ipc::Reply Conversation::ask(std::string_view command) {
-    const Clock::time_point deadline = Clock::now() + timeout_;
+ipc::Reply Conversation::ask(std::string_view command, std::chrono::nanoseconds work) {
+    const Clock::time_point deadline = Clock::now() + timeout_ + work;
     ipc::Ticket ticket = 0;
     while (true) {
         const ipc::SendStatus sent = client().send(command, &ticket);
@@ -52,8 +52,8 @@ ipc::Reply Conversation::ask(std::string_view command) {
     }
 }
 
-std::string Conversation::request(std::string_view command) {
-    const ipc::Reply reply = ask(command);
+std::string Conversation::request(std::string_view command, std::chrono::nanoseconds work) {
+    const ipc::Reply reply = ask(command, work);
     const std::string server = "the server '" + instance_ + "' ";
     switch (reply.status) {
     case ipc::ReplyStatus::Done:
@@ -74,7 +74,7 @@ std::string Conversation::request(std::string_view command) {
 void Conversation::quit(std::string_view command) {
     const Clock::time_point deadline = Clock::now() + timeout_;
     const std::int64_t process = client().serverProcess();
-    const ipc::Reply reply = ask(command);
+    const ipc::Reply reply = ask(command, 0ns);
     const bool understood = reply.status == ipc::ReplyStatus::Done || reply.status == ipc::ReplyStatus::Lost;
     if (!understood)
         throw CommandFailure(app::ExitCode::TryAgain,

@@ -27,9 +27,9 @@ class Conversation {
     Conversation(std::string instance, std::chrono::nanoseconds timeout)
         : instance_(std::move(instance)), timeout_(timeout) {}
 
-    /// The server's answer. Throws CommandFailure, ipc::Error, and rtcore::FileError when a signal asked to
-    /// stop.
-    std::string request(std::string_view command);
+    /// The server's answer; `work` is what the command takes beside the time to wait. Throws CommandFailure,
+    /// ipc::Error, and rtcore::FileError when a signal asked to stop.
+    std::string request(std::string_view command, std::chrono::nanoseconds work = {});
     /// Ends the server and waits until it has ended.
     void quit(std::string_view command);
     /// Lets go of the server until the next command.
@@ -38,7 +38,7 @@ class Conversation {
 
   private:
     ipc::Client& client();
-    ipc::Reply ask(std::string_view command);
+    ipc::Reply ask(std::string_view command, std::chrono::nanoseconds work);
 
     std::string instance_;
     std::chrono::nanoseconds timeout_;

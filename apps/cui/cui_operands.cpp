@@ -31,6 +31,14 @@ std::vector<std::string> suggestKeys(Words /*words*/) {
             "end",   "insert",   "delete", "backspace", "escape"};
 }
 
+std::vector<std::string> suggestActions(Words /*words*/) {
+    return {"forward",    "back",        "left",        "right",
+            "up",         "down",        "turnLeft",    "turnRight",
+            "turnUp",     "turnDown",    "jump",        "crouch",
+            "toggleWalk", "toggleBloom", "toggleLight", "selectEnvironment",
+            "sprint",     "crawl"};
+}
+
 std::vector<app::Operand> operands() {
     return {{.command = "set", .name = "NAME", .suggest = suggestSettings},
             {.command = "set", .name = "VALUE", .suggest = suggestValues},
@@ -40,6 +48,9 @@ std::vector<app::Operand> operands() {
             {.command = "load set", .name = "FILE", .files = {"set"}},
             {.command = "export camera", .name = "FILE", .files = {"cam"}},
             {.command = "export scene", .name = "FILE", .files = {"scn"}},
+            {.command = "export video start", .name = "FILE", .files = {"lst", "txt"}},
+            {.command = "play", .name = "FILE", .files = {"lst", "txt"}},
+            {.command = "bind", .name = "ACTION", .suggest = suggestActions},
             {.command = "render", .name = "OPTION", .program = "Renderer"},
             {.command = "", .name = "KEY", .suggest = suggestKeys}};
 }

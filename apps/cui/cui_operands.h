@@ -15,4 +15,7 @@ std::vector<std::string> suggestInstances(std::span<const std::string> words);
 /// Keys with names of more than one letter.
 std::vector<std::string> suggestKeys(std::span<const std::string> words);
 
+/// What keys can be bound to.
+std::vector<std::string> suggestActions(std::span<const std::string> words);
+
 } // namespace cui

@@ -5,6 +5,7 @@
 #include "cui/render_view.h"
 #include "cui/status_text.h"
 
+#include "common/command_line.h"
 #include "common/help_text.h"
 #include "common/run_program.h"
 #include "common/stop.h"
@@ -16,12 +17,14 @@
 
 #include "rtcore/platform/error.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iostream>
+#include <optional>
 #include <span>
 #include <thread>
 #include <utility>
@@ -40,22 +43,40 @@ class Run {
           conversation_(instance_,
                         std::chrono::duration_cast<std::chrono::nanoseconds>(
                             std::chrono::duration<double>(arguments.number("timeout").value_or(60)))),
-          json_(arguments.has("json")), count_(arguments.integer("count").value_or(0)) {}
+          json_(arguments.has("json")), pressTime_(arguments.integer("for")),
+          count_(arguments.integer("count").value_or(0)) {}
 
     void command(Words words) {
         const FoundCommand found = findCommand(words);
         const Words arguments = words.subspan(found.words);
         if (found.spec->doer == Doer::Local) return local(*found.spec, arguments);
         std::vector<std::string> line(words.begin(), words.end());
+        std::chrono::milliseconds work(0);
+        if (found.spec->name == "key press") work = readPressTime(line);
+        if (pressTime_ && work == 0ms) throw app::UsageError("--for belongs to 'key press'");
         if (found.spec->path && !arguments.empty())
             line[found.words] = std::filesystem::absolute(line[found.words]).string();
         const std::string text = app::joinWords(line);
         if (found.spec->name == "exit" || found.spec->name == "quit") return conversation_.quit(text);
-        const std::string answer = conversation_.request(text);
+        const std::string answer = conversation_.request(text, work);
         if (!answer.empty()) app::writeOutput(answer + "\n");
     }
 
   private:
+    // The server takes the time as a second argument.
+    std::chrono::milliseconds readPressTime(std::vector<std::string>& line) const {
+        constexpr std::string_view kOption = "--for=";
+        std::erase(line, "--for"); // as a line of a script may have it
+        for (std::string& word : line) {
+            if (word.starts_with(kOption)) word.erase(0, kOption.size());
+        }
+        constexpr std::size_t kTime = 3;
+        if (pressTime_) line.push_back(std::to_string(*pressTime_));
+        if (line.size() <= kTime) return 0ms;
+        return std::chrono::milliseconds(
+            std::max<std::int64_t>(app::parseInteger(line[kTime]).value_or(1), 1));
+    }
+
     void local(const CommandSpec& spec, Words arguments) {
         if (spec.name == "script") {
             if (arguments.size() != 1) throw app::UsageError("script takes FILE, or - for standard input");
@@ -148,7 +169,8 @@ class Run {
     std::string instance_;
     Conversation conversation_;
     bool json_;
-    std::int64_t count_; ///< 0 = no end
+    std::optional<std::int64_t> pressTime_; ///< milliseconds
+    std::int64_t count_;                    ///< 0 = no end
     bool inScript_ = false;
 };
 

@@ -7,7 +7,9 @@
 
 #include "rtcore/settings/nearest_name.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace cui {
 
@@ -33,6 +35,8 @@ constexpr std::array kCommands{
     CommandSpec{"pause", "", "no more frames for now"},
     CommandSpec{"resume", "", "frames again"},
     CommandSpec{"idle", "on|off", "off: draw every frame, though it equals the last"},
+    CommandSpec{"frame-time", "MS|off",
+                "while something moves, draw fewer pixels where a frame would take longer"},
     CommandSpec{"wait-idle", "", "until the next frame would equal the last"},
     CommandSpec{"resolution", "WIDTH HEIGHT", "pixels of a frame"},
     CommandSpec{"set", "NAME VALUE", "change a setting"},
@@ -50,12 +54,24 @@ constexpr std::array kCommands{
     CommandSpec{"export camera", "FILE [WIDTH HEIGHT ANTIALIASING BLOOM]", "write the camera as a .cam file",
                 Doer::Server, true},
     CommandSpec{"export scene", "FILE", "write a .scn file that shows the same again", Doer::Server, true},
+    CommandSpec{"export video start", "FILE [FPS]",
+                "record the camera, 30 times a second, for 'play' and 'Renderer -l'", Doer::Server, true},
+    CommandSpec{"export video stop", "[FILE]", "end the recording, and print its number of frames"},
+    CommandSpec{"play", "FILE", "show a recorded path", Doer::Server, true},
+    CommandSpec{"play stop", "", "no more of it"},
     CommandSpec{"screenshot", "FILE", "write the frame; the extension says the format", Doer::Server, true},
-    CommandSpec{"light", "N on|off", "switch a light; the first one is 0"},
+    CommandSpec{"bloom", "on|off", "the glow around bright spots"},
+    CommandSpec{"light", "N on|off|toggle", "switch a light; the first one is 0"},
     CommandSpec{"environment", "N", "choose an environment map; the first one is 0"},
-    CommandSpec{"key press", "KEY", "hold a key down until it is released"},
+    CommandSpec{"key press", "KEY",
+                "hold a key down until it is released; with --for=MS wait so long and release it"},
     CommandSpec{"key release", "KEY|all", "release it"},
     CommandSpec{"key tap", "KEY", "press and release it"},
+    CommandSpec{"bindings", "", "what the keys do"},
+    CommandSpec{"bindings default", "", "what they do by default again"},
+    CommandSpec{"bind", "KEY|KEY+KEY ACTION [N]",
+                "let a key do something else; 'bindings' shows the actions"},
+    CommandSpec{"unbind", "KEY|KEY+KEY", "let it do nothing"},
 };
 
 app::OptionGroup options() {
@@ -74,6 +90,12 @@ app::OptionGroup options() {
               .minimum = 0,
               .maximum = 1e6},
              {.name = "json", .help = "print status and list for programs"},
+             {.name = "for",
+              .value = ValueKind::Integer,
+              .argument = "MS",
+              .help = "key press: release the key after so many milliseconds",
+              .minimum = 1,
+              .maximum = 3'600'000},
              {.name = "count",
               .value = ValueKind::Integer,
               .argument = "N",
@@ -98,11 +120,15 @@ std::span<const CommandSpec> commands() { return kCommands; }
 
 FoundCommand findCommand(std::span<const std::string> words) {
     if (words.empty()) throw app::UsageError("no command is given");
-    const std::string two = words.size() > 1 ? words[0] + " " + words[1] : words[0];
-    for (const CommandSpec& command : kCommands) {
-        if (command.name == two && words.size() > 1) return {&command, 2};
-        if (command.name == words[0]) return {&command, 1};
+    constexpr std::size_t kMostWords = 3;
+    for (std::size_t used = std::min(words.size(), kMostWords); used > 0; --used) {
+        std::string name = words[0];
+        for (std::size_t i = 1; i < used; ++i) name += " " + words[i];
+        for (const CommandSpec& command : kCommands) {
+            if (command.name == name) return {&command, used};
+        }
     }
+    const std::string two = words.size() > 1 ? words[0] + " " + words[1] : words[0];
     std::vector<std::string_view> names;
     for (const CommandSpec& command : kCommands) {
         names.push_back(command.name);

@@ -16,7 +16,7 @@ enum class Doer {
 };
 
 struct CommandSpec {
-    std::string_view name; ///< one word or two
+    std::string_view name; ///< one word to three
     std::string_view arguments;
     std::string_view help;
     Doer doer = Doer::Server;

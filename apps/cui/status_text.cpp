@@ -50,6 +50,7 @@ std::string statusText(const std::string& instance, std::int64_t process, const 
     line("instance", instance);
     line("process", exact(process));
     line("state", state(status));
+    if (status.recording != 0) line("recording", "yes");
     line("resolution", exact(status.width) + " x " + exact(status.height));
     line("polygons", exact(status.polygons));
     line("frame time", fixed(status.frameSeconds * 1e3, 2) + " ms");
@@ -86,6 +87,7 @@ std::string statusJson(const std::string& instance, std::int64_t process, const 
     add("progress", exact(status.progress));
     add("idle", truth(status.idle));
     add("paused", truth(status.paused));
+    add("recording", truth(status.recording));
     return text + "}\n";
 }
 

@@ -6,6 +6,7 @@
 
 #include "common/exit_codes.h"
 
+#include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <string>
@@ -25,15 +26,17 @@ class Host {
 
 /// When the answer is due.
 enum class Turn {
-    Done,      ///< now
-    Again,     ///< the command needs the frame of what the session shows: run it again when that is there
-    WhenIdle,  ///< as soon as the next frame would equal the last
-    WhenLoaded ///< when the scene stands
+    Done,         ///< now
+    Again,        ///< the command needs the frame of what the session shows: run it again when that is there
+    WhenIdle,     ///< as soon as the next frame would equal the last
+    WhenLoaded,   ///< when the scene stands
+    WhenReleased, ///< when the key is up again
 };
 
 struct Result {
     Turn turn = Turn::Done;
     std::string answer = {};
+    std::uint64_t press = 0; ///< of Keyboard::pressFor(), for WhenReleased
 };
 
 /// Throws app::UsageError (no such command, wrong arguments), rtcore::FileError, ipc::Error, and other

@@ -39,6 +39,7 @@ rtcore::SceneFile sceneFileOf(const Session& session) {
     const rtcore::Scene& scene = world.loaded.scene;
     rtcore::SceneFile file = descriptionOf(world);
     file.model = world.loaded.modelPath;
+    file.metresPerUnit = static_cast<float>(session.metresPerUnit()); // guessed, where nobody said
     if (world.import.creaseAngle) file.creaseAngle = *world.import.creaseAngle;
     if (world.import.flipTextures) file.flipTextures = *world.import.flipTextures;
     file.settings.reset();

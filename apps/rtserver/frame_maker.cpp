@@ -1,17 +1,30 @@
 #include "rtserver/frame_maker.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace rtserver {
 
-bool FrameMaker::trace(const Session& session, rtcore::RenderControl& control) {
+namespace {
+
+int scaled(int pixels, double scale) {
+    return std::max(1, static_cast<int>(std::lround(static_cast<double>(pixels) * scale)));
+}
+
+} // namespace
+
+bool FrameMaker::trace(const Session& session, double scale, rtcore::RenderControl& control) {
     const Clock::time_point start = Clock::now();
     const World& world = session.world();
-    if (!renderer_.render(world.loaded.scene, world.tracer, session.camera(), session.settings(), threads_,
-                          control, frame_)) {
+    rtcore::RenderSettings settings = session.shownSettings();
+    settings.width = scaled(settings.width, scale);
+    settings.height = scaled(settings.height, scale);
+    if (!renderer_.render(world.loaded.scene, *world.tracer, session.camera(), settings, threads_, control,
+                          frame_)) {
         return false;
     }
-    target_ = developer_.exposure(frame_, session.settings().exposure, threads_);
+    scale_ = scale;
+    target_ = developer_.exposure(frame_, settings.exposure, threads_);
     seconds_ = std::chrono::duration<double>(Clock::now() - start).count();
     return true;
 }
@@ -21,12 +34,13 @@ void FrameMaker::develop(const Session& session) {
     const Clock::time_point now = Clock::now();
     const double passed = std::chrono::duration<double>(now - developed_).count();
     developed_ = now;
-    if (session.settings().exposure.mode == rtcore::ExposureMode::Fixed) {
+    const rtcore::RenderSettings settings = session.shownSettings();
+    if (settings.exposure.mode == rtcore::ExposureMode::Fixed) {
         adaptation_.jump(target_);
     } else {
         adaptation_.advance(target_, adaptation_.settled() ? 0 : std::min(passed, kLongest));
     }
-    developer_.develop(frame_, session.settings(), adaptation_.value(), threads_, image_);
+    developer_.develop(frame_, settings, adaptation_.value(), threads_, image_);
 }
 
 } // namespace rtserver

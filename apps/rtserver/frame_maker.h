@@ -17,9 +17,12 @@ class FrameMaker {
   public:
     explicit FrameMaker(int threads) : threads_(threads) {}
 
-    /// The radiance of what the session shows. False when control.cancel was set: nothing can be developed
-    /// then until a frame was traced.
-    bool trace(const Session& session, rtcore::RenderControl& control);
+    /// The radiance of what the session shows, with `scale` times its width and height. False when
+    /// control.cancel was set: nothing can be developed then until a frame was traced.
+    bool trace(const Session& session, double scale, rtcore::RenderControl& control);
+    /// Whether the last frame has fewer pixels than the session asks for.
+    bool reduced() const { return scale_ < 1; }
+    double scale() const { return scale_; }
     /// The picture of the frame that was traced last, at the exposure of this moment.
     void develop(const Session& session);
     /// Whether develop() would give the same picture again.
@@ -45,6 +48,7 @@ class FrameMaker {
     float target_ = 1; ///< the exposure that suits the frame
     Clock::time_point developed_;
     double seconds_ = 0;
+    double scale_ = 1;
 };
 
 } // namespace rtserver

@@ -39,6 +39,7 @@ std::unique_ptr<World> SceneLoad::load(std::filesystem::path path, rtcore::Impor
     rtcore::LoadOptions options;
     options.build.threads = threads;
     options.buildProgress = &build_;
+    options.primaryRays = 1; // the first frame is waited for; the exact tree comes after it
     options.import = import;
     options.import.stop = &stop_;
     options.onPhase = [this](rtcore::LoadPhase) {

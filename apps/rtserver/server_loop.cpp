@@ -6,6 +6,7 @@
 #include "rtcore/platform/error.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -15,9 +16,10 @@ namespace rtserver {
 namespace {
 
 using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
 
-constexpr auto kSleep = 250ms;
-constexpr auto kSleepWhileLoading = 20ms;
+constexpr Clock::duration kSleep = 200ms; ///< less than a turn of Session::move() may last
+constexpr Clock::duration kSleepWhileLoading = 20ms;
 constexpr auto kMotionStep = 2ms;      ///< until who is not at rest has moved
 constexpr auto kAdaptationStep = 16ms; ///< between frames that differ by their exposure alone
 constexpr auto kLongFrame = 1s;        ///< such a frame is given up for a change, but never two in a row
@@ -31,6 +33,12 @@ ipc::ServerOptions serverOptions(const Options& options) {
 template <typename Vector>
 void copy(const Vector& from, float (&to)[3]) {
     for (int i = 0; i < 3; ++i) to[i] = from[i];
+}
+
+std::string shortNumber(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
 }
 
 void print(const std::string& text) { app::printMessage(serverSpec().name, text); }
@@ -52,10 +60,14 @@ app::ExitCode ServerLoop::run() {
     while (!quit_) {
         if (app::stopRequested()) return app::stopExitCode();
         takeLoadedScene();
+        takeRefinedTree();
         serve();
         if (quit_) break;
         move();
+        shown_ = false;
         if (wantsFrame() && Clock::now() >= due_) draw();
+        if (shown_ || !wantsFrame()) record();
+        answerWhoWaitsForKeys();
         answerWhoWaitsForIdle();
         tellStatus();
         sleep();
@@ -75,9 +87,14 @@ void ServerLoop::takeLoadedScene() {
     const std::unique_ptr<SceneLoad> load = std::move(load_);
     const std::optional<ipc::Command> loader = std::exchange(loader_, std::nullopt);
     try {
+        refinement_.reset();
         session_.show(load->take());
         frames_.forget();
         moved_ = Clock::now();
+        if (!session_.world().loaded.sceneFile) {
+            print("one unit of " + session_.title() + " is taken for " +
+                  shortNumber(session_.metresPerUnit()) + " m; a .scn file with 'metresPerUnit' says it");
+        }
         for (const std::string& warning : session_.world().loaded.warnings) print("warning: " + warning);
     } catch (const std::exception& error) {
         if (!session_.ready()) throw;
@@ -88,6 +105,21 @@ void ServerLoop::takeLoadedScene() {
     if (!loader) return;
     tellStatus();
     server_.answer(*loader, ipc::AnswerStatus::Done);
+}
+
+// The frames are the same with either tree; they only come faster.
+void ServerLoop::takeRefinedTree() {
+    if (!session_.ready()) return;
+    if (refinement_ == nullptr) {
+        // After the first frame, which nothing should slow down.
+        if (!session_.world().loaded.fastTree || session_.stale()) return;
+        refinement_ = std::make_unique<TreeRefinement>(session_.world(), options_.threads);
+    }
+    if (!refinement_->done()) return;
+    const std::unique_ptr<TreeRefinement> refinement = std::move(refinement_);
+    TreeRefinement::Result result = refinement->take();
+    session_.useTree(std::move(result.tree), std::move(result.tracer));
+    print("the exact kd-tree is in use; it took " + shortNumber(result.seconds) + " s");
 }
 
 // --- Commands ---
@@ -112,6 +144,9 @@ bool ServerLoop::serveOne(const ipc::Command& command) {
             return true;
         case Turn::WhenLoaded:
             loader_ = command;
+            return true;
+        case Turn::WhenReleased:
+            keyWaiters_.push_back({command, result.press});
             return true;
         case Turn::Done:
             break;
@@ -138,41 +173,74 @@ void ServerLoop::answerWhoWaitsForIdle() {
     idleWaiters_.clear();
 }
 
+void ServerLoop::answerWhoWaitsForKeys() {
+    if (keyWaiters_.empty()) return;
+    tellStatus();
+    std::erase_if(keyWaiters_, [this](const KeyWaiter& waiter) {
+        if (session_.keyboard().isDown(waiter.press)) return false;
+        server_.answer(waiter.command, ipc::AnswerStatus::Done);
+        return true;
+    });
+}
+
 // --- Frames ---
 
 void ServerLoop::move() {
-    ipc::KeyState keys = server_.keys();
+    const ipc::KeyState keys = server_.keys();
     const Clock::time_point now = Clock::now();
     const Clock::duration passed = now - std::exchange(moved_, now);
     // Who looks at a picture that stands still does not move about.
     if (!session_.ready() || session_.paused) return;
-    session_.keyboard().collect(keys);
-    session_.move(passed, keys);
+    try {
+        session_.move(passed, keys);
+    } catch (const rtcore::FileError& error) {
+        session_.stopPlaying();
+        print(std::string("playing ended: ") + error.what());
+    }
+}
+
+// The exposure of what was recorded is known once there is a frame of it.
+void ServerLoop::record() {
+    if (!session_.recording()) return;
+    try {
+        session_.settleRecording(frames_.exposure());
+    } catch (const rtcore::FileError& error) {
+        print(std::string("recording ended: ") + error.what());
+    }
 }
 
 bool ServerLoop::wantsFrame() const {
+    const bool rough = frames_.reduced() && scale() == 1;
     return session_.ready() && !session_.paused &&
-           (session_.stale() || !frames_.settled() || !session_.idles);
+           (session_.stale() || rough || !frames_.settled() || !session_.idles);
+}
+
+// Full resolution for what stays, and for who wants the frame for a file.
+double ServerLoop::scale() const {
+    const bool moves = session_.frameSeconds > 0 && !session_.atRest() && pending_.empty();
+    return moves ? governor_.scale() : 1;
 }
 
 bool ServerLoop::idle() const {
-    return session_.ready() && session_.idles && !session_.stale() && frames_.settled() && session_.atRest() &&
-           load_ == nullptr;
+    return session_.ready() && session_.idles && !session_.stale() && frames_.settled() &&
+           !frames_.reduced() && session_.atRest() && load_ == nullptr;
 }
 
 void ServerLoop::draw() {
-    if (session_.stale() || !session_.idles) {
+    const double scale = this->scale();
+    if (session_.stale() || !session_.idles || frames_.scale() < scale) {
         begun_ = Clock::now();
         changeWaits_ = false;
         rtcore::RenderControl control;
         bool whole = false;
         {
             const FrameGuard::Watch watch(guard_, control.cancel);
-            whole = frames_.trace(session_, control);
+            whole = frames_.trace(session_, scale, control);
         }
         if (guardError_) std::rethrow_exception(std::exchange(guardError_, nullptr));
         gaveUpLast_ = !whole;
         if (!whole) return;
+        if (session_.frameSeconds > 0) governor_.learn(frames_.seconds(), scale, session_.frameSeconds);
         session_.drawn();
     }
     frames_.develop(session_);
@@ -188,6 +256,7 @@ void ServerLoop::publish() {
     info.samples = side * side;
     server_.publishFrame(info, std::as_bytes(std::span(image.pixels)));
 
+    shown_ = true;
     const Clock::time_point now = Clock::now();
     count(now);
     due_ = now;
@@ -211,7 +280,11 @@ void ServerLoop::sleep() {
     } else if (wantsFrame()) {
         if (due_ > now) server_.wait(due_ - now);
     } else {
-        server_.wait(load_ != nullptr ? Clock::duration(kSleepWhileLoading) : Clock::duration(kSleep));
+        const bool busy = load_ != nullptr || refinement_ != nullptr;
+        Clock::duration time = busy ? kSleepWhileLoading : kSleep;
+        if (session_.ready() && !session_.paused)
+            time = std::min<Clock::duration>(time, std::max<Clock::duration>(session_.untilEvent(), 0ns));
+        server_.wait(time);
     }
 }
 
@@ -252,6 +325,7 @@ void ServerLoop::tellStatus() {
     ipc::Status status;
     status.progress = load_ != nullptr ? load_->fraction() : 1;
     status.paused = session_.paused ? 1 : 0;
+    status.recording = session_.recording() ? 1 : 0;
     const Clock::time_point now = Clock::now();
     status.framesPerSecond = static_cast<double>(std::count_if(
         published_.begin(), published_.end(), [&](Clock::time_point then) { return now - then <= 1s; }));

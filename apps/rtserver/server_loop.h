@@ -4,9 +4,11 @@
 #include "rtserver/commands.h"
 #include "rtserver/frame_guard.h"
 #include "rtserver/frame_maker.h"
+#include "rtserver/resolution_governor.h"
 #include "rtserver/scene_load.h"
 #include "rtserver/server_options.h"
 #include "rtserver/session.h"
+#include "rtserver/tree_refinement.h"
 
 #include "common/exit_codes.h"
 
@@ -41,12 +43,16 @@ class ServerLoop : private Host {
     const FrameMaker& frames() const override { return frames_; }
 
     void takeLoadedScene();
+    void takeRefinedTree();
     void serve();
     bool serveOne(const ipc::Command& command);
     void move();
+    double scale() const;
     void draw();
     void publish();
+    void record();
     void answerWhoWaitsForIdle();
+    void answerWhoWaitsForKeys();
     void sleep();
 
     bool guardFrame();
@@ -62,11 +68,19 @@ class ServerLoop : private Host {
     ipc::Server server_;
     Session session_;
     FrameMaker frames_;
+    ResolutionGovernor governor_;
     std::unique_ptr<SceneLoad> load_;
-    std::optional<ipc::Command> loader_; ///< who wants to know of the load; nobody: the command line
+    std::unique_ptr<TreeRefinement> refinement_; ///< of the scene that is shown
+    std::optional<ipc::Command> loader_;         ///< who wants to know of the load; nobody: the command line
     std::deque<ipc::Command> pending_;
     std::vector<ipc::Command> idleWaiters_;
+    struct KeyWaiter {
+        ipc::Command command;
+        std::uint64_t press;
+    };
+    std::vector<KeyWaiter> keyWaiters_;
     bool quit_ = false;
+    bool shown_ = false;                      ///< in this turn a frame was published
     Clock::time_point moved_;                 ///< when keys acted last
     Clock::time_point due_;                   ///< no frame before that
     std::deque<Clock::time_point> published_; ///< within the last second

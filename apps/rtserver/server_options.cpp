@@ -27,6 +27,11 @@ OptionGroup viewOptions() {
               .value = ValueKind::Text,
               .argument = "WxH",
               .help = "pixels of a frame"},
+             {.name = "play",
+              .value = ValueKind::Text,
+              .argument = "LIST",
+              .help = "show this recorded path first",
+              .files = {"lst", "txt"}},
              {.name = "set",
               .value = ValueKind::Text,
               .argument = "FILE",
@@ -57,6 +62,13 @@ OptionGroup runOptions() {
           .value = ValueKind::Number,
           .argument = "X",
           .help = "at most X frames a second; 0 is no limit [0]",
+          .minimum = 0,
+          .maximum = 10000},
+         {.name = "frame-time",
+          .value = ValueKind::Number,
+          .argument = "MS",
+          .help =
+              "while something moves, draw fewer pixels where a frame would take longer; 0 is always all [0]",
           .minimum = 0,
           .maximum = 10000},
          {.name = "daemon", .letter = 'd', .help = "go on in the background once the first frame is there"},
@@ -104,12 +116,14 @@ Options readOptions(const app::Arguments& arguments) {
     options.instance = arguments.text("instance").value_or("default");
     options.camera = readPath(arguments, "camera");
     options.settingsFile = readPath(arguments, "set");
+    options.path = readPath(arguments, "play");
     for (const app::Occurrence& given : arguments.options()) {
         if (given.name == "resolution") readResolution(given.value, options.settings);
         if (given.name == "setting") options.settings.push_back(app::settingOf(given.value));
     }
     options.threads = app::threadCount(arguments.integer("threads"));
     options.framesPerSecond = arguments.number("fps-limit").value_or(0);
+    options.frameSeconds = arguments.number("frame-time").value_or(0) * 1e-3;
     options.daemon = arguments.has("daemon");
     app::useIsa(arguments);
     options.import = app::readImportOptions(arguments);

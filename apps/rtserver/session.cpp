@@ -14,6 +14,8 @@ namespace rtserver {
 
 namespace {
 
+constexpr int kBloom = 16; ///< radius in pixels, where nobody chose one
+
 [[noreturn]] void refuseNumber(const std::string& what, int number, std::size_t count) {
     const std::string has = count == 0   ? "none"
                             : count == 1 ? "only number 0"
@@ -30,7 +32,7 @@ bool isParallel(rtcore::Vec3 a, rtcore::Vec3 b) {
 } // namespace
 
 Session::Session(const Options& options, std::function<void(int, int)> reserve)
-    : options_(options), reserve_(std::move(reserve)) {}
+    : frameSeconds(options.frameSeconds), options_(options), reserve_(std::move(reserve)), bloom_(kBloom) {}
 
 Session::~Session() = default;
 
@@ -51,10 +53,11 @@ rtcore::RenderSettings Session::settingsOf(const World& world, const rtcore::Cam
 }
 
 void Session::show(std::unique_ptr<World> world) {
+    const bool first = world_ == nullptr;
     rtcore::LoadedScene& loaded = world->loaded;
     std::optional<rtcore::CameraFile> camera;
     std::filesystem::path path;
-    if (world_ == nullptr && options_.camera) path = *options_.camera;
+    if (first && options_.camera) path = *options_.camera;
     if (path.empty() && loaded.sceneFile && loaded.sceneFile->cameraFile)
         path = *loaded.sceneFile->cameraFile;
     if (!path.empty()) {
@@ -65,6 +68,8 @@ void Session::show(std::unique_ptr<World> world) {
     const rtcore::RenderSettings settings = settingsOf(*world, camera ? &*camera : nullptr);
     reserve_(settings.width, settings.height);
     settings_ = settings;
+    stopPlaying();
+    recording_.reset();
     player_.reset();
     world_ = std::move(world);
     // A model by itself does not tell its unit.
@@ -76,6 +81,13 @@ void Session::show(std::unique_ptr<World> world) {
     player_->setCamera(loaded.camera);
     camera_ = player_->camera();
     touch();
+    if (first && options_.path) play(*options_.path);
+}
+
+void Session::useTree(rtcore::KdTree tree, std::unique_ptr<rtcore::KdRayTracer> tracer) {
+    player_->useTree(tree);
+    world_->loaded.tree = std::move(tree);
+    world_->tracer = std::move(tracer);
 }
 
 void Session::setCamera(const rtcore::Camera& camera) {
@@ -86,6 +98,7 @@ void Session::setCamera(const rtcore::Camera& camera) {
         throw std::invalid_argument("the camera cannot look straight along its up direction");
     if (!(camera.horizontalFov > 0 && camera.horizontalFov < 180))
         throw std::invalid_argument("the field of view is more than 0 and less than 180 degrees");
+    stopPlaying();
     player_->setCamera(camera);
     takeCamera();
 }
@@ -94,6 +107,22 @@ void Session::setSettings(const rtcore::RenderSettings& settings) {
     if (settings.width != settings_.width || settings.height != settings_.height)
         reserve_(settings.width, settings.height);
     settings_ = settings;
+    touch();
+}
+
+rtcore::RenderSettings Session::shownSettings() const {
+    rtcore::RenderSettings settings = settings_;
+    if (shown_ && shown_->exposure) {
+        settings.exposure.mode = rtcore::ExposureMode::Fixed;
+        settings.exposure.value = *shown_->exposure;
+    }
+    return settings;
+}
+
+void Session::switchBloom(bool on) {
+    if ((settings_.bloom != 0) == on) return;
+    if (!on) bloom_ = settings_.bloom;
+    settings_.bloom = on ? bloom_ : 0;
     touch();
 }
 
@@ -111,6 +140,7 @@ void Session::loadCamera(const std::filesystem::path& path) {
         scene.activeEnvironment = environment;
         throw;
     }
+    stopPlaying();
     player_->setCamera(file.camera);
     takeCamera();
 }
@@ -141,11 +171,13 @@ void Session::setEnvironment(int environment) {
 
 void Session::turn(double right, double upwards) {
     constexpr double kRadians = std::numbers::pi / 180;
+    stopPlaying();
     player_->look(right * kRadians, upwards * kRadians);
     takeCamera();
 }
 
 void Session::setWalking(bool walking) {
+    stopPlaying();
     if (!player_->setMode(walking ? rtcore::MotionMode::Walk : rtcore::MotionMode::View))
         throw std::runtime_error("there is no room to stand here; move elsewhere first");
     takeCamera();
@@ -153,37 +185,12 @@ void Session::setWalking(bool walking) {
 
 bool Session::walking() const { return player_->mode() == rtcore::MotionMode::Walk; }
 
-bool Session::atRest() const { return player_->atRest(); }
+double Session::metresPerUnit() const { return player_->metresPerUnit(); }
 
 void Session::takeCamera() {
     const rtcore::Camera camera = player_->camera();
     if (camera != camera_) touch();
     camera_ = camera;
-}
-
-// What the scene does not have is no error of who presses a key.
-void Session::apply(const rtcore::ActionTap& tap) {
-    const rtcore::Scene& scene = world_->loaded.scene;
-    const int index = tap.number - 1;
-    const auto among = [&](std::size_t count) {
-        return index >= 0 && static_cast<std::size_t>(index) < count;
-    };
-    if (rtcore::isHeld(tap.action)) {
-        player_->tap(tap.action);
-    } else if (tap.action == rtcore::Action::ToggleWalk) {
-        player_->setMode(walking() ? rtcore::MotionMode::View : rtcore::MotionMode::Walk);
-    } else if (tap.action == rtcore::Action::ToggleLight && among(scene.lights.size())) {
-        switchLight(index, std::nullopt);
-    } else if (tap.action == rtcore::Action::SelectEnvironment && among(scene.environments.size())) {
-        setEnvironment(index);
-    }
-}
-
-void Session::move(std::chrono::nanoseconds time, const ipc::KeyState& keys) {
-    player_->advance(time);
-    for (const rtcore::ActionTap& tap : bindings_.taps(keys.down, keys.presses)) apply(tap);
-    player_->hold(bindings_.held(keys.down));
-    takeCamera();
 }
 
 } // namespace rtserver

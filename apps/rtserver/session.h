@@ -3,6 +3,8 @@
 #pragma once
 
 #include "rtserver/keyboard.h"
+#include "rtserver/playback.h"
+#include "rtserver/recording.h"
 #include "rtserver/server_options.h"
 #include "rtserver/world.h"
 
@@ -10,6 +12,7 @@
 #include "rtcore/motion/key_bindings.h"
 #include "rtcore/settings/render_settings.h"
 
+#include <bitset>
 #include <chrono>
 #include <filesystem>
 #include <functional>
@@ -37,6 +40,8 @@ class Session {
     void show(std::unique_ptr<World> world);
     bool ready() const { return world_ != nullptr; }
     const World& world() const { return *world_; }
+    /// Another tree of the same scene, with its tracer. The frames stay the same.
+    void useTree(rtcore::KdTree tree, std::unique_ptr<rtcore::KdRayTracer> tracer);
     std::string title() const; ///< for messages
 
     const rtcore::Camera& camera() const { return camera_; }
@@ -51,6 +56,9 @@ class Session {
     const rtcore::RenderSettings& settings() const { return settings_; }
     /// Throws what `reserve` throws, with nothing changed.
     void setSettings(const rtcore::RenderSettings& settings);
+    /// The settings, with the exposure of the path that is being played.
+    rtcore::RenderSettings shownSettings() const;
+    void switchBloom(bool on); ///< as strong as it was
 
     /// Looks through a .cam and takes over what else it says. Throws FileError, with nothing changed.
     void loadCamera(const std::filesystem::path& path);
@@ -61,21 +69,49 @@ class Session {
     void setEnvironment(int environment);
 
     /// Lets what was pressed act for the time since the last call, and then hands in what is pressed now.
-    void move(std::chrono::nanoseconds time, const ipc::KeyState& keys);
+    /// Throws FileError when the path that is played cannot be read.
+    void move(std::chrono::nanoseconds time, const ipc::KeyState& clientKeys);
     /// Nothing moves until something is pressed.
     bool atRest() const;
+    /// How long move() may wait for its next turn though nobody presses a key.
+    std::chrono::nanoseconds untilEvent() const;
     Keyboard& keyboard() { return keyboard_; }
+    const rtcore::KeyBindings& bindings() const { return bindings_; }
+    void setBindings(rtcore::KeyBindings bindings) { bindings_ = std::move(bindings); }
+    double metresPerUnit() const;
+
+    /// Records the camera so many times in each second of the time that move() is told of. Throws
+    /// std::runtime_error when a recording is under way, and FileError.
+    void startRecording(const std::filesystem::path& list, double framesPerSecond);
+    /// The number of cameras. Throws std::runtime_error when there is no recording, and FileError.
+    int stopRecording(float exposure);
+    bool recording() const { return recording_ != nullptr; }
+    /// The exposure of the frame that is shown: what was recorded since the last call is written. Throws
+    /// FileError, with the recording ended.
+    void settleRecording(float exposure);
+
+    /// Shows a recorded path, from its first camera on; the frames keep their size and quality. Ends with its
+    /// last camera, or when somebody moves. Throws FileError.
+    void play(const std::filesystem::path& list);
+    void stopPlaying();
 
     bool paused = false;
-    bool idles = true; ///< false: every frame is drawn, though it equals the last
+    double frameSeconds = 0; ///< what a frame may take while something moves: fewer pixels then; 0: any time
+    bool idles = true;       ///< false: every frame is drawn, though it equals the last
     bool stale() const { return stale_; }
     void touch() { stale_ = true; }
     void drawn() { stale_ = false; }
 
   private:
     rtcore::RenderSettings settingsOf(const World& world, const rtcore::CameraFile* camera) const;
-    void apply(const rtcore::ActionTap& tap);
     void takeCamera();
+
+    void advance(std::chrono::nanoseconds step);
+    void press(const ipc::KeyState& clientKeys);
+    void hold();
+    void apply(const rtcore::ActionTap& tap);
+    void takeRecordedView();
+    void show(const Playback::Shot& shot);
 
     const Options& options_;
     std::function<void(int, int)> reserve_;
@@ -84,7 +120,12 @@ class Session {
     rtcore::Camera camera_;
     rtcore::KeyBindings bindings_;
     rtcore::RenderSettings settings_;
+    int bloom_; ///< its radius when it is switched on
     Keyboard keyboard_;
+    std::bitset<ipc::kMaxKeys> clientKeys_;
+    std::unique_ptr<Recording> recording_;
+    std::unique_ptr<Playback> playback_;
+    std::optional<rtcore::CameraFile> shown_; ///< of the path that is played, without its time
     bool stale_ = true;
 };
 

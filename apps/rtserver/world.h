@@ -6,6 +6,7 @@
 #include "rtcore/kernels/ray_tracer.h"
 
 #include <filesystem>
+#include <memory>
 
 namespace rtserver {
 
@@ -13,14 +14,14 @@ namespace rtserver {
 class World {
   public:
     World(rtcore::LoadedScene scene, std::filesystem::path path, const rtcore::ImportOptions& options)
-        : loaded(std::move(scene)),
-          tracer(loaded.tree, loaded.scene.mesh(), chooseLeafRecords(loaded.tree, 0)),
+        : loaded(std::move(scene)), tracer(std::make_unique<rtcore::KdRayTracer>(
+                                        loaded.tree, loaded.scene.mesh(), chooseLeafRecords(loaded.tree, 0))),
           source(std::move(path)), import(options) {}
     World(const World&) = delete;
     World& operator=(const World&) = delete;
 
     rtcore::LoadedScene loaded;
-    rtcore::KdRayTracer tracer;
+    std::unique_ptr<rtcore::KdRayTracer> tracer;
     std::filesystem::path source; ///< what the user named
     rtcore::ImportOptions import; ///< as far as the user gave them
 };

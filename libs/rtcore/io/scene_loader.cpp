@@ -142,13 +142,14 @@ class Loader {
     }
 
     /// The exact tree saves about a sixth of the time of each ray and costs twice the time of the fast one.
-    BuildOptions buildOptions(std::size_t triangles) const {
+    BuildOptions buildOptions(std::size_t triangles) {
         constexpr std::size_t kLarge = 200'000;
         constexpr std::uint64_t kRaysPerTriangle = 4;
         constexpr int kQuick = 3;
         BuildOptions build = options_.build;
         const bool few = options_.primaryRays > 0 && options_.primaryRays < kRaysPerTriangle * triangles;
         if (few && triangles > kLarge) {
+            out_.fastTree = true;
             build.method = BuildMethod::Fast;
             build.fastQuality = kQuick;
         }

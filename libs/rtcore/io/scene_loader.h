@@ -41,6 +41,7 @@ struct LoadedScene {
     std::vector<std::string> warnings; ///< each one line, with the file's name
     std::filesystem::path modelPath;
     BuildTimes buildTimes; ///< zero when the tree came from a .bsp
+    bool fastTree = false; ///< since LoadOptions::primaryRays are few: an exact tree serves more rays better
 };
 
 /// Content is sniffed before the extension is believed: a .bsp by its magic, a .scn by its extension or a

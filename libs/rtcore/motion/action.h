@@ -34,6 +34,11 @@ inline constexpr std::size_t kActions = 18;
 /// True for what goes on while a key is down; false for what happens once for each press.
 constexpr bool isHeld(Action action) { return action < Action::ToggleWalk; }
 
+/// True for what acts on one of several, by its number.
+constexpr bool hasNumber(Action action) {
+    return action == Action::ToggleLight || action == Action::SelectEnvironment;
+}
+
 /// As in the settings of keys: "forward", "turnLeft".
 std::string_view actionName(Action action);
 std::optional<Action> actionNamed(std::string_view name);

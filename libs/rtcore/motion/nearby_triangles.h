@@ -45,6 +45,9 @@ class NearbyTriangles {
     /// indices. Valid until the next call.
     std::span<const SolidTriangle> in(const Box3d& need);
 
+    /// Another tree of the same mesh; must outlive it.
+    void useTree(const KdTree& tree) { tree_ = tree; }
+
   private:
     Box3 toScene(const Box3d& box) const;
 

@@ -35,6 +35,9 @@ class Player {
     /// `tree` and `mesh` must outlive it. Starts in viewing mode at a default camera.
     Player(const KdTree& tree, const Mesh& mesh, const PlayerOptions& options);
 
+    /// Another tree of the same mesh; must outlive it. Nothing moves.
+    void useTree(const KdTree& tree) { walker_.useTree(tree); }
+
     /// Jumps there. In walk-through mode the body comes along; where there is no room for it the mode becomes
     /// View.
     void setCamera(const Camera& camera);

@@ -79,6 +79,11 @@ bool Walker::fitsAt(Vec3d eye, Vec3d from, Stance stance) {
     return body(height).isFree(state_.feet);
 }
 
+void Walker::useTree(const KdTree& tree) {
+    tree_ = tree;
+    nearby_.useTree(tree);
+}
+
 bool Walker::enter(Vec3d eye) {
     const WalkState before = state_;
     if (!isFinite(eye)) return false;

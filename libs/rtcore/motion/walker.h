@@ -56,6 +56,9 @@ class Walker {
     Walker(const Walker&) = delete;
     Walker& operator=(const Walker&) = delete;
 
+    /// Another tree of the same mesh; must outlive it.
+    void useTree(const KdTree& tree);
+
     /// Puts the player where his eye is at `eye` or, when there is no room, within a metre of it and in its
     /// sight. False, and nothing changed, when there is no room at all.
     bool enter(Vec3d eye);

@@ -125,6 +125,8 @@ TEST_F(Completion, OfCommandsAndTheirArguments) {
     EXPECT_EQ(complete("CUI light "), Replies{});
     EXPECT_EQ(complete("CUI key press sp"), Replies{"space"});
     EXPECT_TRUE(complete("CUI key release ").contains("all"));
+    EXPECT_EQ(complete("CUI play st"), Replies{"stop"});
+    EXPECT_EQ(complete("CUI bind k ju"), Replies{"jump"});
     EXPECT_EQ(complete("CUI --timeout 3 fp"), Replies{"fps"});
     EXPECT_EQ(complete("CUI render a.png "), Replies{"--"});
     EXPECT_EQ(complete("CUI render a.png -- --antia"), Replies{"--antialiasing="});

@@ -4,6 +4,7 @@
 #include "cui/cui_operands.h"
 #include "cui/cui_spec.h"
 
+#include "rtcore/motion/action.h"
 #include "rtcore/motion/key_codes.h"
 
 #include <gtest/gtest.h>
@@ -110,6 +111,9 @@ TEST(CuiOperands, StandInTheLabelsOfCommands) {
             << operand.command << " " << operand.name;
     }
     for (const std::string& key : cui::suggestKeys({})) EXPECT_TRUE(rtcore::keyNamed(key)) << key;
+    for (const std::string& action : cui::suggestActions({}))
+        EXPECT_TRUE(rtcore::actionNamed(action)) << action;
+    EXPECT_EQ(cui::suggestActions({}).size(), rtcore::kActions);
 }
 
 TEST(CuiLabels, NameTheirCommands) {

@@ -1,0 +1,70 @@
+// Commands that place the camera.
+#include "rtserver/command_call.h"
+
+#include "common/command_line.h"
+
+#include <array>
+#include <cmath>
+
+namespace rtserver {
+
+namespace {
+
+rtcore::Vec3 vectorAt(const Call& call, std::size_t i) {
+    return {number(call[i]), number(call[i + 1]), number(call[i + 2])};
+}
+
+Result get(const Call& call) {
+    rtcore::CameraFile file;
+    file.camera = call.session.camera();
+    std::string text = rtcore::formatCameraFile(file);
+    if (text.ends_with('\n')) text.pop_back();
+    return {.answer = text};
+}
+
+Result setCamera(const Call& call, rtcore::Vec3 forward) {
+    rtcore::Camera camera = call.session.camera();
+    camera.eye = vectorAt(call, 0);
+    camera.forward = forward;
+    camera.up = call.session.world().loaded.scene.up;
+    if (call.size() > 6) camera.horizontalFov = number(call[6]);
+    call.session.setCamera(camera);
+    return {};
+}
+
+Result set(const Call& call) { return setCamera(call, vectorAt(call, 3)); }
+Result lookAt(const Call& call) { return setCamera(call, vectorAt(call, 3) - vectorAt(call, 0)); }
+
+Result turn(const Call& call) {
+    const float right = number(call[0]), upwards = number(call[1]);
+    constexpr float kMost = 360;
+    if (std::fabs(right) > kMost || std::fabs(upwards) > kMost)
+        throw app::UsageError("camera turn takes angles from -360 to 360 degrees");
+    call.session.turn(right, upwards);
+    return {};
+}
+
+Result walk(const Call& call) {
+    call.session.setWalking(true);
+    return {};
+}
+
+Result fly(const Call& call) {
+    call.session.setWalking(false);
+    return {};
+}
+
+constexpr std::array kCommands{
+    Command{"camera get", 0, 0, "", true, get},
+    Command{"camera set", 6, 7, "EX EY EZ FX FY FZ [FOV]", true, set},
+    Command{"camera look-at", 6, 7, "EX EY EZ TX TY TZ [FOV]", true, lookAt},
+    Command{"camera turn", 2, 2, "RIGHT UP", true, turn},
+    Command{"walk", 0, 0, "", true, walk},
+    Command{"fly", 0, 0, "", true, fly},
+};
+
+} // namespace
+
+std::span<const Command> cameraCommands() { return kCommands; }
+
+} // namespace rtserver

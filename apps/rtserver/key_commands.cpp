@@ -1,0 +1,135 @@
+// Commands that press keys, and say what keys do.
+#include "rtserver/command_call.h"
+
+#include "common/command_line.h"
+
+#include "rtcore/motion/key_bindings.h"
+#include "rtcore/motion/key_codes.h"
+#include "rtcore/settings/nearest_name.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <optional>
+#include <vector>
+
+namespace rtserver {
+
+namespace {
+
+Result press(const Call& call) {
+    const int key = keyOf(call[0]);
+    if (call.size() == 1) {
+        call.session.keyboard().press(key);
+        return {};
+    }
+    const int milliseconds = integer(call[1]);
+    constexpr int kMost = 3'600'000;
+    if (milliseconds < 1 || milliseconds > kMost)
+        throw app::UsageError("a key is pressed for 1 to 3600000 milliseconds");
+    const std::uint64_t press =
+        call.session.keyboard().pressFor(key, std::chrono::milliseconds(milliseconds));
+    return {.turn = Turn::WhenReleased, .press = press};
+}
+
+Result release(const Call& call) {
+    if (call[0] == "all") {
+        call.session.keyboard().releaseAll();
+    } else {
+        call.session.keyboard().release(keyOf(call[0]));
+    }
+    return {};
+}
+
+Result tap(const Call& call) {
+    call.session.keyboard().tap(keyOf(call[0]));
+    return {};
+}
+
+// --- Bindings ---
+
+struct Keys {
+    int key = rtcore::KeyNone, with = rtcore::KeyNone;
+};
+
+// "W", or "M+3": 3 while M is down.
+Keys keysOf(const std::string& text) {
+    const std::size_t plus = text.find('+', 1);
+    if (plus == std::string::npos || plus + 1 == text.size()) return {keyOf(text), rtcore::KeyNone};
+    return {keyOf(text.substr(plus + 1)), keyOf(text.substr(0, plus))};
+}
+
+rtcore::Action actionOf(const std::string& name) {
+    if (const std::optional<rtcore::Action> action = rtcore::actionNamed(name)) return *action;
+    std::vector<std::string_view> names;
+    for (std::size_t i = 0; i < rtcore::kActions; ++i)
+        names.push_back(rtcore::actionName(static_cast<rtcore::Action>(i)));
+    throw app::UsageError(rtcore::unknownNameMessage("action", name, names));
+}
+
+std::string textOf(const rtcore::KeyBinding& binding) {
+    std::string text;
+    if (binding.with != rtcore::KeyNone) text = rtcore::keyName(binding.with) + "+";
+    text.append(rtcore::keyName(binding.key)).append(" ").append(rtcore::actionName(binding.action));
+    if (rtcore::hasNumber(binding.action)) text.append(" ").append(std::to_string(binding.number));
+    return text;
+}
+
+std::vector<rtcore::KeyBinding> without(const Session& session, const Keys& keys) {
+    const std::span<const rtcore::KeyBinding> list = session.bindings().list();
+    std::vector<rtcore::KeyBinding> result(list.begin(), list.end());
+    std::erase_if(result,
+                  [&](const rtcore::KeyBinding& b) { return b.key == keys.key && b.with == keys.with; });
+    return result;
+}
+
+Result bindings(const Call& call) {
+    std::string text;
+    for (const rtcore::KeyBinding& binding : call.session.bindings().list())
+        text += (text.empty() ? "" : "\n") + textOf(binding);
+    return {.answer = text};
+}
+
+Result defaultBindings(const Call& call) {
+    call.session.setBindings(rtcore::KeyBindings());
+    return {};
+}
+
+Result bind(const Call& call) {
+    const Keys keys = keysOf(call[0]);
+    rtcore::KeyBinding binding{keys.key, actionOf(call[1]), keys.with};
+    if (rtcore::hasNumber(binding.action) != (call.size() == 3)) {
+        throw app::UsageError(call[1] + (call.size() == 3 ? " takes no number" : " takes a number, from 1"));
+    }
+    if (call.size() == 3) binding.number = integer(call[2]);
+    if (binding.number < 0 || (call.size() == 3 && binding.number < 1))
+        throw app::UsageError("lights and environments are counted from 1 here");
+    std::vector<rtcore::KeyBinding> list = without(call.session, keys);
+    list.push_back(binding);
+    call.session.setBindings(rtcore::KeyBindings(list));
+    return {};
+}
+
+Result unbind(const Call& call) {
+    const std::vector<rtcore::KeyBinding> list = without(call.session, keysOf(call[0]));
+    if (list.size() == call.session.bindings().list().size())
+        throw app::UsageError(rtcore::quoted(call[0]) + " is not bound");
+    call.session.setBindings(rtcore::KeyBindings(list));
+    return {};
+}
+
+constexpr std::array kCommands{
+    Command{"key press", 1, 2, "KEY [MILLISECONDS]", true, press},
+    Command{"key release", 1, 1, "KEY|all", true, release},
+    Command{"key tap", 1, 1, "KEY", true, tap},
+    Command{"bindings", 0, 0, "", true, bindings},
+    Command{"bindings default", 0, 0, "", true, defaultBindings},
+    Command{"bind", 2, 3, "KEY|KEY+KEY ACTION [NUMBER]", true, bind},
+    Command{"unbind", 1, 1, "KEY|KEY+KEY", true, unbind},
+};
+
+} // namespace
+
+std::span<const Command> keyCommands() { return kCommands; }
+
+} // namespace rtserver

@@ -1,0 +1,53 @@
+#include "rtserver/playback.h"
+
+#include "rtcore/io/text/camera_list.h"
+#include "rtcore/platform/error.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rtserver {
+
+namespace {
+
+constexpr std::chrono::duration<double> kInterval{1.0 / 30};
+
+} // namespace
+
+Playback::Playback(const std::filesystem::path& list) : files_(rtcore::readCameraList(list)) {
+    if (files_.empty())
+        throw rtcore::FileError(rtcore::FailureKind::BadData, list.string(), "the list names no camera");
+    readNext();
+}
+
+void Playback::readNext() {
+    next_.reset();
+    if (following_ == files_.size()) return;
+    const bool first = following_ == 0;
+    const std::filesystem::path& path = files_[following_];
+    next_ = Shot{rtcore::readCameraFile(path), path};
+    ++following_;
+    const std::optional<double> time = next_->camera.time;
+    if (first) firstTime_ = time;
+    const std::chrono::duration<double> usual = first ? due_ : due_ + kInterval;
+    due_ = time && firstTime_ ? std::max(due_, std::chrono::duration<double>(*time - *firstTime_)) : usual;
+}
+
+std::optional<Playback::Shot> Playback::advance(std::chrono::nanoseconds time) {
+    now_ += time;
+    std::optional<Shot> shot;
+    while (next_ && due_ <= now_) {
+        shot = std::exchange(next_, std::nullopt);
+        readNext();
+    }
+    return shot;
+}
+
+bool Playback::ended() const { return !next_ && now_ >= due_ + kInterval; }
+
+std::chrono::nanoseconds Playback::untilNext() const {
+    const auto until = (next_ ? due_ : due_ + kInterval) - now_;
+    return std::max(std::chrono::nanoseconds(0), std::chrono::duration_cast<std::chrono::nanoseconds>(until));
+}
+
+} // namespace rtserver

@@ -1,0 +1,65 @@
+// Commands to the server itself.
+#include "rtserver/command_call.h"
+
+#include "common/command_line.h"
+
+#include <array>
+#include <stdexcept>
+
+namespace rtserver {
+
+namespace {
+
+Result ping(const Call&) { return {.answer = "pong"}; }
+
+Result pause(const Call& call) {
+    call.session.paused = true;
+    return {};
+}
+
+Result resume(const Call& call) {
+    call.session.paused = false;
+    return {};
+}
+
+Result quit(const Call& call) {
+    call.host.quit();
+    return {};
+}
+
+Result idle(const Call& call) {
+    call.session.idles = flag(call[0]);
+    return {};
+}
+
+Result frameTime(const Call& call) {
+    const float milliseconds = call[0] == "off" ? 0 : number(call[0]);
+    constexpr float kMost = 10000;
+    if (!(milliseconds >= 0 && milliseconds <= kMost))
+        throw app::UsageError("a frame may take up to 10000 milliseconds; off is any time");
+    call.session.frameSeconds = static_cast<double>(milliseconds) * 1e-3;
+    return {};
+}
+
+Result waitIdle(const Call& call) {
+    if (!call.session.idles) throw std::runtime_error("the server never idles; 'idle on' lets it");
+    if (call.session.paused) throw std::runtime_error("the server is paused; resume it first");
+    return {.turn = Turn::WhenIdle};
+}
+
+constexpr std::array kCommands{
+    Command{"ping", 0, 0, "", false, ping},
+    Command{"quit", 0, 0, "", false, quit},
+    Command{"exit", 0, 0, "", false, quit},
+    Command{"pause", 0, 0, "", false, pause},
+    Command{"resume", 0, 0, "", false, resume},
+    Command{"idle", 1, 1, "on|off", false, idle},
+    Command{"frame-time", 1, 1, "MILLISECONDS|off", false, frameTime},
+    Command{"wait-idle", 0, 0, "", true, waitIdle},
+};
+
+} // namespace
+
+std::span<const Command> serverCommands() { return kCommands; }
+
+} // namespace rtserver
