@@ -8,7 +8,7 @@
 
 namespace app {
 
-/// .scn, .bsp, .cam and .set.
+/// .scn, .bsp, .cam, .set, and the scenes that are installed.
 std::vector<HelpWord> sceneFileNotes();
 
 /// RT_ISA, RT_IMPORTER and TMPDIR.

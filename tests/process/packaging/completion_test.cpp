@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -33,6 +34,8 @@ $function || exit 4
 ((${#COMPREPLY[@]} == 0)) || printf '%s\n' "${COMPREPLY[@]}"
 )";
 
+using Replies = std::set<std::string>;
+
 class Completion : public LiveServer {
   protected:
     void SetUp() override {
@@ -57,7 +60,6 @@ class Completion : public LiveServer {
         for (std::string reply; std::getline(lines, reply);) replies.insert(reply);
         return replies;
     }
-    using Replies = std::set<std::string>;
 };
 
 TEST_F(Completion, OffersEachOptionOfTheHelp) {
@@ -65,26 +67,28 @@ TEST_F(Completion, OffersEachOptionOfTheHelp) {
         const std::string help = runProgram(programPath(spec->name), {"--help"}).output;
         const Replies offered = complete(spec->name + " -");
         const std::regex option(R"(\n  +((?:-[-a-z]+, )*--[a-z-]+)(=?))");
-        std::size_t found = 0;
+        Replies found;
         for (std::sregex_iterator each(help.begin(), help.end(), option), end; each != end; ++each) {
             std::istringstream spellings((*each)[1].str());
-            for (std::string spelling; spellings >> spelling; ++found) {
+            for (std::string spelling; spellings >> spelling;) {
                 if (spelling.ends_with(',')) spelling.pop_back();
                 if (spelling.starts_with("--")) spelling += (*each)[2].str();
-                EXPECT_TRUE(offered.contains(spelling)) << spec->name << " " << spelling;
+                found.insert(spelling);
             }
         }
-        EXPECT_EQ(found, offered.size()) << spec->name << ": the help and the completion differ";
+        EXPECT_EQ(found, offered) << spec->name;
     }
 }
 
 TEST_F(Completion, OffersEachCommandOfTheHelp) {
+    std::map<std::string, Replies> replies;
     for (const cui::CommandSpec& command : cui::commands()) {
-        const std::string name(command.name);
-        const std::size_t blank = name.find(' ');
-        EXPECT_TRUE(complete("CUI ").contains(name.substr(0, blank))) << name;
-        if (blank == std::string::npos) continue;
-        EXPECT_TRUE(complete("CUI " + name.substr(0, blank + 1)).contains(name.substr(blank + 1))) << name;
+        std::istringstream words{std::string(command.name)};
+        std::string typed = "CUI ";
+        for (std::string word; words >> word; typed += word + " ") {
+            if (!replies.contains(typed)) replies[typed] = complete(typed);
+            EXPECT_TRUE(replies[typed].contains(word)) << typed << word;
+        }
     }
 }
 
@@ -135,8 +139,8 @@ TEST_F(Completion, OfCommandsAndTheirArguments) {
 
 TEST_F(Completion, OfInstancesThatRun) {
     start();
-    EXPECT_EQ(complete("CUI --instance="), Replies{instance.name()});
-    EXPECT_EQ(complete("CUI -i "), Replies{instance.name()});
+    EXPECT_TRUE(complete("CUI --instance=").contains(instance.name()));
+    EXPECT_EQ(complete("CUI -i " + instance.name()), Replies{instance.name()});
 }
 
 } // namespace
