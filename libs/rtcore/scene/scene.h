@@ -27,8 +27,8 @@ struct Fog {
 /// How big the player is and how he moves in walk-through mode; metres and seconds.
 struct WalkParameters {
     float height = 1.8F;
-    float speed = 1.4F;
-    float jumpHeight = 0.45F;
+    float speed = 3;
+    float jumpHeight = 0.6F;
     float stepHeight = 0.4F;
     float gravity = 9.81F;
 };
