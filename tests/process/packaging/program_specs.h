@@ -6,12 +6,20 @@
 #include "renderer/renderer_options.h"
 #include "rtserver/server_options.h"
 
-#include <array>
+#ifdef RT_HAS_GUI
+#include "gui/gui_spec.h"
+#endif
+
+#include <vector>
 
 namespace test {
 
-inline std::array<const app::ProgramSpec*, 4> packagedPrograms() {
-    return {&renderer::rendererSpec(), &bspbuilder::builderSpec(), &rtserver::serverSpec(), &cui::cuiSpec()};
+inline std::vector<const app::ProgramSpec*> packagedPrograms() {
+    return {
+#ifdef RT_HAS_GUI
+        &gui::guiSpec(),
+#endif
+        &renderer::rendererSpec(), &bspbuilder::builderSpec(), &rtserver::serverSpec(), &cui::cuiSpec()};
 }
 
 } // namespace test
