@@ -1,7 +1,7 @@
 #!/bin/sh
 # Makes the .deb of build/release, unpacks it into a folder of its own, and tries each program from there.
 #   scripts/check-package.sh [--chroot]
-# --chroot: installs it in a clean Debian 12 as well (root, debootstrap, the network; about two minutes).
+# --chroot: installs it in a clean Debian 12 as well (root, debootstrap, the network; three to four minutes).
 set -eu
 cd "$(dirname "$0")/.."
 chroot=no
@@ -69,10 +69,22 @@ instance=package-$$
 "$bin/CUI" --instance=$instance exit
 cmp live.png rendered.png
 test -s still.png
+if [ -x "$bin/GUI" ]; then
+    test -f "$prefix/share/applications/rtsuite.desktop"
+    code=0
+    HOME=$2 QT_QPA_PLATFORM=offscreen timeout --preserve-status -s TERM 5 \
+        "$bin/GUI" mirrors.bsp --instance=$instance 2>gui.txt || code=$?
+    test $code -eq 143
+    "$bin/CUI" list >list.txt
+    ! grep -q $instance list.txt
+fi
 EOF
 
-mkdir "$work/root" "$work/run"
+mkdir "$work/root"
+mkdir -m 700 "$work/run"
 dpkg-deb -x "$package" "$work/root"
+desktop=$work/root/usr/share/applications/rtsuite.desktop
+if [ -f "$desktop" ] && command -v desktop-file-validate >/dev/null 2>&1; then desktop-file-validate "$desktop"; fi
 sh "$work/try.sh" "$work/root/usr" "$work/run" || fail "a program of the unpacked package failed"
 say "every program works from the unpacked package"
 
@@ -95,7 +107,7 @@ say "a clean Debian 12 in $(($(date +%s) - began)) s"
 began=$(date +%s)
 cp "$package" "$clean/tmp/rtsuite.deb"
 cp "$work/try.sh" "$clean/tmp/try.sh"
-mkdir "$clean/tmp/run"
+mkdir -m 700 "$clean/tmp/run"
 mount -t proc proc "$clean/proc"
 mounted="$clean/proc"
 mount -t tmpfs tmpfs "$clean/dev/shm"
