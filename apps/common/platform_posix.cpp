@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstring>
 
+#include <poll.h>
 #include <sys/ioctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -74,6 +75,11 @@ void writeOutput(std::string_view bytes) {
 }
 
 void writeError(std::string_view text) noexcept { writeAll(STDERR_FILENO, text); }
+
+bool errorTakesMore() noexcept {
+    pollfd stream{STDERR_FILENO, POLLOUT, 0};
+    return ::poll(&stream, 1, 0) == 1 && (stream.revents & POLLOUT) != 0;
+}
 
 std::uint64_t peakMemoryBytes() noexcept {
     rusage usage{};

@@ -4,6 +4,7 @@
 #include "rtserver/commands.h"
 #include "rtserver/frame_guard.h"
 #include "rtserver/frame_maker.h"
+#include "rtserver/messages.h"
 #include "rtserver/resolution_governor.h"
 #include "rtserver/scene_load.h"
 #include "rtserver/server_options.h"
@@ -44,6 +45,7 @@ class ServerLoop : private Host {
 
     void takeLoadedScene();
     void takeRefinedTree();
+    std::vector<ipc::Command> takeCommands();
     void serve();
     bool serveOne(const ipc::Command& command);
     void move();
@@ -67,6 +69,7 @@ class ServerLoop : private Host {
     std::function<void()> onReady_;
     ipc::Server server_;
     Session session_;
+    Messages messages_;
     FrameMaker frames_;
     ResolutionGovernor governor_;
     std::unique_ptr<SceneLoad> load_;

@@ -171,14 +171,14 @@ bool Server::wait(std::chrono::nanoseconds timeout) {
     }
 }
 
-std::vector<Command> Server::takeCommands() {
+std::vector<Command> Server::takeCommands(const ClientSet& later) {
     State& state = *state_;
     state.beat();
     state.sweep();
     state.lookAtSlots();
     for (int i = 0; i < kMaxClients; ++i) {
         ServedClient& client = state.clients[static_cast<std::size_t>(i)];
-        if (client.active()) {
+        if (client.active() && !later[static_cast<std::size_t>(i)]) {
             client.serve(state.block().slots[i], state.publication->epoch(), kCommandsPerTurn, state.backlog);
         }
     }

@@ -1,8 +1,8 @@
 /// Who meets RTServer in fault tests. Does its work for ever and reports to a board.
-///   server_visitor talker|viewer|shell|junk|nonsense|waiter <instance> <board> <index>
+///   server_visitor talker|viewer|shell|junk|nonsense|waiter|spinner <instance> <board> <index>
 /// talker: commands with answers, keys, and looks at frames. viewer: frames alone. shell: runs CUI again and
 /// again, and kills some. junk: messages that are none, as fast as it can. nonsense: commands that are none.
-/// waiter: commands that the server can only answer later; takes no answers.
+/// waiter: commands that the server can only answer later; takes no answers. spinner: takes a processor, no more.
 #include "process/ipc/board.h"
 #include "support/child_process.h"
 
@@ -211,6 +211,10 @@ void sendWhatWaits(Visit& visit) {
     }
 }
 
+void spin(Visit& visit) {
+    while (true) visit.counters().progress++;
+}
+
 void visit(const std::string& role, Visit& visit) {
     if (role == "talker") talk(visit);
     if (role == "viewer") view(visit);
@@ -218,6 +222,7 @@ void visit(const std::string& role, Visit& visit) {
     if (role == "junk") sendJunk(visit);
     if (role == "nonsense") sendNonsense(visit);
     if (role == "waiter") sendWhatWaits(visit);
+    if (role == "spinner") spin(visit);
 }
 
 } // namespace
