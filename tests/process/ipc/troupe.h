@@ -27,11 +27,15 @@ class Troupe {
     /// Starts or replaces participant `index`.
     void start(int index, const std::string& role, const std::vector<std::string>& options = {},
                const std::string& dieAt = "") {
-        std::vector<std::string> words{role, instance.name(), path_, std::to_string(index)};
-        words.insert(words.end(), options.begin(), options.end());
         ChildSettings settings;
         if (!dieAt.empty()) settings.environment.emplace_back("RT_DIE_AT", dieAt);
-        put(index, ChildProcess(RT_IPC_PARTICIPANT, words, settings));
+        put(index, participant(index, role, options, settings));
+    }
+    ChildProcess participant(int index, const std::string& role, const std::vector<std::string>& options,
+                             const ChildSettings& settings) const {
+        std::vector<std::string> words{role, instance.name(), path_, std::to_string(index)};
+        words.insert(words.end(), options.begin(), options.end());
+        return {RT_IPC_PARTICIPANT, words, settings};
     }
     /// Any other program as participant `index`.
     void put(int index, ChildProcess program) {

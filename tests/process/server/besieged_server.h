@@ -32,17 +32,21 @@ class Besieged : public testing::Test {
         if (HasFailure()) std::printf("what RTServer printed:\n%.4000s\n", log().c_str());
     }
 
-    ChildProcess newServer(const std::vector<std::string>& options = {}) const {
+    using Environment = std::pair<std::string, std::string>;
+
+    ChildProcess newServer(const std::vector<std::string>& options = {},
+                           const std::vector<Environment>& environment = {}) const {
         std::vector<std::string> words{(folder() / "grey.scn").string(),
                                        "--instance=" + troupe.instance.name(), "--resolution=64x48",
                                        "--threads=1", "--fps-limit=300"};
         words.insert(words.end(), options.begin(), options.end());
-        return {programPath("RTServer").string(), words, {.outputFile = logFile()}};
+        return {programPath("RTServer").string(), words,
+                {.environment = environment, .outputFile = logFile()}};
     }
     /// Starts it, in the place of a dead one too, and waits for its first frame.
-    bool stands(const std::vector<std::string>& options = {}, Clock::duration within = 20s) {
-        troupe.put(0, newServer(options));
-        return eventually([&] { return showsFrames(); }, within);
+    bool stands(const std::vector<std::string>& options = {}, const std::vector<Environment>& environment = {}) {
+        troupe.put(0, newServer(options, environment));
+        return eventually([&] { return showsFrames(); }, 20s);
     }
     /// The server that runs now has drawn a frame.
     bool showsFrames() {

@@ -59,6 +59,38 @@ TEST_F(Hardship, RemovedNamesComeBack) {
     expectGoodEnd();
 }
 
+// Whatever waits for an answer, a frame or a command does so by another clock.
+TEST_F(Hardship, TheWallClockIsNobodysMatter) {
+#if defined(__SANITIZE_ADDRESS__)
+    GTEST_SKIP() << "a sanitizer must be the first library of a program";
+#endif
+    const Environment unsteady{"LD_PRELOAD", RT_UNSTEADY_CLOCK};
+    ASSERT_TRUE(stands({"--fps-limit=20"}, {unsteady}));
+    const auto shell = [&](const std::vector<std::string>& words) {
+        std::vector<std::string> all{"--instance=" + troupe.instance.name()};
+        all.insert(all.end(), words.begin(), words.end());
+        return runProgram(programPath("CUI"), all, {.environment = {unsteady}, .timeoutSeconds = 30});
+    };
+    const auto start = Clock::now();
+    for (int round = 0; round < rounds(2); ++round) {
+        std::this_thread::sleep_for(300ms); // it sleeps
+        EXPECT_EQ(shell({"ping"}).output, "pong\n");
+        EXPECT_EQ(shell({"key", "press", "w"}).exitCode, 0);
+        EXPECT_GT(frames(300ms), 2U);
+        EXPECT_EQ(shell({"key", "release", "all"}).exitCode, 0);
+        EXPECT_EQ(shell({"wait-idle"}).exitCode, 0);
+        troupe[0].send(SIGSTOP);
+        const auto asked = Clock::now();
+        EXPECT_EQ(shell({"--timeout=0.5", "ping"}).exitCode, 75);
+        EXPECT_GT(Clock::now() - asked, 450ms);
+        EXPECT_LT(Clock::now() - asked, 1s);
+        troupe[0].send(SIGCONT);
+    }
+    EXPECT_LT(Clock::now() - start, rounds(2) * 4s);
+    EXPECT_EQ(shell({"quit"}).exitCode, 0);
+    EXPECT_NE(troupe[0].wait(2s), -1);
+}
+
 // The test's process gets mounts of its own, and with them all programs that it starts.
 class FullMemory : public Besieged {
   protected:
