@@ -26,6 +26,31 @@ TEST_F(Clients, CommandsUnderWayAreDoneInTheirOrder) {
     EXPECT_EQ(pngFileSize(folder() / "30.png"), (PictureSize{30, 10}));
 }
 
+TEST_F(Clients, AnswersThatComeLateAreEachGivenOnce) {
+    start();
+    ipc::Client client(instance.name());
+    for (const auto& [scene, status] : {std::pair{"room.obj", ipc::ReplyStatus::Done},
+                                        std::pair{"none.obj", ipc::ReplyStatus::Failed}}) {
+        ipc::Ticket load = 0, idle = 0, second = 0;
+        ASSERT_EQ(client.send("load scene " + path(scene), &load), ipc::SendStatus::Sent);
+        ASSERT_EQ(client.send("load scene " + path(scene), &second), ipc::SendStatus::Sent);
+        ASSERT_EQ(client.send("wait-idle", &idle), ipc::SendStatus::Sent);
+        EXPECT_EQ(client.wait(second, 20s).text, "1 another scene is being loaded");
+        EXPECT_EQ(client.wait(load, 20s).status, status) << scene;
+        EXPECT_EQ(client.wait(idle, 20s).status, ipc::ReplyStatus::Done) << scene;
+    }
+}
+
+TEST_F(Clients, NobodyWaitsForTheCommandsOfAnother) {
+    start({"--fps-limit=1"});
+    ipc::Client slow(instance.name()), quick(instance.name());
+    ASSERT_EQ(slow.send("camera turn 1 0"), ipc::SendStatus::Sent);
+    ipc::Ticket picture = 0;
+    ASSERT_EQ(slow.send("screenshot " + path("a.png"), &picture), ipc::SendStatus::Sent);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(quick.request("ping", 200ms).text, "pong");
+    EXPECT_EQ(slow.wait(picture, 10s).status, ipc::ReplyStatus::Done);
+}
+
 TEST_F(Clients, FailuresBeginWithTheExitCode) {
     start();
     ipc::Client client(instance.name());
