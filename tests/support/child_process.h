@@ -20,6 +20,13 @@ namespace test {
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
+/// Sanitizers slow programs down, keep the memory that was freed, and must be a program's first library.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr bool kSanitized = true;
+#else
+inline constexpr bool kSanitized = false;
+#endif
+
 inline bool eventually(const std::function<bool()>& holds, Clock::duration within = 2s) {
     const auto deadline = Clock::now() + within;
     while (!holds()) {

@@ -61,9 +61,10 @@ void killAtRandom(Troupe& troupe, int kills, const std::string& clientRole,
             std::chrono::duration<double, std::milli>(Clock::now() - start).count());
         poisoned.look();
     }
-    std::printf("%d kills, %llu frames seen, recovery %.1f ms median, %.1f p99, %.1f max; %zu poisoned queues\n",
-                kills, static_cast<unsigned long long>(troupe.sum(&Counters::frames)),
-                recovery.quantile(0.5), recovery.quantile(0.99), recovery.quantile(1), poisoned.count());
+    std::printf(
+        "%d kills, %llu frames seen, recovery %.1f ms median, %.1f p99, %.1f max; %zu poisoned queues\n",
+        kills, static_cast<unsigned long long>(troupe.sum(&Counters::frames)), recovery.quantile(0.5),
+        recovery.quantile(0.99), recovery.quantile(1), poisoned.count());
     EXPECT_EQ(troupe.sum(&Counters::torn), 0u);
     EXPECT_EQ(troupe.sum(&Counters::wrong), 0u);
     EXPECT_GT(troupe.board[4].epochs, 10u);

@@ -40,11 +40,12 @@ class Besieged : public testing::Test {
                                        "--instance=" + troupe.instance.name(), "--resolution=64x48",
                                        "--threads=1", "--fps-limit=300"};
         words.insert(words.end(), options.begin(), options.end());
-        return {programPath("RTServer").string(), words,
-                {.environment = environment, .outputFile = logFile()}};
+        return {
+            programPath("RTServer").string(), words, {.environment = environment, .outputFile = logFile()}};
     }
     /// Starts it, in the place of a dead one too, and waits for its first frame.
-    bool stands(const std::vector<std::string>& options = {}, const std::vector<Environment>& environment = {}) {
+    bool stands(const std::vector<std::string>& options = {},
+                const std::vector<Environment>& environment = {}) {
         troupe.put(0, newServer(options, environment));
         return eventually([&] { return showsFrames(); }, 20s);
     }

@@ -29,8 +29,8 @@ TEST_F(Clients, CommandsUnderWayAreDoneInTheirOrder) {
 TEST_F(Clients, AnswersThatComeLateAreEachGivenOnce) {
     start();
     ipc::Client client(instance.name());
-    for (const auto& [scene, status] : {std::pair{"room.obj", ipc::ReplyStatus::Done},
-                                        std::pair{"none.obj", ipc::ReplyStatus::Failed}}) {
+    for (const auto& [scene, status] :
+         {std::pair{"room.obj", ipc::ReplyStatus::Done}, std::pair{"none.obj", ipc::ReplyStatus::Failed}}) {
         ipc::Ticket load = 0, idle = 0, second = 0;
         ASSERT_EQ(client.send("load scene " + path(scene), &load), ipc::SendStatus::Sent);
         ASSERT_EQ(client.send("load scene " + path(scene), &second), ipc::SendStatus::Sent);

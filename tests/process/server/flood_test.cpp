@@ -13,8 +13,8 @@ class Flooded : public Besieged {
     static constexpr double kRate = 50; ///< frames a second
     const std::vector<std::string> kLimited = {"--fps-limit=50"};
 
-    // Draws all the time, and answers everybody else at once. What processes take by running at all is no matter
-    // of the server.
+    // Draws all the time, and answers everybody else at once. What processes take by running at all is no
+    // matter of the server.
     void begin(int spinners = 0) {
         ASSERT_TRUE(stands(kLimited));
         client.emplace(troupe.instance.name());
@@ -30,7 +30,7 @@ class Flooded : public Besieged {
     void expectUnhurt() {
         std::vector<double> waits;
         double drawn = 0;
-        for (int round = 0; round < rounds(1) || (round < 5 && drawn < 0.9 * usual); ++round) {
+        for (int round = 0; round < rounds(1) || (!kSanitized && round < 5 && drawn < 0.9 * usual); ++round) {
             drawn = std::max(drawn, rate());
             for (int i = 0; i < 20; ++i) {
                 const auto start = Clock::now();
@@ -43,7 +43,8 @@ class Flooded : public Besieged {
         std::sort(waits.begin(), waits.end());
         std::printf("%.1f frames a second, %.1f without; answers after %.2f ms median, %.1f max\n", drawn,
                     usual, waits[waits.size() / 2], waits.back());
-        EXPECT_GT(usual, 0.2 * kRate);
+        EXPECT_GT(drawn, 0.2 * kRate);
+        if (kSanitized) return;
         EXPECT_GE(drawn, 0.9 * usual);
         EXPECT_LT(waits[waits.size() / 2], 50);
     }
@@ -90,7 +91,9 @@ TEST_F(Flooded, ByCommandsThatMustWait) {
         ASSERT_EQ(client->request("ping", 5s).status, ipc::ReplyStatus::Done);
         std::this_thread::sleep_for(50ms);
     }
-    EXPECT_LT(residentBytes(), before + 8'000'000);
+    if (!kSanitized) {
+        EXPECT_LT(residentBytes(), before + 8'000'000);
+    }
     expectGoodEnd();
 }
 

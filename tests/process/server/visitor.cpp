@@ -2,7 +2,8 @@
 ///   server_visitor talker|viewer|shell|junk|nonsense|waiter|spinner <instance> <board> <index>
 /// talker: commands with answers, keys, and looks at frames. viewer: frames alone. shell: runs CUI again and
 /// again, and kills some. junk: messages that are none, as fast as it can. nonsense: commands that are none.
-/// waiter: commands that the server can only answer later; takes no answers. spinner: takes a processor, no more.
+/// waiter: commands that the server can only answer later; takes no answers. spinner: takes a processor, no
+/// more.
 #include "process/ipc/board.h"
 #include "support/child_process.h"
 
@@ -74,9 +75,7 @@ void talk(Visit& visit) {
         // No other question has this answer.
         const std::string word = "w" + std::to_string(::getpid()) + "x" + std::to_string(i);
         const bool echo = visit.below(4) == 0;
-        const std::string command = echo                    ? word
-                                    : visit.below(30) == 0 ? resolution(visit)
-                                                            : exposure(visit);
+        const std::string command = echo ? word : visit.below(30) == 0 ? resolution(visit) : exposure(visit);
         const ipc::Reply reply = client.request(command, 1s);
         const bool answered =
             reply.status == ipc::ReplyStatus::Done || reply.status == ipc::ReplyStatus::Failed;
@@ -167,7 +166,8 @@ void sendJunk(Visit& visit) {
         }
         std::vector<std::byte> message =
             ipc::encode({sequence, true, rubbish(visit, 100)}, link->epoch() + visit.below(2));
-        if (visit.below(2) == 0) message[visit.below(static_cast<unsigned>(message.size()))] ^= std::byte{0x40};
+        if (visit.below(2) == 0)
+            message[visit.below(static_cast<unsigned>(message.size()))] ^= std::byte{0x40};
         if (visit.below(8) == 0) message.resize(visit.below(static_cast<unsigned>(message.size())) + 1);
         if (visit.below(8) == 0) message.resize(ipc::kMaxMessageBytes, std::byte{7});
         if (attachment->trySend(message) == ipc::QueueResult::Done) visit.counters().progress++;
