@@ -29,6 +29,11 @@ bool FrameMaker::trace(const Session& session, double scale, rtcore::RenderContr
     return true;
 }
 
+void FrameMaker::drop() {
+    frame_ = {};
+    image_ = {};
+}
+
 void FrameMaker::develop(const Session& session) {
     constexpr double kLongest = 0.25; // a pause is no time in which the eye saw anything
     const Clock::time_point now = Clock::now();

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <new>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -49,7 +50,8 @@ ServerLoop::ServerLoop(const Options& options, std::function<void()> onReady)
     : options_(options), onReady_(std::move(onReady)), server_(serverOptions(options)),
       session_(options,
                [this](int width, int height) {
-                   server_.beginFrame(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height));
+                   server_.reserveFrame(static_cast<std::uint32_t>(width),
+                                        static_cast<std::uint32_t>(height));
                }),
       frames_(options.threads), guard_([this] { return guardFrame(); }) {}
 
@@ -149,6 +151,7 @@ void ServerLoop::serve() {
         again.push_back(std::move(command));
     }
     pending_ = std::move(again);
+    waiting_ = pending_.size();
 }
 
 // False: to be run again.
@@ -246,6 +249,43 @@ bool ServerLoop::idle() const {
 }
 
 void ServerLoop::draw() {
+    try {
+        drawFrame();
+    } catch (const std::bad_alloc&) {
+        // Without a frame to go back to there is nothing to serve.
+        if (publishedFrames_ == 0 || std::exchange(wentBack_, true)) throw;
+        goBack();
+    }
+}
+
+// Who waits for the frame that there is no memory for is told so.
+void ServerLoop::goBack() {
+    const auto size = [](const rtcore::RenderSettings& settings) {
+        return std::to_string(settings.width) + " x " + std::to_string(settings.height);
+    };
+    const std::string text = "not enough memory for frames of " + size(session_.settings()) +
+                             " at these settings; " + "back to those of the last frame, " + size(drawn_);
+    frames_.drop();
+    session_.setSettings(drawn_);
+    messages_.complain(text);
+    const std::string answer = std::to_string(static_cast<int>(app::ExitCode::TryAgain)) + " " + text;
+    for (const ipc::Command& command : idleWaiters_)
+        server_.answer(command, ipc::AnswerStatus::Failed, answer);
+    idleWaiters_.clear();
+    ipc::ClientSet told;
+    const auto end = pending_.begin() + static_cast<std::ptrdiff_t>(std::exchange(waiting_, 0));
+    pending_.erase(std::remove_if(pending_.begin(), end,
+                                  [&](const ipc::Command& command) {
+                                      const auto slot = static_cast<std::size_t>(command.slot);
+                                      if (told[slot]) return false;
+                                      told.set(slot);
+                                      server_.answer(command, ipc::AnswerStatus::Failed, answer);
+                                      return true;
+                                  }),
+                   end);
+}
+
+void ServerLoop::drawFrame() {
     const double scale = this->scale();
     if (session_.stale() || !session_.idles || frames_.scale() < scale) {
         begun_ = Clock::now();
@@ -276,6 +316,8 @@ void ServerLoop::publish() {
     server_.publishFrame(info, std::as_bytes(std::span(image.pixels)));
 
     shown_ = true;
+    drawn_ = session_.settings();
+    wentBack_ = false;
     const Clock::time_point now = Clock::now();
     count(now);
     due_ = now;

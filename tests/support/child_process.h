@@ -12,6 +12,7 @@
 #include <csignal>
 #include <fcntl.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -38,7 +39,8 @@ inline bool eventually(const std::function<bool()>& holds, Clock::duration withi
 
 struct ChildSettings {
     std::vector<std::pair<std::string, std::string>> environment = {}; ///< added to the test's
-    std::string outputFile = {}; ///< what it prints is added there; empty: it goes where the test's goes
+    std::size_t addressBytes = 0; ///< of address space that it gets; 0 = no limit
+    std::string outputFile = {};  ///< what it prints is added there; empty: it goes where the test's goes
 };
 
 /// One process; killed by the destructor.
@@ -54,6 +56,10 @@ class ChildProcess {
         if (process_ != 0) return;
         ::prctl(PR_SET_PDEATHSIG, SIGKILL); // a test that is killed leaves nobody running
         for (const auto& [name, value] : settings.environment) ::setenv(name.c_str(), value.c_str(), 1);
+        if (settings.addressBytes > 0) {
+            const rlimit limit{settings.addressBytes, settings.addressBytes};
+            ::setrlimit(RLIMIT_AS, &limit);
+        }
         if (!settings.outputFile.empty()) {
             const int file =
                 ::open(settings.outputFile.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);

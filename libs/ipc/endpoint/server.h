@@ -77,10 +77,11 @@ class Server {
 
     // --- Frames ---
 
-    /// Memory for a frame of width x height pixels, 1..16384 each, to be drawn in place by any threads. It
-    /// holds rubbish. Reserves more memory when the frame is larger than any before: throws Error NoSpace or
-    /// TooLarge, and the last frame stands. May be called again instead of publishFrame, to give the frame
-    /// up.
+    /// Memory for frames of up to width x height pixels, 1..16384 each. Gives a frame that was begun up when
+    /// that means more than before. Throws Error NoSpace or TooLarge. In either case the last frame stands.
+    void reserveFrame(std::uint32_t width, std::uint32_t height);
+    /// A frame of width x height pixels, to be drawn in place by any threads. It holds rubbish. Reserves what
+    /// it needs. May be called again instead of publishFrame, to give the frame up.
     std::span<std::byte> beginFrame(std::uint32_t width, std::uint32_t height);
     /// Shows the frame that was begun. Uses `run`, `samples` and `tag` of `info`. Returns the frame's number.
     std::uint64_t publishFrame(const FrameInfo& info = {});

@@ -32,21 +32,17 @@ class Besieged : public testing::Test {
         if (HasFailure()) std::printf("what RTServer printed:\n%.4000s\n", log().c_str());
     }
 
-    using Environment = std::pair<std::string, std::string>;
-
-    ChildProcess newServer(const std::vector<std::string>& options = {},
-                           const std::vector<Environment>& environment = {}) const {
+    ChildProcess newServer(const std::vector<std::string>& options = {}, ChildSettings settings = {}) const {
         std::vector<std::string> words{(folder() / "grey.scn").string(),
                                        "--instance=" + troupe.instance.name(), "--resolution=64x48",
                                        "--threads=1", "--fps-limit=300"};
         words.insert(words.end(), options.begin(), options.end());
-        return {
-            programPath("RTServer").string(), words, {.environment = environment, .outputFile = logFile()}};
+        settings.outputFile = logFile();
+        return {programPath("RTServer").string(), words, settings};
     }
     /// Starts it, in the place of a dead one too, and waits for its first frame.
-    bool stands(const std::vector<std::string>& options = {},
-                const std::vector<Environment>& environment = {}) {
-        troupe.put(0, newServer(options, environment));
+    bool stands(const std::vector<std::string>& options = {}, const ChildSettings& settings = {}) {
+        troupe.put(0, newServer(options, settings));
         return eventually([&] { return showsFrames(); }, 20s);
     }
     /// The server that runs now has drawn a frame.

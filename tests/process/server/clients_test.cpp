@@ -41,6 +41,35 @@ TEST_F(Clients, AnswersThatComeLateAreEachGivenOnce) {
     }
 }
 
+TEST_F(Clients, WhoWaitsForIdleIsToldThatItWillNotBe) {
+    start();
+    ipc::Client client(instance.name());
+    for (const std::string command : {"pause", "idle off"}) {
+        ASSERT_EQ(client.request("key press d").status, ipc::ReplyStatus::Done);
+        ipc::Ticket idle = 0;
+        ASSERT_EQ(client.send("wait-idle", &idle), ipc::SendStatus::Sent);
+        ASSERT_EQ(client.request(command).status, ipc::ReplyStatus::Done);
+        const ipc::Reply reply = client.wait(idle, 10s);
+        EXPECT_EQ(reply.status, ipc::ReplyStatus::Failed) << command;
+        EXPECT_EQ(reply.text.substr(0, 2), "1 ");
+        client.request("resume");
+    }
+}
+
+TEST_F(Clients, AServerThatLoadsIsNotIdle) {
+    writeWaves(folder() / "waves.obj", 150);
+    start();
+    ipc::Client client(instance.name());
+    ASSERT_EQ(client.request("wait-idle", 20s).status, ipc::ReplyStatus::Done);
+    ipc::Ticket load = 0, idle = 0;
+    ASSERT_EQ(client.send("load scene " + path("waves.obj"), &load), ipc::SendStatus::Sent);
+    ASSERT_EQ(client.send("wait-idle", &idle), ipc::SendStatus::Sent);
+    EXPECT_EQ(client.wait(idle, 1ms).status, ipc::ReplyStatus::TimedOut);
+    EXPECT_EQ(client.wait(idle, 60s).status, ipc::ReplyStatus::Done);
+    EXPECT_EQ(client.status().polygons, 2U * 150 * 150);
+    EXPECT_EQ(client.wait(load, 1ms).status, ipc::ReplyStatus::Done);
+}
+
 TEST_F(Clients, NobodyWaitsForTheCommandsOfAnother) {
     start({"--fps-limit=1"});
     ipc::Client slow(instance.name()), quick(instance.name());
@@ -85,6 +114,34 @@ TEST_F(Clients, TheKeysOfOneThatLeavesAreReleased) {
     }
     ask({"wait-idle"});
     EXPECT_NE(ask({"status"}).find("state: idle"), std::string::npos);
+}
+
+TEST_F(Clients, FramesHaveTheSizeThatWasAskedFor) {
+    start();
+    ipc::Client client(instance.name());
+    ipc::Frame frame;
+    for (const auto& [width, height] : {std::pair{50U, 30U}, std::pair{1300U, 800U}, std::pair{1U, 9U}}) {
+        client.request("resolution " + std::to_string(width) + " " + std::to_string(height));
+        ASSERT_EQ(client.request("wait-idle", 20s).status, ipc::ReplyStatus::Done);
+        client.readFrame(frame);
+        EXPECT_EQ(frame.info.width, width);
+        EXPECT_EQ(frame.info.height, height);
+        EXPECT_EQ(frame.pixels.size(), std::size_t{4} * width * height);
+        EXPECT_EQ(client.status().width, width);
+    }
+}
+
+TEST_F(Clients, AnExportedCameraHasTheExposureOfItsOwnFrame) {
+    start();
+    ipc::Client client(instance.name());
+    ipc::Ticket last = 0;
+    for (const std::string value : {"3.5", "0.25"}) {
+        ASSERT_EQ(client.send("set exposure.mode fixed"), ipc::SendStatus::Sent);
+        ASSERT_EQ(client.send("set exposure.value " + value), ipc::SendStatus::Sent);
+        ASSERT_EQ(client.send("export camera " + path("a.cam"), &last), ipc::SendStatus::Sent);
+        ASSERT_EQ(client.wait(last, 20s).status, ipc::ReplyStatus::Done);
+        EXPECT_NE(bytes("a.cam").find("exposure = " + value), std::string::npos) << bytes("a.cam");
+    }
 }
 
 TEST_F(Clients, AFrameIsTheScreenshot) {

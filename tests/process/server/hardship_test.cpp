@@ -11,7 +11,13 @@ namespace {
 
 using namespace test;
 
-class Hardship : public Besieged {};
+class Hardship : public Besieged {
+  protected:
+    std::string script() const {
+        writeText(folder() / "huge.script", "resolution 7000 7000\nwait-idle\n");
+        return "huge.script";
+    }
+};
 
 TEST_F(Hardship, WhileItIsStoppedCuiWaitsOrSaysSo) {
     ASSERT_TRUE(stands());
@@ -59,11 +65,48 @@ TEST_F(Hardship, RemovedNamesComeBack) {
     expectGoodEnd();
 }
 
+// A name that is removed while no frame is drawn comes back, too, and whoever comes finds the last frame.
+TEST_F(Hardship, PausedItStillLooksAfterItsNames) {
+    ASSERT_TRUE(stands());
+    EXPECT_EQ(cui({"wait-idle"}).exitCode, 0);
+    EXPECT_EQ(cui({"pause"}).exitCode, 0);
+    EXPECT_EQ(cui({"resolution", "2000", "1500"}).exitCode, 0) << "more memory than before";
+    const auto newcomerSees = [&] {
+        ipc::Frame seen;
+        return ipc::Viewer(troupe.instance.name()).waitForFrame(seen, 1s) ? seen.info.width : 0;
+    };
+    EXPECT_EQ(newcomerSees(), 64U);
+    const std::uint64_t epoch = ipc::Viewer(troupe.instance.name()).epoch();
+    for (const std::string& name : troupe.instance.segments()) ipc::Segment::remove(name);
+    EXPECT_TRUE(eventually([&] { return troupe.instance.segments().size() >= 2; }, 2s));
+    EXPECT_EQ(newcomerSees(), 64U);
+    EXPECT_NE(ipc::Viewer(troupe.instance.name()).epoch(), epoch);
+    EXPECT_EQ(cui({"resume"}).exitCode, 0);
+    EXPECT_EQ(cui({"wait-idle"}).exitCode, 0);
+    EXPECT_EQ(newcomerSees(), 2000U);
+    expectGoodEnd();
+}
+
+// Shared memory has room for them, but the server itself has not.
+TEST_F(Hardship, TooLittleMemoryForLargerFramesIsAnError) {
+    if (kSanitized) GTEST_SKIP() << "a sanitizer takes all the address space that there is";
+    ASSERT_TRUE(stands({}, {.addressBytes = 1'200'000'000}));
+    for (int round = 0; round < 3; ++round) {
+        const ProgramResult result = cui({"script", script()});
+        EXPECT_EQ(result.exitCode, 75);
+        EXPECT_NE(result.error.find("not enough memory for frames of 7000 x 7000"), std::string::npos)
+            << result.error;
+        EXPECT_EQ(cui({"get", "width"}).output, "64\n");
+        EXPECT_EQ(cui({"wait-idle"}).exitCode, 0);
+    }
+    expectGoodEnd();
+}
+
 // Whatever waits for an answer, a frame or a command does so by another clock.
 TEST_F(Hardship, TheWallClockIsNobodysMatter) {
     if (kSanitized) GTEST_SKIP() << "a sanitizer must be the first library of a program";
-    const Environment unsteady{"LD_PRELOAD", RT_UNSTEADY_CLOCK};
-    ASSERT_TRUE(stands({"--fps-limit=20"}, {unsteady}));
+    const std::pair<std::string, std::string> unsteady{"LD_PRELOAD", RT_UNSTEADY_CLOCK};
+    ASSERT_TRUE(stands({"--fps-limit=20"}, {.environment = {unsteady}}));
     const auto shell = [&](const std::vector<std::string>& words) {
         std::vector<std::string> all{"--instance=" + troupe.instance.name()};
         all.insert(all.end(), words.begin(), words.end());
