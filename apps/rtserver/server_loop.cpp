@@ -50,6 +50,7 @@ ServerLoop::ServerLoop(const Options& options, std::function<void()> onReady)
     : options_(options), onReady_(std::move(onReady)), server_(serverOptions(options)),
       session_(options,
                [this](int width, int height) {
+                   FrameMaker::requireMemory(width, height);
                    server_.reserveFrame(static_cast<std::uint32_t>(width),
                                         static_cast<std::uint32_t>(height));
                }),
