@@ -116,6 +116,41 @@ TEST_F(Clients, TheKeysOfOneThatLeavesAreReleased) {
     EXPECT_NE(ask({"status"}).find("state: idle"), std::string::npos);
 }
 
+TEST_F(Clients, ALongFrameComesInTheEndWhateverChanges) {
+    start({"--setting=antialiasing=16"});
+    ipc::Client client(instance.name());
+    for (int side = 300; client.status().frameSeconds < 1.3; side += side / 2) {
+        client.request("resolution " + std::to_string(side) + " " + std::to_string(side));
+        ASSERT_EQ(client.request("wait-idle", 60s).status, ipc::ReplyStatus::Done);
+    }
+    ipc::Frame frame;
+    client.readFrame(frame);
+    bool came = false;
+    for (int i = 0; i < 200 && !came; ++i) {
+        client.send("camera turn 0.1 0");
+        came = client.waitForFrame(frame, 100ms);
+    }
+    EXPECT_TRUE(came);
+}
+
+TEST_F(Clients, AnotherSceneIsSeenInItsOwnLightAtOnce) {
+    for (const std::string brightness : {"0.01", "90.0"}) {
+        writeText(folder() / (brightness + ".scn"), "version = 1\nmodel = \"room.obj\"\nbackground = [" +
+                                                        brightness + ", " + brightness + ", " + brightness +
+                                                        "]\nambient = [" + brightness + ", 0.0, 0.0]\n");
+    }
+    start({}, "0.01.scn");
+    ipc::Client client(instance.name());
+    ASSERT_EQ(client.request("wait-idle", 20s).status, ipc::ReplyStatus::Done);
+    ipc::Frame frame;
+    client.readFrame(frame);
+    const std::uint64_t before = frame.info.number;
+    ASSERT_EQ(client.request("load scene " + path("90.0.scn"), 20s).status, ipc::ReplyStatus::Done);
+    ASSERT_EQ(client.request("wait-idle", 20s).status, ipc::ReplyStatus::Done);
+    client.readFrame(frame);
+    EXPECT_LE(frame.info.number, before + 2) << "the eye got used to it from frame to frame";
+}
+
 TEST_F(Clients, FramesHaveTheSizeThatWasAskedFor) {
     start();
     ipc::Client client(instance.name());
