@@ -1,11 +1,11 @@
 #!/bin/sh
 # The checks that take too long for every run; their output belongs into the note that closes an issue.
-#   scripts/check-long.sh [leaks] [waves] [oracle] [mutations] [kills] [formats] [ipc] [mutants]    without arguments:
-# all. RT_ISA chooses the instruction set of the kernels.
+#   scripts/check-long.sh [leaks] [waves] [oracle] [mutations] [kills] [formats] [ipc] [preview] [mutants]
+# without arguments: all. RT_ISA chooses the instruction set of the kernels.
 set -eu
 cd "$(dirname "$0")/.."
 scripts/build.sh
-[ $# -gt 0 ] || set -- leaks waves oracle mutations kills formats ipc mutants
+[ $# -gt 0 ] || set -- leaks waves oracle mutations kills formats ipc preview mutants
 release=build/release/bin
 for check in "$@"; do
     echo "== $check"
@@ -35,6 +35,9 @@ for check in "$@"; do
         RT_IPC_ROUNDS=${RT_IPC_ROUNDS:-10} $release/test_ipc_process
         RT_MUTATIONS=${RT_MUTATIONS:-1000000} $release/test_ipc
         $release/bench_ipc
+        ;;
+    preview)
+        RT_PREVIEW_KILLS=${RT_PREVIEW_KILLS:-1000} $release/test_preview_process
         ;;
     mutants)
         scripts/check-mutants.sh

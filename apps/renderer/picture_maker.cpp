@@ -47,8 +47,10 @@ FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     report.rays = frame_.statistics;
 
     start = std::chrono::steady_clock::now();
-    develop(task, settings);
+    const float exposure = develop(task, settings);
     write(task);
+    // The last: who has seen it may end this process.
+    if (preview_ != nullptr) preview_->finish(developed_, exposure);
     report.writeSeconds = secondsSince(start);
     return report;
 }
@@ -85,24 +87,24 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
     };
     const app::ProgressScope scope(progress_, {"rendering", fraction, &control.cancel}, index, count);
     const rtcore::Scene& scene = loaded_.scene;
-    const bool whole =
-        preview_ == nullptr
-            ? renderer_.render(scene, tracer_, camera, settings, options_.threads, control, frame_)
-            : preview_->render(renderer_, scene, tracer_, camera, settings, options_.threads, control, frame_);
+    const bool whole = preview_ == nullptr ? renderer_.render(scene, tracer_, camera, settings,
+                                                              options_.threads, control, frame_)
+                                           : preview_->render(renderer_, scene, tracer_, camera, settings,
+                                                              options_.threads, control, frame_);
     if (!whole) {
         throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "stopped");
     }
     app::throwIfStopped();
 }
 
-void PictureMaker::develop(const FrameTask& task, const rtcore::RenderSettings& settings) {
+float PictureMaker::develop(const FrameTask& task, const rtcore::RenderSettings& settings) {
     const bool shown = std::any_of(task.outputs.begin(), task.outputs.end(), [](const auto& output) {
         return isStandardOutput(output) || !rtcore::isHdrFormat(output);
     });
-    if (!shown && !task.filmed && preview_ == nullptr) return;
+    if (!shown && !task.filmed && preview_ == nullptr) return 0;
     const float exposure = developer_.exposure(frame_, settings.exposure, options_.threads);
     developer_.develop(frame_, settings, exposure, options_.threads, developed_);
-    if (preview_ != nullptr) preview_->finish(developed_, exposure);
+    return exposure;
 }
 
 void PictureMaker::write(const FrameTask& task) {

@@ -45,7 +45,8 @@ class PictureMaker {
   private:
     rtcore::RenderSettings prepare(const FrameTask& task, rtcore::Camera& camera);
     void render(const rtcore::Camera& camera, const rtcore::RenderSettings& settings, int index, int count);
-    void develop(const FrameTask& task, const rtcore::RenderSettings& settings);
+    /// The exposure; nothing is done when nobody wants to see the picture.
+    float develop(const FrameTask& task, const rtcore::RenderSettings& settings);
     void write(const FrameTask& task);
     void warnOfWhatIsMissing(const rtcore::RenderSettings& settings);
     void warnOnce(const std::string& text);

@@ -62,9 +62,11 @@ bool Preview::render(rtcore::FrameRenderer& renderer, const rtcore::Scene& scene
     Work work{control, settings, frame, threads};
     begin(work, scene, camera);
     try {
-        const bool whole = refinement_.render(
-            renderer, scene, tracer, camera, settings, threads, control, frame,
-            [this](const rtcore::RefinementPass& pass, const rtcore::Frame& picture) { showPass(pass, picture); });
+        const bool whole =
+            refinement_.render(renderer, scene, tracer, camera, settings, threads, control, frame,
+                               [this](const rtcore::RefinementPass& pass, const rtcore::Frame& picture) {
+                                   showPass(pass, picture);
+                               });
         end();
         return whole;
     } catch (...) {
@@ -103,7 +105,7 @@ void Preview::finish(const rtcore::LdrImage& picture, float exposure) {
     samples_ = static_cast<std::uint32_t>(antialiasing_ * antialiasing_);
     status_.frameSeconds = secondsSince(begun_);
     status_.exposure = exposure;
-    publish(picture, 1);
+    publish(picture, ipc::kPreviewDone);
     status_.progress = 1;
     status_.idle = 1;
     server_->setStatus(status_);
@@ -131,7 +133,7 @@ void Preview::showPass(const rtcore::RefinementPass& pass, const rtcore::Frame& 
         developer_.develop(frame, settings, status_.exposure, threads, picture_);
         samples_ = static_cast<std::uint32_t>(pass.antialiasing * pass.antialiasing);
     }
-    publish(picture_, fraction(work_->control));
+    publish(picture_, tagUnderWay());
     pace_.shown(Clock::now(), Clock::now());
 }
 
@@ -144,19 +146,23 @@ void Preview::showTiles() {
     for (const rtcore::PixelArea& tile : tiles) {
         rtcore::developPart(work_->frame, work_->settings, status_.exposure, tile, picture_);
     }
-    publish(picture_, fraction(work_->control));
+    publish(picture_, tagUnderWay());
     pace_.shown(start, Clock::now());
 }
 
-void Preview::publish(const rtcore::LdrImage& picture, double done) {
+// All may be rendered, but is not yet developed and written: only the last frame says that all is done.
+std::uint64_t Preview::tagUnderWay() const {
+    const double parts = fraction(work_->control) * static_cast<double>(ipc::kPreviewDone);
+    return std::min(static_cast<std::uint64_t>(parts), ipc::kPreviewDone - 1);
+}
+
+void Preview::publish(const rtcore::LdrImage& picture, std::uint64_t tag) {
     ipc::FrameInfo info;
     info.run = options_.run;
     info.width = static_cast<std::uint32_t>(picture.width);
     info.height = static_cast<std::uint32_t>(picture.height);
     info.samples = samples_;
-    // Rendered is not yet developed and shown: only the last frame says that all is done.
-    const auto parts = static_cast<std::uint64_t>(done * static_cast<double>(ipc::kPreviewDone));
-    info.tag = done < 1 ? std::min(parts, ipc::kPreviewDone - 1) : ipc::kPreviewDone;
+    info.tag = tag;
     server_->publishFrame(info, std::as_bytes(std::span(picture.pixels)));
 }
 

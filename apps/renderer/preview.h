@@ -40,7 +40,8 @@ class Preview {
     /// Of render(). Any thread.
     double fraction(const rtcore::RenderControl& control) const { return refinement_.fraction(control); }
 
-    /// Shows the picture that render() gave, developed with `exposure`: the last one of the run.
+    /// Shows the picture that render() gave, developed with `exposure`: the last one of the run, when its
+    /// files stand.
     void finish(const rtcore::LdrImage& picture, float exposure);
     /// Until viewers had time to find the last frame, or a signal asks to stop.
     void linger();
@@ -60,7 +61,8 @@ class Preview {
     void end();
     void showPass(const rtcore::RefinementPass& pass, const rtcore::Frame& frame);
     void showTiles();
-    void publish(const rtcore::LdrImage& picture, double done);
+    std::uint64_t tagUnderWay() const;
+    void publish(const rtcore::LdrImage& picture, std::uint64_t tag);
     void run(const std::stop_token& stop);
     void serve();
     void throwIfFailed() const;
@@ -79,7 +81,7 @@ class Preview {
     rtcore::LdrImage picture_;
     std::uint32_t samples_ = 0; ///< that each pixel of picture_ has at least; 0: not even one of its own
     PreviewPace pace_;
-    Clock::time_point begun_; ///< the rendering
+    Clock::time_point begun_;    ///< the rendering
     std::exception_ptr failure_; ///< of the thread
     std::jthread thread_;        ///< last: it starts when all else stands
 };

@@ -10,8 +10,8 @@ namespace rtcore {
 
 namespace {
 
-/// Red, green and blue side by side in one number, each in parts of 1/256 of a code and with 16 bits: what adds
-/// or scales the number does so with all three.
+/// Red, green and blue side by side in one number, each in parts of 1/256 of a code and with 16 bits: what
+/// adds or scales the number does so with all three.
 using Channels = std::uint64_t;
 
 Channels spread(Rgba8 c) { return Channels{c.r} | Channels{c.g} << 16U | Channels{c.b} << 32U; }

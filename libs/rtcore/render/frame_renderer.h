@@ -42,8 +42,8 @@ class FrameRenderer {
     bool render(const Scene& scene, const RayTracer& tracer, const Camera& camera,
                 const RenderSettings& settings, int threads, RenderControl& control, Frame& frame);
 
-    /// The picture of those settings from afar: one sample for each square of `block` x `block` pixels, in its
-    /// middle. `frame` gets a pixel for each square, also for those that the right or lower edge cuts.
+    /// The picture of those settings from afar: one sample for each square of `block` x `block` pixels, in
+    /// its middle. `frame` gets a pixel for each square, also for those that the right or lower edge cuts.
     bool renderCoarse(const Scene& scene, const RayTracer& tracer, const Camera& camera,
                       const RenderSettings& settings, int block, int threads, RenderControl& control,
                       Frame& frame);

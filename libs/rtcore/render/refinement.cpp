@@ -60,8 +60,9 @@ bool Refinement::render(FrameRenderer& renderer, const Scene& scene, const RayTr
         RenderSettings quality = settings;
         quality.antialiasing = pass.antialiasing;
         const bool whole =
-            pass.block > 1 ? renderer.renderCoarse(scene, tracer, camera, quality, pass.block, threads, control, picture)
-                           : renderer.render(scene, tracer, camera, quality, threads, control, picture);
+            pass.block > 1
+                ? renderer.renderCoarse(scene, tracer, camera, quality, pass.block, threads, control, picture)
+                : renderer.render(scene, tracer, camera, quality, threads, control, picture);
         control.finished = nullptr;
         if (!whole) return false;
         if (!last) show(pass, picture);
@@ -79,7 +80,8 @@ void Refinement::enter(double share, RenderControl& control) {
 double Refinement::fraction(const RenderControl& control) const {
     const std::lock_guard lock(mutex_);
     const std::uint64_t tiles = control.tiles.load();
-    const double done = tiles == 0 ? 0.0 : static_cast<double>(control.tilesDone.load()) / static_cast<double>(tiles);
+    const double done =
+        tiles == 0 ? 0.0 : static_cast<double>(control.tilesDone.load()) / static_cast<double>(tiles);
     return before_ + done * share_;
 }
 
