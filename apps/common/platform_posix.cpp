@@ -92,9 +92,8 @@ void stopWithParent(std::int64_t parent) {
 }
 
 int stopSignal() noexcept {
-#ifndef __linux__
+    // Not every system tells of a parent's end, and a parent may have left its children deaf to signals.
     if (orphaned()) askToStop();
-#endif
     return receivedSignal.load();
 }
 

@@ -29,7 +29,7 @@ void mixRows(const LdrImage& small, int y, int block, std::vector<Channels>& mix
     const int twice = 2 * (y % block) + 1 - block; // from the middle of its square, in half pixels
     const int upper = twice < 0 ? y / block - 1 : y / block;
     const auto down = static_cast<Channels>(twice < 0 ? twice + 2 * block : twice);
-    const auto whole = static_cast<Channels>(2 * block);
+    const Channels whole = 2 * static_cast<Channels>(block);
     const Channels scale = 256 / (whole * whole);
     const Rgba8* const above = &small.at(0, std::max(upper, 0));
     const Rgba8* const below = &small.at(0, std::min(upper + 1, small.height - 1));
@@ -42,7 +42,7 @@ void mixRows(const LdrImage& small, int y, int block, std::vector<Channels>& mix
 void fill(Channels left, Channels right, int block, int columns, Rgba8* to) {
     // Half a large pixel is one part of 2 * block. Differences may be negative: they wrap, and back again.
     const Channels half = right - left;
-    Channels value = left * static_cast<Channels>(2 * block) + half;
+    Channels value = left * (2 * static_cast<Channels>(block)) + half;
     for (int i = 0; i < columns; ++i) {
         to[i] = rounded(value);
         value += 2 * half;
