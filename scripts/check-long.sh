@@ -1,11 +1,11 @@
 #!/bin/sh
 # The checks that take too long for every run; their output belongs into the note that closes an issue.
-#   scripts/check-long.sh [leaks] [waves] [oracle] [mutations] [kills] [formats] [ipc] [server] [soak] [sanitizers]
-#                         [mutants]    without arguments: all. RT_ISA chooses the instruction set of the kernels.
+#   scripts/check-long.sh [leaks] [waves] [oracle] [mutations] [kills] [formats] [ipc] [server] [soak] [preview]
+#                         [walks] [sanitizers] [mutants]    without arguments: all. RT_ISA chooses the instruction set of the kernels.
 set -eu
 cd "$(dirname "$0")/.."
 scripts/build.sh
-[ $# -gt 0 ] || set -- leaks waves oracle mutations kills formats ipc server soak sanitizers mutants
+[ $# -gt 0 ] || set -- leaks waves oracle mutations kills formats ipc server soak preview sanitizers mutants
 release=build/release/bin
 for check in "$@"; do
     echo "== $check"
@@ -51,6 +51,9 @@ for check in "$@"; do
         sanitized=build/asan-ubsan/bin
         UBSAN_OPTIONS=print_stacktrace=1 $sanitized/test_server_process
         UBSAN_OPTIONS=print_stacktrace=1 $sanitized/test_server_faults
+        ;;
+    preview)
+        RT_PREVIEW_KILLS=${RT_PREVIEW_KILLS:-1000} $release/test_preview_process
         ;;
     mutants)
         scripts/check-mutants.sh
