@@ -37,11 +37,11 @@ struct Slide {
 };
 
 /// Positions at the end of each part of a step, for tests; null: not wanted.
-using Trace = std::vector<Vec3d>;
+using MotionTrail = std::vector<Vec3d>;
 
 /// `move` is horizontal. Its heading and length are kept along the `floor`; steep surfaces
 /// are walls, whatever their slope.
-Slide slideOnGround(const Body& body, Vec3d feet, Vec3d move, FloorPlane floor, Trace* trace = nullptr);
-Slide slideInAir(const Body& body, Vec3d feet, Vec3d move, Trace* trace = nullptr);
+Slide slideOnGround(const Body& body, Vec3d feet, Vec3d move, FloorPlane floor, MotionTrail* trail = nullptr);
+Slide slideInAir(const Body& body, Vec3d feet, Vec3d move, MotionTrail* trail = nullptr);
 
 } // namespace rtcore

@@ -102,7 +102,7 @@ bool Walker::enter(Vec3d eye) {
 
 // --- one step -------------------------------------------------------------------------------------------
 
-bool Walker::tick(const WalkInput& input, Trace* trace) {
+bool Walker::tick(const WalkInput& input, MotionTrail* trail) {
     const WalkState last = state_;
     const bool wasGrounded = state_.grounded;
     state_.jumpWish = input.jump && !state_.jumpHeld ? 0 : later(state_.jumpWish);
@@ -114,21 +114,21 @@ bool Walker::tick(const WalkInput& input, Trace* trace) {
         (length(state_.velocity) + shape_.gravity * kTickSeconds + shape_.sprint * shape_.stand.speed) *
         kTickSeconds;
     gather({most, 0, 0});
-    recover(trace);
+    recover(trail);
     changeStance(input);
     if (state_.climbing) {
-        climb(trace);
+        climb(trail);
     } else {
         startJump();
         const Vec3d wanted = wish(input);
         accelerate(wanted);
         if (state_.grounded) {
-            walk(trace);
+            walk(trail);
         } else {
-            fly(wanted, trace);
+            fly(wanted, trail);
         }
     }
-    if (!state_.climbing) settle(wasGrounded, trace);
+    if (!state_.climbing) settle(wasGrounded, trail);
     easeEye();
 
     if (!isFinite(state_.feet) || state_.feet.z < lowest_) {
@@ -150,7 +150,7 @@ bool Walker::tick(const WalkInput& input, Trace* trace) {
 
 /// Back to the full distance from what the skin touches, a little in every step; not where that would bring
 /// him nearer to something else.
-void Walker::recover(Trace* trace) {
+void Walker::recover(MotionTrail* trail) {
     const Body b = body(state_.height);
     double budget = 1e-3;
     for (int pass = 0; pass < 8 && budget > 0; ++pass) {
@@ -171,7 +171,7 @@ void Walker::recover(Trace* trace) {
         constexpr double kBetter = 1e-7;
         if (then && then->distance <= deepest->distance + kBetter) return;
         state_.feet = feet;
-        if (trace != nullptr) trace->push_back(feet);
+        if (trail != nullptr) trail->push_back(feet);
         budget -= taken;
     }
 }
@@ -225,7 +225,7 @@ void Walker::accelerate(Vec3d wanted) {
     }
 }
 
-void Walker::walk(Trace* trace) {
+void Walker::walk(MotionTrail* trail) {
     state_.velocity.z = 0;
     const Vec3d due = state_.velocity * kTickSeconds;
     const double paid = std::min(state_.debt, length(due));
@@ -234,10 +234,10 @@ void Walker::walk(Trace* trace) {
     constexpr double kNothing = 1e-9;
     if (length(move) < kNothing) return;
     const Body b = body(state_.height);
-    Trace parts;
+    MotionTrail parts;
     const Slide slide = slideOnGround(b, state_.feet, move, state_.floor, &parts);
     if (slide.blocked) {
-        const auto step = stepUp(b, state_.feet, move, shape_.of(state_.stance).step, slide.feet, trace);
+        const auto step = stepUp(b, state_.feet, move, shape_.of(state_.stance).step, slide.feet, trail);
         if (step) {
             state_.eyeOffset -= step->feet.z - state_.feet.z;
             state_.feet = step->feet;
@@ -248,16 +248,16 @@ void Walker::walk(Trace* trace) {
     if (slide.rolled) state_.eyeOffset -= slide.feet.z - state_.feet.z;
     state_.feet = slide.feet;
     state_.velocity = slide.met.clip(state_.velocity);
-    if (trace != nullptr) trace->insert(trace->end(), parts.begin(), parts.end());
+    if (trail != nullptr) trail->insert(trail->end(), parts.begin(), parts.end());
 }
 
-void Walker::fly(const Vec3d& wanted, Trace* trace) {
+void Walker::fly(const Vec3d& wanted, MotionTrail* trail) {
     const double before = state_.velocity.z;
     state_.velocity.z = std::max(before - shape_.gravity * kTickSeconds, -shape_.terminal);
     Vec3d move = state_.velocity * kTickSeconds;
     move.z = (before + state_.velocity.z) / 2 * kTickSeconds;
     const Body b = body(state_.height);
-    const Slide slide = slideInAir(b, state_.feet, move, trace);
+    const Slide slide = slideInAir(b, state_.feet, move, trail);
     state_.feet = slide.feet;
     if (slide.landed) state_.velocity.z = std::max(state_.velocity.z, 0.0);
     state_.velocity = slide.met.clip(state_.velocity);
@@ -278,7 +278,7 @@ void Walker::fly(const Vec3d& wanted, Trace* trace) {
     state_.velocity = {};
 }
 
-void Walker::climb(Trace* trace) {
+void Walker::climb(MotionTrail* trail) {
     const Body b = body(state_.height);
     const Vec3d left = state_.ledge - state_.feet;
     const bool rising = left.z > 0;
@@ -292,7 +292,7 @@ void Walker::climb(Trace* trace) {
     state_.feet =
         travel == wanted && wanted == length(way) ? state_.feet + way : state_.feet + direction * travel;
     if (rising && travel > 0 && std::fabs(left.z - travel) < kThere) state_.feet.z = state_.ledge.z;
-    if (trace != nullptr) trace->push_back(state_.feet);
+    if (trail != nullptr) trail->push_back(state_.feet);
     const bool arrived = !rising && length(way) - travel < kThere;
     if (arrived || travel < kThere / 10) {
         state_.climbing = false;
@@ -301,7 +301,7 @@ void Walker::climb(Trace* trace) {
 }
 
 /// Decides whether the player stands, and draws him down to the floor that he walks on.
-void Walker::settle(bool wasGrounded, Trace* trace) {
+void Walker::settle(bool wasGrounded, MotionTrail* trail) {
     const bool rising = state_.velocity.z > 0;
     const bool justJumped = state_.sinceJump < kFreeOfFloorTicks;
     const double step = shape_.of(state_.stance).step;
@@ -316,7 +316,7 @@ void Walker::settle(bool wasGrounded, Trace* trace) {
         constexpr double kSlope = 5e-3; // what following a floor does not explain
         if (follow && (down > kSlope || ground->floor.edge)) state_.eyeOffset += down;
         state_.feet = ground->feet;
-        if (trace != nullptr && down > 0) trace->push_back(state_.feet);
+        if (trail != nullptr && down > 0) trail->push_back(state_.feet);
         state_.floor = ground->floor;
         state_.grounded = true;
     } else if (!b.contacts(state_.feet).empty() && isWedged(b, state_.feet)) {

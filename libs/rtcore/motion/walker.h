@@ -62,7 +62,7 @@ class Walker {
 
     /// One step of kTickSeconds. False when he fell out of the world and there is no place to put him back
     /// to: the state is the last good one then.
-    bool tick(const WalkInput& input, Trace* trace = nullptr);
+    bool tick(const WalkInput& input, MotionTrail* trail = nullptr);
 
     const WalkState& state() const { return state_; }
     Vec3d eye() const;
@@ -79,15 +79,15 @@ class Walker {
 
     Body body(double height) { return {triangles_, shape_, height}; }
     void gather(Vec3d move);
-    void recover(Trace* trace);
+    void recover(MotionTrail* trail);
     void changeStance(const WalkInput& input);
     void startJump();
     Vec3d wish(const WalkInput& input) const;
     void accelerate(Vec3d wanted);
-    void walk(Trace* trace);
-    void fly(const Vec3d& wanted, Trace* trace);
-    void climb(Trace* trace);
-    void settle(bool wasGrounded, Trace* trace);
+    void walk(MotionTrail* trail);
+    void fly(const Vec3d& wanted, MotionTrail* trail);
+    void climb(MotionTrail* trail);
+    void settle(bool wasGrounded, MotionTrail* trail);
     void easeEye();
     void savePose();
     bool restorePose();
