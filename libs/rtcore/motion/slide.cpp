@@ -78,6 +78,7 @@ Slide slideOnGround(const Body& body, Vec3d feet, Vec3d move, FloorPlane floor, 
         }
         const Vec3d wall = normalize(horizontal(sweep.normal));
         slide.blocked = sweep;
+        slide.blockedMove = left;
         if (wall == Vec3d{}) break;
         slide.met.add(wall);
         left = slide.met.clip(left);

@@ -32,6 +32,7 @@ struct Slide {
     Vec3d feet;                   ///< where it ended
     MetPlanes met;                ///< what the velocity loses its parts into
     std::optional<Sweep> blocked; ///< the last steep surface that was in the way
+    Vec3d blockedMove;            ///< what was left to go when it came in the way
     bool landed = false;          ///< in the air: came upon a walkable surface
     bool ceiling = false;         ///< something overhead was in the way
 };

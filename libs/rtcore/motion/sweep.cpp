@@ -60,6 +60,13 @@ struct Stop {
     Separation separation;
 };
 
+/// The nearest first: the edges between the triangles of one wall are farther than the wall.
+bool before(const Stop& a, const Stop& b) {
+    if (a.travel != b.travel) return a.travel < b.travel;
+    if (a.separation.distance != b.separation.distance) return a.separation.distance < b.separation.distance;
+    return a.speed > b.speed;
+}
+
 /// Goes on until the skin is used up; false if that is not before `distance`.
 bool reachesSkin(Approach& approach, double skin, double distance) {
     for (int i = 0; i < kSteps; ++i) {
@@ -97,10 +104,6 @@ bool stops(const SolidTriangle& triangle, const UprightLine& core, double radius
     if (!reachesSkin(approach, skin, distance) || !wouldTouch(approach, skin, distance)) return false;
     stop = {approach.at(), approach.speed(), approach.separation()};
     return true;
-}
-
-bool before(const Stop& a, const Stop& b) {
-    return a.travel < b.travel || (a.travel == b.travel && a.speed > b.speed);
 }
 
 } // namespace

@@ -17,7 +17,8 @@ constexpr int kFreeOfFloorTicks = 12; ///< after a jump the floor does not pull 
 constexpr int kForgetTicks = 1000;
 constexpr int kSaveTicks = kTicksPerSecond / 2;
 constexpr double kBelowWorld = 20;   ///< metres
-constexpr double kEyeDecay = 0.9011; ///< e^(-tick / 0.08 s)
+constexpr double kEyeRate = 20;      ///< 1/s; of the spring that draws the eye back to its place
+constexpr double kEyeDecay = 0.8465; ///< e^(-kEyeRate * kTickSeconds)
 
 /// Towards `to` by at most `by`.
 double approach(double from, double to, double by) { return std::clamp(to, from - by, from + by); }
@@ -53,8 +54,8 @@ Vec3d Walker::eye() const {
 }
 
 bool Walker::atRest() const {
-    return state_.grounded && state_.velocity == Vec3d{} && state_.eyeOffset == 0 && !state_.climbing &&
-           state_.debt == 0 && state_.height == shape_.of(state_.stance).height;
+    return state_.grounded && state_.velocity == Vec3d{} && state_.eyeOffset == 0 && state_.eyeSpeed == 0 &&
+           !state_.climbing && state_.debt == 0 && state_.height == shape_.of(state_.stance).height;
 }
 
 void Walker::gather(Vec3d move) {
@@ -237,7 +238,11 @@ void Walker::walk(MotionTrail* trail) {
     MotionTrail parts;
     const Slide slide = slideOnGround(b, state_.feet, move, state_.floor, &parts);
     if (slide.blocked) {
-        const auto step = stepUp(b, state_.feet, move, shape_.of(state_.stance).step, slide.feet, trail);
+        const double high = shape_.of(state_.stance).step;
+        auto step = stepUp(b, state_.feet, move, high, slide.feet, trail);
+        // Along a wall he may come upon a step that straight ahead is none.
+        if (!step && cross(slide.blockedMove, move) != Vec3d{})
+            step = stepUp(b, state_.feet, slide.blockedMove, high, slide.feet, trail);
         if (step) {
             state_.eyeOffset -= step->feet.z - state_.feet.z;
             state_.feet = step->feet;
@@ -329,20 +334,28 @@ void Walker::settle(bool wasGrounded, MotionTrail* trail) {
     state_.sinceJump = kForgetTicks;
 }
 
-/// After a step the eye follows smoothly: below its place inside the body, above it only as far as there is
-/// room.
+/// After a step the eye follows without a jerk, drawn by a critically damped spring: below its place inside
+/// the body, above it only as far as there is room.
 void Walker::easeEye() {
     double& offset = state_.eyeOffset;
-    offset *= kEyeDecay;
+    double& speed = state_.eyeSpeed;
+    const double pull = (speed + kEyeRate * offset) * kTickSeconds;
+    offset = (offset + pull) * kEyeDecay;
+    speed = (speed - kEyeRate * pull) * kEyeDecay;
     constexpr double kInvisible = 1e-4;
-    if (std::fabs(offset) < kInvisible) offset = 0;
+    if (std::fabs(offset) < kInvisible && std::fabs(speed) < kInvisible * kEyeRate) offset = speed = 0;
     const double lowest = shape_.radius + shape_.skin + shape_.eyeBelowTop - state_.height;
-    offset = std::max(offset, std::min(lowest, 0.0));
+    if (offset < std::min(lowest, 0.0)) {
+        offset = std::min(lowest, 0.0);
+        speed = std::max(speed, 0.0);
+    }
     if (!(offset > 0)) return;
     const UprightLine place{state_.feet + kUp * (state_.height - shape_.eyeBelowTop), 0};
-    offset =
+    const double room =
         sweepCapsule(triangles_, place, shape_.eyeClearance - shape_.skin / 2, shape_.skin / 2, kUp, offset)
             .travel;
+    if (room < offset) speed = std::min(speed, 0.0);
+    offset = room;
 }
 
 // --- falling out of the world ---------------------------------------------------------------------------

@@ -34,6 +34,7 @@ struct WalkState {
     bool grounded = false;
     FloorPlane floor;       ///< to follow while grounded
     double eyeOffset = 0;   ///< of the eye from its place in the body: smooths steps
+    double eyeSpeed = 0;    ///< by which that changes
     double debt = 0;        ///< metres gone too far on an edge
     double takeOff = 0;     ///< height of the floor that was jumped from
     int sinceGround = 1000; ///< ticks since he stood
