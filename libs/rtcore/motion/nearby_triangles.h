@@ -16,6 +16,7 @@ namespace rtcore {
 struct Box3d {
     Vec3d lo, hi;
     Box3d grown(double by) const { return {lo - Vec3d{by, by, by}, hi + Vec3d{by, by, by}}; }
+    Box3d grown(Vec3d by) const { return {lo - by, hi + by}; }
     bool contains(const Box3d& b) const {
         return lo.x <= b.lo.x && lo.y <= b.lo.y && lo.z <= b.lo.z && hi.x >= b.hi.x && hi.y >= b.hi.y &&
                hi.z >= b.hi.z;
@@ -35,7 +36,8 @@ struct SolidTriangle {
 /// once.
 void findTriangles(const KdTree& tree, const Box3& box, std::vector<std::uint32_t>& found);
 
-/// Keeps what it found last for as long as it encloses what is asked for. One thread.
+/// Keeps what it found last for as long as it encloses what is asked for: a large list that serves for half a
+/// metre and a small one out of it for a few steps. One thread.
 class NearbyTriangles {
   public:
     /// `tree` and `mesh` must outlive it.
@@ -47,14 +49,17 @@ class NearbyTriangles {
 
   private:
     Box3 toScene(const Box3d& box) const;
+    void find(const Box3d& box);
 
     KdTree tree_;
     Mesh mesh_;
     WorldFrame frame_;
-    float rounding_; ///< scene units that coordinates of the tree may be off by
-    Box3d known_{{1, 1, 1}, {-1, -1, -1}};
+    float rounding_;     ///< scene units that coordinates of the tree may be off by
+    bool dense_ = false; ///< where half a metre more would be too many
+    Box3d known_{{1, 1, 1}, {-1, -1, -1}}, close_ = known_;
     std::vector<std::uint32_t> indices_;
-    std::vector<SolidTriangle> triangles_;
+    std::vector<SolidTriangle> found_;     ///< all that reach into known_
+    std::vector<SolidTriangle> triangles_; ///< those of them that reach into close_
 };
 
 } // namespace rtcore

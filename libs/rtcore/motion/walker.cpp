@@ -15,6 +15,7 @@ constexpr int kCoyoteTicks = 12;      ///< after leaving a floor one may still j
 constexpr int kJumpWishTicks = 15;    ///< before reaching a floor one may already press
 constexpr int kFreeOfFloorTicks = 12; ///< after a jump the floor does not pull back
 constexpr int kForgetTicks = 1000;
+constexpr int kLookForLedge = 3; ///< in the air, in one tick of so many
 constexpr int kSaveTicks = kTicksPerSecond / 2;
 constexpr double kBelowWorld = 20;   ///< metres
 constexpr double kEyeRate = 20;      ///< 1/s; of the spring that draws the eye back to its place
@@ -47,7 +48,7 @@ Stance wantedStance(const WalkInput& input) {
 
 Walker::Walker(const KdTree& tree, const Mesh& mesh, const WorldFrame& frame, const WalkShape& shape)
     : tree_(tree), mesh_(mesh), frame_(frame), shape_(shape), nearby_(tree, mesh, frame),
-      lowest_(lowestPoint(tree, frame) - kBelowWorld) {}
+      nearLedge_(tree, mesh, frame), lowest_(lowestPoint(tree, frame) - kBelowWorld) {}
 
 Vec3d Walker::eye() const {
     return state_.feet + kUp * (state_.height - shape_.eyeBelowTop + state_.eyeOffset);
@@ -58,10 +59,10 @@ bool Walker::atRest() const {
            !state_.climbing && state_.debt == 0 && state_.height == shape_.of(state_.stance).height;
 }
 
-void Walker::gather(Vec3d move) {
+void Walker::gather(double move) {
     const Box3d here = body(std::max(state_.height, shape_.stand.height)).box(state_.feet);
-    const double reach = length(move) + shape_.stand.step + kMargin;
-    triangles_ = nearby_.in(here.grown(reach));
+    const double beside = move + kMargin;
+    triangles_ = nearby_.in(here.grown({beside, beside, beside + shape_.stand.step}));
 }
 
 // --- entering -------------------------------------------------------------------------------------------
@@ -72,11 +73,12 @@ bool Walker::fitsAt(Vec3d eye, Vec3d from, Stance stance) {
         if (occluded(tree_, mesh_, {a, 0, b - a, 1})) return false;
     }
     const double height = shape_.of(stance).height;
+    settled_ = false;
     state_ = {};
     state_.feet = eye - kUp * (height - shape_.eyeBelowTop);
     state_.height = height;
     state_.stance = stance;
-    gather({});
+    gather(0);
     return body(height).isFree(state_.feet);
 }
 
@@ -105,16 +107,41 @@ bool Walker::enter(Vec3d eye) {
 
 bool Walker::tick(const WalkInput& input, MotionTrail* trail) {
     const WalkState last = state_;
-    const bool wasGrounded = state_.grounded;
     state_.jumpWish = input.jump && !state_.jumpHeld ? 0 : later(state_.jumpWish);
     state_.jumpHeld = input.jump;
     state_.sinceGround = later(state_.sinceGround);
     state_.sinceJump = later(state_.sinceJump);
+    settled_ = settled_ && input.none() && state_.jumpWish >= kJumpWishTicks;
+    if (settled_) {
+        state_.sinceGround = 0;
+        savePose();
+        return true;
+    }
 
-    const double most =
-        (length(state_.velocity) + shape_.gravity * kTickSeconds + shape_.sprint * shape_.stand.speed) *
-        kTickSeconds;
-    gather({most, 0, 0});
+    act(input, trail);
+    if (!isFinite(state_.feet) || state_.feet.z < lowest_) {
+        if (restorePose()) return true;
+        state_ = last;
+        return false;
+    }
+    if (!body(state_.height).isFree(state_.feet)) {
+        const WalkState failed = state_;
+        state_ = last;
+        state_.velocity = {};
+        state_.climbing = false;
+        state_.jumpWish = failed.jumpWish;
+        state_.jumpHeld = failed.jumpHeld;
+    }
+    settled_ = input.none() && state_.feet == last.feet && state_.floor == last.floor && atRest();
+    savePose();
+    return true;
+}
+
+void Walker::act(const WalkInput& input, MotionTrail* trail) {
+    const bool wasGrounded = state_.grounded;
+    gather((length(state_.velocity) + shape_.gravity * kTickSeconds +
+            std::max(shape_.sprint * shape_.stand.speed, shape_.climbSpeed)) *
+           kTickSeconds);
     recover(trail);
     changeStance(input);
     if (state_.climbing) {
@@ -131,22 +158,6 @@ bool Walker::tick(const WalkInput& input, MotionTrail* trail) {
     }
     if (!state_.climbing) settle(wasGrounded, trail);
     easeEye();
-
-    if (!isFinite(state_.feet) || state_.feet.z < lowest_) {
-        if (restorePose()) return true;
-        state_ = last;
-        return false;
-    }
-    if (!body(state_.height).isFree(state_.feet)) {
-        const WalkState failed = state_;
-        state_ = last;
-        state_.velocity = {};
-        state_.climbing = false;
-        state_.jumpWish = failed.jumpWish;
-        state_.jumpHeld = failed.jumpHeld;
-    }
-    savePose();
-    return true;
 }
 
 /// Back to the full distance from what the skin touches, a little in every step; not where that would bring
@@ -269,14 +280,15 @@ void Walker::fly(const Vec3d& wanted, MotionTrail* trail) {
     if (slide.ceiling) state_.velocity.z = std::min(state_.velocity.z, 0.0);
 
     // Against a wall while jumping: is its top within reach?
-    const bool jumped = state_.sinceJump < kForgetTicks;
+    const bool jumped = state_.sinceJump < kForgetTicks && state_.sinceJump % kLookForLedge == 0;
     if (!jumped || !slide.blocked || !(dot(wanted, slide.blocked->normal) < 0)) return;
     const double top = state_.takeOff + shape_.ledge * state_.height / shape_.stand.height;
     const Vec3d ahead = normalize(-horizontal(slide.blocked->normal));
     if (!(top > state_.feet.z) || ahead == Vec3d{}) return;
-    triangles_ =
-        nearby_.in(body(state_.height).box(state_.feet).grown(shape_.ledge + shape_.stand.height / 2));
-    const auto ledge = findLedge(body(state_.height), state_.feet, ahead, top);
+    Box3d way = b.box(state_.feet);
+    way.hi.z += top - state_.feet.z;
+    const Body climber(nearLedge_.in(way.grown(b.reach() + 2 * kMargin)), shape_, state_.height);
+    const auto ledge = findLedge(climber, state_.feet, ahead, top);
     if (!ledge) return;
     state_.climbing = true;
     state_.ledge = *ledge;
@@ -374,13 +386,14 @@ bool Walker::restorePose() {
     if (savedCount_ == 0) return false;
     savedNext_ = (savedNext_ + static_cast<int>(saved_.size()) - 1) % static_cast<int>(saved_.size());
     --savedCount_;
+    settled_ = false;
     const Pose& pose = saved_[static_cast<std::size_t>(savedNext_)];
     state_ = {};
     state_.feet = pose.feet;
     state_.height = pose.height;
     state_.stance = pose.stance;
     sinceSaved_ = 0;
-    gather({});
+    gather(0);
     return true;
 }
 

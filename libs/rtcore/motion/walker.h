@@ -24,6 +24,7 @@ struct WalkInput {
     double forward = 0;   ///< -1, 0, 1
     double right = 0;     ///< -1, 0, 1
     bool jump = false, crouch = false, crawl = false, sprint = false;
+    bool none() const { return forward == 0 && right == 0 && !jump && !crouch && !crawl; }
 };
 
 /// All that decides how it goes on; metres and seconds, z up.
@@ -79,7 +80,8 @@ class Walker {
     };
 
     Body body(double height) { return {triangles_, shape_, height}; }
-    void gather(Vec3d move);
+    void gather(double move);
+    void act(const WalkInput& input, MotionTrail* trail);
     void recover(MotionTrail* trail);
     void changeStance(const WalkInput& input);
     void startJump();
@@ -98,13 +100,14 @@ class Walker {
     Mesh mesh_;
     WorldFrame frame_;
     WalkShape shape_;
-    NearbyTriangles nearby_;
+    NearbyTriangles nearby_, nearLedge_;
     std::span<const SolidTriangle> triangles_;
     double lowest_; ///< below this height he has fallen out of the world
     WalkState state_;
     std::array<Pose, 16> saved_{};
     int savedCount_ = 0, savedNext_ = 0;
     int sinceSaved_ = 0;
+    bool settled_ = false; ///< a step without input changed nothing
 };
 
 } // namespace rtcore
