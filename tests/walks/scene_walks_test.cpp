@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -15,6 +17,7 @@
 #include <memory>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -86,6 +89,9 @@ class SceneWalk : public testing::TestWithParam<Place> {
 
     void walkAtRandom(int count);
     void enterAnywhere(int count);
+    void playAtAnyFrameRate();
+    void walkInAnyOrder(int count);
+    void toggleAnywhere(int count);
 
   private:
     std::unique_ptr<rtcore::LoadedScene> scene_;
@@ -97,7 +103,9 @@ void SceneWalk::walkAtRandom(int count) {
     const test::WalkJudge judge(all, shape());
     int walked = 0, putBack = 0, lost = 0, refused = 0, wrong = 0;
     test::WalkClearance least;
-    for (int walk = 0; walk < count && wrong < kEnough; ++walk) {
+    int places = 0;
+    for (int walk = 0; walked < count && walk < 2 * count && wrong < kEnough; ++walk) {
+        ++places;
         test::Random random(static_cast<std::uint64_t>(walk));
         rtcore::Walker walker(tree(), mesh(), frame(), shape());
         if (!walker.enter(anywhere(random))) continue;
@@ -122,9 +130,9 @@ void SceneWalk::walkAtRandom(int count) {
     }
     std::printf("%s: %d walks of %d places; put back %d times, lost %d, refused steps %d, wrong %d; least "
                 "clearance %.9f, on the way %.6f, of the eye %.4f\n",
-                GetParam().name, walked, count, putBack, lost, refused, wrong, least.atEnds, least.onTheWay,
+                GetParam().name, walked, places, putBack, lost, refused, wrong, least.atEnds, least.onTheWay,
                 least.ofEye);
-    EXPECT_GT(walked, count / 10);
+    EXPECT_EQ(walked, count);
 }
 
 void SceneWalk::enterAnywhere(int count) {
@@ -150,11 +158,93 @@ void SceneWalk::enterAnywhere(int count) {
     EXPECT_GT(entered, count / 10);
 }
 
+void SceneWalk::playAtAnyFrameRate() {
+    rtcore::PlayerOptions options;
+    options.metresPerUnit = GetParam().metresPerUnit;
+    options.walk = sportsman();
+    test::Random places(5);
+    rtcore::Camera start;
+    constexpr std::int64_t kUntil = 8 * test::kSecond;
+    const auto events = test::randomEvents(9, kUntil);
+    const auto play = [&](auto&& nextFrame) {
+        rtcore::Player player(tree(), mesh(), options);
+        player.setCamera(start);
+        EXPECT_TRUE(player.setMode(rtcore::MotionMode::Walk));
+        return test::playKeys(player, events, kUntil, nextFrame);
+    };
+    for (int i = 0; i < 2; ++i) {
+        start.eye = frame().toScene(anywhere(places));
+        const auto expected = play([] { return test::kSecond / 60; });
+        for (const double rate : {5.0, 7.3, 24.0, 59.94, 144.0, 500.0}) {
+            const auto frames = static_cast<std::int64_t>(test::kSecond / rate);
+            EXPECT_EQ(play([=] { return frames; }), expected) << rate;
+        }
+        test::Random random(77);
+        EXPECT_EQ(play([&] { return std::int64_t(1 + random.index(test::kSecond / 5)); }), expected);
+    }
+}
+
+void SceneWalk::walkInAnyOrder(int count) {
+    std::vector<rtcore::Triangle> triangles(mesh().triangles.begin(), mesh().triangles.end());
+    test::Random order(3);
+    for (std::size_t i = triangles.size(); i > 1; --i) std::swap(triangles[i - 1], triangles[order.index(i)]);
+    rtcore::Mesh shuffled = mesh();
+    shuffled.triangles = triangles;
+    const rtcore::KdTree other = rtcore::buildKdTree(shuffled, quickTree());
+    double farthest = 0;
+    for (int walk = 0; walk < count; ++walk) {
+        std::vector<Vec3d> feet[2];
+        for (int k = 0; k < 2; ++k) {
+            test::Random random(static_cast<std::uint64_t>(walk));
+            rtcore::Walker walker(k == 0 ? tree() : other, k == 0 ? mesh() : shuffled, frame(), shape());
+            if (!walker.enter(anywhere(random))) continue;
+            test::RandomKeys keys(random);
+            for (int tick = 0; tick < 240 && walker.tick(keys.next()); ++tick)
+                feet[k].push_back(walker.state().feet);
+        }
+        ASSERT_EQ(feet[0].size(), feet[1].size());
+        for (std::size_t i = 0; i < feet[0].size(); ++i)
+            farthest = std::max(farthest, length(feet[0][i] - feet[1][i]));
+        ASSERT_LT(farthest, 1e-9) << "walk " << walk;
+    }
+}
+
+void SceneWalk::toggleAnywhere(int count) {
+    rtcore::PlayerOptions options;
+    options.metresPerUnit = GetParam().metresPerUnit;
+    options.walk = sportsman();
+    rtcore::Player player(tree(), mesh(), options);
+    test::Random random(21);
+    rtcore::Camera camera;
+    const test::Obstacles all(mesh(), frame());
+    int walking = 0;
+    for (int i = 0; i < count; ++i) {
+        camera.eye = frame().toScene(anywhere(random));
+        player.setCamera(camera);
+        player.press(static_cast<rtcore::Action>(random.index(14)));
+        const bool walks = player.setMode(rtcore::MotionMode::Walk);
+        EXPECT_EQ(player.mode() == rtcore::MotionMode::Walk, walks);
+        player.advance(std::chrono::milliseconds(random.index(200)));
+        const rtcore::Vec3 eye = player.camera().eye;
+        ASSERT_TRUE(isFinite(eye));
+        if (player.mode() == rtcore::MotionMode::Walk) {
+            ++walking;
+            EXPECT_GE(all.clearance({frame().toMetres(eye), 0}, 0.1), 0.05) << i;
+        }
+        if (random.coin()) player.setMode(rtcore::MotionMode::View);
+        if (random.coin()) player.hold({});
+    }
+    EXPECT_GT(walking, count / 10);
+}
+
 std::string nameOf(const testing::TestParamInfo<Place>& place) { return place.param.name; }
 
 } // namespace
 
 TEST_P(SceneWalk, nothingIsEverInsideThePlayer) { walkAtRandom(walks(20)); }
-TEST_P(SceneWalk, entersWhereThereIsRoom) { enterAnywhere(walks(20) * 5); }
+TEST_P(SceneWalk, takesTheSamePathAtAnyFrameRate) { playAtAnyFrameRate(); }
+TEST_P(SceneWalk, takesTheSamePathInAnyOrderOfTriangles) { walkInAnyOrder(walks(20)); }
+TEST_P(SceneWalk, startsOrRefusesAnywhere) { toggleAnywhere(walks(100)); }
+TEST_P(SceneWalk, entersWhereThereIsRoom) { enterAnywhere(walks(100)); }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SceneWalk, testing::ValuesIn(kPlaces), nameOf);
