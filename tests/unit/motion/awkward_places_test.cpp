@@ -143,7 +143,7 @@ TEST(AwkwardPlaces, spiralStairs) {
     for (ticks = 0; walker->state().feet.z > 3 * kRise && ticks < 1200; ++ticks) around(-1);
     EXPECT_LE(walker->state().feet.z, 3 * kRise);
     EXPECT_LT(ticks, 600);
-    EXPECT_LT(jerk.upright, 0.02);
+    EXPECT_LT(jerk.upright, 0.0095);
 }
 
 TEST(AwkwardPlaces, aSlopeThatEndsAtAWall) {
@@ -251,5 +251,5 @@ TEST(AwkwardPlaces, theEyeRidesSmoothlyOverSteps) {
         walker->tick(ahead(180));
         if (i > 30) jerk.look(walker->eye());
     }
-    EXPECT_LT(jerk.upright, 0.02);
+    EXPECT_LT(jerk.upright, 0.0085);
 }
