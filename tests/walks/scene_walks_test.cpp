@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -92,6 +93,7 @@ class SceneWalk : public testing::TestWithParam<Place> {
     void playAtAnyFrameRate();
     void walkInAnyOrder(int count);
     void toggleAnywhere(int count);
+    void pressOnAnywhere(int count);
 
   private:
     std::unique_ptr<rtcore::LoadedScene> scene_;
@@ -237,6 +239,39 @@ void SceneWalk::toggleAnywhere(int count) {
     EXPECT_GT(walking, count / 10);
 }
 
+void SceneWalk::pressOnAnywhere(int count) {
+    constexpr int kTicks = 600, kLast = 120, kTurnsAllowed = 3;
+    constexpr double kVisible = 5e-4; // metres a step
+    int trembled = 0;
+    for (int walk = 0; walk < count; ++walk) {
+        test::Random random(static_cast<std::uint64_t>(walk));
+        rtcore::Walker walker(tree(), mesh(), frame(), shape());
+        if (!walker.enter(anywhere(random))) continue;
+        rtcore::WalkInput input;
+        const double angle = 6.28 * test::share(random);
+        input.ahead = {std::sin(angle), std::cos(angle), 0};
+        bool inWorld = true;
+        for (int i = 0; i < kTicks && inWorld; ++i) inWorld = walker.tick({}); // he falls first
+        input.forward = 1;
+        int turns = 0;
+        Vec3d last;
+        for (int i = 0; i < kTicks && inWorld; ++i) {
+            const Vec3d before = walker.state().feet;
+            inWorld = walker.tick(input);
+            const Vec3d way = walker.state().feet - before;
+            if (length(way) < kVisible) continue;
+            if (i >= kTicks - kLast && dot(way, last) < 0) ++turns;
+            last = way;
+        }
+        if (!inWorld || turns <= kTurnsAllowed) continue;
+        ++trembled;
+        const Vec3d feet = walker.state().feet;
+        std::printf("%s: walk %d: %d turns in a second at %.3f %.3f %.3f, ahead %.1f degrees\n",
+                    GetParam().name, walk, turns, feet.x, feet.y, feet.z, angle * 57.29578);
+    }
+    EXPECT_LE(trembled, count / 100);
+}
+
 std::string nameOf(const testing::TestParamInfo<Place>& place) { return place.param.name; }
 
 } // namespace
@@ -245,6 +280,7 @@ TEST_P(SceneWalk, nothingIsEverInsideThePlayer) { walkAtRandom(walks(20)); }
 TEST_P(SceneWalk, takesTheSamePathAtAnyFrameRate) { playAtAnyFrameRate(); }
 TEST_P(SceneWalk, takesTheSamePathInAnyOrderOfTriangles) { walkInAnyOrder(walks(20)); }
 TEST_P(SceneWalk, startsOrRefusesAnywhere) { toggleAnywhere(walks(100)); }
+TEST_P(SceneWalk, doesNotTrembleAgainstWalls) { pressOnAnywhere(walks(40)); }
 TEST_P(SceneWalk, entersWhereThereIsRoom) { enterAnywhere(walks(100)); }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SceneWalk, testing::ValuesIn(kPlaces), nameOf);

@@ -250,11 +250,15 @@ void Walker::walk(MotionTrail* trail) {
     const Slide slide = slideOnGround(b, state_.feet, move, state_.floor, &parts);
     if (slide.blocked) {
         const double high = shape_.of(state_.stance).step;
-        auto step = stepUp(b, state_.feet, move, high, slide.feet, trail);
+        MotionTrail way;
+        auto step = stepUp(b, state_.feet, move, high, slide.feet, &way);
         // Along a wall he may come upon a step that straight ahead is none.
-        if (!step && cross(slide.blockedMove, move) != Vec3d{})
-            step = stepUp(b, state_.feet, slide.blockedMove, high, slide.feet, trail);
+        if (!step && cross(slide.blockedMove, move) != Vec3d{}) {
+            step = stepUp(b, state_.feet, slide.blockedMove, high, slide.feet, &way);
+            if (step && !(dot(step->feet - slide.feet, move) > 0)) step.reset();
+        }
         if (step) {
+            if (trail != nullptr) trail->insert(trail->end(), way.begin(), way.end());
             state_.eyeOffset -= step->feet.z - state_.feet.z;
             state_.feet = step->feet;
             state_.debt = step->extra;
