@@ -1,11 +1,11 @@
 #!/bin/sh
 # The checks that take too long for every run; their output belongs into the note that closes an issue.
-#   scripts/check-long.sh [leaks] [waves] [oracle] [mutations] [kills] [formats] [ipc] [mutants]    without arguments:
-# all. RT_ISA chooses the instruction set of the kernels.
+#   scripts/check-long.sh [leaks] [waves] [oracle] [mutations] [kills] [formats] [ipc] [walks] [mutants]
+# Without arguments: all. RT_ISA chooses the instruction set of the kernels.
 set -eu
 cd "$(dirname "$0")/.."
 scripts/build.sh
-[ $# -gt 0 ] || set -- leaks waves oracle mutations kills formats ipc mutants
+[ $# -gt 0 ] || set -- leaks waves oracle mutations kills formats ipc walks mutants
 release=build/release/bin
 for check in "$@"; do
     echo "== $check"
@@ -35,6 +35,13 @@ for check in "$@"; do
         RT_IPC_ROUNDS=${RT_IPC_ROUNDS:-10} $release/test_ipc_process
         RT_MUTATIONS=${RT_MUTATIONS:-1000000} $release/test_ipc
         $release/bench_ipc
+        ;;
+    walks)
+        [ -n "${RT_TEST_SCENES:-}" ] || echo "check-long: RT_TEST_SCENES is not set: only our own nave" >&2
+        export RT_WALKS="${RT_WALKS:-10000}"
+        $release/test_motion --gtest_filter='RandomWalk.*'
+        $release/test_walks
+        $release/bench_motion data/nave/generated/nave.glb 1
         ;;
     mutants)
         scripts/check-mutants.sh

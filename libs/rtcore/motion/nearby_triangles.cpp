@@ -8,8 +8,8 @@ namespace rtcore {
 
 namespace {
 
-constexpr double kReserve = 0.5; ///< metres more than asked for, so that one list serves many steps
-constexpr double kClose = 0.1;   ///< the same for the few that each step looks through
+constexpr double kClose =
+    0.1; ///< metres more than asked for in the small list, so that it serves a few steps
 constexpr std::size_t kMany = 2048;
 
 SolidTriangle solid(Vec3d a, Vec3d b, Vec3d c) {
@@ -50,8 +50,9 @@ void findTriangles(const KdTree& tree, const Box3& box, std::vector<std::uint32_
     found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
-NearbyTriangles::NearbyTriangles(const KdTree& tree, const Mesh& mesh, const WorldFrame& frame)
-    : tree_(tree), mesh_(mesh), frame_(frame), rounding_(0) {
+NearbyTriangles::NearbyTriangles(const KdTree& tree, const Mesh& mesh, const WorldFrame& frame,
+                                 double reserve)
+    : tree_(tree), mesh_(mesh), frame_(frame), rounding_(0), reserve_(std::max(reserve, kClose)) {
     if (tree.bounds.empty()) return;
     for (int axis = 0; axis < 3; ++axis) {
         rounding_ = std::max({rounding_, std::fabs(tree.bounds.lo[axis]), std::fabs(tree.bounds.hi[axis])});
@@ -86,7 +87,7 @@ std::span<const SolidTriangle> NearbyTriangles::in(const Box3d& need) {
     if (close_.contains(need)) return triangles_;
     close_ = need.grown(kClose);
     if (!known_.contains(close_)) {
-        find(dense_ ? close_ : need.grown(kReserve));
+        find(dense_ ? close_ : need.grown(reserve_));
         dense_ = found_.size() > (dense_ ? kMany / 4 : kMany);
     }
     triangles_.clear();

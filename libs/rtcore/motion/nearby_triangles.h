@@ -36,12 +36,13 @@ struct SolidTriangle {
 /// once.
 void findTriangles(const KdTree& tree, const Box3& box, std::vector<std::uint32_t>& found);
 
-/// Keeps what it found last for as long as it encloses what is asked for: a large list that serves for half a
-/// metre and a small one out of it for a few steps. One thread.
+/// Keeps what it found last for as long as it encloses what is asked for: a large list that serves for a
+/// while and a small one out of it for a few steps. One thread.
 class NearbyTriangles {
   public:
-    /// `tree` and `mesh` must outlive it.
-    NearbyTriangles(const KdTree& tree, const Mesh& mesh, const WorldFrame& frame);
+    /// `tree` and `mesh` must outlive it. The large list reaches `reserve` metres farther than what is asked
+    /// for: much saves questions, little makes each cheaper.
+    NearbyTriangles(const KdTree& tree, const Mesh& mesh, const WorldFrame& frame, double reserve = 0.5);
 
     /// At least all triangles that reach into `need` and whose corners are finite, in the order of their
     /// indices. Valid until the next call.
@@ -54,8 +55,9 @@ class NearbyTriangles {
     KdTree tree_;
     Mesh mesh_;
     WorldFrame frame_;
-    float rounding_;     ///< scene units that coordinates of the tree may be off by
-    bool dense_ = false; ///< where half a metre more would be too many
+    float rounding_; ///< scene units that coordinates of the tree may be off by
+    double reserve_;
+    bool dense_ = false; ///< where the reserve would bring too many
     Box3d known_{{1, 1, 1}, {-1, -1, -1}}, close_ = known_;
     std::vector<std::uint32_t> indices_;
     std::vector<SolidTriangle> found_;     ///< all that reach into known_

@@ -96,12 +96,11 @@ bool wouldTouch(Approach approach, double skin, double distance) {
     return !beyond;
 }
 
-/// What only the skin touches is no obstacle: so it glides over seams.
-bool stops(const SolidTriangle& triangle, const UprightLine& core, double radius, double skin,
-           Vec3d direction, double distance, Stop& stop) {
-    Approach approach(triangle, core, radius, direction);
+/// What only the skin touches is no obstacle: so it glides over seams. Stops farther than `limit` do not
+/// matter.
+bool stops(Approach approach, double skin, double distance, double limit, Stop& stop) {
     skin = std::min(skin, approach.gap());
-    if (!reachesSkin(approach, skin, distance) || !wouldTouch(approach, skin, distance)) return false;
+    if (!reachesSkin(approach, skin, limit) || !wouldTouch(approach, skin, distance)) return false;
     stop = {approach.at(), approach.speed(), approach.separation()};
     return true;
 }
@@ -117,7 +116,8 @@ Sweep sweepCapsule(std::span<const SolidTriangle> triangles, const UprightLine& 
     for (const SolidTriangle& triangle : triangles) {
         if (!triangle.box.overlaps(box)) continue;
         Stop stop;
-        if (!stops(triangle, core, radius, skin, direction, distance, stop)) continue;
+        const Approach approach(triangle, core, radius, direction);
+        if (!stops(approach, skin, distance, sweep.hit ? first.travel : distance, stop)) continue;
         if (sweep.hit && !before(stop, first)) continue;
         first = stop;
         sweep.hit = true;

@@ -48,7 +48,7 @@ Stance wantedStance(const WalkInput& input) {
 
 Walker::Walker(const KdTree& tree, const Mesh& mesh, const WorldFrame& frame, const WalkShape& shape)
     : tree_(tree), mesh_(mesh), frame_(frame), shape_(shape), nearby_(tree, mesh, frame),
-      nearLedge_(tree, mesh, frame), lowest_(lowestPoint(tree, frame) - kBelowWorld) {}
+      nearLedge_(tree, mesh, frame, 0), lowest_(lowestPoint(tree, frame) - kBelowWorld) {}
 
 Vec3d Walker::eye() const {
     return state_.feet + kUp * (state_.height - shape_.eyeBelowTop + state_.eyeOffset);
