@@ -1,11 +1,13 @@
 #!/bin/sh
 # The checks that take too long for every run; their output belongs into the note that closes an issue.
-#   scripts/check-long.sh [leaks] [waves] [oracle] [mutations] [kills] [formats] [ipc] [server] [soak] [preview]
-#                         [walks] [sanitizers] [mutants]    without arguments: all. RT_ISA chooses the instruction set of the kernels.
+#   scripts/check-long.sh [leaks] [waves] [oracle] [mutations] [kills] [formats] [ipc] [server] [soak] [preview] [walks]
+#                         [sanitizers] [mutants]
+# Without arguments: all. RT_ISA chooses the instruction set of the kernels.
 set -eu
 cd "$(dirname "$0")/.."
 scripts/build.sh
-[ $# -gt 0 ] || set -- leaks waves oracle mutations kills formats ipc server soak preview sanitizers mutants
+[ $# -gt 0 ] ||
+    set -- leaks waves oracle mutations kills formats ipc server soak preview walks sanitizers mutants
 release=build/release/bin
 for check in "$@"; do
     echo "== $check"
@@ -54,6 +56,13 @@ for check in "$@"; do
         ;;
     preview)
         RT_PREVIEW_KILLS=${RT_PREVIEW_KILLS:-1000} $release/test_preview_process
+        ;;
+    walks)
+        [ -n "${RT_TEST_SCENES:-}" ] || echo "check-long: RT_TEST_SCENES is not set: only our own nave" >&2
+        export RT_WALKS="${RT_WALKS:-10000}"
+        $release/test_motion --gtest_filter='RandomWalk.*'
+        $release/test_walks
+        $release/bench_motion data/nave/generated/nave.glb 1
         ;;
     mutants)
         scripts/check-mutants.sh
