@@ -1,11 +1,13 @@
 #!/bin/sh
 # The checks that take too long for every run; their output belongs into the note that closes an issue.
-#   scripts/check-long.sh [leaks] [waves] [oracle] [mutations] [kills] [formats] [ipc] [mutants]    without arguments:
-# all. RT_ISA chooses the instruction set of the kernels.
+#   scripts/check-long.sh [leaks] [waves] [oracle] [mutations] [kills] [formats] [ipc] [server] [soak] [preview] [walks]
+#                         [sanitizers] [mutants]
+# Without arguments: all. RT_ISA chooses the instruction set of the kernels.
 set -eu
 cd "$(dirname "$0")/.."
 scripts/build.sh
-[ $# -gt 0 ] || set -- leaks waves oracle mutations kills formats ipc mutants
+[ $# -gt 0 ] ||
+    set -- leaks waves oracle mutations kills formats ipc server soak preview walks sanitizers mutants
 release=build/release/bin
 for check in "$@"; do
     echo "== $check"
@@ -35,6 +37,32 @@ for check in "$@"; do
         RT_IPC_ROUNDS=${RT_IPC_ROUNDS:-10} $release/test_ipc_process
         RT_MUTATIONS=${RT_MUTATIONS:-1000000} $release/test_ipc
         $release/bench_ipc
+        # Once more for what others on this machine take.
+        $release/bench_ipc --guard || $release/bench_ipc --guard
+        ;;
+    server)
+        # 50 kills, times the factor; the floods last as many seconds.
+        RT_IPC_ROUNDS=${RT_IPC_ROUNDS:-20} $release/test_server_faults --gtest_filter=-Soak.*
+        ;;
+    soak)
+        RT_SOAK_SECONDS=${RT_SOAK_SECONDS:-1200} $release/test_server_faults --gtest_filter=Soak.*
+        ;;
+    sanitizers)
+        cmake --preset asan-ubsan >/dev/null
+        cmake --build --preset asan-ubsan --target test_server_process --target test_server_faults
+        sanitized=build/asan-ubsan/bin
+        UBSAN_OPTIONS=print_stacktrace=1 $sanitized/test_server_process
+        UBSAN_OPTIONS=print_stacktrace=1 $sanitized/test_server_faults
+        ;;
+    preview)
+        RT_PREVIEW_KILLS=${RT_PREVIEW_KILLS:-1000} $release/test_preview_process
+        ;;
+    walks)
+        [ -n "${RT_TEST_SCENES:-}" ] || echo "check-long: RT_TEST_SCENES is not set: only our own nave" >&2
+        export RT_WALKS="${RT_WALKS:-10000}"
+        $release/test_motion --gtest_filter='RandomWalk.*'
+        $release/test_walks
+        $release/bench_motion data/nave/generated/nave.glb 1
         ;;
     mutants)
         scripts/check-mutants.sh

@@ -1,4 +1,5 @@
 // The only file of the programs that calls the operating system.
+#include "common/parent.h"
 #include "common/stop.h"
 #include "common/terminal.h"
 
@@ -11,7 +12,11 @@
 #include <csignal>
 #include <cstring>
 
+#include <poll.h>
 #include <sys/ioctl.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -27,6 +32,26 @@ extern "C" void onStopSignal(int signal) {
     if (receivedSignal.compare_exchange_strong(none, signal)) return;
     rtcore::removeTemporaryFiles();
     _exit(128 + signal);
+}
+
+std::atomic<pid_t> parentProcess{0}; // 0: its end does not matter
+
+// Not a second signal, however often it comes.
+void askToStop() noexcept {
+    int none = 0;
+    receivedSignal.compare_exchange_strong(none, SIGTERM);
+}
+
+bool orphaned() noexcept {
+    const pid_t parent = parentProcess.load();
+    return parent != 0 && getppid() != parent;
+}
+
+// The system means the thread that started this process; the others of the parent may live on.
+extern "C" void onParentSignal(int) {
+    const int error = errno;
+    if (orphaned()) askToStop();
+    errno = error;
 }
 
 void handle(int signal, void (*handler)(int)) {
@@ -57,7 +82,21 @@ void installSignalHandlers() {
     std::signal(SIGPIPE, SIG_IGN);
 }
 
-int stopSignal() noexcept { return receivedSignal.load(); }
+void stopWithParent(std::int64_t parent) {
+    parentProcess = parent == 0 ? getppid() : static_cast<pid_t>(parent);
+#ifdef __linux__
+    handle(SIGUSR2, onParentSignal);
+    prctl(PR_SET_PDEATHSIG, SIGUSR2);
+#endif
+    // It may have ended before the system was asked to tell.
+    if (orphaned()) askToStop();
+}
+
+int stopSignal() noexcept {
+    // Not every system tells of a parent's end, and a parent may have left its children deaf to signals.
+    if (orphaned()) askToStop();
+    return receivedSignal.load();
+}
 
 std::optional<int> terminalColumns() {
     if (isatty(STDERR_FILENO) == 0) return std::nullopt;
@@ -74,6 +113,11 @@ void writeOutput(std::string_view bytes) {
 }
 
 void writeError(std::string_view text) noexcept { writeAll(STDERR_FILENO, text); }
+
+bool errorTakesMore() noexcept {
+    pollfd stream{STDERR_FILENO, POLLOUT, 0};
+    return ::poll(&stream, 1, 0) == 1 && (stream.revents & POLLOUT) != 0;
+}
 
 std::uint64_t peakMemoryBytes() noexcept {
     rusage usage{};

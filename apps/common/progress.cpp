@@ -13,7 +13,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kTick = 100ms;
+constexpr auto kLook = 5ms;           // for a signal that asks to stop
+constexpr auto kTick = 100ms;         // between two pictures of the bar
 constexpr auto kQuiet = 200ms;        // a shorter job draws no bar
 constexpr auto kPlainInterval = 2s;   // between two lines of a log
 constexpr auto kPlainHeartbeat = 30s; // a log shows life even when little moves
@@ -87,15 +88,16 @@ void Progress::print(std::string_view text) {
 
 void Progress::watch(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
+    Clock::time_point next = Clock::now() + kTick;
     while (!stop.stop_requested()) {
-        wake_.wait_for(lock, stop, kTick, [] { return false; });
-        if (active_) tick(Clock::now());
+        wake_.wait_for(lock, stop, kLook, [] { return false; });
+        if (!active_) continue;
+        if (stopRequested() && phase_.cancel != nullptr) phase_.cancel->store(true);
+        const Clock::time_point now = Clock::now();
+        if (now < next) continue;
+        show(now, false);
+        next = now + kTick;
     }
-}
-
-void Progress::tick(Clock::time_point now) {
-    if (stopRequested() && phase_.cancel != nullptr) phase_.cancel->store(true);
-    show(now, false);
 }
 
 ProgressState Progress::state(Clock::time_point now) const {

@@ -35,7 +35,8 @@ struct ProgressPhase {
     std::atomic<bool>* cancel = nullptr; ///< set when a signal asks to stop
 };
 
-/// A thread of its own looks at the current phase ten times a second. begin, end and print may be called from
+/// A thread of its own shows the current phase ten times a second, and passes a signal on within some
+/// milliseconds. begin, end and print may be called from
 /// any one thread. What a phase refers to must live until end() or the next begin().
 class Progress {
   public:
@@ -56,7 +57,6 @@ class Progress {
     using Clock = std::chrono::steady_clock;
 
     void watch(const std::stop_token& stop);
-    void tick(Clock::time_point now);
     ProgressState state(Clock::time_point now) const;
     void show(Clock::time_point now, bool always);
     void showPlain(const ProgressState& moment, Clock::time_point now);

@@ -12,7 +12,8 @@ namespace app {
 /// SIGPIPE is ignored: writing to a closed pipe is an error like any other.
 void installSignalHandlers();
 
-/// The number of the signal that asked to stop, 0 when none did. Safe from any thread.
+/// The number of the signal that asked to stop, 0 when none did; SIGTERM also stands for the end of the
+/// parent (parent.h). Safe from any thread.
 int stopSignal() noexcept;
 
 inline bool stopRequested() noexcept { return stopSignal() != 0; }

@@ -15,6 +15,10 @@ std::optional<int> terminalColumns();
 void writeOutput(std::string_view bytes);
 void writeError(std::string_view text) noexcept;
 
+/// Whether a message of up to 4096 bytes would be written without waiting: false while whoever reads stderr
+/// does not, and a pipe is full or a terminal stopped.
+bool errorTakesMore() noexcept;
+
 /// The most memory that this process has held so far.
 std::uint64_t peakMemoryBytes() noexcept;
 

@@ -114,7 +114,8 @@ void FrameRun::report(const FrameTask& frame, const FrameReport& report) {
                         " in " + seconds(report.renderSeconds) + ", " + figures);
     }
     const bool logged = options_.list && options_.progress == app::ProgressStyle::Plain;
-    if (options_.verbose || logged) {
+    const bool kept = options_.list || !frame.outputs.empty();
+    if ((options_.verbose && kept) || logged) {
         progress_.print("wrote " + places(frame) + " in " + seconds(report.writeSeconds));
     }
 }

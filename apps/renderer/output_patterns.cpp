@@ -11,7 +11,7 @@ namespace renderer {
 std::vector<std::filesystem::path> outputPatterns(const RendererOptions& options,
                                                   const rtcore::SceneFile* scene) {
     if (!options.outputs.empty()) return options.outputs;
-    if (options.video) return {};
+    if (options.video || options.preview) return {};
     std::filesystem::path output = options.scene.stem().string() + ".png";
     if (scene != nullptr && scene->output) output = *scene->output;
     try {

@@ -47,8 +47,10 @@ FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     report.rays = frame_.statistics;
 
     start = std::chrono::steady_clock::now();
-    develop(task, settings);
+    const float exposure = develop(task, settings);
     write(task);
+    // The last: who has seen it may end this process.
+    if (preview_ != nullptr) preview_->finish(developed_, exposure);
     report.writeSeconds = secondsSince(start);
     return report;
 }
@@ -78,24 +80,31 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
                               std::to_string(rtcore::kMaxImagePixels) + " pixels is the most");
     }
     rtcore::RenderControl control;
-    const auto fraction = [&control] {
+    const auto fraction = [this, &control] {
+        if (preview_ != nullptr) return preview_->fraction(control);
         const std::uint64_t tiles = control.tiles.load();
         return tiles == 0 ? 0.0 : static_cast<double>(control.tilesDone.load()) / static_cast<double>(tiles);
     };
     const app::ProgressScope scope(progress_, {"rendering", fraction, &control.cancel}, index, count);
-    if (!renderer_.render(loaded_.scene, tracer_, camera, settings, options_.threads, control, frame_)) {
+    const rtcore::Scene& scene = loaded_.scene;
+    const bool whole = preview_ == nullptr ? renderer_.render(scene, tracer_, camera, settings,
+                                                              options_.threads, control, frame_)
+                                           : preview_->render(renderer_, scene, tracer_, camera, settings,
+                                                              options_.threads, control, frame_);
+    if (!whole) {
         throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "stopped");
     }
     app::throwIfStopped();
 }
 
-void PictureMaker::develop(const FrameTask& task, const rtcore::RenderSettings& settings) {
+float PictureMaker::develop(const FrameTask& task, const rtcore::RenderSettings& settings) {
     const bool shown = std::any_of(task.outputs.begin(), task.outputs.end(), [](const auto& output) {
         return isStandardOutput(output) || !rtcore::isHdrFormat(output);
     });
-    if (!shown && !task.filmed) return;
+    if (!shown && !task.filmed && preview_ == nullptr) return 0;
     const float exposure = developer_.exposure(frame_, settings.exposure, options_.threads);
     developer_.develop(frame_, settings, exposure, options_.threads, developed_);
+    return exposure;
 }
 
 void PictureMaker::write(const FrameTask& task) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/frame_list.h"
+#include "renderer/preview.h"
 #include "renderer/renderer_options.h"
 
 #include "common/progress.h"
@@ -31,6 +32,9 @@ class PictureMaker {
     PictureMaker(rtcore::LoadedScene scene, std::vector<rtcore::SettingAssignment> settingsFile,
                  const RendererOptions& options, app::Progress& progress);
 
+    /// What is rendered from now on is shown there while it refines; null: nowhere.
+    void showOn(Preview* preview) { preview_ = preview; }
+
     /// Renders the frame and writes all its outputs, each one complete or not at all; `index` of `count` is
     /// for the progress. Throws rtcore::FileError: a bad .cam, an output that cannot be written, Stopped.
     FrameReport make(const FrameTask& task, int index, int count);
@@ -41,7 +45,8 @@ class PictureMaker {
   private:
     rtcore::RenderSettings prepare(const FrameTask& task, rtcore::Camera& camera);
     void render(const rtcore::Camera& camera, const rtcore::RenderSettings& settings, int index, int count);
-    void develop(const FrameTask& task, const rtcore::RenderSettings& settings);
+    /// The exposure; nothing is done when nobody wants to see the picture.
+    float develop(const FrameTask& task, const rtcore::RenderSettings& settings);
     void write(const FrameTask& task);
     void warnOfWhatIsMissing(const rtcore::RenderSettings& settings);
     void warnOnce(const std::string& text);
@@ -52,6 +57,7 @@ class PictureMaker {
     std::vector<rtcore::SettingAssignment> settingsFile_;
     const RendererOptions& options_;
     app::Progress& progress_;
+    Preview* preview_ = nullptr;
     rtcore::KdRayTracer tracer_;
     // Kept, so that their memory is reused.
     rtcore::FrameRenderer renderer_;

@@ -5,6 +5,7 @@
 #include "common/file_notes.h"
 #include "common/import_options.h"
 #include "common/isa_option.h"
+#include "common/parent.h"
 #include "common/setting_option.h"
 #include "common/threads.h"
 
@@ -144,6 +145,37 @@ OptionGroup qualityOptions() {
              {.name = "settings", .help = "list all settings and exit", .answers = true}}};
 }
 
+OptionGroup previewOptions() {
+    return {"Preview",
+            {{.name = "preview",
+              .value = ValueKind::Text,
+              .argument = "NAME",
+              .help = "show the picture while it is rendered, from coarse to fine, to programs that look for "
+                      "an instance of this name; without --output no file is written; stops with the process "
+                      "that started it"},
+             {.name = "run-id",
+              .value = ValueKind::Integer,
+              .argument = "N",
+              .help = "mark the frames of the preview with N, so that viewers can tell runs apart [0]",
+              .minimum = 0,
+              .maximum = static_cast<double>(std::int64_t{1} << 53)},
+             {.name = "linger",
+              .value = ValueKind::Number,
+              .argument = "S",
+              .help = "seconds for which the last frame of the preview can be found [2]",
+              .minimum = 0,
+              .maximum = 1e6}}};
+}
+
+std::optional<PreviewOptions> readPreview(const app::Arguments& arguments) {
+    const auto instance = arguments.text("preview");
+    if (!instance) return std::nullopt;
+    PreviewOptions preview{.instance = *instance};
+    preview.run = static_cast<std::uint64_t>(arguments.integer("run-id").value_or(0));
+    preview.linger = arguments.number("linger").value_or(preview.linger);
+    return preview;
+}
+
 OptionGroup runOptions() {
     return {"Running",
             {{.name = "threads",
@@ -154,6 +186,7 @@ OptionGroup runOptions() {
               .maximum = 1024},
              app::isaOption(),
              app::progressOption(),
+             app::parentOption(),
              {.name = "requeue",
               .help = "exit with 75 (try again), not 143, when SIGTERM stops the run, so that a batch system "
                       "sends the job again"},
@@ -224,6 +257,14 @@ void checkCombinations(const RendererOptions& options, const app::Arguments& arg
     if (options.verify && (options.video || options.follow || options.force)) {
         throw app::UsageError("--verify renders nothing; leave out --video, --follow and --force");
     }
+    if (options.preview && options.list) {
+        throw app::UsageError("--preview and --list exclude each other: a preview shows one picture");
+    }
+    for (const char* ofPreview : {"run-id", "linger"}) {
+        if (!options.preview && arguments.has(ofPreview)) {
+            throw app::UsageError("--" + std::string(ofPreview) + " needs --preview");
+        }
+    }
     const bool toStandardOutput =
         std::any_of(options.outputs.begin(), options.outputs.end(), isStandardOutput);
     if (arguments.has("format") && !toStandardOutput) {
@@ -242,7 +283,7 @@ const app::ProgramSpec& rendererSpec() {
         .positionals = {{.name = "SCENE",
                          .help = "scene description (.scn), kd-tree (.bsp) or any model file",
                          .files = app::sceneExtensions()}},
-        .groups = {outputOptions(), sequenceOptions(), qualityOptions(), runOptions(),
+        .groups = {outputOptions(), sequenceOptions(), qualityOptions(), previewOptions(), runOptions(),
                    app::importOptionGroup()},
         .examples = {{"Renderer nave.scn -o nave.png -w 1280 -h 720 -a 3",
                       "one picture, 3 x 3 samples a pixel"},
@@ -274,6 +315,8 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     options.followTimeout = arguments.number("follow-timeout").value_or(options.followTimeout);
     options.video = readPath(arguments, "video");
     options.framesPerSecond = arguments.number("fps");
+    options.preview = readPreview(arguments);
+    if (options.preview || arguments.has("parent")) options.parent = app::parentOf(arguments);
     options.requeue = arguments.has("requeue");
     options.settings = readSettings(arguments);
     options.threads = app::threadCount(arguments.integer("threads"));

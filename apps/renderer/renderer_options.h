@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/output_names.h"
+#include "renderer/preview_options.h"
 
 #include "common/command_line.h"
 #include "common/options.h"
@@ -10,6 +11,7 @@
 #include "rtcore/io/import/model_import.h"
 #include "rtcore/settings/settings_table.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -30,6 +32,8 @@ struct RendererOptions {
     double followTimeout = 60;                       ///< seconds
     std::optional<std::filesystem::path> video;      ///< the film to make of the list
     std::optional<double> framesPerSecond;           ///< of the film
+    std::optional<PreviewOptions> preview;           ///< show the picture while it refines
+    std::optional<std::int64_t> parent;              ///< stop with this process; 0 = the parent
     bool requeue = false;                            ///< exit with TryAgain when SIGTERM stops the run
     std::vector<rtcore::SettingAssignment> settings; ///< in the order of the command line
     int threads = 0;                                 ///< 0 = all cores

@@ -6,10 +6,13 @@
 #include "renderer/load_phases.h"
 #include "renderer/output_patterns.h"
 #include "renderer/picture_maker.h"
+#include "renderer/preview.h"
 #include "renderer/renderer_options.h"
 #include "renderer/settings_list.h"
 #include "renderer/verify.h"
 
+#include "common/ipc_exit_code.h"
+#include "common/parent.h"
 #include "common/run_program.h"
 #include "common/stop.h"
 #include "common/terminal.h"
@@ -19,6 +22,7 @@
 #include "rtcore/io/text/set.h"
 #include "rtcore/platform/error.h"
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -42,6 +46,8 @@ app::ExitCode renderAll(const RendererOptions& options, app::Progress& progress)
     }
 
     const auto ffmpeg = findFilmMaker(options);
+    std::optional<Preview> preview;
+    if (options.preview) preview.emplace(*options.preview);
 
     rtcore::LoadedScene loaded = loadWithProgress(options, progress);
     const Paths patterns = outputPatterns(options, loaded.sceneFile ? &*loaded.sceneFile : nullptr);
@@ -49,7 +55,9 @@ app::ExitCode renderAll(const RendererOptions& options, app::Progress& progress)
     const std::filesystem::path camera = options.camera.value_or(ofScene.value_or(""));
     PictureMaker maker(std::move(loaded), std::move(settingsFile), options, progress);
     if (options.list) return runList(options, cameras, patterns, ffmpeg, maker, progress);
+    if (preview) maker.showOn(&*preview);
     FrameRun(options, progress, maker).renderOne(singleFrame(camera, patterns));
+    if (preview) preview->linger();
     return app::ExitCode::Done;
 }
 
@@ -61,6 +69,7 @@ app::ExitCode runRenderer(const app::Arguments& arguments) {
         return app::ExitCode::Done;
     }
     const RendererOptions options = readRendererOptions(arguments);
+    if (options.parent) app::stopWithParent(*options.parent);
     app::useThreads(options.threads);
     app::Progress progress(rendererSpec().name, options.progress);
     if (options.debugScene) progress.print("warning: the debug scene is not exported by this version yet");
@@ -73,6 +82,9 @@ app::ExitCode runRenderer(const app::Arguments& arguments) {
         if (!terminated || !options.requeue) throw;
         progress.print("stopped; try again");
         return app::ExitCode::TryAgain;
+    } catch (const ipc::Error& error) {
+        progress.print(error.what());
+        return app::exitCodeOf(error.problem);
     }
 }
 

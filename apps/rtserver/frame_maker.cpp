@@ -1,7 +1,11 @@
 #include "rtserver/frame_maker.h"
 
+#include "rtcore/platform/error.h"
+
 #include <algorithm>
 #include <cmath>
+#include <new>
+#include <string>
 
 namespace rtserver {
 
@@ -27,6 +31,23 @@ bool FrameMaker::trace(const Session& session, double scale, rtcore::RenderContr
     target_ = developer_.exposure(frame_, settings.exposure, threads_);
     seconds_ = std::chrono::duration<double>(Clock::now() - start).count();
     return true;
+}
+
+void FrameMaker::requireMemory(int width, int height) {
+    // Radiance and picture.
+    const std::size_t bytes =
+        (sizeof(rtcore::Vec3) + 4) * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    void* trial = ::operator new(bytes, std::nothrow);
+    ::operator delete(trial);
+    if (trial != nullptr) return;
+    throw rtcore::FileError(rtcore::FailureKind::TryAgain, "",
+                            "not enough memory for frames of " + std::to_string(width) + " x " +
+                                std::to_string(height) + "; ask for a lower resolution");
+}
+
+void FrameMaker::drop() {
+    frame_ = {};
+    image_ = {};
 }
 
 void FrameMaker::develop(const Session& session) {

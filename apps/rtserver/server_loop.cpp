@@ -1,12 +1,14 @@
 #include "rtserver/server_loop.h"
 
-#include "common/run_program.h"
 #include "common/stop.h"
 
 #include "rtcore/platform/error.h"
+#include "rtcore/settings/nearest_name.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <new>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -22,6 +24,7 @@ constexpr Clock::duration kSleep = 200ms; ///< less than a turn of Session::move
 constexpr Clock::duration kSleepWhileLoading = 20ms;
 constexpr auto kMotionStep = 2ms;      ///< until who is not at rest has moved
 constexpr auto kAdaptationStep = 16ms; ///< between frames that differ by their exposure alone
+constexpr int kMostPending = 64;       ///< of a client; then its further commands stay in its queue
 constexpr auto kLongFrame = 1s;        ///< such a frame is given up for a change, but never two in a row
 
 ipc::ServerOptions serverOptions(const Options& options) {
@@ -41,15 +44,15 @@ std::string shortNumber(double value) {
     return text;
 }
 
-void print(const std::string& text) { app::printMessage(serverSpec().name, text); }
-
 } // namespace
 
 ServerLoop::ServerLoop(const Options& options, std::function<void()> onReady)
     : options_(options), onReady_(std::move(onReady)), server_(serverOptions(options)),
       session_(options,
                [this](int width, int height) {
-                   server_.beginFrame(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height));
+                   FrameMaker::requireMemory(width, height);
+                   server_.reserveFrame(static_cast<std::uint32_t>(width),
+                                        static_cast<std::uint32_t>(height));
                }),
       frames_(options.threads), guard_([this] { return guardFrame(); }) {}
 
@@ -92,13 +95,15 @@ void ServerLoop::takeLoadedScene() {
         frames_.forget();
         moved_ = Clock::now();
         if (!session_.world().loaded.sceneFile) {
-            print("one unit of " + session_.title() + " is taken for " +
-                  shortNumber(session_.metresPerUnit()) + " m; a .scn file with 'metresPerUnit' says it");
+            Messages::print("one unit of " + session_.title() + " is taken for " +
+                            shortNumber(session_.metresPerUnit()) +
+                            " m; a .scn file with 'metresPerUnit' says it");
         }
-        for (const std::string& warning : session_.world().loaded.warnings) print("warning: " + warning);
+        for (const std::string& warning : session_.world().loaded.warnings)
+            Messages::print("warning: " + warning);
     } catch (const std::exception& error) {
         if (!session_.ready()) throw;
-        print(error.what());
+        messages_.complain(error.what());
         if (loader) server_.answer(*loader, ipc::AnswerStatus::Failed, failureText(error));
         return;
     }
@@ -119,17 +124,35 @@ void ServerLoop::takeRefinedTree() {
     const std::unique_ptr<TreeRefinement> refinement = std::move(refinement_);
     TreeRefinement::Result result = refinement->take();
     session_.useTree(std::move(result.tree), std::move(result.tracer));
-    print("the exact kd-tree is in use; it took " + shortNumber(result.seconds) + " s");
+    Messages::print("the exact kd-tree is in use; it took " + shortNumber(result.seconds) + " s");
 }
 
 // --- Commands ---
 
-void ServerLoop::serve() {
-    for (ipc::Command& command : server_.takeCommands()) pending_.push_back(std::move(command));
-    while (!pending_.empty() && !quit_) {
-        if (!serveOne(pending_.front())) break;
-        pending_.pop_front();
+std::vector<ipc::Command> ServerLoop::takeCommands() {
+    std::array<int, ipc::kMaxClients> counts{};
+    ipc::ClientSet full;
+    for (const ipc::Command& command : pending_) {
+        const auto slot = static_cast<std::size_t>(command.slot);
+        if (++counts[slot] >= kMostPending) full.set(slot);
     }
+    return server_.takeCommands(full);
+}
+
+// Of each client in order; nobody waits for the commands of another.
+void ServerLoop::serve() {
+    for (ipc::Command& command : takeCommands()) pending_.push_back(std::move(command));
+    ipc::ClientSet waiting;
+    std::deque<ipc::Command> again;
+    for (ipc::Command& command : pending_) {
+        if (quit_) return;
+        const auto slot = static_cast<std::size_t>(command.slot);
+        if (!waiting[slot] && serveOne(command)) continue;
+        waiting.set(slot);
+        again.push_back(std::move(command));
+    }
+    pending_ = std::move(again);
+    waiting_ = pending_.size();
 }
 
 // False: to be run again.
@@ -140,13 +163,13 @@ bool ServerLoop::serveOne(const ipc::Command& command) {
         case Turn::Again:
             return false;
         case Turn::WhenIdle:
-            idleWaiters_.push_back(command);
+            if (command.wantsAnswer) idleWaiters_.push_back(command);
             return true;
         case Turn::WhenLoaded:
             loader_ = command;
             return true;
         case Turn::WhenReleased:
-            keyWaiters_.push_back({command, result.press});
+            if (command.wantsAnswer) keyWaiters_.push_back({command, result.press});
             return true;
         case Turn::Done:
             break;
@@ -155,7 +178,7 @@ bool ServerLoop::serveOne(const ipc::Command& command) {
         server_.answer(command, ipc::AnswerStatus::Done, result.answer);
     } catch (const std::exception& error) {
         server_.answer(command, ipc::AnswerStatus::Failed, failureText(error));
-        if (!command.wantsAnswer) print(command.text + ": " + error.what());
+        if (!command.wantsAnswer) messages_.complain(rtcore::quoted(command.text) + ": " + error.what());
     }
     return true;
 }
@@ -195,7 +218,7 @@ void ServerLoop::move() {
         session_.move(passed, keys);
     } catch (const rtcore::FileError& error) {
         session_.stopPlaying();
-        print(std::string("playing ended: ") + error.what());
+        messages_.complain(std::string("playing ended: ") + error.what());
     }
 }
 
@@ -205,7 +228,7 @@ void ServerLoop::record() {
     try {
         session_.settleRecording(frames_.exposure());
     } catch (const rtcore::FileError& error) {
-        print(std::string("recording ended: ") + error.what());
+        messages_.complain(std::string("recording ended: ") + error.what());
     }
 }
 
@@ -227,6 +250,43 @@ bool ServerLoop::idle() const {
 }
 
 void ServerLoop::draw() {
+    try {
+        drawFrame();
+    } catch (const std::bad_alloc&) {
+        // Without a frame to go back to there is nothing to serve.
+        if (publishedFrames_ == 0 || std::exchange(wentBack_, true)) throw;
+        goBack();
+    }
+}
+
+// Who waits for the frame that there is no memory for is told so.
+void ServerLoop::goBack() {
+    const auto size = [](const rtcore::RenderSettings& settings) {
+        return std::to_string(settings.width) + " x " + std::to_string(settings.height);
+    };
+    const std::string text = "not enough memory for frames of " + size(session_.settings()) +
+                             " at these settings; " + "back to those of the last frame, " + size(drawn_);
+    frames_.drop();
+    session_.setSettings(drawn_);
+    messages_.complain(text);
+    const std::string answer = std::to_string(static_cast<int>(app::ExitCode::TryAgain)) + " " + text;
+    for (const ipc::Command& command : idleWaiters_)
+        server_.answer(command, ipc::AnswerStatus::Failed, answer);
+    idleWaiters_.clear();
+    ipc::ClientSet told;
+    const auto end = pending_.begin() + static_cast<std::ptrdiff_t>(std::exchange(waiting_, 0));
+    pending_.erase(std::remove_if(pending_.begin(), end,
+                                  [&](const ipc::Command& command) {
+                                      const auto slot = static_cast<std::size_t>(command.slot);
+                                      if (told[slot]) return false;
+                                      told.set(slot);
+                                      server_.answer(command, ipc::AnswerStatus::Failed, answer);
+                                      return true;
+                                  }),
+                   end);
+}
+
+void ServerLoop::drawFrame() {
     const double scale = this->scale();
     if (session_.stale() || !session_.idles || frames_.scale() < scale) {
         begun_ = Clock::now();
@@ -257,6 +317,8 @@ void ServerLoop::publish() {
     server_.publishFrame(info, std::as_bytes(std::span(image.pixels)));
 
     shown_ = true;
+    drawn_ = session_.settings();
+    wentBack_ = false;
     const Clock::time_point now = Clock::now();
     count(now);
     due_ = now;
@@ -267,14 +329,15 @@ void ServerLoop::publish() {
     }
     if (publishedFrames_++ > 0) return;
     tellStatus();
-    print("ready: instance '" + options_.instance + "', " + session_.title() + ", " +
-          std::to_string(info.width) + " x " + std::to_string(info.height));
+    Messages::print("ready: instance '" + options_.instance + "', " + session_.title() + ", " +
+                    std::to_string(info.width) + " x " + std::to_string(info.height));
     onReady_();
 }
 
 void ServerLoop::sleep() {
-    if (!pending_.empty() && session_.ready()) return;
     const Clock::time_point now = Clock::now();
+    const bool tooEarly = session_.stale() && due_ > now; // for the frame that commands wait for
+    if (!pending_.empty() && session_.ready() && !tooEarly) return;
     if (session_.ready() && !session_.paused && !session_.atRest()) {
         server_.wait(std::max<Clock::duration>(due_ - now, session_.stale() ? 0ms : kMotionStep));
     } else if (wantsFrame()) {
@@ -302,8 +365,12 @@ bool ServerLoop::guardFrame() {
 
 bool ServerLoop::pollDuringFrame() {
     bool leave = app::stopRequested();
-    for (ipc::Command& command : server_.takeCommands()) {
-        if (command.text == "ping" && pending_.empty()) {
+    const auto hasMore = [this](const ipc::Command& of) {
+        return std::any_of(pending_.begin(), pending_.end(),
+                           [&](const ipc::Command& command) { return command.slot == of.slot; });
+    };
+    for (ipc::Command& command : takeCommands()) {
+        if (command.text == "ping" && !hasMore(command)) {
             server_.answer(command, ipc::AnswerStatus::Done, "pong");
             continue;
         }

@@ -4,6 +4,7 @@
 #include "rtserver/commands.h"
 #include "rtserver/frame_guard.h"
 #include "rtserver/frame_maker.h"
+#include "rtserver/messages.h"
 #include "rtserver/resolution_governor.h"
 #include "rtserver/scene_load.h"
 #include "rtserver/server_options.h"
@@ -44,11 +45,14 @@ class ServerLoop : private Host {
 
     void takeLoadedScene();
     void takeRefinedTree();
+    std::vector<ipc::Command> takeCommands();
     void serve();
     bool serveOne(const ipc::Command& command);
     void move();
     double scale() const;
     void draw();
+    void drawFrame();
+    void goBack();
     void publish();
     void record();
     void answerWhoWaitsForIdle();
@@ -67,12 +71,14 @@ class ServerLoop : private Host {
     std::function<void()> onReady_;
     ipc::Server server_;
     Session session_;
+    Messages messages_;
     FrameMaker frames_;
     ResolutionGovernor governor_;
     std::unique_ptr<SceneLoad> load_;
     std::unique_ptr<TreeRefinement> refinement_; ///< of the scene that is shown
     std::optional<ipc::Command> loader_;         ///< who wants to know of the load; nobody: the command line
     std::deque<ipc::Command> pending_;
+    std::size_t waiting_ = 0; ///< of these, the first so many wait for a frame, or behind one that does
     std::vector<ipc::Command> idleWaiters_;
     struct KeyWaiter {
         ipc::Command command;
@@ -80,6 +86,8 @@ class ServerLoop : private Host {
     };
     std::vector<KeyWaiter> keyWaiters_;
     bool quit_ = false;
+    rtcore::RenderSettings drawn_;            ///< of the last frame that was published
+    bool wentBack_ = false;                   ///< to those, for lack of memory, and none was published since
     bool shown_ = false;                      ///< in this turn a frame was published
     Clock::time_point moved_;                 ///< when keys acted last
     Clock::time_point due_;                   ///< no frame before that

@@ -4,28 +4,11 @@
 #include "rtserver/server_loop.h"
 #include "rtserver/server_options.h"
 
+#include "common/ipc_exit_code.h"
 #include "common/run_program.h"
 #include "common/threads.h"
 
-#include "ipc/platform/error.h"
-
 namespace rtserver {
-
-namespace {
-
-app::ExitCode exitCodeOf(ipc::Problem problem) {
-    switch (problem) {
-    case ipc::Problem::BadName:
-        return app::ExitCode::Usage;
-    case ipc::Problem::AlreadyRunning:
-    case ipc::Problem::NoSpace:
-        return app::ExitCode::TryAgain;
-    default:
-        return app::ExitCode::Failed;
-    }
-}
-
-} // namespace
 
 app::ExitCode runServer(const app::Arguments& arguments) {
     const Options options = readOptions(arguments);
@@ -41,7 +24,7 @@ app::ExitCode runServer(const app::Arguments& arguments) {
         return loop.run();
     } catch (const ipc::Error& error) {
         app::printMessage(serverSpec().name, error.what());
-        return exitCodeOf(error.problem);
+        return app::exitCodeOf(error.problem);
     }
 }
 

@@ -1,6 +1,6 @@
 // How fast the shared memory between the programs is: command round trips, frames, and what clients cost a
 // server.
-//   bench_ipc
+//   bench_ipc [--guard]     --guard: exit code 1 when commands or frames take longer than they may
 #include "ipc/endpoint/client.h"
 #include "ipc/endpoint/server.h"
 #include "ipc/endpoint/viewer.h"
@@ -24,6 +24,7 @@ using namespace std::chrono_literals;
 using ipc::Clock;
 
 constexpr std::uint32_t kWidth = 1920, kHeight = 1080;
+constexpr double kMostForCommand = 50, kMostForFrame = 2000; // microseconds, medians
 constexpr std::size_t kFrameBytes = 4u * kWidth * kHeight;
 
 double quantile(std::vector<double> values, double q) {
@@ -61,7 +62,8 @@ class Child {
     pid_t process_;
 };
 
-void roundTrips() {
+// Each time of these two: the median.
+double roundTrips() {
     const test::IpcInstance instance;
     const Child serving([&] {
         ipc::Server server({.instance = instance.name(), .width = 64, .height = 64});
@@ -81,6 +83,7 @@ void roundTrips() {
     }
     std::printf("command and answer, idle server: %.1f us median, %.1f p99\n", quantile(times, 0.5),
                 quantile(times, 0.99));
+    return quantile(times, 0.5);
 }
 
 void frames() {
@@ -110,7 +113,7 @@ void frames() {
 }
 
 // In another process, 60 frames a second, drawn in place.
-void frameLatency() {
+double frameLatency() {
     const test::IpcInstance instance;
     const Child serving([&] {
         ipc::Server server({.instance = instance.name(), .width = kWidth, .height = kHeight});
@@ -130,6 +133,7 @@ void frameLatency() {
     }
     std::printf("frame published to copied by a client: %.0f us median, %.0f p99\n", quantile(times, 0.5),
                 quantile(times, 0.99));
+    return quantile(times, 0.5);
 }
 
 // The processor time that serving and publishing takes the server, per frame of 10 ms.
@@ -194,13 +198,28 @@ void idle() {
     std::printf("an idle server takes %.3f%% of a core\n", (cpuMicroseconds() - start) / 3e6 * 100);
 }
 
+bool within(const char* what, double median, double most) {
+    if (median <= most) return true;
+    std::fprintf(stderr, "bench_ipc: %s takes %.0f us, more than %.0f\n", what, median, most);
+    return false;
+}
+
 } // namespace
 
-int main() {
+int main(int count, char** words) {
+    const bool guard = count == 2 && std::strcmp(words[1], "--guard") == 0;
+    if (count > 1 && !guard) {
+        std::fprintf(stderr, "usage: bench_ipc [--guard]\n");
+        return 2;
+    }
     try {
-        roundTrips();
+        const double command = roundTrips();
         frames();
-        frameLatency();
+        const double frame = frameLatency();
+        if (guard) {
+            const bool quick = within("a command with its answer", command, kMostForCommand);
+            return within("a frame from server to client", frame, kMostForFrame) && quick ? 0 : 1;
+        }
         crowd();
         idle();
     } catch (const std::exception& error) {

@@ -5,6 +5,7 @@
 #include "ipc/platform/stage.h"
 #include "ipc/platform/system.h"
 
+#include <algorithm>
 #include <cstring>
 #include <new>
 
@@ -50,9 +51,19 @@ std::unique_ptr<Publication::Frames> Publication::makeFrames(std::uint64_t gener
     return std::make_unique<Frames>(Frames{std::move(segment), ring, generation});
 }
 
+void Publication::carryLastFrame(const Segment& from, FrameRingWriter& to) {
+    FrameInfo info;
+    std::vector<std::byte> pixels;
+    if (FrameRingReader(from.data(), from.bytes()).read(info, pixels) != FrameRead::New) return;
+    if (pixels.size() > to.capacity()) return;
+    std::memcpy(to.begin().data(), pixels.data(), pixels.size());
+    to.publish(info);
+}
+
 void Publication::replaceFrames(std::size_t frameBytes) {
-    std::unique_ptr<Frames> next =
-        makeFrames(frames_->generation + 1, frameBytes, frames_->ring.nextNumber());
+    const std::uint64_t last = std::max<std::uint64_t>(1, frames_->ring.nextNumber() - 1);
+    std::unique_ptr<Frames> next = makeFrames(frames_->generation + 1, frameBytes, last);
+    carryLastFrame(frames_->segment, next->ring);
     stage("frames replaced");
     block().pulse.frameGeneration.store(next->generation, std::memory_order_release);
     Segment::remove(names_.frames(epoch_, frames_->generation));

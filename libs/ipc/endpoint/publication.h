@@ -28,7 +28,11 @@ class Publication {
     const Segment& frameMemory() const { return frames_->segment; }
     std::uint64_t generation() const { return frames_->generation; }
 
-    /// Another frame segment takes the place of this one. On failure (Error NoSpace) this one stays.
+    /// Shows the last frame of another segment, which has the number that comes next here; nothing when that
+    /// has none.
+    void takeLastFrame(const Segment& other) { carryLastFrame(other, frames_->ring); }
+    /// Another frame segment takes the place of this one, with the last frame in it. On failure (Error
+    /// NoSpace) this one stays.
     void replaceFrames(std::size_t frameBytes);
     /// False once somebody removed one of the names.
     bool named() const { return control_.named() && frames_->segment.named(); }
@@ -43,6 +47,7 @@ class Publication {
     };
     std::unique_ptr<Frames> makeFrames(std::uint64_t generation, std::size_t frameBytes,
                                        std::uint64_t firstFrame);
+    static void carryLastFrame(const Segment& from, FrameRingWriter& to);
 
     Names names_;
     std::uint64_t epoch_;

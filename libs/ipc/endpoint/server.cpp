@@ -56,7 +56,6 @@ struct Server::State {
     void housekeep();
     void removeLeftQueues() const;
     void publishAnew();
-    void carryLastFrame(Publication& next) const;
 
     Names names;
     std::string folder;
@@ -125,22 +124,13 @@ void Server::State::publishAnew() {
     try {
         auto next = std::make_unique<Publication>(names, folder, publication->frames().capacity(), slots,
                                                   std::max<std::uint64_t>(1, shown));
-        carryLastFrame(*next);
+        next->takeLastFrame(publication->frameMemory());
         write(next->block().status, status);
         publication->end(ServerPhase::Replaced);
         publication = std::move(next);
     } catch (const Error&) {
         return;
     }
-}
-
-void Server::State::carryLastFrame(Publication& next) const {
-    FrameInfo info;
-    std::vector<std::byte> pixels;
-    const Segment& old = publication->frameMemory();
-    if (FrameRingReader(old.data(), old.bytes()).read(info, pixels) != FrameRead::New) return;
-    std::memcpy(next.frames().begin().data(), pixels.data(), pixels.size());
-    next.frames().publish(info);
 }
 
 Server::Server(const ServerOptions& options) : state_(std::make_unique<State>(options)) {}
@@ -171,14 +161,14 @@ bool Server::wait(std::chrono::nanoseconds timeout) {
     }
 }
 
-std::vector<Command> Server::takeCommands() {
+std::vector<Command> Server::takeCommands(const ClientSet& later) {
     State& state = *state_;
     state.beat();
     state.sweep();
     state.lookAtSlots();
     for (int i = 0; i < kMaxClients; ++i) {
         ServedClient& client = state.clients[static_cast<std::size_t>(i)];
-        if (client.active()) {
+        if (client.active() && !later[static_cast<std::size_t>(i)]) {
             client.serve(state.block().slots[i], state.publication->epoch(), kCommandsPerTurn, state.backlog);
         }
     }
@@ -212,11 +202,18 @@ std::uint64_t Server::malformed() const {
     return sum;
 }
 
-std::span<std::byte> Server::beginFrame(std::uint32_t width, std::uint32_t height) {
+void Server::reserveFrame(std::uint32_t width, std::uint32_t height) {
     State& state = *state_;
     const std::size_t bytes = checkedBytes(width, height);
+    if (bytes <= state.publication->frames().capacity()) return;
     state.drawing = false;
-    if (bytes > state.publication->frames().capacity()) state.publication->replaceFrames(bytes);
+    state.publication->replaceFrames(bytes);
+}
+
+std::span<std::byte> Server::beginFrame(std::uint32_t width, std::uint32_t height) {
+    State& state = *state_;
+    reserveFrame(width, height);
+    const std::size_t bytes = checkedBytes(width, height);
     state.begun = {.width = width, .height = height};
     state.drawing = true;
     return state.publication->frames().begin().first(bytes);

@@ -4,9 +4,11 @@
 
 #include "ipc/layout/frame_info.h"
 #include "ipc/layout/key_state.h"
+#include "ipc/layout/limits.h"
 #include "ipc/layout/status.h"
 #include "ipc/platform/error.h"
 
+#include <bitset>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -35,6 +37,8 @@ struct Command {
     std::string text; ///< up to 8192 bytes without NUL, otherwise as a client sent it
 };
 
+using ClientSet = std::bitset<kMaxClients>; ///< by slot
+
 enum class AnswerStatus : std::uint32_t { Done = 0, Failed = 1 };
 
 /// One thread at a time, apart from the memory that beginFrame returns. Create it after fork and daemon, in
@@ -60,7 +64,8 @@ class Server {
     /// frame; it also notices dead clients, and publishes everything anew when somebody removed our names.
     /// Throws Error AlreadyRunning when another server took the instance over, which takes a removed lock
     /// file.
-    std::vector<Command> takeCommands();
+    /// The commands of the clients in `later` stay in their queues: nobody has to keep what he cannot do yet.
+    std::vector<Command> takeCommands(const ClientSet& later = {});
     /// To be given once to each command that wants one, now or later; others and those of dead clients are
     /// ignored. Text beyond 65,520 bytes is cut off. A client with 64 open answers is not served until some
     /// are given.
@@ -72,10 +77,11 @@ class Server {
 
     // --- Frames ---
 
-    /// Memory for a frame of width x height pixels, 1..16384 each, to be drawn in place by any threads. It
-    /// holds rubbish. Reserves more memory when the frame is larger than any before: throws Error NoSpace or
-    /// TooLarge, and the last frame stands. May be called again instead of publishFrame, to give the frame
-    /// up.
+    /// Memory for frames of up to width x height pixels, 1..16384 each. Gives a frame that was begun up when
+    /// that means more than before. Throws Error NoSpace or TooLarge. In either case the last frame stands.
+    void reserveFrame(std::uint32_t width, std::uint32_t height);
+    /// A frame of width x height pixels, to be drawn in place by any threads. It holds rubbish. Reserves what
+    /// it needs. May be called again instead of publishFrame, to give the frame up.
     std::span<std::byte> beginFrame(std::uint32_t width, std::uint32_t height);
     /// Shows the frame that was begun. Uses `run`, `samples` and `tag` of `info`. Returns the frame's number.
     std::uint64_t publishFrame(const FrameInfo& info = {});

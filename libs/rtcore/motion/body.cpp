@@ -43,6 +43,8 @@ std::vector<Separation> Body::contacts(Vec3d feet) const {
         const Separation s = separate(line, triangle);
         if (s.distance <= reach() + kNearly) all.push_back(s);
     }
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Separation& a, const Separation& b) { return a.distance < b.distance; });
     return all;
 }
 

@@ -31,7 +31,7 @@ class Body {
     std::optional<Separation> nearest(Vec3d feet) const;
     /// Nothing is inside the hard capsule.
     bool isFree(Vec3d feet) const;
-    /// All that the skin touches at `feet`, or nearly.
+    /// All that the skin touches at `feet`, or nearly; the nearest first.
     std::vector<Separation> contacts(Vec3d feet) const;
     /// The face hit first straight down from `from` within `distance`: its height and whether it can be
     /// walked on.

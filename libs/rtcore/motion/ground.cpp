@@ -53,7 +53,7 @@ bool isWedged(const Body& body, Vec3d feet) {
 }
 
 std::optional<StepUp> stepUp(const Body& body, Vec3d feet, Vec3d move, double step, Vec3d without,
-                             Trace* trace) {
+                             MotionTrail* trail) {
     constexpr double kLeast = 0.02;
     const double wanted = length(move);
     if (!(wanted > 0)) return std::nullopt;
@@ -62,7 +62,7 @@ std::optional<StepUp> stepUp(const Body& body, Vec3d feet, Vec3d move, double st
     const double distance = std::max(wanted, dot(without - feet, ahead) + kLeast);
     const double raised = body.sweep(feet, kUp, step).travel;
     const Vec3d above = feet + kUp * raised;
-    Trace parts{above};
+    MotionTrail parts{above};
     const Slide over = slideOnGround(body, above, ahead * distance, {}, &parts);
     const double most = over.feet.z - feet.z;
     if (!(most > 0)) return std::nullopt;
@@ -71,9 +71,9 @@ std::optional<StepUp> stepUp(const Body& body, Vec3d feet, Vec3d move, double st
     const StepUp result{over.feet - kUp * down.travel, std::max(0.0, dot(over.feet - feet, ahead) - wanted)};
     if (!isFloor(body, result.feet, down.normal, down.point)) return std::nullopt;
     if (dot(result.feet - without, ahead) <= kRounding) return std::nullopt;
-    if (trace != nullptr) {
-        trace->insert(trace->end(), parts.begin(), parts.end());
-        trace->push_back(result.feet);
+    if (trail != nullptr) {
+        trail->insert(trail->end(), parts.begin(), parts.end());
+        trail->push_back(result.feet);
     }
     return result;
 }

@@ -29,7 +29,7 @@ struct StepUp {
     double extra = 0;
 };
 std::optional<StepUp> stepUp(const Body& body, Vec3d feet, Vec3d move, double step, Vec3d without,
-                             Trace* trace = nullptr);
+                             MotionTrail* trail = nullptr);
 
 /// Where a player stands after he has climbed a ledge ahead that is at most at the height `top`.
 std::optional<Vec3d> findLedge(const Body& body, Vec3d feet, Vec3d ahead, double top);

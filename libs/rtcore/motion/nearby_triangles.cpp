@@ -8,8 +8,9 @@ namespace rtcore {
 
 namespace {
 
-constexpr double kReserve = 0.5; ///< metres more than asked for, so that one list serves many steps
-constexpr std::size_t kMany = 4096;
+constexpr double kClose =
+    0.1; ///< metres more than asked for in the small list, so that it serves a few steps
+constexpr std::size_t kMany = 2048;
 
 SolidTriangle solid(Vec3d a, Vec3d b, Vec3d c) {
     return {a,
@@ -49,8 +50,9 @@ void findTriangles(const KdTree& tree, const Box3& box, std::vector<std::uint32_
     found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
-NearbyTriangles::NearbyTriangles(const KdTree& tree, const Mesh& mesh, const WorldFrame& frame)
-    : tree_(tree), mesh_(mesh), frame_(frame), rounding_(0) {
+NearbyTriangles::NearbyTriangles(const KdTree& tree, const Mesh& mesh, const WorldFrame& frame,
+                                 double reserve)
+    : tree_(tree), mesh_(mesh), frame_(frame), rounding_(0), reserve_(std::max(reserve, kClose)) {
     if (tree.bounds.empty()) return;
     for (int axis = 0; axis < 3; ++axis) {
         rounding_ = std::max({rounding_, std::fabs(tree.bounds.lo[axis]), std::fabs(tree.bounds.hi[axis])});
@@ -69,21 +71,28 @@ Box3 NearbyTriangles::toScene(const Box3d& box) const {
     return {scene.lo - more, scene.hi + more};
 }
 
-std::span<const SolidTriangle> NearbyTriangles::in(const Box3d& need) {
-    if (known_.contains(need)) return triangles_;
-    known_ = need.grown(kReserve);
-    findTriangles(tree_, toScene(known_), indices_);
-    if (indices_.size() > kMany) {
-        known_ = need;
-        findTriangles(tree_, toScene(known_), indices_);
-    }
-    triangles_.clear();
+void NearbyTriangles::find(const Box3d& box) {
+    known_ = box;
+    findTriangles(tree_, toScene(box), indices_);
+    found_.clear();
     for (const std::uint32_t i : indices_) {
         const SolidTriangle t =
             solid(frame_.toMetres(mesh_.position(i, 0)), frame_.toMetres(mesh_.position(i, 1)),
                   frame_.toMetres(mesh_.position(i, 2)));
-        if (isFinite(t.a) && isFinite(t.b) && isFinite(t.c) && t.box.overlaps(known_))
-            triangles_.push_back(t);
+        if (isFinite(t.a) && isFinite(t.b) && isFinite(t.c) && t.box.overlaps(box)) found_.push_back(t);
+    }
+}
+
+std::span<const SolidTriangle> NearbyTriangles::in(const Box3d& need) {
+    if (close_.contains(need)) return triangles_;
+    close_ = need.grown(kClose);
+    if (!known_.contains(close_)) {
+        find(dense_ ? close_ : need.grown(reserve_));
+        dense_ = found_.size() > (dense_ ? kMany / 4 : kMany);
+    }
+    triangles_.clear();
+    for (const SolidTriangle& t : found_) {
+        if (t.box.overlaps(close_)) triangles_.push_back(t);
     }
     return triangles_;
 }

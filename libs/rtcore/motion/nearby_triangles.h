@@ -16,6 +16,7 @@ namespace rtcore {
 struct Box3d {
     Vec3d lo, hi;
     Box3d grown(double by) const { return {lo - Vec3d{by, by, by}, hi + Vec3d{by, by, by}}; }
+    Box3d grown(Vec3d by) const { return {lo - by, hi + by}; }
     bool contains(const Box3d& b) const {
         return lo.x <= b.lo.x && lo.y <= b.lo.y && lo.z <= b.lo.z && hi.x >= b.hi.x && hi.y >= b.hi.y &&
                hi.z >= b.hi.z;
@@ -35,11 +36,13 @@ struct SolidTriangle {
 /// once.
 void findTriangles(const KdTree& tree, const Box3& box, std::vector<std::uint32_t>& found);
 
-/// Keeps what it found last for as long as it encloses what is asked for. One thread.
+/// Keeps what it found last for as long as it encloses what is asked for: a large list that serves for a
+/// while and a small one out of it for a few steps. One thread.
 class NearbyTriangles {
   public:
-    /// `tree` and `mesh` must outlive it.
-    NearbyTriangles(const KdTree& tree, const Mesh& mesh, const WorldFrame& frame);
+    /// `tree` and `mesh` must outlive it. The large list reaches `reserve` metres farther than what is asked
+    /// for: much saves questions, little makes each cheaper.
+    NearbyTriangles(const KdTree& tree, const Mesh& mesh, const WorldFrame& frame, double reserve = 0.5);
 
     /// At least all triangles that reach into `need` and whose corners are finite, in the order of their
     /// indices. Valid until the next call.
@@ -50,14 +53,18 @@ class NearbyTriangles {
 
   private:
     Box3 toScene(const Box3d& box) const;
+    void find(const Box3d& box);
 
     KdTree tree_;
     Mesh mesh_;
     WorldFrame frame_;
     float rounding_; ///< scene units that coordinates of the tree may be off by
-    Box3d known_{{1, 1, 1}, {-1, -1, -1}};
+    double reserve_;
+    bool dense_ = false; ///< where the reserve would bring too many
+    Box3d known_{{1, 1, 1}, {-1, -1, -1}}, close_ = known_;
     std::vector<std::uint32_t> indices_;
-    std::vector<SolidTriangle> triangles_;
+    std::vector<SolidTriangle> found_;     ///< all that reach into known_
+    std::vector<SolidTriangle> triangles_; ///< those of them that reach into close_
 };
 
 } // namespace rtcore

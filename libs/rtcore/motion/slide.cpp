@@ -20,12 +20,12 @@ Vec3d alongFloor(Vec3d move, const FloorPlane& floor) {
 }
 
 /// One straight part of a slide. Returns the share of `path` that is left.
-double advance(const Body& body, Vec3d path, Slide& slide, Sweep& sweep, Trace* trace) {
+double advance(const Body& body, Vec3d path, Slide& slide, Sweep& sweep, MotionTrail* trail) {
     const double whole = length(path);
     const Vec3d direction = path * (1 / whole);
     sweep = body.sweep(slide.feet, direction, whole);
     slide.feet += direction * sweep.travel;
-    if (trace != nullptr) trace->push_back(slide.feet);
+    if (trail != nullptr) trail->push_back(slide.feet);
     return sweep.hit ? 1 - sweep.travel / whole : 0;
 }
 
@@ -62,14 +62,14 @@ Vec3d MetPlanes::clip(Vec3d move) const {
     return best;
 }
 
-Slide slideOnGround(const Body& body, Vec3d feet, Vec3d move, FloorPlane floor, Trace* trace) {
+Slide slideOnGround(const Body& body, Vec3d feet, Vec3d move, FloorPlane floor, MotionTrail* trail) {
     Slide slide;
     slide.feet = feet;
     Vec3d left = move;
     for (int i = 0; i < kSweeps && length(left) > kNothing; ++i) {
         Sweep sweep;
         slide.rolled = slide.rolled || floor.edge;
-        const double share = advance(body, alongFloor(left, floor), slide, sweep, trace);
+        const double share = advance(body, alongFloor(left, floor), slide, sweep, trail);
         if (!sweep.hit) break;
         left = left * share;
         if (sweep.normal.z >= body.shape().walkable) {
@@ -78,6 +78,7 @@ Slide slideOnGround(const Body& body, Vec3d feet, Vec3d move, FloorPlane floor, 
         }
         const Vec3d wall = normalize(horizontal(sweep.normal));
         slide.blocked = sweep;
+        slide.blockedMove = left;
         if (wall == Vec3d{}) break;
         slide.met.add(wall);
         left = slide.met.clip(left);
@@ -86,13 +87,13 @@ Slide slideOnGround(const Body& body, Vec3d feet, Vec3d move, FloorPlane floor, 
     return slide;
 }
 
-Slide slideInAir(const Body& body, Vec3d feet, Vec3d move, Trace* trace) {
+Slide slideInAir(const Body& body, Vec3d feet, Vec3d move, MotionTrail* trail) {
     Slide slide;
     slide.feet = feet;
     Vec3d left = move;
     for (int i = 0; i < kSweeps && length(left) > kNothing; ++i) {
         Sweep sweep;
-        const double share = advance(body, left, slide, sweep, trace);
+        const double share = advance(body, left, slide, sweep, trail);
         if (!sweep.hit) break;
         left = left * share;
         slide.met.add(sweep.normal);

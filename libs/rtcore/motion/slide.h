@@ -32,16 +32,17 @@ struct Slide {
     Vec3d feet;                   ///< where it ended
     MetPlanes met;                ///< what the velocity loses its parts into
     std::optional<Sweep> blocked; ///< the last steep surface that was in the way
+    Vec3d blockedMove;            ///< what was left to go when it came in the way
     bool landed = false;          ///< in the air: came upon a walkable surface
     bool ceiling = false;         ///< something overhead was in the way
 };
 
 /// Positions at the end of each part of a step, for tests; null: not wanted.
-using Trace = std::vector<Vec3d>;
+using MotionTrail = std::vector<Vec3d>;
 
 /// `move` is horizontal. Its heading and length are kept along the `floor`; steep surfaces
 /// are walls, whatever their slope.
-Slide slideOnGround(const Body& body, Vec3d feet, Vec3d move, FloorPlane floor, Trace* trace = nullptr);
-Slide slideInAir(const Body& body, Vec3d feet, Vec3d move, Trace* trace = nullptr);
+Slide slideOnGround(const Body& body, Vec3d feet, Vec3d move, FloorPlane floor, MotionTrail* trail = nullptr);
+Slide slideInAir(const Body& body, Vec3d feet, Vec3d move, MotionTrail* trail = nullptr);
 
 } // namespace rtcore

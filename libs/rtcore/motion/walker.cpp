@@ -15,9 +15,11 @@ constexpr int kCoyoteTicks = 12;      ///< after leaving a floor one may still j
 constexpr int kJumpWishTicks = 15;    ///< before reaching a floor one may already press
 constexpr int kFreeOfFloorTicks = 12; ///< after a jump the floor does not pull back
 constexpr int kForgetTicks = 1000;
+constexpr int kLookForLedge = 3; ///< in the air, in one tick of so many
 constexpr int kSaveTicks = kTicksPerSecond / 2;
 constexpr double kBelowWorld = 20;   ///< metres
-constexpr double kEyeDecay = 0.9011; ///< e^(-tick / 0.08 s)
+constexpr double kEyeRate = 20;      ///< 1/s; of the spring that draws the eye back to its place
+constexpr double kEyeDecay = 0.8465; ///< e^(-kEyeRate * kTickSeconds)
 
 /// Towards `to` by at most `by`.
 double approach(double from, double to, double by) { return std::clamp(to, from - by, from + by); }
@@ -46,21 +48,21 @@ Stance wantedStance(const WalkInput& input) {
 
 Walker::Walker(const KdTree& tree, const Mesh& mesh, const WorldFrame& frame, const WalkShape& shape)
     : tree_(tree), mesh_(mesh), frame_(frame), shape_(shape), nearby_(tree, mesh, frame),
-      lowest_(lowestPoint(tree, frame) - kBelowWorld) {}
+      nearLedge_(tree, mesh, frame, 0), lowest_(lowestPoint(tree, frame) - kBelowWorld) {}
 
 Vec3d Walker::eye() const {
     return state_.feet + kUp * (state_.height - shape_.eyeBelowTop + state_.eyeOffset);
 }
 
 bool Walker::atRest() const {
-    return state_.grounded && state_.velocity == Vec3d{} && state_.eyeOffset == 0 && !state_.climbing &&
-           state_.debt == 0 && state_.height == shape_.of(state_.stance).height;
+    return state_.grounded && state_.velocity == Vec3d{} && state_.eyeOffset == 0 && state_.eyeSpeed == 0 &&
+           !state_.climbing && state_.debt == 0 && state_.height == shape_.of(state_.stance).height;
 }
 
-void Walker::gather(Vec3d move) {
+void Walker::gather(double move) {
     const Box3d here = body(std::max(state_.height, shape_.stand.height)).box(state_.feet);
-    const double reach = length(move) + shape_.stand.step + kMargin;
-    triangles_ = nearby_.in(here.grown(reach));
+    const double beside = move + kMargin;
+    triangles_ = nearby_.in(here.grown({beside, beside, beside + shape_.stand.step}));
 }
 
 // --- entering -------------------------------------------------------------------------------------------
@@ -71,11 +73,12 @@ bool Walker::fitsAt(Vec3d eye, Vec3d from, Stance stance) {
         if (occluded(tree_, mesh_, {a, 0, b - a, 1})) return false;
     }
     const double height = shape_.of(stance).height;
+    settled_ = false;
     state_ = {};
     state_.feet = eye - kUp * (height - shape_.eyeBelowTop);
     state_.height = height;
     state_.stance = stance;
-    gather({});
+    gather(0);
     return body(height).isFree(state_.feet);
 }
 
@@ -107,35 +110,20 @@ bool Walker::enter(Vec3d eye) {
 
 // --- one step -------------------------------------------------------------------------------------------
 
-bool Walker::tick(const WalkInput& input, Trace* trace) {
+bool Walker::tick(const WalkInput& input, MotionTrail* trail) {
     const WalkState last = state_;
-    const bool wasGrounded = state_.grounded;
     state_.jumpWish = input.jump && !state_.jumpHeld ? 0 : later(state_.jumpWish);
     state_.jumpHeld = input.jump;
     state_.sinceGround = later(state_.sinceGround);
     state_.sinceJump = later(state_.sinceJump);
-
-    const double most =
-        (length(state_.velocity) + shape_.gravity * kTickSeconds + shape_.sprint * shape_.stand.speed) *
-        kTickSeconds;
-    gather({most, 0, 0});
-    recover(trace);
-    changeStance(input);
-    if (state_.climbing) {
-        climb(trace);
-    } else {
-        startJump();
-        const Vec3d wanted = wish(input);
-        accelerate(wanted);
-        if (state_.grounded) {
-            walk(trace);
-        } else {
-            fly(wanted, trace);
-        }
+    settled_ = settled_ && input.none() && state_.jumpWish >= kJumpWishTicks;
+    if (settled_) {
+        state_.sinceGround = 0;
+        savePose();
+        return true;
     }
-    if (!state_.climbing) settle(wasGrounded, trace);
-    easeEye();
 
+    act(input, trail);
     if (!isFinite(state_.feet) || state_.feet.z < lowest_) {
         if (restorePose()) return true;
         state_ = last;
@@ -149,13 +137,37 @@ bool Walker::tick(const WalkInput& input, Trace* trace) {
         state_.jumpWish = failed.jumpWish;
         state_.jumpHeld = failed.jumpHeld;
     }
+    settled_ = input.none() && state_.feet == last.feet && state_.floor == last.floor && atRest();
     savePose();
     return true;
 }
 
+void Walker::act(const WalkInput& input, MotionTrail* trail) {
+    const bool wasGrounded = state_.grounded;
+    gather((length(state_.velocity) + shape_.gravity * kTickSeconds +
+            std::max(shape_.sprint * shape_.stand.speed, shape_.climbSpeed)) *
+           kTickSeconds);
+    recover(trail);
+    changeStance(input);
+    if (state_.climbing) {
+        climb(trail);
+    } else {
+        startJump();
+        const Vec3d wanted = wish(input);
+        accelerate(wanted);
+        if (state_.grounded) {
+            walk(trail);
+        } else {
+            fly(wanted, trail);
+        }
+    }
+    if (!state_.climbing) settle(wasGrounded, trail);
+    easeEye();
+}
+
 /// Back to the full distance from what the skin touches, a little in every step; not where that would bring
 /// him nearer to something else.
-void Walker::recover(Trace* trace) {
+void Walker::recover(MotionTrail* trail) {
     const Body b = body(state_.height);
     double budget = 1e-3;
     for (int pass = 0; pass < 8 && budget > 0; ++pass) {
@@ -176,7 +188,7 @@ void Walker::recover(Trace* trace) {
         constexpr double kBetter = 1e-7;
         if (then && then->distance <= deepest->distance + kBetter) return;
         state_.feet = feet;
-        if (trace != nullptr) trace->push_back(feet);
+        if (trail != nullptr) trail->push_back(feet);
         budget -= taken;
     }
 }
@@ -230,7 +242,7 @@ void Walker::accelerate(Vec3d wanted) {
     }
 }
 
-void Walker::walk(Trace* trace) {
+void Walker::walk(MotionTrail* trail) {
     state_.velocity.z = 0;
     const Vec3d due = state_.velocity * kTickSeconds;
     const double paid = std::min(state_.debt, length(due));
@@ -239,11 +251,19 @@ void Walker::walk(Trace* trace) {
     constexpr double kNothing = 1e-9;
     if (length(move) < kNothing) return;
     const Body b = body(state_.height);
-    Trace parts;
+    MotionTrail parts;
     const Slide slide = slideOnGround(b, state_.feet, move, state_.floor, &parts);
     if (slide.blocked) {
-        const auto step = stepUp(b, state_.feet, move, shape_.of(state_.stance).step, slide.feet, trace);
+        const double high = shape_.of(state_.stance).step;
+        MotionTrail way;
+        auto step = stepUp(b, state_.feet, move, high, slide.feet, &way);
+        // Along a wall he may come upon a step that straight ahead is none.
+        if (!step && cross(slide.blockedMove, move) != Vec3d{}) {
+            step = stepUp(b, state_.feet, slide.blockedMove, high, slide.feet, &way);
+            if (step && !(dot(step->feet - slide.feet, move) > 0)) step.reset();
+        }
         if (step) {
+            if (trail != nullptr) trail->insert(trail->end(), way.begin(), way.end());
             state_.eyeOffset -= step->feet.z - state_.feet.z;
             state_.feet = step->feet;
             state_.debt = step->extra;
@@ -253,37 +273,38 @@ void Walker::walk(Trace* trace) {
     if (slide.rolled) state_.eyeOffset -= slide.feet.z - state_.feet.z;
     state_.feet = slide.feet;
     state_.velocity = slide.met.clip(state_.velocity);
-    if (trace != nullptr) trace->insert(trace->end(), parts.begin(), parts.end());
+    if (trail != nullptr) trail->insert(trail->end(), parts.begin(), parts.end());
 }
 
-void Walker::fly(const Vec3d& wanted, Trace* trace) {
+void Walker::fly(const Vec3d& wanted, MotionTrail* trail) {
     const double before = state_.velocity.z;
     state_.velocity.z = std::max(before - shape_.gravity * kTickSeconds, -shape_.terminal);
     Vec3d move = state_.velocity * kTickSeconds;
     move.z = (before + state_.velocity.z) / 2 * kTickSeconds;
     const Body b = body(state_.height);
-    const Slide slide = slideInAir(b, state_.feet, move, trace);
+    const Slide slide = slideInAir(b, state_.feet, move, trail);
     state_.feet = slide.feet;
     if (slide.landed) state_.velocity.z = std::max(state_.velocity.z, 0.0);
     state_.velocity = slide.met.clip(state_.velocity);
     if (slide.ceiling) state_.velocity.z = std::min(state_.velocity.z, 0.0);
 
     // Against a wall while jumping: is its top within reach?
-    const bool jumped = state_.sinceJump < kForgetTicks;
+    const bool jumped = state_.sinceJump < kForgetTicks && state_.sinceJump % kLookForLedge == 0;
     if (!jumped || !slide.blocked || !(dot(wanted, slide.blocked->normal) < 0)) return;
     const double top = state_.takeOff + shape_.ledge * state_.height / shape_.stand.height;
     const Vec3d ahead = normalize(-horizontal(slide.blocked->normal));
     if (!(top > state_.feet.z) || ahead == Vec3d{}) return;
-    triangles_ =
-        nearby_.in(body(state_.height).box(state_.feet).grown(shape_.ledge + shape_.stand.height / 2));
-    const auto ledge = findLedge(body(state_.height), state_.feet, ahead, top);
+    Box3d way = b.box(state_.feet);
+    way.hi.z += top - state_.feet.z;
+    const Body climber(nearLedge_.in(way.grown(b.reach() + 2 * kMargin)), shape_, state_.height);
+    const auto ledge = findLedge(climber, state_.feet, ahead, top);
     if (!ledge) return;
     state_.climbing = true;
     state_.ledge = *ledge;
     state_.velocity = {};
 }
 
-void Walker::climb(Trace* trace) {
+void Walker::climb(MotionTrail* trail) {
     const Body b = body(state_.height);
     const Vec3d left = state_.ledge - state_.feet;
     const bool rising = left.z > 0;
@@ -297,7 +318,7 @@ void Walker::climb(Trace* trace) {
     state_.feet =
         travel == wanted && wanted == length(way) ? state_.feet + way : state_.feet + direction * travel;
     if (rising && travel > 0 && std::fabs(left.z - travel) < kThere) state_.feet.z = state_.ledge.z;
-    if (trace != nullptr) trace->push_back(state_.feet);
+    if (trail != nullptr) trail->push_back(state_.feet);
     const bool arrived = !rising && length(way) - travel < kThere;
     if (arrived || travel < kThere / 10) {
         state_.climbing = false;
@@ -306,7 +327,7 @@ void Walker::climb(Trace* trace) {
 }
 
 /// Decides whether the player stands, and draws him down to the floor that he walks on.
-void Walker::settle(bool wasGrounded, Trace* trace) {
+void Walker::settle(bool wasGrounded, MotionTrail* trail) {
     const bool rising = state_.velocity.z > 0;
     const bool justJumped = state_.sinceJump < kFreeOfFloorTicks;
     const double step = shape_.of(state_.stance).step;
@@ -321,7 +342,7 @@ void Walker::settle(bool wasGrounded, Trace* trace) {
         constexpr double kSlope = 5e-3; // what following a floor does not explain
         if (follow && (down > kSlope || ground->floor.edge)) state_.eyeOffset += down;
         state_.feet = ground->feet;
-        if (trace != nullptr && down > 0) trace->push_back(state_.feet);
+        if (trail != nullptr && down > 0) trail->push_back(state_.feet);
         state_.floor = ground->floor;
         state_.grounded = true;
     } else if (!b.contacts(state_.feet).empty() && isWedged(b, state_.feet)) {
@@ -334,20 +355,28 @@ void Walker::settle(bool wasGrounded, Trace* trace) {
     state_.sinceJump = kForgetTicks;
 }
 
-/// After a step the eye follows smoothly: below its place inside the body, above it only as far as there is
-/// room.
+/// After a step the eye follows without a jerk, drawn by a critically damped spring: below its place inside
+/// the body, above it only as far as there is room.
 void Walker::easeEye() {
     double& offset = state_.eyeOffset;
-    offset *= kEyeDecay;
+    double& speed = state_.eyeSpeed;
+    const double pull = (speed + kEyeRate * offset) * kTickSeconds;
+    offset = (offset + pull) * kEyeDecay;
+    speed = (speed - kEyeRate * pull) * kEyeDecay;
     constexpr double kInvisible = 1e-4;
-    if (std::fabs(offset) < kInvisible) offset = 0;
+    if (std::fabs(offset) < kInvisible && std::fabs(speed) < kInvisible * kEyeRate) offset = speed = 0;
     const double lowest = shape_.radius + shape_.skin + shape_.eyeBelowTop - state_.height;
-    offset = std::max(offset, std::min(lowest, 0.0));
+    if (offset < std::min(lowest, 0.0)) {
+        offset = std::min(lowest, 0.0);
+        speed = std::max(speed, 0.0);
+    }
     if (!(offset > 0)) return;
     const UprightLine place{state_.feet + kUp * (state_.height - shape_.eyeBelowTop), 0};
-    offset =
+    const double room =
         sweepCapsule(triangles_, place, shape_.eyeClearance - shape_.skin / 2, shape_.skin / 2, kUp, offset)
             .travel;
+    if (room < offset) speed = std::min(speed, 0.0);
+    offset = room;
 }
 
 // --- falling out of the world ---------------------------------------------------------------------------
@@ -366,13 +395,14 @@ bool Walker::restorePose() {
     if (savedCount_ == 0) return false;
     savedNext_ = (savedNext_ + static_cast<int>(saved_.size()) - 1) % static_cast<int>(saved_.size());
     --savedCount_;
+    settled_ = false;
     const Pose& pose = saved_[static_cast<std::size_t>(savedNext_)];
     state_ = {};
     state_.feet = pose.feet;
     state_.height = pose.height;
     state_.stance = pose.stance;
     sinceSaved_ = 0;
-    gather({});
+    gather(0);
     return true;
 }
 

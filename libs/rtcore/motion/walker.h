@@ -24,6 +24,7 @@ struct WalkInput {
     double forward = 0;   ///< -1, 0, 1
     double right = 0;     ///< -1, 0, 1
     bool jump = false, crouch = false, crawl = false, sprint = false;
+    bool none() const { return forward == 0 && right == 0 && !jump && !crouch && !crawl; }
 };
 
 /// All that decides how it goes on; metres and seconds, z up.
@@ -34,6 +35,7 @@ struct WalkState {
     bool grounded = false;
     FloorPlane floor;       ///< to follow while grounded
     double eyeOffset = 0;   ///< of the eye from its place in the body: smooths steps
+    double eyeSpeed = 0;    ///< by which that changes
     double debt = 0;        ///< metres gone too far on an edge
     double takeOff = 0;     ///< height of the floor that was jumped from
     int sinceGround = 1000; ///< ticks since he stood
@@ -65,7 +67,7 @@ class Walker {
 
     /// One step of kTickSeconds. False when he fell out of the world and there is no place to put him back
     /// to: the state is the last good one then.
-    bool tick(const WalkInput& input, Trace* trace = nullptr);
+    bool tick(const WalkInput& input, MotionTrail* trail = nullptr);
 
     const WalkState& state() const { return state_; }
     Vec3d eye() const;
@@ -81,16 +83,17 @@ class Walker {
     };
 
     Body body(double height) { return {triangles_, shape_, height}; }
-    void gather(Vec3d move);
-    void recover(Trace* trace);
+    void gather(double move);
+    void act(const WalkInput& input, MotionTrail* trail);
+    void recover(MotionTrail* trail);
     void changeStance(const WalkInput& input);
     void startJump();
     Vec3d wish(const WalkInput& input) const;
     void accelerate(Vec3d wanted);
-    void walk(Trace* trace);
-    void fly(const Vec3d& wanted, Trace* trace);
-    void climb(Trace* trace);
-    void settle(bool wasGrounded, Trace* trace);
+    void walk(MotionTrail* trail);
+    void fly(const Vec3d& wanted, MotionTrail* trail);
+    void climb(MotionTrail* trail);
+    void settle(bool wasGrounded, MotionTrail* trail);
     void easeEye();
     void savePose();
     bool restorePose();
@@ -100,13 +103,14 @@ class Walker {
     Mesh mesh_;
     WorldFrame frame_;
     WalkShape shape_;
-    NearbyTriangles nearby_;
+    NearbyTriangles nearby_, nearLedge_;
     std::span<const SolidTriangle> triangles_;
     double lowest_; ///< below this height he has fallen out of the world
     WalkState state_;
     std::array<Pose, 16> saved_{};
     int savedCount_ = 0, savedNext_ = 0;
     int sinceSaved_ = 0;
+    bool settled_ = false; ///< a step without input changed nothing
 };
 
 } // namespace rtcore

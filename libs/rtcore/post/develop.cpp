@@ -16,17 +16,17 @@ constexpr float kDarkness = 1;
 constexpr float kLeast = 1e-30F;
 constexpr float kMost = 1e30F;
 
-/// A row, of which the last block may be short.
-void developRow(const Development& how, const Colour* radiance, int width, int y, Rgba8* pixels) {
+/// The pixels from column `left` to before `right` of a row, of which the last block may be short.
+void developRow(const Development& how, const Colour* radiance, int left, int right, int y, Rgba8* pixels) {
     constexpr int kBlock = static_cast<int>(kToneBlock);
-    int x = 0;
-    for (; x + kBlock <= width; x += kBlock) developBlock(how, radiance + x, x, y, pixels + x);
-    if (x == width) return;
+    int x = left;
+    for (; x + kBlock <= right; x += kBlock) developBlock(how, radiance + x, x, y, pixels + x);
+    if (x == right) return;
     Colour last[kToneBlock];
     Rgba8 developed[kToneBlock];
-    std::copy(radiance + x, radiance + width, last);
+    std::copy(radiance + x, radiance + right, last);
     developBlock(how, last, x, y, developed);
-    std::copy(developed, developed + (width - x), pixels + x);
+    std::copy(developed, developed + (right - x), pixels + x);
 }
 
 } // namespace
@@ -70,7 +70,15 @@ void PictureDeveloper::develop(const Frame& frame, const RenderSettings& setting
     const Development how{settings.toneMapping, settings.dithering, exposure};
 #pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
     for (int y = 0; y < radiance.height; ++y) {
-        developRow(how, &radiance.at(0, y), radiance.width, y, &image.at(0, y));
+        developRow(how, &radiance.at(0, y), 0, radiance.width, y, &image.at(0, y));
+    }
+}
+
+void developPart(const Frame& frame, const RenderSettings& settings, float exposure, const PixelArea& part,
+                 LdrImage& image) {
+    const Development how{settings.toneMapping, settings.dithering, exposure};
+    for (int y = part.top; y < part.top + part.rows; ++y) {
+        developRow(how, &frame.radiance.at(0, y), part.left, part.left + part.columns, y, &image.at(0, y));
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "rtcore/post/exposure.h"
 #include "rtcore/render/frame.h"
+#include "rtcore/render/pixel_area.h"
 #include "rtcore/scene/image.h"
 #include "rtcore/settings/render_settings.h"
 
@@ -29,6 +30,11 @@ class PictureDeveloper {
 
     std::vector<LuminanceHistogram> histograms_; ///< by thread
 };
+
+/// A part of what develop() makes, into an image of the frame's size, by one thread. Reads nothing else of
+/// the frame's pixels, so others may still be rendered.
+void developPart(const Frame& frame, const RenderSettings& settings, float exposure, const PixelArea& part,
+                 LdrImage& image);
 
 /// The same for a single frame, on all cores.
 float exposureFor(const Frame& frame, const ExposureSettings& settings);

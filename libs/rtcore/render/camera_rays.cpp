@@ -83,6 +83,13 @@ CameraRays::CameraRays(const Camera& camera, int width, int height) : eye_(camer
                     plane_.down * (static_cast<float>(height) * 0.5F);
 }
 
+CameraRays CameraRays::coarser(int factor) const {
+    CameraRays rays = *this;
+    rays.plane_.right *= static_cast<float>(factor);
+    rays.plane_.down *= static_cast<float>(factor);
+    return rays;
+}
+
 Ray CameraRays::at(float x, float y) const {
     return {eye_, 0, normalize(plane_.corner + plane_.right * x + plane_.down * y),
             std::numeric_limits<float>::max()};

@@ -30,6 +30,10 @@ class CameraRays {
     Ray at(float x, float y) const;
     Vec3 eye() const { return eye_; }
 
+    /// The same view in pixels `factor` times as wide and as high: one of them covers a square of `factor`
+    /// pixels a side, and its middle is the middle of that square.
+    CameraRays coarser(int factor) const;
+
     /// Directions of a block of 8 x 8 samples: those of at(left + (i + 0.5) * step, top + (j + 0.5) * step)
     /// for the samples (i, j) from (column, row) on, to dx[64], dy[64], dz[64], at indexInBlock().
     struct Block {

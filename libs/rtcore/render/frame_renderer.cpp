@@ -33,10 +33,27 @@ TileRenderer& FrameRenderer::rendererOfThread(int thread) {
 bool FrameRenderer::render(const Scene& scene, const RayTracer& tracer, const Camera& camera,
                            const RenderSettings& settings, int threads, RenderControl& control,
                            Frame& frame) {
+    const CameraRays view(camera, settings.width, settings.height);
+    return renderView(scene, tracer, view, settings, threads, control, frame);
+}
+
+bool FrameRenderer::renderCoarse(const Scene& scene, const RayTracer& tracer, const Camera& camera,
+                                 const RenderSettings& settings, int block, int threads,
+                                 RenderControl& control, Frame& frame) {
+    const CameraRays view(camera, settings.width, settings.height);
+    RenderSettings coarse = settings;
+    coarse.width = (settings.width + block - 1) / block;
+    coarse.height = (settings.height + block - 1) / block;
+    coarse.antialiasing = 1;
+    return renderView(scene, tracer, view.coarser(block), coarse, threads, control, frame);
+}
+
+bool FrameRenderer::renderView(const Scene& scene, const RayTracer& tracer, const CameraRays& view,
+                               const RenderSettings& settings, int threads, RenderControl& control,
+                               Frame& frame) {
     prepare(frame, settings);
     materials_.prepare(scene, settings);
     stageTimes_ = {};
-    const CameraRays cameraRays(camera, settings.width, settings.height);
     const TileGrid grid(settings, materials_.anyOnward());
     control.tilesDone = 0;
     control.tiles = static_cast<std::uint64_t>(grid.count());
@@ -46,12 +63,16 @@ bool FrameRenderer::render(const Scene& scene, const RayTracer& tracer, const Ca
 #pragma omp parallel num_threads(team) default(shared)
     errors.guard([&] {
         TileRenderer& renderer = rendererOfThread(threadNumber());
-        renderer.begin(scene, tracer, settings, materials_, cameraRays, control.cancel, measureStages_);
+        renderer.begin(scene, tracer, settings, materials_, view, control.cancel, measureStages_);
         // In the order of the picture: its last row of tiles is the one that its lower edge cuts.
 #pragma omp for schedule(dynamic, 1) nowait
         for (int tile = 0; tile < grid.count(); ++tile) {
             if (control.cancel.load(std::memory_order_relaxed) || errors.any()) continue;
-            errors.guard([&] { renderer.render(grid, tile, frame); });
+            errors.guard([&] {
+                renderer.render(grid.area(tile), frame);
+                const bool whole = !control.cancel.load(std::memory_order_relaxed);
+                if (whole && control.finished != nullptr) control.finished->add(grid.area(tile));
+            });
             control.tilesDone.fetch_add(1, std::memory_order_relaxed);
         }
 #pragma omp critical(rtcore_statistics)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtcore/kernels/ray_tracer.h"
+#include "rtcore/render/finished_tiles.h"
 #include "rtcore/render/frame.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
@@ -15,6 +16,7 @@
 
 namespace rtcore {
 
+class CameraRays;
 class TileRenderer;
 
 /// Shared with threads that show progress or stop the work. One frame at a time.
@@ -22,6 +24,7 @@ struct RenderControl {
     std::atomic<bool> cancel{false};
     std::atomic<std::uint64_t> tilesDone{0};
     std::atomic<std::uint64_t> tiles{0}; ///< of the whole frame; 0 before it starts
+    FinishedTiles* finished = nullptr;   ///< gets each tile when its pixels are written; may be null
 };
 
 /// Renders frames one after another and keeps the memory of its threads, so that a frame like the one before
@@ -39,12 +42,20 @@ class FrameRenderer {
     bool render(const Scene& scene, const RayTracer& tracer, const Camera& camera,
                 const RenderSettings& settings, int threads, RenderControl& control, Frame& frame);
 
+    /// The picture of those settings from afar: one sample for each square of `block` x `block` pixels, in
+    /// its middle. `frame` gets a pixel for each square, also for those that the right or lower edge cuts.
+    bool renderCoarse(const Scene& scene, const RayTracer& tracer, const Camera& camera,
+                      const RenderSettings& settings, int block, int threads, RenderControl& control,
+                      Frame& frame);
+
     /// Whether frames to come measure stageTimes().
     void measureStages(bool on) { measureStages_ = on; }
     /// Of the last frame, all threads together.
     const StageTimes& stageTimes() const { return stageTimes_; }
 
   private:
+    bool renderView(const Scene& scene, const RayTracer& tracer, const CameraRays& view,
+                    const RenderSettings& settings, int threads, RenderControl& control, Frame& frame);
     TileRenderer& rendererOfThread(int thread);
 
     MaterialTable materials_;

@@ -42,15 +42,21 @@ void copyPart(const float* block, int width, int height, float* to) {
 
 } // namespace
 
-TileGrid::TileGrid(const RenderSettings& settings, bool secondaryRays) {
+TileGrid::TileGrid(const RenderSettings& settings, bool secondaryRays)
+    : width_(settings.width), height_(settings.height) {
     // 32 x 32 samples: what is known of them stays in the second cache. Secondary rays go everywhere, and
     // only waves of some thousands of them share work; so tiles are larger then, where there are enough for
     // all threads.
     constexpr std::int64_t kManyPixels = 1 << 18;
     const bool large = secondaryRays && std::int64_t{settings.width} * settings.height >= kManyPixels;
     side_ = settings.antialiasing == 1 ? (large ? 64 : 32) : std::max(4, 64 / settings.antialiasing);
-    columns_ = (settings.width + side_ - 1) / side_;
-    rows_ = (settings.height + side_ - 1) / side_;
+    columns_ = (width_ + side_ - 1) / side_;
+    rows_ = (height_ + side_ - 1) / side_;
+}
+
+PixelArea TileGrid::area(int tile) const {
+    const int left = tile % columns_ * side_, top = tile / columns_ * side_;
+    return {left, top, std::min(side_, width_ - left), std::min(side_, height_ - top)};
 }
 
 void TileRenderer::begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
@@ -63,10 +69,7 @@ void TileRenderer::begin(const Scene& scene, const RayTracer& tracer, const Rend
     integrator_.stopWhen(&cancel);
 }
 
-void TileRenderer::render(const TileGrid& grid, int tile, Frame& frame) {
-    const int left = grid.left(tile), top = grid.top(tile);
-    const Area area{left, top, std::min(grid.side(), settings_->width - left),
-                    std::min(grid.side(), settings_->height - top)};
+void TileRenderer::render(const PixelArea& area, Frame& frame) {
     collectRays(area);
     integrator_.clock().lap(Stage::Rays);
     integrator_.trace(rays_);
@@ -78,7 +81,7 @@ void TileRenderer::render(const TileGrid& grid, int tile, Frame& frame) {
     integrator_.clock().lap(Stage::Store);
 }
 
-void TileRenderer::collectRays(const Area& area) {
+void TileRenderer::collectRays(const PixelArea& area) {
     const auto n = static_cast<std::size_t>(settings_->antialiasing);
     const std::size_t count =
         static_cast<std::size_t>(area.columns) * static_cast<std::size_t>(area.rows) * n * n;
@@ -94,7 +97,7 @@ void TileRenderer::collectRays(const Area& area) {
     collectDirections(area);
 }
 
-void TileRenderer::collectDirections(const Area& area) {
+void TileRenderer::collectDirections(const PixelArea& area) {
     const int n = settings_->antialiasing;
     const float step = 1.0F / static_cast<float>(n);
     const auto left = static_cast<float>(area.left), top = static_cast<float>(area.top);
@@ -112,7 +115,7 @@ void TileRenderer::collectDirections(const Area& area) {
     });
 }
 
-void TileRenderer::storePixels(const Area& area, Frame& frame) {
+void TileRenderer::storePixels(const PixelArea& area, Frame& frame) {
     const auto width = static_cast<std::size_t>(settings_->width);
     const ArraysOf3& radiance = integrator_.radiance();
     const std::uint8_t* const hit = integrator_.hit().data();
@@ -135,7 +138,7 @@ void TileRenderer::storePixels(const Area& area, Frame& frame) {
     });
 }
 
-void TileRenderer::averageSamples(const Area& area, Frame& frame) {
+void TileRenderer::averageSamples(const PixelArea& area, Frame& frame) {
     const int n = settings_->antialiasing;
     const int width = area.columns * n, height = area.rows * n;
     const auto at = [width](int column, int row) {

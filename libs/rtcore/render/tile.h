@@ -3,6 +3,7 @@
 
 #include "rtcore/render/camera_rays.h"
 #include "rtcore/render/frame.h"
+#include "rtcore/render/pixel_area.h"
 #include "rtcore/shading/whitted.h"
 
 #include <cstdint>
@@ -17,12 +18,11 @@ class TileGrid {
     TileGrid(const RenderSettings& settings, bool secondaryRays);
 
     int count() const { return columns_ * rows_; }
-    int side() const { return side_; }
-    int left(int tile) const { return tile % columns_ * side_; }
-    int top(int tile) const { return tile / columns_ * side_; }
+    /// At the right and lower edge of the picture smaller than elsewhere.
+    PixelArea area(int tile) const;
 
   private:
-    int side_, columns_, rows_;
+    int width_, height_, side_, columns_, rows_;
 };
 
 /// Renders tiles one after another; one for each thread, reuses its memory from tile to tile and from frame
@@ -35,20 +35,15 @@ class TileRenderer {
                bool measureStages);
 
     /// Writes the pixels of one tile into `frame`; soon returns, with them undefined, when `cancel` is set.
-    void render(const TileGrid& grid, int tile, Frame& frame);
+    void render(const PixelArea& area, Frame& frame);
     const RayStatistics& statistics() const { return integrator_.statistics(); }
     const StageTimes& stageTimes() { return integrator_.clock().times(); }
 
   private:
-    /// The pixels of a tile; at the right and lower edge of the picture fewer than in others.
-    struct Area {
-        int left, top, columns, rows;
-    };
-
-    void collectRays(const Area& area);
-    void collectDirections(const Area& area);
-    void storePixels(const Area& area, Frame& frame);
-    void averageSamples(const Area& area, Frame& frame);
+    void collectRays(const PixelArea& area);
+    void collectDirections(const PixelArea& area);
+    void storePixels(const PixelArea& area, Frame& frame);
+    void averageSamples(const PixelArea& area, Frame& frame);
 
     const RenderSettings* settings_ = nullptr;
     const CameraRays* camera_ = nullptr;

@@ -18,6 +18,7 @@ struct Counters {
     std::atomic<std::uint64_t> torn;     ///< frames or statuses that are a mixture
     std::atomic<std::uint64_t> wrong;    ///< answers to another question, and other broken promises
     std::atomic<std::uint64_t> epochs;   ///< servers met
+    std::atomic<std::uint64_t> timeouts; ///< questions without an answer in time
 };
 
 constexpr int kParticipants = 64;

@@ -125,6 +125,8 @@ void command(Arguments& arguments) {
         if (reply.status == ipc::ReplyStatus::Done) {
             if (reply.text != question) arguments.counters().wrong++;
             arguments.counters().progress++;
+        } else if (reply.status == ipc::ReplyStatus::TimedOut) {
+            arguments.counters().timeouts++;
         }
         (i % 2 == 0) ? client.pressKey(static_cast<int>(i % 256))
                      : client.releaseKey(static_cast<int>((i - 1) % 256));

@@ -29,7 +29,7 @@ class DeathAt : public testing::TestWithParam<Point> {
         troupe.start(0, "server", kServer, server() ? dieAt : "");
         troupe.start(1, "client", {}, server() ? "" : dieAt);
         troupe.start(2, "client");
-        Participant& victim = troupe[server() ? 0 : 1];
+        ChildProcess& victim = troupe[server() ? 0 : 1];
         for (int i = 0; i < 100; ++i) {
             const int status = victim.wait(30ms);
             if (status != -1) return WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;

@@ -270,7 +270,7 @@ TEST_F(Serving, ALongFrameHoldsNobodyUp) {
 TEST_F(Serving, ALongFrameIsGivenUpForAChange) {
     start();
     ask({"set", "antialiasing", "16"});
-    ask({"resolution", "1200", "1200"});
+    ask({"resolution", "4000", "4000"}); // takes minutes
     std::this_thread::sleep_for(200ms);
     ask({"set", "antialiasing", "1"});
     ask({"resolution", "16", "16"});

@@ -1,38 +1,19 @@
 // The same keys at the same moments give the same path, whatever the rate of frames.
 #include "walk_world.h"
 
+#include "support/key_script.h"
 #include "support/random_numbers.h"
 
-#include <algorithm>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
-using rtcore::Action;
 using rtcore::MotionMode;
-using std::chrono::nanoseconds;
+using test::kSecond;
 using test::metres;
 using test::WalkWorld;
 
 namespace {
-
-constexpr std::int64_t kSecond = 1'000'000'000;
-
-struct KeyEvent {
-    std::int64_t at = 0; ///< ns
-    Action action = Action::Forward;
-    bool down = true;
-};
-
-std::vector<KeyEvent> randomEvents(std::uint64_t seed, std::int64_t until) {
-    test::Random random(seed);
-    std::vector<KeyEvent> events;
-    std::int64_t at = 0;
-    while (at < until) {
-        at += static_cast<std::int64_t>(random.index(kSecond / 3));
-        events.push_back({at, static_cast<Action>(random.index(14)), random.coin()});
-    }
-    return events;
-}
 
 WalkWorld furnished() {
     WalkWorld world;
@@ -50,31 +31,12 @@ WalkWorld furnished() {
     return world;
 }
 
-/// Cameras at ten fixed moments a second, with frames whose lengths `nextFrame` gives in between.
 template <typename NextFrame>
 std::vector<rtcore::Camera> play(WalkWorld& world, MotionMode mode, NextFrame&& nextFrame) {
     const auto player = world.player(7, 7, 0.01);
     EXPECT_TRUE(player->setMode(mode));
     constexpr std::int64_t kUntil = 12 * kSecond;
-    const auto events = randomEvents(9, kUntil);
-    std::vector<rtcore::Camera> cameras;
-    std::int64_t now = 0, frame = nextFrame(), look = kSecond / 10;
-    auto event = events.begin();
-    while (now < kUntil) {
-        std::int64_t next = std::min(frame, look);
-        if (event != events.end()) next = std::min(next, event->at);
-        player->advance(nanoseconds(next - now));
-        now = next;
-        for (; event != events.end() && event->at == now; ++event) {
-            event->down ? player->press(event->action) : player->release(event->action);
-        }
-        if (now == frame) frame += nextFrame();
-        if (now == look) {
-            cameras.push_back(player->camera());
-            look += kSecond / 10;
-        }
-    }
-    return cameras;
+    return test::playKeys(*player, test::randomEvents(9, kUntil), kUntil, nextFrame);
 }
 
 } // namespace

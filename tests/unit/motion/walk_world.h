@@ -4,6 +4,7 @@
 #include "rtcore/accel/builder.h"
 #include "rtcore/motion/player.h"
 #include "rtcore/motion/walker.h"
+#include "support/random_keys.h"
 #include "support/sample_meshes.h"
 
 #include <gtest/gtest.h>
@@ -18,9 +19,6 @@ namespace test {
 inline rtcore::Vec3 metres(double x, double y, double z) {
     return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
 }
-
-/// In [0, 1].
-inline double share(Random& random) { return double{random.number(0, 1)}; }
 
 /// z up, x right, y ahead; so is the scene.
 class WalkWorld {

@@ -1,0 +1,22 @@
+/// The exit code that tells of a failure between the processes.
+#pragma once
+
+#include "common/exit_codes.h"
+
+#include "ipc/platform/error.h"
+
+namespace app {
+
+inline ExitCode exitCodeOf(ipc::Problem problem) {
+    switch (problem) {
+    case ipc::Problem::BadName:
+        return ExitCode::Usage;
+    case ipc::Problem::AlreadyRunning:
+    case ipc::Problem::NoSpace:
+        return ExitCode::TryAgain;
+    default:
+        return ExitCode::Failed;
+    }
+}
+
+} // namespace app

@@ -1,0 +1,23 @@
+/// A program that serves the one that started it, and is of no use without it.
+#pragma once
+
+#include "common/command_line.h"
+#include "common/options.h"
+
+#include <cstdint>
+
+namespace app {
+
+/// --parent=PID.
+Option parentOption();
+
+/// The process that --parent names; 0 without it.
+std::int64_t parentOf(const Arguments& arguments);
+
+/// From now on the end of the parent, however that ends, asks this process to stop, as SIGTERM does
+/// (stop.h). `parent` is the process that started this one, by its own account: if it is not the parent any
+/// more, the request comes at once. 0: the parent of this moment, which may be a stranger already if the real
+/// one died early. Call it once, after installSignalHandlers(). On Linux SIGUSR2 is used for it.
+void stopWithParent(std::int64_t parent);
+
+} // namespace app

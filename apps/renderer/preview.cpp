@@ -1,0 +1,198 @@
+#include "renderer/preview.h"
+
+#include "common/stop.h"
+
+#include "ipc/layout/frame_info.h"
+
+#include "rtcore/post/enlarge.h"
+
+#include <algorithm>
+#include <span>
+
+namespace renderer {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kTurn = 5ms;
+constexpr auto kPatience = 2s; // for a predecessor that is just dying
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void copy(rtcore::Vec3 from, float* to) {
+    to[0] = from.x;
+    to[1] = from.y;
+    to[2] = from.z;
+}
+
+// The size of frames is not known yet: their memory comes with the first of them.
+std::unique_ptr<ipc::Server> takeInstance(const std::string& instance) {
+    const auto start = std::chrono::steady_clock::now();
+    while (true) {
+        try {
+            return std::make_unique<ipc::Server>(
+                ipc::ServerOptions{.instance = instance, .width = 1, .height = 1, .patience = 0s});
+        } catch (const ipc::Error& error) {
+            const bool over = std::chrono::steady_clock::now() - start >= kPatience;
+            if (error.problem != ipc::Problem::AlreadyRunning || over) throw;
+        }
+        app::throwIfStopped();
+        std::this_thread::sleep_for(kTurn);
+    }
+}
+
+} // namespace
+
+Preview::Preview(const PreviewOptions& options)
+    : options_(options), server_(takeInstance(options.instance)),
+      thread_([this](const std::stop_token& stop) { run(stop); }) {}
+
+Preview::~Preview() {
+    thread_.request_stop();
+    thread_.join();
+}
+
+bool Preview::render(rtcore::FrameRenderer& renderer, const rtcore::Scene& scene,
+                     const rtcore::RayTracer& tracer, const rtcore::Camera& camera,
+                     const rtcore::RenderSettings& settings, int threads, rtcore::RenderControl& control,
+                     rtcore::Frame& frame) {
+    Work work{control, settings, frame, threads};
+    begin(work, scene, camera);
+    try {
+        const bool whole =
+            refinement_.render(renderer, scene, tracer, camera, settings, threads, control, frame,
+                               [this](const rtcore::RefinementPass& pass, const rtcore::Frame& picture) {
+                                   showPass(pass, picture);
+                               });
+        end();
+        return whole;
+    } catch (...) {
+        end();
+        throw;
+    }
+}
+
+void Preview::begin(Work& work, const rtcore::Scene& scene, const rtcore::Camera& camera) {
+    const std::lock_guard lock(mutex_);
+    throwIfFailed();
+    begun_ = Clock::now();
+    picture_ = rtcore::LdrImage(work.settings.width, work.settings.height);
+    samples_ = 0;
+    antialiasing_ = work.settings.antialiasing;
+    status_ = {};
+    status_.polygons = scene.mesh().triangles.size();
+    status_.width = static_cast<std::uint32_t>(work.settings.width);
+    status_.height = static_cast<std::uint32_t>(work.settings.height);
+    copy(camera.eye, status_.eye);
+    copy(normalize(camera.forward), status_.forward);
+    copy(normalize(camera.up), status_.up);
+    status_.fieldOfView = camera.horizontalFov;
+    work_ = &work;
+}
+
+void Preview::end() {
+    const std::lock_guard lock(mutex_);
+    work_ = nullptr;
+    throwIfFailed();
+}
+
+void Preview::finish(const rtcore::LdrImage& picture, float exposure) {
+    const std::lock_guard lock(mutex_);
+    throwIfFailed();
+    samples_ = static_cast<std::uint32_t>(antialiasing_ * antialiasing_);
+    status_.frameSeconds = secondsSince(begun_);
+    status_.exposure = exposure;
+    publish(picture, ipc::kPreviewDone);
+    status_.progress = 1;
+    status_.idle = 1;
+    server_->setStatus(status_);
+}
+
+void Preview::linger() {
+    std::unique_lock lock(mutex_);
+    const auto end = Clock::now() + std::chrono::duration<double>(options_.linger);
+    while (Clock::now() < end && !app::stopRequested()) {
+        throwIfFailed();
+        wake_.wait_for(lock, kTurn);
+    }
+}
+
+void Preview::showPass(const rtcore::RefinementPass& pass, const rtcore::Frame& frame) {
+    const std::lock_guard lock(mutex_);
+    throwIfFailed();
+    const rtcore::RenderSettings& settings = work_->settings;
+    const int threads = work_->threads;
+    status_.exposure = developer_.exposure(frame, settings.exposure, threads);
+    if (pass.block > 1) {
+        developer_.develop(frame, settings, status_.exposure, threads, small_);
+        rtcore::enlarge(small_, pass.block, threads, picture_);
+    } else {
+        developer_.develop(frame, settings, status_.exposure, threads, picture_);
+        samples_ = static_cast<std::uint32_t>(pass.antialiasing * pass.antialiasing);
+    }
+    publish(picture_, tagUnderWay());
+    pace_.shown(Clock::now(), Clock::now());
+}
+
+// Finished tiles take the place of what was there, at the exposure of the pass before, so that no seam shows.
+void Preview::showTiles() {
+    const Clock::time_point start = Clock::now();
+    if (!pace_.due(start)) return;
+    const std::vector<rtcore::PixelArea> tiles = refinement_.finishedTiles().take();
+    if (tiles.empty()) return;
+    for (const rtcore::PixelArea& tile : tiles) {
+        rtcore::developPart(work_->frame, work_->settings, status_.exposure, tile, picture_);
+    }
+    publish(picture_, tagUnderWay());
+    pace_.shown(start, Clock::now());
+}
+
+// All may be rendered, but is not yet developed and written: only the last frame says that all is done.
+std::uint64_t Preview::tagUnderWay() const {
+    const double parts = fraction(work_->control) * static_cast<double>(ipc::kPreviewDone);
+    return std::min(static_cast<std::uint64_t>(parts), ipc::kPreviewDone - 1);
+}
+
+void Preview::publish(const rtcore::LdrImage& picture, std::uint64_t tag) {
+    ipc::FrameInfo info;
+    info.run = options_.run;
+    info.width = static_cast<std::uint32_t>(picture.width);
+    info.height = static_cast<std::uint32_t>(picture.height);
+    info.samples = samples_;
+    info.tag = tag;
+    server_->publishFrame(info, std::as_bytes(std::span(picture.pixels)));
+}
+
+void Preview::run(const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    try {
+        while (!stop.stop_requested()) {
+            serve();
+            wake_.wait_for(lock, stop, kTurn, [] { return false; });
+        }
+    } catch (...) {
+        failure_ = std::current_exception();
+        if (work_ != nullptr) work_->control.cancel = true;
+    }
+}
+
+void Preview::serve() {
+    for (const ipc::Command& command : server_->takeCommands()) {
+        server_->answer(command, ipc::AnswerStatus::Failed,
+                        "this is a preview of a picture that is being rendered; it takes no commands");
+    }
+    if (work_ == nullptr) return;
+    showTiles();
+    status_.progress = static_cast<float>(std::min(fraction(work_->control), 0.999999));
+    status_.frameSeconds = secondsSince(begun_);
+    server_->setStatus(status_);
+}
+
+void Preview::throwIfFailed() const {
+    if (failure_) std::rethrow_exception(failure_);
+}
+
+} // namespace renderer

@@ -1,0 +1,89 @@
+/// The picture of a run while it refines, for other programs to look at: a server of frames that takes no
+/// commands. docs/protocol.md, "A preview".
+#pragma once
+
+#include "renderer/preview_options.h"
+#include "renderer/preview_pace.h"
+
+#include "ipc/endpoint/server.h"
+
+#include "rtcore/post/develop.h"
+#include "rtcore/render/refinement.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+namespace renderer {
+
+/// One thread calls it; a thread of its own answers clients, shows tiles as they are finished, and tells how
+/// far the picture is.
+class Preview {
+  public:
+    /// Takes the instance over, so that viewers find it from now on. Throws ipc::Error; rtcore::FileError
+    /// Stopped when a signal came while it waited for a predecessor that is just dying.
+    explicit Preview(const PreviewOptions& options);
+    /// Nothing is left in shared memory.
+    ~Preview();
+    Preview(const Preview&) = delete;
+    Preview& operator=(const Preview&) = delete;
+
+    /// As rtcore::FrameRenderer::render, and with its result, which is not shown yet. Throws ipc::Error when
+    /// there is no memory for frames, or the instance was lost.
+    bool render(rtcore::FrameRenderer& renderer, const rtcore::Scene& scene, const rtcore::RayTracer& tracer,
+                const rtcore::Camera& camera, const rtcore::RenderSettings& settings, int threads,
+                rtcore::RenderControl& control, rtcore::Frame& frame);
+    /// Of render(). Any thread.
+    double fraction(const rtcore::RenderControl& control) const { return refinement_.fraction(control); }
+
+    /// Shows the picture that render() gave, developed with `exposure`: the last one of the run, when its
+    /// files stand.
+    void finish(const rtcore::LdrImage& picture, float exposure);
+    /// Until viewers had time to find the last frame, or a signal asks to stop.
+    void linger();
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    /// What is being rendered.
+    struct Work {
+        rtcore::RenderControl& control;
+        const rtcore::RenderSettings& settings;
+        const rtcore::Frame& frame;
+        int threads;
+    };
+
+    void begin(Work& work, const rtcore::Scene& scene, const rtcore::Camera& camera);
+    void end();
+    void showPass(const rtcore::RefinementPass& pass, const rtcore::Frame& frame);
+    void showTiles();
+    std::uint64_t tagUnderWay() const;
+    void publish(const rtcore::LdrImage& picture, std::uint64_t tag);
+    void run(const std::stop_token& stop);
+    void serve();
+    void throwIfFailed() const;
+
+    const PreviewOptions options_;
+    int antialiasing_ = 1;
+    rtcore::Refinement refinement_;
+    rtcore::PictureDeveloper developer_;
+    rtcore::LdrImage small_;
+
+    std::mutex mutex_; ///< guards all below
+    std::condition_variable_any wake_;
+    std::unique_ptr<ipc::Server> server_;
+    ipc::Status status_;
+    Work* work_ = nullptr; ///< null: nothing is being rendered
+    rtcore::LdrImage picture_;
+    std::uint32_t samples_ = 0; ///< that each pixel of picture_ has at least; 0: not even one of its own
+    PreviewPace pace_;
+    Clock::time_point begun_;    ///< the rendering
+    std::exception_ptr failure_; ///< of the thread
+    std::jthread thread_;        ///< last: it starts when all else stands
+};
+
+} // namespace renderer

@@ -1,0 +1,15 @@
+/// Under which name a run shows its picture while it refines.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace renderer {
+
+struct PreviewOptions {
+    std::string instance;
+    std::uint64_t run = 0; ///< marks all its frames
+    double linger = 2;     ///< seconds for which the last frame can be found
+};
+
+} // namespace renderer

@@ -1,0 +1,51 @@
+/// One picture from coarse to fine, for who wants to see something at once.
+#pragma once
+
+#include "rtcore/render/frame_renderer.h"
+
+#include <functional>
+#include <mutex>
+#include <vector>
+
+namespace rtcore {
+
+/// A whole picture on the way.
+struct RefinementPass {
+    int block = 1;        ///< pixels a side of the squares that share one sample
+    int antialiasing = 1; ///< samples a pixel, each way; 1 while pixels share them
+    friend bool operator==(const RefinementPass&, const RefinementPass&) = default;
+};
+
+/// From one sample for 8 x 8 pixels on, each pass with four times the samples of the one before it; the last
+/// is the picture itself. All but the first are left out if the passes before the last would take more than a
+/// tenth of its time together.
+std::vector<RefinementPass> planRefinement(const RenderSettings& settings);
+
+/// Renders one picture after another; one thread calls render(), others may look meanwhile.
+class Refinement {
+  public:
+    /// Gets a pass that is over and its frame, which it may read until it returns.
+    using Show = std::function<void(const RefinementPass&, const Frame&)>;
+
+    /// As FrameRenderer::render, and with its result, to the bit: what comes before is thrown away. Calls
+    /// `show` for each pass but the last one.
+    bool render(FrameRenderer& renderer, const Scene& scene, const RayTracer& tracer, const Camera& camera,
+                const RenderSettings& settings, int threads, RenderControl& control, Frame& frame,
+                const Show& show);
+
+    /// The share of all work that is done, 0..1. Any thread.
+    double fraction(const RenderControl& control) const;
+    /// The parts of the last pass that are done. Any thread.
+    FinishedTiles& finishedTiles() { return finished_; }
+
+  private:
+    void enter(double share, RenderControl& control);
+
+    FinishedTiles finished_;
+    Frame frame_;              ///< of the passes before the last
+    mutable std::mutex mutex_; ///< guards all below, and the way of the control from pass to pass
+    double before_ = 0;        ///< share of the passes that are over
+    double share_ = 0;         ///< of the pass under way
+};
+
+} // namespace rtcore
