@@ -1,0 +1,21 @@
+/// The figures in the corner of the picture, and the words in its middle.
+#pragma once
+
+#include "gui/session/session.h"
+
+#include <QString>
+
+class QPainter;
+class QRect;
+
+namespace gui {
+
+/// "29 fps · 1280 × 720 · walking · idle".
+QString figuresText(const ServerStatus& status);
+/// What stands in the middle while there is no live picture; empty when there is.
+QString stateText(const Session& session);
+
+void drawFigures(QPainter& painter, const QRect& area, const QString& text);
+void drawWords(QPainter& painter, const QRect& area, const QString& text);
+
+} // namespace gui
