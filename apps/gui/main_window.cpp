@@ -4,9 +4,9 @@
 #include "gui/operations/camera_operations.h"
 #include "gui/operations/connection_operations.h"
 #include "gui/operations/display_operations.h"
+#include "gui/operations/motion_operations.h"
 #include "gui/operations/render_operations.h"
 #include "gui/view/frame_view.h"
-#include "gui/view/input_capture.h"
 #include "gui/view/notice_bar.h"
 
 #include <QAction>
@@ -19,7 +19,7 @@
 namespace gui {
 
 MainWindow::MainWindow(const QString& instance, QWidget* parent)
-    : QMainWindow(parent), instance_(instance), view_(new FrameView(session_)), notice_(new NoticeBar),
+    : QMainWindow(parent), view_(new FrameView(session_)), notice_(new NoticeBar),
       actions_(new Actions(*this, preferences_)) {
     layOut();
     const Desk desk{*this, session_, keeper_, preferences_, *actions_, *view_, *notice_};
@@ -27,8 +27,8 @@ MainWindow::MainWindow(const QString& instance, QWidget* parent)
     connection_->setInstance(instance);
     new CameraOperations(desk, this);
     new DisplayOperations(desk, this);
+    new MotionOperations(desk, this);
     new RenderOperations(desk, this);
-    connectInput();
     connect(&session_, &Session::stateChanged, this, &MainWindow::showTitle);
     connect(&keeper_, &ServerKeeper::started, this, &MainWindow::showTitle);
     showTitle();
@@ -51,17 +51,6 @@ void MainWindow::layOut() {
     actions_->fill(*menuBar());
 }
 
-void MainWindow::connectInput() {
-    InputCapture& input = view_->input();
-    connect(&input, &InputCapture::keyPressed, &session_, &Session::pressKey);
-    connect(&input, &InputCapture::keyReleased, &session_, &Session::releaseKey);
-    connect(&input, &InputCapture::allKeysReleased, &session_, &Session::releaseAllKeys);
-    connect(&input, &InputCapture::turned, &session_, &Session::turn);
-    connect(&session_, &Session::stateChanged, &input, [&input](SessionState state) {
-        if (state == SessionState::Disconnected || state == SessionState::Refused) input.release();
-    });
-}
-
 void MainWindow::restoreGeometryAndState() {
     resize(view_->sizeHint());
     restoreGeometry(preferences_.get(pref::geometry));
@@ -77,9 +66,7 @@ void MainWindow::showTitle() {
 
 void MainWindow::open(const QString& path) { connection_->open(path); }
 
-void MainWindow::connectToServer() {
-    keeper_.connectTo(instance_.isEmpty() ? preferences_.get(pref::instance) : instance_);
-}
+void MainWindow::connectToServer() { keeper_.connectTo(connection_->instanceName()); }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     preferences_.set(pref::geometry, saveGeometry());

@@ -41,14 +41,12 @@ class MainWindow : public QMainWindow {
 
   private:
     void layOut();
-    void connectInput();
     void restoreGeometryAndState();
     void showTitle();
 
     Preferences preferences_;
     Session session_;
     ServerKeeper keeper_{session_};
-    QString instance_;
     FrameView* view_;
     NoticeBar* notice_;
     Actions* actions_;

@@ -70,6 +70,9 @@ QWidget* ConfigureDialog::picturePage() {
     constexpr int kMostSamples = 16, kMostBloom = 4096;
     addSwitch(*form, tr("The &live picture follows the window's size"), pref::followWindowSize);
     addScale(*form);
+    constexpr int kMostMilliseconds = 1000;
+    addNumber(*form, tr("Frame &time in motion, for new servers:"), pref::frameTime, 0, kMostMilliseconds,
+              tr(" ms"));
     addNumber(*form, tr("&Quick render, anti-aliasing:"), pref::stillAntialiasing, 1, kMostSamples, {});
     addNumber(*form, tr("Quick render, &bloom:"), pref::stillBloom, 0, kMostBloom, tr(" pixels"));
     addNumber(*form, tr("&H exports anti-aliasing:"), pref::highQualityAntialiasing, 1, kMostSamples, {});
@@ -92,8 +95,8 @@ void ConfigureDialog::addSwitch(QFormLayout& form, const QString& text, const Pr
     stores_.append([this, box, &row] { preferences_.set(row, box->isChecked()); });
 }
 
-void ConfigureDialog::addNumber(QFormLayout& form, const QString& text, const Preference<int>& row, int minimum,
-                                int maximum, const QString& suffix) {
+void ConfigureDialog::addNumber(QFormLayout& form, const QString& text, const Preference<int>& row,
+                                int minimum, int maximum, const QString& suffix) {
     auto* box = new QSpinBox;
     box->setRange(minimum, maximum);
     box->setValue(preferences_.get(row));
@@ -114,7 +117,8 @@ void ConfigureDialog::addTheme(QFormLayout& form) {
 
 void ConfigureDialog::addScale(QFormLayout& form) {
     auto* box = new QComboBox;
-    for (const int percent : {100, 75, 50, 33, 25}) box->addItem(tr("%1 % of the window").arg(percent), percent);
+    for (const int percent : {100, 75, 50, 33, 25})
+        box->addItem(tr("%1 % of the window").arg(percent), percent);
     box->setCurrentIndex(qMax(0, box->findData(preferences_.get(pref::pictureScale))));
     box->setToolTip(tr("Smaller pictures are drawn faster"));
     form.addRow(tr("&Size of the live picture:"), box);

@@ -30,8 +30,8 @@ class ConfigureDialog : public QDialog {
     QWidget* picturePage();
     QWidget* inputPage();
     void addSwitch(QFormLayout& form, const QString& text, const Preference<bool>& row);
-    void addNumber(QFormLayout& form, const QString& text, const Preference<int>& row, int minimum, int maximum,
-                   const QString& suffix);
+    void addNumber(QFormLayout& form, const QString& text, const Preference<int>& row, int minimum,
+                   int maximum, const QString& suffix);
     void addTheme(QFormLayout& form);
     void addScale(QFormLayout& form);
     void addSensitivity(QFormLayout& form);

@@ -1,27 +1,14 @@
 #include "gui/dialogs/export_camera_dialog.h"
 
+#include "gui/dialogs/fields.h"
 #include "gui/dialogs/file_field.h"
 
 #include <QDialogButtonBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
 
 namespace gui {
-
-namespace {
-
-QSpinBox* spin(int minimum, int maximum, int value, const QString& name) {
-    auto* box = new QSpinBox;
-    box->setRange(minimum, maximum);
-    box->setValue(value);
-    box->setAccessibleName(name);
-    return box;
-}
-
-} // namespace
 
 ExportCameraDialog::ExportCameraDialog(const QString& path, const QSize& size, Preferences& preferences,
                                        QWidget* parent)
@@ -33,11 +20,12 @@ ExportCameraDialog::ExportCameraDialog(const QString& path, const QSize& size, P
     constexpr int kMostPixels = 32768, kMostSamples = 16, kMostBloom = 4096;
     const QSize kept = preferences.get(pref::exportSize);
     const QSize proposed = kept.isEmpty() ? size : kept;
-    width_ = spin(1, kMostPixels, proposed.width(), tr("Width"));
-    height_ = spin(1, kMostPixels, proposed.height(), tr("Height"));
-    antialiasing_ = spin(1, kMostSamples, preferences.get(pref::exportAntialiasing), tr("Anti-aliasing"));
+    width_ = numberField(1, kMostPixels, proposed.width(), tr("Width"));
+    height_ = numberField(1, kMostPixels, proposed.height(), tr("Height"));
+    antialiasing_ =
+        numberField(1, kMostSamples, preferences.get(pref::exportAntialiasing), tr("Anti-aliasing"));
     antialiasing_->setToolTip(tr("N × N samples a pixel"));
-    bloom_ = spin(0, kMostBloom, preferences.get(pref::exportBloom), tr("Bloom"));
+    bloom_ = numberField(0, kMostBloom, preferences.get(pref::exportBloom), tr("Bloom"));
     bloom_->setSpecialValueText(tr("none"));
     bloom_->setSuffix(tr(" pixels"));
     auto* now = new QPushButton(tr("As &now"));
@@ -46,11 +34,7 @@ ExportCameraDialog::ExportCameraDialog(const QString& path, const QSize& size, P
         width_->setValue(size.width());
         height_->setValue(size.height());
     });
-    auto* sizes = new QHBoxLayout;
-    sizes->addWidget(width_, 1);
-    sizes->addWidget(new QLabel(QStringLiteral("×")));
-    sizes->addWidget(height_, 1);
-    sizes->addWidget(now);
+    QWidget* sizes = rowOfFields({width_, sign(QStringLiteral("×")), height_, now});
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     auto* ok = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
     ok->setDefault(true);

@@ -43,8 +43,9 @@ KeyBindingsPage::KeyBindingsPage(QWidget* parent)
     table_->setAccessibleName(tr("Key bindings"));
     table_->setTabKeyNavigation(false);
     trouble_->setWordWrap(true);
-    auto* hint = new QLabel(tr("A key is written by its name: W, 7, Space, Left, CapsLock. M+3 acts when 3 is pressed "
-                               "while M is down."));
+    auto* hint =
+        new QLabel(tr("A key is written by its name: W, 7, Space, Left, CapsLock. M+3 acts when 3 is pressed "
+                      "while M is down."));
     hint->setWordWrap(true);
     auto* add = new QPushButton(tr("&Add"));
     auto* remove = new QPushButton(tr("&Remove"));

@@ -12,15 +12,17 @@ namespace gui {
 
 RecordingDialog::RecordingDialog(Session& session, const QString& folder, QWidget* parent)
     : QDialog(parent), session_(session), folder_(folder),
-      path_(new FileField(FileField::Kind::Save, tr("List of cameras"), tr("Lists (*.lst *.txt);;All files (*)"))),
+      path_(new FileField(FileField::Kind::Save, tr("List of cameras"),
+                          tr("Lists (*.lst *.txt);;All files (*)"))),
       button_(new QPushButton), state_(new QLabel) {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Recording"));
     state_->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     buttons->addButton(button_, QDialogButtonBox::ActionRole);
-    auto* hint = new QLabel(tr("The camera and the exposure of every frame are written while you move: .cam files "
-                               "and their list, which the Renderer makes a film of."));
+    auto* hint =
+        new QLabel(tr("The camera and the exposure of every frame are written while you move: .cam files "
+                      "and their list, which the Renderer makes a film of."));
     hint->setWordWrap(true);
     auto* form = new QFormLayout(this);
     form->addRow(hint);
@@ -59,7 +61,8 @@ void RecordingDialog::refresh() {
     if (recording && !std::exchange(recording_, true)) clock_.start();
     if (recording) {
         constexpr double kMilliseconds = 1000;
-        state_->setText(tr("Recording for %1 s.").arg(static_cast<double>(clock_.elapsed()) / kMilliseconds, 0, 'f', 1));
+        state_->setText(
+            tr("Recording for %1 s.").arg(static_cast<double>(clock_.elapsed()) / kMilliseconds, 0, 'f', 1));
     } else if (std::exchange(recording_, false)) {
         state_->setText(tr("Recorded: %1").arg(path_->path()));
         propose();

@@ -1,5 +1,6 @@
 #include "gui/dialogs/start_server_dialog.h"
 
+#include "gui/dialogs/fields.h"
 #include "gui/dialogs/file_field.h"
 #include "gui/processes/programs.h"
 #include "gui/session/server_list.h"
@@ -10,7 +11,6 @@
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProcess>
@@ -24,26 +24,19 @@ namespace {
 
 enum Size { AsWindow, AsScene, Fixed };
 
-QSpinBox* spin(int minimum, int maximum, int value, const QString& name) {
-    auto* box = new QSpinBox;
-    box->setRange(minimum, maximum);
-    box->setValue(value);
-    box->setAccessibleName(name);
-    return box;
-}
-
 } // namespace
 
-StartServerDialog::StartServerDialog(Preferences& preferences, const QSize& window, QWidget* parent)
+StartServerDialog::StartServerDialog(Preferences& preferences, const QString& instance, const QSize& window,
+                                     QWidget* parent)
     : QDialog(parent), preferences_(preferences), window_(window),
       scene_(new FileField(FileField::Kind::Open, tr("Scene or model"), sceneFilter())),
       camera_(new FileField(FileField::Kind::Open, tr("Camera"), tr("Cameras (*.cam);;All files (*)"))),
       settings_(new FileField(FileField::Kind::Open, tr("Settings"), tr("Settings (*.set);;All files (*)"))),
       instance_(new QLineEdit), further_(new QLineEdit), size_(new QComboBox) {
     constexpr int kMostPixels = 16384, kMostThreads = 1024;
-    width_ = spin(1, kMostPixels, window.width(), tr("Width"));
-    height_ = spin(1, kMostPixels, window.height(), tr("Height"));
-    threads_ = spin(0, kMostThreads, 0, tr("Threads"));
+    width_ = numberField(1, kMostPixels, window.width(), tr("Width"));
+    height_ = numberField(1, kMostPixels, window.height(), tr("Height"));
+    threads_ = numberField(0, kMostThreads, 0, tr("Threads"));
     threads_->setSpecialValueText(tr("all cores"));
     limit_ = new QDoubleSpinBox;
     constexpr double kMostFrames = 1000;
@@ -52,27 +45,24 @@ StartServerDialog::StartServerDialog(Preferences& preferences, const QSize& wind
     limit_->setSpecialValueText(tr("none"));
     limit_->setSuffix(tr(" frames/s"));
     keep_ = new QCheckBox(tr("&Keep the server running when the window closes"));
+    smooth_ = new QCheckBox(tr("Fewer &pixels while something moves, so that it moves smoothly"));
     keep_->setChecked(preferences.get(pref::keepServers));
     trouble_ = new QLabel;
     trouble_->setWordWrap(true);
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Start new server"));
-    build();
+    build(instance);
     check();
 }
 
-void StartServerDialog::build() {
+void StartServerDialog::build(const QString& name) {
     const QStringList recent = preferences_.recentFiles();
     scene_->setPath(recent.value(0));
-    instance_->setText(freeInstanceName(preferences_.get(pref::instance)));
+    instance_->setText(freeInstanceName(name));
+    smooth_->setChecked(preferences_.get(pref::frameTime) > 0);
     further_->setPlaceholderText(QStringLiteral("--setting shadows=off --flip-textures"));
     size_->addItems({tr("as large as the window"), tr("as the scene says"), tr("fixed")});
-    auto* sizes = new QHBoxLayout;
-    sizes->addWidget(size_, 1);
-    sizes->addWidget(width_);
-    sizes->addWidget(new QLabel(QStringLiteral("×")));
-    sizes->addWidget(height_);
-
+    QWidget* sizes = rowOfFields({size_, width_, sign(QStringLiteral("×")), height_});
     auto* form = new QFormLayout;
     form->addRow(tr("&Scene or model:"), scene_);
     form->addRow(tr("&Name:"), instance_);
@@ -82,6 +72,7 @@ void StartServerDialog::build() {
     form->addRow(tr("&Threads:"), threads_);
     form->addRow(tr("Frame &limit:"), limit_);
     form->addRow(tr("&Further options:"), further_);
+    form->addRow(QString(), smooth_);
     form->addRow(QString(), keep_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     start_ = buttons->addButton(tr("Start"), QDialogButtonBox::AcceptRole);
@@ -131,6 +122,7 @@ QStringList StartServerDialog::options() const {
     if (!settings_->path().isEmpty()) options << QStringLiteral("--set=") + settings_->path();
     if (threads_->value() > 0) options << QStringLiteral("--threads=%1").arg(threads_->value());
     if (limit_->value() > 0) options << QStringLiteral("--fps-limit=%1").arg(limit_->value());
+    if (smooth_->isChecked()) options += frameTimeOption(qMax(1, preferences_.get(pref::frameTime)));
     return options + QProcess::splitCommand(further_->text());
 }
 

@@ -22,8 +22,10 @@ class StartServerDialog : public QDialog {
     Q_OBJECT
 
   public:
-    /// `window`: pixels of the picture when it is to fill the window.
-    StartServerDialog(Preferences& preferences, const QSize& window, QWidget* parent = nullptr);
+    /// `instance` is proposed, with a number if it is taken. `window`: pixels of the picture when it is to
+    /// fill the window.
+    StartServerDialog(Preferences& preferences, const QString& instance, const QSize& window,
+                      QWidget* parent = nullptr);
 
     /// As the fields are now.
     ServerRequest request() const;
@@ -32,7 +34,7 @@ class StartServerDialog : public QDialog {
     void wanted(const gui::ServerRequest& request);
 
   private:
-    void build();
+    void build(const QString& name);
     void check();
     void finish();
     QSize resolution() const;
@@ -45,7 +47,7 @@ class StartServerDialog : public QDialog {
     QComboBox* size_;
     QSpinBox *width_, *height_, *threads_;
     QDoubleSpinBox* limit_;
-    QCheckBox* keep_;
+    QCheckBox *smooth_, *keep_;
     QLabel* trouble_;
     QPushButton* start_;
 };

@@ -77,7 +77,8 @@ void StatisticsDialog::refresh() {
     polygons_->setText(QLocale().toString(status.polygons));
     mode_->setText(status.view.walking ? tr("walking") : tr("flying"));
     const QVector3D eye = status.view.eye;
-    eye_->setText(QStringLiteral("%1  %2  %3").arg(number(eye.x(), 2), number(eye.y(), 2), number(eye.z(), 2)));
+    eye_->setText(
+        QStringLiteral("%1  %2  %3").arg(number(eye.x(), 2), number(eye.y(), 2), number(eye.z(), 2)));
     exposure_->setText(QLocale().toString(static_cast<double>(status.exposure), 'g', 4));
 }
 

@@ -14,9 +14,10 @@ constexpr const char* kContext = "ActionTable";
 #define TEXT(text) QT_TRANSLATE_NOOP("ActionTable", text)
 
 constexpr std::array kRows{
-    ActionRow{ActionId::Open, MenuId::File, TEXT("&Open…"), TEXT("Show a scene or a model"), "Ctrl+O", RecentFilesAfter},
-    ActionRow{ActionId::ImportCamera, MenuId::File, TEXT("&Import camera…"),
-              TEXT("Look through a .cam file"), "Ctrl+I", NeedsServer | SeparatorBefore},
+    ActionRow{ActionId::Open, MenuId::File, TEXT("&Open…"), TEXT("Show a scene or a model"), "Ctrl+O",
+              RecentFilesAfter},
+    ActionRow{ActionId::ImportCamera, MenuId::File, TEXT("&Import camera…"), TEXT("Look through a .cam file"),
+              "Ctrl+I", NeedsServer | SeparatorBefore},
     ActionRow{ActionId::Exit, MenuId::File, TEXT("E&xit"), TEXT("Close the window"), "Ctrl+Q",
               SeparatorBefore},
 
@@ -27,8 +28,7 @@ constexpr std::array kRows{
     ActionRow{ActionId::Disconnect, MenuId::Connection, TEXT("&Disconnect"),
               TEXT("Leave the server; it goes on"), "Ctrl+D", NeedsServer},
     ActionRow{ActionId::ServerLog, MenuId::Connection, TEXT("Server &log"),
-              TEXT("What the server that this window started has to say"), "Ctrl+L",
-              SeparatorBefore},
+              TEXT("What the server that this window started has to say"), "Ctrl+L", SeparatorBefore},
 
     ActionRow{ActionId::ExportCamera, MenuId::Action, TEXT("&Export camera…"),
               TEXT("Write the camera to a .cam file"), "Ctrl+E", NeedsServer},
@@ -38,13 +38,12 @@ constexpr std::array kRows{
               TEXT("Show the present view in higher quality"), "Ctrl+R", NeedsServer},
     ActionRow{ActionId::Screenshot, MenuId::Action, TEXT("S&creenshot"),
               TEXT("Save the picture under the next free name"), "F12", NeedsServer},
-    ActionRow{ActionId::CopyCamera, MenuId::Action, TEXT("Cop&y camera"),
-              TEXT("Copy the camera as text"), "Ctrl+Shift+C", NeedsServer | SeparatorBefore},
+    ActionRow{ActionId::CopyCamera, MenuId::Action, TEXT("Cop&y camera"), TEXT("Copy the camera as text"),
+              "Ctrl+Shift+C", NeedsServer | SeparatorBefore},
     ActionRow{ActionId::PasteCamera, MenuId::Action, TEXT("&Paste camera"),
               TEXT("Look through the camera of the clipboard"), "Ctrl+Shift+V", NeedsServer},
     ActionRow{ActionId::Statistics, MenuId::Action, TEXT("S&tatistics"),
-              TEXT("Frames a second, rays a second, resolution, polygons"), "Ctrl+T",
-              SeparatorBefore},
+              TEXT("Frames a second, rays a second, resolution, polygons"), "Ctrl+T", SeparatorBefore},
 
     ActionRow{ActionId::StopServer, MenuId::Commands, TEXT("&Stop server"), TEXT("End the server"), "Ctrl+K",
               NeedsServer},
@@ -53,16 +52,16 @@ constexpr std::array kRows{
     ActionRow{ActionId::PingServer, MenuId::Commands, TEXT("&Ping server"), TEXT("Does it answer?"), "",
               NeedsServer},
     ActionRow{ActionId::RestartServer, MenuId::Commands, TEXT("&Restart server"),
-              TEXT("Start the server again with the same scene and camera"), "",
-              SeparatorBefore},
+              TEXT("Start the server again with the same scene and camera"), "", SeparatorBefore},
 
     ActionRow{ActionId::IgnoreAspectRatio, MenuId::Display, TEXT("&Ignore aspect ratio"),
               TEXT("Stretch the picture over the whole window"), "", Checkable},
     ActionRow{ActionId::SmoothTransformation, MenuId::Display, TEXT("&Smooth transformation"),
               TEXT("Filter the picture where it does not have the window's size"), "", Checkable},
     ActionRow{ActionId::ShowOverlay, MenuId::Display, TEXT("Show &figures"),
-              TEXT("Frames a second, resolution, mode and state in the corner"), "Ctrl+F", Checkable | SeparatorBefore},
-    ActionRow{ActionId::FullScreen, MenuId::Display, TEXT("&Full screen"), TEXT("Use the whole screen"),
+              TEXT("Frames a second, resolution, mode and state in the corner"), "Ctrl+F",
+              Checkable | SeparatorBefore},
+    ActionRow{ActionId::FullScreen, MenuId::Display, TEXT("F&ull screen"), TEXT("Use the whole screen"),
               "F11", Checkable},
 
     ActionRow{ActionId::ProgressiveRendering, MenuId::Settings, TEXT("&Progressive rendering"),
@@ -76,13 +75,11 @@ constexpr std::array kRows{
 
 #undef TEXT
 
-constexpr std::array kMenus{QT_TRANSLATE_NOOP("ActionTable", "&File"),
-                            QT_TRANSLATE_NOOP("ActionTable", "&Connection"),
-                            QT_TRANSLATE_NOOP("ActionTable", "&Action"),
-                            QT_TRANSLATE_NOOP("ActionTable", "C&ommands"),
-                            QT_TRANSLATE_NOOP("ActionTable", "&Display"),
-                            QT_TRANSLATE_NOOP("ActionTable", "&Settings"),
-                            QT_TRANSLATE_NOOP("ActionTable", "&Help")};
+constexpr std::array kMenus{
+    QT_TRANSLATE_NOOP("ActionTable", "&File"),    QT_TRANSLATE_NOOP("ActionTable", "&Connection"),
+    QT_TRANSLATE_NOOP("ActionTable", "&Action"),  QT_TRANSLATE_NOOP("ActionTable", "C&ommands"),
+    QT_TRANSLATE_NOOP("ActionTable", "&Display"), QT_TRANSLATE_NOOP("ActionTable", "&Settings"),
+    QT_TRANSLATE_NOOP("ActionTable", "&Help")};
 
 QString translated(const char* text) { return QCoreApplication::translate(kContext, text); }
 

@@ -9,19 +9,38 @@
 namespace gui {
 
 enum class ActionId {
-    Open, ImportCamera, Exit,
-    Connect, StartServer, Disconnect, ServerLog,
-    ExportCamera, Recording, QuickRender, Screenshot, CopyCamera, PasteCamera, Statistics,
-    StopServer, PauseServer, PingServer, RestartServer,
-    IgnoreAspectRatio, SmoothTransformation, ShowOverlay, FullScreen,
-    ProgressiveRendering, Configure,
-    Keys, About,
+    Open,
+    ImportCamera,
+    Exit,
+    Connect,
+    StartServer,
+    Disconnect,
+    ServerLog,
+    ExportCamera,
+    Recording,
+    QuickRender,
+    Screenshot,
+    CopyCamera,
+    PasteCamera,
+    Statistics,
+    StopServer,
+    PauseServer,
+    PingServer,
+    RestartServer,
+    IgnoreAspectRatio,
+    SmoothTransformation,
+    ShowOverlay,
+    FullScreen,
+    ProgressiveRendering,
+    Configure,
+    Keys,
+    About,
 };
 
 enum class MenuId { File, Connection, Action, Commands, Display, Settings, Help };
 
 enum Trait : unsigned {
-    NeedsServer = 1,      ///< enabled only while a server is there
+    NeedsServer = 1, ///< enabled only while a server is there
     Checkable = 2,
     SeparatorBefore = 4,
     RecentFilesAfter = 8, ///< the submenu of recent files follows

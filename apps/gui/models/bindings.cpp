@@ -14,15 +14,24 @@ namespace {
 
 // In the order of rtcore::Action.
 constexpr std::array kTitles{
-    QT_TRANSLATE_NOOP("Bindings", "Forward"),          QT_TRANSLATE_NOOP("Bindings", "Back"),
-    QT_TRANSLATE_NOOP("Bindings", "Left"),             QT_TRANSLATE_NOOP("Bindings", "Right"),
-    QT_TRANSLATE_NOOP("Bindings", "Up"),               QT_TRANSLATE_NOOP("Bindings", "Down"),
-    QT_TRANSLATE_NOOP("Bindings", "Turn left"),        QT_TRANSLATE_NOOP("Bindings", "Turn right"),
-    QT_TRANSLATE_NOOP("Bindings", "Look up"),          QT_TRANSLATE_NOOP("Bindings", "Look down"),
-    QT_TRANSLATE_NOOP("Bindings", "Jump"),             QT_TRANSLATE_NOOP("Bindings", "Crouch"),
-    QT_TRANSLATE_NOOP("Bindings", "Crawl"),            QT_TRANSLATE_NOOP("Bindings", "Sprint"),
-    QT_TRANSLATE_NOOP("Bindings", "Walk or fly"),      QT_TRANSLATE_NOOP("Bindings", "Bloom on or off"),
-    QT_TRANSLATE_NOOP("Bindings", "Light on or off"),  QT_TRANSLATE_NOOP("Bindings", "Environment map"),
+    QT_TRANSLATE_NOOP("Bindings", "Forward"),
+    QT_TRANSLATE_NOOP("Bindings", "Back"),
+    QT_TRANSLATE_NOOP("Bindings", "Left"),
+    QT_TRANSLATE_NOOP("Bindings", "Right"),
+    QT_TRANSLATE_NOOP("Bindings", "Up"),
+    QT_TRANSLATE_NOOP("Bindings", "Down"),
+    QT_TRANSLATE_NOOP("Bindings", "Turn left"),
+    QT_TRANSLATE_NOOP("Bindings", "Turn right"),
+    QT_TRANSLATE_NOOP("Bindings", "Look up"),
+    QT_TRANSLATE_NOOP("Bindings", "Look down"),
+    QT_TRANSLATE_NOOP("Bindings", "Jump"),
+    QT_TRANSLATE_NOOP("Bindings", "Crouch"),
+    QT_TRANSLATE_NOOP("Bindings", "Crawl"),
+    QT_TRANSLATE_NOOP("Bindings", "Sprint"),
+    QT_TRANSLATE_NOOP("Bindings", "Walk or fly"),
+    QT_TRANSLATE_NOOP("Bindings", "Bloom on or off"),
+    QT_TRANSLATE_NOOP("Bindings", "Light on or off"),
+    QT_TRANSLATE_NOOP("Bindings", "Environment map"),
 };
 static_assert(kTitles.size() == rtcore::kActions);
 
@@ -30,7 +39,9 @@ QString text(std::string_view view) {
     return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
 }
 
-std::optional<rtcore::Action> actionOf(const QString& name) { return rtcore::actionNamed(name.toStdString()); }
+std::optional<rtcore::Action> actionOf(const QString& name) {
+    return rtcore::actionNamed(name.toStdString());
+}
 
 } // namespace
 
@@ -84,11 +95,12 @@ QString actionTitle(const QString& action) {
 
 bool takesNumber(const QString& action) {
     const std::optional<rtcore::Action> known = actionOf(action);
-    return known == rtcore::Action::ToggleLight || known == rtcore::Action::SelectEnvironment;
+    return known && rtcore::hasNumber(*known);
 }
 
 QString bindCommand(const Binding& binding) {
-    const QString number = takesNumber(binding.action) ? QStringLiteral(" %1").arg(binding.number) : QString();
+    const QString number =
+        takesNumber(binding.action) ? QStringLiteral(" %1").arg(binding.number) : QString();
     return QStringLiteral("bind %1 %2").arg(binding.keys, binding.action) + number;
 }
 

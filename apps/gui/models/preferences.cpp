@@ -36,8 +36,8 @@ QString Preferences::picturesFolder() const {
 
 QString nextFreeName(const QString& folder, const QString& name, const QString& extension) {
     for (int number = 1;; ++number) {
-        const QString path =
-            QDir(folder).filePath(QStringLiteral("%1-%2.%3").arg(name).arg(number, 4, 10, QLatin1Char('0')).arg(extension));
+        const QString path = QDir(folder).filePath(
+            QStringLiteral("%1-%2.%3").arg(name).arg(number, 4, 10, QLatin1Char('0')).arg(extension));
         if (!QFileInfo::exists(path)) return path;
     }
 }

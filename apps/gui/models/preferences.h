@@ -26,6 +26,7 @@ inline const Preference<int> stillAntialiasing{"render/stillAntialiasing", 3};
 inline const Preference<int> stillBloom{"render/stillBloom", 0};
 inline const Preference<bool> followWindowSize{"server/followWindowSize", true};
 inline const Preference<int> pictureScale{"server/pictureScale", 100}; ///< percent of the window's pixels
+inline const Preference<int> frameTime{"server/frameTime", 33}; ///< ms while something moves; 0 = no limit
 inline const Preference<bool> keepServers{"server/keepRunning", false};
 inline const Preference<QString> instance{"server/instance", QStringLiteral("default")};
 inline const Preference<double> mouseSensitivity{"input/mouseSensitivity", 0.12}; ///< degrees per pixel

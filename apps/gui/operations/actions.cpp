@@ -32,7 +32,8 @@ void Actions::onToggle(ActionId id, const std::function<void(bool)>& act) {
 void Actions::bind(ActionId id, const Preference<bool>& preference) {
     QAction* action = (*this)[id];
     action->setChecked(preferences_.get(preference));
-    connect(action, &QAction::triggered, this, [this, &preference](bool on) { preferences_.set(preference, on); });
+    connect(action, &QAction::triggered, this,
+            [this, &preference](bool on) { preferences_.set(preference, on); });
     connect(&preferences_, &Preferences::changed, action,
             [this, action, &preference] { action->setChecked(preferences_.get(preference)); });
 }

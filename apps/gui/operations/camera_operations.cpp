@@ -63,7 +63,8 @@ void CameraOperations::exportAtOnce(bool highQuality) {
 void CameraOperations::exportCamera(const CameraExport& camera) {
     QStringList words{QStringLiteral("export"), QStringLiteral("camera"), camera.path};
     if (!camera.size.isEmpty()) {
-        for (const int number : {camera.size.width(), camera.size.height(), camera.antialiasing, camera.bloom})
+        for (const int number :
+             {camera.size.width(), camera.size.height(), camera.antialiasing, camera.bloom})
             words.append(QString::number(number));
     }
     desk_.session.send(Session::line(words), this, [this, path = camera.path](const Answer& answer) {
@@ -96,13 +97,15 @@ void CameraOperations::record() {
 }
 
 void CameraOperations::takeScreenshot() {
-    const QString path = nextFreeName(desk_.preferences.picturesFolder(), QStringLiteral("screenshot"),
-                                      QStringLiteral("png"));
+    const QString path =
+        nextFreeName(desk_.preferences.picturesFolder(), QStringLiteral("screenshot"), QStringLiteral("png"));
     const auto tell = [this, path](bool done, const QString& trouble) {
-        done ? desk_.view.tell(tr("The picture was written to %1.").arg(path)) : desk_.notice.explain(trouble, {});
+        done ? desk_.view.tell(tr("The picture was written to %1.").arg(path))
+             : desk_.notice.explain(trouble, {});
     };
     // A better picture than the server's is ours to write.
-    if (!desk_.view.showsLive()) return tell(desk_.view.picture().save(path), tr("%1 cannot be written.").arg(path));
+    if (!desk_.view.showsLive())
+        return tell(desk_.view.picture().save(path), tr("%1 cannot be written.").arg(path));
     desk_.session.send(Session::line({QStringLiteral("screenshot"), path}), this,
                        [tell](const Answer& answer) { tell(answer.done, answer.text); });
 }
@@ -120,8 +123,8 @@ void CameraOperations::paste() {
     const QByteArray text = QGuiApplication::clipboard()->text().toUtf8();
     if (!file->open() || file->write(text) != text.size() || !file->flush())
         return desk_.notice.explain(file->errorString(), {});
-    desk_.session.send(Session::line({QStringLiteral("load"), QStringLiteral("camera"), file->fileName()}), this,
-                       [this, file](const Answer& answer) {
+    desk_.session.send(Session::line({QStringLiteral("load"), QStringLiteral("camera"), file->fileName()}),
+                       this, [this, file](const Answer& answer) {
                            desk_.view.tell(answer.done ? tr("The camera was pasted.")
                                                        : tr("The clipboard holds no camera."));
                        });

@@ -22,9 +22,8 @@ ConnectionOperations::ConnectionOperations(const Desk& desk, QObject* parent) : 
     connect(&desk_.actions, &Actions::recentChosen, this, &ConnectionOperations::open);
     connect(&desk_.keeper, &ServerKeeper::died, this, &ConnectionOperations::onDeath);
     connect(&desk_.session, &Session::stateChanged, this, &ConnectionOperations::onState);
-    connect(&desk_.session, &Session::statusChanged, this, [this] {
-        desk_.actions[ActionId::PauseServer]->setChecked(desk_.session.status().paused);
-    });
+    connect(&desk_.session, &Session::statusChanged, this,
+            [this] { desk_.actions[ActionId::PauseServer]->setChecked(desk_.session.status().paused); });
     connect(&desk_.session, &Session::commandFailed, this,
             [this](const QString&, const QString& text) { desk_.view.tell(text); });
     onState();
@@ -61,10 +60,15 @@ void ConnectionOperations::chooseFile() {
 void ConnectionOperations::open(const QString& path) {
     const QFileInfo file(path);
     const QString suffix = file.suffix().toLower();
-    if (suffix != QLatin1String("cam") && suffix != QLatin1String("set")) return showScene(file.absoluteFilePath());
+    if (suffix != QLatin1String("cam") && suffix != QLatin1String("set"))
+        return showScene(file.absoluteFilePath());
     if (!desk_.session.live()) return desk_.view.tell(tr("Open a scene first."));
     const QString what = suffix == QLatin1String("cam") ? QStringLiteral("camera") : QStringLiteral("set");
     desk_.session.send(Session::line({QStringLiteral("load"), what, file.absoluteFilePath()}));
+}
+
+QString ConnectionOperations::instanceName() const {
+    return instance_.isEmpty() ? desk_.preferences.get(pref::instance) : instance_;
 }
 
 // Our own server changes its scene; another one belongs to others.
@@ -73,7 +77,9 @@ void ConnectionOperations::showScene(const QString& path) {
     if (!desk_.keeper.ours() || !desk_.session.live()) {
         ServerRequest request;
         request.scene = path;
-        request.instance = instance_.isEmpty() ? desk_.preferences.get(pref::instance) : instance_;
+        request.instance = instanceName();
+        const int frameTime = desk_.preferences.get(pref::frameTime);
+        if (frameTime > 0) request.options = frameTimeOption(frameTime);
         const int percent = desk_.preferences.get(pref::pictureScale);
         request.resolution = desk_.view.devicePixels() * percent / 100;
         return start(request);
@@ -105,7 +111,8 @@ void ConnectionOperations::chooseServer() {
 }
 
 void ConnectionOperations::configureServer() {
-    auto* dialog = new StartServerDialog(desk_.preferences, desk_.view.devicePixels(), &desk_.window);
+    auto* dialog =
+        new StartServerDialog(desk_.preferences, instanceName(), desk_.view.devicePixels(), &desk_.window);
     connect(dialog, &StartServerDialog::wanted, this, &ConnectionOperations::start);
     dialog->open();
 }

@@ -16,11 +16,13 @@ class ConnectionOperations : public QObject {
   public:
     ConnectionOperations(const Desk& desk, QObject* parent);
 
-    /// A camera or a file of settings is loaded by the server; anything else is shown, by a server of our own.
+    /// A camera or a file of settings is loaded by the server; anything else is shown, by a server of our
+    /// own.
     void open(const QString& path);
     void start(const ServerRequest& request);
     /// Names the servers of open().
     void setInstance(const QString& instance) { instance_ = instance; }
+    QString instanceName() const;
 
   private:
     void connectActions();

@@ -27,7 +27,8 @@ RenderOperations::RenderOperations(const Desk& desk, QObject* parent)
         desk_.view.showPicture(picture);
         desk_.view.tell(tr("Rendered. The next movement shows the live picture again."));
     });
-    connect(&still_, &StillProcess::failed, this, [this](const QString& text) { desk_.notice.explain(text, {}); });
+    connect(&still_, &StillProcess::failed, this,
+            [this](const QString& text) { desk_.notice.explain(text, {}); });
     connect(&still_, &StillProcess::activeChanged, this,
             [this] { desk_.view.setActivity(still_.active() ? tr("rendering…") : QString()); });
 }

@@ -105,7 +105,8 @@ void ServerKeeper::close(bool keep) {
 void ServerKeeper::onEnded(const QString& text) {
     waitsForFrame_ = false;
     const bool wished = asked_ || text.isEmpty();
-    if (session_.state() == SessionState::Connecting && session_.instance() == last_.instance) session_.leave();
+    if (session_.state() == SessionState::Connecting && session_.instance() == last_.instance)
+        session_.leave();
     if (!wished) emit died(text);
 }
 

@@ -29,6 +29,10 @@ QStringList wordsOf(const ServerRequest& request) {
 
 } // namespace
 
+QStringList frameTimeOption(int milliseconds) {
+    return {QStringLiteral("--frame-time=%1").arg(milliseconds)};
+}
+
 ServerProcess::ServerProcess(QObject* parent) : QObject(parent) {}
 
 ServerProcess::~ServerProcess() {
@@ -42,7 +46,9 @@ ServerProcess::~ServerProcess() {
     }
 }
 
-bool ServerProcess::running() const { return process_ != nullptr && process_->state() != QProcess::NotRunning; }
+bool ServerProcess::running() const {
+    return process_ != nullptr && process_->state() != QProcess::NotRunning;
+}
 qint64 ServerProcess::process() const { return running() ? process_->processId() : 0; }
 
 void ServerProcess::start(const ServerRequest& request) {

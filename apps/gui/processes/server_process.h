@@ -17,6 +17,9 @@ struct ServerRequest {
     QStringList options; ///< further ones, as RTServer takes them
 };
 
+/// The option that lets a server draw fewer pixels in motion where a frame would take longer.
+QStringList frameTimeOption(int milliseconds);
+
 /// One server at a time. Its messages go to a file, so that they can be read after its death, and so that it
 /// can go on without us.
 class ServerProcess : public QObject {

@@ -27,17 +27,19 @@ void StillProcess::exportScene() {
     const QSize size = session_.status().resolution;
     const QString folder = folder_->path();
     const auto stillWanted = [this, folder] { return folder_ != nullptr && folder_->path() == folder; };
-    session_.send(Session::line({QStringLiteral("export"), QStringLiteral("scene"), file(QStringLiteral("view.scn"))}),
-                  this, [this, stillWanted](const Answer& answer) {
-                      if (stillWanted() && !answer.done) fail(answer.text);
-                  });
-    session_.send(Session::line({QStringLiteral("export"), QStringLiteral("camera"), file(QStringLiteral("view.cam")),
-                                 QString::number(size.width()), QString::number(size.height()),
-                                 QString::number(antialiasing_), QString::number(bloom_)}),
-                  this, [this, stillWanted](const Answer& answer) {
-                      if (!stillWanted()) return;
-                      answer.done ? launch() : fail(answer.text);
-                  });
+    session_.send(
+        Session::line({QStringLiteral("export"), QStringLiteral("scene"), file(QStringLiteral("view.scn"))}),
+        this, [this, stillWanted](const Answer& answer) {
+            if (stillWanted() && !answer.done) fail(answer.text);
+        });
+    session_.send(
+        Session::line({QStringLiteral("export"), QStringLiteral("camera"), file(QStringLiteral("view.cam")),
+                       QString::number(size.width()), QString::number(size.height()),
+                       QString::number(antialiasing_), QString::number(bloom_)}),
+        this, [this, stillWanted](const Answer& answer) {
+            if (!stillWanted()) return;
+            answer.done ? launch() : fail(answer.text);
+        });
 }
 
 void StillProcess::launch() {
@@ -51,7 +53,8 @@ void StillProcess::launch() {
     connect(process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
         if (error == QProcess::FailedToStart) fail(process_->errorString());
     });
-    process_->start(program, {file(QStringLiteral("view.scn")), QStringLiteral("--camera=") + file(QStringLiteral("view.cam")),
+    process_->start(program, {file(QStringLiteral("view.scn")),
+                              QStringLiteral("--camera=") + file(QStringLiteral("view.cam")),
                               QStringLiteral("--output=") + file(QStringLiteral("view.png")),
                               QStringLiteral("--progress=none")});
 }

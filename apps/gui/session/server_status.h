@@ -19,9 +19,9 @@ struct ServerStatus {
     double frameSeconds = 0;
     double raysPerSecond = 0;
     quint64 polygons = 0;
-    QSize resolution;    ///< pixels of a frame; empty while nothing is loaded
-    float exposure = 0;  ///< the constant of the tone mapping
-    float progress = 1;  ///< of loading; 1 = nothing is being loaded
+    QSize resolution;   ///< pixels of a frame; empty while nothing is loaded
+    float exposure = 0; ///< the constant of the tone mapping
+    float progress = 1; ///< of loading; 1 = nothing is being loaded
     View view;
     bool idle = false;   ///< the next frame would equal the last
     bool paused = false; ///< no frame comes until the server is told to resume

@@ -21,11 +21,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
-constexpr auto kPace = 4ms;          ///< while frames come
-constexpr auto kSlowPace = 15ms;     ///< after a while without
+constexpr auto kPace = 4ms;      ///< while frames come
+constexpr auto kSlowPace = 15ms; ///< after a while without
 constexpr auto kSlowAfter = 500ms;
 constexpr std::size_t kMostWaiting = 1000;
-constexpr double kLeastTurn = 1e-4;  ///< degrees
+constexpr double kLeastTurn = 1e-4; ///< degrees
 
 QVector3D vector(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
 
@@ -69,8 +69,8 @@ struct Session::Link {
     ipc::Frame frame, next; ///< the one that is shown, and where the next one is read to
     std::deque<Order> waiting;
     std::vector<Order> open;
-    double right = 0, upwards = 0;         ///< turned, not yet sent
-    std::optional<ipc::Ticket> turning;    ///< the server has not taken the last turn yet
+    double right = 0, upwards = 0;      ///< turned, not yet sent
+    std::optional<ipc::Ticket> turning; ///< the server has not taken the last turn yet
     QTimer timer;
 };
 
@@ -162,7 +162,7 @@ void Session::look() {
     if (!link_->client) return;
     sendTurn();
     sendWaiting();
-    if ( link_->client->readFrame(link_->next)) {
+    if (link_->client->readFrame(link_->next)) {
         link_->lastNews = Clock::now();
         std::swap(link_->frame, link_->next);
         // What comes next must be newer than this one.
@@ -210,7 +210,10 @@ void Session::send(const QString& command, const QObject* context, std::function
     if (!wanted || link_->waiting.size() >= kMostWaiting) {
         const QString text = wanted ? tr("the server takes no commands") : tr("there is no server");
         QMetaObject::invokeMethod(
-            const_cast<QObject*>(context), [done, text] { if (done) done({false, text}); },
+            const_cast<QObject*>(context),
+            [done, text] {
+                if (done) done({false, text});
+            },
             Qt::QueuedConnection);
         if (!done) emit commandFailed(command, text);
         return;

@@ -86,6 +86,9 @@ void FrameView::showLive() {
 QRectF FrameView::target(const QSize& picture) const {
     if (ignoreAspectRatio_ || picture == devicePixels()) return rect();
     QRectF area(QPointF(), QSizeF(picture).scaled(size(), Qt::KeepAspectRatio));
+    // A smaller frame of the same view, its sides rounded: no border that comes and goes.
+    constexpr double kRounding = 0.01;
+    if (area.width() > width() * (1 - kRounding) && area.height() > height() * (1 - kRounding)) return rect();
     area.moveCenter(QRectF(rect()).center());
     return area;
 }

@@ -176,7 +176,8 @@ bool InputCapture::onMouseMove(const QMouseEvent& event) {
     if (moved.isNull()) return true;
     emit turned(moved.x() * degreesPerPixel_, -moved.y() * degreesPerPixel_ * upwards_);
     const QPoint off = now - widget_->rect().center();
-    if (std::abs(off.x()) > widget_->width() / 4 || std::abs(off.y()) > widget_->height() / 4) centrePointer();
+    if (std::abs(off.x()) > widget_->width() / 4 || std::abs(off.y()) > widget_->height() / 4)
+        centrePointer();
     return true;
 }
 

@@ -34,7 +34,8 @@ class InputCapture : public QObject {
     void allKeysReleased();
     void turned(double right, double upwards); ///< degrees
     void wheelTurned(double steps);            ///< away from the user is positive
-    /// Keys that the window acts on (E, H, R and L with it); R comes when it is let go, unless L came with it.
+    /// Keys that the window acts on (E, H, R and L with it); R comes when it is let go, unless L came with
+    /// it.
     void commandKey(int code, bool withL);
 
   protected:

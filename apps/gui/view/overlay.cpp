@@ -34,8 +34,9 @@ QString figuresText(const ServerStatus& status) {
     const QString size =
         QStringLiteral("%1 × %2").arg(status.resolution.width()).arg(status.resolution.height());
     const QString mode = status.view.walking ? tr("walking") : tr("flying");
-    QStringList parts{tr("%1 fps").arg(QLocale().toString(status.framesPerSecond, 'f', 0)), size, mode,
-                      activity(status)};
+    QStringList parts{size, mode, activity(status)};
+    const bool drawing = !status.idle && !status.paused;
+    if (drawing) parts.prepend(tr("%1 fps").arg(QLocale().toString(status.framesPerSecond, 'f', 0)));
     if (status.recording) parts.append(tr("● recording"));
     return parts.join(QStringLiteral("  ·  "));
 }
