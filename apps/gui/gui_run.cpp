@@ -8,7 +8,6 @@
 #include "common/terminal.h"
 
 #include <QApplication>
-#include <QIcon>
 #include <QTimer>
 
 #include <cstdlib>
@@ -40,7 +39,6 @@ app::ExitCode runGui(const app::Arguments& arguments) {
     QApplication::setApplicationName(QStringLiteral("GUI"));
     QApplication::setOrganizationName(QStringLiteral("rtsuite"));
     QApplication::setDesktopFileName(QStringLiteral("rtsuite"));
-    QApplication::setWindowIcon(QIcon(QStringLiteral(":/gui.png")));
 
     MainWindow window(QString::fromStdString(options.instance));
     window.show();

@@ -12,15 +12,21 @@
 #include <QAction>
 #include <QCloseEvent>
 #include <QFileInfo>
+#include <QIcon>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QVBoxLayout>
+
+// A static library's resources are not there by themselves.
+static void loadResources() { Q_INIT_RESOURCE(gui); }
 
 namespace gui {
 
 MainWindow::MainWindow(const QString& instance, QWidget* parent)
     : QMainWindow(parent), view_(new FrameView(session_)), notice_(new NoticeBar),
       actions_(new Actions(*this, preferences_)) {
+    loadResources();
+    setWindowIcon(QIcon(QStringLiteral(":/gui.png")));
     layOut();
     const Desk desk{*this, session_, keeper_, preferences_, *actions_, *view_, *notice_};
     connection_ = new ConnectionOperations(desk, this);

@@ -75,6 +75,8 @@ TEST_F(SessionTest, KeysMoveTheCamera) {
 TEST_F(SessionTest, TurnsAddUpWhateverTheFrameRate) {
     startServer();
     connect();
+    ASSERT_TRUE(ask(session, QStringLiteral("camera set 0 1 4 0 0 -1")).done);
+    ASSERT_TRUE(comes([&] { return session.status().view.forward == QVector3D(0, 0, -1); }));
     const QVector3D before = session.status().view.forward;
     for (int i = 0; i < 300; ++i) {
         session.turn(0.1, 0);

@@ -27,10 +27,18 @@ QComboBox* actionBox(const QString& action) {
 QSpinBox* numberBox(int number) {
     constexpr int kMost = 99;
     auto* box = new QSpinBox;
-    box->setRange(1, kMost);
+    box->setRange(0, kMost);
+    box->setSpecialValueText(QStringLiteral("–"));
     box->setValue(number);
     box->setAccessibleName(KeyBindingsPage::tr("Number of the light or environment map"));
     return box;
+}
+
+// Only lights and environment maps are counted, from 1.
+void setNumbered(QSpinBox& box, bool numbered) {
+    box.setMinimum(numbered ? 1 : 0);
+    if (!numbered) box.setValue(0);
+    box.setEnabled(numbered);
 }
 
 } // namespace
@@ -83,11 +91,11 @@ void KeyBindingsPage::addRow(const Binding& binding) {
     table_->setItem(row, Keys, new QTableWidgetItem(binding.keys));
     auto* action = actionBox(binding.action);
     auto* number = numberBox(binding.number);
-    number->setEnabled(takesNumber(binding.action));
+    setNumbered(*number, takesNumber(binding.action));
     table_->setCellWidget(row, Action, action);
     table_->setCellWidget(row, Number, number);
     connect(action, &QComboBox::currentIndexChanged, this, [this, action, number] {
-        number->setEnabled(takesNumber(action->currentData().toString()));
+        setNumbered(*number, takesNumber(action->currentData().toString()));
         check();
     });
     connect(number, &QSpinBox::valueChanged, this, &KeyBindingsPage::check);

@@ -16,7 +16,8 @@ QString number(double value, int decimals) { return QLocale().toString(value, 'f
 
 } // namespace
 
-StatisticsDialog::StatisticsDialog(Session& session, QWidget* parent) : QDialog(parent), session_(session) {
+StatisticsDialog::StatisticsDialog(Session& session, std::function<double()> delay, QWidget* parent)
+    : QDialog(parent), session_(session), delay_(std::move(delay)) {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Statistics"));
     auto* form = new QFormLayout(this);
@@ -25,6 +26,7 @@ StatisticsDialog::StatisticsDialog(Session& session, QWidget* parent) : QDialog(
     addRow(*form, tr("Frames a second"), frames_);
     addRow(*form, tr("Frame time"), frameTime_);
     addRow(*form, tr("Shown here"), shown_);
+    addRow(*form, tr("Delay to the screen"), delayed_);
     addRow(*form, tr("Rays a second"), rays_);
     addRow(*form, tr("Resolution"), resolution_);
     addRow(*form, tr("Triangles"), polygons_);
@@ -71,6 +73,7 @@ void StatisticsDialog::refresh() {
     frameTime_->setText(tr("%1 ms").arg(number(status.frameSeconds * kMilli, 1)));
     shown_->setText(tr("%1 frames/s").arg(seconds > 0 ? number(received_ / seconds, 1) : QString()));
     received_ = 0;
+    delayed_->setText(tr("%1 ms").arg(number(delay_() * kMilli, 1)));
     rays_->setText(tr("%1 million").arg(number(status.raysPerSecond / kMega, 2)));
     resolution_->setText(
         QStringLiteral("%1 × %2").arg(status.resolution.width()).arg(status.resolution.height()));

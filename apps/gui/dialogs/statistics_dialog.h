@@ -7,6 +7,8 @@
 #include <QElapsedTimer>
 #include <QTimer>
 
+#include <functional>
+
 class QFormLayout;
 class QLabel;
 
@@ -16,8 +18,8 @@ class StatisticsDialog : public QDialog {
     Q_OBJECT
 
   public:
-    /// `session` must outlive it.
-    explicit StatisticsDialog(Session& session, QWidget* parent = nullptr);
+    /// `session` must outlive it. `delay`: seconds from a frame's publication until it is on the screen.
+    StatisticsDialog(Session& session, std::function<double()> delay, QWidget* parent = nullptr);
 
   private:
     void addRow(QFormLayout& form, const QString& name, QLabel*& value);
@@ -25,8 +27,9 @@ class StatisticsDialog : public QDialog {
     QString stateName() const;
 
     Session& session_;
-    QLabel *server_, *state_, *frames_, *frameTime_, *shown_, *rays_, *resolution_, *polygons_, *mode_, *eye_,
-        *exposure_;
+    std::function<double()> delay_;
+    QLabel *server_, *state_, *frames_, *frameTime_, *shown_, *delayed_, *rays_, *resolution_, *polygons_,
+        *mode_, *eye_, *exposure_;
     QTimer timer_;
     QElapsedTimer clock_;
     int received_ = 0; ///< frames since the clock's start

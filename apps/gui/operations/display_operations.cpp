@@ -79,7 +79,9 @@ void DisplayOperations::showKeys() {
 }
 
 void DisplayOperations::showStatistics() {
-    if (statistics_ == nullptr) statistics_ = new StatisticsDialog(desk_.session, &desk_.window);
+    if (statistics_ == nullptr)
+        statistics_ = new StatisticsDialog(
+            desk_.session, [this] { return desk_.view.paintDelay(); }, &desk_.window);
     present(*statistics_);
 }
 

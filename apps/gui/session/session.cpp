@@ -113,6 +113,12 @@ QImage Session::frame() const {
     return {pixels, width, height, qsizetype{4} * width, QImage::Format_RGBX8888};
 }
 
+quint64 Session::frameNumber() const { return link_->frame.info.number; }
+
+std::chrono::nanoseconds Session::frameAge() const {
+    return Clock::now().time_since_epoch() - std::chrono::nanoseconds(link_->frame.info.nanoseconds);
+}
+
 // --- Looking for news ---
 
 void Session::poll() {

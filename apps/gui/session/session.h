@@ -51,6 +51,10 @@ class Session : public QObject {
     /// The newest frame: shares the session's memory and is valid until the next frameChanged(). Null before
     /// the first one; the last one of a dead server stays.
     QImage frame() const;
+    /// Counts the frames of one server; 0 before the first one.
+    quint64 frameNumber() const;
+    /// How long ago the server published the frame.
+    std::chrono::nanoseconds frameAge() const;
     const ServerStatus& status() const { return status_; }
     /// Where the camera was when it was last heard of.
     const View& lastView() const { return lastView_; }

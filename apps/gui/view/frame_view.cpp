@@ -105,11 +105,19 @@ void FrameView::drawPicture(QPainter& painter, const QImage& picture, const QRec
     painter.setCompositionMode(QPainter::CompositionMode_SourceOver);
 }
 
+void FrameView::countDelay() {
+    if (painted_ == session_.frameNumber()) return; // the same frame once more
+    painted_ = session_.frameNumber();
+    constexpr double kNewest = 0.1;
+    const double delay = std::chrono::duration<double>(session_.frameAge()).count();
+    paintDelay_ += (paintDelay_ > 0 ? kNewest : 1) * (delay - paintDelay_);
+}
+
 void FrameView::paintEvent(QPaintEvent* event) {
     QPainter painter(this);
     const QImage picture = showsLive() ? session_.frame() : picture_;
     drawPicture(painter, picture, event->rect());
-    ++painted_;
+    if (showsLive()) countDelay();
     const QString words = stateText(session_);
     if (!words.isEmpty() && !picture.isNull()) painter.fillRect(rect(), QColor(0, 0, 0, 90));
     drawWords(painter, rect(), words);

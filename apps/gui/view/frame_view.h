@@ -37,7 +37,8 @@ class FrameView : public QWidget {
     /// What the view could show at most, in the screen's own pixels.
     QSize devicePixels() const;
     QSize sizeHint() const override;
-    qint64 paints() const { return painted_; } ///< since the start; for tests
+    /// From a frame's publication by the server until it was painted, averaged over the last ones; seconds.
+    double paintDelay() const { return paintDelay_; }
 
   signals:
     /// The user has changed the window's size, and has come to rest.
@@ -49,6 +50,7 @@ class FrameView : public QWidget {
 
   private:
     QRectF target(const QSize& picture) const;
+    void countDelay();
     void drawPicture(QPainter& painter, const QImage& picture, const QRect& dirty) const;
 
     Session& session_;
@@ -57,7 +59,8 @@ class FrameView : public QWidget {
     bool ignoreAspectRatio_ = false, smooth_ = true, figures_ = true;
     QString told_, activity_;
     QTimer tellTimer_, resizeTimer_;
-    qint64 painted_ = 0;
+    quint64 painted_ = 0; ///< number of the frame
+    double paintDelay_ = 0;
 };
 
 } // namespace gui
