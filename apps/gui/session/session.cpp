@@ -1,5 +1,7 @@
 #include "gui/session/session.h"
 
+#include "gui/session/pixel_order.h"
+
 #include "common/words.h"
 
 #include "ipc/endpoint/client.h"
@@ -110,7 +112,7 @@ QImage Session::frame() const {
     if (frame.info.number == 0) return {};
     const auto* pixels = reinterpret_cast<const uchar*>(frame.pixels.data());
     const auto width = static_cast<int>(frame.info.width), height = static_cast<int>(frame.info.height);
-    return {pixels, width, height, qsizetype{4} * width, QImage::Format_RGBX8888};
+    return {pixels, width, height, qsizetype{4} * width, QImage::Format_RGB32};
 }
 
 quint64 Session::frameNumber() const { return link_->frame.info.number; }
@@ -170,6 +172,7 @@ void Session::look() {
     sendWaiting();
     if (link_->client->readFrame(link_->next)) {
         link_->lastNews = Clock::now();
+        toRgb32(link_->next.pixels);
         std::swap(link_->frame, link_->next);
         // What comes next must be newer than this one.
         link_->next.info = link_->frame.info;

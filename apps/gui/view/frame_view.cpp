@@ -35,11 +35,17 @@ FrameView::FrameView(Session& session, QWidget* parent)
     connect(&session_, &Session::frameChanged, this, [this] {
         if (showsLive()) update();
     });
-    connect(&session_, &Session::statusChanged, this, qOverload<>(&QWidget::update));
+    connect(&session_, &Session::statusChanged, this, &FrameView::onStatus);
     connect(&session_, &Session::stateChanged, this, qOverload<>(&QWidget::update));
     connect(input_, &InputCapture::capturedChanged, this, [this](bool captured) {
         tell(captured ? tr("Keyboard and mouse are the camera's. Esc gives them back.") : QString());
     });
+}
+
+// With every frame comes a status: the picture is not painted for each of them.
+void FrameView::onStatus() {
+    if (stateText(session_) != words_) return update();
+    if (figures_) update(0, 0, width(), figuresHeight(fontMetrics()));
 }
 
 QSize FrameView::sizeHint() const { return {1024, 640}; }
@@ -118,9 +124,9 @@ void FrameView::paintEvent(QPaintEvent* event) {
     const QImage picture = showsLive() ? session_.frame() : picture_;
     drawPicture(painter, picture, event->rect());
     if (showsLive()) countDelay();
-    const QString words = stateText(session_);
-    if (!words.isEmpty() && !picture.isNull()) painter.fillRect(rect(), QColor(0, 0, 0, 90));
-    drawWords(painter, rect(), words);
+    words_ = stateText(session_);
+    if (!words_.isEmpty() && !picture.isNull()) painter.fillRect(rect(), QColor(0, 0, 0, 90));
+    drawWords(painter, rect(), words_);
     if (figures_ && session_.live()) {
         const QString figures = figuresText(session_.status());
         drawFigures(painter, rect(),

@@ -50,6 +50,7 @@ class FrameView : public QWidget {
 
   private:
     QRectF target(const QSize& picture) const;
+    void onStatus();
     void countDelay();
     void drawPicture(QPainter& painter, const QImage& picture, const QRect& dirty) const;
 
@@ -57,7 +58,7 @@ class FrameView : public QWidget {
     InputCapture* input_;
     QImage picture_; ///< null: the live frame
     bool ignoreAspectRatio_ = false, smooth_ = true, figures_ = true;
-    QString told_, activity_;
+    QString told_, activity_, words_; ///< the last: in the middle, as painted
     QTimer tellTimer_, resizeTimer_;
     quint64 painted_ = 0; ///< number of the frame
     double paintDelay_ = 0;

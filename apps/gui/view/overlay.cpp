@@ -64,6 +64,8 @@ QString stateText(const Session& session) {
     return session.frame().isNull() ? tr("The first picture is on its way…") : QString();
 }
 
+int figuresHeight(const QFontMetrics& metrics) { return 2 * kMargin + kPadding + metrics.height(); }
+
 void drawFigures(QPainter& painter, const QRect& area, const QString& text) {
     if (text.isEmpty()) return;
     const QFontMetrics metrics(painter.font());

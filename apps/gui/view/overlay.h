@@ -5,6 +5,7 @@
 
 #include <QString>
 
+class QFontMetrics;
 class QPainter;
 class QRect;
 
@@ -15,6 +16,8 @@ QString figuresText(const ServerStatus& status);
 /// What stands in the middle while there is no live picture; empty when there is.
 QString stateText(const Session& session);
 
+/// From the top of the picture down to below the figures.
+int figuresHeight(const QFontMetrics& metrics);
 void drawFigures(QPainter& painter, const QRect& area, const QString& text);
 void drawWords(QPainter& painter, const QRect& area, const QString& text);
 
