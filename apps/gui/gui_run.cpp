@@ -49,7 +49,9 @@ app::ExitCode runGui(const app::Arguments& arguments) {
     });
     QTimer stopTimer;
     QObject::connect(&stopTimer, &QTimer::timeout, &window, [&window] {
-        if (app::stopRequested()) window.close();
+        if (!app::stopRequested()) return;
+        window.close();
+        QApplication::quit();
     });
     stopTimer.start(kSignalMilliseconds);
     QApplication::exec();

@@ -128,7 +128,7 @@ void FrameView::paintEvent(QPaintEvent* event) {
     if (!words_.isEmpty() && !picture.isNull()) painter.fillRect(rect(), QColor(0, 0, 0, 90));
     drawWords(painter, rect(), words_);
     if (figures_ && session_.live()) {
-        const QString figures = figuresText(session_.status());
+        const QString figures = figuresText(session_.status(), picture.size());
         drawFigures(painter, rect(),
                     activity_.isEmpty() ? figures : figures + QStringLiteral("  ·  ") + activity_);
     }

@@ -29,10 +29,12 @@ void drawBox(QPainter& painter, const QRect& box) {
 
 } // namespace
 
-QString figuresText(const ServerStatus& status) {
+QString figuresText(const ServerStatus& status, const QSize& frame) {
     if (status.resolution.isEmpty()) return {};
-    const QString size =
-        QStringLiteral("%1 × %2").arg(status.resolution.width()).arg(status.resolution.height());
+    QString size = QStringLiteral("%1 × %2").arg(status.resolution.width()).arg(status.resolution.height());
+    constexpr int kPercent = 100;
+    const int share = kPercent * frame.width() / status.resolution.width();
+    if (share > 0 && share < kPercent) size += tr(" (%1 %)").arg(share);
     const QString mode = status.view.walking ? tr("walking") : tr("flying");
     QStringList parts{size, mode, activity(status)};
     const bool drawing = !status.idle && !status.paused;
