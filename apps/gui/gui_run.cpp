@@ -2,6 +2,7 @@
 
 #include "gui/gui_spec.h"
 #include "gui/main_window.h"
+#include "gui/session/server_list.h"
 
 #include "common/run_program.h"
 #include "common/stop.h"
@@ -31,6 +32,9 @@ void onQtMessage(QtMsgType type, const QMessageLogContext&, const QString& text)
 
 app::ExitCode runGui(const app::Arguments& arguments) {
     const Options options = readOptions(arguments);
+    const QString instance = QString::fromStdString(options.instance);
+    if (!instance.isEmpty() && !isInstanceName(instance))
+        throw app::UsageError("an instance is 1 to 32 letters, digits, '_' or '-'");
     qInstallMessageHandler(onQtMessage);
     int count = 1;
     std::string name = guiSpec().name;
@@ -40,7 +44,7 @@ app::ExitCode runGui(const app::Arguments& arguments) {
     QApplication::setOrganizationName(QStringLiteral("rtsuite"));
     QApplication::setDesktopFileName(QStringLiteral("rtsuite"));
 
-    MainWindow window(QString::fromStdString(options.instance));
+    MainWindow window(instance);
     window.show();
     // Once the window has its size: the server draws frames as large.
     QTimer::singleShot(0, &window, [&] {

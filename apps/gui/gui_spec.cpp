@@ -1,7 +1,5 @@
 #include "gui/gui_spec.h"
 
-#include "gui/session/server_list.h"
-
 #include "rtcore/platform/error.h"
 
 #include <filesystem>
@@ -33,8 +31,6 @@ Options readOptions(const app::Arguments& arguments) {
     Options options;
     options.instance = arguments.text("instance").value_or("");
     options.connect = arguments.has("connect");
-    if (!options.instance.empty() && !isInstanceName(QString::fromStdString(options.instance)))
-        throw app::UsageError("an instance is 1 to 32 letters, digits, '_' or '-'");
     if (arguments.positionals().empty()) return options;
     if (options.connect) throw app::UsageError("--connect and a scene exclude each other");
     const std::filesystem::path file = std::filesystem::absolute(arguments.positionals().front());

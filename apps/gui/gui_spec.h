@@ -1,4 +1,4 @@
-/// The window's command line, as data.
+/// The window's command line, as data. Needs no Qt, so that its manual can be made without.
 #pragma once
 
 #include "common/command_line.h"

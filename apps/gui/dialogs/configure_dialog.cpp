@@ -71,8 +71,7 @@ QWidget* ConfigureDialog::picturePage() {
     addSwitch(*form, tr("The &live picture follows the window's size"), pref::followWindowSize);
     addScale(*form);
     constexpr int kMostMilliseconds = 1000;
-    addNumber(*form, tr("Frame &time in motion, for new servers:"), pref::frameTime, 0, kMostMilliseconds,
-              tr(" ms"));
+    addNumber(*form, tr("Frame &time in motion:"), pref::frameTime, 0, kMostMilliseconds, tr(" ms"));
     addNumber(*form, tr("&Quick render, anti-aliasing:"), pref::stillAntialiasing, 1, kMostSamples, {});
     addNumber(*form, tr("Quick render, &bloom:"), pref::stillBloom, 0, kMostBloom, tr(" pixels"));
     addNumber(*form, tr("&H exports anti-aliasing:"), pref::highQualityAntialiasing, 1, kMostSamples, {});
@@ -99,6 +98,7 @@ void ConfigureDialog::addNumber(QFormLayout& form, const QString& text, const Pr
                                 int minimum, int maximum, const QString& suffix) {
     auto* box = new QSpinBox;
     box->setRange(minimum, maximum);
+    if (minimum == 0) box->setSpecialValueText(tr("none"));
     box->setValue(preferences_.get(row));
     box->setSuffix(suffix);
     form.addRow(text, box);

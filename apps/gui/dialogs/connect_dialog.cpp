@@ -61,6 +61,7 @@ ConnectDialog::ConnectDialog(const QString& present, QWidget* parent)
     connect(&timer_, &QTimer::timeout, this, &ConnectDialog::refresh);
     timer_.start(kRefreshMilliseconds);
     refresh();
+    list_->setFocus();
 }
 
 void ConnectDialog::refresh() {

@@ -21,6 +21,7 @@ ConnectionOperations::ConnectionOperations(const Desk& desk, QObject* parent) : 
     connectActions();
     connect(&desk_.actions, &Actions::recentChosen, this, &ConnectionOperations::open);
     connect(&desk_.keeper, &ServerKeeper::died, this, &ConnectionOperations::onDeath);
+    connect(&desk_.keeper, &ServerKeeper::ready, this, &ConnectionOperations::sendBindings);
     connect(&desk_.session, &Session::stateChanged, this, &ConnectionOperations::onState);
     connect(&desk_.session, &Session::statusChanged, this,
             [this] { desk_.actions[ActionId::PauseServer]->setChecked(desk_.session.status().paused); });
@@ -144,7 +145,6 @@ void ConnectionOperations::onDeath(const QString& text) {
 void ConnectionOperations::onState() {
     desk_.actions.setServerThere(desk_.session.live());
     desk_.actions[ActionId::RestartServer]->setEnabled(desk_.keeper.canRestart());
-    if (desk_.session.state() == SessionState::Connected) sendBindings();
     const bool explained = desk_.session.state() == SessionState::Disconnected;
     if (explained && !desk_.session.reason().isEmpty())
         desk_.notice.explain(desk_.session.reason(), {desk_.actions[ActionId::StartServer]});
@@ -153,7 +153,7 @@ void ConnectionOperations::onState() {
 // Keys that the user has changed hold on every server that this window started.
 void ConnectionOperations::sendBindings() {
     const QString chosen = desk_.preferences.get(pref::bindings);
-    if (chosen.isEmpty() || !desk_.keeper.ours()) return;
+    if (chosen.isEmpty()) return;
     for (const QString& command : bindingChanges(defaultBindings(), readBindings(chosen)))
         desk_.session.send(command);
 }

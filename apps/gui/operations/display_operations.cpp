@@ -5,6 +5,7 @@
 #include "gui/dialogs/keys_dialog.h"
 #include "gui/dialogs/statistics_dialog.h"
 #include "gui/operations/actions.h"
+#include "gui/processes/server_keeper.h"
 #include "gui/session/session.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/input_capture.h"
@@ -66,9 +67,14 @@ void DisplayOperations::setFullScreen(bool on) {
 
 void DisplayOperations::configure() {
     const int scale = desk_.preferences.get(pref::pictureScale);
+    const int time = desk_.preferences.get(pref::frameTime);
     auto* dialog = new ConfigureDialog(desk_.preferences, desk_.session, &desk_.window);
-    connect(dialog, &QDialog::accepted, this, [this, scale] {
+    connect(dialog, &QDialog::accepted, this, [this, scale, time] {
         if (desk_.preferences.get(pref::pictureScale) != scale) askForResolution(desk_.view.devicePixels());
+        const int now = desk_.preferences.get(pref::frameTime);
+        if (now == time || !desk_.keeper.ours()) return;
+        desk_.session.send(QStringLiteral("frame-time ") +
+                           (now > 0 ? QString::number(now) : QStringLiteral("off")));
     });
     dialog->open();
 }

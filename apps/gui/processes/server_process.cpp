@@ -82,7 +82,7 @@ void ServerProcess::tellEnd(int exitCode, bool crashed) {
     if (std::exchange(stopping_, false)) return emit ended({});
     const QString words = lastWords();
     if (crashed) {
-        emit ended(tr("The server was killed or crashed (signal %1). %2").arg(exitCode).arg(words).trimmed());
+        emit ended(tr("The server was killed or has crashed (signal %1).").arg(exitCode));
     } else if (exitCode != 0) {
         emit ended(words.isEmpty() ? tr("The server ended with exit code %1.").arg(exitCode) : words);
     } else {
@@ -99,14 +99,9 @@ QString ServerProcess::log() const {
 
 QString ServerProcess::lastWords() const {
     const QString prefix = QStringLiteral("RTServer: ");
-    const QStringList lines = log().split(QLatin1Char('\n'), Qt::SkipEmptyParts);
-    for (auto line = lines.crbegin(); line != lines.crend(); ++line) {
-        const QString text = line->mid(prefix.size());
-        const bool failure = line->startsWith(prefix) && !text.startsWith(QStringLiteral("ready: ")) &&
-                             !text.startsWith(QStringLiteral("warning: "));
-        if (failure) return text;
-    }
-    return {};
+    const QString line = log().trimmed().section(QLatin1Char('\n'), -1);
+    const bool failure = line.startsWith(prefix) && !line.startsWith(prefix + QStringLiteral("ready: "));
+    return failure ? line.mid(prefix.size()) : QString();
 }
 
 void ServerProcess::stop(int patienceMilliseconds) {

@@ -36,7 +36,7 @@ class ServerProcess : public QObject {
     qint64 process() const; ///< 0 when none runs
     const ServerRequest& request() const { return request_; }
     QString log() const; ///< the last 256 kB of what it printed
-    /// The last line that names a failure, without "RTServer: "; empty when there is none.
+    /// The last line, without "RTServer: ": why it ended, when it ended with a failure.
     QString lastWords() const;
 
     /// Asks it to end, and kills it when it has not done so within `patience`. ended() follows.
