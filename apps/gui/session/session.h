@@ -48,8 +48,8 @@ class Session : public QObject {
     const QString& reason() const { return reason_; } ///< why Refused, or Disconnected; may be empty
     qint64 serverProcess() const { return process_; }
 
-    /// The newest frame: shares the session's memory and is valid until the next frameChanged() or leave(). Null before
-    /// the first one; the last one of a dead server stays.
+    /// The newest frame: shares the session's memory and is valid until the next frameChanged() or leave().
+    /// Null before the first one; the last one of a dead server stays.
     QImage frame() const;
     /// Counts the frames of one server; 0 before the first one.
     quint64 frameNumber() const;
