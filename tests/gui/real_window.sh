@@ -3,7 +3,7 @@
 # a server only while the keyboard is not captured, and closing leaves nothing behind.
 #   real_window.sh FOLDER-OF-PROGRAMS MODEL [PICTURES]     77: the tools are missing
 set -eu
-for tool in Xvfb xdotool import compare xdpyinfo; do
+for tool in Xvfb xdotool import compare; do
     command -v "$tool" >/dev/null || { echo "skipped: $tool is missing"; exit 77; }
 done
 programs=$1 model=$2 pictures=${3:-}

@@ -36,6 +36,7 @@ void ServerKeeper::start(ServerRequest request) {
     leaveOurs();
     request.scene = QFileInfo(request.scene).absoluteFilePath();
     request.instance = freeInstanceName(request.instance);
+    view_ = {};
     launch(request);
 }
 
@@ -80,13 +81,13 @@ void ServerKeeper::stop() {
 }
 
 void ServerKeeper::restart() {
-    const View view = session_.lastView();
+    if (session_.lastView().fieldOfView > 0) view_ = session_.lastView();
     if (server_.running()) leaveOurs();
     removeLeftovers(last_.instance);
     launch(ServerRequest(last_));
-    if (view.fieldOfView <= 0) return; // it never showed anything
-    session_.send(cameraCommand(view));
-    if (view.walking) session_.send(QStringLiteral("walk"));
+    if (view_.fieldOfView <= 0) return; // it never showed anything
+    session_.send(cameraCommand(view_));
+    if (view_.walking) session_.send(QStringLiteral("walk"));
 }
 
 bool ServerKeeper::ours() const {

@@ -55,6 +55,7 @@ class ServerKeeper : public QObject {
     ServerProcess server_;
     ServerRequest last_;
     QString scene_;
+    View view_; ///< the one to restart with
     bool waitsForFrame_ = false;
     bool asked_ = false; ///< the end of the server is our wish
 };

@@ -1,33 +1,17 @@
 #include "gui/session/session.h"
 
 #include "gui/session/pixel_order.h"
-
-#include "common/words.h"
-
-#include "ipc/endpoint/client.h"
-
-#include <QPointer>
-#include <QStringList>
-#include <QTimer>
-
-#include <algorithm>
-#include <cmath>
-#include <deque>
-#include <optional>
-#include <vector>
+#include "gui/session/session_link.h"
 
 namespace gui {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
 constexpr auto kPace = 4ms;      ///< while frames come
 constexpr auto kSlowPace = 15ms; ///< after a while without
 constexpr auto kSlowAfter = 500ms;
-constexpr std::size_t kMostWaiting = 1000;
-constexpr double kLeastTurn = 1e-4; ///< degrees
 
 QVector3D vector(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
 
@@ -47,34 +31,7 @@ ServerStatus statusOf(const ipc::Status& from) {
     return to;
 }
 
-// A server's failure begins with an exit code for shells.
-QString withoutCode(const QString& text) {
-    qsizetype digits = 0;
-    while (digits < text.size() && text[digits].isDigit()) ++digits;
-    return digits > 0 && digits < text.size() && text[digits] == QLatin1Char(' ') ? text.mid(digits + 1)
-                                                                                  : text;
-}
-
-struct Order {
-    QString command;
-    QPointer<const QObject> context;
-    std::function<void(const Answer&)> done; ///< empty: nobody waits
-    ipc::Ticket ticket = 0;                  ///< 0: not sent yet
-};
-
 } // namespace
-
-struct Session::Link {
-    std::unique_ptr<ipc::Client> client;
-    Clock::time_point deadline{}, lastNews{};
-    std::uint64_t epoch = 0;
-    ipc::Frame frame, next; ///< the one that is shown, and where the next one is read to
-    std::deque<Order> waiting;
-    std::vector<Order> open;
-    double right = 0, upwards = 0;      ///< turned, not yet sent
-    std::optional<ipc::Ticket> turning; ///< the server has not taken the last turn yet
-    QTimer timer;
-};
 
 Session::Session(QObject* parent) : QObject(parent), link_(std::make_unique<Link>()) {
     link_->timer.setTimerType(Qt::PreciseTimer);
@@ -86,6 +43,7 @@ Session::~Session() = default;
 void Session::connectTo(const QString& instance, std::chrono::milliseconds patience) {
     leave();
     instance_ = instance;
+    lastView_ = {};
     link_->deadline = Clock::now() + patience;
     become(SessionState::Connecting);
     link_->timer.start(kPace);
@@ -202,124 +160,6 @@ void Session::become(SessionState state, const QString& reason) {
     state_ = state;
     reason_ = reason;
     emit stateChanged(state);
-}
-
-// --- Commands ---
-
-QString Session::line(const QStringList& words) {
-    std::vector<std::string> plain;
-    for (const QString& word : words) plain.push_back(word.toStdString());
-    return QString::fromStdString(app::joinWords(plain));
-}
-
-void Session::send(const QString& command) { send(command, this, {}); }
-
-void Session::send(const QString& command, const QObject* context, std::function<void(const Answer&)> done) {
-    const bool wanted = state_ != SessionState::Disconnected && state_ != SessionState::Refused;
-    if (!wanted || link_->waiting.size() >= kMostWaiting) {
-        const QString text = wanted ? tr("the server takes no commands") : tr("there is no server");
-        QMetaObject::invokeMethod(
-            const_cast<QObject*>(context),
-            [done, text] {
-                if (done) done({false, text});
-            },
-            Qt::QueuedConnection);
-        if (!done) emit commandFailed(command, text);
-        return;
-    }
-    link_->waiting.push_back({command, context, std::move(done), 0});
-    link_->lastNews = Clock::now();
-}
-
-void Session::sendWaiting() {
-    while (!link_->waiting.empty()) {
-        Order& order = link_->waiting.front();
-        if (link_->client->send(order.command.toStdString(), &order.ticket) != ipc::SendStatus::Sent) return;
-        link_->open.push_back(std::move(order));
-        link_->waiting.pop_front();
-    }
-}
-
-void Session::sendTurn() {
-    if (link_->turning) {
-        if (link_->client->wait(*link_->turning, 0ns).status == ipc::ReplyStatus::TimedOut) return;
-        link_->turning.reset();
-    }
-    if (std::abs(link_->right) + std::abs(link_->upwards) < kLeastTurn) return;
-    const QString command =
-        QStringLiteral("camera turn %1 %2").arg(link_->right, 0, 'f', 5).arg(link_->upwards, 0, 'f', 5);
-    ipc::Ticket ticket = 0;
-    if (link_->client->send(command.toStdString(), &ticket) != ipc::SendStatus::Sent) return;
-    link_->turning = ticket;
-    link_->right = link_->upwards = 0;
-}
-
-// What is called may send more, or leave: the list is taken first.
-void Session::collectAnswers() {
-    std::vector<std::pair<Order, Answer>> ready;
-    std::erase_if(link_->open, [&](Order& order) {
-        const ipc::Reply reply = link_->client->wait(order.ticket, 0ns);
-        if (reply.status == ipc::ReplyStatus::TimedOut) return false;
-        const bool done = reply.status == ipc::ReplyStatus::Done;
-        const QString text = QString::fromStdString(reply.text);
-        ready.emplace_back(std::move(order), Answer{done, done ? text : withoutCode(text)});
-        return true;
-    });
-    for (const auto& [order, answer] : ready) {
-        if (order.done) {
-            if (order.context) order.done(answer);
-        } else if (!answer.done) {
-            emit commandFailed(order.command, answer.text);
-        }
-    }
-}
-
-void Session::failAll(const QString& text) {
-    std::vector<Order> all = std::exchange(link_->open, {});
-    for (Order& order : std::exchange(link_->waiting, {})) all.push_back(std::move(order));
-    link_->turning.reset();
-    for (const Order& order : all) {
-        if (order.done && order.context) order.done({false, text});
-    }
-}
-
-// --- Input ---
-
-void Session::pressKey(int key) {
-    if (!link_->client) return;
-    try {
-        link_->client->pressKey(key);
-    } catch (const ipc::Error&) {
-        return; // poll() tells of it
-    }
-    link_->lastNews = Clock::now();
-    pace();
-}
-
-void Session::releaseKey(int key) {
-    if (!link_->client) return;
-    try {
-        link_->client->releaseKey(key);
-    } catch (const ipc::Error&) {
-        return;
-    }
-}
-
-void Session::releaseAllKeys() {
-    if (!link_->client) return;
-    try {
-        link_->client->releaseAllKeys();
-    } catch (const ipc::Error&) {
-        return;
-    }
-}
-
-void Session::turn(double right, double upwards) {
-    constexpr double kMost = 180;
-    link_->right = std::clamp(link_->right + right, -kMost, kMost);
-    link_->upwards = std::clamp(link_->upwards + upwards, -kMost, kMost);
-    link_->lastNews = Clock::now();
-    pace();
 }
 
 } // namespace gui

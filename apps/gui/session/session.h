@@ -56,7 +56,7 @@ class Session : public QObject {
     /// How long ago the server published the frame.
     std::chrono::nanoseconds frameAge() const;
     const ServerStatus& status() const { return status_; }
-    /// Where the camera was when it was last heard of.
+    /// Where the camera was when it was last heard of, since connectTo(); a field of view of 0: never.
     const View& lastView() const { return lastView_; }
 
     /// Sends a line of words (app::joinWords puts one together). `done` is called once, later, unless
