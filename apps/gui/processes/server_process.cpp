@@ -113,11 +113,13 @@ void ServerProcess::stop(int patienceMilliseconds) {
     });
 }
 
-// A QProcess kills what it started when it is destroyed; so this one stays until the program ends.
+// A QProcess kills what it started when it is destroyed; so this one never is.
 void ServerProcess::release() {
     if (!running()) return;
     process_->disconnect(this);
     process_->setParent(nullptr);
+    static auto* const released = new QList<QProcess*>;
+    released->append(process_);
     process_ = nullptr;
 }
 
