@@ -161,7 +161,7 @@ void checkPositionals(const ProgramSpec& spec, const Arguments& arguments) {
         return option != nullptr && option->answers;
     };
     if (std::any_of(arguments.options().begin(), arguments.options().end(), answers)) return;
-    if (given < spec.positionals.size()) throw UsageError("missing " + spec.positionals[given].name);
+    if (given < spec.requiredPositionals()) throw UsageError("missing " + spec.positionals[given].name);
 }
 
 } // namespace

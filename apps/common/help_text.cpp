@@ -43,7 +43,8 @@ std::string entry(const std::string& label, const std::string& text) {
 std::string usageLine(const ProgramSpec& spec) {
     std::string line = "Usage: " + spec.name;
     for (const Positional& positional : spec.positionals) {
-        line += " " + positional.name + (positional.repeats ? "..." : "");
+        const std::string name = positional.name + (positional.repeats ? "..." : "");
+        line += positional.optional ? " [" + name + "]" : " " + name;
     }
     return line + " [OPTION]...\n";
 }
@@ -73,6 +74,11 @@ const Option* ProgramSpec::find(const std::string& longName) const {
         }
     }
     return nullptr;
+}
+
+std::size_t ProgramSpec::requiredPositionals() const {
+    const bool optional = !positionals.empty() && positionals.back().optional;
+    return positionals.size() - (optional ? 1 : 0);
 }
 
 ProgramSpec withStandardOptions(ProgramSpec spec) {

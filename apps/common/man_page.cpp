@@ -11,7 +11,7 @@ namespace app {
 
 namespace {
 
-constexpr std::array<const char*, 4> kPrograms = {"BSPBuilder", "CUI", "Renderer", "RTServer"};
+constexpr std::array<const char*, 5> kPrograms = {"BSPBuilder", "CUI", "GUI", "Renderer", "RTServer"};
 
 // Roff's own characters; a minus that it may not take for a hyphen.
 std::string escaped(std::string_view text) {
@@ -95,8 +95,10 @@ std::string commandLabel(const std::string& label) {
 
 std::string synopsis(const ProgramSpec& spec) {
     std::string text = bold(spec.name);
-    for (const Positional& positional : spec.positionals)
-        text += " " + italic(positional.name) + (positional.repeats ? "..." : "");
+    for (const Positional& positional : spec.positionals) {
+        const std::string name = italic(positional.name) + (positional.repeats ? "..." : "");
+        text += positional.optional ? " [" + name + "]" : " " + name;
+    }
     return text + " [" + italic("OPTION") + "]...\n";
 }
 

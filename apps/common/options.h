@@ -2,6 +2,7 @@
 /// shells complete come from the same table.
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <span>
 #include <string>
@@ -48,11 +49,13 @@ struct OptionGroup {
     std::vector<HelpWord> words = {};
 };
 
-/// An argument without a dash. All of them are required.
+/// An argument without a dash. All are required but the last, which may be optional: then
+/// the program may be run without any argument.
 struct Positional {
     std::string name; ///< in capitals
     std::string help;
     bool repeats = false;                ///< stands for one or more; the last positional only
+    bool optional = false;               ///< may be missing; the last positional only
     std::vector<std::string> files = {}; ///< usual extensions; none = any
 };
 
@@ -80,6 +83,7 @@ struct ProgramSpec {
     std::vector<HelpWord> environment = {}, files = {}; ///< for the manual page
 
     const Option* find(const std::string& longName) const;
+    std::size_t requiredPositionals() const;
 };
 
 /// The same table with what every program has at its end: --help and --version. -h is help unless it is

@@ -19,7 +19,7 @@ namespace {
 
 ExitCode parseAndRun(const ProgramSpec& spec, const std::vector<std::string>& words,
                      const std::function<ExitCode(const Arguments&)>& work) {
-    if (words.empty()) {
+    if (words.empty() && (spec.positionals.empty() || spec.requiredPositionals() > 0)) {
         writeError(briefText(spec));
         return ExitCode::Usage;
     }

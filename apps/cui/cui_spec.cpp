@@ -46,6 +46,7 @@ constexpr std::array kCommands{
     CommandSpec{"camera set", "EX EY EZ FX FY FZ [FOV]", "look from E into the direction F"},
     CommandSpec{"camera look-at", "EX EY EZ TX TY TZ [FOV]", "look from E to the point T"},
     CommandSpec{"camera turn", "RIGHT UP", "turn by these angles, degrees"},
+    CommandSpec{"speed", "FACTOR", "fly so many times as fast as usual"},
     CommandSpec{"walk", "", "with a body, on the ground"},
     CommandSpec{"fly", "", "freely"},
     CommandSpec{"load camera", "FILE", "look through a .cam file", Doer::Server, true},

@@ -54,11 +54,20 @@ Result fly(const Call& call) {
     return {};
 }
 
+Result speed(const Call& call) {
+    constexpr float kLeast = 0.001F, kMost = 1000;
+    const float factor = number(call[0]);
+    if (!(factor >= kLeast && factor <= kMost)) throw app::UsageError("speed takes 0.001 to 1000");
+    call.session.setSpeed(static_cast<double>(factor));
+    return {};
+}
+
 constexpr std::array kCommands{
     Command{"camera get", 0, 0, "", true, get},
     Command{"camera set", 6, 7, "EX EY EZ FX FY FZ [FOV]", true, set},
     Command{"camera look-at", 6, 7, "EX EY EZ TX TY TZ [FOV]", true, lookAt},
     Command{"camera turn", 2, 2, "RIGHT UP", true, turn},
+    Command{"speed", 1, 1, "FACTOR", true, speed},
     Command{"walk", 0, 0, "", true, walk},
     Command{"fly", 0, 0, "", true, fly},
 };

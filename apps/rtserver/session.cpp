@@ -183,6 +183,8 @@ void Session::setWalking(bool walking) {
     takeCamera();
 }
 
+void Session::setSpeed(double factor) { player_->setSpeedFactor(factor); }
+
 bool Session::walking() const { return player_->mode() == rtcore::MotionMode::Walk; }
 
 double Session::metresPerUnit() const { return player_->metresPerUnit(); }

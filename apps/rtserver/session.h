@@ -51,6 +51,8 @@ class Session {
     void turn(double right, double upwards);
     /// Throws std::runtime_error where there is no room for a body.
     void setWalking(bool walking);
+    /// Of flying, in times the usual speed of the scene; until another scene is shown.
+    void setSpeed(double factor);
     bool walking() const;
 
     const rtcore::RenderSettings& settings() const { return settings_; }

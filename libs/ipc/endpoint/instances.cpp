@@ -3,6 +3,8 @@
 #include "ipc/endpoint/link.h"
 #include "ipc/endpoint/server_lock.h"
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace ipc {
@@ -21,6 +23,18 @@ std::string lockFolderOf(const Names& names) {
     }
 }
 
+int clientsOf(const Names& names) {
+    const std::optional<Segment> segment =
+        Segment::open(names.control(), Access::Read, sizeof(ControlBlock));
+    const std::optional<ControlFacts> facts = segment ? readControlFacts(*segment) : std::nullopt;
+    if (!facts || facts->handshake != ownHandshake()) return 0;
+    const ControlBlock& block = *static_cast<const ControlBlock*>(segment->data());
+    return static_cast<int>(
+        std::count_if(std::begin(block.slots), std::end(block.slots), [](const ClientSlot& slot) {
+            return slot.servedTag.load(std::memory_order_acquire) != 0;
+        }));
+}
+
 } // namespace
 
 std::vector<Instance> listInstances() {
@@ -34,7 +48,7 @@ std::vector<Instance> listInstances() {
         try {
             const Names names(name);
             const LockHolder holder = lockHolder(names.serverLock(lockFolderOf(names)));
-            instances.push_back({name, holder.held, holder.process});
+            instances.push_back({name, holder.held, holder.process, holder.held ? clientsOf(names) : 0});
         } catch (const Error&) {
             continue; // not a name of ours
         }

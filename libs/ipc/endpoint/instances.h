@@ -13,6 +13,7 @@ struct Instance {
     std::string name;
     bool running = false;     ///< false: left by a server that died; free it, or start a server of that name
     std::int64_t process = 0; ///< of the server while it runs
+    int clients = 0;          ///< that it serves now; viewers are not known to it
 };
 
 /// Sorted by name. Any thread.

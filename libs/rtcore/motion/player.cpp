@@ -102,7 +102,7 @@ void Player::step() {
     if (mode_ == MotionMode::Walk) {
         stepWalking(held);
     } else {
-        fly(flight_, now_.heading, held, flyingSpeed_);
+        fly(flight_, now_.heading, held, flyingSpeed_ * speedFactor_);
         now_.eye = flight_.eye;
     }
     moved_ = moved_ || now_.eye != before_.eye;

@@ -62,6 +62,9 @@ class Player {
     /// At most a quarter of a second counts: after a stall the player does not leap.
     void advance(std::chrono::nanoseconds time);
 
+    /// Flies so many times as fast as usual; > 0. Walking stays as it is.
+    void setSpeedFactor(double factor) { speedFactor_ = factor; }
+
     /// Nothing will move until something is pressed.
     bool atRest() const;
 
@@ -83,6 +86,7 @@ class Player {
     WorldFrame frame_;
     Walker walker_;
     double flyingSpeed_; ///< m/s
+    double speedFactor_ = 1;
     MotionMode mode_ = MotionMode::View;
     Camera given_;
     bool moved_ = false, turned_ = false; ///< since the camera was given

@@ -44,6 +44,21 @@ TEST_F(Motions, AKeyIsPressedForATime) {
     refused({"ping", "--for=5"}, 2, "key press");
 }
 
+TEST_F(Motions, TheSpeedOfFlyingIsAFactor) {
+    start();
+    std::vector<double> ways;
+    for (const char* factor : {"1", "3"}) {
+        ask({"speed", factor});
+        ask({"wait-idle"});
+        const nlohmann::json before = status()["eye"];
+        ask({"key", "press", "w", "--for=300"});
+        ask({"wait-idle"});
+        ways.push_back(distance(before, status()["eye"]));
+    }
+    EXPECT_NEAR(ways[1], 3 * ways[0], ways[0] * 0.2);
+    for (const char* wrong : {"0", "-1", "1e9", "fast"}) refused({"speed", wrong}, 2, "");
+}
+
 TEST_F(Motions, KeysCanBeBoundAnew) {
     start();
     const std::string before = ask({"bindings"});

@@ -114,6 +114,16 @@ TEST(CommandLine, TheLastPositionalMayRepeat) {
     EXPECT_THROW(app::parseCommandLine(spec, std::vector<std::string>{"-w", "1"}), UsageError);
 }
 
+TEST(CommandLine, TheLastPositionalMayBeOptional) {
+    app::ProgramSpec spec = sampleSpec();
+    spec.positionals.push_back({.name = "PICTURE", .help = "what to write", .optional = true});
+    EXPECT_EQ(spec.requiredPositionals(), 1U);
+    const std::vector<std::string> one{"a.scn"}, three{"a", "b", "c"};
+    EXPECT_EQ(app::parseCommandLine(spec, one).positionals(), one);
+    EXPECT_THROW(app::parseCommandLine(spec, {}), UsageError);
+    EXPECT_THROW(app::parseCommandLine(spec, three), UsageError);
+}
+
 TEST(CommandLine, NumbersAreWholeWordsInEveryLocale) {
     EXPECT_EQ(app::parseNumber("0.5"), 0.5);
     EXPECT_EQ(app::parseNumber("-2e3"), -2000);

@@ -54,6 +54,12 @@ TEST(HelpText, MarksPositionalsThatRepeat) {
     EXPECT_EQ(app::briefText(spec).rfind("Usage: Sample SCENE... [OPTION]...\n", 0), 0U);
 }
 
+TEST(HelpText, MarksPositionalsThatMayBeMissing) {
+    app::ProgramSpec spec = sampleSpec();
+    spec.positionals.back().optional = true;
+    EXPECT_EQ(app::helpText(spec).rfind("Usage: Sample [SCENE] [OPTION]...\n", 0), 0U);
+}
+
 TEST(HelpText, VersionListsTheOptionalParts) {
     const std::string text = app::versionText(sampleSpec());
     EXPECT_EQ(text.rfind("Sample (rtsuite) ", 0), 0U);

@@ -2,6 +2,7 @@
 #include "bench/rtbench/bench_options.h"
 #include "bspbuilder/builder_options.h"
 #include "cui/cui_spec.h"
+#include "gui/gui_spec.h"
 #include "renderer/renderer_options.h"
 #include "rtserver/server_options.h"
 
@@ -42,7 +43,8 @@ TEST_P(OptionsTable, EachOptionSaysWhatItIs) {
 
 INSTANTIATE_TEST_SUITE_P(Programs, OptionsTable,
                          testing::Values(&renderer::rendererSpec(), &bspbuilder::builderSpec(),
-                                         &rtbench::benchSpec(), &rtserver::serverSpec(), &cui::cuiSpec()),
+                                         &rtbench::benchSpec(), &rtserver::serverSpec(), &cui::cuiSpec(),
+                                         &gui::guiSpec()),
                          [](const auto& program) { return program.param->name; });
 
 app::Arguments parse(const app::ProgramSpec& spec, const std::vector<std::string>& words) {

@@ -1,0 +1,166 @@
+#include "gui/dialogs/configure_dialog.h"
+
+#include "gui/dialogs/file_field.h"
+#include "gui/dialogs/key_bindings_page.h"
+#include "gui/session/session.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+namespace gui {
+
+namespace {
+
+QString asText(const QList<Binding>& bindings) {
+    QStringList lines;
+    for (const Binding& each : bindings) {
+        const QString number = each.number > 0 ? QStringLiteral(" %1").arg(each.number) : QString();
+        lines.append(each.keys + QLatin1Char(' ') + each.action + number);
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
+} // namespace
+
+ConfigureDialog::ConfigureDialog(Preferences& preferences, Session& session, QWidget* parent)
+    : QDialog(parent), preferences_(preferences), session_(session), keys_(new KeyBindingsPage) {
+    setAttribute(Qt::WA_DeleteOnClose);
+    setWindowTitle(tr("Configure"));
+    auto* tabs = new QTabWidget;
+    tabs->addTab(generalPage(), tr("&General"));
+    tabs->addTab(picturePage(), tr("&Picture"));
+    tabs->addTab(inputPage(), tr("&Mouse"));
+    tabs->addTab(keys_, tr("&Keys"));
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
+    ok_ = buttons->button(QDialogButtonBox::Ok);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(tabs);
+    column->addWidget(buttons);
+    constexpr QSize kSize(520, 480);
+    resize(kSize);
+    connect(keys_, &KeyBindingsPage::changed, this, [this] { ok_->setEnabled(keys_->valid()); });
+    connect(buttons, &QDialogButtonBox::accepted, this, &ConfigureDialog::finish);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    askForBindings();
+}
+
+QWidget* ConfigureDialog::generalPage() {
+    auto* page = new QWidget;
+    auto* form = new QFormLayout(page);
+    addTheme(*form);
+    auto* folder = new FileField(FileField::Kind::Folder, tr("Folder for pictures"), QString());
+    folder->setPath(preferences_.picturesFolder());
+    form->addRow(tr("&Folder for pictures:"), folder);
+    stores_.append([this, folder] { preferences_.set(pref::pictureFolder, folder->path()); });
+    addSwitch(*form, tr("&Keep servers running when the window closes"), pref::keepServers);
+    addSwitch(*form, tr("&Progressive rendering when the camera rests"), pref::progressiveRendering);
+    return page;
+}
+
+QWidget* ConfigureDialog::picturePage() {
+    auto* page = new QWidget;
+    auto* form = new QFormLayout(page);
+    constexpr int kMostSamples = 16, kMostBloom = 4096;
+    addSwitch(*form, tr("The &live picture follows the window's size"), pref::followWindowSize);
+    addScale(*form);
+    constexpr int kMostMilliseconds = 1000;
+    addNumber(*form, tr("Frame &time in motion:"), pref::frameTime, 0, kMostMilliseconds, tr(" ms"));
+    addNumber(*form, tr("&Quick render, anti-aliasing:"), pref::stillAntialiasing, 1, kMostSamples, {});
+    addNumber(*form, tr("Quick render, &bloom:"), pref::stillBloom, 0, kMostBloom, tr(" pixels"));
+    addNumber(*form, tr("&H exports anti-aliasing:"), pref::highQualityAntialiasing, 1, kMostSamples, {});
+    addNumber(*form, tr("H exports bl&oom:"), pref::highQualityBloom, 0, kMostBloom, tr(" pixels"));
+    return page;
+}
+
+QWidget* ConfigureDialog::inputPage() {
+    auto* page = new QWidget;
+    auto* form = new QFormLayout(page);
+    addSensitivity(*form);
+    addSwitch(*form, tr("&Invert up and down"), pref::invertMouse);
+    return page;
+}
+
+void ConfigureDialog::addSwitch(QFormLayout& form, const QString& text, const Preference<bool>& row) {
+    auto* box = new QCheckBox(text);
+    box->setChecked(preferences_.get(row));
+    form.addRow(QString(), box);
+    stores_.append([this, box, &row] { preferences_.set(row, box->isChecked()); });
+}
+
+void ConfigureDialog::addNumber(QFormLayout& form, const QString& text, const Preference<int>& row,
+                                int minimum, int maximum, const QString& suffix) {
+    auto* box = new QSpinBox;
+    box->setRange(minimum, maximum);
+    if (minimum == 0) box->setSpecialValueText(tr("none"));
+    box->setValue(preferences_.get(row));
+    box->setSuffix(suffix);
+    form.addRow(text, box);
+    stores_.append([this, box, &row] { preferences_.set(row, box->value()); });
+}
+
+void ConfigureDialog::addTheme(QFormLayout& form) {
+    auto* box = new QComboBox;
+    box->addItem(tr("as the system"), QStringLiteral("system"));
+    box->addItem(tr("light"), QStringLiteral("light"));
+    box->addItem(tr("dark"), QStringLiteral("dark"));
+    box->setCurrentIndex(qMax(0, box->findData(preferences_.get(pref::theme))));
+    form.addRow(tr("&Colours:"), box);
+    stores_.append([this, box] { preferences_.set(pref::theme, box->currentData().toString()); });
+}
+
+void ConfigureDialog::addScale(QFormLayout& form) {
+    auto* box = new QComboBox;
+    for (const int percent : {100, 75, 50, 33, 25})
+        box->addItem(tr("%1 % of the window").arg(percent), percent);
+    box->setCurrentIndex(qMax(0, box->findData(preferences_.get(pref::pictureScale))));
+    box->setToolTip(tr("Smaller pictures are drawn faster"));
+    form.addRow(tr("&Size of the live picture:"), box);
+    stores_.append([this, box] { preferences_.set(pref::pictureScale, box->currentData().toInt()); });
+}
+
+void ConfigureDialog::addSensitivity(QFormLayout& form) {
+    auto* box = new QDoubleSpinBox;
+    constexpr double kLeast = 0.01, kMost = 2, kStep = 0.02;
+    box->setRange(kLeast, kMost);
+    box->setSingleStep(kStep);
+    box->setValue(preferences_.get(pref::mouseSensitivity));
+    box->setSuffix(tr("° a pixel"));
+    form.addRow(tr("&Sensitivity:"), box);
+    stores_.append([this, box] { preferences_.set(pref::mouseSensitivity, box->value()); });
+}
+
+void ConfigureDialog::askForBindings() {
+    const QList<Binding> chosen = readBindings(preferences_.get(pref::bindings));
+    present_ = chosen.isEmpty() ? defaultBindings() : chosen;
+    keys_->setBindings(present_);
+    if (!session_.live()) return;
+    session_.send(QStringLiteral("bindings"), this, [this](const Answer& answer) {
+        const QList<Binding> bindings = answer.done ? readBindings(answer.text) : QList<Binding>();
+        if (bindings.isEmpty()) return;
+        present_ = bindings;
+        keys_->setBindings(bindings);
+    });
+}
+
+void ConfigureDialog::applyBindings() {
+    const QList<Binding> wanted = keys_->bindings();
+    if (wanted == present_) return;
+    preferences_.set(pref::bindings, wanted == defaultBindings() ? QString() : asText(wanted));
+    if (!session_.live()) return;
+    for (const QString& command : bindingChanges(present_, wanted)) session_.send(command);
+}
+
+void ConfigureDialog::finish() {
+    for (const std::function<void()>& store : stores_) store();
+    applyBindings();
+    accept();
+}
+
+} // namespace gui

@@ -1,0 +1,62 @@
+#include "gui/dialogs/export_camera_dialog.h"
+
+#include "gui/dialogs/fields.h"
+#include "gui/dialogs/file_field.h"
+
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QPushButton>
+#include <QSpinBox>
+
+namespace gui {
+
+ExportCameraDialog::ExportCameraDialog(const QString& path, const QSize& size, Preferences& preferences,
+                                       QWidget* parent)
+    : QDialog(parent), preferences_(preferences),
+      path_(new FileField(FileField::Kind::Save, tr("Path"), tr("Cameras (*.cam);;All files (*)"))) {
+    setAttribute(Qt::WA_DeleteOnClose);
+    setWindowTitle(tr("Export camera"));
+    path_->setPath(path);
+    constexpr int kMostPixels = 32768, kMostSamples = 16, kMostBloom = 4096;
+    const QSize kept = preferences.get(pref::exportSize);
+    const QSize proposed = kept.isEmpty() ? size : kept;
+    width_ = numberField(1, kMostPixels, proposed.width(), tr("Width"));
+    height_ = numberField(1, kMostPixels, proposed.height(), tr("Height"));
+    antialiasing_ =
+        numberField(1, kMostSamples, preferences.get(pref::exportAntialiasing), tr("Anti-aliasing"));
+    antialiasing_->setToolTip(tr("N × N samples a pixel"));
+    bloom_ = numberField(0, kMostBloom, preferences.get(pref::exportBloom), tr("Bloom"));
+    bloom_->setSpecialValueText(tr("none"));
+    bloom_->setSuffix(tr(" pixels"));
+    auto* now = new QPushButton(tr("As &now"));
+    now->setToolTip(tr("The size that the server draws now"));
+    connect(now, &QPushButton::clicked, this, [this, size] {
+        width_->setValue(size.width());
+        height_->setValue(size.height());
+    });
+    QWidget* sizes = rowOfFields({width_, sign(QStringLiteral("×")), height_, now});
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    auto* ok = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
+    ok->setDefault(true);
+    auto* form = new QFormLayout(this);
+    form->addRow(tr("&Path:"), path_);
+    form->addRow(tr("&Resolution:"), sizes);
+    form->addRow(tr("&Anti-aliasing:"), antialiasing_);
+    form->addRow(tr("&Bloom:"), bloom_);
+    form->addRow(buttons);
+    connect(path_, &FileField::pathChanged, this, [this, ok] { ok->setEnabled(!path_->path().isEmpty()); });
+    connect(buttons, &QDialogButtonBox::accepted, this, &ExportCameraDialog::finish);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+void ExportCameraDialog::finish() {
+    const CameraExport camera{path_->path(), QSize(width_->value(), height_->value()), antialiasing_->value(),
+                              bloom_->value()};
+    preferences_.set(pref::exportSize, camera.size);
+    preferences_.set(pref::exportAntialiasing, camera.antialiasing);
+    preferences_.set(pref::exportBloom, camera.bloom);
+    emit wanted(camera);
+    accept();
+}
+
+} // namespace gui

@@ -1,0 +1,28 @@
+#include "gui/dialogs/fields.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSpinBox>
+
+namespace gui {
+
+QSpinBox* numberField(int minimum, int maximum, int value, const QString& accessibleName) {
+    auto* box = new QSpinBox;
+    box->setRange(minimum, maximum);
+    box->setValue(value);
+    box->setAccessibleName(accessibleName);
+    return box;
+}
+
+QWidget* rowOfFields(std::initializer_list<QWidget*> fields) {
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    for (QWidget* field : fields) layout->addWidget(field, qobject_cast<QLabel*>(field) == nullptr ? 1 : 0);
+    row->setFocusProxy(*fields.begin());
+    return row;
+}
+
+QWidget* sign(const QString& text) { return new QLabel(text); }
+
+} // namespace gui

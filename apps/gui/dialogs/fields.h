@@ -1,0 +1,22 @@
+/// Small pieces of which dialogs are made.
+#pragma once
+
+#include <QString>
+
+#include <initializer_list>
+
+class QSpinBox;
+class QWidget;
+
+namespace gui {
+
+/// A field for a whole number.
+QSpinBox* numberField(int minimum, int maximum, int value, const QString& accessibleName);
+
+/// Fields side by side, as one row of a form; the first one takes the focus of the row's label.
+QWidget* rowOfFields(std::initializer_list<QWidget*> fields);
+
+/// A sign between two fields.
+QWidget* sign(const QString& text);
+
+} // namespace gui

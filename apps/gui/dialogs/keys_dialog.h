@@ -1,0 +1,28 @@
+/// The cheat sheet: every key on one page.
+#pragma once
+
+#include "gui/models/bindings.h"
+
+#include <QDialog>
+
+class QTextBrowser;
+
+namespace gui {
+
+class Session;
+
+class KeysDialog : public QDialog {
+    Q_OBJECT
+
+  public:
+    /// Asks the server for its bindings; shows the built-in ones until it answers.
+    explicit KeysDialog(Session& session, QWidget* parent = nullptr);
+
+  private:
+    QTextBrowser* page_;
+};
+
+/// The page, as HTML.
+QString keysPage(const QList<Binding>& bindings);
+
+} // namespace gui

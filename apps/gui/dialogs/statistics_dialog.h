@@ -1,0 +1,38 @@
+/// The server's figures, as they change.
+#pragma once
+
+#include "gui/session/session.h"
+
+#include <QDialog>
+#include <QElapsedTimer>
+#include <QTimer>
+
+#include <functional>
+
+class QFormLayout;
+class QLabel;
+
+namespace gui {
+
+class StatisticsDialog : public QDialog {
+    Q_OBJECT
+
+  public:
+    /// `session` must outlive it. `delay`: seconds from a frame's publication until it is on the screen.
+    StatisticsDialog(Session& session, std::function<double()> delay, QWidget* parent = nullptr);
+
+  private:
+    void addRow(QFormLayout& form, const QString& name, QLabel*& value);
+    void refresh();
+    QString stateName() const;
+
+    Session& session_;
+    std::function<double()> delay_;
+    QLabel *server_, *state_, *frames_, *frameTime_, *shown_, *delayed_, *rays_, *resolution_, *polygons_,
+        *mode_, *eye_, *exposure_;
+    QTimer timer_;
+    QElapsedTimer clock_;
+    int received_ = 0; ///< frames since the clock's start
+};
+
+} // namespace gui

@@ -1,0 +1,50 @@
+#include "gui/gui_spec.h"
+
+#include "common/file_notes.h"
+
+#include "rtcore/platform/error.h"
+
+#include <filesystem>
+
+namespace gui {
+
+const app::ProgramSpec& guiSpec() {
+    using app::ValueKind;
+    static const app::ProgramSpec spec{
+        .name = "GUI",
+        .purpose = "A window on a running RTServer. With a scene or a model it starts a server of its own.",
+        .positionals = {{.name = "SCENE",
+                         .help = "scene description (.scn), kd-tree (.bsp) or any model file",
+                         .optional = true,
+                         .files = app::sceneExtensions()}},
+        .groups = {{"Options",
+                    {{.name = "instance",
+                      .letter = 'i',
+                      .value = ValueKind::Text,
+                      .argument = "NAME",
+                      .help = "the server's name [default]"},
+                     {.name = "connect", .letter = 'c', .help = "connect to the server that runs"}}}},
+        .examples = {{"GUI nave.scn", "start a server with this scene and walk in it"},
+                     {"GUI --connect --instance=cow", "look at what the server 'cow' shows"}},
+        .environment = app::importEnvironmentNotes(),
+        .files = app::sceneFileNotes(),
+    };
+    return spec;
+}
+
+Options readOptions(const app::Arguments& arguments) {
+    Options options;
+    options.instance = arguments.text("instance").value_or("");
+    options.connect = arguments.has("connect");
+    if (arguments.positionals().empty()) return options;
+    if (options.connect) throw app::UsageError("--connect and a scene exclude each other");
+    const std::filesystem::path file = std::filesystem::absolute(arguments.positionals().front());
+    if (!std::filesystem::is_regular_file(file)) {
+        throw rtcore::FileError(rtcore::FailureKind::NoInput, arguments.positionals().front(),
+                                "there is no such file");
+    }
+    options.file = file.string();
+    return options;
+}
+
+} // namespace gui

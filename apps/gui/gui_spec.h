@@ -1,0 +1,22 @@
+/// The window's command line, as data. Needs no Qt, so that its manual can be made without.
+#pragma once
+
+#include "common/command_line.h"
+#include "common/options.h"
+
+#include <string>
+
+namespace gui {
+
+const app::ProgramSpec& guiSpec();
+
+struct Options {
+    std::string file;     ///< absolute; empty = none
+    std::string instance; ///< empty: as the preferences say
+    bool connect = false;
+};
+
+/// Throws app::UsageError, and rtcore::FileError (NoInput) when there is no such file.
+Options readOptions(const app::Arguments& arguments);
+
+} // namespace gui

@@ -1,0 +1,7 @@
+/// GUI: the window on a running RTServer.
+#include "gui/gui_run.h"
+#include "gui/gui_spec.h"
+
+#include "common/run_program.h"
+
+int main(int argc, char** argv) { return app::runProgram(argc, argv, gui::guiSpec(), gui::runGui); }

@@ -1,0 +1,101 @@
+#include "gui/main_window.h"
+
+#include "gui/operations/actions.h"
+#include "gui/operations/camera_operations.h"
+#include "gui/operations/connection_operations.h"
+#include "gui/operations/display_operations.h"
+#include "gui/operations/motion_operations.h"
+#include "gui/operations/render_operations.h"
+#include "gui/view/frame_view.h"
+#include "gui/view/notice_bar.h"
+
+#include <QAction>
+#include <QCloseEvent>
+#include <QFileInfo>
+#include <QIcon>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QVBoxLayout>
+
+// A static library's resources are not there by themselves.
+static void loadResources() { Q_INIT_RESOURCE(gui); }
+
+namespace gui {
+
+MainWindow::MainWindow(const QString& instance, QWidget* parent)
+    : QMainWindow(parent), view_(new FrameView(session_)), notice_(new NoticeBar),
+      actions_(new Actions(*this, preferences_)) {
+    loadResources();
+    setWindowIcon(QIcon(QStringLiteral(":/gui.png")));
+    layOut();
+    const Desk desk{*this, session_, keeper_, preferences_, *actions_, *view_, *notice_};
+    connection_ = new ConnectionOperations(desk, this);
+    connection_->setInstance(instance);
+    new CameraOperations(desk, this);
+    new DisplayOperations(desk, this);
+    new MotionOperations(desk, this);
+    new RenderOperations(desk, this);
+    connect(&session_, &Session::stateChanged, this, &MainWindow::showTitle);
+    connect(&keeper_, &ServerKeeper::started, this, &MainWindow::showTitle);
+    showTitle();
+    restoreGeometryAndState();
+    view_->setFocus();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::layOut() {
+    auto* centre = new QWidget;
+    auto* column = new QVBoxLayout(centre);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(notice_);
+    column->addWidget(view_, 1);
+    setCentralWidget(centre);
+    setAcceptDrops(true);
+    setDockOptions(AnimatedDocks | AllowTabbedDocks);
+    actions_->fill(*menuBar());
+}
+
+void MainWindow::restoreGeometryAndState() {
+    resize(view_->sizeHint());
+    restoreGeometry(preferences_.get(pref::geometry));
+    restoreState(preferences_.get(pref::windowState));
+}
+
+void MainWindow::showTitle() {
+    const QString name = tr("Ray tracing");
+    const QString scene = QFileInfo(keeper_.scene()).fileName();
+    const QString what = scene.isEmpty() && session_.live() ? session_.instance() : scene;
+    setWindowTitle(what.isEmpty() ? name : QStringLiteral("%1 – %2").arg(what, name));
+}
+
+void MainWindow::open(const QString& path) { connection_->open(path); }
+
+void MainWindow::connectToServer() { keeper_.connectTo(connection_->instanceName()); }
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    preferences_.set(pref::geometry, saveGeometry());
+    preferences_.set(pref::windowState, saveState());
+    keeper_.close(preferences_.get(pref::keepServers));
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    const QList<QUrl> urls = event->mimeData()->urls();
+    if (urls.size() == 1 && urls.first().isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    const QList<QUrl> urls = event->mimeData()->urls();
+    if (urls.size() == 1) open(urls.first().toLocalFile());
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    QMainWindow::changeEvent(event);
+    if (event->type() != QEvent::WindowStateChange || actions_ == nullptr) return;
+    (*actions_)[ActionId::FullScreen]->setChecked(isFullScreen());
+    menuBar()->setVisible(!isFullScreen());
+}
+
+} // namespace gui

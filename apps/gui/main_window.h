@@ -1,0 +1,56 @@
+/// Puts the parts together: no logic of its own.
+#pragma once
+
+#include "gui/models/preferences.h"
+#include "gui/processes/server_keeper.h"
+#include "gui/session/session.h"
+
+#include <QMainWindow>
+
+namespace gui {
+
+class Actions;
+class ConnectionOperations;
+class FrameView;
+class NoticeBar;
+
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+  public:
+    /// `instance`: the name for the servers of this window; empty: as the preferences say.
+    explicit MainWindow(const QString& instance = {}, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    /// As if the file were dropped on the window.
+    void open(const QString& path);
+    void connectToServer();
+
+    Session& session() { return session_; }
+    ServerKeeper& keeper() { return keeper_; }
+    FrameView& view() { return *view_; }
+    Actions& actions() { return *actions_; }
+    NoticeBar& notice() { return *notice_; }
+    Preferences& preferences() { return preferences_; }
+
+  protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+  private:
+    void layOut();
+    void restoreGeometryAndState();
+    void showTitle();
+
+    Preferences preferences_;
+    Session session_;
+    ServerKeeper keeper_{session_};
+    FrameView* view_;
+    NoticeBar* notice_;
+    Actions* actions_;
+    ConnectionOperations* connection_;
+};
+
+} // namespace gui

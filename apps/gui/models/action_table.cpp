@@ -1,0 +1,99 @@
+#include "gui/models/action_table.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+
+namespace gui {
+
+namespace {
+
+constexpr const char* kContext = "ActionTable";
+// lupdate finds the texts by this name.
+#define TEXT(text) QT_TRANSLATE_NOOP("ActionTable", text)
+
+constexpr std::array kRows{
+    ActionRow{ActionId::Open, MenuId::File, TEXT("&Open…"), TEXT("Show a scene or a model"), "Ctrl+O",
+              RecentFilesAfter},
+    ActionRow{ActionId::ImportCamera, MenuId::File, TEXT("&Import camera…"), TEXT("Look through a .cam file"),
+              "Ctrl+I", NeedsServer | SeparatorBefore},
+    ActionRow{ActionId::Exit, MenuId::File, TEXT("E&xit"), TEXT("Close the window"), "Ctrl+Q",
+              SeparatorBefore},
+
+    ActionRow{ActionId::Connect, MenuId::Connection, TEXT("&Connect…"), TEXT("Connect to a running server"),
+              "Ctrl+C"},
+    ActionRow{ActionId::StartServer, MenuId::Connection, TEXT("&Start new server…"),
+              TEXT("Start a server with a scene or a model, and connect to it"), "Ctrl+S"},
+    ActionRow{ActionId::Disconnect, MenuId::Connection, TEXT("&Disconnect"),
+              TEXT("Leave the server; it goes on"), "Ctrl+D", NeedsServer},
+    ActionRow{ActionId::ServerLog, MenuId::Connection, TEXT("Server &log"),
+              TEXT("What the server that this window started has to say"), "Ctrl+L", SeparatorBefore},
+
+    ActionRow{ActionId::ExportCamera, MenuId::Action, TEXT("&Export camera…"),
+              TEXT("Write the camera to a .cam file"), "Ctrl+E", NeedsServer},
+    ActionRow{ActionId::Recording, MenuId::Action, TEXT("&Recording…"),
+              TEXT("Record the camera of every frame"), "Ctrl+Shift+R", NeedsServer},
+    ActionRow{ActionId::QuickRender, MenuId::Action, TEXT("&Quick render"),
+              TEXT("Show the present view in higher quality"), "Ctrl+R", NeedsServer},
+    ActionRow{ActionId::Screenshot, MenuId::Action, TEXT("S&creenshot"),
+              TEXT("Save the picture under the next free name"), "F12", NeedsServer},
+    ActionRow{ActionId::CopyCamera, MenuId::Action, TEXT("Cop&y camera"), TEXT("Copy the camera as text"),
+              "Ctrl+Shift+C", NeedsServer | SeparatorBefore},
+    ActionRow{ActionId::PasteCamera, MenuId::Action, TEXT("&Paste camera"),
+              TEXT("Look through the camera of the clipboard"), "Ctrl+Shift+V", NeedsServer},
+    ActionRow{ActionId::Statistics, MenuId::Action, TEXT("S&tatistics"),
+              TEXT("Frames a second, rays a second, resolution, polygons"), "Ctrl+T", SeparatorBefore},
+
+    ActionRow{ActionId::StopServer, MenuId::Commands, TEXT("&Stop server"), TEXT("End the server"), "Ctrl+K",
+              NeedsServer},
+    ActionRow{ActionId::PauseServer, MenuId::Commands, TEXT("P&ause server"),
+              TEXT("No more frames until this is off again"), "Ctrl+P", NeedsServer | Checkable},
+    ActionRow{ActionId::PingServer, MenuId::Commands, TEXT("&Ping server"), TEXT("Does it answer?"), "",
+              NeedsServer},
+    ActionRow{ActionId::RestartServer, MenuId::Commands, TEXT("&Restart server"),
+              TEXT("Start the server again with the same scene and camera"), "", SeparatorBefore},
+
+    ActionRow{ActionId::IgnoreAspectRatio, MenuId::Display, TEXT("&Ignore aspect ratio"),
+              TEXT("Stretch the picture over the whole window"), "", Checkable},
+    ActionRow{ActionId::SmoothTransformation, MenuId::Display, TEXT("&Smooth transformation"),
+              TEXT("Filter the picture where it does not have the window's size"), "", Checkable},
+    ActionRow{ActionId::ShowOverlay, MenuId::Display, TEXT("Show &figures"),
+              TEXT("Frames a second, resolution, mode and state in the corner"), "Ctrl+F",
+              Checkable | SeparatorBefore},
+    ActionRow{ActionId::FullScreen, MenuId::Display, TEXT("F&ull screen"), TEXT("Use the whole screen"),
+              "F11", Checkable},
+
+    ActionRow{ActionId::ProgressiveRendering, MenuId::Settings, TEXT("&Progressive rendering"),
+              TEXT("When the camera rests, render the view in higher quality"), "Ctrl+H", Checkable},
+    ActionRow{ActionId::Configure, MenuId::Settings, TEXT("&Configure…"), TEXT("Preferences and keys"),
+              "Ctrl+,"},
+
+    ActionRow{ActionId::Keys, MenuId::Help, TEXT("&Keys"), TEXT("All keys on one page"), "F1"},
+    ActionRow{ActionId::About, MenuId::Help, TEXT("&About"), TEXT("What this program is"), ""},
+};
+
+#undef TEXT
+
+constexpr std::array kMenus{
+    QT_TRANSLATE_NOOP("ActionTable", "&File"),    QT_TRANSLATE_NOOP("ActionTable", "&Connection"),
+    QT_TRANSLATE_NOOP("ActionTable", "&Action"),  QT_TRANSLATE_NOOP("ActionTable", "C&ommands"),
+    QT_TRANSLATE_NOOP("ActionTable", "&Display"), QT_TRANSLATE_NOOP("ActionTable", "&Settings"),
+    QT_TRANSLATE_NOOP("ActionTable", "&Help")};
+
+QString translated(const char* text) { return QCoreApplication::translate(kContext, text); }
+
+} // namespace
+
+std::span<const ActionRow> actionTable() { return kRows; }
+
+const ActionRow& actionRow(ActionId id) {
+    return *std::find_if(kRows.begin(), kRows.end(), [&](const ActionRow& row) { return row.id == id; });
+}
+
+QString actionText(const ActionRow& row) { return translated(row.text); }
+QString actionTip(const ActionRow& row) { return translated(row.tip); }
+QString menuText(MenuId menu) { return translated(kMenus[static_cast<std::size_t>(menu)]); }
+QKeySequence shortcutOf(const ActionRow& row) { return QKeySequence(QLatin1String(row.shortcut)); }
+
+} // namespace gui

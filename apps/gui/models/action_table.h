@@ -1,0 +1,69 @@
+/// What the menus offer, as data: a row here and a call of Actions::on() make an action.
+#pragma once
+
+#include <QKeySequence>
+#include <QString>
+
+#include <span>
+
+namespace gui {
+
+enum class ActionId {
+    Open,
+    ImportCamera,
+    Exit,
+    Connect,
+    StartServer,
+    Disconnect,
+    ServerLog,
+    ExportCamera,
+    Recording,
+    QuickRender,
+    Screenshot,
+    CopyCamera,
+    PasteCamera,
+    Statistics,
+    StopServer,
+    PauseServer,
+    PingServer,
+    RestartServer,
+    IgnoreAspectRatio,
+    SmoothTransformation,
+    ShowOverlay,
+    FullScreen,
+    ProgressiveRendering,
+    Configure,
+    Keys,
+    About,
+};
+
+enum class MenuId { File, Connection, Action, Commands, Display, Settings, Help };
+
+enum Trait : unsigned {
+    NeedsServer = 1, ///< enabled only while a server is there
+    Checkable = 2,
+    SeparatorBefore = 4,
+    RecentFilesAfter = 8, ///< the submenu of recent files follows
+};
+
+struct ActionRow {
+    ActionId id;
+    MenuId menu;
+    const char* text;          ///< in English, with its mnemonic; actionText() translates it
+    const char* tip;           ///< one line for the status bar
+    const char* shortcut = ""; ///< as QKeySequence reads it; "" = none
+    unsigned traits = 0;       ///< of Trait
+    bool has(Trait trait) const { return (traits & trait) != 0; }
+};
+
+/// In the order of the menus.
+std::span<const ActionRow> actionTable();
+const ActionRow& actionRow(ActionId id);
+
+/// Translated.
+QString actionText(const ActionRow& row);
+QString actionTip(const ActionRow& row);
+QString menuText(MenuId menu);
+QKeySequence shortcutOf(const ActionRow& row);
+
+} // namespace gui

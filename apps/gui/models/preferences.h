@@ -1,0 +1,86 @@
+/// What the window remembers: each key of QSettings with its default, once.
+#pragma once
+
+#include <QObject>
+#include <QSettings>
+#include <QSize>
+#include <QStringList>
+#include <QVariant>
+
+namespace gui {
+
+/// One row: name in the file, and what holds while nothing is stored.
+template <typename T>
+struct Preference {
+    const char* name;
+    T byDefault;
+};
+
+namespace pref {
+inline const Preference<bool> ignoreAspectRatio{"display/ignoreAspectRatio", false};
+inline const Preference<bool> smoothTransformation{"display/smoothTransformation", true};
+inline const Preference<bool> showOverlay{"display/showOverlay", true};
+inline const Preference<QString> theme{"display/theme", QStringLiteral("system")}; ///< system, light, dark
+inline const Preference<bool> progressiveRendering{"render/progressive", true};
+inline const Preference<int> stillAntialiasing{"render/stillAntialiasing", 3};
+inline const Preference<int> stillBloom{"render/stillBloom", 0};
+inline const Preference<bool> followWindowSize{"server/followWindowSize", true};
+inline const Preference<int> pictureScale{"server/pictureScale", 100}; ///< percent of the window's pixels
+inline const Preference<int> frameTime{"server/frameTime", 33}; ///< ms while something moves; 0 = no limit
+inline const Preference<bool> keepServers{"server/keepRunning", false};
+inline const Preference<QString> instance{"server/instance", QStringLiteral("default")};
+inline const Preference<double> mouseSensitivity{"input/mouseSensitivity", 0.12}; ///< degrees per pixel
+inline const Preference<bool> invertMouse{"input/invertMouse", false};
+inline const Preference<QString> bindings{"input/bindings", QString()}; ///< as readBindings() reads it
+inline const Preference<QString> pictureFolder{"files/pictureFolder", QString()};
+inline const Preference<QString> sceneFolder{"files/sceneFolder", QString()};
+inline const Preference<QString> cameraFolder{"files/cameraFolder", QString()};
+inline const Preference<QStringList> recentFiles{"files/recent", QStringList()};
+inline const Preference<QSize> exportSize{"export/size", QSize()};
+inline const Preference<int> exportAntialiasing{"export/antialiasing", 1};
+inline const Preference<int> exportBloom{"export/bloom", 0};
+inline const Preference<QSize> highQualitySize{"export/highQualitySize", QSize(1920, 1080)};
+inline const Preference<int> highQualityAntialiasing{"export/highQualityAntialiasing", 4};
+inline const Preference<int> highQualityBloom{"export/highQualityBloom", 0};
+inline const Preference<QByteArray> geometry{"window/geometry", QByteArray()};
+inline const Preference<QByteArray> windowState{"window/state", QByteArray()};
+} // namespace pref
+
+/// One thread.
+class Preferences : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit Preferences(QObject* parent = nullptr);
+
+    template <typename T>
+    T get(const Preference<T>& row) const {
+        const QVariant value = settings_.value(QLatin1String(row.name));
+        return value.isValid() && value.canConvert<T>() ? value.value<T>() : row.byDefault;
+    }
+    template <typename T>
+    void set(const Preference<T>& row, const T& value) {
+        if (get(row) == value) return;
+        settings_.setValue(QLatin1String(row.name), QVariant::fromValue(value));
+        emit changed();
+    }
+
+    /// Newest first, ten at most; files that are gone are left out.
+    QStringList recentFiles() const;
+    void addRecentFile(const QString& path);
+    void clearRecentFiles() { set(pref::recentFiles, QStringList()); }
+
+    /// The folder for pictures and cameras when none is chosen yet.
+    QString picturesFolder() const;
+
+  signals:
+    void changed();
+
+  private:
+    QSettings settings_;
+};
+
+/// "name-0001.png" in the folder: the first number that is free.
+QString nextFreeName(const QString& folder, const QString& name, const QString& extension);
+
+} // namespace gui

@@ -1,0 +1,78 @@
+#include "gui/operations/actions.h"
+
+#include <QAction>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMenuBar>
+
+namespace gui {
+
+Actions::Actions(QWidget& window, Preferences& preferences) : QObject(&window), preferences_(preferences) {
+    for (const ActionRow& row : actionTable()) {
+        auto* action = new QAction(actionText(row), this);
+        action->setShortcut(shortcutOf(row));
+        action->setStatusTip(actionTip(row));
+        action->setToolTip(actionTip(row));
+        action->setCheckable(row.has(Checkable));
+        action->setMenuRole(QAction::NoRole);
+        window.addAction(action);
+        actions_.insert(static_cast<int>(row.id), action);
+    }
+    setServerThere(false);
+}
+
+void Actions::on(ActionId id, const std::function<void()>& act) {
+    connect((*this)[id], &QAction::triggered, this, [act] { act(); });
+}
+
+void Actions::onToggle(ActionId id, const std::function<void(bool)>& act) {
+    connect((*this)[id], &QAction::triggered, this, act);
+}
+
+void Actions::bind(ActionId id, const Preference<bool>& preference) {
+    QAction* action = (*this)[id];
+    action->setChecked(preferences_.get(preference));
+    connect(action, &QAction::triggered, this,
+            [this, &preference](bool on) { preferences_.set(preference, on); });
+    connect(&preferences_, &Preferences::changed, action,
+            [this, action, &preference] { action->setChecked(preferences_.get(preference)); });
+}
+
+void Actions::fill(QMenuBar& bar) {
+    QHash<int, QMenu*> menus;
+    for (const ActionRow& row : actionTable()) {
+        QMenu*& menu = menus[static_cast<int>(row.menu)];
+        if (menu == nullptr) menu = bar.addMenu(menuText(row.menu));
+        if (row.has(SeparatorBefore)) menu->addSeparator();
+        menu->addAction((*this)[row.id]);
+        if (!row.has(RecentFilesAfter)) continue;
+        recent_ = menu->addMenu(tr("Open &recent"));
+        connect(&preferences_, &Preferences::changed, this, &Actions::fillRecent);
+        fillRecent();
+    }
+}
+
+void Actions::fillRecent() {
+    recent_->clear();
+    const QStringList files = preferences_.recentFiles();
+    for (const QString& path : files) {
+        QAction* entry = recent_->addAction(QFileInfo(path).fileName());
+        entry->setStatusTip(path);
+        entry->setToolTip(path);
+        connect(entry, &QAction::triggered, this, [this, path] { emit recentChosen(path); });
+    }
+    if (!files.isEmpty()) {
+        recent_->addSeparator();
+        connect(recent_->addAction(tr("&Clear")), &QAction::triggered, &preferences_,
+                &Preferences::clearRecentFiles);
+    }
+    recent_->setEnabled(!files.isEmpty());
+}
+
+void Actions::setServerThere(bool there) {
+    for (const ActionRow& row : actionTable()) {
+        if (row.has(NeedsServer)) (*this)[row.id]->setEnabled(there);
+    }
+}
+
+} // namespace gui

@@ -1,0 +1,47 @@
+/// The table of actions as Qt has them: menus, shortcuts, what is enabled.
+#pragma once
+
+#include "gui/models/action_table.h"
+#include "gui/models/preferences.h"
+
+#include <QHash>
+#include <QObject>
+
+#include <functional>
+
+class QAction;
+class QMenu;
+class QMenuBar;
+class QWidget;
+
+namespace gui {
+
+class Actions : public QObject {
+    Q_OBJECT
+
+  public:
+    /// The shortcuts work in `window`, also while its menu bar is hidden.
+    Actions(QWidget& window, Preferences& preferences);
+
+    QAction* operator[](ActionId id) const { return actions_.value(static_cast<int>(id)); }
+    /// What happens when the action is chosen, or a checkable one is toggled.
+    void on(ActionId id, const std::function<void()>& act);
+    void onToggle(ActionId id, const std::function<void(bool)>& act);
+    /// A checkable action that shows, and changes, a preference.
+    void bind(ActionId id, const Preference<bool>& preference);
+
+    void fill(QMenuBar& bar);
+    void setServerThere(bool there);
+
+  signals:
+    void recentChosen(const QString& path);
+
+  private:
+    void fillRecent();
+
+    Preferences& preferences_;
+    QHash<int, QAction*> actions_;
+    QMenu* recent_ = nullptr;
+};
+
+} // namespace gui

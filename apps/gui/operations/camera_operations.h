@@ -1,0 +1,36 @@
+/// Cameras and pictures as files: export, import, recording, screenshot, clipboard.
+#pragma once
+
+#include "gui/operations/desk.h"
+
+#include <QObject>
+#include <QPointer>
+#include <QString>
+
+namespace gui {
+
+struct CameraExport;
+class RecordingDialog;
+
+class CameraOperations : public QObject {
+    Q_OBJECT
+
+  public:
+    CameraOperations(const Desk& desk, QObject* parent);
+
+  private:
+    void exportByDialog();
+    void exportAtOnce(bool highQuality); ///< the keys E and H
+    void exportCamera(const CameraExport& camera);
+    void importCamera();
+    void record();
+    void takeScreenshot();
+    void copy();
+    void paste();
+    QString cameraFolder() const;
+
+    Desk desk_;
+    QPointer<RecordingDialog> recording_;
+};
+
+} // namespace gui

@@ -1,0 +1,43 @@
+/// Opening files, and what concerns the server: connect, start, stop, pause, ping, restart, its death.
+#pragma once
+
+#include "gui/operations/desk.h"
+
+#include <QObject>
+#include <QStringList>
+
+namespace gui {
+
+struct ServerRequest;
+
+class ConnectionOperations : public QObject {
+    Q_OBJECT
+
+  public:
+    ConnectionOperations(const Desk& desk, QObject* parent);
+
+    /// A camera or a file of settings is loaded by the server; anything else is shown, by a server of our
+    /// own.
+    void open(const QString& path);
+    void start(const ServerRequest& request);
+    /// Names the servers of open().
+    void setInstance(const QString& instance) { instance_ = instance; }
+    QString instanceName() const;
+
+  private:
+    void connectActions();
+    void chooseFile();
+    void chooseServer();
+    void configureServer();
+    void showScene(const QString& path);
+    void showLog();
+    void ping();
+    void onDeath(const QString& text);
+    void onState();
+    void sendBindings();
+
+    Desk desk_;
+    QString instance_; ///< empty: the preference
+};
+
+} // namespace gui

@@ -1,0 +1,27 @@
+/// What the operations work on. An operation is made once, with the window; its constructor says which
+/// actions and signals it answers to.
+#pragma once
+
+class QWidget;
+
+namespace gui {
+
+class Actions;
+class FrameView;
+class NoticeBar;
+class Preferences;
+class ServerKeeper;
+class Session;
+
+/// All of it outlives the operations.
+struct Desk {
+    QWidget& window;
+    Session& session;
+    ServerKeeper& keeper;
+    Preferences& preferences;
+    Actions& actions;
+    FrameView& view;
+    NoticeBar& notice;
+};
+
+} // namespace gui

@@ -1,0 +1,34 @@
+#include "gui/processes/programs.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+namespace gui {
+
+QString programPath(const QString& name) {
+    const QString beside = QStandardPaths::findExecutable(name, {QCoreApplication::applicationDirPath()});
+    return beside.isEmpty() ? QStandardPaths::findExecutable(name) : beside;
+}
+
+QString logPath(const QString& name) {
+    const QString folder =
+        QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + QStringLiteral("/rtsuite");
+    QDir().mkpath(folder);
+    return QStringLiteral("%1/%2.log").arg(folder, name);
+}
+
+QString sceneFilter() {
+    const QString models = QStringLiteral(
+        "*.3ds *.ac *.ase *.b3d *.blend *.bvh *.cob *.dae *.dxf *.fbx *.glb *.gltf *.ifc *.irr "
+        "*.lwo *.lws *.md2 *.md3 *.md5mesh *.ms3d *.nff *.obj *.off *.ply *.q3o *.smd *.stl "
+        "*.x *.x3d *.xgl *.zgl");
+    const auto tr = [](const char* text) { return QCoreApplication::translate("Programs", text); };
+    return tr(QT_TRANSLATE_NOOP("Programs", "Scenes and models")) +
+           QStringLiteral(" (*.scn *.bsp %1)").arg(models) + QStringLiteral(";;") +
+           tr(QT_TRANSLATE_NOOP("Programs", "Scene descriptions")) + QStringLiteral(" (*.scn)") +
+           QStringLiteral(";;") + tr(QT_TRANSLATE_NOOP("Programs", "All files")) + QStringLiteral(" (*)");
+}
+
+} // namespace gui

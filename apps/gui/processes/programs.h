@@ -1,0 +1,18 @@
+/// Where the other programs of the suite are, and where their logs go.
+#pragma once
+
+#include <QString>
+
+namespace gui {
+
+/// "RTServer" -> its path: beside this program, else in PATH; empty when it is nowhere.
+QString programPath(const QString& name);
+
+/// A file that a new process of that name may write; its folder exists. Throws nothing: the file may turn out
+/// not to be writable.
+QString logPath(const QString& name);
+
+/// A file filter for scenes, kd-trees and models, for file dialogs.
+QString sceneFilter();
+
+} // namespace gui

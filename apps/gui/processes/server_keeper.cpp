@@ -1,0 +1,120 @@
+#include "gui/processes/server_keeper.h"
+
+#include "gui/session/server_list.h"
+
+#include <QEventLoop>
+#include <QFileInfo>
+#include <QTimer>
+
+#include <utility>
+
+namespace gui {
+
+namespace {
+
+constexpr auto kPatience = std::chrono::seconds(20); ///< for a server's shared memory, not for its scene
+
+QString cameraCommand(const View& view) {
+    const auto text = [](float value) { return QString::number(static_cast<double>(value), 'g', 9); };
+    QStringList words{QStringLiteral("camera"), QStringLiteral("set")};
+    for (const QVector3D& v : {view.eye, view.forward}) words << text(v.x()) << text(v.y()) << text(v.z());
+    words << text(view.fieldOfView);
+    return Session::line(words);
+}
+
+} // namespace
+
+ServerKeeper::ServerKeeper(Session& session, QObject* parent) : QObject(parent), session_(session) {
+    connect(&server_, &ServerProcess::ended, this, &ServerKeeper::onEnded);
+    connect(&session_, &Session::stateChanged, this, &ServerKeeper::onState);
+    connect(&session_, &Session::frameChanged, this, [this] {
+        if (std::exchange(waitsForFrame_, false)) emit ready();
+    });
+}
+
+void ServerKeeper::start(ServerRequest request) {
+    leaveOurs();
+    request.scene = QFileInfo(request.scene).absoluteFilePath();
+    request.instance = freeInstanceName(request.instance);
+    view_ = {};
+    launch(request);
+}
+
+void ServerKeeper::launch(const ServerRequest& request) {
+    asked_ = false;
+    last_ = request;
+    scene_ = request.scene;
+    waitsForFrame_ = true;
+    server_.start(request);
+    session_.connectTo(request.instance, kPatience);
+    emit started(request.scene);
+}
+
+void ServerKeeper::connectTo(const QString& instance) {
+    if (instance != session_.instance()) leaveOurs();
+    session_.connectTo(instance);
+}
+
+// Our own server is not left alone, unless somebody else looks at it.
+void ServerKeeper::leaveOurs() {
+    if (!server_.running()) return;
+    const bool shared = clientsOf(server_.request().instance) > (ours() ? 1 : 0);
+    session_.leave();
+    if (shared) return server_.release();
+    asked_ = true;
+    server_.stop();
+    QEventLoop loop; // a second at most: its shared memory is to be free again
+    connect(&server_, &ServerProcess::ended, &loop, &QEventLoop::quit);
+    constexpr int kMost = 4000;
+    QTimer::singleShot(kMost, &loop, &QEventLoop::quit);
+    if (server_.running()) loop.exec(QEventLoop::ExcludeUserInputEvents);
+}
+
+void ServerKeeper::stop() {
+    asked_ = true;
+    session_.send(QStringLiteral("exit"), this, [](const Answer&) {});
+    // One that hangs does not listen.
+    constexpr int kPatienceMilliseconds = 5000;
+    QTimer::singleShot(kPatienceMilliseconds, this, [this, process = server_.process()] {
+        if (asked_ && process != 0 && server_.process() == process) server_.stop();
+    });
+}
+
+void ServerKeeper::restart() {
+    if (session_.lastView().fieldOfView > 0) view_ = session_.lastView();
+    if (server_.running()) leaveOurs();
+    removeLeftovers(last_.instance);
+    launch(ServerRequest(last_));
+    if (view_.fieldOfView <= 0) return; // it never showed anything
+    session_.send(cameraCommand(view_));
+    if (view_.walking) session_.send(QStringLiteral("walk"));
+}
+
+bool ServerKeeper::ours() const {
+    return server_.running() && server_.request().instance == session_.instance() &&
+           session_.state() != SessionState::Disconnected;
+}
+
+void ServerKeeper::close(bool keep) {
+    const bool shared = server_.running() && clientsOf(server_.request().instance) > (ours() ? 1 : 0);
+    asked_ = true;
+    session_.leave();
+    // Otherwise the server ends with its ServerProcess.
+    if (keep || shared) server_.release();
+}
+
+void ServerKeeper::onEnded(const QString& text) {
+    waitsForFrame_ = false;
+    const bool wished = asked_ || text.isEmpty();
+    if (session_.state() == SessionState::Connecting && session_.instance() == last_.instance)
+        session_.leave();
+    if (!wished) emit died(text);
+}
+
+void ServerKeeper::onState(SessionState state) {
+    const bool ofOurs = session_.instance() == last_.instance && !last_.scene.isEmpty();
+    if (state != SessionState::Lost || asked_ || ofOurs) return;
+    emit died(tr("The server “%1” has ended.").arg(session_.instance()));
+}
+
+} // namespace gui

@@ -1,0 +1,63 @@
+/// Server and session together: starts servers and connects to them, tells when one died, starts it again
+/// where it was, and knows what to do with it when the window closes. Needs no window.
+#pragma once
+
+#include "gui/processes/server_process.h"
+#include "gui/session/session.h"
+
+#include <QObject>
+#include <QString>
+
+namespace gui {
+
+class ServerKeeper : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit ServerKeeper(Session& session, QObject* parent = nullptr);
+
+    /// Starts a server and connects to it. A server of our own that runs is stopped first, unless another
+    /// program is connected to it; then it goes on. The name gets a number when it is taken.
+    void start(ServerRequest request);
+    /// Connects to a server that runs.
+    void connectTo(const QString& instance);
+    /// Stops the server that the session is connected to, whoever started it.
+    void stop();
+    /// True when restart() knows what to start: the last server was ours.
+    bool canRestart() const { return !last_.scene.isEmpty(); }
+    /// The same scene, the same camera.
+    void restart();
+    /// Our server shows another scene now.
+    void sceneLoaded(const QString& scene) { last_.scene = scene_ = scene; }
+
+    /// The session's server is the one that we started.
+    bool ours() const;
+    /// What the window does when it closes; may take a few seconds when a server takes its time to end.
+    /// `keep`: ours goes on in any case.
+    void close(bool keep);
+
+    const ServerProcess& server() const { return server_; }
+    QString scene() const { return ours() ? scene_ : QString(); } ///< empty for others' servers
+
+  signals:
+    /// The server is gone without having been asked to: why, in words for the user.
+    void died(const QString& text);
+    void started(const QString& scene);
+    void ready(); ///< the first frame after start() or restart() is there
+
+  private:
+    void launch(const ServerRequest& request);
+    void leaveOurs();
+    void onEnded(const QString& text);
+    void onState(SessionState state);
+
+    Session& session_;
+    ServerProcess server_;
+    ServerRequest last_;
+    QString scene_;
+    View view_; ///< the one to restart with
+    bool waitsForFrame_ = false;
+    bool asked_ = false; ///< the end of the server is our wish
+};
+
+} // namespace gui

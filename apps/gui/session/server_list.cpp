@@ -1,0 +1,73 @@
+#include "gui/session/server_list.h"
+
+#include "ipc/endpoint/instances.h"
+#include "ipc/endpoint/viewer.h"
+
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <chrono>
+
+namespace gui {
+
+namespace {
+
+RunningServer describe(const ipc::Instance& instance) {
+    RunningServer server;
+    server.instance = QString::fromStdString(instance.name);
+    server.process = instance.process;
+    server.clients = instance.clients;
+    try {
+        ipc::Viewer viewer(instance.name, std::chrono::nanoseconds(0));
+        const ipc::Status status = viewer.status();
+        server.resolution = QSize(static_cast<int>(status.width), static_cast<int>(status.height));
+        server.polygons = status.polygons;
+    } catch (const ipc::Error& error) {
+        server.trouble = QString::fromUtf8(error.what());
+    }
+    return server;
+}
+
+} // namespace
+
+QList<RunningServer> runningServers() {
+    QList<RunningServer> servers;
+    for (const ipc::Instance& instance : ipc::listInstances()) {
+        if (instance.running) servers.append(describe(instance));
+    }
+    return servers;
+}
+
+QString freeInstanceName(const QString& wanted) {
+    const auto all = ipc::listInstances();
+    const auto taken = [&](const QString& name) {
+        return std::any_of(all.begin(), all.end(), [&](const ipc::Instance& each) {
+            return each.running && each.name == name.toStdString();
+        });
+    };
+    QString name = wanted;
+    for (int number = 2; taken(name); ++number) name = QStringLiteral("%1-%2").arg(wanted).arg(number);
+    return name;
+}
+
+bool isInstanceName(const QString& name) {
+    static const QRegularExpression pattern(QStringLiteral("\\A[A-Za-z0-9_-]{1,32}\\z"));
+    return pattern.match(name).hasMatch();
+}
+
+int clientsOf(const QString& instance) {
+    for (const ipc::Instance& each : ipc::listInstances()) {
+        if (each.running && each.name == instance.toStdString()) return each.clients;
+    }
+    return 0;
+}
+
+void removeLeftovers(const QString& instance) {
+    try {
+        ipc::freeInstance(instance.toStdString());
+    } catch (const ipc::Error&) {
+        return; // it lives, or the next server will do it
+    }
+}
+
+} // namespace gui

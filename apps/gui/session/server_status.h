@@ -1,0 +1,32 @@
+/// What the server tells of itself, as the window shows it.
+#pragma once
+
+#include <QSize>
+#include <QVector3D>
+
+namespace gui {
+
+/// From where and into which direction the server looks; scene units, degrees.
+struct View {
+    QVector3D eye, forward{0, 0, -1};
+    float fieldOfView = 0;
+    bool walking = false;
+    friend bool operator==(const View&, const View&) = default;
+};
+
+struct ServerStatus {
+    double framesPerSecond = 0;
+    double frameSeconds = 0;
+    double raysPerSecond = 0;
+    quint64 polygons = 0;
+    QSize resolution;   ///< pixels of a frame; empty while nothing is loaded
+    float exposure = 0; ///< the constant of the tone mapping
+    float progress = 1; ///< of loading; 1 = nothing is being loaded
+    View view;
+    bool idle = false;   ///< the next frame would equal the last
+    bool paused = false; ///< no frame comes until the server is told to resume
+    bool recording = false;
+    friend bool operator==(const ServerStatus&, const ServerStatus&) = default;
+};
+
+} // namespace gui

@@ -1,0 +1,40 @@
+/// What a session holds of its server. For the sources of Session alone: here is where ipc is seen.
+#pragma once
+
+#include "gui/session/session.h"
+
+#include "ipc/endpoint/client.h"
+
+#include <QPointer>
+#include <QTimer>
+
+#include <chrono>
+#include <deque>
+#include <optional>
+#include <vector>
+
+namespace gui {
+
+using Clock = std::chrono::steady_clock;
+
+/// A command and who waits for its answer.
+struct Order {
+    QString command;
+    QPointer<const QObject> context;
+    std::function<void(const Answer&)> done; ///< empty: nobody waits
+    ipc::Ticket ticket = 0;                  ///< 0: not sent yet
+};
+
+struct Session::Link {
+    std::unique_ptr<ipc::Client> client;
+    Clock::time_point deadline{}, lastNews{};
+    std::uint64_t epoch = 0;
+    ipc::Frame frame, next; ///< the one that is shown, and where the next one is read to
+    std::deque<Order> waiting;
+    std::vector<Order> open;
+    double right = 0, upwards = 0;      ///< turned, not yet sent
+    std::optional<ipc::Ticket> turning; ///< the server has not taken the last turn yet
+    QTimer timer;
+};
+
+} // namespace gui

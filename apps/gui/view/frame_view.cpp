@@ -1,0 +1,146 @@
+#include "gui/view/frame_view.h"
+
+#include "gui/view/input_capture.h"
+#include "gui/view/overlay.h"
+
+#include <QPaintEvent>
+#include <QPainter>
+
+#include <chrono>
+
+namespace gui {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kTellFor = 4s;
+constexpr auto kResizeRest = 300ms;
+constexpr QRgb kBackground = 0xff1a1c1f;
+
+} // namespace
+
+FrameView::FrameView(Session& session, QWidget* parent)
+    : QWidget(parent), session_(session), input_(new InputCapture(this)) {
+    setAttribute(Qt::WA_OpaquePaintEvent); // every pixel is painted: no background below
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(160, 120);
+    setAccessibleName(tr("Picture"));
+    setAccessibleDescription(tr("The live picture. Keys move; Enter or a click takes keyboard and mouse, Esc "
+                                "gives them back."));
+    tellTimer_.setSingleShot(true);
+    resizeTimer_.setSingleShot(true);
+    connect(&tellTimer_, &QTimer::timeout, this, [this] { tell({}); });
+    connect(&resizeTimer_, &QTimer::timeout, this, [this] { emit resolutionWanted(devicePixels()); });
+    connect(&session_, &Session::frameChanged, this, [this] {
+        if (showsLive()) update();
+    });
+    connect(&session_, &Session::statusChanged, this, &FrameView::onStatus);
+    connect(&session_, &Session::stateChanged, this, qOverload<>(&QWidget::update));
+    connect(input_, &InputCapture::capturedChanged, this, [this](bool captured) {
+        tell(captured ? tr("Keyboard and mouse are the camera's. Esc gives them back.") : QString());
+    });
+}
+
+// With every frame comes a status: the picture is not painted for each of them.
+void FrameView::onStatus() {
+    if (stateText(session_) != words_) return update();
+    if (figures_) update(0, 0, width(), figuresHeight(fontMetrics()));
+}
+
+QSize FrameView::sizeHint() const { return {1024, 640}; }
+QSize FrameView::devicePixels() const { return (QSizeF(size()) * devicePixelRatioF()).toSize(); }
+
+void FrameView::setIgnoreAspectRatio(bool on) {
+    ignoreAspectRatio_ = on;
+    update();
+}
+
+void FrameView::setSmoothTransformation(bool on) {
+    smooth_ = on;
+    update();
+}
+
+void FrameView::setShowFigures(bool on) {
+    figures_ = on;
+    update();
+}
+
+void FrameView::tell(const QString& text) {
+    told_ = text;
+    tellTimer_.start(kTellFor);
+    update();
+}
+
+void FrameView::setActivity(const QString& text) {
+    activity_ = text;
+    update();
+}
+
+void FrameView::showPicture(const QImage& picture) {
+    picture_ = picture;
+    update();
+}
+
+void FrameView::showLive() {
+    if (showsLive()) return;
+    picture_ = {};
+    update();
+}
+
+// In the widget's pixels; one to one on the screen's own when the sizes agree.
+QRectF FrameView::target(const QSize& picture) const {
+    if (ignoreAspectRatio_ || picture == devicePixels()) return rect();
+    QRectF area(QPointF(), QSizeF(picture).scaled(size(), Qt::KeepAspectRatio));
+    // A smaller frame of the same view, its sides rounded: no border that comes and goes.
+    constexpr double kRounding = 0.01;
+    if (area.width() > width() * (1 - kRounding) && area.height() > height() * (1 - kRounding)) return rect();
+    area.moveCenter(QRectF(rect()).center());
+    return area;
+}
+
+void FrameView::drawPicture(QPainter& painter, const QImage& picture, const QRect& dirty) const {
+    const QColor background = QColor::fromRgb(kBackground);
+    if (picture.isNull()) return painter.fillRect(dirty, background);
+    const QRectF area = target(picture.size());
+    const QRegion border = QRegion(dirty).subtracted(area.toAlignedRect());
+    for (const QRect& strip : border) painter.fillRect(strip, background);
+    painter.setCompositionMode(QPainter::CompositionMode_Source);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, smooth_);
+    painter.drawImage(area, picture);
+    painter.setCompositionMode(QPainter::CompositionMode_SourceOver);
+}
+
+void FrameView::countDelay() {
+    if (painted_ == session_.frameNumber()) return; // the same frame once more
+    painted_ = session_.frameNumber();
+    constexpr double kNewest = 0.1;
+    const double delay = std::chrono::duration<double>(session_.frameAge()).count();
+    paintDelay_ += (paintDelay_ > 0 ? kNewest : 1) * (delay - paintDelay_);
+}
+
+void FrameView::paintEvent(QPaintEvent* event) {
+    QPainter painter(this);
+    const QImage picture = showsLive() ? session_.frame() : picture_;
+    drawPicture(painter, picture, event->rect());
+    if (showsLive()) countDelay();
+    words_ = stateText(session_);
+    if (!words_.isEmpty() && !picture.isNull()) painter.fillRect(rect(), QColor(0, 0, 0, 90));
+    drawWords(painter, rect(), words_);
+    if (figures_ && session_.live()) {
+        const QString figures = figuresText(session_.status(), picture.size());
+        drawFigures(painter, rect(),
+                    activity_.isEmpty() ? figures : figures + QStringLiteral("  ·  ") + activity_);
+    }
+    if (told_.isEmpty()) return;
+    const int line = 4 * painter.fontMetrics().height();
+    drawWords(painter, QRect(0, height() - line, width(), line), told_);
+}
+
+void FrameView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    // The first size is the window's, not the user's wish.
+    if (event->oldSize().isValid() && isVisible()) resizeTimer_.start(kResizeRest);
+}
+
+} // namespace gui

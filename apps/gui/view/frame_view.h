@@ -1,0 +1,67 @@
+/// The picture: the server's newest frame, or a better one that somebody else rendered.
+#pragma once
+
+#include "gui/session/session.h"
+
+#include <QImage>
+#include <QTimer>
+#include <QWidget>
+
+namespace gui {
+
+class InputCapture;
+
+class FrameView : public QWidget {
+    Q_OBJECT
+
+  public:
+    /// `session` must outlive it.
+    explicit FrameView(Session& session, QWidget* parent = nullptr);
+
+    InputCapture& input() { return *input_; }
+
+    void setIgnoreAspectRatio(bool on);
+    void setSmoothTransformation(bool on);
+    void setShowFigures(bool on);
+    /// A short line at the bottom of the picture, for some seconds.
+    void tell(const QString& text);
+    /// Behind the figures: what else goes on, such as rendering; empty = nothing.
+    void setActivity(const QString& text);
+
+    /// Shows this one instead of the live frames, until showLive().
+    void showPicture(const QImage& picture);
+    void showLive();
+    bool showsLive() const { return picture_.isNull(); }
+    const QImage& picture() const { return picture_; } ///< null while it shows live frames
+
+    /// What the view could show at most, in the screen's own pixels.
+    QSize devicePixels() const;
+    QSize sizeHint() const override;
+    /// From a frame's publication by the server until it was painted, averaged over the last ones; seconds.
+    double paintDelay() const { return paintDelay_; }
+
+  signals:
+    /// The user has changed the window's size, and has come to rest.
+    void resolutionWanted(const QSize& devicePixels);
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+  private:
+    QRectF target(const QSize& picture) const;
+    void onStatus();
+    void countDelay();
+    void drawPicture(QPainter& painter, const QImage& picture, const QRect& dirty) const;
+
+    Session& session_;
+    InputCapture* input_;
+    QImage picture_; ///< null: the live frame
+    bool ignoreAspectRatio_ = false, smooth_ = true, figures_ = true;
+    QString told_, activity_, words_; ///< the last: in the middle, as painted
+    QTimer tellTimer_, resizeTimer_;
+    quint64 painted_ = 0; ///< number of the frame
+    double paintDelay_ = 0;
+};
+
+} // namespace gui

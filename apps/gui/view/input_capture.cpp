@@ -1,0 +1,190 @@
+#include "gui/view/input_capture.h"
+
+#include "gui/models/key_map.h"
+
+#include "rtcore/motion/key_codes.h"
+
+#include <QCursor>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <QWidget>
+
+namespace gui {
+
+namespace {
+
+constexpr double kWheelStep = 120; ///< what Qt calls one notch
+
+// The same key has the same number when it comes up again, whatever Shift has made of it.
+quint64 placeOf(const QKeyEvent& event) {
+    const quint64 scanCode = event.nativeScanCode();
+    return scanCode != 0 ? scanCode : (quint64{1} << 32) + static_cast<quint64>(event.key());
+}
+
+bool isModifier(int key) {
+    return key == Qt::Key_Control || key == Qt::Key_Alt || key == Qt::Key_Meta || key == Qt::Key_AltGr;
+}
+
+// A shortcut of the window or of the desktop.
+bool isShortcut(const QKeyEvent& event) {
+    return isModifier(event.key()) ||
+           (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) != 0;
+}
+
+bool isFunctionKey(int key) { return key >= Qt::Key_F1 && key <= Qt::Key_F35; }
+
+bool isCommand(int code) { return code == 'E' || code == 'H' || code == 'R' || code == 'L'; }
+
+} // namespace
+
+InputCapture::InputCapture(QWidget* widget) : QObject(widget), widget_(widget) {
+    widget->installEventFilter(this);
+    widget->setMouseTracking(true);
+}
+
+void InputCapture::setMouseSensitivity(double degreesPerPixel, bool invert) {
+    degreesPerPixel_ = degreesPerPixel;
+    upwards_ = invert ? -1 : 1;
+}
+
+void InputCapture::capture() {
+    if (captured_) return;
+    captured_ = true;
+    widget_->setFocus(Qt::OtherFocusReason);
+    widget_->setCursor(Qt::BlankCursor);
+    centrePointer();
+    emit capturedChanged(true);
+}
+
+void InputCapture::release() {
+    if (!captured_) return;
+    captured_ = false;
+    widget_->unsetCursor();
+    releaseKeys();
+    emit capturedChanged(false);
+}
+
+void InputCapture::releaseKeys() {
+    held_.clear();
+    commands_.clear();
+    renderPending_ = false;
+    emit allKeysReleased();
+}
+
+bool InputCapture::eventFilter(QObject*, QEvent* event) {
+    switch (event->type()) {
+    case QEvent::ShortcutOverride:
+        return onShortcutOverride(static_cast<QKeyEvent&>(*event));
+    case QEvent::KeyPress:
+        return onPress(static_cast<QKeyEvent&>(*event));
+    case QEvent::KeyRelease:
+        return onRelease(static_cast<QKeyEvent&>(*event));
+    case QEvent::MouseButtonPress:
+        return onMousePress(static_cast<const QMouseEvent&>(*event));
+    case QEvent::MouseMove:
+        return onMouseMove(static_cast<const QMouseEvent&>(*event));
+    case QEvent::Wheel:
+        emit wheelTurned(static_cast<const QWheelEvent&>(*event).angleDelta().y() / kWheelStep);
+        return true;
+    case QEvent::FocusOut:
+    case QEvent::WindowDeactivate:
+    case QEvent::Hide:
+        release();
+        if (!held_.isEmpty()) releaseKeys();
+        return false;
+    default:
+        return false;
+    }
+}
+
+// --- Keys ---
+
+// Accepted: Qt sends it as a key, and no shortcut fires.
+bool InputCapture::onShortcutOverride(QKeyEvent& event) {
+    const bool ours = captured_ ? !isFunctionKey(event.key()) : keyCodeOf(event) != 0 && !isShortcut(event);
+    event.setAccepted(ours);
+    return ours;
+}
+
+bool InputCapture::onPress(QKeyEvent& event) {
+    const int code = keyCodeOf(event);
+    if (captured_ && event.key() == Qt::Key_Escape) {
+        release();
+        return true;
+    }
+    if (!captured_) {
+        const bool toFocus = code == rtcore::KeyTab || code == rtcore::KeyEscape;
+        if (isShortcut(event) || isFunctionKey(event.key()) || toFocus) return false;
+        if (code == rtcore::KeyReturn) {
+            capture();
+            return true;
+        }
+    }
+    if (code == rtcore::KeyNone) return captured_;
+    if (event.isAutoRepeat() || held_.contains(placeOf(event))) return true;
+    held_.insert(placeOf(event), code);
+    press(code);
+    return true;
+}
+
+bool InputCapture::onRelease(QKeyEvent& event) {
+    if (event.isAutoRepeat()) return true;
+    const auto held = held_.constFind(placeOf(event));
+    if (held == held_.constEnd()) return captured_;
+    const int code = *held;
+    held_.erase(held);
+    if (isCommand(code)) {
+        commandRelease(code);
+    } else {
+        emit keyReleased(code);
+    }
+    return true;
+}
+
+void InputCapture::press(int code) {
+    if (!isCommand(code)) return emit keyPressed(code);
+    commands_.insert(code);
+    if (code == 'E' || code == 'H') emit commandKey(code, false);
+    if (code == 'R') renderPending_ = true;
+    // R and L together are another command than R alone, in whichever order they come down.
+    if (commands_.contains('R') && commands_.contains('L') && renderPending_) {
+        renderPending_ = false;
+        emit commandKey('R', true);
+    }
+}
+
+void InputCapture::commandRelease(int code) {
+    commands_.remove(code);
+    if (code == 'R' && std::exchange(renderPending_, false)) emit commandKey('R', false);
+}
+
+// --- Mouse ---
+
+bool InputCapture::onMousePress(const QMouseEvent& event) {
+    if (event.button() != Qt::LeftButton) return false;
+    capture();
+    return true;
+}
+
+// Where the pointer cannot be moved (Wayland), it is followed until it leaves the window.
+bool InputCapture::onMouseMove(const QMouseEvent& event) {
+    if (!captured_) return false;
+    const QPoint now = event.position().toPoint();
+    const QPoint moved = now - last_;
+    last_ = now;
+    if (moved.isNull()) return true;
+    emit turned(moved.x() * degreesPerPixel_, -moved.y() * degreesPerPixel_ * upwards_);
+    const QPoint off = now - widget_->rect().center();
+    if (std::abs(off.x()) > widget_->width() / 4 || std::abs(off.y()) > widget_->height() / 4)
+        centrePointer();
+    return true;
+}
+
+void InputCapture::centrePointer() {
+    const QPoint centre = widget_->rect().center();
+    QCursor::setPos(widget_->mapToGlobal(centre));
+    last_ = widget_->mapFromGlobal(QCursor::pos());
+}
+
+} // namespace gui

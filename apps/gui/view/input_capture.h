@@ -1,0 +1,65 @@
+/// Keys and mouse of a widget, turned into key codes and angles. While captured every key belongs to the
+/// server, and the mouse turns the camera; otherwise the keys without Ctrl, Alt and Meta do, and shortcuts
+/// work.
+#pragma once
+
+#include <QHash>
+#include <QObject>
+#include <QPoint>
+#include <QSet>
+
+class QKeyEvent;
+class QMouseEvent;
+class QWidget;
+
+namespace gui {
+
+class InputCapture : public QObject {
+    Q_OBJECT
+
+  public:
+    /// Watches the events of `widget`, which should take the focus by click and Tab.
+    explicit InputCapture(QWidget* widget);
+
+    bool captured() const { return captured_; }
+    /// With capture the pointer is hidden and stays.
+    void capture();
+    void release();
+    void setMouseSensitivity(double degreesPerPixel, bool invert);
+
+  signals:
+    void capturedChanged(bool captured);
+    void keyPressed(int code);
+    void keyReleased(int code);
+    void allKeysReleased();
+    void turned(double right, double upwards); ///< degrees
+    void wheelTurned(double steps);            ///< away from the user is positive
+    /// Keys that the window acts on (E, H, R and L with it); R comes when it is let go, unless L came with
+    /// it.
+    void commandKey(int code, bool withL);
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    bool onShortcutOverride(QKeyEvent& event);
+    bool onPress(QKeyEvent& event);
+    bool onRelease(QKeyEvent& event);
+    void press(int code);
+    void commandRelease(int code);
+    bool onMousePress(const QMouseEvent& event);
+    bool onMouseMove(const QMouseEvent& event);
+    void centrePointer();
+    void releaseKeys();
+
+    QWidget* widget_;
+    bool captured_ = false;
+    QHash<quint64, int> held_; ///< by the key's place, as long as it is down
+    QSet<int> commands_;       ///< E, H, R, L that are down
+    bool renderPending_ = false;
+    QPoint last_; ///< of the pointer, widget pixels
+    double degreesPerPixel_ = 0.12;
+    double upwards_ = 1; ///< -1: inverted
+};
+
+} // namespace gui

@@ -1,0 +1,28 @@
+/// A bar above the picture that explains what went wrong and offers what to do.
+#pragma once
+
+#include <QFrame>
+#include <QList>
+
+class QHBoxLayout;
+class QLabel;
+class QPushButton;
+class QAction;
+
+namespace gui {
+
+class NoticeBar : public QFrame {
+    Q_OBJECT
+
+  public:
+    explicit NoticeBar(QWidget* parent = nullptr);
+    /// Each action becomes a button; a button to close the bar is always there.
+    void explain(const QString& text, const QList<QAction*>& actions);
+    QString text() const;
+
+  private:
+    QLabel* label_;
+    QHBoxLayout* buttons_;
+};
+
+} // namespace gui

@@ -1,0 +1,90 @@
+#include "gui/view/overlay.h"
+
+#include <QCoreApplication>
+#include <QFontMetrics>
+#include <QLocale>
+#include <QPainter>
+
+namespace gui {
+
+namespace {
+
+constexpr int kMargin = 10, kPadding = 7;
+constexpr double kRadius = 6;
+
+QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
+
+QString activity(const ServerStatus& status) {
+    if (status.paused) return tr("paused");
+    return status.idle ? tr("at rest") : tr("drawing");
+}
+
+void drawBox(QPainter& painter, const QRect& box) {
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0, 0, 0, 140));
+    painter.drawRoundedRect(box, kRadius, kRadius);
+    painter.setPen(QColor(255, 255, 255, 230));
+}
+
+} // namespace
+
+QString figuresText(const ServerStatus& status, const QSize& frame) {
+    if (status.resolution.isEmpty()) return {};
+    QString size = QStringLiteral("%1 × %2").arg(status.resolution.width()).arg(status.resolution.height());
+    constexpr int kPercent = 100;
+    const int share = kPercent * frame.width() / status.resolution.width();
+    if (share > 0 && share < kPercent) size += tr(" (%1 %)").arg(share);
+    const QString mode = status.view.walking ? tr("walking") : tr("flying");
+    QStringList parts{size, mode, activity(status)};
+    const bool drawing = !status.idle && !status.paused;
+    if (drawing) parts.prepend(tr("%1 fps").arg(QLocale().toString(status.framesPerSecond, 'f', 0)));
+    if (status.recording) parts.append(tr("● recording"));
+    return parts.join(QStringLiteral("  ·  "));
+}
+
+QString stateText(const Session& session) {
+    switch (session.state()) {
+    case SessionState::Disconnected:
+        return tr("Drop a scene or a model here, or open one with Ctrl+O.\nCtrl+C connects to a server that "
+                  "runs; F1 shows the keys.");
+    case SessionState::Connecting:
+        return tr("Waiting for the server “%1”…").arg(session.instance());
+    case SessionState::Busy:
+        return tr("The server is busy…");
+    case SessionState::Lost:
+        return tr("The server has ended.");
+    case SessionState::Refused:
+        return session.reason();
+    case SessionState::Connected:
+        break;
+    }
+    if (session.status().progress < 1) {
+        constexpr double kHundred = 100;
+        return tr("Loading… %1 %").arg(QLocale().toString(session.status().progress * kHundred, 'f', 0));
+    }
+    return session.frame().isNull() ? tr("The first picture is on its way…") : QString();
+}
+
+int figuresHeight(const QFontMetrics& metrics) { return 2 * kMargin + kPadding + metrics.height(); }
+
+void drawFigures(QPainter& painter, const QRect& area, const QString& text) {
+    if (text.isEmpty()) return;
+    const QFontMetrics metrics(painter.font());
+    const QRect words = metrics.boundingRect(text);
+    const QRect box(area.left() + kMargin, area.top() + kMargin, words.width() + 2 * kPadding,
+                    metrics.height() + kPadding);
+    drawBox(painter, box);
+    painter.drawText(box, Qt::AlignCenter, text);
+}
+
+void drawWords(QPainter& painter, const QRect& area, const QString& text) {
+    if (text.isEmpty()) return;
+    constexpr int kFlags = Qt::AlignCenter | Qt::TextWordWrap;
+    const QRect room = area.adjusted(4 * kMargin, kMargin, -4 * kMargin, -kMargin);
+    const QRect words = painter.boundingRect(room, kFlags, text);
+    drawBox(painter, words.adjusted(-2 * kPadding, -kPadding, 2 * kPadding, kPadding));
+    painter.drawText(words, kFlags, text);
+}
+
+} // namespace gui

@@ -1,0 +1,154 @@
+/// Keys and mouse of the picture, without a server.
+#include "gui/view/input_capture.h"
+
+#include "rtcore/motion/key_codes.h"
+
+#include <gtest/gtest.h>
+
+#include <QMainWindow>
+#include <QMenuBar>
+#include <QPlainTextEdit>
+#include <QSignalSpy>
+#include <QTest>
+
+namespace {
+
+using namespace gui;
+
+class InputTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        view->setFocusPolicy(Qt::StrongFocus);
+        window.setCentralWidget(view);
+        QAction* start =
+            window.menuBar()->addMenu(QStringLiteral("Menu"))->addAction(QStringLiteral("Start"));
+        start->setShortcut(QKeySequence(QStringLiteral("Ctrl+S")));
+        QObject::connect(start, &QAction::triggered, &window, [this] { ++shortcuts; });
+        window.resize(400, 300);
+        window.show();
+        window.activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+        view->setFocus();
+    }
+    QList<int> codes(const QSignalSpy& spy) const {
+        QList<int> all;
+        for (const QList<QVariant>& each : spy) all.append(each.front().toInt());
+        return all;
+    }
+
+    QMainWindow window;
+    QWidget* view = new QWidget;
+    InputCapture input{view};
+    QSignalSpy pressed{&input, &InputCapture::keyPressed}, released{&input, &InputCapture::keyReleased},
+        allReleased{&input, &InputCapture::allKeysReleased}, turned{&input, &InputCapture::turned},
+        commands{&input, &InputCapture::commandKey};
+    int shortcuts = 0;
+};
+
+TEST_F(InputTest, KeysOfTheFocusedPictureAreTheCameras) {
+    QTest::keyPress(view, Qt::Key_W);
+    QTest::keyPress(view, Qt::Key_Left);
+    QTest::keyRelease(view, Qt::Key_W);
+    EXPECT_EQ(codes(pressed), (QList<int>{'W', rtcore::KeyLeft}));
+    EXPECT_EQ(codes(released), QList<int>{'W'});
+}
+
+TEST_F(InputTest, ShortcutsWorkUntilTheKeysAreCaptured) {
+    QTest::keyClick(view, Qt::Key_S, Qt::ControlModifier);
+    EXPECT_EQ(shortcuts, 1);
+    EXPECT_TRUE(pressed.isEmpty());
+
+    QTest::mouseClick(view, Qt::LeftButton);
+    ASSERT_TRUE(input.captured());
+    QTest::keyPress(view, Qt::Key_Control);
+    QTest::keyPress(view, Qt::Key_S, Qt::ControlModifier);
+    EXPECT_EQ(shortcuts, 1) << "crawling backwards starts no server";
+    EXPECT_EQ(codes(pressed), (QList<int>{rtcore::KeyControl, 'S'}));
+
+    QTest::keyClick(view, Qt::Key_Escape);
+    EXPECT_FALSE(input.captured());
+    EXPECT_GE(allReleased.count(), 1);
+    QTest::keyClick(view, Qt::Key_S, Qt::ControlModifier);
+    EXPECT_EQ(shortcuts, 2);
+}
+
+TEST_F(InputTest, EnterCapturesToo) {
+    QTest::keyClick(view, Qt::Key_Return);
+    EXPECT_TRUE(input.captured());
+    QTest::keyClick(view, Qt::Key_Return);
+    EXPECT_EQ(codes(pressed), QList<int>{rtcore::KeyReturn});
+}
+
+TEST_F(InputTest, RepeatsAreNoPresses) {
+    QKeyEvent press(QEvent::KeyPress, Qt::Key_F, Qt::NoModifier, QStringLiteral("f"));
+    QKeyEvent repeat(QEvent::KeyPress, Qt::Key_F, Qt::NoModifier, QStringLiteral("f"), true);
+    QKeyEvent repeatedRelease(QEvent::KeyRelease, Qt::Key_F, Qt::NoModifier, QStringLiteral("f"), true);
+    for (QKeyEvent* event : {&press, &repeatedRelease, &repeat, &repeatedRelease, &repeat})
+        QCoreApplication::sendEvent(view, event);
+    EXPECT_EQ(pressed.count(), 1);
+    EXPECT_EQ(released.count(), 0);
+}
+
+// With Shift the same key has another name in Qt.
+TEST_F(InputTest, AKeyIsReleasedAsWhatItWasPressed) {
+    const auto key = [&](QEvent::Type type, int qtKey, Qt::KeyboardModifiers modifiers) {
+        QKeyEvent event(type, qtKey, modifiers, 10U + 100U, 0, 0);
+        QCoreApplication::sendEvent(view, &event);
+    };
+    key(QEvent::KeyPress, Qt::Key_3, Qt::NoModifier);
+    key(QEvent::KeyRelease, Qt::Key_NumberSign, Qt::ShiftModifier);
+    EXPECT_EQ(codes(pressed), QList<int>{'3'});
+    EXPECT_EQ(codes(released), QList<int>{'3'});
+}
+
+TEST_F(InputTest, CapsLockHeldTurnsArrowsIntoRotation) {
+    QTest::keyPress(view, Qt::Key_CapsLock);
+    QTest::keyPress(view, Qt::Key_Left);
+    EXPECT_EQ(codes(pressed), (QList<int>{rtcore::KeyCapsLock, rtcore::KeyLeft}));
+}
+
+TEST_F(InputTest, KeysAreReleasedWhenTheFocusGoes) {
+    auto* other = new QPlainTextEdit(&window);
+    other->show();
+    QTest::keyPress(view, Qt::Key_W);
+    QTest::mouseClick(view, Qt::LeftButton);
+    other->setFocus();
+    EXPECT_FALSE(input.captured());
+    EXPECT_EQ(allReleased.count(), 1);
+    QTest::keyRelease(view, Qt::Key_W);
+    EXPECT_EQ(released.count(), 0);
+}
+
+TEST_F(InputTest, RAloneAndRWithLAreTwoCommands) {
+    QTest::keyClick(view, Qt::Key_R);
+    QTest::keyPress(view, Qt::Key_R);
+    QTest::keyPress(view, Qt::Key_L);
+    QTest::keyRelease(view, Qt::Key_L);
+    QTest::keyRelease(view, Qt::Key_R);
+    QTest::keyPress(view, Qt::Key_L);
+    QTest::keyClick(view, Qt::Key_R);
+    QTest::keyRelease(view, Qt::Key_L);
+    QTest::keyClick(view, Qt::Key_E);
+    ASSERT_EQ(commands.count(), 4);
+    EXPECT_EQ(commands[0], (QList<QVariant>{int('R'), false}));
+    EXPECT_EQ(commands[1], (QList<QVariant>{int('R'), true}));
+    EXPECT_EQ(commands[2], (QList<QVariant>{int('R'), true}));
+    EXPECT_EQ(commands[3], (QList<QVariant>{int('E'), false}));
+    EXPECT_TRUE(pressed.isEmpty()) << "the server does not know of them";
+}
+
+TEST_F(InputTest, TheMouseTurnsWhileCaptured) {
+    input.setMouseSensitivity(0.5, false);
+    QTest::mouseMove(view, QPoint(100, 100));
+    EXPECT_TRUE(turned.isEmpty());
+    QTest::mouseClick(view, Qt::LeftButton);
+    const QPoint from = view->mapFromGlobal(QCursor::pos());
+    QMouseEvent move(QEvent::MouseMove, from + QPoint(20, 10), view->mapToGlobal(from + QPoint(20, 10)),
+                     Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(view, &move);
+    ASSERT_EQ(turned.count(), 1);
+    EXPECT_DOUBLE_EQ(turned[0][0].toDouble(), 10);
+    EXPECT_DOUBLE_EQ(turned[0][1].toDouble(), -5);
+}
+
+} // namespace

@@ -1,0 +1,74 @@
+/// GUI as a program: its command line, its exit codes, what it leaves behind.
+#include "gui/gui_support.h"
+
+#include "gui/session/server_list.h"
+
+#include <csignal>
+
+namespace {
+
+using namespace test;
+using namespace gui;
+
+class ProgramTest : public GuiTest {
+  protected:
+    ProgramResult run(const std::vector<std::string>& words) const {
+        return runProgram(programPath("GUI"), words, {.folder = folder().path(), .timeoutSeconds = 60});
+    }
+    std::vector<std::string> named(std::vector<std::string> words) const {
+        words.push_back("--instance=" + instance.name());
+        return words;
+    }
+};
+
+TEST_F(ProgramTest, AnswersQuestionsWithoutAScreen) {
+    const ProgramResult help = run({"--help"});
+    EXPECT_EQ(help.exitCode, 0);
+    EXPECT_NE(help.output.find("Usage: GUI [SCENE] [OPTION]..."), std::string::npos) << help.output;
+    EXPECT_EQ(run({"--version"}).output.rfind("GUI ", 0), 0U);
+}
+
+TEST_F(ProgramTest, RefusesAWrongCommandLine) {
+    EXPECT_EQ(run({"--nonsense"}).exitCode, 2);
+    EXPECT_EQ(run({"room.obj", "room.obj"}).exitCode, 2);
+    EXPECT_EQ(run({"room.obj", "--connect"}).exitCode, 2);
+    EXPECT_EQ(run({"--instance=a/b"}).exitCode, 2);
+    const ProgramResult missing = run({"nothing.obj"});
+    EXPECT_EQ(missing.exitCode, 66);
+    EXPECT_NE(missing.error.find("nothing.obj"), std::string::npos) << missing.error;
+}
+
+TEST_F(ProgramTest, SaysSoWhenThereIsNoScreen) {
+    const ProgramResult result =
+        runProgram(programPath("GUI"), {},
+                   {.folder = folder().path(),
+                    .environment = {{"QT_QPA_PLATFORM", "xcb"}, {"DISPLAY", ":987"}, {"WAYLAND_DISPLAY", ""}},
+                    .timeoutSeconds = 60});
+    EXPECT_EQ(result.exitCode, 1);
+    EXPECT_NE(result.error.find("screen"), std::string::npos) << result.error;
+}
+
+TEST_F(ProgramTest, AModelOnTheCommandLineIsServedUntilASignalComes) {
+    RunningProgram window(programPath("GUI"), named({"room.obj"}), {.folder = folder().path()});
+    Session session;
+    session.connectTo(name(), std::chrono::seconds(20));
+    ASSERT_TRUE(shows(session));
+    session.leave();
+    ASSERT_TRUE(comes([&] { return clientsOf(name()) == 1; }));
+    window.send(SIGTERM);
+    const ProgramResult result = window.wait();
+    EXPECT_EQ(result.exitCode, 143) << result.error;
+    EXPECT_TRUE(instance.segments().empty());
+}
+
+TEST_F(ProgramTest, ConnectsToAServerAndLeavesIt) {
+    startServer();
+    RunningProgram window(programPath("GUI"), named({"--connect"}), {.folder = folder().path()});
+    ASSERT_TRUE(comes([&] { return clientsOf(name()) == 1; }));
+    window.send(SIGINT);
+    EXPECT_EQ(window.wait().exitCode, 130);
+    EXPECT_TRUE(comes([&] { return clientsOf(name()) == 0; }));
+    EXPECT_EQ(runProgram(programPath("CUI"), {"--instance=" + instance.name(), "ping"}).exitCode, 0);
+}
+
+} // namespace

@@ -1,0 +1,195 @@
+/// The whole window with a real server.
+#include "gui/gui_support.h"
+
+#include "gui/main_window.h"
+#include "gui/operations/actions.h"
+#include "gui/view/frame_view.h"
+#include "gui/view/input_capture.h"
+#include "gui/view/notice_bar.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QDir>
+#include <QGuiApplication>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSignalSpy>
+
+#include <csignal>
+
+namespace {
+
+using namespace test;
+using namespace gui;
+
+class WindowTest : public GuiTest {
+  protected:
+    void SetUp() override {
+        GuiTest::SetUp();
+        window.emplace(name());
+        window->preferences().set(pref::pictureFolder, QString::fromStdString(folder().path().string()));
+        window->preferences().set(pref::pictureScale, 25);
+        window->resize(400, 320);
+        window->show();
+        window->activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(&*window));
+    }
+    void TearDown() override {
+        window->close();
+        window.reset();
+    }
+    void open() {
+        window->open(file("room.obj"));
+        ASSERT_TRUE(shows(window->session())) << window->notice().text().toStdString();
+    }
+    QAction* action(ActionId id) { return window->actions()[id]; }
+    QImage grabbed() { return window->view().grab().toImage(); }
+
+    std::optional<MainWindow> window;
+};
+
+TEST_F(WindowTest, AModelStartsAServerAndIsShown) {
+    EXPECT_FALSE(action(ActionId::StopServer)->isEnabled());
+    const QImage empty = grabbed();
+    open();
+    EXPECT_TRUE(comes([&] { return window->session().status().idle; }));
+    EXPECT_NE(grabbed(), empty);
+    EXPECT_TRUE(window->windowTitle().contains(QStringLiteral("room.obj")));
+    EXPECT_TRUE(action(ActionId::StopServer)->isEnabled());
+    EXPECT_EQ(window->preferences().recentFiles(), QStringList{file("room.obj")});
+}
+
+TEST_F(WindowTest, ADroppedModelIsShown) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(file("room.obj"))});
+    QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&*window, &enter);
+    EXPECT_TRUE(enter.isAccepted());
+    QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&*window, &drop);
+    EXPECT_TRUE(shows(window->session()));
+}
+
+TEST_F(WindowTest, KeysWalkAndThePictureChanges) {
+    open();
+    ASSERT_TRUE(comes([&] { return window->session().status().idle; }));
+    const QImage before = grabbed();
+    const View view = window->session().status().view;
+    QTest::keyPress(&window->view(), Qt::Key_W);
+    EXPECT_TRUE(comes([&] { return window->session().status().view != view; }));
+    QTest::keyRelease(&window->view(), Qt::Key_W);
+    ASSERT_TRUE(comes([&] { return window->session().status().idle; }));
+    EXPECT_NE(grabbed(), before);
+}
+
+TEST_F(WindowTest, TheMouseTurnsTheCamera) {
+    open();
+    const View view = window->session().status().view;
+    emit window->view().input().turned(20, 0);
+    EXPECT_TRUE(comes([&] { return window->session().status().view.forward != view.forward; }));
+}
+
+TEST_F(WindowTest, TheServerDrawsAsManyPixelsAsTheWindowHas) {
+    window->preferences().set(pref::pictureScale, 50);
+    open();
+    const QSize wanted = window->view().devicePixels() * 50 / 100;
+    EXPECT_TRUE(comes([&] { return window->session().status().resolution == wanted; }));
+    QSignalSpy asked(&window->view(), &FrameView::resolutionWanted);
+    for (int i = 0; i < 10; ++i) {
+        window->resize(420 + i, 360);
+        QTest::qWait(5);
+    }
+    const QSize larger = window->view().devicePixels() * 50 / 100;
+    EXPECT_TRUE(comes([&] { return window->session().status().resolution == larger; }));
+    EXPECT_EQ(asked.count(), 1) << "once the user has come to rest";
+}
+
+TEST_F(WindowTest, AKilledServerIsExplainedAndRestartedByAButton) {
+    open();
+    EXPECT_FALSE(window->notice().isVisible());
+    ::kill(static_cast<pid_t>(window->session().serverProcess()), SIGKILL);
+    ASSERT_TRUE(comes([&] { return window->notice().isVisible(); }));
+    EXPECT_TRUE(comes([&] { return !window->session().live(); }));
+    QPushButton* restart = window->notice().findChild<QPushButton*>();
+    ASSERT_NE(restart, nullptr);
+    restart->click();
+    EXPECT_TRUE(shows(window->session()));
+    EXPECT_FALSE(window->notice().isVisible());
+}
+
+TEST_F(WindowTest, AFileThatIsNotThereIsExplained) {
+    window->open(file("nothing.obj"));
+    EXPECT_TRUE(window->notice().isVisible());
+    EXPECT_TRUE(window->notice().text().contains(QStringLiteral("nothing.obj")));
+}
+
+TEST_F(WindowTest, PauseIsShownWhoeverPaused) {
+    open();
+    action(ActionId::PauseServer)->trigger();
+    EXPECT_TRUE(comes([&] { return window->session().status().paused; }));
+    window->session().send(QStringLiteral("resume"));
+    EXPECT_TRUE(comes([&] { return !action(ActionId::PauseServer)->isChecked(); }));
+}
+
+TEST_F(WindowTest, TheKeyEExportsTheCameraAndF12ThePicture) {
+    open();
+    QTest::keyClick(&window->view(), Qt::Key_E);
+    EXPECT_TRUE(comes([&] { return QFile::exists(file("camera-0001.cam")); }));
+    QTest::keyClick(&window->view(), Qt::Key_H);
+    EXPECT_TRUE(comes([&] { return QFile::exists(file("camera-0002.cam")); }));
+    EXPECT_NE(readBytes(file("camera-0002.cam").toStdString()).find("1920"), std::string::npos);
+    QTest::keyClick(&*window, Qt::Key_F12);
+    EXPECT_TRUE(comes([&] { return QFile::exists(file("screenshot-0001.png")); }));
+}
+
+TEST_F(WindowTest, TheCameraTravelsByTheClipboard) {
+    open();
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("camera set 1 2 5 0 0 -1 50")).done);
+    QGuiApplication::clipboard()->clear();
+    action(ActionId::CopyCamera)->trigger();
+    ASSERT_TRUE(comes([] { return !QGuiApplication::clipboard()->text().isEmpty(); }));
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("camera set 0 1 4 0 0 -1 60")).done);
+    action(ActionId::PasteCamera)->trigger();
+    EXPECT_TRUE(comes([&] { return window->session().status().view.eye == QVector3D(1, 2, 5); }));
+}
+
+TEST_F(WindowTest, QuickRenderShowsABetterPictureUntilSomethingMoves) {
+    open();
+    ASSERT_TRUE(comes([&] { return window->session().status().idle; }));
+    action(ActionId::QuickRender)->trigger();
+    ASSERT_TRUE(comes([&] { return !window->view().showsLive(); })) << window->notice().text().toStdString();
+    EXPECT_EQ(window->view().picture().size(), window->session().status().resolution);
+    QTest::keyPress(&window->view(), Qt::Key_W);
+    EXPECT_TRUE(window->view().showsLive());
+    QTest::keyRelease(&window->view(), Qt::Key_W);
+}
+
+TEST_F(WindowTest, BindingsOfTheUserAreTheServers) {
+    window->preferences().set(pref::bindings, QStringLiteral("Z forward\n"));
+    open();
+    const View view = window->session().status().view;
+    QTest::keyPress(&window->view(), Qt::Key_Z);
+    EXPECT_TRUE(comes([&] { return window->session().status().view != view; }));
+    QTest::keyRelease(&window->view(), Qt::Key_Z);
+}
+
+TEST_F(WindowTest, CloseStopsTheServer) {
+    open();
+    const auto process = static_cast<pid_t>(window->session().serverProcess());
+    window->close();
+    window.reset();
+    EXPECT_NE(::kill(process, 0), 0);
+    EXPECT_TRUE(instance.segments().empty());
+    window.emplace(name());
+}
+
+TEST_F(WindowTest, TheWheelChangesTheSpeed) {
+    open();
+    QSignalSpy failures(&window->session(), &Session::commandFailed);
+    emit window->view().input().wheelTurned(2);
+    EXPECT_TRUE(ask(window->session(), QStringLiteral("ping")).done);
+    EXPECT_TRUE(failures.isEmpty());
+}
+
+} // namespace
