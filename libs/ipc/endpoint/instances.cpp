@@ -24,8 +24,7 @@ std::string lockFolderOf(const Names& names) {
 }
 
 int clientsOf(const Names& names) {
-    const std::optional<Segment> segment =
-        Segment::open(names.control(), Access::Read, sizeof(ControlBlock));
+    const std::optional<Segment> segment = Segment::open(names.control(), Access::Read, sizeof(ControlBlock));
     const std::optional<ControlFacts> facts = segment ? readControlFacts(*segment) : std::nullopt;
     if (!facts || facts->handshake != ownHandshake()) return 0;
     const ControlBlock& block = *static_cast<const ControlBlock*>(segment->data());
