@@ -1,14 +1,23 @@
 #!/bin/sh
 # Installs what is missing and builds everything, optimised, into build/release (programs in build/release/bin).
-#   scripts/build.sh [--no-apt]     RT_WERROR=ON makes warnings errors
+#   scripts/build.sh [--no-apt] [--programs]     --programs: no tests. RT_WERROR=ON makes warnings errors, RT_WITH_GUI=OFF leaves the window out
 set -eu
 cd "$(dirname "$0")/.."
-scripts/setup.sh "$@"
-cmake --preset release -DRT_WERROR="${RT_WERROR:-OFF}" >build-configure.log 2>&1 || {
+target=all
+apt=""
+for option in "$@"; do
+    case $option in
+        --no-apt) apt=--no-apt ;;
+        --programs) target=programs ;;
+        *) echo "usage: build.sh [--no-apt] [--programs]" >&2; exit 2 ;;
+    esac
+done
+scripts/setup.sh $apt
+cmake --preset release -DRT_WERROR="${RT_WERROR:-OFF}" -DRT_WITH_GUI="${RT_WITH_GUI:-AUTO}" >build-configure.log 2>&1 || {
     cat build-configure.log >&2
     exit 1
 }
 mv build-configure.log build/release/configure.log
-cmake --build --preset release
+cmake --build --preset release --target "$target"
 scripts/make_data.sh
 echo "build: programs are in build/release/bin"

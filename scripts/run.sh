@@ -1,15 +1,103 @@
 #!/bin/sh
-# From a fresh clone to a picture: builds everything, makes the sample scene's .bsp, renders it.
-#   scripts/run.sh [scene.scn]
+# From a fresh clone to a walk: installs what is missing, builds everything, makes the scene and its kd-tree once, then
+# opens the window on it, ready to walk. Where there is no display: walks a few steps by commands, records them, renders
+# what is seen then, and says where the picture is.
+#   scripts/run.sh [SCENE]      a .scn, a .bsp or any model; the nave of data/ unless told
+# RT_WITH_GUI=OFF builds no window.
 set -eu
-cd "$(dirname "$0")/.."
-scripts/build.sh
-bin=build/release/bin
-scene=${1:-data/nave/nave.scn}
-name=$(basename "$scene" .scn)
-mkdir -p output
-model=$(dirname "$scene")/$(sed -n 's/^ *model *= *"\(.*\)".*/\1/p' "$scene" | head -n 1)
-$bin/BSPBuilder -v "$model" "output/$name.bsp"
-$bin/Renderer "$scene" --model "output/$name.bsp" --output "output/$name.png" --force
+here=$(cd "$(dirname "$0")/.." && pwd)
+scene=${1:-$here/data/nave/nave.scn}
+case $scene in /*) ;; *) scene=$PWD/$scene ;; esac
+cd "$here"
+scripts/build.sh --programs
+[ -f "$scene" ] || {
+    echo "run: $scene: there is no such file" >&2
+    exit 66
+}
+bin=$here/build/release/bin
+output=$here/output
+name=$(basename "${scene%.*}")
+mkdir -p "$output"
+
+# newer A B: A stands and is not older than B.
+newer() { [ -f "$1" ] && [ -z "$(find "$2" -newer "$1" -print)" ]; }
+# The kd-tree of a model, made once.
+tree() {
+    if newer "$output/$name.bsp" "$1" && newer "$output/$name.bsp" "$bin/BSPBuilder"; then return; fi
+    "$bin/BSPBuilder" -v "$1" "$output/$name.bsp"
+}
+
+# What is opened: the tree in place of the model. A .scn of data/ is copied with it; its other files stay where they are.
+folder=$(dirname "$scene")
+case $scene in
+    "$here"/data/*.scn)
+        model=$(sed -n 's/^ *model *= *"\(.*\)".*/\1/p' "$scene" | head -n 1)
+        tree "$folder/$model"
+        sed -e "s|^model *=.*|model = \"$output/$name.bsp\"|" \
+            -e "s|^\(settings\) *= *\"|\1 = \"$folder/|" -e "s|^\(equirectangular\) *= *\"|\1 = \"$folder/|" \
+            "$scene" >"$output/$name.scn"
+        scene=$output/$name.scn
+        ;;
+    *.scn | *.bsp) ;;
+    *)
+        tree "$scene"
+        scene=$output/$name.bsp
+        ;;
+esac
+
+# The usual name, so that CUI finds the server without being told; another one when that is taken.
+instance=default
+if "$bin/CUI" ping >/dev/null 2>&1; then instance=run-$$; fi
+cui() { "$bin/CUI" --instance="$instance" "$@"; }
+window=""
+server=""
+finish() {
+    code=$?
+    trap - EXIT
+    if [ -n "$window" ]; then
+        kill "$window" 2>/dev/null || true
+        wait "$window" 2>/dev/null || true
+    fi
+    if [ -n "$server" ]; then cui exit >/dev/null 2>&1 || true; fi
+    exit "$code"
+}
+trap finish EXIT
+trap 'exit 130' INT
+trap 'exit 143' TERM
+trap 'exit 129' HUP
+
+if [ "${RT_WITH_GUI:-AUTO}" != OFF ] && [ -x "$bin/GUI" ] && [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
+    echo "run: opening the window. W, A, S, D walk, a click looks around by mouse, Esc gives it back, F1 shows all keys."
+    "$bin/GUI" "$scene" --instance="$instance" &
+    window=$!
+    # A body on the ground as soon as the scene is there; where there is no room for one it flies.
+    while kill -0 "$window" 2>/dev/null; do
+        if cui ping >/dev/null 2>&1; then
+            cui wait-idle >/dev/null 2>&1 && { cui walk || true; }
+            break
+        fi
+        sleep 0.2
+    done
+    code=0
+    wait "$window" || code=$?
+    window=""
+    exit "$code"
+fi
+
+echo "run: there is no display, so a server is commanded from here"
+server=yes
+"$bin/RTServer" "$scene" --instance="$instance" --resolution=640x360 --daemon
+cui walk || echo "run: no room to stand here; flying"
+cui export video start "$output/$name.lst"
+cui key press w --for=2500
+cui key press d --for=400
+cui camera turn -14 6
+cui export video stop
+cui status
+cui render "$output/$name.png" -- --width=1280 --height=720 --antialiasing=2
+cui exit
+server=""
 echo
-echo "The picture is $PWD/output/$name.png"
+echo "The walk is recorded in $output/$name.lst; this makes a film of it:"
+echo "  $bin/Renderer $scene -l $output/$name.lst --video $output/$name.mp4 --width 640 --height 360"
+echo "The picture is $output/$name.png"
