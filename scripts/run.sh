@@ -88,6 +88,7 @@ echo "run: there is no display, so a server is commanded from here"
 server=yes
 "$bin/RTServer" "$scene" --instance="$instance" --resolution=640x360 --daemon
 cui walk || echo "run: no room to stand here; flying"
+rm -rf "$output/$name.lst" "$output/$name.cams"
 cui export video start "$output/$name.lst"
 cui key press w --for=2500
 cui key press d --for=400

@@ -2,7 +2,9 @@
 
 #include "gui/gui_spec.h"
 #include "gui/main_window.h"
+#include "gui/models/preferences.h"
 #include "gui/session/server_list.h"
+#include "gui/view/language.h"
 
 #include "common/run_program.h"
 #include "common/stop.h"
@@ -44,6 +46,7 @@ app::ExitCode runGui(const app::Arguments& arguments) {
     QApplication::setOrganizationName(QStringLiteral("rtsuite"));
     QApplication::setDesktopFileName(QStringLiteral("rtsuite"));
 
+    useLanguage(Preferences().get(pref::language));
     MainWindow window(instance);
     window.show();
     // Once the window has its size: the server draws frames as large.

@@ -35,9 +35,9 @@ ConfigureDialog::ConfigureDialog(Preferences& preferences, Session& session, QWi
     setWindowTitle(tr("Configure"));
     auto* tabs = new QTabWidget;
     tabs->addTab(generalPage(), tr("&General"));
-    tabs->addTab(picturePage(), tr("&Picture"));
+    tabs->addTab(picturePage(), tr("Pict&ure"));
     tabs->addTab(inputPage(), tr("&Mouse"));
-    tabs->addTab(keys_, tr("&Keys"));
+    tabs->addTab(keys_, tr("K&eys"));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     ok_ = buttons->button(QDialogButtonBox::Ok);
     auto* column = new QVBoxLayout(this);
@@ -55,6 +55,7 @@ QWidget* ConfigureDialog::generalPage() {
     auto* page = new QWidget;
     auto* form = new QFormLayout(page);
     addTheme(*form);
+    addLanguage(*form);
     auto* folder = new FileField(FileField::Kind::Folder, tr("Folder for pictures"), QString());
     folder->setPath(preferences_.picturesFolder());
     form->addRow(tr("&Folder for pictures:"), folder);
@@ -113,6 +114,17 @@ void ConfigureDialog::addTheme(QFormLayout& form) {
     box->setCurrentIndex(qMax(0, box->findData(preferences_.get(pref::theme))));
     form.addRow(tr("&Colours:"), box);
     stores_.append([this, box] { preferences_.set(pref::theme, box->currentData().toString()); });
+}
+
+void ConfigureDialog::addLanguage(QFormLayout& form) {
+    auto* box = new QComboBox;
+    box->addItem(tr("as the system"), QStringLiteral("system"));
+    box->addItem(QStringLiteral("English"), QStringLiteral("en"));
+    box->addItem(QStringLiteral("Čeština"), QStringLiteral("cs"));
+    box->setCurrentIndex(qMax(0, box->findData(preferences_.get(pref::language))));
+    box->setToolTip(tr("Holds from the next start of the window"));
+    form.addRow(tr("&Language:"), box);
+    stores_.append([this, box] { preferences_.set(pref::language, box->currentData().toString()); });
 }
 
 void ConfigureDialog::addScale(QFormLayout& form) {

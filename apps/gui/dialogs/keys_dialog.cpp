@@ -3,6 +3,7 @@
 #include "gui/models/action_table.h"
 #include "gui/session/session.h"
 
+#include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QTextBrowser>
 #include <QVBoxLayout>
@@ -50,7 +51,7 @@ QString shortcutRows() {
 } // namespace
 
 QString keysPage(const QList<Binding>& bindings) {
-    const auto tr = [](const char* text) { return KeysDialog::tr(text); };
+    const auto tr = [](const char* text) { return QCoreApplication::translate("gui", text); };
     const QString picture = row(tr("Click, Enter"), tr("Give keyboard and mouse to the camera")) +
                             row(tr("Esc"), tr("Take them back")) + row(tr("Mouse"), tr("Look around")) +
                             row(tr("Wheel"), tr("Speed")) +

@@ -3,17 +3,17 @@
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 
 namespace gui {
 
 namespace {
 
-constexpr const char* kContext = "ActionTable";
-// lupdate finds the texts by this name.
-#define TEXT(text) QT_TRANSLATE_NOOP("ActionTable", text)
+// lupdate finds the texts by this name (scripts/translate.sh), and files them under the namespace.
+constexpr const char* kContext = "gui";
+#define TEXT(text) text
 
-constexpr std::array kRows{
+constexpr ActionRow kRows[]{
     ActionRow{ActionId::Open, MenuId::File, TEXT("&Open…"), TEXT("Show a scene or a model"), "Ctrl+O",
               RecentFilesAfter},
     ActionRow{ActionId::ImportCamera, MenuId::File, TEXT("&Import camera…"), TEXT("Look through a .cam file"),
@@ -73,13 +73,10 @@ constexpr std::array kRows{
     ActionRow{ActionId::About, MenuId::Help, TEXT("&About"), TEXT("What this program is"), ""},
 };
 
-#undef TEXT
+constexpr const char* kMenus[]{TEXT("&File"),    TEXT("&Connection"), TEXT("&Action"), TEXT("C&ommands"),
+                               TEXT("&Display"), TEXT("&Settings"),   TEXT("&Help")};
 
-constexpr std::array kMenus{
-    QT_TRANSLATE_NOOP("ActionTable", "&File"),    QT_TRANSLATE_NOOP("ActionTable", "&Connection"),
-    QT_TRANSLATE_NOOP("ActionTable", "&Action"),  QT_TRANSLATE_NOOP("ActionTable", "C&ommands"),
-    QT_TRANSLATE_NOOP("ActionTable", "&Display"), QT_TRANSLATE_NOOP("ActionTable", "&Settings"),
-    QT_TRANSLATE_NOOP("ActionTable", "&Help")};
+#undef TEXT
 
 QString translated(const char* text) { return QCoreApplication::translate(kContext, text); }
 
@@ -88,7 +85,8 @@ QString translated(const char* text) { return QCoreApplication::translate(kConte
 std::span<const ActionRow> actionTable() { return kRows; }
 
 const ActionRow& actionRow(ActionId id) {
-    return *std::find_if(kRows.begin(), kRows.end(), [&](const ActionRow& row) { return row.id == id; });
+    return *std::find_if(std::begin(kRows), std::end(kRows),
+                         [&](const ActionRow& row) { return row.id == id; });
 }
 
 QString actionText(const ActionRow& row) { return translated(row.text); }

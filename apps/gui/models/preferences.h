@@ -21,6 +21,7 @@ inline const Preference<bool> ignoreAspectRatio{"display/ignoreAspectRatio", fal
 inline const Preference<bool> smoothTransformation{"display/smoothTransformation", true};
 inline const Preference<bool> showOverlay{"display/showOverlay", true};
 inline const Preference<QString> theme{"display/theme", QStringLiteral("system")}; ///< system, light, dark
+inline const Preference<QString> language{"display/language", QStringLiteral("system")}; ///< system, en, cs
 inline const Preference<bool> progressiveRendering{"render/progressive", true};
 inline const Preference<int> stillAntialiasing{"render/stillAntialiasing", 3};
 inline const Preference<int> stillBloom{"render/stillBloom", 0};

@@ -12,7 +12,7 @@ namespace {
 constexpr int kMargin = 10, kPadding = 7;
 constexpr double kRadius = 6;
 
-QString tr(const char* text) { return QCoreApplication::translate("Overlay", text); }
+QString tr(const char* text) { return QCoreApplication::translate("gui", text); }
 
 QString activity(const ServerStatus& status) {
     if (status.paused) return tr("paused");

@@ -1,0 +1,1231 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="cs" sourcelanguage="en">
+<context>
+    <name>Bindings</name>
+    <message>
+        <source>Forward</source>
+        <translation>Vpřed</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Vzad</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Vlevo</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Vpravo</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Nahoru</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Dolů</translation>
+    </message>
+    <message>
+        <source>Turn left</source>
+        <translation>Otočit vlevo</translation>
+    </message>
+    <message>
+        <source>Turn right</source>
+        <translation>Otočit vpravo</translation>
+    </message>
+    <message>
+        <source>Look up</source>
+        <translation>Pohled nahoru</translation>
+    </message>
+    <message>
+        <source>Look down</source>
+        <translation>Pohled dolů</translation>
+    </message>
+    <message>
+        <source>Jump</source>
+        <translation>Skok</translation>
+    </message>
+    <message>
+        <source>Crouch</source>
+        <translation>Přikrčit se</translation>
+    </message>
+    <message>
+        <source>Crawl</source>
+        <translation>Plazit se</translation>
+    </message>
+    <message>
+        <source>Sprint</source>
+        <translation>Běh</translation>
+    </message>
+    <message>
+        <source>Walk or fly</source>
+        <translation>Chůze nebo let</translation>
+    </message>
+    <message>
+        <source>Bloom on or off</source>
+        <translation>Zapnout nebo vypnout záři</translation>
+    </message>
+    <message>
+        <source>Light on or off</source>
+        <translation>Zapnout nebo vypnout světlo</translation>
+    </message>
+    <message>
+        <source>Environment map</source>
+        <translation>Mapa prostředí</translation>
+    </message>
+</context>
+<context>
+    <name>gui</name>
+    <message>
+        <source>Click, Enter</source>
+        <translation>Kliknutí, Enter</translation>
+    </message>
+    <message>
+        <source>Give keyboard and mouse to the camera</source>
+        <translation>Předat klávesnici a myš kameře</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Take them back</source>
+        <translation>Vzít si je zpět</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Myš</translation>
+    </message>
+    <message>
+        <source>Look around</source>
+        <translation>Rozhlížení</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Kolečko</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Rychlost</translation>
+    </message>
+    <message>
+        <source>Export the camera</source>
+        <translation>Exportovat kameru</translation>
+    </message>
+    <message>
+        <source>Export the camera for high quality</source>
+        <translation>Exportovat kameru pro vysokou kvalitu</translation>
+    </message>
+    <message>
+        <source>Render in higher quality</source>
+        <translation>Vykreslit ve vyšší kvalitě</translation>
+    </message>
+    <message>
+        <source>The same with anti-aliasing</source>
+        <translation>Totéž s vyhlazováním hran</translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation>Pohyb</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Obraz</translation>
+    </message>
+    <message>
+        <source>Menus</source>
+        <translation>Nabídky</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>pozastaven</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>v klidu</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>kreslí</translation>
+    </message>
+    <message>
+        <source> (%1 %)</source>
+        <translation> (%1 %)</translation>
+    </message>
+    <message>
+        <source>walking</source>
+        <translation>chůze</translation>
+    </message>
+    <message>
+        <source>flying</source>
+        <translation>let</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 sn./s</translation>
+    </message>
+    <message>
+        <source>● recording</source>
+        <translation>● záznam</translation>
+    </message>
+    <message>
+        <source>Drop a scene or a model here, or open one with Ctrl+O.
+Ctrl+C connects to a server that runs; F1 shows the keys.</source>
+        <translation>Přetáhněte sem scénu nebo model, nebo je otevřete pomocí Ctrl+O.
+Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
+    </message>
+    <message>
+        <source>Waiting for the server “%1”…</source>
+        <translation>Čeká se na server „%1“…</translation>
+    </message>
+    <message>
+        <source>The server is busy…</source>
+        <translation>Server je zaneprázdněn…</translation>
+    </message>
+    <message>
+        <source>The server has ended.</source>
+        <translation>Server skončil.</translation>
+    </message>
+    <message>
+        <source>Loading… %1 %</source>
+        <translation>Načítání… %1 %</translation>
+    </message>
+    <message>
+        <source>The first picture is on its way…</source>
+        <translation>První snímek se připravuje…</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Otevřít…</translation>
+    </message>
+    <message>
+        <source>Show a scene or a model</source>
+        <translation>Zobrazit scénu nebo model</translation>
+    </message>
+    <message>
+        <source>&amp;Import camera…</source>
+        <translation>&amp;Importovat kameru…</translation>
+    </message>
+    <message>
+        <source>Look through a .cam file</source>
+        <translation>Převzít pohled ze souboru .cam</translation>
+    </message>
+    <message>
+        <source>E&amp;xit</source>
+        <translation>&amp;Konec</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Zavřít okno</translation>
+    </message>
+    <message>
+        <source>&amp;Connect…</source>
+        <translation>&amp;Připojit…</translation>
+    </message>
+    <message>
+        <source>Connect to a running server</source>
+        <translation>Připojit se k běžícímu serveru</translation>
+    </message>
+    <message>
+        <source>&amp;Start new server…</source>
+        <translation>&amp;Spustit nový server…</translation>
+    </message>
+    <message>
+        <source>Start a server with a scene or a model, and connect to it</source>
+        <translation>Spustit server se scénou nebo modelem a připojit se k němu</translation>
+    </message>
+    <message>
+        <source>&amp;Disconnect</source>
+        <translation>&amp;Odpojit</translation>
+    </message>
+    <message>
+        <source>Leave the server; it goes on</source>
+        <translation>Opustit server; poběží dál</translation>
+    </message>
+    <message>
+        <source>Server &amp;log</source>
+        <translation>&amp;Výpis serveru</translation>
+    </message>
+    <message>
+        <source>What the server that this window started has to say</source>
+        <translation>Co vypsal server spuštěný tímto oknem</translation>
+    </message>
+    <message>
+        <source>&amp;Export camera…</source>
+        <translation>&amp;Exportovat kameru…</translation>
+    </message>
+    <message>
+        <source>Write the camera to a .cam file</source>
+        <translation>Zapsat kameru do souboru .cam</translation>
+    </message>
+    <message>
+        <source>&amp;Recording…</source>
+        <translation>&amp;Záznam…</translation>
+    </message>
+    <message>
+        <source>Record the camera of every frame</source>
+        <translation>Zaznamenat kameru každého snímku</translation>
+    </message>
+    <message>
+        <source>&amp;Quick render</source>
+        <translation>&amp;Rychlé vykreslení</translation>
+    </message>
+    <message>
+        <source>Show the present view in higher quality</source>
+        <translation>Zobrazit současný pohled ve vyšší kvalitě</translation>
+    </message>
+    <message>
+        <source>S&amp;creenshot</source>
+        <translation>Uložit &amp;snímek</translation>
+    </message>
+    <message>
+        <source>Save the picture under the next free name</source>
+        <translation>Uložit obraz pod dalším volným názvem</translation>
+    </message>
+    <message>
+        <source>Cop&amp;y camera</source>
+        <translation>&amp;Kopírovat kameru</translation>
+    </message>
+    <message>
+        <source>Copy the camera as text</source>
+        <translation>Kopírovat kameru jako text</translation>
+    </message>
+    <message>
+        <source>&amp;Paste camera</source>
+        <translation>&amp;Vložit kameru</translation>
+    </message>
+    <message>
+        <source>Look through the camera of the clipboard</source>
+        <translation>Převzít pohled ze schránky</translation>
+    </message>
+    <message>
+        <source>S&amp;tatistics</source>
+        <translation>S&amp;tatistika</translation>
+    </message>
+    <message>
+        <source>Frames a second, rays a second, resolution, polygons</source>
+        <translation>Snímky za sekundu, paprsky za sekundu, rozlišení, trojúhelníky</translation>
+    </message>
+    <message>
+        <source>&amp;Stop server</source>
+        <translation>&amp;Zastavit server</translation>
+    </message>
+    <message>
+        <source>End the server</source>
+        <translation>Ukončit server</translation>
+    </message>
+    <message>
+        <source>P&amp;ause server</source>
+        <translation>&amp;Pozastavit server</translation>
+    </message>
+    <message>
+        <source>No more frames until this is off again</source>
+        <translation>Žádné další snímky, dokud se volba nevypne</translation>
+    </message>
+    <message>
+        <source>&amp;Ping server</source>
+        <translation>&amp;Odezva serveru</translation>
+    </message>
+    <message>
+        <source>Does it answer?</source>
+        <translation>Odpovídá server?</translation>
+    </message>
+    <message>
+        <source>&amp;Restart server</source>
+        <translation>&amp;Restartovat server</translation>
+    </message>
+    <message>
+        <source>Start the server again with the same scene and camera</source>
+        <translation>Znovu spustit server se stejnou scénou a kamerou</translation>
+    </message>
+    <message>
+        <source>&amp;Ignore aspect ratio</source>
+        <translation>&amp;Nezachovávat poměr stran</translation>
+    </message>
+    <message>
+        <source>Stretch the picture over the whole window</source>
+        <translation>Roztáhnout obraz přes celé okno</translation>
+    </message>
+    <message>
+        <source>&amp;Smooth transformation</source>
+        <translation>&amp;Vyhlazovat obraz</translation>
+    </message>
+    <message>
+        <source>Filter the picture where it does not have the window&apos;s size</source>
+        <translation>Filtrovat obraz, který nemá velikost okna</translation>
+    </message>
+    <message>
+        <source>Show &amp;figures</source>
+        <translation>Zobrazit ú&amp;daje</translation>
+    </message>
+    <message>
+        <source>Frames a second, resolution, mode and state in the corner</source>
+        <translation>Snímky za sekundu, rozlišení, režim a stav v rohu</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>&amp;Celá obrazovka</translation>
+    </message>
+    <message>
+        <source>Use the whole screen</source>
+        <translation>Využít celou obrazovku</translation>
+    </message>
+    <message>
+        <source>&amp;Progressive rendering</source>
+        <translation>&amp;Postupné vykreslování</translation>
+    </message>
+    <message>
+        <source>When the camera rests, render the view in higher quality</source>
+        <translation>Když kamera stojí, vykreslit pohled ve vyšší kvalitě</translation>
+    </message>
+    <message>
+        <source>&amp;Configure…</source>
+        <translation>Př&amp;edvolby…</translation>
+    </message>
+    <message>
+        <source>Preferences and keys</source>
+        <translation>Předvolby a klávesy</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Klávesy</translation>
+    </message>
+    <message>
+        <source>All keys on one page</source>
+        <translation>Všechny klávesy na jedné stránce</translation>
+    </message>
+    <message>
+        <source>&amp;About</source>
+        <translation>&amp;O programu</translation>
+    </message>
+    <message>
+        <source>What this program is</source>
+        <translation>Co je to za program</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Soubor</translation>
+    </message>
+    <message>
+        <source>&amp;Connection</source>
+        <translation>&amp;Připojení</translation>
+    </message>
+    <message>
+        <source>&amp;Action</source>
+        <translation>&amp;Akce</translation>
+    </message>
+    <message>
+        <source>C&amp;ommands</source>
+        <translation>Pří&amp;kazy</translation>
+    </message>
+    <message>
+        <source>&amp;Display</source>
+        <translation>&amp;Zobrazení</translation>
+    </message>
+    <message>
+        <source>&amp;Settings</source>
+        <translation>&amp;Nastavení</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>Nápo&amp;věda</translation>
+    </message>
+</context>
+<context>
+    <name>gui::AboutDialog</name>
+    <message>
+        <source>About</source>
+        <translation>O programu</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Interactive ray tracing&lt;/h3&gt;&lt;p&gt;Open a scene or a model and walk in it, with shadows, mirrors and glass traced ray by ray by the processor alone.&lt;/p&gt;&lt;p&gt;After &lt;i&gt;Ray Tracing Algorithm For Interactive Applications&lt;/i&gt;.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Interaktivní sledování paprsků&lt;/h3&gt;&lt;p&gt;Otevřete scénu nebo model a projděte se v něm. Stíny, zrcadla i sklo počítá paprsek po paprsku samotný procesor.&lt;/p&gt;&lt;p&gt;Podle práce &lt;i&gt;Ray Tracing Algorithm For Interactive Applications&lt;/i&gt;.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>
+Qt %1</source>
+        <translation>
+Qt %1</translation>
+    </message>
+</context>
+<context>
+    <name>gui::Actions</name>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Ne&amp;dávno otevřené</translation>
+    </message>
+    <message>
+        <source>&amp;Clear</source>
+        <translation>&amp;Vymazat</translation>
+    </message>
+</context>
+<context>
+    <name>gui::CameraOperations</name>
+    <message>
+        <source>The camera was written to %1.</source>
+        <translation>Kamera byla zapsána do %1.</translation>
+    </message>
+    <message>
+        <source>Import a camera</source>
+        <translation>Importovat kameru</translation>
+    </message>
+    <message>
+        <source>Cameras (*.cam);;All files (*)</source>
+        <translation>Kamery (*.cam);;Všechny soubory (*)</translation>
+    </message>
+    <message>
+        <source>The picture was written to %1.</source>
+        <translation>Obraz byl zapsán do %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written.</source>
+        <translation>Soubor %1 nelze zapsat.</translation>
+    </message>
+    <message>
+        <source>The camera was copied.</source>
+        <translation>Kamera byla zkopírována.</translation>
+    </message>
+    <message>
+        <source>The camera was pasted.</source>
+        <translation>Kamera byla vložena.</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no camera.</source>
+        <translation>Ve schránce není kamera.</translation>
+    </message>
+</context>
+<context>
+    <name>gui::ConfigureDialog</name>
+    <message>
+        <source>Configure</source>
+        <translation>Předvolby</translation>
+    </message>
+    <message>
+        <source>&amp;General</source>
+        <translation>&amp;Obecné</translation>
+    </message>
+    <message>
+        <source>&amp;Mouse</source>
+        <translation>&amp;Myš</translation>
+    </message>
+    <message>
+        <source>Folder for pictures</source>
+        <translation>Složka pro obrázky</translation>
+    </message>
+    <message>
+        <source>&amp;Folder for pictures:</source>
+        <translation>&amp;Složka pro obrázky:</translation>
+    </message>
+    <message>
+        <source>&amp;Keep servers running when the window closes</source>
+        <translation>&amp;Nechat servery běžet po zavření okna</translation>
+    </message>
+    <message>
+        <source>&amp;Progressive rendering when the camera rests</source>
+        <translation>&amp;Postupně vykreslovat, když kamera stojí</translation>
+    </message>
+    <message>
+        <source>The &amp;live picture follows the window&apos;s size</source>
+        <translation>Ž&amp;ivý obraz má velikost okna</translation>
+    </message>
+    <message>
+        <source>Frame &amp;time in motion:</source>
+        <translation>&amp;Doba snímku za pohybu:</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>&amp;Quick render, anti-aliasing:</source>
+        <translation>&amp;Rychlé vykreslení, vyhlazování hran:</translation>
+    </message>
+    <message>
+        <source>Quick render, &amp;bloom:</source>
+        <translation>Rychlé vykreslení, &amp;záře:</translation>
+    </message>
+    <message>
+        <source> pixels</source>
+        <translation> bodů</translation>
+    </message>
+    <message>
+        <source>&amp;H exports anti-aliasing:</source>
+        <translation>&amp;H exportuje vyhlazování hran:</translation>
+    </message>
+    <message>
+        <source>H exports bl&amp;oom:</source>
+        <translation>H &amp;exportuje záři:</translation>
+    </message>
+    <message>
+        <source>&amp;Invert up and down</source>
+        <translation>&amp;Převrátit nahoru a dolů</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>žádná</translation>
+    </message>
+    <message>
+        <source>as the system</source>
+        <translation>podle systému</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>světlý</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>tmavý</translation>
+    </message>
+    <message>
+        <source>&amp;Colours:</source>
+        <translation>&amp;Vzhled:</translation>
+    </message>
+    <message>
+        <source>Holds from the next start of the window</source>
+        <translation>Platí od příštího spuštění okna</translation>
+    </message>
+    <message>
+        <source>&amp;Language:</source>
+        <translation>&amp;Jazyk:</translation>
+    </message>
+    <message>
+        <source>%1 % of the window</source>
+        <translation>%1 % okna</translation>
+    </message>
+    <message>
+        <source>Smaller pictures are drawn faster</source>
+        <translation>Menší obraz se kreslí rychleji</translation>
+    </message>
+    <message>
+        <source>&amp;Size of the live picture:</source>
+        <translation>&amp;Velikost živého obrazu:</translation>
+    </message>
+    <message>
+        <source>° a pixel</source>
+        <translation>° na bod</translation>
+    </message>
+    <message>
+        <source>&amp;Sensitivity:</source>
+        <translation>&amp;Citlivost:</translation>
+    </message>
+    <message>
+        <source>Pict&amp;ure</source>
+        <translation>O&amp;braz</translation>
+    </message>
+    <message>
+        <source>K&amp;eys</source>
+        <translation>&amp;Klávesy</translation>
+    </message>
+</context>
+<context>
+    <name>gui::ConnectDialog</name>
+    <message>
+        <source>loading</source>
+        <translation>načítá</translation>
+    </message>
+    <message>
+        <source>does not suit</source>
+        <translation>nevyhovuje</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Připojit</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Název</translation>
+    </message>
+    <message>
+        <source>Process</source>
+        <translation>Proces</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Obraz</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Trojúhelníky</translation>
+    </message>
+    <message>
+        <source>Clients</source>
+        <translation>Klienti</translation>
+    </message>
+    <message>
+        <source>Servers</source>
+        <translation>Servery</translation>
+    </message>
+    <message>
+        <source>&amp;Servers that run on this machine:</source>
+        <translation>&amp;Servery, které na tomto počítači běží:</translation>
+    </message>
+    <message>
+        <source>&amp;Connect</source>
+        <translation>&amp;Připojit</translation>
+    </message>
+    <message>
+        <source>There is none. “Start new server” starts one.</source>
+        <translation>Žádný neběží. Spustíte ho volbou „Spustit nový server“.</translation>
+    </message>
+</context>
+<context>
+    <name>gui::ConnectionOperations</name>
+    <message>
+        <source>Open a scene or a model</source>
+        <translation>Otevřít scénu nebo model</translation>
+    </message>
+    <message>
+        <source>Open a scene first.</source>
+        <translation>Nejprve otevřete scénu.</translation>
+    </message>
+    <message>
+        <source>Loading %1…</source>
+        <translation>Načítá se %1…</translation>
+    </message>
+    <message>
+        <source>The file “%1” cannot be read.</source>
+        <translation>Soubor „%1“ nelze přečíst.</translation>
+    </message>
+    <message>
+        <source>The server “%1” answered after %2 ms.</source>
+        <translation>Server „%1“ odpověděl za %2 ms.</translation>
+    </message>
+</context>
+<context>
+    <name>gui::ExportCameraDialog</name>
+    <message>
+        <source>Path</source>
+        <translation>Cesta</translation>
+    </message>
+    <message>
+        <source>Cameras (*.cam);;All files (*)</source>
+        <translation>Kamery (*.cam);;Všechny soubory (*)</translation>
+    </message>
+    <message>
+        <source>Export camera</source>
+        <translation>Exportovat kameru</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Šířka</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Výška</translation>
+    </message>
+    <message>
+        <source>Anti-aliasing</source>
+        <translation>Vyhlazování hran</translation>
+    </message>
+    <message>
+        <source>N × N samples a pixel</source>
+        <translation>N × N vzorků na bod</translation>
+    </message>
+    <message>
+        <source>Bloom</source>
+        <translation>Záře</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>žádná</translation>
+    </message>
+    <message>
+        <source> pixels</source>
+        <translation> bodů</translation>
+    </message>
+    <message>
+        <source>As &amp;now</source>
+        <translation>Jako &amp;nyní</translation>
+    </message>
+    <message>
+        <source>The size that the server draws now</source>
+        <translation>Velikost, kterou server kreslí nyní</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportovat</translation>
+    </message>
+    <message>
+        <source>&amp;Path:</source>
+        <translation>&amp;Cesta:</translation>
+    </message>
+    <message>
+        <source>&amp;Resolution:</source>
+        <translation>&amp;Rozlišení:</translation>
+    </message>
+    <message>
+        <source>&amp;Anti-aliasing:</source>
+        <translation>&amp;Vyhlazování hran:</translation>
+    </message>
+    <message>
+        <source>&amp;Bloom:</source>
+        <translation>&amp;Záře:</translation>
+    </message>
+</context>
+<context>
+    <name>gui::FileField</name>
+    <message>
+        <source>Browse…</source>
+        <translation>Procházet…</translation>
+    </message>
+    <message>
+        <source>Browse: %1</source>
+        <translation>Procházet: %1</translation>
+    </message>
+</context>
+<context>
+    <name>gui::FrameView</name>
+    <message>
+        <source>Picture</source>
+        <translation>Obraz</translation>
+    </message>
+    <message>
+        <source>The live picture. Keys move; Enter or a click takes keyboard and mouse, Esc gives them back.</source>
+        <translation>Živý obraz. Klávesami se pohybujete; Enter nebo kliknutí předá klávesnici a myš kameře, Esc je vrátí.</translation>
+    </message>
+    <message>
+        <source>Keyboard and mouse are the camera&apos;s. Esc gives them back.</source>
+        <translation>Klávesnice a myš patří kameře. Esc je vrátí.</translation>
+    </message>
+</context>
+<context>
+    <name>gui::KeyBindingsPage</name>
+    <message>
+        <source>Action</source>
+        <translation>Akce</translation>
+    </message>
+    <message>
+        <source>Number of the light or environment map</source>
+        <translation>Číslo světla nebo mapy prostředí</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Klávesy</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Číslo</translation>
+    </message>
+    <message>
+        <source>Key bindings</source>
+        <translation>Přiřazení kláves</translation>
+    </message>
+    <message>
+        <source>A key is written by its name: W, 7, Space, Left, CapsLock. M+3 acts when 3 is pressed while M is down.</source>
+        <translation>Klávesa se zapisuje jménem: W, 7, Space, Left, CapsLock. M+3 platí, když se při držené M stiskne 3.</translation>
+    </message>
+    <message>
+        <source>&amp;Add</source>
+        <translation>&amp;Přidat</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>O&amp;debrat</translation>
+    </message>
+    <message>
+        <source>&amp;Defaults</source>
+        <translation>&amp;Výchozí</translation>
+    </message>
+    <message>
+        <source>“%1” is no key.</source>
+        <translation>„%1“ není klávesa.</translation>
+    </message>
+    <message>
+        <source>%1 stands twice.</source>
+        <translation>%1 je uvedena dvakrát.</translation>
+    </message>
+</context>
+<context>
+    <name>gui::KeysDialog</name>
+    <message>
+        <source>Keys</source>
+        <translation>Klávesy</translation>
+    </message>
+</context>
+<context>
+    <name>gui::LogDialog</name>
+    <message>
+        <source>Server log</source>
+        <translation>Výpis serveru</translation>
+    </message>
+    <message>
+        <source>Nothing yet.</source>
+        <translation>Zatím nic.</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Výpis</translation>
+    </message>
+    <message>
+        <source>Co&amp;py all</source>
+        <translation>&amp;Kopírovat vše</translation>
+    </message>
+</context>
+<context>
+    <name>gui::MainWindow</name>
+    <message>
+        <source>Ray tracing</source>
+        <translation>Sledování paprsků</translation>
+    </message>
+</context>
+<context>
+    <name>gui::MotionOperations</name>
+    <message>
+        <source>Flying speed × %1</source>
+        <translation>Rychlost letu × %1</translation>
+    </message>
+</context>
+<context>
+    <name>gui::NoticeBar</name>
+    <message>
+        <source>Notice</source>
+        <translation>Oznámení</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zavřít</translation>
+    </message>
+</context>
+<context>
+    <name>gui::RecordingDialog</name>
+    <message>
+        <source>List of cameras</source>
+        <translation>Seznam kamer</translation>
+    </message>
+    <message>
+        <source>Lists (*.lst *.txt);;All files (*)</source>
+        <translation>Seznamy (*.lst *.txt);;Všechny soubory (*)</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Záznam</translation>
+    </message>
+    <message>
+        <source>The camera and the exposure of every frame are written while you move: .cam files and their list, which the Renderer makes a film of.</source>
+        <translation>Během pohybu se zapisuje kamera a expozice každého snímku: soubory .cam a jejich seznam, ze kterého Renderer vykreslí film.</translation>
+    </message>
+    <message>
+        <source>&amp;Path:</source>
+        <translation>&amp;Cesta:</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Zastavit</translation>
+    </message>
+    <message>
+        <source>&amp;Start</source>
+        <translation>&amp;Začít</translation>
+    </message>
+    <message>
+        <source>Recording for %1 s.</source>
+        <translation>Záznam trvá %1 s.</translation>
+    </message>
+    <message>
+        <source>Recorded: %1</source>
+        <translation>Zaznamenáno: %1</translation>
+    </message>
+</context>
+<context>
+    <name>gui::RenderOperations</name>
+    <message>
+        <source>Rendered. The next movement shows the live picture again.</source>
+        <translation>Vykresleno. Při dalším pohybu se vrátí živý obraz.</translation>
+    </message>
+    <message>
+        <source>rendering…</source>
+        <translation>vykresluje se…</translation>
+    </message>
+</context>
+<context>
+    <name>gui::ServerKeeper</name>
+    <message>
+        <source>The server “%1” has ended.</source>
+        <translation>Server „%1“ skončil.</translation>
+    </message>
+</context>
+<context>
+    <name>gui::ServerProcess</name>
+    <message>
+        <source>The program RTServer was found neither beside this one nor in PATH.</source>
+        <translation>Program RTServer nebyl nalezen vedle tohoto programu ani v PATH.</translation>
+    </message>
+    <message>
+        <source>RTServer cannot be started: %1</source>
+        <translation>RTServer nelze spustit: %1</translation>
+    </message>
+    <message>
+        <source>The server was killed or has crashed (signal %1).</source>
+        <translation>Server byl násilně ukončen nebo havaroval (signál %1).</translation>
+    </message>
+    <message>
+        <source>The server ended with exit code %1.</source>
+        <translation>Server skončil s návratovým kódem %1.</translation>
+    </message>
+</context>
+<context>
+    <name>gui::Session</name>
+    <message>
+        <source>the window left the server</source>
+        <translation>okno opustilo server</translation>
+    </message>
+    <message>
+        <source>there is no server</source>
+        <translation>žádný server neběží</translation>
+    </message>
+    <message>
+        <source>There is no server “%1”.</source>
+        <translation>Server „%1“ neběží.</translation>
+    </message>
+    <message>
+        <source>the server ended before it answered</source>
+        <translation>server skončil dříve, než odpověděl</translation>
+    </message>
+    <message>
+        <source>the server takes no commands</source>
+        <translation>server nepřijímá příkazy</translation>
+    </message>
+</context>
+<context>
+    <name>gui::StartServerDialog</name>
+    <message>
+        <source>Scene or model</source>
+        <translation>Scéna nebo model</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Cameras (*.cam);;All files (*)</source>
+        <translation>Kamery (*.cam);;Všechny soubory (*)</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Nastavení</translation>
+    </message>
+    <message>
+        <source>Settings (*.set);;All files (*)</source>
+        <translation>Nastavení (*.set);;Všechny soubory (*)</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Šířka</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Výška</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>Vlákna</translation>
+    </message>
+    <message>
+        <source>all cores</source>
+        <translation>všechna jádra</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>žádné</translation>
+    </message>
+    <message>
+        <source> frames/s</source>
+        <translation> snímků/s</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the server running when the window closes</source>
+        <translation>Po zavření okna nechat server běže&amp;t</translation>
+    </message>
+    <message>
+        <source>Fewer &amp;pixels while something moves, so that it moves smoothly</source>
+        <translation>Za pohybu kreslit méně &amp;bodů, aby byl plynulý</translation>
+    </message>
+    <message>
+        <source>Start new server</source>
+        <translation>Spustit nový server</translation>
+    </message>
+    <message>
+        <source>as large as the window</source>
+        <translation>podle okna</translation>
+    </message>
+    <message>
+        <source>as the scene says</source>
+        <translation>podle scény</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation>pevné</translation>
+    </message>
+    <message>
+        <source>&amp;Scene or model:</source>
+        <translation>&amp;Scéna nebo model:</translation>
+    </message>
+    <message>
+        <source>&amp;Name:</source>
+        <translation>Náz&amp;ev:</translation>
+    </message>
+    <message>
+        <source>&amp;Resolution:</source>
+        <translation>&amp;Rozlišení:</translation>
+    </message>
+    <message>
+        <source>&amp;Camera:</source>
+        <translation>&amp;Kamera:</translation>
+    </message>
+    <message>
+        <source>S&amp;ettings:</source>
+        <translation>&amp;Nastavení:</translation>
+    </message>
+    <message>
+        <source>&amp;Threads:</source>
+        <translation>&amp;Vlákna:</translation>
+    </message>
+    <message>
+        <source>Frame &amp;limit:</source>
+        <translation>&amp;Omezení snímků:</translation>
+    </message>
+    <message>
+        <source>&amp;Further options:</source>
+        <translation>&amp;Další volby:</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Spustit</translation>
+    </message>
+    <message>
+        <source>A name has 1 to 32 letters, digits, “_” or “-”.</source>
+        <translation>Název má 1 až 32 písmen, číslic, „_“ nebo „-“.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s file is not there.</source>
+        <translation>Soubor s kamerou neexistuje.</translation>
+    </message>
+    <message>
+        <source>The file of settings is not there.</source>
+        <translation>Soubor s nastavením neexistuje.</translation>
+    </message>
+    <message>
+        <source>Choose a scene or a model.</source>
+        <translation>Vyberte scénu nebo model.</translation>
+    </message>
+</context>
+<context>
+    <name>gui::StatisticsDialog</name>
+    <message>
+        <source>Statistics</source>
+        <translation>Statistika</translation>
+    </message>
+    <message>
+        <source>Server</source>
+        <translation>Server</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stav</translation>
+    </message>
+    <message>
+        <source>Frames a second</source>
+        <translation>Snímky za sekundu</translation>
+    </message>
+    <message>
+        <source>Frame time</source>
+        <translation>Doba snímku</translation>
+    </message>
+    <message>
+        <source>Shown here</source>
+        <translation>Zobrazeno zde</translation>
+    </message>
+    <message>
+        <source>Delay to the screen</source>
+        <translation>Zpoždění na obrazovku</translation>
+    </message>
+    <message>
+        <source>Rays a second</source>
+        <translation>Paprsky za sekundu</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Rozlišení</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Trojúhelníky</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Režim</translation>
+    </message>
+    <message>
+        <source>Eye</source>
+        <translation>Oko</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Expozice</translation>
+    </message>
+    <message>
+        <source>busy</source>
+        <translation>zaneprázdněn</translation>
+    </message>
+    <message>
+        <source>not connected</source>
+        <translation>nepřipojeno</translation>
+    </message>
+    <message>
+        <source>loading</source>
+        <translation>načítá</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>pozastaven</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>v klidu</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>kreslí</translation>
+    </message>
+    <message>
+        <source>%1 (process %2)</source>
+        <translation>%1 (proces %2)</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 snímků/s</translation>
+    </message>
+    <message>
+        <source>%1 million</source>
+        <translation>%1 milionů</translation>
+    </message>
+    <message>
+        <source>walking</source>
+        <translation>chůze</translation>
+    </message>
+    <message>
+        <source>flying</source>
+        <translation>let</translation>
+    </message>
+</context>
+<context>
+    <name>gui::StillProcess</name>
+    <message>
+        <source>The program Renderer was found neither beside this one nor in PATH.</source>
+        <translation>Program Renderer nebyl nalezen vedle tohoto programu ani v PATH.</translation>
+    </message>
+    <message>
+        <source>The Renderer failed.</source>
+        <translation>Renderer selhal.</translation>
+    </message>
+    <message>
+        <source>The Renderer&apos;s picture cannot be read.</source>
+        <translation>Obrázek z Rendereru nelze přečíst.</translation>
+    </message>
+</context>
+</TS>

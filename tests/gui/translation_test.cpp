@@ -1,0 +1,168 @@
+/// The window in Czech: complete, and as good to use by keyboard as in English.
+#include "gui/dialogs/configure_dialog.h"
+#include "gui/dialogs/connect_dialog.h"
+#include "gui/dialogs/export_camera_dialog.h"
+#include "gui/dialogs/log_dialog.h"
+#include "gui/dialogs/recording_dialog.h"
+#include "gui/dialogs/start_server_dialog.h"
+#include "gui/models/action_table.h"
+
+#include "gui/gui_support.h"
+
+#include <QAbstractButton>
+#include <QCoreApplication>
+#include <QFile>
+#include <QLabel>
+#include <QRegularExpression>
+#include <QTabBar>
+#include <QTabWidget>
+#include <QTranslator>
+#include <QXmlStreamReader>
+
+#include <memory>
+
+namespace {
+
+using namespace gui;
+using test::GuiTest;
+
+struct Message {
+    QString source, translation;
+    bool finished = false;
+};
+
+QList<Message> messages() {
+    QFile file(QStringLiteral(RT_TRANSLATION));
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+    QXmlStreamReader xml(&file);
+    QList<Message> all;
+    while (!xml.atEnd()) {
+        xml.readNext();
+        if (!xml.isStartElement()) continue;
+        if (xml.name() == QLatin1String("source")) {
+            all.append({xml.readElementText(), {}, false});
+        } else if (xml.name() == QLatin1String("translation")) {
+            all.last().finished = !xml.attributes().hasAttribute(QLatin1String("type"));
+            all.last().translation = xml.readElementText();
+        }
+    }
+    EXPECT_FALSE(xml.hasError());
+    return all;
+}
+
+QStringList placeholders(const QString& text) {
+    static const QRegularExpression number(QStringLiteral("%[0-9]"));
+    QStringList found;
+    for (auto each = number.globalMatch(text); each.hasNext();) found.append(each.next().captured());
+    found.sort();
+    return found;
+}
+
+QChar mnemonic(const QString& text) {
+    const qsizetype mark = text.indexOf(QLatin1Char('&'));
+    return mark < 0 || mark + 1 >= text.size() ? QChar() : text[mark + 1].toLower();
+}
+
+TEST(Translation, IsFinishedAndKeepsWhatIsFilledIn) {
+    const QList<Message> all = messages();
+    EXPECT_GT(all.size(), 200);
+    for (const Message& each : all) {
+        const std::string where = each.source.toStdString();
+        EXPECT_TRUE(each.finished) << where;
+        EXPECT_FALSE(each.translation.isEmpty()) << where;
+        EXPECT_EQ(placeholders(each.source), placeholders(each.translation)) << where;
+        EXPECT_EQ(mnemonic(each.source).isNull(), mnemonic(each.translation).isNull()) << where;
+        for (const QChar end : {QChar(u':'), QChar(u'…'), QChar(u'.')})
+            EXPECT_EQ(each.source.endsWith(end), each.translation.endsWith(end)) << where;
+    }
+}
+
+/// Parameter: the language.
+class LanguageTest : public GuiTest, public testing::WithParamInterface<const char*> {
+  protected:
+    void SetUp() override {
+        GuiTest::SetUp();
+        if (std::string(GetParam()) == "en") return;
+        translator_ = std::make_unique<QTranslator>();
+        ASSERT_TRUE(translator_->load(QStringLiteral(":/translations/gui_cs.qm")));
+        QCoreApplication::installTranslator(translator_.get());
+    }
+    // The destructor of a QTranslator takes it out.
+
+    static void once(QSet<QChar>& seen, const QString& text, const char* where) {
+        const QChar key = mnemonic(text);
+        if (key.isNull()) return;
+        EXPECT_FALSE(seen.contains(key)) << where << ": " << text.toStdString();
+        seen.insert(key);
+    }
+    // What is seen at the same time: the pages of tabs one after the other.
+    static void checkPage(const QWidget& page, QSet<QChar> seen) {
+        const char* where = page.metaObject()->className();
+        for (const QWidget* each : page.findChildren<QWidget*>()) {
+            if (const auto* button = qobject_cast<const QAbstractButton*>(each)) {
+                once(seen, button->text(), where);
+            } else if (const auto* label = qobject_cast<const QLabel*>(each)) {
+                if (label->buddy() != nullptr) once(seen, label->text(), where);
+            }
+        }
+    }
+
+  private:
+    std::unique_ptr<QTranslator> translator_;
+};
+
+TEST_P(LanguageTest, EachMenuHasEachMnemonicOnce) {
+    QHash<MenuId, QSet<QChar>> seen;
+    QSet<QChar> menus;
+    for (const ActionRow& row : actionTable()) {
+        if (!seen.contains(row.menu)) once(menus, menuText(row.menu), "menu bar");
+        EXPECT_FALSE(mnemonic(actionText(row)).isNull()) << row.text;
+        once(seen[row.menu], actionText(row), row.text);
+    }
+}
+
+TEST_P(LanguageTest, EachDialogHasEachMnemonicOnce) {
+    Preferences preferences;
+    Session session;
+    StartServerDialog start(preferences, name(), QSize(640, 480));
+    ExportCameraDialog exporting(file("a.cam"), QSize(640, 480), preferences);
+    RecordingDialog recording(session, QStringLiteral("/tmp"));
+    ConnectDialog connecting(name());
+    LogDialog log([] { return QString(); });
+    for (QDialog* dialog :
+         std::initializer_list<QDialog*>{&start, &exporting, &recording, &connecting, &log}) {
+        dialog->setAttribute(Qt::WA_DeleteOnClose, false);
+        checkPage(*dialog, {});
+    }
+    ConfigureDialog configure(preferences, session);
+    configure.setAttribute(Qt::WA_DeleteOnClose, false);
+    const auto* tabs = configure.findChild<QTabWidget*>();
+    QSet<QChar> names;
+    for (int i = 0; i < tabs->count(); ++i) once(names, tabs->tabText(i), "tabs");
+    for (int i = 0; i < tabs->count(); ++i) checkPage(*tabs->widget(i), names);
+}
+
+// A text that is looked for under another name than the one it is filed under stays English.
+TEST_P(LanguageTest, TextsAreFound) {
+    const bool czech = std::string(GetParam()) == "cs";
+    EXPECT_EQ(menuText(MenuId::File), czech ? QStringLiteral("&Soubor") : QStringLiteral("&File"));
+    EXPECT_EQ(actionText(actionRow(ActionId::Exit)),
+              czech ? QStringLiteral("&Konec") : QStringLiteral("E&xit"));
+    EXPECT_EQ(actionTitle(QStringLiteral("jump")), czech ? QStringLiteral("Skok") : QStringLiteral("Jump"));
+    ConnectDialog dialog(name());
+    dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+    EXPECT_EQ(dialog.windowTitle(), czech ? QStringLiteral("Připojit") : QStringLiteral("Connect"));
+}
+
+std::vector<const char*> languages() {
+#ifdef RT_TRANSLATED
+    return {"en", "cs"};
+#else
+    return {"en"};
+#endif
+}
+
+INSTANTIATE_TEST_SUITE_P(Languages, LanguageTest, testing::ValuesIn(languages()),
+                         [](const auto& each) { return std::string(each.param); });
+
+} // namespace
