@@ -1,6 +1,7 @@
 #!/bin/sh
 # Installs what is missing and builds everything, optimised, into build/release (programs in build/release/bin).
-#   scripts/build.sh [--no-apt] [--programs]     --programs: no tests. RT_WERROR=ON makes warnings errors, RT_WITH_GUI=OFF leaves the window out
+#   scripts/build.sh [--no-apt] [--programs]     --programs: no tests
+# In the environment: RT_WERROR=ON makes warnings errors, RT_WITH_GUI=OFF leaves the window out.
 set -eu
 cd "$(dirname "$0")/.."
 target=all

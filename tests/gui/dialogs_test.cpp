@@ -87,6 +87,19 @@ TEST_F(DialogsTest, EveryFieldHasANameAndEveryMnemonicAField) {
         check(*dialog);
 }
 
+// Not the file dialog of "Browse".
+TEST_F(DialogsTest, EnterInAFieldAccepts) {
+    preferences.addRecentFile(file("room.obj"));
+    StartServerDialog start(preferences, name(), QSize(640, 480));
+    ExportCameraDialog exporting(file("a.cam"), QSize(640, 480), preferences);
+    for (QDialog* dialog : std::initializer_list<QDialog*>{&start, &exporting}) {
+        dialog->setAttribute(Qt::WA_DeleteOnClose, false);
+        dialog->show();
+        QTest::keyClick(dialog->findChild<QLineEdit*>(), Qt::Key_Return);
+        EXPECT_EQ(dialog->result(), QDialog::Accepted) << dialog->windowTitle().toStdString();
+    }
+}
+
 TEST_F(DialogsTest, StartServerAsksForWhatIsWritten) {
     preferences.addRecentFile(file("room.obj"));
     StartServerDialog dialog(preferences, name(), QSize(640, 480));

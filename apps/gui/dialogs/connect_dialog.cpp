@@ -44,11 +44,11 @@ ConnectDialog::ConnectDialog(const QString& present, QWidget* parent)
     label->setBuddy(list_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     connect_ = buttons->addButton(tr("&Connect"), QDialogButtonBox::AcceptRole);
-    connect_->setDefault(true);
     auto* column = new QVBoxLayout(this);
     column->addWidget(label);
     column->addWidget(list_);
     column->addWidget(buttons);
+    connect_->setDefault(true); // once it is in the dialog
     constexpr QSize kSize(560, 280);
     resize(kSize);
     connect(buttons, &QDialogButtonBox::accepted, this, &ConnectDialog::choose);

@@ -30,6 +30,7 @@ ExportCameraDialog::ExportCameraDialog(const QString& path, const QSize& size, P
     bloom_->setSuffix(tr(" pixels"));
     auto* now = new QPushButton(tr("As &now"));
     now->setToolTip(tr("The size that the server draws now"));
+    now->setAutoDefault(false);
     connect(now, &QPushButton::clicked, this, [this, size] {
         width_->setValue(size.width());
         height_->setValue(size.height());
@@ -37,13 +38,13 @@ ExportCameraDialog::ExportCameraDialog(const QString& path, const QSize& size, P
     QWidget* sizes = rowOfFields({width_, sign(QStringLiteral("×")), height_, now});
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     auto* ok = buttons->addButton(tr("Export"), QDialogButtonBox::AcceptRole);
-    ok->setDefault(true);
     auto* form = new QFormLayout(this);
     form->addRow(tr("&Path:"), path_);
     form->addRow(tr("&Resolution:"), sizes);
     form->addRow(tr("&Anti-aliasing:"), antialiasing_);
     form->addRow(tr("&Bloom:"), bloom_);
     form->addRow(buttons);
+    ok->setDefault(true); // once it is in the dialog
     connect(path_, &FileField::pathChanged, this, [this, ok] { ok->setEnabled(!path_->path().isEmpty()); });
     connect(buttons, &QDialogButtonBox::accepted, this, &ExportCameraDialog::finish);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -59,7 +59,7 @@ QString keysPage(const QList<Binding>& bindings) {
                             row(QStringLiteral("H"), tr("Export the camera for high quality")) +
                             row(QStringLiteral("R"), tr("Render in higher quality")) +
                             row(QStringLiteral("R+L"), tr("The same with anti-aliasing"));
-    return QStringLiteral("<table cellspacing=12><tr><td>%1</td><td>%2%3</td></tr></table>")
+    return QStringLiteral("<table cellspacing=12 width=\"100%\"><tr><td>%1</td><td>%2%3</td></tr></table>")
         .arg(table(tr("Moving"), bindingRows(bindings)), table(tr("Picture"), picture),
              table(tr("Menus"), shortcutRows()));
 }

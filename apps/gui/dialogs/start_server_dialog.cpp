@@ -76,11 +76,11 @@ void StartServerDialog::build(const QString& name) {
     form->addRow(QString(), keep_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     start_ = buttons->addButton(tr("Start"), QDialogButtonBox::AcceptRole);
-    start_->setDefault(true);
     auto* column = new QVBoxLayout(this);
     column->addLayout(form);
     column->addWidget(trouble_);
     column->addWidget(buttons);
+    start_->setDefault(true); // once it is in the dialog
 
     connect(buttons, &QDialogButtonBox::accepted, this, &StartServerDialog::finish);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

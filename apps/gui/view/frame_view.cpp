@@ -116,6 +116,9 @@ void FrameView::countDelay() {
     painted_ = session_.frameNumber();
     constexpr double kNewest = 0.1;
     const double delay = std::chrono::duration<double>(session_.frameAge()).count();
+    // What a server at rest had drawn before this window came tells nothing.
+    constexpr double kSecond = 1;
+    if (delay > kSecond) return;
     paintDelay_ += (paintDelay_ > 0 ? kNewest : 1) * (delay - paintDelay_);
 }
 

@@ -10,11 +10,11 @@ namespace gui {
 namespace {
 
 QPalette darkPalette() {
-    const QColor window(45, 47, 51), base(32, 34, 37), text(225, 227, 230), accent(64, 132, 198);
+    const QColor window(56, 58, 63), base(30, 32, 35), text(225, 227, 230), accent(64, 132, 198);
     QPalette palette(window, window); // the shades of frames are made from these
     palette.setColor(QPalette::WindowText, text);
     palette.setColor(QPalette::Base, base);
-    palette.setColor(QPalette::AlternateBase, QColor(39, 41, 45));
+    palette.setColor(QPalette::AlternateBase, QColor(38, 40, 44));
     palette.setColor(QPalette::Text, text);
     palette.setColor(QPalette::ButtonText, text);
     palette.setColor(QPalette::BrightText, Qt::white);

@@ -1,4 +1,4 @@
-/// What segments and lock files are called: rts.<user>.<instance>.<what>. Different users and instances never
+/// What segments and lock files are called: `rts.<user>.<instance>.<what>`. Different users and instances never
 /// meet.
 #pragma once
 

@@ -16,7 +16,7 @@ std::size_t editDistance(std::string_view a, std::string_view b);
 /// differ) or `name` is longer than any name. A dotted name is also found by its last part alone.
 std::string_view nearestName(std::string_view name, std::span<const std::string_view> known);
 
-/// `text` fit for a message on one line: control characters as \xNN, cut to `limit` bytes and "..." when
+/// `text` fit for a message on one line: control characters as `\xNN`, cut to `limit` bytes and "..." when
 /// longer.
 std::string printable(std::string_view text, std::size_t limit);
 /// The same for a name, in single quotes.

@@ -1,0 +1,146 @@
+#!/bin/sh
+# Takes pictures of the window and of each dialog, light and dark, in English and in Czech, at scale 1 and 2, on a screen
+# of its own (Xvfb). Those that the manual and the README show go to docs/images.
+#   scripts/screenshots.sh [--docs] [FOLDER]     by default output/screenshots; --docs: renew docs/images, too
+# Build first: scripts/build.sh; scripts/run.sh makes output/nave.scn, which the pictures show.
+set -eu
+cd "$(dirname "$0")/.."
+docs=no
+if [ "${1:-}" = --docs ]; then
+    docs=yes
+    shift
+fi
+pictures=${1:-output/screenshots}
+bin=$PWD/build/release/bin
+scene=$PWD/output/nave.scn
+[ -f "$scene" ] || scene=$PWD/data/nave/nave.scn
+for tool in Xvfb xdotool import convert; do
+    command -v "$tool" >/dev/null || { echo "screenshots: $tool is missing (scripts/packages.txt)" >&2; exit 1; }
+done
+mkdir -p "$pictures"
+work=$(mktemp -d)
+name=nave-$$
+export XDG_RUNTIME_DIR="$work" XDG_CONFIG_HOME="$work/config" XDG_CACHE_HOME="$work/cache" QT_QPA_PLATFORM=xcb LC_ALL=C.UTF-8
+Xvfb -displayfd 3 -screen 0 2400x1700x24 -nolisten tcp 3>"$work/display" >/dev/null 2>&1 &
+xvfb=$!
+window=""
+finish() {
+    code=$?
+    trap - EXIT
+    [ -z "$window" ] || kill "$window" 2>/dev/null || true
+    "$bin/CUI" --instance="$name" exit >/dev/null 2>&1 || true
+    kill "$xvfb" 2>/dev/null || true
+    rm -rf "$work"
+    exit "$code"
+}
+trap finish EXIT
+trap 'exit 130' INT TERM
+while [ ! -s "$work/display" ]; do sleep 0.1; done
+DISPLAY=:$(cat "$work/display")
+export DISPLAY
+cui() { "$bin/CUI" --instance="$name" "$@"; }
+
+"$bin/RTServer" "$scene" --instance="$name" --resolution=1024x621 --daemon 2>/dev/null
+
+# The newest window beside the main one.
+front() { xdotool search --onlyvisible --pid "$window" 2>/dev/null | grep -v "^$main\$" | tail -1; }
+
+# dialog FILE KEYS...: presses the keys, takes a picture of what appears, closes it.
+dialog() {
+    file=$1
+    shift
+    xdotool windowfocus --sync "$main"
+    for keys in "$@"; do
+        xdotool key --clearmodifiers "$keys"
+        sleep 0.3
+    done
+    sleep 0.7
+    shown=$(front)
+    [ -n "$shown" ] || { echo "screenshots: $file did not appear" >&2; return; }
+    xdotool windowfocus "$shown" || true
+    sleep 0.2
+    import -window "$shown" "$pictures/$file.png"
+}
+close_dialog() {
+    xdotool key --clearmodifiers Escape
+    sleep 0.3
+}
+
+# look THEME LANGUAGE SCALE: all pictures of one look.
+look() {
+    theme=$1 language=$2 scale=$3
+    suffix=$theme-$language-$scale
+    mkdir -p "$work/config/rtsuite"
+    printf '[display]\ntheme=%s\nlanguage=%s\n[render]\nprogressive=false\n[files]\nrecent=%s\npictureFolder=/tmp\n' \
+        "$theme" "$language" data/nave/nave.scn >"$work/config/rtsuite/GUI.ini"
+    QT_SCALE_FACTOR=$scale "$bin/GUI" --connect --instance="$name" 2>"$work/gui.txt" &
+    window=$!
+    main=none
+    until main=$(front) && [ -n "$main" ]; do
+        main=none
+        sleep 0.2
+    done
+    sleep 1
+    cui wait-idle
+    cui walk
+    cui wait-idle
+    sleep 1
+    xdotool windowfocus --sync "$main"
+    import -window "$main" "$pictures/window-$suffix.png"
+    about="alt+h a"
+    menus="f c a o d s h"
+    if [ "$language" = cs ]; then
+        about="alt+v o"
+        menus="s p a k z n v"
+    fi
+    for menu in $menus; do
+        xdotool windowfocus --sync "$main"
+        xdotool key --clearmodifiers "alt+$menu"
+        sleep 0.5
+        import -window root -crop "$((700 * scale))x$((330 * scale))+0+0" +repage "$pictures/menu-$menu-$suffix.png"
+        xdotool key Escape Escape
+        sleep 0.2
+    done
+    for each in start:ctrl+s connect:ctrl+c export:ctrl+e recording:ctrl+shift+r statistics:ctrl+t log:ctrl+l keys:F1; do
+        dialog "${each%%:*}-$suffix" "${each##*:}"
+        close_dialog
+    done
+    # shellcheck disable=SC2086
+    dialog "about-$suffix" $about
+    close_dialog
+    dialog "configure1-$suffix" ctrl+comma
+    for page in 2 3 4; do
+        xdotool key --clearmodifiers ctrl+Tab
+        sleep 0.4
+        import -window "$(front)" "$pictures/configure$page-$suffix.png"
+    done
+    close_dialog
+    if [ "$docs" = yes ] && [ "$suffix" = light-en-1 ]; then still; fi
+    kill "$window"
+    wait "$window" || true
+    window=""
+}
+
+# The window with its picture rendered in higher quality.
+still() {
+    xdotool windowfocus --sync "$main"
+    xdotool key --clearmodifiers ctrl+r
+    sleep 2
+    while pgrep -P "$window" -x Renderer >/dev/null; do sleep 0.5; done
+    sleep 7 # until the note is gone
+    import -window "$main" "$pictures/still.png"
+}
+
+looks=${LOOKS:-"light-en-1 dark-en-1 light-en-2 dark-en-2 light-cs-1 dark-cs-1 light-cs-2"}
+for each in $looks; do
+    # shellcheck disable=SC2046
+    look $(echo "$each" | tr - ' ')
+done
+
+if [ "$docs" = yes ]; then
+    convert "$pictures/still.png" -quality 88 docs/images/window.jpg
+    for each in start export recording statistics configure1; do
+        convert "$pictures/$each-light-en-1.png" +dither -colors 128 "docs/images/$each.png"
+    done
+fi
+echo "The pictures are in $pictures"
