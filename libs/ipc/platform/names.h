@@ -1,5 +1,5 @@
-/// What segments and lock files are called: `rts.<user>.<instance>.<what>`. Different users and instances never
-/// meet.
+/// What segments and lock files are called: `rts.<user>.<instance>.<what>`. Different users and instances
+/// never meet.
 #pragma once
 
 #include <cstdint>
