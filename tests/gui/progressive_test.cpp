@@ -107,8 +107,10 @@ class ProgressiveTest : public GuiTest {
         EXPECT_EQ(result.exitCode, 0) << result.error;
         return QImage(file("own.png")).convertToFormat(QImage::Format_RGB32);
     }
+    /// Until the eye has got used to the light, too.
     void look(const QString& camera) {
         ASSERT_TRUE(ask(window->session(), QStringLiteral("camera set ") + camera).done);
+        ASSERT_TRUE(ask(window->session(), QStringLiteral("wait-idle")).done);
     }
     QAction* action(ActionId id) { return window->actions()[id]; }
 
@@ -167,7 +169,7 @@ TEST_F(ProgressiveTest, SoDoesWhateverElseMovesTheCamera) {
     ASSERT_NO_FATAL_FAILURE(look(QStringLiteral("0.5 2 6 0 0 -1 60")));
     const QImage expected = rendered(2);
     EXPECT_TRUE(comes([&] { return window->view().picture() == expected; }));
-    ASSERT_TRUE(ask(window->session(), QStringLiteral("light 1 off")).done);
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("light 0 off")).done);
     EXPECT_TRUE(comes([&] { return window->view().picture() != expected; }));
 }
 
@@ -208,7 +210,6 @@ TEST_F(ProgressiveTest, InterruptedAtAnyMomentItShowsNoOldPicture) {
     std::array<QImage, 2> live;
     for (std::size_t i = 0; i < 2; ++i) {
         ASSERT_NO_FATAL_FAILURE(look(places[i]));
-        ASSERT_TRUE(ask(window->session(), QStringLiteral("wait-idle")).done);
         QTest::qWait(100);
         live[i] = window->session().frame().copy();
     }
@@ -267,7 +268,9 @@ TEST_F(ProgressiveTest, WhenTheWindowIsKilledTheRendererIsGoneWithinASecond) {
     settings.sync();
     RunningProgram program(programPath("GUI"), {"room.obj", "--instance=" + instance.name()},
                            {.folder = folder().path()});
-    const pid_t gui = childrenOf(::getpid(), QStringLiteral("GUI")).value(0).process;
+    pid_t gui = 0;
+    ASSERT_TRUE(
+        comes([&] { return (gui = childrenOf(::getpid(), QStringLiteral("GUI")).value(0).process) != 0; }));
     QList<Child> renderers;
     ASSERT_TRUE(comes([&] { return !(renderers = childrenOf(gui, kRenderer)).isEmpty(); }));
     const pid_t renderer = renderers.front().process;
