@@ -48,7 +48,8 @@ QList<Child> childrenOf(pid_t parent, const QString& name) {
 }
 bool runs(pid_t process) {
     QFile file(QStringLiteral("/proc/%1/stat").arg(process));
-    return file.open(QIODevice::ReadOnly) && !QString::fromUtf8(file.readAll()).contains(QLatin1String(") Z "));
+    return file.open(QIODevice::ReadOnly) &&
+           !QString::fromUtf8(file.readAll()).contains(QLatin1String(") Z "));
 }
 const QString kRenderer = QStringLiteral("Renderer");
 
@@ -64,7 +65,8 @@ qint64 difference(const QImage& a, const QImage& b) {
     for (int y = 0; y < a.height(); ++y) {
         for (int x = 0; x < a.width(); ++x) {
             const QRgb p = a.pixel(x, y), q = b.pixel(x, y);
-            sum += std::abs(qRed(p) - qRed(q)) + std::abs(qGreen(p) - qGreen(q)) + std::abs(qBlue(p) - qBlue(q));
+            sum +=
+                std::abs(qRed(p) - qRed(q)) + std::abs(qGreen(p) - qGreen(q)) + std::abs(qBlue(p) - qBlue(q));
         }
     }
     return sum;
@@ -94,8 +96,8 @@ class ProgressiveTest : public GuiTest {
     /// What the Renderer makes of the view by itself.
     QImage rendered(int antialiasing) {
         const QSize size = window->session().status().resolution;
-        EXPECT_TRUE(ask(window->session(), Session::line({QStringLiteral("export"), QStringLiteral("scene"),
-                                                          file("own.scn")}))
+        EXPECT_TRUE(ask(window->session(),
+                        Session::line({QStringLiteral("export"), QStringLiteral("scene"), file("own.scn")}))
                         .done);
         EXPECT_TRUE(ask(window->session(),
                         Session::line({QStringLiteral("export"), QStringLiteral("camera"), file("own.cam"),
@@ -120,7 +122,7 @@ class ProgressiveTest : public GuiTest {
 TEST(PreviewPixels, ThoseWithoutASampleOfTheirOwnAreTheLiveOnes) {
     std::array<std::byte, 8> pixels{std::byte{1}, std::byte{2}, std::byte{3}, std::byte{255},
                                     std::byte{4}, std::byte{5}, std::byte{6}, std::byte{0}};
-    const std::array<std::byte, 8> below{std::byte{7}, std::byte{7}, std::byte{7}, std::byte{255},
+    const std::array<std::byte, 8> below{std::byte{7}, std::byte{7}, std::byte{7},  std::byte{255},
                                          std::byte{8}, std::byte{9}, std::byte{10}, std::byte{255}};
     toRgb32Over(pixels, below);
     const std::array<std::byte, 8> expected{std::byte{3}, std::byte{2}, std::byte{1},  std::byte{255},
@@ -195,7 +197,8 @@ TEST_F(ProgressiveTest, APreviewIsNoServerToConnectTo) {
     bool found = false;
     ASSERT_TRUE(comes([&] {
         PreviewReader reader(previewInstance(0), 0);
-        for (const RunningServer& each : runningServers()) found = found || each.instance.startsWith(previewPrefix());
+        for (const RunningServer& each : runningServers())
+            found = found || each.instance.startsWith(previewPrefix());
         return !window->view().showsLive();
     }));
     EXPECT_FALSE(found);

@@ -1,6 +1,7 @@
 #include "gui/operations/render_operations.h"
 
 #include "gui/operations/actions.h"
+#include "gui/processes/server_keeper.h"
 #include "gui/session/session.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/input_capture.h"
@@ -19,7 +20,7 @@ constexpr auto kRest = 250ms; ///< between two taps of a key nothing is started
 } // namespace
 
 RenderOperations::RenderOperations(const Desk& desk, QObject* parent)
-    : QObject(parent), desk_(desk), preview_(desk.session) {
+    : QObject(parent), desk_(desk), preview_(desk.session, desk.keeper.models()) {
     desk_.actions.on(ActionId::QuickRender,
                      [this] { quickRender(desk_.preferences.get(pref::stillAntialiasing)); });
     desk_.actions.bind(ActionId::ProgressiveRendering, pref::progressiveRendering);

@@ -1,6 +1,7 @@
 #include "gui/processes/preview_process.h"
 
 #include "gui/processes/detach.h"
+#include "gui/processes/model_cache.h"
 #include "gui/processes/programs.h"
 #include "gui/session/server_list.h"
 
@@ -35,8 +36,8 @@ void end(QProcess& process) {
 } // namespace
 
 // Numbers of runs grow also from one window to the next that happens to get its name.
-PreviewProcess::PreviewProcess(Session& session, QObject* parent)
-    : QObject(parent), session_(session), instance_(previewInstance(nextNumber())),
+PreviewProcess::PreviewProcess(Session& session, const ModelCache& models, QObject* parent)
+    : QObject(parent), session_(session), models_(models), instance_(previewInstance(nextNumber())),
       run_(static_cast<quint64>(QDateTime::currentMSecsSinceEpoch()) * 1000) {
     connect(&timer_, &QTimer::timeout, this, &PreviewProcess::look);
 }
@@ -47,7 +48,8 @@ PreviewProcess::~PreviewProcess() {
     const QList<QProcess*> dying = findChildren<QProcess*>();
     for (QProcess* process : dying) {
         process->disconnect();
-        if (process->waitForFinished(static_cast<int>(std::chrono::milliseconds(kPatience).count()))) continue;
+        if (process->waitForFinished(static_cast<int>(std::chrono::milliseconds(kPatience).count())))
+            continue;
         process->kill();
         process->waitForFinished();
     }
@@ -78,14 +80,14 @@ void PreviewProcess::exportScene(const StillQuality& quality) {
         [this, wanted](const Answer& answer) {
             if (wanted() && !answer.done) fail(answer.text);
         });
-    session_.send(Session::line({QStringLiteral("export"), QStringLiteral("camera"),
-                                 file(QStringLiteral("cam")), QString::number(size.width()),
-                                 QString::number(size.height()), QString::number(quality.antialiasing),
-                                 QString::number(quality.bloom)}),
-                  this, [this, wanted](const Answer& answer) {
-                      if (!wanted()) return;
-                      answer.done ? launch() : fail(answer.text);
-                  });
+    session_.send(
+        Session::line({QStringLiteral("export"), QStringLiteral("camera"), file(QStringLiteral("cam")),
+                       QString::number(size.width()), QString::number(size.height()),
+                       QString::number(quality.antialiasing), QString::number(quality.bloom)}),
+        this, [this, wanted](const Answer& answer) {
+            if (!wanted()) return;
+            answer.done ? launch() : fail(answer.text);
+        });
 }
 
 void PreviewProcess::launch() {
@@ -101,10 +103,15 @@ void PreviewProcess::launch() {
     connect(process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
         if (error == QProcess::FailedToStart) fail(process_->errorString());
     });
-    process_->start(program, {file(QStringLiteral("scn")), QStringLiteral("--camera=") + file(QStringLiteral("cam")),
-                              QStringLiteral("--preview=") + instance_, QStringLiteral("--run-id=%1").arg(run_),
-                              QStringLiteral("--parent=%1").arg(QCoreApplication::applicationPid()),
-                              QStringLiteral("--progress=none")});
+    QStringList words{file(QStringLiteral("scn")),
+                      QStringLiteral("--camera=") + file(QStringLiteral("cam")),
+                      QStringLiteral("--preview=") + instance_,
+                      QStringLiteral("--run-id=%1").arg(run_),
+                      QStringLiteral("--parent=%1").arg(QCoreApplication::applicationPid()),
+                      QStringLiteral("--progress=none")};
+    const QString model = models_.find(file(QStringLiteral("scn")));
+    if (!model.isEmpty()) words.append(QStringLiteral("--model=") + model);
+    process_->start(program, words);
     reader_.emplace(instance_, run_);
     timer_.start(kPace);
 }

@@ -16,6 +16,8 @@ class QTemporaryDir;
 
 namespace gui {
 
+class ModelCache;
+
 struct StillQuality {
     int antialiasing = 1; ///< n x n samples a pixel
     int bloom = 0;        ///< pixels
@@ -26,7 +28,8 @@ class PreviewProcess : public QObject {
     Q_OBJECT
 
   public:
-    explicit PreviewProcess(Session& session, QObject* parent = nullptr);
+    /// `models` are read in place of what takes long to load.
+    PreviewProcess(Session& session, const ModelCache& models, QObject* parent = nullptr);
     /// Renderers that run are ended, and waited for.
     ~PreviewProcess() override;
 
@@ -55,6 +58,7 @@ class PreviewProcess : public QObject {
     QString file(const QString& extension) const;
 
     Session& session_;
+    const ModelCache& models_;
     QString instance_;
     quint64 run_; ///< of the picture under way, or of the next
     bool active_ = false;
