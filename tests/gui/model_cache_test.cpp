@@ -39,8 +39,11 @@ class ModelCacheTest : public GuiTest {
         Session session;
         session.connectTo(name());
         EXPECT_TRUE(shows(session));
-        for (const char* command : {"wait-idle", "screenshot shown.png", "export scene shown.scn"})
-            EXPECT_TRUE(ask(session, QString::fromLatin1(command)).done) << command;
+        const QStringList picture{QStringLiteral("screenshot"), file("shown.png")};
+        const QStringList scn{QStringLiteral("export"), QStringLiteral("scene"), file("shown.scn")};
+        for (const QString& command :
+             {QStringLiteral("wait-idle"), Session::line(picture), Session::line(scn)})
+            EXPECT_TRUE(ask(session, command).done) << command.toStdString();
         program.send(SIGTERM);
         EXPECT_EQ(program.wait().exitCode, 143);
         return {readBytes(folder() / "shown.png"), readBytes(folder() / "shown.scn")};
