@@ -119,6 +119,7 @@ void RenderOperations::onFailed(const QString& text) {
 void RenderOperations::showActivity() {
     constexpr double kHundred = 100;
     if (preview_.active()) {
+        if (preview_.progress() <= 0) return desk_.view.setActivity(tr("rendering…"));
         const QString percent = QLocale().toString(kHundred * preview_.progress(), 'f', 0);
         return desk_.view.setActivity(tr("rendering %1 %").arg(percent));
     }

@@ -9,7 +9,8 @@ namespace gui {
 /// meant for it.
 void startDetached(QProcess& process);
 
-/// Before start(): the process works with what others leave it of the processors, as live pictures come first.
+/// Before start(): the process works with what others leave it of the processors, as live pictures come
+/// first.
 void startModestly(QProcess& process);
 
 } // namespace gui

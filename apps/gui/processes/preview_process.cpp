@@ -12,6 +12,9 @@
 #include <QProcess>
 #include <QTemporaryDir>
 
+#include <chrono>
+#include <utility>
+
 namespace gui {
 
 namespace {
@@ -24,6 +27,12 @@ constexpr auto kPatience = 1s; ///< with a Renderer that does not end when it is
 int nextNumber() {
     static int number = 0;
     return ++number;
+}
+
+// Of this session, where there is such a thing: what a killed window leaves goes with it.
+QString privateFolder() {
+    const QString session = qEnvironmentVariable("XDG_RUNTIME_DIR");
+    return (session.isEmpty() ? QDir::tempPath() : session) + QStringLiteral("/rtsuite-view-XXXXXX");
 }
 
 // What was not asked for is not waited for. Until it is a Renderer, a process may lose the request to end.
@@ -64,7 +73,7 @@ QString PreviewProcess::file(const QString& extension) const {
 
 void PreviewProcess::render(const StillQuality& quality) {
     cancel();
-    if (folder_ == nullptr) folder_ = std::make_unique<QTemporaryDir>();
+    if (folder_ == nullptr) folder_ = std::make_unique<QTemporaryDir>(privateFolder());
     if (!folder_->isValid()) return fail(std::exchange(folder_, nullptr)->errorString());
     active_ = true;
     emit progressed();
