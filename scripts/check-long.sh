@@ -1,13 +1,13 @@
 #!/bin/sh
 # The checks that take too long for every run; their output belongs into the note that closes an issue.
-#   scripts/check-long.sh [leaks] [waves] [oracle] [mutations] [kills] [formats] [ipc] [server] [soak] [preview] [walks]
-#                         [sanitizers] [mutants]
+#   scripts/check-long.sh [leaks] [waves] [oracle] [mutations] [kills] [formats] [ipc] [server] [soak] [preview] [window]
+#                         [walks] [sanitizers] [mutants]
 # Without arguments: all. RT_ISA chooses the instruction set of the kernels.
 set -eu
 cd "$(dirname "$0")/.."
 scripts/build.sh
 [ $# -gt 0 ] ||
-    set -- leaks waves oracle mutations kills formats ipc server soak preview walks sanitizers mutants
+    set -- leaks waves oracle mutations kills formats ipc server soak preview window walks sanitizers mutants
 release=build/release/bin
 for check in "$@"; do
     echo "== $check"
@@ -56,6 +56,9 @@ for check in "$@"; do
         ;;
     preview)
         RT_PREVIEW_KILLS=${RT_PREVIEW_KILLS:-1000} $release/test_preview_process
+        ;;
+    window)
+        RT_INTERRUPTIONS=${RT_INTERRUPTIONS:-1000} $release/test_gui --gtest_filter='*Interrupted*'
         ;;
     walks)
         [ -n "${RT_TEST_SCENES:-}" ] || echo "check-long: RT_TEST_SCENES is not set: only our own nave" >&2

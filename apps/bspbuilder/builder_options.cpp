@@ -2,6 +2,7 @@
 
 #include "common/file_notes.h"
 #include "common/import_options.h"
+#include "common/parent.h"
 #include "common/threads.h"
 
 #include <bit>
@@ -47,7 +48,8 @@ OptionGroup runOptions() {
           .help = "use N threads; 0 is all cores; the tree is the same for every number [0]",
           .minimum = 0,
           .maximum = 1024},
-         app::progressOption()}};
+         app::progressOption(),
+         app::parentOption()}};
 }
 
 } // namespace
@@ -84,6 +86,7 @@ BuilderOptions readBuilderOptions(const app::Arguments& arguments) {
     if (arguments.has("verbose")) options.verbosity = Verbosity::Verbose;
     if (arguments.has("very-verbose")) options.verbosity = Verbosity::VeryVerbose;
     if (const auto bands = arguments.integer("histogram")) options.histogramBands = static_cast<int>(*bands);
+    if (arguments.has("parent")) options.parent = app::parentOf(arguments);
     options.progress = app::progressStyle(arguments.text("progress").value_or("auto"));
     return options;
 }

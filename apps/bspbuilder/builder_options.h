@@ -22,6 +22,7 @@ struct BuilderOptions {
     rtcore::ImportOptions import;
     Verbosity verbosity = Verbosity::Quiet;
     std::optional<int> histogramBands;
+    std::optional<std::int64_t> parent; ///< the end of which ends the program
     app::ProgressStyle progress = app::ProgressStyle::None;
 };
 

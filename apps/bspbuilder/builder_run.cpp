@@ -3,6 +3,7 @@
 #include "bspbuilder/build_report.h"
 #include "bspbuilder/builder_options.h"
 
+#include "common/parent.h"
 #include "common/progress.h"
 #include "common/stop.h"
 #include "common/terminal.h"
@@ -182,6 +183,7 @@ class Builder {
 
 app::ExitCode runBuilder(const app::Arguments& arguments) {
     const BuilderOptions options = readBuilderOptions(arguments);
+    if (options.parent) app::stopWithParent(*options.parent);
     app::Progress progress(builderSpec().name, options.progress);
     if (arguments.has("quality") && !arguments.has("fast"))
         progress.print("warning: --quality counts with --fast only");

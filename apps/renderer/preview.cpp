@@ -129,6 +129,7 @@ void Preview::showPass(const rtcore::RefinementPass& pass, const rtcore::Frame& 
     if (pass.block > 1) {
         developer_.develop(frame, settings, status_.exposure, threads, small_);
         rtcore::enlarge(small_, pass.block, threads, picture_);
+        for (rtcore::Rgba8& pixel : picture_.pixels) pixel.a = 0; // until it has a sample of its own
     } else {
         developer_.develop(frame, settings, status_.exposure, threads, picture_);
         samples_ = static_cast<std::uint32_t>(pass.antialiasing * pass.antialiasing);

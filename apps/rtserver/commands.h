@@ -19,7 +19,8 @@ class Host {
   public:
     virtual ~Host() = default;
     /// Begins to load another scene. Throws std::runtime_error when one is being loaded.
-    virtual void load(const std::filesystem::path& path) = 0;
+    /// `built`: as in rtcore::LoadOptions.
+    virtual void load(const std::filesystem::path& path, std::optional<std::filesystem::path> built) = 0;
     virtual void quit() = 0;
     virtual const FrameMaker& frames() const = 0;
 };

@@ -34,7 +34,7 @@ Result loadSet(const Call& call) {
 }
 
 Result loadScene(const Call& call) {
-    call.host.load(pathOf(call[0]));
+    call.host.load(pathOf(call[0]), call.size() > 1 ? std::optional(pathOf(call[1])) : std::nullopt);
     return {.turn = Turn::WhenLoaded};
 }
 
@@ -89,7 +89,7 @@ Result screenshot(const Call& call) {
 
 constexpr std::array kCommands{
     Command{"load camera", 1, 1, "FILE", true, loadCamera},
-    Command{"load scene", 1, 1, "FILE", true, loadScene},
+    Command{"load scene", 1, 2, "FILE [BUILT-MODEL]", true, loadScene},
     Command{"load set", 1, 1, "FILE", true, loadSet},
     Command{"export camera", 1, 5, "FILE [WIDTH HEIGHT ANTIALIASING BLOOM]", true, exportCamera},
     Command{"export scene", 1, 1, "FILE", true, exportScene},

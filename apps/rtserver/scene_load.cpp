@@ -9,10 +9,10 @@
 
 namespace rtserver {
 
-SceneLoad::SceneLoad(std::filesystem::path path, const rtcore::ImportOptions& import, int threads)
-    : result_(std::async(std::launch::async, [this, path = std::move(path), import, threads] {
-          return load(path, import, threads);
-      })) {}
+SceneLoad::SceneLoad(std::filesystem::path path, std::optional<std::filesystem::path> built,
+                     const rtcore::ImportOptions& import, int threads)
+    : result_(std::async(std::launch::async, [this, path = std::move(path), built = std::move(built), import,
+                                              threads] { return load(path, built, import, threads); })) {}
 
 SceneLoad::~SceneLoad() {
     cancel();
@@ -33,13 +33,14 @@ float SceneLoad::fraction() const {
     return all == 0 ? 0.0F : static_cast<float>(build_.finished.load()) / static_cast<float>(all);
 }
 
-std::unique_ptr<World> SceneLoad::load(std::filesystem::path path, rtcore::ImportOptions import,
-                                       int threads) {
+std::unique_ptr<World> SceneLoad::load(std::filesystem::path path, std::optional<std::filesystem::path> built,
+                                       rtcore::ImportOptions import, int threads) {
     app::useThreads(threads);
     rtcore::LoadOptions options;
     options.build.threads = threads;
     options.buildProgress = &build_;
     options.primaryRays = 1; // the first frame is waited for; the exact tree comes after it
+    options.built = std::move(built);
     options.import = import;
     options.import.stop = &stop_;
     options.onPhase = [this](rtcore::LoadPhase) {

@@ -6,8 +6,10 @@
 #include "rtcore/accel/builder.h"
 
 #include <atomic>
+#include <filesystem>
 #include <future>
 #include <memory>
+#include <optional>
 
 namespace rtserver {
 
@@ -15,7 +17,9 @@ namespace rtserver {
 /// the load up.
 class SceneLoad {
   public:
-    SceneLoad(std::filesystem::path path, const rtcore::ImportOptions& import, int threads);
+    /// `built`: as in rtcore::LoadOptions.
+    SceneLoad(std::filesystem::path path, std::optional<std::filesystem::path> built,
+              const rtcore::ImportOptions& import, int threads);
     ~SceneLoad();
     SceneLoad(const SceneLoad&) = delete;
     SceneLoad& operator=(const SceneLoad&) = delete;
@@ -27,7 +31,8 @@ class SceneLoad {
     void cancel();
 
   private:
-    std::unique_ptr<World> load(std::filesystem::path path, rtcore::ImportOptions import, int threads);
+    std::unique_ptr<World> load(std::filesystem::path path, std::optional<std::filesystem::path> built,
+                                rtcore::ImportOptions import, int threads);
 
     std::atomic<bool> stop_{false};
     rtcore::BuildProgress build_;

@@ -59,7 +59,7 @@ ServerLoop::ServerLoop(const Options& options, std::function<void()> onReady)
 ServerLoop::~ServerLoop() = default;
 
 app::ExitCode ServerLoop::run() {
-    load_ = std::make_unique<SceneLoad>(options_.scene, options_.import, options_.threads);
+    load_ = std::make_unique<SceneLoad>(options_.scene, options_.built, options_.import, options_.threads);
     while (!quit_) {
         if (app::stopRequested()) return app::stopExitCode();
         takeLoadedScene();
@@ -80,9 +80,9 @@ app::ExitCode ServerLoop::run() {
 
 // --- Scenes ---
 
-void ServerLoop::load(const std::filesystem::path& path) {
+void ServerLoop::load(const std::filesystem::path& path, std::optional<std::filesystem::path> built) {
     if (load_ != nullptr) throw std::runtime_error("another scene is being loaded");
-    load_ = std::make_unique<SceneLoad>(path, options_.import, options_.threads);
+    load_ = std::make_unique<SceneLoad>(path, std::move(built), options_.import, options_.threads);
 }
 
 void ServerLoop::takeLoadedScene() {

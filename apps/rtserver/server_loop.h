@@ -39,7 +39,7 @@ class ServerLoop : private Host {
   private:
     using Clock = std::chrono::steady_clock;
 
-    void load(const std::filesystem::path& path) override;
+    void load(const std::filesystem::path& path, std::optional<std::filesystem::path> built) override;
     void quit() override { quit_ = true; }
     const FrameMaker& frames() const override { return frames_; }
 

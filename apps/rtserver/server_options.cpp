@@ -32,6 +32,12 @@ OptionGroup viewOptions() {
               .argument = "LIST",
               .help = "show this recorded path first",
               .files = {"lst", "txt"}},
+             {.name = "built-model",
+              .value = ValueKind::Text,
+              .argument = "FILE",
+              .help = "a .bsp that BSPBuilder made of the model: loaded in its place, which is quicker; the "
+                      "model's own name stays",
+              .files = {"bsp"}},
              {.name = "set",
               .value = ValueKind::Text,
               .argument = "FILE",
@@ -117,6 +123,7 @@ Options readOptions(const app::Arguments& arguments) {
     options.camera = readPath(arguments, "camera");
     options.settingsFile = readPath(arguments, "set");
     options.path = readPath(arguments, "play");
+    options.built = readPath(arguments, "built-model");
     for (const app::Occurrence& given : arguments.options()) {
         if (given.name == "resolution") readResolution(given.value, options.settings);
         if (given.name == "setting") options.settings.push_back(app::settingOf(given.value));

@@ -36,6 +36,7 @@ inline const Preference<QString> bindings{"input/bindings", QString()}; ///< as 
 inline const Preference<QString> pictureFolder{"files/pictureFolder", QString()};
 inline const Preference<QString> sceneFolder{"files/sceneFolder", QString()};
 inline const Preference<QString> cameraFolder{"files/cameraFolder", QString()};
+inline const Preference<int> keptModels{"files/keptModels", 2048}; ///< megabytes of trees of models; 0 = none
 inline const Preference<QStringList> recentFiles{"files/recent", QStringList()};
 inline const Preference<QSize> exportSize{"export/size", QSize()};
 inline const Preference<int> exportAntialiasing{"export/antialiasing", 1};

@@ -27,7 +27,13 @@ ConnectionOperations::ConnectionOperations(const Desk& desk, QObject* parent) : 
             [this] { desk_.actions[ActionId::PauseServer]->setChecked(desk_.session.status().paused); });
     connect(&desk_.session, &Session::commandFailed, this,
             [this](const QString&, const QString& text) { desk_.view.tell(text); });
+    connect(&desk_.preferences, &Preferences::changed, this, &ConnectionOperations::limitModels);
+    limitModels();
     onState();
+}
+
+void ConnectionOperations::limitModels() {
+    desk_.keeper.models().setLimit(desk_.preferences.get(pref::keptModels));
 }
 
 void ConnectionOperations::connectActions() {
@@ -86,12 +92,14 @@ void ConnectionOperations::showScene(const QString& path) {
         return start(request);
     }
     desk_.view.tell(tr("Loading %1…").arg(QFileInfo(path).fileName()));
-    desk_.session.send(Session::line({QStringLiteral("load"), QStringLiteral("scene"), path}), this,
-                       [this, path](const Answer& answer) {
-                           if (!answer.done) return desk_.notice.explain(answer.text, {});
-                           desk_.keeper.sceneLoaded(path);
-                           desk_.preferences.addRecentFile(path);
-                       });
+    QStringList words{QStringLiteral("load"), QStringLiteral("scene"), path};
+    const QString built = desk_.keeper.models().find(path);
+    if (!built.isEmpty()) words.append(built);
+    desk_.session.send(Session::line(words), this, [this, path](const Answer& answer) {
+        if (!answer.done) return desk_.notice.explain(answer.text, {});
+        desk_.keeper.sceneLoaded(path);
+        desk_.preferences.addRecentFile(path);
+    });
 }
 
 void ConnectionOperations::start(const ServerRequest& request) {

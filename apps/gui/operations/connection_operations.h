@@ -26,6 +26,7 @@ class ConnectionOperations : public QObject {
 
   private:
     void connectActions();
+    void limitModels();
     void chooseFile();
     void chooseServer();
     void configureServer();

@@ -1,17 +1,35 @@
 #include "gui/operations/render_operations.h"
 
 #include "gui/operations/actions.h"
+#include "gui/processes/server_keeper.h"
+#include "gui/session/session.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/input_capture.h"
 #include "gui/view/notice_bar.h"
 
+#include <QLocale>
+
 namespace gui {
 
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kRest = 250ms; ///< between two taps of a key nothing is started
+
+} // namespace
+
 RenderOperations::RenderOperations(const Desk& desk, QObject* parent)
-    : QObject(parent), desk_(desk), still_(desk.session) {
+    : QObject(parent), desk_(desk), preview_(desk.session, desk.keeper.models()) {
     desk_.actions.on(ActionId::QuickRender,
                      [this] { quickRender(desk_.preferences.get(pref::stillAntialiasing)); });
     desk_.actions.bind(ActionId::ProgressiveRendering, pref::progressiveRendering);
+    rest_.setSingleShot(true);
+    rest_.setInterval(kRest);
+    listen();
+}
+
+void RenderOperations::listen() {
     InputCapture& input = desk_.view.input();
     connect(&input, &InputCapture::commandKey, this, [this](int code, bool withL) {
         if (code == 'R' && desk_.session.live())
@@ -19,29 +37,93 @@ RenderOperations::RenderOperations(const Desk& desk, QObject* parent)
     });
     connect(&input, &InputCapture::keyPressed, this, &RenderOperations::interrupt);
     connect(&input, &InputCapture::turned, this, &RenderOperations::interrupt);
-    connect(&desk_.session, &Session::stateChanged, this, &RenderOperations::interrupt);
-    connect(&desk_.session, &Session::statusChanged, this, [this] {
-        if (desk_.session.status().view != shown_) interrupt();
+    connect(&desk_.session, &Session::stateChanged, this, [this] {
+        if (!desk_.session.live()) interrupt();
     });
-    connect(&still_, &StillProcess::rendered, this, [this](const QImage& picture) {
-        desk_.view.showPicture(picture);
-        desk_.view.tell(tr("Rendered. The next movement shows the live picture again."));
-    });
-    connect(&still_, &StillProcess::failed, this,
-            [this](const QString& text) { desk_.notice.explain(text, {}); });
-    connect(&still_, &StillProcess::activeChanged, this,
-            [this] { desk_.view.setActivity(still_.active() ? tr("rendering…") : QString()); });
+    connect(&desk_.session, &Session::statusChanged, this, &RenderOperations::onStatus);
+    connect(&desk_.session, &Session::frameChanged, this, &RenderOperations::onFrame);
+    connect(&desk_.preferences, &Preferences::changed, this, &RenderOperations::onPreferences);
+    connect(&rest_, &QTimer::timeout, this, &RenderOperations::renderProgressively);
+    connect(&preview_, &PreviewProcess::refined, this, &RenderOperations::onRefined);
+    connect(&preview_, &PreviewProcess::failed, this, &RenderOperations::onFailed);
+    connect(&preview_, &PreviewProcess::progressed, this, &RenderOperations::showActivity);
+}
+
+// --- When ---
+
+bool RenderOperations::mayRenderProgressively() const {
+    const ServerStatus& status = desk_.session.status();
+    return desk_.preferences.get(pref::progressiveRendering) && desk_.session.live() && status.idle &&
+           !status.paused && status.progress >= 1 && !desk_.session.frame().isNull() &&
+           desk_.view.isVisible() && !desk_.window.isMinimized();
+}
+
+void RenderOperations::renderProgressively() {
+    if (settled_ || !mayRenderProgressively()) return;
+    quick_ = false;
+    render({desk_.preferences.get(pref::stillAntialiasing), desk_.preferences.get(pref::stillBloom)});
 }
 
 void RenderOperations::quickRender(int antialiasing) {
-    shown_ = desk_.session.status().view;
     desk_.view.showLive();
-    still_.render(antialiasing, desk_.preferences.get(pref::stillBloom));
+    quick_ = true;
+    render({antialiasing, desk_.preferences.get(pref::stillBloom)});
+}
+
+void RenderOperations::render(const StillQuality& quality) {
+    rest_.stop();
+    settled_ = true;
+    const ServerStatus& status = desk_.session.status();
+    moment_ = {status.view, desk_.session.frameNumber(), status.idle};
+    preview_.render(quality);
 }
 
 void RenderOperations::interrupt() {
-    if (still_.active()) still_.cancel();
+    preview_.cancel();
     desk_.view.showLive();
+    settled_ = false;
+    rest_.start();
+    showActivity();
+}
+
+void RenderOperations::onStatus() {
+    const ServerStatus& status = desk_.session.status();
+    const bool left = status.view != moment_.view || (moment_.idle && !status.idle);
+    if (settled_ && left) return interrupt();
+    if (!settled_ && mayRenderProgressively() && !rest_.isActive()) rest_.start();
+}
+
+// A server at rest publishes nothing unless something has changed, be it for less time than it takes to see.
+void RenderOperations::onFrame() {
+    if (settled_ && moment_.idle && desk_.session.frameNumber() != moment_.frame) interrupt();
+}
+
+void RenderOperations::onPreferences() {
+    const bool progressive = settled_ && !quick_;
+    if (progressive && !desk_.preferences.get(pref::progressiveRendering)) return interrupt();
+    if (!settled_ && mayRenderProgressively()) rest_.start();
+}
+
+// --- What ---
+
+void RenderOperations::onRefined(const QImage& picture, bool last) {
+    desk_.view.showPicture(picture);
+    if (last && quick_) desk_.view.tell(tr("Rendered. The next movement shows the live picture again."));
+    showActivity();
+}
+
+void RenderOperations::onFailed(const QString& text) {
+    quick_ ? desk_.notice.explain(text, {}) : desk_.view.tell(tr("No progressive rendering: %1").arg(text));
+}
+
+void RenderOperations::showActivity() {
+    constexpr double kHundred = 100;
+    if (preview_.active()) {
+        if (preview_.progress() <= 0) return desk_.view.setActivity(tr("rendering…"));
+        const QString percent = QLocale().toString(kHundred * preview_.progress(), 'f', 0);
+        return desk_.view.setActivity(tr("rendering %1 %").arg(percent));
+    }
+    desk_.view.setActivity(desk_.view.showsLive() ? QString() : tr("rendered"));
 }
 
 } // namespace gui

@@ -1,10 +1,11 @@
-/// Better pictures than the live ones: quick render, and where progressive rendering belongs.
+/// Better pictures than the live ones: progressive rendering when nothing moves, and quick render.
 #pragma once
 
 #include "gui/operations/desk.h"
-#include "gui/processes/still_process.h"
+#include "gui/processes/preview_process.h"
 
 #include <QObject>
+#include <QTimer>
 
 namespace gui {
 
@@ -15,13 +16,33 @@ class RenderOperations : public QObject {
     RenderOperations(const Desk& desk, QObject* parent);
 
   private:
+    void listen();
+    void render(const StillQuality& quality);
     void quickRender(int antialiasing);
-    /// The picture is out of date: back to the live frames.
+    void renderProgressively();
+    bool mayRenderProgressively() const;
+    /// The picture is, or will be, out of date: back to the live frames, in this very moment.
     void interrupt();
+    void onStatus();
+    void onFrame();
+    void onPreferences();
+    void onRefined(const QImage& picture, bool last);
+    void onFailed(const QString& text);
+    void showActivity();
+
+    /// What a picture is a picture of.
+    struct Moment {
+        View view;
+        quint64 frame = 0;
+        bool idle = false; ///< else the server draws the same frame again and again
+    };
 
     Desk desk_;
-    StillProcess still_;
-    View shown_; ///< the view of the still
+    PreviewProcess preview_;
+    QTimer rest_;          ///< how long nothing has moved
+    bool quick_ = false;   ///< the picture was asked for; else it is a progressive one
+    bool settled_ = false; ///< this moment is rendered, is being rendered, or cannot be
+    Moment moment_;
 };
 
 } // namespace gui

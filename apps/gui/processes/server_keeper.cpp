@@ -22,13 +22,24 @@ QString cameraCommand(const View& view) {
     return Session::line(words);
 }
 
+// Such a model is another one.
+bool importsByOptions(const ServerRequest& request) {
+    for (const QString& option : request.options) {
+        if (option.startsWith(QLatin1String("--crease")) || option.startsWith(QLatin1String("--flip")))
+            return true;
+    }
+    return false;
+}
+
 } // namespace
 
 ServerKeeper::ServerKeeper(Session& session, QObject* parent) : QObject(parent), session_(session) {
     connect(&server_, &ServerProcess::ended, this, &ServerKeeper::onEnded);
     connect(&session_, &Session::stateChanged, this, &ServerKeeper::onState);
     connect(&session_, &Session::frameChanged, this, [this] {
-        if (std::exchange(waitsForFrame_, false)) emit ready();
+        if (!std::exchange(waitsForFrame_, false)) return;
+        if (server_.running() && !importsByOptions(last_)) models_.keep(scene_);
+        emit ready();
     });
 }
 
@@ -45,9 +56,17 @@ void ServerKeeper::launch(const ServerRequest& request) {
     last_ = request;
     scene_ = request.scene;
     waitsForFrame_ = true;
-    server_.start(request);
+    ServerRequest extended = request;
+    const QString built = importsByOptions(request) ? QString() : models_.find(request.scene);
+    if (!built.isEmpty()) extended.options.append(QStringLiteral("--built-model=") + built);
+    server_.start(extended);
     session_.connectTo(request.instance, kPatience);
     emit started(request.scene);
+}
+
+void ServerKeeper::sceneLoaded(const QString& scene) {
+    last_.scene = scene_ = scene;
+    if (!importsByOptions(last_)) models_.keep(scene);
 }
 
 void ServerKeeper::connectTo(const QString& instance) {

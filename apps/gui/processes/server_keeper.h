@@ -2,6 +2,7 @@
 /// where it was, and knows what to do with it when the window closes. Needs no window.
 #pragma once
 
+#include "gui/processes/model_cache.h"
 #include "gui/processes/server_process.h"
 #include "gui/session/session.h"
 
@@ -28,7 +29,7 @@ class ServerKeeper : public QObject {
     /// The same scene, the same camera.
     void restart();
     /// Our server shows another scene now.
-    void sceneLoaded(const QString& scene) { last_.scene = scene_ = scene; }
+    void sceneLoaded(const QString& scene);
 
     /// The session's server is the one that we started.
     bool ours() const;
@@ -37,6 +38,7 @@ class ServerKeeper : public QObject {
     void close(bool keep);
 
     const ServerProcess& server() const { return server_; }
+    ModelCache& models() { return models_; }                      ///< of what our servers load
     QString scene() const { return ours() ? scene_ : QString(); } ///< empty for others' servers
 
   signals:
@@ -53,6 +55,7 @@ class ServerKeeper : public QObject {
 
     Session& session_;
     ServerProcess server_;
+    ModelCache models_;
     ServerRequest last_;
     QString scene_;
     View view_; ///< the one to restart with

@@ -1,5 +1,7 @@
 #include "gui/session/server_list.h"
 
+#include "gui/session/preview_reader.h"
+
 #include "ipc/endpoint/instances.h"
 #include "ipc/endpoint/viewer.h"
 
@@ -33,7 +35,8 @@ RunningServer describe(const ipc::Instance& instance) {
 QList<RunningServer> runningServers() {
     QList<RunningServer> servers;
     for (const ipc::Instance& instance : ipc::listInstances()) {
-        if (instance.running) servers.append(describe(instance));
+        const bool preview = QString::fromStdString(instance.name).startsWith(previewPrefix());
+        if (instance.running && !preview) servers.append(describe(instance));
     }
     return servers;
 }

@@ -73,6 +73,7 @@ void FrameView::tell(const QString& text) {
 }
 
 void FrameView::setActivity(const QString& text) {
+    if (text == activity_) return;
     activity_ = text;
     update();
 }

@@ -117,10 +117,8 @@ class Loader {
         Scene& scene = out_.scene;
         out_.modelPath = path;
         if (kind == FileKind::Bsp) {
-            BspContent content = readBsp(std::move(bytes), path.string());
-            scene.model = std::move(content.model);
-            if (content.tree) out_.tree = std::move(*content.tree);
-        } else {
+            take(readBsp(std::move(bytes), path.string()));
+        } else if (!loadBuilt()) {
             bytes = {};
             phase(LoadPhase::ImportingModel);
             ImportedModel imported = importModel(path, import);
@@ -138,6 +136,22 @@ class Loader {
         if (!scene.model.cameras.empty()) {
             out_.camera = scene.model.cameras.front();
             hasCamera_ = true;
+        }
+    }
+
+    void take(BspContent content) {
+        out_.scene.model = std::move(content.model);
+        if (content.tree) out_.tree = std::move(*content.tree);
+    }
+
+    bool loadBuilt() {
+        if (!options_.built) return false;
+        try {
+            take(readBsp(openFileBytes(*options_.built), options_.built->string()));
+            return true;
+        } catch (const FileError& error) {
+            out_.warnings.emplace_back(error.what());
+            return false;
         }
     }
 

@@ -24,6 +24,8 @@ struct LoadOptions {
     BuildOptions build; ///< for models that have no tree yet
     ImportOptions import;
     std::optional<std::filesystem::path> model; ///< in place of the one that a .scn names; ignored for others
+    /// A .bsp that was made of the model: read in its place, which goes on to be named, where it can be read.
+    std::optional<std::filesystem::path> built;
     /// Primary rays that the scene is loaded for, when they are known and few: a large model then gets a fast
     /// tree, whose pictures are the same. 0 = many.
     std::uint64_t primaryRays = 0;

@@ -20,15 +20,30 @@ bool samePixels(const ipc::Frame& frame, const rtcore::LdrImage& picture) {
            std::memcmp(frame.pixels.data(), picture.pixels.data(), frame.pixels.size()) == 0;
 }
 
+// The fourth byte of a pixel tells whether it has samples of its own.
+bool isColour(std::size_t byte) { return byte % 4 != 3; }
+
+int ownSamples(const ipc::Frame& frame) {
+    int count = 0;
+    for (std::size_t i = 3; i < frame.pixels.size(); i += 4) {
+        EXPECT_TRUE(frame.pixels[i] == std::byte{0} || frame.pixels[i] == std::byte{255});
+        if (frame.pixels[i] != std::byte{0}) ++count;
+    }
+    return count;
+}
+
 double meanOf(const ipc::Frame& frame) {
     double sum = 0;
-    for (const std::byte b : frame.pixels) sum += std::to_integer<int>(b);
+    for (std::size_t i = 0; i < frame.pixels.size(); ++i) {
+        if (isColour(i)) sum += std::to_integer<int>(frame.pixels[i]);
+    }
     return sum / static_cast<double>(frame.pixels.size());
 }
 
 double differenceOf(const ipc::Frame& a, const ipc::Frame& b) {
     double sum = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        if (!isColour(i)) continue;
         sum += std::abs(std::to_integer<int>(a.pixels[i]) - std::to_integer<int>(b.pixels[i]));
     }
     return sum / static_cast<double>(a.pixels.size());
@@ -53,6 +68,10 @@ TEST_F(Previewing, BecomesFinerUpToThePictureItself) {
     EXPECT_EQ(last.info.tag, ipc::kPreviewDone);
     EXPECT_EQ(last.info.samples, 64U);
     EXPECT_LT(frames.front().info.samples, 64U);
+    for (std::size_t i = 1; i < frames.size(); ++i)
+        EXPECT_GE(ownSamples(frames[i]), ownSamples(frames[i - 1]));
+    EXPECT_EQ(ownSamples(frames.front()), 0) << "all are interpolated";
+    EXPECT_EQ(ownSamples(last), 403 * 301);
 
     // No jump of the exposure, and always nearer to the last.
     for (const ipc::Frame& frame : frames) EXPECT_NEAR(meanOf(frame), meanOf(last), 1.5) << frame.info.tag;

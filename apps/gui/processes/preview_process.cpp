@@ -1,0 +1,177 @@
+#include "gui/processes/preview_process.h"
+
+#include "gui/processes/detach.h"
+#include "gui/processes/model_cache.h"
+#include "gui/processes/programs.h"
+#include "gui/session/server_list.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
+
+#include <chrono>
+#include <utility>
+
+namespace gui {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kPace = 15ms;
+constexpr auto kPatience = 1s; ///< with a Renderer that does not end when it is asked to
+
+int nextNumber() {
+    static int number = 0;
+    return ++number;
+}
+
+// Of this session, where there is such a thing: what a killed window leaves goes with it.
+QString privateFolder() {
+    const QString session = qEnvironmentVariable("XDG_RUNTIME_DIR");
+    return (session.isEmpty() ? QDir::tempPath() : session) + QStringLiteral("/rtsuite-view-XXXXXX");
+}
+
+// What was not asked for is not waited for. Until it is a Renderer, a process may lose the request to end.
+void end(QProcess& process) {
+    if (process.state() == QProcess::Starting) return process.kill();
+    process.terminate();
+    QTimer::singleShot(kPatience, &process, [&process] { process.kill(); });
+}
+
+} // namespace
+
+// Numbers of runs grow also from one window to the next that happens to get its name.
+PreviewProcess::PreviewProcess(Session& session, const ModelCache& models, QObject* parent)
+    : QObject(parent), session_(session), models_(models), instance_(previewInstance(nextNumber())),
+      run_(static_cast<quint64>(QDateTime::currentMSecsSinceEpoch()) * 1000) {
+    connect(&timer_, &QTimer::timeout, this, &PreviewProcess::look);
+}
+
+PreviewProcess::~PreviewProcess() {
+    blockSignals(true);
+    cancel();
+    const QList<QProcess*> dying = findChildren<QProcess*>();
+    for (QProcess* process : dying) {
+        process->disconnect();
+        if (process->waitForFinished(static_cast<int>(std::chrono::milliseconds(kPatience).count())))
+            continue;
+        process->kill();
+        process->waitForFinished();
+    }
+    if (folder_ != nullptr) removeLeftovers(instance_);
+}
+
+qint64 PreviewProcess::process() const { return process_ == nullptr ? 0 : process_->processId(); }
+
+QString PreviewProcess::file(const QString& extension) const {
+    return folder_->filePath(QStringLiteral("%1.%2").arg(run_).arg(extension));
+}
+
+void PreviewProcess::render(const StillQuality& quality) {
+    cancel();
+    if (folder_ == nullptr) folder_ = std::make_unique<QTemporaryDir>(privateFolder());
+    if (!folder_->isValid()) return fail(std::exchange(folder_, nullptr)->errorString());
+    active_ = true;
+    emit progressed();
+    exportScene(quality);
+}
+
+// Answers that come after cancel() are another run's.
+void PreviewProcess::exportScene(const StillQuality& quality) {
+    const QSize size = session_.status().resolution;
+    const auto wanted = [this, run = run_] { return active_ && run == run_; };
+    session_.send(
+        Session::line({QStringLiteral("export"), QStringLiteral("scene"), file(QStringLiteral("scn"))}), this,
+        [this, wanted](const Answer& answer) {
+            if (wanted() && !answer.done) fail(answer.text);
+        });
+    session_.send(
+        Session::line({QStringLiteral("export"), QStringLiteral("camera"), file(QStringLiteral("cam")),
+                       QString::number(size.width()), QString::number(size.height()),
+                       QString::number(quality.antialiasing), QString::number(quality.bloom)}),
+        this, [this, wanted](const Answer& answer) {
+            if (!wanted()) return;
+            answer.done ? launch() : fail(answer.text);
+        });
+}
+
+void PreviewProcess::launch() {
+    const QString program = programPath(QStringLiteral("Renderer"));
+    if (program.isEmpty())
+        return fail(tr("The program Renderer was found neither beside this one nor in PATH."));
+    process_ = new QProcess(this);
+    process_->setStandardOutputFile(QProcess::nullDevice());
+    startModestly(*process_);
+    connect(process_, &QProcess::finished, this, [this](int exitCode, QProcess::ExitStatus status) {
+        finish(exitCode, status == QProcess::CrashExit);
+    });
+    connect(process_, &QProcess::errorOccurred, this, [this](QProcess::ProcessError error) {
+        if (error == QProcess::FailedToStart) fail(process_->errorString());
+    });
+    QStringList words{file(QStringLiteral("scn")),
+                      QStringLiteral("--camera=") + file(QStringLiteral("cam")),
+                      QStringLiteral("--preview=") + instance_,
+                      QStringLiteral("--run-id=%1").arg(run_),
+                      QStringLiteral("--parent=%1").arg(QCoreApplication::applicationPid()),
+                      QStringLiteral("--progress=none")};
+    const QString model = models_.find(file(QStringLiteral("scn")));
+    if (!model.isEmpty()) words.append(QStringLiteral("--model=") + model);
+    process_->start(program, words);
+    reader_.emplace(instance_, run_);
+    timer_.start(kPace);
+}
+
+void PreviewProcess::look() {
+    const std::optional<PreviewPicture> picture = reader_->read(session_.frame());
+    if (!reader_->trouble().isEmpty()) return fail(reader_->trouble());
+    if (progress_ != reader_->progress()) {
+        progress_ = reader_->progress();
+        emit progressed();
+    }
+    if (!picture || !active_) return;
+    if (picture->last) release();
+    emit refined(picture->image, picture->last);
+}
+
+// Its last picture can be read even now, by who was there before.
+void PreviewProcess::finish(int exitCode, bool crashed) {
+    if (!crashed && exitCode == 0) look();
+    if (!active_) return;
+    const QString words = QString::fromUtf8(process_->readAllStandardError()).trimmed();
+    fail(words.isEmpty() ? tr("The Renderer failed.") : words);
+}
+
+void PreviewProcess::fail(const QString& text) {
+    release();
+    emit failed(text);
+}
+
+void PreviewProcess::cancel() {
+    if (active_) release();
+}
+
+void PreviewProcess::release() {
+    timer_.stop();
+    reader_.reset();
+    if (process_ != nullptr) {
+        QProcess* const process = std::exchange(process_, nullptr);
+        process->disconnect(this);
+        // Its event reaps it; the destructor would wait for it.
+        connect(process, &QProcess::finished, process, &QObject::deleteLater);
+        process->state() == QProcess::NotRunning ? process->deleteLater() : end(*process);
+    }
+    if (folder_ != nullptr) {
+        QFile::remove(file(QStringLiteral("scn")));
+        QFile::remove(file(QStringLiteral("cam")));
+    }
+    ++run_;
+    active_ = false;
+    progress_ = 0;
+    emit progressed();
+}
+
+} // namespace gui

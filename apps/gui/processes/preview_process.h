@@ -1,0 +1,72 @@
+/// The present view, rendered in higher quality by the Renderer, shown while it refines.
+#pragma once
+
+#include "gui/session/preview_reader.h"
+#include "gui/session/session.h"
+
+#include <QImage>
+#include <QObject>
+#include <QTimer>
+
+#include <memory>
+#include <optional>
+
+class QProcess;
+class QTemporaryDir;
+
+namespace gui {
+
+class ModelCache;
+
+struct StillQuality {
+    int antialiasing = 1; ///< n x n samples a pixel
+    int bloom = 0;        ///< pixels
+};
+
+/// One picture at a time. Nothing waits but the destructor.
+class PreviewProcess : public QObject {
+    Q_OBJECT
+
+  public:
+    /// `models` are read in place of what takes long to load.
+    PreviewProcess(Session& session, const ModelCache& models, QObject* parent = nullptr);
+    /// Renderers that run are ended, and waited for.
+    ~PreviewProcess() override;
+
+    /// Of the size of a live frame. A picture still under way is given up.
+    void render(const StillQuality& quality);
+    /// Nothing more is heard of the picture under way; its Renderer is told to end at once.
+    void cancel();
+    bool active() const { return active_; }
+    double progress() const { return progress_; } ///< 0..1
+    qint64 process() const;                       ///< of the Renderer under way; 0 when there is none
+    const QString& instance() const { return instance_; }
+
+  signals:
+    /// A better picture than the one before; after the last one the Renderer is gone.
+    void refined(const QImage& picture, bool last);
+    void failed(const QString& text);
+    void progressed(); ///< also when it begins and ends
+
+  private:
+    void exportScene(const StillQuality& quality);
+    void launch();
+    void look();
+    void finish(int exitCode, bool crashed);
+    void fail(const QString& text);
+    void release();
+    QString file(const QString& extension) const;
+
+    Session& session_;
+    const ModelCache& models_;
+    QString instance_;
+    quint64 run_; ///< of the picture under way, or of the next
+    bool active_ = false;
+    double progress_ = 0;
+    std::unique_ptr<QTemporaryDir> folder_;
+    QProcess* process_ = nullptr;
+    std::optional<PreviewReader> reader_;
+    QTimer timer_;
+};
+
+} // namespace gui

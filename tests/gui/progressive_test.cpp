@@ -1,0 +1,289 @@
+/// Progressive rendering in the whole window, with real servers and Renderers.
+#include "gui/gui_support.h"
+
+#include "gui/main_window.h"
+#include "gui/operations/actions.h"
+#include "gui/processes/preview_process.h"
+#include "gui/session/pixel_order.h"
+#include "gui/session/preview_reader.h"
+#include "gui/session/server_list.h"
+#include "gui/view/frame_view.h"
+#include "gui/view/notice_bar.h"
+
+#include <QAction>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QProcess>
+
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <random>
+#include <unistd.h>
+
+namespace {
+
+using namespace test;
+using namespace gui;
+
+struct Child {
+    pid_t process = 0;
+    bool zombie = false;
+};
+
+// Of the process, with this name.
+QList<Child> childrenOf(pid_t parent, const QString& name) {
+    QList<Child> children;
+    for (const QString& entry : QDir(QStringLiteral("/proc")).entryList(QDir::Dirs)) {
+        QFile file(QStringLiteral("/proc/%1/stat").arg(entry));
+        if (entry[0].isLetter() || !file.open(QIODevice::ReadOnly)) continue;
+        const QString text = QString::fromUtf8(file.readAll());
+        const QStringList rest = text.section(QLatin1Char(')'), -1).simplified().split(QLatin1Char(' '));
+        if (rest.size() < 2 || rest[1].toInt() != parent) continue;
+        if (text.section(QLatin1Char('('), 1).startsWith(name))
+            children.append({entry.toInt(), rest[0] == QLatin1String("Z")});
+    }
+    return children;
+}
+bool runs(pid_t process) {
+    QFile file(QStringLiteral("/proc/%1/stat").arg(process));
+    return file.open(QIODevice::ReadOnly) &&
+           !QString::fromUtf8(file.readAll()).contains(QLatin1String(") Z "));
+}
+const QString kRenderer = QStringLiteral("Renderer");
+
+qint64 residentKilobytes() {
+    QFile file(QStringLiteral("/proc/self/statm"));
+    if (!file.open(QIODevice::ReadOnly)) return 0;
+    return QString::fromUtf8(file.readAll()).section(QLatin1Char(' '), 1, 1).toLongLong() *
+           (::sysconf(_SC_PAGESIZE) / 1024);
+}
+
+qint64 difference(const QImage& a, const QImage& b) {
+    qint64 sum = 0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            const QRgb p = a.pixel(x, y), q = b.pixel(x, y);
+            sum +=
+                std::abs(qRed(p) - qRed(q)) + std::abs(qGreen(p) - qGreen(q)) + std::abs(qBlue(p) - qBlue(q));
+        }
+    }
+    return sum;
+}
+
+class ProgressiveTest : public GuiTest {
+  protected:
+    void TearDown() override {
+        if (!window) return;
+        window->close();
+        window.reset();
+        EXPECT_TRUE(childrenOf(::getpid(), kRenderer).isEmpty());
+    }
+    void open(int antialiasing) {
+        window.emplace(name());
+        window->preferences().set(pref::pictureScale, 25);
+        window->preferences().set(pref::stillAntialiasing, antialiasing);
+        window->resize(400, 320);
+        window->show();
+        window->activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(&*window));
+        window->open(file("room.obj"));
+        ASSERT_TRUE(shows(window->session())) << window->notice().text().toStdString();
+        ASSERT_TRUE(comes([&] { return window->session().status().idle; }));
+    }
+    bool renders() const { return !childrenOf(::getpid(), kRenderer).isEmpty(); }
+    /// What the Renderer makes of the view by itself.
+    QImage rendered(int antialiasing) {
+        const QSize size = window->session().status().resolution;
+        EXPECT_TRUE(ask(window->session(),
+                        Session::line({QStringLiteral("export"), QStringLiteral("scene"), file("own.scn")}))
+                        .done);
+        EXPECT_TRUE(ask(window->session(),
+                        Session::line({QStringLiteral("export"), QStringLiteral("camera"), file("own.cam"),
+                                       QString::number(size.width()), QString::number(size.height()),
+                                       QString::number(antialiasing), QStringLiteral("0")}))
+                        .done);
+        const ProgramResult result =
+            renderer({"own.scn", "--camera=own.cam", "-o", "own.png"}, {.folder = folder().path()});
+        EXPECT_EQ(result.exitCode, 0) << result.error;
+        return QImage(file("own.png")).convertToFormat(QImage::Format_RGB32);
+    }
+    /// Until the eye has got used to the light, too.
+    void look(const QString& camera) {
+        ASSERT_TRUE(ask(window->session(), QStringLiteral("camera set ") + camera).done);
+        ASSERT_TRUE(ask(window->session(), QStringLiteral("wait-idle")).done);
+    }
+    QAction* action(ActionId id) { return window->actions()[id]; }
+
+    std::optional<MainWindow> window;
+};
+
+TEST(PreviewPixels, ThoseWithoutASampleOfTheirOwnAreTheLiveOnes) {
+    std::array<std::byte, 8> pixels{std::byte{1}, std::byte{2}, std::byte{3}, std::byte{255},
+                                    std::byte{4}, std::byte{5}, std::byte{6}, std::byte{0}};
+    const std::array<std::byte, 8> below{std::byte{7}, std::byte{7}, std::byte{7},  std::byte{255},
+                                         std::byte{8}, std::byte{9}, std::byte{10}, std::byte{255}};
+    toRgb32Over(pixels, below);
+    const std::array<std::byte, 8> expected{std::byte{3}, std::byte{2}, std::byte{1},  std::byte{255},
+                                            std::byte{8}, std::byte{9}, std::byte{10}, std::byte{255}};
+    EXPECT_EQ(pixels, expected);
+}
+
+TEST_F(ProgressiveTest, AtRestThePictureBecomesTheRenderersOwn) {
+    ASSERT_NO_FATAL_FAILURE(open(3));
+    const QImage expected = rendered(3);
+    EXPECT_TRUE(comes([&] { return window->view().picture() == expected; }))
+        << window->notice().text().toStdString();
+    EXPECT_NE(window->session().frame(), expected);
+    EXPECT_TRUE(comes([&] { return !renders(); })) << "the Renderer goes when it has done";
+    QTest::qWait(600);
+    EXPECT_FALSE(renders()) << "once is enough";
+    EXPECT_FALSE(window->view().showsLive());
+}
+
+TEST_F(ProgressiveTest, QuickRenderIsTheRenderersPictureToo) {
+    ASSERT_NO_FATAL_FAILURE(open(2));
+    window->preferences().set(pref::progressiveRendering, false);
+    ASSERT_TRUE(comes([&] { return !renders() && window->view().showsLive(); }));
+    const QImage expected = rendered(2);
+    action(ActionId::QuickRender)->trigger();
+    EXPECT_TRUE(comes([&] { return window->view().picture() == expected; }));
+}
+
+TEST_F(ProgressiveTest, AKeyShowsTheLivePictureInTheSameFrameAndEndsTheRenderer) {
+    ASSERT_NO_FATAL_FAILURE(open(16));
+    ASSERT_TRUE(comes([&] { return renders(); }));
+    ASSERT_TRUE(comes([&] { return !window->view().showsLive(); })) << "it refines what is seen";
+    QElapsedTimer clock;
+    clock.start();
+    QTest::keyPress(&window->view(), Qt::Key_W);
+    EXPECT_TRUE(window->view().showsLive());
+    EXPECT_LT(clock.elapsed(), 50) << "nothing is waited for";
+    EXPECT_TRUE(comes([&] { return !renders(); }, 1000));
+    QTest::keyRelease(&window->view(), Qt::Key_W);
+    EXPECT_TRUE(comes([&] { return renders(); })) << "and once more, from there";
+}
+
+TEST_F(ProgressiveTest, SoDoesWhateverElseMovesTheCamera) {
+    ASSERT_NO_FATAL_FAILURE(open(2));
+    ASSERT_TRUE(comes([&] { return !window->view().showsLive(); }));
+    ASSERT_NO_FATAL_FAILURE(look(QStringLiteral("0.5 2 6 0 0 -1 60")));
+    const QImage expected = rendered(2);
+    EXPECT_TRUE(comes([&] { return window->view().picture() == expected; }));
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("light 0 off")).done);
+    EXPECT_TRUE(comes([&] { return window->view().picture() != expected; }));
+}
+
+TEST_F(ProgressiveTest, EitherSideSwitchesItOff) {
+    ASSERT_NO_FATAL_FAILURE(open(2));
+    ASSERT_TRUE(comes([&] { return !window->view().showsLive(); }));
+    action(ActionId::ProgressiveRendering)->trigger();
+    EXPECT_TRUE(window->view().showsLive());
+    QTest::qWait(700);
+    EXPECT_FALSE(renders());
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("idle off")).done);
+    action(ActionId::ProgressiveRendering)->trigger();
+    QTest::qWait(700);
+    EXPECT_TRUE(window->view().showsLive());
+    EXPECT_FALSE(renders());
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("idle on")).done);
+    EXPECT_TRUE(comes([&] { return !window->view().showsLive(); }));
+}
+
+TEST_F(ProgressiveTest, APreviewIsNoServerToConnectTo) {
+    ASSERT_NO_FATAL_FAILURE(open(16));
+    ASSERT_TRUE(comes([&] { return renders(); }));
+    bool found = false;
+    ASSERT_TRUE(comes([&] {
+        PreviewReader reader(previewInstance(0), 0);
+        for (const RunningServer& each : runningServers())
+            found = found || each.instance.startsWith(previewPrefix());
+        return !window->view().showsLive();
+    }));
+    EXPECT_FALSE(found);
+}
+
+// An old picture would be nearer to what was seen before.
+TEST_F(ProgressiveTest, InterruptedAtAnyMomentItShowsNoOldPicture) {
+    const char* const asked = std::getenv("RT_INTERRUPTIONS");
+    const int rounds = asked == nullptr ? 20 : std::atoi(asked);
+    ASSERT_NO_FATAL_FAILURE(open(12));
+    const std::array places{QStringLiteral("0.5 2 6 0 0 -1 60"), QStringLiteral("0.5 2 6 0.4 -0.9 -1 60")};
+    std::array<QImage, 2> live;
+    for (std::size_t i = 0; i < 2; ++i) {
+        ASSERT_NO_FATAL_FAILURE(look(places[i]));
+        QTest::qWait(100);
+        live[i] = window->session().frame().copy();
+    }
+    ASSERT_GT(difference(live[0], live[1]), 100000);
+
+    std::mt19937 random(7);
+    const auto upTo = [&](int most) { return static_cast<int>(random() % static_cast<unsigned>(most + 1)); };
+    int shown = 0, old = 0;
+    qint64 memory = 0;
+    std::size_t here = 1;
+    for (int round = 0; round < rounds; ++round) {
+        if (round == 10) memory = residentKilobytes();
+        const std::size_t there = 1 - here;
+        bool arrived = false;
+        window->session().send(QStringLiteral("camera set ") + places[there], &*window,
+                               [&](const Answer&) { arrived = true; });
+        ASSERT_TRUE(comes([&] { return arrived; }));
+        // The status of the new view comes with its frame.
+        ASSERT_TRUE(comes([&] {
+            return difference(window->session().frame(), live[there]) <
+                   difference(window->session().frame(), live[here]);
+        }));
+        QElapsedTimer clock;
+        clock.start();
+        const int wait = upTo(3) == 0 ? 1500 : upTo(700);
+        const void* seen = nullptr;
+        while (clock.elapsed() < wait) {
+            QTest::qWait(1);
+            const QImage& picture = window->view().picture();
+            if (picture.isNull() || picture.constBits() == seen) continue;
+            seen = picture.constBits();
+            ++shown;
+            if (difference(picture, live[there]) >= difference(picture, live[here])) ++old;
+        }
+        if (upTo(1) == 0) {
+            QTest::keyClick(&window->view(), Qt::Key_X); // bound to nothing: still a reason to look
+            EXPECT_TRUE(window->view().showsLive());
+        }
+        here = there;
+    }
+    EXPECT_EQ(old, 0);
+    EXPECT_GT(shown, rounds / 10);
+    if (rounds > 10) {
+        EXPECT_LT(residentKilobytes() - memory, 16 * 1024);
+    }
+    ::testing::Test::RecordProperty("pictures", shown);
+    action(ActionId::ProgressiveRendering)->trigger();
+    EXPECT_TRUE(comes([&] { return !renders(); }, 2000)) << "none runs, and none is a zombie";
+    EXPECT_LE(window->findChildren<QProcess*>().size(), 1) << "the server";
+}
+
+TEST_F(ProgressiveTest, WhenTheWindowIsKilledTheRendererIsGoneWithinASecond) {
+    QSettings settings(QSettings::IniFormat, QSettings::UserScope, QStringLiteral("rtsuite"),
+                       QStringLiteral("GUI"));
+    settings.setValue(QLatin1String(pref::stillAntialiasing.name), 16);
+    settings.sync();
+    RunningProgram program(programPath("GUI"), {"room.obj", "--instance=" + instance.name()},
+                           {.folder = folder().path()});
+    pid_t gui = 0;
+    ASSERT_TRUE(
+        comes([&] { return (gui = childrenOf(::getpid(), QStringLiteral("GUI")).value(0).process) != 0; }));
+    QList<Child> renderers;
+    ASSERT_TRUE(comes([&] { return !(renderers = childrenOf(gui, kRenderer)).isEmpty(); }));
+    const pid_t renderer = renderers.front().process;
+    QTest::qWait(100);
+    const pid_t served = childrenOf(gui, QStringLiteral("RTServer")).value(0).process;
+    program.send(SIGKILL);
+    EXPECT_TRUE(comes([&] { return !runs(renderer); }, 1000));
+    program.wait();
+    if (served != 0) ::kill(served, SIGTERM); // it may outlive the window
+    EXPECT_TRUE(comes([&] { return !runs(served); }));
+}
+
+} // namespace
