@@ -81,9 +81,11 @@ void SceneEditor::ask() {
     });
 }
 
-void SceneEditor::take(const SceneState& state, const QString& scene) {
-    const bool another = std::exchange(scene_, scene) != scene;
-    const bool changed = std::exchange(state_, state) != state;
+void SceneEditor::take(const SceneState& state, QString scene) {
+    const bool another = scene != scene_;
+    scene_ = std::move(scene);
+    const bool changed = state != state_;
+    state_ = state;
     if (another) undo_.clear();
     if (another) emit sceneChanged();
     if (changed || another) emit stateChanged();

@@ -69,7 +69,7 @@ class SceneEditor : public QObject {
     void onSession();
     void look();
     void ask();
-    void take(const SceneState& state, const QString& scene);
+    void take(const SceneState& state, QString scene);
     void sendSetting(const QString& name);
     void onSetting(const QString& name, const QString& before, const QString& value, const Answer& answer);
     void change(const SceneState& to, const QString& label);
