@@ -17,6 +17,7 @@
 
 #include <QAbstractButton>
 #include <QAction>
+#include <QApplication>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
@@ -122,13 +123,31 @@ TEST_F(PanelsTest, AChangeReachesTheServerAndIsTakenBack) {
     EXPECT_TRUE(becomes("shadows", "false"));
 }
 
+TEST_F(PanelsTest, AKeyLeadsToAPanelAndEscBack) {
+    open();
+    QTest::keyClick(&*window, Qt::Key_F5);
+    EXPECT_TRUE(comes([&] { return settings().isAncestorOf(QApplication::focusWidget()); }));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+    EXPECT_TRUE(comes([&] { return QApplication::focusWidget() == &window->view(); }));
+    // What is typed into a field does not take the key that takes changes back.
+    action(ActionId::SettingsPanel)->trigger();
+    action(ActionId::SettingsPanel)->trigger();
+    auto& depth = field<QSpinBox>("maxDepth");
+    depth.setFocus();
+    depth.stepUp();
+    ASSERT_TRUE(comes([&] { return action(ActionId::Undo)->isEnabled(); }));
+    QTest::keyClick(&depth, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_TRUE(becomes("maxDepth", "5"));
+}
+
 TEST_F(PanelsTest, ManyStepsInAMomentAreOneStepBack) {
     open();
     auto& box = field<QSpinBox>("maxDepth");
     for (int i = 0; i < 20; ++i) box.stepUp();
     EXPECT_TRUE(becomes("maxDepth", "25"));
-    ASSERT_TRUE(comes([&] { return window->editor().state().settings[QStringLiteral("maxDepth")] ==
-                                   QLatin1String("25"); }));
+    ASSERT_TRUE(comes([&] {
+        return window->editor().state().settings[QStringLiteral("maxDepth")] == QLatin1String("25");
+    }));
     EXPECT_EQ(window->editor().undoStack().count(), 1);
     action(ActionId::Undo)->trigger();
     EXPECT_TRUE(becomes("maxDepth", "5"));
@@ -165,7 +184,8 @@ TEST_F(PanelsTest, WhatTheServerRefusesIsToldAndGoesBack) {
     const int width = field<QSpinBox>("width").value();
     field<QSpinBox>("width").setValue(32768);
     ASSERT_TRUE(comes([&] { return window->notice().isVisible(); }));
-    EXPECT_TRUE(window->notice().text().contains(QStringLiteral("16384"))) << window->notice().text().toStdString();
+    EXPECT_TRUE(window->notice().text().contains(QStringLiteral("16384")))
+        << window->notice().text().toStdString();
     EXPECT_TRUE(comes([&] { return field<QSpinBox>("width").value() == width; }));
     EXPECT_FALSE(action(ActionId::Undo)->isEnabled());
 }
@@ -201,7 +221,8 @@ TEST_F(PanelsTest, LightsAndEnvironmentsAreSwitched) {
     EXPECT_TRUE(comes([&] { return told("environments").contains(QStringLiteral("1 active")); }));
     action(ActionId::Undo)->trigger();
     action(ActionId::Undo)->trigger();
-    EXPECT_TRUE(comes([&] { return lights().light(0)->isChecked() && lights().environment(0)->isChecked(); }));
+    EXPECT_TRUE(
+        comes([&] { return lights().light(0)->isChecked() && lights().environment(0)->isChecked(); }));
     EXPECT_EQ(picture(), before);
     // A digit key is the server's; the panel follows.
     QTest::keyClick(&window->view(), Qt::Key_2);
@@ -212,8 +233,8 @@ TEST_F(PanelsTest, ABookmarkGoesBackToTheSameCamera) {
     open();
     ASSERT_TRUE(ask(window->session(), QStringLiteral("camera set 0.1 1.7 5.3 0.3 -0.2 -1 51.3")).done);
     (void)picture();
-    ASSERT_TRUE(ask(window->session(), Session::line({QStringLiteral("export"), QStringLiteral("camera"),
-                                                      file("a.cam")}))
+    ASSERT_TRUE(ask(window->session(),
+                    Session::line({QStringLiteral("export"), QStringLiteral("camera"), file("a.cam")}))
                     .done);
     const QString kept = camera();
     action(ActionId::AddBookmark)->trigger();
@@ -224,8 +245,8 @@ TEST_F(PanelsTest, ABookmarkGoesBackToTheSameCamera) {
     QTest::keyClick(&*window, Qt::Key_1, Qt::AltModifier);
     EXPECT_TRUE(comes([&] { return camera() == kept; }));
     (void)picture();
-    ASSERT_TRUE(ask(window->session(), Session::line({QStringLiteral("export"), QStringLiteral("camera"),
-                                                      file("b.cam")}))
+    ASSERT_TRUE(ask(window->session(),
+                    Session::line({QStringLiteral("export"), QStringLiteral("camera"), file("b.cam")}))
                     .done);
     EXPECT_EQ(readBytes(folder() / "b.cam"), readBytes(folder() / "a.cam"));
     ASSERT_TRUE(comes([&] { return action(ActionId::Undo)->isEnabled(); }));
@@ -240,7 +261,8 @@ TEST_F(PanelsTest, BookmarksAreRenamedDeletedAndBroughtBack) {
     action(ActionId::AddBookmark)->trigger();
     ASSERT_TRUE(comes([&] { return bookmarks().list().count() == 2; }));
     bookmarks().list().item(0)->setText(QStringLiteral("By the altar / left"));
-    ASSERT_TRUE(comes([&] { return bookmarks().list().item(0)->text() == QStringLiteral("By the altar - left"); }));
+    ASSERT_TRUE(
+        comes([&] { return bookmarks().list().item(0)->text() == QStringLiteral("By the altar - left"); }));
     BookmarkStore store;
     store.setScene(file("lit.scn"));
     ASSERT_EQ(store.list().size(), 2);
@@ -293,9 +315,7 @@ TEST_F(PanelsTest, ADoubleClickLooksThere) {
     QTest::mouseClick(&shown, Qt::LeftButton, Qt::NoModifier, place);
     QTest::mouseDClick(&shown, Qt::LeftButton, Qt::NoModifier, place);
     EXPECT_FALSE(shown.input().captured());
-    EXPECT_TRUE(comes([&] {
-        return (window->session().status().view.forward - wanted).length() < 1e-5F;
-    }));
+    EXPECT_TRUE(comes([&] { return (window->session().status().view.forward - wanted).length() < 1e-5F; }));
     EXPECT_EQ(window->session().status().view.eye, view.eye);
     ASSERT_TRUE(comes([&] { return action(ActionId::Undo)->isEnabled(); }));
     EXPECT_EQ(window->editor().undoStack().count(), 1);
@@ -326,8 +346,9 @@ TEST(SceneStateTest, AnswersAreReadAndDifferencesAreCommands) {
     to.lights[1].on = true;
     to.environments[0].on = false;
     to.environments[1].on = true;
-    EXPECT_EQ(commandsBetween(from, to), (QStringList{QStringLiteral("set bloom 16"), QStringLiteral("light 1 on"),
-                                                      QStringLiteral("environment 1")}));
+    EXPECT_EQ(commandsBetween(from, to),
+              (QStringList{QStringLiteral("set bloom 16"), QStringLiteral("light 1 on"),
+                           QStringLiteral("environment 1")}));
 }
 
 } // namespace

@@ -112,8 +112,7 @@ QString BookmarkStore::add(const QString& name, const QByteArray& camera, const 
         if (numberOf(bookmark.file) < 1'000'000) number = std::max(number, numberOf(bookmark.file));
     }
     BookmarkFiles files;
-    files.file =
-        QStringLiteral("%1 %2").arg(number + 1, 2, 10, QLatin1Char('0')).arg(fileNameOf(name));
+    files.file = QStringLiteral("%1 %2").arg(number + 1, 2, 10, QLatin1Char('0')).arg(fileNameOf(name));
     files.camera = camera;
     QBuffer buffer(&files.picture);
     if (!picture.isNull() && buffer.open(QIODevice::WriteOnly)) picture.save(&buffer, "PNG");
@@ -135,9 +134,8 @@ QString BookmarkStore::rename(const Bookmark& bookmark, const QString& name) {
     const QString clean = fileNameOf(name);
     if (clean.isEmpty() || clean == bookmark.name) return {};
     const int number = numberOf(bookmark.file);
-    const QString file = number < 1'000'000
-                             ? bookmark.file.section(QLatin1Char(' '), 0, 0) + QLatin1Char(' ') + clean
-                             : clean;
+    const QString file =
+        number < 1'000'000 ? bookmark.file.section(QLatin1Char(' '), 0, 0) + QLatin1Char(' ') + clean : clean;
     QFile camera(cameraPath(bookmark));
     if (!camera.rename(path(file, ".cam"))) return camera.errorString();
     QFile::remove(path(file, ".png"));

@@ -1,5 +1,5 @@
-/// Places that the user keeps, for each scene a folder of its own: a .cam file each, which every program of the
-/// suite reads, with a small picture beside it. "03 By the altar.cam": the number gives the order.
+/// Places that the user keeps, for each scene a folder of its own: a .cam file each, which every program of
+/// the suite reads, with a small picture beside it. "03 By the altar.cam": the number gives the order.
 #pragma once
 
 #include <QByteArray>

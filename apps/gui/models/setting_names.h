@@ -8,8 +8,8 @@
 
 namespace gui {
 
-/// "ambientOcclusion.samples": the part before the dot, as "Ambient occlusion"; of a setting without a dot the
-/// general group.
+/// "ambientOcclusion.samples": the part before the dot, as "Ambient occlusion"; of a setting without a dot
+/// the general group.
 QString settingGroup(std::string_view name);
 /// The part behind the dot, or all of it: "maxDepth" is "Max depth".
 QString settingLabel(std::string_view name);

@@ -100,11 +100,10 @@ void BookmarkOperations::keep(const QByteArray& camera, const QImage& picture) {
 void BookmarkOperations::go(int row) {
     const QList<Bookmark> all = store_.list();
     if (!desk_.session.live()) return;
-    if (row < 0 || row >= all.size())
-        return desk_.view.tell(tr("There is no bookmark %1.").arg(row + 1));
+    if (row < 0 || row >= all.size()) return desk_.view.tell(tr("There is no bookmark %1.").arg(row + 1));
     const Bookmark bookmark = all[row];
-    const QString line = Session::line(
-        {QStringLiteral("load"), QStringLiteral("camera"), store_.cameraPath(bookmark)});
+    const QString line =
+        Session::line({QStringLiteral("load"), QStringLiteral("camera"), store_.cameraPath(bookmark)});
     desk_.editor.place(line, bookmark.name, [this, bookmark](const Answer& answer) {
         if (answer.done) return desk_.view.tell(bookmark.name);
         tellTrouble(answer.text);

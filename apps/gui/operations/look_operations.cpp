@@ -25,7 +25,8 @@ QVector3D directionThrough(const View& view, const QPointF& inPicture, double as
     const QVector3D right = QVector3D::crossProduct(view.forward, view.up).normalized();
     const QVector3D up = QVector3D::crossProduct(right, view.forward).normalized();
     const double side = std::tan(qDegreesToRadians(static_cast<double>(view.fieldOfView)) / 2);
-    const auto x = static_cast<float>(inPicture.x() * side), y = static_cast<float>(inPicture.y() * side / aspect);
+    const auto x = static_cast<float>(inPicture.x() * side),
+               y = static_cast<float>(inPicture.y() * side / aspect);
     return (view.forward.normalized() + x * right + y * up).normalized();
 }
 
@@ -62,8 +63,10 @@ void LookOperations::lookAt(const QPointF& place) {
     const QSize size = desk_.view.showsLive() ? desk_.session.frame().size() : desk_.view.picture().size();
     from_ = view.forward;
     to_ = directionThrough(view, *point, static_cast<double>(size.width()) / size.height());
-    if (turn_.state() == QAbstractAnimation::Running) turn_.stop();
-    else finish_ = desk_.editor.beginPlacement(tr("look there"));
+    if (turn_.state() == QAbstractAnimation::Running)
+        turn_.stop();
+    else
+        finish_ = desk_.editor.beginPlacement(tr("look there"));
     desk_.view.showLive();
     turn_.start();
 }

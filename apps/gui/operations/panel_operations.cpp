@@ -10,8 +10,20 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QShortcut>
 
 namespace gui {
+
+namespace {
+
+void focusFirst(const QWidget& panel) {
+    for (QWidget* field : panel.findChildren<QWidget*>()) {
+        const bool takes = (field->focusPolicy() & Qt::TabFocus) != 0 && field->isEnabledTo(&panel);
+        if (takes && field->isVisibleTo(&panel)) return field->setFocus(Qt::ShortcutFocusReason);
+    }
+}
+
+} // namespace
 
 QDockWidget* addPanel(const Desk& desk, QWidget* panel, const QString& title, const QString& name,
                       ActionId action) {
@@ -34,8 +46,10 @@ QDockWidget* addPanel(const Desk& desk, QWidget* panel, const QString& title, co
         dock->setVisible(on);
         if (!on) return;
         dock->raise();
-        if (QWidget* first = panel->nextInFocusChain()) first->setFocus(Qt::ShortcutFocusReason);
+        focusFirst(*panel);
     });
+    auto* back = new QShortcut(Qt::Key_Escape, dock, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
+    QObject::connect(back, &QShortcut::activated, &desk.view, qOverload<>(&QWidget::setFocus));
     QObject::connect(dock->toggleViewAction(), &QAction::toggled, toggle, &QAction::setChecked);
     SceneEditor* editor = &desk.editor;
     QObject::connect(dock, &QDockWidget::visibilityChanged, editor,
@@ -65,9 +79,8 @@ void PanelOperations::addLights() {
     auto* panel = new LightsPanel;
     addPanel(desk_, panel, tr("Lights"), QStringLiteral("lights"), ActionId::LightsPanel);
     SceneEditor& editor = desk_.editor;
-    connect(&editor, &SceneEditor::stateChanged, panel, [panel, &editor] {
-        panel->show(editor.state().lights, editor.state().environments);
-    });
+    connect(&editor, &SceneEditor::stateChanged, panel,
+            [panel, &editor] { panel->show(editor.state().lights, editor.state().environments); });
     connect(panel, &LightsPanel::lightSwitched, &editor, &SceneEditor::switchLight);
     connect(panel, &LightsPanel::environmentChosen, &editor, &SceneEditor::chooseEnvironment);
 }

@@ -12,7 +12,8 @@ namespace gui {
 
 enum class ActionId;
 
-/// A panel at the right of the window, hidden at first, shown and hidden by a checkable action.
+/// A panel at the right of the window, hidden at first, shown and hidden by a checkable action; Esc leads
+/// from it back to the picture.
 QDockWidget* addPanel(const Desk& desk, QWidget* panel, const QString& title, const QString& name,
                       ActionId action);
 

@@ -198,8 +198,10 @@ void SceneEditor::place(const QString& command, const QString& label,
     ++changes_;
     session_.send(command, this, [this, before, label, done = std::move(done)](const Answer& answer) {
         if (answer.done) finishPlacement(before, label);
-        if (done) done(answer);
-        else onRefusal(answer);
+        if (done)
+            done(answer);
+        else
+            onRefusal(answer);
     });
 }
 
@@ -209,8 +211,10 @@ void SceneEditor::placeByText(const QString& camera, const QString& label,
     ++changes_;
     loadCamera(camera, [this, before, label, done = std::move(done)](const Answer& answer) {
         if (answer.done) finishPlacement(before, label);
-        if (done) done(answer);
-        else onRefusal(answer);
+        if (done)
+            done(answer);
+        else
+            onRefusal(answer);
     });
 }
 

@@ -28,7 +28,9 @@ QIcon iconOf(const QImage& picture, double ratio) {
     area.moveCenter(QRectF(QPointF(), QSizeF(kPicture)).center());
     painter.drawImage(area, picture);
     painter.end();
-    return QIcon(pixmap);
+    QIcon icon(pixmap);
+    icon.addPixmap(pixmap, QIcon::Selected); // no veil of the selection's colour
+    return icon;
 }
 
 QAction* addKey(QWidget& widget, const QKeySequence& key) {

@@ -62,8 +62,10 @@ void LightsPanel::refill(QButtonGroup& buttons, const QList<NamedSwitch>& switch
         }
         for (int i = 0; i < switches.size(); ++i) {
             QAbstractButton* button = nullptr;
-            if (lights) button = new QCheckBox;
-            else button = new QRadioButton;
+            if (lights)
+                button = new QCheckBox;
+            else
+                button = new QRadioButton;
             (lights ? lightBox_ : environmentBox_)->layout()->addWidget(button);
             buttons.addButton(button, i);
         }
@@ -72,10 +74,12 @@ void LightsPanel::refill(QButtonGroup& buttons, const QList<NamedSwitch>& switch
         const QString& name = switches[i].name;
         const QString number = QString::number(i + 1); // as on the keys
         QAbstractButton* button = buttons.button(i);
-        const QString shown = !name.isEmpty() ? name : lights ? tr("Light %1").arg(number) : tr("Map %1").arg(number);
+        const QString shown = !name.isEmpty() ? name
+                              : lights        ? tr("Light %1").arg(number)
+                                              : tr("Map %1").arg(number);
         button->setText(plain(shown));
         button->setAccessibleName(shown);
-        button->setToolTip(i >= 9     ? QString()
+        button->setToolTip(i >= 9   ? QString()
                            : lights ? tr("Key: %1").arg(number)
                                     : tr("Keys: M and %1").arg(number));
         button->setChecked(switches[i].on);

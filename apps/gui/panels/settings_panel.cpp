@@ -19,6 +19,8 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace gui {
 
 namespace {
@@ -49,10 +51,17 @@ QString fullName(const Setting& setting) {
     return grouped ? settingGroup(setting.name) + QStringLiteral(": ") + label : label;
 }
 
+// The fields of all groups stand in one column.
+void alignLabels(QWidget& column) {
+    const QList<QLabel*> labels = column.findChildren<QLabel*>();
+    int width = 0;
+    for (const QLabel* label : labels) width = std::max(width, label->sizeHint().width());
+    for (QLabel* label : labels) label->setMinimumWidth(width);
+}
+
 } // namespace
 
-SettingsPanel::SettingsPanel(QWidget* parent)
-    : QWidget(parent), defaults_(new QPushButton(tr("&Defaults"))) {
+SettingsPanel::SettingsPanel(QWidget* parent) : QWidget(parent), defaults_(new QPushButton(tr("&Defaults"))) {
     auto* column = new QWidget;
     auto* groups = new QVBoxLayout(column);
     QHash<QString, QFormLayout*> forms;
@@ -61,6 +70,7 @@ SettingsPanel::SettingsPanel(QWidget* parent)
         if (form == nullptr) form = addGroup(settingGroup(setting.name), *column);
         addSetting(setting, *form);
     }
+    alignLabels(*column);
     groups->addStretch(1);
     auto* area = new QScrollArea;
     area->setWidget(column);
@@ -164,8 +174,8 @@ void SettingsPanel::showValue(QWidget& editor, const QString& value) {
     }
 }
 
-// The wheel over a field scrolls the panel unless the field has the focus; Ctrl+Z takes the last change of the
-// scene back, not the last letter.
+// The wheel over a field scrolls the panel unless the field has the focus; Ctrl+Z takes the last change of
+// the scene back, not the last letter.
 bool SettingsPanel::eventFilter(QObject* watched, QEvent* event) {
     auto* widget = qobject_cast<QWidget*>(watched);
     if (event->type() == QEvent::Wheel && widget != nullptr && !widget->hasFocus()) {

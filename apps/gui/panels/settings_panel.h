@@ -20,8 +20,8 @@ class SettingsPanel : public QWidget {
   public:
     explicit SettingsPanel(QWidget* parent = nullptr);
 
-    /// What the server has; settings that it does not know are disabled. Emits nothing. The field in which the
-    /// user is typing is left alone.
+    /// What the server has; settings that it does not know are disabled. Emits nothing. The field in which
+    /// the user is typing is left alone.
     void show(const QMap<QString, QString>& values);
     using QWidget::show;
     /// The field of a setting, by name; null when there is none.

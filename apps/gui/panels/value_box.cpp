@@ -43,7 +43,8 @@ QValidator::State ValueBox::validate(QString& text, int&) const {
     bool good = false;
     double value = QLocale().toDouble(number, &good);
     if (!good) value = QLocale::c().toDouble(number, &good);
-    if (good) return value >= minimum() && value <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+    if (good)
+        return value >= minimum() && value <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
     const bool possible = std::all_of(number.begin(), number.end(), [](QChar letter) {
         return letter.isDigit() || QStringLiteral("+-.,eE").contains(letter);
     });

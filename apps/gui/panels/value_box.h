@@ -1,4 +1,5 @@
-/// A field for a number of any size: steps grow with the value, and every digit that the value needs is shown.
+/// A field for a number of any size: steps grow with the value, and every digit that the value needs is
+/// shown.
 #pragma once
 
 #include <QDoubleSpinBox>

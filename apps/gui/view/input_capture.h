@@ -60,8 +60,8 @@ class InputCapture : public QObject {
     QHash<quint64, int> held_; ///< by the key's place, as long as it is down
     QSet<int> commands_;       ///< E, H, R, L that are down
     bool renderPending_ = false;
-    QPoint last_;             ///< of the pointer, widget pixels
-    QPoint pressed_;          ///< where the button went down
+    QPoint last_;              ///< of the pointer, widget pixels
+    QPoint pressed_;           ///< where the button went down
     bool byThisClick_ = false; ///< captured, and the mouse has not moved since
     double degreesPerPixel_ = 0.12;
     double upwards_ = 1; ///< -1: inverted
