@@ -71,19 +71,34 @@ void BookmarkOperations::refill() {
     panel_->show(rows);
 }
 
-// The picture is the one that the user sees now.
 void BookmarkOperations::addBookmark() {
     if (!desk_.session.live()) return;
-    const QImage seen = desk_.view.showsLive() ? desk_.session.frame() : desk_.view.picture();
-    const QImage picture =
-        seen.isNull() ? QImage() : seen.scaled(kPicture, Qt::KeepAspectRatio, Qt::SmoothTransformation);
     desk_.session.send(QStringLiteral("scene"), this, [this](const Answer& answer) {
         if (answer.done) store_.setScene(answer.text);
     });
-    desk_.session.send(QStringLiteral("camera get"), this, [this, picture](const Answer& answer) {
-        if (!answer.done) return tellTrouble(answer.text);
-        keep(answer.text.toUtf8() + '\n', picture);
+    desk_.session.send(QStringLiteral("camera get"), this, [this](const Answer& answer) {
+        answer.done ? keepWithPicture(answer.text.toUtf8() + '\n') : tellTrouble(answer.text);
     });
+}
+
+// While something moves, the frame that is there was drawn before the camera was asked for; the next one was
+// not.
+void BookmarkOperations::keepWithPicture(const QByteArray& camera) {
+    const auto keepNow = [this, camera] {
+        const QImage seen = desk_.view.showsLive() ? desk_.session.frame() : desk_.view.picture();
+        keep(camera,
+             seen.isNull() ? seen : seen.scaled(kPicture, Qt::KeepAspectRatio, Qt::SmoothTransformation));
+    };
+    const ServerStatus& status = desk_.session.status();
+    if (status.idle || status.paused || !desk_.view.showsLive()) return keepNow();
+    auto* once = new QObject(this);
+    const auto keepOnce = [this, once, keepNow] {
+        desk_.session.disconnect(once);
+        once->deleteLater();
+        keepNow();
+    };
+    connect(&desk_.session, &Session::frameChanged, once, keepOnce);
+    connect(&desk_.session, &Session::stateChanged, once, keepOnce);
 }
 
 void BookmarkOperations::keep(const QByteArray& camera, const QImage& picture) {

@@ -21,6 +21,7 @@ class BookmarkOperations : public QObject {
   private:
     void addKeys();
     void addBookmark();
+    void keepWithPicture(const QByteArray& camera);
     void keep(const QByteArray& camera, const QImage& picture);
     void go(int row);
     void rename(int row, const QString& name);

@@ -168,9 +168,13 @@ void SettingsPanel::showValue(QWidget& editor, const QString& value) {
     } else if (auto* choice = qobject_cast<QComboBox*>(&editor)) {
         choice->setCurrentIndex(choice->findData(value));
     } else if (auto* whole = qobject_cast<QSpinBox*>(&editor)) {
-        if (whole->value() != value.toInt()) whole->setValue(value.toInt());
+        if (whole->value() == value.toInt()) return; // what is being typed stays
+        whole->setValue(value.toInt());
+        if (whole->hasFocus()) whole->selectAll();
     } else if (auto* number = qobject_cast<ValueBox*>(&editor)) {
-        if (number->value() != value.toDouble()) number->setValue(value.toDouble());
+        if (number->value() == value.toDouble()) return;
+        number->setValue(value.toDouble());
+        if (number->hasFocus()) number->selectAll();
     }
 }
 
