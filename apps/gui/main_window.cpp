@@ -1,10 +1,13 @@
 #include "gui/main_window.h"
 
 #include "gui/operations/actions.h"
+#include "gui/operations/bookmark_operations.h"
 #include "gui/operations/camera_operations.h"
 #include "gui/operations/connection_operations.h"
 #include "gui/operations/display_operations.h"
+#include "gui/operations/look_operations.h"
 #include "gui/operations/motion_operations.h"
+#include "gui/operations/panel_operations.h"
 #include "gui/operations/render_operations.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/notice_bar.h"
@@ -28,13 +31,16 @@ MainWindow::MainWindow(const QString& instance, QWidget* parent)
     loadResources();
     setWindowIcon(QIcon(QStringLiteral(":/gui.png")));
     layOut();
-    const Desk desk{*this, session_, keeper_, preferences_, *actions_, *view_, *notice_};
+    const Desk desk{*this, session_, keeper_, preferences_, *actions_, *view_, *notice_, editor_};
     connection_ = new ConnectionOperations(desk, this);
     connection_->setInstance(instance);
     new CameraOperations(desk, this);
     new DisplayOperations(desk, this);
     new MotionOperations(desk, this);
     new RenderOperations(desk, this);
+    new LookOperations(desk, this);
+    new PanelOperations(desk, this);
+    new BookmarkOperations(desk, this);
     connect(&session_, &Session::stateChanged, this, &MainWindow::showTitle);
     connect(&keeper_, &ServerKeeper::started, this, &MainWindow::showTitle);
     showTitle();

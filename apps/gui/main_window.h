@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gui/models/preferences.h"
+#include "gui/operations/scene_editor.h"
 #include "gui/processes/server_keeper.h"
 #include "gui/session/session.h"
 
@@ -32,6 +33,7 @@ class MainWindow : public QMainWindow {
     Actions& actions() { return *actions_; }
     NoticeBar& notice() { return *notice_; }
     Preferences& preferences() { return preferences_; }
+    SceneEditor& editor() { return editor_; }
 
   protected:
     void closeEvent(QCloseEvent* event) override;
@@ -47,6 +49,7 @@ class MainWindow : public QMainWindow {
     Preferences preferences_;
     Session session_;
     ServerKeeper keeper_{session_};
+    SceneEditor editor_{session_};
     FrameView* view_;
     NoticeBar* notice_;
     Actions* actions_;

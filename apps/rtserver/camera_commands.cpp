@@ -44,6 +44,11 @@ Result turn(const Call& call) {
     return {};
 }
 
+Result reset(const Call& call) {
+    call.session.setCamera(call.session.world().loaded.camera);
+    return {};
+}
+
 Result walk(const Call& call) {
     call.session.setWalking(true);
     return {};
@@ -67,6 +72,7 @@ constexpr std::array kCommands{
     Command{"camera set", 6, 7, "EX EY EZ FX FY FZ [FOV]", true, set},
     Command{"camera look-at", 6, 7, "EX EY EZ TX TY TZ [FOV]", true, lookAt},
     Command{"camera turn", 2, 2, "RIGHT UP", true, turn},
+    Command{"camera reset", 0, 0, "", true, reset},
     Command{"speed", 1, 1, "FACTOR", true, speed},
     Command{"walk", 0, 0, "", true, walk},
     Command{"fly", 0, 0, "", true, fly},

@@ -4,7 +4,10 @@
 #include "rtcore/settings/settings_table.h"
 
 #include <array>
+#include <cstddef>
+#include <filesystem>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace rtserver {
@@ -55,6 +58,47 @@ Result environment(const Call& call) {
     return {};
 }
 
+std::string numbered(std::size_t number, const std::string& state, const std::string& name) {
+    return std::to_string(number) + ' ' + state + (name.empty() ? "" : ' ' + name) + '\n';
+}
+
+Result withoutLastEnd(std::string text) {
+    if (!text.empty()) text.pop_back();
+    return {.answer = std::move(text)};
+}
+
+Result lights(const Call& call) {
+    const rtcore::Scene& scene = call.session.world().loaded.scene;
+    std::string text;
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const std::string name = i < scene.lightNames.size() ? scene.lightNames[i] : std::string();
+        text += numbered(i, scene.lights[i].on != 0 ? "on" : "off", name);
+    }
+    return withoutLastEnd(std::move(text));
+}
+
+// One without a name goes by its file.
+std::string nameOf(const rtcore::EnvironmentFile& environment) {
+    const bool named = !environment.name.empty() || environment.files.empty();
+    return named ? environment.name : environment.files.front().stem().string();
+}
+
+Result environments(const Call& call) {
+    const rtcore::LoadedScene& loaded = call.session.world().loaded;
+    std::string text;
+    for (std::size_t i = 0; i < loaded.scene.environments.size(); ++i) {
+        const bool described = loaded.sceneFile && i < loaded.sceneFile->environments.size();
+        const std::string name = described ? nameOf(loaded.sceneFile->environments[i]) : std::string();
+        const bool active = std::cmp_equal(loaded.scene.activeEnvironment, i);
+        text += numbered(i, active ? "active" : "-", name);
+    }
+    return withoutLastEnd(std::move(text));
+}
+
+Result scene(const Call& call) {
+    return {.answer = std::filesystem::absolute(call.session.world().source).lexically_normal().string()};
+}
+
 constexpr std::array kCommands{
     Command{"set", 2, 2, "NAME VALUE", true, set},
     Command{"get", 1, 1, "NAME", true, get},
@@ -63,6 +107,9 @@ constexpr std::array kCommands{
     Command{"bloom", 1, 1, "on|off", true, bloom},
     Command{"light", 2, 2, "N on|off|toggle", true, light},
     Command{"environment", 1, 1, "N", true, environment},
+    Command{"lights", 0, 0, "", true, lights},
+    Command{"environments", 0, 0, "", true, environments},
+    Command{"scene", 0, 0, "", true, scene},
 };
 
 } // namespace

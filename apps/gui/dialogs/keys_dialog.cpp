@@ -54,7 +54,8 @@ QString keysPage(const QList<Binding>& bindings) {
     const auto tr = [](const char* text) { return QCoreApplication::translate("gui", text); };
     const QString picture = row(tr("Click, Enter"), tr("Give keyboard and mouse to the camera")) +
                             row(tr("Esc"), tr("Take them back")) + row(tr("Mouse"), tr("Look around")) +
-                            row(tr("Wheel"), tr("Speed")) +
+                            row(tr("Double click"), tr("Look there")) +
+                            row(tr("Alt+digit"), tr("Go to a bookmark")) + row(tr("Wheel"), tr("Speed")) +
                             row(QStringLiteral("E"), tr("Export the camera")) +
                             row(QStringLiteral("H"), tr("Export the camera for high quality")) +
                             row(QStringLiteral("R"), tr("Render in higher quality")) +

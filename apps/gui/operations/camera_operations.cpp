@@ -3,19 +3,16 @@
 #include "gui/dialogs/export_camera_dialog.h"
 #include "gui/dialogs/recording_dialog.h"
 #include "gui/operations/actions.h"
+#include "gui/operations/scene_editor.h"
 #include "gui/session/session.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/input_capture.h"
 #include "gui/view/notice_bar.h"
 
 #include <QClipboard>
-#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
-#include <QTemporaryFile>
-
-#include <memory>
 
 namespace gui {
 
@@ -80,8 +77,8 @@ void CameraOperations::importCamera() {
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         desk_.preferences.set(pref::cameraFolder, QFileInfo(path).absolutePath());
-        desk_.session.send(Session::line({QStringLiteral("load"), QStringLiteral("camera"), path}), this,
-                           [this](const Answer& answer) {
+        desk_.editor.place(Session::line({QStringLiteral("load"), QStringLiteral("camera"), path}),
+                           tr("import %1").arg(QFileInfo(path).fileName()), [this](const Answer& answer) {
                                if (!answer.done) desk_.notice.explain(answer.text, {});
                            });
     });
@@ -117,17 +114,12 @@ void CameraOperations::copy() {
     });
 }
 
-// The server reads cameras from files.
 void CameraOperations::paste() {
-    auto file = std::make_shared<QTemporaryFile>(QDir::tempPath() + QStringLiteral("/camera-XXXXXX.cam"));
-    const QByteArray text = QGuiApplication::clipboard()->text().toUtf8();
-    if (!file->open() || file->write(text) != text.size() || !file->flush())
-        return desk_.notice.explain(file->errorString(), {});
-    desk_.session.send(Session::line({QStringLiteral("load"), QStringLiteral("camera"), file->fileName()}),
-                       this, [this, file](const Answer& answer) {
-                           desk_.view.tell(answer.done ? tr("The camera was pasted.")
-                                                       : tr("The clipboard holds no camera."));
-                       });
+    desk_.editor.placeByText(QGuiApplication::clipboard()->text(), tr("paste camera"),
+                             [this](const Answer& answer) {
+                                 desk_.view.tell(answer.done ? tr("The camera was pasted.")
+                                                             : tr("The clipboard holds no camera."));
+                             });
 }
 
 } // namespace gui

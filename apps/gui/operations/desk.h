@@ -10,6 +10,7 @@ class Actions;
 class FrameView;
 class NoticeBar;
 class Preferences;
+class SceneEditor;
 class ServerKeeper;
 class Session;
 
@@ -22,6 +23,7 @@ struct Desk {
     Actions& actions;
     FrameView& view;
     NoticeBar& notice;
+    SceneEditor& editor;
 };
 
 } // namespace gui

@@ -8,7 +8,7 @@ namespace gui {
 
 /// From where and into which direction the server looks; scene units, degrees.
 struct View {
-    QVector3D eye, forward{0, 0, -1};
+    QVector3D eye, forward{0, 0, -1}, up{0, 1, 0};
     float fieldOfView = 0;
     bool walking = false;
     friend bool operator==(const View&, const View&) = default;

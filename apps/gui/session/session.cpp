@@ -24,7 +24,7 @@ ServerStatus statusOf(const ipc::Status& from) {
     to.resolution = QSize(static_cast<int>(from.width), static_cast<int>(from.height));
     to.exposure = from.exposure;
     to.progress = from.progress;
-    to.view = {vector(from.eye), vector(from.forward), from.fieldOfView, from.mode != 0};
+    to.view = {vector(from.eye), vector(from.forward), vector(from.up), from.fieldOfView, from.mode != 0};
     to.idle = from.idle != 0;
     to.paused = from.paused != 0;
     to.recording = from.recording != 0;

@@ -100,6 +100,14 @@ QRectF FrameView::target(const QSize& picture) const {
     return area;
 }
 
+std::optional<QPointF> FrameView::inPicture(const QPointF& place) const {
+    const QSize size = showsLive() ? session_.frame().size() : picture_.size();
+    const QRectF area = size.isEmpty() ? QRectF() : target(size);
+    if (!area.contains(place)) return std::nullopt;
+    const QPointF off = place - area.center();
+    return QPointF(2 * off.x() / area.width(), -2 * off.y() / area.height());
+}
+
 void FrameView::drawPicture(QPainter& painter, const QImage& picture, const QRect& dirty) const {
     const QColor background = QColor::fromRgb(kBackground);
     if (picture.isNull()) return painter.fillRect(dirty, background);

@@ -7,6 +7,8 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <optional>
+
 namespace gui {
 
 class InputCapture;
@@ -33,6 +35,9 @@ class FrameView : public QWidget {
     void showLive();
     bool showsLive() const { return picture_.isNull(); }
     const QImage& picture() const { return picture_; } ///< null while it shows live frames
+
+    /// Where a point of the widget is in the picture: from -1 (left, bottom) to 1; nothing beside it.
+    std::optional<QPointF> inPicture(const QPointF& place) const;
 
     /// What the view could show at most, in the screen's own pixels.
     QSize devicePixels() const;

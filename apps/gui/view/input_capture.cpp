@@ -14,6 +14,7 @@ namespace gui {
 
 namespace {
 
+constexpr int kTremble = 6;        ///< pixels
 constexpr double kWheelStep = 120; ///< what Qt calls one notch
 
 // The same key has the same number when it comes up again, whatever Shift has made of it.
@@ -53,7 +54,8 @@ void InputCapture::capture() {
     captured_ = true;
     widget_->setFocus(Qt::OtherFocusReason);
     widget_->setCursor(Qt::BlankCursor);
-    centrePointer();
+    byThisClick_ = false;
+    last_ = widget_->mapFromGlobal(QCursor::pos());
     emit capturedChanged(true);
 }
 
@@ -82,6 +84,8 @@ bool InputCapture::eventFilter(QObject*, QEvent* event) {
         return onRelease(static_cast<QKeyEvent&>(*event));
     case QEvent::MouseButtonPress:
         return onMousePress(static_cast<const QMouseEvent&>(*event));
+    case QEvent::MouseButtonDblClick:
+        return onDoubleClick(static_cast<const QMouseEvent&>(*event));
     case QEvent::MouseMove:
         return onMouseMove(static_cast<const QMouseEvent&>(*event));
     case QEvent::Wheel:
@@ -163,7 +167,18 @@ void InputCapture::commandRelease(int code) {
 
 bool InputCapture::onMousePress(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton) return false;
+    const bool was = captured_;
     capture();
+    byThisClick_ = !was;
+    pressed_ = event.position().toPoint();
+    return true;
+}
+
+bool InputCapture::onDoubleClick(const QMouseEvent& event) {
+    if (event.button() != Qt::LeftButton) return false;
+    if (!captured_ || !byThisClick_) return onMousePress(event);
+    release();
+    emit pointed(event.position());
     return true;
 }
 
@@ -174,6 +189,9 @@ bool InputCapture::onMouseMove(const QMouseEvent& event) {
     const QPoint moved = now - last_;
     last_ = now;
     if (moved.isNull()) return true;
+    // A hand that trembles between two clicks does not turn the camera.
+    if (byThisClick_ && (now - pressed_).manhattanLength() < kTremble) return true;
+    byThisClick_ = false;
     emit turned(moved.x() * degreesPerPixel_, -moved.y() * degreesPerPixel_ * upwards_);
     const QPoint off = now - widget_->rect().center();
     if (std::abs(off.x()) > widget_->width() / 4 || std::abs(off.y()) > widget_->height() / 4)

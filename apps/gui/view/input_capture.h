@@ -37,6 +37,8 @@ class InputCapture : public QObject {
     /// Keys that the window acts on (E, H, R and L with it); R comes when it is let go, unless L came with
     /// it.
     void commandKey(int code, bool withL);
+    /// A double click that took the keyboard and the mouse, and gave them back; widget pixels.
+    void pointed(const QPointF& place);
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -48,6 +50,7 @@ class InputCapture : public QObject {
     void press(int code);
     void commandRelease(int code);
     bool onMousePress(const QMouseEvent& event);
+    bool onDoubleClick(const QMouseEvent& event);
     bool onMouseMove(const QMouseEvent& event);
     void centrePointer();
     void releaseKeys();
@@ -57,7 +60,9 @@ class InputCapture : public QObject {
     QHash<quint64, int> held_; ///< by the key's place, as long as it is down
     QSet<int> commands_;       ///< E, H, R, L that are down
     bool renderPending_ = false;
-    QPoint last_; ///< of the pointer, widget pixels
+    QPoint last_;              ///< of the pointer, widget pixels
+    QPoint pressed_;           ///< where the button went down
+    bool byThisClick_ = false; ///< captured, and the mouse has not moved since
     double degreesPerPixel_ = 0.12;
     double upwards_ = 1; ///< -1: inverted
 };

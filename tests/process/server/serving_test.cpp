@@ -180,6 +180,31 @@ TEST_F(Serving, SettingsAreReadAndWritten) {
     EXPECT_EQ(ask({"get", "width"}), "64\n");
 }
 
+TEST_F(Serving, LightsAndEnvironmentsAreTold) {
+    writeText(folder() / "sky.ppm", "P3 2 1 255 10 20 30 200 210 220\n");
+    writeText(folder() / "lit.scn",
+              "version = 1\nmodel = \"room.obj\"\nactiveEnvironment = 1\nmodelLights = false\n"
+              "[camera]\neye = [0.0, 1.0, 5.0]\nlookAt = [0.0, 1.0, 0.0]\n"
+              "[[light]]\nname = \"tall lamp\"\nkind = \"point\"\nposition = [0.0, 3.0, 0.0]\n"
+              "intensity = [9.0, 9.0, 9.0]\n"
+              "[[light]]\nkind = \"point\"\nposition = [1.0, 3.0, 0.0]\nintensity = [9.0, 9.0, 9.0]\n"
+              "[[environment]]\nequirectangular = \"sky.ppm\"\n"
+              "[[environment]]\nname = \"late evening\"\nequirectangular = \"sky.ppm\"\n");
+    start({}, "lit.scn");
+    EXPECT_EQ(ask({"lights"}), "0 on tall lamp\n1 on\n");
+    ask({"light", "0", "off"});
+    EXPECT_EQ(ask({"lights"}), "0 off tall lamp\n1 on\n");
+    EXPECT_EQ(ask({"environments"}), "0 - sky\n1 active late evening\n");
+    ask({"environment", "0"});
+    EXPECT_EQ(ask({"environments"}), "0 active sky\n1 - late evening\n");
+    EXPECT_EQ(ask({"scene"}), (folder() / "lit.scn").string() + "\n");
+    const std::string first = ask({"camera", "get"});
+    ask({"camera", "set", "1", "2", "3", "0", "0", "-1"});
+    EXPECT_NE(ask({"camera", "get"}), first);
+    ask({"camera", "reset"});
+    EXPECT_EQ(ask({"camera", "get"}), first);
+}
+
 TEST_F(Serving, ErrorsReachTheShell) {
     start();
     refused({"load", "camera", "nothing.cam"}, 66, "nothing.cam");

@@ -1,0 +1,58 @@
+/// Places that the user keeps, for each scene a folder of its own: a .cam file each, which every program of
+/// the suite reads, with a small picture beside it. "03 By the altar.cam": the number gives the order.
+#pragma once
+
+#include <QByteArray>
+#include <QImage>
+#include <QList>
+#include <QString>
+
+namespace gui {
+
+struct Bookmark {
+    QString file; ///< name without its extension: what identifies it
+    QString name;
+    friend bool operator==(const Bookmark&, const Bookmark&) = default;
+};
+
+/// What the files of one hold, to bring it back.
+struct BookmarkFiles {
+    QString file;
+    QByteArray camera, picture; ///< .cam, .png; the picture may be missing
+};
+
+/// One thread. Files are written whole or not at all. Functions that change something return what went wrong,
+/// in words for the user; empty: nothing.
+class BookmarkStore {
+  public:
+    /// `folder`: where the folders of all scenes are.
+    explicit BookmarkStore(QString folder = usualFolder());
+    static QString usualFolder(); ///< in the user's data folder
+
+    /// `scene`: the path of its file; empty: no bookmarks.
+    void setScene(const QString& scene);
+    bool hasScene() const { return !folder_.isEmpty(); }
+    const QString& folder() const { return folder_; }
+    /// In their order.
+    QList<Bookmark> list() const;
+    QString cameraPath(const Bookmark& bookmark) const;
+    QImage picture(const Bookmark& bookmark) const; ///< null when there is none
+
+    QString add(const QString& name, const QByteArray& camera, const QImage& picture);
+    QString rename(const Bookmark& bookmark, const QString& name);
+    QString remove(const Bookmark& bookmark);
+    BookmarkFiles read(const Bookmark& bookmark) const;
+    QString write(const BookmarkFiles& files);
+    /// "Place 3": a name that none has.
+    QString freeName() const;
+
+  private:
+    QString path(const QString& file, const char* extension) const;
+
+    QString root_, folder_;
+};
+
+/// The user's name as a part of a file's name: without '/' and what else file systems do not take.
+QString fileNameOf(const QString& name);
+
+} // namespace gui

@@ -1,0 +1,37 @@
+/// Bookmarks: kept in files for each scene, shown in a panel, reached by keys.
+#pragma once
+
+#include "gui/models/bookmark_store.h"
+#include "gui/operations/desk.h"
+
+#include <QObject>
+
+#include <functional>
+
+namespace gui {
+
+class BookmarksPanel;
+
+class BookmarkOperations : public QObject {
+    Q_OBJECT
+
+  public:
+    BookmarkOperations(const Desk& desk, QObject* parent);
+
+  private:
+    void addKeys();
+    void addBookmark();
+    void keepWithPicture(const QByteArray& camera);
+    void keep(const QByteArray& camera, const QImage& picture);
+    void go(int row);
+    void rename(int row, const QString& name);
+    void remove(int row);
+    void refill();
+    void tellTrouble(const QString& text);
+
+    Desk desk_;
+    BookmarkStore store_;
+    BookmarksPanel* panel_;
+};
+
+} // namespace gui

@@ -1,0 +1,97 @@
+#include "gui/operations/look_operations.h"
+
+#include "gui/operations/actions.h"
+#include "gui/operations/scene_editor.h"
+#include "gui/session/session.h"
+#include "gui/view/frame_view.h"
+#include "gui/view/input_capture.h"
+#include "gui/view/notice_bar.h"
+
+#include <QPointF>
+#include <QtMath>
+
+#include <cmath>
+#include <utility>
+
+namespace gui {
+
+namespace {
+
+constexpr int kMilliseconds = 350;
+
+} // namespace
+
+QVector3D directionThrough(const View& view, const QPointF& inPicture, double aspect) {
+    const QVector3D right = QVector3D::crossProduct(view.forward, view.up).normalized();
+    const QVector3D up = QVector3D::crossProduct(right, view.forward).normalized();
+    const double side = std::tan(qDegreesToRadians(static_cast<double>(view.fieldOfView)) / 2);
+    const auto x = static_cast<float>(inPicture.x() * side),
+               y = static_cast<float>(inPicture.y() * side / aspect);
+    return (view.forward.normalized() + x * right + y * up).normalized();
+}
+
+LookOperations::LookOperations(const Desk& desk, QObject* parent) : QObject(parent), desk_(desk) {
+    desk_.actions.on(ActionId::ResetCamera, [this] { reset(); });
+    InputCapture& input = desk_.view.input();
+    connect(&input, &InputCapture::pointed, this, &LookOperations::lookAt);
+    turn_.setStartValue(0.0);
+    turn_.setEndValue(1.0);
+    turn_.setDuration(kMilliseconds);
+    turn_.setEasingCurve(QEasingCurve::InOutQuad);
+    connect(&turn_, &QVariantAnimation::valueChanged, this,
+            [this](const QVariant& share) { step(share.toDouble()); });
+    // The user's own movement has precedence.
+    const auto stop = [this] {
+        if (turn_.state() != QAbstractAnimation::Running) return;
+        turn_.stop();
+        if (finish_) std::exchange(finish_, {})();
+    };
+    connect(&input, &InputCapture::keyPressed, this, stop);
+    connect(&input, &InputCapture::turned, this, stop);
+}
+
+void LookOperations::reset() {
+    turn_.stop();
+    desk_.view.showLive();
+    desk_.editor.place(QStringLiteral("camera reset"), tr("reset camera"));
+}
+
+void LookOperations::lookAt(const QPointF& place) {
+    const std::optional<QPointF> point = desk_.view.inPicture(place);
+    const View& view = desk_.session.status().view;
+    if (!point || !desk_.session.live() || view.fieldOfView <= 0) return;
+    const QSize size = desk_.view.showsLive() ? desk_.session.frame().size() : desk_.view.picture().size();
+    from_ = view.forward;
+    to_ = directionThrough(view, *point, static_cast<double>(size.width()) / size.height());
+    if (turn_.state() == QAbstractAnimation::Running)
+        turn_.stop();
+    else
+        finish_ = desk_.editor.beginPlacement(tr("look there"));
+    desk_.view.showLive();
+    turn_.start();
+}
+
+// Steps that the server is too slow for are left out; the last one never is.
+void LookOperations::step(double share) {
+    const bool last = share >= 1;
+    if (underWay_ && !last) return;
+    send(((1 - static_cast<float>(share)) * from_ + static_cast<float>(share) * to_).normalized(), last);
+}
+
+void LookOperations::send(const QVector3D& direction, bool last) {
+    const QVector3D eye = desk_.session.status().view.eye;
+    QStringList words{QStringLiteral("camera"), QStringLiteral("set")};
+    constexpr int kAllDigits = 9;
+    for (const QVector3D& vector : {eye, direction}) {
+        for (int i = 0; i < 3; ++i)
+            words.append(QString::number(static_cast<double>(vector[i]), 'g', kAllDigits));
+    }
+    underWay_ = true;
+    desk_.session.send(Session::line(words), this, [this, last](const Answer& answer) {
+        underWay_ = false;
+        if (!answer.done && last) desk_.notice.explain(answer.text, {});
+        if (last && finish_) std::exchange(finish_, {})();
+    });
+}
+
+} // namespace gui

@@ -1,0 +1,41 @@
+/// The camera's direction by a double click, and the scene's own view.
+#pragma once
+
+#include "gui/operations/desk.h"
+
+#include <QObject>
+#include <QVariantAnimation>
+#include <QVector3D>
+
+#include <functional>
+
+class QPointF;
+
+namespace gui {
+
+struct View;
+
+/// The direction from the eye through a point of the picture, each coordinate from -1 (left, bottom) to 1;
+/// `aspect`: width by height of the picture. Unit length.
+QVector3D directionThrough(const View& view, const QPointF& inPicture, double aspect);
+
+class LookOperations : public QObject {
+    Q_OBJECT
+
+  public:
+    LookOperations(const Desk& desk, QObject* parent);
+
+  private:
+    void reset();
+    void lookAt(const QPointF& place);
+    void step(double share);
+    void send(const QVector3D& direction, bool last);
+
+    Desk desk_;
+    QVariantAnimation turn_;
+    QVector3D from_, to_;
+    bool underWay_ = false;
+    std::function<void()> finish_;
+};
+
+} // namespace gui

@@ -1,0 +1,108 @@
+#include "gui/operations/panel_operations.h"
+
+#include "gui/operations/actions.h"
+#include "gui/operations/scene_editor.h"
+#include "gui/panels/lights_panel.h"
+#include "gui/panels/settings_panel.h"
+#include "gui/view/frame_view.h"
+#include "gui/view/notice_bar.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QShortcut>
+
+namespace gui {
+
+namespace {
+
+void focusFirst(const QWidget& panel) {
+    for (QWidget* field : panel.findChildren<QWidget*>()) {
+        const bool takes = (field->focusPolicy() & Qt::TabFocus) != 0 && field->isEnabledTo(&panel);
+        if (takes && field->isVisibleTo(&panel)) return field->setFocus(Qt::ShortcutFocusReason);
+    }
+}
+
+} // namespace
+
+QDockWidget* addPanel(const Desk& desk, QWidget* panel, const QString& title, const QString& name,
+                      ActionId action) {
+    auto* window = qobject_cast<QMainWindow*>(&desk.window);
+    auto* dock = new QDockWidget(title, window);
+    dock->setObjectName(name); // restoreState() knows it by this
+    dock->setWidget(panel);
+    dock->setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
+    const QList<QDockWidget*> others = window->findChildren<QDockWidget*>();
+    window->addDockWidget(Qt::RightDockWidgetArea, dock);
+    for (QDockWidget* other : others) {
+        if (other == dock || window->dockWidgetArea(other) != Qt::RightDockWidgetArea) continue;
+        window->tabifyDockWidget(other, dock);
+        break;
+    }
+    dock->hide();
+    QAction* toggle = desk.actions[action];
+    // A panel behind another one comes to the front first.
+    QObject::connect(toggle, &QAction::triggered, dock, [dock, panel](bool on) {
+        dock->setVisible(on);
+        if (!on) return;
+        dock->raise();
+        focusFirst(*panel);
+    });
+    auto* back = new QShortcut(Qt::Key_Escape, dock, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
+    QObject::connect(back, &QShortcut::activated, &desk.view, qOverload<>(&QWidget::setFocus));
+    QObject::connect(dock->toggleViewAction(), &QAction::toggled, toggle, &QAction::setChecked);
+    SceneEditor* editor = &desk.editor;
+    QObject::connect(dock, &QDockWidget::visibilityChanged, editor,
+                     [editor, panel](bool visible) { editor->watch(panel, visible); });
+    return dock;
+}
+
+PanelOperations::PanelOperations(const Desk& desk, QObject* parent) : QObject(parent), desk_(desk) {
+    addSettings();
+    addLights();
+    addUndo();
+    connect(&desk_.editor, &SceneEditor::refused, this,
+            [this](const QString& text) { desk_.notice.explain(text, {}); });
+}
+
+void PanelOperations::addSettings() {
+    auto* panel = new SettingsPanel;
+    addPanel(desk_, panel, tr("Settings"), QStringLiteral("settings"), ActionId::SettingsPanel);
+    SceneEditor& editor = desk_.editor;
+    connect(&editor, &SceneEditor::stateChanged, panel,
+            [panel, &editor] { panel->show(editor.state().settings); });
+    connect(panel, &SettingsPanel::edited, &editor, &SceneEditor::setSetting);
+    connect(panel, &SettingsPanel::defaultsWanted, &editor, &SceneEditor::setDefaults);
+}
+
+void PanelOperations::addLights() {
+    auto* panel = new LightsPanel;
+    addPanel(desk_, panel, tr("Lights"), QStringLiteral("lights"), ActionId::LightsPanel);
+    SceneEditor& editor = desk_.editor;
+    connect(&editor, &SceneEditor::stateChanged, panel,
+            [panel, &editor] { panel->show(editor.state().lights, editor.state().environments); });
+    connect(panel, &LightsPanel::lightSwitched, &editor, &SceneEditor::switchLight);
+    connect(panel, &LightsPanel::environmentChosen, &editor, &SceneEditor::chooseEnvironment);
+}
+
+void PanelOperations::addUndo() {
+    QUndoStack& stack = desk_.editor.undoStack();
+    desk_.actions.on(ActionId::Undo, [&stack] { stack.undo(); });
+    desk_.actions.on(ActionId::Redo, [&stack] { stack.redo(); });
+    connect(&stack, &QUndoStack::indexChanged, this, &PanelOperations::showUndo);
+    showUndo();
+}
+
+void PanelOperations::showUndo() {
+    const QUndoStack& stack = desk_.editor.undoStack();
+    const auto show = [&](ActionId id, bool can, const QString& what) {
+        QAction* action = desk_.actions[id];
+        action->setEnabled(can);
+        const QString text = actionText(actionRow(id));
+        action->setText(what.isEmpty() ? text : tr("%1: %2").arg(text, what));
+    };
+    show(ActionId::Undo, stack.canUndo(), stack.undoText());
+    show(ActionId::Redo, stack.canRedo(), stack.redoText());
+}
+
+} // namespace gui

@@ -1,0 +1,99 @@
+/// What the user changes in the scene: settings, lights, environment, the place of the camera. Keeps what the
+/// server says of them, and takes changes back.
+#pragma once
+
+#include "gui/models/scene_state.h"
+#include "gui/session/session.h"
+
+#include <QElapsedTimer>
+#include <QHash>
+#include <QObject>
+#include <QSet>
+#include <QStringList>
+#include <QTimer>
+#include <QUndoStack>
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+namespace gui {
+
+/// The scene's state and where the camera is, both at one moment.
+struct Placement {
+    QString camera; ///< as a .cam file has it
+    SceneState state;
+};
+
+class SceneEditor : public QObject {
+    Q_OBJECT
+
+  public:
+    /// `session` must outlive it.
+    explicit SceneEditor(Session& session, QObject* parent = nullptr);
+
+    const SceneState& state() const { return state_; }
+    /// Absolute path of what the server shows; empty while it is not known.
+    const QString& scene() const { return scene_; }
+    QUndoStack& undoStack() { return undo_; }
+    /// Asks the server after new frames while somebody looks; each user says yes or no for itself.
+    void watch(const QObject* user, bool looks);
+    void refresh();
+
+    // Each of these can be taken back. What the server refuses is told by refused(), and is not on the stack.
+    /// Of several values for one name in short order the server gets the newest.
+    void setSetting(const QString& name, const QString& value);
+    void setDefaults();
+    void switchLight(int light, bool on);
+    void chooseEnvironment(int environment);
+    /// Sends a command that places the camera; `label` for the menu, `done` with the server's answer.
+    void place(const QString& command, const QString& label, std::function<void(const Answer&)> done = {});
+    /// The same by a .cam file's text.
+    void placeByText(const QString& camera, const QString& label,
+                     std::function<void(const Answer&)> done = {});
+    /// Around changes that somebody else sends, such as one movement of many steps: call the result after the
+    /// last one.
+    std::function<void()> beginPlacement(const QString& label);
+
+    // For the undo stack: nothing new comes onto it.
+    void apply(const QStringList& commands);
+    void apply(const Placement& from, const Placement& to);
+
+  signals:
+    void stateChanged();
+    void sceneChanged();
+    /// A change of the user's was not taken.
+    void refused(const QString& text);
+
+  private:
+    void onSession();
+    void look();
+    void ask();
+    void take(const SceneState& state, QString scene);
+    void sendSetting(const QString& name);
+    void onSetting(const QString& name, const QString& before, const QString& value, const Answer& answer);
+    void change(const SceneState& to, const QString& label);
+    std::shared_ptr<Placement> askPlacement(std::function<void()> known = {});
+    void finishPlacement(const std::shared_ptr<Placement>& before, const QString& label);
+    void loadCamera(const QString& camera, std::function<void(const Answer&)> done);
+    void onRefusal(const Answer& answer);
+
+    struct Sending {
+        bool underWay = false;
+        std::optional<QString> next; ///< the newest wish
+    };
+
+    Session& session_;
+    SceneState state_;
+    QString scene_;
+    QUndoStack undo_;
+    QTimer timer_;
+    QElapsedTimer sinceAsked_;
+    QSet<const QObject*> watchers_;
+    QHash<QString, Sending> sending_; ///< by name of the setting
+    quint64 changes_ = 0;             ///< sent by us: an answer to an older question is out of date
+    quint64 askedAt_ = 0;             ///< number of the frame
+    bool live_ = false, asking_ = false, askAgain_ = false;
+};
+
+} // namespace gui

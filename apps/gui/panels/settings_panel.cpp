@@ -1,0 +1,199 @@
+#include "gui/panels/settings_panel.h"
+
+#include "gui/models/setting_names.h"
+#include "gui/panels/value_box.h"
+
+#include "rtcore/settings/settings_table.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace gui {
+
+namespace {
+
+using rtcore::Setting;
+using rtcore::SettingType;
+
+QString text(std::string_view from) {
+    return QString::fromUtf8(from.data(), static_cast<qsizetype>(from.size()));
+}
+
+QString suffixOf(const Setting& setting) {
+    return setting.unit.empty() ? QString() : QLatin1Char(' ') + settingUnit(setting.unit);
+}
+
+// What is typed counts when it is finished, not each digit; the wheel scrolls the panel.
+template <typename Box>
+Box* tamed(Box* box, const Setting& setting) {
+    box->setKeyboardTracking(false);
+    box->setSuffix(suffixOf(setting));
+    return box;
+}
+
+// "on" of a group says nothing without it.
+QString fullName(const Setting& setting) {
+    const bool grouped = setting.name.find('.') != std::string_view::npos;
+    const QString label = settingLabel(setting.name);
+    return grouped ? settingGroup(setting.name) + QStringLiteral(": ") + label : label;
+}
+
+// The fields of all groups stand in one column.
+void alignLabels(QWidget& column) {
+    const QList<QLabel*> labels = column.findChildren<QLabel*>();
+    int width = 0;
+    for (const QLabel* label : labels) width = std::max(width, label->sizeHint().width());
+    for (QLabel* label : labels) label->setMinimumWidth(width);
+}
+
+} // namespace
+
+SettingsPanel::SettingsPanel(QWidget* parent) : QWidget(parent), defaults_(new QPushButton(tr("&Defaults"))) {
+    auto* column = new QWidget;
+    auto* groups = new QVBoxLayout(column);
+    QHash<QString, QFormLayout*> forms;
+    for (const Setting& setting : rtcore::settingsTable()) {
+        QFormLayout*& form = forms[settingGroup(setting.name)];
+        if (form == nullptr) form = addGroup(settingGroup(setting.name), *column);
+        addSetting(setting, *form);
+    }
+    alignLabels(*column);
+    groups->addStretch(1);
+    auto* area = new QScrollArea;
+    area->setWidget(column);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setMinimumWidth(column->minimumSizeHint().width() + area->verticalScrollBar()->sizeHint().width());
+    defaults_->setToolTip(tr("All settings but the size as they are without any file"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(area, 1);
+    auto* foot = new QHBoxLayout;
+    foot->setContentsMargins(9, 0, 9, 9);
+    foot->addStretch(1);
+    foot->addWidget(defaults_);
+    layout->addLayout(foot);
+    connect(defaults_, &QPushButton::clicked, this, &SettingsPanel::defaultsWanted);
+    show({});
+}
+
+QFormLayout* SettingsPanel::addGroup(const QString& title, QWidget& column) {
+    auto* group = new QGroupBox(title);
+    column.layout()->addWidget(group);
+    auto* form = new QFormLayout(group);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    return form;
+}
+
+void SettingsPanel::addSetting(const Setting& setting, QFormLayout& form) {
+    QWidget* editor = makeEditor(setting);
+    const QString label = settingLabel(setting.name), help = settingHelp(setting.help);
+    editor->setObjectName(text(setting.name));
+    editor->setAccessibleName(fullName(setting));
+    editor->setAccessibleDescription(help);
+    editor->setToolTip(help);
+    editor->setFocusPolicy(Qt::StrongFocus);
+    editor->installEventFilter(this);
+    if (auto* line = editor->findChild<QLineEdit*>()) line->installEventFilter(this);
+    editors_.insert(text(setting.name), editor);
+    if (setting.type == SettingType::Boolean) return form.addRow(editor);
+    auto* sign = new QLabel(label + QLatin1Char(':'));
+    sign->setToolTip(help);
+    sign->setBuddy(editor);
+    form.addRow(sign, editor);
+}
+
+QWidget* SettingsPanel::makeEditor(const Setting& setting) {
+    const QString name = text(setting.name);
+    switch (setting.type) {
+    case SettingType::Boolean: {
+        auto* box = new QCheckBox(settingLabel(setting.name));
+        connect(box, &QCheckBox::toggled, this, [this, name](bool on) {
+            emit edited(name, on ? QStringLiteral("true") : QStringLiteral("false"));
+        });
+        return box;
+    }
+    case SettingType::Integer: {
+        auto* box = tamed(new QSpinBox, setting);
+        box->setRange(static_cast<int>(setting.minimum), static_cast<int>(setting.maximum));
+        connect(box, &QSpinBox::valueChanged, this,
+                [this, name](int value) { emit edited(name, QString::number(value)); });
+        return box;
+    }
+    case SettingType::Number: {
+        auto* box = tamed(new ValueBox(setting.minimum, setting.maximum), setting);
+        connect(box, &QDoubleSpinBox::valueChanged, this, [this, name](double value) {
+            emit edited(name, QString::fromStdString(rtcore::settingText(static_cast<float>(value))));
+        });
+        return box;
+    }
+    case SettingType::Choice:
+        break;
+    }
+    auto* box = new QComboBox;
+    for (const std::string_view choice : setting.choices) box->addItem(settingLabel(choice), text(choice));
+    connect(box, &QComboBox::currentIndexChanged, this,
+            [this, name, box] { emit edited(name, box->currentData().toString()); });
+    return box;
+}
+
+void SettingsPanel::show(const QMap<QString, QString>& values) {
+    for (auto editor = editors_.begin(); editor != editors_.end(); ++editor) {
+        const auto value = values.constFind(editor.key());
+        editor.value()->setEnabled(value != values.constEnd());
+        if (value != values.constEnd()) showValue(*editor.value(), *value);
+    }
+    defaults_->setEnabled(!values.isEmpty());
+}
+
+void SettingsPanel::showValue(QWidget& editor, const QString& value) {
+    const QSignalBlocker quiet(&editor);
+    if (auto* check = qobject_cast<QCheckBox*>(&editor)) {
+        check->setChecked(value == QLatin1String("true"));
+    } else if (auto* choice = qobject_cast<QComboBox*>(&editor)) {
+        choice->setCurrentIndex(choice->findData(value));
+    } else if (auto* whole = qobject_cast<QSpinBox*>(&editor)) {
+        if (whole->value() == value.toInt()) return; // what is being typed stays
+        whole->setValue(value.toInt());
+        if (whole->hasFocus()) whole->selectAll();
+    } else if (auto* number = qobject_cast<ValueBox*>(&editor)) {
+        if (number->value() == value.toDouble()) return;
+        number->setValue(value.toDouble());
+        if (number->hasFocus()) number->selectAll();
+    }
+}
+
+// The wheel over a field scrolls the panel unless the field has the focus; Ctrl+Z takes the last change of
+// the scene back, not the last letter.
+bool SettingsPanel::eventFilter(QObject* watched, QEvent* event) {
+    auto* widget = qobject_cast<QWidget*>(watched);
+    if (event->type() == QEvent::Wheel && widget != nullptr && !widget->hasFocus()) {
+        event->ignore();
+        return true;
+    }
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* key = static_cast<const QKeyEvent*>(event);
+        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+            event->ignore();
+            return true;
+        }
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+} // namespace gui

@@ -1,0 +1,69 @@
+#include "gui/panels/value_box.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gui {
+
+namespace {
+
+constexpr int kAllDecimals = 60; ///< QDoubleSpinBox rounds to them
+constexpr double kFirstStep = 0.01;
+
+} // namespace
+
+ValueBox::ValueBox(double minimum, double maximum, QWidget* parent) : QDoubleSpinBox(parent) {
+    setDecimals(kAllDecimals);
+    setRange(minimum, maximum);
+}
+
+QString ValueBox::textFromValue(double value) const {
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale.toString(value, 'g', QLocale::FloatingPointShortest);
+}
+
+QString ValueBox::bare(const QString& text) const {
+    QString number = text;
+    if (!suffix().isEmpty() && number.endsWith(suffix())) number.chop(suffix().size());
+    return number.trimmed();
+}
+
+double ValueBox::valueFromText(const QString& text) const {
+    bool good = false;
+    const double value = QLocale().toDouble(bare(text), &good);
+    return good ? value : QLocale::c().toDouble(bare(text));
+}
+
+// "1e" may become a number; letters of other kinds may not.
+QValidator::State ValueBox::validate(QString& text, int&) const {
+    const QString number = bare(text);
+    bool good = false;
+    double value = QLocale().toDouble(number, &good);
+    if (!good) value = QLocale::c().toDouble(number, &good);
+    if (good)
+        return value >= minimum() && value <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+    const bool possible = std::all_of(number.begin(), number.end(), [](QChar letter) {
+        return letter.isDigit() || QStringLiteral("+-.,eE").contains(letter);
+    });
+    return possible ? QValidator::Intermediate : QValidator::Invalid;
+}
+
+void ValueBox::stepBy(int steps) {
+    const double size = std::abs(value());
+    const double step = size > 0 ? std::pow(10.0, std::floor(std::log10(size)) - 1) : kFirstStep;
+    // To a multiple of the step: no digits that nobody asked for.
+    const double wanted = (std::round(value() / step) + steps) * step;
+    setValue(QLocale::c().toDouble(QLocale::c().toString(wanted, 'g', 6)));
+    selectAll();
+}
+
+QSize ValueBox::sizeHint() const {
+    QSize size = QAbstractSpinBox::sizeHint();
+    size.setWidth(minimumSizeHint().width());
+    return size;
+}
+
+} // namespace gui

@@ -1,0 +1,26 @@
+/// A field for a number of any size: steps grow with the value, and every digit that the value needs is
+/// shown.
+#pragma once
+
+#include <QDoubleSpinBox>
+
+namespace gui {
+
+class ValueBox : public QDoubleSpinBox {
+    Q_OBJECT
+
+  public:
+    ValueBox(double minimum, double maximum, QWidget* parent = nullptr);
+
+    QString textFromValue(double value) const override;
+    double valueFromText(const QString& text) const override;
+    QValidator::State validate(QString& text, int& position) const override;
+    /// A tenth of the value's power of ten.
+    void stepBy(int steps) override;
+    QSize sizeHint() const override;
+
+  private:
+    QString bare(const QString& text) const; ///< without the unit
+};
+
+} // namespace gui

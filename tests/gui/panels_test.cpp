@@ -1,0 +1,354 @@
+/// Settings, lights, bookmarks and what takes changes back, with a real server.
+#include "gui/gui_support.h"
+
+#include "gui/main_window.h"
+#include "gui/models/bookmark_store.h"
+#include "gui/operations/actions.h"
+#include "gui/operations/look_operations.h"
+#include "gui/panels/bookmarks_panel.h"
+#include "gui/panels/lights_panel.h"
+#include "gui/panels/settings_panel.h"
+#include "gui/panels/value_box.h"
+#include "gui/view/frame_view.h"
+#include "gui/view/input_capture.h"
+#include "gui/view/notice_bar.h"
+
+#include "rtcore/settings/settings_table.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QApplication>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDir>
+#include <QDockWidget>
+#include <QGuiApplication>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QSpinBox>
+
+namespace {
+
+using namespace test;
+using namespace gui;
+
+// Two lights, two environment maps, a camera of its own.
+void writeLitScene(const TemporaryFolder& folder) {
+    writeText(folder / "sky.ppm", "P3 2 1 255 10 20 30 200 210 220\n");
+    writeText(folder / "lit.scn",
+              "version = 1\nmodel = \"room.obj\"\nmodelLights = false\n"
+              "[camera]\neye = [0.25, 1.5, 6.0]\nlookAt = [0.0, 1.0, 0.0]\n"
+              "[[light]]\nname = \"lamp & co\"\nkind = \"point\"\nposition = [0.0, 6.0, 3.0]\n"
+              "intensity = [90.0, 90.0, 90.0]\n"
+              "[[light]]\nkind = \"point\"\nposition = [4.0, 5.0, 3.0]\nintensity = [90.0, 90.0, 60.0]\n"
+              "[[environment]]\nname = \"noon\"\nequirectangular = \"sky.ppm\"\n"
+              "[[environment]]\nname = \"dusk\"\nequirectangular = \"sky.ppm\"\nintensity = 0.1\n"
+              "[live]\nexposure.mode = \"fixed\"\nexposure.value = 2.0\n");
+}
+
+class PanelsTest : public GuiTest {
+  protected:
+    void SetUp() override {
+        GuiTest::SetUp();
+        writeLitScene(folder());
+        window.emplace(name());
+        window->preferences().set(pref::followWindowSize, false);
+        window->resize(900, 640);
+        window->show();
+        window->activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(&*window));
+    }
+    void TearDown() override {
+        window->close();
+        window.reset();
+        QDir(BookmarkStore::usualFolder()).removeRecursively();
+    }
+    void open() {
+        window->open(file("lit.scn"));
+        ASSERT_TRUE(shows(window->session())) << window->notice().text().toStdString();
+        ASSERT_TRUE(comes([&] { return window->editor().state().lights.size() == 2; }));
+        ASSERT_TRUE(comes([&] { return window->session().status().idle; }));
+    }
+    QAction* action(ActionId id) { return window->actions()[id]; }
+    SettingsPanel& settings() { return *window->findChild<SettingsPanel*>(); }
+    LightsPanel& lights() { return *window->findChild<LightsPanel*>(); }
+    BookmarksPanel& bookmarks() { return *window->findChild<BookmarksPanel*>(); }
+    template <typename Box>
+    Box& field(const char* setting) {
+        return *qobject_cast<Box*>(settings().editor(QString::fromLatin1(setting)));
+    }
+    QString served(const char* setting) {
+        return ask(window->session(), QStringLiteral("get %1").arg(QString::fromLatin1(setting))).text;
+    }
+    bool becomes(const char* setting, const char* value) {
+        return comes([&] { return served(setting) == QLatin1String(value); });
+    }
+    QString camera() { return ask(window->session(), QStringLiteral("camera get")).text; }
+    QImage picture() {
+        EXPECT_TRUE(ask(window->session(), QStringLiteral("wait-idle")).done);
+        QTest::qWait(50);
+        return window->session().frame().copy();
+    }
+
+    std::optional<MainWindow> window;
+};
+
+TEST_F(PanelsTest, EverySettingOfTheTableHasAField) {
+    for (const rtcore::Setting& setting : rtcore::settingsTable()) {
+        QWidget* editor = settings().editor(QString::fromStdString(std::string(setting.name)));
+        ASSERT_NE(editor, nullptr) << setting.name;
+        EXPECT_FALSE(editor->accessibleName().isEmpty()) << setting.name;
+        EXPECT_FALSE(editor->toolTip().isEmpty()) << setting.name;
+        EXPECT_FALSE(editor->isEnabled()) << setting.name << " without a server";
+        EXPECT_NE(editor->focusPolicy() & Qt::TabFocus, 0) << setting.name;
+    }
+    open();
+    for (const rtcore::Setting& setting : rtcore::settingsTable())
+        EXPECT_TRUE(settings().editor(QString::fromStdString(std::string(setting.name)))->isEnabled());
+}
+
+TEST_F(PanelsTest, AChangeReachesTheServerAndIsTakenBack) {
+    open();
+    const QImage before = picture();
+    field<QCheckBox>("shadows").click();
+    EXPECT_TRUE(becomes("shadows", "false"));
+    EXPECT_NE(picture(), before);
+    ASSERT_TRUE(comes([&] { return action(ActionId::Undo)->isEnabled(); }));
+    action(ActionId::Undo)->trigger();
+    EXPECT_TRUE(becomes("shadows", "true"));
+    EXPECT_EQ(picture(), before);
+    EXPECT_TRUE(comes([&] { return field<QCheckBox>("shadows").isChecked(); }));
+    action(ActionId::Redo)->trigger();
+    EXPECT_TRUE(becomes("shadows", "false"));
+}
+
+TEST_F(PanelsTest, AKeyLeadsToAPanelAndEscBack) {
+    open();
+    QTest::keyClick(&*window, Qt::Key_F5);
+    EXPECT_TRUE(comes([&] { return settings().isAncestorOf(QApplication::focusWidget()); }));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
+    EXPECT_TRUE(comes([&] { return QApplication::focusWidget() == &window->view(); }));
+    // What is typed into a field does not take the key that takes changes back.
+    action(ActionId::SettingsPanel)->trigger();
+    action(ActionId::SettingsPanel)->trigger();
+    auto& depth = field<QSpinBox>("maxDepth");
+    depth.setFocus();
+    depth.stepUp();
+    ASSERT_TRUE(comes([&] { return action(ActionId::Undo)->isEnabled(); }));
+    QTest::keyClick(&depth, Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_TRUE(becomes("maxDepth", "5"));
+}
+
+TEST_F(PanelsTest, ManyStepsInAMomentAreOneStepBack) {
+    open();
+    auto& box = field<QSpinBox>("maxDepth");
+    for (int i = 0; i < 20; ++i) box.stepUp();
+    EXPECT_TRUE(becomes("maxDepth", "25"));
+    ASSERT_TRUE(comes([&] {
+        return window->editor().state().settings[QStringLiteral("maxDepth")] == QLatin1String("25");
+    }));
+    EXPECT_EQ(window->editor().undoStack().count(), 1);
+    action(ActionId::Undo)->trigger();
+    EXPECT_TRUE(becomes("maxDepth", "5"));
+}
+
+TEST_F(PanelsTest, NumbersAndChoicesAreSetToo) {
+    open();
+    auto& key = field<ValueBox>("exposure.key");
+    EXPECT_EQ(key.value(), 0.18);
+    key.findChild<QLineEdit*>()->setText(QStringLiteral("0.3"));
+    QTest::keyClick(&key, Qt::Key_Return);
+    EXPECT_TRUE(becomes("exposure.key", "0.3"));
+    key.stepBy(1);
+    EXPECT_TRUE(becomes("exposure.key", "0.31"));
+    auto& mode = field<QComboBox>("exposure.mode");
+    EXPECT_EQ(mode.currentData().toString(), QStringLiteral("fixed"));
+    mode.setCurrentIndex(mode.findData(QStringLiteral("automatic")));
+    EXPECT_TRUE(becomes("exposure.mode", "automatic"));
+}
+
+TEST_F(PanelsTest, AChangeBySomebodyElseShowsUp) {
+    open();
+    action(ActionId::SettingsPanel)->trigger();
+    ASSERT_TRUE(comes([&] { return settings().isVisible(); }));
+    const ProgramResult done =
+        runProgram(programPath("CUI"), {"--instance=" + instance.name(), "set", "antialiasing", "2"});
+    ASSERT_EQ(done.exitCode, 0) << done.error;
+    EXPECT_TRUE(comes([&] { return field<QSpinBox>("antialiasing").value() == 2; }));
+    EXPECT_EQ(window->editor().undoStack().count(), 0) << "not ours to take back";
+}
+
+TEST_F(PanelsTest, WhatTheServerRefusesIsToldAndGoesBack) {
+    open();
+    const int width = field<QSpinBox>("width").value();
+    field<QSpinBox>("width").setValue(32768);
+    ASSERT_TRUE(comes([&] { return window->notice().isVisible(); }));
+    EXPECT_TRUE(window->notice().text().contains(QStringLiteral("16384")))
+        << window->notice().text().toStdString();
+    EXPECT_TRUE(comes([&] { return field<QSpinBox>("width").value() == width; }));
+    EXPECT_FALSE(action(ActionId::Undo)->isEnabled());
+}
+
+TEST_F(PanelsTest, DefaultsAreOneStep) {
+    open();
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("set maxDepth 9")).done);
+    window->editor().refresh();
+    ASSERT_TRUE(comes([&] { return field<QSpinBox>("maxDepth").value() == 9; }));
+    emit settings().defaultsWanted();
+    EXPECT_TRUE(becomes("maxDepth", "5"));
+    EXPECT_EQ(served("exposure.mode"), QStringLiteral("automatic"));
+    action(ActionId::Undo)->trigger();
+    EXPECT_TRUE(becomes("maxDepth", "9"));
+    EXPECT_EQ(served("exposure.mode"), QStringLiteral("fixed"));
+}
+
+TEST_F(PanelsTest, LightsAndEnvironmentsAreSwitched) {
+    open();
+    action(ActionId::LightsPanel)->trigger();
+    ASSERT_NE(lights().light(1), nullptr);
+    EXPECT_EQ(lights().light(0)->accessibleName(), QStringLiteral("lamp & co"));
+    EXPECT_EQ(lights().environment(1)->text(), QStringLiteral("dusk"));
+    EXPECT_TRUE(lights().environment(0)->isChecked());
+    const QImage before = picture();
+    lights().light(0)->click();
+    const auto told = [&](const char* command) {
+        return ask(window->session(), QString::fromLatin1(command)).text;
+    };
+    EXPECT_TRUE(comes([&] { return told("lights").startsWith(QStringLiteral("0 off")); }));
+    EXPECT_NE(picture(), before);
+    lights().environment(1)->click();
+    EXPECT_TRUE(comes([&] { return told("environments").contains(QStringLiteral("1 active")); }));
+    action(ActionId::Undo)->trigger();
+    action(ActionId::Undo)->trigger();
+    EXPECT_TRUE(
+        comes([&] { return lights().light(0)->isChecked() && lights().environment(0)->isChecked(); }));
+    EXPECT_EQ(picture(), before);
+    // A digit key is the server's; the panel follows.
+    QTest::keyClick(&window->view(), Qt::Key_2);
+    EXPECT_TRUE(comes([&] { return !lights().light(1)->isChecked(); }));
+}
+
+TEST_F(PanelsTest, ABookmarkGoesBackToTheSameCamera) {
+    open();
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("camera set 0.1 1.7 5.3 0.3 -0.2 -1 51.3")).done);
+    (void)picture();
+    ASSERT_TRUE(ask(window->session(),
+                    Session::line({QStringLiteral("export"), QStringLiteral("camera"), file("a.cam")}))
+                    .done);
+    const QString kept = camera();
+    action(ActionId::AddBookmark)->trigger();
+    ASSERT_TRUE(comes([&] { return bookmarks().list().count() == 1; }));
+    EXPECT_FALSE(bookmarks().list().item(0)->icon().isNull());
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("camera set 1 2 4 0 0 -1 70")).done);
+    const QString elsewhere = camera();
+    QTest::keyClick(&*window, Qt::Key_1, Qt::AltModifier);
+    EXPECT_TRUE(comes([&] { return camera() == kept; }));
+    (void)picture();
+    ASSERT_TRUE(ask(window->session(),
+                    Session::line({QStringLiteral("export"), QStringLiteral("camera"), file("b.cam")}))
+                    .done);
+    EXPECT_EQ(readBytes(folder() / "b.cam"), readBytes(folder() / "a.cam"));
+    ASSERT_TRUE(comes([&] { return action(ActionId::Undo)->isEnabled(); }));
+    action(ActionId::Undo)->trigger();
+    EXPECT_TRUE(comes([&] { return camera() == elsewhere; }));
+}
+
+TEST_F(PanelsTest, BookmarksAreRenamedDeletedAndBroughtBack) {
+    open();
+    action(ActionId::AddBookmark)->trigger();
+    ASSERT_TRUE(comes([&] { return bookmarks().list().count() == 1; }));
+    action(ActionId::AddBookmark)->trigger();
+    ASSERT_TRUE(comes([&] { return bookmarks().list().count() == 2; }));
+    bookmarks().list().item(0)->setText(QStringLiteral("By the altar / left"));
+    ASSERT_TRUE(
+        comes([&] { return bookmarks().list().item(0)->text() == QStringLiteral("By the altar - left"); }));
+    BookmarkStore store;
+    store.setScene(file("lit.scn"));
+    ASSERT_EQ(store.list().size(), 2);
+    EXPECT_EQ(store.list()[0].file, QStringLiteral("01 By the altar - left"));
+    EXPECT_FALSE(store.picture(store.list()[0]).isNull());
+    bookmarks().list().setCurrentRow(0);
+    emit bookmarks().deleteWanted(0);
+    EXPECT_EQ(store.list().size(), 1);
+    EXPECT_EQ(QDir(store.folder()).entryList(QDir::Files).size(), 2);
+    action(ActionId::Undo)->trigger();
+    ASSERT_EQ(store.list().size(), 2);
+    EXPECT_EQ(bookmarks().list().item(0)->text(), QStringLiteral("By the altar - left"));
+}
+
+TEST_F(PanelsTest, PlacementsAreTakenBackWithAllThatTheFileBrought) {
+    open();
+    const QString before = camera();
+    writeCamera(folder() / "view.cam", 1.5, "antialiasing = 2\nexposure = 0.75\nlights = [false, true]\n");
+    window->editor().place(
+        Session::line({QStringLiteral("load"), QStringLiteral("camera"), file("view.cam")}),
+        QStringLiteral("import"));
+    ASSERT_TRUE(comes([&] { return action(ActionId::Undo)->isEnabled(); }));
+    EXPECT_EQ(served("antialiasing"), QStringLiteral("2"));
+    action(ActionId::Undo)->trigger();
+    EXPECT_TRUE(becomes("antialiasing", "1"));
+    EXPECT_EQ(served("exposure.value"), QStringLiteral("2"));
+    EXPECT_EQ(camera(), before);
+    EXPECT_TRUE(ask(window->session(), QStringLiteral("lights")).text.startsWith(QStringLiteral("0 on")));
+}
+
+TEST_F(PanelsTest, ResetShowsTheScenesOwnView) {
+    open();
+    const QString own = camera();
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("camera set 1 2 4 0 0 -1 70")).done);
+    QTest::keyClick(&*window, Qt::Key_Home, Qt::ControlModifier);
+    EXPECT_TRUE(comes([&] { return camera() == own; }));
+}
+
+TEST_F(PanelsTest, ADoubleClickLooksThere) {
+    open();
+    const QString before = camera();
+    const View view = window->session().status().view;
+    FrameView& shown = window->view();
+    const QPoint place(shown.width() * 2 / 3, shown.height() * 2 / 5);
+    const std::optional<QPointF> point = shown.inPicture(place);
+    ASSERT_TRUE(point.has_value());
+    const QSize size = window->session().frame().size();
+    const QVector3D wanted =
+        directionThrough(view, *point, static_cast<double>(size.width()) / size.height());
+    QTest::mouseClick(&shown, Qt::LeftButton, Qt::NoModifier, place);
+    QTest::mouseDClick(&shown, Qt::LeftButton, Qt::NoModifier, place);
+    EXPECT_FALSE(shown.input().captured());
+    EXPECT_TRUE(comes([&] { return (window->session().status().view.forward - wanted).length() < 1e-5F; }));
+    EXPECT_EQ(window->session().status().view.eye, view.eye);
+    ASSERT_TRUE(comes([&] { return action(ActionId::Undo)->isEnabled(); }));
+    EXPECT_EQ(window->editor().undoStack().count(), 1);
+    action(ActionId::Undo)->trigger();
+    EXPECT_TRUE(comes([&] { return camera() == before; }));
+}
+
+TEST(LookTest, TheDirectionThroughACornerHasTheAngleOfTheField) {
+    View view;
+    view.forward = {1, 0, 0};
+    view.fieldOfView = 90;
+    const QVector3D middle = directionThrough(view, {0, 0}, 2), side = directionThrough(view, {1, 0}, 2);
+    EXPECT_LT((middle - view.forward).length(), 1e-6F);
+    EXPECT_LT((side - QVector3D(1, 0, 1).normalized()).length(), 1e-6F);
+    const QVector3D top = directionThrough(view, {0, 1}, 2);
+    EXPECT_LT((top - QVector3D(1, 0.5F, 0).normalized()).length(), 1e-6F);
+}
+
+TEST(SceneStateTest, AnswersAreReadAndDifferencesAreCommands) {
+    SceneState from;
+    from.settings = readSettings(QStringLiteral("bloom = 0\nexposure.key = 0.18"));
+    from.lights = readSwitches(QStringLiteral("0 on sun and moon\n1 off"));
+    from.environments = readSwitches(QStringLiteral("0 active day\n1 - night"));
+    EXPECT_EQ(from.lights, (QList<NamedSwitch>{{true, QStringLiteral("sun and moon")}, {false, {}}}));
+    SceneState to = from;
+    EXPECT_TRUE(commandsBetween(from, to).isEmpty());
+    to.settings[QStringLiteral("bloom")] = QStringLiteral("16");
+    to.lights[1].on = true;
+    to.environments[0].on = false;
+    to.environments[1].on = true;
+    EXPECT_EQ(commandsBetween(from, to),
+              (QStringList{QStringLiteral("set bloom 16"), QStringLiteral("light 1 on"),
+                           QStringLiteral("environment 1")}));
+}
+
+} // namespace
