@@ -1,4 +1,4 @@
-/// Processes that may outlive the window.
+/// Processes that may outlive the window, or stand back behind it.
 #pragma once
 
 class QProcess;
@@ -8,5 +8,8 @@ namespace gui {
 /// Before start(): the process gets a session of its own, so that Ctrl-C in the window's terminal is not
 /// meant for it.
 void startDetached(QProcess& process);
+
+/// Before start(): the process leaves the processor to what the user looks at.
+void startInBackground(QProcess& process);
 
 } // namespace gui

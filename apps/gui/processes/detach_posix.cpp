@@ -11,4 +11,9 @@ void startDetached(QProcess& process) {
     process.setChildProcessModifier([] { ::setsid(); });
 }
 
+void startInBackground(QProcess& process) {
+    constexpr int kStep = 10;
+    process.setChildProcessModifier([] { static_cast<void>(!::nice(kStep)); });
+}
+
 } // namespace gui
