@@ -39,7 +39,7 @@ BuildDialog::BuildDialog(const QString& model, QWidget* parent)
     histogram_->setToolTip(optionTip(spec(), "histogram"));
     report_->setToolTip(optionTip(spec(), "very-verbose"));
     report_->setChecked(true);
-    form().addRow(tr("&Model:"), input_);
+    form().addRow(tr("Mode&l:"), input_);
     form().addRow(tr("&Output:"), output_);
     form().addRow(QString(), fast_);
     form().addRow(tr("&Quality:"), quality_);

@@ -131,11 +131,11 @@ void RenderDialog::layOut() {
     form().addRow(tr("&Camera:"), camera_);
     form().addRow(tr("&List:"), list_);
     form().addRow(tr("&Frames:"), frames_);
-    form().addRow(tr("Fil&m:"), film_);
+    form().addRow(tr("F&ilm:"), film_);
     form().addRow(tr("&Output:"), output_);
     form().addRow(tr("&Resolution:"), sizeRow_);
     form().addRow(tr("&Anti-aliasing:"), antialiasing_);
-    form().addRow(tr("Ambient o&cclusion:"), occlusionRow_);
+    form().addRow(tr("Ambient occl&usion:"), occlusionRow_);
     form().addRow(tr("&Bloom:"), bloom_);
     form().addRow(tr("S&ettings:"), settings_);
     const std::pair<QWidget*, const char*> options[] = {{camera_, "camera"},

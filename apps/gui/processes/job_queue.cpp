@@ -93,7 +93,7 @@ void JobQueue::startNext() {
 void JobQueue::launch(Job& job) {
     running_ = job.id;
     job.state = JobState::Running;
-    process_ = std::make_unique<JobProcess>();
+    process_ = std::make_unique<JobProcess>(this);
     connect(process_.get(), &JobProcess::progressed, this, &JobQueue::onProgress);
     connect(process_.get(), &JobProcess::printed, this, &JobQueue::onPrinted);
     connect(process_.get(), &JobProcess::ended, this, &JobQueue::onEnded);
