@@ -85,8 +85,8 @@ QString BuildDialog::missing() const {
 }
 
 void BuildDialog::finish() {
-    emit wanted({tr("Build %1").arg(QFileInfo(output_->path()).fileName()), QStringLiteral("BSPBuilder"),
-                 arguments(), output_->path(), nullptr});
+    emit wanted({QFileInfo(output_->path()).fileName(), QStringLiteral("BSPBuilder"), arguments(),
+                 output_->path(), nullptr});
 }
 
 } // namespace gui

@@ -1,6 +1,5 @@
 #include "gui/dialogs/job_dialog.h"
 
-#include "gui/dialogs/fields.h"
 #include "gui/dialogs/option_fields.h"
 
 #include "common/command_line.h"
@@ -10,6 +9,7 @@
 #include <QFontDatabase>
 #include <QFormLayout>
 #include <QGuiApplication>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -52,7 +52,12 @@ QWidget* JobDialog::makeCommand() {
     copy->setToolTip(tr("Copy the command, for a terminal or a script"));
     connect(copy, &QPushButton::clicked, this,
             [this] { QGuiApplication::clipboard()->setText(command_->text()); });
-    QWidget* row = rowOfFields({command_, copy});
+    auto* row = new QWidget;
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(command_, 1);
+    layout->addWidget(copy);
+    row->setFocusProxy(command_);
     return row;
 }
 

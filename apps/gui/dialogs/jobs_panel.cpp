@@ -86,7 +86,7 @@ void JobsPanel::makeTable() {
         JobQueue::Progress, new ProgressDelegate(JobQueue::FractionRole, JobQueue::RunningRole, this));
     table_->header()->setStretchLastSection(false);
     table_->header()->setSectionResizeMode(JobQueue::Title, QHeaderView::Stretch);
-    constexpr int kStateWide = 130, kProgressWide = 110, kTimeWide = 70, kLeastWide = 460;
+    constexpr int kStateWide = 130, kProgressWide = 110, kTimeWide = 70, kLeastWide = 480;
     table_->setColumnWidth(JobQueue::State, kStateWide);
     table_->setColumnWidth(JobQueue::Progress, kProgressWide);
     table_->setColumnWidth(JobQueue::TimeLeft, kTimeWide);
@@ -197,7 +197,7 @@ void JobsPanel::showDetails() {
     const Job job = at < 0 ? Job() : queue_.job(at);
     message_->setText(job.message);
     message_->setVisible(!job.message.isEmpty());
-    log_->setPlaceholderText(at < 0 ? tr("No job is chosen.") : tr("Nothing printed yet."));
+    log_->setPlaceholderText(at < 0 ? tr("No job is chosen.") : tr("Nothing printed."));
     if (log_->toPlainText() != job.log) {
         log_->setPlainText(job.log);
         log_->verticalScrollBar()->setValue(log_->verticalScrollBar()->maximum());

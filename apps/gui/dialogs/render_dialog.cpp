@@ -106,7 +106,7 @@ void RenderDialog::makeFields(const RenderContext& context) {
     constexpr QSize kUsual(1920, 1080);
     const QSize size = context.size.isEmpty() ? kUsual : context.size;
     size_ = new QComboBox;
-    size_->addItems({tr("as now"), tr("fixed")});
+    size_->addItems({tr("as the scene says"), tr("fixed")});
     size_->setAccessibleName(tr("Resolution"));
     width_ = numberField(1, kMostPixels, size.width(), tr("Width"));
     height_ = numberField(1, kMostPixels, size.height(), tr("Height"));
@@ -278,8 +278,7 @@ QString RenderDialog::result() const {
 
 void RenderDialog::finish() {
     RenderWish wish;
-    wish.job = {tr("Render %1").arg(QFileInfo(result()).fileName()), QStringLiteral("Renderer"), arguments(),
-                result(), files_};
+    wish.job = {QFileInfo(result()).fileName(), QStringLiteral("Renderer"), arguments(), result(), files_};
     if (sceneOfServer()) wish.sceneFile = sceneFile();
     if (source() == Source::View) wish.cameraFile = exported(QStringLiteral("view.cam"));
     emit wanted(wish);

@@ -14,6 +14,7 @@ class ProgressDelegate : public QStyledItemDelegate {
     ProgressDelegate(int fractionRole, int runningRole, QObject* parent = nullptr);
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override;
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
   private:
     int fractionRole_, runningRole_;
