@@ -304,6 +304,11 @@ TEST_F(JobsTest, RenderDialogShowsTheCommandAndWhatIsWrong) {
     EXPECT_FALSE(acceptable()) << "the table says: a number";
     field<QLineEdit>(dialog, "Fps")->setText(QString());
     EXPECT_TRUE(acceptable());
+    QSignalSpy wanted(&dialog, &RenderDialog::wanted);
+    dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+    dialog.show();
+    QTest::keyClick(field<QLineEdit>(dialog, "Output file"), Qt::Key_Return);
+    EXPECT_EQ(wanted.count(), 1) << "Return renders";
     dialog.setSource(RenderDialog::Source::List);
     EXPECT_FALSE(acceptable()) << "no list";
     dialog.setSource(RenderDialog::Source::View);

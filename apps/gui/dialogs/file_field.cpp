@@ -15,6 +15,7 @@ FileField::FileField(Kind kind, const QString& title, const QString& filter, QWi
     edit_->setAccessibleName(title);
     auto* button = new QPushButton(tr("Browse…"));
     button->setAccessibleName(tr("Browse: %1").arg(title));
+    button->setAutoDefault(false); // Return in the line is for the dialog
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->addWidget(edit_, 1);

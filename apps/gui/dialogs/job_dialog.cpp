@@ -49,6 +49,7 @@ QWidget* JobDialog::makeCommand() {
     command_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     command_->setAccessibleName(tr("Command"));
     auto* copy = new QPushButton(tr("Cop&y"));
+    copy->setAutoDefault(false);
     copy->setToolTip(tr("Copy the command, for a terminal or a script"));
     connect(copy, &QPushButton::clicked, this,
             [this] { QGuiApplication::clipboard()->setText(command_->text()); });
@@ -94,12 +95,12 @@ void JobDialog::addCommonParts(const QString& accept) {
     last->addRow(tr("Comman&d:"), makeCommand());
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     accept_ = buttons->addButton(accept, QDialogButtonBox::AcceptRole);
-    accept_->setDefault(true);
     column->addWidget(more);
     column->addWidget(area, 1);
     column->addLayout(last);
     column->addWidget(trouble_);
     column->addWidget(buttons);
+    accept_->setDefault(true); // once it belongs to the dialog
     connect(further_, &OptionFields::changed, this, &JobDialog::check);
     connect(buttons, &QDialogButtonBox::accepted, this, [this] {
         finish();
