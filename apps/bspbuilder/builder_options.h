@@ -1,8 +1,9 @@
 /// BSPBuilder's command line, read.
 #pragma once
 
+#include "bspbuilder/builder_spec.h"
+
 #include "common/command_line.h"
-#include "common/options.h"
 #include "common/progress.h"
 
 #include "rtcore/accel/build_options.h"
@@ -25,9 +26,6 @@ struct BuilderOptions {
     std::optional<std::int64_t> parent; ///< the end of which ends the program
     app::ProgressStyle progress = app::ProgressStyle::None;
 };
-
-/// The table of options.
-const app::ProgramSpec& builderSpec();
 
 BuilderOptions readBuilderOptions(const app::Arguments& arguments);
 

@@ -2,16 +2,13 @@
 #pragma once
 
 #include "common/command_line.h"
-#include "common/options.h"
+#include "common/import_option_group.h"
 
 #include "rtcore/io/import/model_import.h"
 
 namespace app {
 
-/// --crease-angle, --flip-textures, --memory-limit, --time-limit.
-OptionGroup importOptionGroup();
-
-/// What they were given, else the importer's defaults.
+/// What the options of importOptionGroup() were given, else the importer's defaults.
 rtcore::ImportOptions readImportOptions(const Arguments& arguments);
 
 } // namespace app

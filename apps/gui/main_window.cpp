@@ -5,6 +5,7 @@
 #include "gui/operations/camera_operations.h"
 #include "gui/operations/connection_operations.h"
 #include "gui/operations/display_operations.h"
+#include "gui/operations/job_operations.h"
 #include "gui/operations/look_operations.h"
 #include "gui/operations/motion_operations.h"
 #include "gui/operations/panel_operations.h"
@@ -34,13 +35,16 @@ MainWindow::MainWindow(const QString& instance, QWidget* parent)
     const Desk desk{*this, session_, keeper_, preferences_, *actions_, *view_, *notice_, editor_};
     connection_ = new ConnectionOperations(desk, this);
     connection_->setInstance(instance);
-    new CameraOperations(desk, this);
+    auto* camera = new CameraOperations(desk, this);
     new DisplayOperations(desk, this);
     new MotionOperations(desk, this);
     new RenderOperations(desk, this);
     new LookOperations(desk, this);
     new PanelOperations(desk, this);
     new BookmarkOperations(desk, this);
+    jobs_ = new JobOperations(desk, this);
+    connect(jobs_, &JobOperations::openWanted, this, &MainWindow::open);
+    connect(camera, &CameraOperations::filmWanted, jobs_, &JobOperations::renderList);
     connect(&session_, &Session::stateChanged, this, &MainWindow::showTitle);
     connect(&keeper_, &ServerKeeper::started, this, &MainWindow::showTitle);
     showTitle();
@@ -81,6 +85,7 @@ void MainWindow::open(const QString& path) { connection_->open(path); }
 void MainWindow::connectToServer() { keeper_.connectTo(connection_->instanceName()); }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!jobs_->mayClose()) return event->ignore();
     preferences_.set(pref::geometry, saveGeometry());
     preferences_.set(pref::windowState, saveState());
     keeper_.close(preferences_.get(pref::keepServers));

@@ -13,6 +13,7 @@ namespace gui {
 class Actions;
 class ConnectionOperations;
 class FrameView;
+class JobOperations;
 class NoticeBar;
 
 class MainWindow : public QMainWindow {
@@ -32,6 +33,7 @@ class MainWindow : public QMainWindow {
     FrameView& view() { return *view_; }
     Actions& actions() { return *actions_; }
     NoticeBar& notice() { return *notice_; }
+    JobOperations& jobs() { return *jobs_; }
     Preferences& preferences() { return preferences_; }
     SceneEditor& editor() { return editor_; }
 
@@ -54,6 +56,7 @@ class MainWindow : public QMainWindow {
     NoticeBar* notice_;
     Actions* actions_;
     ConnectionOperations* connection_;
+    JobOperations* jobs_;
 };
 
 } // namespace gui

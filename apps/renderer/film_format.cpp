@@ -1,9 +1,5 @@
 #include "renderer/film_format.h"
 
-#include "renderer/output_names.h"
-
-#include "common/command_line.h"
-
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
@@ -84,13 +80,7 @@ std::string filmExtensions() {
     return list;
 }
 
-void checkFilm(const std::filesystem::path& film) {
-    if (findFilmFormat(film) == nullptr) {
-        throw app::UsageError(film.string() + ": cannot write films with this extension, only " +
-                              filmExtensions());
-    }
-    checkPlace(film);
-}
+bool isFilm(const std::filesystem::path& film) { return findFilmFormat(film) != nullptr; }
 
 bool needsEvenSize(const std::filesystem::path& film) {
     const FilmFormat* format = findFilmFormat(film);

@@ -13,9 +13,8 @@ struct FilmShape {
     double framesPerSecond = 25;
 };
 
-/// Throws before hours are spent on a film that cannot be written: app::UsageError when no kind of film goes
-/// by the extension, rtcore::FileError CannotWrite when its folder does not exist or it is a folder.
-void checkFilm(const std::filesystem::path& film);
+/// Whether some kind of film goes by the extension.
+bool isFilm(const std::filesystem::path& film);
 
 /// ".mp4, .webm, ...".
 std::string filmExtensions();

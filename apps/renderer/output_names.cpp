@@ -1,5 +1,7 @@
 #include "renderer/output_names.h"
 
+#include "renderer/film_format.h"
+
 #include "common/command_line.h"
 
 #include "rtcore/io/images/image_file.h"
@@ -76,6 +78,14 @@ void checkOutput(const std::filesystem::path& path) {
                               rtcore::writableFormats());
     }
     checkPlace(path);
+}
+
+void checkFilm(const std::filesystem::path& film) {
+    if (!isFilm(film)) {
+        throw app::UsageError(film.string() + ": cannot write films with this extension, only " +
+                              filmExtensions());
+    }
+    checkPlace(film);
 }
 
 void checkPlace(const std::filesystem::path& path) {

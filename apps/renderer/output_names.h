@@ -41,6 +41,9 @@ inline bool isStandardOutput(const std::filesystem::path& path) { return path ==
 /// folder.
 void checkOutput(const std::filesystem::path& path);
 
+/// The same for a film: app::UsageError when no kind of film goes by the extension.
+void checkFilm(const std::filesystem::path& film);
+
 /// The same for any file: throws rtcore::FileError CannotWrite.
 void checkPlace(const std::filesystem::path& path);
 

@@ -1,8 +1,5 @@
 #include "renderer/renderer_options.h"
 
-#include "renderer/film_format.h"
-
-#include "common/file_notes.h"
 #include "common/import_options.h"
 #include "common/isa_option.h"
 #include "common/parent.h"
@@ -17,156 +14,6 @@ namespace renderer {
 
 namespace {
 
-using app::OptionGroup;
-using app::ValueKind;
-
-OptionGroup outputOptions() {
-    return {
-        "Output",
-        {{.name = "output",
-          .letter = 'o',
-          .value = ValueKind::Text,
-          .argument = "FILE",
-          .help = "write the picture there; the extension says the format; .exr, .hdr and .pfm hold linear "
-                  "radiance, not tone mapped; '-' is standard output; may be given several times [the "
-                  "scene's output, else its name with .png in the current folder]"},
-         {.name = "format",
-          .value = ValueKind::Choice,
-          .argument = "NAME",
-          .help = "format of the picture on standard output: png or ppm [png]",
-          .choices = {"png", "ppm"}},
-         {.name = "width",
-          .letter = 'w',
-          .value = ValueKind::Text,
-          .argument = "N",
-          .help = "pixels from left to right"},
-         {.name = "height",
-          .letter = 'h',
-          .value = ValueKind::Text,
-          .argument = "N",
-          .help = "pixels from top to bottom"}}};
-}
-
-OptionGroup sequenceOptions() {
-    return {
-        "View and video",
-        {{.name = "camera",
-          .value = ValueKind::Text,
-          .argument = "FILE",
-          .help = "look through this .cam file",
-          .files = {"cam"}},
-         {.name = "model",
-          .value = ValueKind::Text,
-          .argument = "FILE",
-          .help = "take this model or .bsp in place of the one that the .scn names",
-          .files = app::sceneExtensions()},
-         {.name = "list",
-          .letter = 'l',
-          .value = ValueKind::Text,
-          .argument = "FILE",
-          .help = "render a frame for each .cam file that this text file lists; #### in the output's name "
-                  "becomes the number of the frame, from 0001",
-          .files = {"lst", "txt"}},
-         {.name = "frames",
-          .value = ValueKind::Text,
-          .argument = "A-B",
-          .help = "render only these frames of the list; also A, A- and -B"},
-         {.name = "chunk",
-          .value = ValueKind::Text,
-          .argument = "I/N",
-          .help = "render the I-th of N equal parts of the list, or of --frames"},
-         {.name = "force",
-          .help = "render frames again whose files are there already and whole; they are skipped otherwise"},
-         {.name = "verify",
-          .help =
-              "render nothing; list the frames whose files are missing or broken, and exit with 1 if there "
-              "are any"},
-         {.name = "follow",
-          .help = "the list is still being written: wait for more frames until the line '# end' comes"},
-         {.name = "follow-timeout",
-          .value = ValueKind::Number,
-          .argument = "S",
-          .help = "with --follow: take the list as complete when no frame came for S seconds [60]",
-          .minimum = 0,
-          .maximum = 1e6},
-         {.name = "video",
-          .value = ValueKind::Text,
-          .argument = "FILE",
-          .help = "make a film of the list by ffmpeg: " + filmExtensions() +
-                  "; with -o the frames are kept as well, and those that are there are used"},
-         {.name = "fps",
-          .value = ValueKind::Number,
-          .argument = "X",
-          .help = "frames per second of the film [as the .cam files were recorded, else 25]",
-          .minimum = 0.1,
-          .maximum = 1000}}};
-}
-
-OptionGroup qualityOptions() {
-    return {"Quality",
-            {{.name = "antialiasing",
-              .letter = 'a',
-              .value = ValueKind::Text,
-              .argument = "N",
-              .help = "N x N samples a pixel"},
-             {.name = "bloom",
-              .letter = 'b',
-              .value = ValueKind::Text,
-              .argument = "N",
-              .help = "glow around what is bright, N pixels wide; not rendered by this version yet"},
-             {.name = "ambient-occlusion",
-              .thesis = {"-ao"},
-              .help = "switch ambient occlusion on; not rendered by this version yet"},
-             {.name = "no-ambient-occlusion", .thesis = {"-nao"}, .help = "switch ambient occlusion off"},
-             {.name = "ao-samples",
-              .thesis = {"-aon"},
-              .value = ValueKind::Text,
-              .argument = "N",
-              .help = "switch ambient occlusion on, with N rays a point"},
-             {.name = "ao-distance",
-              .thesis = {"-aok"},
-              .value = ValueKind::Text,
-              .argument = "X",
-              .help = "switch ambient occlusion on, up to this distance"},
-             {.name = "exposure",
-              .value = ValueKind::Text,
-              .argument = "C",
-              .help = "fixed exposure: a luminance of C becomes half of the display's range [automatic]"},
-             {.name = "set",
-              .value = ValueKind::Text,
-              .argument = "FILE",
-              .help = "take settings from the table [still] of this .set file",
-              .files = {"set"}},
-             {.name = "setting",
-              .value = ValueKind::Text,
-              .argument = "NAME=VALUE",
-              .help = "any setting by its name; may be given several times",
-              .suggest = app::suggestAssignments},
-             {.name = "settings", .help = "list all settings and exit", .answers = true}}};
-}
-
-OptionGroup previewOptions() {
-    return {"Preview",
-            {{.name = "preview",
-              .value = ValueKind::Text,
-              .argument = "NAME",
-              .help = "show the picture while it is rendered, from coarse to fine, to programs that look for "
-                      "an instance of this name; without --output no file is written; stops with the process "
-                      "that started it"},
-             {.name = "run-id",
-              .value = ValueKind::Integer,
-              .argument = "N",
-              .help = "mark the frames of the preview with N, so that viewers can tell runs apart [0]",
-              .minimum = 0,
-              .maximum = static_cast<double>(std::int64_t{1} << 53)},
-             {.name = "linger",
-              .value = ValueKind::Number,
-              .argument = "S",
-              .help = "seconds for which the last frame of the preview can be found [2]",
-              .minimum = 0,
-              .maximum = 1e6}}};
-}
-
 std::optional<PreviewOptions> readPreview(const app::Arguments& arguments) {
     const auto instance = arguments.text("preview");
     if (!instance) return std::nullopt;
@@ -174,28 +21,6 @@ std::optional<PreviewOptions> readPreview(const app::Arguments& arguments) {
     preview.run = static_cast<std::uint64_t>(arguments.integer("run-id").value_or(0));
     preview.linger = arguments.number("linger").value_or(preview.linger);
     return preview;
-}
-
-OptionGroup runOptions() {
-    return {"Running",
-            {{.name = "threads",
-              .value = ValueKind::Integer,
-              .argument = "N",
-              .help = "use N threads; 0 is all cores; the picture is the same for every number [0]",
-              .minimum = 0,
-              .maximum = 1024},
-             app::isaOption(),
-             app::progressOption(),
-             app::parentOption(),
-             {.name = "requeue",
-              .help = "exit with 75 (try again), not 143, when SIGTERM stops the run, so that a batch system "
-                      "sends the job again"},
-             {.name = "verbose", .letter = 'v', .help = "report times and rays on stderr"},
-             {.name = "debug-scene",
-              .thesis = {"-dbg"},
-              .value = ValueKind::Text,
-              .argument = "FILE",
-              .help = "export the debug scene; not done by this version yet"}}};
 }
 
 // Options that set settings, by the settings' own names; the range is checked by the table of settings.
@@ -273,30 +98,6 @@ void checkCombinations(const RendererOptions& options, const app::Arguments& arg
 }
 
 } // namespace
-
-const app::ProgramSpec& rendererSpec() {
-    static const app::ProgramSpec spec{
-        .name = "Renderer",
-        .purpose =
-            "Renders pictures of a scene by ray tracing. Values on the command line beat those of the .cam "
-            "file, these the .set file, and these the .scn file.",
-        .positionals = {{.name = "SCENE",
-                         .help = "scene description (.scn), kd-tree (.bsp) or any model file",
-                         .files = app::sceneExtensions()}},
-        .groups = {outputOptions(), sequenceOptions(), qualityOptions(), previewOptions(), runOptions(),
-                   app::importOptionGroup()},
-        .examples = {{"Renderer nave.scn -o nave.png -w 1280 -h 720 -a 3",
-                      "one picture, 3 x 3 samples a pixel"},
-                     {"Renderer cow.obj -o cow.png -o cow.exr",
-                      "a model by itself, as it is shown and as linear radiance"},
-                     {"Renderer nave.scn -l flight.lst -o out/frame_####.png --frames 1-100",
-                      "a part of a video; frames that are there already are skipped"},
-                     {"Renderer nave.scn -l flight.lst --video flight.mp4", "a film; needs ffmpeg"}},
-        .environment = app::importEnvironmentNotes(),
-        .files = app::sceneFileNotes(),
-    };
-    return spec;
-}
 
 RendererOptions readRendererOptions(const app::Arguments& arguments) {
     RendererOptions options;

@@ -3,9 +3,9 @@
 
 #include "renderer/output_names.h"
 #include "renderer/preview_options.h"
+#include "renderer/renderer_spec.h"
 
 #include "common/command_line.h"
-#include "common/options.h"
 #include "common/progress.h"
 
 #include "rtcore/io/import/model_import.h"
@@ -42,9 +42,6 @@ struct RendererOptions {
     bool debugScene = false;
     app::ProgressStyle progress = app::ProgressStyle::None;
 };
-
-/// The table of options.
-const app::ProgramSpec& rendererSpec();
 
 /// Throws app::UsageError for values and combinations that make no sense.
 RendererOptions readRendererOptions(const app::Arguments& arguments);

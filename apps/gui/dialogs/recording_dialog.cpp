@@ -8,18 +8,22 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include <utility>
+
 namespace gui {
 
 RecordingDialog::RecordingDialog(Session& session, const QString& folder, QWidget* parent)
     : QDialog(parent), session_(session), folder_(folder),
       path_(new FileField(FileField::Kind::Save, tr("List of cameras"),
                           tr("Lists (*.lst *.txt);;All files (*)"))),
-      button_(new QPushButton), state_(new QLabel) {
+      button_(new QPushButton), film_(new QPushButton(tr("Render as &film…"))), state_(new QLabel) {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Recording"));
     state_->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     buttons->addButton(button_, QDialogButtonBox::ActionRole);
+    buttons->addButton(film_, QDialogButtonBox::ActionRole);
+    connect(film_, &QPushButton::clicked, this, [this] { emit filmWanted(recorded_); });
     auto* hint =
         new QLabel(tr("The camera and the exposure of every frame are written while you move: .cam files "
                       "and their list, which the Renderer makes a film of."));
@@ -45,7 +49,7 @@ void RecordingDialog::toggle() {
     const bool stop = session_.status().recording;
     QStringList words{QStringLiteral("export"), QStringLiteral("video"),
                       stop ? QStringLiteral("stop") : QStringLiteral("start")};
-    if (!stop) words.append(path_->path());
+    if (!stop) words.append(started_ = path_->path());
     session_.send(Session::line(words), this, [this](const Answer& answer) { tell(answer); });
 }
 
@@ -64,9 +68,11 @@ void RecordingDialog::refresh() {
         state_->setText(
             tr("Recording for %1 s.").arg(static_cast<double>(clock_.elapsed()) / kMilliseconds, 0, 'f', 1));
     } else if (std::exchange(recording_, false)) {
-        state_->setText(tr("Recorded: %1").arg(path_->path()));
+        recorded_ = std::exchange(started_, {}); // empty: another program's recording
+        state_->setText(tr("Recorded: %1").arg(recorded_.isEmpty() ? path_->path() : recorded_));
         propose();
     }
+    film_->setEnabled(!recording && !recorded_.isEmpty());
 }
 
 } // namespace gui

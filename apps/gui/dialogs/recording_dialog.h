@@ -20,6 +20,10 @@ class RecordingDialog : public QDialog {
     /// `session` must outlive it. `folder` is where a name is proposed.
     RecordingDialog(Session& session, const QString& folder, QWidget* parent = nullptr);
 
+  signals:
+    /// The user wants the list that was recorded last as a film.
+    void filmWanted(const QString& list);
+
   private:
     void toggle();
     void tell(const Answer& answer);
@@ -29,10 +33,11 @@ class RecordingDialog : public QDialog {
     Session& session_;
     QString folder_;
     FileField* path_;
-    QPushButton* button_;
+    QPushButton *button_, *film_;
     QLabel* state_;
     QElapsedTimer clock_;
     bool recording_ = false;
+    QString started_, recorded_; ///< lists of this dialog: being written, complete
 };
 
 } // namespace gui

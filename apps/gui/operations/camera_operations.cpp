@@ -86,8 +86,10 @@ void CameraOperations::importCamera() {
 }
 
 void CameraOperations::record() {
-    if (recording_ == nullptr)
+    if (recording_ == nullptr) {
         recording_ = new RecordingDialog(desk_.session, desk_.preferences.picturesFolder(), &desk_.window);
+        connect(recording_, &RecordingDialog::filmWanted, this, &CameraOperations::filmWanted);
+    }
     recording_->show();
     recording_->raise();
     recording_->activateWindow();

@@ -18,6 +18,10 @@ class CameraOperations : public QObject {
   public:
     CameraOperations(const Desk& desk, QObject* parent);
 
+  signals:
+    /// This recorded list is to become a film.
+    void filmWanted(const QString& list);
+
   private:
     void exportByDialog();
     void exportAtOnce(bool highQuality); ///< the keys E and H

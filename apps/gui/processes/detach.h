@@ -1,4 +1,4 @@
-/// What a process that the window starts is to be beside a child: independent, or modest.
+/// Processes that may outlive the window, or stand back behind it.
 #pragma once
 
 class QProcess;
@@ -9,8 +9,7 @@ namespace gui {
 /// meant for it.
 void startDetached(QProcess& process);
 
-/// Before start(): the process works with what others leave it of the processors, as live pictures come
-/// first.
-void startModestly(QProcess& process);
+/// Before start(): the process leaves the processor to what the user looks at.
+void startInBackground(QProcess& process);
 
 } // namespace gui

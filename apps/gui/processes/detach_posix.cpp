@@ -3,7 +3,6 @@
 
 #include <QProcess>
 
-#include <sys/resource.h>
 #include <unistd.h>
 
 namespace gui {
@@ -12,9 +11,9 @@ void startDetached(QProcess& process) {
     process.setChildProcessModifier([] { ::setsid(); });
 }
 
-void startModestly(QProcess& process) {
-    constexpr int kNicer = 10;
-    process.setChildProcessModifier([] { ::setpriority(PRIO_PROCESS, 0, kNicer); });
+void startInBackground(QProcess& process) {
+    constexpr int kStep = 10;
+    process.setChildProcessModifier([] { static_cast<void>(!::nice(kStep)); });
 }
 
 } // namespace gui

@@ -119,7 +119,7 @@ void ModelCache::keep(const QString& scene) {
     builder_ = new QProcess(this);
     builder_->setStandardOutputFile(QProcess::nullDevice());
     builder_->setStandardErrorFile(QProcess::nullDevice());
-    startModestly(*builder_);
+    startInBackground(*builder_);
     connect(builder_, &QProcess::finished, this, [this, bsp] { finish(bsp); });
     QStringList words{
         source->path, bsp, QStringLiteral("--progress=none"),

@@ -105,7 +105,7 @@ void PreviewProcess::launch() {
         return fail(tr("The program Renderer was found neither beside this one nor in PATH."));
     process_ = new QProcess(this);
     process_->setStandardOutputFile(QProcess::nullDevice());
-    startModestly(*process_);
+    startInBackground(*process_);
     connect(process_, &QProcess::finished, this, [this](int exitCode, QProcess::ExitStatus status) {
         finish(exitCode, status == QProcess::CrashExit);
     });

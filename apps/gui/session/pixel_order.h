@@ -10,7 +10,8 @@ namespace gui {
 /// three times as long. `pixels` holds whole pixels, aligned to four bytes.
 void toRgb32(std::span<std::byte> pixels);
 
-/// The same, but pixels whose A is 0 become those of `below`, which has that order already and as many pixels.
+/// The same, but pixels whose A is 0 become those of `below`, which has that order already and as many
+/// pixels.
 void toRgb32Over(std::span<std::byte> pixels, std::span<const std::byte> below);
 
 } // namespace gui

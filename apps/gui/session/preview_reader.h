@@ -26,7 +26,7 @@ class PreviewReader {
     /// A newer picture, where there is one that is better than `live`. What the Renderer has interpolated is
     /// worse: there `live` is seen, or, where that is null or has another size, there is no picture yet.
     std::optional<PreviewPicture> read(const QImage& live);
-    double progress() const { return progress_; } ///< share of the work that is done; 0 while it loads
+    double progress() const { return progress_; }       ///< share of the work that is done; 0 while it loads
     const QString& trouble() const { return trouble_; } ///< why nothing will come; empty while all is well
 
   private:

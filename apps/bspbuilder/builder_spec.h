@@ -1,0 +1,11 @@
+/// BSPBuilder's command line as data; known without the ray tracer.
+#pragma once
+
+#include "common/options.h"
+
+namespace bspbuilder {
+
+/// The table of options.
+const app::ProgramSpec& builderSpec();
+
+} // namespace bspbuilder

@@ -1,0 +1,147 @@
+#include "gui/dialogs/option_fields.h"
+
+#include "gui/dialogs/file_field.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProcess>
+
+#include <utility>
+
+namespace gui {
+
+namespace {
+
+QString translated(const std::string& text) {
+    return QCoreApplication::translate("ProgramOptions", text.c_str());
+}
+
+QString capitalised(QString text) {
+    if (!text.isEmpty()) text[0] = text[0].toUpper();
+    return text;
+}
+
+// "[40]" at the end of the help.
+QString defaultOf(const app::Option& option) {
+    const QString help = translated(option.help);
+    const qsizetype open = help.lastIndexOf(QLatin1Char('['));
+    return open >= 0 && help.endsWith(QLatin1Char(']')) ? help.mid(open + 1).chopped(1) : QString();
+}
+
+QString fileFilter(const app::Option& option) {
+    QStringList names;
+    for (const std::string& extension : option.files)
+        names.append(QStringLiteral("*.") + QString::fromStdString(extension));
+    const QString all = OptionFields::tr("All files (*)");
+    return names.isEmpty() ? all
+                           : OptionFields::tr("Usual files (%1)").arg(names.join(QLatin1Char(' '))) +
+                                 QStringLiteral(";;") + all;
+}
+
+// Such options may be given several times; blanks part their values.
+bool repeats(const app::Option& option) { return option.argument == "NAME=VALUE"; }
+
+} // namespace
+
+QString optionLabel(const app::Option& option) {
+    return capitalised(translated(option.name).replace(QLatin1Char('-'), QLatin1Char(' ')));
+}
+
+// As rich text, so that a long one is broken into lines.
+QString optionTip(const app::Option& option) {
+    return QStringLiteral("<qt>%1.<br><code>--%2</code></qt>")
+        .arg(capitalised(translated(option.help)).toHtmlEscaped(), QString::fromStdString(option.name));
+}
+
+QString optionTip(const app::ProgramSpec& spec, const char* name) {
+    const app::Option* option = spec.find(name);
+    return option == nullptr ? QString() : optionTip(*option);
+}
+
+OptionFields::OptionFields(const app::ProgramSpec& spec, const QStringList& without, QWidget* parent)
+    : QWidget(parent) {
+    auto* form = new QFormLayout(this);
+    for (const app::OptionGroup& group : spec.groups) {
+        bool titled = false;
+        for (const app::Option& option : group.options) {
+            if (option.answers || without.contains(QString::fromStdString(option.name))) continue;
+            if (!std::exchange(titled, true))
+                form->addRow(new QLabel(QStringLiteral("<b>%1</b>").arg(translated(group.title))));
+            addField(*form, option);
+        }
+    }
+}
+
+void OptionFields::addField(QFormLayout& form, const app::Option& option) {
+    const bool isSwitch = option.value == app::ValueKind::None;
+    const bool isFile = option.value == app::ValueKind::Text && option.argument == "FILE";
+    QWidget* field = isSwitch                                 ? makeSwitch(option)
+                     : option.value == app::ValueKind::Choice ? makeChoice(option)
+                     : isFile                                 ? makeFile(option)
+                                                              : makeLine(option);
+    field->setToolTip(optionTip(option));
+    if (isSwitch) return form.addRow(QString(), field);
+    field->setAccessibleName(optionLabel(option));
+    form.addRow(optionLabel(option) + QLatin1Char(':'), field);
+    form.labelForField(field)->setToolTip(field->toolTip());
+}
+
+QWidget* OptionFields::makeSwitch(const app::Option& option) {
+    auto* box = new QCheckBox(optionLabel(option));
+    fields_.append(
+        {option.name, [box] { return box->isChecked() ? QStringList(QString()) : QStringList(); }, true});
+    connect(box, &QCheckBox::toggled, this, &OptionFields::changed);
+    return box;
+}
+
+QWidget* OptionFields::makeChoice(const app::Option& option) {
+    auto* box = new QComboBox;
+    const QString usual = defaultOf(option);
+    box->addItem(usual.isEmpty() ? tr("default") : tr("default (%1)").arg(usual));
+    for (const std::string& choice : option.choices) box->addItem(QString::fromStdString(choice));
+    fields_.append({option.name, [box] {
+                        return box->currentIndex() > 0 ? QStringList(box->currentText()) : QStringList();
+                    }});
+    connect(box, &QComboBox::currentIndexChanged, this, &OptionFields::changed);
+    return box;
+}
+
+QWidget* OptionFields::makeFile(const app::Option& option) {
+    auto* field = new FileField(FileField::Kind::Open, optionLabel(option), fileFilter(option));
+    fields_.append({option.name, [field] {
+                        return field->path().isEmpty() ? QStringList() : QStringList(field->path());
+                    }});
+    connect(field, &FileField::pathChanged, this, &OptionFields::changed);
+    return field;
+}
+
+// Types and ranges are checked where the command line is: by the same table.
+QWidget* OptionFields::makeLine(const app::Option& option) {
+    auto* line = new QLineEdit;
+    const QString usual = defaultOf(option);
+    line->setPlaceholderText(usual.isEmpty() ? QString::fromStdString(option.argument) : usual);
+    fields_.append({option.name, [line, several = repeats(option)] {
+                        const QString text = line->text().trimmed();
+                        if (text.isEmpty()) return QStringList();
+                        return several ? QProcess::splitCommand(text) : QStringList(text);
+                    }});
+    connect(line, &QLineEdit::textChanged, this, &OptionFields::changed);
+    return line;
+}
+
+QStringList OptionFields::arguments() const {
+    QStringList words;
+    for (const Field& field : fields_) {
+        for (const QString& value : field.values()) {
+            const QString name = QStringLiteral("--") + QString::fromStdString(field.name);
+            words.append(field.isSwitch ? name : name + QLatin1Char('=') + value);
+        }
+    }
+    return words;
+}
+
+} // namespace gui

@@ -1,0 +1,51 @@
+/// Fields made from a program's table of options: what the table learns, the dialog has.
+#pragma once
+
+#include "common/options.h"
+
+#include <QList>
+#include <QStringList>
+#include <QWidget>
+
+#include <functional>
+
+class QFormLayout;
+
+namespace gui {
+
+/// What an option is called in a form: "crease-angle" is "Crease angle".
+QString optionLabel(const app::Option& option);
+/// Its help, as a sentence for a tooltip.
+QString optionTip(const app::Option& option);
+/// The tooltip of an option that has a field of its own; empty when the table has no such option.
+QString optionTip(const app::ProgramSpec& spec, const char* name);
+
+class OptionFields : public QWidget {
+    Q_OBJECT
+
+  public:
+    /// All options of `spec` but those of these names, and those that answer a question.
+    OptionFields(const app::ProgramSpec& spec, const QStringList& without, QWidget* parent = nullptr);
+
+    /// Of the fields that differ from the default, as the program takes them.
+    QStringList arguments() const;
+
+  signals:
+    void changed();
+
+  private:
+    struct Field {
+        std::string name;
+        std::function<QStringList()> values; ///< one for each time that the option is given
+        bool isSwitch = false;
+    };
+    void addField(QFormLayout& form, const app::Option& option);
+    QWidget* makeSwitch(const app::Option& option);
+    QWidget* makeChoice(const app::Option& option);
+    QWidget* makeFile(const app::Option& option);
+    QWidget* makeLine(const app::Option& option);
+
+    QList<Field> fields_;
+};
+
+} // namespace gui

@@ -1,0 +1,287 @@
+#include "gui/dialogs/render_dialog.h"
+
+#include "gui/dialogs/fields.h"
+#include "gui/dialogs/file_field.h"
+#include "gui/dialogs/option_fields.h"
+#include "gui/models/preferences.h"
+#include "gui/processes/programs.h"
+
+#include "renderer/film_format.h"
+#include "renderer/renderer_spec.h"
+
+#include <QComboBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSpinBox>
+#include <QTemporaryDir>
+
+namespace gui {
+
+namespace {
+
+// Those with fields of their own, and those that make no sense here.
+QStringList ownOptions() {
+    static constexpr const char* kNames[] = {"output",
+                                             "width",
+                                             "height",
+                                             "camera",
+                                             "list",
+                                             "frames",
+                                             "video",
+                                             "antialiasing",
+                                             "bloom",
+                                             "ambient-occlusion",
+                                             "ao-samples",
+                                             "set",
+                                             "no-ambient-occlusion",
+                                             "format",
+                                             "preview",
+                                             "run-id",
+                                             "linger",
+                                             "progress",
+                                             "parent",
+                                             "requeue",
+                                             "verify",
+                                             "debug-scene"};
+    QStringList names;
+    for (const char* name : kNames) names.append(QLatin1String(name));
+    return names;
+}
+
+enum Size { AsTheScene, Fixed };
+enum Occlusion { OcclusionAsTheScene, OcclusionOn, OcclusionOff };
+
+QString filmFilter() {
+    QString names = QString::fromStdString(renderer::filmExtensions());
+    names.replace(QStringLiteral(", "), QStringLiteral(" *")).prepend(QLatin1Char('*'));
+    return RenderDialog::tr("Films (%1)").arg(names) + QStringLiteral(";;") +
+           RenderDialog::tr("All files (*)");
+}
+
+QString pictureFilter() {
+    return RenderDialog::tr("Pictures (%1)")
+               .arg(QStringLiteral("*.png *.jpg *.bmp *.ppm *.tga *.tiff *.exr *.hdr *.pfm")) +
+           QStringLiteral(";;") + RenderDialog::tr("All files (*)");
+}
+
+} // namespace
+
+RenderDialog::RenderDialog(const RenderContext& context, QWidget* parent)
+    : JobDialog(renderer::rendererSpec(), ownOptions(), parent), live_(context.live), folder_(context.folder),
+      files_(std::make_shared<QTemporaryDir>()) {
+    setWindowTitle(tr("Render"));
+    makeFields(context);
+    layOut();
+    listen();
+    list_->setPath(context.list);
+    setSource(!context.list.isEmpty() ? Source::List : live_ ? Source::View : Source::Scene);
+    onSource();
+    addCommonParts(tr("Render"));
+}
+
+void RenderDialog::makeFields(const RenderContext& context) {
+    const QString all = QStringLiteral(";;") + tr("All files (*)");
+    source_ = new QComboBox;
+    if (live_) source_->addItem(tr("the present view"), static_cast<int>(Source::View));
+    source_->addItem(tr("a scene or a model"), static_cast<int>(Source::Scene));
+    source_->addItem(tr("a recorded list of cameras"), static_cast<int>(Source::List));
+    scene_ = new FileField(FileField::Kind::Open, tr("Scene or model"), sceneFilter());
+    scene_->setPath(context.scene);
+    if (live_) scene_->edit()->setPlaceholderText(tr("as the server has it now"));
+    camera_ = new FileField(FileField::Kind::Open, tr("Camera"), tr("Cameras (*.cam)") + all);
+    camera_->edit()->setPlaceholderText(tr("as the scene says"));
+    list_ = new FileField(FileField::Kind::Open, tr("List of cameras"), tr("Lists (*.lst *.txt)") + all);
+    frames_ = new QLineEdit;
+    frames_->setPlaceholderText(tr("all; or such as 1-100"));
+    frames_->setAccessibleName(tr("Frames"));
+    output_ = new FileField(FileField::Kind::Save, tr("Output file"), pictureFilter());
+    film_ = new FileField(FileField::Kind::Save, tr("Film"), filmFilter());
+    film_->edit()->setPlaceholderText(tr("no film"));
+    settings_ = new FileField(FileField::Kind::Open, tr("Settings"), tr("Settings (*.set)") + all);
+    settings_->edit()->setPlaceholderText(tr("as the scene says"));
+
+    constexpr int kMostPixels = 32768, kMostSamples = 16, kMostBloom = 4096, kMostRays = 4096;
+    constexpr QSize kUsual(1920, 1080);
+    const QSize size = context.size.isEmpty() ? kUsual : context.size;
+    size_ = new QComboBox;
+    size_->addItems({tr("as the scene says"), tr("fixed")});
+    size_->setAccessibleName(tr("Resolution"));
+    width_ = numberField(1, kMostPixels, size.width(), tr("Width"));
+    height_ = numberField(1, kMostPixels, size.height(), tr("Height"));
+    sizeRow_ = rowOfFields({size_, width_, sign(QStringLiteral("×")), height_});
+    antialiasing_ = numberField(0, kMostSamples, context.antialiasing, tr("Anti-aliasing"));
+    antialiasing_->setSpecialValueText(tr("as the scene says"));
+    occlusion_ = new QComboBox;
+    occlusion_->addItems({tr("as the scene says"), tr("on"), tr("off")});
+    occlusion_->setAccessibleName(tr("Ambient occlusion"));
+    occlusionRays_ = numberField(0, kMostRays, 0, tr("Rays of the ambient occlusion"));
+    occlusionRays_->setSpecialValueText(tr("as the scene says"));
+    occlusionRays_->setSuffix(tr(" rays a point"));
+    occlusionRow_ = rowOfFields({occlusion_, occlusionRays_});
+    bloom_ = numberField(-1, kMostBloom, -1, tr("Bloom"));
+    bloom_->setSpecialValueText(tr("as the scene says"));
+    bloom_->setSuffix(tr(" pixels"));
+}
+
+void RenderDialog::layOut() {
+    form().addRow(tr("&What:"), source_);
+    form().addRow(tr("&Scene or model:"), scene_);
+    form().addRow(tr("&Camera:"), camera_);
+    form().addRow(tr("&List:"), list_);
+    form().addRow(tr("&Frames:"), frames_);
+    form().addRow(tr("F&ilm:"), film_);
+    form().addRow(tr("&Output:"), output_);
+    form().addRow(tr("&Resolution:"), sizeRow_);
+    form().addRow(tr("&Anti-aliasing:"), antialiasing_);
+    form().addRow(tr("Ambient occl&usion:"), occlusionRow_);
+    form().addRow(tr("&Bloom:"), bloom_);
+    form().addRow(tr("S&ettings:"), settings_);
+    const std::pair<QWidget*, const char*> options[] = {{camera_, "camera"},
+                                                        {list_, "list"},
+                                                        {frames_, "frames"},
+                                                        {film_, "video"},
+                                                        {output_, "output"},
+                                                        {antialiasing_, "antialiasing"},
+                                                        {occlusionRays_, "ao-samples"},
+                                                        {occlusion_, "ambient-occlusion"},
+                                                        {bloom_, "bloom"},
+                                                        {settings_, "set"},
+                                                        {width_, "width"},
+                                                        {height_, "height"}};
+    for (const auto& [field, option] : options) field->setToolTip(optionTip(spec(), option));
+}
+
+void RenderDialog::listen() {
+    connect(source_, &QComboBox::currentIndexChanged, this, &RenderDialog::onSource);
+    connect(list_, &FileField::pathChanged, this, &RenderDialog::proposeFilm);
+    for (FileField* field : {scene_, camera_, list_, output_, film_, settings_})
+        connect(field, &FileField::pathChanged, this, &RenderDialog::check);
+    for (QComboBox* box : {size_, occlusion_})
+        connect(box, &QComboBox::currentIndexChanged, this, &RenderDialog::check);
+    for (QSpinBox* box : {width_, height_, antialiasing_, occlusionRays_, bloom_})
+        connect(box, &QSpinBox::valueChanged, this, &RenderDialog::check);
+    connect(frames_, &QLineEdit::textChanged, this, &RenderDialog::check);
+    const auto enable = [this] {
+        width_->setEnabled(size_->currentIndex() == Fixed);
+        height_->setEnabled(size_->currentIndex() == Fixed);
+        occlusionRays_->setEnabled(occlusion_->currentIndex() == OcclusionOn);
+    };
+    for (QComboBox* box : {size_, occlusion_}) connect(box, &QComboBox::currentIndexChanged, this, enable);
+    enable();
+}
+
+RenderDialog::Source RenderDialog::source() const {
+    return static_cast<Source>(source_->currentData().toInt());
+}
+
+void RenderDialog::setSource(Source source) {
+    const int index = source_->findData(static_cast<int>(source));
+    if (index >= 0) source_->setCurrentIndex(index);
+}
+
+void RenderDialog::onSource() {
+    const Source now = source();
+    form().setRowVisible(scene_, now != Source::View);
+    form().setRowVisible(camera_, now == Source::Scene);
+    for (QWidget* field : std::initializer_list<QWidget*>{list_, frames_, film_})
+        form().setRowVisible(field, now == Source::List);
+    size_->setItemText(AsTheScene, now == Source::View    ? tr("as the live picture")
+                                   : now == Source::Scene ? tr("as the scene says")
+                                                          : tr("as the cameras say"));
+    output_->edit()->setPlaceholderText(now == Source::List ? tr("no pictures; or such as frame_####.png")
+                                                            : QString());
+    output_->setPath(now == Source::List
+                         ? QString()
+                         : nextFreeName(folder_, QStringLiteral("render"), QStringLiteral("png")));
+    proposeFilm();
+    check();
+    adjustSize();
+}
+
+void RenderDialog::proposeFilm() {
+    if (list_->path().isEmpty() || (!film_->path().isEmpty() && film_->path() != proposedFilm_)) return;
+    const QFileInfo list(list_->path());
+    proposedFilm_ = list.absolutePath() + QLatin1Char('/') + list.completeBaseName() + QStringLiteral(".mp4");
+    film_->setPath(proposedFilm_);
+}
+
+bool RenderDialog::sceneOfServer() const {
+    return source() == Source::View || (source() == Source::List && live_ && scene_->path().isEmpty());
+}
+
+QString RenderDialog::exported(const QString& name) const { return files_->filePath(name); }
+QString RenderDialog::sceneFile() const {
+    return sceneOfServer() ? exported(QStringLiteral("view.scn")) : scene_->path();
+}
+
+QStringList RenderDialog::ownArguments() const {
+    const Source now = source();
+    QStringList words{sceneFile()};
+    const auto option = [&words](const char* name, const QString& value) {
+        if (!value.isEmpty()) words.append(QStringLiteral("--%1=%2").arg(QLatin1String(name), value));
+    };
+    if (now == Source::View) option("camera", exported(QStringLiteral("view.cam")));
+    if (now == Source::Scene) option("camera", camera_->path());
+    if (now == Source::List) {
+        option("list", list_->path());
+        option("frames", frames_->text().trimmed());
+        option("video", film_->path());
+    }
+    option("output", output_->path());
+    return words + qualityArguments();
+}
+
+QStringList RenderDialog::qualityArguments() const {
+    QStringList words;
+    const auto number = [&words](const char* name, int value) {
+        words.append(QStringLiteral("--%1=%2").arg(QLatin1String(name)).arg(value));
+    };
+    if (size_->currentIndex() == Fixed) {
+        number("width", width_->value());
+        number("height", height_->value());
+    }
+    if (!settings_->path().isEmpty()) words.append(QStringLiteral("--set=") + settings_->path());
+    if (antialiasing_->value() > 0) number("antialiasing", antialiasing_->value());
+    if (bloom_->value() >= 0) number("bloom", bloom_->value());
+    if (occlusion_->currentIndex() == OcclusionOff) words.append(QStringLiteral("--no-ambient-occlusion"));
+    if (occlusion_->currentIndex() == OcclusionOn) {
+        words.append(QStringLiteral("--ambient-occlusion"));
+        if (occlusionRays_->value() > 0) number("ao-samples", occlusionRays_->value());
+    }
+    return words;
+}
+
+QString RenderDialog::missing() const {
+    if (!sceneOfServer() && !QFileInfo(scene_->path()).isFile()) return tr("Choose a scene or a model.");
+    const auto gone = [](const FileField* field) {
+        return !field->path().isEmpty() && !QFileInfo(field->path()).isFile();
+    };
+    if (source() == Source::Scene && gone(camera_)) return tr("The camera's file is not there.");
+    if (gone(settings_)) return tr("The file of settings is not there.");
+    if (source() == Source::List) {
+        if (!QFileInfo(list_->path()).isFile()) return tr("Choose a list of cameras.");
+        if (film_->path().isEmpty() && output_->path().isEmpty())
+            return tr("Name a film, pictures, or both.");
+    } else if (output_->path().isEmpty()) {
+        return tr("Name the file to write.");
+    }
+    if (!files_->isValid()) return files_->errorString();
+    return {};
+}
+
+// A film before its pictures.
+QString RenderDialog::result() const {
+    return source() == Source::List && !film_->path().isEmpty() ? film_->path() : output_->path();
+}
+
+void RenderDialog::finish() {
+    RenderWish wish;
+    wish.job = {QFileInfo(result()).fileName(), QStringLiteral("Renderer"), arguments(), result(), files_};
+    if (sceneOfServer()) wish.sceneFile = sceneFile();
+    if (source() == Source::View) wish.cameraFile = exported(QStringLiteral("view.cam"));
+    emit wanted(wish);
+}
+
+} // namespace gui

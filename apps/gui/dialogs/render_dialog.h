@@ -1,0 +1,77 @@
+/// What the Renderer is to render, where to, and how well.
+#pragma once
+
+#include "gui/dialogs/job_dialog.h"
+
+#include <QSize>
+
+#include <memory>
+
+class QComboBox;
+class QLineEdit;
+class QSpinBox;
+class QTemporaryDir;
+
+namespace gui {
+
+class FileField;
+
+/// What the dialog starts from.
+struct RenderContext {
+    bool live = false; ///< there is a server whose view can be rendered
+    QSize size;        ///< of a live frame
+    QString scene;     ///< proposed; may be empty
+    QString list;      ///< a recorded list to begin with; may be empty
+    QString folder;    ///< where results go
+    int antialiasing = 3;
+};
+
+/// A job, and what the server has to write for it first.
+struct RenderWish {
+    JobRequest job;
+    QString sceneFile, cameraFile; ///< to be exported; empty: not needed
+};
+
+class RenderDialog : public JobDialog {
+    Q_OBJECT
+
+  public:
+    explicit RenderDialog(const RenderContext& context, QWidget* parent = nullptr);
+
+    enum class Source { View, Scene, List };
+    void setSource(Source source); ///< View only when there is a server
+    Source source() const;
+
+  signals:
+    void wanted(const gui::RenderWish& wish);
+
+  protected:
+    QStringList ownArguments() const override;
+    QString missing() const override;
+    void finish() override;
+
+  private:
+    void makeFields(const RenderContext& context);
+    void layOut();
+    void listen();
+    void onSource();
+    void proposeFilm();
+    bool sceneOfServer() const; ///< it has to be exported
+    QString sceneFile() const;
+    QString result() const;
+    QString exported(const QString& name) const;
+    QStringList qualityArguments() const;
+
+    const bool live_;
+    const QString folder_;
+    std::shared_ptr<QTemporaryDir> files_; ///< for what the server writes
+    QComboBox* source_;
+    FileField *scene_, *camera_, *list_, *output_, *film_, *settings_;
+    QLineEdit* frames_;
+    QComboBox *size_, *occlusion_;
+    QSpinBox *width_, *height_, *antialiasing_, *occlusionRays_, *bloom_;
+    QWidget *sizeRow_, *occlusionRow_;
+    QString proposedFilm_;
+};
+
+} // namespace gui

@@ -1,0 +1,139 @@
+#include "gui/operations/job_operations.h"
+
+#include "gui/dialogs/build_dialog.h"
+#include "gui/dialogs/jobs_panel.h"
+#include "gui/dialogs/picture_dialog.h"
+#include "gui/dialogs/render_dialog.h"
+#include "gui/operations/actions.h"
+#include "gui/processes/server_keeper.h"
+#include "gui/session/session.h"
+#include "gui/view/frame_view.h"
+#include "gui/view/notice_bar.h"
+
+#include "common/stop.h"
+
+#include <QAction>
+#include <QDesktopServices>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QUrl>
+
+namespace gui {
+
+JobOperations::JobOperations(const Desk& desk, QObject* parent)
+    : QObject(parent), desk_(desk), panel_(new JobsPanel(queue_)) {
+    makeDock();
+    desk_.actions.on(ActionId::Render, [this] { openRenderDialog({}); });
+    desk_.actions.on(ActionId::BuildTree, [this] { openBuildDialog(); });
+    connect(&queue_, &JobQueue::finished, this, &JobOperations::onFinished);
+    connect(panel_, &JobsPanel::showWanted, this, &JobOperations::showResult);
+}
+
+void JobOperations::makeDock() {
+    auto* window = qobject_cast<QMainWindow*>(&desk_.window);
+    dock_ = new QDockWidget(tr("Jobs"), &desk_.window);
+    dock_->setObjectName(QStringLiteral("jobs"));
+    dock_->setWidget(panel_);
+    dock_->hide();
+    if (window != nullptr) window->addDockWidget(Qt::BottomDockWidgetArea, dock_);
+    QAction* action = desk_.actions[ActionId::Jobs];
+    desk_.actions.onToggle(ActionId::Jobs, [this](bool on) { dock_->setVisible(on); });
+    connect(dock_, &QDockWidget::visibilityChanged, action,
+            [this, action] { action->setChecked(!dock_->isHidden()); });
+}
+
+void JobOperations::renderList(const QString& list) { openRenderDialog(list); }
+
+void JobOperations::openRenderDialog(const QString& list) {
+    RenderContext context;
+    context.live = desk_.session.live() && !desk_.session.status().resolution.isEmpty();
+    context.size = desk_.session.status().resolution;
+    // What the server shows is more than its file: lights, settings.
+    context.scene = context.live ? QString() : desk_.preferences.recentFiles().value(0);
+    context.list = list;
+    context.folder = desk_.preferences.picturesFolder();
+    context.antialiasing = desk_.preferences.get(pref::stillAntialiasing);
+    auto* dialog = new RenderDialog(context, &desk_.window);
+    connect(dialog, &RenderDialog::wanted, this, &JobOperations::prepare);
+    dialog->open();
+}
+
+void JobOperations::openBuildDialog() {
+    const QString scene = desk_.keeper.scene();
+    const QString suffix = QFileInfo(scene).suffix().toLower();
+    const bool model = suffix != QLatin1String("scn") && suffix != QLatin1String("bsp");
+    auto* dialog = new BuildDialog(model ? scene : QString(), &desk_.window);
+    connect(dialog, &BuildDialog::wanted, this, &JobOperations::enqueue);
+    dialog->open();
+}
+
+void JobOperations::prepare(const RenderWish& wish) {
+    if (wish.sceneFile.isEmpty()) return enqueue(wish.job);
+    desk_.session.send(Session::line({QStringLiteral("export"), QStringLiteral("scene"), wish.sceneFile}),
+                       this, [this, wish](const Answer& answer) {
+                           if (!answer.done) return desk_.notice.explain(answer.text, {});
+                           if (wish.cameraFile.isEmpty()) enqueue(wish.job);
+                       });
+    // Sent at once, so that the camera is that of the same moment.
+    if (!wish.cameraFile.isEmpty()) prepareCamera(wish);
+}
+
+void JobOperations::prepareCamera(const RenderWish& wish) {
+    desk_.session.send(Session::line({QStringLiteral("export"), QStringLiteral("camera"), wish.cameraFile}),
+                       this, [this, wish](const Answer& answer) {
+                           if (!answer.done) return desk_.notice.explain(answer.text, {});
+                           if (QFileInfo::exists(wish.sceneFile)) enqueue(wish.job);
+                       });
+}
+
+void JobOperations::enqueue(const JobRequest& request) {
+    dock_->show();
+    dock_->raise();
+    panel_->choose(queue_.add(request));
+}
+
+void JobOperations::onFinished(quint64 id) {
+    const Job& job = queue_.job(queue_.rowOf(id));
+    if (job.state == JobState::Done) {
+        desk_.view.tell(tr("%1: done.").arg(job.request.title));
+    } else if (job.state == JobState::Failed) {
+        desk_.view.tell(tr("%1 failed: %2").arg(job.request.title, job.message));
+    }
+}
+
+void JobOperations::showResult(const QString& file) {
+    if (file.endsWith(QLatin1String(".bsp"), Qt::CaseInsensitive)) return emit openWanted(file);
+    auto* dialog = new PictureDialog(file, &desk_.window);
+    if (dialog->readable()) return dialog->show();
+    delete dialog;
+    // Films, and kinds of pictures that Qt does not know.
+    if (!QDesktopServices::openUrl(QUrl::fromLocalFile(file)))
+        desk_.notice.explain(tr("There is no program that shows %1.").arg(file), {});
+}
+
+bool JobOperations::mayClose() {
+    if (closing_ || !queue_.busy() || app::stopRequested()) return true;
+    if (question_ != nullptr) {
+        question_->raise();
+        return false;
+    }
+    question_ = new QMessageBox(
+        QMessageBox::Question, tr("Jobs are not finished"),
+        tr("%n job(s) run or wait. Stop them and close the window?", nullptr, queue_.unfinished()),
+        QMessageBox::NoButton, &desk_.window);
+    question_->setAttribute(Qt::WA_DeleteOnClose);
+    QPushButton* stop = question_->addButton(tr("&Stop and close"), QMessageBox::AcceptRole);
+    question_->setDefaultButton(question_->addButton(tr("&Go on"), QMessageBox::RejectRole));
+    connect(stop, &QPushButton::clicked, this, [this] {
+        closing_ = true;
+        queue_.cancelAll();
+        desk_.window.close();
+    });
+    question_->open();
+    return false;
+}
+
+} // namespace gui
