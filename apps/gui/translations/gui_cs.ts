@@ -77,6 +77,144 @@
     </message>
 </context>
 <context>
+    <name>JobPhase</name>
+    <message>
+        <source>reading the scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>importing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>building the tree</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>loading images</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rendering</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Settings</name>
+    <message>
+        <source>Picture</source>
+        <translation type="unfinished">Obraz</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation type="unfinished">Šířka</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation type="unfinished">Výška</translation>
+    </message>
+    <message>
+        <source>Antialiasing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shadows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reflections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refractions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Textures</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Max depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Min contribution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ambient occlusion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bloom</source>
+        <translation type="unfinished">Záře</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation type="unfinished">Expozice</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation type="unfinished">Režim</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tone mapping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dithering</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Environment filter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bounces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>scene units</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>radiance</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>gui</name>
     <message>
         <source>Click, Enter</source>
@@ -432,6 +570,106 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
         <source>&amp;Help</source>
         <translation>Nápo&amp;věda</translation>
     </message>
+    <message>
+        <source>Double click</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alt+digit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to a bookmark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re&amp;nder…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Render the view, a scene or a recorded list into a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Build kd-tree…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write a model and its kd-tree to a .bsp file, which loads quickly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Jobs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is rendered and built, and what waits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R&amp;eset camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look as the scene itself says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add &amp;bookmark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the present view; Alt and a digit go back to it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the last change of settings, lights or camera back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re&amp;do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;ettings panel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All settings of the live picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Lights panel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lights and environment maps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Bookmarks panel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Views that you keep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>
@@ -459,6 +697,167 @@ Qt %1</translation>
     <message>
         <source>&amp;Clear</source>
         <translation>&amp;Vymazat</translation>
+    </message>
+</context>
+<context>
+    <name>gui::BookmarkOperations</name>
+    <message>
+        <source>delete “%1”</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bookmarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was kept. Alt+%2 goes there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no bookmark %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>gui::BookmarkStore</name>
+    <message>
+        <source>Place %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No scene is shown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no such folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>gui::BookmarksPanel</name>
+    <message>
+        <source>&amp;Add</source>
+        <translation type="unfinished">&amp;Přidat</translation>
+    </message>
+    <message>
+        <source>&amp;Go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>De&amp;lete</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bookmarks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the present view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look from there; Enter or a double click, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Also by F2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Can be undone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1
+Alt+%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>gui::BuildDialog</name>
+    <message>
+        <source>Model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Output file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kd-trees (*.bsp);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Fast build</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Report on model, tree and times</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Build kd-tree</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quality of the fast build</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Histogram</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> bands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mode&amp;l:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Output:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Quality:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Histogram:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name the file to write.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The output would overwrite the model.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -494,6 +893,14 @@ Qt %1</translation>
     <message>
         <source>The clipboard holds no camera.</source>
         <translation>Ve schránce není kamera.</translation>
+    </message>
+    <message>
+        <source>import %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>paste camera</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -617,6 +1024,14 @@ Qt %1</translation>
     <message>
         <source>K&amp;eys</source>
         <translation>&amp;Klávesy</translation>
+    </message>
+    <message>
+        <source>Keep &amp;models for the next time:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -791,6 +1206,225 @@ Qt %1</translation>
     </message>
 </context>
 <context>
+    <name>gui::JobDialog</name>
+    <message>
+        <source>Command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cop&amp;y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the command, for a terminal or a script</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;More options</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Comman&amp;d:</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>gui::JobOperations</name>
+    <message>
+        <source>Jobs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: done.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 failed: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no program that shows %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jobs are not finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n job(s) run or wait. Stop them and close the window?</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Stop and close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Go on</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>gui::JobProcess</name>
+    <message>
+        <source>The program was killed or has crashed (signal %1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The program %1 was found neither beside this one nor in PATH.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>gui::JobQueue</name>
+    <message>
+        <source>It ended with exit code %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2 of %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>starting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopping</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Job</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation type="unfinished">Stav</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time left</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>gui::JobsPanel</name>
+    <message>
+        <source>Result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Log of the job</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jobs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the folder of the result</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation type="unfinished">Nahoru</translation>
+    </message>
+    <message>
+        <source>Let the job run earlier</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation type="unfinished">Dolů</translation>
+    </message>
+    <message>
+        <source>Let the job run later</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the job, or take it out of the queue</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the job at the end of the queue once more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the job from the list; its result stays</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove all jobs that are over from the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Kill</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No job is chosen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing printed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>gui::KeyBindingsPage</name>
     <message>
         <source>Action</source>
@@ -845,6 +1479,37 @@ Qt %1</translation>
     </message>
 </context>
 <context>
+    <name>gui::LightsPanel</name>
+    <message>
+        <source>The scene has neither lights nor environment maps.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Lights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Environment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Light %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Key: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys: M and %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>gui::LogDialog</name>
     <message>
         <source>Server log</source>
@@ -861,6 +1526,17 @@ Qt %1</translation>
     <message>
         <source>Co&amp;py all</source>
         <translation>&amp;Kopírovat vše</translation>
+    </message>
+</context>
+<context>
+    <name>gui::LookOperations</name>
+    <message>
+        <source>reset camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>look there</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -886,6 +1562,66 @@ Qt %1</translation>
     <message>
         <source>Close</source>
         <translation>Zavřít</translation>
+    </message>
+</context>
+<context>
+    <name>gui::OptionFields</name>
+    <message>
+        <source>All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Usual files (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>default</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>default (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>gui::PanelOperations</name>
+    <message>
+        <source>Settings</source>
+        <translation type="unfinished">Nastavení</translation>
+    </message>
+    <message>
+        <source>Lights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>gui::PictureDialog</name>
+    <message>
+        <source>%1 – %2 × %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Picture %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This picture cannot be shown here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>gui::PreviewProcess</name>
+    <message>
+        <source>The program Renderer was found neither beside this one nor in PATH.</source>
+        <translation type="unfinished">Program Renderer nebyl nalezen vedle tohoto programu ani v PATH.</translation>
+    </message>
+    <message>
+        <source>The Renderer failed.</source>
+        <translation type="unfinished">Renderer selhal.</translation>
     </message>
 </context>
 <context>
@@ -926,6 +1662,229 @@ Qt %1</translation>
         <source>Recorded: %1</source>
         <translation>Zaznamenáno: %1</translation>
     </message>
+    <message>
+        <source>Render as &amp;film…</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>gui::RenderDialog</name>
+    <message>
+        <source>Films (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Render</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the present view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a scene or a model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a recorded list of cameras</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scene or model</source>
+        <translation type="unfinished">Scéna nebo model</translation>
+    </message>
+    <message>
+        <source>as the server has it now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation type="unfinished">Kamera</translation>
+    </message>
+    <message>
+        <source>Cameras (*.cam)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as the scene says</source>
+        <translation type="unfinished">podle scény</translation>
+    </message>
+    <message>
+        <source>List of cameras</source>
+        <translation type="unfinished">Seznam kamer</translation>
+    </message>
+    <message>
+        <source>Lists (*.lst *.txt)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all; or such as 1-100</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Output file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no film</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation type="unfinished">Nastavení</translation>
+    </message>
+    <message>
+        <source>Settings (*.set)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <translation type="unfinished">pevné</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation type="unfinished">Rozlišení</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation type="unfinished">Šířka</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation type="unfinished">Výška</translation>
+    </message>
+    <message>
+        <source>Anti-aliasing</source>
+        <translation type="unfinished">Vyhlazování hran</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ambient occlusion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rays of the ambient occlusion</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> rays a point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bloom</source>
+        <translation type="unfinished">Záře</translation>
+    </message>
+    <message>
+        <source> pixels</source>
+        <translation type="unfinished"> bodů</translation>
+    </message>
+    <message>
+        <source>&amp;What:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Scene or model:</source>
+        <translation type="unfinished">&amp;Scéna nebo model:</translation>
+    </message>
+    <message>
+        <source>&amp;Camera:</source>
+        <translation type="unfinished">&amp;Kamera:</translation>
+    </message>
+    <message>
+        <source>&amp;List:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Frames:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F&amp;ilm:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Output:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Resolution:</source>
+        <translation type="unfinished">&amp;Rozlišení:</translation>
+    </message>
+    <message>
+        <source>&amp;Anti-aliasing:</source>
+        <translation type="unfinished">&amp;Vyhlazování hran:</translation>
+    </message>
+    <message>
+        <source>Ambient occl&amp;usion:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Bloom:</source>
+        <translation type="unfinished">&amp;Záře:</translation>
+    </message>
+    <message>
+        <source>S&amp;ettings:</source>
+        <translation type="unfinished">&amp;Nastavení:</translation>
+    </message>
+    <message>
+        <source>as the live picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>as the cameras say</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no pictures; or such as frame_####.png</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a scene or a model.</source>
+        <translation type="unfinished">Vyberte scénu nebo model.</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s file is not there.</source>
+        <translation type="unfinished">Soubor s kamerou neexistuje.</translation>
+    </message>
+    <message>
+        <source>The file of settings is not there.</source>
+        <translation type="unfinished">Soubor s nastavením neexistuje.</translation>
+    </message>
+    <message>
+        <source>Choose a list of cameras.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name a film, pictures, or both.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name the file to write.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>gui::RenderOperations</name>
@@ -936,6 +1895,33 @@ Qt %1</translation>
     <message>
         <source>rendering…</source>
         <translation>vykresluje se…</translation>
+    </message>
+    <message>
+        <source>No progressive rendering: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rendering %1 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rendered</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>gui::SceneEditor</name>
+    <message>
+        <source>defaults</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation type="unfinished">světlý</translation>
+    </message>
+    <message>
+        <source>environment</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -985,6 +1971,17 @@ Qt %1</translation>
     <message>
         <source>the server takes no commands</source>
         <translation>server nepřijímá příkazy</translation>
+    </message>
+</context>
+<context>
+    <name>gui::SettingsPanel</name>
+    <message>
+        <source>&amp;Defaults</source>
+        <translation type="unfinished">&amp;Výchozí</translation>
+    </message>
+    <message>
+        <source>All settings but the size as they are without any file</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1211,21 +2208,6 @@ Qt %1</translation>
     <message>
         <source>flying</source>
         <translation>let</translation>
-    </message>
-</context>
-<context>
-    <name>gui::StillProcess</name>
-    <message>
-        <source>The program Renderer was found neither beside this one nor in PATH.</source>
-        <translation>Program Renderer nebyl nalezen vedle tohoto programu ani v PATH.</translation>
-    </message>
-    <message>
-        <source>The Renderer failed.</source>
-        <translation>Renderer selhal.</translation>
-    </message>
-    <message>
-        <source>The Renderer&apos;s picture cannot be read.</source>
-        <translation>Obrázek z Rendereru nelze přečíst.</translation>
     </message>
 </context>
 </TS>
