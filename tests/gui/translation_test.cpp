@@ -43,7 +43,8 @@ QList<Message> messages() {
             all.append({xml.readElementText(), {}, false});
         } else if (xml.name() == QLatin1String("translation")) {
             all.last().finished = !xml.attributes().hasAttribute(QLatin1String("type"));
-            all.last().translation = xml.readElementText();
+            all.last().translation = xml.readElementText(QXmlStreamReader::IncludeChildElements);
+            while (all.last().translation.endsWith(QLatin1Char('\n'))) all.last().translation.chop(1);
         }
     }
     EXPECT_FALSE(xml.hasError());

@@ -80,27 +80,27 @@
     <name>JobPhase</name>
     <message>
         <source>reading the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>čtení scény</translation>
     </message>
     <message>
         <source>importing</source>
-        <translation type="unfinished"></translation>
+        <translation>import</translation>
     </message>
     <message>
         <source>building the tree</source>
-        <translation type="unfinished"></translation>
+        <translation>stavba stromu</translation>
     </message>
     <message>
         <source>loading images</source>
-        <translation type="unfinished"></translation>
+        <translation>načítání obrázků</translation>
     </message>
     <message>
         <source>rendering</source>
-        <translation type="unfinished"></translation>
+        <translation>vykreslování</translation>
     </message>
     <message>
         <source>writing</source>
-        <translation type="unfinished"></translation>
+        <translation>zápis</translation>
     </message>
 </context>
 <context>
@@ -123,43 +123,43 @@
     </message>
     <message>
         <source>Shadows</source>
-        <translation type="unfinished"></translation>
+        <translation>Stíny</translation>
     </message>
     <message>
         <source>Reflections</source>
-        <translation type="unfinished"></translation>
+        <translation>Odrazy</translation>
     </message>
     <message>
         <source>Refractions</source>
-        <translation type="unfinished"></translation>
+        <translation>Lomy světla</translation>
     </message>
     <message>
         <source>Textures</source>
-        <translation type="unfinished"></translation>
+        <translation>Textury</translation>
     </message>
     <message>
         <source>Max depth</source>
-        <translation type="unfinished"></translation>
+        <translation>Největší hloubka</translation>
     </message>
     <message>
         <source>Min contribution</source>
-        <translation type="unfinished"></translation>
+        <translation>Nejmenší příspěvek</translation>
     </message>
     <message>
         <source>Ambient occlusion</source>
-        <translation type="unfinished"></translation>
+        <translation>Zastínění okolím</translation>
     </message>
     <message>
         <source>On</source>
-        <translation type="unfinished"></translation>
+        <translation>Zapnuto</translation>
     </message>
     <message>
         <source>Samples</source>
-        <translation type="unfinished"></translation>
+        <translation>Vzorky</translation>
     </message>
     <message>
         <source>Distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Vzdálenost</translation>
     </message>
     <message>
         <source>Bloom</source>
@@ -179,39 +179,39 @@
     </message>
     <message>
         <source>Key</source>
-        <translation type="unfinished"></translation>
+        <translation>Klíč</translation>
     </message>
     <message>
         <source>Tone mapping</source>
-        <translation type="unfinished"></translation>
+        <translation>Mapování tónů</translation>
     </message>
     <message>
         <source>Dithering</source>
-        <translation type="unfinished"></translation>
+        <translation>Rozptyl</translation>
     </message>
     <message>
         <source>Environment filter</source>
-        <translation type="unfinished"></translation>
+        <translation>Filtr prostředí</translation>
     </message>
     <message>
         <source>pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>bodů</translation>
     </message>
     <message>
         <source>bounces</source>
-        <translation type="unfinished"></translation>
+        <translation>odrazů</translation>
     </message>
     <message>
         <source>rays</source>
-        <translation type="unfinished"></translation>
+        <translation>paprsků</translation>
     </message>
     <message>
         <source>scene units</source>
-        <translation type="unfinished"></translation>
+        <translation>jednotek scény</translation>
     </message>
     <message>
         <source>radiance</source>
-        <translation type="unfinished"></translation>
+        <translation>zář</translation>
     </message>
 </context>
 <context>
@@ -576,99 +576,99 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
     </message>
     <message>
         <source>Look there</source>
-        <translation type="unfinished"></translation>
+        <translation>Pohled na místo</translation>
     </message>
     <message>
         <source>Alt+digit</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt+číslice</translation>
     </message>
     <message>
         <source>Go to a bookmark</source>
-        <translation type="unfinished"></translation>
+        <translation>Přejít na záložku</translation>
     </message>
     <message>
         <source>Re&amp;nder…</source>
-        <translation type="unfinished"></translation>
+        <translation>Vykreslit do soub&amp;oru…</translation>
     </message>
     <message>
         <source>Render the view, a scene or a recorded list into a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Vykreslit pohled, scénu nebo záznam do souboru</translation>
     </message>
     <message>
         <source>&amp;Build kd-tree…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Postavit kd-strom…</translation>
     </message>
     <message>
         <source>Write a model and its kd-tree to a .bsp file, which loads quickly</source>
-        <translation type="unfinished"></translation>
+        <translation>Zapsat model a jeho kd-strom do souboru .bsp, který se rychle načítá</translation>
     </message>
     <message>
         <source>&amp;Jobs</source>
-        <translation type="unfinished"></translation>
+        <translation>Úlo&amp;hy</translation>
     </message>
     <message>
         <source>What is rendered and built, and what waits</source>
-        <translation type="unfinished"></translation>
+        <translation>Co se vykresluje a staví a co čeká</translation>
     </message>
     <message>
         <source>R&amp;eset camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Výchozí ka&amp;mera</translation>
     </message>
     <message>
         <source>Look as the scene itself says</source>
-        <translation type="unfinished"></translation>
+        <translation>Pohled podle samotné scény</translation>
     </message>
     <message>
         <source>Add &amp;bookmark</source>
-        <translation type="unfinished"></translation>
+        <translation>Přidat zá&amp;ložku</translation>
     </message>
     <message>
         <source>Keep the present view; Alt and a digit go back to it</source>
-        <translation type="unfinished"></translation>
+        <translation>Uchovat současný pohled; Alt a číslice se k němu vrátí</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>Vrátit změ&amp;nu</translation>
     </message>
     <message>
         <source>Take the last change of settings, lights or camera back</source>
-        <translation type="unfinished"></translation>
+        <translation>Vrátit poslední změnu nastavení, světel nebo kamery</translation>
     </message>
     <message>
         <source>Re&amp;do</source>
-        <translation type="unfinished"></translation>
+        <translation>Znov&amp;u provést</translation>
     </message>
     <message>
         <source>Make it again</source>
-        <translation type="unfinished"></translation>
+        <translation>Provést změnu znovu</translation>
     </message>
     <message>
         <source>S&amp;ettings panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Panel na&amp;stavení</translation>
     </message>
     <message>
         <source>All settings of the live picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Všechna nastavení živého obrazu</translation>
     </message>
     <message>
         <source>&amp;Lights panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Panel světe&amp;l</translation>
     </message>
     <message>
         <source>Lights and environment maps</source>
-        <translation type="unfinished"></translation>
+        <translation>Světla a mapy prostředí</translation>
     </message>
     <message>
         <source>&amp;Bookmarks panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Panel &amp;záložek</translation>
     </message>
     <message>
         <source>Views that you keep</source>
-        <translation type="unfinished"></translation>
+        <translation>Uchované pohledy</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Soubor %1 nelze zapsat: %2</translation>
     </message>
 </context>
 <context>
@@ -703,42 +703,42 @@ Qt %1</translation>
     <name>gui::BookmarkOperations</name>
     <message>
         <source>delete “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>smazat „%1“</translation>
     </message>
     <message>
         <source>Bookmarks</source>
-        <translation type="unfinished"></translation>
+        <translation>Záložky</translation>
     </message>
     <message>
         <source>%1 was kept. Alt+%2 goes there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Záložka %1 uložena. Vrátí vás Alt+%2.</translation>
     </message>
     <message>
         <source>%1 was kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Záložka %1 uložena.</translation>
     </message>
     <message>
         <source>There is no bookmark %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Záložka %1 neexistuje.</translation>
     </message>
 </context>
 <context>
     <name>gui::BookmarkStore</name>
     <message>
         <source>Place %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Místo %1</translation>
     </message>
     <message>
         <source>No scene is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation>Není zobrazena žádná scéna.</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Soubor %1 nelze zapsat: %2</translation>
     </message>
     <message>
         <source>no such folder</source>
-        <translation type="unfinished"></translation>
+        <translation>složka neexistuje</translation>
     </message>
 </context>
 <context>
@@ -753,111 +753,112 @@ Qt %1</translation>
     </message>
     <message>
         <source>Re&amp;name</source>
-        <translation type="unfinished"></translation>
+        <translation>Přej&amp;menovat</translation>
     </message>
     <message>
         <source>De&amp;lete</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Smazat</translation>
     </message>
     <message>
         <source>Bookmarks</source>
-        <translation type="unfinished"></translation>
+        <translation>Záložky</translation>
     </message>
     <message>
         <source>Keep the present view</source>
-        <translation type="unfinished"></translation>
+        <translation>Uchovat současný pohled</translation>
     </message>
     <message>
         <source>Look from there; Enter or a double click, too</source>
-        <translation type="unfinished"></translation>
+        <translation>Pohled odtud; také Enter nebo dvojité kliknutí</translation>
     </message>
     <message>
         <source>Also by F2</source>
-        <translation type="unfinished"></translation>
+        <translation>Také klávesou F2</translation>
     </message>
     <message>
         <source>Can be undone</source>
-        <translation type="unfinished"></translation>
+        <translation>Lze vrátit</translation>
     </message>
     <message>
         <source>%1
 Alt+%2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1
+Alt+%2</translation>
     </message>
 </context>
 <context>
     <name>gui::BuildDialog</name>
     <message>
         <source>Model</source>
-        <translation type="unfinished"></translation>
+        <translation>Model</translation>
     </message>
     <message>
         <source>Output file</source>
-        <translation type="unfinished"></translation>
+        <translation>Výstupní soubor</translation>
     </message>
     <message>
         <source>kd-trees (*.bsp);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>kd-stromy (*.bsp);;Všechny soubory (*)</translation>
     </message>
     <message>
         <source>&amp;Fast build</source>
-        <translation type="unfinished"></translation>
+        <translation>Rychlá stav&amp;ba</translation>
     </message>
     <message>
         <source>&amp;Report on model, tree and times</source>
-        <translation type="unfinished"></translation>
+        <translation>Zpráv&amp;a o modelu, stromu a časech</translation>
     </message>
     <message>
         <source>Build kd-tree</source>
-        <translation type="unfinished"></translation>
+        <translation>Postavit kd-strom</translation>
     </message>
     <message>
         <source>Quality of the fast build</source>
-        <translation type="unfinished"></translation>
+        <translation>Kvalita rychlé stavby</translation>
     </message>
     <message>
         <source>Histogram</source>
-        <translation type="unfinished"></translation>
+        <translation>Histogram</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>žádná</translation>
     </message>
     <message>
         <source> bands</source>
-        <translation type="unfinished"></translation>
+        <translation> pásem</translation>
     </message>
     <message>
         <source>Mode&amp;l:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Model:</translation>
     </message>
     <message>
         <source>&amp;Output:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Výstup:</translation>
     </message>
     <message>
         <source>&amp;Quality:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kvalita:</translation>
     </message>
     <message>
         <source>&amp;Histogram:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Histogram:</translation>
     </message>
     <message>
         <source>Build</source>
-        <translation type="unfinished"></translation>
+        <translation>Postavit</translation>
     </message>
     <message>
         <source>Choose a model.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vyberte model.</translation>
     </message>
     <message>
         <source>Name the file to write.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zadejte výstupní soubor.</translation>
     </message>
     <message>
         <source>The output would overwrite the model.</source>
-        <translation type="unfinished"></translation>
+        <translation>Výstup by přepsal model.</translation>
     </message>
 </context>
 <context>
@@ -900,7 +901,7 @@ Alt+%2</source>
     </message>
     <message>
         <source>paste camera</source>
-        <translation type="unfinished"></translation>
+        <translation>vložit kameru</translation>
     </message>
 </context>
 <context>
@@ -1031,7 +1032,7 @@ Alt+%2</source>
     </message>
     <message>
         <source> MB</source>
-        <translation type="unfinished"></translation>
+        <translation> MB</translation>
     </message>
 </context>
 <context>
@@ -1209,53 +1210,53 @@ Alt+%2</source>
     <name>gui::JobDialog</name>
     <message>
         <source>Command</source>
-        <translation type="unfinished"></translation>
+        <translation>Příkaz</translation>
     </message>
     <message>
         <source>Cop&amp;y</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopí&amp;rovat</translation>
     </message>
     <message>
         <source>Copy the command, for a terminal or a script</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopírovat příkaz pro terminál nebo skript</translation>
     </message>
     <message>
         <source>&amp;More options</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Další volby</translation>
     </message>
     <message>
         <source>Comman&amp;d:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Příkaz:</translation>
     </message>
 </context>
 <context>
     <name>gui::JobOperations</name>
     <message>
         <source>Jobs</source>
-        <translation type="unfinished"></translation>
+        <translation>Úlohy</translation>
     </message>
     <message>
         <source>%1: done.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: hotovo.</translation>
     </message>
     <message>
         <source>%1 failed: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 selhala: %2</translation>
     </message>
     <message>
         <source>There is no program that shows %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Žádný program neumí zobrazit %1.</translation>
     </message>
     <message>
         <source>Jobs are not finished</source>
-        <translation type="unfinished"></translation>
+        <translation>Úlohy nejsou dokončeny</translation>
     </message>
     <message numerus="yes">
         <source>%n job(s) run or wait. Stop them and close the window?</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n úloha běží nebo čeká. Zastavit ji a zavřít okno?</numerusform>
+            <numerusform>%n úlohy běží nebo čekají. Zastavit je a zavřít okno?</numerusform>
+            <numerusform>%n úloh běží nebo čeká. Zastavit je a zavřít okno?</numerusform>
         </translation>
     </message>
     <message>
@@ -1264,61 +1265,61 @@ Alt+%2</source>
     </message>
     <message>
         <source>&amp;Go on</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Pokračovat</translation>
     </message>
 </context>
 <context>
     <name>gui::JobProcess</name>
     <message>
         <source>The program was killed or has crashed (signal %1).</source>
-        <translation type="unfinished"></translation>
+        <translation>Program byl násilně ukončen nebo havaroval (signál %1).</translation>
     </message>
     <message>
         <source>The program %1 was found neither beside this one nor in PATH.</source>
-        <translation type="unfinished"></translation>
+        <translation>Program %1 nebyl nalezen vedle tohoto programu ani v PATH.</translation>
     </message>
 </context>
 <context>
     <name>gui::JobQueue</name>
     <message>
         <source>It ended with exit code %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Skončila s návratovým kódem %1.</translation>
     </message>
     <message>
         <source>waiting</source>
-        <translation type="unfinished"></translation>
+        <translation>čeká</translation>
     </message>
     <message>
         <source>%1 %2 of %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2 z %3</translation>
     </message>
     <message>
         <source>starting</source>
-        <translation type="unfinished"></translation>
+        <translation>spouští se</translation>
     </message>
     <message>
         <source>stopping</source>
-        <translation type="unfinished"></translation>
+        <translation>zastavuje se</translation>
     </message>
     <message>
         <source>done</source>
-        <translation type="unfinished"></translation>
+        <translation>hotovo</translation>
     </message>
     <message>
         <source>failed</source>
-        <translation type="unfinished"></translation>
+        <translation>selhala</translation>
     </message>
     <message>
         <source>cancelled</source>
-        <translation type="unfinished"></translation>
+        <translation>zrušena</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>Job</source>
-        <translation type="unfinished"></translation>
+        <translation>Úloha</translation>
     </message>
     <message>
         <source>State</source>
@@ -1330,38 +1331,38 @@ Alt+%2</source>
     </message>
     <message>
         <source>Time left</source>
-        <translation type="unfinished"></translation>
+        <translation>Zbývá</translation>
     </message>
 </context>
 <context>
     <name>gui::JobsPanel</name>
     <message>
         <source>Result</source>
-        <translation type="unfinished"></translation>
+        <translation>Výsledek</translation>
     </message>
     <message>
         <source>Log of the job</source>
-        <translation type="unfinished"></translation>
+        <translation>Výpis úlohy</translation>
     </message>
     <message>
         <source>Jobs</source>
-        <translation type="unfinished"></translation>
+        <translation>Úlohy</translation>
     </message>
     <message>
         <source>Show</source>
-        <translation type="unfinished"></translation>
+        <translation>Zobrazit</translation>
     </message>
     <message>
         <source>Show the result</source>
-        <translation type="unfinished"></translation>
+        <translation>Zobrazit výsledek</translation>
     </message>
     <message>
         <source>Open folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Otevřít složku</translation>
     </message>
     <message>
         <source>Open the folder of the result</source>
-        <translation type="unfinished"></translation>
+        <translation>Otevřít složku s výsledkem</translation>
     </message>
     <message>
         <source>Up</source>
@@ -1381,47 +1382,47 @@ Alt+%2</source>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Zrušit</translation>
     </message>
     <message>
         <source>Stop the job, or take it out of the queue</source>
-        <translation type="unfinished"></translation>
+        <translation>Zastavit úlohu nebo ji vyřadit z fronty</translation>
     </message>
     <message>
         <source>Run again</source>
-        <translation type="unfinished"></translation>
+        <translation>Spustit znovu</translation>
     </message>
     <message>
         <source>Put the job at the end of the queue once more</source>
-        <translation type="unfinished"></translation>
+        <translation>Zařadit úlohu znovu na konec fronty</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation type="unfinished"></translation>
+        <translation>Odebrat</translation>
     </message>
     <message>
         <source>Remove the job from the list; its result stays</source>
-        <translation type="unfinished"></translation>
+        <translation>Odebrat úlohu ze seznamu; výsledek zůstane</translation>
     </message>
     <message>
         <source>Remove finished</source>
-        <translation type="unfinished"></translation>
+        <translation>Odebrat dokončené</translation>
     </message>
     <message>
         <source>Remove all jobs that are over from the list</source>
-        <translation type="unfinished"></translation>
+        <translation>Odebrat ze seznamu všechny skončené úlohy</translation>
     </message>
     <message>
         <source>Kill</source>
-        <translation type="unfinished"></translation>
+        <translation>Ukončit násilím</translation>
     </message>
     <message>
         <source>No job is chosen.</source>
-        <translation type="unfinished"></translation>
+        <translation>Není vybrána žádná úloha.</translation>
     </message>
     <message>
         <source>Nothing printed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nic nevypsáno.</translation>
     </message>
 </context>
 <context>
@@ -1482,31 +1483,31 @@ Alt+%2</source>
     <name>gui::LightsPanel</name>
     <message>
         <source>The scene has neither lights nor environment maps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Scéna nemá světla ani mapy prostředí.</translation>
     </message>
     <message>
         <source>Lights</source>
-        <translation type="unfinished"></translation>
+        <translation>Světla</translation>
     </message>
     <message>
         <source>Environment</source>
-        <translation type="unfinished"></translation>
+        <translation>Prostředí</translation>
     </message>
     <message>
         <source>Light %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Světlo %1</translation>
     </message>
     <message>
         <source>Map %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Mapa %1</translation>
     </message>
     <message>
         <source>Key: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Klávesa: %1</translation>
     </message>
     <message>
         <source>Keys: M and %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Klávesy: M a %1</translation>
     </message>
 </context>
 <context>
@@ -1532,11 +1533,11 @@ Alt+%2</source>
     <name>gui::LookOperations</name>
     <message>
         <source>reset camera</source>
-        <translation type="unfinished"></translation>
+        <translation>výchozí kamera</translation>
     </message>
     <message>
         <source>look there</source>
-        <translation type="unfinished"></translation>
+        <translation>pohled na místo</translation>
     </message>
 </context>
 <context>
@@ -1568,19 +1569,19 @@ Alt+%2</source>
     <name>gui::OptionFields</name>
     <message>
         <source>All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Všechny soubory (*)</translation>
     </message>
     <message>
         <source>Usual files (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Obvyklé soubory (%1)</translation>
     </message>
     <message>
         <source>default</source>
-        <translation type="unfinished"></translation>
+        <translation>výchozí</translation>
     </message>
     <message>
         <source>default (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>výchozí (%1)</translation>
     </message>
 </context>
 <context>
@@ -1595,22 +1596,22 @@ Alt+%2</source>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
     <name>gui::PictureDialog</name>
     <message>
         <source>%1 – %2 × %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 – %2 × %3</translation>
     </message>
     <message>
         <source>Picture %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Obraz %1</translation>
     </message>
     <message>
         <source>This picture cannot be shown here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tento obraz zde nelze zobrazit.</translation>
     </message>
 </context>
 <context>
@@ -1671,31 +1672,31 @@ Alt+%2</source>
     <name>gui::RenderDialog</name>
     <message>
         <source>Films (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Filmy (%1)</translation>
     </message>
     <message>
         <source>All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Všechny soubory (*)</translation>
     </message>
     <message>
         <source>Pictures (%1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Obrázky (%1)</translation>
     </message>
     <message>
         <source>Render</source>
-        <translation type="unfinished"></translation>
+        <translation>Vykreslit</translation>
     </message>
     <message>
         <source>the present view</source>
-        <translation type="unfinished"></translation>
+        <translation>současný pohled</translation>
     </message>
     <message>
         <source>a scene or a model</source>
-        <translation type="unfinished"></translation>
+        <translation>scéna nebo model</translation>
     </message>
     <message>
         <source>a recorded list of cameras</source>
-        <translation type="unfinished"></translation>
+        <translation>zaznamenaný seznam kamer</translation>
     </message>
     <message>
         <source>Scene or model</source>
@@ -1727,23 +1728,23 @@ Alt+%2</source>
     </message>
     <message>
         <source>all; or such as 1-100</source>
-        <translation type="unfinished"></translation>
+        <translation>všechny; nebo třeba 1-100</translation>
     </message>
     <message>
         <source>Frames</source>
-        <translation type="unfinished"></translation>
+        <translation>Snímky</translation>
     </message>
     <message>
         <source>Output file</source>
-        <translation type="unfinished"></translation>
+        <translation>Výstupní soubor</translation>
     </message>
     <message>
         <source>Film</source>
-        <translation type="unfinished"></translation>
+        <translation>Film</translation>
     </message>
     <message>
         <source>no film</source>
-        <translation type="unfinished"></translation>
+        <translation>bez filmu</translation>
     </message>
     <message>
         <source>Settings</source>
@@ -1779,19 +1780,19 @@ Alt+%2</source>
     </message>
     <message>
         <source>off</source>
-        <translation type="unfinished"></translation>
+        <translation>vypnuto</translation>
     </message>
     <message>
         <source>Ambient occlusion</source>
-        <translation type="unfinished"></translation>
+        <translation>Zastínění okolím</translation>
     </message>
     <message>
         <source>Rays of the ambient occlusion</source>
-        <translation type="unfinished"></translation>
+        <translation>Paprsky zastínění okolím</translation>
     </message>
     <message>
         <source> rays a point</source>
-        <translation type="unfinished"></translation>
+        <translation> paprsků na bod</translation>
     </message>
     <message>
         <source>Bloom</source>
@@ -1819,15 +1820,15 @@ Alt+%2</source>
     </message>
     <message>
         <source>&amp;Frames:</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;nímky:</translation>
     </message>
     <message>
         <source>F&amp;ilm:</source>
-        <translation type="unfinished"></translation>
+        <translation>Fi&amp;lm:</translation>
     </message>
     <message>
         <source>&amp;Output:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Výstup:</translation>
     </message>
     <message>
         <source>&amp;Resolution:</source>
@@ -1855,11 +1856,11 @@ Alt+%2</source>
     </message>
     <message>
         <source>as the cameras say</source>
-        <translation type="unfinished"></translation>
+        <translation>podle kamer</translation>
     </message>
     <message>
         <source>no pictures; or such as frame_####.png</source>
-        <translation type="unfinished"></translation>
+        <translation>bez obrázků; nebo třeba frame_####.png</translation>
     </message>
     <message>
         <source>Choose a scene or a model.</source>
@@ -1879,11 +1880,11 @@ Alt+%2</source>
     </message>
     <message>
         <source>Name a film, pictures, or both.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zadejte film, obrázky nebo obojí.</translation>
     </message>
     <message>
         <source>Name the file to write.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zadejte výstupní soubor.</translation>
     </message>
 </context>
 <context>
@@ -1902,18 +1903,18 @@ Alt+%2</source>
     </message>
     <message>
         <source>rendering %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>vykresluje se %1 %</translation>
     </message>
     <message>
         <source>rendered</source>
-        <translation type="unfinished"></translation>
+        <translation>vykresleno</translation>
     </message>
 </context>
 <context>
     <name>gui::SceneEditor</name>
     <message>
         <source>defaults</source>
-        <translation type="unfinished"></translation>
+        <translation>výchozí hodnoty</translation>
     </message>
     <message>
         <source>light</source>
