@@ -107,19 +107,19 @@
     <name>Settings</name>
     <message>
         <source>Picture</source>
-        <translation type="unfinished">Obraz</translation>
+        <translation>Obraz</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished">Šířka</translation>
+        <translation>Šířka</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished">Výška</translation>
+        <translation>Výška</translation>
     </message>
     <message>
         <source>Antialiasing</source>
-        <translation type="unfinished"></translation>
+        <translation>Vyhlazování hran</translation>
     </message>
     <message>
         <source>Shadows</source>
@@ -163,19 +163,19 @@
     </message>
     <message>
         <source>Bloom</source>
-        <translation type="unfinished">Záře</translation>
+        <translation>Záře</translation>
     </message>
     <message>
         <source>Exposure</source>
-        <translation type="unfinished">Expozice</translation>
+        <translation>Expozice</translation>
     </message>
     <message>
         <source>Mode</source>
-        <translation type="unfinished">Režim</translation>
+        <translation>Režim</translation>
     </message>
     <message>
         <source>Value</source>
-        <translation type="unfinished"></translation>
+        <translation>Hodnota</translation>
     </message>
     <message>
         <source>Key</source>
@@ -572,7 +572,7 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
     </message>
     <message>
         <source>Double click</source>
-        <translation type="unfinished"></translation>
+        <translation>Dvojité kliknutí</translation>
     </message>
     <message>
         <source>Look there</source>
@@ -745,11 +745,11 @@ Qt %1</translation>
     <name>gui::BookmarksPanel</name>
     <message>
         <source>&amp;Add</source>
-        <translation type="unfinished">&amp;Přidat</translation>
+        <translation>&amp;Přidat</translation>
     </message>
     <message>
         <source>&amp;Go</source>
-        <translation type="unfinished"></translation>
+        <translation>Pře&amp;jít</translation>
     </message>
     <message>
         <source>Re&amp;name</source>
@@ -897,7 +897,7 @@ Alt+%2</translation>
     </message>
     <message>
         <source>import %1</source>
-        <translation type="unfinished"></translation>
+        <translation>import %1</translation>
     </message>
     <message>
         <source>paste camera</source>
@@ -1028,7 +1028,7 @@ Alt+%2</translation>
     </message>
     <message>
         <source>Keep &amp;models for the next time:</source>
-        <translation type="unfinished"></translation>
+        <translation>Uchovat mode&amp;ly pro příště:</translation>
     </message>
     <message>
         <source> MB</source>
@@ -1261,7 +1261,7 @@ Alt+%2</translation>
     </message>
     <message>
         <source>&amp;Stop and close</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zastavit a zavřít</translation>
     </message>
     <message>
         <source>&amp;Go on</source>
@@ -1323,11 +1323,11 @@ Alt+%2</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished">Stav</translation>
+        <translation>Stav</translation>
     </message>
     <message>
         <source>Progress</source>
-        <translation type="unfinished"></translation>
+        <translation>Průběh</translation>
     </message>
     <message>
         <source>Time left</source>
@@ -1366,19 +1366,19 @@ Alt+%2</translation>
     </message>
     <message>
         <source>Up</source>
-        <translation type="unfinished">Nahoru</translation>
+        <translation>Nahoru</translation>
     </message>
     <message>
         <source>Let the job run earlier</source>
-        <translation type="unfinished"></translation>
+        <translation>Spustit úlohu dříve</translation>
     </message>
     <message>
         <source>Down</source>
-        <translation type="unfinished">Dolů</translation>
+        <translation>Dolů</translation>
     </message>
     <message>
         <source>Let the job run later</source>
-        <translation type="unfinished"></translation>
+        <translation>Spustit úlohu později</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -1588,11 +1588,11 @@ Alt+%2</translation>
     <name>gui::PanelOperations</name>
     <message>
         <source>Settings</source>
-        <translation type="unfinished">Nastavení</translation>
+        <translation>Nastavení</translation>
     </message>
     <message>
         <source>Lights</source>
-        <translation type="unfinished"></translation>
+        <translation>Světla</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -1618,11 +1618,11 @@ Alt+%2</translation>
     <name>gui::PreviewProcess</name>
     <message>
         <source>The program Renderer was found neither beside this one nor in PATH.</source>
-        <translation type="unfinished">Program Renderer nebyl nalezen vedle tohoto programu ani v PATH.</translation>
+        <translation>Program Renderer nebyl nalezen vedle tohoto programu ani v PATH.</translation>
     </message>
     <message>
         <source>The Renderer failed.</source>
-        <translation type="unfinished">Renderer selhal.</translation>
+        <translation>Renderer selhal.</translation>
     </message>
 </context>
 <context>
@@ -1665,7 +1665,7 @@ Alt+%2</translation>
     </message>
     <message>
         <source>Render as &amp;film…</source>
-        <translation type="unfinished"></translation>
+        <translation>Vykreslit jako &amp;film…</translation>
     </message>
 </context>
 <context>
@@ -1700,31 +1700,31 @@ Alt+%2</translation>
     </message>
     <message>
         <source>Scene or model</source>
-        <translation type="unfinished">Scéna nebo model</translation>
+        <translation>Scéna nebo model</translation>
     </message>
     <message>
         <source>as the server has it now</source>
-        <translation type="unfinished"></translation>
+        <translation>jak ji má nyní server</translation>
     </message>
     <message>
         <source>Camera</source>
-        <translation type="unfinished">Kamera</translation>
+        <translation>Kamera</translation>
     </message>
     <message>
         <source>Cameras (*.cam)</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamery (*.cam)</translation>
     </message>
     <message>
         <source>as the scene says</source>
-        <translation type="unfinished">podle scény</translation>
+        <translation>podle scény</translation>
     </message>
     <message>
         <source>List of cameras</source>
-        <translation type="unfinished">Seznam kamer</translation>
+        <translation>Seznam kamer</translation>
     </message>
     <message>
         <source>Lists (*.lst *.txt)</source>
-        <translation type="unfinished"></translation>
+        <translation>Seznamy (*.lst *.txt)</translation>
     </message>
     <message>
         <source>all; or such as 1-100</source>
@@ -1748,35 +1748,35 @@ Alt+%2</translation>
     </message>
     <message>
         <source>Settings</source>
-        <translation type="unfinished">Nastavení</translation>
+        <translation>Nastavení</translation>
     </message>
     <message>
         <source>Settings (*.set)</source>
-        <translation type="unfinished"></translation>
+        <translation>Nastavení (*.set)</translation>
     </message>
     <message>
         <source>fixed</source>
-        <translation type="unfinished">pevné</translation>
+        <translation>pevné</translation>
     </message>
     <message>
         <source>Resolution</source>
-        <translation type="unfinished">Rozlišení</translation>
+        <translation>Rozlišení</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished">Šířka</translation>
+        <translation>Šířka</translation>
     </message>
     <message>
         <source>Height</source>
-        <translation type="unfinished">Výška</translation>
+        <translation>Výška</translation>
     </message>
     <message>
         <source>Anti-aliasing</source>
-        <translation type="unfinished">Vyhlazování hran</translation>
+        <translation>Vyhlazování hran</translation>
     </message>
     <message>
         <source>on</source>
-        <translation type="unfinished"></translation>
+        <translation>zapnuto</translation>
     </message>
     <message>
         <source>off</source>
@@ -1796,27 +1796,27 @@ Alt+%2</translation>
     </message>
     <message>
         <source>Bloom</source>
-        <translation type="unfinished">Záře</translation>
+        <translation>Záře</translation>
     </message>
     <message>
         <source> pixels</source>
-        <translation type="unfinished"> bodů</translation>
+        <translation> bodů</translation>
     </message>
     <message>
         <source>&amp;What:</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Co:</translation>
     </message>
     <message>
         <source>&amp;Scene or model:</source>
-        <translation type="unfinished">&amp;Scéna nebo model:</translation>
+        <translation>&amp;Scéna nebo model:</translation>
     </message>
     <message>
         <source>&amp;Camera:</source>
-        <translation type="unfinished">&amp;Kamera:</translation>
+        <translation>&amp;Kamera:</translation>
     </message>
     <message>
         <source>&amp;List:</source>
-        <translation type="unfinished"></translation>
+        <translation>Se&amp;znam:</translation>
     </message>
     <message>
         <source>&amp;Frames:</source>
@@ -1832,27 +1832,27 @@ Alt+%2</translation>
     </message>
     <message>
         <source>&amp;Resolution:</source>
-        <translation type="unfinished">&amp;Rozlišení:</translation>
+        <translation>R&amp;ozlišení:</translation>
     </message>
     <message>
         <source>&amp;Anti-aliasing:</source>
-        <translation type="unfinished">&amp;Vyhlazování hran:</translation>
+        <translation>Vyhlazování &amp;hran:</translation>
     </message>
     <message>
         <source>Ambient occl&amp;usion:</source>
-        <translation type="unfinished"></translation>
+        <translation>Zas&amp;tínění okolím:</translation>
     </message>
     <message>
         <source>&amp;Bloom:</source>
-        <translation type="unfinished">&amp;Záře:</translation>
+        <translation>Zář&amp;e:</translation>
     </message>
     <message>
         <source>S&amp;ettings:</source>
-        <translation type="unfinished">&amp;Nastavení:</translation>
+        <translation>N&amp;astavení:</translation>
     </message>
     <message>
         <source>as the live picture</source>
-        <translation type="unfinished"></translation>
+        <translation>jako živý obraz</translation>
     </message>
     <message>
         <source>as the cameras say</source>
@@ -1864,19 +1864,19 @@ Alt+%2</translation>
     </message>
     <message>
         <source>Choose a scene or a model.</source>
-        <translation type="unfinished">Vyberte scénu nebo model.</translation>
+        <translation>Vyberte scénu nebo model.</translation>
     </message>
     <message>
         <source>The camera&apos;s file is not there.</source>
-        <translation type="unfinished">Soubor s kamerou neexistuje.</translation>
+        <translation>Soubor s kamerou neexistuje.</translation>
     </message>
     <message>
         <source>The file of settings is not there.</source>
-        <translation type="unfinished">Soubor s nastavením neexistuje.</translation>
+        <translation>Soubor s nastavením neexistuje.</translation>
     </message>
     <message>
         <source>Choose a list of cameras.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vyberte seznam kamer.</translation>
     </message>
     <message>
         <source>Name a film, pictures, or both.</source>
@@ -1899,7 +1899,7 @@ Alt+%2</translation>
     </message>
     <message>
         <source>No progressive rendering: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Bez postupného vykreslování: %1</translation>
     </message>
     <message>
         <source>rendering %1 %</source>
@@ -1918,11 +1918,11 @@ Alt+%2</translation>
     </message>
     <message>
         <source>light</source>
-        <translation type="unfinished">světlý</translation>
+        <translation>světlo</translation>
     </message>
     <message>
         <source>environment</source>
-        <translation type="unfinished"></translation>
+        <translation>prostředí</translation>
     </message>
 </context>
 <context>
@@ -1978,11 +1978,11 @@ Alt+%2</translation>
     <name>gui::SettingsPanel</name>
     <message>
         <source>&amp;Defaults</source>
-        <translation type="unfinished">&amp;Výchozí</translation>
+        <translation>&amp;Výchozí</translation>
     </message>
     <message>
         <source>All settings but the size as they are without any file</source>
-        <translation type="unfinished"></translation>
+        <translation>Všechna nastavení kromě velikosti jako bez souborů</translation>
     </message>
 </context>
 <context>
