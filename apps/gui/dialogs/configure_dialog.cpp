@@ -61,7 +61,7 @@ QWidget* ConfigureDialog::generalPage() {
     form->addRow(tr("&Folder for pictures:"), folder);
     stores_.append([this, folder] { preferences_.set(pref::pictureFolder, folder->path()); });
     constexpr int kMostMegabytes = 1000000;
-    addNumber(*form, tr("Keep &models for the next time:"), pref::keptModels, 0, kMostMegabytes, tr(" MB"));
+    addNumber(*form, tr("Keep mo&dels for the next time:"), pref::keptModels, 0, kMostMegabytes, tr(" MB"));
     addSwitch(*form, tr("&Keep servers running when the window closes"), pref::keepServers);
     addSwitch(*form, tr("&Progressive rendering when the camera rests"), pref::progressiveRendering);
     return page;
