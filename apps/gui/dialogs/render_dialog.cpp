@@ -3,7 +3,6 @@
 #include "gui/dialogs/fields.h"
 #include "gui/dialogs/file_field.h"
 #include "gui/dialogs/option_fields.h"
-#include "gui/models/preferences.h"
 #include "gui/processes/programs.h"
 
 #include "renderer/film_format.h"
@@ -69,8 +68,8 @@ QString pictureFilter() {
 } // namespace
 
 RenderDialog::RenderDialog(const RenderContext& context, QWidget* parent)
-    : JobDialog(renderer::rendererSpec(), ownOptions(), parent), live_(context.live), folder_(context.folder),
-      files_(std::make_shared<QTemporaryDir>()) {
+    : JobDialog(renderer::rendererSpec(), ownOptions(), parent), live_(context.live),
+      proposedOutput_(context.output), files_(std::make_shared<QTemporaryDir>()) {
     setWindowTitle(tr("Render"));
     makeFields(context);
     layOut();
@@ -192,9 +191,7 @@ void RenderDialog::onSource() {
                                                           : tr("as the cameras say"));
     output_->edit()->setPlaceholderText(now == Source::List ? tr("no pictures; or such as frame_####.png")
                                                             : QString());
-    output_->setPath(now == Source::List
-                         ? QString()
-                         : nextFreeName(folder_, QStringLiteral("render"), QStringLiteral("png")));
+    output_->setPath(now == Source::List ? QString() : proposedOutput_);
     proposeFilm();
     check();
     adjustSize();
