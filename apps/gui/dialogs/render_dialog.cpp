@@ -107,6 +107,7 @@ void RenderDialog::makeFields(const RenderContext& context) {
     size_ = new QComboBox;
     size_->addItems({tr("as the scene says"), tr("fixed")});
     size_->setAccessibleName(tr("Resolution"));
+    size_->setSizeAdjustPolicy(QComboBox::AdjustToContents); // its words change
     width_ = numberField(1, kMostPixels, size.width(), tr("Width"));
     height_ = numberField(1, kMostPixels, size.height(), tr("Height"));
     sizeRow_ = rowOfFields({size_, width_, sign(QStringLiteral("×")), height_});
