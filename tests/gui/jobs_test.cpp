@@ -287,7 +287,7 @@ TEST_F(JobsTest, TheTableOfOptionsMakesTheFields) {
 TEST_F(JobsTest, RenderDialogShowsTheCommandAndWhatIsWrong) {
     RenderContext context;
     context.scene = file("room.obj");
-    context.folder = QString::fromStdString(folder().path().string());
+    context.output = file("out.png");
     RenderDialog dialog(context);
     auto* command = field<QLineEdit>(dialog, "Command");
     auto* buttons = dialog.findChild<QDialogButtonBox*>();
@@ -327,7 +327,9 @@ TEST_F(JobsTest, EveryFieldHasANameAndEveryMnemonicIsUsedOnce) {
     for (QDialog* dialog : std::initializer_list<QDialog*>{&render, &build}) {
         QStringList texts;
         for (const QLabel* label : dialog->findChildren<QLabel*>()) {
-            if (label->buddy() != nullptr) texts.append(label->text());
+            if (label->buddy() == nullptr) continue;
+            texts.append(label->text());
+            EXPECT_NE(label->buddy()->focusPolicy(), Qt::NoFocus) << text(label->text());
         }
         for (const QAbstractButton* button : dialog->findChildren<QAbstractButton*>())
             texts.append(button->text());
@@ -403,6 +405,11 @@ TEST_F(JobsWindowTest, ThePresentViewIsRendered) {
     EXPECT_EQ(QImage(made), QImage(file("again.png")));
     const std::string camera = text(words.filter(QStringLiteral("--camera=")).first().mid(9));
     EXPECT_NE(readBytes(camera).find("50"), std::string::npos);
+    queue().add(longRender("render-0002.png"));
+    window->actions()[ActionId::Render]->trigger();
+    EXPECT_TRUE(window->findChildren<RenderDialog*>().last()->arguments().contains(
+        QStringLiteral("--output=") + file("render-0003.png")))
+        << "one is there, one is being made";
     queue().removeFinished();
     EXPECT_FALSE(std::filesystem::exists(camera)) << "no longer than the job";
 }

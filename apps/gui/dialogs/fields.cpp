@@ -20,6 +20,7 @@ QWidget* rowOfFields(std::initializer_list<QWidget*> fields) {
     layout->setContentsMargins(0, 0, 0, 0);
     for (QWidget* field : fields) layout->addWidget(field, qobject_cast<QLabel*>(field) == nullptr ? 1 : 0);
     row->setFocusProxy(*fields.begin());
+    row->setFocusPolicy(Qt::StrongFocus); // else the mnemonic of its label does nothing
     return row;
 }
 

@@ -21,6 +21,7 @@ FileField::FileField(Kind kind, const QString& title, const QString& filter, QWi
     row->addWidget(edit_, 1);
     row->addWidget(button);
     setFocusProxy(edit_);
+    setFocusPolicy(Qt::StrongFocus); // else the mnemonic of its label does nothing
     connect(button, &QPushButton::clicked, this, &FileField::browse);
     connect(edit_, &QLineEdit::textChanged, this, &FileField::pathChanged);
 }

@@ -59,6 +59,7 @@ QWidget* JobDialog::makeCommand() {
     layout->addWidget(command_, 1);
     layout->addWidget(copy);
     row->setFocusProxy(command_);
+    row->setFocusPolicy(Qt::StrongFocus);
     return row;
 }
 

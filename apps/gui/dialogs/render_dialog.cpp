@@ -3,7 +3,6 @@
 #include "gui/dialogs/fields.h"
 #include "gui/dialogs/file_field.h"
 #include "gui/dialogs/option_fields.h"
-#include "gui/models/preferences.h"
 #include "gui/processes/programs.h"
 
 #include "renderer/film_format.h"
@@ -69,8 +68,8 @@ QString pictureFilter() {
 } // namespace
 
 RenderDialog::RenderDialog(const RenderContext& context, QWidget* parent)
-    : JobDialog(renderer::rendererSpec(), ownOptions(), parent), live_(context.live), folder_(context.folder),
-      files_(std::make_shared<QTemporaryDir>()) {
+    : JobDialog(renderer::rendererSpec(), ownOptions(), parent), live_(context.live),
+      proposedOutput_(context.output), files_(std::make_shared<QTemporaryDir>()) {
     setWindowTitle(tr("Render"));
     makeFields(context);
     layOut();
@@ -108,6 +107,7 @@ void RenderDialog::makeFields(const RenderContext& context) {
     size_ = new QComboBox;
     size_->addItems({tr("as the scene says"), tr("fixed")});
     size_->setAccessibleName(tr("Resolution"));
+    size_->setSizeAdjustPolicy(QComboBox::AdjustToContents); // its words change
     width_ = numberField(1, kMostPixels, size.width(), tr("Width"));
     height_ = numberField(1, kMostPixels, size.height(), tr("Height"));
     sizeRow_ = rowOfFields({size_, width_, sign(QStringLiteral("×")), height_});
@@ -192,9 +192,7 @@ void RenderDialog::onSource() {
                                                           : tr("as the cameras say"));
     output_->edit()->setPlaceholderText(now == Source::List ? tr("no pictures; or such as frame_####.png")
                                                             : QString());
-    output_->setPath(now == Source::List
-                         ? QString()
-                         : nextFreeName(folder_, QStringLiteral("render"), QStringLiteral("png")));
+    output_->setPath(now == Source::List ? QString() : proposedOutput_);
     proposeFilm();
     check();
     adjustSize();

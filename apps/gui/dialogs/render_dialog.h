@@ -22,7 +22,7 @@ struct RenderContext {
     QSize size;        ///< of a live frame
     QString scene;     ///< proposed; may be empty
     QString list;      ///< a recorded list to begin with; may be empty
-    QString folder;    ///< where results go
+    QString output;    ///< proposed for a picture
     int antialiasing = 3;
 };
 
@@ -63,7 +63,7 @@ class RenderDialog : public JobDialog {
     QStringList qualityArguments() const;
 
     const bool live_;
-    const QString folder_;
+    const QString proposedOutput_;
     std::shared_ptr<QTemporaryDir> files_; ///< for what the server writes
     QComboBox* source_;
     FileField *scene_, *camera_, *list_, *output_, *film_, *settings_;

@@ -14,6 +14,7 @@
 
 #include <QAction>
 #include <QDesktopServices>
+#include <QDir>
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QMainWindow>
@@ -54,11 +55,21 @@ void JobOperations::openRenderDialog(const QString& list) {
     // What the server shows is more than its file: lights, settings.
     context.scene = context.live ? QString() : desk_.preferences.recentFiles().value(0);
     context.list = list;
-    context.folder = desk_.preferences.picturesFolder();
+    context.output = freeOutput();
     context.antialiasing = desk_.preferences.get(pref::stillAntialiasing);
     auto* dialog = new RenderDialog(context, &desk_.window);
     connect(dialog, &RenderDialog::wanted, this, &JobOperations::prepare);
     dialog->open();
+}
+
+// Neither a file nor the result of a job that has not written it yet.
+QString JobOperations::freeOutput() const {
+    const QDir folder(desk_.preferences.picturesFolder());
+    for (int number = 1;; ++number) {
+        const QString path =
+            folder.filePath(QStringLiteral("render-%1.png").arg(number, 4, 10, QLatin1Char('0')));
+        if (!QFileInfo::exists(path) && !queue_.makes(path)) return path;
+    }
 }
 
 void JobOperations::openBuildDialog() {

@@ -35,6 +35,7 @@ class JobOperations : public QObject {
     void makeDock();
     void openRenderDialog(const QString& list);
     void openBuildDialog();
+    QString freeOutput() const;
     /// The server writes what the job needs; then it is queued.
     void prepare(const RenderWish& wish);
     void prepareCamera(const RenderWish& wish);

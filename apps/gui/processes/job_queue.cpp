@@ -83,6 +83,11 @@ int JobQueue::unfinished() const {
 
 bool JobQueue::busy() const { return unfinished() > 0; }
 
+bool JobQueue::makes(const QString& result) const {
+    return std::any_of(jobs_.begin(), jobs_.end(),
+                       [&](const Job& job) { return !job.over() && job.request.result == result; });
+}
+
 void JobQueue::startNext() {
     if (running_ != 0) return;
     const auto next = std::find_if(jobs_.begin(), jobs_.end(),

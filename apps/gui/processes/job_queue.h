@@ -29,9 +29,10 @@ class JobQueue : public QAbstractTableModel {
     quint64 add(const JobRequest& request);
     /// The row must be there for this one, and for all that follow.
     const Job& job(int row) const { return jobs_.at(row); }
-    int rowOf(quint64 id) const; ///< -1 when it is gone
-    bool busy() const;           ///< something runs or waits
-    int unfinished() const;      ///< how many run or wait
+    int rowOf(quint64 id) const;             ///< -1 when it is gone
+    bool busy() const;                       ///< something runs or waits
+    bool makes(const QString& result) const; ///< the result of a job that runs or waits
+    int unfinished() const;                  ///< how many run or wait
 
     /// `step`: -1 up, 1 down. Only jobs that wait can be moved, and none past the one that runs.
     bool canMove(int row, int step) const;
