@@ -595,7 +595,7 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
         <translation>Vykreslit pohled, scénu nebo záznam do souboru</translation>
     </message>
     <message>
-        <source>&amp;Build kd-tree…</source>
+        <source>Build &amp;kd-tree…</source>
         <translation>&amp;Postavit kd-strom…</translation>
     </message>
     <message>
@@ -611,7 +611,7 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
         <translation>Co se vykresluje a staví a co čeká</translation>
     </message>
     <message>
-        <source>R&amp;eset camera</source>
+        <source>Reset ca&amp;mera</source>
         <translation>Výchozí ka&amp;mera</translation>
     </message>
     <message>
@@ -1027,12 +1027,12 @@ Alt+%2</translation>
         <translation>&amp;Klávesy</translation>
     </message>
     <message>
-        <source>Keep &amp;models for the next time:</source>
-        <translation>Uchovat mode&amp;ly pro příště:</translation>
-    </message>
-    <message>
         <source> MB</source>
         <translation> MB</translation>
+    </message>
+    <message>
+        <source>Keep mo&amp;dels for the next time:</source>
+        <translation>U&amp;chovat modely pro příště:</translation>
     </message>
 </context>
 <context>
