@@ -87,6 +87,7 @@ void Session::show(std::unique_ptr<World> world) {
 void Session::useTree(rtcore::KdTree tree, std::unique_ptr<rtcore::KdRayTracer> tracer) {
     player_->useTree(tree);
     world_->loaded.tree = std::move(tree);
+    world_->loaded.fastTree = false;
     world_->tracer = std::move(tracer);
 }
 

@@ -40,7 +40,7 @@ class Session {
     void show(std::unique_ptr<World> world);
     bool ready() const { return world_ != nullptr; }
     const World& world() const { return *world_; }
-    /// Another tree of the same scene, with its tracer. The frames stay the same.
+    /// The exact tree of the same scene, with its tracer. The frames stay the same.
     void useTree(rtcore::KdTree tree, std::unique_ptr<rtcore::KdRayTracer> tracer);
     std::string title() const; ///< for messages
 

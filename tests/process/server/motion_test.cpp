@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <thread>
 
 namespace {
@@ -132,6 +133,10 @@ TEST_F(Motions, ALargeModelIsShownAtOnceAndTracedFasterLater) {
     EXPECT_EQ(bytes("first.png"), bytes("second.png"));
     ask({"walk"});
     ask({"wait-idle"});
+    std::this_thread::sleep_for(500ms); // time for another tree, if it were built again
+    const std::string said = end(SIGTERM).error;
+    const std::string message = "the exact kd-tree is in use";
+    EXPECT_EQ(said.find(message), said.rfind(message)) << said;
 }
 
 } // namespace
