@@ -65,6 +65,8 @@ void TileRenderer::begin(const Scene& scene, const RayTracer& tracer, const Rend
     settings_ = &settings;
     camera_ = &camera;
     sameOrigin_ = false;
+    drawsSamples_ = WhittedIntegrator::drawsSamples(scene, settings);
+    samples_.clear();
     integrator_.begin(scene, tracer, settings, materials, measureStages);
     integrator_.stopWhen(&cancel);
 }
@@ -72,7 +74,8 @@ void TileRenderer::begin(const Scene& scene, const RayTracer& tracer, const Rend
 void TileRenderer::render(const PixelArea& area, Frame& frame) {
     collectRays(area);
     integrator_.clock().lap(Stage::Rays);
-    integrator_.trace(rays_);
+    if (drawsSamples_) nameSamples(area);
+    integrator_.trace(rays_, samples_);
     if (settings_->antialiasing == 1) {
         storePixels(area, frame);
     } else {
@@ -112,6 +115,19 @@ void TileRenderer::collectDirections(const PixelArea& area) {
         copyPart(directions[0], w, h, &rays_.dx[first]);
         copyPart(directions[1], w, h, &rays_.dy[first]);
         copyPart(directions[2], w, h, &rays_.dz[first]);
+    });
+}
+
+void TileRenderer::nameSamples(const PixelArea& area) {
+    const int n = settings_->antialiasing;
+    samples_.clear();
+    forEachBlock(area.columns * n, area.rows * n, [&](int column, int row, int w, int h, std::size_t) {
+        forEachSample(w, h, [&](int x, int y) {
+            const int across = column + x, down = row + y;
+            samples_.push_back({static_cast<std::uint16_t>(area.left + across / n),
+                                static_cast<std::uint16_t>(area.top + down / n),
+                                static_cast<std::uint32_t>(down % n * n + across % n)});
+        });
     });
 }
 

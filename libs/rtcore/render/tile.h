@@ -42,6 +42,7 @@ class TileRenderer {
   private:
     void collectRays(const PixelArea& area);
     void collectDirections(const PixelArea& area);
+    void nameSamples(const PixelArea& area);
     void storePixels(const PixelArea& area, Frame& frame);
     void averageSamples(const PixelArea& area, Frame& frame);
 
@@ -49,6 +50,8 @@ class TileRenderer {
     const CameraRays* camera_ = nullptr;
     WhittedIntegrator integrator_;
     RayWave rays_;
+    bool drawsSamples_ = false;
+    std::vector<SampleId> samples_;   ///< of rays_, where the integrator wants them
     bool sameOrigin_ = false;         ///< all of rays_ begin at the eye already
     std::vector<std::uint32_t> slot_; ///< of each sample of the tile, by row * width + column: its ray
 };

@@ -9,23 +9,51 @@ enum class ExposureMode { Automatic, Fixed };
 /// of red, green and blue by itself.
 enum class ToneMapping { Luminance, Channels };
 enum class EnvironmentFilter { Bilinear, Nearest };
+/// Where the samples of a pixel lie. (thesis figure 5.1)
+enum class SamplingPattern { Grid, Random, Jittered, Rotated, Poisson };
+/// Where the rays of a point go: a regular pattern turned and shifted for each point, the same for all
+/// points, or anywhere. (thesis 7.1.5)
+enum class OcclusionPattern { Rotated, Regular, Random };
+enum class BloomKernel { Gaussian, Airy };
 
 struct AmbientOcclusionSettings {
     bool on = false;
     int samples = 9;    ///< rays per point
     float distance = 0; ///< scene units; 0 = 15 % of the scene's diagonal
+    OcclusionPattern pattern = OcclusionPattern::Rotated;
+    float light = 0; ///< radiance from everywhere; 0 = the scene's, or what suits it when it has none
+};
+
+/// A thin lens on a film 36 mm wide.
+struct DepthOfFieldSettings {
+    bool on = false;
+    float fNumber = 2.8F; ///< focal length over diameter of the lens
+    float focus = 0;      ///< scene units along the axis to what is sharp; 0 = what is in the middle
+    int blades = 0;       ///< corners of the aperture; 0 = round
+};
+
+/// The fog itself is the scene's.
+struct FogSettings {
+    bool on = true;
+    int shafts = 0; ///< shadow rays along each ray to each light; 0 = light in the fog is not shadowed
 };
 
 struct ExposureSettings {
     ExposureMode mode = ExposureMode::Automatic;
     float value = 1;   ///< Fixed: the constant c of L = Y / (Y + c), in units of radiance
     float key = 0.18F; ///< Automatic: c = average / key, so a larger key makes the picture brighter
+    float brighterSeconds = 0.1F; ///< Automatic: time in which an eye gets used to 63 % of more light
+    float darkerSeconds = 0.4F;   ///< and of less
+    float local = 0;              ///< 0..1: how much of the exposure follows a pixel's own surroundings
 };
 
 struct RenderSettings {
     int width = 640;      ///< pixels
     int height = 480;     ///< pixels
     int antialiasing = 1; ///< N: N x N samples a pixel
+    SamplingPattern sampling = SamplingPattern::Grid;
+    float adaptive =
+        0; ///< 0..1: a pixel whose error is below it gets a quarter of the samples; 0 = all alike
     bool shadows = true;
     bool reflections = true;
     bool refractions = true;
@@ -33,7 +61,13 @@ struct RenderSettings {
     int maxDepth = 5;               ///< bounces by mirrors and glass
     float minContribution = 0.004F; ///< a ray that adds less than this share to its pixel is not traced
     AmbientOcclusionSettings ambientOcclusion;
-    int bloom = 0; ///< radius of the blur in pixels; 0 = off
+    DepthOfFieldSettings depthOfField;
+    FogSettings fog;
+    int lampSamples = 4; ///< shadow rays to a lamp that has a size; 0 = lamps are points
+    int denoise = 0;     ///< passes of the filter; 0 = off
+    int bloom = 0;       ///< standard deviation of the blur in pixels; 0 = off
+    BloomKernel bloomKernel = BloomKernel::Gaussian;
+    float bloomShare = 0.15F; ///< of the light that is spread
     ExposureSettings exposure;
     ToneMapping toneMapping = ToneMapping::Luminance;
     bool dithering = true;

@@ -15,6 +15,10 @@ namespace {
 constexpr std::array<std::string_view, 2> kExposureModes{"automatic", "fixed"};
 constexpr std::array<std::string_view, 2> kToneMappings{"luminance", "channels"};
 constexpr std::array<std::string_view, 2> kEnvironmentFilters{"bilinear", "nearest"};
+constexpr std::array<std::string_view, 5> kSamplingPatterns{"grid", "random", "jittered", "rotated",
+                                                            "poisson"};
+constexpr std::array<std::string_view, 3> kOcclusionPatterns{"rotated", "regular", "random"};
+constexpr std::array<std::string_view, 2> kBloomKernels{"gaussian", "airy"};
 
 using Choices = std::span<const std::string_view>;
 
@@ -24,6 +28,9 @@ Choices choicesOf() {
     if constexpr (std::is_same_v<Enum, ExposureMode>) return kExposureModes;
     if constexpr (std::is_same_v<Enum, ToneMapping>) return kToneMappings;
     if constexpr (std::is_same_v<Enum, EnvironmentFilter>) return kEnvironmentFilters;
+    if constexpr (std::is_same_v<Enum, SamplingPattern>) return kSamplingPatterns;
+    if constexpr (std::is_same_v<Enum, OcclusionPattern>) return kOcclusionPatterns;
+    if constexpr (std::is_same_v<Enum, BloomKernel>) return kBloomKernels;
     return {};
 }
 
@@ -93,10 +100,14 @@ std::vector<Setting> makeTable() {
     using S = RenderSettings;
     using Occlusion = AmbientOcclusionSettings;
     using Exposure = ExposureSettings;
+    using Lens = DepthOfFieldSettings;
     return {
         row<&S::width>("width", {1, 32768}, "pixels", "width of the picture"),
         row<&S::height>("height", {1, 32768}, "pixels", "height of the picture"),
         row<&S::antialiasing>("antialiasing", {1, 16}, "", "N x N samples a pixel, averaged"),
+        row<&S::sampling>("sampling", "where the samples of a pixel lie"),
+        row<&S::adaptive>("adaptive", {0, 1}, "",
+                          "pixels whose error is below it get fewer samples; 0: all the same"),
         row<&S::shadows>("shadows", "lights cast shadows"),
         row<&S::reflections>("reflections", "mirrors reflect"),
         row<&S::refractions>("refractions", "transparent surfaces let light through"),
@@ -111,12 +122,41 @@ std::vector<Setting> makeTable() {
         row<&S::ambientOcclusion, &Occlusion::distance>(
             "ambientOcclusion.distance", {0, kUnlimited}, "scene units",
             "how far off a surface occludes; 0: 15 % of the scene's diagonal"),
-        row<&S::bloom>("bloom", {0, 4096}, "pixels", "radius of the glow around bright spots; 0: none"),
+        row<&S::ambientOcclusion, &Occlusion::pattern>("ambientOcclusion.pattern",
+                                                       "directions of the rays, turned for each point, the "
+                                                       "same for all, or any"),
+        row<&S::ambientOcclusion, &Occlusion::light>(
+            "ambientOcclusion.light", {0, kUnlimited}, "radiance",
+            "light from everywhere; 0: the scene's, or what suits it when it has none"),
+        row<&S::depthOfField, &Lens::on>("depthOfField.on", "only what is in focus is sharp"),
+        row<&S::depthOfField, &Lens::fNumber>("depthOfField.fNumber", {0.1, 1000}, "",
+                                              "focal length over the lens's diameter, of a film 36 mm wide: "
+                                              "smaller is more blurred"),
+        row<&S::depthOfField, &Lens::focus>("depthOfField.focus", {0, kUnlimited}, "scene units",
+                                            "distance of what is sharp; 0: of what is in the middle"),
+        row<&S::depthOfField, &Lens::blades>("depthOfField.blades", {0, 32}, "",
+                                             "corners of the aperture; below 3: round"),
+        row<&S::fog, &FogSettings::on>("fog.on", "the scene's fog is shown"),
+        row<&S::fog, &FogSettings::shafts>("fog.shafts", {0, 1024}, "rays",
+                                           "shadow rays to each light along a ray through fog: shafts of "
+                                           "light; 0: none"),
+        row<&S::lampSamples>("lampSamples", {0, 4096}, "rays",
+                             "shadow rays to each lamp that has a size: soft shadows; 0: lamps are points"),
+        row<&S::denoise>("denoise", {0, 8}, "passes", "smooths noise, but not edges; 0: none"),
+        row<&S::bloom>("bloom", {0, 4096}, "pixels", "size of the glow around bright spots; 0: none"),
+        row<&S::bloomKernel>("bloomKernel", "blur of a plain lens, or the coloured rings of a perfect one"),
+        row<&S::bloomShare>("bloomShare", {0, 1}, "", "share of all light that the glow spreads"),
         row<&S::exposure, &Exposure::mode>("exposure.mode", "automatic follows the picture's brightness"),
         row<&S::exposure, &Exposure::value>("exposure.value", {1e-30, 1e30}, "radiance",
                                             "fixed exposure: radiance that is shown as half of white"),
         row<&S::exposure, &Exposure::key>("exposure.key", {1e-4, 100}, "",
                                           "automatic exposure: larger is brighter"),
+        row<&S::exposure, &Exposure::brighterSeconds>("exposure.brighterSeconds", {0, 1000}, "seconds",
+                                                      "time to get used to more light, in real time"),
+        row<&S::exposure, &Exposure::darkerSeconds>("exposure.darkerSeconds", {0, 1000}, "seconds",
+                                                    "time to get used to less light, in real time"),
+        row<&S::exposure, &Exposure::local>("exposure.local", {0, 1}, "",
+                                            "how much the exposure of a place follows its own brightness"),
         row<&S::toneMapping>("toneMapping",
                              "luminance keeps hues, channels lets bright colours fade to white"),
         row<&S::dithering>("dithering", "noise of less than one step hides bands in smooth gradients"),

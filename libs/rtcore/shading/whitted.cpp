@@ -43,8 +43,19 @@ void WhittedIntegrator::begin(const Scene& scene, const RayTracer& tracer, const
     clock_.start(measureStages);
 }
 
-void WhittedIntegrator::trace(const RayWave& primary) {
+bool WhittedIntegrator::drawsSamples(const Scene&, const RenderSettings& settings) {
+    return settings.ambientOcclusion.on;
+}
+
+/// Without names, a sample's place in the wave is its pixel.
+SampleId WhittedIntegrator::sampleId(std::uint32_t sample) const {
+    if (!samples_.empty()) return samples_[sample];
+    return {static_cast<std::uint16_t>(sample), static_cast<std::uint16_t>(sample >> 16), 0};
+}
+
+void WhittedIntegrator::trace(const RayWave& primary, std::span<const SampleId> samples) {
     const std::size_t count = primary.size();
+    samples_ = samples;
     radianceMemory_.resize(3, count);
     radiance_ = {radianceMemory_.array(0), radianceMemory_.array(1), radianceMemory_.array(2)};
     hit_.resize(count + kWaveBlock);

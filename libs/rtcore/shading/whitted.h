@@ -4,6 +4,7 @@
 
 #include "rtcore/kernels/ray_statistics.h"
 #include "rtcore/kernels/ray_tracer.h"
+#include "rtcore/sampling/sample_id.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
 #include "rtcore/shading/light_wave.h"
@@ -34,8 +35,11 @@ class WhittedIntegrator {
     void begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
                const MaterialTable& materials, bool measureStages = false);
 
-    /// Traces primary rays (directions of unit length) and all that follow from them.
-    void trace(const RayWave& primary);
+    /// Whether trace() needs the names of the samples: something is drawn for each of them.
+    static bool drawsSamples(const Scene& scene, const RenderSettings& settings);
+    /// Traces primary rays (directions of unit length) and all that follow from them. `samples` names each of
+    /// them; may be empty unless drawsSamples().
+    void trace(const RayWave& primary, std::span<const SampleId> samples = {});
     /// Of the last wave: radiance along each primary ray, and 1 where it hit something, else 0; both with
     /// room for whole blocks of kWaveBlock.
     const ArraysOf3& radiance() const { return radiance_; }
@@ -61,6 +65,7 @@ class WhittedIntegrator {
 
     void traceWave(RayKind kind, const RayWave& rays);
     Path pathOf(std::size_t ray) const;
+    SampleId sampleId(std::uint32_t sample) const;
     void setShares(RayKind kind);
     void addBackground(const RayWave& rays);
     void addGlow();
@@ -88,6 +93,7 @@ class WhittedIntegrator {
     RayStatistics statistics_;
     StageClock clock_;
     const std::atomic<bool>* stop_ = nullptr;
+    std::span<const SampleId> samples_; ///< of the wave being traced
 
     WaveMemory radianceMemory_;
     ArraysOf3 radiance_;
