@@ -87,7 +87,8 @@ class SampleModel {
 
     void addLights() {
         for (const auto kind :
-             {rtcore::LightKind::Point, rtcore::LightKind::Directional, rtcore::LightKind::Spot}) {
+             {rtcore::LightKind::Point, rtcore::LightKind::Directional, rtcore::LightKind::Spot,
+              rtcore::LightKind::Sphere, rtcore::LightKind::Rectangle}) {
             rtcore::Light light;
             light.kind = kind;
             light.position = vector(5);
@@ -96,6 +97,9 @@ class SampleModel {
             light.radius = number(0, 0.1F);
             light.cosInner = 0.9F;
             light.cosOuter = 0.8F;
+            light.right = rtcore::basisAround(light.direction).tangent;
+            light.width = number(0.1F, 1);
+            light.height = number(0.1F, 1);
             light.nameOffset = buffers_.addName("light");
             buffers_.lights.push_back(light);
         }

@@ -8,6 +8,7 @@
 #define HWY_TARGET_INCLUDE "rtcore/shading/light_wave.cpp"
 #include <hwy/foreach_target.h>
 // The loop over targets comes before the code that is compiled for each of them.
+#include "rtcore/shading/vector_circle-inl.h"
 #include "rtcore/shading/vector_materials-inl.h"
 
 #ifndef RTCORE_SHADING_LIGHT_WAVE_TYPES
@@ -41,14 +42,65 @@ HWY_INLINE Floats spotFactors(const Light& light, Floats cosine) {
     return hn::Mul(hn::Mul(x, x), hn::Sub(constant(3), hn::Mul(constant(2), x)));
 }
 
+/// Numbers 0..1, without 1.
+struct Places {
+    Floats u, v;
+};
+HWY_INLINE Places placesOn(const LampPart* part, std::size_t i) {
+    const FloatTag d;
+    const BitsTag du;
+    if (part == nullptr) return {constant(0.5F), constant(0.5F)};
+    const auto unit = [&](const std::uint32_t* bits, std::uint32_t added) {
+        const Bits sum = hn::Add(hn::LoadU(du, bits + i), hn::Set(du, added));
+        const hn::RebindToSigned<FloatTag> di;
+        return hn::Mul(hn::ConvertTo(d, hn::BitCast(di, hn::ShiftRight<8>(sum))), constant(0x1p-24F));
+    };
+    return {unit(part->u, part->du), unit(part->v, part->dv)};
+}
+
+/// A place on the sphere, uniform in the cone that it fills; with 1 - cos of small angles to full precision.
+HWY_INLINE Illuminations illuminateFromSphere(const Light& light, Vectors offset, const LampPart* part,
+                                              Places place) {
+    const Floats one = constant(1), zero = constant(0);
+    const Floats radius = constant(light.radius);
+    const Floats distance = hn::Sqrt(dot(offset, offset));
+    const Vectors axis = select(hn::Gt(distance, zero), offset / distance, constant(0, 1, 0));
+    const Floats counted = larger(larger(distance, radius), constant(1e-18F));
+    const Floats sine = hn::Div(radius, counted);
+    const Floats whole = hn::Add(one, hn::Sqrt(larger(hn::Sub(one, hn::Mul(sine, sine)), zero)));
+    const Floats widest = hn::Div(hn::Mul(sine, sine), whole);
+    const Floats bent = part != nullptr ? hn::Mul(place.u, widest) : zero; // 1 - cosine
+    const Floats squareSine = hn::Mul(bent, hn::Sub(constant(2), bent));
+    const Vectors across = aroundAxis(axis, unitCircle(place.v));
+    const Vectors toLight = axis * hn::Sub(one, bent) + across * hn::Sqrt(squareSine);
+    const Floats aside = hn::Mul(hn::Mul(distance, distance), squareSine);
+    const Floats depth = hn::Sqrt(larger(hn::Sub(hn::Mul(radius, radius), aside), zero));
+    const Floats near = hn::Sub(hn::Mul(distance, hn::Sub(one, bent)), depth);
+    const Floats scale = hn::Div(constant(part != nullptr ? 2 * part->share : 2.0F),
+                                 hn::Mul(hn::Mul(counted, counted), whole));
+    const Vectors intensity = constant(light.intensity.r, light.intensity.g, light.intensity.b);
+    return {toLight, larger(hn::Mul(near, constant(0.9999F)), zero), intensity * scale};
+}
+
+HWY_INLINE Vectors placeOnRectangle(const Light& light, Places place) {
+    const auto everywhere = [](Vec3 v) { return constant(v.x, v.y, v.z); };
+    const Floats half = constant(0.5F);
+    return everywhere(light.right * light.width) * hn::Sub(place.u, half) +
+           everywhere(rtcore::cross(light.direction, light.right) * light.height) * hn::Sub(place.v, half);
+}
+
 template <LightKind kind>
-HWY_INLINE Illuminations illuminateAll(const Light& light, Vectors position) {
+HWY_INLINE Illuminations illuminateAll(const Light& light, const LampPart* part, std::size_t i,
+                                       Vectors position) {
     const Vectors intensity = constant(light.intensity.r, light.intensity.g, light.intensity.b);
     if constexpr (kind == LightKind::Directional) {
         return {constant(-light.direction.x, -light.direction.y, -light.direction.z),
                 constant(std::numeric_limits<float>::max()), intensity};
     }
-    const Vectors offset = constant(light.position.x, light.position.y, light.position.z) - position;
+    Vectors offset = constant(light.position.x, light.position.y, light.position.z) - position;
+    if constexpr (kind == LightKind::Sphere)
+        return illuminateFromSphere(light, offset, part, placesOn(part, i));
+    if constexpr (kind == LightKind::Rectangle) offset = offset + placeOnRectangle(light, placesOn(part, i));
     const Floats distance = hn::Sqrt(dot(offset, offset));
     const Lanes apart = hn::Gt(distance, constant(0));
     const Vectors toLight = select(apart, offset / distance, constant(0, 1, 0));
@@ -62,6 +114,11 @@ HWY_INLINE Illuminations illuminateAll(const Light& light, Vectors position) {
     if constexpr (kind == LightKind::Spot) {
         const Vectors axis = constant(light.direction.x, light.direction.y, light.direction.z);
         irradiance = irradiance * spotFactors(light, hn::Neg(dot(toLight, axis)));
+    }
+    if constexpr (kind == LightKind::Rectangle) {
+        const Vectors axis = constant(light.direction.x, light.direction.y, light.direction.z);
+        const Floats front = larger(hn::Neg(dot(toLight, axis)), constant(0));
+        irradiance = irradiance * hn::Mul(front, constant(part != nullptr ? part->share : 1.0F));
     }
     const Floats almost = hn::Sub(hn::Mul(distance, constant(0.9999F)), constant(light.radius));
     return {toLight, larger(almost, constant(0)), irradiance};
@@ -99,8 +156,8 @@ HWY_INLINE void storeSome(Floats v, Lanes lanes, bool all, float* HWY_RESTRICT t
 }
 
 template <LightKind kind>
-HWY_INLINE std::size_t lightAll(const Light& light, const MaterialRow* rows, const SurfaceWave& s,
-                                const ShadowArrays* shadows) {
+HWY_INLINE std::size_t lightAll(const Light& light, const LampPart* part, const MaterialRow* rows,
+                                const SurfaceWave& s, const ShadowArrays* shadows) {
     const FloatTag d;
     const BitsTag du;
     const Floats zero = hn::Zero(d);
@@ -117,7 +174,7 @@ HWY_INLINE std::size_t lightAll(const Light& light, const MaterialRow* rows, con
             continue;
         }
         const Vectors position = loadVectors(s.position.x + i, s.position.y + i, s.position.z + i);
-        const Illuminations arriving = illuminateAll<kind>(light, position);
+        const Illuminations arriving = illuminateAll<kind>(light, part, i, position);
         const Vectors geometricNormal =
             loadVectors(s.geometricNormal.x + i, s.geometricNormal.y + i, s.geometricNormal.z + i);
         const Vectors normal =
@@ -161,15 +218,19 @@ HWY_INLINE std::size_t lightAll(const Light& light, const MaterialRow* rows, con
 }
 
 /// Returns the number of shadow rays.
-std::size_t lightSurfaces(const Light& light, const MaterialRow* rows, const SurfaceWave& surfaces,
-                          const ShadowArrays* shadows) {
+std::size_t lightSurfaces(const Light& light, const LampPart* part, const MaterialRow* rows,
+                          const SurfaceWave& surfaces, const ShadowArrays* shadows) {
     switch (light.kind) {
     case LightKind::Directional:
-        return lightAll<LightKind::Directional>(light, rows, surfaces, shadows);
+        return lightAll<LightKind::Directional>(light, part, rows, surfaces, shadows);
     case LightKind::Spot:
-        return lightAll<LightKind::Spot>(light, rows, surfaces, shadows);
+        return lightAll<LightKind::Spot>(light, part, rows, surfaces, shadows);
+    case LightKind::Sphere:
+        return lightAll<LightKind::Sphere>(light, part, rows, surfaces, shadows);
+    case LightKind::Rectangle:
+        return lightAll<LightKind::Rectangle>(light, part, rows, surfaces, shadows);
     default:
-        return lightAll<LightKind::Point>(light, rows, surfaces, shadows);
+        return lightAll<LightKind::Point>(light, part, rows, surfaces, shadows);
     }
 }
 
@@ -182,10 +243,12 @@ namespace rtcore {
 
 HWY_EXPORT(lightSurfaces);
 
-void addLight(const Light& light, const MaterialTable& materials, SurfaceWave& surfaces,
+namespace {
+
+void addLight(const Light& light, const LampPart* part, const MaterialTable& materials, SurfaceWave& surfaces,
               ShadowRays* shadows) {
     if (shadows == nullptr) {
-        HWY_DYNAMIC_DISPATCH(lightSurfaces)(light, materials.rows(), surfaces, nullptr);
+        HWY_DYNAMIC_DISPATCH(lightSurfaces)(light, part, materials.rows(), surfaces, nullptr);
         return;
     }
     RayWave& rays = shadows->rays;
@@ -194,7 +257,19 @@ void addLight(const Light& light, const MaterialTable& materials, SurfaceWave& s
     if (shadows->point.size() < room) shadows->point.resize(room);
     const ShadowArrays arrays{rays.ox.data(), rays.oy.data(), rays.oz.data(),   rays.dx.data(),
                               rays.dy.data(), rays.dz.data(), rays.tMax.data(), shadows->point.data()};
-    rays.resize(HWY_DYNAMIC_DISPATCH(lightSurfaces)(light, materials.rows(), surfaces, &arrays));
+    rays.resize(HWY_DYNAMIC_DISPATCH(lightSurfaces)(light, part, materials.rows(), surfaces, &arrays));
+}
+
+} // namespace
+
+void addLight(const Light& light, const MaterialTable& materials, SurfaceWave& surfaces,
+              ShadowRays* shadows) {
+    addLight(light, nullptr, materials, surfaces, shadows);
+}
+
+void addLight(const Light& light, const LampPart& part, const MaterialTable& materials, SurfaceWave& surfaces,
+              ShadowRays* shadows) {
+    addLight(light, &part, materials, surfaces, shadows);
 }
 
 } // namespace rtcore

@@ -23,6 +23,7 @@ inline float spotFactor(const Light& light, float cosine) {
     return x * x * (3 - 2 * x);
 }
 
+/// A lamp with a size counts as a point in its middle.
 inline Illumination illuminate(const Light& light, Vec3 position) {
     if (light.kind == LightKind::Directional) {
         return {-light.direction, std::numeric_limits<float>::max(), light.intensity};
@@ -34,6 +35,8 @@ inline Illumination illuminate(const Light& light, Vec3 position) {
     Colour irradiance = light.intensity / (counted * counted);
     if (light.kind == LightKind::Spot)
         irradiance = irradiance * spotFactor(light, -dot(toLight, light.direction));
+    if (light.kind == LightKind::Rectangle)
+        irradiance = irradiance * std::max(-dot(toLight, light.direction), 0.0F);
     constexpr float kAlmost = 0.9999F;
     return {toLight, std::max(distance * kAlmost - light.radius, 0.0F), irradiance};
 }

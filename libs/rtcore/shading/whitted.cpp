@@ -43,8 +43,10 @@ void WhittedIntegrator::begin(const Scene& scene, const RayTracer& tracer, const
     clock_.start(measureStages);
 }
 
-bool WhittedIntegrator::drawsSamples(const Scene&, const RenderSettings& settings) {
-    return settings.ambientOcclusion.on;
+bool WhittedIntegrator::drawsSamples(const Scene& scene, const RenderSettings& settings) {
+    const auto soft = [](const Light& light) { return light.on != 0 && hasSize(light); };
+    const bool lamps = settings.lampSamples > 0 && std::ranges::any_of(scene.lights, soft);
+    return settings.ambientOcclusion.on || lamps;
 }
 
 /// Without names, a sample's place in the wave is its pixel.
@@ -97,8 +99,8 @@ void WhittedIntegrator::traceWave(RayKind kind, const RayWave& rays) {
     completePoints(rays);
     addGlow();
     clock_.lap(Stage::Surfaces);
-    for (const Light& light : scene_->lights) {
-        if (light.on != 0 && !stopped()) lightBy(light);
+    for (std::uint32_t i = 0; i < scene_->lights.size(); ++i) {
+        if (scene_->lights[i].on != 0 && !stopped()) lightBy(scene_->lights[i], i);
     }
     spawn();
     clock_.lap(Stage::Spawn);
@@ -243,8 +245,30 @@ void WhittedIntegrator::addGlow() {
     if (!first_) accumulate();
 }
 
-void WhittedIntegrator::lightBy(const Light& light) {
+void WhittedIntegrator::lightBy(const Light& light, std::uint32_t number) {
+    if (hasSize(light) && settings_->lampSamples > 0) {
+        lightBySamples(light, number);
+        return;
+    }
     addLight(light, *materials_, surfaces_, settings_->shadows ? &shadowRays_ : nullptr);
+    addUnshadowed();
+}
+
+void WhittedIntegrator::lightBySamples(const Light& light, std::uint32_t number) {
+    const int samples = settings_->lampSamples;
+    lampDraw_.begin(
+        surfaces_.size(), samples, number,
+        [&](std::size_t i) { return sampleId(first_ ? static_cast<std::uint32_t>(i) : wave_.sample[i]); },
+        [&](std::size_t i) { return first_ ? 0 : wave_.bounces[i]; });
+    for (int k = 0; k < samples && !stopped(); ++k) {
+        addLight(light, lampDraw_.part(k), *materials_, surfaces_,
+                 settings_->shadows ? &shadowRays_ : nullptr);
+        addUnshadowed();
+    }
+}
+
+/// What the light adds to the samples from where nothing is between.
+void WhittedIntegrator::addUnshadowed() {
     clock_.lap(Stage::Light);
     if (settings_->shadows) {
         if (shadowRays_.rays.empty()) return;

@@ -7,6 +7,7 @@
 #include "rtcore/sampling/sample_id.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
+#include "rtcore/shading/lamp_draw.h"
 #include "rtcore/shading/light_wave.h"
 #include "rtcore/shading/material_table.h"
 #include "rtcore/shading/path_queue.h"
@@ -74,7 +75,9 @@ class WhittedIntegrator {
     void setAlbedo(std::size_t i, Colour albedo, Colour& glow);
     void completeTextured();
     bool passHole(const RayWave& rays, std::size_t i, const Surface& surface, Path& path);
-    void lightBy(const Light& light);
+    void lightBy(const Light& light, std::uint32_t number);
+    void lightBySamples(const Light& light, std::uint32_t number);
+    void addUnshadowed();
     void darken(const std::vector<std::uint8_t>& occluded);
     void tint(const std::vector<Colour>& arriving);
     void accumulate();
@@ -111,6 +114,7 @@ class WhittedIntegrator {
     } textured_;
     std::vector<Transparent> transparent_;
     ShadowRays shadowRays_;
+    LampDraw lampDraw_;
 };
 
 } // namespace rtcore

@@ -32,6 +32,14 @@ TEST(RenderFrame, TheSameBitsForAnyNumberOfThreads) {
     }
 }
 
+TEST(RenderFrame, TheSameSoftShadowsForAnyNumberOfThreadsAndInEveryFrame) {
+    const test::TracedScene s(test::softlyLitScene());
+    const RenderSettings settings = test::sampleSettings(150, 90, 2);
+    const Frame one = test::render(s, settings, 1);
+    for (const int threads : {1, 2, 7})
+        EXPECT_EQ(one.radiance.pixels, test::render(s, settings, threads).radiance.pixels) << threads;
+}
+
 TEST(RenderFrame, TheSameBitsForAnyTree) {
     const TracedScene exact(test::sampleScene(), BuildMethod::Exact);
     const TracedScene fast(test::sampleScene(), BuildMethod::Fast);

@@ -50,6 +50,10 @@ TEST_F(InstructionSets, GiveTheSameHighlights) {
     compare(test::TracedScene(scene), test::sampleSettings(101, 67));
 }
 
+TEST_F(InstructionSets, GiveTheSameSoftShadows) {
+    compare(test::TracedScene(test::softlyLitScene()), test::sampleSettings(101, 67, 2));
+}
+
 TEST_F(InstructionSets, GiveTheSameDirections) {
     Camera camera = test::sampleCamera();
     for (const float fov : {1e-3F, 60.0F, 179.999F}) {

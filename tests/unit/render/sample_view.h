@@ -46,6 +46,20 @@ inline rtcore::Scene sampleScene() {
     return b.finish();
 }
 
+/// The same under lamps that have a size.
+inline rtcore::Scene softlyLitScene() {
+    rtcore::Scene scene = sampleScene();
+    rtcore::Light& sphere = scene.lights[2];
+    sphere.kind = rtcore::LightKind::Sphere;
+    sphere.radius = 0.5F;
+    rtcore::Light& panel = scene.lights[1];
+    panel.kind = rtcore::LightKind::Rectangle;
+    panel.right = rtcore::basisAround(panel.direction).tangent;
+    panel.width = 1;
+    panel.height = 0.5F;
+    return scene;
+}
+
 inline rtcore::Camera sampleCamera() {
     rtcore::Camera camera;
     camera.eye = {0.3F, 0.8F, 6};

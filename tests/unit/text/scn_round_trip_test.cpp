@@ -34,12 +34,18 @@ rtcore::LightDescription randomLight(Random& random) {
     rtcore::LightDescription result;
     rtcore::Light& light = result.light;
     if (random.flag()) result.name = awkwardName(random);
-    light.kind = static_cast<rtcore::LightKind>(random.below(3));
+    light.kind = static_cast<rtcore::LightKind>(random.below(5));
     if (light.kind != rtcore::LightKind::Directional) {
         light.position = point(random);
         light.radius = random.positive();
     }
-    if (light.kind != rtcore::LightKind::Point) light.direction = rtcore::normalize(point(random));
+    if (light.kind != rtcore::LightKind::Point && light.kind != rtcore::LightKind::Sphere)
+        light.direction = rtcore::normalize(point(random));
+    if (light.kind == rtcore::LightKind::Rectangle) {
+        light.right = rtcore::basisAround(light.direction).tangent;
+        light.width = random.positive();
+        light.height = random.positive();
+    }
     light.intensity = positive(random);
     if (light.kind == rtcore::LightKind::Spot) {
         light.cosOuter = random.share() - 0.5F;

@@ -1,4 +1,4 @@
-/// The bytes of a .bsp file, version 1 (docs/formats.md): this header, then the sections in the order of
+/// The bytes of a .bsp file, version 2 (docs/formats.md): this header, then the sections in the order of
 /// BspSection, each at the next multiple of 64 bytes behind the one before, the gaps filled with zeros.
 /// Numbers are in the byte order of the machine that wrote the file. Every byte is under one of the two CRCs.
 #pragma once
@@ -44,7 +44,7 @@ inline constexpr std::array<std::uint32_t, kBspSections> kBspElementSizes{
 /// them. No other format called .bsp begins so.
 inline constexpr std::array<std::uint8_t, 8> kBspMagic{0x89, 'R', 'T', 'K', '\r', '\n', 0x1A, '\n'};
 inline constexpr std::uint32_t kBspByteOrder = 0x01020304;
-inline constexpr std::uint32_t kBspVersion = 1;
+inline constexpr std::uint32_t kBspVersion = 2;
 inline constexpr std::uint64_t kBspAlignment = 64; ///< of sections: a cache line
 
 struct BspSectionEntry {

@@ -60,6 +60,17 @@ void setCone(const aiLight& light, const FormatQuirks& quirks, Light& out) {
     out.cosInner = portableCos(std::clamp(inner, 0.0F, outer * 0.9F));
 }
 
+/// False where it has no area.
+bool setSides(const aiLight& light, const Affine& place, Light& out) {
+    const Vec3 up = vec(light.mUp), ahead = vec(light.mDirection);
+    const Vec3 right = place.vector(cross(ahead, up) * light.mSize.x);
+    out.right = normalize(right - out.direction * dot(right, out.direction));
+    if (out.right == Vec3{}) return false;
+    out.width = length(right);
+    out.height = length(place.vector(normalize(up) * light.mSize.y));
+    return out.width > 0 && out.height > 0 && out.width <= kLargest && out.height <= kLargest;
+}
+
 bool convert(const aiLight& light, const Affine& place, const FormatQuirks& quirks, const Box3& bounds,
              Light& out) {
     switch (light.mType) {
@@ -72,6 +83,9 @@ bool convert(const aiLight& light, const Affine& place, const FormatQuirks& quir
     case aiLightSource_SPOT:
         out.kind = LightKind::Spot;
         break;
+    case aiLightSource_AREA:
+        out.kind = LightKind::Rectangle;
+        break;
     default:
         return false;
     }
@@ -81,6 +95,7 @@ bool convert(const aiLight& light, const Affine& place, const FormatQuirks& quir
         if (out.direction == Vec3{}) return false;
     }
     if (out.kind == LightKind::Spot) setCone(light, quirks, out);
+    if (out.kind == LightKind::Rectangle && !setSides(light, place, out)) return false;
     if (!within(out.position, kLargest)) return false;
     const Colour colour{light.mColorDiffuse.r, light.mColorDiffuse.g, light.mColorDiffuse.b};
     out.intensity = colour * intensityScale(light, out, quirks, bounds);

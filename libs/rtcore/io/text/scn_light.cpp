@@ -8,7 +8,7 @@ namespace rtcore {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> kKinds{"point", "directional", "spot"};
+constexpr std::array<std::string_view, 5> kKinds{"point", "directional", "spot", "sphere", "rectangle"};
 constexpr Limits kHalfAngle{.minimum = 0, .maximum = 180};
 
 /// A direction that is of unit length but for rounding stays as it is, so that written directions read back
@@ -32,6 +32,26 @@ void setCone(const StrictTable& table, const Cone& cone, Light& light) {
     table.fail(key, "innerAngle must be below outerAngle, by enough to tell them apart");
 }
 
+bool hasDirection(LightKind kind) {
+    return kind == LightKind::Directional || kind == LightKind::Spot || kind == LightKind::Rectangle;
+}
+
+struct Sides {
+    std::optional<Vec3> right;
+    std::optional<float> width, height;
+};
+
+/// A vector that is perpendicular but for rounding stays as it is, so that what was written reads back alike.
+void setSides(const StrictTable& table, const Sides& sides, Light& light) {
+    light.width = table.require("width", sides.width);
+    light.height = table.require("height", sides.height);
+    const Vec3 right = unitDirection(sides.right.value_or(basisAround(light.direction).tangent));
+    const float slant = dot(right, light.direction);
+    light.right = std::fabs(slant) < 1e-6F ? right : normalize(right - light.direction * slant);
+    if (right == Vec3{} || std::fabs(slant) > 0.999F)
+        table.fail("right", "right is zero or along direction; give where the width of the lamp points to");
+}
+
 } // namespace
 
 LightDescription readLight(StrictTable& table) {
@@ -44,6 +64,8 @@ LightDescription readLight(StrictTable& table) {
     // Through double, since a cosine near 0 has more digits than an angle in floats.
     const Cone cone{table.preciseNumber("innerAngle", kHalfAngle),
                     table.preciseNumber("outerAngle", kHalfAngle)};
+    const Sides sides{table.vector("right"), table.number("width", kNotNegative),
+                      table.number("height", kNotNegative)};
     const auto on = table.boolean("on");
     table.finish();
 
@@ -52,13 +74,14 @@ LightDescription readLight(StrictTable& table) {
     result.name = name.value_or("");
     light.kind = static_cast<LightKind>(table.require("kind", kind));
     if (light.kind != LightKind::Directional) light.position = table.require("position", position);
-    if (light.kind != LightKind::Point)
-        light.direction = unitDirection(table.require("direction", direction));
+    if (hasDirection(light.kind)) light.direction = unitDirection(table.require("direction", direction));
     if (light.direction == Vec3{})
         table.fail("direction", "direction is zero; give where the light shines to");
     light.intensity = intensity.value_or(light.intensity);
     light.radius = radius.value_or(light.radius);
+    if (light.kind == LightKind::Sphere && !radius) table.require("radius", radius);
     if (light.kind == LightKind::Spot) setCone(table, cone, light);
+    if (light.kind == LightKind::Rectangle) setSides(table, sides, light);
     light.on = on.value_or(true) ? 1 : 0;
     return result;
 }
@@ -69,12 +92,17 @@ void writeLight(TomlWriter& writer, const LightDescription& description) {
     if (!description.name.empty()) writer.add("name", description.name);
     writer.add("kind", kKinds.at(static_cast<std::size_t>(light.kind)));
     if (light.kind != LightKind::Directional) writer.add("position", light.position);
-    if (light.kind != LightKind::Point) writer.add("direction", light.direction);
+    if (hasDirection(light.kind)) writer.add("direction", light.direction);
     writer.add("intensity", light.intensity);
     if (light.kind != LightKind::Directional) writer.add("radius", light.radius);
     if (light.kind == LightKind::Spot) {
         writer.add("innerAngle", degreesOfCosine(light.cosInner));
         writer.add("outerAngle", degreesOfCosine(light.cosOuter));
+    }
+    if (light.kind == LightKind::Rectangle) {
+        writer.add("right", light.right);
+        writer.add("width", light.width);
+        writer.add("height", light.height);
     }
     writer.add("on", light.on != 0);
 }
