@@ -15,11 +15,13 @@ namespace rtcore {
 /// whatever their number, their parts lie evenly on the lamp. Keeps its memory from wave to wave.
 class LampDraw {
   public:
-    /// For `count` points that draw `samples` parts each. `name(i)` gives the SampleId of point i, `way(i)`
-    /// tells apart the points of one sample: 0 where it looks directly, other numbers behind mirrors.
+    /// For `count` points that draw `samples` parts each, for each of the `subs` samples of a pixel.
+    /// `name(i)` gives the SampleId of point i, `way(i)` tells apart the points of one sample: 0 where it
+    /// looks directly, other numbers behind mirrors.
     template <typename Name, typename Way>
-    void begin(std::size_t count, int samples, std::uint32_t light, Name&& name, Way&& way) {
-        samples_ = samples;
+    void begin(std::size_t count, int samples, int subs, std::uint32_t light, Name&& name, Way&& way) {
+        share_ = 1.0F / static_cast<float>(samples);
+        ofAll_ = share_ / static_cast<float>(subs);
         u_.resize(count + kWaveBlock);
         v_.resize(count + kWaveBlock);
         for (std::size_t i = 0; i < count; ++i) {
@@ -33,7 +35,7 @@ class LampDraw {
     /// 0 <= sample < samples
     LampPart part(int sample) const {
         const auto k = static_cast<std::uint32_t>(sample);
-        return {u_.data(), v_.data(), k * kStepU, k * kStepV, 1.0F / static_cast<float>(samples_)};
+        return {u_.data(), v_.data(), k * kStepU, k * kStepV, share_, ofAll_};
     }
 
   private:
@@ -41,7 +43,7 @@ class LampDraw {
     static constexpr std::uint32_t kStepU = 3242174889U, kStepV = 2447445414U;
     static std::uint32_t bits(float unit) { return static_cast<std::uint32_t>(unit * 0x1p24F) << 8; }
 
-    int samples_ = 1;
+    float share_ = 1, ofAll_ = 1;
     std::vector<std::uint32_t> u_, v_;
 };
 

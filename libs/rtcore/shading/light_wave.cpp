@@ -1,5 +1,7 @@
 #include "rtcore/shading/light_wave.h"
 
+#include "rtcore/shading/phong.h"
+
 #include <limits>
 
 #include "rtcore/platform/vector_targets.h"
@@ -33,6 +35,7 @@ struct Illuminations {
     Vectors toLight;
     Floats distance;
     Vectors irradiance;
+    Floats spread; ///< of the part of a lamp with a size: its solid angle over pi
 };
 
 HWY_INLINE Floats spotFactors(const Light& light, Floats cosine) {
@@ -79,7 +82,8 @@ HWY_INLINE Illuminations illuminateFromSphere(const Light& light, Vectors offset
     const Floats scale = hn::Div(constant(part != nullptr ? 2 * part->share : 2.0F),
                                  hn::Mul(hn::Mul(counted, counted), whole));
     const Vectors intensity = constant(light.intensity.r, light.intensity.g, light.intensity.b);
-    return {toLight, larger(hn::Mul(near, constant(0.9999F)), zero), intensity * scale};
+    return {toLight, larger(hn::Mul(near, constant(0.9999F)), zero), intensity * scale,
+            hn::Mul(hn::Mul(sine, sine), constant(part != nullptr ? part->ofAll : 0.0F))};
 }
 
 HWY_INLINE Vectors placeOnRectangle(const Light& light, Places place) {
@@ -95,7 +99,7 @@ HWY_INLINE Illuminations illuminateAll(const Light& light, const LampPart* part,
     const Vectors intensity = constant(light.intensity.r, light.intensity.g, light.intensity.b);
     if constexpr (kind == LightKind::Directional) {
         return {constant(-light.direction.x, -light.direction.y, -light.direction.z),
-                constant(std::numeric_limits<float>::max()), intensity};
+                constant(std::numeric_limits<float>::max()), intensity, constant(0)};
     }
     Vectors offset = constant(light.position.x, light.position.y, light.position.z) - position;
     if constexpr (kind == LightKind::Sphere)
@@ -115,13 +119,16 @@ HWY_INLINE Illuminations illuminateAll(const Light& light, const LampPart* part,
         const Vectors axis = constant(light.direction.x, light.direction.y, light.direction.z);
         irradiance = irradiance * spotFactors(light, hn::Neg(dot(toLight, axis)));
     }
+    Floats spread = constant(0);
     if constexpr (kind == LightKind::Rectangle) {
+        const float area = part != nullptr ? light.width * light.height * part->ofAll / kPi : 0.0F;
         const Vectors axis = constant(light.direction.x, light.direction.y, light.direction.z);
         const Floats front = larger(hn::Neg(dot(toLight, axis)), constant(0));
         irradiance = irradiance * hn::Mul(front, constant(part != nullptr ? part->share : 1.0F));
+        spread = hn::Div(hn::Mul(constant(area), front), square);
     }
     const Floats almost = hn::Sub(hn::Mul(distance, constant(0.9999F)), constant(light.radius));
-    return {toLight, larger(almost, constant(0)), irradiance};
+    return {toLight, larger(almost, constant(0)), irradiance, spread};
 }
 
 /// shading/phong.h; `geometric` and `shading` are the cosines of the light with the normals, both > 0.
@@ -132,10 +139,14 @@ HWY_INLINE Floats terminatorFactors(Vectors geometricNormal, Vectors shadingNorm
     return hn::Mul(g, hn::Add(constant(1), hn::Mul(g, hn::Sub(constant(1), g))));
 }
 
-/// The glossy part of the reflected share: k_s times the Phong lobe, zero where there is none.
+/// The glossy part of the reflected share: k_s times the Phong lobe, zero where there is none. Of a lamp with
+/// a size the lobe is as wide as the part of it that is looked at, or the part would be hit by chance alone.
+template <LightKind kind>
 HWY_INLINE Vectors glossyShare(const MaterialRow* rows, const std::uint32_t* material, Lanes glossy,
-                               Vectors toLight, Vectors normal, Vectors toViewer, Floats cosine) {
+                               const Illuminations& arriving, Vectors normal, Vectors toViewer,
+                               Floats cosine) {
     const FloatTag d;
+    const Vectors toLight = arriving.toLight;
     const Vectors mirrored = normal * hn::Mul(constant(2), cosine) - toLight;
     const Floats lobe = dot(mirrored, toViewer);
     const Lanes seen = hn::And(glossy, hn::Gt(lobe, constant(0)));
@@ -145,9 +156,17 @@ HWY_INLINE Vectors glossyShare(const MaterialRow* rows, const std::uint32_t* mat
     HWY_ALIGN float power[kMost] = {};
     HWY_ALIGN float exponent[kMost] = {};
     hn::StoreU(hn::IfThenElse(seen, lobe, constant(1)), d, power);
-    hn::StoreU(ofPoints.get(&MaterialRow::shininess), d, exponent);
+    Floats shininess = ofPoints.get(&MaterialRow::shininess);
+    Floats lobeScale = ofPoints.get(&MaterialRow::lobeScale);
+    if constexpr (kind == LightKind::Sphere || kind == LightKind::Rectangle) {
+        const Floats two = constant(2);
+        const Floats wider = hn::Div(shininess, hn::Add(constant(1), hn::Mul(shininess, arriving.spread)));
+        lobeScale = hn::Mul(lobeScale, hn::Div(hn::Add(wider, two), hn::Add(shininess, two)));
+        shininess = wider;
+    }
+    hn::StoreU(shininess, d, exponent);
     powArray(power, exponent, hn::Lanes(d));
-    const Floats scale = hn::Mul(ofPoints.get(&MaterialRow::lobeScale), hn::LoadU(d, power));
+    const Floats scale = hn::Mul(lobeScale, hn::LoadU(d, power));
     return selectOrZero(seen, ofPoints.get(&MaterialRow::specular) * scale);
 }
 
@@ -189,9 +208,9 @@ HWY_INLINE std::size_t lightAll(const Light& light, const LampPart* part, const 
         Vectors share = loadVectors(s.diffuse.x + i, s.diffuse.y + i, s.diffuse.z + i);
         const Lanes glossy = hn::And(lit, hasTrait(traits, traits::kGlossy));
         if (!hn::AllFalse(d, glossy)) {
-            share = share + glossyShare(rows, s.material + i, glossy, arriving.toLight, normal,
-                                        loadVectors(s.toViewer.x + i, s.toViewer.y + i, s.toViewer.z + i),
-                                        cosine);
+            share = share + glossyShare<kind>(
+                                rows, s.material + i, glossy, arriving, normal,
+                                loadVectors(s.toViewer.x + i, s.toViewer.y + i, s.toViewer.z + i), cosine);
         }
         share = share * hn::Mul(cosine, terminatorFactors(geometricNormal, normal, geometric, cosine));
         const Vectors scale = loadVectors(s.share.x + i, s.share.y + i, s.share.z + i);

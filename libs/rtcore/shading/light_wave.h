@@ -22,6 +22,7 @@ struct LampPart {
                                                     ///< kWaveBlock: a place in the unit square, times 2^32
     std::uint32_t du = 0, dv = 0;                   ///< added to all of them; wraps around
     float share = 1;                                ///< of the lamp's light
+    float ofAll = 1; ///< of all parts that a pixel looks at: highlights are no narrower than one of them
 };
 
 /// Sets surfaces.added to what `light` adds unshadowed to each point, zero where it adds nothing, and

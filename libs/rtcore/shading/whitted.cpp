@@ -257,7 +257,7 @@ void WhittedIntegrator::lightBy(const Light& light, std::uint32_t number) {
 void WhittedIntegrator::lightBySamples(const Light& light, std::uint32_t number) {
     const int samples = settings_->lampSamples;
     lampDraw_.begin(
-        surfaces_.size(), samples, number,
+        surfaces_.size(), samples, settings_->antialiasing * settings_->antialiasing, number,
         [&](std::size_t i) { return sampleId(first_ ? static_cast<std::uint32_t>(i) : wave_.sample[i]); },
         [&](std::size_t i) { return first_ ? 0 : wave_.bounces[i]; });
     for (int k = 0; k < samples && !stopped(); ++k) {

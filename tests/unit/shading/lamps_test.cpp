@@ -149,6 +149,25 @@ TEST(Lamps, DrawTheSameInEveryFrameAndSomethingElseForEachPixel) {
     for (const float seen : first) EXPECT_NEAR(seen / seenBy(s, 4096, 1)[0], 1, 0.6);
 }
 
+TEST(Lamps, AreMirroredWithoutSpecksByGlossySurfaces) {
+    SceneBuilder b;
+    Material polished = test::matte(0);
+    polished.specular = {1, 1, 1};
+    polished.shininess = 2000;
+    b.square({}, {0, 1, 0}, 10, b.material(polished));
+    b.scene.lights.push_back(sphere({-0.02F, 1, 0}, 0.2F));
+    const TracedScene s(b.finish());
+    const double exact = static_cast<double>(seenBy(s, 4096, 1)[0]);
+    EXPECT_NEAR(exact, 1, 0.05); // the lamp's own radiance
+    double sum = 0;
+    for (const float seen : seenBy(s, 16, 16)) {
+        EXPECT_LT(seen, 2 * exact);
+        EXPECT_GT(seen, 0.3 * exact);
+        sum += static_cast<double>(seen);
+    }
+    EXPECT_NEAR(sum / 256, exact, 0.1 * exact);
+}
+
 TEST(Lamps, SamplesOfOnePixelShareItsPattern) {
     SceneBuilder b;
     b.square({}, {0, 1, 0}, 10, b.material(test::matte(1)));
