@@ -7,6 +7,7 @@
 #include "common/stop.h"
 #include "common/terminal.h"
 
+#include "rtcore/io/debug/debug_scene.h"
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/platform/error.h"
 
@@ -37,7 +38,7 @@ PictureMaker::PictureMaker(rtcore::LoadedScene scene, std::vector<rtcore::Settin
 
 FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     rtcore::Camera camera = loaded_.camera;
-    const rtcore::RenderSettings settings = prepare(task, camera);
+    const rtcore::RenderSettings settings = prepare(task.camera, camera);
     warnOfWhatIsMissing(settings);
 
     FrameReport report{.width = settings.width, .height = settings.height, .rays = {}};
@@ -55,14 +56,23 @@ FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     return report;
 }
 
-rtcore::RenderSettings PictureMaker::prepare(const FrameTask& task, rtcore::Camera& camera) {
+void PictureMaker::writeDebugScene(const std::filesystem::path& cameraFile,
+                                   const std::filesystem::path& path) {
+    rtcore::Camera camera = loaded_.camera;
+    const rtcore::RenderSettings settings = prepare(cameraFile, camera);
+    rtcore::writeDebugScene(path, loaded_.scene, loaded_.tree, tracer_, camera, settings.width,
+                            settings.height);
+}
+
+rtcore::RenderSettings PictureMaker::prepare(const std::filesystem::path& cameraFile,
+                                             rtcore::Camera& camera) {
     loaded_.scene.lights = lights_;
     loaded_.scene.activeEnvironment = environment_;
     std::optional<rtcore::CameraFile> file;
-    if (!task.camera.empty()) {
-        file = rtcore::readCameraFile(task.camera);
+    if (!cameraFile.empty()) {
+        file = rtcore::readCameraFile(cameraFile);
         camera = file->camera;
-        app::applyCameraToScene(*file, task.camera, loaded_.scene);
+        app::applyCameraToScene(*file, cameraFile, loaded_.scene);
     }
     return app::mergeSettings({.scene = loaded_.still,
                                .settingsFile = settingsFile_,

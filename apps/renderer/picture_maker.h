@@ -39,11 +39,14 @@ class PictureMaker {
     /// for the progress. Throws rtcore::FileError: a bad .cam, an output that cannot be written, Stopped.
     FrameReport make(const FrameTask& task, int index, int count);
 
+    /// rtcore::writeDebugScene() of the view of a .cam file; "": the scene's camera.
+    void writeDebugScene(const std::filesystem::path& camera, const std::filesystem::path& path);
+
     /// The last frame as it is shown, if it was filmed or written into a file that holds such pictures.
     const rtcore::LdrImage& developed() const { return developed_; }
 
   private:
-    rtcore::RenderSettings prepare(const FrameTask& task, rtcore::Camera& camera);
+    rtcore::RenderSettings prepare(const std::filesystem::path& cameraFile, rtcore::Camera& camera);
     void render(const rtcore::Camera& camera, const rtcore::RenderSettings& settings, int index, int count);
     /// The exposure; nothing is done when nobody wants to see the picture.
     float develop(const FrameTask& task, const rtcore::RenderSettings& settings);

@@ -90,6 +90,13 @@ void checkCombinations(const RendererOptions& options, const app::Arguments& arg
             throw app::UsageError("--" + std::string(ofPreview) + " needs --preview");
         }
     }
+    if (options.debugScene && (options.list || options.preview)) {
+        throw app::UsageError(
+            "--debug-scene draws one view and renders nothing; leave out --list and --preview");
+    }
+    if (options.debugScene && options.debugScene->extension() != ".obj") {
+        throw app::UsageError("--debug-scene writes Wavefront OBJ; give a name that ends in .obj");
+    }
     const bool toStandardOutput =
         std::any_of(options.outputs.begin(), options.outputs.end(), isStandardOutput);
     if (arguments.has("format") && !toStandardOutput) {
@@ -125,7 +132,7 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     options.import = app::readImportOptions(arguments);
     options.import.threads = options.threads;
     options.verbose = arguments.has("verbose");
-    options.debugScene = arguments.has("debug-scene");
+    options.debugScene = readPath(arguments, "debug-scene");
     checkCombinations(options, arguments);
     for (const std::filesystem::path& output : options.outputs) checkOutput(output);
     if (options.video) checkFilm(*options.video);

@@ -39,7 +39,7 @@ struct RendererOptions {
     int threads = 0;                                 ///< 0 = all cores
     rtcore::ImportOptions import;
     bool verbose = false;
-    bool debugScene = false;
+    std::optional<std::filesystem::path> debugScene; ///< draw it there and render nothing
     app::ProgressStyle progress = app::ProgressStyle::None;
 };
 

@@ -54,6 +54,10 @@ app::ExitCode renderAll(const RendererOptions& options, app::Progress& progress)
     const auto ofScene = loaded.sceneFile ? loaded.sceneFile->cameraFile : std::nullopt;
     const std::filesystem::path camera = options.camera.value_or(ofScene.value_or(""));
     PictureMaker maker(std::move(loaded), std::move(settingsFile), options, progress);
+    if (options.debugScene) {
+        maker.writeDebugScene(camera, *options.debugScene);
+        return app::ExitCode::Done;
+    }
     if (options.list) return runList(options, cameras, patterns, ffmpeg, maker, progress);
     if (preview) maker.showOn(&*preview);
     FrameRun(options, progress, maker).renderOne(singleFrame(camera, patterns));
@@ -72,7 +76,6 @@ app::ExitCode runRenderer(const app::Arguments& arguments) {
     if (options.parent) app::stopWithParent(*options.parent);
     app::useThreads(options.threads);
     app::Progress progress(rendererSpec().name, options.progress);
-    if (options.debugScene) progress.print("warning: the debug scene is not exported by this version yet");
     if (options.verify) return verifyFrames(options, progress);
     try {
         return renderAll(options, progress);

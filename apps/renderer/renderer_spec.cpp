@@ -166,25 +166,28 @@ OptionGroup previewOptions() {
 }
 
 OptionGroup runOptions() {
-    return {"Running",
-            {{.name = "threads",
-              .value = ValueKind::Integer,
-              .argument = "N",
-              .help = "use N threads; 0 is all cores; the picture is the same for every number [0]",
-              .minimum = 0,
-              .maximum = 1024},
-             app::isaOption(),
-             app::progressOption(),
-             app::parentOption(),
-             {.name = "requeue",
-              .help = "exit with 75 (try again), not 143, when SIGTERM stops the run, so that a batch system "
-                      "sends the job again"},
-             {.name = "verbose", .letter = 'v', .help = "report times and rays on stderr"},
-             {.name = "debug-scene",
-              .thesis = {"-dbg"},
-              .value = ValueKind::Text,
-              .argument = "FILE",
-              .help = "export the debug scene; not done by this version yet"}}};
+    return {
+        "Running",
+        {{.name = "threads",
+          .value = ValueKind::Integer,
+          .argument = "N",
+          .help = "use N threads; 0 is all cores; the picture is the same for every number [0]",
+          .minimum = 0,
+          .maximum = 1024},
+         app::isaOption(),
+         app::progressOption(),
+         app::parentOption(),
+         {.name = "requeue",
+          .help = "exit with 75 (try again), not 143, when SIGTERM stops the run, so that a batch system "
+                  "sends the job again"},
+         {.name = "verbose", .letter = 'v', .help = "report times and rays on stderr"},
+         {.name = "debug-scene",
+          .thesis = {"-dbg"},
+          .value = ValueKind::Text,
+          .argument = "FILE",
+          .help = "write what the renderer works with - cells of the kd-tree, lights, camera, normals - as "
+                  "an .obj model, and exit",
+          .files = {"obj"}}}};
 }
 
 } // namespace

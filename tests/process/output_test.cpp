@@ -54,6 +54,23 @@ TEST_F(Outputs, OneRenderingCanHaveSeveralFiles) {
               (std::vector<std::string>{"a.hdr", "a.png", "a.ppm", "room.obj"}));
 }
 
+TEST_F(Outputs, TheDebugSceneIsAModelThatCanBeRendered) {
+    const test::ProgramResult result = render({"-dbg", "what.obj"});
+    EXPECT_EQ(result.exitCode, 0) << result.error;
+    EXPECT_EQ(test::filesIn(folder.path()), (std::vector<std::string>{"room.obj", "what.mtl", "what.obj"}));
+    const test::ProgramResult seen =
+        test::renderer({"what.obj", "-o", "what.png", "-w", "16", "-h", "12"}, {.folder = folder.path()});
+    EXPECT_EQ(seen.exitCode, 0) << seen.error;
+    EXPECT_EQ(test::pngFileSize(folder / "what.png"), (test::PictureSize{16, 12}));
+}
+
+TEST_F(Outputs, TheDebugSceneIsAnObjOfOneView) {
+    test::writeText(folder / "film.lst", "a.cam\n");
+    EXPECT_EQ(render({"-dbg", "what.ply"}).exitCode, 2);
+    EXPECT_EQ(render({"-dbg", "what.obj", "-l", "film.lst"}).exitCode, 2);
+    EXPECT_EQ(render({"-dbg", "no/such/folder/what.obj"}).exitCode, 73);
+}
+
 TEST_F(Outputs, LinearFormatsAreNotToneMapped) {
     test::writeText(folder / "bright.scn", "version = 1\nmodel = \"room.obj\"\nbackground = [7.5, 7.5, 7.5]\n"
                                            "[camera]\neye = [0.0, 50.0, 0.0]\nforward = [0.0, 1.0, 0.0]\n"
