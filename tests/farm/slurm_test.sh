@@ -1,0 +1,116 @@
+#!/bin/sh
+# scripts/farm.sh on a real Slurm cluster of two nodes on this machine: one part is stopped and comes back, one node is
+# killed with what it renders, and every frame is there at the end, with the film.
+set -eu
+for program in slurmctld slurmd sbatch munged ffmpeg; do
+    command -v "$program" >/dev/null 2>&1 || [ -x "/usr/sbin/$program" ] || {
+        echo "skipped: $program is not installed (packages slurm-wlm, munge, ffmpeg)"
+        exit 77
+    }
+done
+[ "$(id -u)" = 0 ] || {
+    echo "skipped: the daemons of a cluster are started by root"
+    exit 77
+}
+# shellcheck source=tests/farm/film.sh
+. "$(dirname "$0")/film.sh"
+chmod 755 "$work"
+host=$(hostname -s)
+pids=""
+stop_cluster() {
+    for pid in "$work"/*.pid; do
+        if [ -f "$pid" ]; then kill "$(cat "$pid")" 2>/dev/null || true; fi
+    done
+    pkill -f "slurmstepd.*$work" 2>/dev/null || true
+    [ "${SLURM_TEST_KEEP:-}" = 1 ] || rm -rf "$work"
+}
+trap stop_cluster EXIT
+
+# Ports of its own, so that tests beside it do not meet.
+port=$((20000 + $$ % 20000))
+mkdir -p "$work/state" "$work/spool.n1" "$work/spool.n2" "$work/alone"
+cat >"$work/slurm.conf" <<TEXT
+MailProg=/bin/true
+ClusterName=rt$$
+SlurmctldHost=$host(127.0.0.1)
+SlurmUser=root
+SlurmdUser=root
+AuthType=auth/munge
+AuthInfo=cred_expire=5
+SlurmctldPort=$port
+StateSaveLocation=$work/state
+SlurmdSpoolDir=$work/spool.%n
+SlurmctldPidFile=$work/slurmctld.pid
+SlurmdPidFile=$work/slurmd.%n.pid
+SlurmctldLogFile=$work/slurmctld.log
+SlurmdLogFile=$work/slurmd.%n.log
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+JobAcctGatherType=jobacct_gather/none
+AccountingStorageType=accounting_storage/none
+SchedulerType=sched/backfill
+SelectType=select/cons_tres
+SelectTypeParameters=CR_Core
+JobRequeue=1
+RequeueExit=75
+MpiDefault=none
+ReturnToService=2
+SlurmctldTimeout=30
+SlurmdTimeout=15
+MinJobAge=300
+NodeName=n[1-2] NodeHostname=$host NodeAddr=127.0.0.1 Port=[$((port + 1))-$((port + 2))] CPUs=1 RealMemory=500 State=UNKNOWN
+PartitionName=render Nodes=n[1-2] Default=YES MaxTime=INFINITE State=UP
+TEXT
+export SLURM_CONF="$work/slurm.conf"
+PATH=$PATH:/usr/sbin
+if ! munge -n >/dev/null 2>&1; then
+    mkdir -p /run/munge
+    chown munge: /run/munge
+    runuser -u munge -- munged
+fi
+slurmctld -f "$SLURM_CONF"
+slurmd -N n1 -f "$SLURM_CONF"
+slurmd -N n2 -f "$SLURM_CONF"
+tries=0
+until [ "$(sinfo --noheader --states=idle --format=%D 2>/dev/null)" = 2 ]; do
+    tries=$((tries + 1))
+    [ "$tries" -lt 60 ] || wrong "the cluster does not start: $(tail -n 3 "$work/slurmctld.log")"
+    sleep 0.5
+done
+
+# Frames of about a second, so that there is a middle of the film.
+scene=$2/data/tiny/tiny.scn
+quality="-w 640 -h 480 -a 8"
+write_film
+# shellcheck disable=SC2086
+"$farm" "$scene" "$work/film.lst" -o "$work/out/####.png" --engine=slurm --parts=8 --video="$work/film.mp4" \
+    --renderer="$renderer" --wait -- $quality >"$work/farm.log" 2>&1 &
+film=$!
+until [ "$(find "$work/out" -name '*.png' 2>/dev/null | wc -l)" -ge 3 ]; do
+    kill -0 "$film" 2>/dev/null || wrong "it ended early: $(cat "$work/farm.log")"
+    sleep 0.2
+done
+
+# The node n2 dies, with the part that it renders.
+kill -9 "$(cat "$work/slurmd.n2.pid")"
+steps=$(pgrep -f "slurmstepd: \[.*batch\]" || true)
+for step in $steps; do
+    if grep -qz "SLURMD_NODENAME=n2" "/proc/$(pgrep -P "$step" | head -n 1)/environ" 2>/dev/null; then
+        for child in $(pgrep -P "$step"); do pkill -9 -P "$child" || true; kill -9 "$child" || true; done
+        kill -9 "$step" || true
+        killed=yes
+    fi
+done
+[ "${killed:-}" = yes ] || wrong "nothing ran on the node that was to die"
+rm -f "$work/slurmd.n2.pid"
+echo "killed n2 with $(find "$work/out" -name '*.png' | wc -l) of $frames frames done"
+
+# Another part is stopped, as when something more urgent comes: it asks for another try.
+pkill -TERM -f "$renderer $scene.*--chunk=" || true
+
+wait "$film" || wrong "the film failed: $(tail -n 3 "$work/farm.log")"
+check_frames
+[ -s "$work/film.mp4" ] || wrong "there is no film"
+[ "$(ffprobe -v error -count_frames -show_entries stream=nb_read_frames -of csv=p=0 "$work/film.mp4")" = "$frames" ] ||
+    wrong "the film has not $frames frames"
+echo "all $frames frames and the film, in spite of a dead node"
