@@ -1,0 +1,96 @@
+#include "rtcore/render/sample_rays.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "rtcore/platform/vector_targets.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "rtcore/render/sample_rays.cpp"
+#include <hwy/foreach_target.h>
+// The loop over targets comes before the code that is compiled for each of them.
+#include "rtcore/shading/vector_math-inl.h"
+
+#ifndef RTCORE_RENDER_SAMPLE_BLOCK_
+#define RTCORE_RENDER_SAMPLE_BLOCK_
+namespace rtcore {
+/// Of 64 samples: places in pixels, on the lens (its radius is 1), and what becomes of them.
+struct SampleBlock {
+    static constexpr std::size_t kSize = 64;
+    float x[kSize], y[kSize], u[kSize], v[kSize];
+    float ox[kSize], oy[kSize], oz[kSize], dx[kSize], dy[kSize], dz[kSize];
+};
+} // namespace rtcore
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace rtcore {
+namespace HWY_NAMESPACE {
+
+HWY_INLINE Vectors everywhere(Vec3 v) { return constant(v.x, v.y, v.z); }
+
+void aimBlock(const CameraRays& camera, const Lens& lens, SampleBlock& block) {
+    const FloatTag d;
+    const Vectors corner = everywhere(camera.plane().corner), right = everywhere(camera.plane().right),
+                  down = everywhere(camera.plane().down), eye = everywhere(camera.eye()),
+                  lensRight = everywhere(lens.right), lensDown = everywhere(lens.down);
+    const Floats inverseFocus = constant(lens.inverseFocus);
+    for (std::size_t i = 0; i < SampleBlock::kSize; i += hn::Lanes(d)) {
+        const Vectors offset =
+            lensRight * hn::LoadU(d, block.u + i) + lensDown * hn::LoadU(d, block.v + i);
+        const Vectors seen =
+            corner + right * hn::LoadU(d, block.x + i) + down * hn::LoadU(d, block.y + i);
+        // Towards the sharp point seen / inverseFocus from the eye, divided by its distance.
+        const Vectors aimed = seen - offset * inverseFocus;
+        storeVectors(eye + offset, block.ox + i, block.oy + i, block.oz + i);
+        storeVectors(normalize(aimed, hn::Eq(inverseFocus, inverseFocus)), block.dx + i, block.dy + i,
+                     block.dz + i);
+    }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace rtcore
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace rtcore {
+
+HWY_EXPORT(aimBlock);
+
+namespace {
+
+void placeBlock(const SampleView& view, std::span<const SampleId> samples, SampleBlock& block) {
+    const bool open = view.lens.open();
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const SampleId id = samples[i];
+        const SquarePoint inPixel = view.pattern.at(id);
+        block.x[i] = static_cast<float>(id.x) + inPixel.u;
+        block.y[i] = static_cast<float>(id.y) + inPixel.v;
+        const Vec2 onLens = open ? view.aperture.at(view.lensPattern.at(id)) : Vec2{};
+        block.u[i] = onLens.x;
+        block.v[i] = -onLens.y;
+    }
+}
+
+} // namespace
+
+void makeSampleRays(const SampleView& view, std::span<const SampleId> samples, RayWave& rays) {
+    rays.resize(samples.size());
+    std::fill(rays.tMin.begin(), rays.tMin.end(), 0.0F);
+    std::fill(rays.tMax.begin(), rays.tMax.end(), std::numeric_limits<float>::max());
+    SampleBlock block{};
+    for (std::size_t first = 0; first < samples.size(); first += SampleBlock::kSize) {
+        const std::size_t count = std::min(SampleBlock::kSize, samples.size() - first);
+        placeBlock(view, samples.subspan(first, count), block);
+        HWY_DYNAMIC_DISPATCH(aimBlock)(view.camera, view.lens, block);
+        std::copy_n(block.ox, count, &rays.ox[first]);
+        std::copy_n(block.oy, count, &rays.oy[first]);
+        std::copy_n(block.oz, count, &rays.oz[first]);
+        std::copy_n(block.dx, count, &rays.dx[first]);
+        std::copy_n(block.dy, count, &rays.dy[first]);
+        std::copy_n(block.dz, count, &rays.dz[first]);
+    }
+}
+
+} // namespace rtcore
+#endif
