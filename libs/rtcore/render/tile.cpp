@@ -3,11 +3,16 @@
 #include "rtcore/render/tile_store.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace rtcore {
 
 namespace {
+
+/// Samples in a row of a tile.
+constexpr int kSamples = 64;
+constexpr int kMostSamples = 2 * kSamples; ///< where they are not all taken at once
 
 /// The rays of one tile, block after block. `work` gets the block's first column and row, its width and
 /// height, and the number of its first ray.
@@ -40,6 +45,22 @@ void copyPart(const float* block, int width, int height, float* to) {
     forEachSample(width, height, [&](int column, int row) { *to++ = block[indexInBlock(column, row)]; });
 }
 
+/// The pixel of each column of samples, or row, and its part in their number.
+struct SampleAxis {
+    std::array<std::uint16_t, kMostSamples> pixel;
+    std::array<std::uint32_t, kMostSamples> sub;
+
+    void fill(int first, int pixels, int n, int step) {
+        std::size_t at = 0;
+        for (int i = 0; i < pixels; ++i) {
+            for (int k = 0; k < n; ++k) {
+                pixel[at] = static_cast<std::uint16_t>(first + i);
+                sub[at++] = static_cast<std::uint32_t>(k * step);
+            }
+        }
+    }
+};
+
 /// Calls `work` with the place of each pixel in the picture, and its index there, row by row.
 template <typename Work>
 void forEachPixel(const PixelArea& area, int width, Work&& work) {
@@ -60,8 +81,8 @@ TileGrid::TileGrid(const RenderSettings& settings, bool secondaryRays)
     // all threads.
     constexpr std::int64_t kManyPixels = 1 << 18;
     const bool large = secondaryRays && std::int64_t{settings.width} * settings.height >= kManyPixels;
-    const int samples = choosesSamples(settings) ? 128 : 64; // of which not all are taken at once
-    side_ = settings.antialiasing == 1 ? (large ? 64 : 32) : std::max(4, samples / settings.antialiasing);
+    const int samples = choosesSamples(settings) ? kMostSamples : kSamples;
+    side_ = settings.antialiasing == 1 ? (large ? kSamples : kSamples / 2) : std::max(4, samples / settings.antialiasing);
     columns_ = (width_ + side_ - 1) / side_;
     rows_ = (height_ + side_ - 1) / side_;
 }
@@ -211,13 +232,14 @@ void TileRenderer::addToSums(const PixelArea& area) {
 template <typename Wanted>
 void TileRenderer::nameSamples(const PixelArea& area, Wanted&& wanted) {
     const int n = settings_->antialiasing;
+    SampleAxis columns, rows;
+    columns.fill(area.left, area.columns, n, 1);
+    rows.fill(area.top, area.rows, n, n);
     samples_.clear();
     forEachBlock(area.columns * n, area.rows * n, [&](int column, int row, int w, int h, std::size_t) {
         forEachSample(w, h, [&](int x, int y) {
-            const int across = column + x, down = row + y;
-            const SampleId id{static_cast<std::uint16_t>(area.left + across / n),
-                              static_cast<std::uint16_t>(area.top + down / n),
-                              static_cast<std::uint32_t>(down % n * n + across % n)};
+            const auto across = static_cast<std::size_t>(column + x), down = static_cast<std::size_t>(row + y);
+            const SampleId id{columns.pixel[across], rows.pixel[down], columns.sub[across] + rows.sub[down]};
             if (wanted(id)) samples_.push_back(id);
         });
     });
