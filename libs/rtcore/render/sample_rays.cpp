@@ -60,13 +60,22 @@ HWY_EXPORT(aimBlock);
 namespace {
 
 void placeBlock(const SampleView& view, std::span<const SampleId> samples, SampleBlock& block) {
-    const bool open = view.lens.open();
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const SampleId id = samples[i];
         const SquarePoint inPixel = view.pattern.at(id);
         block.x[i] = static_cast<float>(id.x) + inPixel.u;
         block.y[i] = static_cast<float>(id.y) + inPixel.v;
-        const Vec2 onLens = open ? view.aperture.at(view.lensPattern.at(id)) : Vec2{};
+    }
+}
+
+void placeOnLens(const SampleView& view, std::span<const SampleId> samples, SampleBlock& block) {
+    SampleId last = samples.front();
+    LensPattern::Pixel pixel = LensPattern::pixel(last.x, last.y);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const SampleId id = samples[i];
+        if (id.x != last.x || id.y != last.y) pixel = LensPattern::pixel(id.x, id.y);
+        last = id;
+        const Vec2 onLens = view.aperture.at(view.lensPattern.at(pixel, id.sub));
         block.u[i] = onLens.x;
         block.v[i] = -onLens.y;
     }
@@ -82,6 +91,7 @@ void makeSampleRays(const SampleView& view, std::span<const SampleId> samples, R
     for (std::size_t first = 0; first < samples.size(); first += SampleBlock::kSize) {
         const std::size_t count = std::min(SampleBlock::kSize, samples.size() - first);
         placeBlock(view, samples.subspan(first, count), block);
+        if (view.lens.open()) placeOnLens(view, samples.subspan(first, count), block);
         HWY_DYNAMIC_DISPATCH(aimBlock)(view.camera, view.lens, block);
         std::copy_n(block.ox, count, &rays.ox[first]);
         std::copy_n(block.oy, count, &rays.oy[first]);

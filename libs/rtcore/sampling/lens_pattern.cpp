@@ -28,7 +28,8 @@ std::uint32_t permuted(std::uint32_t i, std::uint32_t count, std::uint32_t key) 
         i &= mask;
         i ^= i >> 5;
     } while (i >= count);
-    return (i + key % count) % count;
+    const auto turned = i + static_cast<std::uint32_t>(static_cast<std::uint64_t>(key) * count >> 32);
+    return turned < count ? turned : turned - count;
 }
 
 void LensPattern::prepare(int n) {
@@ -40,11 +41,14 @@ void LensPattern::prepare(int n) {
     }
 }
 
-SquarePoint LensPattern::at(SampleId id) const {
-    const std::uint32_t key = mixBits(mixBits(id.x | static_cast<std::uint32_t>(id.y) << 16) ^ 0x4C454E53U);
-    const SquarePoint point = points_[permuted(id.sub, static_cast<std::uint32_t>(points_.size()), key)];
-    const SquarePoint shift = randomShift({id.x, id.y, 0}, Draw::Lens);
-    return {wrapped(point.u, shift.u), wrapped(point.v, shift.v)};
+LensPattern::Pixel LensPattern::pixel(std::uint16_t x, std::uint16_t y) {
+    return {mixBits(mixBits(x | static_cast<std::uint32_t>(y) << 16) ^ 0x4C454E53U),
+            randomShift({x, y, 0}, Draw::Lens)};
+}
+
+SquarePoint LensPattern::at(const Pixel& pixel, std::uint32_t sub) const {
+    const SquarePoint point = points_[permuted(sub, static_cast<std::uint32_t>(points_.size()), pixel.key)];
+    return {wrapped(point.u, pixel.shift.u), wrapped(point.v, pixel.shift.v)};
 }
 
 } // namespace rtcore

@@ -17,7 +17,15 @@ class LensPattern {
   public:
     /// Comes before all else. n: 1..16.
     void prepare(int n);
-    SquarePoint at(SampleId id) const;
+
+    /// What the samples of a pixel share.
+    struct Pixel {
+        std::uint32_t key;
+        SquarePoint shift;
+    };
+    static Pixel pixel(std::uint16_t x, std::uint16_t y);
+    SquarePoint at(const Pixel& pixel, std::uint32_t sub) const;
+    SquarePoint at(SampleId id) const { return at(pixel(id.x, id.y), id.sub); }
 
   private:
     std::vector<SquarePoint> points_;

@@ -148,11 +148,11 @@ Blur blurOfSquare(double distance, float focus, int blades, double side) {
     b.square({0, 0, static_cast<float>(-distance)}, {0, 0, 1}, static_cast<float>(side / 2),
              b.material(test::lamp({100, 100, 100})));
     const test::TracedScene s(b.finish());
-    RenderSettings settings = test::sampleSettings(200, 160, 16);
+    RenderSettings settings = test::sampleSettings(80, 80, 12);
     settings.sampling = SamplingPattern::Jittered;
-    settings.depthOfField = {.on = true, .fNumber = 2, .focus = focus, .blades = blades};
+    settings.depthOfField = {.on = true, .fNumber = 4, .focus = focus, .blades = blades};
     Camera camera;
-    camera.horizontalFov = 20;
+    camera.horizontalFov = 8;
     RenderControl control;
     Frame frame;
     EXPECT_TRUE(renderFrame(s.scene, s.tracer, camera, settings, 2, control, frame));
@@ -160,19 +160,19 @@ Blur blurOfSquare(double distance, float focus, int blades, double side) {
 }
 
 TEST(DepthOfField, TheCircleOfConfusionIsThatOfAThinLens) {
-    const double halfTangent = std::tan(10 * test::kPi / 180), film = .018 / halfTangent;
-    for (const auto& [distance, focus] : {std::pair{4.0, 2.0}, {1.0, 2.0}, {20.0, 3.0}, {.7, .9}}) {
-        const double focal = 1 / (1 / film + 1 / focus), aperture = focal / 2;
+    const double halfTangent = std::tan(4 * test::kPi / 180), film = .018 / halfTangent;
+    for (const auto& [distance, focus] : {std::pair{4.0, 2.0}, {1.0, 2.0}, {9.0, 3.0}, {.8, 1.0}}) {
+        const double focal = 1 / (1 / film + 1 / focus), aperture = focal / 4;
         // Diameter on the film by the lens equation, in pixels.
-        const double blur = aperture * focal * std::fabs(distance - focus) / (distance * (focus - focal)) / .036 * 200;
-        const double pixel = 2 * halfTangent / 200 * distance, side = 3 * pixel;
+        const double blur = aperture * focal * std::fabs(distance - focus) / (distance * (focus - focal)) / .036 * 80;
+        const double pixel = 2 * halfTangent / 80 * distance, side = 3 * pixel;
         const Blur round = blurOfSquare(distance, static_cast<float>(focus), 0, side);
         // The variance of the disc, of the square, and of a pixel add up.
         const double squares = (9 + 1) / 6.0;
         const double diameter = 2 * std::sqrt(2 * (round.meanSquare - squares));
         EXPECT_NEAR(diameter / blur, 1, .02) << distance << " " << focus << ": " << blur << " pixels";
-        EXPECT_NEAR(round.x, 100, .3);
-        EXPECT_NEAR(round.y, 80, .3);
+        EXPECT_NEAR(round.x, 40, .3);
+        EXPECT_NEAR(round.y, 40, .3);
         const Blur sharp = blurOfSquare(distance, static_cast<float>(distance), 0, side);
         EXPECT_NEAR(round.light / sharp.light, 1, .02);
         EXPECT_NEAR(sharp.meanSquare, squares, .2);
