@@ -3,7 +3,6 @@
 #include "rtcore/math/portable_math.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace rtcore {
 
@@ -11,8 +10,8 @@ namespace {
 
 constexpr float kHalfFilm = 0.018F; // metres
 constexpr float kRadiansPerDegree = 0.01745329252F;
-// Beyond, products leave the range of single precision; no picture shows a difference.
-constexpr float kNearest = 1e-15F, kFarthest = 1e15F;
+// Beyond, products leave the range of single precision.
+constexpr float kNearest = 1e-15F, kWidest = 1e15F;
 
 } // namespace
 
@@ -20,9 +19,9 @@ Lens makeLens(const CameraRays& view, float horizontalFov, float fNumber, float 
     const float half = horizontalFov * 0.5F * kRadiansPerDegree;
     const float film = kHalfFilm * portableCos(half) / portableSin(half);
     const float sharp = std::max(focus, kNearest);
-    const bool infinite = !(sharp < kFarthest);
+    const bool infinite = !(sharp < kInfiniteFocus);
     const float focal = infinite ? film : film / (1 + film / (sharp * metresPerUnit));
-    const float radius = std::min(focal / (2 * fNumber) / metresPerUnit, kFarthest);
+    const float radius = std::min(focal / (2 * fNumber) / metresPerUnit, kWidest);
     return {normalize(view.plane().right) * radius, normalize(view.plane().down) * radius,
             infinite ? 0 : 1 / sharp};
 }
@@ -31,7 +30,7 @@ float FocusFinder::distance(const RayTracer& tracer, const CameraRays& view, flo
     ray_.clear();
     ray_.push(view.at(x, y));
     tracer.intersect(RayKind::Primary, ray_, hit_);
-    if (!hit_.isHit(0)) return std::numeric_limits<float>::infinity();
+    if (!hit_.isHit(0)) return kInfiniteFocus;
     const Vec3 forward = cross(normalize(view.plane().right), normalize(view.plane().down));
     return hit_.t[0] * dot(ray_.ray(0).direction, forward);
 }

@@ -15,15 +15,20 @@ struct Lens {
     bool open() const { return !(right == Vec3{} && down == Vec3{}); }
 };
 
+/// From this distance on, scene units, a lens is focused at infinity.
+inline constexpr float kInfiniteFocus = 1e15F;
+
 /// A lens that makes the camera's picture on a film 36 mm wide while it is focused at `focus` (scene units
-/// along the axis; infinity is one): the film lies v = 18 mm / tan(fov / 2) behind it, so its focal length is f
+/// along the axis): the film lies v = 18 mm / tan(fov / 2) behind it, so its focal length is f
 /// = 1 / (1 / v + 1 / focus), and its radius f / (2 fNumber). Then a point at distance x is blurred to a disc
 /// of radius r |x - focus| / (x focus) at distance 1, as by the thin lens equation.
 Lens makeLens(const CameraRays& view, float horizontalFov, float fNumber, float focus, float metresPerUnit);
 
-/// The distance along the axis of what is seen at (x, y) pixels, in scene units; infinity for nothing.
+/// Finds what a picture is to be focused at.
 class FocusFinder {
   public:
+    /// Along the axis to what is seen at (x, y) pixels of the picture, in scene units; kInfiniteFocus for
+    /// nothing.
     float distance(const RayTracer& tracer, const CameraRays& view, float x, float y);
 
   private:

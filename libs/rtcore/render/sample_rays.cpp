@@ -29,15 +29,35 @@ namespace HWY_NAMESPACE {
 
 HWY_INLINE Vectors everywhere(Vec3 v) { return constant(v.x, v.y, v.z); }
 
-void aimBlock(const CameraRays& camera, const Lens& lens, SampleBlock& block) {
+/// onDisc(), with its bits.
+HWY_INLINE void mapToDisc(Floats& u, Floats& v) {
+    const Floats one = constant(1), a = hn::Sub(hn::Add(u, u), one), b = hn::Sub(hn::Add(v, v), one);
+    const Lanes across = hn::Gt(hn::Abs(a), hn::Abs(b));
+    const Floats r = hn::IfThenElse(across, a, b), other = hn::IfThenElse(across, b, a);
+    const Floats angle = hn::Mul(constant(kDiscAngle), hn::Div(other, r));
+    const Floats z = hn::Mul(angle, angle);
+    const auto times = [z](Floats sum, float next) { return hn::Add(constant(next), hn::Mul(z, sum)); };
+    Floats sine = constant(kDiscSine[0]), cosine = constant(kDiscCosine[0]);
+    for (std::size_t i = 1; i < kDiscSine.size(); ++i) sine = times(sine, kDiscSine[i]);
+    for (std::size_t i = 1; i < kDiscCosine.size(); ++i) cosine = times(cosine, kDiscCosine[i]);
+    const Floats along = hn::Mul(r, cosine), aside = hn::Mul(r, hn::Mul(angle, sine));
+    const Lanes out = hn::Ne(r, hn::Zero(FloatTag()));
+    u = hn::IfThenElseZero(out, hn::IfThenElse(across, along, aside));
+    v = hn::IfThenElseZero(out, hn::IfThenElse(across, aside, along));
+}
+
+/// `round`: places on the lens are points of the unit square yet.
+void aimBlock(const CameraRays& camera, const Lens& lens, bool round, SampleBlock& block) {
     const FloatTag d;
     const Vectors corner = everywhere(camera.plane().corner), right = everywhere(camera.plane().right),
                   down = everywhere(camera.plane().down), eye = everywhere(camera.eye()),
                   lensRight = everywhere(lens.right), lensDown = everywhere(lens.down);
     const Floats inverseFocus = constant(lens.inverseFocus);
+    const bool disc = round && lens.open();
     for (std::size_t i = 0; i < SampleBlock::kSize; i += hn::Lanes(d)) {
-        const Vectors offset =
-            lensRight * hn::LoadU(d, block.u + i) + lensDown * hn::LoadU(d, block.v + i);
+        Floats u = hn::LoadU(d, block.u + i), v = hn::LoadU(d, block.v + i);
+        if (disc) mapToDisc(u, v);
+        const Vectors offset = lensRight * u - lensDown * v;
         const Vectors seen =
             corner + right * hn::LoadU(d, block.x + i) + down * hn::LoadU(d, block.y + i);
         // Towards the sharp point seen / inverseFocus from the eye, divided by its distance.
@@ -75,9 +95,10 @@ void placeOnLens(const SampleView& view, std::span<const SampleId> samples, Samp
         const SampleId id = samples[i];
         if (id.x != last.x || id.y != last.y) pixel = LensPattern::pixel(id.x, id.y);
         last = id;
-        const Vec2 onLens = view.aperture.at(view.lensPattern.at(pixel, id.sub));
+        const SquarePoint point = view.lensPattern.at(pixel, id.sub);
+        const Vec2 onLens = view.aperture.round() ? Vec2{point.u, point.v} : view.aperture.at(point);
         block.u[i] = onLens.x;
-        block.v[i] = -onLens.y;
+        block.v[i] = onLens.y;
     }
 }
 
@@ -92,7 +113,7 @@ void makeSampleRays(const SampleView& view, std::span<const SampleId> samples, R
         const std::size_t count = std::min(SampleBlock::kSize, samples.size() - first);
         placeBlock(view, samples.subspan(first, count), block);
         if (view.lens.open()) placeOnLens(view, samples.subspan(first, count), block);
-        HWY_DYNAMIC_DISPATCH(aimBlock)(view.camera, view.lens, block);
+        HWY_DYNAMIC_DISPATCH(aimBlock)(view.camera, view.lens, view.aperture.round(), block);
         std::copy_n(block.ox, count, &rays.ox[first]);
         std::copy_n(block.oy, count, &rays.oy[first]);
         std::copy_n(block.oz, count, &rays.oz[first]);

@@ -11,26 +11,24 @@ namespace {
 
 constexpr float kPi = 3.14159265359F;
 
-/// Of angles up to 45 degrees; absolute errors below 1e-7.
-float shortSin(float x) {
-    const float z = x * x;
-    return x * (1 + z * (-1.0F / 6 + z * (1.0F / 120 + z * (-1.0F / 5040 + z * (1.0F / 362880)))));
-}
-float shortCos(float x) {
-    const float z = x * x;
-    return 1 + z * (-1.0F / 2 + z * (1.0F / 24 + z * (-1.0F / 720 + z * (1.0F / 40320 - z * (1.0F / 3628800)))));
+template <std::size_t N>
+float polynomial(const std::array<float, N>& factors, float z) {
+    float sum = factors[0];
+    for (std::size_t i = 1; i < N; ++i) sum = factors[i] + z * sum;
+    return sum;
 }
 
 } // namespace
 
 Vec2 onDisc(SquarePoint point) {
     const float a = 2 * point.u - 1, b = 2 * point.v - 1;
-    if (a == 0 && b == 0) return {};
     // The angle from the nearer axis, which the coordinate that is larger follows.
     const bool across = std::fabs(a) > std::fabs(b);
     const float r = across ? a : b;
-    const float angle = kPi / 4 * ((across ? b : a) / r);
-    const float along = r * shortCos(angle), aside = r * shortSin(angle);
+    if (r == 0) return {};
+    const float angle = kDiscAngle * ((across ? b : a) / r);
+    const float along = r * polynomial(kDiscCosine, angle * angle);
+    const float aside = r * (angle * polynomial(kDiscSine, angle * angle));
     return across ? Vec2{along, aside} : Vec2{aside, along};
 }
 

@@ -195,7 +195,7 @@ TEST(DepthOfField, WithoutFocusWhatIsInTheMiddleIsSharp) {
     const Ray ray = view.at(33, 25);
     const float t = 4 * .8660254F / dot(ray.direction, {0, -0.5F, -0.8660254F});
     EXPECT_NEAR(focus.distance(s.tracer, view, 33, 25), -t * ray.direction.z, 1e-4);
-    EXPECT_EQ(focus.distance(s.tracer, view, 0, 0), std::numeric_limits<float>::infinity());
+    EXPECT_EQ(focus.distance(s.tracer, view, 0, 0), kInfiniteFocus);
 
     RenderSettings settings = test::sampleSettings(60, 40, 2);
     settings.depthOfField = {.on = true, .fNumber = .5F};
