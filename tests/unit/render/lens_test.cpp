@@ -118,6 +118,26 @@ TEST(SampleRays, ThroughAPinholeHaveTheBitsOfTheCamera) {
     }
 }
 
+TEST(SampleRays, StartWhereTheApertureSays) {
+    SampleView view;
+    const Camera camera = test::sampleCamera();
+    view.camera = CameraRays(camera, 640, 480);
+    view.lens = makeLens(view.camera, camera.horizontalFov, .5F, 4, 1);
+    view.pattern.prepare(SamplingPattern::Grid, 4);
+    view.lensPattern.prepare(4);
+    std::vector<SampleId> samples;
+    for (std::uint32_t i = 0; i < 100; ++i) samples.push_back({static_cast<std::uint16_t>(i / 9), 99, i % 16});
+    for (const int blades : {0, 7}) {
+        view.aperture.prepare(blades);
+        RayWave rays;
+        makeSampleRays(view, samples, rays);
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const Vec2 at = view.aperture.at(view.lensPattern.at(samples[i]));
+            EXPECT_EQ(rays.ray(i).origin, camera.eye + (view.lens.right * at.x - view.lens.down * at.y));
+        }
+    }
+}
+
 /// Mean of the squares of the distances in pixels of the light in the picture from its centre, and all light.
 struct Blur {
     double light = 0, x = 0, y = 0, meanSquare = 0;

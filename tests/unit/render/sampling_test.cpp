@@ -24,7 +24,7 @@ std::vector<RenderSettings> manySettings(int width, int height) {
             RenderSettings settings = test::sampleSettings(width, height, antialiasing);
             settings.sampling = pattern;
             all.push_back(settings);
-            settings.depthOfField = {.on = true, .fNumber = .2F, .focus = 6, .blades = 5};
+            settings.depthOfField = {.on = true, .fNumber = .2F, .focus = 6, .blades = antialiasing == 1 ? 0 : 5};
             if (pattern != SamplingPattern::Random) settings.adaptive = .05F;
             all.push_back(settings);
         }
