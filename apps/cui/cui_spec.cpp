@@ -47,6 +47,8 @@ constexpr std::array kCommands{
     CommandSpec{"camera look-at", "EX EY EZ TX TY TZ [FOV]", "look from E to the point T"},
     CommandSpec{"camera turn", "RIGHT UP", "turn by these angles, degrees"},
     CommandSpec{"camera reset", "", "look as the scene itself says"},
+    CommandSpec{"focus", "X Y",
+                "focus a lens on what is there, 0..1 from the left and from the top, and print its distance"},
     CommandSpec{"speed", "FACTOR", "fly so many times as fast as usual"},
     CommandSpec{"walk", "", "with a body, on the ground"},
     CommandSpec{"fly", "", "freely"},

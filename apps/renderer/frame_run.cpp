@@ -20,6 +20,15 @@ std::string seconds(double value) {
     return text;
 }
 
+std::string savingText(const FrameReport& report) {
+    const std::uint64_t taken = report.rays.rays[static_cast<std::size_t>(rtcore::RayKind::Primary)];
+    const double saved = 100 - 100 * static_cast<double>(taken) / static_cast<double>(report.samples);
+    char percent[16];
+    std::snprintf(percent, sizeof percent, "%.1f", saved);
+    return "took " + std::to_string(taken) + " of " + std::to_string(report.samples) + " samples, " + percent +
+           " % saved";
+}
+
 // The file from which a film can take a finished frame as it is shown; null when there is none.
 const std::filesystem::path* shownPicture(const FrameTask& frame) {
     const auto found = std::find_if(frame.outputs.begin(), frame.outputs.end(), [](const auto& output) {
@@ -112,6 +121,7 @@ void FrameRun::report(const FrameTask& frame, const FrameReport& report) {
                       report.renderSeconds > 0 ? rays / report.renderSeconds * 1e-6 : 0.0);
         progress_.print("rendered " + std::to_string(report.width) + " x " + std::to_string(report.height) +
                         " in " + seconds(report.renderSeconds) + ", " + figures);
+        if (report.samples > 0) progress_.print(savingText(report));
     }
     const bool logged = options_.list && options_.progress == app::ProgressStyle::Plain;
     const bool kept = options_.list || !frame.outputs.empty();

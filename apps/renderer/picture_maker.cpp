@@ -10,6 +10,7 @@
 #include "rtcore/io/debug/debug_scene.h"
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/settings/settings_table.h"
 
 #include <algorithm>
 #include <chrono>
@@ -22,6 +23,11 @@ namespace {
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::uint64_t allSamples(const rtcore::RenderSettings& settings) {
+    const auto size = [](int number) { return static_cast<std::uint64_t>(number); };
+    return size(settings.width) * size(settings.height) * size(settings.antialiasing) * size(settings.antialiasing);
 }
 
 std::string_view asText(const std::vector<std::byte>& bytes) {
@@ -38,7 +44,8 @@ PictureMaker::PictureMaker(rtcore::LoadedScene scene, std::vector<rtcore::Settin
 
 FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     rtcore::Camera camera = loaded_.camera;
-    const rtcore::RenderSettings settings = prepare(task.camera, camera);
+    rtcore::RenderSettings settings = prepare(task.camera, camera);
+    focus(camera, settings);
     warnOfWhatIsMissing(settings);
 
     FrameReport report{.width = settings.width, .height = settings.height, .rays = {}};
@@ -46,6 +53,7 @@ FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     render(camera, settings, index, count);
     report.renderSeconds = secondsSince(start);
     report.rays = frame_.statistics;
+    if (rtcore::choosesSamples(settings)) report.samples = allSamples(settings);
 
     start = std::chrono::steady_clock::now();
     const float exposure = develop(task, settings);
@@ -78,6 +86,22 @@ rtcore::RenderSettings PictureMaker::prepare(const std::filesystem::path& camera
                                .settingsFile = settingsFile_,
                                .camera = file ? &*file : nullptr,
                                .commandLine = options_.settings});
+}
+
+void PictureMaker::focus(const rtcore::Camera& camera, rtcore::RenderSettings& settings) {
+    if (!options_.focusAt) return;
+    const auto [x, y] = *options_.focusAt;
+    if (x > static_cast<float>(settings.width) || y > static_cast<float>(settings.height)) {
+        throw app::UsageError("--focus-at lies outside of the picture, which has " +
+                              std::to_string(settings.width) + " x " + std::to_string(settings.height) + " pixels");
+    }
+    const rtcore::CameraRays view(camera, settings.width, settings.height);
+    settings.depthOfField.on = true;
+    settings.depthOfField.focus = rtcore::FocusFinder().distance(tracer_, view, x, y);
+    if (!options_.verbose) return;
+    const bool infinite = settings.depthOfField.focus >= rtcore::kInfiniteFocus;
+    progress_.print("focused at " +
+                    (infinite ? "infinity" : rtcore::settingText(settings.depthOfField.focus)));
 }
 
 void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSettings& settings, int index,

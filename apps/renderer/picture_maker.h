@@ -21,6 +21,7 @@ namespace renderer {
 
 struct FrameReport {
     int width = 0, height = 0;
+    std::uint64_t samples = 0; ///< of a picture that does without some of them: all that it could take
     double renderSeconds = 0, writeSeconds = 0;
     rtcore::RayStatistics rays;
 };
@@ -47,6 +48,8 @@ class PictureMaker {
 
   private:
     rtcore::RenderSettings prepare(const std::filesystem::path& cameraFile, rtcore::Camera& camera);
+    /// On what --focus-at names, if it does.
+    void focus(const rtcore::Camera& camera, rtcore::RenderSettings& settings);
     void render(const rtcore::Camera& camera, const rtcore::RenderSettings& settings, int index, int count);
     /// The exposure; nothing is done when nobody wants to see the picture.
     float develop(const FrameTask& task, const rtcore::RenderSettings& settings);

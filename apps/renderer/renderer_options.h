@@ -35,6 +35,7 @@ struct RendererOptions {
     std::optional<PreviewOptions> preview;           ///< show the picture while it refines
     std::optional<std::int64_t> parent;              ///< stop with this process; 0 = the parent
     bool requeue = false;                            ///< exit with TryAgain when SIGTERM stops the run
+    std::optional<rtcore::Vec2> focusAt;             ///< pixels of what a lens is focused at
     std::vector<rtcore::SettingAssignment> settings; ///< in the order of the command line
     int threads = 0;                                 ///< 0 = all cores
     rtcore::ImportOptions import;

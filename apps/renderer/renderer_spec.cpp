@@ -126,6 +126,11 @@ OptionGroup qualityOptions() {
               .value = ValueKind::Text,
               .argument = "X",
               .help = "switch ambient occlusion on, up to this distance"},
+             {.name = "focus-at",
+              .value = ValueKind::Text,
+              .argument = "X,Y",
+              .help = "switch depth of field on, and focus on what is seen at this pixel, from the upper left "
+                      "corner"},
              {.name = "exposure",
               .value = ValueKind::Text,
               .argument = "C",

@@ -3,6 +3,9 @@
 
 #include "common/command_line.h"
 
+#include "rtcore/render/lens.h"
+#include "rtcore/settings/settings_table.h"
+
 #include <array>
 #include <cmath>
 
@@ -67,12 +70,27 @@ Result speed(const Call& call) {
     return {};
 }
 
+Result focus(const Call& call) {
+    const float right = number(call[0]), down = number(call[1]);
+    if (!(right >= 0 && right <= 1 && down >= 0 && down <= 1))
+        throw app::UsageError("focus takes a place in the picture: 0 to 1 from the left, 0 to 1 from the top");
+    rtcore::RenderSettings settings = call.session.settings();
+    const rtcore::CameraRays view(call.session.camera(), settings.width, settings.height);
+    settings.depthOfField.on = true;
+    settings.depthOfField.focus = rtcore::FocusFinder().distance(*call.session.world().tracer, view,
+                                                                 right * static_cast<float>(settings.width),
+                                                                 down * static_cast<float>(settings.height));
+    call.session.setSettings(settings);
+    return {.answer = rtcore::settingText(settings.depthOfField.focus)};
+}
+
 constexpr std::array kCommands{
     Command{"camera get", 0, 0, "", true, get},
     Command{"camera set", 6, 7, "EX EY EZ FX FY FZ [FOV]", true, set},
     Command{"camera look-at", 6, 7, "EX EY EZ TX TY TZ [FOV]", true, lookAt},
     Command{"camera turn", 2, 2, "RIGHT UP", true, turn},
     Command{"camera reset", 0, 0, "", true, reset},
+    Command{"focus", 2, 2, "X Y", true, focus},
     Command{"speed", 1, 1, "FACTOR", true, speed},
     Command{"walk", 0, 0, "", true, walk},
     Command{"fly", 0, 0, "", true, fly},

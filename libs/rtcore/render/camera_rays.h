@@ -43,11 +43,13 @@ class CameraRays {
     };
     void directions(const Block& block, float* dx, float* dy, float* dz) const;
 
-    /// What directions() is made of.
+    /// What directions are made of.
     struct Plane {
         Vec3 corner;      ///< towards the upper left corner of the picture at distance 1
         Vec3 right, down; ///< one pixel, at distance 1
     };
+
+    const Plane& plane() const { return plane_; }
 
   private:
     Vec3 eye_;

@@ -33,56 +33,107 @@ TileRenderer& FrameRenderer::rendererOfThread(int thread) {
 bool FrameRenderer::render(const Scene& scene, const RayTracer& tracer, const Camera& camera,
                            const RenderSettings& settings, int threads, RenderControl& control,
                            Frame& frame) {
-    const CameraRays view(camera, settings.width, settings.height);
-    return renderView(scene, tracer, view, settings, threads, control, frame);
+    aim(scene, tracer, camera, settings);
+    return renderView(scene, tracer, settings, threads, control, frame);
 }
 
 bool FrameRenderer::renderCoarse(const Scene& scene, const RayTracer& tracer, const Camera& camera,
                                  const RenderSettings& settings, int block, int threads,
                                  RenderControl& control, Frame& frame) {
-    const CameraRays view(camera, settings.width, settings.height);
+    aim(scene, tracer, camera, settings);
+    view_.camera = view_.camera.coarser(block);
     RenderSettings coarse = settings;
     coarse.width = (settings.width + block - 1) / block;
     coarse.height = (settings.height + block - 1) / block;
     coarse.antialiasing = 1;
-    return renderView(scene, tracer, view.coarser(block), coarse, threads, control, frame);
+    coarse.sampling = SamplingPattern::Grid;
+    return renderView(scene, tracer, coarse, threads, control, frame);
 }
 
-bool FrameRenderer::renderView(const Scene& scene, const RayTracer& tracer, const CameraRays& view,
-                               const RenderSettings& settings, int threads, RenderControl& control,
-                               Frame& frame) {
+/// The camera and its lens; what is in the middle is that of the whole picture.
+void FrameRenderer::aim(const Scene& scene, const RayTracer& tracer, const Camera& camera,
+                        const RenderSettings& settings) {
+    view_.camera = CameraRays(camera, settings.width, settings.height);
+    view_.lens = {};
+    const DepthOfFieldSettings& lens = settings.depthOfField;
+    if (!lens.on) return;
+    const float focus =
+        lens.focus > 0 ? lens.focus
+                       : focus_.distance(tracer, view_.camera, static_cast<float>(settings.width) * 0.5F,
+                                         static_cast<float>(settings.height) * 0.5F);
+    view_.lens = makeLens(view_.camera, camera.horizontalFov, lens.fNumber, focus, scene.metresPerUnit);
+    view_.aperture.prepare(lens.blades);
+}
+
+bool FrameRenderer::renderView(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
+                               int threads, RenderControl& control, Frame& frame) {
     prepare(frame, settings);
     materials_.prepare(scene, settings);
+    view_.pattern.prepare(settings.sampling, settings.antialiasing);
+    view_.lensPattern.prepare(settings.antialiasing);
     stageTimes_ = {};
     const TileGrid grid(settings, materials_.anyOnward());
+    const bool chosen = choosesSamples(settings);
     control.tilesDone = 0;
-    control.tiles = static_cast<std::uint64_t>(grid.count());
-    const int team = threadsFor(threads);
-    if (renderers_.size() < static_cast<std::size_t>(team)) renderers_.resize(static_cast<std::size_t>(team));
+    control.tiles = static_cast<std::uint64_t>(grid.count()) * (chosen ? 2 : 1);
+    const Work work{scene, tracer, settings, threadsFor(threads), control, frame};
+    const auto team = static_cast<std::size_t>(work.team);
+    if (renderers_.size() < team) renderers_.resize(team);
+    if (chosen) {
+        renderChosen(work, grid);
+    } else {
+        renderTiles(work, grid, [&](TileRenderer& renderer, const PixelArea& tile) {
+            renderer.render(tile, frame);
+            finish(work, tile);
+        });
+    }
+    return !control.cancel;
+}
+
+void FrameRenderer::renderChosen(const Work& work, const TileGrid& grid) {
+    Frame& frame = work.frame;
+    choice_.begin(work.settings);
+    renderTiles(work, grid, [&](TileRenderer& renderer, const PixelArea& tile) {
+        renderer.renderFirst(tile, choice_, frame);
+    });
+    if (work.control.cancel) return;
+    choice_.measure(frame.radiance);
+#pragma omp parallel for num_threads(work.team) schedule(static)
+    for (int tile = 0; tile < grid.count(); ++tile) choice_.choose(grid.area(tile), frame.radiance);
+    renderTiles(work, grid, [&](TileRenderer& renderer, const PixelArea& tile) {
+        renderer.renderRest(tile, choice_, frame);
+        finish(work, tile);
+    });
+}
+
+/// Calls `render` with each tile and the renderer of a thread, by all threads.
+template <typename Render>
+void FrameRenderer::renderTiles(const Work& work, const TileGrid& grid, Render&& render) {
     TaskErrors errors;
-#pragma omp parallel num_threads(team) default(shared)
+    const std::atomic<bool>& cancel = work.control.cancel;
+#pragma omp parallel num_threads(work.team) default(shared)
     errors.guard([&] {
         TileRenderer& renderer = rendererOfThread(threadNumber());
-        renderer.begin(scene, tracer, settings, materials_, view, control.cancel, measureStages_);
+        renderer.begin(work.scene, work.tracer, work.settings, materials_, view_, cancel, measureStages_);
         // In the order of the picture: its last row of tiles is the one that its lower edge cuts.
 #pragma omp for schedule(dynamic, 1) nowait
         for (int tile = 0; tile < grid.count(); ++tile) {
-            if (control.cancel.load(std::memory_order_relaxed) || errors.any()) continue;
-            errors.guard([&] {
-                renderer.render(grid.area(tile), frame);
-                const bool whole = !control.cancel.load(std::memory_order_relaxed);
-                if (whole && control.finished != nullptr) control.finished->add(grid.area(tile));
-            });
-            control.tilesDone.fetch_add(1, std::memory_order_relaxed);
+            if (cancel.load(std::memory_order_relaxed) || errors.any()) continue;
+            errors.guard([&] { render(renderer, grid.area(tile)); });
+            work.control.tilesDone.fetch_add(1, std::memory_order_relaxed);
         }
 #pragma omp critical(rtcore_statistics)
         {
-            frame.statistics.add(renderer.statistics());
+            work.frame.statistics.add(renderer.statistics());
             stageTimes_.add(renderer.stageTimes());
         }
     });
     errors.rethrow();
-    return !control.cancel;
+}
+
+void FrameRenderer::finish(const Work& work, const PixelArea& tile) {
+    const bool whole = !work.control.cancel.load(std::memory_order_relaxed);
+    if (whole && work.control.finished != nullptr) work.control.finished->add(tile);
 }
 
 bool renderFrame(const Scene& scene, const RayTracer& tracer, const Camera& camera,

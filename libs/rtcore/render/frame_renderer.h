@@ -4,6 +4,9 @@
 #include "rtcore/kernels/ray_tracer.h"
 #include "rtcore/render/finished_tiles.h"
 #include "rtcore/render/frame.h"
+#include "rtcore/render/lens.h"
+#include "rtcore/render/sample_choice.h"
+#include "rtcore/render/sample_rays.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
 #include "rtcore/shading/material_table.h"
@@ -16,7 +19,7 @@
 
 namespace rtcore {
 
-class CameraRays;
+class TileGrid;
 class TileRenderer;
 
 /// Shared with threads that show progress or stop the work. One frame at a time.
@@ -54,10 +57,28 @@ class FrameRenderer {
     const StageTimes& stageTimes() const { return stageTimes_; }
 
   private:
-    bool renderView(const Scene& scene, const RayTracer& tracer, const CameraRays& view,
-                    const RenderSettings& settings, int threads, RenderControl& control, Frame& frame);
+    /// What goes through all steps of a frame.
+    struct Work {
+        const Scene& scene;
+        const RayTracer& tracer;
+        const RenderSettings& settings;
+        int team;
+        RenderControl& control;
+        Frame& frame;
+    };
+    void aim(const Scene& scene, const RayTracer& tracer, const Camera& camera,
+             const RenderSettings& settings);
+    bool renderView(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings, int threads,
+                    RenderControl& control, Frame& frame);
+    template <typename Render>
+    void renderTiles(const Work& work, const TileGrid& grid, Render&& render);
+    void renderChosen(const Work& work, const TileGrid& grid);
+    void finish(const Work& work, const PixelArea& tile);
     TileRenderer& rendererOfThread(int thread);
 
+    SampleView view_; ///< of the frame being rendered
+    FocusFinder focus_;
+    SampleChoice choice_;
     MaterialTable materials_;
     std::vector<std::unique_ptr<TileRenderer>> renderers_; ///< by thread
     bool measureStages_ = false;

@@ -3,11 +3,16 @@
 #include "rtcore/render/tile_store.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace rtcore {
 
 namespace {
+
+/// Samples in a row of a tile.
+constexpr int kSamples = 64;
+constexpr int kMostSamples = 2 * kSamples; ///< where they are not all taken at once
 
 /// The rays of one tile, block after block. `work` gets the block's first column and row, its width and
 /// height, and the number of its first ray.
@@ -40,6 +45,33 @@ void copyPart(const float* block, int width, int height, float* to) {
     forEachSample(width, height, [&](int column, int row) { *to++ = block[indexInBlock(column, row)]; });
 }
 
+/// The pixel of each column of samples, or row, and its part in their number.
+struct SampleAxis {
+    std::array<std::uint16_t, kMostSamples> pixel;
+    std::array<std::uint32_t, kMostSamples> sub;
+
+    void fill(int first, int pixels, int n, int step) {
+        std::size_t at = 0;
+        for (int i = 0; i < pixels; ++i) {
+            for (int k = 0; k < n; ++k) {
+                pixel[at] = static_cast<std::uint16_t>(first + i);
+                sub[at++] = static_cast<std::uint32_t>(k * step);
+            }
+        }
+    }
+};
+
+/// Calls `work` with the place of each pixel in the picture, and its index there, row by row.
+template <typename Work>
+void forEachPixel(const PixelArea& area, int width, Work&& work) {
+    for (int y = area.top; y < area.top + area.rows; ++y) {
+        for (int x = area.left; x < area.left + area.columns; ++x) {
+            work(x, y,
+                 static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+        }
+    }
+}
+
 } // namespace
 
 TileGrid::TileGrid(const RenderSettings& settings, bool secondaryRays)
@@ -49,7 +81,8 @@ TileGrid::TileGrid(const RenderSettings& settings, bool secondaryRays)
     // all threads.
     constexpr std::int64_t kManyPixels = 1 << 18;
     const bool large = secondaryRays && std::int64_t{settings.width} * settings.height >= kManyPixels;
-    side_ = settings.antialiasing == 1 ? (large ? 64 : 32) : std::max(4, 64 / settings.antialiasing);
+    const int samples = choosesSamples(settings) ? kMostSamples : kSamples;
+    side_ = settings.antialiasing == 1 ? (large ? kSamples : kSamples / 2) : std::max(4, samples / settings.antialiasing);
     columns_ = (width_ + side_ - 1) / side_;
     rows_ = (height_ + side_ - 1) / side_;
 }
@@ -60,10 +93,10 @@ PixelArea TileGrid::area(int tile) const {
 }
 
 void TileRenderer::begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
-                         const MaterialTable& materials, const CameraRays& camera,
+                         const MaterialTable& materials, const SampleView& view,
                          const std::atomic<bool>& cancel, bool measureStages) {
     settings_ = &settings;
-    camera_ = &camera;
+    view_ = &view;
     sameOrigin_ = false;
     drawsSamples_ = WhittedIntegrator::drawsSamples(scene, settings);
     samples_.clear();
@@ -72,9 +105,19 @@ void TileRenderer::begin(const Scene& scene, const RayTracer& tracer, const Rend
 }
 
 void TileRenderer::render(const PixelArea& area, Frame& frame) {
+    const auto all = [](const SampleId&) { return true; };
+    if (!view_->plain()) {
+        nameSamples(area, all);
+        traceSamples();
+        clearSums(area);
+        addToSums(area);
+        const int count = settings_->antialiasing * settings_->antialiasing;
+        storeMeans(area, frame, [count](int, int) { return count; });
+        return;
+    }
     collectRays(area);
     integrator_.clock().lap(Stage::Rays);
-    if (drawsSamples_) nameSamples(area);
+    if (drawsSamples_) nameSamples(area, all);
     integrator_.trace(rays_, samples_);
     if (settings_->antialiasing == 1) {
         storePixels(area, frame);
@@ -84,15 +127,67 @@ void TileRenderer::render(const PixelArea& area, Frame& frame) {
     integrator_.clock().lap(Stage::Store);
 }
 
+void TileRenderer::traceSamples() {
+    makeSampleRays(*view_, samples_, rays_);
+    integrator_.clock().lap(Stage::Rays);
+    integrator_.trace(rays_, samples_);
+}
+
+/// `count`: how many samples the pixel (x, y) has.
+template <typename Count>
+void TileRenderer::storeMeans(const PixelArea& area, Frame& frame, Count&& count) {
+    auto sum = sums_.begin();
+    forEachPixel(area, frame.radiance.width, [&](int x, int y, std::size_t pixel) {
+        const int samples = count(x, y);
+        frame.radiance.pixels[pixel] = sum->radiance / static_cast<float>(samples);
+        frame.covered[pixel] = static_cast<std::uint8_t>(255 * sum->hits / samples);
+        ++sum;
+    });
+    integrator_.clock().lap(Stage::Store);
+}
+
+void TileRenderer::renderFirst(const PixelArea& area, SampleChoice& choice, Frame& frame) {
+    const int n = settings_->antialiasing;
+    nameSamples(area, [n](const SampleId& id) { return isFirstSample(id.sub, n); });
+    traceSamples();
+    clearSums(area);
+    addToSums(area);
+    auto sum = sums_.begin();
+    forEachPixel(area, frame.radiance.width, [&](int, int, std::size_t pixel) {
+        frame.radiance.pixels[pixel] = sum->radiance;
+        frame.covered[pixel] = static_cast<std::uint8_t>(sum->hits);
+        ++sum;
+    });
+    const ArraysOf3& radiance = integrator_.radiance();
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+        choice.add(samples_[i].x, samples_[i].y, radiance.colourAt(i));
+    }
+    integrator_.clock().lap(Stage::Store);
+}
+
+void TileRenderer::renderRest(const PixelArea& area, const SampleChoice& choice, Frame& frame) {
+    const int n = settings_->antialiasing;
+    nameSamples(area, [&](const SampleId& id) { return choice.chosen(id.x, id.y) && !isFirstSample(id.sub, n); });
+    sums_.clear();
+    forEachPixel(area, frame.radiance.width, [&](int, int, std::size_t pixel) {
+        sums_.push_back({frame.radiance.pixels[pixel], frame.covered[pixel]});
+    });
+    if (!samples_.empty()) {
+        traceSamples();
+        addToSums(area);
+    }
+    storeMeans(area, frame, [&](int x, int y) { return choice.chosen(x, y) ? n * n : firstSamples(n); });
+}
+
 void TileRenderer::collectRays(const PixelArea& area) {
     const auto n = static_cast<std::size_t>(settings_->antialiasing);
     const std::size_t count =
         static_cast<std::size_t>(area.columns) * static_cast<std::size_t>(area.rows) * n * n;
     if (!sameOrigin_ || rays_.size() != count) {
         rays_.resize(count);
-        std::fill(rays_.ox.begin(), rays_.ox.end(), camera_->eye().x);
-        std::fill(rays_.oy.begin(), rays_.oy.end(), camera_->eye().y);
-        std::fill(rays_.oz.begin(), rays_.oz.end(), camera_->eye().z);
+        std::fill(rays_.ox.begin(), rays_.ox.end(), view_->camera.eye().x);
+        std::fill(rays_.oy.begin(), rays_.oy.end(), view_->camera.eye().y);
+        std::fill(rays_.oz.begin(), rays_.oz.end(), view_->camera.eye().z);
         std::fill(rays_.tMin.begin(), rays_.tMin.end(), 0.0F);
         std::fill(rays_.tMax.begin(), rays_.tMax.end(), std::numeric_limits<float>::max());
         sameOrigin_ = true;
@@ -107,26 +202,45 @@ void TileRenderer::collectDirections(const PixelArea& area) {
     forEachBlock(area.columns * n, area.rows * n, [&](int column, int row, int w, int h, std::size_t first) {
         const CameraRays::Block block{left, top, column, row, step};
         if (w == kCameraBlock && h == kCameraBlock) {
-            camera_->directions(block, &rays_.dx[first], &rays_.dy[first], &rays_.dz[first]);
+            view_->camera.directions(block, &rays_.dx[first], &rays_.dy[first], &rays_.dz[first]);
             return;
         }
         float directions[3][kCameraBlockRays];
-        camera_->directions(block, directions[0], directions[1], directions[2]);
+        view_->camera.directions(block, directions[0], directions[1], directions[2]);
         copyPart(directions[0], w, h, &rays_.dx[first]);
         copyPart(directions[1], w, h, &rays_.dy[first]);
         copyPart(directions[2], w, h, &rays_.dz[first]);
     });
 }
 
-void TileRenderer::nameSamples(const PixelArea& area) {
+void TileRenderer::clearSums(const PixelArea& area) {
+    sums_.assign(static_cast<std::size_t>(area.columns) * static_cast<std::size_t>(area.rows), {});
+}
+
+void TileRenderer::addToSums(const PixelArea& area) {
+    const ArraysOf3& radiance = integrator_.radiance();
+    const std::uint8_t* const hit = integrator_.hit().data();
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+        const int x = samples_[i].x - area.left, y = samples_[i].y - area.top;
+        PixelSum& sum = sums_[static_cast<std::size_t>(y) * static_cast<std::size_t>(area.columns) +
+                              static_cast<std::size_t>(x)];
+        sum.radiance += radiance.colourAt(i);
+        sum.hits += hit[i];
+    }
+}
+
+template <typename Wanted>
+void TileRenderer::nameSamples(const PixelArea& area, Wanted&& wanted) {
     const int n = settings_->antialiasing;
+    SampleAxis columns, rows;
+    columns.fill(area.left, area.columns, n, 1);
+    rows.fill(area.top, area.rows, n, n);
     samples_.clear();
     forEachBlock(area.columns * n, area.rows * n, [&](int column, int row, int w, int h, std::size_t) {
         forEachSample(w, h, [&](int x, int y) {
-            const int across = column + x, down = row + y;
-            samples_.push_back({static_cast<std::uint16_t>(area.left + across / n),
-                                static_cast<std::uint16_t>(area.top + down / n),
-                                static_cast<std::uint32_t>(down % n * n + across % n)});
+            const auto across = static_cast<std::size_t>(column + x), down = static_cast<std::size_t>(row + y);
+            const SampleId id{columns.pixel[across], rows.pixel[down], columns.sub[across] + rows.sub[down]};
+            if (wanted(id)) samples_.push_back(id);
         });
     });
 }

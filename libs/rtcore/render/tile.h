@@ -4,6 +4,8 @@
 #include "rtcore/render/camera_rays.h"
 #include "rtcore/render/frame.h"
 #include "rtcore/render/pixel_area.h"
+#include "rtcore/render/sample_choice.h"
+#include "rtcore/render/sample_rays.h"
 #include "rtcore/shading/whitted.h"
 
 #include <cstdint>
@@ -29,30 +31,45 @@ class TileGrid {
 /// to frame.
 class TileRenderer {
   public:
-    /// Starts a frame; the arguments must outlive it.
+    /// Starts a frame, or a pass of it; the arguments must outlive it.
     void begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
-               const MaterialTable& materials, const CameraRays& camera, const std::atomic<bool>& cancel,
+               const MaterialTable& materials, const SampleView& view, const std::atomic<bool>& cancel,
                bool measureStages);
 
     /// Writes the pixels of one tile into `frame`; soon returns, with them undefined, when `cancel` is set.
     void render(const PixelArea& area, Frame& frame);
+    /// The same in two steps. The first leaves sums in frame.radiance and numbers of hits in frame.covered.
+    void renderFirst(const PixelArea& area, SampleChoice& choice, Frame& frame);
+    void renderRest(const PixelArea& area, const SampleChoice& choice, Frame& frame);
     const RayStatistics& statistics() const { return integrator_.statistics(); }
     const StageTimes& stageTimes() { return integrator_.clock().times(); }
 
   private:
     void collectRays(const PixelArea& area);
     void collectDirections(const PixelArea& area);
-    void nameSamples(const PixelArea& area);
+    template <typename Wanted>
+    void nameSamples(const PixelArea& area, Wanted&& wanted);
+    void traceSamples();
+    void clearSums(const PixelArea& area);
+    void addToSums(const PixelArea& area);
+    template <typename Count>
+    void storeMeans(const PixelArea& area, Frame& frame, Count&& count);
     void storePixels(const PixelArea& area, Frame& frame);
     void averageSamples(const PixelArea& area, Frame& frame);
 
     const RenderSettings* settings_ = nullptr;
-    const CameraRays* camera_ = nullptr;
+    const SampleView* view_ = nullptr;
     WhittedIntegrator integrator_;
     RayWave rays_;
     bool drawsSamples_ = false;
-    std::vector<SampleId> samples_;   ///< of rays_, where the integrator wants them
+    std::vector<SampleId> samples_;   ///< of rays_, where anything wants their names
     bool sameOrigin_ = false;         ///< all of rays_ begin at the eye already
+    /// Of the samples of one pixel.
+    struct PixelSum {
+        Colour radiance;
+        int hits = 0;
+    };
+    std::vector<PixelSum> sums_;      ///< of the tile, row by row
     std::vector<std::uint32_t> slot_; ///< of each sample of the tile, by row * width + column: its ray
 };
 

@@ -89,6 +89,18 @@ TEST(SteadyFrame, OfOneThreadAllocatesNothing) {
     }
 }
 
+TEST(SteadyFrame, WithALensAndChosenSamplesAllocatesNothing) {
+    RenderSettings settings = settingsWith(3, true, 5);
+    settings.sampling = SamplingPattern::Poisson;
+    settings.depthOfField = {.on = true, .blades = 6};
+    for (const float adaptive : {0.0F, 0.05F}) {
+        settings.adaptive = adaptive;
+        Pictures pictures(test::sampleScene());
+        pictures.make(settings, 1);
+        EXPECT_EQ(pictures.make(settings, 1), 0U);
+    }
+}
+
 TEST(SteadyFrame, OfOpaqueSurfacesAllocatesNothing) {
     Scene scene = test::sampleScene();
     for (Material& m : scene.materials) {

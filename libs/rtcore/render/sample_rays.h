@@ -1,0 +1,32 @@
+/// From the names of samples to their rays.
+#pragma once
+
+#include "rtcore/kernels/ray_wave.h"
+#include "rtcore/render/camera_rays.h"
+#include "rtcore/render/lens.h"
+#include "rtcore/sampling/aperture.h"
+#include "rtcore/sampling/lens_pattern.h"
+#include "rtcore/sampling/pixel_pattern.h"
+
+#include <span>
+
+namespace rtcore {
+
+/// All that decides on the rays of a frame's samples.
+struct SampleView {
+    CameraRays camera;
+    Lens lens;
+    PixelPattern pattern;
+    LensPattern lensPattern;
+    Aperture aperture;
+
+    /// Samples in the middles of a grid's cells, all seen from one point.
+    bool plain() const { return pattern.pattern() == SamplingPattern::Grid && !lens.open(); }
+};
+
+/// One ray from 0 to infinity with a direction of unit length for each sample, in their order; they start on
+/// the lens and pass through the point of perfect sharpness. The directions through a pinhole have the bits of
+/// CameraRays::at().
+void makeSampleRays(const SampleView& view, std::span<const SampleId> samples, RayWave& rays);
+
+} // namespace rtcore
