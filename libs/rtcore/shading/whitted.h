@@ -9,6 +9,7 @@
 #include "rtcore/settings/render_settings.h"
 #include "rtcore/shading/light_wave.h"
 #include "rtcore/shading/material_table.h"
+#include "rtcore/shading/occlusion_wave.h"
 #include "rtcore/shading/path_queue.h"
 #include "rtcore/shading/shadows.h"
 #include "rtcore/shading/stage_times.h"
@@ -74,6 +75,7 @@ class WhittedIntegrator {
     void setAlbedo(std::size_t i, Colour albedo, Colour& glow);
     void completeTextured();
     bool passHole(const RayWave& rays, std::size_t i, const Surface& surface, Path& path);
+    void lightFromEverywhere();
     void lightBy(const Light& light);
     void darken(const std::vector<std::uint8_t>& occluded);
     void tint(const std::vector<Colour>& arriving);
@@ -90,6 +92,8 @@ class WhittedIntegrator {
     const MaterialTable* materials_ = nullptr;
     MaterialTable ownMaterials_; ///< when no frame shares its table
     ShadowTracer shadows_;
+    OcclusionWave occlusion_;
+    Colour ambient_; ///< that nothing occludes
     RayStatistics statistics_;
     StageClock clock_;
     const std::atomic<bool>* stop_ = nullptr;
