@@ -72,6 +72,7 @@ class ReplayTracer final : public RayTracer {
             occluded = occluded_[nextOccluded_++];
         }
     }
+    Box3 bounds() const override { return tracer_.bounds(); }
 
   private:
     const RayTracer& tracer_;
@@ -185,10 +186,10 @@ class Bench {
 
     static void printStages(const char* what, const StageTimes& t) {
         std::printf(
-            "  %s, ms: rays %.2f, trace %.2f, surfaces %.2f, light %.2f, shadows %.2f, secondary rays "
+            "  %s, ms: rays %.2f, trace %.2f, surfaces %.2f, occlusion %.2f, light %.2f, shadows %.2f, secondary rays "
             "%.2f, store %.2f\n",
             what, t.of(Stage::Rays) * 1e3, t.of(Stage::Trace) * 1e3, t.of(Stage::Surfaces) * 1e3,
-            t.of(Stage::Light) * 1e3, t.of(Stage::Shadows) * 1e3, t.of(Stage::Spawn) * 1e3,
+            t.of(Stage::Occlusion) * 1e3, t.of(Stage::Light) * 1e3, t.of(Stage::Shadows) * 1e3, t.of(Stage::Spawn) * 1e3,
             t.of(Stage::Store) * 1e3);
     }
 

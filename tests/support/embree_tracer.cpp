@@ -59,4 +59,10 @@ void EmbreeTracer::occluded(rtcore::RayKind kind, const rtcore::RayWave& rays,
     occludedWave(scene_->handle(), coherent(kind), width_, arraysOf(rays), occluded.data());
 }
 
+rtcore::Box3 EmbreeTracer::bounds() const {
+    RTCBounds b{};
+    rtcGetSceneBounds(scene_->handle(), &b);
+    return {{b.lower_x, b.lower_y, b.lower_z}, {b.upper_x, b.upper_y, b.upper_z}};
+}
+
 } // namespace test

@@ -37,6 +37,7 @@ class EmbreeTracer final : public rtcore::RayTracer {
     void intersect(rtcore::RayKind kind, const rtcore::RayWave& rays, rtcore::HitWave& hits) const override;
     void occluded(rtcore::RayKind kind, const rtcore::RayWave& rays,
                   std::vector<std::uint8_t>& occluded) const override;
+    rtcore::Box3 bounds() const override;
 
   private:
     bool coherent(rtcore::RayKind kind) const;

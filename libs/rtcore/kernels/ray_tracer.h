@@ -21,6 +21,8 @@ class RayTracer {
     virtual void intersect(RayKind kind, const RayWave& rays, HitWave& hits) const = 0;
     /// 1 for each ray that hits anything in [tMin, tMax], else 0. Resizes `occluded`.
     virtual void occluded(RayKind kind, const RayWave& rays, std::vector<std::uint8_t>& occluded) const = 0;
+    /// Of all that rays may hit.
+    virtual Box3 bounds() const = 0;
 };
 
 /// How leaves find the corners of their triangles.
@@ -42,6 +44,7 @@ class KdRayTracer final : public RayTracer {
 
     void intersect(RayKind kind, const RayWave& rays, HitWave& hits) const override;
     void occluded(RayKind kind, const RayWave& rays, std::vector<std::uint8_t>& occluded) const override;
+    Box3 bounds() const override { return tree_.bounds; }
 
   private:
     KdTree tree_;

@@ -35,12 +35,15 @@ struct SquarePoint {
     float u = 0, v = 0; ///< 0..1, without 1
 };
 
+/// Bits that have nothing to do with those of any other sample or purpose.
+constexpr std::uint32_t randomBits(SampleId id, Draw draw, std::uint32_t salt = 0) {
+    const std::uint32_t pixel = mixBits(id.x | static_cast<std::uint32_t>(id.y) << 16);
+    return mixBits(mixBits(pixel + 0x9E3779B9U * id.sub) ^ (static_cast<std::uint32_t>(draw) << 24 | salt));
+}
+
 /// Where the sample's pattern for `draw` is shifted to on the unit torus: independent of its neighbours'.
 constexpr SquarePoint randomShift(SampleId id, Draw draw, std::uint32_t salt = 0) {
-    const std::uint32_t pixel = mixBits(id.x | static_cast<std::uint32_t>(id.y) << 16);
-    const std::uint32_t use =
-        mixBits(pixel + 0x9E3779B9U * id.sub) ^ (static_cast<std::uint32_t>(draw) << 24 | salt);
-    const std::uint32_t u = mixBits(use);
+    const std::uint32_t u = randomBits(id, draw, salt);
     return {unitFloat(u), unitFloat(mixBits(u + 0x85EBCA6BU))};
 }
 

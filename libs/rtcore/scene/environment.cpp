@@ -153,6 +153,47 @@ Colour sample(const HdrImage& padded, float u, float v, TexelFilter filter) {
     return bilinear(padded, u * static_cast<float>(w), v * static_cast<float>(h));
 }
 
+class WeightedMean {
+  public:
+    void add(Colour c, double weight) {
+        r_ += weight * c.r;
+        g_ += weight * c.g;
+        b_ += weight * c.b;
+        weights_ += weight;
+    }
+    Colour get() const {
+        return {static_cast<float>(r_ / weights_), static_cast<float>(g_ / weights_),
+                static_cast<float>(b_ / weights_)};
+    }
+
+  private:
+    double r_ = 0, g_ = 0, b_ = 0, weights_ = 0;
+};
+
+/// Texels weigh as much as their solid angle at their centre.
+Colour meanOfFaces(const std::array<HdrImage, 6>& faces) {
+    WeightedMean mean;
+    const int n = faces[0].width;
+    for (int y = 0; y < n; ++y) {
+        for (int x = 0; x < n; ++x) {
+            const double s = 2 * (x + 0.5) / n - 1, t = 2 * (y + 0.5) / n - 1;
+            const double square = 1 + s * s + t * t;
+            const double weight = 1 / (square * std::sqrt(square));
+            for (const HdrImage& face : faces) mean.add(face.at(x, y), weight);
+        }
+    }
+    return mean.get();
+}
+
+Colour meanOfSphere(const HdrImage& image) {
+    WeightedMean mean;
+    for (int y = 0; y < image.height; ++y) {
+        const float polar = static_cast<float>(kPi * (y + 0.5) / image.height);
+        mean.add(meanOfRow(image, y), portableSin(polar));
+    }
+    return mean.get();
+}
+
 /// atan of x in [-1, 1] to the last bits of a double: halved twice to |x| < 0.199, then its series.
 double portableAtan(double x) {
     for (int i = 0; i < 2; ++i) x = x / (1 + std::sqrt(1 + x * x));
@@ -197,6 +238,7 @@ Environment Environment::fromCube(std::array<HdrImage, 6> faces, std::string nam
     Environment environment;
     environment.name_ = std::move(name);
     environment.cube_ = true;
+    environment.mean_ = meanOfFaces(faces);
     environment.images_.reserve(6);
     for (int face = 0; face < 6; ++face) environment.images_.push_back(borderedFace(faces, face));
     return environment;
@@ -206,6 +248,7 @@ Environment Environment::fromEquirectangular(const HdrImage& image, std::string 
     require(!image.empty(), "an equirectangular picture must not be empty");
     Environment environment;
     environment.name_ = std::move(name);
+    environment.mean_ = meanOfSphere(image);
     environment.images_.push_back(borderedEquirectangular(image));
     return environment;
 }

@@ -1,5 +1,6 @@
 #include "rtcore/shading/material_table.h"
 
+#include "rtcore/shading/ambient_light.h"
 #include "rtcore/shading/phong.h"
 
 namespace rtcore {
@@ -33,6 +34,7 @@ void put(Colour c, float* to) {
 
 void MaterialTable::prepare(const Scene& scene, const RenderSettings& settings) {
     rows_.resize(scene.materials.size());
+    const Colour everywhere = unoccludedAmbient(scene, settings);
     traits_ = 0;
     anyGlow_ = tintedShadows_ = false;
     const bool colours = !scene.mesh().colours.empty();
@@ -40,7 +42,7 @@ void MaterialTable::prepare(const Scene& scene, const RenderSettings& settings) 
         const Material& m = scene.materials[i];
         MaterialRow& row = rows_[i];
         row.traits = traitsOf(m, colours, settings);
-        const Colour ambient = scene.ambient * (m.diffuse + m.specular);
+        const Colour ambient = everywhere * (m.diffuse + m.specular);
         const Colour glow = m.emission + ambient;
         put(m.diffuse / kPi, row.diffuse);
         put(m.emission, row.emission);

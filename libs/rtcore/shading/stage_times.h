@@ -8,8 +8,8 @@
 
 namespace rtcore {
 
-enum class Stage { Rays, Trace, Surfaces, Light, Shadows, Spawn, Store };
-inline constexpr std::size_t kStages = 7;
+enum class Stage { Rays, Trace, Surfaces, Occlusion, Light, Shadows, Spawn, Store };
+inline constexpr std::size_t kStages = 8;
 
 /// Seconds of all threads together.
 struct StageTimes {

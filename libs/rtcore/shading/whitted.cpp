@@ -40,6 +40,8 @@ void WhittedIntegrator::begin(const Scene& scene, const RayTracer& tracer, const
     materials_ = &materials;
     statistics_ = {};
     shadows_.begin(scene, tracer, settings, materials.tintedShadows());
+    occlusion_.begin(scene, tracer, settings, materials);
+    ambient_ = unoccludedAmbient(scene, settings);
     clock_.start(measureStages);
 }
 
@@ -99,6 +101,7 @@ void WhittedIntegrator::traceWave(RayKind kind, const RayWave& rays) {
     completePoints(rays);
     addGlow();
     clock_.lap(Stage::Surfaces);
+    if (occlusion_.on()) lightFromEverywhere();
     for (std::uint32_t i = 0; i < scene_->lights.size(); ++i) {
         if (scene_->lights[i].on != 0 && !stopped()) lightBy(scene_->lights[i], i);
     }
@@ -188,7 +191,7 @@ void WhittedIntegrator::setAlbedo(std::size_t i, Colour albedo, Colour& glow) {
     surfaces_.diffuse.set(i, albedo / kPi);
     if (!materials_->anyGlow()) return;
     const Material& m = scene_->materials[surfaces_.material[i]];
-    glow = surfaces_.share.colourAt(i) * (m.emission + scene_->ambient * (albedo + m.specular));
+    glow = surfaces_.share.colourAt(i) * (m.emission + ambient_ * (albedo + m.specular));
 }
 
 void WhittedIntegrator::completeGeneral(const RayWave& rays, std::size_t i, Colour& glow) {
@@ -203,7 +206,7 @@ void WhittedIntegrator::completeGeneral(const RayWave& rays, std::size_t i, Colo
     surfaces_.shadingNormal.set(i, s.shadingNormal);
     surfaces_.diffuse.set(i, s.diffuse / kPi);
     surfaces_.share.set(i, path.weight * split.scattered);
-    const Colour ambient = scene_->ambient * (s.diffuse + s.material->specular) * split.scattered;
+    const Colour ambient = ambient_ * (s.diffuse + s.material->specular) * split.scattered;
     glow = path.weight * (s.emission + ambient);
     if (!isBlack(split.mirrored)) {
         surfaces_.onward.set(i, path.weight * split.mirrored);
@@ -243,6 +246,18 @@ void WhittedIntegrator::addGlow() {
     const std::span<const std::uint32_t> notPlain = surfaces_.notPlain();
     for (std::size_t i = 0; i < notPlain.size(); ++i) glow.set(notPlain[i], glow_[i]);
     if (!first_) accumulate();
+}
+
+void WhittedIntegrator::lightFromEverywhere() {
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+        if (!occlusion_.takes(surfaces_, i)) continue;
+        const Path path = pathOf(i);
+        const std::uint32_t bounce = path.depth | std::uint32_t{path.passes} << 12;
+        occlusion_.add(surfaces_, i, sampleId(path.sample), bounce);
+    }
+    occlusion_.light(surfaces_, statistics_, stop_);
+    accumulate();
+    clock_.lap(Stage::Occlusion);
 }
 
 void WhittedIntegrator::lightBy(const Light& light, std::uint32_t number) {

@@ -10,6 +10,7 @@
 #include "rtcore/shading/lamp_draw.h"
 #include "rtcore/shading/light_wave.h"
 #include "rtcore/shading/material_table.h"
+#include "rtcore/shading/occlusion_wave.h"
 #include "rtcore/shading/path_queue.h"
 #include "rtcore/shading/shadows.h"
 #include "rtcore/shading/stage_times.h"
@@ -75,6 +76,7 @@ class WhittedIntegrator {
     void setAlbedo(std::size_t i, Colour albedo, Colour& glow);
     void completeTextured();
     bool passHole(const RayWave& rays, std::size_t i, const Surface& surface, Path& path);
+    void lightFromEverywhere();
     void lightBy(const Light& light, std::uint32_t number);
     void lightBySamples(const Light& light, std::uint32_t number);
     void addUnshadowed();
@@ -93,6 +95,8 @@ class WhittedIntegrator {
     const MaterialTable* materials_ = nullptr;
     MaterialTable ownMaterials_; ///< when no frame shares its table
     ShadowTracer shadows_;
+    OcclusionWave occlusion_;
+    Colour ambient_; ///< that nothing occludes
     RayStatistics statistics_;
     StageClock clock_;
     const std::atomic<bool>* stop_ = nullptr;

@@ -32,6 +32,7 @@ class Altered final : public rtcore::RayTracer {
         for (int i = 0; i < times_; ++i) tracer_.occluded(kind, rays, occluded);
         for (std::size_t i = 0; wrongEach_ > 0 && i < rays.size(); i += wrongEach_) occluded[i] ^= 1U;
     }
+    rtcore::Box3 bounds() const override { return tracer_.bounds(); }
 
   private:
     const rtcore::RayTracer& tracer_;
