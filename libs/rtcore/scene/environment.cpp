@@ -165,6 +165,46 @@ double portableAtan(double x) {
 /// Solid angle of the rectangle between the middle of a face, one unit away, and (x, y).
 double solidAngleToCorner(double x, double y) { return portableAtan(x * y / std::sqrt(x * x + y * y + 1)); }
 
+/// A sum of colours in which bright small suns do not swallow the rest.
+struct MeanColour {
+    double r = 0, g = 0, b = 0, weights = 0;
+
+    void add(Colour c, double weight) {
+        r += weight * c.r;
+        g += weight * c.g;
+        b += weight * c.b;
+        weights += weight;
+    }
+    Colour mean() const {
+        return {static_cast<float>(r / weights), static_cast<float>(g / weights),
+                static_cast<float>(b / weights)};
+    }
+};
+
+/// A texel counts as much as its solid angle, up to a constant factor.
+Colour meanOfCube(const std::array<HdrImage, 6>& faces) {
+    const int n = faces[0].width;
+    MeanColour sum;
+    for (int y = 0; y < n; ++y) {
+        for (int x = 0; x < n; ++x) {
+            const double s = (2.0 * x + 1) / n - 1, t = (2.0 * y + 1) / n - 1;
+            const double square = 1 + s * s + t * t;
+            for (const HdrImage& face : faces) sum.add(face.at(x, y), 1 / (square * std::sqrt(square)));
+        }
+    }
+    return sum.mean();
+}
+
+Colour meanOfSphere(const HdrImage& image) {
+    MeanColour sum;
+    for (int y = 0; y < image.height; ++y) {
+        const double share = (y + 0.5) / image.height;
+        const float sine = portableSin(static_cast<float>(kPi * share));
+        sum.add(meanOfRow(image, y), sine);
+    }
+    return sum.mean();
+}
+
 void require(bool condition, const char* message) {
     if (!condition) throw std::invalid_argument(message);
 }
@@ -199,6 +239,7 @@ Environment Environment::fromCube(std::array<HdrImage, 6> faces, std::string nam
     environment.cube_ = true;
     environment.images_.reserve(6);
     for (int face = 0; face < 6; ++face) environment.images_.push_back(borderedFace(faces, face));
+    environment.mean_ = meanOfCube(faces);
     return environment;
 }
 
@@ -207,6 +248,7 @@ Environment Environment::fromEquirectangular(const HdrImage& image, std::string 
     Environment environment;
     environment.name_ = std::move(name);
     environment.images_.push_back(borderedEquirectangular(image));
+    environment.mean_ = meanOfSphere(image);
     return environment;
 }
 

@@ -27,6 +27,9 @@ class Environment {
     /// poles.
     Colour radiance(Vec3 direction, TexelFilter filter) const;
 
+    /// Mean radiance of all directions.
+    Colour mean() const { return intensity * mean_; }
+
     const std::string& name() const { return name_; }
     float intensity = 1; ///< factor on every texel
     bool isCube() const { return cube_; }
@@ -38,6 +41,7 @@ class Environment {
 
     std::string name_;
     bool cube_ = false;
+    Colour mean_; ///< without intensity
     std::vector<HdrImage> images_; ///< six faces with a border of one texel, or one picture
 };
 
