@@ -80,8 +80,13 @@ HWY_INLINE Floats integral(const Path& path, Floats from, Floats to) {
     const Floats b = inverseSinh(hn::Div(hn::Sub(to, path.foot), path.apart));
     const Floats middle = smaller(larger(constant(0), a), b);
     Floats sum = hn::Zero(d);
-    if (!hn::AllFalse(d, hn::Lt(a, middle))) sum = panel(path, a, middle);
-    if (!hn::AllFalse(d, hn::Lt(middle, b))) sum = hn::Add(sum, panel(path, middle, b));
+    const auto add = [&](Floats start, Floats end) {
+        if (!hn::AllFalse(d, hn::Lt(start, end))) sum = hn::Add(sum, panel(path, start, end));
+    };
+    add(a, middle);
+    const Floats last = larger(inverseSinh(hn::Div(hn::Sub(path.thickFrom(to), path.foot), path.apart)), middle);
+    add(middle, last);
+    add(last, b);
     return hn::IfThenElseZero(used, sum);
 }
 

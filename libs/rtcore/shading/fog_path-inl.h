@@ -71,6 +71,15 @@ struct LampPath {
         return result;
     }
 
+    /// From where on the fog of a ray that falls up to `to` is within some scale heights of its thickest; else
+    /// a place that is not ahead.
+    HWY_INLINE Floats thickFrom(Floats to) const {
+        if constexpr (!exponential) return constant(-1e30F);
+        const Floats falling = smaller(slope, constant(-1e-20F));
+        const Floats from = hn::Add(to, hn::Div(constant(4), falling));
+        return hn::IfThenElse(hn::Lt(slope, hn::Zero(FloatTag())), from, constant(-1e30F));
+    }
+
     /// Leaves of the stretch what lies in the spot's cone, when that is convex.
     HWY_INLINE void clip(Floats& from, Floats& to) const {
         if constexpr (!spot) return;
