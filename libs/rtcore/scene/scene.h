@@ -15,13 +15,17 @@ namespace rtcore {
 
 enum class FogKind { None, Homogeneous, Exponential };
 
-/// Participating medium between the surfaces.
+/// Participating medium between the surfaces. It takes light away by absorbing and scattering it, and adds
+/// what it scatters of the lights and of the surroundings, the same to all sides, and what it emits.
 struct Fog {
     FogKind kind = FogKind::None;
-    float density = 0;               ///< extinction per scene unit (at `groundHeight`)
+    float density = 0;               ///< extinction per scene unit (at `groundHeight`); 0 = no fog
     float scaleHeight = 1;           ///< exponential: height over which the density falls to 1/e
     float groundHeight = 0;          ///< exponential: height along the up axis where `density` holds
-    Colour colour{0.5F, 0.5F, 0.5F}; ///< radiance that a ray tends to inside the fog
+    Colour colour{0.5F, 0.5F, 0.5F}; ///< radiance that a ray tends to inside the fog, without lights
+    Colour albedo{1, 1, 1};          ///< 0..1: share of the extinction that scatters the light of lamps
+    float surroundings = 0;          ///< factor on what it scatters of the environment, beside `colour`
+    Colour emission;                 ///< radiance emitted per scene unit (at `groundHeight`)
 };
 
 /// How big the player is and how he moves in walk-through mode; metres and seconds.

@@ -15,14 +15,19 @@ struct Path {
     Colour weight{1, 1, 1};   ///< share of its radiance that reaches the sample
     Colour extinction;        ///< of the solid that it is inside of, per scene unit
     std::uint16_t depth = 0;  ///< mirrored or refracted so often
-    std::uint16_t passes = 0; ///< went straight through thin walls and holes so often
+    std::uint16_t passes = 0; ///< went straight through thin walls and holes so often; below 2^15
+    bool inside = false;      ///< of a transparent solid
 };
+
+inline constexpr std::uint32_t kInsideBit = 0x80000000U; ///< of PathQueue::bounces
+constexpr bool isInside(std::uint32_t bounces) { return (bounces & kInsideBit) != 0; }
 
 /// One array for each value, as vector code likes it: those of the paths have room for a block more than
 /// there are rays.
 struct PathQueue {
     RayWave rays;
-    std::vector<std::uint32_t> sample, bounces; ///< bounces: depth in the lower, passes in the upper 16 bits
+    std::vector<std::uint32_t> sample;
+    std::vector<std::uint32_t> bounces; ///< depth in the lower 16 bits, passes in 15, inside in the highest
     std::vector<float> weight[3], extinction[3];
 
     std::size_t size() const { return rays.size(); }

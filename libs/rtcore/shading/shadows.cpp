@@ -17,9 +17,10 @@ constexpr int kMaxLayers = 256;
 } // namespace
 
 void ShadowTracer::begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
-                         bool tinted) {
+                         bool tinted, const FogMedium* fog) {
     scene_ = &scene;
     tracer_ = &tracer;
+    fog_ = fog;
     textures_ = settings.textures;
     refractions_ = settings.refractions;
     tinted_ = tinted;
@@ -31,13 +32,14 @@ const std::vector<std::uint8_t>& ShadowTracer::occluded(const RayWave& rays, Ray
     return occluded_;
 }
 
-const std::vector<Colour>& ShadowTracer::transmittance(const RayWave& rays, RayStatistics& statistics) {
+const std::vector<Colour>& ShadowTracer::transmittance(const RayWave& rays, const Light& light,
+                                                       RayStatistics& statistics) {
     transmittance_.assign(rays.size(), kWhite);
-    traceTinted(rays, statistics);
+    traceTinted(rays, light, statistics);
     return transmittance_;
 }
 
-void ShadowTracer::traceTinted(const RayWave& rays, RayStatistics& statistics) {
+void ShadowTracer::traceTinted(const RayWave& rays, const Light& light, RayStatistics& statistics) {
     current_ = rays;
     currentIndex_.resize(rays.size());
     // As much as the other: the two change places, and steady frames must not allocate whichever is which.
@@ -51,13 +53,17 @@ void ShadowTracer::traceTinted(const RayWave& rays, RayStatistics& statistics) {
         next_.clear();
         nextIndex_.clear();
         for (std::size_t i = 0; i < current_.size(); ++i) {
-            if (!hits_.isHit(i)) continue;
+            Colour& arriving = transmittance_[currentIndex_[i]];
             const Ray ray = current_.ray(i);
+            if (!hits_.isHit(i)) {
+                if (fog_ != nullptr) arriving = arriving * fogLightTransmittance(*fog_, light, ray.origin);
+                continue;
+            }
             const Hit hit = hits_.hit(i);
             const Surface surface = surfaceAt(*scene_, false, ray.direction, hit);
-            Colour& light = transmittance_[currentIndex_[i]];
-            light *= throughSurface(surface, hit);
-            if (isBlack(light)) continue;
+            arriving *= throughSurface(surface, hit);
+            if (fog_ != nullptr) arriving = arriving * throughFog(surface, ray, light, hit);
+            if (isBlack(arriving)) continue;
             Ray rest = ray;
             rest.origin = surface.position - surface.geometricNormal * surface.clearance;
             rest.tMax = ray.tMax - hit.t;
@@ -69,6 +75,13 @@ void ShadowTracer::traceTinted(const RayWave& rays, RayStatistics& statistics) {
         std::swap(currentIndex_, nextIndex_);
     }
     for (const std::uint32_t lost : currentIndex_) transmittance_[lost] = {};
+}
+
+/// What the fog between two surfaces leaves of the light.
+float ShadowTracer::throughFog(const Surface& end, const Ray& ray, const Light& light, const Hit& hit) const {
+    if (end.closed && end.fromInside) return 1;
+    if (light.kind == LightKind::Directional && !fog_->exponential) return 1;
+    return fogTransmittance(*fog_, ray.origin, ray.direction, hit.t);
 }
 
 Colour ShadowTracer::throughSurface(const Surface& surface, const Hit& hit) const {

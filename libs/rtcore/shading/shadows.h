@@ -5,6 +5,7 @@
 #include "rtcore/kernels/ray_tracer.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
+#include "rtcore/shading/fog.h"
 #include "rtcore/shading/surface.h"
 
 #include <vector>
@@ -15,8 +16,9 @@ namespace rtcore {
 class ShadowTracer {
   public:
     /// For the waves of one frame, during which the arguments must live. `tinted`: something lets light
-    /// through (MaterialTable::tintedShadows()).
-    void begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings, bool tinted);
+    /// through (MaterialTable::tintedShadows()). `fog`: null where there is none.
+    void begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings, bool tinted,
+               const FogMedium* fog = nullptr);
 
     /// Whether transmittance() has to be asked: without transparent surfaces, occluded() says all.
     bool tinted() const { return tinted_; }
@@ -24,18 +26,21 @@ class ShadowTracer {
     /// call.
     const std::vector<std::uint8_t>& occluded(const RayWave& rays, RayStatistics& statistics);
 
-    /// For each ray the share of light that arrives along it: 1 unhindered, 0
+    /// For each ray the share of the light of `light` that arrives along it: 1 unhindered, 0
     /// behind anything opaque. Transparent surfaces take (1 - Fresnel) of it and tint it; light goes straight
-    /// on through them, without focusing. Valid until the next call.
-    const std::vector<Colour>& transmittance(const RayWave& rays, RayStatistics& statistics);
+    /// on through them, without focusing. Fog weakens it outside of solids. Valid until the next call.
+    const std::vector<Colour>& transmittance(const RayWave& rays, const Light& light,
+                                             RayStatistics& statistics);
 
   private:
-    void traceTinted(const RayWave& rays, RayStatistics& statistics);
+    void traceTinted(const RayWave& rays, const Light& light, RayStatistics& statistics);
     /// What one surface leaves of the light; the ray came from the surface before it, hit.t away.
     Colour throughSurface(const Surface& surface, const Hit& hit) const;
+    float throughFog(const Surface& end, const Ray& ray, const Light& light, const Hit& hit) const;
 
     const Scene* scene_ = nullptr;
     const RayTracer* tracer_ = nullptr;
+    const FogMedium* fog_ = nullptr;
     bool textures_ = true, refractions_ = true, tinted_ = false;
 
     std::vector<Colour> transmittance_;

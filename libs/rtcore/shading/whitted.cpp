@@ -39,7 +39,8 @@ void WhittedIntegrator::begin(const Scene& scene, const RayTracer& tracer, const
     settings_ = &settings;
     materials_ = &materials;
     statistics_ = {};
-    shadows_.begin(scene, tracer, settings, materials.tintedShadows());
+    fog_.begin(fogMedium(scene, settings));
+    shadows_.begin(scene, tracer, settings, materials.tintedShadows(), fog_.on() ? &fog_.medium() : nullptr);
     occlusion_.begin(scene, tracer, settings, materials);
     ambient_ = unoccludedAmbient(scene, settings);
     clock_.start(measureStages);
@@ -48,7 +49,8 @@ void WhittedIntegrator::begin(const Scene& scene, const RayTracer& tracer, const
 bool WhittedIntegrator::drawsSamples(const Scene& scene, const RenderSettings& settings) {
     const auto soft = [](const Light& light) { return light.on != 0 && hasSize(light); };
     const bool lamps = settings.lampSamples > 0 && std::ranges::any_of(scene.lights, soft);
-    return settings.ambientOcclusion.on || lamps;
+    const bool shafts = settings.fog.shafts > 0 && fogMedium(scene, settings).on;
+    return settings.ambientOcclusion.on || lamps || shafts;
 }
 
 /// Without names, a sample's place in the wave is its pixel.
@@ -97,10 +99,12 @@ void WhittedIntegrator::traceWave(RayKind kind, const RayWave& rays) {
     clock_.lap(Stage::Trace);
     surfaces_.fill(scene_->mesh(), *materials_, rays, hits_);
     setShares(kind);
+    if (fog_.on()) enterFog(rays);
     addBackground(rays);
     completePoints(rays);
     addGlow();
     clock_.lap(Stage::Surfaces);
+    if (fog_.on()) addFog();
     if (occlusion_.on()) lightFromEverywhere();
     for (std::uint32_t i = 0; i < scene_->lights.size(); ++i) {
         if (scene_->lights[i].on != 0 && !stopped()) lightBy(scene_->lights[i], i);
@@ -120,8 +124,8 @@ Path WhittedIntegrator::pathOf(std::size_t ray) const {
 /// sums of the samples.
 void WhittedIntegrator::setShares(RayKind kind) {
     if (first_) {
-        startSums(scene_->environment() == nullptr ? scene_->background : Colour{}, surfaces_, radiance_,
-                  hit_.data());
+        const bool plain = scene_->environment() == nullptr && !fog_.on();
+        startSums(plain ? scene_->background : Colour{}, surfaces_, radiance_, hit_.data());
         return;
     }
     const std::size_t count = surfaces_.size();
@@ -140,16 +144,18 @@ void WhittedIntegrator::setShares(RayKind kind) {
 
 void WhittedIntegrator::addBackground(const RayWave& rays) {
     const Environment* const environment = scene_->environment();
-    if (environment == nullptr && (first_ || isBlack(scene_->background))) return; // startSums() did it
+    if (environment == nullptr && isBlack(scene_->background)) return;
+    if (environment == nullptr && first_ && !fog_.on()) return; // startSums() did it
     const TexelFilter filter = settings_->environmentFilter == EnvironmentFilter::Bilinear
                                    ? TexelFilter::Bilinear
                                    : TexelFilter::Nearest;
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-        if (surfaces_.traits[i] != 0) continue;
+        if (surfaces_.traits[i] != 0 || (fog_.on() && fog_.transmittance()[i] == 0)) continue;
         Colour seen = scene_->background;
         if (environment != nullptr) {
             seen = environment->radiance({rays.dx[i], rays.dy[i], rays.dz[i]}, filter);
         }
+        if (fog_.on()) seen = seen * fog_.transmittance()[i];
         const Path path = pathOf(i);
         if (!first_) seen = path.weight * seen;
         radiance_.set(path.sample, radiance_.colourAt(path.sample) + seen);
@@ -248,6 +254,52 @@ void WhittedIntegrator::addGlow() {
     if (!first_) accumulate();
 }
 
+void WhittedIntegrator::enterFog(const RayWave& rays) {
+    fog_.enter(rays, hits_, surfaces_.traits, first_ ? nullptr : wave_.bounces.data());
+    fog_.dimShares(surfaces_);
+}
+
+/// What the fog itself adds to the rays of the wave.
+void WhittedIntegrator::addFog() {
+    for (std::uint32_t number = 0; number < scene_->lights.size(); ++number) {
+        const Light& light = scene_->lights[number];
+        if (light.on == 0 || stopped()) continue;
+        settings_->fog.shafts > 0 ? addShafts(light, number) : fog_.addLight(light);
+    }
+    const ArraysOf3& scattered = fog_.scattered();
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+        const Path path = pathOf(i);
+        const Colour seen = path.weight * scattered.colourAt(i);
+        radiance_.set(path.sample, radiance_.colourAt(path.sample) + seen);
+    }
+    clock_.lap(Stage::Light);
+}
+
+/// `number`: of the light.
+void WhittedIntegrator::addShafts(const Light& light, std::uint32_t number) {
+    const std::size_t count = surfaces_.size();
+    if (shifts_.size() < count + kWaveBlock) shifts_.resize(count + kWaveBlock);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t bounces = first_ ? 0 : wave_.bounces[i];
+        const std::uint32_t sample = first_ ? static_cast<std::uint32_t>(i) : wave_.sample[i];
+        const std::uint32_t salt = mixBits(bounces + 0x9E3779B9U * number) >> 8;
+        shifts_[i] = randomShift(sampleId(sample), Draw::Shaft, salt).u;
+    }
+    const int samples = settings_->fog.shafts;
+    const std::size_t atOnce = FogShafts::raysAtOnce(samples);
+    const bool tinted = settings_->shadows && shadows_.tinted();
+    for (std::size_t first = 0; first < count && !stopped(); first += atOnce) {
+        shafts_.draw(fog_, light, first, std::min(atOnce, count - first), samples, shifts_.data(), !tinted);
+        if (!settings_->shadows) {
+            shafts_.addAll(fog_);
+        } else if (tinted) {
+            shafts_.add(fog_, shadows_.transmittance(shafts_.rays(), light, statistics_));
+        } else {
+            shafts_.add(fog_, shadows_.occluded(shafts_.rays(), statistics_));
+        }
+    }
+}
+
 void WhittedIntegrator::lightFromEverywhere() {
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
         if (!occlusion_.takes(surfaces_, i)) continue;
@@ -266,7 +318,7 @@ void WhittedIntegrator::lightBy(const Light& light, std::uint32_t number) {
         return;
     }
     addLight(light, *materials_, surfaces_, settings_->shadows ? &shadowRays_ : nullptr);
-    addUnshadowed();
+    addUnshadowed(light);
 }
 
 void WhittedIntegrator::lightBySamples(const Light& light, std::uint32_t number) {
@@ -278,17 +330,19 @@ void WhittedIntegrator::lightBySamples(const Light& light, std::uint32_t number)
     for (int k = 0; k < samples && !stopped(); ++k) {
         addLight(light, lampDraw_.part(k), *materials_, surfaces_,
                  settings_->shadows ? &shadowRays_ : nullptr);
-        addUnshadowed();
+        addUnshadowed(light);
     }
 }
 
 /// What the light adds to the samples from where nothing is between.
-void WhittedIntegrator::addUnshadowed() {
+void WhittedIntegrator::addUnshadowed(const Light& light) {
+    // Where shadows are tinted, fog and glass take turns on the way.
+    if (fog_.on() && !(settings_->shadows && shadows_.tinted())) fog_.dimLight(light, surfaces_);
     clock_.lap(Stage::Light);
     if (settings_->shadows) {
         if (shadowRays_.rays.empty()) return;
         if (shadows_.tinted()) {
-            tint(shadows_.transmittance(shadowRays_.rays, statistics_));
+            tint(shadows_.transmittance(shadowRays_.rays, light, statistics_));
         } else {
             darken(shadows_.occluded(shadowRays_.rays, statistics_));
         }
@@ -350,6 +404,7 @@ void WhittedIntegrator::spawnTransmitted(const Transparent& point) {
         if (dot(direction, s.geometricNormal) >= 0) return; // a smooth normal bent it back out
         if (!s.fromInside) path.weight *= tintOnEntering(m);
         path.extinction = s.fromInside ? Colour{} : extinctionOf(m);
+        path.inside = !s.fromInside;
     }
     if (!matters(path.weight)) return;
     refracted_.push(rayFrom(s, -s.geometricNormal, direction), path);

@@ -7,6 +7,8 @@
 #include "rtcore/sampling/sample_id.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
+#include "rtcore/shading/fog_shafts.h"
+#include "rtcore/shading/fog_wave.h"
 #include "rtcore/shading/lamp_draw.h"
 #include "rtcore/shading/light_wave.h"
 #include "rtcore/shading/material_table.h"
@@ -76,10 +78,13 @@ class WhittedIntegrator {
     void setAlbedo(std::size_t i, Colour albedo, Colour& glow);
     void completeTextured();
     bool passHole(const RayWave& rays, std::size_t i, const Surface& surface, Path& path);
+    void enterFog(const RayWave& rays);
+    void addFog();
+    void addShafts(const Light& light, std::uint32_t number);
     void lightFromEverywhere();
     void lightBy(const Light& light, std::uint32_t number);
     void lightBySamples(const Light& light, std::uint32_t number);
-    void addUnshadowed();
+    void addUnshadowed(const Light& light);
     void darken(const std::vector<std::uint8_t>& occluded);
     void tint(const std::vector<Colour>& arriving);
     void accumulate();
@@ -119,6 +124,9 @@ class WhittedIntegrator {
     std::vector<Transparent> transparent_;
     ShadowRays shadowRays_;
     LampDraw lampDraw_;
+    FogWave fog_;
+    FogShafts shafts_;
+    std::vector<float> shifts_; ///< of the rays' samples in the fog
 };
 
 } // namespace rtcore

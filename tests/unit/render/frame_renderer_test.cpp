@@ -40,6 +40,18 @@ TEST(RenderFrame, TheSameSoftShadowsForAnyNumberOfThreadsAndInEveryFrame) {
         EXPECT_EQ(one.radiance.pixels, test::render(s, settings, threads).radiance.pixels) << threads;
 }
 
+TEST(RenderFrame, TheSameFogForAnyNumberOfThreads) {
+    for (const FogKind kind : {FogKind::Homogeneous, FogKind::Exponential}) {
+        const test::TracedScene s(test::foggyScene(kind));
+        RenderSettings settings = test::sampleSettings(150, 101, 2);
+        for (const int shafts : {0, 5}) {
+            settings.fog.shafts = shafts;
+            EXPECT_EQ(test::render(s, settings, 1).radiance.pixels,
+                      test::render(s, settings, 2).radiance.pixels);
+        }
+    }
+}
+
 TEST(RenderFrame, TheSameBitsForAnyTree) {
     const TracedScene exact(test::sampleScene(), BuildMethod::Exact);
     const TracedScene fast(test::sampleScene(), BuildMethod::Fast);

@@ -54,6 +54,20 @@ TEST_F(InstructionSets, GiveTheSameSoftShadows) {
     compare(test::TracedScene(test::softlyLitScene()), test::sampleSettings(101, 67, 2));
 }
 
+TEST_F(InstructionSets, GiveTheSameFog) {
+    for (const FogKind kind : {FogKind::Homogeneous, FogKind::Exponential}) {
+        const test::TracedScene traced(test::foggyScene(kind));
+        for (const int shafts : {0, 3}) {
+            for (const bool refractions : {true, false}) { // without, shadows are not tinted
+                RenderSettings settings = test::sampleSettings(101, 67);
+                settings.fog.shafts = shafts;
+                settings.refractions = refractions;
+                compare(traced, settings);
+            }
+        }
+    }
+}
+
 TEST_F(InstructionSets, GiveTheSameDirections) {
     Camera camera = test::sampleCamera();
     for (const float fov : {1e-3F, 60.0F, 179.999F}) {

@@ -60,6 +60,17 @@ inline rtcore::Scene softlyLitScene() {
     return scene;
 }
 
+inline rtcore::Scene foggyScene(rtcore::FogKind kind) {
+    rtcore::Scene scene = sampleScene();
+    scene.fog.kind = kind;
+    scene.fog.density = 0.1F;
+    scene.fog.scaleHeight = 0.8F;
+    scene.fog.groundHeight = -1;
+    scene.fog.surroundings = 0.5F;
+    scene.fog.emission = {0.01F, 0, 0.02F};
+    return scene;
+}
+
 inline rtcore::Camera sampleCamera() {
     rtcore::Camera camera;
     camera.eye = {0.3F, 0.8F, 6};

@@ -101,6 +101,19 @@ TEST(SteadyFrame, WithALensAndChosenSamplesAllocatesNothing) {
     }
 }
 
+TEST(SteadyFrame, OfFogAllocatesNothing) {
+    for (const FogKind kind : {FogKind::Homogeneous, FogKind::Exponential}) {
+        for (const int shafts : {0, 4}) {
+            RenderSettings settings = settingsWith(1, true, 5);
+            settings.fog.shafts = shafts;
+            Pictures pictures(test::foggyScene(kind));
+            EXPECT_GT(pictures.make(settings, 1), 0U);
+            EXPECT_EQ(pictures.make(settings, 1), 0U);
+            EXPECT_EQ(pictures.make(settings, 1), 0U);
+        }
+    }
+}
+
 TEST(SteadyFrame, OfOpaqueSurfacesAllocatesNothing) {
     Scene scene = test::sampleScene();
     for (Material& m : scene.materials) {

@@ -111,6 +111,9 @@ SceneFile randomScene(Random& random) {
     s.fog.scaleHeight = random.positive();
     s.fog.groundHeight = random.number();
     s.fog.colour = positive(random);
+    s.fog.albedo = {random.share(), random.share(), random.share()};
+    s.fog.surroundings = random.positive();
+    s.fog.emission = positive(random);
     s.walk = {random.positive(), random.positive(), random.positive(), random.positive(), random.positive()};
     if (random.flag()) s.live = {{"width", 17}, {"exposure.key", 0.1F + random.share()}};
     if (random.flag()) s.still = {{"shadows", false}, {"toneMapping", std::string("channels")}};
@@ -139,6 +142,9 @@ void expectEqual(const SceneFile& a, const SceneFile& b) {
     EXPECT_EQ(a.fog.scaleHeight, b.fog.scaleHeight);
     EXPECT_EQ(a.fog.groundHeight, b.fog.groundHeight);
     EXPECT_EQ(a.fog.colour, b.fog.colour);
+    EXPECT_EQ(a.fog.albedo, b.fog.albedo);
+    EXPECT_EQ(a.fog.surroundings, b.fog.surroundings);
+    EXPECT_EQ(a.fog.emission, b.fog.emission);
     EXPECT_EQ(a.walk.height, b.walk.height);
     EXPECT_EQ(a.walk.speed, b.walk.speed);
     EXPECT_EQ(a.walk.jumpHeight, b.walk.jumpHeight);

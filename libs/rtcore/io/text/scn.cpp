@@ -28,6 +28,9 @@ Fog readFog(StrictTable& table) {
     fog.scaleHeight = table.number("scaleHeight", kPositive).value_or(fog.scaleHeight);
     fog.groundHeight = table.number("groundHeight", kAnyNumber).value_or(fog.groundHeight);
     fog.colour = table.colour("colour", kNotNegative).value_or(fog.colour);
+    fog.albedo = table.colour("albedo", kShare).value_or(fog.albedo);
+    fog.surroundings = table.number("surroundings", kNotNegative).value_or(fog.surroundings);
+    fog.emission = table.colour("emission", kNotNegative).value_or(fog.emission);
     table.finish();
     fog.kind = static_cast<FogKind>(table.require("kind", kind));
     return fog;
@@ -181,6 +184,9 @@ class SceneWriter {
         writer_.add("scaleHeight", fog.scaleHeight);
         writer_.add("groundHeight", fog.groundHeight);
         writer_.add("colour", fog.colour);
+        writer_.add("albedo", fog.albedo);
+        writer_.add("surroundings", fog.surroundings);
+        writer_.add("emission", fog.emission);
     }
 
     void writeWalk() {

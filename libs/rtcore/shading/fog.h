@@ -1,0 +1,55 @@
+/// What fog does to the light along a ray: the closed forms, one ray at a time. (thesis 5.5 and 7.1.9)
+///
+/// The optical depth of a stretch is tau = density * length, where `length` counts thin fog less and thick
+/// fog more than its distance (the integral of the density relative to `Fog::density`). Light loses all but
+/// e^-tau on it, and the fog adds (1 - e^-tau) * source, its own radiance: what it scatters of its
+/// surroundings and emits. The light of lamps comes on top (fog_light.h).
+///
+/// Pure functions, safe from many threads; the same bits on every processor. Directions of unit length;
+/// distances in scene units, kEndless for a ray that meets nothing. Never NaN, whatever the ray.
+#pragma once
+
+#include "rtcore/scene/scene.h"
+#include "rtcore/settings/render_settings.h"
+
+#include <limits>
+
+namespace rtcore {
+
+inline constexpr float kEndless = std::numeric_limits<float>::max();
+
+/// The scene's fog as rays need it.
+struct FogMedium {
+    bool on = false;
+    bool exponential = false;
+    float density = 0;   ///< extinction per scene unit at height 0, > 0
+    float perHeight = 0; ///< exponential: 1 / scale height, per scene unit
+    Vec3 up;             ///< unit; of exponential fog
+    float ground = 0;    ///< height 0 along `up`, scene units
+    Colour source;       ///< radiance that an endless ray tends to, without lamps
+    Colour scattered;    ///< of a lamp's irradiance, to each direction: albedo / 4 pi, per steradian
+
+    /// Height above the ground in scale heights, at least kLowest: the density stays the same below.
+    float height(Vec3 position) const;
+    static constexpr float kLowest = -60;
+};
+
+FogMedium fogMedium(const Scene& scene, const RenderSettings& settings);
+
+/// Length in scene units of the stretch of fog of density 1 that weakens light as much as this one.
+/// Exponential: from the lower end z of the stretch, e^-z d (1 - e^-x) / x, x its rise in scale heights; so
+/// it neither overflows on rays from high above nor loses digits on level ones.
+float fogLength(const FogMedium& fog, Vec3 origin, Vec3 direction, float distance);
+
+/// What is left of the light after the stretch: e^-tau.
+float fogTransmittance(const FogMedium& fog, Vec3 origin, Vec3 direction, float distance);
+
+/// 1 - e^-tau, to its own last digits however small tau is: factor on `source`.
+float fogOpacity(const FogMedium& fog, Vec3 origin, Vec3 direction, float distance);
+
+/// What is left of a lamp's light at `position`. Of a directional lamp in homogeneous fog everything: its
+/// intensity is what arrives in the scene, and fog without an end would leave nothing of it. In exponential
+/// fog it comes from above the fog; from below the horizon nothing arrives.
+float fogLightTransmittance(const FogMedium& fog, const Light& light, Vec3 position);
+
+} // namespace rtcore
