@@ -128,7 +128,12 @@ class WhittedIntegrator {
     LampDraw lampDraw_;
     bool collectFirstHits_ = false;
     FirstHits firstHits_;
-    enum class Lit { Not, Everywhere, ByPoint, BySize } lit_ = Lit::Not; ///< what accumulate() adds the light of
+    enum class Lit {
+        Not,
+        Everywhere,
+        ByPoint,
+        BySize
+    } lit_ = Lit::Not; ///< what accumulate() adds the light of
 };
 
 } // namespace rtcore
