@@ -1,6 +1,7 @@
 #include "renderer/picture_maker.h"
 
 #include "common/settings_merge.h"
+#include "renderer/layers_file.h"
 #include "renderer/load_phases.h"
 
 #include "common/command_line.h"
@@ -40,7 +41,9 @@ PictureMaker::PictureMaker(rtcore::LoadedScene scene, std::vector<rtcore::Settin
                            const RendererOptions& options, app::Progress& progress)
     : loaded_(std::move(scene)), lights_(loaded_.scene.lights), environment_(loaded_.scene.activeEnvironment),
       settingsFile_(std::move(settingsFile)), options_(options), progress_(progress),
-      tracer_(loaded_.tree, loaded_.scene.mesh(), chooseLeafRecords(loaded_.tree, knownRays(options))) {}
+      tracer_(loaded_.tree, loaded_.scene.mesh(), chooseLeafRecords(loaded_.tree, knownRays(options))) {
+    renderer_.collectLayers(options.layers);
+}
 
 FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     rtcore::Camera camera = loaded_.camera;
@@ -56,8 +59,9 @@ FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     if (rtcore::choosesSamples(settings)) report.samples = allSamples(settings);
 
     start = std::chrono::steady_clock::now();
-    const float exposure = develop(task, settings);
-    write(task);
+    const rtcore::HdrImage& radiance = developer_.finish(frame_, settings, options_.threads);
+    const float exposure = develop(task, radiance, settings);
+    write(task, radiance);
     // The last: who has seen it may end this process.
     if (preview_ != nullptr) preview_->finish(developed_, exposure);
     report.writeSeconds = secondsSince(start);
@@ -131,23 +135,26 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
     app::throwIfStopped();
 }
 
-float PictureMaker::develop(const FrameTask& task, const rtcore::RenderSettings& settings) {
+float PictureMaker::develop(const FrameTask& task, const rtcore::HdrImage& radiance,
+                            const rtcore::RenderSettings& settings) {
     const bool shown = std::any_of(task.outputs.begin(), task.outputs.end(), [](const auto& output) {
         return isStandardOutput(output) || !rtcore::isHdrFormat(output);
     });
     if (!shown && !task.filmed && preview_ == nullptr) return 0;
     const float exposure = developer_.exposure(frame_, settings.exposure, options_.threads);
-    developer_.develop(frame_, settings, exposure, options_.threads, developed_);
+    developer_.develop(radiance, settings, exposure, options_.threads, developed_);
     return exposure;
 }
 
-void PictureMaker::write(const FrameTask& task) {
+void PictureMaker::write(const FrameTask& task, const rtcore::HdrImage& radiance) {
     for (const std::filesystem::path& output : task.outputs) {
         app::throwIfStopped();
         if (isStandardOutput(output)) {
             app::writeOutput(asText(rtcore::encodeImage(developed_, options_.standardOutputFormat)));
+        } else if (options_.layers && rtcore::isExr(output)) {
+            writeLayers(output, radiance, frame_.layers);
         } else if (rtcore::isHdrFormat(output)) {
-            rtcore::writeHdrImage(output, frame_.radiance);
+            rtcore::writeHdrImage(output, radiance);
         } else {
             rtcore::writeImage(output, developed_);
         }
@@ -155,7 +162,6 @@ void PictureMaker::write(const FrameTask& task) {
 }
 
 void PictureMaker::warnOfWhatIsMissing(const rtcore::RenderSettings& settings) {
-    if (settings.bloom > 0) warnOnce("bloom is not rendered by this version yet");
     if (settings.ambientOcclusion.on) warnOnce("ambient occlusion is not rendered by this version yet");
 }
 

@@ -33,6 +33,9 @@ OptionGroup outputOptions() {
           .argument = "NAME",
           .help = "format of the picture on standard output: png or ppm [png]",
           .choices = {"png", "ppm"}},
+         {.name = "layers",
+          .help = "outputs with the extension .exr also hold depth, normal, albedo, direct light and ambient "
+                  "occlusion of the surfaces, as layers"},
          {.name = "width",
           .letter = 'w',
           .value = ValueKind::Text,
@@ -111,7 +114,7 @@ OptionGroup qualityOptions() {
               .letter = 'b',
               .value = ValueKind::Text,
               .argument = "N",
-              .help = "glow around what is bright, N pixels wide; not rendered by this version yet"},
+              .help = "glow around what is bright: blur of N pixels (standard deviation); 0 is none"},
              {.name = "ambient-occlusion",
               .thesis = {"-ao"},
               .help = "switch ambient occlusion on; not rendered by this version yet"},
