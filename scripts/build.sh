@@ -1,7 +1,8 @@
 #!/bin/sh
 # Installs what is missing and builds everything, optimised, into build/release (programs in build/release/bin).
 #   scripts/build.sh [--no-apt] [--programs]     --programs: no tests
-# In the environment: RT_WERROR=ON makes warnings errors, RT_WITH_GUI=OFF leaves the window out.
+# In the environment: RT_WERROR=ON makes warnings errors (unset: as in build/release, so that nothing is built again),
+# RT_WITH_GUI=OFF leaves the window out.
 set -eu
 cd "$(dirname "$0")/.."
 target=all
@@ -14,7 +15,7 @@ for option in "$@"; do
     esac
 done
 scripts/setup.sh $apt
-cmake --preset release -DRT_WERROR="${RT_WERROR:-OFF}" -DRT_WITH_GUI="${RT_WITH_GUI:-AUTO}" >build-configure.log 2>&1 || {
+cmake --preset release ${RT_WERROR:+"-DRT_WERROR=$RT_WERROR"} -DRT_WITH_GUI="${RT_WITH_GUI:-AUTO}" >build-configure.log 2>&1 || {
     cat build-configure.log >&2
     exit 1
 }

@@ -26,6 +26,10 @@ clean() {
 trap clean EXIT
 trap 'exit 130' INT TERM HUP
 
+cmake --build build/release --target programs >"$work/build.log" 2>&1 || {
+    tail -n 20 "$work/build.log" >&2
+    fail "the programs cannot be built"
+}
 (cd build/release && cpack -G DEB -B "$work/package") >"$work/cpack.log" 2>&1 || {
     cat "$work/cpack.log" >&2
     fail "cpack failed"

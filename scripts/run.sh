@@ -99,6 +99,8 @@ cui render "$output/$name.png" -- --width=1280 --height=720 --antialiasing=2
 cui exit
 server=""
 echo
-echo "The walk is recorded in $output/$name.lst; this makes a film of it:"
+ffmpeg=""
+command -v ffmpeg >/dev/null 2>&1 || ffmpeg=", once ffmpeg is installed (apt-get install ffmpeg)"
+echo "The walk is recorded in $output/$name.lst; this makes a film of it$ffmpeg:"
 echo "  $bin/Renderer $scene -l $output/$name.lst --video $output/$name.mp4 --width 640 --height 360"
 echo "The picture is $output/$name.png"

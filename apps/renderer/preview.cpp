@@ -125,7 +125,8 @@ void Preview::showPass(const rtcore::RefinementPass& pass, const rtcore::Frame& 
     const std::lock_guard lock(mutex_);
     throwIfFailed();
     const rtcore::RenderSettings& settings = work_->settings;
-    const int threads = work_->threads;
+    // A small picture is developed sooner than several threads have met: on a busy machine they wait long.
+    const int threads = pass.block > 1 ? 1 : work_->threads;
     status_.exposure = developer_.exposure(frame, settings.exposure, threads);
     developer_.roughEffects(frame, pass.block, settings, status_.exposure, threads, effects_);
     if (pass.block > 1) {
@@ -189,6 +190,7 @@ void Preview::serve() {
                         "this is a preview of a picture that is being rendered; it takes no commands");
     }
     if (work_ == nullptr) return;
+    server_->reserveFrame(status_.width, status_.height); // now, while the first pass is rendered
     showTiles();
     status_.progress = static_cast<float>(std::min(fraction(work_->control), 0.999999));
     status_.frameSeconds = secondsSince(begun_);
