@@ -14,6 +14,7 @@ pictures=${1:-output/screenshots}
 bin=$PWD/build/release/bin
 scene=$PWD/output/nave.scn
 [ -f "$scene" ] || scene=$PWD/data/nave/nave.scn
+scenes=$PWD/data/nave
 for tool in Xvfb xdotool import convert; do
     command -v "$tool" >/dev/null || { echo "screenshots: $tool is missing (scripts/packages.txt)" >&2; exit 1; }
 done
@@ -66,6 +67,52 @@ close_dialog() {
     sleep 0.3
 }
 
+keys() {
+    xdotool windowfocus --sync "$main"
+    for each in "$@"; do
+        xdotool key --clearmodifiers "$each"
+        sleep 0.4
+    done
+}
+whole_window() {
+    sleep 0.8
+    import -window "$main" "$pictures/$1-$suffix.png"
+}
+
+# The dialogs that start jobs, with all of their options; the queue with two jobs; the result of the first.
+job_dialogs() {
+    more="alt+m"
+    [ "$language" = en ] || more="alt+d"
+    dialog "build-$suffix" ctrl+alt+b
+    close_dialog
+    dialog "render-$suffix" ctrl+alt+r
+    xdotool key --clearmodifiers "$more"
+    sleep 0.5
+    import -window "$(front)" "$pictures/render-more-$suffix.png"
+    xdotool key --clearmodifiers "$more" Return
+    sleep 1
+    dialog "render2-$suffix" ctrl+alt+r
+    xdotool key --clearmodifiers Return
+    whole_window jobs
+    while pgrep -P "$window" -x Renderer >/dev/null; do sleep 0.5; done
+    whole_window jobs-done
+}
+
+# Settings, lights, bookmarks.
+panels() {
+    for each in altar rose; do
+        cui load camera "$scenes/$each.cam"
+        cui wait-idle
+        keys ctrl+b Return
+    done
+    keys F7
+    whole_window bookmarks
+    keys F6
+    whole_window lights
+    keys F5
+    whole_window settings
+}
+
 # look THEME LANGUAGE SCALE: all pictures of one look.
 look() {
     theme=$1 language=$2 scale=$3
@@ -115,6 +162,8 @@ look() {
         import -window "$(front)" "$pictures/configure$page-$suffix.png"
     done
     close_dialog
+    job_dialogs
+    panels
     if [ "$docs" = yes ] && [ "$suffix" = light-en-1 ]; then still; fi
     kill "$window"
     wait "$window" || true

@@ -24,9 +24,9 @@ RecordingDialog::RecordingDialog(Session& session, const QString& folder, QWidge
     buttons->addButton(button_, QDialogButtonBox::ActionRole);
     buttons->addButton(film_, QDialogButtonBox::ActionRole);
     connect(film_, &QPushButton::clicked, this, [this] { emit filmWanted(recorded_); });
-    auto* hint =
-        new QLabel(tr("The camera and the exposure of every frame are written while you move: .cam files "
-                      "and their list, which the Renderer makes a film of."));
+    auto* hint = new QLabel(tr("From Start to Stop the camera, the exposure and the lights are written 30 "
+                               "times a second: .cam files "
+                               "and their list, which the Renderer makes a film of."));
     hint->setWordWrap(true);
     auto* form = new QFormLayout(this);
     form->addRow(hint);
