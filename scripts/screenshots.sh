@@ -21,7 +21,9 @@ done
 mkdir -p "$pictures"
 work=$(mktemp -d)
 name=nave-$$
-export XDG_RUNTIME_DIR="$work" XDG_CONFIG_HOME="$work/config" XDG_CACHE_HOME="$work/cache" QT_QPA_PLATFORM=xcb LC_ALL=C.UTF-8
+mine=/tmp/pictures # what the dialogs show
+mkdir "$mine" 2>/dev/null || mine=$work
+export XDG_RUNTIME_DIR="$work" XDG_DATA_HOME="$work/data" XDG_CONFIG_HOME="$work/config" XDG_CACHE_HOME="$work/cache" QT_QPA_PLATFORM=xcb LC_ALL=C.UTF-8
 Xvfb -displayfd 3 -screen 0 2400x1700x24 -nolisten tcp 3>"$work/display" >/dev/null 2>&1 &
 xvfb=$!
 window=""
@@ -32,6 +34,7 @@ finish() {
     "$bin/CUI" --instance="$name" exit >/dev/null 2>&1 || true
     kill "$xvfb" 2>/dev/null || true
     rm -rf "$work"
+    [ "$mine" != /tmp/pictures ] || rm -rf "$mine"
     exit "$code"
 }
 trap finish EXIT
@@ -40,8 +43,6 @@ while [ ! -s "$work/display" ]; do sleep 0.1; done
 DISPLAY=:$(cat "$work/display")
 export DISPLAY
 cui() { "$bin/CUI" --instance="$name" "$@"; }
-
-"$bin/RTServer" "$scene" --instance="$name" --resolution=1024x621 --daemon 2>/dev/null
 
 # The newest window beside the main one.
 front() { xdotool search --onlyvisible --pid "$window" 2>/dev/null | grep -v "^$main\$" | tail -1; }
@@ -96,6 +97,8 @@ job_dialogs() {
     whole_window jobs
     while pgrep -P "$window" -x Renderer >/dev/null; do sleep 0.5; done
     whole_window jobs-done
+    dialog "picture-$suffix" ctrl+j ctrl+j Return
+    close_dialog
 }
 
 # Settings, lights, bookmarks.
@@ -103,9 +106,10 @@ panels() {
     for each in altar rose; do
         cui load camera "$scenes/$each.cam"
         cui wait-idle
-        keys ctrl+b Return
+        keys ctrl+b
+        sleep 1
     done
-    keys F7
+    keys ctrl+j F7
     whole_window bookmarks
     keys F6
     whole_window lights
@@ -118,8 +122,9 @@ look() {
     theme=$1 language=$2 scale=$3
     suffix=$theme-$language-$scale
     mkdir -p "$work/config/rtsuite"
-    printf '[display]\ntheme=%s\nlanguage=%s\n[render]\nprogressive=false\n[files]\nrecent=%s\npictureFolder=/tmp\n' \
-        "$theme" "$language" data/nave/nave.scn >"$work/config/rtsuite/GUI.ini"
+    printf '[display]\ntheme=%s\nlanguage=%s\n[render]\nprogressive=false\n[files]\nrecent=%s\npictureFolder=%s\n' \
+        "$theme" "$language" data/nave/nave.scn "$mine" >"$work/config/rtsuite/GUI.ini"
+    "$bin/RTServer" "$scene" --instance="$name" --resolution=1024x621 --daemon 2>/dev/null
     QT_SCALE_FACTOR=$scale "$bin/GUI" --connect --instance="$name" 2>"$work/gui.txt" &
     window=$!
     main=none
@@ -144,7 +149,7 @@ look() {
         xdotool windowfocus --sync "$main"
         xdotool key --clearmodifiers "alt+$menu"
         sleep 0.5
-        import -window root -crop "$((700 * scale))x$((330 * scale))+0+0" +repage "$pictures/menu-$menu-$suffix.png"
+        import -window root -crop "$((700 * scale))x$((350 * scale))+0+0" +repage "$pictures/menu-$menu-$suffix.png"
         xdotool key Escape Escape
         sleep 0.2
     done
@@ -162,9 +167,12 @@ look() {
         import -window "$(front)" "$pictures/configure$page-$suffix.png"
     done
     close_dialog
+    if [ "$docs" = yes ] && [ "$suffix" = light-en-1 ]; then still; fi
     job_dialogs
     panels
-    if [ "$docs" = yes ] && [ "$suffix" = light-en-1 ]; then still; fi
+    pkill -KILL -f "^$bin/RTServer .*--instance=$name" || true
+    sleep 2
+    whole_window died
     kill "$window"
     wait "$window" || true
     window=""
@@ -180,7 +188,7 @@ still() {
     import -window "$main" "$pictures/still.png"
 }
 
-looks=${LOOKS:-"light-en-1 dark-en-1 light-en-2 dark-en-2 light-cs-1 dark-cs-1 light-cs-2"}
+looks=${LOOKS:-"light-en-1 dark-en-1 light-en-2 dark-en-2 light-cs-1 dark-cs-1 light-cs-2 dark-cs-2"}
 for each in $looks; do
     # shellcheck disable=SC2046
     look $(echo "$each" | tr - ' ')
@@ -188,7 +196,11 @@ done
 
 if [ "$docs" = yes ]; then
     convert "$pictures/still.png" -quality 88 docs/images/window.jpg
-    for each in start export recording statistics configure1; do
+    convert "$pictures/jobs-light-en-1.png" -quality 88 docs/images/jobs.jpg
+    convert "$pictures/settings-light-en-1.png" -quality 88 docs/images/settings.jpg
+    convert -gravity NorthEast "$pictures/lights-light-en-1.png" "$pictures/bookmarks-light-en-1.png" \
+        -crop 290x600+0+20 +repage +append +dither -colors 192 docs/images/panels.png
+    for each in start export recording statistics configure1 render-more; do
         convert "$pictures/$each-light-en-1.png" +dither -colors 128 "docs/images/$each.png"
     done
 fi

@@ -6,6 +6,7 @@
 #include "gui/dialogs/recording_dialog.h"
 #include "gui/dialogs/start_server_dialog.h"
 #include "gui/models/action_table.h"
+#include "gui/models/bookmark_store.h"
 
 #include "gui/gui_support.h"
 #include "gui/translation_file.h"
@@ -129,6 +130,7 @@ TEST_P(LanguageTest, TextsAreFound) {
     EXPECT_EQ(actionText(actionRow(ActionId::Exit)),
               czech ? QStringLiteral("&Konec") : QStringLiteral("E&xit"));
     EXPECT_EQ(actionTitle(QStringLiteral("jump")), czech ? QStringLiteral("Skok") : QStringLiteral("Jump"));
+    EXPECT_EQ(BookmarkStore().freeName(), czech ? QStringLiteral("Místo 1") : QStringLiteral("Place 1"));
     ConnectDialog dialog(name());
     dialog.setAttribute(Qt::WA_DeleteOnClose, false);
     EXPECT_EQ(dialog.windowTitle(), czech ? QStringLiteral("Připojit") : QStringLiteral("Connect"));

@@ -38,6 +38,7 @@ JobsPanel::JobsPanel(JobQueue& queue, QWidget* parent)
     : QWidget(parent), queue_(queue), table_(new QTreeView), picture_(new QLabel), message_(new QLabel),
       log_(new QPlainTextEdit) {
     makeTable();
+    setFocusProxy(table_);
     picture_->setFixedSize(kPictureWide, kPictureHigh);
     picture_->setAlignment(Qt::AlignCenter);
     picture_->setAccessibleName(tr("Result"));

@@ -33,6 +33,7 @@ RecordingDialog::RecordingDialog(Session& session, const QString& folder, QWidge
     form->addRow(tr("&Path:"), path_);
     form->addRow(state_);
     form->addRow(buttons);
+    button_->setDefault(true); // once it belongs to the dialog
     connect(button_, &QPushButton::clicked, this, &RecordingDialog::toggle);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     connect(&session_, &Session::statusChanged, this, &RecordingDialog::refresh);

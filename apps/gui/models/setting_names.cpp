@@ -40,7 +40,11 @@ QString labelText(std::string_view name) {
     return words(fromView(dot == std::string_view::npos ? name : name.substr(dot + 1)));
 }
 
-QString number(double value) { return QLocale().toString(value, 'g', QLocale::FloatingPointShortest); }
+QString number(double value) {
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale.toString(value, 'g', QLocale::FloatingPointShortest);
+}
 
 QString rangeText(const Setting& setting) {
     if (setting.type != SettingType::Integer && setting.type != SettingType::Number) return {};

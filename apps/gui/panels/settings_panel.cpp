@@ -139,12 +139,12 @@ void SettingsPanel::addSetting(const Setting& setting, const QString& group, QFo
     editor->setFocusPolicy(Qt::StrongFocus);
     editor->installEventFilter(this);
     if (auto* line = editor->findChild<QLineEdit*>()) line->installEventFilter(this);
-    QToolButton* reset = isPictureSize(text(setting.name)) ? nullptr : makeReset(setting, usual);
+    QToolButton* reset = makeReset(setting, usual);
     rows_.insert(text(setting.name), {editor, reset, group, usual});
     auto* field = new QHBoxLayout;
     field->setSpacing(2);
     field->addWidget(editor, 1);
-    if (reset != nullptr) field->addWidget(reset);
+    field->addWidget(reset);
     if (setting.type == SettingType::Boolean) return form.addRow(field);
     auto* sign = new QLabel(settingLabel(setting.name) + QLatin1Char(':'));
     sign->setToolTip(editor->toolTip());
@@ -210,9 +210,9 @@ void SettingsPanel::show(const QMap<QString, QString>& values) {
         const bool known = value != values.constEnd();
         row->editor->setEnabled(known);
         if (known) showValue(*row->editor, *value);
-        if (row->reset == nullptr) continue;
-        row->reset->setVisible(known && *value != row->usual);
-        if (known && *value != row->usual) changed.insert(row->group);
+        const bool differs = known && *value != row->usual && !isPictureSize(row.key());
+        row->reset->setVisible(differs);
+        if (differs) changed.insert(row->group);
     }
     for (auto group = groups_.begin(); group != groups_.end(); ++group)
         (*group)->setMarked(changed.contains(group.key()));

@@ -31,7 +31,8 @@ class SettingsPanel : public QWidget {
     using QWidget::show;
     /// The field of a setting, by name; null when there is none.
     QWidget* editor(const QString& name) const { return rows_.value(name).editor; }
-    /// The button that leads back to the default; null for the picture's size, which follows the window.
+    /// The button that leads back to the default; hidden where nothing differs, and for the picture's size,
+    /// which follows the window.
     QToolButton* resetButton(const QString& name) const { return rows_.value(name).reset; }
     /// By the part of the names before the dot; "" is the general group.
     FoldBox* group(const QString& prefix) const { return groups_.value(prefix); }
@@ -47,8 +48,8 @@ class SettingsPanel : public QWidget {
   private:
     struct Row {
         QWidget* editor = nullptr;
-        QToolButton* reset = nullptr; ///< may be null
-        QString group, usual;         ///< the default, as text
+        QToolButton* reset = nullptr;
+        QString group, usual; ///< the default, as text
     };
     QFormLayout* addGroup(const QString& prefix, const QString& title, QWidget& column);
     void addSetting(const rtcore::Setting& setting, const QString& group, QFormLayout& form);

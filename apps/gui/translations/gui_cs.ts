@@ -552,10 +552,6 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
         <translation>Uchované pohledy</translation>
     </message>
     <message>
-        <source>%1 cannot be written: %2</source>
-        <translation>Soubor %1 nelze zapsat: %2</translation>
-    </message>
-    <message>
         <source>Record the camera, 30 times a second</source>
         <translation>Zaznamenávat kameru, 30krát za sekundu</translation>
     </message>
@@ -731,7 +727,7 @@ Alt+%2</translation>
     </message>
     <message>
         <source>none</source>
-        <translation>žádná</translation>
+        <translation>žádný</translation>
     </message>
     <message>
         <source> bands</source>
@@ -1637,7 +1633,7 @@ Alt+%2</translation>
     </message>
     <message>
         <source>From Start to Stop the camera, the exposure and the lights are written 30 times a second: .cam files and their list, which the Renderer makes a film of.</source>
-        <translation>Od Startu do Stopu se 30krát za sekundu zapisují kamera, expozice a světla: soubory .cam a jejich seznam, ze kterého Renderer udělá film.</translation>
+        <translation>Mezi Začít a Zastavit se 30krát za sekundu zapisují kamera, expozice a světla: soubory .cam a jejich seznam, ze kterého Renderer udělá film.</translation>
     </message>
 </context>
 <context>
