@@ -76,7 +76,9 @@ keys() {
     done
 }
 whole_window() {
-    sleep 0.8
+    sleep 1
+    cui wait-idle >/dev/null 2>&1 || true
+    sleep 0.5
     import -window "$main" "$pictures/$1-$suffix.png"
 }
 

@@ -1,7 +1,11 @@
 #include "gui/view/window_style.h"
 
+#include <QGuiApplication>
+#include <QIconEngine>
 #include <QPainter>
 #include <QStyleOption>
+
+#include <algorithm>
 
 namespace gui {
 
@@ -13,6 +17,40 @@ QColor outlineOf(const QPalette& palette) {
     return {(ground.red() + letters.red()) / 2, (ground.green() + letters.green()) / 2,
             (ground.blue() + letters.blue()) / 2};
 }
+
+/// The signs in the title of a panel, in the colour that letters have at the moment.
+class TitleSign : public QIconEngine {
+  public:
+    explicit TitleSign(bool cross) : cross_(cross) {}
+    void paint(QPainter* painter, const QRect& rect, QIcon::Mode, QIcon::State) override {
+        painter->setRenderHint(QPainter::Antialiasing);
+        constexpr qreal kThick = 0.09;
+        const qreal size = std::min(rect.width(), rect.height());
+        painter->setPen(QPen(QGuiApplication::palette().color(QPalette::WindowText), size * kThick));
+        const qreal margin = size / 4;
+        const QRectF area = QRectF(rect).adjusted(margin, margin, -margin, -margin);
+        if (cross_) {
+            painter->drawLine(area.topLeft(), area.bottomRight());
+            painter->drawLine(area.topRight(), area.bottomLeft());
+        } else {
+            const qreal step = area.width() / 3; // one window before another
+            painter->drawRect(area.adjusted(0, step, -step, 0));
+            painter->drawPolyline(QPolygonF{
+                {area.left() + step, area.top()}, area.topRight(), {area.right(), area.bottom() - step}});
+        }
+    }
+    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+        QPixmap picture(size);
+        picture.fill(Qt::transparent);
+        QPainter painter(&picture);
+        paint(&painter, picture.rect(), mode, state);
+        return picture;
+    }
+    QIconEngine* clone() const override { return new TitleSign(cross_); }
+
+  private:
+    bool cross_;
+};
 
 } // namespace
 
@@ -36,6 +74,20 @@ int WindowStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWi
                            QStyleHintReturn* data) const {
     if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
     return QProxyStyle::styleHint(hint, option, widget, data);
+}
+
+// The frame of the focus is filled where a row is marked, and would part it.
+QRect WindowStyle::subElementRect(SubElement element, const QStyleOption* option,
+                                  const QWidget* widget) const {
+    if (element == SE_ItemViewItemFocusRect) return option->rect;
+    return QProxyStyle::subElementRect(element, option, widget);
+}
+
+QIcon WindowStyle::standardIcon(StandardPixmap icon, const QStyleOption* option,
+                                const QWidget* widget) const {
+    if (icon == SP_TitleBarNormalButton) return QIcon(new TitleSign(false));
+    if (icon == SP_DockWidgetCloseButton || icon == SP_TitleBarCloseButton) return QIcon(new TitleSign(true));
+    return QProxyStyle::standardIcon(icon, option, widget);
 }
 
 } // namespace gui

@@ -1,5 +1,5 @@
-/// Fusion, with what it lacks: the outlines of check boxes and radio buttons are seen on a dark ground, too,
-/// and the buttons of dialogs have words alone.
+/// Fusion, with what it lacks: check boxes, radio buttons and the signs on panels are seen on a dark ground,
+/// too; a row of a list is marked as a whole; the buttons of dialogs have words alone.
 #pragma once
 
 #include <QProxyStyle>
@@ -15,6 +15,9 @@ class WindowStyle : public QProxyStyle {
                        const QWidget* widget) const override;
     int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                   QStyleHintReturn* data) const override;
+    QRect subElementRect(SubElement element, const QStyleOption* option,
+                         const QWidget* widget) const override;
+    QIcon standardIcon(StandardPixmap icon, const QStyleOption* option, const QWidget* widget) const override;
 };
 
 } // namespace gui
