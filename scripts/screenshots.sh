@@ -2,7 +2,7 @@
 # Takes pictures of the window and of each dialog, light and dark, in English and in Czech, at scale 1 and 2, on a screen
 # of its own (Xvfb). Those that the manual and the README show go to docs/images.
 #   scripts/screenshots.sh [--docs] [FOLDER]     by default output/screenshots; --docs: renew docs/images, too
-# Build first: scripts/build.sh; scripts/run.sh makes output/nave.scn, which the pictures show.
+# Build first: scripts/build.sh. LOOKS="dark-cs-1 ..." in the environment: only these.
 set -eu
 cd "$(dirname "$0")/.."
 docs=no
@@ -12,8 +12,6 @@ if [ "${1:-}" = --docs ]; then
 fi
 pictures=${1:-output/screenshots}
 bin=$PWD/build/release/bin
-scene=$PWD/output/nave.scn
-[ -f "$scene" ] || scene=$PWD/data/nave/nave.scn
 scenes=$PWD/data/nave
 for tool in Xvfb xdotool import convert; do
     command -v "$tool" >/dev/null || { echo "screenshots: $tool is missing (scripts/packages.txt)" >&2; exit 1; }
@@ -126,7 +124,7 @@ look() {
     mkdir -p "$work/config/rtsuite"
     printf '[display]\ntheme=%s\nlanguage=%s\n[render]\nprogressive=false\n[files]\nrecent=%s\npictureFolder=%s\n' \
         "$theme" "$language" data/nave/nave.scn "$mine" >"$work/config/rtsuite/GUI.ini"
-    "$bin/RTServer" "$scene" --instance="$name" --resolution=1024x621 --daemon 2>/dev/null
+    "$bin/RTServer" "$scenes/nave.scn" --instance="$name" --resolution=1024x621 --daemon 2>/dev/null
     QT_SCALE_FACTOR=$scale "$bin/GUI" --connect --instance="$name" 2>"$work/gui.txt" &
     window=$!
     main=none

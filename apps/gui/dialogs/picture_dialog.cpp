@@ -51,7 +51,7 @@ void PictureDialog::chooseSize() {
     const QScreen* screen =
         parentWidget() != nullptr ? parentWidget()->screen() : QGuiApplication::primaryScreen();
     const QSize most = screen->availableSize() * 4 / 5;
-    const QSize foot(0, layout()->sizeHint().height() - view_->sizeHint().height());
+    const QSize foot(0, layout()->itemAt(1)->sizeHint().height());
     QSize size = picture_.size() / devicePixelRatioF();
     if (!QRect(QPoint(), most - foot).contains(QRect(QPoint(), size)))
         size.scale(most - foot, Qt::KeepAspectRatio);

@@ -1,5 +1,6 @@
 #include "gui/view/window_style.h"
 
+#include <QAbstractItemView>
 #include <QGuiApplication>
 #include <QIconEngine>
 #include <QPainter>
@@ -58,6 +59,9 @@ WindowStyle::WindowStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
 
 void WindowStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                                 const QWidget* widget) const {
+    // A marked row needs no frame, which would part it between picture and name.
+    const bool row = qobject_cast<const QAbstractItemView*>(widget) != nullptr;
+    if (element == PE_FrameFocusRect && row && (option->state & State_Selected) != 0) return;
     QProxyStyle::drawPrimitive(element, option, painter, widget);
     const bool round = element == PE_IndicatorRadioButton;
     if (!round && element != PE_IndicatorCheckBox) return;
@@ -74,13 +78,6 @@ int WindowStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWi
                            QStyleHintReturn* data) const {
     if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
     return QProxyStyle::styleHint(hint, option, widget, data);
-}
-
-// The frame of the focus is filled where a row is marked, and would part it.
-QRect WindowStyle::subElementRect(SubElement element, const QStyleOption* option,
-                                  const QWidget* widget) const {
-    if (element == SE_ItemViewItemFocusRect) return option->rect;
-    return QProxyStyle::subElementRect(element, option, widget);
 }
 
 QIcon WindowStyle::standardIcon(StandardPixmap icon, const QStyleOption* option,
