@@ -99,6 +99,14 @@ TEST(TableTexts, StayEnglishWithoutATranslation) {
               QStringLiteral("<qt>Nothing at all [40].<br><code>--no-such-fps</code></qt>"));
 }
 
+TEST(TableTexts, SettingsStandInGroups) {
+    EXPECT_EQ(settingGroupKey("ambientOcclusion.samples"), QStringLiteral("ambientOcclusion"));
+    EXPECT_EQ(settingGroupKey("shadows"), settingGroupKey("reflections"));
+    EXPECT_EQ(settingGroupKey("toneMapping"), settingGroupKey("exposure.mode"));
+    EXPECT_EQ(settingGroupKey("width"), QString());
+    EXPECT_EQ(settingGroupKey("noSuchSetting"), QString());
+}
+
 TEST(TableTexts, TipsTellNameRangeAndDefault) {
     const QString tip = settingTip(rtcore::requireSetting("ambientOcclusion.samples"));
     for (const char* part : {"ambientOcclusion.samples", "1 to 4096", "default: "})

@@ -5,12 +5,25 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <algorithm>
+#include <iterator>
+
 namespace gui {
 
 namespace {
 
 using rtcore::Setting;
 using rtcore::SettingType;
+
+/// Where settings without a dot stand that belong together; those that are not here are in the general group.
+struct Place {
+    std::string_view setting, group;
+};
+constexpr Place kPlaces[] = {
+    {"shadows", "rays"},  {"reflections", "rays"},     {"refractions", "rays"}, {"textures", "rays"},
+    {"maxDepth", "rays"}, {"minContribution", "rays"}, {"lampSamples", "rays"}, {"environmentFilter", "rays"},
+    {"bloom", "bloom"},   {"bloomKernel", "bloom"},    {"bloomShare", "bloom"}, {"toneMapping", "exposure"},
+};
 
 QString translated(const QString& text) {
     return QCoreApplication::translate("Settings", text.toUtf8().constData());
@@ -32,8 +45,8 @@ QString words(const QString& name) {
 
 // The texts as they are looked up.
 QString groupText(std::string_view name) {
-    const std::size_t dot = name.find('.');
-    return dot == std::string_view::npos ? QStringLiteral("Picture") : words(fromView(name.substr(0, dot)));
+    const QString key = settingGroupKey(name);
+    return key.isEmpty() ? QStringLiteral("Picture") : words(key);
 }
 QString labelText(std::string_view name) {
     const std::size_t dot = name.rfind('.');
@@ -55,6 +68,14 @@ QString rangeText(const Setting& setting) {
 }
 
 } // namespace
+
+QString settingGroupKey(std::string_view name) {
+    const std::size_t dot = name.find('.');
+    if (dot != std::string_view::npos) return fromView(name.substr(0, dot));
+    const auto* place = std::find_if(std::begin(kPlaces), std::end(kPlaces),
+                                     [&](const Place& each) { return each.setting == name; });
+    return place == std::end(kPlaces) ? QString() : fromView(place->group);
+}
 
 QString settingGroup(std::string_view name) { return translated(groupText(name)); }
 QString settingLabel(std::string_view name) { return translated(labelText(name)); }

@@ -13,8 +13,10 @@ struct Setting;
 
 namespace gui {
 
-/// "ambientOcclusion.samples": the part before the dot, as "Ambient occlusion"; of a setting without a dot
-/// the general group.
+/// "ambientOcclusion.samples" is in the group "ambientOcclusion"; a setting without a dot is where it belongs
+/// by its meaning, or in the general group, which is "".
+QString settingGroupKey(std::string_view name);
+/// That group as it is called: "Ambient occlusion"; the general one: "Picture".
 QString settingGroup(std::string_view name);
 /// The part behind the dot, or all of it: "maxDepth" is "Max depth". Of choices, too.
 QString settingLabel(std::string_view name);

@@ -55,12 +55,6 @@ QString fullName(const Setting& setting) {
     return grouped ? settingGroup(setting.name) + QStringLiteral(": ") + label : label;
 }
 
-// "exposure" of "exposure.key".
-QString prefixOf(const Setting& setting) {
-    const std::size_t dot = setting.name.find('.');
-    return dot == std::string_view::npos ? QString() : text(setting.name.substr(0, dot));
-}
-
 // The fields of all groups stand in one column.
 void alignLabels(QWidget& column) {
     const QList<QLabel*> labels = column.findChildren<QLabel*>();
@@ -77,10 +71,10 @@ SettingsPanel::SettingsPanel(QWidget* parent) : QWidget(parent), defaults_(new Q
     groups->setSpacing(2);
     QHash<QString, QFormLayout*> forms;
     for (const Setting& setting : rtcore::settingsTable()) {
-        const QString prefix = prefixOf(setting);
-        QFormLayout*& form = forms[prefix];
-        if (form == nullptr) form = addGroup(prefix, settingGroup(setting.name), *column);
-        addSetting(setting, prefix, *form);
+        const QString key = settingGroupKey(setting.name);
+        QFormLayout*& form = forms[key];
+        if (form == nullptr) form = addGroup(key, settingGroup(setting.name), *column);
+        addSetting(setting, key, *form);
     }
     alignLabels(*column);
     groups->addStretch(1);
@@ -104,29 +98,29 @@ SettingsPanel::SettingsPanel(QWidget* parent) : QWidget(parent), defaults_(new Q
     show({});
 }
 
-QFormLayout* SettingsPanel::addGroup(const QString& prefix, const QString& title, QWidget& column) {
+QFormLayout* SettingsPanel::addGroup(const QString& key, const QString& title, QWidget& column) {
     auto* fields = new QWidget;
     auto* form = new QFormLayout(fields);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     auto* group = new FoldBox(title, fields);
     column.layout()->addWidget(group);
-    groups_.insert(prefix, group);
+    groups_.insert(key, group);
     connect(group, &FoldBox::foldedChanged, this, [this] { emit foldedChanged(folded()); });
     return form;
 }
 
 QStringList SettingsPanel::folded() const {
-    QStringList prefixes;
+    QStringList keys;
     for (auto group = groups_.begin(); group != groups_.end(); ++group) {
-        if ((*group)->folded()) prefixes.append(group.key());
+        if ((*group)->folded()) keys.append(group.key());
     }
-    prefixes.sort();
-    return prefixes;
+    keys.sort();
+    return keys;
 }
 
-void SettingsPanel::setFolded(const QStringList& prefixes) {
+void SettingsPanel::setFolded(const QStringList& keys) {
     for (auto group = groups_.begin(); group != groups_.end(); ++group)
-        (*group)->setFolded(prefixes.contains(group.key()));
+        (*group)->setFolded(keys.contains(group.key()));
 }
 
 void SettingsPanel::addSetting(const Setting& setting, const QString& group, QFormLayout& form) {

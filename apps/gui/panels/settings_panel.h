@@ -34,16 +34,16 @@ class SettingsPanel : public QWidget {
     /// The button that leads back to the default; hidden where nothing differs, and for the picture's size,
     /// which follows the window.
     QToolButton* resetButton(const QString& name) const { return rows_.value(name).reset; }
-    /// By the part of the names before the dot; "" is the general group.
-    FoldBox* group(const QString& prefix) const { return groups_.value(prefix); }
-    /// The prefixes of the groups that are folded up.
-    void setFolded(const QStringList& prefixes);
+    /// By settingGroupKey().
+    FoldBox* group(const QString& key) const { return groups_.value(key); }
+    /// Those that are folded up, by their keys.
+    void setFolded(const QStringList& keys);
 
   signals:
     void edited(const QString& name, const QString& value);
     void defaultsWanted();
     /// By the user: those that are folded up now.
-    void foldedChanged(const QStringList& prefixes);
+    void foldedChanged(const QStringList& keys);
 
   private:
     struct Row {
@@ -51,7 +51,7 @@ class SettingsPanel : public QWidget {
         QToolButton* reset = nullptr;
         QString group, usual; ///< the default, as text
     };
-    QFormLayout* addGroup(const QString& prefix, const QString& title, QWidget& column);
+    QFormLayout* addGroup(const QString& key, const QString& title, QWidget& column);
     void addSetting(const rtcore::Setting& setting, const QString& group, QFormLayout& form);
     QWidget* makeEditor(const rtcore::Setting& setting);
     QToolButton* makeReset(const rtcore::Setting& setting, const QString& usual);

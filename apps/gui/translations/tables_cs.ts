@@ -211,6 +211,190 @@
         <source>Nearest</source>
         <translation>Nejbližší</translation>
     </message>
+    <message>
+        <source>Rays</source>
+        <translation>Paprsky</translation>
+    </message>
+    <message>
+        <source>Sampling</source>
+        <translation>Rozmístění vzorků</translation>
+    </message>
+    <message>
+        <source>where the samples of a pixel lie</source>
+        <translation>kde v bodu obrazu leží vzorky</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Mřížka</translation>
+    </message>
+    <message>
+        <source>Random</source>
+        <translation>Náhodné</translation>
+    </message>
+    <message>
+        <source>Jittered</source>
+        <translation>Rozechvělá mřížka</translation>
+    </message>
+    <message>
+        <source>Rotated</source>
+        <translation>Otočené</translation>
+    </message>
+    <message>
+        <source>Poisson</source>
+        <translation>Poissonovo</translation>
+    </message>
+    <message>
+        <source>Adaptive</source>
+        <translation>Přizpůsobivé</translation>
+    </message>
+    <message>
+        <source>pixels whose error is below it get fewer samples; 0: all the same</source>
+        <translation>body s menší chybou dostanou méně vzorků; 0: všechny stejně</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>Vzor</translation>
+    </message>
+    <message>
+        <source>directions of the rays, turned for each point, the same for all, or any</source>
+        <translation>směry paprsků: pro každý bod pootočené, pro všechny stejné, nebo jakékoli</translation>
+    </message>
+    <message>
+        <source>Regular</source>
+        <translation>Pravidelné</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Světlo</translation>
+    </message>
+    <message>
+        <source>light from everywhere; 0: the scene's, or what suits it when it has none</source>
+        <translation>světlo odevšad; 0: podle scény, nebo co se k ní hodí, když žádné nemá</translation>
+    </message>
+    <message>
+        <source>Depth of field</source>
+        <translation>Hloubka ostrosti</translation>
+    </message>
+    <message>
+        <source>only what is in focus is sharp</source>
+        <translation>ostré je jen to, na co je zaostřeno</translation>
+    </message>
+    <message>
+        <source>F number</source>
+        <translation>Clonové číslo</translation>
+    </message>
+    <message>
+        <source>focal length over the lens's diameter, of a film 36 mm wide: smaller is more blurred</source>
+        <translation>ohnisková vzdálenost dělená průměrem čočky, pro film široký 36 mm: menší je rozmazanější</translation>
+    </message>
+    <message>
+        <source>Focus</source>
+        <translation>Zaostření</translation>
+    </message>
+    <message>
+        <source>distance of what is sharp; 0: of what is in the middle</source>
+        <translation>vzdálenost toho, co je ostré; 0: toho, co je uprostřed</translation>
+    </message>
+    <message>
+        <source>Blades</source>
+        <translation>Lamely</translation>
+    </message>
+    <message>
+        <source>corners of the aperture; below 3: round</source>
+        <translation>počet rohů clony; méně než 3: kulatá</translation>
+    </message>
+    <message>
+        <source>Fog</source>
+        <translation>Mlha</translation>
+    </message>
+    <message>
+        <source>the scene's fog is shown</source>
+        <translation>mlha scény je vidět</translation>
+    </message>
+    <message>
+        <source>Shafts</source>
+        <translation>Kužely světla</translation>
+    </message>
+    <message>
+        <source>shadow rays to each light along a ray through fog: shafts of light; 0: none</source>
+        <translation>stínové paprsky ke každému světlu podél paprsku mlhou: kužely světla; 0: žádné</translation>
+    </message>
+    <message>
+        <source>Lamp samples</source>
+        <translation>Vzorky svítidel</translation>
+    </message>
+    <message>
+        <source>shadow rays to each lamp that has a size: soft shadows; 0: lamps are points</source>
+        <translation>stínové paprsky ke každému svítidlu, které má velikost: měkké stíny; 0: svítidla jsou body</translation>
+    </message>
+    <message>
+        <source>Denoise</source>
+        <translation>Odšumění</translation>
+    </message>
+    <message>
+        <source>smooths noise, but not edges; 0: none</source>
+        <translation>vyhladí šum, ale ne hrany; 0: žádné</translation>
+    </message>
+    <message>
+        <source>passes</source>
+        <translation>průchodů</translation>
+    </message>
+    <message>
+        <source>size of the glow around bright spots; 0: none</source>
+        <translation>velikost záře kolem jasných míst; 0: žádná</translation>
+    </message>
+    <message>
+        <source>Bloom kernel</source>
+        <translation>Tvar záře</translation>
+    </message>
+    <message>
+        <source>blur of a plain lens, or the coloured rings of a perfect one</source>
+        <translation>rozmazání obyčejné čočky, nebo barevné kroužky dokonalé</translation>
+    </message>
+    <message>
+        <source>Gaussian</source>
+        <translation>Gaussův</translation>
+    </message>
+    <message>
+        <source>Airy</source>
+        <translation>Airyho</translation>
+    </message>
+    <message>
+        <source>Bloom share</source>
+        <translation>Podíl záře</translation>
+    </message>
+    <message>
+        <source>share of all light that the glow spreads</source>
+        <translation>jaký podíl všeho světla záře rozptýlí</translation>
+    </message>
+    <message>
+        <source>Brighter seconds</source>
+        <translation>Přivykání světlu</translation>
+    </message>
+    <message>
+        <source>time to get used to more light, in real time</source>
+        <translation>doba, za kterou si oko zvykne na více světla v reálném čase</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Darker seconds</source>
+        <translation>Přivykání tmě</translation>
+    </message>
+    <message>
+        <source>time to get used to less light, in real time</source>
+        <translation>doba, za kterou si oko zvykne na méně světla v reálném čase</translation>
+    </message>
+    <message>
+        <source>Local</source>
+        <translation>Místní</translation>
+    </message>
+    <message>
+        <source>how much the exposure of a place follows its own brightness</source>
+        <translation>jak moc se expozice místa řídí jeho vlastním jasem</translation>
+    </message>
 </context>
 <context>
     <name>ProgramOptions</name>
@@ -573,6 +757,26 @@
     <message>
         <source>use N threads; 0 is all cores; the tree is the same for every number [0]</source>
         <translation>použít N vláken; 0 jsou všechna jádra; strom je pro každý počet stejný [0]</translation>
+    </message>
+    <message>
+        <source>glow around what is bright, N pixels wide</source>
+        <translation>záře kolem jasných míst, široká N bodů</translation>
+    </message>
+    <message>
+        <source>switch ambient occlusion on</source>
+        <translation>zapnout zastínění okolím</translation>
+    </message>
+    <message>
+        <source>Focus at</source>
+        <translation>Zaostřit na</translation>
+    </message>
+    <message>
+        <source>switch depth of field on, and focus on what is seen at this pixel, from the upper left corner</source>
+        <translation>zapnout hloubku ostrosti a zaostřit na to, co je vidět v tomto bodu obrazu, počítáno od levého horního rohu</translation>
+    </message>
+    <message>
+        <source>write what the renderer works with - cells of the kd-tree, lights, camera, normals - as an .obj model, and exit</source>
+        <translation>zapsat, s čím vykreslování pracuje – buňky kd-stromu, světla, kameru, normály – jako model .obj, a skončit</translation>
     </message>
 </context>
 </TS>
