@@ -36,6 +36,46 @@
         <translation>průměr z N × N vzorků na bod</translation>
     </message>
     <message>
+        <source>Sampling</source>
+        <translation>Rozmístění vzorků</translation>
+    </message>
+    <message>
+        <source>where the samples of a pixel lie</source>
+        <translation>kde v bodu obrazu leží vzorky</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Mřížka</translation>
+    </message>
+    <message>
+        <source>Random</source>
+        <translation>Náhodné</translation>
+    </message>
+    <message>
+        <source>Jittered</source>
+        <translation>Rozechvělá mřížka</translation>
+    </message>
+    <message>
+        <source>Rotated</source>
+        <translation>Otočené</translation>
+    </message>
+    <message>
+        <source>Poisson</source>
+        <translation>Poissonovo</translation>
+    </message>
+    <message>
+        <source>Adaptive</source>
+        <translation>Přizpůsobivé</translation>
+    </message>
+    <message>
+        <source>pixels whose error is below it get fewer samples; 0: all the same</source>
+        <translation>body s menší chybou dostanou méně vzorků; 0: všechny stejně</translation>
+    </message>
+    <message>
+        <source>Rays</source>
+        <translation>Paprsky</translation>
+    </message>
+    <message>
         <source>Shadows</source>
         <translation>Stíny</translation>
     </message>
@@ -124,134 +164,6 @@
         <translation>jednotek scény</translation>
     </message>
     <message>
-        <source>Bloom</source>
-        <translation>Záře</translation>
-    </message>
-    <message>
-        <source>radius of the glow around bright spots; 0: none</source>
-        <translation>poloměr záře kolem jasných míst; 0: žádná</translation>
-    </message>
-    <message>
-        <source>Exposure</source>
-        <translation>Expozice</translation>
-    </message>
-    <message>
-        <source>Mode</source>
-        <translation>Režim</translation>
-    </message>
-    <message>
-        <source>automatic follows the picture's brightness</source>
-        <translation>automatický se řídí jasem obrazu</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>Automatický</translation>
-    </message>
-    <message>
-        <source>Fixed</source>
-        <translation>Pevný</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Hodnota</translation>
-    </message>
-    <message>
-        <source>fixed exposure: radiance that is shown as half of white</source>
-        <translation>pevná expozice: zář, která se ukáže jako polovina bílé</translation>
-    </message>
-    <message>
-        <source>radiance</source>
-        <translation>zář</translation>
-    </message>
-    <message>
-        <source>Key</source>
-        <translation>Klíč</translation>
-    </message>
-    <message>
-        <source>automatic exposure: larger is brighter</source>
-        <translation>automatická expozice: větší je světlejší</translation>
-    </message>
-    <message>
-        <source>Tone mapping</source>
-        <translation>Mapování tónů</translation>
-    </message>
-    <message>
-        <source>luminance keeps hues, channels lets bright colours fade to white</source>
-        <translation>podle jasu zůstávají odstíny, po složkách jasné barvy blednou do bílé</translation>
-    </message>
-    <message>
-        <source>Luminance</source>
-        <translation>Podle jasu</translation>
-    </message>
-    <message>
-        <source>Channels</source>
-        <translation>Po složkách</translation>
-    </message>
-    <message>
-        <source>Dithering</source>
-        <translation>Rozptyl</translation>
-    </message>
-    <message>
-        <source>noise of less than one step hides bands in smooth gradients</source>
-        <translation>šum menší než jeden stupeň skryje pruhy v plynulých přechodech</translation>
-    </message>
-    <message>
-        <source>Environment filter</source>
-        <translation>Filtr prostředí</translation>
-    </message>
-    <message>
-        <source>lookup in environment maps</source>
-        <translation>čtení z map prostředí</translation>
-    </message>
-    <message>
-        <source>Bilinear</source>
-        <translation>Bilineární</translation>
-    </message>
-    <message>
-        <source>Nearest</source>
-        <translation>Nejbližší</translation>
-    </message>
-    <message>
-        <source>Rays</source>
-        <translation>Paprsky</translation>
-    </message>
-    <message>
-        <source>Sampling</source>
-        <translation>Rozmístění vzorků</translation>
-    </message>
-    <message>
-        <source>where the samples of a pixel lie</source>
-        <translation>kde v bodu obrazu leží vzorky</translation>
-    </message>
-    <message>
-        <source>Grid</source>
-        <translation>Mřížka</translation>
-    </message>
-    <message>
-        <source>Random</source>
-        <translation>Náhodné</translation>
-    </message>
-    <message>
-        <source>Jittered</source>
-        <translation>Rozechvělá mřížka</translation>
-    </message>
-    <message>
-        <source>Rotated</source>
-        <translation>Otočené</translation>
-    </message>
-    <message>
-        <source>Poisson</source>
-        <translation>Poissonovo</translation>
-    </message>
-    <message>
-        <source>Adaptive</source>
-        <translation>Přizpůsobivé</translation>
-    </message>
-    <message>
-        <source>pixels whose error is below it get fewer samples; 0: all the same</source>
-        <translation>body s menší chybou dostanou méně vzorků; 0: všechny stejně</translation>
-    </message>
-    <message>
         <source>Pattern</source>
         <translation>Vzor</translation>
     </message>
@@ -270,6 +182,10 @@
     <message>
         <source>light from everywhere; 0: the scene's, or what suits it when it has none</source>
         <translation>světlo odevšad; 0: podle scény, nebo co se k ní hodí, když žádné nemá</translation>
+    </message>
+    <message>
+        <source>radiance</source>
+        <translation>zář</translation>
     </message>
     <message>
         <source>Depth of field</source>
@@ -340,6 +256,10 @@
         <translation>průchodů</translation>
     </message>
     <message>
+        <source>Bloom</source>
+        <translation>Záře</translation>
+    </message>
+    <message>
         <source>size of the glow around bright spots; 0: none</source>
         <translation>velikost záře kolem jasných míst; 0: žádná</translation>
     </message>
@@ -368,6 +288,42 @@
         <translation>jaký podíl všeho světla záře rozptýlí</translation>
     </message>
     <message>
+        <source>Exposure</source>
+        <translation>Expozice</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Režim</translation>
+    </message>
+    <message>
+        <source>automatic follows the picture's brightness</source>
+        <translation>automatický se řídí jasem obrazu</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatický</translation>
+    </message>
+    <message>
+        <source>Fixed</source>
+        <translation>Pevný</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Hodnota</translation>
+    </message>
+    <message>
+        <source>fixed exposure: radiance that is shown as half of white</source>
+        <translation>pevná expozice: zář, která se ukáže jako polovina bílé</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Klíč</translation>
+    </message>
+    <message>
+        <source>automatic exposure: larger is brighter</source>
+        <translation>automatická expozice: větší je světlejší</translation>
+    </message>
+    <message>
         <source>Brighter seconds</source>
         <translation>Přivykání světlu</translation>
     </message>
@@ -394,6 +350,46 @@
     <message>
         <source>how much the exposure of a place follows its own brightness</source>
         <translation>jak moc se expozice místa řídí jeho vlastním jasem</translation>
+    </message>
+    <message>
+        <source>Tone mapping</source>
+        <translation>Mapování tónů</translation>
+    </message>
+    <message>
+        <source>luminance keeps hues, channels lets bright colours fade to white</source>
+        <translation>podle jasu zůstávají odstíny, po složkách jasné barvy blednou do bílé</translation>
+    </message>
+    <message>
+        <source>Luminance</source>
+        <translation>Podle jasu</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>Po složkách</translation>
+    </message>
+    <message>
+        <source>Dithering</source>
+        <translation>Rozptyl</translation>
+    </message>
+    <message>
+        <source>noise of less than one step hides bands in smooth gradients</source>
+        <translation>šum menší než jeden stupeň skryje pruhy v plynulých přechodech</translation>
+    </message>
+    <message>
+        <source>Environment filter</source>
+        <translation>Filtr prostředí</translation>
+    </message>
+    <message>
+        <source>lookup in environment maps</source>
+        <translation>čtení z map prostředí</translation>
+    </message>
+    <message>
+        <source>Bilinear</source>
+        <translation>Bilineární</translation>
+    </message>
+    <message>
+        <source>Nearest</source>
+        <translation>Nejbližší</translation>
     </message>
 </context>
 <context>
@@ -575,6 +571,14 @@
         <translation>zapnout zastínění okolím až do této vzdálenosti</translation>
     </message>
     <message>
+        <source>Focus at</source>
+        <translation>Zaostřit na</translation>
+    </message>
+    <message>
+        <source>switch depth of field on, and focus on what is seen at this pixel, from the upper left corner</source>
+        <translation>zapnout hloubku ostrosti a zaostřit na to, co je vidět v tomto bodu obrazu, počítáno od levého horního rohu</translation>
+    </message>
+    <message>
         <source>Exposure</source>
         <translation>Expozice</translation>
     </message>
@@ -679,8 +683,8 @@
         <translation>Ladicí scéna</translation>
     </message>
     <message>
-        <source>export the debug scene; not done by this version yet</source>
-        <translation>zapsat ladicí scénu; tato verze to ještě neumí</translation>
+        <source>write what the renderer works with - cells of the kd-tree, lights, camera, normals - as an .obj model, and exit</source>
+        <translation>zapsat, s čím vykreslování pracuje – buňky kd-stromu, světla, kameru, normály – jako model .obj, a skončit</translation>
     </message>
     <message>
         <source>Importing models</source>
@@ -757,26 +761,6 @@
     <message>
         <source>use N threads; 0 is all cores; the tree is the same for every number [0]</source>
         <translation>použít N vláken; 0 jsou všechna jádra; strom je pro každý počet stejný [0]</translation>
-    </message>
-    <message>
-        <source>glow around what is bright, N pixels wide</source>
-        <translation>záře kolem jasných míst, široká N bodů</translation>
-    </message>
-    <message>
-        <source>switch ambient occlusion on</source>
-        <translation>zapnout zastínění okolím</translation>
-    </message>
-    <message>
-        <source>Focus at</source>
-        <translation>Zaostřit na</translation>
-    </message>
-    <message>
-        <source>switch depth of field on, and focus on what is seen at this pixel, from the upper left corner</source>
-        <translation>zapnout hloubku ostrosti a zaostřit na to, co je vidět v tomto bodu obrazu, počítáno od levého horního rohu</translation>
-    </message>
-    <message>
-        <source>write what the renderer works with - cells of the kd-tree, lights, camera, normals - as an .obj model, and exit</source>
-        <translation>zapsat, s čím vykreslování pracuje – buňky kd-stromu, světla, kameru, normály – jako model .obj, a skončit</translation>
     </message>
 </context>
 </TS>
