@@ -65,7 +65,7 @@
     </message>
     <message>
         <source>Adaptive</source>
-        <translation>Přizpůsobivé</translation>
+        <translation>Přizpůsobivost</translation>
     </message>
     <message>
         <source>pixels whose error is below it get fewer samples; 0: all the same</source>
