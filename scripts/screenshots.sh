@@ -2,7 +2,7 @@
 # Takes pictures of the window and of each dialog, light and dark, in English and in Czech, at scale 1 and 2, on a screen
 # of its own (Xvfb). Those that the manual and the README show go to docs/images.
 #   scripts/screenshots.sh [--docs] [FOLDER]     by default output/screenshots; --docs: renew docs/images, too
-# Build first: scripts/build.sh; scripts/run.sh makes output/nave.scn, which the pictures show.
+# Build first: scripts/build.sh. LOOKS="dark-cs-1 ..." in the environment: only these.
 set -eu
 cd "$(dirname "$0")/.."
 docs=no
@@ -12,15 +12,16 @@ if [ "${1:-}" = --docs ]; then
 fi
 pictures=${1:-output/screenshots}
 bin=$PWD/build/release/bin
-scene=$PWD/output/nave.scn
-[ -f "$scene" ] || scene=$PWD/data/nave/nave.scn
+scenes=$PWD/data/nave
 for tool in Xvfb xdotool import convert; do
     command -v "$tool" >/dev/null || { echo "screenshots: $tool is missing (scripts/packages.txt)" >&2; exit 1; }
 done
 mkdir -p "$pictures"
 work=$(mktemp -d)
 name=nave-$$
-export XDG_RUNTIME_DIR="$work" XDG_CONFIG_HOME="$work/config" XDG_CACHE_HOME="$work/cache" QT_QPA_PLATFORM=xcb LC_ALL=C.UTF-8
+mine=/tmp/pictures # what the dialogs show
+mkdir "$mine" 2>/dev/null || mine=$work
+export XDG_RUNTIME_DIR="$work" XDG_DATA_HOME="$work/data" XDG_CONFIG_HOME="$work/config" XDG_CACHE_HOME="$work/cache" QT_QPA_PLATFORM=xcb LC_ALL=C.UTF-8
 Xvfb -displayfd 3 -screen 0 2400x1700x24 -nolisten tcp 3>"$work/display" >/dev/null 2>&1 &
 xvfb=$!
 window=""
@@ -31,6 +32,7 @@ finish() {
     "$bin/CUI" --instance="$name" exit >/dev/null 2>&1 || true
     kill "$xvfb" 2>/dev/null || true
     rm -rf "$work"
+    [ "$mine" != /tmp/pictures ] || rm -rf "$mine"
     exit "$code"
 }
 trap finish EXIT
@@ -39,8 +41,6 @@ while [ ! -s "$work/display" ]; do sleep 0.1; done
 DISPLAY=:$(cat "$work/display")
 export DISPLAY
 cui() { "$bin/CUI" --instance="$name" "$@"; }
-
-"$bin/RTServer" "$scene" --instance="$name" --resolution=1024x621 --daemon 2>/dev/null
 
 # The newest window beside the main one.
 front() { xdotool search --onlyvisible --pid "$window" 2>/dev/null | grep -v "^$main\$" | tail -1; }
@@ -66,13 +66,65 @@ close_dialog() {
     sleep 0.3
 }
 
+keys() {
+    xdotool windowfocus --sync "$main"
+    for each in "$@"; do
+        xdotool key --clearmodifiers "$each"
+        sleep 0.4
+    done
+}
+whole_window() {
+    sleep 1
+    cui wait-idle >/dev/null 2>&1 || true
+    sleep 0.5
+    import -window "$main" "$pictures/$1-$suffix.png"
+}
+
+# The dialogs that start jobs, with all of their options; the queue with two jobs; the result of the first.
+job_dialogs() {
+    more="alt+m"
+    [ "$language" = en ] || more="alt+d"
+    dialog "build-$suffix" ctrl+alt+b
+    close_dialog
+    dialog "render-$suffix" ctrl+alt+r
+    xdotool key --clearmodifiers "$more"
+    sleep 0.5
+    import -window "$(front)" "$pictures/render-more-$suffix.png"
+    xdotool key --clearmodifiers "$more" Return
+    sleep 1
+    dialog "render2-$suffix" ctrl+alt+r
+    xdotool key --clearmodifiers Return
+    whole_window jobs
+    while pgrep -P "$window" -x Renderer >/dev/null; do sleep 0.5; done
+    whole_window jobs-done
+    dialog "picture-$suffix" ctrl+j ctrl+j Return
+    close_dialog
+}
+
+# Settings, lights, bookmarks.
+panels() {
+    for each in altar rose; do
+        cui load camera "$scenes/$each.cam"
+        cui wait-idle
+        keys ctrl+b
+        sleep 1
+    done
+    keys ctrl+j F7
+    whole_window bookmarks
+    keys F6
+    whole_window lights
+    keys F5
+    whole_window settings
+}
+
 # look THEME LANGUAGE SCALE: all pictures of one look.
 look() {
     theme=$1 language=$2 scale=$3
     suffix=$theme-$language-$scale
     mkdir -p "$work/config/rtsuite"
-    printf '[display]\ntheme=%s\nlanguage=%s\n[render]\nprogressive=false\n[files]\nrecent=%s\npictureFolder=/tmp\n' \
-        "$theme" "$language" data/nave/nave.scn >"$work/config/rtsuite/GUI.ini"
+    printf '[display]\ntheme=%s\nlanguage=%s\n[render]\nprogressive=false\n[files]\nrecent=%s\npictureFolder=%s\n' \
+        "$theme" "$language" data/nave/nave.scn "$mine" >"$work/config/rtsuite/GUI.ini"
+    "$bin/RTServer" "$scenes/nave.scn" --instance="$name" --resolution=1024x621 --daemon 2>/dev/null
     QT_SCALE_FACTOR=$scale "$bin/GUI" --connect --instance="$name" 2>"$work/gui.txt" &
     window=$!
     main=none
@@ -97,7 +149,7 @@ look() {
         xdotool windowfocus --sync "$main"
         xdotool key --clearmodifiers "alt+$menu"
         sleep 0.5
-        import -window root -crop "$((700 * scale))x$((330 * scale))+0+0" +repage "$pictures/menu-$menu-$suffix.png"
+        import -window root -crop "$((700 * scale))x$((350 * scale))+0+0" +repage "$pictures/menu-$menu-$suffix.png"
         xdotool key Escape Escape
         sleep 0.2
     done
@@ -116,6 +168,11 @@ look() {
     done
     close_dialog
     if [ "$docs" = yes ] && [ "$suffix" = light-en-1 ]; then still; fi
+    job_dialogs
+    panels
+    pkill -KILL -f "^$bin/RTServer .*--instance=$name" || true
+    sleep 2
+    whole_window died
     kill "$window"
     wait "$window" || true
     window=""
@@ -131,7 +188,7 @@ still() {
     import -window "$main" "$pictures/still.png"
 }
 
-looks=${LOOKS:-"light-en-1 dark-en-1 light-en-2 dark-en-2 light-cs-1 dark-cs-1 light-cs-2"}
+looks=${LOOKS:-"light-en-1 dark-en-1 light-en-2 dark-en-2 light-cs-1 dark-cs-1 light-cs-2 dark-cs-2"}
 for each in $looks; do
     # shellcheck disable=SC2046
     look $(echo "$each" | tr - ' ')
@@ -139,7 +196,11 @@ done
 
 if [ "$docs" = yes ]; then
     convert "$pictures/still.png" -quality 88 docs/images/window.jpg
-    for each in start export recording statistics configure1; do
+    convert "$pictures/jobs-light-en-1.png" -quality 88 docs/images/jobs.jpg
+    convert "$pictures/settings-light-en-1.png" -quality 88 docs/images/settings.jpg
+    convert -gravity NorthEast "$pictures/lights-light-en-1.png" "$pictures/bookmarks-light-en-1.png" \
+        -crop 279x621+0+19 +repage +append +dither -colors 192 docs/images/panels.png
+    for each in start export recording statistics configure1 render-more; do
         convert "$pictures/$each-light-en-1.png" +dither -colors 128 "docs/images/$each.png"
     done
 fi

@@ -6,6 +6,7 @@
 #include "gui/operations/actions.h"
 #include "gui/operations/look_operations.h"
 #include "gui/panels/bookmarks_panel.h"
+#include "gui/panels/fold_box.h"
 #include "gui/panels/lights_panel.h"
 #include "gui/panels/settings_panel.h"
 #include "gui/panels/value_box.h"
@@ -27,6 +28,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QSpinBox>
+#include <QToolButton>
 
 namespace {
 
@@ -166,6 +168,54 @@ TEST_F(PanelsTest, NumbersAndChoicesAreSetToo) {
     EXPECT_EQ(mode.currentData().toString(), QStringLiteral("fixed"));
     mode.setCurrentIndex(mode.findData(QStringLiteral("automatic")));
     EXPECT_TRUE(becomes("exposure.mode", "automatic"));
+}
+
+TEST_F(PanelsTest, ASettingGoesBackToItsDefaultByItself) {
+    open();
+    action(ActionId::SettingsPanel)->trigger();
+    QToolButton* back = settings().resetButton(QStringLiteral("maxDepth"));
+    ASSERT_NE(back, nullptr);
+    EXPECT_FALSE(back->isVisible()) << "nothing differs";
+    field<QSpinBox>("maxDepth").setValue(9);
+    ASSERT_TRUE(comes([&] { return back->isVisible(); }));
+    EXPECT_FALSE(back->accessibleName().isEmpty());
+    back->click();
+    EXPECT_TRUE(becomes("maxDepth", "5"));
+    EXPECT_TRUE(comes([&] { return !back->isVisible(); }));
+    EXPECT_TRUE(field<QSpinBox>("maxDepth").hasFocus()) << "the button that had it is gone";
+    EXPECT_FALSE(settings().resetButton(QStringLiteral("width"))->isVisible()) << "follows the window";
+    EXPECT_TRUE(settings().resetButton(QStringLiteral("exposure.mode"))->isVisible()) << "fixed by the scene";
+}
+
+TEST_F(PanelsTest, GroupsFoldUpByKeysAndStaySo) {
+    action(ActionId::SettingsPanel)->trigger();
+    FoldBox* exposure = settings().group(QStringLiteral("exposure"));
+    ASSERT_NE(exposure, nullptr);
+    ASSERT_NE(settings().group(QString()), nullptr);
+    QWidget* key = settings().editor(QStringLiteral("exposure.key"));
+    EXPECT_TRUE(comes([&] { return key->isVisible(); }));
+    EXPECT_NE(exposure->header().focusPolicy() & Qt::TabFocus, 0);
+    QTest::keyClick(&exposure->header(), Qt::Key_Left);
+    EXPECT_FALSE(key->isVisible());
+    EXPECT_TRUE(settings().editor(QStringLiteral("shadows"))->isVisible()) << "another group";
+    EXPECT_EQ(window->preferences().get(pref::foldedSettings), QStringList(QStringLiteral("exposure")));
+    QTest::keyClick(&exposure->header(), Qt::Key_Left);
+    EXPECT_FALSE(key->isVisible()) << "folded already";
+    MainWindow other(name());
+    EXPECT_TRUE(other.findChild<SettingsPanel*>()->group(QStringLiteral("exposure"))->folded());
+    QTest::keyClick(&exposure->header(), Qt::Key_Space);
+    EXPECT_TRUE(key->isVisible());
+    EXPECT_TRUE(window->preferences().get(pref::foldedSettings).isEmpty());
+}
+
+TEST_F(PanelsTest, AGroupTellsThatSomethingInsideDiffers) {
+    open();
+    FoldBox* exposure = settings().group(QStringLiteral("exposure"));
+    FoldBox* occlusion = settings().group(QStringLiteral("ambientOcclusion"));
+    EXPECT_TRUE(exposure->header().text().endsWith(QChar(u'•')));
+    EXPECT_FALSE(occlusion->header().text().endsWith(QChar(u'•')));
+    emit settings().defaultsWanted();
+    EXPECT_TRUE(comes([&] { return !exposure->header().text().endsWith(QChar(u'•')); }));
 }
 
 TEST_F(PanelsTest, AChangeBySomebodyElseShowsUp) {

@@ -6,18 +6,18 @@
 #include "gui/dialogs/recording_dialog.h"
 #include "gui/dialogs/start_server_dialog.h"
 #include "gui/models/action_table.h"
+#include "gui/models/bookmark_store.h"
 
 #include "gui/gui_support.h"
+#include "gui/translation_file.h"
 
 #include <QAbstractButton>
 #include <QCoreApplication>
-#include <QFile>
 #include <QLabel>
 #include <QRegularExpression>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTranslator>
-#include <QXmlStreamReader>
 
 #include <memory>
 
@@ -25,31 +25,6 @@ namespace {
 
 using namespace gui;
 using test::GuiTest;
-
-struct Message {
-    QString source, translation;
-    bool finished = false;
-};
-
-QList<Message> messages() {
-    QFile file(QStringLiteral(RT_TRANSLATION));
-    EXPECT_TRUE(file.open(QIODevice::ReadOnly));
-    QXmlStreamReader xml(&file);
-    QList<Message> all;
-    while (!xml.atEnd()) {
-        xml.readNext();
-        if (!xml.isStartElement()) continue;
-        if (xml.name() == QLatin1String("source")) {
-            all.append({xml.readElementText(), {}, false});
-        } else if (xml.name() == QLatin1String("translation")) {
-            all.last().finished = !xml.attributes().hasAttribute(QLatin1String("type"));
-            all.last().translation = xml.readElementText(QXmlStreamReader::IncludeChildElements);
-            while (all.last().translation.endsWith(QLatin1Char('\n'))) all.last().translation.chop(1);
-        }
-    }
-    EXPECT_FALSE(xml.hasError());
-    return all;
-}
 
 QStringList placeholders(const QString& text) {
     static const QRegularExpression number(QStringLiteral("%[0-9]"));
@@ -64,18 +39,23 @@ QChar mnemonic(const QString& text) {
     return mark < 0 || mark + 1 >= text.size() ? QChar() : text[mark + 1].toLower();
 }
 
-TEST(Translation, IsFinishedAndKeepsWhatIsFilledIn) {
-    const QList<Message> all = messages();
-    EXPECT_GT(all.size(), 200);
-    for (const Message& each : all) {
+void checkMessages(const QList<test::Message>& all) {
+    for (const test::Message& each : all) {
         const std::string where = each.source.toStdString();
         EXPECT_TRUE(each.finished) << where;
         EXPECT_FALSE(each.translation.isEmpty()) << where;
         EXPECT_EQ(placeholders(each.source), placeholders(each.translation)) << where;
         EXPECT_EQ(mnemonic(each.source).isNull(), mnemonic(each.translation).isNull()) << where;
-        for (const QChar end : {QChar(u':'), QChar(u'…'), QChar(u'.')})
+        for (const QChar end : {QChar(u':'), QChar(u'…'), QChar(u'.'), QChar(u']')})
             EXPECT_EQ(each.source.endsWith(end), each.translation.endsWith(end)) << where;
     }
+}
+
+TEST(Translation, IsFinishedAndKeepsWhatIsFilledIn) {
+    const QList<test::Message> window = test::messages(QStringLiteral(RT_TRANSLATIONS "/gui_cs.ts"));
+    EXPECT_GT(window.size(), 200);
+    checkMessages(window);
+    checkMessages(test::messages(QStringLiteral(RT_TRANSLATIONS "/tables_cs.ts")));
 }
 
 /// Parameter: the language.
@@ -150,6 +130,7 @@ TEST_P(LanguageTest, TextsAreFound) {
     EXPECT_EQ(actionText(actionRow(ActionId::Exit)),
               czech ? QStringLiteral("&Konec") : QStringLiteral("E&xit"));
     EXPECT_EQ(actionTitle(QStringLiteral("jump")), czech ? QStringLiteral("Skok") : QStringLiteral("Jump"));
+    EXPECT_EQ(BookmarkStore().freeName(), czech ? QStringLiteral("Místo 1") : QStringLiteral("Place 1"));
     ConnectDialog dialog(name());
     dialog.setAttribute(Qt::WA_DeleteOnClose, false);
     EXPECT_EQ(dialog.windowTitle(), czech ? QStringLiteral("Připojit") : QStringLiteral("Connect"));

@@ -17,6 +17,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace gui {
 
 namespace {
@@ -31,6 +33,17 @@ QString complaint(const app::ProgramSpec& spec, const QStringList& arguments) {
         return QString::fromUtf8(error.what());
     }
     return {};
+}
+
+// In one column with those of a form.
+void alignLabel(QLabel& label, const QFormLayout& with) {
+    int width = 0;
+    for (int row = 0; row < with.rowCount(); ++row) {
+        const QLayoutItem* item = with.itemAt(row, QFormLayout::LabelRole);
+        if (item != nullptr && with.isRowVisible(row))
+            width = std::max(width, item->widget()->sizeHint().width());
+    }
+    label.setMinimumWidth(width);
 }
 
 } // namespace
@@ -93,7 +106,9 @@ void JobDialog::addCommonParts(const QString& accept) {
                 this, [this] { adjustSize(); }, Qt::QueuedConnection);
     });
     auto* last = new QFormLayout;
-    last->addRow(tr("Comman&d:"), makeCommand());
+    QWidget* command = makeCommand();
+    last->addRow(tr("Comman&d:"), command);
+    commandLabel_ = qobject_cast<QLabel*>(last->labelForField(command));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     accept_ = buttons->addButton(accept, QDialogButtonBox::AcceptRole);
     column->addWidget(more);
@@ -117,6 +132,7 @@ QStringList JobDialog::arguments() const { return ownArguments() + further_->arg
 
 void JobDialog::check() {
     if (accept_ == nullptr) return;
+    alignLabel(*commandLabel_, form());
     const QStringList words = arguments();
     command_->setText(commandText(QString::fromStdString(spec_.name), words));
     command_->setCursorPosition(0);

@@ -51,7 +51,7 @@ class JobDialog : public QDialog {
     QFormLayout* form_;
     OptionFields* further_;
     QLineEdit* command_;
-    QLabel* trouble_;
+    QLabel *commandLabel_ = nullptr, *trouble_;
     QPushButton* accept_ = nullptr;
 };
 

@@ -25,11 +25,13 @@ namespace {
 constexpr int kPictureWide = 200, kPictureHigh = 120;
 
 // As large as it is needed: a picture of many megapixels is not unpacked as a whole where its format allows.
-QPixmap readSmall(const QString& file, const QSize& room) {
+QPixmap readSmall(const QString& file, const QSize& room, double ratio) {
     QImageReader reader(file);
     const QSize size = reader.size();
-    if (size.isValid()) reader.setScaledSize(size.scaled(room, Qt::KeepAspectRatio));
-    return QPixmap::fromImage(reader.read());
+    if (size.isValid()) reader.setScaledSize(size.scaled(room * ratio, Qt::KeepAspectRatio));
+    QPixmap small = QPixmap::fromImage(reader.read());
+    small.setDevicePixelRatio(ratio);
+    return small;
 }
 
 } // namespace
@@ -38,6 +40,7 @@ JobsPanel::JobsPanel(JobQueue& queue, QWidget* parent)
     : QWidget(parent), queue_(queue), table_(new QTreeView), picture_(new QLabel), message_(new QLabel),
       log_(new QPlainTextEdit) {
     makeTable();
+    setFocusProxy(table_);
     picture_->setFixedSize(kPictureWide, kPictureHigh);
     picture_->setAlignment(Qt::AlignCenter);
     picture_->setAccessibleName(tr("Result"));
@@ -207,7 +210,7 @@ void JobsPanel::showDetails() {
     detailed_ = job.id;
     over_ = done;
     const QString file = done ? resultFile(job.request.result) : QString();
-    const QPixmap small = file.isEmpty() ? QPixmap() : readSmall(file, picture_->size());
+    const QPixmap small = file.isEmpty() ? QPixmap() : readSmall(file, picture_->size(), devicePixelRatioF());
     picture_->setPixmap(small);
     picture_->setVisible(!small.isNull());
 }

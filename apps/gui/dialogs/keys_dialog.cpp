@@ -60,7 +60,7 @@ QString keysPage(const QList<Binding>& bindings) {
                             row(QStringLiteral("H"), tr("Export the camera for high quality")) +
                             row(QStringLiteral("R"), tr("Render in higher quality")) +
                             row(QStringLiteral("R+L"), tr("The same with anti-aliasing"));
-    return QStringLiteral("<table cellspacing=12 width=\"100%\"><tr><td>%1</td><td>%2%3</td></tr></table>")
+    return QStringLiteral("<table cellspacing=12 width=\"100%\"><tr><td>%1%2</td><td>%3</td></tr></table>")
         .arg(table(tr("Moving"), bindingRows(bindings)), table(tr("Picture"), picture),
              table(tr("Menus"), shortcutRows()));
 }
@@ -75,7 +75,7 @@ KeysDialog::KeysDialog(Session& session, QWidget* parent) : QDialog(parent), pag
     auto* column = new QVBoxLayout(this);
     column->addWidget(page_);
     column->addWidget(buttons);
-    constexpr QSize kSize(640, 700);
+    constexpr QSize kSize(760, 640);
     resize(kSize);
     if (!session.live()) return;
     session.send(QStringLiteral("bindings"), this, [this](const Answer& answer) {

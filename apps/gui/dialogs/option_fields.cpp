@@ -1,10 +1,10 @@
 #include "gui/dialogs/option_fields.h"
 
 #include "gui/dialogs/file_field.h"
+#include "gui/models/option_names.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -15,22 +15,6 @@
 namespace gui {
 
 namespace {
-
-QString translated(const std::string& text) {
-    return QCoreApplication::translate("ProgramOptions", text.c_str());
-}
-
-QString capitalised(QString text) {
-    if (!text.isEmpty()) text[0] = text[0].toUpper();
-    return text;
-}
-
-// "[40]" at the end of the help.
-QString defaultOf(const app::Option& option) {
-    const QString help = translated(option.help);
-    const qsizetype open = help.lastIndexOf(QLatin1Char('['));
-    return open >= 0 && help.endsWith(QLatin1Char(']')) ? help.mid(open + 1).chopped(1) : QString();
-}
 
 QString fileFilter(const app::Option& option) {
     QStringList names;
@@ -47,21 +31,6 @@ bool repeats(const app::Option& option) { return option.argument == "NAME=VALUE"
 
 } // namespace
 
-QString optionLabel(const app::Option& option) {
-    return capitalised(translated(option.name).replace(QLatin1Char('-'), QLatin1Char(' ')));
-}
-
-// As rich text, so that a long one is broken into lines.
-QString optionTip(const app::Option& option) {
-    return QStringLiteral("<qt>%1.<br><code>--%2</code></qt>")
-        .arg(capitalised(translated(option.help)).toHtmlEscaped(), QString::fromStdString(option.name));
-}
-
-QString optionTip(const app::ProgramSpec& spec, const char* name) {
-    const app::Option* option = spec.find(name);
-    return option == nullptr ? QString() : optionTip(*option);
-}
-
 OptionFields::OptionFields(const app::ProgramSpec& spec, const QStringList& without, QWidget* parent)
     : QWidget(parent) {
     auto* form = new QFormLayout(this);
@@ -70,7 +39,7 @@ OptionFields::OptionFields(const app::ProgramSpec& spec, const QStringList& with
         for (const app::Option& option : group.options) {
             if (option.answers || without.contains(QString::fromStdString(option.name))) continue;
             if (!std::exchange(titled, true))
-                form->addRow(new QLabel(QStringLiteral("<b>%1</b>").arg(translated(group.title))));
+                form->addRow(new QLabel(QStringLiteral("<b>%1</b>").arg(optionGroupTitle(group))));
             addField(*form, option);
         }
     }
@@ -100,7 +69,7 @@ QWidget* OptionFields::makeSwitch(const app::Option& option) {
 
 QWidget* OptionFields::makeChoice(const app::Option& option) {
     auto* box = new QComboBox;
-    const QString usual = defaultOf(option);
+    const QString usual = optionDefault(option);
     box->addItem(usual.isEmpty() ? tr("default") : tr("default (%1)").arg(usual));
     for (const std::string& choice : option.choices) box->addItem(QString::fromStdString(choice));
     fields_.append({option.name, [box] {
@@ -122,7 +91,7 @@ QWidget* OptionFields::makeFile(const app::Option& option) {
 // Types and ranges are checked where the command line is: by the same table.
 QWidget* OptionFields::makeLine(const app::Option& option) {
     auto* line = new QLineEdit;
-    const QString usual = defaultOf(option);
+    const QString usual = optionDefault(option);
     line->setPlaceholderText(usual.isEmpty() ? QString::fromStdString(option.argument) : usual);
     fields_.append({option.name, [line, several = repeats(option)] {
                         const QString text = line->text().trimmed();

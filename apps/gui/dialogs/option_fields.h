@@ -13,13 +13,6 @@ class QFormLayout;
 
 namespace gui {
 
-/// What an option is called in a form: "crease-angle" is "Crease angle".
-QString optionLabel(const app::Option& option);
-/// Its help, as a sentence for a tooltip.
-QString optionTip(const app::Option& option);
-/// The tooltip of an option that has a field of its own; empty when the table has no such option.
-QString optionTip(const app::ProgramSpec& spec, const char* name);
-
 class OptionFields : public QWidget {
     Q_OBJECT
 

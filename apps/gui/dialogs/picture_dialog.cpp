@@ -1,37 +1,137 @@
 #include "gui/dialogs/picture_dialog.h"
 
+#include "gui/view/picture_view.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QDesktopServices>
+#include <QFile>
+#include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
-#include <QPainter>
+#include <QHBoxLayout>
+#include <QImageWriter>
+#include <QLabel>
+#include <QMessageBox>
+#include <QSaveFile>
 #include <QScreen>
+#include <QToolButton>
+#include <QUrl>
+#include <QVBoxLayout>
 
 namespace gui {
 
-PictureDialog::PictureDialog(const QString& file, QWidget* parent) : QDialog(parent), picture_(file) {
+namespace {
+
+constexpr double kZoomStep = 1.25;
+
+QString extensionOf(const QString& path) { return QFileInfo(path).suffix().toLower(); }
+
+} // namespace
+
+PictureDialog::PictureDialog(const QString& file, QWidget* parent)
+    : QDialog(parent), file_(file), picture_(file), view_(new PictureView), state_(new QLabel) {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowFlag(Qt::WindowMaximizeButtonHint);
-    setWindowTitle(
-        tr("%1 – %2 × %3").arg(QFileInfo(file).fileName()).arg(picture_.width()).arg(picture_.height()));
-    setAccessibleName(tr("Picture %1").arg(QFileInfo(file).fileName()));
-    const QSize most = QGuiApplication::primaryScreen()->availableSize() * 3 / 4;
-    QSize size = picture_.size() / devicePixelRatio();
-    if (size.width() > most.width() || size.height() > most.height()) size.scale(most, Qt::KeepAspectRatio);
-    constexpr QSize kLeast(200, 150);
-    resize(size.expandedTo(kLeast));
+    setWindowTitle(QFileInfo(file).fileName());
+    view_->setAccessibleName(tr("Picture %1").arg(QFileInfo(file).fileName()));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(view_, 1);
+    column->addWidget(makeButtons());
+    connect(view_, &PictureView::zoomChanged, this, &PictureDialog::showState);
+    chooseSize();
+    view_->setPicture(picture_);
+    view_->setFocus();
 }
 
-void PictureDialog::paintEvent(QPaintEvent*) {
-    QPainter painter(this);
-    painter.fillRect(rect(), palette().color(QPalette::Base));
-    if (picture_.isNull()) {
-        painter.drawText(rect(), Qt::AlignCenter, tr("This picture cannot be shown here."));
-        return;
+// As large as the picture, as far as the screen has room.
+void PictureDialog::chooseSize() {
+    const QScreen* screen =
+        parentWidget() != nullptr ? parentWidget()->screen() : QGuiApplication::primaryScreen();
+    const QSize most = screen->availableSize() * 4 / 5;
+    const QSize foot(0, layout()->itemAt(1)->sizeHint().height());
+    QSize size = picture_.size() / devicePixelRatioF();
+    if (!QRect(QPoint(), most - foot).contains(QRect(QPoint(), size)))
+        size.scale(most - foot, Qt::KeepAspectRatio);
+    resize((size + foot).expandedTo(QSize(minimumSizeHint().width(), 240)));
+}
+
+template <typename Act>
+void PictureDialog::addButton(QHBoxLayout& row, const QString& text, const QString& tip,
+                              const QList<QKeySequence>& keys, Act act) {
+    auto* action = new QAction(text, this);
+    action->setShortcuts(keys);
+    action->setToolTip(
+        keys.isEmpty() ? tip
+                       : QStringLiteral("%1 (%2)").arg(tip, keys.first().toString(QKeySequence::NativeText)));
+    connect(action, &QAction::triggered, this, act);
+    auto* button = new QToolButton;
+    button->setDefaultAction(action);
+    button->setAccessibleName(tip);
+    button->setFocusPolicy(Qt::TabFocus);
+    row.addWidget(button);
+}
+
+QWidget* PictureDialog::makeButtons() {
+    auto* foot = new QWidget;
+    auto* row = new QHBoxLayout(foot);
+    const auto zoomBy = [this](double factor) {
+        return [this, factor] { view_->setZoom(view_->zoom() * factor); };
+    };
+    addButton(*row, tr("Fit"), tr("All of the picture"), {Qt::Key_0}, [this] { view_->fit(); });
+    addButton(*row, tr("1:1"), tr("A pixel for a pixel"), {Qt::Key_1}, [this] { view_->setZoom(1); });
+    addButton(*row, QStringLiteral("−"), tr("Smaller"), {Qt::Key_Minus}, zoomBy(1 / kZoomStep));
+    addButton(*row, QStringLiteral("+"), tr("Larger"), {Qt::Key_Plus, Qt::Key_Equal}, zoomBy(kZoomStep));
+    row->addSpacing(6);
+    row->addWidget(state_, 1);
+    addButton(*row, tr("Copy"), tr("Copy the picture"), {QKeySequence::Copy},
+              [this] { QGuiApplication::clipboard()->setImage(picture_); });
+    addButton(*row, tr("Save as…"), tr("Save a copy of the picture"), {QKeySequence::Save},
+              [this] { saveAs(); });
+    addButton(*row, tr("Open folder"), tr("Open the folder of the picture"), {},
+              [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(file_).absolutePath())); });
+    return foot;
+}
+
+void PictureDialog::showState() {
+    constexpr double kPercent = 100;
+    state_->setText(tr("%1 × %2, shown at %3 %")
+                        .arg(picture_.width())
+                        .arg(picture_.height())
+                        .arg(qRound(view_->zoom() * kPercent)));
+}
+
+QString PictureDialog::saveTo(const QString& path) const {
+    if (QFileInfo(path) == QFileInfo(file_)) return {};
+    QSaveFile out(path);
+    if (!out.open(QIODevice::WriteOnly)) return out.errorString();
+    if (extensionOf(path) == extensionOf(file_)) {
+        QFile in(file_);
+        if (!in.open(QIODevice::ReadOnly)) return in.errorString();
+        out.write(in.readAll());
+    } else {
+        QImageWriter writer(&out, extensionOf(path).toLatin1());
+        if (!writer.write(picture_)) return writer.errorString();
     }
-    const QSize size = picture_.size().scaled(this->size(), Qt::KeepAspectRatio);
-    QRect place(QPoint(), size);
-    place.moveCenter(rect().center());
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(place, picture_);
+    return out.commit() ? QString() : out.errorString();
+}
+
+void PictureDialog::saveAs() {
+    auto* dialog = new QFileDialog(this, tr("Save picture"), file_, tr("Pictures (*.png *.jpg *.bmp *.ppm)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->selectFile(file_);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
+        const QString trouble = saveTo(path);
+        if (trouble.isEmpty()) return;
+        auto* box = new QMessageBox(QMessageBox::Warning, tr("Save picture"),
+                                    tr("%1 was not written: %2").arg(path, trouble), QMessageBox::Ok, this);
+        box->setAttribute(Qt::WA_DeleteOnClose);
+        box->open();
+    });
+    dialog->open();
 }
 
 } // namespace gui

@@ -1,10 +1,15 @@
-/// A picture from a file, as large as the window allows.
+/// A picture from a file in a window of its own, to look at, to copy, and to save elsewhere.
 #pragma once
 
 #include <QDialog>
 #include <QImage>
 
+class QHBoxLayout;
+class QLabel;
+
 namespace gui {
+
+class PictureView;
 
 class PictureDialog : public QDialog {
     Q_OBJECT
@@ -12,12 +17,24 @@ class PictureDialog : public QDialog {
   public:
     explicit PictureDialog(const QString& file, QWidget* parent = nullptr);
     bool readable() const { return !picture_.isNull(); }
-
-  protected:
-    void paintEvent(QPaintEvent* event) override;
+    PictureView& view() { return *view_; }
+    /// The file as it is, or in the format of another extension. What went wrong, or nothing; then nothing is
+    /// half-written.
+    QString saveTo(const QString& path) const;
 
   private:
+    QWidget* makeButtons();
+    template <typename Act>
+    void addButton(QHBoxLayout& row, const QString& text, const QString& tip, const QList<QKeySequence>& keys,
+                   Act act);
+    void chooseSize();
+    void showState();
+    void saveAs();
+
+    QString file_;
     QImage picture_;
+    PictureView* view_;
+    QLabel* state_;
 };
 
 } // namespace gui

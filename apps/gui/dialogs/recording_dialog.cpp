@@ -24,15 +24,16 @@ RecordingDialog::RecordingDialog(Session& session, const QString& folder, QWidge
     buttons->addButton(button_, QDialogButtonBox::ActionRole);
     buttons->addButton(film_, QDialogButtonBox::ActionRole);
     connect(film_, &QPushButton::clicked, this, [this] { emit filmWanted(recorded_); });
-    auto* hint =
-        new QLabel(tr("The camera and the exposure of every frame are written while you move: .cam files "
-                      "and their list, which the Renderer makes a film of."));
+    auto* hint = new QLabel(tr("From Start to Stop the camera, the exposure and the lights are written 30 "
+                               "times a second: .cam files "
+                               "and their list, which the Renderer makes a film of."));
     hint->setWordWrap(true);
     auto* form = new QFormLayout(this);
     form->addRow(hint);
     form->addRow(tr("&Path:"), path_);
     form->addRow(state_);
     form->addRow(buttons);
+    button_->setDefault(true); // once it belongs to the dialog
     connect(button_, &QPushButton::clicked, this, &RecordingDialog::toggle);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     connect(&session_, &Session::statusChanged, this, &RecordingDialog::refresh);

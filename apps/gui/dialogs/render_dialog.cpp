@@ -2,7 +2,7 @@
 
 #include "gui/dialogs/fields.h"
 #include "gui/dialogs/file_field.h"
-#include "gui/dialogs/option_fields.h"
+#include "gui/models/option_names.h"
 #include "gui/processes/programs.h"
 
 #include "renderer/film_format.h"

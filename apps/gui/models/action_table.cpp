@@ -33,7 +33,7 @@ constexpr ActionRow kRows[]{
     ActionRow{ActionId::ExportCamera, MenuId::Action, TEXT("&Export camera…"),
               TEXT("Write the camera to a .cam file"), "Ctrl+E", NeedsServer},
     ActionRow{ActionId::Recording, MenuId::Action, TEXT("&Recording…"),
-              TEXT("Record the camera of every frame"), "Ctrl+Shift+R", NeedsServer},
+              TEXT("Record the camera, 30 times a second"), "Ctrl+Shift+R", NeedsServer},
     ActionRow{ActionId::QuickRender, MenuId::Action, TEXT("&Quick render"),
               TEXT("Show the present view in higher quality"), "Ctrl+R", NeedsServer},
     ActionRow{ActionId::Render, MenuId::Action, TEXT("Re&nder…"),

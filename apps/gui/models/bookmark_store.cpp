@@ -1,7 +1,6 @@
 #include "gui/models/bookmark_store.h"
 
 #include <QBuffer>
-#include <QCoreApplication>
 #include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
@@ -18,8 +17,6 @@ namespace {
 constexpr qsizetype kLongestName = 60;
 constexpr int kHashDigits = 12;
 
-QString tr(const char* text) { return QCoreApplication::translate("Bookmarks", text); }
-
 // "03 Altar": 3. A file that somebody put there without a number comes last.
 int numberOf(const QString& file) {
     bool good = false;
@@ -34,7 +31,7 @@ QString nameOf(const QString& file) {
 QString save(const QString& path, const QByteArray& bytes) {
     QSaveFile file(path);
     const bool done = file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit();
-    return done ? QString() : tr("%1 cannot be written: %2").arg(path, file.errorString());
+    return done ? QString() : BookmarkStore::tr("%1 cannot be written: %2").arg(path, file.errorString());
 }
 
 QByteArray load(const QString& path) {

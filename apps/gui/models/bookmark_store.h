@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QByteArray>
+#include <QCoreApplication>
 #include <QImage>
 #include <QList>
 #include <QString>
@@ -24,6 +25,8 @@ struct BookmarkFiles {
 /// One thread. Files are written whole or not at all. Functions that change something return what went wrong,
 /// in words for the user; empty: nothing.
 class BookmarkStore {
+    Q_DECLARE_TR_FUNCTIONS(gui::BookmarkStore)
+
   public:
     /// `folder`: where the folders of all scenes are.
     explicit BookmarkStore(QString folder = usualFolder());

@@ -44,6 +44,7 @@ inline const Preference<int> exportBloom{"export/bloom", 0};
 inline const Preference<QSize> highQualitySize{"export/highQualitySize", QSize(1920, 1080)};
 inline const Preference<int> highQualityAntialiasing{"export/highQualityAntialiasing", 4};
 inline const Preference<int> highQualityBloom{"export/highQualityBloom", 0};
+inline const Preference<QStringList> foldedSettings{"window/foldedSettings", QStringList()}; ///< groups
 inline const Preference<QByteArray> geometry{"window/geometry", QByteArray()};
 inline const Preference<QByteArray> windowState{"window/state", QByteArray()};
 } // namespace pref

@@ -6,6 +6,10 @@
 
 namespace gui {
 
+bool isPictureSize(const QString& setting) {
+    return setting == QLatin1String("width") || setting == QLatin1String("height");
+}
+
 QMap<QString, QString> readSettings(const QString& answer) {
     QMap<QString, QString> settings;
     for (const QString& line : answer.split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {

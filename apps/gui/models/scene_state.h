@@ -20,6 +20,9 @@ struct SceneState {
     friend bool operator==(const SceneState&, const SceneState&) = default;
 };
 
+/// Width or height, which follow the window and have no usual value.
+bool isPictureSize(const QString& setting);
+
 /// The answer to `settings`; lines of another form are left out.
 QMap<QString, QString> readSettings(const QString& answer);
 /// The answer to `lights` (on) or `environments` (active): "N STATE [NAME]" a line.

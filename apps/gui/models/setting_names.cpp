@@ -1,40 +1,28 @@
 #include "gui/models/setting_names.h"
 
+#include "rtcore/settings/settings_table.h"
+
 #include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <iterator>
 
 namespace gui {
 
 namespace {
 
-// For translators; whatever is not here is shown as it is derived from the table of settings.
-[[maybe_unused]] constexpr const char* kKnown[] = {
-    QT_TRANSLATE_NOOP("Settings", "Picture"),
-    QT_TRANSLATE_NOOP("Settings", "Width"),
-    QT_TRANSLATE_NOOP("Settings", "Height"),
-    QT_TRANSLATE_NOOP("Settings", "Antialiasing"),
-    QT_TRANSLATE_NOOP("Settings", "Shadows"),
-    QT_TRANSLATE_NOOP("Settings", "Reflections"),
-    QT_TRANSLATE_NOOP("Settings", "Refractions"),
-    QT_TRANSLATE_NOOP("Settings", "Textures"),
-    QT_TRANSLATE_NOOP("Settings", "Max depth"),
-    QT_TRANSLATE_NOOP("Settings", "Min contribution"),
-    QT_TRANSLATE_NOOP("Settings", "Ambient occlusion"),
-    QT_TRANSLATE_NOOP("Settings", "On"),
-    QT_TRANSLATE_NOOP("Settings", "Samples"),
-    QT_TRANSLATE_NOOP("Settings", "Distance"),
-    QT_TRANSLATE_NOOP("Settings", "Bloom"),
-    QT_TRANSLATE_NOOP("Settings", "Exposure"),
-    QT_TRANSLATE_NOOP("Settings", "Mode"),
-    QT_TRANSLATE_NOOP("Settings", "Value"),
-    QT_TRANSLATE_NOOP("Settings", "Key"),
-    QT_TRANSLATE_NOOP("Settings", "Tone mapping"),
-    QT_TRANSLATE_NOOP("Settings", "Dithering"),
-    QT_TRANSLATE_NOOP("Settings", "Environment filter"),
-    QT_TRANSLATE_NOOP("Settings", "pixels"),
-    QT_TRANSLATE_NOOP("Settings", "bounces"),
-    QT_TRANSLATE_NOOP("Settings", "rays"),
-    QT_TRANSLATE_NOOP("Settings", "scene units"),
-    QT_TRANSLATE_NOOP("Settings", "radiance"),
+using rtcore::Setting;
+using rtcore::SettingType;
+
+/// Where settings without a dot stand that belong together; those that are not here are in the general group.
+struct Place {
+    std::string_view setting, group;
+};
+constexpr Place kPlaces[] = {
+    {"shadows", "rays"},  {"reflections", "rays"},     {"refractions", "rays"}, {"textures", "rays"},
+    {"maxDepth", "rays"}, {"minContribution", "rays"}, {"lampSamples", "rays"}, {"environmentFilter", "rays"},
+    {"bloom", "bloom"},   {"bloomKernel", "bloom"},    {"bloomShare", "bloom"}, {"toneMapping", "exposure"},
 };
 
 QString translated(const QString& text) {
@@ -55,20 +43,81 @@ QString words(const QString& name) {
     return text;
 }
 
+// The texts as they are looked up.
+QString groupText(std::string_view name) {
+    const QString key = settingGroupKey(name);
+    return key.isEmpty() ? QStringLiteral("Picture") : words(key);
+}
+QString labelText(std::string_view name) {
+    const std::size_t dot = name.rfind('.');
+    return words(fromView(dot == std::string_view::npos ? name : name.substr(dot + 1)));
+}
+
+QString number(double value) {
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale.toString(value, 'g', QLocale::FloatingPointShortest);
+}
+
+QString rangeText(const Setting& setting) {
+    if (setting.type != SettingType::Integer && setting.type != SettingType::Number) return {};
+    const QString least = number(setting.minimum);
+    if (setting.maximum >= rtcore::kUnlimited)
+        return QCoreApplication::translate("gui", "at least %1").arg(least);
+    return QCoreApplication::translate("gui", "%1 to %2").arg(least, number(setting.maximum));
+}
+
 } // namespace
 
-QString settingGroup(std::string_view name) {
+QString settingGroupKey(std::string_view name) {
     const std::size_t dot = name.find('.');
-    return translated(dot == std::string_view::npos ? QStringLiteral("Picture")
-                                                    : words(fromView(name.substr(0, dot))));
+    if (dot != std::string_view::npos) return fromView(name.substr(0, dot));
+    const auto* place = std::find_if(std::begin(kPlaces), std::end(kPlaces),
+                                     [&](const Place& each) { return each.setting == name; });
+    return place == std::end(kPlaces) ? QString() : fromView(place->group);
 }
 
-QString settingLabel(std::string_view name) {
-    const std::size_t dot = name.rfind('.');
-    return translated(words(fromView(dot == std::string_view::npos ? name : name.substr(dot + 1))));
-}
-
+QString settingGroup(std::string_view name) { return translated(groupText(name)); }
+QString settingLabel(std::string_view name) { return translated(labelText(name)); }
 QString settingUnit(std::string_view unit) { return unit.empty() ? QString() : translated(fromView(unit)); }
 QString settingHelp(std::string_view help) { return translated(fromView(help)); }
+
+QString settingTip(const Setting& setting) {
+    QString help = settingHelp(setting.help);
+    if (!help.isEmpty()) help[0] = help[0].toUpper();
+    const QString range = rangeText(setting);
+    const QString usual = QString::fromStdString(rtcore::settingText(setting.defaultValue));
+    const QString facts =
+        QCoreApplication::translate("gui", "default: %1").arg(settingValueText(setting, usual));
+    return QStringLiteral("<qt>%1.<br><code>%2</code>; %3</qt>")
+        .arg(help.toHtmlEscaped(), fromView(setting.name),
+             range.isEmpty() ? facts : range + QStringLiteral("; ") + facts);
+}
+
+QString settingValueText(const Setting& setting, const QString& value) {
+    switch (setting.type) {
+    case SettingType::Boolean:
+        return value == QLatin1String("true") ? QCoreApplication::translate("gui", "on")
+                                              : QCoreApplication::translate("gui", "off");
+    case SettingType::Choice:
+        return settingLabel(value.toStdString());
+    case SettingType::Integer:
+    case SettingType::Number:
+        break;
+    }
+    const QString shown = number(value.toDouble());
+    return setting.unit.empty() ? shown : shown + QLatin1Char(' ') + settingUnit(setting.unit);
+}
+
+QStringList settingTexts() {
+    QStringList texts;
+    for (const Setting& setting : rtcore::settingsTable()) {
+        texts << groupText(setting.name) << labelText(setting.name) << fromView(setting.help);
+        if (!setting.unit.empty()) texts << fromView(setting.unit);
+        for (const std::string_view choice : setting.choices) texts << labelText(choice);
+    }
+    texts.removeDuplicates();
+    return texts;
+}
 
 } // namespace gui

@@ -1,19 +1,33 @@
-/// What the settings are called in the window. A setting that is added to the core gets a name by itself;
-/// the ones known here are translated, too.
+/// What the settings are called in the window. A setting that is added to the core gets its texts by itself,
+/// in English until translations/tables_cs.ts has them.
 #pragma once
 
 #include <QString>
+#include <QStringList>
 
 #include <string_view>
 
+namespace rtcore {
+struct Setting;
+}
+
 namespace gui {
 
-/// "ambientOcclusion.samples": the part before the dot, as "Ambient occlusion"; of a setting without a dot
-/// the general group.
+/// "ambientOcclusion.samples" is in the group "ambientOcclusion"; a setting without a dot is where it belongs
+/// by its meaning, or in the general group, which is "".
+QString settingGroupKey(std::string_view name);
+/// That group as it is called: "Ambient occlusion"; the general one: "Picture".
 QString settingGroup(std::string_view name);
-/// The part behind the dot, or all of it: "maxDepth" is "Max depth".
+/// The part behind the dot, or all of it: "maxDepth" is "Max depth". Of choices, too.
 QString settingLabel(std::string_view name);
 QString settingUnit(std::string_view unit);
 QString settingHelp(std::string_view help);
+/// Help, name, range and default, in rich text.
+QString settingTip(const rtcore::Setting& setting);
+/// A value as it is shown: with the unit, or a choice by its label.
+QString settingValueText(const rtcore::Setting& setting, const QString& value);
+
+/// All that is translated of the table of settings, in English; the context is "Settings".
+QStringList settingTexts();
 
 } // namespace gui

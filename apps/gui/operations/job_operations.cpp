@@ -20,6 +20,7 @@
 #include <QMainWindow>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QShortcut>
 #include <QUrl>
 
 namespace gui {
@@ -41,7 +42,12 @@ void JobOperations::makeDock() {
     dock_->hide();
     if (window != nullptr) window->addDockWidget(Qt::BottomDockWidgetArea, dock_);
     QAction* action = desk_.actions[ActionId::Jobs];
-    desk_.actions.onToggle(ActionId::Jobs, [this](bool on) { dock_->setVisible(on); });
+    desk_.actions.onToggle(ActionId::Jobs, [this](bool on) {
+        dock_->setVisible(on);
+        if (on) panel_->setFocus(Qt::ShortcutFocusReason);
+    });
+    auto* back = new QShortcut(Qt::Key_Escape, dock_, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
+    connect(back, &QShortcut::activated, &desk_.view, qOverload<>(&QWidget::setFocus));
     connect(dock_, &QDockWidget::visibilityChanged, action,
             [this, action] { action->setChecked(!dock_->isHidden()); });
 }

@@ -1,5 +1,6 @@
 #include "gui/operations/panel_operations.h"
 
+#include "gui/models/preferences.h"
 #include "gui/operations/actions.h"
 #include "gui/operations/scene_editor.h"
 #include "gui/panels/lights_panel.h"
@@ -73,6 +74,9 @@ void PanelOperations::addSettings() {
             [panel, &editor] { panel->show(editor.state().settings); });
     connect(panel, &SettingsPanel::edited, &editor, &SceneEditor::setSetting);
     connect(panel, &SettingsPanel::defaultsWanted, &editor, &SceneEditor::setDefaults);
+    panel->setFolded(desk_.preferences.get(pref::foldedSettings));
+    connect(panel, &SettingsPanel::foldedChanged, this,
+            [this](const QStringList& folded) { desk_.preferences.set(pref::foldedSettings, folded); });
 }
 
 void PanelOperations::addLights() {

@@ -162,7 +162,7 @@ void SceneEditor::setDefaults() {
     SceneState to = state_;
     for (const rtcore::Setting& setting : rtcore::settingsTable()) {
         const QString name = QString::fromStdString(std::string(setting.name));
-        if (setting.name == "width" || setting.name == "height" || !to.settings.contains(name)) continue;
+        if (isPictureSize(name) || !to.settings.contains(name)) continue;
         to.settings[name] = QString::fromStdString(rtcore::settingText(setting.defaultValue));
     }
     change(to, tr("defaults"));

@@ -1,6 +1,8 @@
 #include "gui/panels/settings_panel.h"
 
+#include "gui/models/scene_state.h"
 #include "gui/models/setting_names.h"
+#include "gui/panels/fold_box.h"
 #include "gui/panels/value_box.h"
 
 #include "rtcore/settings/settings_table.h"
@@ -8,15 +10,17 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
-#include <QGroupBox>
+#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QSet>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -64,11 +68,13 @@ void alignLabels(QWidget& column) {
 SettingsPanel::SettingsPanel(QWidget* parent) : QWidget(parent), defaults_(new QPushButton(tr("&Defaults"))) {
     auto* column = new QWidget;
     auto* groups = new QVBoxLayout(column);
+    groups->setSpacing(2);
     QHash<QString, QFormLayout*> forms;
     for (const Setting& setting : rtcore::settingsTable()) {
-        QFormLayout*& form = forms[settingGroup(setting.name)];
-        if (form == nullptr) form = addGroup(settingGroup(setting.name), *column);
-        addSetting(setting, *form);
+        const QString key = settingGroupKey(setting.name);
+        QFormLayout*& form = forms[key];
+        if (form == nullptr) form = addGroup(key, settingGroup(setting.name), *column);
+        addSetting(setting, key, *form);
     }
     alignLabels(*column);
     groups->addStretch(1);
@@ -92,30 +98,69 @@ SettingsPanel::SettingsPanel(QWidget* parent) : QWidget(parent), defaults_(new Q
     show({});
 }
 
-QFormLayout* SettingsPanel::addGroup(const QString& title, QWidget& column) {
-    auto* group = new QGroupBox(title);
-    column.layout()->addWidget(group);
-    auto* form = new QFormLayout(group);
+QFormLayout* SettingsPanel::addGroup(const QString& key, const QString& title, QWidget& column) {
+    auto* fields = new QWidget;
+    auto* form = new QFormLayout(fields);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    auto* group = new FoldBox(title, fields);
+    column.layout()->addWidget(group);
+    groups_.insert(key, group);
+    connect(group, &FoldBox::foldedChanged, this, [this] { emit foldedChanged(folded()); });
     return form;
 }
 
-void SettingsPanel::addSetting(const Setting& setting, QFormLayout& form) {
+QStringList SettingsPanel::folded() const {
+    QStringList keys;
+    for (auto group = groups_.begin(); group != groups_.end(); ++group) {
+        if ((*group)->folded()) keys.append(group.key());
+    }
+    keys.sort();
+    return keys;
+}
+
+void SettingsPanel::setFolded(const QStringList& keys) {
+    for (auto group = groups_.begin(); group != groups_.end(); ++group)
+        (*group)->setFolded(keys.contains(group.key()));
+}
+
+void SettingsPanel::addSetting(const Setting& setting, const QString& group, QFormLayout& form) {
     QWidget* editor = makeEditor(setting);
-    const QString label = settingLabel(setting.name), help = settingHelp(setting.help);
+    const QString usual = QString::fromStdString(rtcore::settingText(setting.defaultValue));
     editor->setObjectName(text(setting.name));
     editor->setAccessibleName(fullName(setting));
-    editor->setAccessibleDescription(help);
-    editor->setToolTip(help);
+    editor->setAccessibleDescription(settingHelp(setting.help));
+    editor->setToolTip(settingTip(setting));
     editor->setFocusPolicy(Qt::StrongFocus);
     editor->installEventFilter(this);
     if (auto* line = editor->findChild<QLineEdit*>()) line->installEventFilter(this);
-    editors_.insert(text(setting.name), editor);
-    if (setting.type == SettingType::Boolean) return form.addRow(editor);
-    auto* sign = new QLabel(label + QLatin1Char(':'));
-    sign->setToolTip(help);
+    QToolButton* reset = makeReset(setting, usual);
+    rows_.insert(text(setting.name), {editor, reset, group, usual});
+    auto* field = new QHBoxLayout;
+    field->setSpacing(2);
+    field->addWidget(editor, 1);
+    field->addWidget(reset);
+    if (setting.type == SettingType::Boolean) return form.addRow(field);
+    auto* sign = new QLabel(settingLabel(setting.name) + QLatin1Char(':'));
+    sign->setToolTip(editor->toolTip());
     sign->setBuddy(editor);
-    form.addRow(sign, editor);
+    form.addRow(sign, field);
+}
+
+QToolButton* SettingsPanel::makeReset(const Setting& setting, const QString& usual) {
+    auto* button = new QToolButton;
+    button->setText(QStringLiteral("↺"));
+    button->setAutoRaise(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setAccessibleName(tr("Default of %1").arg(fullName(setting)));
+    button->setToolTip(tr("Back to the default: %1").arg(settingValueText(setting, usual)));
+    QSizePolicy policy = button->sizePolicy();
+    policy.setRetainSizeWhenHidden(true); // fields keep their width
+    button->setSizePolicy(policy);
+    connect(button, &QToolButton::clicked, this, [this, name = text(setting.name), usual] {
+        editor(name)->setFocus(); // the button is about to hide
+        emit edited(name, usual);
+    });
+    return button;
 }
 
 QWidget* SettingsPanel::makeEditor(const Setting& setting) {
@@ -153,11 +198,18 @@ QWidget* SettingsPanel::makeEditor(const Setting& setting) {
 }
 
 void SettingsPanel::show(const QMap<QString, QString>& values) {
-    for (auto editor = editors_.begin(); editor != editors_.end(); ++editor) {
-        const auto value = values.constFind(editor.key());
-        editor.value()->setEnabled(value != values.constEnd());
-        if (value != values.constEnd()) showValue(*editor.value(), *value);
+    QSet<QString> changed;
+    for (auto row = rows_.begin(); row != rows_.end(); ++row) {
+        const auto value = values.constFind(row.key());
+        const bool known = value != values.constEnd();
+        row->editor->setEnabled(known);
+        if (known) showValue(*row->editor, *value);
+        const bool differs = known && *value != row->usual && !isPictureSize(row.key());
+        row->reset->setVisible(differs);
+        if (differs) changed.insert(row->group);
     }
+    for (auto group = groups_.begin(); group != groups_.end(); ++group)
+        (*group)->setMarked(changed.contains(group.key()));
     defaults_->setEnabled(!values.isEmpty());
 }
 

@@ -104,117 +104,6 @@
     </message>
 </context>
 <context>
-    <name>Settings</name>
-    <message>
-        <source>Picture</source>
-        <translation>Obraz</translation>
-    </message>
-    <message>
-        <source>Width</source>
-        <translation>Šířka</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Výška</translation>
-    </message>
-    <message>
-        <source>Antialiasing</source>
-        <translation>Vyhlazování hran</translation>
-    </message>
-    <message>
-        <source>Shadows</source>
-        <translation>Stíny</translation>
-    </message>
-    <message>
-        <source>Reflections</source>
-        <translation>Odrazy</translation>
-    </message>
-    <message>
-        <source>Refractions</source>
-        <translation>Lomy světla</translation>
-    </message>
-    <message>
-        <source>Textures</source>
-        <translation>Textury</translation>
-    </message>
-    <message>
-        <source>Max depth</source>
-        <translation>Největší hloubka</translation>
-    </message>
-    <message>
-        <source>Min contribution</source>
-        <translation>Nejmenší příspěvek</translation>
-    </message>
-    <message>
-        <source>Ambient occlusion</source>
-        <translation>Zastínění okolím</translation>
-    </message>
-    <message>
-        <source>On</source>
-        <translation>Zapnuto</translation>
-    </message>
-    <message>
-        <source>Samples</source>
-        <translation>Vzorky</translation>
-    </message>
-    <message>
-        <source>Distance</source>
-        <translation>Vzdálenost</translation>
-    </message>
-    <message>
-        <source>Bloom</source>
-        <translation>Záře</translation>
-    </message>
-    <message>
-        <source>Exposure</source>
-        <translation>Expozice</translation>
-    </message>
-    <message>
-        <source>Mode</source>
-        <translation>Režim</translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation>Hodnota</translation>
-    </message>
-    <message>
-        <source>Key</source>
-        <translation>Klíč</translation>
-    </message>
-    <message>
-        <source>Tone mapping</source>
-        <translation>Mapování tónů</translation>
-    </message>
-    <message>
-        <source>Dithering</source>
-        <translation>Rozptyl</translation>
-    </message>
-    <message>
-        <source>Environment filter</source>
-        <translation>Filtr prostředí</translation>
-    </message>
-    <message>
-        <source>pixels</source>
-        <translation>bodů</translation>
-    </message>
-    <message>
-        <source>bounces</source>
-        <translation>odrazů</translation>
-    </message>
-    <message>
-        <source>rays</source>
-        <translation>paprsků</translation>
-    </message>
-    <message>
-        <source>scene units</source>
-        <translation>jednotek scény</translation>
-    </message>
-    <message>
-        <source>radiance</source>
-        <translation>zář</translation>
-    </message>
-</context>
-<context>
     <name>gui</name>
     <message>
         <source>Click, Enter</source>
@@ -401,10 +290,6 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
     <message>
         <source>&amp;Recording…</source>
         <translation>&amp;Záznam…</translation>
-    </message>
-    <message>
-        <source>Record the camera of every frame</source>
-        <translation>Zaznamenat kameru každého snímku</translation>
     </message>
     <message>
         <source>&amp;Quick render</source>
@@ -667,8 +552,28 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
         <translation>Uchované pohledy</translation>
     </message>
     <message>
-        <source>%1 cannot be written: %2</source>
-        <translation>Soubor %1 nelze zapsat: %2</translation>
+        <source>Record the camera, 30 times a second</source>
+        <translation>Zaznamenávat kameru, 30krát za sekundu</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>nejméně %1</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 až %2</translation>
+    </message>
+    <message>
+        <source>default: %1</source>
+        <translation>výchozí: %1</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>zapnuto</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>vypnuto</translation>
     </message>
 </context>
 <context>
@@ -822,7 +727,7 @@ Alt+%2</translation>
     </message>
     <message>
         <source>none</source>
-        <translation>žádná</translation>
+        <translation>žádný</translation>
     </message>
     <message>
         <source> bands</source>
@@ -1189,6 +1094,13 @@ Alt+%2</translation>
     <message>
         <source>Browse: %1</source>
         <translation>Procházet: %1</translation>
+    </message>
+</context>
+<context>
+    <name>gui::FoldBox</name>
+    <message>
+        <source>Some of these differ from their defaults</source>
+        <translation>Něco z toho se liší od výchozího nastavení</translation>
     </message>
 </context>
 <context>
@@ -1602,16 +1514,72 @@ Alt+%2</translation>
 <context>
     <name>gui::PictureDialog</name>
     <message>
-        <source>%1 – %2 × %3</source>
-        <translation>%1 – %2 × %3</translation>
-    </message>
-    <message>
         <source>Picture %1</source>
         <translation>Obraz %1</translation>
     </message>
     <message>
-        <source>This picture cannot be shown here.</source>
-        <translation>Tento obraz zde nelze zobrazit.</translation>
+        <source>Fit</source>
+        <translation>Přizpůsobit</translation>
+    </message>
+    <message>
+        <source>All of the picture</source>
+        <translation>Celý obraz</translation>
+    </message>
+    <message>
+        <source>1:1</source>
+        <translation>1:1</translation>
+    </message>
+    <message>
+        <source>A pixel for a pixel</source>
+        <translation>Bod na bod</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>Zmenšit</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Zvětšit</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopírovat</translation>
+    </message>
+    <message>
+        <source>Copy the picture</source>
+        <translation>Kopírovat obraz</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Uložit jako…</translation>
+    </message>
+    <message>
+        <source>Save a copy of the picture</source>
+        <translation>Uložit kopii obrazu</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Otevřít složku</translation>
+    </message>
+    <message>
+        <source>Open the folder of the picture</source>
+        <translation>Otevřít složku s obrazem</translation>
+    </message>
+    <message>
+        <source>%1 × %2, shown at %3 %</source>
+        <translation>%1 × %2, ukázáno na %3 %</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Uložit obraz</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.bmp *.ppm)</source>
+        <translation>Obrazy (*.png *.jpg *.bmp *.ppm)</translation>
+    </message>
+    <message>
+        <source>%1 was not written: %2</source>
+        <translation>%1 nešlo zapsat: %2</translation>
     </message>
 </context>
 <context>
@@ -1640,10 +1608,6 @@ Alt+%2</translation>
         <translation>Záznam</translation>
     </message>
     <message>
-        <source>The camera and the exposure of every frame are written while you move: .cam files and their list, which the Renderer makes a film of.</source>
-        <translation>Během pohybu se zapisuje kamera a expozice každého snímku: soubory .cam a jejich seznam, ze kterého Renderer vykreslí film.</translation>
-    </message>
-    <message>
         <source>&amp;Path:</source>
         <translation>&amp;Cesta:</translation>
     </message>
@@ -1666,6 +1630,10 @@ Alt+%2</translation>
     <message>
         <source>Render as &amp;film…</source>
         <translation>Vykreslit jako &amp;film…</translation>
+    </message>
+    <message>
+        <source>From Start to Stop the camera, the exposure and the lights are written 30 times a second: .cam files and their list, which the Renderer makes a film of.</source>
+        <translation>Mezi Začít a Zastavit se 30krát za sekundu zapisují kamera, expozice a světla: soubory .cam a jejich seznam, ze kterého Renderer udělá film.</translation>
     </message>
 </context>
 <context>
@@ -1983,6 +1951,14 @@ Alt+%2</translation>
     <message>
         <source>All settings but the size as they are without any file</source>
         <translation>Všechna nastavení kromě velikosti jako bez souborů</translation>
+    </message>
+    <message>
+        <source>Default of %1</source>
+        <translation>Výchozí hodnota: %1</translation>
+    </message>
+    <message>
+        <source>Back to the default: %1</source>
+        <translation>Zpět na výchozí hodnotu: %1</translation>
     </message>
 </context>
 <context>

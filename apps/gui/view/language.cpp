@@ -27,6 +27,7 @@ void useLanguage(const QString& name) {
     // English.
     translate(locale, QStringLiteral("qtbase"), QLibraryInfo::path(QLibraryInfo::TranslationsPath));
     translate(locale, QStringLiteral("gui"), QStringLiteral(":/translations"));
+    translate(locale, QStringLiteral("tables"), QStringLiteral(":/translations"));
 }
 
 } // namespace gui

@@ -1,9 +1,10 @@
 #include "gui/view/theme.h"
 
+#include "gui/view/window_style.h"
+
 #include <QApplication>
 #include <QPalette>
 #include <QString>
-#include <QStyle>
 
 namespace gui {
 
@@ -50,7 +51,7 @@ QPalette lightPalette() {
 } // namespace
 
 void useTheme(const QString& name) {
-    QApplication::setStyle(QStringLiteral("Fusion"));
+    QApplication::setStyle(new WindowStyle);
     if (name == QLatin1String("dark")) {
         QApplication::setPalette(darkPalette());
     } else if (name == QLatin1String("light")) {

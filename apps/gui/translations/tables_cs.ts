@@ -1,0 +1,766 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="cs" sourcelanguage="en">
+<context>
+    <name>Settings</name>
+    <message>
+        <source>Picture</source>
+        <translation>Obraz</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Šířka</translation>
+    </message>
+    <message>
+        <source>width of the picture</source>
+        <translation>šířka obrazu</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>bodů</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Výška</translation>
+    </message>
+    <message>
+        <source>height of the picture</source>
+        <translation>výška obrazu</translation>
+    </message>
+    <message>
+        <source>Antialiasing</source>
+        <translation>Vyhlazování hran</translation>
+    </message>
+    <message>
+        <source>N x N samples a pixel, averaged</source>
+        <translation>průměr z N × N vzorků na bod</translation>
+    </message>
+    <message>
+        <source>Sampling</source>
+        <translation>Rozmístění vzorků</translation>
+    </message>
+    <message>
+        <source>where the samples of a pixel lie</source>
+        <translation>kde v bodu obrazu leží vzorky</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Mřížka</translation>
+    </message>
+    <message>
+        <source>Random</source>
+        <translation>Náhodné</translation>
+    </message>
+    <message>
+        <source>Jittered</source>
+        <translation>Rozechvělá mřížka</translation>
+    </message>
+    <message>
+        <source>Rotated</source>
+        <translation>Otočené</translation>
+    </message>
+    <message>
+        <source>Poisson</source>
+        <translation>Poissonovo</translation>
+    </message>
+    <message>
+        <source>Adaptive</source>
+        <translation>Přizpůsobivost</translation>
+    </message>
+    <message>
+        <source>pixels whose error is below it get fewer samples; 0: all the same</source>
+        <translation>body s menší chybou dostanou méně vzorků; 0: všechny stejně</translation>
+    </message>
+    <message>
+        <source>Rays</source>
+        <translation>Paprsky</translation>
+    </message>
+    <message>
+        <source>Shadows</source>
+        <translation>Stíny</translation>
+    </message>
+    <message>
+        <source>lights cast shadows</source>
+        <translation>světla vrhají stíny</translation>
+    </message>
+    <message>
+        <source>Reflections</source>
+        <translation>Odrazy</translation>
+    </message>
+    <message>
+        <source>mirrors reflect</source>
+        <translation>zrcadla odrážejí</translation>
+    </message>
+    <message>
+        <source>Refractions</source>
+        <translation>Lomy světla</translation>
+    </message>
+    <message>
+        <source>transparent surfaces let light through</source>
+        <translation>průhledné plochy propouštějí světlo</translation>
+    </message>
+    <message>
+        <source>Textures</source>
+        <translation>Textury</translation>
+    </message>
+    <message>
+        <source>textures are shown</source>
+        <translation>textury jsou vidět</translation>
+    </message>
+    <message>
+        <source>Max depth</source>
+        <translation>Největší hloubka</translation>
+    </message>
+    <message>
+        <source>most bounces by mirrors and glass</source>
+        <translation>nejvíce odrazů a lomů na zrcadlech a skle</translation>
+    </message>
+    <message>
+        <source>bounces</source>
+        <translation>odrazů</translation>
+    </message>
+    <message>
+        <source>Min contribution</source>
+        <translation>Nejmenší příspěvek</translation>
+    </message>
+    <message>
+        <source>a ray that adds less than this share to its pixel is not traced</source>
+        <translation>paprsek, který k bodu přidá menší podíl, se nesleduje</translation>
+    </message>
+    <message>
+        <source>Ambient occlusion</source>
+        <translation>Zastínění okolím</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Zapnuto</translation>
+    </message>
+    <message>
+        <source>corners are darker than open surfaces</source>
+        <translation>kouty jsou tmavší než volné plochy</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Vzorky</translation>
+    </message>
+    <message>
+        <source>rays a point for ambient occlusion</source>
+        <translation>počet paprsků na jeden bod povrchu</translation>
+    </message>
+    <message>
+        <source>rays</source>
+        <translation>paprsků</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Vzdálenost</translation>
+    </message>
+    <message>
+        <source>how far off a surface occludes; 0: 15 % of the scene's diagonal</source>
+        <translation>jak daleko plocha ještě stíní; 0: 15 % úhlopříčky scény</translation>
+    </message>
+    <message>
+        <source>scene units</source>
+        <translation>jednotek scény</translation>
+    </message>
+    <message>
+        <source>Pattern</source>
+        <translation>Vzor</translation>
+    </message>
+    <message>
+        <source>directions of the rays, turned for each point, the same for all, or any</source>
+        <translation>směry paprsků: pro každý bod pootočené, pro všechny stejné, nebo jakékoli</translation>
+    </message>
+    <message>
+        <source>Regular</source>
+        <translation>Pravidelné</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Světlo</translation>
+    </message>
+    <message>
+        <source>light from everywhere; 0: the scene's, or what suits it when it has none</source>
+        <translation>světlo odevšad; 0: podle scény, nebo co se k ní hodí, když žádné nemá</translation>
+    </message>
+    <message>
+        <source>radiance</source>
+        <translation>zář</translation>
+    </message>
+    <message>
+        <source>Depth of field</source>
+        <translation>Hloubka ostrosti</translation>
+    </message>
+    <message>
+        <source>only what is in focus is sharp</source>
+        <translation>ostré je jen to, na co je zaostřeno</translation>
+    </message>
+    <message>
+        <source>F number</source>
+        <translation>Clonové číslo</translation>
+    </message>
+    <message>
+        <source>focal length over the lens's diameter, of a film 36 mm wide: smaller is more blurred</source>
+        <translation>ohnisková vzdálenost dělená průměrem čočky, pro film široký 36 mm: menší je rozmazanější</translation>
+    </message>
+    <message>
+        <source>Focus</source>
+        <translation>Zaostření</translation>
+    </message>
+    <message>
+        <source>distance of what is sharp; 0: of what is in the middle</source>
+        <translation>vzdálenost toho, co je ostré; 0: toho, co je uprostřed</translation>
+    </message>
+    <message>
+        <source>Blades</source>
+        <translation>Lamely</translation>
+    </message>
+    <message>
+        <source>corners of the aperture; below 3: round</source>
+        <translation>počet rohů clony; méně než 3: kulatá</translation>
+    </message>
+    <message>
+        <source>Fog</source>
+        <translation>Mlha</translation>
+    </message>
+    <message>
+        <source>the scene's fog is shown</source>
+        <translation>mlha scény je vidět</translation>
+    </message>
+    <message>
+        <source>Shafts</source>
+        <translation>Kužely světla</translation>
+    </message>
+    <message>
+        <source>shadow rays to each light along a ray through fog: shafts of light; 0: none</source>
+        <translation>stínové paprsky ke každému světlu podél paprsku mlhou: kužely světla; 0: žádné</translation>
+    </message>
+    <message>
+        <source>Lamp samples</source>
+        <translation>Vzorky svítidel</translation>
+    </message>
+    <message>
+        <source>shadow rays to each lamp that has a size: soft shadows; 0: lamps are points</source>
+        <translation>stínové paprsky ke každému svítidlu, které má velikost: měkké stíny; 0: svítidla jsou body</translation>
+    </message>
+    <message>
+        <source>Denoise</source>
+        <translation>Odšumění</translation>
+    </message>
+    <message>
+        <source>smooths noise, but not edges; 0: none</source>
+        <translation>vyhladí šum, ale ne hrany; 0: žádné</translation>
+    </message>
+    <message>
+        <source>passes</source>
+        <translation>průchodů</translation>
+    </message>
+    <message>
+        <source>Bloom</source>
+        <translation>Záře</translation>
+    </message>
+    <message>
+        <source>size of the glow around bright spots; 0: none</source>
+        <translation>velikost záře kolem jasných míst; 0: žádná</translation>
+    </message>
+    <message>
+        <source>Bloom kernel</source>
+        <translation>Tvar záře</translation>
+    </message>
+    <message>
+        <source>blur of a plain lens, or the coloured rings of a perfect one</source>
+        <translation>rozmazání obyčejné čočky, nebo barevné kroužky dokonalé</translation>
+    </message>
+    <message>
+        <source>Gaussian</source>
+        <translation>Gaussův</translation>
+    </message>
+    <message>
+        <source>Airy</source>
+        <translation>Airyho</translation>
+    </message>
+    <message>
+        <source>Bloom share</source>
+        <translation>Podíl záře</translation>
+    </message>
+    <message>
+        <source>share of all light that the glow spreads</source>
+        <translation>jaký podíl všeho světla záře rozptýlí</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Expozice</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Režim</translation>
+    </message>
+    <message>
+        <source>automatic follows the picture's brightness</source>
+        <translation>automatický se řídí jasem obrazu</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatický</translation>
+    </message>
+    <message>
+        <source>Fixed</source>
+        <translation>Pevný</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Hodnota</translation>
+    </message>
+    <message>
+        <source>fixed exposure: radiance that is shown as half of white</source>
+        <translation>pevná expozice: zář, která se ukáže jako polovina bílé</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Klíč</translation>
+    </message>
+    <message>
+        <source>automatic exposure: larger is brighter</source>
+        <translation>automatická expozice: větší je světlejší</translation>
+    </message>
+    <message>
+        <source>Brighter seconds</source>
+        <translation>Přivykání světlu</translation>
+    </message>
+    <message>
+        <source>time to get used to more light, in real time</source>
+        <translation>doba, za kterou si oko zvykne na více světla v reálném čase</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Darker seconds</source>
+        <translation>Přivykání tmě</translation>
+    </message>
+    <message>
+        <source>time to get used to less light, in real time</source>
+        <translation>doba, za kterou si oko zvykne na méně světla v reálném čase</translation>
+    </message>
+    <message>
+        <source>Local</source>
+        <translation>Místní</translation>
+    </message>
+    <message>
+        <source>how much the exposure of a place follows its own brightness</source>
+        <translation>jak moc se expozice místa řídí jeho vlastním jasem</translation>
+    </message>
+    <message>
+        <source>Tone mapping</source>
+        <translation>Mapování tónů</translation>
+    </message>
+    <message>
+        <source>luminance keeps hues, channels lets bright colours fade to white</source>
+        <translation>podle jasu zůstávají odstíny, po složkách jasné barvy blednou do bílé</translation>
+    </message>
+    <message>
+        <source>Luminance</source>
+        <translation>Podle jasu</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>Po složkách</translation>
+    </message>
+    <message>
+        <source>Dithering</source>
+        <translation>Rozptyl</translation>
+    </message>
+    <message>
+        <source>noise of less than one step hides bands in smooth gradients</source>
+        <translation>šum menší než jeden stupeň skryje pruhy v plynulých přechodech</translation>
+    </message>
+    <message>
+        <source>Environment filter</source>
+        <translation>Filtr prostředí</translation>
+    </message>
+    <message>
+        <source>lookup in environment maps</source>
+        <translation>čtení z map prostředí</translation>
+    </message>
+    <message>
+        <source>Bilinear</source>
+        <translation>Bilineární</translation>
+    </message>
+    <message>
+        <source>Nearest</source>
+        <translation>Nejbližší</translation>
+    </message>
+</context>
+<context>
+    <name>ProgramOptions</name>
+    <message>
+        <source>Output</source>
+        <translation>Výstup</translation>
+    </message>
+    <message>
+        <source>write the picture there; the extension says the format; .exr, .hdr and .pfm hold linear radiance, not tone mapped; '-' is standard output; may be given several times [the scene's output, else its name with .png in the current folder]</source>
+        <translation>sem se obraz zapíše; přípona určuje formát; .exr, .hdr a .pfm obsahují lineární zář bez mapování tónů; '-' je standardní výstup; lze zadat vícekrát [výstup podle scény, jinak její jméno s .png v aktuální složce]</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Formát</translation>
+    </message>
+    <message>
+        <source>format of the picture on standard output: png or ppm [png]</source>
+        <translation>formát obrazu na standardním výstupu: png nebo ppm [png]</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Šířka</translation>
+    </message>
+    <message>
+        <source>pixels from left to right</source>
+        <translation>počet bodů zleva doprava</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Výška</translation>
+    </message>
+    <message>
+        <source>pixels from top to bottom</source>
+        <translation>počet bodů shora dolů</translation>
+    </message>
+    <message>
+        <source>View and video</source>
+        <translation>Pohled a film</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>look through this .cam file</source>
+        <translation>pohled podle tohoto souboru .cam</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Model</translation>
+    </message>
+    <message>
+        <source>take this model or .bsp in place of the one that the .scn names</source>
+        <translation>použít tento model nebo .bsp místo toho, který uvádí .scn</translation>
+    </message>
+    <message>
+        <source>List</source>
+        <translation>Seznam</translation>
+    </message>
+    <message>
+        <source>render a frame for each .cam file that this text file lists; #### in the output's name becomes the number of the frame, from 0001</source>
+        <translation>vykreslit snímek pro každý soubor .cam z tohoto textového seznamu; #### ve jménu výstupu se nahradí číslem snímku od 0001</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Snímky</translation>
+    </message>
+    <message>
+        <source>render only these frames of the list; also A, A- and -B</source>
+        <translation>vykreslit jen tyto snímky seznamu; také A, A- a -B</translation>
+    </message>
+    <message>
+        <source>Chunk</source>
+        <translation>Díl</translation>
+    </message>
+    <message>
+        <source>render the I-th of N equal parts of the list, or of --frames</source>
+        <translation>vykreslit I-tý z N stejných dílů seznamu nebo výběru --frames</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Znovu i hotové</translation>
+    </message>
+    <message>
+        <source>render frames again whose files are there already and whole; they are skipped otherwise</source>
+        <translation>vykreslit znovu i snímky, jejichž soubory už jsou hotové a celé; jinak se přeskočí</translation>
+    </message>
+    <message>
+        <source>Verify</source>
+        <translation>Jen ověřit</translation>
+    </message>
+    <message>
+        <source>render nothing; list the frames whose files are missing or broken, and exit with 1 if there are any</source>
+        <translation>nic nevykreslovat; vypsat snímky, jejichž soubory chybějí nebo jsou poškozené, a pokud nějaké jsou, skončit s kódem 1</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Sledovat zápis</translation>
+    </message>
+    <message>
+        <source>the list is still being written: wait for more frames until the line '# end' comes</source>
+        <translation>seznam se ještě zapisuje: čekat na další snímky, dokud nepřijde řádek '# end'</translation>
+    </message>
+    <message>
+        <source>Follow timeout</source>
+        <translation>Čekat nejdéle</translation>
+    </message>
+    <message>
+        <source>with --follow: take the list as complete when no frame came for S seconds [60]</source>
+        <translation>s --follow: považovat seznam za úplný, když S sekund nepřišel žádný snímek [60]</translation>
+    </message>
+    <message>
+        <source>Video</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>make a film of the list by ffmpeg: .mp4, .webm, .mkv, .gif; with -o the frames are kept as well, and those that are there are used</source>
+        <translation>udělat ze seznamu film programem ffmpeg: .mp4, .webm, .mkv, .gif; s -o zůstanou i snímky a ty, které už existují, se použijí</translation>
+    </message>
+    <message>
+        <source>FPS</source>
+        <translation>Snímků za sekundu</translation>
+    </message>
+    <message>
+        <source>frames per second of the film [as the .cam files were recorded, else 25]</source>
+        <translation>snímků filmu za sekundu [jak byly zaznamenány soubory .cam, jinak 25]</translation>
+    </message>
+    <message>
+        <source>Quality</source>
+        <translation>Kvalita</translation>
+    </message>
+    <message>
+        <source>Antialiasing</source>
+        <translation>Vyhlazování hran</translation>
+    </message>
+    <message>
+        <source>N x N samples a pixel</source>
+        <translation>N × N vzorků na bod</translation>
+    </message>
+    <message>
+        <source>Bloom</source>
+        <translation>Záře</translation>
+    </message>
+    <message>
+        <source>glow around what is bright, N pixels wide; not rendered by this version yet</source>
+        <translation>záře kolem jasných míst, široká N bodů; tato verze ji ještě nevykresluje</translation>
+    </message>
+    <message>
+        <source>Ambient occlusion</source>
+        <translation>Zastínění okolím</translation>
+    </message>
+    <message>
+        <source>switch ambient occlusion on; not rendered by this version yet</source>
+        <translation>zapnout zastínění okolím; tato verze je ještě nevykresluje</translation>
+    </message>
+    <message>
+        <source>No ambient occlusion</source>
+        <translation>Bez zastínění okolím</translation>
+    </message>
+    <message>
+        <source>switch ambient occlusion off</source>
+        <translation>vypnout zastínění okolím</translation>
+    </message>
+    <message>
+        <source>AO samples</source>
+        <translation>Paprsky zastínění</translation>
+    </message>
+    <message>
+        <source>switch ambient occlusion on, with N rays a point</source>
+        <translation>zapnout zastínění okolím s N paprsky na bod povrchu</translation>
+    </message>
+    <message>
+        <source>AO distance</source>
+        <translation>Dosah zastínění</translation>
+    </message>
+    <message>
+        <source>switch ambient occlusion on, up to this distance</source>
+        <translation>zapnout zastínění okolím až do této vzdálenosti</translation>
+    </message>
+    <message>
+        <source>Focus at</source>
+        <translation>Zaostřit na</translation>
+    </message>
+    <message>
+        <source>switch depth of field on, and focus on what is seen at this pixel, from the upper left corner</source>
+        <translation>zapnout hloubku ostrosti a zaostřit na to, co je vidět v tomto bodu obrazu, počítáno od levého horního rohu</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Expozice</translation>
+    </message>
+    <message>
+        <source>fixed exposure: a luminance of C becomes half of the display's range [automatic]</source>
+        <translation>pevná expozice: jas C se ukáže v polovině rozsahu displeje [automaticky]</translation>
+    </message>
+    <message>
+        <source>Set</source>
+        <translation>Soubor nastavení</translation>
+    </message>
+    <message>
+        <source>take settings from the table [still] of this .set file</source>
+        <translation>převzít nastavení z tabulky [still] tohoto souboru .set</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Nastavení</translation>
+    </message>
+    <message>
+        <source>any setting by its name; may be given several times</source>
+        <translation>libovolné nastavení podle jména; lze zadat vícekrát</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Náhled</translation>
+    </message>
+    <message>
+        <source>show the picture while it is rendered, from coarse to fine, to programs that look for an instance of this name; without --output no file is written; stops with the process that started it</source>
+        <translation>ukazovat obraz během vykreslování, od hrubého k jemnému, programům, které hledají instanci tohoto jména; bez --output se nezapíše žádný soubor; skončí s procesem, který jej spustil</translation>
+    </message>
+    <message>
+        <source>Run ID</source>
+        <translation>Číslo běhu</translation>
+    </message>
+    <message>
+        <source>mark the frames of the preview with N, so that viewers can tell runs apart [0]</source>
+        <translation>označit snímky náhledu číslem N, aby se běhy daly rozlišit [0]</translation>
+    </message>
+    <message>
+        <source>Linger</source>
+        <translation>Doznívání</translation>
+    </message>
+    <message>
+        <source>seconds for which the last frame of the preview can be found [2]</source>
+        <translation>kolik sekund lze najít poslední snímek náhledu [2]</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>Běh</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>Vlákna</translation>
+    </message>
+    <message>
+        <source>use N threads; 0 is all cores; the picture is the same for every number [0]</source>
+        <translation>použít N vláken; 0 jsou všechna jádra; obraz je pro každý počet stejný [0]</translation>
+    </message>
+    <message>
+        <source>ISA</source>
+        <translation>Instrukční sada</translation>
+    </message>
+    <message>
+        <source>use the vector code of one instruction set, of those that --version lists; the results are the same [auto]</source>
+        <translation>použít vektorový kód jedné instrukční sady z těch, které vypíše --version; výsledky jsou stejné [auto]</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Průběh</translation>
+    </message>
+    <message>
+        <source>how progress is shown on stderr: bar, plain (lines), json (one object a line), none, or auto (bar on a terminal, else plain) [auto]</source>
+        <translation>jak se na stderr ukazuje průběh: bar (pruh), plain (řádky), json (objekt na řádek), none (nijak), nebo auto (v terminálu bar, jinak plain) [auto]</translation>
+    </message>
+    <message>
+        <source>Parent</source>
+        <translation>Rodič</translation>
+    </message>
+    <message>
+        <source>stop as soon as this process, which started the program, is no more</source>
+        <translation>skončit, jakmile neběží tento proces, který program spustil</translation>
+    </message>
+    <message>
+        <source>Requeue</source>
+        <translation>Znovu do fronty</translation>
+    </message>
+    <message>
+        <source>exit with 75 (try again), not 143, when SIGTERM stops the run, so that a batch system sends the job again</source>
+        <translation>když běh zastaví SIGTERM, skončit s kódem 75 (zkusit znovu), ne 143, aby dávkový systém úlohu poslal znovu</translation>
+    </message>
+    <message>
+        <source>Verbose</source>
+        <translation>Podrobně</translation>
+    </message>
+    <message>
+        <source>report times and rays on stderr</source>
+        <translation>vypsat na stderr časy a počty paprsků</translation>
+    </message>
+    <message>
+        <source>Debug scene</source>
+        <translation>Ladicí scéna</translation>
+    </message>
+    <message>
+        <source>write what the renderer works with - cells of the kd-tree, lights, camera, normals - as an .obj model, and exit</source>
+        <translation>zapsat, s čím vykreslování pracuje – buňky kd-stromu, světla, kameru, normály – jako model .obj, a skončit</translation>
+    </message>
+    <message>
+        <source>Importing models</source>
+        <translation>Import modelů</translation>
+    </message>
+    <message>
+        <source>Crease angle</source>
+        <translation>Úhel hrany</translation>
+    </message>
+    <message>
+        <source>where the file has no normals, edges sharper than this stay sharp [40]</source>
+        <translation>kde soubor nemá normály, zůstanou hrany ostřejší než tento úhel ostré [40]</translation>
+    </message>
+    <message>
+        <source>Flip textures</source>
+        <translation>Převrátit textury</translation>
+    </message>
+    <message>
+        <source>turn textures upside down: some exporters count from the top</source>
+        <translation>převrátit textury vzhůru nohama: některé exportéry počítají shora</translation>
+    </message>
+    <message>
+        <source>Memory limit</source>
+        <translation>Mez paměti</translation>
+    </message>
+    <message>
+        <source>memory that importing may take [2000, or 40 times the file if that is more]</source>
+        <translation>kolik paměti smí import zabrat [2000, nebo 40násobek souboru, je-li to víc]</translation>
+    </message>
+    <message>
+        <source>Time limit</source>
+        <translation>Mez času</translation>
+    </message>
+    <message>
+        <source>seconds that one step of importing may take [15, and 2 more for each MB of the file]</source>
+        <translation>kolik sekund smí trvat jeden krok importu [15 a 2 navíc za každý MB souboru]</translation>
+    </message>
+    <message>
+        <source>Tree</source>
+        <translation>Strom</translation>
+    </message>
+    <message>
+        <source>Fast</source>
+        <translation>Rychlá stavba</translation>
+    </message>
+    <message>
+        <source>build in less than half the time; the tree is about a sixth slower to trace</source>
+        <translation>stavět za méně než polovinu času; sledování paprsků je pak asi o šestinu pomalejší</translation>
+    </message>
+    <message>
+        <source>with --fast: 1 is quickest to build, 10 quickest to trace [5]</source>
+        <translation>s --fast: 1 se nejrychleji staví, 10 se nejrychleji sleduje [5]</translation>
+    </message>
+    <message>
+        <source>report the model and times on standard output</source>
+        <translation>vypsat na standardní výstup model a časy</translation>
+    </message>
+    <message>
+        <source>Very verbose</source>
+        <translation>Velmi podrobně</translation>
+    </message>
+    <message>
+        <source>report also the tree, the time of each phase, and whether the tree passes every check</source>
+        <translation>vypsat také strom, čas každé fáze a zda strom obstál ve všech kontrolách</translation>
+    </message>
+    <message>
+        <source>Histogram</source>
+        <translation>Histogram</translation>
+    </message>
+    <message>
+        <source>draw histograms of the leaves' size and depth in N bands</source>
+        <translation>nakreslit histogramy velikosti a hloubky listů v N pásmech</translation>
+    </message>
+    <message>
+        <source>use N threads; 0 is all cores; the tree is the same for every number [0]</source>
+        <translation>použít N vláken; 0 jsou všechna jádra; strom je pro každý počet stejný [0]</translation>
+    </message>
+</context>
+</TS>
