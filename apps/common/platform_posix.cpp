@@ -35,12 +35,8 @@ extern "C" void onStopSignal(int signal) {
 }
 
 std::atomic<pid_t> parentProcess{0}; // 0: its end does not matter
-
-// Not a second signal, however often it comes.
-void askToStop() noexcept {
-    int none = 0;
-    receivedSignal.compare_exchange_strong(none, SIGTERM);
-}
+// Apart from the signals: with one of these that comes later it does not make two.
+std::atomic<bool> parentEnded{false};
 
 bool orphaned() noexcept {
     const pid_t parent = parentProcess.load();
@@ -50,7 +46,7 @@ bool orphaned() noexcept {
 // The system means the thread that started this process; the others of the parent may live on.
 extern "C" void onParentSignal(int) {
     const int error = errno;
-    if (orphaned()) askToStop();
+    if (orphaned()) parentEnded = true;
     errno = error;
 }
 
@@ -89,13 +85,14 @@ void stopWithParent(std::int64_t parent) {
     prctl(PR_SET_PDEATHSIG, SIGUSR2);
 #endif
     // It may have ended before the system was asked to tell.
-    if (orphaned()) askToStop();
+    if (orphaned()) parentEnded = true;
 }
 
 int stopSignal() noexcept {
     // Not every system tells of a parent's end, and a parent may have left its children deaf to signals.
-    if (orphaned()) askToStop();
-    return receivedSignal.load();
+    if (!parentEnded && orphaned()) parentEnded = true;
+    const int signal = receivedSignal.load();
+    return signal == 0 && parentEnded ? SIGTERM : signal;
 }
 
 std::optional<int> terminalColumns() {
