@@ -1,5 +1,6 @@
 // The only file of the programs that calls the operating system.
 #include "common/parent.h"
+#include "common/process_watch.h"
 #include "common/stop.h"
 #include "common/terminal.h"
 
@@ -11,11 +12,13 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <utility>
 
 #include <poll.h>
 #include <sys/ioctl.h>
 #ifdef __linux__
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #endif
 #include <sys/resource.h>
 #include <unistd.h>
@@ -86,6 +89,38 @@ void stopWithParent(std::int64_t parent) {
 #endif
     // It may have ended before the system was asked to tell.
     if (orphaned()) parentEnded = true;
+}
+
+ProcessWatch::ProcessWatch(std::int64_t process) noexcept : process_(process) {
+#ifdef SYS_pidfd_open
+    handle_ = static_cast<int>(::syscall(SYS_pidfd_open, static_cast<pid_t>(process), 0));
+#endif
+}
+
+ProcessWatch::~ProcessWatch() {
+    if (handle_ >= 0) ::close(handle_);
+}
+
+ProcessWatch::ProcessWatch(ProcessWatch&& other) noexcept
+    : process_(other.process_), handle_(std::exchange(other.handle_, -1)), ended_(other.ended_) {}
+
+ProcessWatch& ProcessWatch::operator=(ProcessWatch&& other) noexcept {
+    std::swap(process_, other.process_);
+    std::swap(handle_, other.handle_);
+    std::swap(ended_, other.ended_);
+    return *this;
+}
+
+// Without a handle: an old system, or there was no such process.
+bool ProcessWatch::ended() noexcept {
+    if (ended_) return true;
+    if (handle_ >= 0) {
+        pollfd end{handle_, POLLIN, 0};
+        ended_ = ::poll(&end, 1, 0) == 1;
+    } else {
+        ended_ = ::kill(static_cast<pid_t>(process_), 0) != 0 && errno == ESRCH;
+    }
+    return ended_;
 }
 
 int stopSignal() noexcept {

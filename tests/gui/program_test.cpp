@@ -1,6 +1,7 @@
 /// GUI as a program: its command line, its exit codes, what it leaves behind.
 #include "gui/gui_support.h"
 
+#include "gui/models/preferences.h"
 #include "gui/session/server_list.h"
 
 #include <csignal>
@@ -59,6 +60,45 @@ TEST_F(ProgramTest, AModelOnTheCommandLineIsServedUntilASignalComes) {
     const ProgramResult result = window.wait();
     EXPECT_EQ(result.exitCode, 143) << result.error;
     EXPECT_TRUE(instance.segments().empty());
+}
+
+TEST_F(ProgramTest, AKilledWindowsServerEndsWithTheLastWhoLooks) {
+    RunningProgram window(programPath("GUI"), named({"room.obj"}), {.folder = folder().path()});
+    Session session;
+    session.connectTo(name(), std::chrono::seconds(20));
+    ASSERT_TRUE(shows(session));
+    window.send(SIGKILL);
+    window.wait();
+    ASSERT_TRUE(comes([&] { return clientsOf(name()) == 1; }));
+    QTest::qWait(500);
+    EXPECT_TRUE(ask(session, QStringLiteral("ping")).done) << "it is ours now";
+    session.leave();
+    EXPECT_TRUE(comes([&] { return instance.segments().empty(); }, 2000));
+}
+
+TEST_F(ProgramTest, AKeptServerOutlivesAKilledWindow) {
+    for (const bool keptFromTheStart : {true, false}) {
+        QSettings settings(QSettings::IniFormat, QSettings::UserScope, QStringLiteral("rtsuite"),
+                           QStringLiteral("GUI"));
+        settings.setValue(QLatin1String(pref::keepServers.name), keptFromTheStart);
+        settings.sync();
+        RunningProgram window(programPath("GUI"), named({"room.obj"}), {.folder = folder().path()});
+        Session session;
+        session.connectTo(name(), std::chrono::seconds(20));
+        ASSERT_TRUE(shows(session));
+        if (!keptFromTheStart) {
+            EXPECT_TRUE(ask(session, QStringLiteral("parent none")).done);
+        }
+        session.leave();
+        window.send(SIGKILL);
+        window.wait();
+        QTest::qWait(1000);
+        const auto cui = [&](const char* word) {
+            return runProgram(programPath("CUI"), {"--instance=" + instance.name(), word}).exitCode;
+        };
+        EXPECT_EQ(cui("ping"), 0);
+        EXPECT_EQ(cui("exit"), 0);
+    }
 }
 
 TEST_F(ProgramTest, ConnectsToAServerAndLeavesIt) {

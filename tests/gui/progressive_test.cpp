@@ -282,7 +282,6 @@ TEST_F(ProgressiveTest, WhenTheWindowIsKilledTheRendererIsGoneWithinASecond) {
     program.send(SIGKILL);
     EXPECT_TRUE(comes([&] { return !runs(renderer); }, 1000));
     program.wait();
-    if (served != 0) ::kill(served, SIGTERM); // it may outlive the window
     EXPECT_TRUE(comes([&] { return !runs(served); }));
 }
 

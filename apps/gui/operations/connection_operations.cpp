@@ -27,12 +27,13 @@ ConnectionOperations::ConnectionOperations(const Desk& desk, QObject* parent) : 
             [this] { desk_.actions[ActionId::PauseServer]->setChecked(desk_.session.status().paused); });
     connect(&desk_.session, &Session::commandFailed, this,
             [this](const QString&, const QString& text) { desk_.view.tell(text); });
-    connect(&desk_.preferences, &Preferences::changed, this, &ConnectionOperations::limitModels);
-    limitModels();
+    connect(&desk_.preferences, &Preferences::changed, this, &ConnectionOperations::onPreferences);
+    onPreferences();
     onState();
 }
 
-void ConnectionOperations::limitModels() {
+void ConnectionOperations::onPreferences() {
+    desk_.keeper.keepServers(desk_.preferences.get(pref::keepServers));
     desk_.keeper.models().setLimit(desk_.preferences.get(pref::keptModels));
 }
 

@@ -22,7 +22,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kPace = 15ms;
-constexpr auto kPatience = 1s; ///< with a Renderer that does not end when it is asked to
+constexpr int kLingerSeconds = 60; ///< it is ended as soon as its last picture is seen, however late that is
+constexpr auto kPatience = 1s;     ///< with a Renderer that does not end when it is asked to
 
 int nextNumber() {
     static int number = 0;
@@ -116,6 +117,7 @@ void PreviewProcess::launch() {
                       QStringLiteral("--camera=") + file(QStringLiteral("cam")),
                       QStringLiteral("--preview=") + instance_,
                       QStringLiteral("--run-id=%1").arg(run_),
+                      QStringLiteral("--linger=%1").arg(kLingerSeconds),
                       QStringLiteral("--parent=%1").arg(QCoreApplication::applicationPid()),
                       QStringLiteral("--progress=none")};
     const QString model = models_.find(file(QStringLiteral("scn")));
