@@ -220,6 +220,11 @@ void ServerLoop::answerWhoWaitsForKeys() {
     if (keyWaiters_.empty()) return;
     tellStatus();
     std::erase_if(keyWaiters_, [this](const KeyWaiter& waiter) {
+        // Who was stopped, or killed, holds no key down any more.
+        if (!server_.isConnected(waiter.command)) {
+            session_.keyboard().endPress(waiter.press);
+            return true;
+        }
         if (session_.keyboard().isDown(waiter.press)) return false;
         server_.answer(waiter.command, ipc::AnswerStatus::Done);
         return true;

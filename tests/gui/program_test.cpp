@@ -34,6 +34,9 @@ TEST_F(ProgramTest, RefusesAWrongCommandLine) {
     EXPECT_EQ(run({"room.obj", "room.obj"}).exitCode, 2);
     EXPECT_EQ(run({"room.obj", "--connect"}).exitCode, 2);
     EXPECT_EQ(run({"--instance=a/b"}).exitCode, 2);
+    const ProgramResult place = run({"."});
+    EXPECT_EQ(place.exitCode, 66);
+    EXPECT_NE(place.error.find("folder"), std::string::npos) << place.error;
     const ProgramResult missing = run({"nothing.obj"});
     EXPECT_EQ(missing.exitCode, 66);
     EXPECT_NE(missing.error.find("nothing.obj"), std::string::npos) << missing.error;
