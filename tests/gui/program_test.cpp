@@ -79,6 +79,25 @@ TEST_F(ProgramTest, AKilledWindowsServerEndsWithTheLastWhoLooks) {
     EXPECT_TRUE(comes([&] { return instance.segments().empty(); }, 2000));
 }
 
+TEST_F(ProgramTest, TwoWindowsAndACommandAtOnce) {
+    RunningProgram first(programPath("GUI"), named({"room.obj"}), {.folder = folder().path()});
+    ASSERT_TRUE(comes([&] { return clientsOf(name()) == 1; }));
+    RunningProgram second(programPath("GUI"), named({"--connect"}), {.folder = folder().path()});
+    ASSERT_TRUE(comes([&] { return clientsOf(name()) == 2; }));
+    const auto cui = [&](std::vector<std::string> words) {
+        return runProgram(programPath("CUI"), named(std::move(words)), {.timeoutSeconds = 60});
+    };
+    EXPECT_EQ(cui({"camera", "set", "1", "2", "5", "0", "0", "-1", "50"}).exitCode, 0);
+    EXPECT_EQ(cui({"key", "press", "w", "--for=200"}).exitCode, 0);
+    first.send(SIGTERM);
+    EXPECT_EQ(first.wait().exitCode, 143);
+    EXPECT_EQ(cui({"ping"}).exitCode, 0) << "the other window is there";
+    second.send(SIGTERM);
+    EXPECT_EQ(second.wait().exitCode, 143);
+    EXPECT_TRUE(comes([&] { return instance.segments().empty(); }))
+        << "and the server goes with the last one";
+}
+
 TEST_F(ProgramTest, AKeptServerOutlivesAKilledWindow) {
     for (const bool keptFromTheStart : {true, false}) {
         QSettings settings(QSettings::IniFormat, QSettings::UserScope, QStringLiteral("rtsuite"),

@@ -1,5 +1,6 @@
 /// Progressive rendering in the whole window, with real servers and Renderers.
 #include "gui/gui_support.h"
+#include "gui/processes_of.h"
 
 #include "gui/main_window.h"
 #include "gui/operations/actions.h"
@@ -27,30 +28,6 @@ namespace {
 using namespace test;
 using namespace gui;
 
-struct Child {
-    pid_t process = 0;
-    bool zombie = false;
-};
-
-// Of the process, with this name.
-QList<Child> childrenOf(pid_t parent, const QString& name) {
-    QList<Child> children;
-    for (const QString& entry : QDir(QStringLiteral("/proc")).entryList(QDir::Dirs)) {
-        QFile file(QStringLiteral("/proc/%1/stat").arg(entry));
-        if (entry[0].isLetter() || !file.open(QIODevice::ReadOnly)) continue;
-        const QString text = QString::fromUtf8(file.readAll());
-        const QStringList rest = text.section(QLatin1Char(')'), -1).simplified().split(QLatin1Char(' '));
-        if (rest.size() < 2 || rest[1].toInt() != parent) continue;
-        if (text.section(QLatin1Char('('), 1).startsWith(name))
-            children.append({entry.toInt(), rest[0] == QLatin1String("Z")});
-    }
-    return children;
-}
-bool runs(pid_t process) {
-    QFile file(QStringLiteral("/proc/%1/stat").arg(process));
-    return file.open(QIODevice::ReadOnly) &&
-           !QString::fromUtf8(file.readAll()).contains(QLatin1String(") Z "));
-}
 const QString kRenderer = QStringLiteral("Renderer");
 
 qint64 residentKilobytes() {

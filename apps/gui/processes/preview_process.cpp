@@ -77,13 +77,13 @@ void PreviewProcess::render(const StillQuality& quality) {
     if (folder_ == nullptr) folder_ = std::make_unique<QTemporaryDir>(privateFolder());
     if (!folder_->isValid()) return fail(std::exchange(folder_, nullptr)->errorString());
     active_ = true;
+    quality_ = quality;
     emit progressed();
-    exportScene(quality);
+    exportScene();
 }
 
 // Answers that come after cancel() are another run's.
-void PreviewProcess::exportScene(const StillQuality& quality) {
-    const QSize size = session_.status().resolution;
+void PreviewProcess::exportScene() {
     const auto wanted = [this, run = run_] { return active_ && run == run_; };
     session_.send(
         Session::line({QStringLiteral("export"), QStringLiteral("scene"), file(QStringLiteral("scn"))}), this,
@@ -91,9 +91,7 @@ void PreviewProcess::exportScene(const StillQuality& quality) {
             if (wanted() && !answer.done) fail(answer.text);
         });
     session_.send(
-        Session::line({QStringLiteral("export"), QStringLiteral("camera"), file(QStringLiteral("cam")),
-                       QString::number(size.width()), QString::number(size.height()),
-                       QString::number(quality.antialiasing), QString::number(quality.bloom)}),
+        Session::line({QStringLiteral("export"), QStringLiteral("camera"), file(QStringLiteral("cam"))}),
         this, [this, wanted](const Answer& answer) {
             if (!wanted()) return;
             answer.done ? launch() : fail(answer.text);
@@ -120,6 +118,7 @@ void PreviewProcess::launch() {
                       QStringLiteral("--linger=%1").arg(kLingerSeconds),
                       QStringLiteral("--parent=%1").arg(QCoreApplication::applicationPid()),
                       QStringLiteral("--progress=none")};
+    words += rendererOptions(quality_);
     const QString model = models_.find(file(QStringLiteral("scn")));
     if (!model.isEmpty()) words.append(QStringLiteral("--model=") + model);
     process_->start(program, words);

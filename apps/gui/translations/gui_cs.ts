@@ -1034,6 +1034,26 @@ Alt+%2</translation>
         <source>Keep mo&amp;dels for the next time:</source>
         <translation>U&amp;chovat modely pro příště:</translation>
     </message>
+    <message>
+        <source>as the live picture</source>
+        <translation>jako živý obraz</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>zapnuto</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>vypnuto</translation>
+    </message>
+    <message>
+        <source>Quick render, &amp;ambient occlusion:</source>
+        <translation>Rychlé vykreslení, z&amp;astínění okolím:</translation>
+    </message>
+    <message>
+        <source>Quick render, occlusion &amp;rays:</source>
+        <translation>Rychlé vykreslení, &amp;paprsky zastínění:</translation>
+    </message>
 </context>
 <context>
     <name>gui::ConnectDialog</name>
@@ -1666,6 +1686,10 @@ Alt+%2</translation>
     <message>
         <source>Render as &amp;film…</source>
         <translation>Vykreslit jako &amp;film…</translation>
+    </message>
+    <message>
+        <source>P&amp;lay</source>
+        <translation>Pře&amp;hrát</translation>
     </message>
 </context>
 <context>
