@@ -1,4 +1,8 @@
 /// Progressive rendering in the whole window, with real servers and Renderers.
+// Before Qt, to whom "slots" is a keyword.
+#include "ipc/endpoint/link.h"
+#include "ipc/platform/owner_lock.h"
+
 #include "gui/gui_support.h"
 #include "gui/processes_of.h"
 
@@ -16,6 +20,7 @@
 #include <QElapsedTimer>
 #include <QFile>
 #include <QProcess>
+#include <QSignalSpy>
 
 #include <array>
 #include <csignal>
@@ -140,6 +145,29 @@ TEST_F(ProgressiveTest, AKeyShowsTheLivePictureInTheSameFrameAndEndsTheRenderer)
     EXPECT_TRUE(comes([&] { return !renders(); }, 1000));
     QTest::keyRelease(&window->view(), Qt::Key_W);
     EXPECT_TRUE(comes([&] { return renders(); })) << "and once more, from there";
+}
+
+// On a busy machine a Renderer takes longer to die than the next one waits for its name.
+TEST_F(ProgressiveTest, ANameThatIsNotFreeYetIsWaitedFor) {
+    startServer();
+    Session session;
+    session.connectTo(name());
+    ASSERT_TRUE(shows(session));
+    const ModelCache models;
+    PreviewProcess preview(session, models);
+    QSignalSpy failures(&preview, &PreviewProcess::failed);
+    bool done = false;
+    QObject::connect(&preview, &PreviewProcess::refined, &preview,
+                     [&](const QImage&, bool last) { done = last; });
+    const ipc::Names names(preview.instance().toStdString());
+    std::optional<ipc::OwnerLock> dying = ipc::OwnerLock::tryTake(names.serverLock(ipc::lockFolder()));
+    ASSERT_TRUE(dying.has_value());
+    preview.render({.antialiasing = 2});
+    QTest::qWait(3000);
+    EXPECT_FALSE(done);
+    dying.reset();
+    EXPECT_TRUE(comes([&] { return done; }));
+    EXPECT_TRUE(failures.isEmpty()) << failures.front().front().toString().toStdString();
 }
 
 TEST_F(ProgressiveTest, SoDoesWhateverElseMovesTheCamera) {

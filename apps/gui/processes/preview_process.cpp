@@ -5,6 +5,8 @@
 #include "gui/processes/programs.h"
 #include "gui/session/server_list.h"
 
+#include "common/exit_codes.h"
+
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
@@ -23,6 +25,7 @@ using namespace std::chrono_literals;
 
 constexpr auto kPace = 15ms;
 constexpr int kLingerSeconds = 60; ///< it is ended as soon as its last picture is seen, however late that is
+constexpr int kMostTries = 5;      ///< while the predecessor, on a busy machine, takes its time to die
 constexpr auto kPatience = 1s;     ///< with a Renderer that does not end when it is asked to
 
 int nextNumber() {
@@ -77,6 +80,7 @@ void PreviewProcess::render(const StillQuality& quality) {
     if (folder_ == nullptr) folder_ = std::make_unique<QTemporaryDir>(privateFolder());
     if (!folder_->isValid()) return fail(std::exchange(folder_, nullptr)->errorString());
     active_ = true;
+    tries_ = 0;
     quality_ = quality;
     emit progressed();
     exportScene();
@@ -142,8 +146,17 @@ void PreviewProcess::look() {
 void PreviewProcess::finish(int exitCode, bool crashed) {
     if (!crashed && exitCode == 0) look();
     if (!active_) return;
+    const bool later = !crashed && exitCode == static_cast<int>(app::ExitCode::TryAgain);
+    if (later && ++tries_ < kMostTries) return tryAgain();
     const QString words = QString::fromUtf8(process_->readAllStandardError()).trimmed();
     fail(words.isEmpty() ? tr("The Renderer failed.") : words);
+}
+
+void PreviewProcess::tryAgain() {
+    timer_.stop();
+    reader_.reset();
+    std::exchange(process_, nullptr)->deleteLater();
+    launch();
 }
 
 void PreviewProcess::fail(const QString& text) {

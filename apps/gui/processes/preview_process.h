@@ -49,6 +49,7 @@ class PreviewProcess : public QObject {
     void launch();
     void look();
     void finish(int exitCode, bool crashed);
+    void tryAgain();
     void fail(const QString& text);
     void release();
     QString file(const QString& extension) const;
@@ -59,6 +60,7 @@ class PreviewProcess : public QObject {
     quint64 run_; ///< of the picture under way, or of the next
     StillQuality quality_;
     bool active_ = false;
+    int tries_ = 0; ///< of the picture under way
     double progress_ = 0;
     std::unique_ptr<QTemporaryDir> folder_;
     QProcess* process_ = nullptr;
