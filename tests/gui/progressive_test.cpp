@@ -242,9 +242,11 @@ TEST_F(ProgressiveTest, InterruptedAtAnyMomentItShowsNoOldPicture) {
         }));
         QElapsedTimer clock;
         clock.start();
-        const int wait = upTo(3) == 0 ? 1500 : upTo(700);
+        // Sometimes until there is something to interrupt, however busy the machine is.
+        const bool patient = upTo(3) == 0;
+        const int wait = upTo(700), before = shown;
         const void* seen = nullptr;
-        while (clock.elapsed() < wait) {
+        while (clock.elapsed() < wait || (patient && shown == before && clock.elapsed() < kPatience)) {
             QTest::qWait(1);
             const QImage& picture = window->view().picture();
             if (picture.isNull() || picture.constBits() == seen) continue;
@@ -261,7 +263,9 @@ TEST_F(ProgressiveTest, InterruptedAtAnyMomentItShowsNoOldPicture) {
     EXPECT_EQ(old, 0);
     EXPECT_GT(shown, rounds / 10);
     if (rounds > 10) {
-        EXPECT_LT(residentKilobytes() - memory, 16 * 1024);
+        const qint64 grown = residentKilobytes() - memory;
+        EXPECT_LT(grown, 16 * 1024);
+        ::testing::Test::RecordProperty("kilobytesMore", static_cast<int>(grown));
     }
     ::testing::Test::RecordProperty("pictures", shown);
     action(ActionId::ProgressiveRendering)->trigger();
