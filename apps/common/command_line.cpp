@@ -149,7 +149,7 @@ void checkValue(const Option& option, const std::string& value) {
 void checkPositionals(const ProgramSpec& spec, const Arguments& arguments) {
     const std::size_t given = arguments.positionals().size();
     for (const std::string& name : arguments.positionals()) {
-        if (name.empty()) throw UsageError("the name of a file is empty");
+        if (name.empty()) throw UsageError("an argument is empty");
     }
     const bool repeats = !spec.positionals.empty() && spec.positionals.back().repeats;
     if (given > spec.positionals.size() && !repeats) {

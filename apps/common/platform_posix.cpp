@@ -1,5 +1,6 @@
 // The only file of the programs that calls the operating system.
 #include "common/parent.h"
+#include "common/process_watch.h"
 #include "common/stop.h"
 #include "common/terminal.h"
 
@@ -11,11 +12,13 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <utility>
 
 #include <poll.h>
 #include <sys/ioctl.h>
 #ifdef __linux__
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #endif
 #include <sys/resource.h>
 #include <unistd.h>
@@ -35,12 +38,8 @@ extern "C" void onStopSignal(int signal) {
 }
 
 std::atomic<pid_t> parentProcess{0}; // 0: its end does not matter
-
-// Not a second signal, however often it comes.
-void askToStop() noexcept {
-    int none = 0;
-    receivedSignal.compare_exchange_strong(none, SIGTERM);
-}
+// Apart from the signals: with one of these that comes later it does not make two.
+std::atomic<bool> parentEnded{false};
 
 bool orphaned() noexcept {
     const pid_t parent = parentProcess.load();
@@ -50,7 +49,7 @@ bool orphaned() noexcept {
 // The system means the thread that started this process; the others of the parent may live on.
 extern "C" void onParentSignal(int) {
     const int error = errno;
-    if (orphaned()) askToStop();
+    if (orphaned()) parentEnded = true;
     errno = error;
 }
 
@@ -89,13 +88,46 @@ void stopWithParent(std::int64_t parent) {
     prctl(PR_SET_PDEATHSIG, SIGUSR2);
 #endif
     // It may have ended before the system was asked to tell.
-    if (orphaned()) askToStop();
+    if (orphaned()) parentEnded = true;
+}
+
+ProcessWatch::ProcessWatch(std::int64_t process) noexcept : process_(process) {
+#ifdef SYS_pidfd_open
+    handle_ = static_cast<int>(::syscall(SYS_pidfd_open, static_cast<pid_t>(process), 0));
+#endif
+}
+
+ProcessWatch::~ProcessWatch() {
+    if (handle_ >= 0) ::close(handle_);
+}
+
+ProcessWatch::ProcessWatch(ProcessWatch&& other) noexcept
+    : process_(other.process_), handle_(std::exchange(other.handle_, -1)), ended_(other.ended_) {}
+
+ProcessWatch& ProcessWatch::operator=(ProcessWatch&& other) noexcept {
+    std::swap(process_, other.process_);
+    std::swap(handle_, other.handle_);
+    std::swap(ended_, other.ended_);
+    return *this;
+}
+
+// Without a handle: an old system, or there was no such process.
+bool ProcessWatch::ended() noexcept {
+    if (ended_) return true;
+    if (handle_ >= 0) {
+        pollfd end{handle_, POLLIN, 0};
+        ended_ = ::poll(&end, 1, 0) == 1;
+    } else {
+        ended_ = ::kill(static_cast<pid_t>(process_), 0) != 0 && errno == ESRCH;
+    }
+    return ended_;
 }
 
 int stopSignal() noexcept {
     // Not every system tells of a parent's end, and a parent may have left its children deaf to signals.
-    if (orphaned()) askToStop();
-    return receivedSignal.load();
+    if (!parentEnded && orphaned()) parentEnded = true;
+    const int signal = receivedSignal.load();
+    return signal == 0 && parentEnded ? SIGTERM : signal;
 }
 
 std::optional<int> terminalColumns() {

@@ -32,6 +32,8 @@ constexpr std::array kCommands{
     CommandSpec{"ping", "", "does it answer?"},
     CommandSpec{"exit", "", "end the server, and wait until it has ended; also: quit"},
     CommandSpec{"quit", "", "the same"},
+    CommandSpec{"parent", "PID|none",
+                "end once this process is gone and no client is connected; none: go on in any case"},
     CommandSpec{"pause", "", "no more frames for now"},
     CommandSpec{"resume", "", "frames again"},
     CommandSpec{"idle", "on|off", "off: draw every frame, though it equals the last"},

@@ -41,7 +41,8 @@ Options readOptions(const app::Arguments& arguments) {
     const std::filesystem::path file = std::filesystem::absolute(arguments.positionals().front());
     if (!std::filesystem::is_regular_file(file)) {
         throw rtcore::FileError(rtcore::FailureKind::NoInput, arguments.positionals().front(),
-                                "there is no such file");
+                                std::filesystem::is_directory(file) ? "this is a folder, no scene or model"
+                                                                    : "there is no such file");
     }
     options.file = file.string();
     return options;

@@ -88,7 +88,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     if (!jobs_->mayClose()) return event->ignore();
     preferences_.set(pref::geometry, saveGeometry());
     preferences_.set(pref::windowState, saveState());
-    keeper_.close(preferences_.get(pref::keepServers));
+    keeper_.close();
     event->accept();
 }
 

@@ -22,6 +22,8 @@ class Host {
     /// `built`: as in rtcore::LoadOptions.
     virtual void load(const std::filesystem::path& path, std::optional<std::filesystem::path> built) = 0;
     virtual void quit() = 0;
+    /// When this process is no more, the server ends as soon as no client is connected. Nothing: it goes on.
+    virtual void setParent(std::optional<std::int64_t> process) = 0;
     virtual const FrameMaker& frames() const = 0;
 };
 

@@ -27,6 +27,14 @@ void Keyboard::release(int key) {
     std::erase_if(timed_, [key](const TimedPress& press) { return press.key == key; });
 }
 
+void Keyboard::endPress(std::uint64_t number) {
+    std::erase_if(timed_, [&](const TimedPress& press) {
+        if (press.number != number) return false;
+        down_.reset(index(press.key));
+        return true;
+    });
+}
+
 void Keyboard::releaseAll() {
     down_.reset();
     timed_.clear();

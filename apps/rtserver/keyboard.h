@@ -19,6 +19,7 @@ class Keyboard {
     /// is for isDown().
     std::uint64_t pressFor(int key, std::chrono::nanoseconds time);
     void release(int key);
+    void endPress(std::uint64_t press); ///< of pressFor(): before its time, unless it is up already
     void releaseAll();
     /// Pressed and released: seen by the next collect().
     void tap(int key);

@@ -4,6 +4,7 @@
 #include "rtcore/platform/error.h"
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 namespace rtserver {
@@ -17,6 +18,12 @@ constexpr std::chrono::duration<double> kInterval{1.0 / 30};
 Playback::Playback(const std::filesystem::path& list) : files_(rtcore::readCameraList(list)) {
     if (files_.empty())
         throw rtcore::FileError(rtcore::FailureKind::BadData, list.string(), "the list names no camera");
+    for (const std::filesystem::path& file : files_) {
+        std::error_code unknown;
+        if (!std::filesystem::exists(file, unknown))
+            throw rtcore::FileError(rtcore::FailureKind::NoInput, list.string(),
+                                    "it names " + file.string() + ", which is not there");
+    }
     readNext();
 }
 

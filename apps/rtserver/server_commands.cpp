@@ -27,6 +27,17 @@ Result quit(const Call& call) {
     return {};
 }
 
+Result parent(const Call& call) {
+    if (call[0] == "none") {
+        call.host.setParent(std::nullopt);
+        return {};
+    }
+    const int process = integer(call[0]);
+    if (process < 1) throw app::UsageError("a process has a number from 1 on; none is nobody");
+    call.host.setParent(process);
+    return {};
+}
+
 Result idle(const Call& call) {
     call.session.idles = flag(call[0]);
     return {};
@@ -51,6 +62,7 @@ constexpr std::array kCommands{
     Command{"ping", 0, 0, "", false, ping},
     Command{"quit", 0, 0, "", false, quit},
     Command{"exit", 0, 0, "", false, quit},
+    Command{"parent", 1, 1, "PID|none", false, parent},
     Command{"pause", 0, 0, "", false, pause},
     Command{"resume", 0, 0, "", false, resume},
     Command{"idle", 1, 1, "on|off", false, idle},

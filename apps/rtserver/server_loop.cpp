@@ -58,10 +58,30 @@ ServerLoop::ServerLoop(const Options& options, std::function<void()> onReady)
 
 ServerLoop::~ServerLoop() = default;
 
+void ServerLoop::setParent(std::optional<std::int64_t> process) {
+    parent_.reset();
+    if (process) parent_.emplace(*process);
+}
+
+bool ServerLoop::forsaken() {
+    if (!parent_ || !parent_->ended()) return false;
+    // So that who came before the parent's end is counted.
+    for (ipc::Command& command : takeCommands()) {
+        pending_.push_back(std::move(command));
+        changeWaits_ = true;
+    }
+    return server_.clients() == 0;
+}
+
 app::ExitCode ServerLoop::run() {
+    setParent(options_.parent);
     load_ = std::make_unique<SceneLoad>(options_.scene, options_.built, options_.import, options_.threads);
     while (!quit_) {
         if (app::stopRequested()) return app::stopExitCode();
+        if (forsaken()) {
+            Messages::print("who started this server is gone, and no client is connected: it ends");
+            break;
+        }
         takeLoadedScene();
         takeRefinedTree();
         serve();
@@ -200,6 +220,11 @@ void ServerLoop::answerWhoWaitsForKeys() {
     if (keyWaiters_.empty()) return;
     tellStatus();
     std::erase_if(keyWaiters_, [this](const KeyWaiter& waiter) {
+        // Who was stopped, or killed, holds no key down any more.
+        if (!server_.isConnected(waiter.command)) {
+            session_.keyboard().endPress(waiter.press);
+            return true;
+        }
         if (session_.keyboard().isDown(waiter.press)) return false;
         server_.answer(waiter.command, ipc::AnswerStatus::Done);
         return true;
@@ -378,7 +403,7 @@ bool ServerLoop::pollDuringFrame() {
         changeWaits_ = true;
         pending_.push_back(std::move(command));
     }
-    return leave || (changeWaits_ && !gaveUpLast_ && Clock::now() - begun_ > kLongFrame);
+    return leave || forsaken() || (changeWaits_ && !gaveUpLast_ && Clock::now() - begun_ > kLongFrame);
 }
 
 // --- Status ---

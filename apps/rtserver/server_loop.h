@@ -12,10 +12,12 @@
 #include "rtserver/tree_refinement.h"
 
 #include "common/exit_codes.h"
+#include "common/process_watch.h"
 
 #include "ipc/endpoint/server.h"
 
 #include <chrono>
+#include <cstdint>
 #include <deque>
 #include <exception>
 #include <functional>
@@ -41,6 +43,7 @@ class ServerLoop : private Host {
 
     void load(const std::filesystem::path& path, std::optional<std::filesystem::path> built) override;
     void quit() override { quit_ = true; }
+    void setParent(std::optional<std::int64_t> process) override;
     const FrameMaker& frames() const override { return frames_; }
 
     void takeLoadedScene();
@@ -59,6 +62,7 @@ class ServerLoop : private Host {
     void answerWhoWaitsForKeys();
     void sleep();
 
+    bool forsaken();
     bool guardFrame();
     bool pollDuringFrame();
 
@@ -86,6 +90,7 @@ class ServerLoop : private Host {
     };
     std::vector<KeyWaiter> keyWaiters_;
     bool quit_ = false;
+    std::optional<app::ProcessWatch> parent_;
     rtcore::RenderSettings drawn_;            ///< of the last frame that was published
     bool wentBack_ = false;                   ///< to those, for lack of memory, and none was published since
     bool shown_ = false;                      ///< in this turn a frame was published

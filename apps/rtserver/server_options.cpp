@@ -6,6 +6,7 @@
 #include "common/setting_option.h"
 #include "common/threads.h"
 
+#include <limits>
 #include <stdexcept>
 
 namespace rtserver {
@@ -77,6 +78,12 @@ OptionGroup runOptions() {
               "while something moves, draw fewer pixels where a frame would take longer; 0 is always all [0]",
           .minimum = 0,
           .maximum = 10000},
+         {.name = "parent",
+          .value = ValueKind::Integer,
+          .argument = "PID",
+          .help = "once this process is no more, end as soon as no client is connected",
+          .minimum = 1,
+          .maximum = std::numeric_limits<std::int32_t>::max()},
          {.name = "daemon", .letter = 'd', .help = "go on in the background once the first frame is there"},
          app::isaOption()}};
 }
@@ -131,6 +138,7 @@ Options readOptions(const app::Arguments& arguments) {
     options.threads = app::threadCount(arguments.integer("threads"));
     options.framesPerSecond = arguments.number("fps-limit").value_or(0);
     options.frameSeconds = arguments.number("frame-time").value_or(0) * 1e-3;
+    options.parent = arguments.integer("parent");
     options.daemon = arguments.has("daemon");
     app::useIsa(arguments);
     options.import = app::readImportOptions(arguments);

@@ -1,6 +1,7 @@
 #include "rtserver/server_run.h"
 
 #include "rtserver/background.h"
+#include "rtserver/playback.h"
 #include "rtserver/server_loop.h"
 #include "rtserver/server_options.h"
 
@@ -12,6 +13,8 @@ namespace rtserver {
 
 app::ExitCode runServer(const app::Arguments& arguments) {
     const Options options = readOptions(arguments);
+    // A mistake in the list shows before a big scene is loaded.
+    if (options.path) const Playback check(*options.path);
     // Before the first thread, and before the lock that the server holds.
     if (options.daemon) {
         if (const std::optional<app::ExitCode> parent = goToBackground()) return *parent;

@@ -125,6 +125,7 @@ class Session {
     int bloom_; ///< its radius when it is switched on
     Keyboard keyboard_;
     std::bitset<ipc::kMaxKeys> clientKeys_;
+    std::bitset<ipc::kMaxKeys> lastDown_; ///< and those of commands, at the last look
     std::unique_ptr<Recording> recording_;
     std::unique_ptr<Playback> playback_;
     std::optional<rtcore::CameraFile> shown_; ///< of the path that is played, without its time

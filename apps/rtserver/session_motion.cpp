@@ -46,7 +46,8 @@ void Session::press(const ipc::KeyState& clientKeys) {
     clientKeys_ = clientKeys.down;
     ipc::KeyState keys = clientKeys;
     keyboard_.collect(keys);
-    for (const rtcore::ActionTap& tap : bindings_.taps(keys.down, keys.presses)) apply(tap);
+    const auto before = std::exchange(lastDown_, keys.down);
+    for (const rtcore::ActionTap& tap : bindings_.taps(keys.down, keys.presses, before)) apply(tap);
     hold();
 }
 

@@ -4,7 +4,9 @@
 #include "ipc/endpoint/client.h"
 #include "ipc/endpoint/server.h"
 #include "ipc/endpoint/viewer.h"
+#include "support/child_process.h"
 #include "support/ipc_instance.h"
+#include "support/quantile.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -20,6 +22,8 @@
 
 namespace {
 
+using test::ChildProcess;
+using test::quantile;
 using namespace std::chrono_literals;
 using ipc::Clock;
 
@@ -27,10 +31,6 @@ constexpr std::uint32_t kWidth = 1920, kHeight = 1080;
 constexpr double kMostForCommand = 50, kMostForFrame = 2000; // microseconds, medians
 constexpr std::size_t kFrameBytes = 4u * kWidth * kHeight;
 
-double quantile(std::vector<double> values, double q) {
-    std::sort(values.begin(), values.end());
-    return values.at(static_cast<std::size_t>(q * static_cast<double>(values.size() - 1)));
-}
 double microseconds(Clock::duration time) { return std::chrono::duration<double, std::micro>(time).count(); }
 double cpuMicroseconds() {
     timespec time{};
@@ -38,34 +38,10 @@ double cpuMicroseconds() {
     return 1e6 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_nsec);
 }
 
-// A process that does this until it is killed.
-class Child {
-  public:
-    explicit Child(const std::function<void()>& work) : process_(::fork()) {
-        if (process_ != 0) return;
-        try {
-            work();
-        } catch (const std::exception& error) {
-            std::fprintf(stderr, "bench_ipc: %s\n", error.what());
-        }
-        ::_exit(0);
-    }
-    ~Child() {
-        ::kill(process_, SIGKILL);
-        ::waitpid(process_, nullptr, 0);
-    }
-    Child(const Child&) = delete;
-    Child& operator=(const Child&) = delete;
-    void send(int signal) const { ::kill(process_, signal); }
-
-  private:
-    pid_t process_;
-};
-
 // Each time of these two: the median.
 double roundTrips() {
     const test::IpcInstance instance;
-    const Child serving([&] {
+    const ChildProcess serving([&] {
         ipc::Server server({.instance = instance.name(), .width = 64, .height = 64});
         while (true) {
             server.wait(1s);
@@ -115,7 +91,7 @@ void frames() {
 // In another process, 60 frames a second, drawn in place.
 double frameLatency() {
     const test::IpcInstance instance;
-    const Child serving([&] {
+    const ChildProcess serving([&] {
         ipc::Server server({.instance = instance.name(), .width = kWidth, .height = kHeight});
         while (true) {
             server.takeCommands();
@@ -157,9 +133,9 @@ void crowd() {
     const test::IpcInstance instance;
     ipc::Server server({.instance = instance.name(), .width = kWidth, .height = kHeight});
     const double alone = serverCost(server, 100);
-    std::vector<std::unique_ptr<Child>> clients;
+    std::vector<ChildProcess> clients;
     for (int i = 0; i < 16; ++i) {
-        clients.push_back(std::make_unique<Child>([&, i] {
+        clients.emplace_back([&, i] {
             ipc::Client client(instance.name());
             while (true) {
                 if (i == 1) {
@@ -170,10 +146,10 @@ void crowd() {
                 client.pressKey(i);
                 std::this_thread::sleep_for(50ms);
             }
-        }));
+        });
     }
     serverCost(server, 50);
-    clients[0]->send(SIGSTOP);
+    clients[0].send(SIGSTOP);
     const double crowded = serverCost(server, 200);
     std::printf("serving and publishing, per frame: %.0f us alone, %.0f us with 16 clients, one of them "
                 "stopped and one "
@@ -185,7 +161,7 @@ void crowd() {
 void idle() {
     const test::IpcInstance instance;
     ipc::Server server({.instance = instance.name(), .width = 64, .height = 64});
-    const Child client([&] {
+    const ChildProcess client([&] {
         const ipc::Client quiet(instance.name());
         ::pause();
     });

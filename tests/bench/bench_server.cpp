@@ -1,7 +1,9 @@
 // How soon RTServer answers, and what its clients cost it.
 //   bench_server [SCENE]       Without a scene: our own nave.
 #include "ipc/endpoint/client.h"
+#include "support/child_process.h"
 #include "support/ipc_instance.h"
+#include "support/quantile.h"
 #include "support/run_program.h"
 
 #include <algorithm>
@@ -15,44 +17,16 @@
 
 #include <csignal>
 #include <ctime>
-#include <sys/wait.h>
 #include <unistd.h>
 
 namespace {
 
+using test::ChildProcess;
+using test::quantile;
 using namespace std::chrono_literals;
 using ipc::Clock;
 
-double quantile(std::vector<double> values, double q) {
-    if (values.empty()) return 0;
-    std::sort(values.begin(), values.end());
-    return values.at(static_cast<std::size_t>(q * static_cast<double>(values.size() - 1)));
-}
 double milliseconds(Clock::duration time) { return std::chrono::duration<double, std::milli>(time).count(); }
-
-/// A process that does this until it is killed.
-class Child {
-  public:
-    template <typename Work>
-    explicit Child(const Work& work) : process_(::fork()) {
-        if (process_ != 0) return;
-        try {
-            work();
-        } catch (const std::exception&) {
-        }
-        ::_exit(0);
-    }
-    ~Child() {
-        ::kill(process_, SIGKILL);
-        ::waitpid(process_, nullptr, 0);
-    }
-    Child(const Child&) = delete;
-    Child& operator=(const Child&) = delete;
-    void send(int signal) const { ::kill(process_, signal); }
-
-  private:
-    pid_t process_;
-};
 
 class Bench {
   public:
@@ -127,17 +101,17 @@ class Bench {
         std::vector<double> alone, crowded;
         for (int round = 0; round < 3; ++round) {
             {
-                const Child spinning([] {
+                const ChildProcess spinning([] {
                     while (std::time(nullptr) != 0) {
                     }
                 });
                 std::this_thread::sleep_for(500ms);
                 alone.push_back(frameCost());
             }
-            std::vector<std::unique_ptr<Child>> clients;
-            for (int i = 0; i < 16; ++i) clients.push_back(std::make_unique<Child>([this, i] { use(i); }));
+            std::vector<ChildProcess> clients;
+            for (int i = 0; i < 16; ++i) clients.emplace_back([this, i] { use(i); });
             std::this_thread::sleep_for(500ms);
-            clients[0]->send(SIGSTOP);
+            clients[0].send(SIGSTOP);
             crowded.push_back(frameCost());
         }
         const double one = quantile(alone, 0.5), many = quantile(crowded, 0.5);

@@ -1,4 +1,5 @@
 /// The dialogs by themselves: what they say, and that they can be used without a mouse.
+#include "gui/dialog_support.h"
 #include "gui/gui_support.h"
 
 #include "gui/dialogs/about_dialog.h"
@@ -180,6 +181,10 @@ TEST_F(DialogsTest, RecordingStartsAndStops) {
     button->click();
     ASSERT_TRUE(comes([&] { return !session.status().recording; }));
     EXPECT_TRUE(QFile::exists(file("walk-0001.lst")));
+    ASSERT_TRUE(ask(session, QStringLiteral("camera set 9 9 9 0 0 -1")).done);
+    ASSERT_TRUE(comes([&] { return session.status().view.eye == QVector3D(9, 9, 9); }));
+    ASSERT_TRUE(comes([&] { return press(dialog, "Play"); }));
+    EXPECT_TRUE(comes([&] { return session.status().view.eye != QVector3D(9, 9, 9); }));
 }
 
 TEST_F(DialogsTest, TheCheatSheetNamesEveryKindOfKey) {

@@ -89,7 +89,7 @@ TEST_F(KeeperTest, ATakenNameGetsANumber) {
     startServer();
     start();
     EXPECT_EQ(session.instance(), name() + QStringLiteral("-2"));
-    keeper.close(false);
+    keeper.close();
 }
 
 TEST_F(KeeperTest, TheSecondSceneReplacesTheFirstServer) {
@@ -115,7 +115,7 @@ TEST_F(KeeperTest, ClosingStopsOurServer) {
         window.keeper.start(request());
         ASSERT_TRUE(shows(window.session));
         process = window.keeper.server().process();
-        window.keeper.close(false);
+        window.keeper.close();
     }
     EXPECT_FALSE(lives(process));
     EXPECT_TRUE(instance.segments().empty());
@@ -132,7 +132,8 @@ TEST_F(KeeperTest, ClosingLeavesAServerThatIsSharedOrKept) {
                 ASSERT_TRUE(shows(session));
                 ASSERT_TRUE(comes([&] { return clientsOf(name()) == 2; }));
             }
-            window.keeper.close(!shared);
+            window.keeper.keepServers(!shared);
+            window.keeper.close();
         }
         if (!shared) session.connectTo(name());
         ASSERT_TRUE(shows(session));
@@ -142,6 +143,16 @@ TEST_F(KeeperTest, ClosingLeavesAServerThatIsSharedOrKept) {
         EXPECT_TRUE(comes([&] { return session.state() == SessionState::Lost; }));
         session.leave();
     }
+}
+
+// As from the dialog, while it runs.
+TEST_F(KeeperTest, WhoseServerItIsCanBeChosenAnew) {
+    start();
+    QSignalSpy failures(&session, &Session::commandFailed);
+    keeper.keepServers(true);
+    keeper.keepServers(false);
+    EXPECT_TRUE(ask(session, QStringLiteral("ping")).done);
+    EXPECT_TRUE(failures.isEmpty());
 }
 
 } // namespace

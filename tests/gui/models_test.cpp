@@ -3,6 +3,7 @@
 #include "gui/models/bindings.h"
 #include "gui/models/key_map.h"
 #include "gui/models/preferences.h"
+#include "gui/models/still_quality.h"
 
 #include "gui/gui_support.h"
 
@@ -116,6 +117,26 @@ TEST_F(PreferencesTest, AreKept) {
     const Preferences again;
     EXPECT_EQ(again.get(pref::theme), QStringLiteral("dark"));
     EXPECT_EQ(again.get(pref::mouseSensitivity), 0.5);
+}
+
+TEST_F(PreferencesTest, StillsAreAsTheLivePictureUnlessTheUserWantsMore) {
+    Preferences preferences;
+    EXPECT_EQ(rendererOptions(stillQuality(preferences)), QStringList{QStringLiteral("--antialiasing=3")});
+    preferences.set(pref::stillBloom, 0);
+    preferences.set(pref::stillOcclusion, QStringLiteral("off"));
+    EXPECT_EQ(rendererOptions(stillQuality(preferences)).mid(1),
+              (QStringList{QStringLiteral("--bloom=0"), QStringLiteral("--no-ambient-occlusion")}));
+    preferences.set(pref::stillAntialiasing, 5);
+    preferences.set(pref::stillBloom, 40);
+    preferences.set(pref::stillOcclusion, QStringLiteral("on"));
+    preferences.set(pref::stillOcclusionSamples, 16);
+    const QStringList options = rendererOptions(stillQuality(preferences));
+    EXPECT_EQ(options, (QStringList{QStringLiteral("--antialiasing=5"), QStringLiteral("--bloom=40"),
+                                    QStringLiteral("--ambient-occlusion"),
+                                    QStringLiteral("--setting=ambientOcclusion.samples=16")}));
+    std::vector<std::string> words{"room.obj", "-o", "a.png", "-w", "8", "-h", "8"};
+    for (const QString& option : options) words.push_back(option.toStdString());
+    EXPECT_EQ(test::renderer(words, {.folder = folder().path()}).exitCode, 0);
 }
 
 TEST_F(PreferencesTest, RecentFilesAreTheLastTenThatAreThere) {

@@ -1,5 +1,6 @@
 /// Settings, lights, bookmarks and what takes changes back, with a real server.
 #include "gui/gui_support.h"
+#include "gui/lit_scene.h"
 
 #include "gui/main_window.h"
 #include "gui/models/bookmark_store.h"
@@ -34,20 +35,6 @@ namespace {
 
 using namespace test;
 using namespace gui;
-
-// Two lights, two environment maps, a camera of its own.
-void writeLitScene(const TemporaryFolder& folder) {
-    writeText(folder / "sky.ppm", "P3 2 1 255 10 20 30 200 210 220\n");
-    writeText(folder / "lit.scn",
-              "version = 1\nmodel = \"room.obj\"\nmodelLights = false\n"
-              "[camera]\neye = [0.25, 1.5, 6.0]\nlookAt = [0.0, 1.0, 0.0]\n"
-              "[[light]]\nname = \"lamp & co\"\nkind = \"point\"\nposition = [0.0, 6.0, 3.0]\n"
-              "intensity = [90.0, 90.0, 90.0]\n"
-              "[[light]]\nkind = \"point\"\nposition = [4.0, 5.0, 3.0]\nintensity = [90.0, 90.0, 60.0]\n"
-              "[[environment]]\nname = \"noon\"\nequirectangular = \"sky.ppm\"\n"
-              "[[environment]]\nname = \"dusk\"\nequirectangular = \"sky.ppm\"\nintensity = 0.1\n"
-              "[live]\nexposure.mode = \"fixed\"\nexposure.value = 2.0\n");
-}
 
 class PanelsTest : public GuiTest {
   protected:

@@ -1,6 +1,7 @@
 /// GUI as a program: its command line, its exit codes, what it leaves behind.
 #include "gui/gui_support.h"
 
+#include "gui/models/preferences.h"
 #include "gui/session/server_list.h"
 
 #include <csignal>
@@ -33,6 +34,9 @@ TEST_F(ProgramTest, RefusesAWrongCommandLine) {
     EXPECT_EQ(run({"room.obj", "room.obj"}).exitCode, 2);
     EXPECT_EQ(run({"room.obj", "--connect"}).exitCode, 2);
     EXPECT_EQ(run({"--instance=a/b"}).exitCode, 2);
+    const ProgramResult place = run({"."});
+    EXPECT_EQ(place.exitCode, 66);
+    EXPECT_NE(place.error.find("folder"), std::string::npos) << place.error;
     const ProgramResult missing = run({"nothing.obj"});
     EXPECT_EQ(missing.exitCode, 66);
     EXPECT_NE(missing.error.find("nothing.obj"), std::string::npos) << missing.error;
@@ -59,6 +63,64 @@ TEST_F(ProgramTest, AModelOnTheCommandLineIsServedUntilASignalComes) {
     const ProgramResult result = window.wait();
     EXPECT_EQ(result.exitCode, 143) << result.error;
     EXPECT_TRUE(instance.segments().empty());
+}
+
+TEST_F(ProgramTest, AKilledWindowsServerEndsWithTheLastWhoLooks) {
+    RunningProgram window(programPath("GUI"), named({"room.obj"}), {.folder = folder().path()});
+    Session session;
+    session.connectTo(name(), std::chrono::seconds(20));
+    ASSERT_TRUE(shows(session));
+    window.send(SIGKILL);
+    window.wait();
+    ASSERT_TRUE(comes([&] { return clientsOf(name()) == 1; }));
+    QTest::qWait(500);
+    EXPECT_TRUE(ask(session, QStringLiteral("ping")).done) << "it is ours now";
+    session.leave();
+    EXPECT_TRUE(comes([&] { return instance.segments().empty(); }, 2000));
+}
+
+TEST_F(ProgramTest, TwoWindowsAndACommandAtOnce) {
+    RunningProgram first(programPath("GUI"), named({"room.obj"}), {.folder = folder().path()});
+    ASSERT_TRUE(comes([&] { return clientsOf(name()) == 1; }));
+    RunningProgram second(programPath("GUI"), named({"--connect"}), {.folder = folder().path()});
+    ASSERT_TRUE(comes([&] { return clientsOf(name()) == 2; }));
+    const auto cui = [&](std::vector<std::string> words) {
+        return runProgram(programPath("CUI"), named(std::move(words)), {.timeoutSeconds = 60});
+    };
+    EXPECT_EQ(cui({"camera", "set", "1", "2", "5", "0", "0", "-1", "50"}).exitCode, 0);
+    EXPECT_EQ(cui({"key", "press", "w", "--for=200"}).exitCode, 0);
+    first.send(SIGTERM);
+    EXPECT_EQ(first.wait().exitCode, 143);
+    EXPECT_EQ(cui({"ping"}).exitCode, 0) << "the other window is there";
+    second.send(SIGTERM);
+    EXPECT_EQ(second.wait().exitCode, 143);
+    EXPECT_TRUE(comes([&] { return instance.segments().empty(); }))
+        << "and the server goes with the last one";
+}
+
+TEST_F(ProgramTest, AKeptServerOutlivesAKilledWindow) {
+    for (const bool keptFromTheStart : {true, false}) {
+        QSettings settings(QSettings::IniFormat, QSettings::UserScope, QStringLiteral("rtsuite"),
+                           QStringLiteral("GUI"));
+        settings.setValue(QLatin1String(pref::keepServers.name), keptFromTheStart);
+        settings.sync();
+        RunningProgram window(programPath("GUI"), named({"room.obj"}), {.folder = folder().path()});
+        Session session;
+        session.connectTo(name(), std::chrono::seconds(20));
+        ASSERT_TRUE(shows(session));
+        if (!keptFromTheStart) {
+            EXPECT_TRUE(ask(session, QStringLiteral("parent none")).done);
+        }
+        session.leave();
+        window.send(SIGKILL);
+        window.wait();
+        QTest::qWait(1000);
+        const auto cui = [&](const char* word) {
+            return runProgram(programPath("CUI"), {"--instance=" + instance.name(), word}).exitCode;
+        };
+        EXPECT_EQ(cui("ping"), 0);
+        EXPECT_EQ(cui("exit"), 0);
+    }
 }
 
 TEST_F(ProgramTest, ConnectsToAServerAndLeavesIt) {

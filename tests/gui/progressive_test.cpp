@@ -1,5 +1,10 @@
 /// Progressive rendering in the whole window, with real servers and Renderers.
+// Before Qt, to whom "slots" is a keyword.
+#include "ipc/endpoint/link.h"
+#include "ipc/platform/owner_lock.h"
+
 #include "gui/gui_support.h"
+#include "gui/processes_of.h"
 
 #include "gui/main_window.h"
 #include "gui/operations/actions.h"
@@ -15,6 +20,7 @@
 #include <QElapsedTimer>
 #include <QFile>
 #include <QProcess>
+#include <QSignalSpy>
 
 #include <array>
 #include <csignal>
@@ -27,30 +33,6 @@ namespace {
 using namespace test;
 using namespace gui;
 
-struct Child {
-    pid_t process = 0;
-    bool zombie = false;
-};
-
-// Of the process, with this name.
-QList<Child> childrenOf(pid_t parent, const QString& name) {
-    QList<Child> children;
-    for (const QString& entry : QDir(QStringLiteral("/proc")).entryList(QDir::Dirs)) {
-        QFile file(QStringLiteral("/proc/%1/stat").arg(entry));
-        if (entry[0].isLetter() || !file.open(QIODevice::ReadOnly)) continue;
-        const QString text = QString::fromUtf8(file.readAll());
-        const QStringList rest = text.section(QLatin1Char(')'), -1).simplified().split(QLatin1Char(' '));
-        if (rest.size() < 2 || rest[1].toInt() != parent) continue;
-        if (text.section(QLatin1Char('('), 1).startsWith(name))
-            children.append({entry.toInt(), rest[0] == QLatin1String("Z")});
-    }
-    return children;
-}
-bool runs(pid_t process) {
-    QFile file(QStringLiteral("/proc/%1/stat").arg(process));
-    return file.open(QIODevice::ReadOnly) &&
-           !QString::fromUtf8(file.readAll()).contains(QLatin1String(") Z "));
-}
 const QString kRenderer = QStringLiteral("Renderer");
 
 qint64 residentKilobytes() {
@@ -165,6 +147,29 @@ TEST_F(ProgressiveTest, AKeyShowsTheLivePictureInTheSameFrameAndEndsTheRenderer)
     EXPECT_TRUE(comes([&] { return renders(); })) << "and once more, from there";
 }
 
+// On a busy machine a Renderer takes longer to die than the next one waits for its name.
+TEST_F(ProgressiveTest, ANameThatIsNotFreeYetIsWaitedFor) {
+    startServer();
+    Session session;
+    session.connectTo(name());
+    ASSERT_TRUE(shows(session));
+    const ModelCache models;
+    PreviewProcess preview(session, models);
+    QSignalSpy failures(&preview, &PreviewProcess::failed);
+    bool done = false;
+    QObject::connect(&preview, &PreviewProcess::refined, &preview,
+                     [&](const QImage&, bool last) { done = last; });
+    const ipc::Names names(preview.instance().toStdString());
+    std::optional<ipc::OwnerLock> dying = ipc::OwnerLock::tryTake(names.serverLock(ipc::lockFolder()));
+    ASSERT_TRUE(dying.has_value());
+    preview.render({.antialiasing = 2});
+    QTest::qWait(3000);
+    EXPECT_FALSE(done);
+    dying.reset();
+    EXPECT_TRUE(comes([&] { return done; }));
+    EXPECT_TRUE(failures.isEmpty()) << failures.front().front().toString().toStdString();
+}
+
 TEST_F(ProgressiveTest, SoDoesWhateverElseMovesTheCamera) {
     ASSERT_NO_FATAL_FAILURE(open(2));
     ASSERT_TRUE(comes([&] { return !window->view().showsLive(); }));
@@ -237,9 +242,11 @@ TEST_F(ProgressiveTest, InterruptedAtAnyMomentItShowsNoOldPicture) {
         }));
         QElapsedTimer clock;
         clock.start();
-        const int wait = upTo(3) == 0 ? 1500 : upTo(700);
+        // Sometimes until there is something to interrupt, however busy the machine is.
+        const bool patient = upTo(3) == 0;
+        const int wait = upTo(700), before = shown;
         const void* seen = nullptr;
-        while (clock.elapsed() < wait) {
+        while (clock.elapsed() < wait || (patient && shown == before && clock.elapsed() < kPatience)) {
             QTest::qWait(1);
             const QImage& picture = window->view().picture();
             if (picture.isNull() || picture.constBits() == seen) continue;
@@ -256,7 +263,9 @@ TEST_F(ProgressiveTest, InterruptedAtAnyMomentItShowsNoOldPicture) {
     EXPECT_EQ(old, 0);
     EXPECT_GT(shown, rounds / 10);
     if (rounds > 10) {
-        EXPECT_LT(residentKilobytes() - memory, 16 * 1024);
+        const qint64 grown = residentKilobytes() - memory;
+        EXPECT_LT(grown, 16 * 1024);
+        ::testing::Test::RecordProperty("kilobytesMore", static_cast<int>(grown));
     }
     ::testing::Test::RecordProperty("pictures", shown);
     action(ActionId::ProgressiveRendering)->trigger();
@@ -282,7 +291,6 @@ TEST_F(ProgressiveTest, WhenTheWindowIsKilledTheRendererIsGoneWithinASecond) {
     program.send(SIGKILL);
     EXPECT_TRUE(comes([&] { return !runs(renderer); }, 1000));
     program.wait();
-    if (served != 0) ::kill(served, SIGTERM); // it may outlive the window
     EXPECT_TRUE(comes([&] { return !runs(served); }));
 }
 

@@ -1,6 +1,7 @@
 #!/bin/sh
-# The window on a real X server, driven by keys and mouse as a person would: it walks, it turns, Ctrl+S starts
-# a server only while the keyboard is not captured, and closing leaves nothing behind.
+# The window on a real X server, driven by keys and mouse as a person would: it walks, it turns, switches light and
+# bloom, exports, is resized; Ctrl+S starts a server only while the keyboard is not captured; and whether it is closed
+# or killed, nothing is left behind once nobody looks.
 #   real_window.sh FOLDER-OF-PROGRAMS MODEL [PICTURES]     77: the tools are missing
 set -eu
 for tool in Xvfb xdotool import compare; do
@@ -9,7 +10,7 @@ done
 programs=$1 model=$2 pictures=${3:-}
 work=$(mktemp -d)
 name=real-$$
-export XDG_RUNTIME_DIR=$work XDG_CONFIG_HOME=$work/config XDG_CACHE_HOME=$work/cache QT_QPA_PLATFORM=xcb
+export HOME=$work XDG_RUNTIME_DIR=$work XDG_CONFIG_HOME=$work/config XDG_CACHE_HOME=$work/cache QT_QPA_PLATFORM=xcb
 chmod 700 "$work"
 Xvfb -displayfd 3 -screen 0 1000x700x24 -nolisten tcp 3>"$work/display" >/dev/null 2>&1 &
 xvfb=$!
@@ -39,6 +40,10 @@ comes() {
     done
 }
 status() { "$programs/CUI" --instance="$name" status; }
+answer() { "$programs/CUI" --instance="$name" "$@"; }
+changed() { [ "$(answer $asked)" != "$before" ]; }
+is() { [ "$(answer $asked)" = "$before" ]; }
+written() { [ -s "$work/$1" ]; }
 eye() { status | grep -E "^(eye|forward):"; }
 idle() { status | grep -q "state: idle"; }
 moved() { [ "$(eye)" != "$before" ]; }
@@ -71,6 +76,29 @@ comes "CapsLock and Left turn" moved
 xdotool key Caps_Lock
 settle "turning"
 
+# A key that switches something, twice.
+toggles() {
+    asked=$2 before=$(answer $2)
+    xdotool key "$1"
+    comes "the key $1 changes $2" changed
+    xdotool key "$1"
+    comes "the key $1 changes $2 back" is
+}
+toggles 1 lights
+toggles b "get bloom"
+xdotool key e
+comes "E exports the camera" written camera-0001.cam
+xdotool key h
+comes "H exports it for high quality" written camera-0002.cam
+grep -q 1920 "$work/camera-0002.cam" || fail "H exports in high quality"
+xdotool key F12
+comes "F12 writes the picture" written screenshot-0001.png
+before=$(status | grep resolution:)
+xdotool windowsize --sync "$main" 700 500
+resized() { [ "$(status | grep resolution:)" != "$before" ]; }
+comes "the frames follow the window's size" resized
+settle "resizing"
+
 xdotool mousemove --window "$main" 400 300 click 1
 sleep 0.3
 before=$(eye)
@@ -90,6 +118,18 @@ xdotool key ctrl+s
 comes "Ctrl+S opens the dialog" dialog
 shot dialog
 
+xdotool key Escape
+
+# A second window looks on. It stays when the first one is killed, and the server with it; then nobody does.
+"$programs/GUI" --connect --instance="$name" 2>>"$work/out" &
+second=$!
+comes "a second window" xdotool search --onlyvisible --name "$name"
+sleep 0.5
+kill -KILL "$window"
+wait "$window" 2>/dev/null || true
+window=$second
+sleep 1
+answer ping >/dev/null || fail "the server ends though a window looks at it"
 kill -TERM "$window"
 code=0
 wait "$window" || code=$?

@@ -1,8 +1,6 @@
 /// The session with real servers, without a window.
 // Before Qt, to whom "slots" is a keyword.
-#include "ipc/endpoint/link.h"
-#include "ipc/layout/control_block.h"
-#include "ipc/platform/owner_lock.h"
+#include "support/other_version.h"
 
 #include "gui/gui_support.h"
 
@@ -13,7 +11,6 @@
 
 #include <cmath>
 #include <csignal>
-#include <cstring>
 
 namespace {
 
@@ -183,15 +180,7 @@ TEST_F(SessionTest, TwoSessionsSeeTheSameServer) {
 }
 
 TEST_F(SessionTest, AServerOfAnotherVersionIsRefused) {
-    const auto lock = ipc::OwnerLock::tryTake(instance.names().serverLock(ipc::lockFolder()));
-    ASSERT_TRUE(lock);
-    const ipc::Segment segment = ipc::Segment::create(instance.names().control(), sizeof(ipc::ControlBlock));
-    auto& block = *new (segment.data()) ipc::ControlBlock;
-    block.header.handshake = ipc::ownHandshake();
-    ++block.header.handshake.protocolVersion;
-    block.header.epoch = 5;
-    std::strcpy(block.header.lockFolder, ipc::lockFolder().c_str());
-    block.header.magic = ipc::kControlMagic;
+    const ServerOfAnotherVersion other(instance);
     session.connectTo(name());
     ASSERT_TRUE(comes([&] { return session.state() == SessionState::Refused; }));
     EXPECT_TRUE(session.reason().contains(QStringLiteral("version"))) << session.reason().toStdString();

@@ -1,17 +1,11 @@
 /// The whole window with a real server.
-#include "gui/gui_support.h"
+#include "gui/window_support.h"
 
-#include "gui/main_window.h"
-#include "gui/operations/actions.h"
-#include "gui/view/frame_view.h"
 #include "gui/view/input_capture.h"
-#include "gui/view/notice_bar.h"
 
-#include <QAction>
 #include <QClipboard>
-#include <QDir>
+#include <QElapsedTimer>
 #include <QGuiApplication>
-#include <QMenuBar>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -23,31 +17,7 @@ namespace {
 using namespace test;
 using namespace gui;
 
-class WindowTest : public GuiTest {
-  protected:
-    void SetUp() override {
-        GuiTest::SetUp();
-        window.emplace(name());
-        window->preferences().set(pref::pictureFolder, QString::fromStdString(folder().path().string()));
-        window->preferences().set(pref::pictureScale, 25);
-        window->resize(400, 320);
-        window->show();
-        window->activateWindow();
-        ASSERT_TRUE(QTest::qWaitForWindowActive(&*window));
-    }
-    void TearDown() override {
-        window->close();
-        window.reset();
-    }
-    void open() {
-        window->open(file("room.obj"));
-        ASSERT_TRUE(shows(window->session())) << window->notice().text().toStdString();
-    }
-    QAction* action(ActionId id) { return window->actions()[id]; }
-    QImage grabbed() { return window->view().grab().toImage(); }
-
-    std::optional<MainWindow> window;
-};
+class WindowTest : public WindowFixture {};
 
 TEST_F(WindowTest, AModelStartsAServerAndIsShown) {
     EXPECT_FALSE(action(ActionId::StopServer)->isEnabled());
@@ -107,15 +77,23 @@ TEST_F(WindowTest, TheServerDrawsAsManyPixelsAsTheWindowHas) {
 
 TEST_F(WindowTest, AKilledServerIsExplainedAndRestartedByAButton) {
     open();
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("camera set 1 2 5 0 0 -1 50")).done);
+    ASSERT_TRUE(comes([&] { return window->session().lastView().eye == QVector3D(1, 2, 5); }));
     EXPECT_FALSE(window->notice().isVisible());
+    QElapsedTimer clock;
+    clock.start();
     ::kill(static_cast<pid_t>(window->session().serverProcess()), SIGKILL);
     ASSERT_TRUE(comes([&] { return window->notice().isVisible(); }));
+    EXPECT_LT(clock.elapsed(), 1000);
+    EXPECT_FALSE(window->notice().text().isEmpty());
     EXPECT_TRUE(comes([&] { return !window->session().live(); }));
     QPushButton* restart = window->notice().findChild<QPushButton*>();
     ASSERT_NE(restart, nullptr);
     restart->click();
     EXPECT_TRUE(shows(window->session()));
     EXPECT_FALSE(window->notice().isVisible());
+    EXPECT_TRUE(comes([&] { return status().view.eye == QVector3D(1, 2, 5); })) << "where it was";
+    EXPECT_EQ(ask(window->session(), QStringLiteral("scene")).text, file("room.obj"));
 }
 
 TEST_F(WindowTest, AFileThatIsNotThereIsExplained) {

@@ -1,8 +1,10 @@
-/// A program that a fault test starts, stops and kills. It dies with the test.
+/// A process that a test or a benchmark starts, stops and kills. It dies with the test.
 #pragma once
 
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <functional>
 #include <string>
 #include <thread>
@@ -68,6 +70,17 @@ class ChildProcess {
         }
         ::execv(arguments[0], arguments.data());
         ::_exit(127);
+    }
+    /// A copy of this process that does `work`, and exits.
+    explicit ChildProcess(const std::function<void()>& work) : process_(::fork()) {
+        if (process_ != 0) return;
+        ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+        try {
+            work();
+        } catch (const std::exception& error) {
+            std::fprintf(stderr, "%s\n", error.what());
+        }
+        ::_exit(0);
     }
     ~ChildProcess() { kill(); }
     ChildProcess(ChildProcess&& other) noexcept : process_(std::exchange(other.process_, -1)) {}

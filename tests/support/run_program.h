@@ -58,6 +58,8 @@ class RunningProgram {
     RunningProgram(const RunningProgram&) = delete;
     RunningProgram& operator=(const RunningProgram&) = delete;
 
+    pid_t process() const { return process_; } ///< -1 after wait()
+
     /// To the program alone, not to its children.
     void send(int signal) const { ::kill(process_, signal); }
 

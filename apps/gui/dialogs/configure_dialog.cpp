@@ -61,7 +61,8 @@ QWidget* ConfigureDialog::generalPage() {
     form->addRow(tr("&Folder for pictures:"), folder);
     stores_.append([this, folder] { preferences_.set(pref::pictureFolder, folder->path()); });
     constexpr int kMostMegabytes = 1000000;
-    addNumber(*form, tr("Keep mo&dels for the next time:"), pref::keptModels, 0, kMostMegabytes, tr(" MB"));
+    addNumber(*form, tr("Keep mo&dels for the next time:"), pref::keptModels, 0, kMostMegabytes, tr(" MB"),
+              tr("none"));
     addSwitch(*form, tr("&Keep servers running when the window closes"), pref::keepServers);
     addSwitch(*form, tr("&Progressive rendering when the camera rests"), pref::progressiveRendering);
     return page;
@@ -70,15 +71,16 @@ QWidget* ConfigureDialog::generalPage() {
 QWidget* ConfigureDialog::picturePage() {
     auto* page = new QWidget;
     auto* form = new QFormLayout(page);
-    constexpr int kMostSamples = 16, kMostBloom = 4096;
     addSwitch(*form, tr("The &live picture follows the window's size"), pref::followWindowSize);
     addScale(*form);
     constexpr int kMostMilliseconds = 1000;
-    addNumber(*form, tr("Frame &time in motion:"), pref::frameTime, 0, kMostMilliseconds, tr(" ms"));
-    addNumber(*form, tr("&Quick render, anti-aliasing:"), pref::stillAntialiasing, 1, kMostSamples, {});
-    addNumber(*form, tr("Quick render, &bloom:"), pref::stillBloom, 0, kMostBloom, tr(" pixels"));
-    addNumber(*form, tr("&H exports anti-aliasing:"), pref::highQualityAntialiasing, 1, kMostSamples, {});
-    addNumber(*form, tr("H exports bl&oom:"), pref::highQualityBloom, 0, kMostBloom, tr(" pixels"));
+    addNumber(*form, tr("Frame &time in motion:"), pref::frameTime, 0, kMostMilliseconds, tr(" ms"),
+              tr("none"));
+    addStillQuality(*form);
+    constexpr int kMostSamples = 16, kMostBloom = 4096;
+    addNumber(*form, tr("&H exports anti-aliasing:"), pref::highQualityAntialiasing, 1, kMostSamples, {}, {});
+    addNumber(*form, tr("H exports bl&oom:"), pref::highQualityBloom, 0, kMostBloom, tr(" pixels"),
+              tr("none"));
     return page;
 }
 
@@ -98,10 +100,10 @@ void ConfigureDialog::addSwitch(QFormLayout& form, const QString& text, const Pr
 }
 
 void ConfigureDialog::addNumber(QFormLayout& form, const QString& text, const Preference<int>& row,
-                                int minimum, int maximum, const QString& suffix) {
+                                int minimum, int maximum, const QString& suffix, const QString& leastText) {
     auto* box = new QSpinBox;
     box->setRange(minimum, maximum);
-    if (minimum == 0) box->setSpecialValueText(tr("none"));
+    box->setSpecialValueText(leastText);
     box->setValue(preferences_.get(row));
     box->setSuffix(suffix);
     form.addRow(text, box);
@@ -137,6 +139,24 @@ void ConfigureDialog::addScale(QFormLayout& form) {
     box->setToolTip(tr("Smaller pictures are drawn faster"));
     form.addRow(tr("&Size of the live picture:"), box);
     stores_.append([this, box] { preferences_.set(pref::pictureScale, box->currentData().toInt()); });
+}
+
+// What progressive rendering and quick render do better than the live picture.
+void ConfigureDialog::addStillQuality(QFormLayout& form) {
+    constexpr int kMostSamples = 16, kMostBloom = 4096, kMostRays = 4096;
+    const QString asLive = tr("as the live picture");
+    addNumber(form, tr("&Quick render, anti-aliasing:"), pref::stillAntialiasing, 1, kMostSamples, {}, {});
+    auto* occlusion = new QComboBox;
+    occlusion->addItem(asLive, QStringLiteral("live"));
+    occlusion->addItem(tr("on"), QStringLiteral("on"));
+    occlusion->addItem(tr("off"), QStringLiteral("off"));
+    occlusion->setCurrentIndex(qMax(0, occlusion->findData(preferences_.get(pref::stillOcclusion))));
+    form.addRow(tr("Quick render, &ambient occlusion:"), occlusion);
+    stores_.append(
+        [this, occlusion] { preferences_.set(pref::stillOcclusion, occlusion->currentData().toString()); });
+    addNumber(form, tr("Quick render, occlusion &rays:"), pref::stillOcclusionSamples, 0, kMostRays, {},
+              asLive);
+    addNumber(form, tr("Quick render, &bloom:"), pref::stillBloom, -1, kMostBloom, tr(" pixels"), asLive);
 }
 
 void ConfigureDialog::addSensitivity(QFormLayout& form) {

@@ -31,10 +31,11 @@ class ConfigureDialog : public QDialog {
     QWidget* inputPage();
     void addSwitch(QFormLayout& form, const QString& text, const Preference<bool>& row);
     void addNumber(QFormLayout& form, const QString& text, const Preference<int>& row, int minimum,
-                   int maximum, const QString& suffix);
+                   int maximum, const QString& suffix, const QString& leastText);
     void addTheme(QFormLayout& form);
     void addLanguage(QFormLayout& form);
     void addScale(QFormLayout& form);
+    void addStillQuality(QFormLayout& form);
     void addSensitivity(QFormLayout& form);
     void askForBindings();
     void finish();

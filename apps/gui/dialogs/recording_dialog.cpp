@@ -16,13 +16,16 @@ RecordingDialog::RecordingDialog(Session& session, const QString& folder, QWidge
     : QDialog(parent), session_(session), folder_(folder),
       path_(new FileField(FileField::Kind::Save, tr("List of cameras"),
                           tr("Lists (*.lst *.txt);;All files (*)"))),
-      button_(new QPushButton), film_(new QPushButton(tr("Render as &film…"))), state_(new QLabel) {
+      button_(new QPushButton), play_(new QPushButton(tr("P&lay"))),
+      film_(new QPushButton(tr("Render as &film…"))), state_(new QLabel) {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Recording"));
     state_->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     buttons->addButton(button_, QDialogButtonBox::ActionRole);
+    buttons->addButton(play_, QDialogButtonBox::ActionRole);
     buttons->addButton(film_, QDialogButtonBox::ActionRole);
+    connect(play_, &QPushButton::clicked, this, &RecordingDialog::play);
     connect(film_, &QPushButton::clicked, this, [this] { emit filmWanted(recorded_); });
     auto* hint = new QLabel(tr("From Start to Stop the camera, the exposure and the lights are written 30 "
                                "times a second: .cam files "
@@ -54,6 +57,11 @@ void RecordingDialog::toggle() {
     session_.send(Session::line(words), this, [this](const Answer& answer) { tell(answer); });
 }
 
+void RecordingDialog::play() {
+    session_.send(Session::line({QStringLiteral("play"), recorded_}), this,
+                  [this](const Answer& answer) { tell(answer); });
+}
+
 void RecordingDialog::tell(const Answer& answer) {
     if (!answer.done || !answer.text.isEmpty()) state_->setText(answer.text);
 }
@@ -73,6 +81,7 @@ void RecordingDialog::refresh() {
         state_->setText(tr("Recorded: %1").arg(recorded_.isEmpty() ? path_->path() : recorded_));
         propose();
     }
+    play_->setEnabled(session_.live() && !recording && !recorded_.isEmpty());
     film_->setEnabled(!recording && !recorded_.isEmpty());
 }
 

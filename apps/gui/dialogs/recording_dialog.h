@@ -26,6 +26,7 @@ class RecordingDialog : public QDialog {
 
   private:
     void toggle();
+    void play();
     void tell(const Answer& answer);
     void refresh();
     void propose();
@@ -33,7 +34,7 @@ class RecordingDialog : public QDialog {
     Session& session_;
     QString folder_;
     FileField* path_;
-    QPushButton *button_, *film_;
+    QPushButton *button_, *play_, *film_;
     QLabel* state_;
     QElapsedTimer clock_;
     bool recording_ = false;

@@ -24,7 +24,9 @@ inline const Preference<QString> theme{"display/theme", QStringLiteral("system")
 inline const Preference<QString> language{"display/language", QStringLiteral("system")}; ///< system, en, cs
 inline const Preference<bool> progressiveRendering{"render/progressive", true};
 inline const Preference<int> stillAntialiasing{"render/stillAntialiasing", 3};
-inline const Preference<int> stillBloom{"render/stillBloom", 0};
+inline const Preference<int> stillBloom{"render/stillGlow", -1}; ///< -1 = as the live picture
+inline const Preference<QString> stillOcclusion{"render/stillOcclusion", QStringLiteral("live")}; ///< on, off
+inline const Preference<int> stillOcclusionSamples{"render/stillOcclusionSamples", 0}; ///< 0 = as live
 inline const Preference<bool> followWindowSize{"server/followWindowSize", true};
 inline const Preference<int> pictureScale{"server/pictureScale", 100}; ///< percent of the window's pixels
 inline const Preference<int> frameTime{"server/frameTime", 33}; ///< ms while something moves; 0 = no limit

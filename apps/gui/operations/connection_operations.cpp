@@ -27,12 +27,13 @@ ConnectionOperations::ConnectionOperations(const Desk& desk, QObject* parent) : 
             [this] { desk_.actions[ActionId::PauseServer]->setChecked(desk_.session.status().paused); });
     connect(&desk_.session, &Session::commandFailed, this,
             [this](const QString&, const QString& text) { desk_.view.tell(text); });
-    connect(&desk_.preferences, &Preferences::changed, this, &ConnectionOperations::limitModels);
-    limitModels();
+    connect(&desk_.preferences, &Preferences::changed, this, &ConnectionOperations::onPreferences);
+    onPreferences();
     onState();
 }
 
-void ConnectionOperations::limitModels() {
+void ConnectionOperations::onPreferences() {
+    desk_.keeper.keepServers(desk_.preferences.get(pref::keepServers));
     desk_.keeper.models().setLimit(desk_.preferences.get(pref::keptModels));
 }
 
@@ -67,11 +68,13 @@ void ConnectionOperations::chooseFile() {
 void ConnectionOperations::open(const QString& path) {
     const QFileInfo file(path);
     const QString suffix = file.suffix().toLower();
-    if (suffix != QLatin1String("cam") && suffix != QLatin1String("set"))
-        return showScene(file.absoluteFilePath());
+    QStringList words;
+    if (suffix == QLatin1String("cam")) words = {QStringLiteral("load"), QStringLiteral("camera")};
+    if (suffix == QLatin1String("set")) words = {QStringLiteral("load"), QStringLiteral("set")};
+    if (suffix == QLatin1String("lst")) words = {QStringLiteral("play")};
+    if (words.isEmpty()) return showScene(file.absoluteFilePath());
     if (!desk_.session.live()) return desk_.view.tell(tr("Open a scene first."));
-    const QString what = suffix == QLatin1String("cam") ? QStringLiteral("camera") : QStringLiteral("set");
-    desk_.session.send(Session::line({QStringLiteral("load"), what, file.absoluteFilePath()}));
+    desk_.session.send(Session::line(words << file.absoluteFilePath()));
 }
 
 QString ConnectionOperations::instanceName() const {
@@ -153,7 +156,8 @@ void ConnectionOperations::onDeath(const QString& text) {
 void ConnectionOperations::onState() {
     desk_.actions.setServerThere(desk_.session.live());
     desk_.actions[ActionId::RestartServer]->setEnabled(desk_.keeper.canRestart());
-    const bool explained = desk_.session.state() == SessionState::Disconnected;
+    const SessionState state = desk_.session.state();
+    const bool explained = state == SessionState::Disconnected || state == SessionState::Refused;
     if (explained && !desk_.session.reason().isEmpty())
         desk_.notice.explain(desk_.session.reason(), {desk_.actions[ActionId::StartServer]});
 }

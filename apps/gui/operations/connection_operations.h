@@ -26,7 +26,7 @@ class ConnectionOperations : public QObject {
 
   private:
     void connectActions();
-    void limitModels();
+    void onPreferences();
     void chooseFile();
     void chooseServer();
     void configureServer();

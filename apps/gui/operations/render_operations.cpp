@@ -61,13 +61,15 @@ bool RenderOperations::mayRenderProgressively() const {
 void RenderOperations::renderProgressively() {
     if (settled_ || !mayRenderProgressively()) return;
     quick_ = false;
-    render({desk_.preferences.get(pref::stillAntialiasing), desk_.preferences.get(pref::stillBloom)});
+    render(stillQuality(desk_.preferences));
 }
 
 void RenderOperations::quickRender(int antialiasing) {
     desk_.view.showLive();
     quick_ = true;
-    render({antialiasing, desk_.preferences.get(pref::stillBloom)});
+    StillQuality quality = stillQuality(desk_.preferences);
+    quality.antialiasing = antialiasing;
+    render(quality);
 }
 
 void RenderOperations::render(const StillQuality& quality) {

@@ -5,6 +5,8 @@
 #include "gui/processes/programs.h"
 #include "gui/session/server_list.h"
 
+#include "common/exit_codes.h"
+
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
@@ -22,7 +24,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kPace = 15ms;
-constexpr auto kPatience = 1s; ///< with a Renderer that does not end when it is asked to
+constexpr int kLingerSeconds = 60; ///< it is ended as soon as its last picture is seen, however late that is
+constexpr int kMostTries = 5;      ///< while the predecessor, on a busy machine, takes its time to die
+constexpr auto kPatience = 1s;     ///< with a Renderer that does not end when it is asked to
 
 int nextNumber() {
     static int number = 0;
@@ -76,13 +80,14 @@ void PreviewProcess::render(const StillQuality& quality) {
     if (folder_ == nullptr) folder_ = std::make_unique<QTemporaryDir>(privateFolder());
     if (!folder_->isValid()) return fail(std::exchange(folder_, nullptr)->errorString());
     active_ = true;
+    tries_ = 0;
+    quality_ = quality;
     emit progressed();
-    exportScene(quality);
+    exportScene();
 }
 
 // Answers that come after cancel() are another run's.
-void PreviewProcess::exportScene(const StillQuality& quality) {
-    const QSize size = session_.status().resolution;
+void PreviewProcess::exportScene() {
     const auto wanted = [this, run = run_] { return active_ && run == run_; };
     session_.send(
         Session::line({QStringLiteral("export"), QStringLiteral("scene"), file(QStringLiteral("scn"))}), this,
@@ -90,9 +95,7 @@ void PreviewProcess::exportScene(const StillQuality& quality) {
             if (wanted() && !answer.done) fail(answer.text);
         });
     session_.send(
-        Session::line({QStringLiteral("export"), QStringLiteral("camera"), file(QStringLiteral("cam")),
-                       QString::number(size.width()), QString::number(size.height()),
-                       QString::number(quality.antialiasing), QString::number(quality.bloom)}),
+        Session::line({QStringLiteral("export"), QStringLiteral("camera"), file(QStringLiteral("cam"))}),
         this, [this, wanted](const Answer& answer) {
             if (!wanted()) return;
             answer.done ? launch() : fail(answer.text);
@@ -116,8 +119,10 @@ void PreviewProcess::launch() {
                       QStringLiteral("--camera=") + file(QStringLiteral("cam")),
                       QStringLiteral("--preview=") + instance_,
                       QStringLiteral("--run-id=%1").arg(run_),
+                      QStringLiteral("--linger=%1").arg(kLingerSeconds),
                       QStringLiteral("--parent=%1").arg(QCoreApplication::applicationPid()),
                       QStringLiteral("--progress=none")};
+    words += rendererOptions(quality_);
     const QString model = models_.find(file(QStringLiteral("scn")));
     if (!model.isEmpty()) words.append(QStringLiteral("--model=") + model);
     process_->start(program, words);
@@ -141,8 +146,17 @@ void PreviewProcess::look() {
 void PreviewProcess::finish(int exitCode, bool crashed) {
     if (!crashed && exitCode == 0) look();
     if (!active_) return;
+    const bool later = !crashed && exitCode == static_cast<int>(app::ExitCode::TryAgain);
+    if (later && ++tries_ < kMostTries) return tryAgain();
     const QString words = QString::fromUtf8(process_->readAllStandardError()).trimmed();
     fail(words.isEmpty() ? tr("The Renderer failed.") : words);
+}
+
+void PreviewProcess::tryAgain() {
+    timer_.stop();
+    reader_.reset();
+    std::exchange(process_, nullptr)->deleteLater();
+    launch();
 }
 
 void PreviewProcess::fail(const QString& text) {

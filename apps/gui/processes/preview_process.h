@@ -1,6 +1,7 @@
 /// The present view, rendered in higher quality by the Renderer, shown while it refines.
 #pragma once
 
+#include "gui/models/still_quality.h"
 #include "gui/session/preview_reader.h"
 #include "gui/session/session.h"
 
@@ -17,11 +18,6 @@ class QTemporaryDir;
 namespace gui {
 
 class ModelCache;
-
-struct StillQuality {
-    int antialiasing = 1; ///< n x n samples a pixel
-    int bloom = 0;        ///< pixels
-};
 
 /// One picture at a time. Nothing waits but the destructor.
 class PreviewProcess : public QObject {
@@ -49,10 +45,11 @@ class PreviewProcess : public QObject {
     void progressed(); ///< also when it begins and ends
 
   private:
-    void exportScene(const StillQuality& quality);
+    void exportScene();
     void launch();
     void look();
     void finish(int exitCode, bool crashed);
+    void tryAgain();
     void fail(const QString& text);
     void release();
     QString file(const QString& extension) const;
@@ -61,7 +58,9 @@ class PreviewProcess : public QObject {
     const ModelCache& models_;
     QString instance_;
     quint64 run_; ///< of the picture under way, or of the next
+    StillQuality quality_;
     bool active_ = false;
+    int tries_ = 0; ///< of the picture under way
     double progress_ = 0;
     std::unique_ptr<QTemporaryDir> folder_;
     QProcess* process_ = nullptr;

@@ -2,6 +2,7 @@
 
 #include "gui/session/server_list.h"
 
+#include <QCoreApplication>
 #include <QEventLoop>
 #include <QFileInfo>
 #include <QTimer>
@@ -57,6 +58,7 @@ void ServerKeeper::launch(const ServerRequest& request) {
     scene_ = request.scene;
     waitsForFrame_ = true;
     ServerRequest extended = request;
+    extended.keep = keep_;
     const QString built = importsByOptions(request) ? QString() : models_.find(request.scene);
     if (!built.isEmpty()) extended.options.append(QStringLiteral("--built-model=") + built);
     server_.start(extended);
@@ -114,12 +116,18 @@ bool ServerKeeper::ours() const {
            session_.state() != SessionState::Disconnected;
 }
 
-void ServerKeeper::close(bool keep) {
+void ServerKeeper::keepServers(bool keep) {
+    if (std::exchange(keep_, keep) == keep || !ours()) return;
+    session_.send(keep ? QStringLiteral("parent none")
+                       : QStringLiteral("parent %1").arg(QCoreApplication::applicationPid()));
+}
+
+void ServerKeeper::close() {
     const bool shared = server_.running() && clientsOf(server_.request().instance) > (ours() ? 1 : 0);
     asked_ = true;
     session_.leave();
     // Otherwise the server ends with its ServerProcess.
-    if (keep || shared) server_.release();
+    if (keep_ || shared) server_.release();
 }
 
 void ServerKeeper::onEnded(const QString& text) {

@@ -28,14 +28,16 @@ class ServerKeeper : public QObject {
     bool canRestart() const { return !last_.scene.isEmpty(); }
     /// The same scene, the same camera.
     void restart();
+    /// Whether our servers, the present one too, go on when the window closes, or is killed. Without that
+    /// they end then, unless other clients are connected, and with the last of these.
+    void keepServers(bool keep);
     /// Our server shows another scene now.
     void sceneLoaded(const QString& scene);
 
     /// The session's server is the one that we started.
     bool ours() const;
     /// What the window does when it closes; may take a few seconds when a server takes its time to end.
-    /// `keep`: ours goes on in any case.
-    void close(bool keep);
+    void close();
 
     const ServerProcess& server() const { return server_; }
     ModelCache& models() { return models_; }                      ///< of what our servers load
@@ -60,6 +62,7 @@ class ServerKeeper : public QObject {
     QString scene_;
     View view_; ///< the one to restart with
     bool waitsForFrame_ = false;
+    bool keep_ = false;
     bool asked_ = false; ///< the end of the server is our wish
 };
 

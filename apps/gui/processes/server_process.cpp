@@ -3,6 +3,7 @@
 #include "gui/processes/detach.h"
 #include "gui/processes/programs.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -24,6 +25,7 @@ QStringList wordsOf(const ServerRequest& request) {
                          .arg(request.resolution.width())
                          .arg(request.resolution.height()));
     }
+    if (!request.keep) words.append(QStringLiteral("--parent=%1").arg(QCoreApplication::applicationPid()));
     return words + request.options;
 }
 

@@ -15,6 +15,7 @@ struct ServerRequest {
     QString instance = QStringLiteral("default");
     QSize resolution;    ///< empty: the scene's own
     QStringList options; ///< further ones, as RTServer takes them
+    bool keep = false;   ///< it goes on when this program ends, however that happens
 };
 
 /// The option that lets a server draw fewer pixels in motion where a frame would take longer.

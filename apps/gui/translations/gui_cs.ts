@@ -939,6 +939,26 @@ Alt+%2</translation>
         <source>Keep mo&amp;dels for the next time:</source>
         <translation>U&amp;chovat modely pro příště:</translation>
     </message>
+    <message>
+        <source>as the live picture</source>
+        <translation>jako živý obraz</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>zapnuto</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>vypnuto</translation>
+    </message>
+    <message>
+        <source>Quick render, &amp;ambient occlusion:</source>
+        <translation>Rychlé vykreslení, z&amp;astínění okolím:</translation>
+    </message>
+    <message>
+        <source>Quick render, occlusion &amp;rays:</source>
+        <translation>Rychlé vykreslení, &amp;paprsky zastínění:</translation>
+    </message>
 </context>
 <context>
     <name>gui::ConnectDialog</name>
@@ -1634,6 +1654,10 @@ Alt+%2</translation>
     <message>
         <source>From Start to Stop the camera, the exposure and the lights are written 30 times a second: .cam files and their list, which the Renderer makes a film of.</source>
         <translation>Mezi Začít a Zastavit se 30krát za sekundu zapisují kamera, expozice a světla: soubory .cam a jejich seznam, ze kterého Renderer udělá film.</translation>
+    </message>
+    <message>
+        <source>P&amp;lay</source>
+        <translation>Pře&amp;hrát</translation>
     </message>
 </context>
 <context>

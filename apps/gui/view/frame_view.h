@@ -34,7 +34,8 @@ class FrameView : public QWidget {
     void showPicture(const QImage& picture);
     void showLive();
     bool showsLive() const { return picture_.isNull(); }
-    const QImage& picture() const { return picture_; } ///< null while it shows live frames
+    const QString& activity() const { return activity_; } ///< what goes on, in a word
+    const QImage& picture() const { return picture_; }    ///< null while it shows live frames
 
     /// Where a point of the widget is in the picture: from -1 (left, bottom) to 1; nothing beside it.
     std::optional<QPointF> inPicture(const QPointF& place) const;

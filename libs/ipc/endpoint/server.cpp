@@ -182,6 +182,12 @@ void Server::answer(const Command& command, AnswerStatus status, std::string_vie
     state_->clients[static_cast<std::size_t>(command.slot)].answer(slot, command, status, text);
 }
 
+bool Server::isConnected(const Command& command) const {
+    if (command.slot < 0 || command.slot >= kMaxClients) return false;
+    const ServedClient& client = state_->clients[static_cast<std::size_t>(command.slot)];
+    return client.active() && client.tag() == command.client;
+}
+
 KeyState Server::keys() {
     KeyState keys;
     for (int i = 0; i < kMaxClients; ++i) {

@@ -70,6 +70,8 @@ class Server {
     /// ignored. Text beyond 65,520 bytes is cut off. A client with 64 open answers is not served until some
     /// are given.
     void answer(const Command& command, AnswerStatus status, std::string_view text = {});
+    /// Whether the client that sent it is still connected, as of the last takeCommands() or wait().
+    bool isConnected(const Command& command) const;
     /// The keys that any client holds down, and how often each was pressed since the last call.
     KeyState keys();
     int clients() const;             ///< that command; viewers are not known

@@ -70,11 +70,15 @@ ActionSet KeyBindings::held(const Down& down) const {
     return set;
 }
 
-std::vector<ActionTap> KeyBindings::taps(const Down& down, const Presses& presses) const {
+std::vector<ActionTap> KeyBindings::taps(const Down& down, const Presses& presses, const Down& before) const {
+    Down since = down | before;
+    for (std::size_t key = 0; key < presses.size(); ++key) {
+        if (presses[key] > 0) since.set(key);
+    }
     std::vector<ActionTap> taps;
     for (const KeyBinding& b : bindings_) {
         const std::uint32_t count = presses[static_cast<std::size_t>(b.key)];
-        if (count == 0 || !fits(b, down)) continue;
+        if (count == 0 || !fits(b, since)) continue;
         // An even number of presses of a switch is none; nobody presses one thousands of times between two
         // looks.
         const std::uint32_t times =

@@ -46,8 +46,10 @@ class KeyBindings {
     /// What goes on while these keys are down.
     ActionSet held(const Down& down) const;
     /// What the presses since the last look do, in the order of the bindings; of actions that are held, one
-    /// tap for each key that is up again, so that the shortest press moves.
-    std::vector<ActionTap> taps(const Down& down, const Presses& presses) const;
+    /// tap for each key that is up again, so that the shortest press moves. `before`: the keys that were down
+    /// at the last look. A key that was down at any time since then counts as held with those that were
+    /// pressed.
+    std::vector<ActionTap> taps(const Down& down, const Presses& presses, const Down& before = {}) const;
 
   private:
     bool fits(const KeyBinding& binding, const Down& down) const;

@@ -182,6 +182,11 @@ TEST_F(Previewing, BadCommandLines) {
 
 class Orphaned : public LivePreview {
   protected:
+    static std::string parentLine(pid_t process) {
+        const std::string status = readBytes("/proc/" + std::to_string(process) + "/status");
+        const std::size_t begin = std::min(status.size(), status.find("PPid:"));
+        return status.substr(begin, status.find('\n', begin) - begin);
+    }
     /// Gone, or waiting for a system process that reaps orphans, which a container may lack.
     static bool ended(pid_t process) {
         const std::string stat = readBytes("/proc/" + std::to_string(process) + "/stat");
@@ -211,15 +216,31 @@ TEST_F(Orphaned, EndsWithTheParent) {
     EXPECT_EQ(viewer->update(), ipc::LinkState::Gone);
 }
 
+// As from a window that is closed: of the two reasons to stop the second must not cut the cleaning up short.
 TEST_F(Orphaned, EndsWithTheParentEvenAfterASignal) {
     startByShell("--preview=" + instance.name());
     look();
-    const auto renderer = static_cast<pid_t>(viewer->serverProcess());
-    // As from a window that is closed: a second request must not cut the cleaning up short.
-    ::kill(renderer, SIGTERM);
+    ::kill(static_cast<pid_t>(viewer->serverProcess()), SIGTERM);
     program->send(SIGKILL);
     EXPECT_TRUE(within(10, [&] { return !alive(); }));
     EXPECT_TRUE(instance.segments().empty());
+}
+
+TEST_F(Orphaned, EndsWithTheParentEvenBeforeASignal) {
+    for (int pause = 0; pause < 5; ++pause) {
+        startByShell("--preview=" + instance.name());
+        look();
+        ipc::Frame frame;
+        ASSERT_TRUE(viewer->waitForFrame(frame, std::chrono::seconds(30)));
+        const auto renderer = static_cast<pid_t>(viewer->serverProcess());
+        const std::string shell = parentLine(renderer);
+        program->send(SIGKILL);
+        ASSERT_TRUE(within(10, [&] { return parentLine(renderer) != shell; }));
+        std::this_thread::sleep_for(std::chrono::milliseconds(pause));
+        ::kill(renderer, SIGTERM);
+        EXPECT_TRUE(within(10, [&] { return !alive(); }));
+        EXPECT_TRUE(instance.segments().empty());
+    }
 }
 
 TEST_F(Orphaned, TheParentDiedBefore) {

@@ -139,4 +139,18 @@ TEST_F(Motions, ALargeModelIsShownAtOnceAndTracedFasterLater) {
     EXPECT_EQ(said.find(message), said.rfind(message)) << said;
 }
 
+TEST_F(Motions, AKeyThatIsHeldForATimeIsReleasedWhenItsCommandEnds) {
+    start();
+    for (const int signal : {SIGINT, SIGKILL}) {
+        const std::string before = ask({"camera", "get"});
+        RunningProgram command(programPath("CUI"),
+                               {"--instance=" + instance.name(), "key", "press", "a", "--for=60000"});
+        for (int i = 0; i < 1000 && ask({"camera", "get"}) == before; ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        command.send(signal);
+        command.wait();
+        ask({"wait-idle", "--timeout=10"});
+    }
+}
+
 } // namespace

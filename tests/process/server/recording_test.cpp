@@ -4,6 +4,7 @@
 #include "rtcore/io/text/cam.h"
 #include "rtcore/io/text/camera_list.h"
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -89,6 +90,8 @@ TEST_F(Recordings, ArePlayed) {
     writeText(folder() / "empty.lst", "# nothing\n");
     refused({"play", "empty.lst"}, 65, "names no camera");
     refused({"play", "none.lst"}, 66, "none.lst");
+    writeText(folder() / "gap.lst", path.empty() ? "" : "walk.cams/000001.cam\nnone.cam\n");
+    refused({"play", "gap.lst"}, 66, "none.cam");
     ask({"exit"});
 
     start({"--play=walk.lst"});
@@ -106,6 +109,20 @@ TEST_F(Recordings, ABrokenPathEndsPlaying) {
     ASSERT_TRUE(server->waitForError("playing ended: ")) << server->wait().error;
     ask({"wait-idle"});
     ask({"export", "camera", "now.cam"});
+}
+
+TEST_F(Recordings, APathThatCannotBePlayedIsNoWayToBegin) {
+    writeText(folder() / "empty.lst", "# nothing\n");
+    for (const auto& [list, code] : {std::pair{"none.lst", 66}, std::pair{"empty.lst", 65}}) {
+        for (const char* how : {"--fps-limit=0", "--daemon"}) {
+            run({std::string("--play=") + list, how});
+            const ProgramResult result = server->wait();
+            EXPECT_EQ(result.exitCode, code) << result.error;
+            EXPECT_NE(result.error.find(list), std::string::npos) << result.error;
+            EXPECT_EQ(std::count(result.error.begin(), result.error.end(), '\n'), 1) << result.error;
+            EXPECT_TRUE(instance.segments().empty());
+        }
+    }
 }
 
 } // namespace

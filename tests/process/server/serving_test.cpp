@@ -1,6 +1,7 @@
 /// RTServer as its clients meet it: commands, keys, errors, ends.
 #include "process/server/live_server.h"
 
+#include "ipc/endpoint/client.h"
 #include "ipc/endpoint/viewer.h"
 
 #include <nlohmann/json.hpp>
@@ -52,6 +53,48 @@ TEST_F(Serving, SignalsEndItCleanly) {
         EXPECT_EQ(end(signal).exitCode, code);
         EXPECT_TRUE(instance.segments().empty());
     }
+}
+
+TEST_F(Serving, WithoutItsParentItEndsWithItsLastClient) {
+    RunningProgram parent("/bin/sleep", {"1000"});
+    start({"--parent=" + std::to_string(parent.process())});
+    std::optional<ipc::Client> client(std::in_place, instance.name());
+    parent.send(SIGKILL); // and not waited for: a zombie is gone, too
+    std::this_thread::sleep_for(500ms);
+    EXPECT_EQ(ask({"ping"}), "pong\n");
+    client.reset();
+    const Clock::time_point left = Clock::now();
+    const ProgramResult result = server->wait();
+    EXPECT_LT(Clock::now() - left, 2s);
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_NE(result.error.find("gone"), std::string::npos) << result.error;
+    EXPECT_TRUE(instance.segments().empty());
+}
+
+TEST_F(Serving, AParentCanBeNamedAndForgotten) {
+    RunningProgram parent("/bin/sleep", {"1000"});
+    const std::string number = std::to_string(parent.process());
+    start({"--parent=" + number});
+    for (const char* wrong : {"0", "-1", "sleep"}) refused({"parent", wrong}, 2, "");
+    ask({"parent", "none"});
+    parent.send(SIGKILL);
+    std::this_thread::sleep_for(500ms);
+    EXPECT_EQ(ask({"ping"}), "pong\n");
+    ask({"parent", number});
+    EXPECT_EQ(server->wait().exitCode, 0);
+}
+
+// A frame of minutes, too, ends then.
+TEST_F(Serving, WithoutItsParentALongFrameIsGivenUp) {
+    RunningProgram parent("/bin/sleep", {"1000"});
+    start({"--parent=" + std::to_string(parent.process())});
+    ASSERT_EQ(cui({"set", "antialiasing", "16"}).exitCode, 0);
+    ASSERT_EQ(cui({"resolution", "4000", "3000"}).exitCode, 0);
+    std::this_thread::sleep_for(300ms);
+    parent.send(SIGKILL);
+    const Clock::time_point killed = Clock::now();
+    EXPECT_EQ(server->wait().exitCode, 0);
+    EXPECT_LT(Clock::now() - killed, 2s);
 }
 
 TEST_F(Serving, OfTwoWithOneNameOneWins) {

@@ -47,6 +47,9 @@ TEST(KeyBindings, aSecondKeyTakesOver) {
 
 TEST(KeyBindings, noTapIsLost) {
     const KeyBindings bindings;
+    const std::vector<ActionTap> sky{{Action::SelectEnvironment, 3}};
+    EXPECT_EQ(bindings.taps({}, presses({'M', '3'})), sky) << "both within a moment";
+    EXPECT_EQ(bindings.taps({}, presses({'3'}), down({'M'})), sky) << "M is up again";
     EXPECT_EQ(bindings.taps({}, presses({'F', 'F', 'F'})).size(), 3U);
     EXPECT_EQ(bindings.taps({}, presses({'W', 'W'})), (std::vector<ActionTap>{{Action::Forward, 0}}));
     EXPECT_TRUE(bindings.taps(down({'W'}), presses({'W'})).empty()); // it is held

@@ -48,6 +48,10 @@ TEST(Keyboard, ReleasesWhatWasPressedForATime) {
     EXPECT_FALSE(keyboard.isDown(third));
     EXPECT_FALSE(keyboard.advance(1h));
     EXPECT_TRUE(keyboard.down()['W']) << "held until it is released";
+    keyboard.endPress(third);
+    EXPECT_TRUE(keyboard.down()['W']) << "no longer that press";
+    keyboard.endPress(keyboard.pressFor('W', 1h));
+    EXPECT_FALSE(keyboard.down()['W']);
     keyboard.pressFor('Q', 1s);
     keyboard.releaseAll();
     EXPECT_TRUE(keyboard.down().none());

@@ -1,0 +1,29 @@
+#include "gui/models/still_quality.h"
+
+#include "gui/models/preferences.h"
+
+namespace gui {
+
+StillQuality stillQuality(const Preferences& preferences) {
+    StillQuality quality;
+    quality.antialiasing = preferences.get(pref::stillAntialiasing);
+    quality.bloom = preferences.get(pref::stillBloom);
+    const QString occlusion = preferences.get(pref::stillOcclusion);
+    if (occlusion == QLatin1String("on")) quality.occlusion = StillOcclusion::On;
+    if (occlusion == QLatin1String("off")) quality.occlusion = StillOcclusion::Off;
+    quality.occlusionSamples = preferences.get(pref::stillOcclusionSamples);
+    return quality;
+}
+
+QStringList rendererOptions(const StillQuality& quality) {
+    QStringList options{QStringLiteral("--antialiasing=%1").arg(quality.antialiasing)};
+    if (quality.bloom >= 0) options.append(QStringLiteral("--bloom=%1").arg(quality.bloom));
+    if (quality.occlusion == StillOcclusion::On) options.append(QStringLiteral("--ambient-occlusion"));
+    if (quality.occlusion == StillOcclusion::Off) options.append(QStringLiteral("--no-ambient-occlusion"));
+    // By its name, since --ao-samples switches it on.
+    if (quality.occlusionSamples > 0)
+        options.append(QStringLiteral("--setting=ambientOcclusion.samples=%1").arg(quality.occlusionSamples));
+    return options;
+}
+
+} // namespace gui

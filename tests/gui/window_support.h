@@ -1,0 +1,49 @@
+/// The whole window, and a model in it by a server of its own.
+#pragma once
+
+#include "gui/gui_support.h"
+
+#include "gui/main_window.h"
+#include "gui/operations/actions.h"
+#include "gui/view/frame_view.h"
+#include "gui/view/notice_bar.h"
+
+#include <QAction>
+#include <QImage>
+
+namespace test {
+
+/// Fixture: a small window, seen and active, whose pictures go to the folder.
+class WindowFixture : public GuiTest {
+  protected:
+    void SetUp() override {
+        GuiTest::SetUp();
+        window.emplace(name());
+        window->preferences().set(gui::pref::pictureFolder, QString::fromStdString(folder().path().string()));
+        window->preferences().set(gui::pref::pictureScale, 25);
+        window->resize(400, 320);
+        window->show();
+        window->activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(&*window));
+    }
+    void TearDown() override {
+        if (window) window->close();
+        window.reset();
+    }
+    /// Until the first picture is there.
+    void open(const std::string& scene = "room.obj") {
+        window->open(file(scene));
+        ASSERT_TRUE(shows(window->session())) << window->notice().text().toStdString();
+    }
+    void openAndRest(const std::string& scene = "room.obj") {
+        ASSERT_NO_FATAL_FAILURE(open(scene));
+        ASSERT_TRUE(comes([&] { return status().idle; }));
+    }
+    const gui::ServerStatus& status() { return window->session().status(); }
+    QAction* action(gui::ActionId id) { return window->actions()[id]; }
+    QImage grabbed() { return window->view().grab().toImage(); }
+
+    std::optional<gui::MainWindow> window;
+};
+
+} // namespace test
