@@ -122,7 +122,6 @@ void PictureMaker::write(const FrameTask& task) {
 
 void PictureMaker::warnOfWhatIsMissing(const rtcore::RenderSettings& settings) {
     if (settings.bloom > 0) warnOnce("bloom is not rendered by this version yet");
-    if (settings.ambientOcclusion.on) warnOnce("ambient occlusion is not rendered by this version yet");
     if (loaded_.scene.fog.kind != rtcore::FogKind::None) warnOnce("fog is not rendered by this version yet");
 }
 

@@ -192,12 +192,12 @@ class Bench {
     }
 
     static void printStages(const char* what, const StageTimes& t) {
-        std::printf(
-            "  %s, ms: rays %.2f, trace %.2f, surfaces %.2f, occlusion %.2f, light %.2f, shadows %.2f, secondary rays "
-            "%.2f, store %.2f\n",
-            what, t.of(Stage::Rays) * 1e3, t.of(Stage::Trace) * 1e3, t.of(Stage::Surfaces) * 1e3,
-            t.of(Stage::Occlusion) * 1e3, t.of(Stage::Light) * 1e3, t.of(Stage::Shadows) * 1e3, t.of(Stage::Spawn) * 1e3,
-            t.of(Stage::Store) * 1e3);
+        std::printf("  %s, ms: rays %.2f, trace %.2f, surfaces %.2f, occlusion %.2f, light %.2f, shadows "
+                    "%.2f, secondary rays "
+                    "%.2f, store %.2f\n",
+                    what, t.of(Stage::Rays) * 1e3, t.of(Stage::Trace) * 1e3, t.of(Stage::Surfaces) * 1e3,
+                    t.of(Stage::Occlusion) * 1e3, t.of(Stage::Light) * 1e3, t.of(Stage::Shadows) * 1e3,
+                    t.of(Stage::Spawn) * 1e3, t.of(Stage::Store) * 1e3);
     }
 
     void measureFrames() {
@@ -269,11 +269,10 @@ class Bench {
 int main(int argc, char** argv) {
     const Options options = parse(argc, argv);
     if (options.scene.empty() || options.width < 1 || options.height < 1) {
-        std::fprintf(
-            stderr,
-            "bench_frame SCENE [--view NAME] [--size WxH] [--mirror SHARE] [--specular SHARE]\n"
-            "            [--threads N] [--frames N] [--antialiasing N] [--no-shadows]\n"
-            "            [--setting NAME=VALUE]... [--replay-only]\n");
+        std::fprintf(stderr,
+                     "bench_frame SCENE [--view NAME] [--size WxH] [--mirror SHARE] [--specular SHARE]\n"
+                     "            [--threads N] [--frames N] [--antialiasing N] [--no-shadows]\n"
+                     "            [--setting NAME=VALUE]... [--replay-only]\n");
         return 2;
     }
     try {

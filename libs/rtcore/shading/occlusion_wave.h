@@ -43,7 +43,7 @@ class OcclusionWave {
     struct Point {
         std::uint32_t index; ///< of the surface wave
         SquarePoint shift;   ///< u: along the width of a ring, v: of the azimuths
-        std::uint32_t name; ///< Random: what its directions are drawn by
+        std::uint32_t name;  ///< Random: what its directions are drawn by
     };
     /// Rays that go on behind holes and glass.
     struct SeeingRays {
