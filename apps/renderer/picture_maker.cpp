@@ -49,7 +49,6 @@ FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     rtcore::Camera camera = loaded_.camera;
     rtcore::RenderSettings settings = prepare(task.camera, camera);
     focus(camera, settings);
-    warnOfWhatIsMissing(settings);
 
     FrameReport report{.width = settings.width, .height = settings.height, .rays = {}};
     auto start = std::chrono::steady_clock::now();
@@ -159,14 +158,6 @@ void PictureMaker::write(const FrameTask& task, const rtcore::HdrImage& radiance
             rtcore::writeImage(output, developed_);
         }
     }
-}
-
-void PictureMaker::warnOfWhatIsMissing(const rtcore::RenderSettings& settings) {
-    if (settings.ambientOcclusion.on) warnOnce("ambient occlusion is not rendered by this version yet");
-}
-
-void PictureMaker::warnOnce(const std::string& text) {
-    if (warned_.insert(text).second) progress_.print("warning: " + text);
 }
 
 } // namespace renderer

@@ -13,7 +13,6 @@
 #include "rtcore/post/develop.h"
 #include "rtcore/render/frame_renderer.h"
 
-#include <set>
 #include <string>
 #include <vector>
 
@@ -55,8 +54,6 @@ class PictureMaker {
     float develop(const FrameTask& task, const rtcore::HdrImage& radiance,
                   const rtcore::RenderSettings& settings);
     void write(const FrameTask& task, const rtcore::HdrImage& radiance);
-    void warnOfWhatIsMissing(const rtcore::RenderSettings& settings);
-    void warnOnce(const std::string& text);
 
     rtcore::LoadedScene loaded_;
     std::vector<rtcore::Light> lights_; ///< as the scene has them, before a .cam switches any
@@ -71,7 +68,6 @@ class PictureMaker {
     rtcore::PictureDeveloper developer_;
     rtcore::Frame frame_;
     rtcore::LdrImage developed_;
-    std::set<std::string> warned_;
 };
 
 } // namespace renderer

@@ -117,7 +117,7 @@ OptionGroup qualityOptions() {
               .help = "glow around what is bright: blur of N pixels (standard deviation); 0 is none"},
              {.name = "ambient-occlusion",
               .thesis = {"-ao"},
-              .help = "switch ambient occlusion on; not rendered by this version yet"},
+              .help = "switch ambient occlusion on: corners are darker than open surfaces"},
              {.name = "no-ambient-occlusion", .thesis = {"-nao"}, .help = "switch ambient occlusion off"},
              {.name = "ao-samples",
               .thesis = {"-aon"},

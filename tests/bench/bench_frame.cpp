@@ -1,7 +1,7 @@
 // What a steady frame costs, stage by stage.
 //   bench_frame SCENE [--view NAME] [--size WxH] [--mirror SHARE] [--specular SHARE] [--threads N] [--frames
 //   N]
-//               [--antialiasing N] [--no-shadows] [--replay-only]
+//               [--antialiasing N] [--no-shadows] [--setting NAME=VALUE]... [--replay-only]
 // SCENE is a .bsp, .scn or model. Without lights of its own it gets one at the eye's height; a view of that
 // name (tests/support/view_rays.h) sets camera and light. The best of N frames (20) counts. The line `without
 // tracing` renders the same frame with the answers of the tracer played back, by one thread: what is left is
@@ -10,6 +10,7 @@
 #include "rtcore/platform/instruction_set.h"
 #include "rtcore/post/develop.h"
 #include "rtcore/render/frame_renderer.h"
+#include "rtcore/settings/settings_table.h"
 #include "support/view_rays.h"
 
 #include <algorithm>
@@ -33,6 +34,7 @@ using namespace rtcore;
 
 struct Options {
     std::string scene, view;
+    std::vector<std::string> settings; ///< "name=value"
     int width = 1920, height = 1080, threads = 1, frames = 20, antialiasing = 1;
     float mirror = 0, specular = 0;
     bool shadows = true, replayOnly = false;
@@ -99,6 +101,7 @@ Options parse(int argc, char** argv) {
             if (name == "--threads") o.threads = std::atoi(value);
             if (name == "--frames") o.frames = std::max(1, std::atoi(value));
             if (name == "--antialiasing") o.antialiasing = std::max(1, std::atoi(value));
+            if (name == "--setting") o.settings.emplace_back(value);
             if (name == "--mirror") o.mirror = static_cast<float>(std::atof(value));
             if (name == "--specular") o.specular = static_cast<float>(std::atof(value));
         }
@@ -148,6 +151,10 @@ class Bench {
         settings_.height = o.height;
         settings_.antialiasing = o.antialiasing;
         settings_.shadows = o.shadows;
+        for (const std::string& s : o.settings) {
+            const std::size_t equals = std::min(s.find('='), s.size() - 1);
+            setSettingFromText(settings_, s.substr(0, equals), s.substr(equals + 1));
+        }
     }
 
     void run() {
@@ -185,12 +192,12 @@ class Bench {
     }
 
     static void printStages(const char* what, const StageTimes& t) {
-        std::printf(
-            "  %s, ms: rays %.2f, trace %.2f, surfaces %.2f, occlusion %.2f, light %.2f, shadows %.2f, secondary rays "
-            "%.2f, store %.2f\n",
-            what, t.of(Stage::Rays) * 1e3, t.of(Stage::Trace) * 1e3, t.of(Stage::Surfaces) * 1e3,
-            t.of(Stage::Occlusion) * 1e3, t.of(Stage::Light) * 1e3, t.of(Stage::Shadows) * 1e3, t.of(Stage::Spawn) * 1e3,
-            t.of(Stage::Store) * 1e3);
+        std::printf("  %s, ms: rays %.2f, trace %.2f, surfaces %.2f, occlusion %.2f, light %.2f, shadows "
+                    "%.2f, secondary rays "
+                    "%.2f, store %.2f\n",
+                    what, t.of(Stage::Rays) * 1e3, t.of(Stage::Trace) * 1e3, t.of(Stage::Surfaces) * 1e3,
+                    t.of(Stage::Occlusion) * 1e3, t.of(Stage::Light) * 1e3, t.of(Stage::Shadows) * 1e3,
+                    t.of(Stage::Spawn) * 1e3, t.of(Stage::Store) * 1e3);
     }
 
     void measureFrames() {
@@ -220,9 +227,10 @@ class Bench {
         const auto rays = frame_.statistics.rays;
         std::printf("  hashes: radiance %016llx, picture %016llx\n", hashOf(frame_.radiance.pixels),
                     hashOf(image_.pixels));
-        std::printf("  rays: primary %llu, shadow %llu, mirror %llu, refracted %llu\n",
+        std::printf("  rays: primary %llu, shadow %llu, mirror %llu, refracted %llu, occlusion %llu\n",
                     static_cast<unsigned long long>(rays[0]), static_cast<unsigned long long>(rays[1]),
-                    static_cast<unsigned long long>(rays[2]), static_cast<unsigned long long>(rays[3]));
+                    static_cast<unsigned long long>(rays[2]), static_cast<unsigned long long>(rays[3]),
+                    static_cast<unsigned long long>(rays[4]));
     }
 
     void measureWithoutTracing() {
@@ -261,10 +269,10 @@ class Bench {
 int main(int argc, char** argv) {
     const Options options = parse(argc, argv);
     if (options.scene.empty() || options.width < 1 || options.height < 1) {
-        std::fprintf(
-            stderr,
-            "bench_frame SCENE [--view NAME] [--size WxH] [--mirror SHARE] [--specular SHARE]\n"
-            "            [--threads N] [--frames N] [--antialiasing N] [--no-shadows] [--replay-only]\n");
+        std::fprintf(stderr,
+                     "bench_frame SCENE [--view NAME] [--size WxH] [--mirror SHARE] [--specular SHARE]\n"
+                     "            [--threads N] [--frames N] [--antialiasing N] [--no-shadows]\n"
+                     "            [--setting NAME=VALUE]... [--replay-only]\n");
         return 2;
     }
     try {

@@ -1,41 +1,35 @@
-/// Directions for light from everywhere: patterns of points of the unit square, and how a point becomes a
-/// direction of a hemisphere with the density cos/pi (Malley's method).
+/// Directions of a hemisphere with the density cos / pi, from points of the unit square (Malley's method): u
+/// is the square of the sine of a direction's angle with the pole, v its azimuth.
 #pragma once
 
 #include "rtcore/math/portable_math.h"
 #include "rtcore/sampling/sample_id.h"
 
 #include <cmath>
-#include <cstdint>
 #include <vector>
 
 namespace rtcore {
 
-/// One direction, before a pattern is shifted: `u` is the square of the sine of its angle with the pole, the
-/// others are cosine and sine of its azimuth.
+/// A direction, its azimuth as a rotation.
 struct HemispherePoint {
     float u = 0, cosine = 1, sine = 0;
 };
 
-inline constexpr float kTurn = 6.28318530718F;
-
-/// The azimuth of `v`, 0..1, as a rotation.
 inline HemispherePoint hemispherePoint(SquarePoint p) {
+    constexpr float kTurn = 6.28318530718F;
     return {p.u, portableCos(kTurn * p.v), portableSin(kTurn * p.v)};
 }
 
-/// The k-th of `count` points of the golden spiral: each its own height and azimuth, for every count.
-/// However it is shifted on the torus, its points stay evenly spread.
-inline SquarePoint spiralPoint(int k, int count) {
-    const double turns = 0.61803398874989485 * k;
-    return {(static_cast<float>(k) + 0.5F) / static_cast<float>(count),
-            static_cast<float>(turns - std::floor(turns))};
-}
-
-/// Replaces `pattern` by the spiral of `count` >= 1 points.
+/// Replaces `pattern` by `count` >= 1 points of the golden spiral: each has a ring of its own, and azimuths
+/// are spread evenly over any few rings. They lie at the inner edges of the rings: all moved outwards by the
+/// same 0 <= s < 1 / count they stay in them, and with random s and azimuth they are unbiased together.
 inline void setSpiral(int count, std::vector<HemispherePoint>& pattern) {
     pattern.clear();
-    for (int k = 0; k < count; ++k) pattern.push_back(hemispherePoint(spiralPoint(k, count)));
+    for (int k = 0; k < count; ++k) {
+        const double turns = 0.61803398874989485 * k;
+        const float u = static_cast<float>(k) / static_cast<float>(count);
+        pattern.push_back(hemispherePoint({u, static_cast<float>(turns - std::floor(turns))}));
+    }
 }
 
 } // namespace rtcore

@@ -41,7 +41,7 @@ class Environment {
 
     std::string name_;
     bool cube_ = false;
-    Colour mean_; ///< without the intensity
+    Colour mean_;                  ///< without the intensity
     std::vector<HdrImage> images_; ///< six faces with a border of one texel, or one picture
 };
 

@@ -32,8 +32,7 @@ HWY_INLINE void aimVector(const OcclusionFrames& f, std::size_t i, Floats u, Flo
                           const OcclusionTargets& to) {
     const FloatTag d;
     const Floats one = constant(1);
-    u = hn::Add(u, hn::LoadU(d, f.shift + i));
-    u = hn::IfThenElse(hn::Ge(u, one), hn::Sub(u, one), u);
+    u = smaller(hn::Add(u, hn::LoadU(d, f.shift + i)), one); // rounded, the last ring may end above 1
     const Floats across = hn::Sqrt(u);
     const Floats along = hn::Sqrt(hn::Sub(one, u));
     Vectors direction = loadAt(f.tangent, i) * hn::Mul(across, cosine) +

@@ -15,7 +15,7 @@ struct OcclusionFrames {
     ArraysOf3 origin;
     ArraysOf3 tangent, bitangent, normal; ///< basis around the shading normal, turned as the point's pattern
     ArraysOf3 side;                       ///< geometric normal, on the side that rays leave to
-    float* shift = nullptr;               ///< added to the u of each direction, on the unit circle
+    float* shift = nullptr;               ///< added to the u of each direction
     float* visible = nullptr;             ///< sum of what the rays let pass
 };
 

@@ -59,7 +59,7 @@ void OcclusionWave::add(const SurfaceWave& surfaces, std::size_t point, SampleId
                         std::uint32_t bounce) {
     const float share = maxComponent(surfaces.share.colourAt(point));
     const std::size_t fewer = share > kFullShare ? 0 : share > kFullShare / 2 ? 1 : 2;
-    Point named{static_cast<std::uint32_t>(point), {}, 0};
+    Point named{static_cast<std::uint32_t>(point), {0.5F, 0}, 0}; // Regular: the middle of each ring
     if (kind_ == OcclusionPattern::Rotated) named.shift = evenShift(sample, Draw::Occlusion, bounce);
     if (kind_ == OcclusionPattern::Random) named.name = randomBits(sample, Draw::Occlusion, bounce);
     points_[fewer].push_back(named);
@@ -84,7 +84,8 @@ void OcclusionWave::trace(const std::vector<Point>& points, const std::vector<He
     const std::size_t size = (points.size() + groups - 1) / groups;
     for (std::size_t begin = 0; begin < points.size(); begin += size) {
         const std::span group(&points[begin], std::min(size, points.size() - begin));
-        place(group, surfaces);
+        place(group, kind_ == OcclusionPattern::Random ? 0 : 1 / static_cast<float>(pattern.size()),
+              surfaces);
         for (std::size_t k = 0; k < pattern.size(); k += atOnce) {
             if (stop != nullptr && stop->load(std::memory_order_relaxed)) return;
             const std::size_t count = std::min(atOnce, pattern.size() - k);
@@ -107,7 +108,7 @@ void OcclusionWave::trace(const std::vector<Point>& points, const std::vector<He
     }
 }
 
-void OcclusionWave::place(std::span<const Point> points, const SurfaceWave& surfaces) {
+void OcclusionWave::place(std::span<const Point> points, float ring, const SurfaceWave& surfaces) {
     memory_.resize(17, points.size());
     std::size_t next = 0;
     for (ArraysOf3* const arrays :
@@ -129,7 +130,7 @@ void OcclusionWave::place(std::span<const Point> points, const SurfaceWave& surf
         frames_.bitangent.set(i, bitangent * turn.cosine - tangent * turn.sine);
         frames_.normal.set(i, normal);
         frames_.side.set(i, side);
-        frames_.shift[i] = turn.u;
+        frames_.shift[i] = turn.u * ring;
         frames_.visible[i] = 0;
     }
 }

@@ -46,8 +46,8 @@ class OcclusionWave {
     /// A point that waits, and where its pattern is turned to.
     struct Point {
         std::uint32_t index; ///< of the surface wave
-        SquarePoint shift;
-        std::uint32_t name; ///< Random: what its directions are drawn by
+        SquarePoint shift;   ///< u: along the width of a ring, v: of the azimuths
+        std::uint32_t name;  ///< Random: what its directions are drawn by
     };
     /// Rays that go on behind holes and glass.
     struct SeeingRays {
@@ -66,7 +66,7 @@ class OcclusionWave {
 
     void trace(const std::vector<Point>& points, const std::vector<HemispherePoint>& pattern,
                SurfaceWave& surfaces, RayStatistics& statistics, const std::atomic<bool>* stop);
-    void place(std::span<const Point> points, const SurfaceWave& surfaces);
+    void place(std::span<const Point> points, float ring, const SurfaceWave& surfaces);
     void aim(std::span<const Point> points, std::span<const HemispherePoint> pattern, std::size_t first);
     void draw(std::span<const Point> points, std::uint32_t ray);
     void sumSeeThrough(RayStatistics& statistics);

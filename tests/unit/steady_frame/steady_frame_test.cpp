@@ -101,6 +101,18 @@ TEST(SteadyFrame, WithALensAndChosenSamplesAllocatesNothing) {
     }
 }
 
+TEST(SteadyFrame, WithAmbientOcclusionAllocatesNothing) {
+    for (const OcclusionPattern pattern : {OcclusionPattern::Rotated, OcclusionPattern::Random}) {
+        RenderSettings settings = settingsWith(1, true, 5);
+        settings.ambientOcclusion.on = true;
+        settings.ambientOcclusion.pattern = pattern;
+        Pictures pictures(test::sampleScene());
+        pictures.make(settings, 1);
+        pictures.make(settings, 1);
+        EXPECT_EQ(pictures.make(settings, 1), 0U);
+    }
+}
+
 TEST(SteadyFrame, OfFogAllocatesNothing) {
     for (const FogKind kind : {FogKind::Homogeneous, FogKind::Exponential}) {
         for (const int shafts : {0, 4}) {
