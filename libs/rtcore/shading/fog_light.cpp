@@ -91,7 +91,7 @@ HWY_INLINE Floats integral(const Path& path, Floats from, Floats to) {
     return hn::IfThenElseZero(used, sum);
 }
 
-template <bool exponential, bool spot>
+template <bool exponential, Beam beam>
 HWY_INLINE void addLampAll(const FogMedium& medium, const Light& light, const LampArrays& a) {
     const FloatTag d;
     const Colour colour = light.intensity * medium.scattered * medium.density;
@@ -99,7 +99,7 @@ HWY_INLINE void addLampAll(const FogMedium& medium, const Light& light, const La
     for (std::size_t i = 0; i < a.count; i += hn::Lanes(d)) {
         const Floats from = hn::LoadU(d, a.from + i), to = hn::LoadU(d, a.to + i);
         if (hn::AllFalse(d, hn::Lt(from, to))) continue;
-        const LampPath<exponential, spot> path(
+        const LampPath<exponential, beam> path(
             medium, light, loadVectors(a.origin.x + i, a.origin.y + i, a.origin.z + i),
             loadVectors(a.direction.x + i, a.direction.y + i, a.direction.z + i));
         const Vectors old = loadVectors(a.scattered.x + i, a.scattered.y + i, a.scattered.z + i);
@@ -152,9 +152,11 @@ HWY_INLINE void addAll(const FogMedium& medium, const Light& light, const LampAr
     case LightKind::Directional:
         return addSunAll<exponential>(medium, light, a);
     case LightKind::Spot:
-        return addLampAll<exponential, true>(medium, light, a);
+        return addLampAll<exponential, Beam::Cone>(medium, light, a);
+    case LightKind::Rectangle:
+        return addLampAll<exponential, Beam::Cosine>(medium, light, a);
     default:
-        return addLampAll<exponential, false>(medium, light, a);
+        return addLampAll<exponential, Beam::Even>(medium, light, a);
     }
 }
 

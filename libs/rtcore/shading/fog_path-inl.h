@@ -22,17 +22,27 @@ HWY_INLINE Floats lengthBetween(Floats a, Floats atA, Floats b, Floats atB, Floa
     return hn::Mul(distance, hn::IfThenElse(hn::Lt(rise, constant(0.25F)), level, steep));
 }
 
-/// A lamp with a place, seen from rays.
-template <bool exponential, bool spot>
+/// How a lamp with a place shines: to all sides alike, in a spot's cone, or with the cosine of a rectangle.
+/// Lamps with a size shine from their middle.
+enum class Beam { Even, Cone, Cosine };
+
+/// Where closer counts as this close.
+inline float leastApart(const Light& light) {
+    if (light.kind != LightKind::Rectangle) return light.radius;
+    return light.radius + 0.25F * (light.width + light.height);
+}
+
+/// Such a lamp, seen from rays.
+template <bool exponential, Beam beam>
 struct LampPath {
     HWY_INLINE LampPath(const FogMedium& medium, const Light& light, Vectors origin, Vectors direction)
         : fog(medium), cosOuter(light.cosOuter), perCosine(1 / (light.cosInner - light.cosOuter)) {
         const Vectors offset = constant(light.position.x, light.position.y, light.position.z) - origin;
         foot = dot(offset, direction);
         const Vectors across = offset - direction * foot;
-        const Floats least = hn::Mul(hn::Sqrt(dot(offset, offset)), constant(1e-4F));
+        const Floats nearest = hn::Mul(hn::Sqrt(dot(offset, offset)), constant(1e-4F));
         apart = larger(hn::Sqrt(dot(across, across)),
-                       larger(larger(least, constant(light.radius)), constant(1e-9F)));
+                       larger(larger(nearest, constant(leastApart(light))), constant(1e-9F)));
         if constexpr (exponential) {
             height = fog.height(origin);
             density = expOf(hn::Neg(height));
@@ -42,7 +52,7 @@ struct LampPath {
                        constant(FogMedium::kLowest));
             lampDensity = expOf(hn::Neg(lampHeight));
         }
-        if constexpr (spot) {
+        if constexpr (beam != Beam::Even) {
             const Vectors axis = constant(light.direction.x, light.direction.y, light.direction.z);
             axial = hn::Neg(dot(offset, axis));
             perAxial = dot(direction, axis);
@@ -51,7 +61,7 @@ struct LampPath {
     }
 
     /// Relative density at t times what is left of the light that comes there over r and goes back over t,
-    /// times the spot's factor. `counted`: whether the fog between the lamp and t counts.
+    /// times what it shines there of its intensity. `counted`: whether the fog between the lamp and t counts.
     HWY_INLINE Floats light(Floats t, Floats r, bool counted = true) const {
         Floats result;
         if constexpr (exponential) {
@@ -63,8 +73,11 @@ struct LampPath {
         } else {
             result = expOf(hn::Neg(hn::Mul(fog.density, counted ? hn::Add(t, r) : t)));
         }
-        if constexpr (spot) {
-            const Floats cosine = hn::Div(hn::Add(axial, hn::Mul(perAxial, t)), r);
+        if constexpr (beam == Beam::Even) return result;
+        const Floats cosine = hn::Div(hn::Add(axial, hn::Mul(perAxial, t)), r);
+        if constexpr (beam == Beam::Cosine) {
+            result = hn::Mul(result, larger(cosine, constant(0)));
+        } else {
             const Floats share = hn::Mul(hn::Sub(cosine, constant(cosOuter)), constant(perCosine));
             const Floats x = smaller(larger(share, constant(0)), constant(1));
             result = hn::Mul(result, hn::Mul(hn::Mul(x, x), hn::Sub(constant(3), hn::Add(x, x))));
@@ -81,10 +94,27 @@ struct LampPath {
         return hn::IfThenElse(hn::Lt(slope, hn::Zero(FloatTag())), from, constant(-1e30F));
     }
 
-    /// Leaves of the stretch what lies in the spot's cone, when that is convex.
+    /// Leaves of the stretch what lies in the beam, when that is convex.
     HWY_INLINE void clip(Floats& from, Floats& to) const {
-        if constexpr (!spot) return;
-        if (cosOuter < 0) return;
+        if constexpr (beam == Beam::Cone) {
+            if (cosOuter >= 0) clipToCone(from, to);
+        } else if constexpr (beam == Beam::Cosine) {
+            const Floats plane = hn::Div(hn::Neg(axial), nonZero(perAxial));
+            const Lanes ahead = hn::Gt(perAxial, constant(0));
+            from = hn::IfThenElse(ahead, larger(from, plane), from);
+            to = hn::IfThenElse(ahead, to, smaller(to, plane));
+        }
+    }
+
+    VectorFog fog;
+    Floats foot;                                            ///< t where the ray passes the lamp
+    Floats apart;                                           ///< and how far from it
+    Floats height, density, slope, lampHeight, lampDensity; ///< where the fog is exponential
+    Floats axial, perAxial, offsetSquare;                   ///< where the beam is not even
+    float cosOuter, perCosine;
+
+  private:
+    HWY_INLINE void clipToCone(Floats& from, Floats& to) const {
         // (axial + perAxial t)^2 = cosOuter^2 (offsetSquare - 2 foot t + t^2)
         const Floats square = constant(cosOuter * cosOuter);
         const Floats a = hn::Sub(hn::Mul(perAxial, perAxial), square);
@@ -108,14 +138,6 @@ struct LampPath {
         to = hn::IfThenElse(missed, from, smaller(to, end));
     }
 
-    VectorFog fog;
-    Floats foot;                                            ///< t where the ray passes the lamp
-    Floats apart;                                           ///< and how far from it
-    Floats height, density, slope, lampHeight, lampDensity; ///< where the fog is exponential
-    Floats axial, perAxial, offsetSquare;                   ///< of a spot
-    float cosOuter, perCosine;
-
-  private:
     static HWY_INLINE Floats nonZero(Floats v) {
         const Lanes small = hn::Lt(hn::Abs(v), constant(1e-20F));
         return hn::IfThenElse(small, hn::CopySign(constant(1e-20F), v), v);

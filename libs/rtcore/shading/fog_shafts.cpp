@@ -95,14 +95,14 @@ HWY_INLINE Floats stratum(const float* shift, int j, float perSample) {
     return hn::Mul(hn::Add(constant(static_cast<float>(j)), within), constant(perSample));
 }
 
-template <bool exponential, bool spot>
+template <bool exponential, Beam beam>
 HWY_INLINE void drawLamp(const FogMedium& medium, const Light& light, const ShaftArrays& a, std::size_t i,
                          int j, const ShaftOrder& order, ShaftSamples& out) {
     const FloatTag d;
     Floats from = hn::LoadU(d, a.from + i), to = hn::LoadU(d, a.to + i);
     const Vectors origin = loadVectors(a.origin.x + i, a.origin.y + i, a.origin.z + i);
     const Vectors direction = loadVectors(a.direction.x + i, a.direction.y + i, a.direction.z + i);
-    const LampPath<exponential, spot> path(medium, light, origin, direction);
+    const LampPath<exponential, beam> path(medium, light, origin, direction);
     path.clip(from, to);
     const Lanes used = hn::Lt(from, to);
     if (hn::AllFalse(d, used)) return;
@@ -189,10 +189,13 @@ HWY_INLINE void drawAll(const FogMedium& medium, const Light& light, const Shaft
                     drawSun<exponential>(medium, light, a, i, j, order, out);
                     break;
                 case LightKind::Spot:
-                    drawLamp<exponential, true>(medium, light, a, i, j, order, out);
+                    drawLamp<exponential, Beam::Cone>(medium, light, a, i, j, order, out);
+                    break;
+                case LightKind::Rectangle:
+                    drawLamp<exponential, Beam::Cosine>(medium, light, a, i, j, order, out);
                     break;
                 default:
-                    drawLamp<exponential, false>(medium, light, a, i, j, order, out);
+                    drawLamp<exponential, Beam::Even>(medium, light, a, i, j, order, out);
                 }
             }
         }

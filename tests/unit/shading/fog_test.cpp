@@ -18,7 +18,8 @@
 namespace rtcore {
 namespace {
 
-FogMedium mediumOf(FogKind kind, float density, float scaleHeight = 1, float ground = 0, Vec3 up = {0, 0, 1}) {
+FogMedium mediumOf(FogKind kind, float density, float scaleHeight = 1, float ground = 0,
+                   Vec3 up = {0, 0, 1}) {
     Scene scene;
     scene.up = up;
     scene.fog.kind = kind;
@@ -147,7 +148,8 @@ TEST(Fog, DepthsAreThoseOfTheClosedForm) {
 
 TEST(Fog, AThinFogKeepsItsDigits) {
     EXPECT_NEAR(fogOpacity(mediumOf(FogKind::Homogeneous, 1e-7F), {}, {1, 0, 0}, 1) / 1e-7, 1, 1e-6);
-    EXPECT_NEAR(Wave({{mediumOf(FogKind::Homogeneous, 1e-7F), {}, {1, 0, 0}, 1, {}}}).fog.scattered().x[0] / 1e-7,
+    EXPECT_NEAR(Wave({{mediumOf(FogKind::Homogeneous, 1e-7F), {}, {1, 0, 0}, 1, {}}}).fog.scattered().x[0] /
+                    1e-7,
                 1, 1e-6);
 }
 
@@ -238,6 +240,7 @@ double lampByIntegration(const Case& c) {
             const double x = std::clamp((along / r - double{c.light.cosOuter}) / range, 0.0, 1.0);
             spot = x * x * (3 - 2 * x);
         }
+        if (c.light.kind == LightKind::Rectangle) spot = std::max(along / r, 0.0);
         return spot * c.density(t) * std::exp(-c.fog.density * both) / square;
     };
     const auto [from, to] = c.seenStretch();
@@ -246,6 +249,12 @@ double lampByIntegration(const Case& c) {
         if (t > from && t < to) edges.push_back(t);
     };
     add(foot);
+    if (c.light.kind == LightKind::Rectangle) { // where the ray goes through its plane
+        double above = 0, rate = 0;
+        for (int k = 0; k < 3; ++k) above += (point(0, k) - lamp[k]) * axis[k];
+        for (int k = 0; k < 3; ++k) rate += (point(1, k) - point(0, k)) * axis[k];
+        add(-above / rate);
+    }
     for (double step = 0.02 * offset; step < 1e6 * offset; step *= 1.5) add(foot - step), add(foot + step);
     std::sort(edges.begin(), edges.end());
     return integrate(edges, f);
@@ -296,6 +305,7 @@ void expectLampsLight(LightKind lightKind, int fogs, double tolerance) {
 }
 
 TEST(FogLamp, APointLampsLightIsTheIntegral) { expectLampsLight(LightKind::Point, 100, 1e-4); }
+TEST(FogLamp, APanelsLightIsTheIntegral) { expectLampsLight(LightKind::Rectangle, 20, 1e-4); }
 TEST(FogLamp, ASpotsLightIsTheIntegral) { expectLampsLight(LightKind::Spot, 10, 3e-3); }
 
 TEST(FogLamp, HasTheBrightnessOfTheClosedForm) {
@@ -334,9 +344,9 @@ TEST(FogLamp, ASunsLightIsTheIntegral) {
             const auto [from, to] = c.seenStretch();
             const double expected = integrate(evenEdges(from, to, 200), [&](double t) {
                 const double here = c.density(t);
-                const double back =
-                    std::fabs(s * t) < 1e-6 ? t * c.density(0) : (c.density(0) - here) / s;
-                return extinction * here * std::exp(-extinction * (back + (fog.exponential ? here / rise : 0)));
+                const double back = std::fabs(s * t) < 1e-6 ? t * c.density(0) : (c.density(0) - here) / s;
+                return extinction * here *
+                       std::exp(-extinction * (back + (fog.exponential ? here / rise : 0)));
             });
             ASSERT_NEAR(wave.fog.scattered().x[i], expected, 1e-4)
                 << "slope " << s << ", rise " << rise << ", distance " << c.distance << ", z " << c.origin.z;
