@@ -62,8 +62,8 @@ class TileRenderer {
     WhittedIntegrator integrator_;
     RayWave rays_;
     bool drawsSamples_ = false;
-    std::vector<SampleId> samples_;   ///< of rays_, where anything wants their names
-    bool sameOrigin_ = false;         ///< all of rays_ begin at the eye already
+    std::vector<SampleId> samples_; ///< of rays_, where anything wants their names
+    bool sameOrigin_ = false;       ///< all of rays_ begin at the eye already
     /// Of the samples of one pixel.
     struct PixelSum {
         Colour radiance;

@@ -17,8 +17,8 @@ float degrees(double radians) { return static_cast<float>(radians * 180 / test::
 
 /// Radius in pixels of the blurred image of a point at distance x.
 double blurRadius(const Lens& lens, double x, double halfTangent, int width) {
-    const double radius = length(lens.right), atOne = std::fabs((x == kInfinity ? 0 : 1 / x) -
-                                                                static_cast<double>(lens.inverseFocus));
+    const double radius = length(lens.right),
+                 atOne = std::fabs((x == kInfinity ? 0 : 1 / x) - static_cast<double>(lens.inverseFocus));
     return radius * atOne * width / (2 * halfTangent);
 }
 
@@ -53,7 +53,8 @@ TEST(Lens, AnyNumberGivesALens) {
         view.camera = CameraRays(camera, 640, 480);
         view.pattern.prepare(SamplingPattern::Jittered, 2);
         view.lensPattern.prepare(2);
-        for (const float focus : {1e-38F, 1e-10F, 1.0F, 1e10F, 3.4e38F, std::numeric_limits<float>::infinity()}) {
+        for (const float focus :
+             {1e-38F, 1e-10F, 1.0F, 1e10F, 3.4e38F, std::numeric_limits<float>::infinity()}) {
             for (const float unit : {1e-10F, 1.0F, 1e10F}) {
                 for (const float fNumber : {.1F, 1000.0F}) {
                     view.lens = makeLens(view.camera, fov, fNumber, focus, unit);
@@ -126,7 +127,8 @@ TEST(SampleRays, StartWhereTheApertureSays) {
     view.pattern.prepare(SamplingPattern::Grid, 4);
     view.lensPattern.prepare(4);
     std::vector<SampleId> samples;
-    for (std::uint32_t i = 0; i < 100; ++i) samples.push_back({static_cast<std::uint16_t>(i / 9), 99, i % 16});
+    for (std::uint32_t i = 0; i < 100; ++i)
+        samples.push_back({static_cast<std::uint16_t>(i / 9), 99, i % 16});
     for (const int blades : {0, 7}) {
         view.aperture.prepare(blades);
         RayWave rays;
@@ -184,7 +186,8 @@ TEST(DepthOfField, TheCircleOfConfusionIsThatOfAThinLens) {
     for (const auto& [distance, focus] : {std::pair{4.0, 2.0}, {1.0, 2.0}, {9.0, 3.0}, {.8, 1.0}}) {
         const double focal = 1 / (1 / film + 1 / focus), aperture = focal / 4;
         // Diameter on the film by the lens equation, in pixels.
-        const double blur = aperture * focal * std::fabs(distance - focus) / (distance * (focus - focal)) / .036 * 80;
+        const double blur =
+            aperture * focal * std::fabs(distance - focus) / (distance * (focus - focal)) / .036 * 80;
         const double pixel = 2 * halfTangent / 80 * distance, side = 3 * pixel;
         const Blur round = blurOfSquare(distance, static_cast<float>(focus), 0, side);
         // The variance of the disc, of the square, and of a pixel add up.

@@ -13,8 +13,9 @@
 namespace rtcore {
 namespace {
 
-constexpr SamplingPattern kPatterns[] = {SamplingPattern::Grid, SamplingPattern::Random, SamplingPattern::Jittered,
-                                         SamplingPattern::Rotated, SamplingPattern::Poisson};
+constexpr SamplingPattern kPatterns[] = {SamplingPattern::Grid, SamplingPattern::Random,
+                                         SamplingPattern::Jittered, SamplingPattern::Rotated,
+                                         SamplingPattern::Poisson};
 
 /// All kinds, one after another.
 std::vector<RenderSettings> manySettings(int width, int height) {
@@ -24,7 +25,8 @@ std::vector<RenderSettings> manySettings(int width, int height) {
             RenderSettings settings = test::sampleSettings(width, height, antialiasing);
             settings.sampling = pattern;
             all.push_back(settings);
-            settings.depthOfField = {.on = true, .fNumber = .2F, .focus = 6, .blades = antialiasing == 1 ? 0 : 5};
+            settings.depthOfField = {
+                .on = true, .fNumber = .2F, .focus = 6, .blades = antialiasing == 1 ? 0 : 5};
             if (pattern != SamplingPattern::Random) settings.adaptive = .05F;
             all.push_back(settings);
         }
@@ -40,7 +42,8 @@ TEST(Sampling, TheSameBitsForAnyNumberOfThreads) {
     for (const RenderSettings& settings : manySettings(73, 67)) {
         const Frame expected = test::render(s, settings, 1);
         for (const int threads : {3}) {
-            ASSERT_TRUE(renderer.render(s.scene, s.tracer, test::sampleCamera(), settings, threads, control, frame));
+            ASSERT_TRUE(
+                renderer.render(s.scene, s.tracer, test::sampleCamera(), settings, threads, control, frame));
             EXPECT_EQ(frame.radiance.pixels, expected.radiance.pixels);
             EXPECT_EQ(frame.covered, expected.covered);
             EXPECT_EQ(frame.statistics.rays, expected.statistics.rays);
@@ -69,8 +72,8 @@ TEST(Sampling, RefinementEndsWithTheSamePicture) {
         RenderControl control;
         Frame frame;
         int pixels = 0;
-        ASSERT_TRUE(refinement.render(renderer, s.scene, s.tracer, test::sampleCamera(), settings, 2, control, frame,
-                                      [](const RefinementPass&, const Frame&) {}));
+        ASSERT_TRUE(refinement.render(renderer, s.scene, s.tracer, test::sampleCamera(), settings, 2, control,
+                                      frame, [](const RefinementPass&, const Frame&) {}));
         EXPECT_EQ(frame.radiance.pixels, test::render(s, settings).radiance.pixels);
         for (const PixelArea& area : refinement.finishedTiles().take()) pixels += area.columns * area.rows;
         EXPECT_EQ(pixels, 33 * 18);
