@@ -13,7 +13,6 @@
 #include "rtcore/post/develop.h"
 #include "rtcore/render/frame_renderer.h"
 
-#include <string>
 #include <vector>
 
 namespace renderer {
