@@ -56,8 +56,9 @@ FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     if (rtcore::choosesSamples(settings)) report.samples = allSamples(settings);
 
     start = std::chrono::steady_clock::now();
-    const float exposure = develop(task, settings);
-    write(task);
+    const rtcore::HdrImage& radiance = developer_.finish(frame_, settings, options_.threads);
+    const float exposure = develop(task, radiance, settings);
+    write(task, radiance);
     // The last: who has seen it may end this process.
     if (preview_ != nullptr) preview_->finish(developed_, exposure);
     report.writeSeconds = secondsSince(start);
@@ -131,23 +132,24 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
     app::throwIfStopped();
 }
 
-float PictureMaker::develop(const FrameTask& task, const rtcore::RenderSettings& settings) {
+float PictureMaker::develop(const FrameTask& task, const rtcore::HdrImage& radiance,
+                            const rtcore::RenderSettings& settings) {
     const bool shown = std::any_of(task.outputs.begin(), task.outputs.end(), [](const auto& output) {
         return isStandardOutput(output) || !rtcore::isHdrFormat(output);
     });
     if (!shown && !task.filmed && preview_ == nullptr) return 0;
     const float exposure = developer_.exposure(frame_, settings.exposure, options_.threads);
-    developer_.develop(frame_, settings, exposure, options_.threads, developed_);
+    developer_.develop(radiance, settings, exposure, options_.threads, developed_);
     return exposure;
 }
 
-void PictureMaker::write(const FrameTask& task) {
+void PictureMaker::write(const FrameTask& task, const rtcore::HdrImage& radiance) {
     for (const std::filesystem::path& output : task.outputs) {
         app::throwIfStopped();
         if (isStandardOutput(output)) {
             app::writeOutput(asText(rtcore::encodeImage(developed_, options_.standardOutputFormat)));
         } else if (rtcore::isHdrFormat(output)) {
-            rtcore::writeHdrImage(output, frame_.radiance);
+            rtcore::writeHdrImage(output, radiance);
         } else {
             rtcore::writeImage(output, developed_);
         }
@@ -155,7 +157,6 @@ void PictureMaker::write(const FrameTask& task) {
 }
 
 void PictureMaker::warnOfWhatIsMissing(const rtcore::RenderSettings& settings) {
-    if (settings.bloom > 0) warnOnce("bloom is not rendered by this version yet");
     if (settings.ambientOcclusion.on) warnOnce("ambient occlusion is not rendered by this version yet");
 }
 

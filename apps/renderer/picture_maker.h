@@ -52,8 +52,9 @@ class PictureMaker {
     void focus(const rtcore::Camera& camera, rtcore::RenderSettings& settings);
     void render(const rtcore::Camera& camera, const rtcore::RenderSettings& settings, int index, int count);
     /// The exposure; nothing is done when nobody wants to see the picture.
-    float develop(const FrameTask& task, const rtcore::RenderSettings& settings);
-    void write(const FrameTask& task);
+    float develop(const FrameTask& task, const rtcore::HdrImage& radiance,
+                  const rtcore::RenderSettings& settings);
+    void write(const FrameTask& task, const rtcore::HdrImage& radiance);
     void warnOfWhatIsMissing(const rtcore::RenderSettings& settings);
     void warnOnce(const std::string& text);
 

@@ -111,7 +111,7 @@ OptionGroup qualityOptions() {
               .letter = 'b',
               .value = ValueKind::Text,
               .argument = "N",
-              .help = "glow around what is bright, N pixels wide; not rendered by this version yet"},
+              .help = "glow around what is bright: blur of N pixels (standard deviation); 0 is none"},
              {.name = "ambient-occlusion",
               .thesis = {"-ao"},
               .help = "switch ambient occlusion on; not rendered by this version yet"},

@@ -29,14 +29,15 @@ bool FrameMaker::trace(const Session& session, double scale, rtcore::RenderContr
     }
     scale_ = scale;
     target_ = developer_.exposure(frame_, settings.exposure, threads_);
+    seen_ = &developer_.finish(frame_, session.shownSettings(), threads_);
     seconds_ = std::chrono::duration<double>(Clock::now() - start).count();
     return true;
 }
 
 void FrameMaker::requireMemory(int width, int height) {
-    // Radiance and picture.
+    // Radiance, the same with its glow, and picture.
     const std::size_t bytes =
-        (sizeof(rtcore::Vec3) + 4) * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+        (2 * sizeof(rtcore::Vec3) + 4) * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     void* trial = ::operator new(bytes, std::nothrow);
     ::operator delete(trial);
     if (trial != nullptr) return;
@@ -47,6 +48,8 @@ void FrameMaker::requireMemory(int width, int height) {
 
 void FrameMaker::drop() {
     frame_ = {};
+    seen_ = nullptr;
+    developer_ = {};
     image_ = {};
 }
 
@@ -61,7 +64,7 @@ void FrameMaker::develop(const Session& session) {
     } else {
         adaptation_.advance(target_, adaptation_.settled() ? 0 : std::min(passed, kLongest));
     }
-    developer_.develop(frame_, settings, adaptation_.value(), threads_, image_);
+    developer_.develop(*seen_, settings, adaptation_.value(), threads_, image_);
 }
 
 } // namespace rtserver

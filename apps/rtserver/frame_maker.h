@@ -35,7 +35,8 @@ class FrameMaker {
     void forget() { adaptation_ = {}; }
 
     const rtcore::LdrImage& image() const { return image_; } ///< empty before the first one
-    const rtcore::HdrImage& radiance() const { return frame_.radiance; }
+    /// As it is shown: with its glow. After trace() only.
+    const rtcore::HdrImage& radiance() const { return *seen_; }
     float exposure() const { return adaptation_.value(); }
     double seconds() const { return seconds_; } ///< that the last frame took to trace
     std::uint64_t rays() const { return frame_.statistics.total(); }
@@ -47,6 +48,7 @@ class FrameMaker {
     rtcore::FrameRenderer renderer_;
     rtcore::PictureDeveloper developer_;
     rtcore::Frame frame_;
+    const rtcore::HdrImage* seen_ = nullptr; ///< the frame with its glow; null: no frame
     rtcore::LdrImage image_;
     Adaptation adaptation_;
     float target_ = 1; ///< the exposure that suits the frame

@@ -61,9 +61,17 @@ float PictureDeveloper::exposure(const Frame& frame, const ExposureSettings& set
     return std::clamp(found.value_or(kDarkness) / settings.key, kLeast, kMost);
 }
 
+const HdrImage& PictureDeveloper::finish(const Frame& frame, const RenderSettings& settings, int threads) {
+    return bloom_.apply(frame.radiance, settings, threads);
+}
+
 void PictureDeveloper::develop(const Frame& frame, const RenderSettings& settings, float exposure,
+                               int threads, LdrImage& image) {
+    develop(finish(frame, settings, threads), settings, exposure, threads, image);
+}
+
+void PictureDeveloper::develop(const HdrImage& radiance, const RenderSettings& settings, float exposure,
                                [[maybe_unused]] int threads, LdrImage& image) {
-    const HdrImage& radiance = frame.radiance;
     if (image.width != radiance.width || image.height != radiance.height) {
         image = LdrImage(radiance.width, radiance.height);
     }
@@ -74,11 +82,21 @@ void PictureDeveloper::develop(const Frame& frame, const RenderSettings& setting
     }
 }
 
-void developPart(const Frame& frame, const RenderSettings& settings, float exposure, const PixelArea& part,
-                 LdrImage& image) {
+void developPart(const Frame& frame, const RenderSettings& settings, float exposure, const RoughGlow& glow,
+                 const PixelArea& part, LdrImage& image) {
     const Development how{settings.toneMapping, settings.dithering, exposure};
+    const int right = part.left + part.columns;
+    std::vector<Colour> glowing(glow.glow.empty() ? 0 : static_cast<std::size_t>(right));
     for (int y = part.top; y < part.top + part.rows; ++y) {
-        developRow(how, &frame.radiance.at(0, y), part.left, part.left + part.columns, y, &image.at(0, y));
+        const Colour* row = &frame.radiance.at(0, y);
+        if (!glowing.empty()) {
+            for (int x = part.left; x < right; ++x) {
+                glowing[static_cast<std::size_t>(x)] =
+                    withGlow(row[x], glowAt(glow.glow, glow.block, x, y), settings.bloomShare);
+            }
+            row = glowing.data();
+        }
+        developRow(how, row, part.left, right, y, &image.at(0, y));
     }
 }
 

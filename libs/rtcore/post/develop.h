@@ -1,6 +1,7 @@
-/// From radiance to what a display shows: exposure, tone mapping, sRGB, eight bits. (thesis 3.2)
+/// From radiance to what a display shows: glow, exposure, tone mapping, sRGB, eight bits. (thesis 3.2)
 #pragma once
 
+#include "rtcore/post/bloom.h"
 #include "rtcore/post/exposure.h"
 #include "rtcore/render/frame.h"
 #include "rtcore/render/pixel_area.h"
@@ -17,11 +18,20 @@ namespace rtcore {
 /// The same input gives the same bits, for any number of threads.
 class PictureDeveloper {
   public:
-    /// The constant c of L = Y / (Y + c): the fixed value, or what suits the frame (exposure.h).
+    /// The constant c of L = Y / (Y + c): the fixed value, or what suits the frame (exposure.h), without the
+    /// effects below: glow would brighten what is dark.
     float exposure(const Frame& frame, const ExposureSettings& settings, int threads);
+
+    /// The frame with the effects that need all of it: its glow. frame.radiance itself when there are none;
+    /// else valid until the next call. A frame that is larger or smaller than the settings say gets effects
+    /// in proportion.
+    const HdrImage& finish(const Frame& frame, const RenderSettings& settings, int threads);
 
     /// Tone maps with the constant `exposure` and quantises into `image`, whose memory is reused when the
     /// size fits.
+    void develop(const HdrImage& radiance, const RenderSettings& settings, float exposure, int threads,
+                 LdrImage& image);
+    /// The same for finish() of the frame.
     void develop(const Frame& frame, const RenderSettings& settings, float exposure, int threads,
                  LdrImage& image);
 
@@ -29,12 +39,19 @@ class PictureDeveloper {
     std::optional<float> average(const Frame& frame, bool background, int threads);
 
     std::vector<LuminanceHistogram> histograms_; ///< by thread
+    Bloom bloom_;
 };
 
-/// A part of what develop() makes, into an image of the frame's size, by one thread. Reads nothing else of
-/// the frame's pixels, so others may still be rendered.
-void developPart(const Frame& frame, const RenderSettings& settings, float exposure, const PixelArea& part,
-                 LdrImage& image);
+/// The glow of a picture that is not finished, from a coarser one of it.
+struct RoughGlow {
+    HdrImage glow; ///< Bloom::spread(); empty: none
+    int block = 1; ///< pixels of the picture for each of its own, across and down
+};
+
+/// A part of what develop() makes, into an image of the frame's size, by one thread; with `glow` in place of
+/// finish(). Reads nothing else of the frame's pixels, so others may still be rendered.
+void developPart(const Frame& frame, const RenderSettings& settings, float exposure, const RoughGlow& glow,
+                 const PixelArea& part, LdrImage& image);
 
 /// The same for a single frame, on all cores.
 float exposureFor(const Frame& frame, const ExposureSettings& settings);

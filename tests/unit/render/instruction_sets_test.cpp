@@ -4,6 +4,7 @@
 #include "rtcore/post/quantise.h"
 #include "rtcore/post/tone_map.h"
 #include "rtcore/render/camera_rays.h"
+#include "rtcore/sampling/sample_id.h"
 
 #include "sample_view.h"
 
@@ -131,6 +132,26 @@ TEST_F(InstructionSets, DevelopAlike) {
                 EXPECT_EQ(exposureFor(frame, settings.exposure), exposure) << name;
                 EXPECT_EQ(develop(frame, settings, exposure).pixels, expected.pixels) << name;
             }
+        }
+    }
+}
+
+TEST_F(InstructionSets, GlowAlike) {
+    HdrImage image(133, 74);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        image.pixels[i] = {unitFloat(mixBits(static_cast<std::uint32_t>(3 * i))), i % 97 == 0 ? 1e5F : 0.0F,
+                           1};
+    }
+    RenderSettings settings;
+    settings.width = image.width;
+    settings.bloom = 4;
+    for (const BloomKernel kernel : {BloomKernel::Gaussian, BloomKernel::Airy}) {
+        settings.bloomKernel = kernel;
+        ASSERT_TRUE(useInstructionSet("scalar"));
+        const HdrImage expected = Bloom().apply(image, settings, 1);
+        for (const std::string& name : instructionSets()) {
+            ASSERT_TRUE(useInstructionSet(name));
+            EXPECT_EQ(Bloom().apply(image, settings, 1).pixels, expected.pixels) << name;
         }
     }
 }

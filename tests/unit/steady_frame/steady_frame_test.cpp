@@ -125,6 +125,18 @@ TEST(SteadyFrame, OfOpaqueSurfacesAllocatesNothing) {
     EXPECT_EQ(pictures.make(settingsWith(1, true, 5), 1), 0U);
 }
 
+TEST(SteadyFrame, WithGlowAllocatesNothing) {
+    Pictures pictures(test::sampleScene());
+    RenderSettings settings = settingsWith(1, true, 5);
+    settings.bloom = 5;
+    for (const BloomKernel kernel : {BloomKernel::Gaussian, BloomKernel::Airy}) {
+        settings.bloomKernel = kernel;
+        pictures.make(settings, 1);
+        pictures.make(settings, 1);
+        EXPECT_EQ(pictures.make(settings, 1), 0U);
+    }
+}
+
 // Threads share the tiles in another way each time, so that one may meet a larger wave than any before; but
 // soon there is none larger.
 TEST(SteadyFrame, OfManyThreadsSoonAllocatesNothing) {
