@@ -61,10 +61,12 @@ void loadRow(const Colour* pixels, int width, std::vector<float>& lines, std::si
     }
 }
 
-void storeRow(const std::vector<float>& lines, std::size_t line, int width, Colour* pixels) {
+void mixRow(const std::vector<float>& lines, std::size_t line, float share, const Colour* source, int width,
+            Colour* pixels) {
     const float* from = &lines[line];
     for (int x = 0; x < width; ++x, from += kTransformLines) {
-        pixels[x] = {std::max(from[0], 0.0F), std::max(from[1], 0.0F), std::max(from[2], 0.0F)};
+        pixels[x] = {mixedWith(source[x].r, from[0], share), mixedWith(source[x].g, from[1], share),
+                     mixedWith(source[x].b, from[2], share)};
     }
 }
 
@@ -133,9 +135,9 @@ float airyResponse(float x, float y, float cutoff) {
     return sum;
 }
 
-void AiryBlur::blur(const HdrImage& image, float sigma, int threads, HdrImage& blurred) {
+void AiryBlur::blur(const HdrImage& image, float sigma, float share, int threads, HdrImage& result) {
     const int width = image.width, height = image.height;
-    if (blurred.width != width || blurred.height != height) blurred = HdrImage(width, height);
+    if (result.width != width || result.height != height) result = HdrImage(width, height);
     if (image.empty()) return;
     const auto w = static_cast<std::size_t>(width), h = static_cast<std::size_t>(height);
     if (!across_ || across_->length() != w) across_.emplace(w);
@@ -157,7 +159,7 @@ void AiryBlur::blur(const HdrImage& image, float sigma, int threads, HdrImage& b
         across_->forward(scratch);
         forRows(scratch, first, height, [&](int y, std::vector<float>& lines, std::size_t line) {
             const float* from = &lines[line];
-            Colour* const to = &blurred.at(0, y);
+            Colour* const to = &result.at(0, y);
             for (int x = 0; x < width; ++x, from += kTransformLines) to[x] = {from[0], from[1], from[2]};
         });
     }
@@ -166,7 +168,7 @@ void AiryBlur::blur(const HdrImage& image, float sigma, int threads, HdrImage& b
     const ColumnFilter filter(*across_, *down_, std::sqrt(2.0F) / (kPi * sigma), pixelY_);
     const std::size_t stride = 3 * w;
     const auto batches = static_cast<int>((stride + kFloatsAcross - 1) / kFloatsAcross);
-    float* const floats = &blurred.pixels[0].r;
+    float* const floats = &result.pixels[0].r;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(team)
     for (int batch = 0; batch < batches; ++batch) {
         const std::size_t first = static_cast<std::size_t>(batch) * kFloatsAcross;
@@ -199,7 +201,7 @@ void AiryBlur::blur(const HdrImage& image, float sigma, int threads, HdrImage& b
         TransformScratch& scratch = scratchOfThread();
         across_->prepare(scratch);
         forRows(scratch, first, height, [&](int y, std::vector<float>& lines, std::size_t line) {
-            const Colour* const from = &blurred.at(0, y);
+            const Colour* const from = &result.at(0, y);
             float* to = &lines[line];
             for (int x = 0; x < width; ++x, to += kTransformLines) {
                 to[0] = from[x].r;
@@ -209,7 +211,7 @@ void AiryBlur::blur(const HdrImage& image, float sigma, int threads, HdrImage& b
         });
         across_->inverse(scratch);
         forRows(scratch, first, height, [&](int y, std::vector<float>& lines, std::size_t line) {
-            storeRow(lines, line, width, &blurred.at(0, y));
+            mixRow(lines, line, share, &image.at(0, y), width, &result.at(0, y));
         });
     }
 }

@@ -20,7 +20,7 @@ class AiryBlur {
     /// `sigma` >= 0.25 in pixels: that of the Gaussian which has the peak and the volume of the green
     /// pattern. The first dark ring of green has the radius 2.7096 sigma, of red 3.3106, of blue 2.2920.
     /// The rest as in GaussianBlur::blur.
-    void blur(const HdrImage& image, float sigma, int threads, HdrImage& blurred);
+    void blur(const HdrImage& image, float sigma, float share, int threads, HdrImage& result);
 
   private:
     std::optional<CosineTransform> across_, down_;

@@ -1,9 +1,6 @@
 #include "rtcore/post/bloom.h"
 
-#include "rtcore/platform/threads.h"
-
 #include <algorithm>
-#include <cstdint>
 
 namespace rtcore {
 
@@ -18,24 +15,23 @@ float bloomSigma(const RenderSettings& settings, int width) {
     return sigma >= kLeastSigma ? sigma : 0;
 }
 
-void Bloom::spread(const HdrImage& radiance, const RenderSettings& settings, int threads, HdrImage& glow) {
+void Bloom::mix(const HdrImage& radiance, const RenderSettings& settings, float share, int threads,
+                HdrImage& result) {
     const float sigma = bloomSigma(settings, radiance.width);
     if (settings.bloomKernel == BloomKernel::Airy) {
-        airy_.blur(radiance, sigma, threads, glow);
+        airy_.blur(radiance, sigma, share, threads, result);
     } else {
-        gaussian_.blur(radiance, sigma, threads, glow);
+        gaussian_.blur(radiance, sigma, share, threads, result);
     }
+}
+
+void Bloom::spread(const HdrImage& radiance, const RenderSettings& settings, int threads, HdrImage& glow) {
+    mix(radiance, settings, 1, threads, glow);
 }
 
 const HdrImage& Bloom::apply(const HdrImage& radiance, const RenderSettings& settings, int threads) {
     if (radiance.empty() || bloomSigma(settings, radiance.width) == 0) return radiance;
-    spread(radiance, settings, threads, result_);
-    const float share = settings.bloomShare;
-    const auto count = static_cast<std::int64_t>(result_.pixels.size());
-    const Colour* const from = radiance.pixels.data();
-    Colour* const to = result_.pixels.data();
-#pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
-    for (std::int64_t i = 0; i < count; ++i) to[i] = withGlow(from[i], to[i], share);
+    mix(radiance, settings, settings.bloomShare, threads, result_);
     return result_;
 }
 

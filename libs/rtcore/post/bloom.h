@@ -25,6 +25,9 @@ class Bloom {
   private:
     GaussianBlur gaussian_;
     AiryBlur airy_;
+    void mix(const HdrImage& radiance, const RenderSettings& settings, float share, int threads,
+             HdrImage& result);
+
     HdrImage result_;
 };
 

@@ -214,10 +214,10 @@ void storeRows(const float* lines, int first, int rows, HdrImage& image) {
 
 } // namespace
 
-void GaussianBlur::blur(const HdrImage& image, float sigma, int threads, HdrImage& blurred) {
+void GaussianBlur::blur(const HdrImage& image, float sigma, float share, int threads, HdrImage& result) {
     const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
-    if (blurred.width != image.width || blurred.height != image.height) {
-        blurred = HdrImage(image.width, image.height);
+    if (result.width != image.width || result.height != image.height) {
+        result = HdrImage(image.width, image.height);
     }
     if (image.empty()) return;
     const int team = threadsFor(threads);
@@ -235,11 +235,12 @@ void GaussianBlur::blur(const HdrImage& image, float sigma, int threads, HdrImag
         const int rows = std::min(kRows, image.height - first);
         loadRows(image, first, rows, lines.values.data());
         HWY_DYNAMIC_DISPATCH(filterLines)(across, lines.values.data(), lines.filtered.data());
-        storeRows(lines.filtered.data(), first, rows, blurred);
+        storeRows(lines.filtered.data(), first, rows, result);
     }
 
     const RecursiveFilter down = filterFor(sigma, height);
-    float* const floats = &blurred.pixels[0].r;
+    float* const floats = &result.pixels[0].r;
+    const float* const sources = &image.pixels[0].r;
     const std::size_t stride = 3 * width;
     const auto blocks = static_cast<int>((stride + kLines - 1) / kLines);
 #pragma omp parallel for schedule(static) num_threads(team)
@@ -253,9 +254,9 @@ void GaussianBlur::blur(const HdrImage& image, float sigma, int threads, HdrImag
         HWY_DYNAMIC_DISPATCH(filterLines)(down, lines.values.data(), lines.filtered.data());
         for (std::size_t y = 0; y < height; ++y) {
             const float* const from = &lines.filtered[y * kLines];
+            const float* const source = sources + y * stride + first;
             float* const to = floats + y * stride + first;
-            // The approximation dips below zero by some 1/7000 of a peak.
-            for (std::size_t i = 0; i < count; ++i) to[i] = std::max(from[i], 0.0F);
+            for (std::size_t i = 0; i < count; ++i) to[i] = mixedWith(source[i], from[i], share);
         }
     }
 }

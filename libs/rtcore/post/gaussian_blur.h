@@ -12,10 +12,10 @@ namespace rtcore {
 /// constant and no light is lost. Keeps its memory from picture to picture; not for several threads at once.
 class GaussianBlur {
   public:
-    /// `sigma` > 0 in pixels. `blurred` gets the size of `image`, and no value below 0; what is negative or
-    /// not a number in `image` counts as 0, infinity as 1e30. `threads` = 0: all cores; the bits are the same
-    /// for any number.
-    void blur(const HdrImage& image, float sigma, int threads, HdrImage& blurred);
+    /// result = (1 - share) image + share blurred, of the size of `image`. `sigma` > 0 in pixels, `share` in
+    /// 0..1. Nothing blurred is below 0; of what is blurred, negative and not a number count as 0, infinity
+    /// as 1e30. `threads` = 0: all cores; the bits are the same for any number.
+    void blur(const HdrImage& image, float sigma, float share, int threads, HdrImage& result);
 
   private:
     /// Of one thread: lines side by side, and what they become.
