@@ -80,7 +80,7 @@ void Preview::begin(Work& work, const rtcore::Scene& scene, const rtcore::Camera
     throwIfFailed();
     begun_ = Clock::now();
     picture_ = rtcore::LdrImage(work.settings.width, work.settings.height);
-    glow_ = {};
+    effects_ = {};
     samples_ = 0;
     antialiasing_ = work.settings.antialiasing;
     status_ = {};
@@ -127,10 +127,7 @@ void Preview::showPass(const rtcore::RefinementPass& pass, const rtcore::Frame& 
     const rtcore::RenderSettings& settings = work_->settings;
     const int threads = work_->threads;
     status_.exposure = developer_.exposure(frame, settings.exposure, threads);
-    glow_ = {.glow = {}, .block = pass.block};
-    if (rtcore::bloomSigma(settings, frame.radiance.width) > 0) {
-        bloom_.spread(frame.radiance, settings, threads, glow_.glow);
-    }
+    developer_.roughEffects(frame, pass.block, settings, status_.exposure, threads, effects_);
     if (pass.block > 1) {
         developer_.develop(frame, settings, status_.exposure, threads, small_);
         rtcore::enlarge(small_, pass.block, threads, picture_);
@@ -143,15 +140,15 @@ void Preview::showPass(const rtcore::RefinementPass& pass, const rtcore::Frame& 
     pace_.shown(Clock::now(), Clock::now());
 }
 
-// Finished tiles take the place of what was there, with the exposure and the glow of the pass before, so that
-// no seam shows.
+// Finished tiles take the place of what was there, with the exposure and the effects of the pass before, so
+// that no seam shows.
 void Preview::showTiles() {
     const Clock::time_point start = Clock::now();
     if (!pace_.due(start)) return;
     const std::vector<rtcore::PixelArea> tiles = refinement_.finishedTiles().take();
     if (tiles.empty()) return;
     for (const rtcore::PixelArea& tile : tiles) {
-        rtcore::developPart(work_->frame, work_->settings, status_.exposure, glow_, tile, picture_);
+        rtcore::developPart(work_->frame, work_->settings, status_.exposure, effects_, tile, picture_);
     }
     publish(picture_, tagUnderWay());
     pace_.shown(start, Clock::now());

@@ -5,13 +5,18 @@
 
 namespace rtserver {
 
-/// One thread. The first target is taken at once; later ones are neared in the logarithm, so that getting
-/// used to light and to darkness take equally long.
+/// Seconds in which the distance that is left falls to 1/e; 0: at once.
+struct AdaptationSpeed {
+    double brighter = 0; ///< where the picture became brighter: the exposure grows
+    double darker = 0;
+};
+
+/// One thread. The first target is taken at once; later ones are neared in the logarithm.
 class Adaptation {
   public:
     /// The exposure `seconds` after the last call, on the way to `target` > 0. Near enough it is the target
     /// itself, to the bit, and stays there.
-    float advance(float target, double seconds);
+    float advance(float target, double seconds, const AdaptationSpeed& speed);
     /// To `target` at once.
     void jump(float target);
     bool settled() const { return settled_; }

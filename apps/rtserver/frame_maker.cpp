@@ -62,7 +62,8 @@ void FrameMaker::develop(const Session& session) {
     if (settings.exposure.mode == rtcore::ExposureMode::Fixed) {
         adaptation_.jump(target_);
     } else {
-        adaptation_.advance(target_, adaptation_.settled() ? 0 : std::min(passed, kLongest));
+        adaptation_.advance(target_, adaptation_.settled() ? 0 : std::min(passed, kLongest),
+                            {settings.exposure.brighterSeconds, settings.exposure.darkerSeconds});
     }
     developer_.develop(*seen_, settings, adaptation_.value(), threads_, image_);
 }

@@ -96,4 +96,36 @@ TEST_F(Lists, LightsOfOneFrameDoNotStayForTheNext) {
     EXPECT_NE(test::readBytes(folder / "out" / "f1.png"), test::readBytes(folder / "out" / "f2.png"));
 }
 
+// A recording says how bright each frame was, so that the film does not flicker.
+TEST_F(Lists, FramesHaveTheExposuresOfTheirCameras) {
+    const Names exposures{"0.02", "0.3", "4.0"};
+    for (std::size_t i = 0; i < exposures.size(); ++i) {
+        const std::string number = std::to_string(i + 1);
+        test::writeCamera(folder / "film" / (number + ".cam"), 0, "exposure = " + exposures[i] + "\n");
+    }
+    ASSERT_EQ(render({"-o", "out/f#.png", "--frames", "1-3", "--setting", "exposure.local=0.5"}).exitCode, 0);
+    test::writeCamera(folder / "plain.cam", 0);
+    for (std::size_t i = 0; i < exposures.size(); ++i) {
+        const std::string number = std::to_string(i + 1);
+        const Names single{"room.obj",
+                           "-w",
+                           "16",
+                           "-h",
+                           "12",
+                           "--camera",
+                           "plain.cam",
+                           "--exposure",
+                           exposures[i],
+                           "--setting",
+                           "exposure.local=0.5",
+                           "-o",
+                           "out/single.png"};
+        ASSERT_EQ(test::renderer(single, {.folder = folder.path()}).exitCode, 0);
+        EXPECT_EQ(test::readBytes(folder / "out" / ("f" + number + ".png")),
+                  test::readBytes(folder / "out" / "single.png"))
+            << exposures[i];
+    }
+    EXPECT_NE(test::readBytes(folder / "out" / "f1.png"), test::readBytes(folder / "out" / "f3.png"));
+}
+
 } // namespace

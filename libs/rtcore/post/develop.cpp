@@ -76,25 +76,58 @@ void PictureDeveloper::develop(const HdrImage& radiance, const RenderSettings& s
         image = LdrImage(radiance.width, radiance.height);
     }
     const Development how{settings.toneMapping, settings.dithering, exposure};
-#pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
+    const int team = threadsFor(threads);
+    const float strength = settings.exposure.local;
+    if (strength > 0) {
+        local_.measure(radiance, exposure * settings.exposure.key, threads);
+        rows_.resize(std::max(rows_.size(), static_cast<std::size_t>(team)));
+        for (std::vector<Colour>& row : rows_) row.resize(static_cast<std::size_t>(radiance.width));
+    }
+#pragma omp parallel for schedule(static) num_threads(team)
     for (int y = 0; y < radiance.height; ++y) {
-        developRow(how, &radiance.at(0, y), 0, radiance.width, y, &image.at(0, y));
+        const Colour* row = &radiance.at(0, y);
+        if (strength > 0) {
+            Colour* const adjusted = rows_[static_cast<std::size_t>(threadNumber())].data();
+            local_.adjust(row, 0, radiance.width, y, radiance.width, radiance.height, strength, adjusted);
+            row = adjusted;
+        }
+        developRow(how, row, 0, radiance.width, y, &image.at(0, y));
     }
 }
 
-void developPart(const Frame& frame, const RenderSettings& settings, float exposure, const RoughGlow& glow,
-                 const PixelArea& part, LdrImage& image) {
+void PictureDeveloper::roughEffects(const Frame& coarse, int block, const RenderSettings& settings,
+                                    float exposure, int threads, RoughEffects& effects) {
+    effects.block = block;
+    effects.glow = {};
+    if (bloomSigma(settings, coarse.radiance.width) > 0) {
+        bloom_.spread(coarse.radiance, settings, threads, effects.glow);
+    }
+    if (settings.exposure.local > 0) {
+        effects.local.measure(coarse.radiance, exposure * settings.exposure.key, threads);
+    }
+}
+
+void developPart(const Frame& frame, const RenderSettings& settings, float exposure,
+                 const RoughEffects& effects, const PixelArea& part, LdrImage& image) {
     const Development how{settings.toneMapping, settings.dithering, exposure};
+    const HdrImage& radiance = frame.radiance;
     const int right = part.left + part.columns;
-    std::vector<Colour> glowing(glow.glow.empty() ? 0 : static_cast<std::size_t>(right));
+    const bool glows = !effects.glow.empty();
+    const bool local = settings.exposure.local > 0 && effects.local.measured();
+    std::vector<Colour> changed(glows || local ? static_cast<std::size_t>(right) : 0);
     for (int y = part.top; y < part.top + part.rows; ++y) {
-        const Colour* row = &frame.radiance.at(0, y);
-        if (!glowing.empty()) {
+        const Colour* row = &radiance.at(0, y);
+        if (glows) {
             for (int x = part.left; x < right; ++x) {
-                glowing[static_cast<std::size_t>(x)] =
-                    withGlow(row[x], glowAt(glow.glow, glow.block, x, y), settings.bloomShare);
+                changed[static_cast<std::size_t>(x)] =
+                    withGlow(row[x], glowAt(effects.glow, effects.block, x, y), settings.bloomShare);
             }
-            row = glowing.data();
+            row = changed.data();
+        }
+        if (local) {
+            effects.local.adjust(row, part.left, right, y, radiance.width, radiance.height,
+                                 settings.exposure.local, changed.data());
+            row = changed.data();
         }
         developRow(how, row, part.left, right, y, &image.at(0, y));
     }

@@ -3,6 +3,7 @@
 
 #include "rtcore/post/bloom.h"
 #include "rtcore/post/exposure.h"
+#include "rtcore/post/local_exposure.h"
 #include "rtcore/render/frame.h"
 #include "rtcore/render/pixel_area.h"
 #include "rtcore/scene/image.h"
@@ -12,6 +13,13 @@
 #include <vector>
 
 namespace rtcore {
+
+/// What a part of a picture has from all of it, known from a coarser picture of the same view.
+struct RoughEffects {
+    HdrImage glow;       ///< Bloom::spread(); empty: none
+    int block = 1;       ///< pixels of the picture for each of the coarse one, across and down
+    LocalExposure local; ///< where it is asked for
+};
 
 /// Develops frames one after another and keeps the memory of its threads, so that a frame of the size of the
 /// one before it allocates nothing. Not for several threads at once: it uses `threads` itself, 0 = all cores.
@@ -35,23 +43,23 @@ class PictureDeveloper {
     void develop(const Frame& frame, const RenderSettings& settings, float exposure, int threads,
                  LdrImage& image);
 
+    /// For parts of a picture of which `coarse` has a pixel for each `block` x `block`.
+    void roughEffects(const Frame& coarse, int block, const RenderSettings& settings, float exposure,
+                      int threads, RoughEffects& effects);
+
   private:
     std::optional<float> average(const Frame& frame, bool background, int threads);
 
     std::vector<LuminanceHistogram> histograms_; ///< by thread
     Bloom bloom_;
+    LocalExposure local_;
+    std::vector<std::vector<Colour>> rows_; ///< by thread
 };
 
-/// The glow of a picture that is not finished, from a coarser one of it.
-struct RoughGlow {
-    HdrImage glow; ///< Bloom::spread(); empty: none
-    int block = 1; ///< pixels of the picture for each of its own, across and down
-};
-
-/// A part of what develop() makes, into an image of the frame's size, by one thread; with `glow` in place of
-/// finish(). Reads nothing else of the frame's pixels, so others may still be rendered.
-void developPart(const Frame& frame, const RenderSettings& settings, float exposure, const RoughGlow& glow,
-                 const PixelArea& part, LdrImage& image);
+/// A part of what develop() makes, into an image of the frame's size, by one thread; with `effects` in place
+/// of finish(). Reads nothing else of the frame's pixels, so others may still be rendered.
+void developPart(const Frame& frame, const RenderSettings& settings, float exposure,
+                 const RoughEffects& effects, const PixelArea& part, LdrImage& image);
 
 /// The same for a single frame, on all cores.
 float exposureFor(const Frame& frame, const ExposureSettings& settings);

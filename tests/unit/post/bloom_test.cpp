@@ -266,11 +266,11 @@ TEST(Bloom, PartsGetTheGlowOfAWholePass) {
     frame.radiance = randomImage(150, 70);
     frame.covered.assign(frame.radiance.pixels.size(), 255);
     const RenderSettings settings = bloomOf(frame.radiance, 5, BloomKernel::Gaussian, 0.4F);
-    RoughGlow glow;
-    Bloom().spread(frame.radiance, settings, 1, glow.glow);
+    RoughEffects effects;
+    PictureDeveloper().roughEffects(frame, 1, settings, 3, 1, effects);
     LdrImage parts(150, 70);
     for (int x = 0; x < 150; x += 32) {
-        developPart(frame, settings, 3, glow, {x, 0, std::min(32, 150 - x), 70}, parts);
+        developPart(frame, settings, 3, effects, {x, 0, std::min(32, 150 - x), 70}, parts);
     }
     EXPECT_EQ(parts.pixels, develop(frame, settings, 3).pixels);
 }

@@ -7,43 +7,67 @@
 namespace {
 
 using rtserver::Adaptation;
+using rtserver::AdaptationSpeed;
+
+constexpr AdaptationSpeed kSpeed{.brighter = 0.1, .darker = 0.4};
 
 TEST(Adaptation, TakesTheFirstTargetAtOnce) {
     Adaptation eye;
-    EXPECT_EQ(eye.advance(0.37F, 0), 0.37F);
+    EXPECT_EQ(eye.advance(0.37F, 0, kSpeed), 0.37F);
     EXPECT_TRUE(eye.settled());
 }
 
-TEST(Adaptation, NearsItsTargetByTheLogarithm) {
+TEST(Adaptation, HasASpeedForMoreLightAndOneForLess) {
     Adaptation up, down;
-    up.advance(1, 0);
-    down.advance(100, 0);
-    const float rising = up.advance(100, 0.1), falling = down.advance(1, 0.1);
+    up.advance(1, 0, kSpeed);
+    down.advance(10, 0, kSpeed);
+    // What is left of ln 10 after 0.1 s: e^-1 of it on the way up, e^-0.25 on the way down.
+    EXPECT_NEAR(up.advance(10, 0.1, kSpeed), std::pow(10, 1 - std::exp(-1)), 1e-4);
+    EXPECT_NEAR(down.advance(1, 0.1, kSpeed), std::pow(10, std::exp(-0.25)), 1e-4);
     EXPECT_FALSE(up.settled());
-    EXPECT_NEAR(rising * falling, 100, 0.01) << "light and darkness take equally long";
-    EXPECT_GT(rising, 1);
-    EXPECT_LT(rising, 100);
+}
+
+TEST(Adaptation, KnownValueInOneOrTenSteps) {
+    Adaptation once, often;
+    constexpr AdaptationSpeed slow{.brighter = 0.4, .darker = 0.4};
+    once.advance(1, 0, slow);
+    often.advance(1, 0, slow);
+    EXPECT_NEAR(once.advance(10, 0.1, slow), 1.664176F, 1e-5F);
+    for (int i = 0; i < 10; ++i) often.advance(10, 0.01, slow);
+    EXPECT_NEAR(often.value(), 1.664176F, 2e-5F);
 }
 
 TEST(Adaptation, DoesNotDependOnTheFrameRate) {
     Adaptation slow, fast;
-    slow.advance(1, 0);
-    fast.advance(1, 0);
-    slow.advance(50, 0.4);
-    for (int i = 0; i < 100; ++i) fast.advance(50, 0.004);
+    slow.advance(1, 0, kSpeed);
+    fast.advance(1, 0, kSpeed);
+    slow.advance(50, 0.4, kSpeed);
+    for (int i = 0; i < 100; ++i) fast.advance(50, 0.004, kSpeed);
     EXPECT_NEAR(std::log(slow.value()), std::log(fast.value()), 1e-4);
 }
 
-TEST(Adaptation, EndsAtItsTargetToTheBit) {
+TEST(Adaptation, WithoutTimeIsThereAtOnce) {
     Adaptation eye;
-    eye.advance(3, 0);
-    int steps = 0;
-    do {
-        eye.advance(0.123456F, 0.016);
-    } while (!eye.settled() && ++steps < 1000);
-    EXPECT_EQ(eye.value(), 0.123456F);
-    EXPECT_LT(steps * 0.016, 3);
-    EXPECT_GT(steps, 5);
+    eye.advance(3, 0, {});
+    EXPECT_EQ(eye.advance(77, 0.001, {}), 77);
+    EXPECT_TRUE(eye.settled());
+    EXPECT_EQ(eye.advance(0.5F, 0, {}), 0.5F);
+}
+
+TEST(Adaptation, EndsAtItsTargetToTheBit) {
+    for (const float target : {0.123456F, 765.4321F}) {
+        Adaptation eye;
+        eye.advance(3, 0, kSpeed);
+        int steps = 0;
+        do {
+            eye.advance(target, 0.016, kSpeed);
+        } while (!eye.settled() && ++steps < 1000);
+        EXPECT_EQ(eye.value(), target);
+        EXPECT_LT(steps * 0.016, 3);
+        EXPECT_GT(steps, 5);
+        EXPECT_EQ(eye.advance(target, 0.016, kSpeed), target);
+        EXPECT_TRUE(eye.settled());
+    }
 }
 
 } // namespace
