@@ -80,6 +80,13 @@ void checkOutput(const std::filesystem::path& path) {
     checkPlace(path);
 }
 
+void checkLayers(std::span<const std::filesystem::path> patterns) {
+    const auto holds = [](const std::filesystem::path& path) { return rtcore::isExr(path); };
+    if (std::none_of(patterns.begin(), patterns.end(), holds)) {
+        throw app::UsageError("--layers needs an output with the extension .exr, which can hold them");
+    }
+}
+
 void checkFilm(const std::filesystem::path& film) {
     if (!isFilm(film)) {
         throw app::UsageError(film.string() + ": cannot write films with this extension, only " +

@@ -3,6 +3,7 @@
 
 #include <climits>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -40,6 +41,9 @@ inline bool isStandardOutput(const std::filesystem::path& path) { return path ==
 /// goes by the name's extension, rtcore::FileError CannotWrite when its folder does not exist or it is a
 /// folder.
 void checkOutput(const std::filesystem::path& path);
+
+/// Throws app::UsageError when none of the patterns names a file that can hold layers.
+void checkLayers(std::span<const std::filesystem::path> patterns);
 
 /// The same for a film: app::UsageError when no kind of film goes by the extension.
 void checkFilm(const std::filesystem::path& film);

@@ -1,6 +1,7 @@
 #include "renderer/picture_maker.h"
 
 #include "common/settings_merge.h"
+#include "renderer/layers_file.h"
 #include "renderer/load_phases.h"
 
 #include "common/command_line.h"
@@ -40,7 +41,9 @@ PictureMaker::PictureMaker(rtcore::LoadedScene scene, std::vector<rtcore::Settin
                            const RendererOptions& options, app::Progress& progress)
     : loaded_(std::move(scene)), lights_(loaded_.scene.lights), environment_(loaded_.scene.activeEnvironment),
       settingsFile_(std::move(settingsFile)), options_(options), progress_(progress),
-      tracer_(loaded_.tree, loaded_.scene.mesh(), chooseLeafRecords(loaded_.tree, knownRays(options))) {}
+      tracer_(loaded_.tree, loaded_.scene.mesh(), chooseLeafRecords(loaded_.tree, knownRays(options))) {
+    renderer_.collectLayers(options.layers);
+}
 
 FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     rtcore::Camera camera = loaded_.camera;
@@ -148,6 +151,8 @@ void PictureMaker::write(const FrameTask& task, const rtcore::HdrImage& radiance
         app::throwIfStopped();
         if (isStandardOutput(output)) {
             app::writeOutput(asText(rtcore::encodeImage(developed_, options_.standardOutputFormat)));
+        } else if (options_.layers && rtcore::isExr(output)) {
+            writeLayers(output, radiance, frame_.layers);
         } else if (rtcore::isHdrFormat(output)) {
             rtcore::writeHdrImage(output, radiance);
         } else {

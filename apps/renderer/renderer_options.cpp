@@ -152,6 +152,7 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     app::useIsa(arguments);
     options.import = app::readImportOptions(arguments);
     options.import.threads = options.threads;
+    options.layers = arguments.has("layers");
     options.verbose = arguments.has("verbose");
     options.debugScene = readPath(arguments, "debug-scene");
     checkCombinations(options, arguments);

@@ -39,6 +39,7 @@ struct RendererOptions {
     std::vector<rtcore::SettingAssignment> settings; ///< in the order of the command line
     int threads = 0;                                 ///< 0 = all cores
     rtcore::ImportOptions import;
+    bool layers = false; ///< .exr outputs hold what is known of surfaces as well
     bool verbose = false;
     std::optional<std::filesystem::path> debugScene; ///< draw it there and render nothing
     app::ProgressStyle progress = app::ProgressStyle::None;

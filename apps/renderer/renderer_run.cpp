@@ -51,6 +51,7 @@ app::ExitCode renderAll(const RendererOptions& options, app::Progress& progress)
 
     rtcore::LoadedScene loaded = loadWithProgress(options, progress);
     const Paths patterns = outputPatterns(options, loaded.sceneFile ? &*loaded.sceneFile : nullptr);
+    if (options.layers) checkLayers(patterns);
     const auto ofScene = loaded.sceneFile ? loaded.sceneFile->cameraFile : std::nullopt;
     const std::filesystem::path camera = options.camera.value_or(ofScene.value_or(""));
     PictureMaker maker(std::move(loaded), std::move(settingsFile), options, progress);

@@ -33,6 +33,9 @@ OptionGroup outputOptions() {
           .argument = "NAME",
           .help = "format of the picture on standard output: png or ppm [png]",
           .choices = {"png", "ppm"}},
+         {.name = "layers",
+          .help = "outputs with the extension .exr also hold depth, normal, albedo, direct light and ambient "
+                  "occlusion of the surfaces, as layers"},
          {.name = "width",
           .letter = 'w',
           .value = ValueKind::Text,

@@ -35,7 +35,7 @@ class FrameMaker {
     void forget() { adaptation_ = {}; }
 
     const rtcore::LdrImage& image() const { return image_; } ///< empty before the first one
-    /// As it is shown: with its glow. After trace() only.
+    /// As it is shown: denoised, with its glow. After trace() only.
     const rtcore::HdrImage& radiance() const { return *seen_; }
     float exposure() const { return adaptation_.value(); }
     double seconds() const { return seconds_; } ///< that the last frame took to trace
@@ -48,7 +48,7 @@ class FrameMaker {
     rtcore::FrameRenderer renderer_;
     rtcore::PictureDeveloper developer_;
     rtcore::Frame frame_;
-    const rtcore::HdrImage* seen_ = nullptr; ///< the frame with its glow; null: no frame
+    const rtcore::HdrImage* seen_ = nullptr; ///< the frame with its effects; null: no frame
     rtcore::LdrImage image_;
     Adaptation adaptation_;
     float target_ = 1; ///< the exposure that suits the frame

@@ -62,7 +62,7 @@ float PictureDeveloper::exposure(const Frame& frame, const ExposureSettings& set
 }
 
 const HdrImage& PictureDeveloper::finish(const Frame& frame, const RenderSettings& settings, int threads) {
-    return bloom_.apply(frame.radiance, settings, threads);
+    return bloom_.apply(denoiser_.apply(frame, settings, threads), settings, threads);
 }
 
 void PictureDeveloper::develop(const Frame& frame, const RenderSettings& settings, float exposure,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtcore/post/bloom.h"
+#include "rtcore/post/denoise.h"
 #include "rtcore/post/exposure.h"
 #include "rtcore/post/local_exposure.h"
 #include "rtcore/render/frame.h"
@@ -30,9 +31,9 @@ class PictureDeveloper {
     /// effects below: glow would brighten what is dark.
     float exposure(const Frame& frame, const ExposureSettings& settings, int threads);
 
-    /// The frame with the effects that need all of it: its glow. frame.radiance itself when there are none;
-    /// else valid until the next call. A frame that is larger or smaller than the settings say gets effects
-    /// in proportion.
+    /// The frame with the effects that need all of it: denoised, and with its glow. frame.radiance itself
+    /// when there are none; else valid until the next call. A frame that is larger or smaller than the
+    /// settings say gets effects in proportion.
     const HdrImage& finish(const Frame& frame, const RenderSettings& settings, int threads);
 
     /// Tone maps with the constant `exposure` and quantises into `image`, whose memory is reused when the
@@ -51,6 +52,7 @@ class PictureDeveloper {
     std::optional<float> average(const Frame& frame, bool background, int threads);
 
     std::vector<LuminanceHistogram> histograms_; ///< by thread
+    Denoiser denoiser_;
     Bloom bloom_;
     LocalExposure local_;
     std::vector<std::vector<Colour>> rows_; ///< by thread

@@ -34,6 +34,7 @@ bool FrameRenderer::render(const Scene& scene, const RayTracer& tracer, const Ca
                            const RenderSettings& settings, int threads, RenderControl& control,
                            Frame& frame) {
     aim(scene, tracer, camera, settings);
+    beginLayers(camera, settings, frame);
     return renderView(scene, tracer, settings, threads, control, frame);
 }
 
@@ -47,6 +48,7 @@ bool FrameRenderer::renderCoarse(const Scene& scene, const RayTracer& tracer, co
     coarse.height = (settings.height + block - 1) / block;
     coarse.antialiasing = 1;
     coarse.sampling = SamplingPattern::Grid;
+    beginLayers(camera, coarse, frame);
     return renderView(scene, tracer, coarse, threads, control, frame);
 }
 
@@ -63,6 +65,14 @@ void FrameRenderer::aim(const Scene& scene, const RayTracer& tracer, const Camer
                                          static_cast<float>(settings.height) * 0.5F);
     view_.lens = makeLens(view_.camera, camera.horizontalFov, lens.fNumber, focus, scene.metresPerUnit);
     view_.aperture.prepare(lens.blades);
+}
+
+void FrameRenderer::beginLayers(const Camera& camera, const RenderSettings& settings, Frame& frame) const {
+    if (collectLayers_ || settings.denoise > 0) {
+        frame.layers.begin(camera, settings.width, settings.height);
+    } else {
+        frame.layers.clear();
+    }
 }
 
 bool FrameRenderer::renderView(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
@@ -87,6 +97,7 @@ bool FrameRenderer::renderView(const Scene& scene, const RayTracer& tracer, cons
             finish(work, tile);
         });
     }
+    if (!frame.layers.empty()) frame.layers.finish(work.team);
     return !control.cancel;
 }
 
@@ -114,7 +125,8 @@ void FrameRenderer::renderTiles(const Work& work, const TileGrid& grid, Render&&
 #pragma omp parallel num_threads(work.team) default(shared)
     errors.guard([&] {
         TileRenderer& renderer = rendererOfThread(threadNumber());
-        renderer.begin(work.scene, work.tracer, work.settings, materials_, view_, cancel, measureStages_);
+        renderer.begin(work.scene, work.tracer, work.settings, materials_, view_, cancel, measureStages_,
+                       work.frame.layers.empty() ? nullptr : &work.frame.layers);
         // In the order of the picture: its last row of tiles is the one that its lower edge cuts.
 #pragma omp for schedule(dynamic, 1) nowait
         for (int tile = 0; tile < grid.count(); ++tile) {

@@ -51,6 +51,8 @@ class FrameRenderer {
                       const RenderSettings& settings, int block, int threads, RenderControl& control,
                       Frame& frame);
 
+    /// Whether frames to come get layers; those that are denoised get them anyway.
+    void collectLayers(bool on) { collectLayers_ = on; }
     /// Whether frames to come measure stageTimes().
     void measureStages(bool on) { measureStages_ = on; }
     /// Of the last frame, all threads together.
@@ -68,6 +70,7 @@ class FrameRenderer {
     };
     void aim(const Scene& scene, const RayTracer& tracer, const Camera& camera,
              const RenderSettings& settings);
+    void beginLayers(const Camera& camera, const RenderSettings& settings, Frame& frame) const;
     bool renderView(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings, int threads,
                     RenderControl& control, Frame& frame);
     template <typename Render>
@@ -81,6 +84,7 @@ class FrameRenderer {
     SampleChoice choice_;
     MaterialTable materials_;
     std::vector<std::unique_ptr<TileRenderer>> renderers_; ///< by thread
+    bool collectLayers_ = false;
     bool measureStages_ = false;
     StageTimes stageTimes_;
 };

@@ -94,7 +94,7 @@ PixelArea TileGrid::area(int tile) const {
 
 void TileRenderer::begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
                          const MaterialTable& materials, const SampleView& view,
-                         const std::atomic<bool>& cancel, bool measureStages) {
+                         const std::atomic<bool>& cancel, bool measureStages, FrameLayers* layers) {
     settings_ = &settings;
     view_ = &view;
     sameOrigin_ = false;
@@ -102,6 +102,8 @@ void TileRenderer::begin(const Scene& scene, const RayTracer& tracer, const Rend
     samples_.clear();
     integrator_.begin(scene, tracer, settings, materials, measureStages);
     integrator_.stopWhen(&cancel);
+    integrator_.collectFirstHits(layers != nullptr);
+    layers_ = layers;
 }
 
 void TileRenderer::render(const PixelArea& area, Frame& frame) {
@@ -117,8 +119,8 @@ void TileRenderer::render(const PixelArea& area, Frame& frame) {
     }
     collectRays(area);
     integrator_.clock().lap(Stage::Rays);
-    if (drawsSamples_) nameSamples(area, all);
-    integrator_.trace(rays_, samples_);
+    if (drawsSamples_ || layers_ != nullptr) nameSamples(area, all);
+    traceRays();
     if (settings_->antialiasing == 1) {
         storePixels(area, frame);
     } else {
@@ -130,7 +132,12 @@ void TileRenderer::render(const PixelArea& area, Frame& frame) {
 void TileRenderer::traceSamples() {
     makeSampleRays(*view_, samples_, rays_);
     integrator_.clock().lap(Stage::Rays);
+    traceRays();
+}
+
+void TileRenderer::traceRays() {
     integrator_.trace(rays_, samples_);
+    if (layers_ != nullptr) layers_->add(integrator_.firstHits(), samples_);
 }
 
 /// `count`: how many samples the pixel (x, y) has.

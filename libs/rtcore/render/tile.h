@@ -31,10 +31,11 @@ class TileGrid {
 /// to frame.
 class TileRenderer {
   public:
-    /// Starts a frame, or a pass of it; the arguments must outlive it.
+    /// Starts a frame, or a pass of it; the arguments must outlive it. `layers` gets what samples see first;
+    /// may be null.
     void begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
                const MaterialTable& materials, const SampleView& view, const std::atomic<bool>& cancel,
-               bool measureStages);
+               bool measureStages, FrameLayers* layers);
 
     /// Writes the pixels of one tile into `frame`; soon returns, with them undefined, when `cancel` is set.
     void render(const PixelArea& area, Frame& frame);
@@ -50,6 +51,7 @@ class TileRenderer {
     template <typename Wanted>
     void nameSamples(const PixelArea& area, Wanted&& wanted);
     void traceSamples();
+    void traceRays();
     void clearSums(const PixelArea& area);
     void addToSums(const PixelArea& area);
     template <typename Count>
@@ -62,6 +64,7 @@ class TileRenderer {
     WhittedIntegrator integrator_;
     RayWave rays_;
     bool drawsSamples_ = false;
+    FrameLayers* layers_ = nullptr; ///< that samples are added to; null: not asked for
     std::vector<SampleId> samples_;   ///< of rays_, where anything wants their names
     bool sameOrigin_ = false;         ///< all of rays_ begin at the eye already
     /// Of the samples of one pixel.

@@ -31,6 +31,10 @@ class OcclusionWave {
 
     /// Whether light from everywhere can add anything at a point.
     bool takes(const SurfaceWave& surfaces, std::size_t point) const;
+    /// What the light from everywhere would add to the sample if nothing were near the point.
+    Colour unoccluded(const SurfaceWave& surfaces, std::size_t point) const {
+        return scattered(surfaces, point) * light_.radiance;
+    }
     /// Has a point lit by the next light(). `bounce` differs where a path meets points one after another.
     void add(const SurfaceWave& surfaces, std::size_t point, SampleId sample, std::uint32_t bounce);
     /// Sets surfaces.added to what reaches the samples of the light from everywhere: zero at points that were

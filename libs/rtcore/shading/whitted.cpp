@@ -68,6 +68,7 @@ void WhittedIntegrator::trace(const RayWave& primary, std::span<const SampleId> 
     mirrored_.clear();
     refracted_.clear();
 
+    if (collectFirstHits_) firstHits_.start(count);
     first_ = true;
     traceWave(RayKind::Primary, primary);
     first_ = false;
@@ -103,12 +104,14 @@ void WhittedIntegrator::traceWave(RayKind kind, const RayWave& rays) {
     addBackground(rays);
     completePoints(rays);
     addGlow();
+    if (collectFirstHits_) takeFirstHits();
     clock_.lap(Stage::Surfaces);
     if (fog_.on()) addFog();
     if (occlusion_.on()) lightFromEverywhere();
     for (std::uint32_t i = 0; i < scene_->lights.size(); ++i) {
         if (scene_->lights[i].on != 0 && !stopped()) lightBy(scene_->lights[i], i);
     }
+    lit_ = Lit::Not;
     spawn();
     clock_.lap(Stage::Spawn);
 }
@@ -308,15 +311,18 @@ void WhittedIntegrator::lightFromEverywhere() {
         occlusion_.add(surfaces_, i, sampleId(path.sample), bounce);
     }
     occlusion_.light(surfaces_, statistics_, stop_);
+    lit_ = Lit::Everywhere;
     accumulate();
     clock_.lap(Stage::Occlusion);
 }
 
 void WhittedIntegrator::lightBy(const Light& light, std::uint32_t number) {
     if (hasSize(light) && settings_->lampSamples > 0) {
+        lit_ = Lit::BySize;
         lightBySamples(light, number);
         return;
     }
+    lit_ = Lit::ByPoint;
     addLight(light, *materials_, surfaces_, settings_->shadows ? &shadowRays_ : nullptr);
     addUnshadowed(light);
 }
@@ -371,6 +377,7 @@ void WhittedIntegrator::tint(const std::vector<Colour>& arriving) {
 /// Each sample's sum grows in the order of the rays.
 void WhittedIntegrator::accumulate() {
     const ArraysOf3& added = surfaces_.added;
+    if (collectFirstHits_ && lit_ != Lit::Not) tellFirstHits();
     if (first_) {
         addToSums(surfaces_, radiance_);
         return;
@@ -378,6 +385,43 @@ void WhittedIntegrator::accumulate() {
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
         const std::size_t sample = wave_.sample[i];
         radiance_.set(sample, radiance_.colourAt(sample) + added.colourAt(i));
+    }
+}
+
+/// What the wave's rays hit that are the first to hit anything of their samples, holes passed.
+void WhittedIntegrator::takeFirstHits() {
+    firstHits_.beginWave();
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+        if (surfaces_.traits[i] == 0) continue;
+        const Path path = pathOf(i);
+        if (path.depth > 0 || !firstHits_.missing(path.sample)) continue;
+        const Colour scattered = surfaces_.share.colourAt(i);
+        const bool onward = (surfaces_.traits[i] & traits::kOnward) != 0;
+        const Colour mirrored = onward ? surfaces_.onward.colourAt(i) : Colour{};
+        const Colour rest = kWhite - scattered - mirrored;
+        const Colour through{std::max(rest.r, 0.0F), std::max(rest.g, 0.0F), std::max(rest.b, 0.0F)};
+        firstHits_.take(path.sample,
+                        {.position = surfaces_.position.at(i),
+                         .normal = surfaces_.shadingNormal.at(i),
+                         .albedo = surfaces_.diffuse.colourAt(i) * kPi * scattered + mirrored + through,
+                         .direct = {},
+                         .soft = {}});
+    }
+}
+
+void WhittedIntegrator::tellFirstHits() {
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+        if (surfaces_.traits[i] == 0) continue;
+        FirstHit* const hit = firstHits_.present(first_ ? i : wave_.sample[i]);
+        if (hit == nullptr) continue;
+        const Colour added = surfaces_.added.colourAt(i);
+        if (lit_ != Lit::ByPoint) hit->soft += added;
+        if (lit_ != Lit::Everywhere) {
+            hit->direct += added;
+        } else {
+            hit->arriving += luminance(added);
+            hit->whole += luminance(occlusion_.unoccluded(surfaces_, i));
+        }
     }
 }
 

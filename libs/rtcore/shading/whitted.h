@@ -7,6 +7,7 @@
 #include "rtcore/sampling/sample_id.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
+#include "rtcore/shading/first_hits.h"
 #include "rtcore/shading/fog_shafts.h"
 #include "rtcore/shading/fog_wave.h"
 #include "rtcore/shading/lamp_draw.h"
@@ -49,6 +50,10 @@ class WhittedIntegrator {
     const ArraysOf3& radiance() const { return radiance_; }
     const std::vector<std::uint8_t>& hit() const { return hit_; }
 
+    /// Whether waves to come tell firstHits(): what the last one's samples saw, sample i at i.
+    void collectFirstHits(bool on) { collectFirstHits_ = on; }
+    const FirstHits& firstHits() const { return firstHits_; }
+
     /// trace(), with the results copied to spans of the size of the wave.
     void trace(const RayWave& primary, std::span<Colour> radiance, std::span<std::uint8_t> hit);
 
@@ -85,6 +90,8 @@ class WhittedIntegrator {
     void lightBy(const Light& light, std::uint32_t number);
     void lightBySamples(const Light& light, std::uint32_t number);
     void addUnshadowed(const Light& light);
+    void takeFirstHits();
+    void tellFirstHits();
     void darken(const std::vector<std::uint8_t>& occluded);
     void tint(const std::vector<Colour>& arriving);
     void accumulate();
@@ -127,6 +134,9 @@ class WhittedIntegrator {
     FogWave fog_;
     FogShafts shafts_;
     std::vector<float> shifts_; ///< of the rays' samples in the fog
+    bool collectFirstHits_ = false;
+    FirstHits firstHits_;
+    enum class Lit { Not, Everywhere, ByPoint, BySize } lit_ = Lit::Not; ///< what accumulate() adds the light of
 };
 
 } // namespace rtcore

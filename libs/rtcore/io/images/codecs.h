@@ -4,6 +4,7 @@
 #pragma once
 
 #include "rtcore/io/images/decoded_image.h"
+#include "rtcore/io/images/image_file.h"
 
 namespace rtcore {
 
@@ -28,6 +29,7 @@ Bytes encodeRare(const LdrImage& image, const std::string& name, const std::stri
 Bytes encodeRadiance(const HdrImage& image, const std::string& name);
 Bytes encodePfm(const HdrImage& image, const std::string& name);
 Bytes encodeExr(const HdrImage& image, const std::string& name); // float, ZIP
+Bytes encodeExr(int width, int height, std::span<const ImageChannel> channels, const std::string& name);
 
 /// Was this build made with them, and does ImageMagick have the coder?
 bool exrAvailable();

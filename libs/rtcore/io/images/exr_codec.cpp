@@ -149,18 +149,30 @@ DecodedImage decodeExr(ByteSpan bytes, const std::string& name) {
 }
 
 Bytes encodeExr(const HdrImage& image, const std::string& name) {
+    const Colour* const first = image.pixels.data();
+    const ImageChannel channels[] = {{"R", &first->r, 3}, {"G", &first->g, 3}, {"B", &first->b, 3}};
+    static_assert(sizeof(Colour) == 3 * sizeof(float));
+    return encodeExr(image.width, image.height, channels, name);
+}
+
+Bytes encodeExr(int width, int height, std::span<const ImageChannel> channels, const std::string& name) {
     try {
-        Imf::Header header(image.width, image.height);
+        Imf::Header header(width, height);
         header.compression() = Imf::ZIP_COMPRESSION;
-        for (const char* channel : {"R", "G", "B"})
-            header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
+        Imf::FrameBuffer frame;
+        for (const ImageChannel& channel : channels) {
+            header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
+            // The library only reads through the slices of an output, which are not const all the same.
+            char* const first = reinterpret_cast<char*>(const_cast<float*>(channel.first));
+            const std::size_t step = channel.step * sizeof(float);
+            frame.insert(channel.name,
+                         Imf::Slice(Imf::FLOAT, first, step, step * static_cast<std::size_t>(width)));
+        }
         MemoryOutput output;
         {
-            // The library only reads through the slices of an output, which are not const all the same.
-            auto& pixels = const_cast<HdrImage&>(image);
             Imf::OutputFile file(output, header, 0);
-            file.setFrameBuffer(frameOver(pixels, false, 0, 0));
-            file.writePixels(image.height);
+            file.setFrameBuffer(frame);
+            file.writePixels(height);
         }
         return std::move(output.bytes);
     } catch (const std::exception& error) {
@@ -182,6 +194,11 @@ DecodedImage decodeExr(ByteSpan /*bytes*/, const std::string& name) {
 
 Bytes encodeExr(const HdrImage& /*image*/, const std::string& name) {
     cannotEncode(name, "this build writes no EXR; use .hdr or .pfm");
+}
+
+Bytes encodeExr(int /*width*/, int /*height*/, std::span<const ImageChannel> /*channels*/,
+                const std::string& name) {
+    cannotEncode(name, "this build writes no EXR");
 }
 
 bool exrAvailable() { return false; }

@@ -139,6 +139,16 @@ void writeHdrImage(const std::filesystem::path& path, const HdrImage& image) {
                 encodeHdr(image, target != nullptr ? target->format : ImageFormat::Unknown, path.string()));
 }
 
+void writeExrChannels(const std::filesystem::path& path, int width, int height,
+                      std::span<const ImageChannel> channels) {
+    replaceWith(path, encodeExr(width, height, channels, path.string()));
+}
+
+bool isExr(const std::filesystem::path& path) {
+    const FormatName* target = findFormat(extensionOf(path));
+    return target != nullptr && target->format == ImageFormat::Exr;
+}
+
 bool isHdrFormat(const std::filesystem::path& path) {
     const FormatName* target = findFormat(extensionOf(path));
     return target != nullptr && isLinear(target->format);

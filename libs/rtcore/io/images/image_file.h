@@ -35,6 +35,19 @@ void writeImage(const std::filesystem::path& path, const LdrImage& image);
 /// Throws FileError CannotWrite, also for any other extension.
 void writeHdrImage(const std::filesystem::path& path, const HdrImage& image);
 
+/// One float of each pixel, somewhere in memory.
+struct ImageChannel {
+    std::string name;             ///< "R"; of a layer "normal.X"
+    const float* first = nullptr; ///< of the upper left pixel
+    std::size_t step = 1;         ///< floats from one pixel to the next; rows follow each other
+};
+
+/// Any channels into one .exr, as 32-bit float. Throws FileError CannotWrite.
+void writeExrChannels(const std::filesystem::path& path, int width, int height,
+                      std::span<const ImageChannel> channels);
+
+/// By extension, whatever its case: is it .exr?
+bool isExr(const std::filesystem::path& path);
 /// By extension, whatever its case: does the format keep linear colour; can this build write it?
 bool isHdrFormat(const std::filesystem::path& path);
 bool isWritableFormat(const std::filesystem::path& path);

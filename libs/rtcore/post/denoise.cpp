@@ -1,0 +1,262 @@
+#include "rtcore/post/denoise.h"
+
+#include "rtcore/platform/threads.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace rtcore {
+
+namespace {
+
+constexpr float kLeastAlbedo = 0.01F;
+constexpr float kPlane = 0.01F; ///< share of the distance within which points lie in one plane
+constexpr float kGrains = 3;    ///< standard deviations of the grain within which light is alike
+constexpr int kBlock = 16;      ///< pixels a side, for the grain
+constexpr int kBlockPixels = kBlock * kBlock;
+/// Four fifths of normally distributed numbers are within this many standard deviations; and a pixel less the
+/// mean of its four neighbours varies so much more than the pixel.
+constexpr float kFourFifths = 1.2816F, kWithNeighbours = 1.1180F;
+
+float notNegative(float x) { return x > 0 ? x : 0; }
+
+} // namespace
+
+void Denoiser::resize(int width, int height) {
+    width_ = width;
+    height_ = height;
+    const std::size_t count = row(height);
+    for (Plane* const plane : {&nearness_, &across_, &down_, &bright_, &grain_}) plane->resize(count);
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (Plane* const plane : {&normal_[i], &albedo_[i], &light_[i], &result_[i]}) plane->resize(count);
+    }
+    if (image_.width != width || image_.height != height) image_ = HdrImage(width, height);
+}
+
+void Denoiser::fillGuides(const FrameLayers& layers, [[maybe_unused]] int threads) {
+#pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
+    for (int y = 0; y < height_; ++y) {
+        for (std::size_t i = row(y); i < row(y + 1); ++i) {
+            const LayerPixel& pixel = layers.pixels()[i];
+            const Vec3 normal = normalize(pixel.normal);
+            const bool there = pixel.covered > 0 && pixel.depth > 0;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                normal_[axis][i] = there ? normal[static_cast<int>(axis)] : 0;
+            }
+            nearness_[i] = there ? 1 / pixel.depth : 0;
+            albedo_[0][i] = std::max(pixel.albedo.r, kLeastAlbedo);
+            albedo_[1][i] = std::max(pixel.albedo.g, kLeastAlbedo);
+            albedo_[2][i] = std::max(pixel.albedo.b, kLeastAlbedo);
+        }
+    }
+}
+
+/// Returns whether there is any.
+bool Denoiser::fillLight(const Frame& frame, bool all, [[maybe_unused]] int threads) {
+    bool any = false;
+#pragma omp parallel for schedule(static) reduction(|| : any) num_threads(threadsFor(threads))
+    for (int y = 0; y < height_; ++y) {
+        for (std::size_t i = row(y); i < row(y + 1); ++i) {
+            const Colour c = all ? frame.radiance.pixels[i] : frame.layers.pixels()[i].soft;
+            const bool usable = isFinite(c);
+            any = any || (usable && !isBlack(c));
+            light_[0][i] = usable ? c.r / albedo_[0][i] : 0;
+            light_[1][i] = usable ? c.g / albedo_[1][i] : 0;
+            light_[2][i] = usable ? c.b / albedo_[2][i] : 0;
+            bright_[i] = luminance({light_[0][i], light_[1][i], light_[2][i]});
+        }
+    }
+    return any;
+}
+
+/// Of the smaller of the steps to both sides, so that edges do not count.
+void Denoiser::fillSlopes([[maybe_unused]] int threads) {
+    const auto smaller = [](float before, float here, float after) {
+        const float a = here - before, b = after - here;
+        return std::fabs(a) < std::fabs(b) ? a : b;
+    };
+#pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
+    for (int y = 0; y < height_; ++y) {
+        const float* const here = &nearness_[row(y)];
+        const float* const above = &nearness_[row(std::max(y - 1, 0))];
+        const float* const below = &nearness_[row(std::min(y + 1, height_ - 1))];
+        for (int x = 0; x < width_; ++x) {
+            const std::size_t i = row(y) + static_cast<std::size_t>(x);
+            const int left = std::max(x - 1, 0), right = std::min(x + 1, width_ - 1);
+            // At the border there is one side only.
+            across_[i] = left == x    ? here[right] - here[x]
+                         : right == x ? here[x] - here[left]
+                                      : smaller(here[left], here[x], here[right]);
+            down_[i] = y == 0             ? below[x] - here[x]
+                       : y == height_ - 1 ? here[x] - above[x]
+                                          : smaller(above[x], here[x], below[x]);
+        }
+    }
+}
+
+void Denoiser::measureGrain([[maybe_unused]] int threads) {
+    const int columns = (width_ + kBlock - 1) / kBlock, rows = (height_ + kBlock - 1) / kBlock;
+    blocks_.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+    const auto alike = [this](std::size_t a, std::size_t b) {
+        const float cosine =
+            normal_[0][a] * normal_[0][b] + normal_[1][a] * normal_[1][b] + normal_[2][a] * normal_[2][b];
+        return cosine > 0.95F && std::fabs(nearness_[a] - nearness_[b]) < 0.05F * nearness_[a];
+    };
+#pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
+    for (int block = 0; block < columns * rows; ++block) {
+        float differences[kBlockPixels];
+        int count = 0;
+        const int left = block % columns * kBlock, top = block / columns * kBlock;
+        for (int y = std::max(top, 1); y < std::min(top + kBlock, height_ - 1); ++y) {
+            for (int x = std::max(left, 1); x < std::min(left + kBlock, width_ - 1); ++x) {
+                const std::size_t i = row(y) + static_cast<std::size_t>(x);
+                const std::size_t around[4] = {i - 1, i + 1, i - row(1), i + row(1)};
+                if (!std::all_of(around, around + 4, [&](std::size_t j) { return alike(i, j); })) continue;
+                const float mean = 0.25F * (bright_[around[0]] + bright_[around[1]] + bright_[around[2]] +
+                                            bright_[around[3]]);
+                differences[count++] = std::fabs(bright_[i] - mean);
+            }
+        }
+        float grain = 0;
+        if (count > 0) {
+            float* const at = differences + count * 4 / 5;
+            std::nth_element(differences, at, differences + count);
+            grain = *at / (kFourFifths * kWithNeighbours);
+        }
+        blocks_[static_cast<std::size_t>(block)] = grain;
+    }
+
+    const auto between = [](int pixel, int size) {
+        const float place = (static_cast<float>(pixel) + 0.5F) / kBlock - 0.5F;
+        const int before = static_cast<int>(place + 1) - 1; // place > -1
+        struct {
+            int before, after;
+            float share;
+        } found{std::max(before, 0), std::min(before + 1, size - 1), place - static_cast<float>(before)};
+        return found;
+    };
+#pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
+    for (int y = 0; y < height_; ++y) {
+        const auto down = between(y, rows);
+        for (int x = 0; x < width_; ++x) {
+            const auto across = between(x, columns);
+            const auto mixed = [&](int line) {
+                return blocks_[static_cast<std::size_t>(line * columns + across.before)] *
+                           (1 - across.share) +
+                       blocks_[static_cast<std::size_t>(line * columns + across.after)] * across.share;
+            };
+            grain_[row(y) + static_cast<std::size_t>(x)] =
+                mixed(down.before) * (1 - down.share) + mixed(down.after) * down.share;
+        }
+    }
+}
+
+/// Adds what the pixels (dx, dy) away give to those of row `y`: sums are weights, red, green, blue, then
+/// 1 / the difference of light that counts.
+void Denoiser::takeTap(int y, int dx, int dy, float kernel, float planeTolerance, float* sums) const {
+    const std::size_t from = row(y), to = row(y + dy);
+    const auto begin = static_cast<std::size_t>(std::max(0, -dx));
+    const auto end = static_cast<std::size_t>(std::max(0, std::min(width_, width_ - dx)));
+    const auto width = static_cast<std::size_t>(width_);
+    float* const weights = sums;
+    float* const red = sums + width;
+    float* const green = sums + 2 * width;
+    float* const blue = sums + 3 * width;
+    const float* const alike = sums + 4 * width;
+    const float *const nx = &normal_[0][from], *const ny = &normal_[1][from], *const nz = &normal_[2][from];
+    const float *const z = &nearness_[from], *const sx = &across_[from], *const sy = &down_[from];
+    const float* const bright = &bright_[from];
+    const std::size_t other = to + static_cast<std::size_t>(static_cast<std::ptrdiff_t>(dx));
+    const auto stepX = static_cast<float>(dx), stepY = static_cast<float>(dy);
+    for (std::size_t x = begin; x < end; ++x) {
+        const std::size_t q = other + x;
+        const float cosine =
+            notNegative(nx[x] * normal_[0][q] + ny[x] * normal_[1][q] + nz[x] * normal_[2][q]);
+        const float c2 = cosine * cosine, c4 = c2 * c2, c8 = c4 * c4, c16 = c8 * c8, c32 = c16 * c16;
+        const float off = nearness_[q] - (z[x] + sx[x] * stepX + sy[x] * stepY);
+        const float within = planeTolerance * z[x];
+        const float plane = notNegative(within * within - off * off);
+        const float unlike = (bright_[q] - bright[x]) * alike[x];
+        const float light = notNegative(1 - unlike * unlike);
+        // Where the plane's tolerance is 0, there is the background.
+        const float scale = within > 0 ? 1 / (within * within) : 0;
+        const float weight = kernel * c32 * (plane * scale) * (light * light);
+        weights[x] += weight;
+        red[x] += weight * light_[0][q];
+        green[x] += weight * light_[1][q];
+        blue[x] += weight * light_[2][q];
+    }
+}
+
+void Denoiser::filterRow(int pass, int y, float* sums) {
+    constexpr float kSpline[5] = {1.0F / 16, 1.0F / 4, 3.0F / 8, 1.0F / 4, 1.0F / 16};
+    const int step = 1 << pass;
+    const auto width = static_cast<std::size_t>(width_);
+    const std::size_t first = row(y);
+    const float middle = kSpline[2] * kSpline[2];
+    // Each pass leaves less than half of the grain.
+    const float grains = kGrains / static_cast<float>(step);
+    for (std::size_t x = 0; x < width; ++x) {
+        sums[x] = middle;
+        for (std::size_t c = 0; c < 3; ++c) sums[(c + 1) * width + x] = middle * light_[c][first + x];
+        sums[4 * width + x] = 1 / std::max(grains * grain_[first + x], 1e-6F * bright_[first + x] + 1e-30F);
+    }
+    const float tolerance = kPlane * static_cast<float>(pass + 1);
+    for (int j = -2; j <= 2; ++j) {
+        if (y + j * step < 0 || y + j * step >= height_) continue;
+        for (int i = -2; i <= 2; ++i) {
+            if (i == 0 && j == 0) continue;
+            takeTap(y, i * step, j * step, kSpline[i + 2] * kSpline[j + 2], tolerance, sums);
+        }
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+        for (std::size_t x = 0; x < width; ++x) result_[c][first + x] = sums[(c + 1) * width + x] / sums[x];
+    }
+}
+
+void Denoiser::filter(int pass, int threads) {
+    const int team = threadsFor(threads);
+    if (rows_.size() < static_cast<std::size_t>(team)) rows_.resize(static_cast<std::size_t>(team));
+    for (std::vector<float>& sums : rows_) sums.resize(5 * row(1));
+#pragma omp parallel for schedule(static) num_threads(team)
+    for (int y = 0; y < height_; ++y)
+        filterRow(pass, y, rows_[static_cast<std::size_t>(threadNumber())].data());
+    for (std::size_t c = 0; c < 3; ++c) light_[c].swap(result_[c]);
+#pragma omp parallel for schedule(static) num_threads(team)
+    for (int y = 0; y < height_; ++y) {
+        for (std::size_t i = row(y); i < row(y + 1); ++i) {
+            bright_[i] = luminance({light_[0][i], light_[1][i], light_[2][i]});
+        }
+    }
+}
+
+const HdrImage& Denoiser::apply(const Frame& frame, const RenderSettings& settings, int threads) {
+    const HdrImage& radiance = frame.radiance;
+    const FrameLayers& layers = frame.layers;
+    if (settings.denoise <= 0 || layers.empty() || layers.width() != radiance.width ||
+        layers.height() != radiance.height) {
+        return radiance;
+    }
+    const bool all = settings.depthOfField.on;
+    resize(radiance.width, radiance.height);
+    fillGuides(layers, threads);
+    if (!fillLight(frame, all, threads)) return radiance;
+    fillSlopes(threads);
+    measureGrain(threads);
+    for (int pass = 0; pass < settings.denoise; ++pass) filter(pass, threads);
+#pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
+    for (int y = 0; y < height_; ++y) {
+        for (std::size_t i = row(y); i < row(y + 1); ++i) {
+            const Colour smooth{light_[0][i] * albedo_[0][i], light_[1][i] * albedo_[1][i],
+                                light_[2][i] * albedo_[2][i]};
+            const Colour grainy = all ? radiance.pixels[i] : layers.pixels()[i].soft;
+            // What is no number stays as it is.
+            const Colour rest = isFinite(grainy) ? radiance.pixels[i] - grainy : radiance.pixels[i];
+            image_.pixels[i] = rest + smooth;
+        }
+    }
+    return image_;
+}
+
+} // namespace rtcore

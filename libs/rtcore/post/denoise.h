@@ -1,0 +1,51 @@
+/// Takes the grain out of light that was sampled with few rays.
+#pragma once
+
+#include "rtcore/render/frame.h"
+#include "rtcore/scene/image.h"
+#include "rtcore/settings/render_settings.h"
+
+#include <vector>
+
+namespace rtcore {
+
+/// Wavelets with holes (Dammertz, Sewtz, Hanika and Lensch 2010) over the sampled part of the light - of
+/// lamps with a size and from everywhere; all of it through a lens - divided by the albedo, so that textures,
+/// mirrored pictures and hard shadows stay as they are. Neighbours count as far as their normals agree, they
+/// lie in one plane, and their light differs no more than its grain does, which is measured in blocks of 16 x
+/// 16 pixels: where there is no grain, nothing changes. Keeps its memory; not for several threads at once.
+class Denoiser {
+  public:
+    /// The frame's radiance after settings.denoise passes, valid until the next call; frame.radiance itself
+    /// when there are none, or nothing was sampled, or the frame has no layers. `threads` = 0: all cores; the
+    /// bits are the same for any number.
+    const HdrImage& apply(const Frame& frame, const RenderSettings& settings, int threads);
+
+  private:
+    using Plane = std::vector<float>;
+
+    void resize(int width, int height);
+    void fillGuides(const FrameLayers& layers, int threads);
+    bool fillLight(const Frame& frame, bool all, int threads);
+    void fillSlopes(int threads);
+    void measureGrain(int threads);
+    void filter(int pass, int threads);
+    void filterRow(int pass, int y, float* sums);
+    void takeTap(int y, int dx, int dy, float kernel, float planeTolerance, float* sums) const;
+
+    std::size_t row(int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_); }
+
+    int width_ = 0, height_ = 0;
+    Plane normal_[3];         ///< unit; zero for the background
+    Plane nearness_;          ///< 1 / depth, which is linear over a plane's picture
+    Plane across_, down_;     ///< its slope, per pixel
+    Plane albedo_[3];         ///< that light is divided by
+    Plane light_[3], bright_; ///< and its luminance
+    Plane result_[3];
+    Plane grain_;                          ///< standard deviation of the luminance's grain
+    std::vector<float> blocks_;            ///< the same for blocks
+    std::vector<std::vector<float>> rows_; ///< by thread
+    HdrImage image_;
+};
+
+} // namespace rtcore
