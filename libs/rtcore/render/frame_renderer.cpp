@@ -59,10 +59,10 @@ void FrameRenderer::aim(const Scene& scene, const RayTracer& tracer, const Camer
     view_.lens = {};
     const DepthOfFieldSettings& lens = settings.depthOfField;
     if (!lens.on) return;
-    const float focus =
-        lens.focus > 0 ? lens.focus
-                       : focus_.distance(tracer, view_.camera, static_cast<float>(settings.width) * 0.5F,
-                                         static_cast<float>(settings.height) * 0.5F);
+    const float focus = lens.focus > 0
+                            ? lens.focus
+                            : focus_.distance(tracer, view_.camera, static_cast<float>(settings.width) * 0.5F,
+                                              static_cast<float>(settings.height) * 0.5F);
     view_.lens = makeLens(view_.camera, camera.horizontalFov, lens.fNumber, focus, scene.metresPerUnit);
     view_.aperture.prepare(lens.blades);
 }

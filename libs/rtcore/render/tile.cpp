@@ -82,7 +82,8 @@ TileGrid::TileGrid(const RenderSettings& settings, bool secondaryRays)
     constexpr std::int64_t kManyPixels = 1 << 18;
     const bool large = secondaryRays && std::int64_t{settings.width} * settings.height >= kManyPixels;
     const int samples = choosesSamples(settings) ? kMostSamples : kSamples;
-    side_ = settings.antialiasing == 1 ? (large ? kSamples : kSamples / 2) : std::max(4, samples / settings.antialiasing);
+    side_ = settings.antialiasing == 1 ? (large ? kSamples : kSamples / 2)
+                                       : std::max(4, samples / settings.antialiasing);
     columns_ = (width_ + side_ - 1) / side_;
     rows_ = (height_ + side_ - 1) / side_;
 }
@@ -174,7 +175,8 @@ void TileRenderer::renderFirst(const PixelArea& area, SampleChoice& choice, Fram
 
 void TileRenderer::renderRest(const PixelArea& area, const SampleChoice& choice, Frame& frame) {
     const int n = settings_->antialiasing;
-    nameSamples(area, [&](const SampleId& id) { return choice.chosen(id.x, id.y) && !isFirstSample(id.sub, n); });
+    nameSamples(area,
+                [&](const SampleId& id) { return choice.chosen(id.x, id.y) && !isFirstSample(id.sub, n); });
     sums_.clear();
     forEachPixel(area, frame.radiance.width, [&](int, int, std::size_t pixel) {
         sums_.push_back({frame.radiance.pixels[pixel], frame.covered[pixel]});
@@ -245,7 +247,8 @@ void TileRenderer::nameSamples(const PixelArea& area, Wanted&& wanted) {
     samples_.clear();
     forEachBlock(area.columns * n, area.rows * n, [&](int column, int row, int w, int h, std::size_t) {
         forEachSample(w, h, [&](int x, int y) {
-            const auto across = static_cast<std::size_t>(column + x), down = static_cast<std::size_t>(row + y);
+            const auto across = static_cast<std::size_t>(column + x),
+                       down = static_cast<std::size_t>(row + y);
             const SampleId id{columns.pixel[across], rows.pixel[down], columns.sub[across] + rows.sub[down]};
             if (wanted(id)) samples_.push_back(id);
         });

@@ -65,8 +65,8 @@ class TileRenderer {
     RayWave rays_;
     bool drawsSamples_ = false;
     FrameLayers* layers_ = nullptr; ///< that samples are added to; null: not asked for
-    std::vector<SampleId> samples_;   ///< of rays_, where anything wants their names
-    bool sameOrigin_ = false;         ///< all of rays_ begin at the eye already
+    std::vector<SampleId> samples_; ///< of rays_, where anything wants their names
+    bool sameOrigin_ = false;       ///< all of rays_ begin at the eye already
     /// Of the samples of one pixel.
     struct PixelSum {
         Colour radiance;

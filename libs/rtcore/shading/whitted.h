@@ -136,7 +136,12 @@ class WhittedIntegrator {
     std::vector<float> shifts_; ///< of the rays' samples in the fog
     bool collectFirstHits_ = false;
     FirstHits firstHits_;
-    enum class Lit { Not, Everywhere, ByPoint, BySize } lit_ = Lit::Not; ///< what accumulate() adds the light of
+    enum class Lit {
+        Not,
+        Everywhere,
+        ByPoint,
+        BySize
+    } lit_ = Lit::Not; ///< what accumulate() adds the light of
 };
 
 } // namespace rtcore
