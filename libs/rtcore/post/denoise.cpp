@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kLeastAlbedo = 0.01F;
 constexpr float kPlane = 0.01F; ///< share of the distance within which points lie in one plane
-constexpr float kGrains = 5;    ///< standard deviations of the grain within which light is alike
+constexpr float kGrains = 6;    ///< standard deviations of the grain within which light is alike
 constexpr int kBlock = 8;       ///< pixels a side, for the grain
 /// A pixel less the mean of its four neighbours varies so much more than the pixel.
 constexpr float kWithNeighbours = 1.1180F;
