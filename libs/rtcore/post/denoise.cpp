@@ -12,12 +12,10 @@ namespace {
 
 constexpr float kLeastAlbedo = 0.01F;
 constexpr float kPlane = 0.01F; ///< share of the distance within which points lie in one plane
-constexpr float kGrains = 3;    ///< standard deviations of the grain within which light is alike
-constexpr int kBlock = 16;      ///< pixels a side, for the grain
-constexpr int kBlockPixels = kBlock * kBlock;
-/// Four fifths of normally distributed numbers are within this many standard deviations; and a pixel less the
-/// mean of its four neighbours varies so much more than the pixel.
-constexpr float kFourFifths = 1.2816F, kWithNeighbours = 1.1180F;
+constexpr float kGrains = 6;    ///< standard deviations of the grain within which light is alike
+constexpr int kBlock = 8;       ///< pixels a side, for the grain
+/// A pixel less the mean of its four neighbours varies so much more than the pixel.
+constexpr float kWithNeighbours = 1.1180F;
 
 float notNegative(float x) { return x > 0 ? x : 0; }
 
@@ -105,7 +103,7 @@ void Denoiser::measureGrain([[maybe_unused]] int threads) {
     };
 #pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
     for (int block = 0; block < columns * rows; ++block) {
-        float differences[kBlockPixels];
+        float sum = 0;
         int count = 0;
         const int left = block % columns * kBlock, top = block / columns * kBlock;
         for (int y = std::max(top, 1); y < std::min(top + kBlock, height_ - 1); ++y) {
@@ -115,16 +113,13 @@ void Denoiser::measureGrain([[maybe_unused]] int threads) {
                 if (!std::all_of(around, around + 4, [&](std::size_t j) { return alike(i, j); })) continue;
                 const float mean = 0.25F * (bright_[around[0]] + bright_[around[1]] + bright_[around[2]] +
                                             bright_[around[3]]);
-                differences[count++] = std::fabs(bright_[i] - mean);
+                const float difference = bright_[i] - mean;
+                sum += difference * difference;
+                ++count;
             }
         }
-        float grain = 0;
-        if (count > 0) {
-            float* const at = differences + count * 4 / 5;
-            std::nth_element(differences, at, differences + count);
-            grain = *at / (kFourFifths * kWithNeighbours);
-        }
-        blocks_[static_cast<std::size_t>(block)] = grain;
+        const float variance = count > 0 ? sum / static_cast<float>(count) : 0;
+        blocks_[static_cast<std::size_t>(block)] = std::sqrt(variance) / kWithNeighbours;
     }
 
     const auto between = [](int pixel, int size) {

@@ -1,0 +1,153 @@
+// Grain goes, everything else stays.
+#include "rtcore/post/denoise.h"
+#include "rtcore/post/develop.h"
+
+#include "sample_view.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+namespace rtcore {
+namespace {
+
+Frame rendered(const test::TracedScene& traced, const RenderSettings& settings, int threads = 1) {
+    Frame frame;
+    FrameRenderer renderer;
+    RenderControl control;
+    EXPECT_TRUE(renderer.render(traced.scene, traced.tracer, test::sampleCamera(), settings, threads, control,
+                                frame));
+    return frame;
+}
+
+double rmse(const HdrImage& a, const HdrImage& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        const Colour d = a.pixels[i] - b.pixels[i];
+        sum += static_cast<double>(d.r * d.r + d.g * d.g + d.b * d.b);
+    }
+    return std::sqrt(sum / static_cast<double>(3 * a.pixels.size()));
+}
+
+/// A box and a ball on a chequered floor, under a lamp with a size.
+Scene corners() {
+    test::SceneBuilder b;
+    Material floor = test::matte(0.8F);
+    floor.diffuseTexture =
+        b.texture(2, 2, {{255, 200, 90, 255}, {30, 60, 90, 255}, {60, 200, 90, 255}, {220, 220, 210, 255}});
+    b.square({0, -1, 0}, {0, 1, 0}, 8, b.material(floor));
+    b.square({0, 0, -3}, {0, 0, 1}, 8, b.material(test::matte(0.6F)));
+    b.sphere({-1.2F, 0, 0}, 1, 24, b.material(test::matte(0.7F)));
+    b.box({0.4F, -1, -1}, {1.8F, 0.8F, 0.4F}, b.material(test::matte(0.5F)));
+    Light lamp = test::pointLight({1, 4, 3}, 40);
+    lamp.kind = LightKind::Sphere;
+    lamp.radius = 1;
+    b.scene.lights = {lamp};
+    b.scene.background = {0.2F, 0.3F, 0.5F};
+    return b.finish();
+}
+
+RenderSettings occluded(int samples, int denoise) {
+    RenderSettings settings = test::sampleSettings(160, 120);
+    settings.lampSamples = 0;
+    settings.ambientOcclusion.on = true;
+    settings.ambientOcclusion.samples = samples;
+    settings.denoise = denoise;
+    return settings;
+}
+
+TEST(Denoise, HalvesTheGrainOfAmbientOcclusion) {
+    const test::TracedScene traced(corners());
+    const HdrImage reference = rendered(traced, occluded(400, 0), 2).radiance;
+    for (const int samples : {4, 9}) {
+        const RenderSettings settings = occluded(samples, 3);
+        const Frame frame = rendered(traced, settings);
+        const double before = rmse(frame.radiance, reference);
+        const double after = rmse(Denoiser().apply(frame, settings, 1), reference);
+        EXPECT_LT(after, 0.6 * before) << samples;
+    }
+}
+
+TEST(Denoise, HalvesTheGrainOfSoftShadows) {
+    const test::TracedScene traced(corners());
+    RenderSettings settings = test::sampleSettings(160, 120);
+    settings.lampSamples = 256;
+    const HdrImage reference = rendered(traced, settings, 2).radiance;
+    settings.lampSamples = 4;
+    settings.denoise = 3;
+    const Frame frame = rendered(traced, settings);
+    const double before = rmse(frame.radiance, reference);
+    EXPECT_LT(rmse(Denoiser().apply(frame, settings, 1), reference), 0.7 * before);
+}
+
+TEST(Denoise, LeavesAPictureAloneThatSamplesNothing) {
+    const test::TracedScene traced(test::sampleScene());
+    RenderSettings settings = test::sampleSettings(160, 120);
+    settings.denoise = 4;
+    const Frame frame = rendered(traced, settings);
+    EXPECT_EQ(&Denoiser().apply(frame, settings, 1), &frame.radiance);
+    settings.denoise = 0;
+    EXPECT_EQ(&Denoiser().apply(frame, settings, 1), &frame.radiance);
+}
+
+// Through a lens all light is filtered; with an aperture of next to nothing there is no grain, but textures,
+// hard shadows, mirrors and glass.
+TEST(Denoise, DoesLittleHarmWithoutGrain) {
+    const test::TracedScene traced(test::sampleScene());
+    RenderSettings settings = test::sampleSettings(320, 240);
+    settings.depthOfField.on = true;
+    settings.depthOfField.fNumber = 1000;
+    settings.denoise = 3;
+    const Frame frame = rendered(traced, settings);
+    double mean = 0;
+    for (const Colour c : frame.radiance.pixels) mean += static_cast<double>(luminance(c));
+    mean /= static_cast<double>(frame.radiance.pixels.size());
+    EXPECT_LT(rmse(Denoiser().apply(frame, settings, 1), frame.radiance), 0.05 * mean);
+}
+
+TEST(Denoise, HardlyTouchesSoftLightThatHasNoGrain) {
+    const test::TracedScene traced(test::softlyLitScene());
+    RenderSettings settings = test::sampleSettings(160, 120);
+    settings.lampSamples = 256;
+    settings.denoise = 3;
+    const Frame frame = rendered(traced, settings);
+    double mean = 0;
+    for (const Colour c : frame.radiance.pixels) mean += static_cast<double>(luminance(c));
+    mean /= static_cast<double>(frame.radiance.pixels.size());
+    EXPECT_LT(rmse(Denoiser().apply(frame, settings, 1), frame.radiance), 0.02 * mean);
+}
+
+// Every effect on.
+TEST(Denoise, WithAllEffectsHasTheSameBitsForAnyThreads) {
+    const test::TracedScene traced(test::softlyLitScene());
+    for (const BloomKernel kernel : {BloomKernel::Gaussian, BloomKernel::Airy}) {
+        RenderSettings settings = occluded(5, 2);
+        settings.antialiasing = 2;
+        settings.sampling = SamplingPattern::Rotated;
+        settings.adaptive = 0.05F;
+        settings.lampSamples = 3;
+        settings.depthOfField.on = true;
+        settings.bloom = 4;
+        settings.bloomKernel = kernel;
+        settings.exposure.local = 0.5F;
+        const auto picture = [&](int threads, HdrImage& seen) {
+            const Frame frame = rendered(traced, settings, threads);
+            PictureDeveloper developer;
+            const float exposure = developer.exposure(frame, settings.exposure, threads);
+            seen = developer.finish(frame, settings, threads);
+            LdrImage image;
+            developer.develop(frame, settings, exposure, threads, image);
+            return image;
+        };
+        HdrImage seenByOne, seenByTwo;
+        const LdrImage one = picture(1, seenByOne), two = picture(2, seenByTwo);
+        EXPECT_EQ(one.pixels, two.pixels);
+        EXPECT_EQ(std::memcmp(seenByOne.pixels.data(), seenByTwo.pixels.data(),
+                              seenByOne.pixels.size() * sizeof(Colour)),
+                  0);
+    }
+}
+
+} // namespace
+} // namespace rtcore
