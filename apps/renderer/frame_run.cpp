@@ -25,8 +25,8 @@ std::string savingText(const FrameReport& report) {
     const double saved = 100 - 100 * static_cast<double>(taken) / static_cast<double>(report.samples);
     char percent[16];
     std::snprintf(percent, sizeof percent, "%.1f", saved);
-    return "took " + std::to_string(taken) + " of " + std::to_string(report.samples) + " samples, " + percent +
-           " % saved";
+    return "took " + std::to_string(taken) + " of " + std::to_string(report.samples) + " samples, " +
+           percent + " % saved";
 }
 
 // The file from which a film can take a finished frame as it is shown; null when there is none.

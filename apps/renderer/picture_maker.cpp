@@ -28,7 +28,8 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
 
 std::uint64_t allSamples(const rtcore::RenderSettings& settings) {
     const auto size = [](int number) { return static_cast<std::uint64_t>(number); };
-    return size(settings.width) * size(settings.height) * size(settings.antialiasing) * size(settings.antialiasing);
+    return size(settings.width) * size(settings.height) * size(settings.antialiasing) *
+           size(settings.antialiasing);
 }
 
 std::string_view asText(const std::vector<std::byte>& bytes) {
@@ -96,7 +97,8 @@ void PictureMaker::focus(const rtcore::Camera& camera, rtcore::RenderSettings& s
     const auto [x, y] = *options_.focusAt;
     if (x > static_cast<float>(settings.width) || y > static_cast<float>(settings.height)) {
         throw app::UsageError("--focus-at lies outside of the picture, which has " +
-                              std::to_string(settings.width) + " x " + std::to_string(settings.height) + " pixels");
+                              std::to_string(settings.width) + " x " + std::to_string(settings.height) +
+                              " pixels");
     }
     const rtcore::CameraRays view(camera, settings.width, settings.height);
     settings.depthOfField.on = true;

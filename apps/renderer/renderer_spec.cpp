@@ -132,8 +132,7 @@ OptionGroup qualityOptions() {
              {.name = "focus-at",
               .value = ValueKind::Text,
               .argument = "X,Y",
-              .help = "switch depth of field on, and focus on what is seen at this pixel, from the upper left "
-                      "corner"},
+              .help = "switch depth of field on, focused on what is seen at this pixel"},
              {.name = "exposure",
               .value = ValueKind::Text,
               .argument = "C",

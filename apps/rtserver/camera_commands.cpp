@@ -73,7 +73,8 @@ Result speed(const Call& call) {
 Result focus(const Call& call) {
     const float right = number(call[0]), down = number(call[1]);
     if (!(right >= 0 && right <= 1 && down >= 0 && down <= 1))
-        throw app::UsageError("focus takes a place in the picture: 0 to 1 from the left, 0 to 1 from the top");
+        throw app::UsageError(
+            "focus takes a place in the picture: 0 to 1 from the left, 0 to 1 from the top");
     rtcore::RenderSettings settings = call.session.settings();
     const rtcore::CameraRays view(call.session.camera(), settings.width, settings.height);
     settings.depthOfField.on = true;

@@ -360,6 +360,22 @@ TEST_F(PanelsTest, ADoubleClickLooksThere) {
     EXPECT_TRUE(comes([&] { return camera() == before; }));
 }
 
+TEST_F(PanelsTest, ADoubleClickWithCtrlFocusesThere) {
+    open();
+    const QString before = camera();
+    FrameView& shown = window->view();
+    const QPoint place(shown.width() / 2, shown.height() / 2);
+    QTest::mouseClick(&shown, Qt::LeftButton, Qt::ControlModifier, place);
+    QTest::mouseDClick(&shown, Qt::LeftButton, Qt::ControlModifier, place);
+    EXPECT_FALSE(shown.input().captured());
+    EXPECT_TRUE(becomes("depthOfField.on", "true"));
+    EXPECT_GT(served("depthOfField.focus").toDouble(), 0);
+    EXPECT_EQ(camera(), before);
+    ASSERT_TRUE(comes([&] { return action(ActionId::Undo)->isEnabled(); }));
+    action(ActionId::Undo)->trigger();
+    EXPECT_TRUE(becomes("depthOfField.on", "false"));
+}
+
 TEST(LookTest, TheDirectionThroughACornerHasTheAngleOfTheField) {
     View view;
     view.forward = {1, 0, 0};

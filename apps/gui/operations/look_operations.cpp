@@ -34,6 +34,7 @@ LookOperations::LookOperations(const Desk& desk, QObject* parent) : QObject(pare
     desk_.actions.on(ActionId::ResetCamera, [this] { reset(); });
     InputCapture& input = desk_.view.input();
     connect(&input, &InputCapture::pointed, this, &LookOperations::lookAt);
+    connect(&input, &InputCapture::focused, this, &LookOperations::focusAt);
     turn_.setStartValue(0.0);
     turn_.setEndValue(1.0);
     turn_.setDuration(kMilliseconds);
@@ -69,6 +70,15 @@ void LookOperations::lookAt(const QPointF& place) {
         finish_ = desk_.editor.beginPlacement(tr("look there"));
     desk_.view.showLive();
     turn_.start();
+}
+
+void LookOperations::focusAt(const QPointF& place) {
+    const std::optional<QPointF> point = desk_.view.inPicture(place);
+    if (!point || !desk_.session.live()) return;
+    desk_.view.showLive();
+    const auto share = [](double value) { return QString::number((1 + value) / 2, 'f', 6); };
+    desk_.editor.place(Session::line({QStringLiteral("focus"), share(point->x()), share(-point->y())}),
+                       tr("focus there"));
 }
 
 // Steps that the server is too slow for are left out; the last one never is.

@@ -1,4 +1,4 @@
-/// The camera's direction by a double click, and the scene's own view.
+/// The camera's direction by a double click, what it is focused at, and the scene's own view.
 #pragma once
 
 #include "gui/operations/desk.h"
@@ -28,6 +28,7 @@ class LookOperations : public QObject {
   private:
     void reset();
     void lookAt(const QPointF& place);
+    void focusAt(const QPointF& place);
     void step(double share);
     void send(const QVector3D& direction, bool last);
 

@@ -1471,6 +1471,10 @@ Alt+%2</translation>
         <source>look there</source>
         <translation>pohled na místo</translation>
     </message>
+    <message>
+        <source>focus there</source>
+        <translation>zaostřit na místo</translation>
+    </message>
 </context>
 <context>
     <name>gui::MainWindow</name>

@@ -178,7 +178,10 @@ bool InputCapture::onDoubleClick(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton) return false;
     if (!captured_ || !byThisClick_) return onMousePress(event);
     release();
-    emit pointed(event.position());
+    if ((event.modifiers() & Qt::ControlModifier) != 0)
+        emit focused(event.position());
+    else
+        emit pointed(event.position());
     return true;
 }
 

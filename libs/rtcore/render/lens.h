@@ -9,7 +9,7 @@ namespace rtcore {
 
 /// Where rays start, as seen from the eye, and where they meet. A pinhole by default.
 struct Lens {
-    Vec3 right, down;       ///< from the middle to the rim, scene units; along the rows and columns of the picture
+    Vec3 right, down; ///< from the middle to the rim, scene units; along the rows and columns of the picture
     float inverseFocus = 0; ///< 1 / distance along the axis of what is sharp, per scene unit; 0 = infinity
 
     bool open() const { return !(right == Vec3{} && down == Vec3{}); }

@@ -58,8 +58,7 @@ void aimBlock(const CameraRays& camera, const Lens& lens, bool round, SampleBloc
         Floats u = hn::LoadU(d, block.u + i), v = hn::LoadU(d, block.v + i);
         if (disc) mapToDisc(u, v);
         const Vectors offset = lensRight * u - lensDown * v;
-        const Vectors seen =
-            corner + right * hn::LoadU(d, block.x + i) + down * hn::LoadU(d, block.y + i);
+        const Vectors seen = corner + right * hn::LoadU(d, block.x + i) + down * hn::LoadU(d, block.y + i);
         // Towards the sharp point seen / inverseFocus from the eye, divided by its distance.
         const Vectors aimed = seen - offset * inverseFocus;
         storeVectors(eye + offset, block.ox + i, block.oy + i, block.oz + i);

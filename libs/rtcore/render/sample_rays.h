@@ -25,8 +25,8 @@ struct SampleView {
 };
 
 /// One ray from 0 to infinity with a direction of unit length for each sample, in their order; they start on
-/// the lens and pass through the point of perfect sharpness. The directions through a pinhole have the bits of
-/// CameraRays::at().
+/// the lens and pass through the point of perfect sharpness. The directions through a pinhole have the bits
+/// of CameraRays::at().
 void makeSampleRays(const SampleView& view, std::span<const SampleId> samples, RayWave& rays);
 
 } // namespace rtcore

@@ -45,8 +45,9 @@ std::vector<SquarePoint> sharedPoints(SamplingPattern pattern, int n) {
 
 SquarePoint rotatedGridPoint(int column, int row, int n) {
     const auto side = static_cast<float>(n);
-    return gridPoint(column, row, n,
-                     {(static_cast<float>(row) + 0.5F) / side, (static_cast<float>(n - 1 - column) + 0.5F) / side});
+    return gridPoint(
+        column, row, n,
+        {(static_cast<float>(row) + 0.5F) / side, (static_cast<float>(n - 1 - column) + 0.5F) / side});
 }
 
 void PixelPattern::prepare(SamplingPattern pattern, int n) {

@@ -52,8 +52,9 @@ struct RenderSettings {
     int height = 480;     ///< pixels
     int antialiasing = 1; ///< N: N x N samples a pixel
     SamplingPattern sampling = SamplingPattern::Grid;
-    float adaptive =
-        0; ///< 0..1: a pixel whose error is below it gets a quarter of the samples; 0 = all alike
+    /// 0..1 of the display's range: a pixel whose samples and neighbours differ less gets a quarter of its
+    /// samples; 0 = all alike.
+    float adaptive = 0;
     bool shadows = true;
     bool reflections = true;
     bool refractions = true;

@@ -105,9 +105,12 @@ std::vector<Setting> makeTable() {
         row<&S::width>("width", {1, 32768}, "pixels", "width of the picture"),
         row<&S::height>("height", {1, 32768}, "pixels", "height of the picture"),
         row<&S::antialiasing>("antialiasing", {1, 16}, "", "N x N samples a pixel, averaged"),
-        row<&S::sampling>("sampling", "where the samples of a pixel lie"),
-        row<&S::adaptive>("adaptive", {0, 1}, "",
-                          "pixels whose error is below it get fewer samples; 0: all the same"),
+        row<&S::sampling>("sampling",
+                          "where the samples of a pixel lie: rotated is best at edges, grid is fastest"),
+        row<&S::adaptive>(
+            "adaptive", {0, 1}, "",
+            "pixels that differ less from their neighbours get a quarter of the samples; 0: all get "
+            "all, 0.05: hard to see"),
         row<&S::shadows>("shadows", "lights cast shadows"),
         row<&S::reflections>("reflections", "mirrors reflect"),
         row<&S::refractions>("refractions", "transparent surfaces let light through"),

@@ -223,6 +223,14 @@ TEST_F(Serving, SettingsAreReadAndWritten) {
     EXPECT_EQ(ask({"get", "width"}), "64\n");
 }
 
+TEST_F(Serving, FocusIsTakenFromAPlace) {
+    start();
+    const std::string distance = ask({"focus", "0.5", "0.5"});
+    EXPECT_GT(std::stof(distance), 0);
+    EXPECT_EQ(ask({"get", "depthOfField.focus"}), distance);
+    EXPECT_EQ(ask({"get", "depthOfField.on"}), "true\n");
+}
+
 TEST_F(Serving, LightsAndEnvironmentsAreTold) {
     writeText(folder() / "sky.ppm", "P3 2 1 255 10 20 30 200 210 220\n");
     writeText(folder() / "lit.scn",
@@ -259,6 +267,7 @@ TEST_F(Serving, ErrorsReachTheShell) {
     refused({"camera", "look-at", "1", "1", "1", "1", "1", "1"}, 2, "direction");
     refused({"camera", "set", "1", "1", "1", "0", "-1", "0"}, 2, "up direction");
     refused({"camera", "set", "1", "1"}, 2, "EX EY EZ");
+    refused({"focus", "320", "240"}, 2, "0 to 1 from the left");
     refused({"resolutoin", "3", "4"}, 2, "resolution");
     refused({"free"}, 1, instance.name());
     EXPECT_EQ(ask({"ping"}), "pong\n");

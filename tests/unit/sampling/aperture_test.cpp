@@ -63,7 +63,8 @@ TEST(Aperture, AHexagonReachesItsCornersAndNotFurther) {
     double inside = 0, largest = 0;
     constexpr int kSide = 400;
     for (int i = 0; i < kSide * kSide; ++i) {
-        const Vec2 p = aperture.at({static_cast<float>(i % kSide) / kSide, static_cast<float>(i / kSide) / kSide});
+        const Vec2 p =
+            aperture.at({static_cast<float>(i % kSide) / kSide, static_cast<float>(i / kSide) / kSide});
         largest = std::max(largest, static_cast<double>(std::hypot(p.x, p.y)));
         if (std::hypot(p.x, p.y) < .5F) ++inside;
     }

@@ -13,14 +13,15 @@
 namespace rtcore {
 namespace {
 
-constexpr SamplingPattern kPatterns[] = {SamplingPattern::Grid, SamplingPattern::Random, SamplingPattern::Jittered,
-                                         SamplingPattern::Rotated, SamplingPattern::Poisson};
+constexpr SamplingPattern kPatterns[] = {SamplingPattern::Grid, SamplingPattern::Random,
+                                         SamplingPattern::Jittered, SamplingPattern::Rotated,
+                                         SamplingPattern::Poisson};
 
 std::vector<SquarePoint> pixelOf(const PixelPattern& pattern, int n, int x, int y) {
     std::vector<SquarePoint> points;
     for (int sub = 0; sub < n * n; ++sub) {
-        points.push_back(pattern.at({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
-                                     static_cast<std::uint32_t>(sub)}));
+        points.push_back(pattern.at(
+            {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), static_cast<std::uint32_t>(sub)}));
     }
     return points;
 }
@@ -101,7 +102,8 @@ TEST(PoissonDisc, NeighboursAreFarApartOnTheTorus) {
         double nearest = 1;
         for (std::size_t i = 0; i < points.size(); ++i) {
             for (std::size_t k = 0; k < i; ++k) {
-                const double u = std::fabs(points[i].u - points[k].u), v = std::fabs(points[i].v - points[k].v);
+                const double u = std::fabs(points[i].u - points[k].u),
+                             v = std::fabs(points[i].v - points[k].v);
                 nearest = std::min(nearest, std::hypot(std::min(u, 1 - u), std::min(v, 1 - v)));
             }
         }
@@ -197,8 +199,8 @@ TEST(LensPattern, IsSpreadEvenlyAndApartFromThePixel) {
             const SampleId id{first.x, first.y, sub};
             const SquarePoint p = lens.at(id);
             ASSERT_TRUE(p.u >= 0 && p.u < 1 && p.v >= 0 && p.v < 1);
-            columns.insert(static_cast<int>(std::floor(
-                wrapped(p.u, 1 - randomShift(first, Draw::Lens).u) * (n * n)))); // shifted back
+            columns.insert(static_cast<int>(
+                std::floor(wrapped(p.u, 1 - randomShift(first, Draw::Lens).u) * (n * n)))); // shifted back
             mean += static_cast<double>(p.u) / (n * n);
             correlation += (static_cast<double>(p.u) - .5) * (static_cast<double>(pixels.at(id).u) - .5);
         }
