@@ -40,16 +40,17 @@ inline constexpr GaussRule kRules[] = {
      {0.2491470458134028F, 0.2334925365383548F, 0.2031674267230659F, 0.1600783285433462F, 0.1069393259953184F,
       0.0471753363865118F}}};
 
-/// As many nodes as a panel over so much of q needs. Exponential fog may change more on it.
-inline const GaussRule& ruleFor(float width, bool exponential) {
+/// As many nodes as a panel over so much of q needs; more where exponential fog changes much on it.
+inline const GaussRule& ruleFor(float width, bool changes) {
     const std::size_t rule = width <= 1.5F ? 0 : width <= 3 ? 1 : width <= 5 ? 2 : 3;
-    return kRules[exponential ? (rule < 2 ? rule + 1 : 3) : rule];
+    return kRules[changes ? (rule < 2 ? rule + 1 : 3) : rule];
 }
 
 /// The q of a block of rays where their stretches begin, pass the lamp, get thick and end.
 struct Panels {
     static constexpr std::size_t kEdges = 4;
     float edge[kEdges][kWaveBlock];
+    float change[kWaveBlock]; ///< by how much the logarithm of the light changes on the stretch, at most
 
     /// The widest of one of the three panels: for all rays alike, so that the bits do not depend on the
     /// length of vectors.
@@ -60,6 +61,12 @@ struct Panels {
             most = wide > most ? wide : most;
         }
         return most;
+    }
+    bool changeMuch() const {
+        for (const float c : change) {
+            if (c > 4) return true;
+        }
+        return false;
     }
 };
 
@@ -117,6 +124,7 @@ HWY_INLINE void layPanels(const Path& path, Floats from, Floats to, Panels& pane
     const Floats thick = smaller(larger(place(path.thickFrom(to)), middle), b);
     const Floats edges[] = {a, middle, hn::IfThenElseZero(used, thick), b};
     for (std::size_t k = 0; k < Panels::kEdges; ++k) hn::StoreU(edges[k], d, panels.edge[k] + i);
+    hn::StoreU(hn::IfThenElseZero(used, path.change(from, to)), d, panels.change + i);
 }
 
 template <bool exponential, Beam beam>
@@ -135,10 +143,11 @@ HWY_INLINE void addLampAll(const FogMedium& medium, const Light& light, const La
             const std::size_t at = block + i;
             layPanels(pathAt(at), hn::LoadU(d, a.from + at), hn::LoadU(d, a.to + at), panels, i);
         }
+        const bool changes = exponential && panels.changeMuch();
         for (std::size_t k = 0; k + 1 < Panels::kEdges; ++k) {
             const float width = panels.width(k);
             if (!(width > 0)) continue;
-            const GaussRule& rule = ruleFor(width, exponential);
+            const GaussRule& rule = ruleFor(width, changes);
             for (std::size_t i = 0; i < kWaveBlock; i += hn::Lanes(d)) {
                 const Floats start = hn::LoadU(d, panels.edge[k] + i);
                 const Floats end = hn::LoadU(d, panels.edge[k + 1] + i);
