@@ -22,12 +22,53 @@ struct LampArrays {
 };
 
 /// The positive half of the nodes of Gauss and Legendre, and their weights.
-inline constexpr float kNodes[kFogNodes / 2] = {0.1252334085114689F, 0.3678314989981802F,
-                                                0.5873179542866175F, 0.7699026741943047F,
-                                                0.9041172563704749F, 0.9815606342467192F};
-inline constexpr float kWeights[kFogNodes / 2] = {0.2491470458134028F, 0.2334925365383548F,
-                                                  0.2031674267230659F, 0.1600783285433462F,
-                                                  0.1069393259953184F, 0.0471753363865118F};
+struct GaussRule {
+    std::size_t count;
+    float node[6], weight[6];
+};
+inline constexpr GaussRule kRules[] = {
+    {2, {0.3399810435848563F, 0.8611363115940526F}, {0.6521451548625461F, 0.3478548451374538F}},
+    {3,
+     {0.2386191860831969F, 0.6612093864662645F, 0.9324695142031521F},
+     {0.4679139345726910F, 0.3607615730481386F, 0.1713244923791704F}},
+    {4,
+     {0.1834346424956498F, 0.5255324099163290F, 0.7966664774136267F, 0.9602898564975363F},
+     {0.3626837833783620F, 0.3137066458778873F, 0.2223810344533745F, 0.1012285362903763F}},
+    {6,
+     {0.1252334085114689F, 0.3678314989981802F, 0.5873179542866175F, 0.7699026741943047F, 0.9041172563704749F,
+      0.9815606342467192F},
+     {0.2491470458134028F, 0.2334925365383548F, 0.2031674267230659F, 0.1600783285433462F, 0.1069393259953184F,
+      0.0471753363865118F}}};
+
+/// As many nodes as a panel over so much of q needs; more where exponential fog changes much on it.
+inline const GaussRule& ruleFor(float width, bool changes) {
+    const std::size_t rule = width <= 1.5F ? 0 : width <= 3 ? 1 : width <= 5 ? 2 : 3;
+    return kRules[changes ? (rule < 2 ? rule + 1 : 3) : rule];
+}
+
+/// The q of a block of rays where their stretches begin, pass the lamp, get thick and end.
+struct Panels {
+    static constexpr std::size_t kEdges = 4;
+    float edge[kEdges][kWaveBlock];
+    float change[kWaveBlock]; ///< by how much the logarithm of the light changes on the stretch, at most
+
+    /// The widest of one of the three panels: for all rays alike, so that the bits do not depend on the
+    /// length of vectors.
+    float width(std::size_t panel) const {
+        float most = 0;
+        for (std::size_t i = 0; i < kWaveBlock; ++i) {
+            const float wide = edge[panel + 1][i] - edge[panel][i];
+            most = wide > most ? wide : most;
+        }
+        return most;
+    }
+    bool changeMuch() const {
+        for (const float c : change) {
+            if (c > 4) return true;
+        }
+        return false;
+    }
+};
 
 } // namespace rtcore
 #endif
@@ -49,46 +90,41 @@ HWY_INLINE Floats inverseSinh(Floats x) {
 
 /// The integral over q from `a` to `b` of path.light() / r.
 template <typename Path>
-HWY_INLINE Floats panel(const Path& path, Floats a, Floats b) {
-    const Floats middle = hn::Mul(hn::Add(a, b), constant(0.5F));
+HWY_INLINE Floats panel(const Path& path, const GaussRule& rule, Floats a, Floats b) {
+    const Floats middle = expOf(hn::Mul(hn::Add(a, b), constant(0.5F)));
     const Floats half = hn::Mul(hn::Sub(b, a), constant(0.5F));
     const Floats halfApart = hn::Mul(path.apart, constant(0.5F));
-    const auto at = [&](Floats q) {
-        const Floats e = expOf(q);
-        const Floats inverse = hn::Div(constant(1), e);
-        const Floats t = hn::Add(path.foot, hn::Mul(halfApart, hn::Sub(e, inverse)));
-        const Floats r = hn::Mul(halfApart, hn::Add(e, inverse));
-        return hn::Div(path.light(larger(t, constant(0)), r), r);
+    // e^q and e^-q, times half the lamp's distance from the ray.
+    const Floats rising = hn::Mul(halfApart, middle), falling = hn::Div(halfApart, middle);
+    const auto at = [&](Floats up, Floats down) {
+        const Floats r = hn::Add(up, down);
+        const Floats t = larger(hn::Add(path.foot, hn::Sub(up, down)), constant(0));
+        return hn::Div(path.light(t, r), r);
     };
     Floats sum = constant(0);
-    for (std::size_t k = 0; k < kFogNodes / 2; ++k) {
-        const Floats off = hn::Mul(half, constant(kNodes[k]));
-        const Floats both = hn::Add(at(hn::Sub(middle, off)), at(hn::Add(middle, off)));
-        sum = hn::Add(sum, hn::Mul(constant(kWeights[k]), both));
+    for (std::size_t k = 0; k < rule.count; ++k) {
+        const Floats off = expOf(hn::Mul(half, constant(rule.node[k])));
+        const Floats back = hn::Div(constant(1), off);
+        const Floats both = hn::Add(at(hn::Mul(rising, back), hn::Mul(falling, off)),
+                                    at(hn::Mul(rising, off), hn::Mul(falling, back)));
+        sum = hn::Add(sum, hn::Mul(constant(rule.weight[k]), both));
     }
     return hn::Mul(sum, half);
 }
 
-/// The integral over the ray of path.light() / r^2.
+/// Writes the edges of the panels of a vector of rays, all the same where a ray has none.
 template <typename Path>
-HWY_INLINE Floats integral(const Path& path, Floats from, Floats to) {
+HWY_INLINE void layPanels(const Path& path, Floats from, Floats to, Panels& panels, std::size_t i) {
     const FloatTag d;
     path.clip(from, to);
     const Lanes used = hn::Lt(from, to);
-    if (hn::AllFalse(d, used)) return hn::Zero(d);
-    const Floats a = inverseSinh(hn::Div(hn::Sub(from, path.foot), path.apart));
-    const Floats b = inverseSinh(hn::Div(hn::Sub(to, path.foot), path.apart));
-    const Floats middle = smaller(larger(constant(0), a), b);
-    Floats sum = hn::Zero(d);
-    const auto add = [&](Floats start, Floats end) {
-        if (!hn::AllFalse(d, hn::Lt(start, end))) sum = hn::Add(sum, panel(path, start, end));
-    };
-    add(a, middle);
-    const Floats last =
-        larger(inverseSinh(hn::Div(hn::Sub(path.thickFrom(to), path.foot), path.apart)), middle);
-    add(middle, last);
-    add(last, b);
-    return hn::IfThenElseZero(used, sum);
+    const auto place = [&](Floats t) { return inverseSinh(hn::Div(hn::Sub(t, path.foot), path.apart)); };
+    const Floats a = hn::IfThenElseZero(used, place(from)), b = hn::IfThenElseZero(used, place(to));
+    const Floats middle = smaller(larger(hn::Zero(d), a), b);
+    const Floats thick = smaller(larger(place(path.thickFrom(to)), middle), b);
+    const Floats edges[] = {a, middle, hn::IfThenElseZero(used, thick), b};
+    for (std::size_t k = 0; k < Panels::kEdges; ++k) hn::StoreU(edges[k], d, panels.edge[k] + i);
+    hn::StoreU(hn::IfThenElseZero(used, path.change(from, to)), d, panels.change + i);
 }
 
 template <bool exponential, Beam beam>
@@ -96,15 +132,33 @@ HWY_INLINE void addLampAll(const FogMedium& medium, const Light& light, const La
     const FloatTag d;
     const Colour colour = light.intensity * medium.scattered * medium.density;
     const Vectors scale = constant(colour.r, colour.g, colour.b);
-    for (std::size_t i = 0; i < a.count; i += hn::Lanes(d)) {
-        const Floats from = hn::LoadU(d, a.from + i), to = hn::LoadU(d, a.to + i);
-        if (hn::AllFalse(d, hn::Lt(from, to))) continue;
-        const LampPath<exponential, beam> path(
+    const auto pathAt = [&](std::size_t i) {
+        return LampPath<exponential, beam>(
             medium, light, loadVectors(a.origin.x + i, a.origin.y + i, a.origin.z + i),
             loadVectors(a.direction.x + i, a.direction.y + i, a.direction.z + i));
-        const Vectors old = loadVectors(a.scattered.x + i, a.scattered.y + i, a.scattered.z + i);
-        const Vectors sum = old + scale * integral(path, from, to);
-        storeVectors(sum, a.scattered.x + i, a.scattered.y + i, a.scattered.z + i);
+    };
+    for (std::size_t block = 0; block < a.count; block += kWaveBlock) {
+        Panels panels;
+        for (std::size_t i = 0; i < kWaveBlock; i += hn::Lanes(d)) {
+            const std::size_t at = block + i;
+            layPanels(pathAt(at), hn::LoadU(d, a.from + at), hn::LoadU(d, a.to + at), panels, i);
+        }
+        const bool changes = exponential && panels.changeMuch();
+        for (std::size_t k = 0; k + 1 < Panels::kEdges; ++k) {
+            const float width = panels.width(k);
+            if (!(width > 0)) continue;
+            const GaussRule& rule = ruleFor(width, changes);
+            for (std::size_t i = 0; i < kWaveBlock; i += hn::Lanes(d)) {
+                const Floats start = hn::LoadU(d, panels.edge[k] + i);
+                const Floats end = hn::LoadU(d, panels.edge[k + 1] + i);
+                if (hn::AllFalse(d, hn::Lt(start, end))) continue;
+                const std::size_t at = block + i;
+                const Floats part = panel(pathAt(at), rule, start, end);
+                const Vectors old = loadVectors(a.scattered.x + at, a.scattered.y + at, a.scattered.z + at);
+                const Vectors sum = old + scale * hn::IfThenElseZero(hn::Lt(start, end), part);
+                storeVectors(sum, a.scattered.x + at, a.scattered.y + at, a.scattered.z + at);
+            }
+        }
     }
 }
 

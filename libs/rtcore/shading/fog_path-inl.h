@@ -94,6 +94,16 @@ struct LampPath {
         return hn::IfThenElse(hn::Lt(slope, hn::Zero(FloatTag())), from, constant(-1e30F));
     }
 
+    /// A bound of how much the logarithm of light() changes on the stretch, the beam left out.
+    HWY_INLINE Floats change(Floats from, Floats to) const {
+        const Floats distance = hn::Sub(to, from);
+        if constexpr (!exponential) return hn::Mul(hn::Add(fog.density, fog.density), distance);
+        const Floats lowest = hn::Add(height, smaller(hn::Mul(slope, from), hn::Mul(slope, to)));
+        const Floats densest = larger(expOf(hn::Neg(lowest)), lampDensity);
+        const Floats depth = hn::Mul(hn::Mul(fog.density, densest), distance);
+        return hn::Add(hn::Mul(hn::Abs(slope), distance), hn::Add(depth, depth));
+    }
+
     /// Leaves of the stretch what lies in the beam, when that is convex.
     HWY_INLINE void clip(Floats& from, Floats& to) const {
         if constexpr (beam == Beam::Cone) {

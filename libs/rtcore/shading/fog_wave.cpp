@@ -159,7 +159,7 @@ void FogWave::enter(const RayWave& rays, const HitWave& hits, const std::uint32_
         }
     }
     std::fill(distance_ + size_, distance_ + room, 0.0F);
-    const FogArrays arrays{size_, origin_, direction_, distance_, from_, to_, transmittance_, scattered_};
+    const FogArrays arrays{room, origin_, direction_, distance_, from_, to_, transmittance_, scattered_};
     HWY_DYNAMIC_DISPATCH(enterFog)(medium_, arrays);
 }
 

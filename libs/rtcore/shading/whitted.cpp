@@ -271,9 +271,12 @@ void WhittedIntegrator::addFog() {
     }
     const ArraysOf3& scattered = fog_.scattered();
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-        const Path path = pathOf(i);
-        const Colour seen = path.weight * scattered.colourAt(i);
-        radiance_.set(path.sample, radiance_.colourAt(path.sample) + seen);
+        if (first_) {
+            radiance_.set(i, radiance_.colourAt(i) + scattered.colourAt(i));
+            continue;
+        }
+        const Path path = wave_.path(i);
+        radiance_.set(path.sample, radiance_.colourAt(path.sample) + path.weight * scattered.colourAt(i));
     }
     clock_.lap(Stage::Light);
 }
