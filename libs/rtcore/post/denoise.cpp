@@ -1,6 +1,7 @@
 #include "rtcore/post/denoise.h"
 
 #include "rtcore/platform/threads.h"
+#include "rtcore/post/denoise_tap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +17,6 @@ constexpr float kGrains = 6;    ///< standard deviations of the grain within whi
 constexpr int kBlock = 8;       ///< pixels a side, for the grain
 /// A pixel less the mean of its four neighbours varies so much more than the pixel.
 constexpr float kWithNeighbours = 1.1180F;
-
-float notNegative(float x) { return x > 0 ? x : 0; }
 
 } // namespace
 
@@ -150,38 +149,28 @@ void Denoiser::measureGrain([[maybe_unused]] int threads) {
 /// Adds what the pixels (dx, dy) away give to those of row `y`: sums are weights, red, green, blue, then
 /// 1 / the difference of light that counts.
 void Denoiser::takeTap(int y, int dx, int dy, float kernel, float planeTolerance, float* sums) const {
-    const std::size_t from = row(y), to = row(y + dy);
-    const auto begin = static_cast<std::size_t>(std::max(0, -dx));
-    const auto end = static_cast<std::size_t>(std::max(0, std::min(width_, width_ - dx)));
-    const auto width = static_cast<std::size_t>(width_);
-    float* const weights = sums;
-    float* const red = sums + width;
-    float* const green = sums + 2 * width;
-    float* const blue = sums + 3 * width;
-    const float* const alike = sums + 4 * width;
-    const float *const nx = &normal_[0][from], *const ny = &normal_[1][from], *const nz = &normal_[2][from];
-    const float *const z = &nearness_[from], *const sx = &across_[from], *const sy = &down_[from];
-    const float* const bright = &bright_[from];
-    const std::size_t other = to + static_cast<std::size_t>(static_cast<std::ptrdiff_t>(dx));
-    const auto stepX = static_cast<float>(dx), stepY = static_cast<float>(dy);
-    for (std::size_t x = begin; x < end; ++x) {
-        const std::size_t q = other + x;
-        const float cosine =
-            notNegative(nx[x] * normal_[0][q] + ny[x] * normal_[1][q] + nz[x] * normal_[2][q]);
-        const float c2 = cosine * cosine, c4 = c2 * c2, c8 = c4 * c4, c16 = c8 * c8, c32 = c16 * c16;
-        const float off = nearness_[q] - (z[x] + sx[x] * stepX + sy[x] * stepY);
-        const float within = planeTolerance * z[x];
-        const float plane = notNegative(within * within - off * off);
-        const float unlike = (bright_[q] - bright[x]) * alike[x];
-        const float light = notNegative(1 - unlike * unlike);
-        // Where the plane's tolerance is 0, there is the background.
-        const float scale = within > 0 ? 1 / (within * within) : 0;
-        const float weight = kernel * c32 * (plane * scale) * (light * light);
-        weights[x] += weight;
-        red[x] += weight * light_[0][q];
-        green[x] += weight * light_[1][q];
-        blue[x] += weight * light_[2][q];
-    }
+    const int begin = std::max(0, -dx), end = std::min(width_, width_ - dx);
+    if (begin >= end) return;
+    const auto width = static_cast<std::size_t>(width_), x = static_cast<std::size_t>(begin);
+    const auto rowFrom = [this](std::size_t i) -> GrainyRow {
+        return {&normal_[0][i], &normal_[1][i], &normal_[2][i], &nearness_[i],
+                &bright_[i],    &light_[0][i],  &light_[1][i],  &light_[2][i]};
+    };
+    const std::size_t first = row(y) + x, other = row(y + dy) + static_cast<std::size_t>(begin + dx);
+    const DenoiseTap tap{.pixels = rowFrom(first),
+                         .neighbours = rowFrom(other),
+                         .across = &across_[first],
+                         .down = &down_[first],
+                         .alike = sums + 4 * width + x,
+                         .stepX = static_cast<float>(dx),
+                         .stepY = static_cast<float>(dy),
+                         .kernel = kernel,
+                         .tolerance = planeTolerance,
+                         .weights = sums + x,
+                         .red = sums + width + x,
+                         .green = sums + 2 * width + x,
+                         .blue = sums + 3 * width + x};
+    addTap(tap, static_cast<std::size_t>(end - begin));
 }
 
 void Denoiser::filterRow(int pass, int y, float* sums) {

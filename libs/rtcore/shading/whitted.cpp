@@ -401,8 +401,11 @@ void WhittedIntegrator::takeFirstHits() {
         const Colour scattered = surfaces_.share.colourAt(i);
         const bool onward = (surfaces_.traits[i] & traits::kOnward) != 0;
         const Colour mirrored = onward ? surfaces_.onward.colourAt(i) : Colour{};
-        const Colour rest = kWhite - scattered - mirrored;
-        const Colour through{std::max(rest.r, 0.0F), std::max(rest.g, 0.0F), std::max(rest.b, 0.0F)};
+        Colour through;
+        if ((surfaces_.traits[i] & traits::kGeneral) != 0) {
+            const Colour rest = kWhite - scattered - mirrored;
+            through = {std::max(rest.r, 0.0F), std::max(rest.g, 0.0F), std::max(rest.b, 0.0F)};
+        }
         firstHits_.take(path.sample,
                         {.position = surfaces_.position.at(i),
                          .normal = surfaces_.shadingNormal.at(i),

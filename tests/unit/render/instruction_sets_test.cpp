@@ -156,5 +156,19 @@ TEST_F(InstructionSets, GlowAlike) {
     }
 }
 
+TEST_F(InstructionSets, DenoiseAlike) {
+    RenderSettings settings = test::sampleSettings(101, 67);
+    settings.lampSamples = 2;
+    settings.denoise = 3;
+    const Frame frame = test::render(test::TracedScene(test::softlyLitScene()), settings);
+    ASSERT_TRUE(useInstructionSet("scalar"));
+    const HdrImage expected = Denoiser().apply(frame, settings, 1);
+    EXPECT_NE(expected.pixels, frame.radiance.pixels);
+    for (const std::string& name : instructionSets()) {
+        ASSERT_TRUE(useInstructionSet(name));
+        EXPECT_EQ(Denoiser().apply(frame, settings, 1).pixels, expected.pixels) << name;
+    }
+}
+
 } // namespace
 } // namespace rtcore
