@@ -1,4 +1,6 @@
 """A sitting rabbit about 1.2 m long and high (to be scaled), facing +x, feet at y = 0."""
+import math
+
 from implicit import Body, ellipsoid, plate, round_cone
 from pictures import Noise
 from pose import implicit_mesh, mixed
@@ -43,8 +45,8 @@ def build(cell=0.02):
         if y > 0.88:
             inner = smooth_step(0.35, 0.75, n[0])
             c = mixed(c, (0.72, 0.42, 0.38), inner)
-        if x > 0.56 and abs(z) < 0.022 and y > 0.69:
-            c = (0.55, 0.25, 0.24)
+        nose = math.hypot(x - 0.58, 1.3 * (y - 0.72), z)
+        c = mixed((0.5, 0.2, 0.19), c, smooth_step(0.022, 0.04, nose))
         return tuple(tone * v for v in c)
 
     parts = [(fur.paint(colour), "fur")]
