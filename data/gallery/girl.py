@@ -31,7 +31,7 @@ def limbs():
                               (x - 0.01, y + 0.012 - 0.005 * k, (0.775 - 0.004 * k) * z)], [0.013, 0.0105, 0.008]))
         out.append(chain([(0.08, 1.36, 0.68 * z), (0.115, 1.35, 0.7 * z), (0.135, 1.36, 0.715 * z)],
                          [0.013, 0.011, 0.009]))
-    bent = ((1, (0.1, 0.6), (-0.1, 0.24), (-0.1, 0.1)), (-1, (0.04, 0.55), (-0.03, 0.13), (0.0, -0.02)))
+    bent = ((1, (0.055, 0.6), (-0.13, 0.24), (-0.13, 0.1)), (-1, (0.04, 0.55), (-0.03, 0.13), (0.0, -0.02)))
     for z, knee, ankle, toe in bent:
         out += [chain(curve([(0.0, 0.82, 0.08 * z), (knee[0], knee[1], 0.07 * z),
                              (0.5 * (knee[0] + ankle[0]) - 0.03, 0.5 * (knee[1] + ankle[1]) + 0.03, 0.062 * z),
@@ -95,7 +95,7 @@ def build():
             lips = smooth_step(0.02, 0.012, math.hypot((y - 1.497) * 1.9, z)) if x > 0.085 else 0.0
             c = mixed(c, (0.45, 0.07, 0.06), lips)
             c = mixed(c, (0.72, 0.3, 0.22), 0.5 * smooth_step(0.045, 0.01, math.hypot(y - 1.525, abs(z) - 0.05)))
-            brow = smooth_step(0.006, 0.002, abs(y - 1.607 + 0.25 * (abs(z) - 0.033) ** 2 / 0.02))
+            brow = smooth_step(0.006, 0.002, abs(y - 1.612 + 0.16 * (abs(z) - 0.034)))
             c = mixed(c, (0.05, 0.025, 0.015), brow * smooth_step(0.026, 0.018, abs(abs(z) - 0.034)))
         return c
 
@@ -108,5 +108,6 @@ def build():
         strap = [(-0.085, 1.27, 0.075 * z), (-0.06, 1.345, 0.085 * z), (-0.005, 1.378, 0.09 * z), (0.05, 1.345, 0.085 * z),
                  (0.085, 1.27, 0.075 * z)]
         parts.append((implicit_mesh(Body([chain(curve(strap, 3), [0.011] * 13)], 0.01), strap[0], 0.009), "dress"))
-        parts.append((moved(sphere(0.0145, 20, 10), (0.09, 1.578, 0.034 * z)).shaded(60), "eye"))
+        parts.append((moved(sphere(0.0145, 24, 12), (0.0895, 1.578, 0.034 * z)).shaded(60), "cheek"))
+        parts.append((moved(sphere(0.0078, 20, 10), (0.0975, 1.577, 0.0345 * z)).shaded(60), "eye"))
     return parts

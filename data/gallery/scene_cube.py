@@ -33,7 +33,7 @@ def build(model):
     model.material("pearl", (0.85, 0.84, 0.82), roughness=0.2)
     cube = tilted(tilted(colour_cube(), "x", 45), "z", 35.264)
     model.add(cube.turned(18).moved(0.0, 1.12, 0.0), "coloured")
-    disc = [(0, -0.2), (1.9, -0.2), (2.0, -0.16), (2.03, -0.08), (2.0, -0.01), (1.98, 0.0), (0, 0.0)]
+    disc = [(0, -0.2), (2.0, -0.2), (2.0, 0.0), (0, 0.0)]
     model.add(lathe(disc, 192).shaded(30), "dais")
     model.add(lathe([(1.9, -0.14), (2.045, -0.14), (2.06, -0.09), (2.045, -0.04), (1.9, -0.04)], 192).shaded(30), "gilt")
     pearl = sphere(0.16, 64, 32).shaded(60)

@@ -8,11 +8,11 @@ from pose import tilted
 def build(model):
     model.material("body", (1, 1, 1), roughness=0.6)
     model.material("hair", (1, 1, 1), roughness=0.5)
-    model.material("dress", (0.62, 0.012, 0.018), roughness=0.6, double_sided=True)
+    model.material("dress", (0.5, 0.007, 0.012), roughness=0.6, double_sided=True)
     model.material("earth", (1, 1, 1), roughness=1.0, texture=model.texture(space.earth_map()))
     model.material("air", (1, 1, 1), roughness=1.0, texture=model.texture(space.glow_mask()), mode="BLEND",
                    double_sided=True)
-    palette.use(model, "eye")
+    palette.use(model, "cheek", "eye")
     for mesh, material in girl.build():
         mesh = tilted(mesh.moved(0.0, -1.0, 0.0), "z", -24)
         model.add(mesh.turned(-28), material)

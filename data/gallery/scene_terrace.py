@@ -59,13 +59,14 @@ def sea():
 
 
 def build(model):
-    palette.use(model, "chrome", "porcelain", "leather", "orange", "apple", "lime")
+    palette.use(model, "chrome", "porcelain", "orange", "apple", "lime")
     model.material("stone", (1, 1, 1), roughness=0.06, texture=model.texture(tiles()))
     model.material("green wall", (0.16, 0.4, 0.17), roughness=0.9)
     model.material("white wall", (0.75, 0.73, 0.69), roughness=0.9)
     model.material("table top", (0.03, 0.032, 0.036), roughness=0.02)
     model.material("terracotta", (0.42, 0.15, 0.075), roughness=0.8)
     model.material("bark", (0.12, 0.085, 0.06), roughness=0.95)
+    model.material("cushion", (0.55, 0.085, 0.035), roughness=0.4)
     model.material("sea", (0.01, 0.07, 0.1), roughness=0.02)
     model.material("leaf", (1, 1, 1), roughness=0.8)
     floor = beveled_box((-3.0, -0.3, -2.2), (3.6, 0.0, 3.4), 0.01)
@@ -82,7 +83,7 @@ def build(model):
                   placed(furniture.tube_chair(), 0.35, -0.9, -84), placed(furniture.teapot("chrome"), 0.3, 0.1, 35, 0.75, 1.35),
                   placed(furniture.bowl_of_fruit("porcelain"), -0.07, -0.08, 10, 0.75),
                   placed(furniture.cup("porcelain"), 0.58, 0.28, 60, 0.75), placed(furniture.cup("porcelain"), 0.02, 0.42, 200, 0.75)):
-        palette.add(model, parts)
+        palette.add(model, [(mesh, "cushion" if material == "leather" else material) for mesh, material in parts])
     topiary(model, -2.2, -1.35)
     topiary(model, 2.85, -1.4)
     model.add(sea(), "sea")
