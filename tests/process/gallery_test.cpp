@@ -60,10 +60,10 @@ TEST(Gallery, PageShowsEveryPictureUnderItsFigure) {
         EXPECT_TRUE(isJpeg(kPictures / (name + ".jpg"))) << name;
         const std::size_t shown = page.find("](" + name + ".jpg)");
         ASSERT_NE(shown, std::string::npos) << name;
-        const std::size_t heading = page.rfind("\n## Figure", shown);
+        const std::size_t heading = page.rfind("\n## ", shown);
         ASSERT_NE(heading, std::string::npos) << name;
         const std::string title = page.substr(heading, page.find('\n', heading + 1) - heading);
-        EXPECT_TRUE(title.find(figure + ":") != std::string::npos ||
+        EXPECT_TRUE(title.find((figure == "more" ? "More" : figure) + ":") != std::string::npos ||
                     title.find(figure + " ") != std::string::npos)
             << name << " stands under" << title;
     }
