@@ -35,7 +35,7 @@ chosen=$pictures
 if ((${#names[@]})); then
     chosen=""
     for name in "${names[@]}"; do
-        found=$(awk -v name="$name" '$1 == name || index($2, name) == 1' <<<"$pictures")
+        found=$(awk -v name="$name" '($1 "") == (name "") || index($2, name) == 1' <<<"$pictures")
         [[ -n $found ]] || { echo "gallery: there is no picture '$name'; --list names them" >&2; exit 2; }
         chosen+=$found$'\n'
     done
