@@ -1,6 +1,7 @@
 """Table, chairs and what stands on the table: lathes and sweeps. Metres, floor at y = 0."""
 import math
 
+from elephant import curve
 from solids import beveled_box, lathe, moved, round_profile, sphere, sweep, torus
 
 
@@ -71,29 +72,25 @@ def teapot(material):
     body += [(0.03 + 0.062 * math.sin(math.pi * (0.12 + 0.76 * k / 20)) ** 0.8, 0.008 + 0.115 * k / 20)
              for k in range(21)]
     body += [(0.04, 0.124), (0, 0.126)]
-    lid = [(0, 0.122), (0.047, 0.122), (0.05, 0.126), (0.044, 0.132), (0.025, 0.14), (0.008, 0.145), (0.006, 0.15),
+    lid = [(0, 0.122), (0.047, 0.122), (0.05, 0.126), (0.044, 0.132), (0.025, 0.14), (0.008, 0.145),
+           (0.006, 0.15),
            (0.012, 0.156), (0.013, 0.163), (0.008, 0.17), (0, 0.171)]
-    spout = [(0.07, 0.045, 0), (0.105, 0.06, 0), (0.125, 0.09, 0), (0.155, 0.118, 0)]
+    spout = curve([(0.07, 0.045, 0), (0.105, 0.06, 0), (0.125, 0.09, 0), (0.155, 0.118, 0)], 5)
+    widths = [1.4 - 0.75 * k / (len(spout) - 1) for k in range(len(spout))]
     handle = []
     for k in range(17):
         a = math.pi * (0.5 + k / 16)
         handle.append((-0.075 + 0.055 * math.cos(a), 0.068 + 0.042 * math.sin(a), 0.0))
     return [(lathe(body, 72).shaded(40), material), (lathe(lid, 72).shaded(40), material),
-            (sweep(curved(spout), round_profile(0.016, 20),
-                   widths=[1.4 - 0.75 * k / (len(curved(spout)) - 1) for k in range(len(curved(spout)))]).shaded(60),
-             material),
+            (sweep(spout, round_profile(0.016, 20), widths=widths).shaded(60), material),
             (sweep(handle, round_profile(0.0075, 14)).shaded(60), material)]
-
-
-def curved(points, pieces=5):
-    from elephant import curve
-    return curve(points, pieces)
 
 
 def cup(material):
     wall = [(0, 0.0), (0.022, 0.0), (0.025, 0.006), (0.024, 0.01), (0.034, 0.03), (0.04, 0.058), (0.037, 0.058),
             (0.031, 0.03), (0.02, 0.012), (0, 0.011)]
-    saucer = [(0, -0.012), (0.03, -0.012), (0.04, -0.008), (0.068, 0.0), (0.067, 0.003), (0.035, -0.004), (0, -0.004)]
+    saucer = [(0, -0.012), (0.03, -0.012), (0.04, -0.008), (0.068, 0.0), (0.067, 0.003), (0.035, -0.004),
+              (0, -0.004)]
     ear = [(0.036 + 0.016 * math.sin(math.pi * k / 12), 0.03 - 0.018 * math.cos(math.pi * k / 12), 0.0)
            for k in range(13)]
     return [(moved(lathe(wall, 48), (0, 0.008, 0)).shaded(40), material),

@@ -13,12 +13,16 @@ FOLDS = 11
 
 def limbs():
     """Skin: head, neck, shoulders, arms with hands, legs with feet that point down."""
-    out = [[ellipsoid((0.015, 1.575, 0), (0.098, 0.118, 0.079))], [ellipsoid((0.045, 1.515, 0), (0.062, 0.072, 0.056))],
+    out = [[ellipsoid((0.015, 1.575, 0), (0.098, 0.118, 0.079))],
+           [ellipsoid((0.045, 1.515, 0), (0.062, 0.072, 0.056))],
            [round_cone((0.106, 1.555, 0), (0.118, 1.53, 0), 0.008, 0.012)],
            [ellipsoid((0.094, 1.497, 0), (0.017, 0.008, 0.022))],
-           [round_cone((-0.025, 1.32, 0), (-0.018, 1.5, 0), 0.045, 0.04)], [ellipsoid((0.078, 1.474, 0), (0.026, 0.024, 0.028))],
+           [round_cone((-0.025, 1.32, 0), (-0.018, 1.5, 0), 0.045, 0.04)],
+           [ellipsoid((0.078, 1.474, 0), (0.026, 0.024, 0.028))],
            [round_cone((-0.01, 1.325, -0.13), (-0.01, 1.325, 0.13), 0.05, 0.05)],
-           [ellipsoid((0.0, 1.24, 0), (0.075, 0.13, 0.1))], [round_cone((0.0, 1.2, 0), (0.0, 0.8, 0), 0.045, 0.05)], [round_cone((0.0, 0.8, -0.08), (0.0, 0.8, 0.08), 0.05, 0.05)]]
+           [ellipsoid((0.0, 1.24, 0), (0.075, 0.13, 0.1))],
+           [round_cone((0.0, 1.2, 0), (0.0, 0.8, 0), 0.045, 0.05)],
+           [round_cone((0.0, 0.8, -0.08), (0.0, 0.8, 0.08), 0.05, 0.05)]]
     for z in (-1, 1):
         arm = curve([(-0.01, 1.325, 0.155 * z), (-0.05, 1.26, 0.29 * z), (-0.06, 1.22, 0.42 * z),
                      (0.0, 1.27, 0.54 * z), (0.06, 1.34, 0.65 * z)], 3)
@@ -28,7 +32,8 @@ def limbs():
         for k in range(4):
             x, y = 0.105 - 0.016 * k, 1.405 - 0.012 * k
             out.append(chain([(0.09, 1.38, 0.69 * z), (x, y, (0.735 + 0.004 * k) * z),
-                              (x - 0.01, y + 0.012 - 0.005 * k, (0.775 - 0.004 * k) * z)], [0.013, 0.0105, 0.008]))
+                              (x - 0.01, y + 0.012 - 0.005 * k, (0.775 - 0.004 * k) * z)],
+                              [0.013, 0.0105, 0.008]))
         out.append(chain([(0.08, 1.36, 0.68 * z), (0.115, 1.35, 0.7 * z), (0.135, 1.36, 0.715 * z)],
                          [0.013, 0.011, 0.009]))
     bent = ((1, (0.055, 0.6), (-0.13, 0.24), (-0.13, 0.1)), (-1, (0.04, 0.55), (-0.03, 0.13), (0.0, -0.02)))
@@ -51,7 +56,8 @@ def locks():
         z, w = 0.085 * math.sin(a), 0.12 * math.sin(3.1 * k)
         points = [(-0.04, 1.66 - 0.1 * abs(t), 0.8 * z), (-0.14, 1.6 - 0.16 * abs(t), 1.5 * z),
                   (-0.27, 1.54 + 0.05 * lift - 0.1 * abs(t), 2.4 * z + 0.2 * w),
-                  (-0.42, 1.57 + 0.09 * lift, 3.2 * z + 0.5 * w), (-0.56 - 0.06 * lift, 1.66 + 0.1 * lift + 0.4 * w, 3.8 * z + w)]
+                  (-0.42, 1.57 + 0.09 * lift, 3.2 * z + 0.5 * w),
+                  (-0.56 - 0.06 * lift, 1.66 + 0.1 * lift + 0.4 * w, 3.8 * z + w)]
         path = curve(points, 3)
         out.append(chain(path, [0.027 * (1 - (j / (len(path) - 1)) ** 1.6) + 0.01 for j in range(len(path))]))
     return out
@@ -65,14 +71,16 @@ def dress():
         t = j / steps
         y = 1.29 - 0.85 * t
         bodice = 0.118 - 0.032 * smooth_step(0.02, 0.32, t)
+        chest = 0.02 * smooth_step(0.02, 0.07, t) * smooth_step(0.28, 0.12, t)
         s = max(0.0, (t - 0.32) / 0.68)
         row = []
         for k in range(around):
             a = 2 * math.pi * k / around
             swing = 0.08 * math.sin(2 * a + 0.6) + 0.05 * math.sin(3 * a + 2.0)
-            fold = math.cos(FOLDS * a + 1.5 * math.sin(2 * a) + 0.8 * s) * (0.013 * smooth_step(0.0, 0.1, s) + 0.055 * s ** 1.3)
+            depth = 0.013 * smooth_step(0.0, 0.1, s) + 0.055 * s ** 1.3
+            fold = math.cos(FOLDS * a + 1.5 * math.sin(2 * a) + 0.8 * s) * depth
             r = bodice + 0.36 * s ** 0.85 + s * swing + fold
-            bust = 0.02 * smooth_step(0.02, 0.07, t) * smooth_step(0.28, 0.12, t) * math.exp(-((abs(a - math.pi / 2) - 0.5) / 0.4) ** 2)
+            bust = chest * math.exp(-((abs(a - math.pi / 2) - 0.5) / 0.4) ** 2)
             x, z = (r * 0.8 + bust) * math.sin(a), r * math.cos(a) * (1.1 - 0.1 * s)
             lift = 0.12 * s * s * math.cos(a + math.pi / 2 - 0.3) + 0.05 * s * s * math.sin(3 * a)
             row.append((x - 0.16 * s ** 2, y + lift, z))
@@ -94,7 +102,8 @@ def build():
         if y > 1.43 and x > 0.02:
             lips = smooth_step(0.02, 0.012, math.hypot((y - 1.497) * 1.9, z)) if x > 0.085 else 0.0
             c = mixed(c, (0.45, 0.07, 0.06), lips)
-            c = mixed(c, (0.72, 0.3, 0.22), 0.5 * smooth_step(0.045, 0.01, math.hypot(y - 1.525, abs(z) - 0.05)))
+            cheek = smooth_step(0.045, 0.01, math.hypot(y - 1.525, abs(z) - 0.05))
+            c = mixed(c, (0.72, 0.3, 0.22), 0.5 * cheek)
             brow = smooth_step(0.006, 0.002, abs(y - 1.612 + 0.16 * (abs(z) - 0.034)))
             c = mixed(c, (0.05, 0.025, 0.015), brow * smooth_step(0.026, 0.018, abs(abs(z) - 0.034)))
         return c
@@ -105,9 +114,10 @@ def build():
                                   0.5 + 0.5 * noise.at3(6 * p[0], 45 * p[1], 45 * p[2])))
     parts = [(limb.paint(tone), "body"), (hair, "hair"), (dress().shaded(60), "dress")]
     for z in (-1, 1):
-        strap = [(-0.085, 1.27, 0.075 * z), (-0.06, 1.345, 0.085 * z), (-0.005, 1.378, 0.09 * z), (0.05, 1.345, 0.085 * z),
-                 (0.085, 1.27, 0.075 * z)]
-        parts.append((implicit_mesh(Body([chain(curve(strap, 3), [0.011] * 13)], 0.01), strap[0], 0.009), "dress"))
+        strap = [(-0.085, 1.27, 0.075 * z), (-0.06, 1.345, 0.085 * z), (-0.005, 1.378, 0.09 * z),
+                 (0.05, 1.345, 0.085 * z), (0.085, 1.27, 0.075 * z)]
+        parts.append((implicit_mesh(Body([chain(curve(strap, 3), [0.011] * 13)], 0.01), strap[0], 0.009),
+                      "dress"))
         parts.append((moved(sphere(0.0145, 24, 12), (0.0895, 1.578, 0.034 * z)).shaded(60), "cheek"))
         parts.append((moved(sphere(0.0078, 20, 10), (0.0975, 1.577, 0.0345 * z)).shaded(60), "eye"))
     return parts

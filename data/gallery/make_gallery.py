@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Builds the models and the sky that only the gallery needs, those that are missing or older than the scripts.
 
-Usage: make_gallery.py [--force] [NAME...]     NAME: a scene, or space; without a name all of them. Two at a time.
+Usage: make_gallery.py [--force] [NAME...]
+NAME: a scene, or space; all of them without a name. Two are made at a time.
 """
 import glob
 import importlib

@@ -1,6 +1,7 @@
 """Turning and placing of finished meshes."""
 import math
 
+from implicit import polygonise
 from mesh import Mesh, snapped
 
 
@@ -35,7 +36,6 @@ def mixed(a, b, t):
 
 def implicit_mesh(body, inside, cell):
     """The polygonised body as a mesh; `inside` is a point of it."""
-    from implicit import polygonise
     surface, normals = polygonise(body, inside, cell)
     mesh = Mesh()
     mesh.positions, mesh.normals, mesh.faces = surface.closed().positions, normals, surface.faces

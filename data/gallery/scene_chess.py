@@ -20,7 +20,8 @@ def board(model):
             model.add(tile.shaded(20), "light square" if (i + j) % 2 else "dark square")
     for low, high in (((-half - 0.3, -0.14, -half - 0.3), (half + 0.3, 0.012, -half)),
                       ((-half - 0.3, -0.14, half), (half + 0.3, 0.012, half + 0.3)),
-                      ((-half - 0.3, -0.14, -half), (-half, 0.012, half)), ((half, -0.14, -half), (half + 0.3, 0.012, half))):
+                      ((-half - 0.3, -0.14, -half), (-half, 0.012, half)),
+                      ((half, -0.14, -half), (half + 0.3, 0.012, half))):
         model.add(beveled_box(low, high, 0.02).shaded(20), "wood")
     model.add(box((-9, -0.3, -9), (9, -0.13, 9)).shaded(), "ground")
 
@@ -31,12 +32,16 @@ def curtain(model, radius=7.4, high=6.5):
     rows = []
     for j in range(13):
         y, t = -0.15 + high * j / 12, j / 12
-        rows.append([((radius + (0.2 - 0.08 * t) * math.sin(60 * a + 1.3 * math.sin(7 * a)) + 0.1 * math.sin(23 * a + t)) * math.sin(a), y,
-                      (radius + (0.2 - 0.08 * t) * math.sin(60 * a + 1.3 * math.sin(7 * a)) + 0.1 * math.sin(23 * a + t)) * math.cos(a))
-                     for a in (2 * math.pi * k / around for k in range(around))])
+        row = []
+        for k in range(around):
+            a = 2 * math.pi * k / around
+            folds = (0.2 - 0.08 * t) * math.sin(60 * a + 1.3 * math.sin(7 * a)) + 0.1 * math.sin(23 * a + t)
+            row.append(((radius + folds) * math.sin(a), y, (radius + folds) * math.cos(a)))
+        rows.append(row)
     surface.grid([row + row[:1] for row in rows])
     model.add(surface.shaded(70), "velvet")
-    model.add(lathe([(0, high - 0.2), (radius + 0.5, high - 0.2), (radius + 0.5, high), (0, high)], 96).shaded(30), "ceiling")
+    model.add(lathe([(0, high - 0.2), (radius + 0.5, high - 0.2), (radius + 0.5, high), (0, high)],
+                    96).shaded(30), "ceiling")
 
 
 def mirror(model, x, z, degrees, wide=1.55, high=4.3):
@@ -47,7 +52,8 @@ def mirror(model, x, z, degrees, wide=1.55, high=4.3):
     sheet = Surface()
     sheet.fan([(-wide, 0.2, 0.0), (wide, 0.2, 0.0), (wide, high, 0.0), (-wide, high, 0.0)])
     stand(sheet.shaded(), "mirror")
-    profile = [(-0.01, 0.02), (0.02, 0.06), (0.06, 0.045), (0.1, 0.1), (0.16, 0.085), (0.19, 0.0), (0.19, -0.08), (-0.01, -0.08)]
+    profile = [(-0.01, 0.02), (0.02, 0.06), (0.06, 0.045), (0.1, 0.1), (0.16, 0.085), (0.19, 0.0),
+               (0.19, -0.08), (-0.01, -0.08)]
     rows = []
     for cx, cy in ((-wide, 0.2), (wide, 0.2), (wide, high), (-wide, high)):
         sx, sy = math.copysign(1, cx), 1 if cy > 1 else -1

@@ -35,7 +35,8 @@ def build(model):
     model.add(cube.turned(18).moved(0.0, 1.12, 0.0), "coloured")
     disc = [(0, -0.2), (2.0, -0.2), (2.0, 0.0), (0, 0.0)]
     model.add(lathe(disc, 192).shaded(30), "dais")
-    model.add(lathe([(1.9, -0.14), (2.045, -0.14), (2.06, -0.09), (2.045, -0.04), (1.9, -0.04)], 192).shaded(30), "gilt")
+    model.add(lathe([(1.9, -0.14), (2.045, -0.14), (2.06, -0.09), (2.045, -0.04), (1.9, -0.04)],
+                    192).shaded(30), "gilt")
     pearl = sphere(0.16, 64, 32).shaded(60)
     for k in range(9):
         a = 2 * math.pi * (k + 0.35) / 9

@@ -16,7 +16,8 @@ COW = (1.15, -0.6, 140.0)                  # x, z, degrees
 
 
 def puddle_distance(x, z):
-    return math.hypot((x - PUDDLE[0]) / PUDDLE[2], (z - PUDDLE[1]) / PUDDLE[3]) * (1 + 0.2 * _noise.at2(0.8 * x + 5, 0.8 * z))
+    waver = 1 + 0.2 * _noise.at2(0.8 * x + 5, 0.8 * z)
+    return math.hypot((x - PUDDLE[0]) / PUDDLE[2], (z - PUDDLE[1]) / PUDDLE[3]) * waver
 
 
 def height(x, z):
@@ -57,11 +58,13 @@ def terrain():
 def puddle():
     cx, cz, a, b = PUDDLE
     surface = Surface()
-    rows = [[(cx + t * 1.7 * a * math.sin(w), -0.12, cz + t * 1.7 * b * math.cos(w)) for w in (2 * math.pi * k / 96 for k in range(96))]
+    rows = [[(cx + t * 1.7 * a * math.sin(w), -0.12, cz + t * 1.7 * b * math.cos(w))
+             for w in (2 * math.pi * k / 96 for k in range(96))]
             for t in [k / 40 for k in range(41)]]
     surface.grid([row + row[:1] for row in rows])
     mesh = surface.flip().shaded(60)
-    mesh.normals = [normalize((0.006 * _noise.at2(5 * p[0], 13 * p[2]), 1.0, 0.012 * _noise.at2(5 * p[0] + 40, 13 * p[2]))) for p in mesh.positions]
+    mesh.normals = [normalize((0.006 * _noise.at2(5 * p[0], 13 * p[2]), 1.0,
+                               0.012 * _noise.at2(5 * p[0] + 40, 13 * p[2]))) for p in mesh.positions]
     return mesh
 
 
@@ -74,7 +77,8 @@ def fence():
     dice = random.Random(202)
     for x, z in posts:
         y, lean = height(x, z), 0.06 * (dice.random() - 0.5)
-        parts.append(sweep([(x, y - 0.2, z), (x + lean, y + 1.12, z)], round_profile(0.065, 10), widths=[1.0, 0.85]).shaded(50))
+        parts.append(sweep([(x, y - 0.2, z), (x + lean, y + 1.12, z)], round_profile(0.065, 10),
+                           widths=[1.0, 0.85]).shaded(50))
     for level in (0.52, 0.95):
         path = [(x, height(x, z) + level + 0.05 * (dice.random() - 0.5), z + 0.08) for x, z in posts]
         parts.append(sweep(path, round_profile(0.04, 8)).shaded(60))
@@ -85,13 +89,16 @@ def poppy(dice):
     """A flower on its stem: (stem, petals)."""
     tall = 0.3 + 0.25 * dice.random()
     lean = 0.12 * (dice.random() - 0.5)
-    stem = sweep([(0, -0.05, 0), (0.4 * lean, 0.6 * tall, 0), (lean, tall, 0)], round_profile(0.004, 5)).shaded(60)
+    stem = sweep([(0, -0.05, 0), (0.4 * lean, 0.6 * tall, 0), (lean, tall, 0)],
+                 round_profile(0.004, 5)).shaded(60)
     surface = Surface()
     rows = []
     for j in range(5):
         t = j / 4
         rows.append([(lean + r * math.sin(a), tall + 0.034 * t ** 1.5, r * math.cos(a))
-                     for a, r in ((2 * math.pi * k / 16, 0.004 + 0.042 * t * (1 + 0.14 * math.cos(8 * math.pi * k / 16))) for k in range(16))])
+                     for a, r in ((2 * math.pi * k / 16,
+                                   0.004 + 0.042 * t * (1 + 0.14 * math.cos(8 * math.pi * k / 16)))
+                                   for k in range(16))])
     surface.grid([row + row[:1] for row in rows])
     return stem, surface.shaded(60)
 
@@ -106,8 +113,10 @@ def add_plants(model):
     while placed < 5200:
         r, a = 1.2 + 21.0 * dice.random() ** 1.25, 2 * math.pi * dice.random()
         x, z = r * math.sin(a), 2.0 - r * math.cos(a)
-        size, turn, pick, chance = 0.45 + 0.5 * dice.random(), 360 * dice.random(), int(14 * dice.random()), dice.random()
-        if z > 5.6 or puddle_distance(x, z) < 1.25 or chance > 0.35 + 0.65 * smooth_step(-0.3, 0.4, _noise.at2(0.5 * x + 60, 0.5 * z)):
+        size, turn = 0.45 + 0.5 * dice.random(), 360 * dice.random()
+        pick, chance = int(14 * dice.random()), dice.random()
+        dense = 0.35 + 0.65 * smooth_step(-0.3, 0.4, _noise.at2(0.5 * x + 60, 0.5 * z))
+        if z > 5.6 or puddle_distance(x, z) < 1.25 or chance > dense:
             continue
         model.add(tufts[pick].scaled(size).turned(turn).moved(x, height(x, z), z), "grass")
         placed += 1

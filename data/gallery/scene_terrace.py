@@ -29,13 +29,16 @@ def tiles(size=512, count=4):
 
 
 def topiary(model, x, z):
-    pot = [(0, 0.0), (0.17, 0.0), (0.18, 0.02), (0.24, 0.36), (0.27, 0.37), (0.275, 0.44), (0.25, 0.445), (0.225, 0.4), (0, 0.39)]
+    pot = [(0, 0.0), (0.17, 0.0), (0.18, 0.02), (0.24, 0.36), (0.27, 0.37), (0.275, 0.44), (0.25, 0.445),
+           (0.225, 0.4), (0, 0.39)]
     model.add(lathe(pot, 64).shaded(35).moved(x, 0.0, z), "terracotta")
-    model.add(lathe([(0, 0.38), (0.028, 0.38), (0.022, 0.9), (0, 0.92)], 20).shaded(40).moved(x, 0.0, z), "bark")
+    model.add(lathe([(0, 0.38), (0.028, 0.38), (0.022, 0.9), (0, 0.92)], 20).shaded(40).moved(x, 0.0, z),
+              "bark")
     noise = Noise(192)
 
     def leafy(p):
-        r = 0.36 * (1 + 0.09 * noise.at3(9 * p[0], 9 * p[1], 9 * p[2]) + 0.07 * noise.at3(23 * p[0], 23 * p[1], 23 * p[2]))
+        r = 0.36 * (1 + 0.09 * noise.at3(9 * p[0], 9 * p[1], 9 * p[2])
+                    + 0.07 * noise.at3(23 * p[0], 23 * p[1], 23 * p[2]))
         return tuple(r * c for c in p)
 
     ball = displaced(icosphere(5), leafy).shaded(60)
@@ -53,7 +56,8 @@ def sea():
     mesh = surface.flip().shaded(60)
     if mesh.normals[0][1] < 0:
         mesh = surface.flip().shaded(60)
-    mesh.normals = [normalize((0.05 * noise.at2(0.3 * x, 0.9 * z), 1.0, 0.09 * noise.at2(0.3 * x + 50, 0.9 * z)))
+    mesh.normals = [normalize((0.05 * noise.at2(0.3 * x, 0.9 * z), 1.0,
+                               0.09 * noise.at2(0.3 * x + 50, 0.9 * z)))
                     for x, _, z in mesh.positions]
     return mesh
 
@@ -74,16 +78,21 @@ def build(model):
     along = wall(lambda u, y, d: (u, y, -d), (-3.0, 3.6), (0.0, 3.1), (1.9, 2.2),
                  [lancet(-0.55, 0.5, 0.95, 1.75, 1.0, 12, 1.0), lancet(1.9, 0.5, 0.95, 1.75, 1.0, 12, 1.0)])
     model.add(along.shaded(25), "green wall")
-    side = wall(lambda u, y, d: (-d, y, u), (-1.9, 3.4), (0.0, 3.1), (2.7, 3.0), [lancet(0.9, 0.6, 0.0, 1.7, 1.0, 12, 1.0)])
+    side = wall(lambda u, y, d: (-d, y, u), (-1.9, 3.4), (0.0, 3.1), (2.7, 3.0),
+                [lancet(0.9, 0.6, 0.0, 1.7, 1.0, 12, 1.0)])
     model.add(side.shaded(25), "white wall")
     parapet = beveled_box((3.35, 0.0, -1.9), (3.6, 0.55, 3.4), 0.02)
     model.add(parapet.shaded(20), "white wall")
     for parts in (placed(furniture.round_table("table top"), 0.25, 0.1),
-                  placed(furniture.tube_chair(), 1.2, 0.5, 196), placed(furniture.tube_chair(), -0.75, 0.55, 24),
-                  placed(furniture.tube_chair(), 0.35, -0.9, -84), placed(furniture.teapot("chrome"), 0.3, 0.1, 35, 0.75, 1.35),
+                  placed(furniture.tube_chair(), 1.2, 0.5, 196),
+                  placed(furniture.tube_chair(), -0.75, 0.55, 24),
+                  placed(furniture.tube_chair(), 0.35, -0.9, -84),
+                  placed(furniture.teapot("chrome"), 0.3, 0.1, 35, 0.75, 1.35),
                   placed(furniture.bowl_of_fruit("porcelain"), -0.07, -0.08, 10, 0.75),
-                  placed(furniture.cup("porcelain"), 0.58, 0.28, 60, 0.75), placed(furniture.cup("porcelain"), 0.02, 0.42, 200, 0.75)):
-        palette.add(model, [(mesh, "cushion" if material == "leather" else material) for mesh, material in parts])
+                  placed(furniture.cup("porcelain"), 0.58, 0.28, 60, 0.75),
+                  placed(furniture.cup("porcelain"), 0.02, 0.42, 200, 0.75)):
+        palette.add(model, [(mesh, "cushion" if material == "leather" else material) for mesh,
+                            material in parts])
     topiary(model, -2.2, -1.35)
     topiary(model, 2.85, -1.4)
     model.add(sea(), "sea")

@@ -25,7 +25,8 @@ class Space(Night):
         if band > 0.002:
             bulge = 0.5 + 0.5 * sum(a * b for a, b in zip(d, self.CENTRE))
             clump = self.noise.fractal3(5 * d[0], 5 * d[1], 5 * d[2], 4, 0.6)
-            dust = step(0.05, 0.75, self.noise.fractal3(6 * d[0] + 30, 6 * d[1], 6 * d[2], 3, 0.6) + 0.9 * band - 0.45)
+            dust = step(0.05, 0.75, self.noise.fractal3(6 * d[0] + 30, 6 * d[1], 6 * d[2], 3, 0.6) + 0.9 * band
+                        - 0.45)
             light = 0.03 * band * (0.35 + 1.5 * bulge ** 3) * max(0.0, 1 + 0.9 * clump) * (1 - 0.8 * dust)
             tint = mix((0.75, 0.85, 1.1), (1.15, 0.95, 0.8), bulge ** 2)
             sky = tuple(s + light * t for s, t in zip(sky, tint))
@@ -41,7 +42,8 @@ def add_stars(model, count=5200, seed=8, distance=320.0):
     dice, sky = random.Random(seed), Space()
     for tint in STAR_TINTS:
         for magnitude in range(MAGNITUDES):
-            model.material(f"star {tint} {magnitude}", (0, 0, 0), roughness=1.0, emissive=(1, 1, 1), double_sided=True)
+            model.material(f"star {tint} {magnitude}", (0, 0, 0), roughness=1.0, emissive=(1, 1, 1),
+                           double_sided=True)
     meshes = {}
     while count:
         y, a = 2 * dice.random() - 1, 2 * math.pi * dice.random()
@@ -52,7 +54,8 @@ def add_stars(model, count=5200, seed=8, distance=320.0):
         count -= 1
         magnitude = sum(rank > share for share in (0.02, 0.09, 0.32))
         tint = ("warm", "white", "blue")[min(2, int(3 * heat))]
-        _star(meshes.setdefault(f"star {tint} {magnitude}", Mesh()), d, distance, (0.3, 0.25, 0.2, 0.18)[magnitude], turn)
+        _star(meshes.setdefault(f"star {tint} {magnitude}", Mesh()), d, distance,
+              (0.3, 0.25, 0.2, 0.18)[magnitude], turn)
     for name, mesh in meshes.items():
         model.add(mesh, name)
 
