@@ -111,10 +111,10 @@ double errorOf(const Frame& frame, const Frame& reference) {
 
 TEST(Sampling, AllPatternsComeToTheSamePicture) {
     const test::TracedScene s(test::sampleScene());
-    const Frame reference = test::render(s, test::sampleSettings(80, 60, 16), 2);
-    const double coarse = errorOf(test::render(s, test::sampleSettings(80, 60, 1)), reference);
+    const Frame reference = test::render(s, test::sampleSettings(60, 45, 16), 2);
+    const double coarse = errorOf(test::render(s, test::sampleSettings(60, 45, 1)), reference);
     for (const SamplingPattern pattern : kPatterns) {
-        RenderSettings settings = test::sampleSettings(80, 60, 6);
+        RenderSettings settings = test::sampleSettings(60, 45, 6);
         settings.sampling = pattern;
         const double error = errorOf(test::render(s, settings, 2), reference);
         EXPECT_LT(error, coarse / (pattern == SamplingPattern::Random ? 4 : 7)) << static_cast<int>(pattern);
@@ -147,8 +147,8 @@ TEST(SampleChoice, TheFirstSamplesAreSpreadEvenly) {
 
 TEST(Adaptive, SavesSamplesAndKeepsTheEdges) {
     const test::TracedScene s(test::sampleScene());
-    const Frame reference = test::render(s, test::sampleSettings(160, 120, 16), 2);
-    RenderSettings settings = test::sampleSettings(160, 120, 4);
+    const Frame reference = test::render(s, test::sampleSettings(120, 90, 10), 2);
+    RenderSettings settings = test::sampleSettings(120, 90, 4);
     settings.sampling = SamplingPattern::Rotated;
     const Frame all = test::render(s, settings, 2);
     settings.antialiasing = 2;
@@ -156,7 +156,7 @@ TEST(Adaptive, SavesSamplesAndKeepsTheEdges) {
     settings.antialiasing = 4;
     settings.adaptive = .05F;
     const Frame chosen = test::render(s, settings, 2);
-    const double samples = static_cast<double>(chosen.statistics.rays[0]) / (160 * 120 * 16);
+    const double samples = static_cast<double>(chosen.statistics.rays[0]) / (120 * 90 * 16);
     EXPECT_LT(samples, .6);
     EXPECT_GT(samples, .25);
     EXPECT_LT(errorOf(chosen, reference), 1.2 * errorOf(all, reference));
