@@ -104,8 +104,8 @@ def build():
             c = mixed(c, (0.45, 0.07, 0.06), lips)
             cheek = smooth_step(0.045, 0.01, math.hypot(y - 1.525, abs(z) - 0.05))
             c = mixed(c, (0.72, 0.3, 0.22), 0.5 * cheek)
-            brow = smooth_step(0.006, 0.002, abs(y - 1.612 + 0.16 * (abs(z) - 0.034)))
-            c = mixed(c, (0.05, 0.025, 0.015), brow * smooth_step(0.026, 0.018, abs(abs(z) - 0.034)))
+            brow = smooth_step(0.006, 0.002, abs(y - 1.617 + 0.3 * (abs(z) - 0.03)))
+            c = mixed(c, (0.2, 0.1, 0.06), 0.8 * brow * smooth_step(0.026, 0.018, abs(abs(z) - 0.034)))
         return c
 
     hair = implicit_mesh(Body(locks(), 0.02, lambda x, y, z: 0.004 * noise.at3(4 * x, 60 * y, 60 * z)),
@@ -119,5 +119,5 @@ def build():
         parts.append((implicit_mesh(Body([chain(curve(strap, 3), [0.011] * 13)], 0.01), strap[0], 0.009),
                       "dress"))
         parts.append((moved(sphere(0.0145, 24, 12), (0.0895, 1.578, 0.034 * z)).shaded(60), "cheek"))
-        parts.append((moved(sphere(0.0078, 20, 10), (0.0975, 1.577, 0.0345 * z)).shaded(60), "eye"))
+        parts.append((moved(sphere(0.0098, 20, 10), (0.0968, 1.576, 0.0345 * z)).shaded(60), "eye"))
     return parts
