@@ -40,8 +40,8 @@
         <translation>Rozmístění vzorků</translation>
     </message>
     <message>
-        <source>where the samples of a pixel lie</source>
-        <translation>kde v bodu obrazu leží vzorky</translation>
+        <source>where the samples of a pixel lie: rotated is best at edges, grid is fastest</source>
+        <translation>kde v pixelu leží vzorky: rotated je nejlepší na hranách, grid je nejrychlejší</translation>
     </message>
     <message>
         <source>Grid</source>
@@ -68,8 +68,8 @@
         <translation>Přizpůsobivost</translation>
     </message>
     <message>
-        <source>pixels whose error is below it get fewer samples; 0: all the same</source>
-        <translation>body s menší chybou dostanou méně vzorků; 0: všechny stejně</translation>
+        <source>pixels that differ less from their neighbours get a quarter of the samples; 0: all get all, 0.05: hard to see</source>
+        <translation>pixely, které se od sousedů liší méně, dostanou čtvrtinu vzorků; 0: všechny dostanou vše, 0.05: sotva viditelné</translation>
     </message>
     <message>
         <source>Rays</source>
@@ -411,6 +411,14 @@
         <translation>formát obrazu na standardním výstupu: png nebo ppm [png]</translation>
     </message>
     <message>
+        <source>Layers</source>
+        <translation>Vrstvy</translation>
+    </message>
+    <message>
+        <source>outputs with the extension .exr also hold depth, normal, albedo, direct light and ambient occlusion of the surfaces, as layers</source>
+        <translation>výstupy s příponou .exr obsahují jako vrstvy také hloubku, normálu, odrazivost, přímé světlo a zastínění povrchů okolím</translation>
+    </message>
+    <message>
         <source>Width</source>
         <translation>Šířka</translation>
     </message>
@@ -535,16 +543,16 @@
         <translation>Záře</translation>
     </message>
     <message>
-        <source>glow around what is bright, N pixels wide; not rendered by this version yet</source>
-        <translation>záře kolem jasných míst, široká N bodů; tato verze ji ještě nevykresluje</translation>
+        <source>glow around what is bright: blur of N pixels (standard deviation); 0 is none</source>
+        <translation>záře kolem jasných míst: rozostření o N pixelech (směrodatná odchylka); 0 je žádná</translation>
     </message>
     <message>
         <source>Ambient occlusion</source>
         <translation>Zastínění okolím</translation>
     </message>
     <message>
-        <source>switch ambient occlusion on; not rendered by this version yet</source>
-        <translation>zapnout zastínění okolím; tato verze je ještě nevykresluje</translation>
+        <source>switch ambient occlusion on: corners are darker than open surfaces</source>
+        <translation>zapnout zastínění okolím: kouty jsou tmavší než volné plochy</translation>
     </message>
     <message>
         <source>No ambient occlusion</source>
@@ -575,8 +583,8 @@
         <translation>Zaostřit na</translation>
     </message>
     <message>
-        <source>switch depth of field on, and focus on what is seen at this pixel, from the upper left corner</source>
-        <translation>zapnout hloubku ostrosti a zaostřit na to, co je vidět v tomto bodu obrazu, počítáno od levého horního rohu</translation>
+        <source>switch depth of field on, focused on what is seen at this pixel</source>
+        <translation>zapnout hloubku ostrosti se zaostřením na to, co je vidět v tomto pixelu</translation>
     </message>
     <message>
         <source>Exposure</source>
