@@ -34,16 +34,19 @@ bool FrameMaker::trace(const Session& session, double scale, rtcore::RenderContr
     return true;
 }
 
-void FrameMaker::requireMemory(int width, int height) {
-    // Radiance, the same with its glow, and picture.
+void FrameMaker::requireMemory(const rtcore::RenderSettings& settings) {
+    constexpr std::size_t kRadiance = sizeof(rtcore::Colour), kPicture = 4, kLayers = 72;
+    const bool finished = settings.bloom > 0 || settings.denoise > 0; // as a picture of its own
+    const std::size_t pixel =
+        kRadiance + kPicture + (finished ? kRadiance : 0) + (settings.denoise > 0 ? kLayers : 0);
     const std::size_t bytes =
-        (2 * sizeof(rtcore::Vec3) + 4) * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+        pixel * static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
     void* trial = ::operator new(bytes, std::nothrow);
     ::operator delete(trial);
     if (trial != nullptr) return;
     throw rtcore::FileError(rtcore::FailureKind::TryAgain, "",
-                            "not enough memory for frames of " + std::to_string(width) + " x " +
-                                std::to_string(height) + "; ask for a lower resolution");
+                            "not enough memory for frames of " + std::to_string(settings.width) + " x " +
+                                std::to_string(settings.height) + "; ask for a lower resolution");
 }
 
 void FrameMaker::drop() {

@@ -28,7 +28,7 @@ class FrameMaker {
     /// Whether develop() would give the same picture again.
     bool settled() const { return adaptation_.settled(); }
     /// Throws rtcore::FileError TryAgain when there is no memory for such frames, as far as one can tell.
-    static void requireMemory(int width, int height);
+    static void requireMemory(const rtcore::RenderSettings& settings);
     /// Gives its memory back; there is no frame then.
     void drop();
     /// The next frame is of another scene: its exposure is found at once.

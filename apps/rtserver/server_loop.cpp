@@ -49,10 +49,10 @@ std::string shortNumber(double value) {
 ServerLoop::ServerLoop(const Options& options, std::function<void()> onReady)
     : options_(options), onReady_(std::move(onReady)), server_(serverOptions(options)),
       session_(options,
-               [this](int width, int height) {
-                   FrameMaker::requireMemory(width, height);
-                   server_.reserveFrame(static_cast<std::uint32_t>(width),
-                                        static_cast<std::uint32_t>(height));
+               [this](const rtcore::RenderSettings& settings) {
+                   FrameMaker::requireMemory(settings);
+                   server_.reserveFrame(static_cast<std::uint32_t>(settings.width),
+                                        static_cast<std::uint32_t>(settings.height));
                }),
       frames_(options.threads), guard_([this] { return guardFrame(); }) {}
 

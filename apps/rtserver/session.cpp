@@ -31,7 +31,7 @@ bool isParallel(rtcore::Vec3 a, rtcore::Vec3 b) {
 
 } // namespace
 
-Session::Session(const Options& options, std::function<void(int, int)> reserve)
+Session::Session(const Options& options, Reserve reserve)
     : frameSeconds(options.frameSeconds), options_(options), reserve_(std::move(reserve)), bloom_(kBloom) {}
 
 Session::~Session() = default;
@@ -66,7 +66,7 @@ void Session::show(std::unique_ptr<World> world) {
         loaded.camera = camera->camera;
     }
     const rtcore::RenderSettings settings = settingsOf(*world, camera ? &*camera : nullptr);
-    reserve_(settings.width, settings.height);
+    reserve_(settings);
     settings_ = settings;
     stopPlaying();
     recording_.reset();
@@ -105,8 +105,7 @@ void Session::setCamera(const rtcore::Camera& camera) {
 }
 
 void Session::setSettings(const rtcore::RenderSettings& settings) {
-    if (settings.width != settings_.width || settings.height != settings_.height)
-        reserve_(settings.width, settings.height);
+    if (settings.width != settings_.width || settings.height != settings_.height) reserve_(settings);
     settings_ = settings;
     touch();
 }

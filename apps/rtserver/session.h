@@ -29,8 +29,9 @@ namespace rtserver {
 /// One thread. What changes the next frame makes it stale().
 class Session {
   public:
-    /// `reserve` throws when frames of that size cannot be published. `options` must outlive it.
-    Session(const Options& options, std::function<void(int, int)> reserve);
+    using Reserve = std::function<void(const rtcore::RenderSettings&)>;
+    /// `reserve` throws when frames of such settings cannot be made and published. `options` must outlive it.
+    Session(const Options& options, Reserve reserve);
 
     ~Session();
 
@@ -116,7 +117,7 @@ class Session {
     void show(const Playback::Shot& shot);
 
     const Options& options_;
-    std::function<void(int, int)> reserve_;
+    Reserve reserve_;
     std::unique_ptr<World> world_;
     std::unique_ptr<rtcore::Player> player_; ///< refers to *world_
     rtcore::Camera camera_;

@@ -11,7 +11,7 @@
 #define HWY_TARGET_INCLUDE "rtcore/post/cosine_transform.cpp"
 #include <hwy/foreach_target.h>
 // The loop over targets comes before the code that is compiled for each of them.
-#include "rtcore/shading/vector_math-inl.h"
+#include "rtcore/post/complex_floats-inl.h"
 
 #ifndef RTCORE_POST_COSINE_TRANSFORM_TYPES
 #define RTCORE_POST_COSINE_TRANSFORM_TYPES
@@ -38,21 +38,6 @@ struct Stage {
 HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
-
-struct ComplexFloats {
-    Floats re, im;
-
-    friend HWY_INLINE ComplexFloats operator*(ComplexFloats a, ComplexFloats b) {
-        return {hn::Sub(hn::Mul(a.re, b.re), hn::Mul(a.im, b.im)),
-                hn::Add(hn::Mul(a.re, b.im), hn::Mul(a.im, b.re))};
-    }
-    friend HWY_INLINE ComplexFloats operator+(ComplexFloats a, ComplexFloats b) {
-        return {hn::Add(a.re, b.re), hn::Add(a.im, b.im)};
-    }
-    friend HWY_INLINE ComplexFloats operator-(ComplexFloats a, ComplexFloats b) {
-        return {hn::Sub(a.re, b.re), hn::Sub(a.im, b.im)};
-    }
-};
 
 HWY_INLINE ComplexFloats splat(CosineTransform::Root r) { return {constant(r.re), constant(r.im)}; }
 /// -i a

@@ -15,7 +15,7 @@
 #define HWY_TARGET_INCLUDE "rtcore/post/gaussian_blur.cpp"
 #include <hwy/foreach_target.h>
 // The loop over targets comes before the code that is compiled for each of them.
-#include "rtcore/shading/vector_math-inl.h"
+#include "rtcore/post/complex_floats-inl.h"
 
 #ifndef RTCORE_POST_GAUSSIAN_BLUR_TYPES
 #define RTCORE_POST_GAUSSIAN_BLUR_TYPES
@@ -49,18 +49,6 @@ struct RecursiveFilter {
 HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
-
-struct ComplexFloats {
-    Floats re, im;
-
-    friend HWY_INLINE ComplexFloats operator*(ComplexFloats a, ComplexFloats b) {
-        return {hn::Sub(hn::Mul(a.re, b.re), hn::Mul(a.im, b.im)),
-                hn::Add(hn::Mul(a.re, b.im), hn::Mul(a.im, b.re))};
-    }
-    friend HWY_INLINE ComplexFloats operator+(ComplexFloats a, ComplexFloats b) {
-        return {hn::Add(a.re, b.re), hn::Add(a.im, b.im)};
-    }
-};
 
 HWY_INLINE ComplexFloats splat(ComplexFloat c) { return {constant(c.re), constant(c.im)}; }
 HWY_INLINE Floats realOfProduct(ComplexFloats a, ComplexFloats b) {
