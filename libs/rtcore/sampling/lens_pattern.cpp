@@ -5,6 +5,7 @@
 namespace rtcore {
 
 std::uint32_t permuted(std::uint32_t i, std::uint32_t count, std::uint32_t key) {
+    if (count == 1) return 0;
     std::uint32_t mask = count - 1;
     for (const unsigned shift : {1U, 2U, 4U, 8U, 16U}) mask |= mask >> shift;
     // Each step has an inverse among the numbers up to the mask; those from `count` on are sent on.
