@@ -29,7 +29,7 @@ finish() {
     code=$?
     trap - EXIT
     [ -z "$window" ] || kill "$window" 2>/dev/null || true
-    "$bin/CUI" --instance="$name" exit >/dev/null 2>&1 || true
+    "$bin/CUI" --instance="$name" exit >/dev/null 2>&1 || "$bin/CUI" --instance="$name" free >/dev/null 2>&1 || true # killed for a picture
     kill "$xvfb" 2>/dev/null || true
     rm -rf "$work"
     [ "$mine" != /tmp/pictures ] || rm -rf "$mine"
