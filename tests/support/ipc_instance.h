@@ -1,4 +1,4 @@
-/// A server name and lock folder that no other test has, and nothing left of them afterwards.
+/// A server name and a folder that no other test has, and nothing left of them afterwards.
 #pragma once
 
 #include "ipc/platform/names.h"
@@ -16,7 +16,7 @@ class IpcInstance {
     IpcInstance()
         : name_(prefix() + std::to_string(ipc::processId()) + "-" +
                 std::to_string(ipc::randomTag() % 100000)) {
-        ::setenv("XDG_RUNTIME_DIR", folder_.path().c_str(), 1);
+        ::setenv("XDG_RUNTIME_DIR", folder_.path().c_str(), 1); // for what programs write there
     }
     ~IpcInstance() {
         for (const std::string& segment : segments()) ipc::Segment::remove(segment);

@@ -1,8 +1,10 @@
 #include "ipc/channel/command_queue.h"
 
+#include "ipc/channel/queue_check.h"
 #include "ipc/layout/message.h"
 #include "ipc/platform/boost_interprocess.h"
 #include "ipc/platform/error.h"
+#include "ipc/platform/names.h"
 #include "ipc/platform/segment.h"
 #include "ipc/platform/stage.h"
 #include "ipc/platform/system.h"
@@ -17,6 +19,11 @@ namespace {
 
 // Nearly what a queue takes, and a margin: before Boost 1.81 its memory was not reserved when it was made.
 constexpr std::size_t kQueueBytes = kCommandQueueLength * (kMaxMessageBytes + 64) + 65536;
+
+struct NameRemover {
+    std::string name;
+    ~NameRemover() { Segment::remove(name); }
+};
 
 } // namespace
 
@@ -58,7 +65,9 @@ QueueResult CommandSender::trySend(std::span<const std::byte> message) {
 }
 
 struct CommandReceiver::State {
-    explicit State(const std::string& name) : queue(bi::open_only, name.c_str()) {}
+    State(Segment map, const std::string& name)
+        : memory(std::move(map)), queue(bi::open_only, name.c_str()) {}
+    Segment memory; ///< to look at what Boost believes
     bi::message_queue queue;
     std::vector<std::byte> buffer = std::vector<std::byte>(kMaxMessageBytes);
 };
@@ -70,16 +79,15 @@ CommandReceiver& CommandReceiver::operator=(CommandReceiver&&) noexcept = defaul
 
 QueueResult CommandReceiver::open(const std::string& name, CommandReceiver& receiver) {
     try {
-        // Boost believes whatever it opens, so the file is looked at first.
-        if (!Segment::open(name, Access::Read, kCommandQueueLength * kMaxMessageBytes))
-            return QueueResult::Broken;
-        auto state = std::make_unique<State>(name);
-        Segment::remove(name);
+        // Boost believes whatever it opens. What we look at is what it opens: nobody else removes the new
+        // name, so nobody puts something else there.
+        const std::string ours = name + "-" + std::to_string(randomTag());
+        renameSegment(name, ours);
+        const NameRemover remover{ours};
+        std::optional<Segment> memory = Segment::open(ours, Access::Read, 1);
+        if (!memory || !isSoundQueue(*memory)) return QueueResult::Broken;
+        auto state = std::make_unique<State>(std::move(*memory), ours);
         stage("queue opened");
-        if (state->queue.get_max_msg() != kCommandQueueLength ||
-            state->queue.get_max_msg_size() != kMaxMessageBytes) {
-            return QueueResult::Broken;
-        }
         receiver.state_ = std::move(state);
         return QueueResult::Done;
     } catch (const bi::interprocess_exception&) {
@@ -90,6 +98,7 @@ QueueResult CommandReceiver::open(const std::string& name, CommandReceiver& rece
 }
 
 QueueResult CommandReceiver::tryReceive(std::vector<std::byte>& message) {
+    if (!isSoundQueue(state_->memory)) return QueueResult::Broken;
     try {
         bi::message_queue::size_type bytes = 0;
         unsigned priority = 0;

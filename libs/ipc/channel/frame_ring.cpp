@@ -28,13 +28,26 @@ std::size_t frameSegmentBytes(std::size_t frameBytes, std::uint32_t slots) {
 FrameRingWriter::FrameRingWriter(void* memory, std::size_t frameBytes, std::uint32_t slots,
                                  std::uint64_t epoch, std::uint64_t generation, std::uint64_t firstNumber)
     : segment_(static_cast<FrameSegment*>(memory)), capacity_(frameBytes), slotBytes_(roundUp(frameBytes)),
-      slots_(slots), next_(firstNumber) {
+      slots_(slots), epoch_(epoch), generation_(generation), next_(firstNumber) {
     segment_->epoch = epoch;
     segment_->generation = generation;
     segment_->slotBytes = slotBytes_;
     segment_->slots = slots;
     stage("frames laid out");
     segment_->magic.store(kFramesMagic, std::memory_order_release);
+}
+
+void FrameRingWriter::repair() {
+    keep(segment_->epoch, epoch_);
+    keep(segment_->generation, generation_);
+    keep(segment_->slotBytes, std::uint64_t{slotBytes_});
+    keep(segment_->slots, slots_);
+    keep(segment_->magic, kFramesMagic);
+    if (last_.number != 0) {
+        keep(slot(last_.number).info, last_);
+        keep(slot(last_.number).sequence, whole(last_.number));
+    }
+    keep(segment_->latest, last_.number);
 }
 
 std::span<std::byte> FrameRingWriter::begin() {
@@ -51,6 +64,7 @@ void FrameRingWriter::publish(FrameInfo info) {
     slot(next_).sequence.store(whole(next_), std::memory_order_release);
     stage("frame whole");
     segment_->latest.store(next_, std::memory_order_release);
+    last_ = info;
     ++next_;
 }
 

@@ -29,6 +29,8 @@ class FrameRingWriter {
     std::span<std::byte> begin();
     /// The frame that was begun is whole. Sets `info.number`; the rest is the caller's.
     void publish(FrameInfo info);
+    /// Writes again, where somebody else wrote over it, all that readers look at but the pixels.
+    void repair();
 
   private:
     FrameSlot& slot(std::uint64_t number) { return segment_->slot[number % slots_]; }
@@ -36,7 +38,8 @@ class FrameRingWriter {
     FrameSegment* segment_;
     std::size_t capacity_, slotBytes_; ///< own copies: the segment is written by nobody else, but who knows
     std::uint32_t slots_;
-    std::uint64_t next_;
+    std::uint64_t epoch_, generation_, next_;
+    FrameInfo last_; ///< number 0: none yet
 };
 
 enum class FrameRead {

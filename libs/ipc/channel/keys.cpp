@@ -1,17 +1,20 @@
 #include "ipc/channel/keys.h"
 
+#include "ipc/channel/shared_copy.h"
+
 namespace ipc {
 
 namespace {
 
 bool known(int key) { return key >= 0 && key < kMaxKeys; }
 std::uint64_t bit(int key) { return std::uint64_t{1} << (key % 64); }
+std::size_t word(int key) { return static_cast<std::size_t>(key / 64); }
 
 } // namespace
 
 void KeyWriter::press(KeyBoard* board, int key) {
     if (!known(key)) return;
-    down_.set(static_cast<std::size_t>(key));
+    down_[word(key)] |= bit(key);
     if (board == nullptr) return;
     board->presses[key].fetch_add(1, std::memory_order_relaxed);
     board->down[key / 64].fetch_or(bit(key), std::memory_order_release);
@@ -19,26 +22,23 @@ void KeyWriter::press(KeyBoard* board, int key) {
 
 void KeyWriter::release(KeyBoard* board, int key) {
     if (!known(key)) return;
-    down_.reset(static_cast<std::size_t>(key));
+    down_[word(key)] &= ~bit(key);
     if (board == nullptr) return;
     board->down[key / 64].fetch_and(~bit(key), std::memory_order_release);
 }
 
 void KeyWriter::releaseAll(KeyBoard* board) {
-    down_.reset();
-    if (board == nullptr) return;
-    for (auto& word : board->down) word.store(0, std::memory_order_release);
+    down_ = {};
+    if (board != nullptr) repair(*board);
 }
 
 void KeyWriter::restore(KeyBoard& board) const {
     for (auto& counter : board.presses) counter.store(0, std::memory_order_relaxed);
-    for (int word = 0; word < kMaxKeys / 64; ++word) {
-        std::uint64_t bits = 0;
-        for (int key = 64 * word; key < 64 * (word + 1); ++key) {
-            if (down_[static_cast<std::size_t>(key)]) bits |= bit(key);
-        }
-        board.down[word].store(bits, std::memory_order_release);
-    }
+    repair(board);
+}
+
+void KeyWriter::repair(KeyBoard& board) const {
+    for (std::size_t i = 0; i < down_.size(); ++i) keep(board.down[i], down_[i]);
 }
 
 void KeyReader::collect(const KeyBoard& board, KeyState& state) {

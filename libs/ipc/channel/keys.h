@@ -5,7 +5,6 @@
 #include "ipc/layout/key_state.h"
 
 #include <array>
-#include <bitset>
 #include <cstdint>
 
 namespace ipc {
@@ -18,9 +17,11 @@ class KeyWriter {
     void releaseAll(KeyBoard* board);
     /// Makes a new board hold what is down now, with all counters 0.
     void restore(KeyBoard& board) const;
+    /// The same for what is down, where somebody else wrote over it.
+    void repair(KeyBoard& board) const;
 
   private:
-    std::bitset<kMaxKeys> down_;
+    std::array<std::uint64_t, kMaxKeys / 64> down_{};
 };
 
 /// One client's board as the server sees it.

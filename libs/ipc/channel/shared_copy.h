@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 
 namespace ipc {
 
@@ -53,5 +54,17 @@ inline void fenceBeforeWriting() { std::atomic_thread_fence(std::memory_order_re
 inline void fenceAfterReading() { std::atomic_thread_fence(std::memory_order_acquire); }
 
 #endif
+
+/// A field of our own that should have this value. It is looked at often, and written only when somebody else
+/// wrote over it.
+template <class T>
+void keep(std::atomic<T>& field, T value) {
+    if (field.load(std::memory_order_relaxed) != value) field.store(value, std::memory_order_release);
+}
+template <class T>
+void keep(T& field, const T& value) {
+    static_assert(std::has_unique_object_representations_v<T>);
+    if (std::memcmp(&field, &value, sizeof(T)) != 0) copyToShared(&field, &value, sizeof(T));
+}
 
 } // namespace ipc

@@ -5,21 +5,20 @@
 
 namespace ipc {
 
-SlotLock SlotLock::take(const Names& names, const std::string& folder) {
+int takeSlot(const Names& names, const Link& link) {
     for (int slot = 0; slot < kMaxClients; ++slot) {
-        std::optional<OwnerLock> lock = OwnerLock::tryTake(names.clientLock(folder, slot));
-        if (!lock) continue;
+        if (!link.tryLockSlot(slot)) continue;
         // Whoever made these had the lock, and is dead.
         for (const std::string& queue : segmentNames(names.queuePrefix(slot))) Segment::remove(queue);
-        return {slot, folder, std::move(*lock)};
+        return slot;
     }
     throw Error(Problem::NoSlot, "server '" + names.instance() + "' has " + std::to_string(kMaxClients) +
                                      " clients, and takes no more; end one");
 }
 
-Attachment::Attachment(const Names& names, const Link& link, const SlotLock& lock, const KeyWriter& keys)
-    : block_(&link.block()), slot_(&block_->slots[lock.slot]), tag_(randomTag()),
-      sender_(names.queue(lock.slot, tag_)) {
+Attachment::Attachment(const Names& names, const Link& link, int slot, const KeyWriter& keys)
+    : block_(&link.block()), slot_(&block_->slots[slot]), tag_(randomTag()),
+      sender_(names.queue(slot, tag_)) {
     stage("queue made");
     slot_->clientProcess.store(processId(), std::memory_order_relaxed);
     slot_->wantsFrames.store(0, std::memory_order_relaxed);
@@ -37,7 +36,10 @@ Attachment::~Attachment() {
     ring(block_->bell);
 }
 
-bool Attachment::accepted() const { return slot_->droppedTag.load(std::memory_order_acquire) != tag_; }
+bool Attachment::accepted() const {
+    return slot_->clientTag.load(std::memory_order_relaxed) == tag_ &&
+           slot_->droppedTag.load(std::memory_order_acquire) != tag_;
+}
 
 QueueResult Attachment::trySend(const std::vector<std::byte>& message) {
     const QueueResult result = sender_.trySend(message);

@@ -5,32 +5,25 @@
 #include "ipc/channel/keys.h"
 #include "ipc/channel/reply_channel.h"
 #include "ipc/endpoint/link.h"
-#include "ipc/platform/owner_lock.h"
 
 namespace ipc {
 
-/// The lock that makes a slot ours. Kept while servers come and go.
-struct SlotLock {
-    int slot = -1;
-    std::string folder;
-    OwnerLock lock;
+/// Locks the first slot that nobody has, until `link` is gone. Throws Error NoSlot.
+int takeSlot(const Names& names, const Link& link);
 
-    /// The first slot that nobody holds. Throws Error NoSlot.
-    static SlotLock take(const Names& names, const std::string& folder);
-};
-
-/// One thread. `link` and `lock` must outlive it.
+/// One thread. `link` must outlive it.
 class Attachment {
   public:
     /// Makes a queue, then claims the slot with the keys that are down. Does not wait for the server.
-    Attachment(const Names& names, const Link& link, const SlotLock& lock, const KeyWriter& keys);
+    Attachment(const Names& names, const Link& link, int slot, const KeyWriter& keys);
     /// Gives the slot back.
     ~Attachment();
     Attachment(const Attachment&) = delete;
     Attachment& operator=(const Attachment&) = delete;
 
     ClientSlot& slot() const { return *slot_; }
-    /// False when the server will have no more of us: attach again.
+    /// False when the server will have no more of us, or took us for dead, or when somebody wrote over our
+    /// tag: attach again.
     bool accepted() const;
     QueueResult trySend(const std::vector<std::byte>& message);
     RingResult tryReceive(ReplyRecord& reply);

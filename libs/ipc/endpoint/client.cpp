@@ -28,25 +28,26 @@ struct Client::State {
         attach();
     }
 
-    // The old attachment goes first: it points into the link and belongs to the lock.
+    // The old attachment goes first: it points into the link.
     void attach() {
         attachment.reset();
-        if (!lock || lock->folder != link.lockFolder() || !lock->lock.stands()) {
-            lock.reset();
-            lock.emplace(SlotLock::take(names, link.lockFolder()));
-        }
+        if (slot < 0) slot = takeSlot(names, link);
         ++attachments;
-        attachment.emplace(names, link, *lock, keys);
+        attachment.emplace(names, link, slot, keys);
     }
     void follow(Link next) {
         attachment.reset();
-        loseAll();
         link = std::move(next);
-        attach();
+        slot = -1;
+        attachAgain();
     }
     void attachAgain() {
         loseAll();
-        attach();
+        try {
+            attach();
+        } catch (const Error& error) {
+            if (error.problem != Problem::System) throw; // short of descriptors: the next call tries again
+        }
     }
     void loseAll() {
         for (const Ticket ticket : open)
@@ -72,7 +73,7 @@ struct Client::State {
 
     Names names;
     Link link;
-    std::optional<SlotLock> lock;
+    int slot = -1; ///< ours, locked in the link; -1: none yet
     KeyWriter keys;
     std::optional<Attachment> attachment; ///< empty while attaching failed
     FrameFeed feed;
@@ -87,7 +88,10 @@ struct Client::State {
 
 LinkState Client::State::update() {
     const LinkState now = link.check();
-    if (now != LinkState::Gone && attachment && attachment->accepted()) return now;
+    if (now != LinkState::Gone && attachment && attachment->accepted()) {
+        keys.repair(attachment->slot().keys);
+        return now;
+    }
     collectAnswers(); // the last words of a server that ended in good order
     if (now == LinkState::Gone) {
         attachment.reset();

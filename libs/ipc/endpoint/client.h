@@ -45,7 +45,7 @@ enum class SendStatus {
 class Client {
   public:
     /// Waits up to `patience` for a server. Throws Error: BadName, NoServer, NoSlot, WrongVersion, NotYours,
-    /// NoSpace.
+    /// NoSpace, System.
     explicit Client(const std::string& instance = "default",
                     std::chrono::nanoseconds patience = std::chrono::seconds(2));
     /// Releases its keys. Commands that the server has not taken yet may be lost: see flush.
@@ -54,7 +54,8 @@ class Client {
     Client& operator=(const Client&) = delete;
 
     /// Looks whether the server lives; attaches to its successor. Every other function does it, too. Throws
-    /// Error WrongVersion, NotYours, NoSlot or NoSpace when there is one that cannot be attached to.
+    /// Error WrongVersion, NotYours, NoSlot or NoSpace when there is one that cannot be attached to. What the
+    /// system refuses for the moment, such as another descriptor, is tried again with the next call.
     LinkState update();
     std::uint64_t epoch() const; ///< another number after another server, or another start of it
     std::int64_t serverProcess() const;

@@ -1,5 +1,7 @@
 #include "ipc/endpoint/frame_feed.h"
 
+#include "ipc/platform/error.h"
+
 namespace ipc {
 
 bool FrameFeed::read(const Link& link, Frame& frame) {
@@ -12,12 +14,24 @@ bool FrameFeed::read(const Link& link, Frame& frame) {
     return true;
 }
 
+namespace {
+
+std::optional<Segment> openFrames(const std::string& name) {
+    try {
+        return Segment::open(name, Access::Read, kPixelsOffset);
+    } catch (const Error& error) {
+        if (error.problem != Problem::System) throw;
+        return std::nullopt; // short of descriptors or memory: the next call tries again
+    }
+}
+
+} // namespace
+
 // Until the new segment can be opened the old one serves on.
 bool FrameFeed::follow(const Link& link) {
     const std::uint64_t generation = link.block().pulse.frameGeneration.load(std::memory_order_acquire);
     if (generation != generation_ || link.epoch() != epoch_) {
-        std::optional<Segment> next =
-            Segment::open(names_.frames(link.epoch(), generation), Access::Read, kPixelsOffset);
+        std::optional<Segment> next = openFrames(names_.frames(link.epoch(), generation));
         if (next) {
             FrameRingReader reader(next->data(), next->bytes());
             if (reader.ready(link.epoch(), generation)) {

@@ -11,27 +11,37 @@ namespace ipc {
 
 namespace {
 
-// Another program's lock folder may be another than ours: the control segment tells.
-std::string lockFolderOf(const Names& names) {
-    try {
-        const std::optional<Segment> segment =
-            Segment::open(names.control(), Access::Read, sizeof(ControlHeader));
-        const std::optional<ControlFacts> facts = segment ? readControlFacts(*segment) : std::nullopt;
-        return facts ? facts->lockFolder : lockFolder();
-    } catch (const Error&) {
-        return lockFolder();
-    }
-}
-
-int clientsOf(const Names& names) {
-    const std::optional<Segment> segment = Segment::open(names.control(), Access::Read, sizeof(ControlBlock));
-    const std::optional<ControlFacts> facts = segment ? readControlFacts(*segment) : std::nullopt;
-    if (!facts || facts->handshake != ownHandshake()) return 0;
-    const ControlBlock& block = *static_cast<const ControlBlock*>(segment->data());
+int clientsOf(const Segment& segment, const ControlFacts& facts) {
+    if (facts.handshake != ownHandshake() || segment.bytes() < sizeof(ControlBlock)) return 0;
+    const ControlBlock& block = *static_cast<const ControlBlock*>(segment.data());
     return static_cast<int>(
         std::count_if(std::begin(block.slots), std::end(block.slots), [](const ClientSlot& slot) {
             return slot.servedTag.load(std::memory_order_acquire) != 0;
         }));
+}
+
+Instance describe(const std::string& name) {
+    Instance instance{.name = name};
+    try {
+        const std::optional<Segment> segment = Segment::open(Names(name).control(), Access::Read, 0);
+        instance.running = segment && serverLives(*segment);
+        const std::optional<ControlFacts> facts = segment ? readControlFacts(*segment) : std::nullopt;
+        if (!instance.running || !facts) return instance;
+        instance.process = facts->serverProcess;
+        instance.clients = clientsOf(*segment, *facts);
+    } catch (const Error&) {
+        return instance; // what cannot be opened is no server
+    }
+    return instance;
+}
+
+bool isInstanceName(const std::string& name) {
+    try {
+        const Names names(name);
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
 }
 
 } // namespace
@@ -44,23 +54,28 @@ std::vector<Instance> listInstances() {
     }
     std::vector<Instance> instances;
     for (const std::string& name : found) {
-        try {
-            const Names names(name);
-            const LockHolder holder = lockHolder(names.serverLock(lockFolderOf(names)));
-            instances.push_back({name, holder.held, holder.process, holder.held ? clientsOf(names) : 0});
-        } catch (const Error&) {
-            continue; // not a name of ours
-        }
+        if (isInstanceName(name)) instances.push_back(describe(name));
     }
     return instances;
 }
 
+bool isAvailable(const std::string& name) {
+    try {
+        const std::optional<Segment> segment = Segment::open(Names(name).control(), Access::Read, 0);
+        return !segment || !serverLives(*segment);
+    } catch (const Error& error) {
+        return error.problem != Problem::NotYours;
+    }
+}
+
 int freeInstance(const std::string& name) {
     const Names names(name);
-    const std::string folder = lockFolder();
-    const OwnerLock lock = takeServerLock(names, folder, Clock::now());
-    refuseServerElsewhere(names, folder);
-    return removeSegments(names);
+    const std::size_t found = segmentNames(names.prefix()).size();
+    if (found == 0) return 0;
+    const Segment control = claimControl(names, 0, Clock::now());
+    removeSegments(names);
+    Segment::remove(names.control());
+    return static_cast<int>(found);
 }
 
 } // namespace ipc

@@ -19,8 +19,11 @@ struct Instance {
 /// Sorted by name. Any thread.
 std::vector<Instance> listInstances();
 
+/// Whether a server may be started under that name: none runs, and nothing of another user is in its way.
+bool isAvailable(const std::string& name);
+
 /// Removes all shared memory of an instance that has no living server; returns how many names there were.
-/// Throws Error: BadName; AlreadyRunning, and removes nothing, when its server lives. Any thread.
+/// Throws Error: BadName; NotYours; AlreadyRunning, and removes nothing, when its server lives. Any thread.
 int freeInstance(const std::string& name);
 
 } // namespace ipc

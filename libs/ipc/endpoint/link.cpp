@@ -3,9 +3,9 @@
 #include "ipc/channel/shared_copy.h"
 #include "ipc/platform/boost_interprocess.h"
 #include "ipc/platform/error.h"
-#include "ipc/platform/owner_lock.h"
 
-#include <cstring>
+#include <cstddef>
+#include <thread>
 
 namespace ipc {
 
@@ -47,15 +47,24 @@ std::optional<ControlFacts> readControlFacts(const Segment& segment) {
     const auto& header = *static_cast<const ControlHeader*>(segment.data());
     if (header.magic.load(std::memory_order_acquire) != kControlMagic) return std::nullopt;
     ControlFacts facts;
-    facts.lockFolder.resize(kLockFolderBytes);
     copyFromShared(&facts.handshake, &header.handshake, sizeof(facts.handshake));
     copyFromShared(&facts.epoch, &header.epoch, sizeof(facts.epoch));
     copyFromShared(&facts.serverProcess, &header.serverProcess, sizeof(facts.serverProcess));
-    copyFromShared(facts.lockFolder.data(), header.lockFolder, kLockFolderBytes);
-    const std::size_t end = facts.lockFolder.find('\0');
-    if (end == std::string::npos || facts.lockFolder.front() != '/' || facts.epoch == 0) return std::nullopt;
-    facts.lockFolder.resize(end);
+    if (facts.epoch == 0) return std::nullopt;
     return facts;
+}
+
+bool serverLives(const Segment& segment) {
+    if (segment.locked(kServerLock)) return true;
+    const std::optional<ControlFacts> facts = readControlFacts(segment);
+    constexpr std::size_t known = offsetof(ControlBlock, pulse) + sizeof(ServerPulse);
+    if (!facts || facts->handshake == ownHandshake() || segment.bytes() < known) return false;
+    const ServerPulse& pulse = static_cast<const ControlBlock*>(segment.data())->pulse;
+    const std::uint64_t before = pulseOf(pulse);
+    for (int i = 0; i < 10 && pulseOf(pulse) == before; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return pulseOf(pulse) != before;
 }
 
 Link::Link(const Names& names, Segment segment, ControlFacts facts)
@@ -66,7 +75,7 @@ std::optional<Link> Link::open(const Names& names, Access access) {
     std::optional<Segment> segment = Segment::open(names.control(), access, sizeof(ControlHeader));
     if (!segment) return std::nullopt;
     std::optional<ControlFacts> facts = readControlFacts(*segment);
-    if (!facts || !lockHolder(names.serverLock(facts->lockFolder)).held) return std::nullopt;
+    if (!facts || !serverLives(*segment)) return std::nullopt;
     if (facts->handshake != ownHandshake()) wrongVersion(names, *facts);
     if (segment->bytes() < sizeof(ControlBlock)) return std::nullopt;
     Link link(names, std::move(*segment), std::move(*facts));
@@ -76,14 +85,22 @@ std::optional<Link> Link::open(const Names& names, Access access) {
 
 // The same epoch with a still pulse is a dead server's whose successor already has the lock.
 std::optional<Link> Link::successor(Access access) const {
-    std::optional<Link> next = open(names_, access);
+    std::optional<Link> next;
+    try {
+        next = open(names_, access);
+    } catch (const Error& error) {
+        if (error.problem != Problem::System) throw;
+    }
     if (next && next->epoch() == epoch() && next->pulse_ == pulse_) return std::nullopt;
     return next;
 }
 
 LinkState Link::check() {
     const ServerPhase phase = block().pulse.phase.load(std::memory_order_acquire);
-    if (phase != ServerPhase::Running) state_ = LinkState::Gone;
+    std::uint64_t epoch = 0;
+    copyFromShared(&epoch, &block().header.epoch, sizeof epoch);
+    // Another epoch in the same segment: somebody wrote over it, now or when it was read first.
+    if (phase != ServerPhase::Running || epoch != facts_.epoch) state_ = LinkState::Gone;
     if (state_ == LinkState::Gone) return state_;
     const Clock::time_point now = Clock::now();
     const std::uint64_t pulse = pulseOf(block().pulse);
@@ -100,15 +117,19 @@ LinkState Link::check() {
 }
 
 LinkState Link::probe(Clock::time_point now) const {
-    if (!lockHolder(names_.serverLock(facts_.lockFolder)).held || replaced()) return LinkState::Gone;
+    if (!segment_.locked(kServerLock) || replaced()) return LinkState::Gone;
     return now - lastPulse_ >= kBusyAfter ? LinkState::Busy : state_;
 }
 
-// A server that was killed and started again holds the lock before anybody sees it free: the epoch tells.
+// A stopped server whose names were removed still has its lock when another takes the name: the epoch tells.
 bool Link::replaced() const {
-    const std::optional<Segment> now = Segment::open(names_.control(), Access::Read, sizeof(ControlHeader));
-    const std::optional<ControlFacts> facts = now ? readControlFacts(*now) : std::nullopt;
-    return facts && facts->epoch != facts_.epoch;
+    try {
+        const std::optional<Segment> now = Segment::open(names_.control(), Access::Read, 0);
+        const std::optional<ControlFacts> facts = now ? readControlFacts(*now) : std::nullopt;
+        return facts && facts->epoch != facts_.epoch;
+    } catch (const Error&) {
+        return false; // short of descriptors, or not a server's: nothing that tells of a death
+    }
 }
 
 } // namespace ipc

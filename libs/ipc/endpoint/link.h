@@ -20,9 +20,12 @@ struct ControlFacts {
     Handshake handshake{};
     std::uint64_t epoch = 0;
     std::int64_t serverProcess = 0;
-    std::string lockFolder;
 };
 std::optional<ControlFacts> readControlFacts(const Segment& segment);
+
+/// Whether the server of a control segment lives: somebody else has the lock. A server of another version may
+/// lock something else; it lives when its pulse moves, which is watched for up to 50 ms.
+bool serverLives(const Segment& segment);
 
 /// One epoch of one server. One thread.
 class Link {
@@ -33,10 +36,11 @@ class Link {
     ControlBlock& block() const { return *static_cast<ControlBlock*>(segment_.data()); }
     std::uint64_t epoch() const { return facts_.epoch; }
     std::int64_t serverProcess() const { return facts_.serverProcess; }
-    const std::string& lockFolder() const { return facts_.lockFolder; }
+    /// Takes the slot of a client, until this object is gone. False when another client has it.
+    bool tryLockSlot(int slot) const { return segment_.tryLock(clientLock(slot)); }
 
-    /// The server's next epoch; or this one again, when it turns out to live (its lock file had been
-    /// removed). Otherwise as open. For a link that is Gone.
+    /// The server's next epoch; or this one again, when it turns out to live (somebody wrote over its phase).
+    /// Nothing, too, while the system is short of something. Otherwise as open. For a link that is Gone.
     std::optional<Link> successor(Access access) const;
 
     /// Cheap enough for every call. Silence alone never means death: a silent server that holds its lock is

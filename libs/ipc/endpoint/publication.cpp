@@ -1,5 +1,6 @@
 #include "ipc/endpoint/publication.h"
 
+#include "ipc/channel/shared_copy.h"
 #include "ipc/endpoint/link.h"
 #include "ipc/platform/error.h"
 #include "ipc/platform/stage.h"
@@ -11,25 +12,19 @@
 
 namespace ipc {
 
-Publication::Publication(const Names& names, const std::string& lockFolder, std::size_t frameBytes,
-                         std::uint32_t slots, std::uint64_t firstFrame)
-    : names_(names), epoch_(randomTag()), slots_(slots),
-      control_(Segment::create(names.control(), sizeof(ControlBlock))) {
+Publication::Publication(const Names& names, Segment control, std::size_t frameBytes, std::uint32_t slots,
+                         std::uint64_t firstFrame)
+    : names_(names), epoch_(randomTag()), slots_(slots), control_(std::move(control)) {
     try {
         stage("control made");
-        if (lockFolder.size() >= kLockFolderBytes)
-            throw Error(Problem::System, lockFolder + ": the path is too long");
-        ControlBlock& control = *new (control_.data()) ControlBlock;
-        initialise(control.bell);
-        for (ClientSlot& slot : control.slots) initialise(slot.bell);
-        ControlHeader& header = control.header;
+        ControlBlock& block = *new (control_.data()) ControlBlock;
+        ControlHeader& header = block.header;
         header.handshake = ownHandshake();
         header.epoch = epoch_;
         header.serverProcess = processId();
-        std::memcpy(header.lockFolder, lockFolder.c_str(), lockFolder.size() + 1);
         stage("header written");
         frames_ = makeFrames(1, frameBytes, firstFrame);
-        control.pulse.frameGeneration.store(1, std::memory_order_relaxed);
+        block.pulse.frameGeneration.store(1, std::memory_order_relaxed);
         stage("before magic");
         header.magic.store(kControlMagic, std::memory_order_release);
         stage("after magic");
@@ -70,12 +65,24 @@ void Publication::replaceFrames(std::size_t frameBytes) {
     frames_ = std::move(next);
 }
 
+void Publication::repair() {
+    ControlHeader& header = block().header;
+    keep(header.handshake, ownHandshake());
+    keep(header.epoch, epoch_);
+    keep(header.serverProcess, processId());
+    keep(header.magic, kControlMagic);
+    keep(block().pulse.frameGeneration, frames_->generation);
+    keep(block().pulse.phase, ServerPhase::Running);
+    frames_->ring.repair();
+}
+
 void Publication::end(ServerPhase last) {
     ended_ = true;
     block().pulse.phase.store(last, std::memory_order_release);
     // A name that we lost may stand for somebody else's segment.
     if (control_.named()) Segment::remove(names_.control());
     Segment::remove(names_.frames(epoch_, frames_->generation));
+    control_.unlock(kServerLock);
     for (ClientSlot& slot : block().slots) ring(slot.bell);
 }
 

@@ -15,9 +15,10 @@ namespace ipc {
 /// One thread. Its names are removed by the destructor.
 class Publication {
   public:
-    /// Complete when it can be found. Frames count on from `firstFrame`. Throws Error; nothing is left then.
-    Publication(const Names& names, const std::string& lockFolder, std::size_t frameBytes,
-                std::uint32_t slots, std::uint64_t firstFrame);
+    /// Fills `control`, which we have locked; found by others only when it is complete. Frames count on from
+    /// `firstFrame`. Throws Error; nothing is left then.
+    Publication(const Names& names, Segment control, std::size_t frameBytes, std::uint32_t slots,
+                std::uint64_t firstFrame);
     ~Publication();
     Publication(const Publication&) = delete;
     Publication& operator=(const Publication&) = delete;
@@ -34,8 +35,13 @@ class Publication {
     /// Another frame segment takes the place of this one, with the last frame in it. On failure (Error
     /// NoSpace) this one stays.
     void replaceFrames(std::size_t frameBytes);
-    /// False once somebody removed one of the names.
-    bool named() const { return control_.named() && frames_->segment.named(); }
+    /// False once somebody removed the name of the control segment; of the frame segment.
+    bool named() const { return control_.named(); }
+    bool framesNamed() const { return frames_->segment.named(); }
+    /// Whether the client that claimed the slot lives.
+    bool slotLocked(int slot) const { return control_.locked(clientLock(slot)); }
+    /// Writes again what only we write and nobody may change, where somebody did.
+    void repair();
     /// Tells who is attached that this is over, and removes the names.
     void end(ServerPhase last);
 

@@ -1,6 +1,7 @@
 #include "ipc/endpoint/served_client.h"
 
 #include "ipc/channel/message.h"
+#include "ipc/channel/shared_copy.h"
 #include "ipc/platform/stage.h"
 
 #include <algorithm>
@@ -17,10 +18,16 @@ constexpr int kMaxMalformedPerSecond = 100;
 bool ServedClient::look(int index, ClientSlot& slot, const Names& names, std::uint64_t epoch,
                         std::vector<Command>& commands) {
     const std::uint64_t tag = slot.clientTag.load(std::memory_order_acquire);
-    if (tag == tag_ || (tag != 0 && tag == slot.droppedTag.load(std::memory_order_relaxed))) return false;
+    if (tag == tag_ || (tag != 0 && tag == dropped_)) return false;
     if (active()) leave(slot, epoch, commands);
     if (tag != 0) adopt(index, slot, names, tag);
     return true;
+}
+
+void ServedClient::repair(ClientSlot& slot) const {
+    keep(slot.droppedTag, dropped_);
+    keep(slot.servedTag, tag_);
+    if (active()) keep(slot.taken, lastSequence_);
 }
 
 void ServedClient::declareDead(ClientSlot& slot, std::uint64_t tag) {
@@ -51,6 +58,7 @@ void ServedClient::adopt(int index, ClientSlot& slot, const Names& names, std::u
 
 void ServedClient::drop(ClientSlot& slot, DropReason reason) {
     slot.dropReason.store(reason, std::memory_order_relaxed);
+    dropped_ = tag_;
     slot.droppedTag.store(tag_, std::memory_order_release);
     slot.servedTag.store(0, std::memory_order_release);
     tag_ = 0;

@@ -22,6 +22,8 @@ class ServedClient {
     /// Sees whether the slot changed hands. The last commands of who left go to `commands`. True when it did.
     bool look(int index, ClientSlot& slot, const Names& names, std::uint64_t epoch,
               std::vector<Command>& commands);
+    /// Writes again what only the server writes, where somebody else wrote over it.
+    void repair(ClientSlot& slot) const;
     /// To be called when the slot's lock was free while `tag` was in it: its owner is dead.
     static void declareDead(ClientSlot& slot, std::uint64_t tag);
     std::uint64_t tag() const { return tag_; }
@@ -44,6 +46,7 @@ class ServedClient {
 
     int index_ = -1;
     std::uint64_t tag_ = 0;
+    std::uint64_t dropped_ = 0; ///< the last tag that is not served (again)
     CommandReceiver queue_;
     std::uint64_t lastSequence_ = 0;
     int unanswered_ = 0;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <new>
 #include <utility>
 
 namespace ipc {
@@ -37,15 +38,13 @@ std::uint32_t checkedSlots(std::uint32_t slots) { return std::clamp(slots, kMinF
 
 struct Server::State {
     explicit State(const ServerOptions& options)
-        : names(options.instance), folder(lockFolder()),
-          lock(takeServerLock(names, folder, Clock::now() + options.patience)),
-          slots(checkedSlots(options.frameSlots)), process(processId()) {
+        : names(options.instance), slots(checkedSlots(options.frameSlots)), process(processId()) {
+        const std::size_t frameBytes = checkedBytes(options.width, options.height);
+        Segment control = claimControl(names, sizeof(ControlBlock), Clock::now() + options.patience);
         stage("server locked");
-        refuseServerElsewhere(names, folder);
         removeSegments(names);
         stage("names cleared");
-        publication = std::make_unique<Publication>(names, folder,
-                                                    checkedBytes(options.width, options.height), slots, 1);
+        publication = std::make_unique<Publication>(names, std::move(control), frameBytes, slots, 1);
     }
 
     ControlBlock& block() const { return publication->block(); }
@@ -53,13 +52,13 @@ struct Server::State {
 
     bool lookAtSlots();
     void sweep();
+    void repair();
     void housekeep();
+    void lookAfterNames();
     void removeLeftQueues() const;
     void publishAnew();
 
     Names names;
-    std::string folder;
-    OwnerLock lock;
     std::uint32_t slots;
     std::int64_t process;
     std::unique_ptr<Publication> publication;
@@ -87,10 +86,11 @@ void Server::State::sweep() {
         lastSweep = now;
         for (int i = 0; i < kMaxClients; ++i) {
             const ServedClient& client = clients[static_cast<std::size_t>(i)];
-            if (client.active() && !lockHolder(names.clientLock(folder, i)).held) {
+            if (client.active() && !publication->slotLocked(i)) {
                 ServedClient::declareDead(block().slots[i], client.tag());
             }
         }
+        repair();
     }
     if (now - lastHousekeeping >= kHousekeepingEvery && !drawing) {
         lastHousekeeping = now;
@@ -98,39 +98,56 @@ void Server::State::sweep() {
     }
 }
 
-void Server::State::housekeep() {
-    removeLeftQueues();
-    if (!lock.stands()) lock = takeServerLock(names, folder, Clock::now());
-    if (!publication->named()) publishAnew();
+// What a buggy client wrote over is gone before anybody looks for long.
+void Server::State::repair() {
+    publication->repair();
+    for (int i = 0; i < kMaxClients; ++i) clients[static_cast<std::size_t>(i)].repair(block().slots[i]);
+    Sequenced<Status>& shared = block().status;
+    const bool whole = shared.sequence.load(std::memory_order_relaxed) % 2 == 0;
+    if (!whole || std::memcmp(&shared.value, &status, sizeof status) != 0) write(shared, status);
 }
 
-// A queue is made by who holds the slot's lock. Seen before the lock was found free, it has no owner.
-void Server::State::removeLeftQueues() const {
-    for (const std::string& name : segmentNames(names.prefix() + "q")) {
-        const int slot = names.slotOfQueue(name);
-        if (slot >= 0 && !lockHolder(names.clientLock(folder, slot)).held) Segment::remove(name);
+// Only another server ends this one. Whatever else fails is tried again in a second.
+void Server::State::housekeep() {
+    try {
+        removeLeftQueues();
+        lookAfterNames();
+    } catch (const Error& error) {
+        if (error.problem == Problem::AlreadyRunning) throw;
+    } catch (const std::bad_alloc&) {
+        return;
     }
 }
 
+// A queue is made by who has locked the slot. Seen before the lock was found free, it has no owner.
+void Server::State::removeLeftQueues() const {
+    for (const std::string& name : segmentNames(names.prefix() + "q")) {
+        const int slot = names.slotOfQueue(name);
+        if (slot >= 0 && !publication->slotLocked(slot)) Segment::remove(name);
+    }
+}
+
+void Server::State::lookAfterNames() {
+    if (!publication->named()) publishAnew();
+    if (!publication->framesNamed()) publication->replaceFrames(publication->frames().capacity());
+}
+
 // Clients find the new control segment as they would find another server's. On failure the old one serves on,
-// for those who have it, and the next second tries again.
+// for those who have it.
 void Server::State::publishAnew() {
+    std::optional<Segment> control = tryClaimControl(names, sizeof(ControlBlock));
+    if (!control) return refuseRival(names);
     lookAtSlots();
     for (int i = 0; i < kMaxClients; ++i) {
         ServedClient& client = clients[static_cast<std::size_t>(i)];
         if (client.active()) client.leave(block().slots[i], publication->epoch(), backlog);
     }
-    removeSegments(names);
-    try {
-        auto next = std::make_unique<Publication>(names, folder, publication->frames().capacity(), slots,
-                                                  std::max<std::uint64_t>(1, shown));
-        next->takeLastFrame(publication->frameMemory());
-        write(next->block().status, status);
-        publication->end(ServerPhase::Replaced);
-        publication = std::move(next);
-    } catch (const Error&) {
-        return;
-    }
+    auto next = std::make_unique<Publication>(names, std::move(*control), publication->frames().capacity(),
+                                              slots, std::max<std::uint64_t>(1, shown));
+    next->takeLastFrame(publication->frameMemory());
+    write(next->block().status, status);
+    publication->end(ServerPhase::Replaced);
+    publication = std::move(next);
 }
 
 Server::Server(const ServerOptions& options) : state_(std::make_unique<State>(options)) {}

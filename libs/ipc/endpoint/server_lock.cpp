@@ -1,6 +1,7 @@
 #include "ipc/endpoint/server_lock.h"
 
 #include "ipc/endpoint/link.h"
+#include "ipc/layout/control_block.h"
 #include "ipc/platform/error.h"
 
 #include <thread>
@@ -9,46 +10,54 @@ namespace ipc {
 
 namespace {
 
-[[noreturn]] void alreadyRunning(const Names& names, std::int64_t process) {
-    const std::string who = process != 0 ? " (process " + std::to_string(process) + ")" : "";
+[[noreturn]] void alreadyRunning(const Names& names, const std::optional<ControlFacts>& facts) {
+    const std::string who = facts ? " (process " + std::to_string(facts->serverProcess) + ")" : "";
     throw Error(Problem::AlreadyRunning, "server '" + names.instance() + "' is already running" + who +
                                              "; stop it or name another instance");
 }
 
-// What cannot even be opened as ours is left to whoever creates the name.
 std::optional<ControlFacts> factsByName(const Names& names) {
+    const std::optional<Segment> segment = Segment::open(names.control(), Access::Read, 0);
+    return segment ? readControlFacts(*segment) : std::nullopt;
+}
+
+// Only who has the lock removes the name, and only while it stands for what is locked: so no two can.
+void removeDead(const Names& names) {
     try {
-        const std::optional<Segment> segment =
-            Segment::open(names.control(), Access::Read, sizeof(ControlHeader));
-        return segment ? readControlFacts(*segment) : std::nullopt;
-    } catch (const Error&) {
-        return std::nullopt;
+        const std::optional<Segment> found = Segment::open(names.control(), Access::Write, 0);
+        if (!found || serverLives(*found) || !found->tryLock(kServerLock)) return;
+        if (found->named()) Segment::remove(names.control());
+    } catch (const Error& error) {
+        if (error.problem != Problem::NotYours) throw;
+        Segment::remove(names.control()); // a link of ours, a file that is open to others
+        (void)Segment::open(names.control(), Access::Read, 0); // throws again when it is still there
     }
 }
 
 } // namespace
 
-OwnerLock takeServerLock(const Names& names, const std::string& folder, Clock::time_point deadline) {
-    const std::string path = names.serverLock(folder);
+std::optional<Segment> tryClaimControl(const Names& names, std::size_t bytes) {
+    removeDead(names);
+    return Segment::createLocked(names.control(), bytes, kServerLock);
+}
+
+Segment claimControl(const Names& names, std::size_t bytes, Clock::time_point deadline) {
     while (true) {
-        if (std::optional<OwnerLock> lock = OwnerLock::tryTake(path)) return std::move(*lock);
-        if (Clock::now() >= deadline) alreadyRunning(names, lockHolder(path).process);
+        if (std::optional<Segment> control = tryClaimControl(names, bytes)) return std::move(*control);
+        if (Clock::now() >= deadline) alreadyRunning(names, factsByName(names));
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
 }
 
-void refuseServerElsewhere(const Names& names, const std::string& folder) {
+void refuseRival(const Names& names) {
     const std::optional<ControlFacts> facts = factsByName(names);
-    if (!facts || facts->lockFolder == folder) return;
-    const LockHolder holder = lockHolder(names.serverLock(facts->lockFolder));
-    if (holder.held) alreadyRunning(names, holder.process);
+    if (facts) alreadyRunning(names, facts);
 }
 
-int removeSegments(const Names& names) {
-    const std::vector<std::string> found = segmentNames(names.prefix());
-    for (const std::string& name : found) Segment::remove(name);
-    Segment::remove(names.control()); // where segments cannot be listed
-    return static_cast<int>(found.size());
+void removeSegments(const Names& names) {
+    for (const std::string& name : segmentNames(names.prefix())) {
+        if (name != names.control()) Segment::remove(name);
+    }
 }
 
 } // namespace ipc

@@ -1,20 +1,28 @@
-/// The right to be the server of an instance.
+/// The right to be the server of an instance: the lock on its control segment, while the name stands for it.
 #pragma once
 
 #include "ipc/platform/names.h"
-#include "ipc/platform/owner_lock.h"
+#include "ipc/platform/segment.h"
+#include "ipc/platform/system.h"
+
+#include <optional>
 
 namespace ipc {
 
-/// Tries until `deadline` (a killed server is alive until its memory is torn down). Throws Error
-/// AlreadyRunning.
-OwnerLock takeServerLock(const Names& names, const std::string& folder, Clock::time_point deadline);
+/// The control segment of the instance: new, zeroed and locked by us. What a dead server left at the name is
+/// removed. Nothing while another server has the lock. Throws Error: NotYours when what is there cannot be
+/// removed, NoSpace, System.
+std::optional<Segment> tryClaimControl(const Names& names, std::size_t bytes);
 
-/// A server may hold its lock in another folder than ours, when its environment is another.
-/// Throws Error AlreadyRunning then.
-void refuseServerElsewhere(const Names& names, const std::string& folder);
+/// The same, tried until `deadline` (a killed server is alive until its memory is torn down). Throws Error
+/// AlreadyRunning, too.
+Segment claimControl(const Names& names, std::size_t bytes, Clock::time_point deadline);
 
-/// All names of the instance. Only for who holds its lock. Returns how many there were.
-int removeSegments(const Names& names);
+/// Throws Error AlreadyRunning when the control segment of that name is complete: it is not somebody's who is
+/// just starting, or just removes the names of a dead server.
+void refuseRival(const Names& names);
+
+/// All names of the instance but the control segment's. Only for who has the lock.
+void removeSegments(const Names& names);
 
 } // namespace ipc

@@ -17,7 +17,7 @@ namespace ipc {
 class Viewer {
   public:
     /// Waits up to `patience` for a server of this instance. Throws Error: BadName, NoServer, WrongVersion,
-    /// NotYours.
+    /// NotYours, System.
     explicit Viewer(const std::string& instance = "default",
                     std::chrono::nanoseconds patience = std::chrono::seconds(2));
     ~Viewer();

@@ -20,7 +20,10 @@ static_assert(std::atomic<std::uint64_t>::is_always_lock_free &&
               "other atomics are not shared between processes");
 
 inline constexpr std::uint64_t kControlMagic = 0x314C544353545221; ///< "!RTSCTL1"
-inline constexpr std::size_t kLockFolderBytes = 512;
+
+/// Bytes of the segment that are locked. A lock is the only proof that its holder lives.
+inline constexpr std::uint64_t kServerLock = 0;
+constexpr std::uint64_t clientLock(int slot) { return 1 + static_cast<std::uint64_t>(slot); }
 
 /// What both sides must agree on before they read on. Never reordered, only appended to.
 struct Handshake {
@@ -39,12 +42,13 @@ enum class ServerPhase : std::uint32_t {
     Replaced = 2, ///< the same server goes on with a new control segment
 };
 
+/// It and the pulse stay where they are in all versions, so that each can tell of the others.
 struct alignas(64) ControlHeader {
     std::atomic<std::uint64_t> magic; ///< server, stored last: what it vouches for is complete
     Handshake handshake;
     std::uint64_t epoch; ///< random: another start of the server has another one
     std::int64_t serverProcess;
-    char lockFolder[kLockFolderBytes]; ///< where the lock files are, NUL-terminated
+    std::byte reserved[512]; ///< so that the pulse lies where protocol 1 has it
 };
 
 struct alignas(64) ServerPulse {
@@ -75,7 +79,7 @@ enum class DropReason : std::uint32_t {
     BadReplies = 4,  ///< the reply ring makes no sense
 };
 
-/// Slot k belongs to the process that holds the lock file of client k.
+/// Slot k belongs to the process that holds the lock of byte clientLock(k).
 struct alignas(64) ClientSlot {
     std::atomic<std::uint64_t> clientTag;    ///< client, stored last: random, names its queue; 0 = nobody
     std::atomic<std::int64_t> clientProcess; ///< client

@@ -16,15 +16,17 @@ struct Status {
     float eye[3] = {0, 0, 0};      ///< camera position, scene units
     float forward[3] = {0, 0, -1}; ///< unit vector
     float up[3] = {0, 1, 0};       ///< unit vector
-    float fieldOfView = 0;         ///< horizontal, degrees
+    float fieldOfView = 0;         ///< horizontal, degrees; 0 of an orthographic view
     float exposure = 0;            ///< the constant of the tone mapping
     float progress = 0;            ///< of work that takes long, 0..1; 1 = nothing under way
     std::uint32_t mode = 0;        ///< a number of the server's own, such as flying or walking
     std::uint32_t idle = 0;        ///< 1: the next frame would equal the last
     std::uint32_t paused = 0;      ///< 1: no frame comes until the server is told to resume
     std::uint32_t recording = 0;   ///< 1: frames are being recorded
+    std::uint32_t messages = 0;    ///< how many the server has had for those who look on; grows
+    std::uint32_t unused = 0;      ///< always 0
     friend bool operator==(const Status&, const Status&) = default;
 };
-static_assert(std::is_trivially_copyable_v<Status> && sizeof(Status) == 104 && alignof(Status) == 8);
+static_assert(std::is_trivially_copyable_v<Status> && sizeof(Status) == 112 && alignof(Status) == 8);
 
 } // namespace ipc

@@ -50,10 +50,6 @@ int Names::slotOfQueue(std::string_view name) const {
     return whole && slot >= 0 && slot < kMaxClients ? slot : -1;
 }
 
-std::string Names::clientLock(const std::string& folder, int slot) const {
-    return folder + "/" + instance_ + ".c" + std::to_string(slot) + ".lock";
-}
-
 std::uint64_t randomTag() {
     std::random_device source;
     std::uint64_t tag = 0;

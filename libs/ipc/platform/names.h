@@ -1,4 +1,4 @@
-/// What segments and lock files are called: `rts.<user>.<instance>.<what>`. Different users and instances
+/// What segments are called: `rts.<user>.<instance>.<what>`. Different users and instances
 /// never meet.
 #pragma once
 
@@ -22,9 +22,6 @@ class Names {
     std::string queue(int slot, std::uint64_t tag) const;
     /// The slot of a queue's name; -1 when it is not one.
     int slotOfQueue(std::string_view name) const;
-
-    std::string serverLock(const std::string& folder) const { return folder + "/" + instance_ + ".srv.lock"; }
-    std::string clientLock(const std::string& folder, int slot) const;
 
   private:
     std::string instance_, prefix_;

@@ -13,14 +13,36 @@ namespace ipc {
 namespace bi = boost::interprocess;
 
 struct Segment::State {
-    bi::shared_memory_object memory;
+    ~State() {
+        if (opened >= 0) closeSegment(opened);
+    }
+    int descriptor() const { return opened >= 0 ? opened : made.get_mapping_handle().handle; }
+    // What Boost's map asks of a segment: those of others are not opened by Boost, which would wait for the
+    // other end of a pipe.
+    bi::mapping_handle_t get_mapping_handle() const { return {descriptor(), false}; }
+    void fill(const std::string& name, std::size_t bytes) {
+        try {
+            stage("segment made");
+            if (bytes == 0) return;
+            reserveSpace(descriptor(), bytes, name);
+            stage("segment reserved");
+            map = bi::mapped_region(*this, bi::read_write, 0, bytes);
+        } catch (...) {
+            remove(name);
+            throw;
+        }
+    }
+
+    bi::shared_memory_object made;
+    int opened = -1;
     bi::mapped_region map;
 };
 
 namespace {
 
 [[noreturn]] void notYours(const std::string& name, const std::string& why) {
-    throw Error(Problem::NotYours, "shared memory " + name + ": " + why);
+    throw Error(Problem::NotYours,
+                "shared memory " + name + ": " + why + "; remove it or name another instance");
 }
 
 } // namespace
@@ -30,63 +52,65 @@ Segment::Segment(Segment&&) noexcept = default;
 Segment& Segment::operator=(Segment&&) noexcept = default;
 Segment::~Segment() = default;
 
-Segment Segment::create(const std::string& name, std::size_t bytes) {
+// Nothing when the name is taken.
+std::unique_ptr<Segment::State> Segment::make(const std::string& name) {
     try {
         auto state = std::make_unique<State>();
-        state->memory =
+        state->made =
             bi::shared_memory_object(bi::create_only, name.c_str(), bi::read_write, bi::permissions(0600));
-        try {
-            stage("segment made");
-            reserveSpace(state->memory.get_mapping_handle().handle, bytes, name);
-            stage("segment reserved");
-            state->map = bi::mapped_region(state->memory, bi::read_write, 0, bytes);
-        } catch (...) {
-            remove(name);
-            throw;
-        }
-        return Segment(std::move(state));
+        return state;
     } catch (const bi::interprocess_exception& error) {
-        if (error.get_error_code() == bi::already_exists_error)
-            notYours(name, "the name is taken and cannot be removed");
+        if (error.get_error_code() == bi::already_exists_error) return nullptr;
         throw Error(Problem::System, "shared memory " + name + ": " + error.what());
     }
+}
+
+Segment Segment::create(const std::string& name, std::size_t bytes) {
+    std::unique_ptr<State> state = make(name);
+    if (!state) notYours(name, "the name is taken");
+    state->fill(name, bytes);
+    return Segment(std::move(state));
+}
+
+std::optional<Segment> Segment::createLocked(const std::string& name, std::size_t bytes, std::uint64_t byte) {
+    std::unique_ptr<State> state = make(name);
+    if (!state) return std::nullopt;
+    stage("segment unlocked");
+    // From now on nobody removes the name: that is for who has the lock.
+    if (!tryLockByte(state->descriptor(), byte) || !factsOf(state->descriptor()).named) return std::nullopt;
+    state->fill(name, bytes);
+    return Segment(std::move(state));
 }
 
 std::optional<Segment> Segment::open(const std::string& name, Access access, std::size_t atLeast) {
-    const bi::mode_t mode = access == Access::Read ? bi::read_only : bi::read_write;
+    auto state = std::make_unique<State>();
+    state->opened = openSegment(name, access == Access::Write);
+    if (state->opened < 0) return std::nullopt;
+    const SegmentFacts facts = factsOf(state->opened);
+    if (!facts.regular) notYours(name, "is not a segment");
+    if (!facts.ours) notYours(name, "belongs to another user or is open to others");
+    if (facts.bytes < atLeast) return std::nullopt;
     try {
-        auto state = std::make_unique<State>();
-        state->memory = bi::shared_memory_object(bi::open_only, name.c_str(), mode);
-        const SegmentFacts facts = factsOf(state->memory.get_mapping_handle().handle);
-        if (!facts.regular) notYours(name, "is not a segment");
-        if (!facts.ours) notYours(name, "belongs to another user or is open to others; remove it");
-        if (facts.bytes < atLeast) return std::nullopt;
-        state->map = bi::mapped_region(state->memory, mode, 0, facts.bytes);
-        return Segment(std::move(state));
-    } catch (const bi::interprocess_exception& error) {
-        const bi::error_code_t code = error.get_error_code();
-        if (code == bi::not_found_error) return std::nullopt;
-        if (code == bi::out_of_resource_error || code == bi::out_of_memory_error) {
-            throw Error(Problem::System, "shared memory " + name + ": " + error.what());
-        }
-        notYours(name, error.what()); // no permission, a link, a folder
-    }
-}
-
-void Segment::reserve(const std::string& name) {
-    try {
-        const bi::shared_memory_object memory(bi::open_only, name.c_str(), bi::read_write);
-        const int handle = memory.get_mapping_handle().handle;
-        reserveSpace(handle, factsOf(handle).bytes, name);
+        const bi::mode_t mode = access == Access::Read ? bi::read_only : bi::read_write;
+        if (facts.bytes > 0) state->map = bi::mapped_region(*state, mode, 0, facts.bytes);
     } catch (const bi::interprocess_exception& error) {
         throw Error(Problem::System, "shared memory " + name + ": " + error.what());
     }
+    return Segment(std::move(state));
+}
+
+void Segment::reserve(const std::string& name) {
+    const std::optional<Segment> segment = open(name, Access::Write, 0);
+    if (segment) reserveSpace(segment->state_->descriptor(), segment->bytes(), name);
 }
 
 void Segment::remove(const std::string& name) noexcept { bi::shared_memory_object::remove(name.c_str()); }
 
 void* Segment::data() const { return state_->map.get_address(); }
 std::size_t Segment::bytes() const { return state_->map.get_size(); }
-bool Segment::named() const { return factsOf(state_->memory.get_mapping_handle().handle).named; }
+bool Segment::named() const { return factsOf(state_->descriptor()).named; }
+bool Segment::tryLock(std::uint64_t byte) const { return tryLockByte(state_->descriptor(), byte); }
+void Segment::unlock(std::uint64_t byte) const { unlockByte(state_->descriptor(), byte); }
+bool Segment::locked(std::uint64_t byte) const { return isByteLocked(state_->descriptor(), byte); }
 
 } // namespace ipc

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,8 +17,13 @@ class Segment {
     /// New, zeroed, mode 0600, its memory reserved. Throws Error: NotYours when the name is taken, NoSpace,
     /// System.
     static Segment create(const std::string& name, std::size_t bytes);
+    /// The same with a byte of it locked by us as soon as it is there. Nothing when the name is taken, or
+    /// when somebody found it before it was locked, and removed it. Throws Error: NoSpace, System.
+    static std::optional<Segment> createLocked(const std::string& name, std::size_t bytes,
+                                               std::uint64_t byte);
     /// Nothing when there is no such segment, or when it has less than `atLeast` bytes (its maker is not
-    /// done, or died). Throws Error NotYours when it is not a segment of this user alone.
+    /// done, or died). Never waits. Throws Error: NotYours when it is not a segment of this user alone,
+    /// System.
     static std::optional<Segment> open(const std::string& name, Access access, std::size_t atLeast);
     /// Reserves the memory of a segment that another library made. Throws Error NoSpace, System.
     static void reserve(const std::string& name);
@@ -33,9 +39,17 @@ class Segment {
     /// False once its name was removed.
     bool named() const;
 
+    /// Locks a byte, whether the segment has it or not, until this object and its maps are gone: see
+    /// tryLockByte. False when another object or process has it. Throws Error System.
+    bool tryLock(std::uint64_t byte) const;
+    void unlock(std::uint64_t byte) const;
+    /// Whether another object or process has it; true when the system cannot tell.
+    bool locked(std::uint64_t byte) const;
+
   private:
     struct State;
     explicit Segment(std::unique_ptr<State> state);
+    static std::unique_ptr<State> make(const std::string& name);
     std::unique_ptr<State> state_;
 };
 

@@ -16,27 +16,23 @@ using Clock = std::chrono::steady_clock;
 std::uint32_t userId();
 std::int64_t processId();
 
-/// The folder of the lock files, made when missing, with mode 0700: $XDG_RUNTIME_DIR/rts, or a folder of this
-/// user in the temporary folder. Throws Error NotYours when somebody else made it.
-std::string lockFolder();
+/// Opens a segment without ever waiting for anybody, whatever lies at its name: -1 when there is none. Throws
+/// Error: NotYours when it is a link or may not be opened, System.
+int openSegment(const std::string& name, bool writing);
+void closeSegment(int segment);
+/// Throws Error NotYours when that cannot be done.
+void renameSegment(const std::string& from, const std::string& to);
 
-/// Makes an empty file with mode 0600 unless it is there. Throws Error.
-void createPrivateFile(const std::string& path);
-
-/// Tells one file from another that has the same path; {0, 0} when there is none.
-struct FileIdentity {
-    std::uint64_t device = 0, number = 0;
-    friend bool operator==(const FileIdentity&, const FileIdentity&) = default;
-};
-FileIdentity identityOf(const std::string& path);
-
-/// Who locks a file, without locking it.
-struct LockHolder {
-    bool held = false;
-    std::int64_t process = 0; ///< 0 when it is in a place where its number means nothing here
-};
-/// Of another process: closing the file here would drop a lock of our own.
-LockHolder foreignLockHolder(const std::string& path);
+/// A lock on one byte of a segment, whether it has that byte or not. The system drops it when the process
+/// that took it ends, however it ends, once its memory is torn down. It belongs to the descriptor (and to its
+/// maps, and those of children that were forked without exec): nothing is lost by closing another descriptor
+/// of the segment, nor by removing its name. False when another descriptor, of this process or another, has
+/// it. Throws Error System.
+bool tryLockByte(int segment, std::uint64_t byte);
+void unlockByte(int segment, std::uint64_t byte);
+/// Whether another descriptor has it; true, too, when the system cannot tell: nobody is taken for dead
+/// because of an error.
+bool isByteLocked(int segment, std::uint64_t byte);
 
 /// What an open segment is.
 struct SegmentFacts {
@@ -52,12 +48,11 @@ void reserveSpace(int segment, std::size_t bytes, const std::string& name);
 /// Throws Error NoSpace when shared memory has less than `bytes` left, as far as one can tell beforehand.
 void requireSpace(std::size_t bytes);
 
-/// Names of all segments that begin with `prefix`, whoever made them.
+/// Names of all segments of this user that begin with `prefix`.
 std::vector<std::string> segmentNames(const std::string& prefix);
 
-/// A counter that can be waited on, shared by processes. A process may be killed at any point in these
-/// functions without harm to the others.
-void initialise(Doorbell& bell);
+/// A process may be killed at any point in these functions without harm to the others, and whatever somebody
+/// writes into a bell is a ring that nobody did, or one that is noticed at the deadline.
 void ring(Doorbell& bell);
 /// True when it was rung since the last call (any number of times counts as one), or as soon as it is; false
 /// at `deadline` or when a signal arrived.

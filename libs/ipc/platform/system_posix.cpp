@@ -2,19 +2,18 @@
 
 #include "ipc/platform/error.h"
 
-#include <algorithm>
 #include <cerrno>
-#include <cstdlib>
+#include <climits>
+#include <cstdio>
 #include <cstring>
-#include <filesystem>
-#include <new>
 #include <system_error>
 
 #include <dirent.h>
 #include <fcntl.h>
-#include <semaphore.h>
+#include <linux/futex.h>
 #include <sys/stat.h>
 #include <sys/statvfs.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 namespace ipc {
@@ -24,39 +23,6 @@ namespace {
 constexpr const char* kSegmentFolder = "/dev/shm";
 
 std::string reason(int code) { return std::error_code(code, std::generic_category()).message(); }
-
-class Descriptor {
-  public:
-    explicit Descriptor(int number) : number_(number) {}
-    ~Descriptor() {
-        if (number_ >= 0) ::close(number_);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    int number() const { return number_; }
-
-  private:
-    int number_;
-};
-
-void makePrivateFolder(const std::string& path) {
-    if (::mkdir(path.c_str(), 0700) != 0 && errno != EEXIST) {
-        throw Error(Problem::System, path + ": cannot be made: " + reason(errno));
-    }
-    struct stat facts {};
-    if (::lstat(path.c_str(), &facts) != 0 || !S_ISDIR(facts.st_mode) || facts.st_uid != ::geteuid() ||
-        (facts.st_mode & 077) != 0) {
-        throw Error(Problem::NotYours,
-                    path + ": is not a folder of yours alone; remove it or correct its mode to 0700");
-    }
-}
-
-// The runtime folder is believed only when it is ours: after `su` the variable may name another user's.
-bool usableRuntimeFolder(const char* path) {
-    struct stat facts {};
-    return path != nullptr && path[0] == '/' && ::stat(path, &facts) == 0 && S_ISDIR(facts.st_mode) &&
-           facts.st_uid == ::geteuid() && ::access(path, W_OK | X_OK) == 0;
-}
 
 std::string megabytes(std::uint64_t bytes) {
     constexpr std::uint64_t kMega = 1000000;
@@ -71,30 +37,23 @@ std::string megabytes(std::uint64_t bytes) {
                     " left; free some (in a container: --shm-size) or ask for a lower resolution");
 }
 
-sem_t* semaphore(Doorbell& bell) { return std::launder(reinterpret_cast<sem_t*>(bell.memory)); }
-static_assert(sizeof(sem_t) <= sizeof(Doorbell) && alignof(sem_t) <= alignof(Doorbell));
-
-// Boost's semaphore is this one, but it waits by the wall clock, and a step of that stretches the wait.
-int timedWait(sem_t* bell, const timespec& deadline) {
-#if defined(__GLIBC__) && __GLIBC_PREREQ(2, 30)
-    return ::sem_clockwait(bell, CLOCK_MONOTONIC, &deadline);
-#else
-    timespec now{}, wall{};
-    ::clock_gettime(CLOCK_MONOTONIC, &now);
-    ::clock_gettime(CLOCK_REALTIME, &wall);
-    constexpr long kSecond = 1000000000;
-    const long nanoseconds = deadline.tv_nsec - now.tv_nsec + wall.tv_nsec;
-    wall.tv_sec += deadline.tv_sec - now.tv_sec + nanoseconds / kSecond - (nanoseconds < 0 ? 1 : 0);
-    wall.tv_nsec = (nanoseconds % kSecond + kSecond) % kSecond;
-    return ::sem_timedwait(bell, &wall);
-#endif
+// No library's semaphore: damaged, it would end the process.
+long futex(Doorbell& bell, int operation, const timespec* deadline) {
+    static_assert(sizeof bell.rung == 4 && alignof(Doorbell) >= 4);
+    return ::syscall(SYS_futex, &bell.rung, operation, operation == FUTEX_WAKE ? INT_MAX : 0, deadline,
+                     nullptr, FUTEX_BITSET_MATCH_ANY);
 }
 
-// Bounded, for a counter that somebody scribbled on.
-bool drain(sem_t* bell) {
-    bool rung = false;
-    for (int i = 0; i < 1024 && ::sem_trywait(bell) == 0; ++i) rung = true;
-    return rung;
+// Of an open descriptor, not of a process: whoever closes another one drops nothing.
+int lockCall(int segment, int operation, short type, std::uint64_t byte, struct flock* found = nullptr) {
+    struct flock lock {};
+    lock.l_type = type;
+    lock.l_whence = SEEK_SET;
+    lock.l_start = static_cast<off_t>(byte);
+    lock.l_len = 1;
+    const int result = ::fcntl(segment, operation, &lock);
+    if (found != nullptr) *found = lock;
+    return result;
 }
 
 } // namespace
@@ -102,35 +61,37 @@ bool drain(sem_t* bell) {
 std::uint32_t userId() { return ::geteuid(); }
 std::int64_t processId() { return ::getpid(); }
 
-std::string lockFolder() {
-    const char* runtime = std::getenv("XDG_RUNTIME_DIR");
-    std::string folder = std::string(runtime == nullptr ? "" : runtime) + "/rts";
-    if (!usableRuntimeFolder(runtime)) {
-        folder = (std::filesystem::temp_directory_path() / ("rts-" + std::to_string(userId()))).string();
-    }
-    makePrivateFolder(folder);
-    return folder;
+int openSegment(const std::string& name, bool writing) {
+    const std::string path = std::string(kSegmentFolder) + "/" + name;
+    // A pipe that somebody put there would have us wait for its other end.
+    const int mode = O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC | (writing ? O_RDWR : O_RDONLY);
+    const int segment = ::open(path.c_str(), mode);
+    if (segment >= 0 || errno == ENOENT) return segment;
+    const bool shortage = errno == EMFILE || errno == ENFILE || errno == ENOMEM || errno == EINTR;
+    throw Error(shortage ? Problem::System : Problem::NotYours,
+                "shared memory " + name + ": cannot be opened: " + reason(errno) +
+                    (shortage ? "" : "; remove it or name another instance"));
 }
 
-void createPrivateFile(const std::string& path) {
-    const Descriptor file(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600));
-    if (file.number() < 0) throw Error(Problem::System, path + ": cannot be opened: " + reason(errno));
+void closeSegment(int segment) { ::close(segment); }
+
+void renameSegment(const std::string& from, const std::string& to) {
+    const std::string folder = std::string(kSegmentFolder) + "/";
+    if (::rename((folder + from).c_str(), (folder + to).c_str()) == 0) return;
+    throw Error(Problem::NotYours, "shared memory " + from + ": cannot be renamed: " + reason(errno));
 }
 
-FileIdentity identityOf(const std::string& path) {
-    struct stat facts {};
-    if (::stat(path.c_str(), &facts) != 0) return {};
-    return {facts.st_dev, facts.st_ino};
+bool tryLockByte(int segment, std::uint64_t byte) {
+    if (lockCall(segment, F_OFD_SETLK, F_WRLCK, byte) == 0) return true;
+    if (errno == EAGAIN || errno == EACCES) return false;
+    throw Error(Problem::System, "shared memory cannot be locked: " + reason(errno));
 }
 
-LockHolder foreignLockHolder(const std::string& path) {
-    const Descriptor file(::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW));
-    if (file.number() < 0) return {};
-    struct flock lock {};
-    lock.l_type = F_WRLCK;
-    lock.l_whence = SEEK_SET;
-    if (::fcntl(file.number(), F_GETLK, &lock) != 0 || lock.l_type == F_UNLCK) return {};
-    return {true, std::max<std::int64_t>(0, lock.l_pid)};
+void unlockByte(int segment, std::uint64_t byte) { lockCall(segment, F_OFD_SETLK, F_UNLCK, byte); }
+
+bool isByteLocked(int segment, std::uint64_t byte) {
+    struct flock found {};
+    return lockCall(segment, F_OFD_GETLK, F_WRLCK, byte, &found) != 0 || found.l_type != F_UNLCK;
 }
 
 SegmentFacts factsOf(int segment) {
@@ -168,32 +129,32 @@ std::vector<std::string> segmentNames(const std::string& prefix) {
     DIR* folder = ::opendir(kSegmentFolder);
     if (folder == nullptr) return names;
     while (const dirent* entry = ::readdir(folder)) {
-        if (std::strncmp(entry->d_name, prefix.c_str(), prefix.size()) == 0)
+        struct stat facts {};
+        if (std::strncmp(entry->d_name, prefix.c_str(), prefix.size()) == 0 &&
+            ::fstatat(::dirfd(folder), entry->d_name, &facts, AT_SYMLINK_NOFOLLOW) == 0 &&
+            facts.st_uid == ::geteuid()) {
             names.emplace_back(entry->d_name);
+        }
     }
     ::closedir(folder);
     return names;
 }
 
-void initialise(Doorbell& bell) {
-    if (::sem_init(new (bell.memory) sem_t, 1, 0) != 0) {
-        throw Error(Problem::System, "no semaphore between processes: " + reason(errno));
-    }
+void ring(Doorbell& bell) {
+    if (bell.rung.exchange(1, std::memory_order_acq_rel) == 0) futex(bell, FUTEX_WAKE, nullptr);
 }
 
-void ring(Doorbell& bell) { ::sem_post(semaphore(bell)); } // fails only when it was rung two billion times
-
 bool waitUntil(Doorbell& bell, Clock::time_point deadline) {
-    if (drain(semaphore(bell))) return true;
+    const auto rung = [&] { return bell.rung.exchange(0, std::memory_order_acq_rel) != 0; };
+    if (rung()) return true;
     const auto nanoseconds =
         std::chrono::duration_cast<std::chrono::nanoseconds>(deadline.time_since_epoch()).count();
     if (deadline <= Clock::now()) return false;
     timespec until{};
     until.tv_sec = static_cast<time_t>(nanoseconds / 1000000000);
     until.tv_nsec = static_cast<long>(nanoseconds % 1000000000);
-    if (timedWait(semaphore(bell), until) != 0) return false;
-    drain(semaphore(bell));
-    return true;
+    futex(bell, FUTEX_WAIT_BITSET, &until); // by the steady clock
+    return rung();
 }
 
 } // namespace ipc

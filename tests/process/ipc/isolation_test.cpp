@@ -9,6 +9,7 @@
 #include <memory>
 
 #include <fcntl.h>
+#include <sys/resource.h>
 
 namespace {
 
@@ -33,6 +34,50 @@ TEST(Isolation, OfTwoServersStartedAtOnceOneWins) {
         ipc::Client client(troupe.instance.name());
         EXPECT_EQ(client.request("echo").text, "echo");
         EXPECT_EQ(client.serverProcess(), troupe[1 - loser].process());
+    }
+}
+
+// A desktop session and cron, a container with our shared memory: neither folders nor variables are a matter.
+TEST(Isolation, SoItIsInAnyTwoEnvironments) {
+    const TemporaryFolder a, b;
+    for (int round = 0; round < rounds(20); ++round) {
+        Troupe troupe;
+        int index = 0;
+        for (const TemporaryFolder* folder : {&a, &b}) {
+            const std::string path = folder->path().string();
+            const ChildSettings settings{.environment = {{"XDG_RUNTIME_DIR", path}, {"TMPDIR", path}}};
+            troupe.put(index, troupe.participant(index, "server", {"patience=50"}, settings));
+            ++index;
+        }
+        ASSERT_TRUE(eventually([&] { return troupe[0].wait(1ms) != -1 || troupe[1].wait(1ms) != -1; }));
+        const int winner = troupe.board[0].progress > troupe.board[1].progress ? 0 : 1;
+        EXPECT_TRUE(troupe.progresses({winner})) << "and the one is not disturbed";
+        EXPECT_EQ(ipc::Client(troupe.instance.name()).serverProcess(), troupe[winner].process());
+    }
+}
+
+// Neither notices the other at its start. Soon there is one again, and one scene for all clients.
+TEST(Isolation, OfTwoServersAfterTheNamesWereRemovedOneStays) {
+    for (int round = 0; round < rounds(2); ++round) {
+        Troupe troupe;
+        troupe.start(0, "server");
+        troupe.start(2, "client");
+        ASSERT_TRUE(troupe.progresses({0, 2}, 3s));
+        for (const std::string& name : troupe.instance.segments()) ipc::Segment::remove(name);
+        troupe.start(1, "server", {"patience=50"});
+        int loser = -1, status = -1;
+        ASSERT_TRUE(eventually(
+            [&] {
+                for (int i = 0; i < 2 && loser < 0; ++i) {
+                    status = troupe[i].wait(1ms);
+                    if (status != -1) loser = i;
+                }
+                return loser >= 0;
+            },
+            5s));
+        EXPECT_EQ(WEXITSTATUS(status), 75);
+        ASSERT_TRUE(troupe.progresses({1 - loser, 2}, 3s));
+        EXPECT_EQ(ipc::Viewer(troupe.instance.name()).serverProcess(), troupe[1 - loser].process());
     }
 }
 
@@ -104,7 +149,6 @@ TEST(Isolation, ANameTakenByAnotherUserIsRefused) {
     std::filesystem::permissions("/dev/shm/" + name, std::filesystem::perms(0666));
     const TemporaryFolder theirs;
     ASSERT_EQ(::chown(theirs.path().c_str(), kNobody, kNobody), 0);
-    ::setenv("XDG_RUNTIME_DIR", theirs.path().c_str(), 1);
     const std::string board = theirs / "board";
     for (const char* role : {"server", "client", "viewer"}) {
         const auto start = Clock::now();
@@ -119,6 +163,54 @@ TEST(Isolation, ANameTakenByAnotherUserIsRefused) {
         EXPECT_LT(Clock::now() - start, 3s);
     }
     std::filesystem::remove("/dev/shm/" + name);
+}
+
+// At a logout.
+TEST(Isolation, RemovedFoldersAreNobodysMatter) {
+    Troupe troupe;
+    const TemporaryFolder session;
+    const std::string path = (session / "run").string();
+    std::filesystem::create_directory(path);
+    const ChildSettings settings{.environment = {{"XDG_RUNTIME_DIR", path}, {"TMPDIR", path}}};
+    for (const auto& [index, role] : {std::pair{0, "server"}, std::pair{1, "client"}})
+        troupe.put(index, troupe.participant(index, role, {}, settings));
+    ASSERT_TRUE(troupe.progresses({0, 1}, 3s));
+    std::filesystem::remove_all(path);
+    for (int i = 0; i < 3; ++i) {
+        std::this_thread::sleep_for(500ms);
+        ASSERT_TRUE(troupe.progresses({0, 1}));
+    }
+    EXPECT_EQ(troupe.board[1].epochs, 1U);
+    EXPECT_TRUE(troupe.leavesNothing());
+}
+
+// Descriptors run out in the server, in a client, in both.
+TEST(Isolation, WithoutDescriptorsForAWhileNobodyIsLost) {
+    Troupe troupe;
+    troupe.start(0, "server");
+    troupe.start(1, "client");
+    ASSERT_TRUE(troupe.progresses({0, 1}, 3s));
+    const auto limit = [&](int index, rlim_t descriptors) {
+        rlimit now{};
+        ::prlimit(troupe[index].process(), RLIMIT_NOFILE, nullptr, &now);
+        now.rlim_cur = descriptors;
+        ::prlimit(troupe[index].process(), RLIMIT_NOFILE, &now, nullptr);
+    };
+    for (int round = 0; round < rounds(3); ++round) {
+        for (int i = 0; i < 2; ++i) {
+            if (round % 3 == 2 || round % 3 == i) limit(i, 3);
+        }
+        troupe[0].send(SIGSTOP); // so that the client looks whether it lives
+        std::this_thread::sleep_for(150ms);
+        troupe[0].send(SIGCONT);
+        ASSERT_TRUE(troupe.progresses({0, 1}, 2s)) << round;
+        std::this_thread::sleep_for(1200ms); // the server's housekeeping
+        for (int i = 0; i < 2; ++i) limit(i, 1024);
+        ASSERT_TRUE(troupe.progresses({0, 1})) << round;
+    }
+    EXPECT_EQ(troupe.board[1].epochs, 1U);
+    EXPECT_EQ(troupe.sum(&Counters::wrong), 0U);
+    EXPECT_TRUE(troupe.leavesNothing());
 }
 
 TEST(Isolation, RemovedNamesComeBack) {

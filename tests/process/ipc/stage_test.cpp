@@ -78,8 +78,9 @@ bool findsNoServer(const std::string& instance) {
 
 // Alive, and with its lock, but not complete: nobody may attach. It may be as slow as it likes.
 TEST(StoppedAt, AnyPointOfTheStartIsNoServerYet) {
-    for (const char* stage : {"server locked", "names cleared", "segment made", "segment reserved",
-                              "control made", "header written", "frames laid out", "before magic"}) {
+    for (const char* stage :
+         {"segment unlocked", "server locked", "names cleared", "segment made", "segment reserved",
+          "control made", "header written", "frames laid out", "before magic"}) {
         Troupe troupe;
         troupe.start(0, "server", {}, std::string(stage) + ":1:stop");
         int status = 0;
@@ -96,6 +97,7 @@ TEST(StoppedAt, AnyPointOfTheStartIsNoServerYet) {
 constexpr Point kPoints[] = {
     {"server", "server locked", true},
     {"server", "names cleared", true},
+    {"server", "segment unlocked", true},
     {"server", "segment made", true},
     {"server", "segment reserved", true},
     {"server", "control made", true},

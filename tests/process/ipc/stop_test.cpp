@@ -41,6 +41,23 @@ TEST(Stopped, AServerIsBusyNeverDead) {
     EXPECT_EQ(troupe.board[1].epochs, 1u);
 }
 
+// Its lock stands for a segment that nobody finds any more: the epoch tells its clients. It yields when it
+// wakes.
+TEST(Stopped, AServerWhoseNameWasTakenIsLeft) {
+    Troupe troupe;
+    troupe.start(0, "server");
+    troupe.start(2, "client");
+    ASSERT_TRUE(troupe.progresses({0, 2}, 3s));
+    troupe[0].send(SIGSTOP);
+    for (const std::string& name : troupe.instance.segments()) ipc::Segment::remove(name);
+    troupe.start(1, "server");
+    ASSERT_TRUE(troupe.progresses({1, 2}, 3s));
+    EXPECT_EQ(troupe.board[2].epochs, 2U);
+    troupe[0].send(SIGCONT);
+    EXPECT_EQ(WEXITSTATUS(troupe[0].wait(3s)), 75);
+    ASSERT_TRUE(troupe.progresses({1, 2}));
+}
+
 TEST(Stopped, AClientHoldsNobodyUpAndComesBack) {
     Troupe troupe;
     troupe.start(0, "server");

@@ -16,7 +16,6 @@ TEST(Names, BelongToUserAndInstance) {
     EXPECT_EQ(names.slotOfQueue(names.prefix() + "q32-1"), -1);
     EXPECT_EQ(names.slotOfQueue(names.prefix() + "q1"), -1);
     EXPECT_EQ(names.slotOfQueue(Names("other").queue(1, 5)), -1);
-    EXPECT_EQ(names.clientLock("/run", 4), "/run/view-1_A.c4.lock");
 }
 
 TEST(Names, CannotLeaveTheirFolder) {

@@ -410,24 +410,38 @@ TEST_F(ServerClient, RemovedNamesArePublishedAnew) {
     EXPECT_EQ(viewer.status().polygons, 5u);
 }
 
-TEST_F(ServerClient, ARemovedLockFileIsTakenAgain) {
+// Nothing but the control segment tells who lives, and its name is looked after.
+TEST_F(ServerClient, ARivalThatTookTheRemovedNameEndsTheServer) {
     const auto server = start();
-    const std::string path = instance.names().serverLock(lockFolder());
-    Client client(instance.name());
-    Viewer viewer(instance.name());
-    client.pressKey(8);
-    server->takeCommands();
-    std::filesystem::remove(path);
-    EXPECT_TRUE(becomes(client, LinkState::Gone));
-    EXPECT_TRUE(becomes(viewer, LinkState::Gone));
+    for (const std::string& name : instance.segments()) Segment::remove(name);
+    const auto rival = start();
     const auto deadline = Clock::now() + 3s;
-    while (!std::filesystem::exists(path) && Clock::now() < deadline) server->wait(50ms);
-    EXPECT_TRUE(std::filesystem::exists(path));
-    EXPECT_THROW(start(), Error);
-    EXPECT_TRUE(becomes(client, LinkState::Connected));
-    EXPECT_TRUE(becomes(viewer, LinkState::Connected));
-    server->takeCommands();
-    EXPECT_TRUE(server->keys().held(8));
+    const auto ends = [&] {
+        try {
+            while (Clock::now() < deadline) server->wait(10ms);
+        } catch (const Error& error) {
+            return error.problem == Problem::AlreadyRunning;
+        }
+        return false;
+    };
+    EXPECT_TRUE(ends());
+    EXPECT_EQ(Viewer(instance.name()).epoch(), rival->epoch());
+    EXPECT_EQ(instance.segments().size(), 2U);
+}
+
+TEST_F(ServerClient, ARemovedFrameNameComesBackUnderTheSameEpoch) {
+    const auto server = start();
+    const std::vector<std::byte> pixels(4 * 16 * 16, std::byte{7});
+    server->publishFrame({.width = 16, .height = 16, .tag = 3}, pixels);
+    const std::uint64_t epoch = server->epoch();
+    Segment::remove(instance.names().frames(epoch, 1));
+    const auto deadline = Clock::now() + 3s;
+    while (instance.segments().size() < 2 && Clock::now() < deadline) server->wait(10ms);
+    Viewer viewer(instance.name());
+    Frame frame;
+    EXPECT_TRUE(viewer.readFrame(frame));
+    EXPECT_EQ(frame.info.tag, 3U);
+    EXPECT_EQ(viewer.epoch(), epoch);
 }
 
 } // namespace
