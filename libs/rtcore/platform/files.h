@@ -1,26 +1,79 @@
 /// Files as the operating system gives them. The only place (with processes.h) of this library that calls it.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
 namespace rtcore {
 
-/// The bytes of a whole file, read-only, as long as `owner` lives. Memory-mapped (private) where it can be;
-/// small files (< 64 KiB), pipes and devices are read instead. The first byte is aligned for any type (16).
-/// A file that another process truncates while it is mapped makes an access fail with SIGBUS; .bsp files are
-/// replaced by rename, never rewritten, so this happens only to files that somebody edits in place.
+/// The bytes of a whole file, read-only, as long as `owner` lives. The first byte is aligned for any type
+/// (16). Files up to 1 GB, pipes and devices are read into memory, and nothing that happens to the file later
+/// changes the bytes. Larger files are memory-mapped: one that another process truncates while it is used
+/// makes an access fail with SIGBUS, and what is written into it appears here. Files of this suite are
+/// replaced by rename, never rewritten, so this happens only to what is copied over in place.
 struct FileBytes {
     std::span<const std::byte> bytes;
     std::shared_ptr<const void> owner;
 };
-/// Throws FileError: NoInput when the file is missing, a folder or unreadable.
+/// Throws FileError: NoInput when the file is missing, a folder or unreadable, or a pipe that nobody opens
+/// for writing within 10 s; Stopped (file_waits.h).
 FileBytes openFileBytes(const std::filesystem::path& path);
+
+/// A file that is looked into before it is read. Opened once: what was looked at is what is read.
+class InputFile {
+  public:
+    /// Throws as openFileBytes() does.
+    explicit InputFile(const std::filesystem::path& path);
+    ~InputFile();
+    InputFile(InputFile&& other) noexcept;
+    InputFile& operator=(InputFile&& other) noexcept;
+
+    /// The first bytes, `most` at most, fewer where the file ends. Valid until the next call. Of a pipe or a
+    /// device all of it is read. Throws as openFileBytes() does.
+    std::span<const std::byte> head(std::size_t most);
+    /// All of it; call it once, and nothing after it.
+    FileBytes read();
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+/// The lines of a file as they come, of a pipe while it is still written. "-" is standard input.
+class LineReader {
+  public:
+    /// Throws as openFileBytes() does.
+    explicit LineReader(const std::filesystem::path& path);
+    ~LineReader();
+    LineReader(const LineReader&) = delete;
+    LineReader& operator=(const LineReader&) = delete;
+
+    /// The next line without its end; the last one may lack it. Nothing when there is none. Throws FileError:
+    /// NoInput, BadData for a line of more than a megabyte, Stopped.
+    std::optional<std::string> next();
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+/// The bytes that a file takes on the disk's account, without its holes; 0 for what is no regular file.
+std::uint64_t storedBytes(const std::filesystem::path& path);
+
+/// Which file a name leads to: the same for all its names, also by links, symbolic and hard.
+struct FileIdentity {
+    std::uint64_t device = 0, number = 0;
+    friend auto operator<=>(const FileIdentity&, const FileIdentity&) = default;
+};
+/// Nothing when there is no such file.
+std::optional<FileIdentity> identityOf(const std::filesystem::path& path);
 
 /// The whole text of a file. Throws as openFileBytes does, and BadData when it is larger than `limit` bytes.
 std::string readTextFile(const std::filesystem::path& path, std::size_t limit = std::size_t{64} << 20);
@@ -29,7 +82,7 @@ std::string readTextFile(const std::filesystem::path& path, std::size_t limit = 
 /// it, flushed to the disk, then renamed. `write` gets the name of the temporary file, which exists and is
 /// empty. When `write` throws, the temporary file is removed and the exception passes on. Follows a symbolic
 /// link at `path`. A path that is no regular file (/dev/stdout, a pipe) is written to directly. Throws
-/// FileError CannotWrite, with the system's reason.
+/// FileError: CannotWrite, with the system's reason; Stopped (file_waits.h).
 void replaceFile(const std::filesystem::path& path,
                  const std::function<void(const std::filesystem::path& temporary)>& write);
 
@@ -40,6 +93,11 @@ void writeFileAtomically(const std::filesystem::path& path,
 /// Removes the temporary files that replaceFile has open in this process; async-signal-safe, for handlers of
 /// SIGINT and SIGTERM.
 void removeTemporaryFiles() noexcept;
+
+/// Removes the temporary files of this user that replaceFile left in `folder` (empty: the current one) when a
+/// process was killed: those of its own kind of name that are older than so many seconds and that nobody is
+/// writing, on this machine. Does not throw; what cannot be removed stays.
+void removeForgottenFiles(const std::filesystem::path& folder, std::int64_t seconds = 3600);
 
 /// A new empty file of this process' own (mode 0600) in the folder for temporary files.
 /// The destructor removes it.

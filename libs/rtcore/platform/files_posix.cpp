@@ -1,20 +1,18 @@
 #include "rtcore/platform/files.h"
 
+#include "rtcore/platform/descriptor_posix.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/temporary_names.h"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
+#include <ctime>
 #include <random>
 #include <string_view>
 #include <system_error>
-#include <utility>
-#include <vector>
 
 #include <fcntl.h>
-#include <poll.h>
-#include <sys/mman.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -24,19 +22,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kSmallFile = std::size_t{64} << 10;
-/// What a pipe or a device may deliver before it counts as endless.
-constexpr std::size_t kStreamLimit = std::size_t{1} << 30;
+constexpr std::string_view kTemporaryPrefix = ".rtsuite-";
+constexpr std::size_t kTemporaryDigits = 16;
+constexpr std::string_view kHexDigits = "0123456789abcdef";
 
 std::string reason(int error) { return std::generic_category().message(error); }
-
-[[noreturn]] void failReading(const fs::path& path, int error) {
-    const char* advice = error == ENOENT || error == ENOTDIR ? "; check the spelling and the folder"
-                         : error == EACCES                   ? "; check its permissions"
-                         : error == EISDIR                   ? "; name a file in it"
-                                                             : "";
-    throw FileError(FailureKind::NoInput, path.string(), "cannot be read: " + reason(error) + advice);
-}
 
 [[noreturn]] void failWriting(const fs::path& path, int error) {
     const char* advice = error == ENOSPC || error == EDQUOT                    ? "; free some space there"
@@ -48,103 +38,13 @@ std::string reason(int error) { return std::generic_category().message(error); }
     throw FileError(FailureKind::CannotWrite, path.string(), "cannot be written: " + reason(error) + advice);
 }
 
-class Descriptor {
-  public:
-    explicit Descriptor(int fd) : fd_(fd) {}
-    ~Descriptor() {
-        if (fd_ >= 0) ::close(fd_);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    int get() const { return fd_; }
-    bool valid() const { return fd_ >= 0; }
-    /// Closes now; false, with errno set, when the system reports a late write error.
-    bool close() { return ::close(std::exchange(fd_, -1)) == 0 || errno == EINTR; }
-
-  private:
-    int fd_;
-};
-
-int openRetrying(const fs::path& path, int flags, mode_t mode = 0) {
-    int fd = -1;
-    do fd = ::open(path.c_str(), flags | O_CLOEXEC, mode);
-    while (fd < 0 && errno == EINTR);
-    return fd;
-}
-
-struct Opened {
-    Descriptor file;
-    bool regular;
-    std::size_t size; ///< as the system states it; 0 for what is no regular file
-};
-
-/// Until the pipe has something to read, or its writer has left; closes it when there is none.
-void waitForWriter(const fs::path& path, int fd) {
-    constexpr int kMilliseconds = 10'000;
-    pollfd waiting{fd, POLLIN, 0};
-    int ready = 0;
-    do ready = ::poll(&waiting, 1, kMilliseconds);
-    while (ready < 0 && errno == EINTR);
-    if (ready == 0) {
-        ::close(fd);
-        throw FileError(FailureKind::NoInput, path.string(),
-                        "it is a pipe, and nobody writes to it; give a file");
-    }
-}
-
-Opened openForReading(const fs::path& path) {
-    // Opening must not wait: a pipe that nobody writes to would hold the program for ever.
-    const int fd = openRetrying(path, O_RDONLY | O_NONBLOCK);
-    if (fd < 0) failReading(path, errno);
-    struct stat status {};
-    if (::fstat(fd, &status) != 0 || S_ISDIR(status.st_mode)) {
-        const int error = S_ISDIR(status.st_mode) ? EISDIR : errno;
-        ::close(fd);
-        failReading(path, error);
-    }
-    if (S_ISFIFO(status.st_mode)) waitForWriter(path, fd);
-    ::fcntl(fd, F_SETFL, ::fcntl(fd, F_GETFL) & ~O_NONBLOCK);
-    const bool regular = S_ISREG(status.st_mode);
-    return {Descriptor(fd), regular, regular ? static_cast<std::size_t>(status.st_size) : 0};
-}
-
-/// Reads on until the end, at most `limit` + 1 bytes, into a container of bytes.
-template <typename Bytes>
-void readToEnd(const fs::path& path, const Opened& opened, std::size_t limit, Bytes& bytes) {
-    std::size_t filled = 0;
-    bytes.resize(std::min(opened.size, limit) + 1);
-    while (true) {
-        const ssize_t got = ::read(opened.file.get(), bytes.data() + filled, bytes.size() - filled);
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) failReading(path, errno);
-        if (got == 0) break;
-        filled += static_cast<std::size_t>(got);
-        if (filled > limit) break;
-        if (filled == bytes.size()) bytes.resize(std::min(limit + 1, std::max(filled * 2, kSmallFile)));
-    }
-    bytes.resize(filled);
-    if (filled > limit) {
-        throw FileError(FailureKind::BadData, path.string(),
-                        "holds more than " + std::to_string(limit) +
-                            " bytes; no file of this kind is so large");
-    }
-}
-
-/// Null where the file cannot be mapped.
-std::shared_ptr<const void> mapFile(const Opened& opened) {
-    void* address = ::mmap(nullptr, opened.size, PROT_READ, MAP_PRIVATE, opened.file.get(), 0);
-    if (address == MAP_FAILED) return nullptr;
-    return {address, [size = opened.size](const void* p) { ::munmap(const_cast<void*>(p), size); }};
-}
-
 /// A name beside `target` that nobody has, with its extension (writers of pictures go by it).
 fs::path freshName(const fs::path& target) {
-    static constexpr std::string_view digits = "0123456789abcdef";
     thread_local std::random_device device;
-    std::string name = ".rtsuite-";
-    for (int word = 0; word < 2; ++word) {
+    std::string name(kTemporaryPrefix);
+    for (std::size_t word = 0; word < kTemporaryDigits / 8; ++word) {
         unsigned bits = device();
-        for (int i = 0; i < 8; ++i, bits >>= 4U) name += digits[bits & 15U];
+        for (int i = 0; i < 8; ++i, bits >>= 4U) name += kHexDigits[bits & 15U];
     }
     const std::string extension = target.extension().string();
     return target.parent_path() / (extension.size() <= 32 ? name + extension : name);
@@ -187,14 +87,16 @@ void flushFolder(const fs::path& file) {
     if (opened.valid()) ::fsync(opened.get());
 }
 
-/// A file that is created here and removed again unless it has been renamed.
+/// A file that is created here and removed again unless it has been renamed. Its lock tells others that
+/// somebody still writes it.
 class SiblingFile {
   public:
     SiblingFile(const fs::path& shown, const fs::path& target)
-        : path_(freshName(target)), name_(path_.string()) {
-        // Mode 0666 less the umask, as any program's new file.
-        const Descriptor created(openRetrying(path_, O_WRONLY | O_CREAT | O_EXCL, 0666));
-        if (!created.valid()) failWriting(shown, errno);
+        : path_(freshName(target)), name_(path_.string()),
+          // Mode 0666 less the umask, as any program's new file.
+          lock_(openRetrying(path_, O_WRONLY | O_CREAT | O_EXCL, 0666)) {
+        if (!lock_.valid()) failWriting(shown, errno);
+        ::flock(lock_.get(), LOCK_EX | LOCK_NB);
     }
     ~SiblingFile() {
         if (!renamed_) ::unlink(path_.c_str());
@@ -210,17 +112,36 @@ class SiblingFile {
   private:
     fs::path path_;
     TemporaryName name_;
+    Descriptor lock_;
     bool renamed_ = false;
 };
 
+/// Whether freshName() makes such names.
+bool isTemporaryName(std::string_view name) {
+    if (!name.starts_with(kTemporaryPrefix)) return false;
+    name.remove_prefix(kTemporaryPrefix.size());
+    const std::size_t digits = std::min(name.find_first_not_of(kHexDigits), name.size());
+    return digits == kTemporaryDigits && (name.size() == digits || name[digits] == '.');
+}
+
+/// A file of this user that nobody has written for so long, nor holds the lock of. A file system without
+/// locks gives none, so that nothing is forgotten there.
+bool isForgotten(const fs::path& path, std::int64_t seconds) {
+    struct stat status {};
+    if (::lstat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return false;
+    const bool ours = status.st_uid == ::geteuid() && status.st_nlink == 1;
+    if (!ours || std::time(nullptr) - std::max(status.st_mtime, status.st_ctime) < seconds) return false;
+    const Descriptor file(openRetrying(path, O_RDONLY | O_NONBLOCK | O_NOFOLLOW));
+    return file.valid() && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0;
+}
+
 void writePieces(const fs::path& shown, const fs::path& file,
                  std::span<const std::span<const std::byte>> pieces) {
-    Descriptor opened(openRetrying(file, O_WRONLY | O_CREAT | O_TRUNC, 0666));
+    Descriptor opened(openForWriting(file));
     if (!opened.valid()) failWriting(shown, errno);
     for (std::span<const std::byte> rest : pieces) {
         while (!rest.empty()) {
-            const ssize_t put = ::write(opened.get(), rest.data(), rest.size());
-            if (put < 0 && errno == EINTR) continue;
+            const ssize_t put = writeWaiting(opened.get(), rest);
             if (put < 0) failWriting(shown, errno);
             rest = rest.subspan(static_cast<std::size_t>(put));
         }
@@ -230,28 +151,11 @@ void writePieces(const fs::path& shown, const fs::path& file,
 
 } // namespace
 
-FileBytes openFileBytes(const fs::path& path) {
-    const Opened opened = openForReading(path);
-    if (opened.regular && opened.size >= kSmallFile) {
-        if (auto mapping = mapFile(opened)) {
-            const auto* first = static_cast<const std::byte*>(mapping.get());
-            return {{first, opened.size}, std::move(mapping)};
-        }
-    }
-    const auto bytes = std::make_shared<std::vector<std::byte>>();
-    readToEnd(path, opened, std::max(opened.size, kStreamLimit), *bytes);
-    return {*bytes, bytes};
-}
-
-std::string readTextFile(const fs::path& path, std::size_t limit) {
-    std::string text;
-    readToEnd(path, openForReading(path), limit, text);
-    return text;
-}
-
 void replaceFile(const fs::path& path, const std::function<void(const fs::path&)>& write) {
     const fs::path target = followLinks(path);
     if (wantsDirectWriting(target)) {
+        if (regularFilesOnly())
+            throw FileError(FailureKind::CannotWrite, path.string(), "it is no regular file; name another");
         write(target);
         return;
     }
@@ -266,6 +170,21 @@ void replaceFile(const fs::path& path, const std::function<void(const fs::path&)
 
 void writeFileAtomically(const fs::path& path, std::span<const std::span<const std::byte>> pieces) {
     replaceFile(path, [&](const fs::path& temporary) { writePieces(path, temporary, pieces); });
+}
+
+void removeForgottenFiles(const fs::path& folder, std::int64_t seconds) {
+    std::error_code error;
+    const fs::path place = folder.empty() ? fs::path(".") : folder;
+    for (fs::directory_iterator entry(place, error), end; !error && entry != end; entry.increment(error)) {
+        const fs::path& path = entry->path();
+        if (isTemporaryName(path.filename().string()) && isForgotten(path, seconds)) ::unlink(path.c_str());
+    }
+}
+
+std::optional<FileIdentity> identityOf(const fs::path& path) {
+    struct stat status {};
+    if (::stat(path.c_str(), &status) != 0) return std::nullopt;
+    return FileIdentity{status.st_dev, status.st_ino};
 }
 
 TemporaryFile::TemporaryFile(const std::string& prefix) {

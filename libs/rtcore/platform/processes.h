@@ -85,6 +85,9 @@ void dieWithParent(std::int64_t parent);
 void limitAddressSpace(std::uint64_t bytes);
 void disableCoreDumps();
 
+/// Bytes of memory that this machine has, without swap space.
+std::uint64_t machineMemory();
+
 std::int64_t processId();
 /// Whether a process of that number runs now; it may be another one than once had the number.
 bool processRuns(std::int64_t process);

@@ -359,7 +359,7 @@ namespace {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (::getppid() != parent) ::_exit(1);
     // Those that are handled become default by exec; those that our parent ignores (nohup) stay so.
-    ::signal(SIGPIPE, SIG_DFL);
+    for (const int signal : {SIGPIPE, SIGXFSZ}) ::signal(signal, SIG_DFL);
     ::execv(program.c_str(), words);
     const int error = errno;
     [[maybe_unused]] const ssize_t told = ::write(report, &error, sizeof error);
@@ -451,6 +451,12 @@ void limitAddressSpace([[maybe_unused]] std::uint64_t bytes) {
 }
 
 void disableCoreDumps() { setLimit(RLIMIT_CORE, 0); }
+
+std::uint64_t machineMemory() {
+    const long pages = ::sysconf(_SC_PHYS_PAGES), bytes = ::sysconf(_SC_PAGESIZE);
+    if (pages <= 0 || bytes <= 0) return ~std::uint64_t{0};
+    return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(bytes);
+}
 
 std::int64_t processId() { return ::getpid(); }
 

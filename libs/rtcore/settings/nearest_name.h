@@ -16,9 +16,9 @@ std::size_t editDistance(std::string_view a, std::string_view b);
 /// differ) or `name` is longer than any name. A dotted name is also found by its last part alone.
 std::string_view nearestName(std::string_view name, std::span<const std::string_view> known);
 
-/// `text` fit for a message on one line: control characters as `\xNN`, cut to `limit` bytes and "..." when
-/// longer.
-std::string printable(std::string_view text, std::size_t limit);
+/// `text` fit for a message on one line, and for a terminal: control characters, and what is no UTF-8, as
+/// `\xNN`; cut to `limit` bytes and "..." when longer. What is printable stays as it is.
+std::string printable(std::string_view text, std::size_t limit = std::string_view::npos);
 /// The same for a name, in single quotes.
 std::string quoted(std::string_view text);
 

@@ -1,6 +1,7 @@
 #include "rtcore/platform/files.h"
 
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/file_waits.h"
 #include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,9 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -63,6 +66,24 @@ int inChild(Action action) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
+/// What a program that is asked to stop says.
+bool yes() noexcept { return true; }
+
+/// In a child: whether `action` ends with such an error, soon after it has been asked to stop.
+template <typename Action>
+bool endsWith(FailureKind kind, void (*prepare)(), Action action) {
+    return inChild([&] {
+               ::alarm(20);
+               prepare();
+               try {
+                   action();
+               } catch (const FileError& error) {
+                   return error.kind == kind ? 0 : 2;
+               }
+               return 1;
+           }) == 0;
+}
+
 } // namespace
 
 TEST(OpenFileBytes, givesSmallAndMappedFilesAsTheyAre) {
@@ -83,6 +104,171 @@ TEST(OpenFileBytes, contentLivesAsLongAsItsOwnerThoughTheFileIsReplaced) {
     replaceBy(folder / "f", "new");
     fs::remove(folder / "f");
     EXPECT_EQ(textOf(bytes), before);
+}
+
+TEST(OpenFileBytes, contentStaysThoughTheFileIsWrittenOver) {
+    const test::TemporaryFolder folder;
+    const std::string before(300000, 'a');
+    put(folder / "f", before);
+    const rtcore::FileBytes bytes = rtcore::openFileBytes(folder / "f");
+    put(folder / "f", std::string(300000, 'b'));
+    EXPECT_EQ(textOf(bytes), before);
+    put(folder / "f", "");
+    EXPECT_EQ(textOf(bytes), before);
+}
+
+TEST(OpenFileBytes, mapsWhatIsLargerThanAGigabyte) {
+    const test::TemporaryFolder folder;
+    put(folder / "f", "head");
+    constexpr std::uintmax_t size = (std::uintmax_t{1} << 30) + 5000;
+    fs::resize_file(folder / "f", size);
+    const rtcore::FileBytes bytes = rtcore::openFileBytes(folder / "f");
+    ASSERT_EQ(bytes.bytes.size(), size);
+    EXPECT_EQ(bytes.bytes[0], std::byte{'h'});
+    EXPECT_EQ(bytes.bytes.back(), std::byte{0});
+}
+
+TEST(InputFile, isLookedIntoAndReadAsOneFile) {
+    const test::TemporaryFolder folder;
+    const std::string content = std::string(100000, 'x') + "end";
+    put(folder / "f", content);
+    rtcore::InputFile file(folder / "f");
+    EXPECT_EQ(file.head(4).size(), 4U);
+    fs::remove(folder / "f");
+    put(folder / "f", "another");
+    EXPECT_EQ(file.head(1 << 20).size(), content.size());
+    EXPECT_EQ(textOf(file.read()), content);
+}
+
+TEST(InputFile, looksIntoAPipeAndReadsItOnce) {
+    const test::TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    const std::string content(200000, 'p');
+    std::thread writer([&] { put(folder / "pipe", content); });
+    rtcore::InputFile file(folder / "pipe");
+    EXPECT_EQ(file.head(10).size(), 10U);
+    EXPECT_EQ(textOf(file.read()), content);
+    writer.join();
+}
+
+TEST(LineReader, givesLinesAsTheyCome) {
+    const test::TemporaryFolder folder;
+    const auto linesOf = [&](const std::string& text) {
+        put(folder / "f", text);
+        rtcore::LineReader reader(folder / "f");
+        std::vector<std::string> lines;
+        while (auto line = reader.next()) lines.push_back(*line);
+        return lines;
+    };
+    using Lines = std::vector<std::string>;
+    EXPECT_EQ(linesOf(""), Lines{});
+    EXPECT_EQ(linesOf("\n"), Lines{""});
+    EXPECT_EQ(linesOf("a\n\nb"), (Lines{"a", "", "b"}));
+    const std::string longLine(10000, 'x');
+    EXPECT_EQ(linesOf(longLine + "\nend\n"), (Lines{longLine, "end"}));
+    EXPECT_EQ(errorOf([&] { linesOf(std::string((1 << 20) + 5000, 'x')); }).kind, FailureKind::BadData);
+    EXPECT_EQ(errorOf([&] { rtcore::LineReader reader(folder.path()); }).kind, FailureKind::NoInput);
+    EXPECT_EQ(errorOf([&] { rtcore::LineReader reader(folder / "none"); }).kind, FailureKind::NoInput);
+
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    const int writer = ::open((folder / "pipe").c_str(), O_RDWR | O_CLOEXEC);
+    ASSERT_EQ(::write(writer, "one\ntw", 6), 6);
+    rtcore::LineReader reader(folder / "pipe");
+    EXPECT_EQ(reader.next(), "one") << "though the pipe is still open";
+    ASSERT_EQ(::write(writer, "o\n", 2), 2);
+    EXPECT_EQ(reader.next(), "two");
+    EXPECT_TRUE(endsWith(
+        FailureKind::Stopped, [] { rtcore::interruptFilesBy(yes); }, [&] { reader.next(); }));
+    ::close(writer);
+}
+
+TEST(StoredBytes, countsNoHoles) {
+    const test::TemporaryFolder folder;
+    put(folder / "f", std::string(100000, 'x'));
+    EXPECT_GE(rtcore::storedBytes(folder / "f"), 100000U);
+    EXPECT_LT(rtcore::storedBytes(folder / "f"), 200000U);
+    fs::resize_file(folder / "f", 5'000'000'000);
+    EXPECT_LT(rtcore::storedBytes(folder / "f"), 1'000'000U);
+    put(folder / "hole", "");
+    fs::resize_file(folder / "hole", 5'000'000'000);
+    EXPECT_EQ(rtcore::storedBytes(folder / "hole"), 0U);
+    EXPECT_EQ(rtcore::storedBytes(folder / "missing"), 0U);
+}
+
+TEST(FileIdentity, isTheFilesWhateverItsName) {
+    const test::TemporaryFolder folder;
+    put(folder / "f", "x");
+    put(folder / "g", "x");
+    fs::create_hard_link(folder / "f", folder / "hard");
+    fs::create_symlink("f", folder / "soft");
+    const auto f = rtcore::identityOf(folder / "f");
+    ASSERT_TRUE(f);
+    EXPECT_EQ(f, rtcore::identityOf(folder / "hard"));
+    EXPECT_EQ(f, rtcore::identityOf(folder / "soft"));
+    EXPECT_NE(f, rtcore::identityOf(folder / "g"));
+    EXPECT_FALSE(rtcore::identityOf(folder / "missing"));
+}
+
+TEST(FileWaits, endWhenTheProgramIsAskedToStop) {
+    const test::TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    const auto ask = [] { rtcore::interruptFilesBy(yes); };
+    EXPECT_TRUE(endsWith(FailureKind::Stopped, ask, [&] { rtcore::readTextFile(folder / "pipe"); }))
+        << "nobody writes";
+    EXPECT_TRUE(endsWith(FailureKind::Stopped, ask, [&] { replaceBy(folder / "pipe", "x"); }))
+        << "nobody reads";
+    // A partner that does nothing.
+    const int partner = ::open((folder / "pipe").c_str(), O_RDWR | O_CLOEXEC);
+    ASSERT_GE(partner, 0);
+    ASSERT_EQ(::write(partner, "begun", 5), 5);
+    EXPECT_TRUE(endsWith(FailureKind::Stopped, ask, [&] { rtcore::openFileBytes(folder / "pipe"); }));
+    EXPECT_TRUE(
+        endsWith(FailureKind::Stopped, ask, [&] { replaceBy(folder / "pipe", std::string(1 << 20, 'x')); }));
+    ::close(partner);
+}
+
+TEST(FileWaits, regularFilesOnlyRefuseTheRestAtOnce) {
+    const test::TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    put(folder / "f", "x");
+    const auto restrict = [] { rtcore::allowRegularFilesOnly(); };
+    EXPECT_TRUE(endsWith(FailureKind::NoInput, restrict, [&] { rtcore::readTextFile(folder / "pipe"); }));
+    EXPECT_TRUE(endsWith(FailureKind::NoInput, restrict, [] { rtcore::openFileBytes("/dev/zero"); }));
+    EXPECT_TRUE(endsWith(FailureKind::CannotWrite, restrict, [&] { replaceBy(folder / "pipe", "x"); }));
+    EXPECT_TRUE(endsWith(FailureKind::CannotWrite, restrict, [] { replaceBy("/dev/null", "x"); }));
+    EXPECT_EQ(inChild([&] {
+                  restrict();
+                  replaceBy(folder / "f", "new");
+                  return rtcore::readTextFile(folder / "f") == "new" ? 0 : 1;
+              }),
+              0);
+}
+
+TEST(RemoveForgottenFiles, takesOldOnesOfItsOwnKindOnly) {
+    const test::TemporaryFolder folder;
+    const std::string name = ".rtsuite-0123456789abcdef";
+    const std::vector<std::string> foreign{
+        ".rtsuite-0123456789abcdeg.png", ".rtsuite-012345.png", ".rtsuite-0123456789abcdef0.png",
+        "rtsuite-0123456789abcdef.png",  ".rtsuite-",           "notes.txt"};
+    for (const std::string& each : foreign) put(folder / each, "x");
+    put(folder / (name + ".png"), "x");
+    put(folder / name, "x");
+    put(folder / "precious", "x");
+    fs::create_symlink("precious", folder / ".rtsuite-00000000000000aa.png");
+    fs::create_hard_link(folder / "precious", folder / ".rtsuite-00000000000000bb.png");
+    fs::create_directory(folder / ".rtsuite-00000000000000cc.png");
+    const std::size_t before = entries(folder.path());
+    rtcore::removeForgottenFiles(folder.path());
+    EXPECT_EQ(entries(folder.path()), before) << "they are young";
+    rtcore::replaceFile(folder / "picture.png", [&](const fs::path& temporary) {
+        rtcore::removeForgottenFiles(folder.path(), 0);
+        EXPECT_TRUE(fs::exists(temporary)) << "somebody writes it";
+    });
+    EXPECT_EQ(entries(folder.path()), before - 2 + 1);
+    EXPECT_FALSE(fs::exists(folder / (name + ".png")));
+    EXPECT_FALSE(fs::exists(folder / name));
+    for (const std::string& each : foreign) EXPECT_TRUE(fs::exists(folder / each)) << each;
+    rtcore::removeForgottenFiles(folder / "missing", 0);
 }
 
 TEST(OpenFileBytes, readsPipesAndFilesWithoutASize) {

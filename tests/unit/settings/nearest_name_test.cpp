@@ -49,4 +49,22 @@ TEST(NearestName, MessagesStayOnOneShortLine) {
     EXPECT_EQ(rtcore::printable("ab\xC3\xA4", 3), "ab...");
 }
 
+TEST(Printable, NothingThatATerminalObeys) {
+    EXPECT_EQ(rtcore::printable("\x1b]0;owned\x07.obj"), "\\x1b]0;owned\\x07.obj");
+    EXPECT_EQ(rtcore::printable("a\nb\x7f"), "a\\x0ab\\x7f");
+    EXPECT_EQ(rtcore::printable("kostel \xC5\xBElut\xC3\xBD"), "kostel \xC5\xBElut\xC3\xBD");
+    EXPECT_EQ(rtcore::printable("\xC2\x9B"
+                                "31m"),
+              "\\xc2\\x9b31m")
+        << "a control sequence of one character";
+    EXPECT_EQ(rtcore::printable("\xC2\xA0"), "\xC2\xA0") << "a blank";
+    EXPECT_EQ(rtcore::printable("\x9B"
+                                "31m\xff"),
+              "\\x9b31m\\xff")
+        << "no UTF-8";
+    EXPECT_EQ(rtcore::printable("cut \xE2\x82"), "cut \\xe2\\x82");
+    const std::string once = rtcore::printable("\x1b\xff");
+    EXPECT_EQ(rtcore::printable(once), once);
+}
+
 } // namespace
