@@ -17,9 +17,12 @@ struct FacePoint {
     double s, t;
 };
 
+// Cube maps are left-handed: z points ahead in them where x points to the right. Here ahead is -z, so that a
+// face is seen as its picture shows it, and as it lies in an equirectangular picture.
 // In double: the centre of a border texel lies 1/(n+1) of a texel from its neighbour's edge, less than a
 // float resolves on large faces.
-FacePoint facePoint(double x, double y, double z) {
+FacePoint facePoint(double x, double y, double behind) {
+    const double z = -behind;
     const double ax = std::fabs(x), ay = std::fabs(y), az = std::fabs(z);
     int face = 0;
     double sc = 0, tc = 0, major = 0;
@@ -50,17 +53,17 @@ Direction faceDirection(int face, double s, double t) {
     const double sc = 2 * s - 1, tc = 2 * t - 1;
     switch (face) {
     case 0:
-        return {1, -tc, -sc};
+        return {1, -tc, sc};
     case 1:
-        return {-1, -tc, sc};
+        return {-1, -tc, -sc};
     case 2:
-        return {sc, 1, tc};
+        return {sc, 1, -tc};
     case 3:
-        return {sc, -1, -tc};
+        return {sc, -1, tc};
     case 4:
-        return {sc, -tc, 1};
+        return {sc, -tc, -1};
     default:
-        return {-sc, -tc, -1};
+        return {-sc, -tc, 1};
     }
 }
 

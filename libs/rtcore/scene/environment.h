@@ -16,9 +16,8 @@ enum class TexelFilter { Bilinear, Nearest };
 /// Immutable; safe from many threads. Directions need not be normalised, only finite and not zero.
 class Environment {
   public:
-    /// Six square faces of one size, in the order +X -X +Y -Y +Z -Z, seen from inside as OpenGL orients them
-    /// (left-handed: the +X face has s = -z, t = -y, t down). Throws std::invalid_argument when the sizes
-    /// differ.
+    /// Six square faces of one size as cube maps list them: right (+x), left (-x), up (+y), down (-y), ahead
+    /// (-z), behind (+z), each as it looks from inside. Throws std::invalid_argument when the sizes differ.
     static Environment fromCube(std::array<HdrImage, 6> faces, std::string name);
     /// Full sphere: u = 0.5 + atan2(x, -z) / 2 pi, v = acos(y) / pi, rows from the top.
     static Environment fromEquirectangular(const HdrImage& image, std::string name);
@@ -45,8 +44,8 @@ class Environment {
     std::vector<HdrImage> images_; ///< six faces with a border of one texel, or one picture
 };
 
-/// Direction -> face (0..5 in the order above) and s, t in [0, 1] on it, t down (notes: OpenGL 4.6,
-/// table 8.19).
+/// Direction -> face (0..5 in the order above) and s, t in [0, 1] on it, t down: OpenGL 4.6, table 8.19,
+/// for (x, y, -z), since cube maps are left-handed.
 struct CubeCoordinate {
     int face;
     float s, t;

@@ -19,6 +19,7 @@
 namespace rtcore {
 
 inline constexpr std::uint32_t kNoTexture = 0xFFFFFFFFU;
+inline constexpr float kNoRoughness = -1;
 
 struct Material {
     Colour diffuse{0.8F, 0.8F, 0.8F}; ///< albedo k_d, multiplied with texture and vertex colour; 0..1
@@ -39,12 +40,16 @@ struct Material {
     std::uint32_t alphaFromAlpha = 0;
     std::uint32_t normalTexture = kNoTexture;
     std::uint32_t emissionTexture = kNoTexture;
-    float alphaCutoff = 0;        ///< > 0: alpha of a texture below it is a hole, above it is solid
-    std::uint32_t nameOffset = 0; ///< of the name in the model's string table
+    float alphaCutoff = 0;          ///< > 0: alpha of a texture below it is a hole, above it is solid
+    std::uint32_t nameOffset = 0;   ///< of the name in the model's string table
+    float roughness = kNoRoughness; ///< 0..1, square root of GGX's alpha; kNoRoughness: `shininess` tells all
+    float metallic = 0;             ///< 0 (dielectric) .. 1 (metal)
+    std::uint32_t metallicRoughnessTexture = kNoTexture; ///< green times `roughness`, blue times `metallic`
+    std::uint32_t emissionLights = 0;                    ///< 1: what it emits lights other surfaces
 
     friend bool operator==(const Material&, const Material&) = default;
 };
-static_assert(std::is_trivially_copyable_v<Material> && sizeof(Material) == 112);
+static_assert(std::is_trivially_copyable_v<Material> && sizeof(Material) == 128);
 
 /// A part of the light may pass, through the surface or through holes that an alpha texture cuts.
 inline bool isTransparent(const Material& m) { return m.opacity < 1 || m.alphaTexture != kNoTexture; }

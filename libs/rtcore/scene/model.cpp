@@ -23,6 +23,7 @@ Model makeModel(ModelBuffers buffers) {
     model.texels = owned->texels;
     model.lights = owned->lights;
     model.cameras = owned->cameras;
+    model.parts = owned->parts;
     model.strings = owned->strings;
     model.storage = owned;
     return model;

@@ -17,13 +17,26 @@
 
 namespace rtcore {
 
-/// One texture: rows from the top, in Model::texels from `firstTexel`.
+/// What lies beyond 0..1 of a texture coordinate.
+enum class TextureWrap : std::uint32_t { Repeat = 0, ClampToEdge = 1, MirroredRepeat = 2 };
+
+/// One texture: rows from the top, in Model::texels from `firstTexel`. Textures that differ only in how they
+/// wrap share their texels.
 struct Texture {
     std::uint64_t firstTexel = 0;
     std::uint32_t width = 0, height = 0;
+    TextureWrap wrapU = TextureWrap::Repeat, wrapV = TextureWrap::Repeat;
     friend bool operator==(const Texture&, const Texture&) = default;
 };
-static_assert(sizeof(Texture) == 16);
+static_assert(sizeof(Texture) == 24);
+
+/// A range of triangles that the model's author kept apart: one mesh under one node.
+struct ModelPart {
+    std::uint32_t nameOffset = 0;
+    std::uint32_t firstTriangle = 0, triangleCount = 0;
+    friend bool operator==(const ModelPart&, const ModelPart&) = default;
+};
+static_assert(sizeof(ModelPart) == 12);
 
 struct Model {
     Mesh mesh;
@@ -32,6 +45,7 @@ struct Model {
     std::span<const Rgba8> texels; ///< colour as sRGB, alpha linear
     std::span<const Light> lights;
     std::span<const Camera> cameras;
+    std::span<const ModelPart> parts; ///< ascending, none overlap; may leave triangles out, or be empty
     std::span<const char>
         strings; ///< names, each ended by a zero byte; the first is ""; the last byte is zero
 
@@ -56,6 +70,7 @@ struct ModelBuffers {
     std::vector<Rgba8> texels;
     std::vector<Light> lights;
     std::vector<Camera> cameras;
+    std::vector<ModelPart> parts;
     std::vector<char> strings{'\0'};
 
     /// Adds a name to the string table and returns its offset; "" is always 0.

@@ -15,6 +15,7 @@ namespace rtcore {
 inline float fresnelDielectric(float cosine, float eta) {
     const float ci = std::clamp(cosine, 0.0F, 1.0F);
     const float sine2 = (1 - ci * ci) / (eta * eta);
+    if (eta == 1) return 0; // at right angles, too
     if (sine2 >= 1) return 1;
     const float ct = std::sqrt(1 - sine2);
     const float s = (ci - eta * ct) / (ci + eta * ct);

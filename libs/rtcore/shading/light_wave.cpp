@@ -170,6 +170,15 @@ HWY_INLINE Vectors glossyShare(const MaterialRow* rows, const std::uint32_t* mat
     return selectOrZero(seen, ofPoints.get(&MaterialRow::specular) * scale);
 }
 
+/// The part that the rough lobe reflects, phong.h; zero where there is none.
+HWY_INLINE Vectors roughShare(const MaterialRow* rows, const std::uint32_t* material, Lanes rough,
+                              Floats toLight, Floats toViewer) {
+    const Rows ofPoints(rows, material, rough);
+    const Floats both = larger(hn::Add(toLight, larger(toViewer, constant(0))), constant(kLeastCosines));
+    return selectOrZero(rough, ofPoints.get(&MaterialRow::specular) *
+                                   hn::Div(ofPoints.get(&MaterialRow::roughScale), both));
+}
+
 HWY_INLINE void storeSome(Floats v, Lanes lanes, bool all, float* HWY_RESTRICT to) {
     hn::StoreU(all ? v : hn::Compress(v, lanes), FloatTag(), to);
 }
@@ -207,10 +216,15 @@ HWY_INLINE std::size_t lightAll(const Light& light, const LampPart* part, const 
         }
         Vectors share = loadVectors(s.diffuse.x + i, s.diffuse.y + i, s.diffuse.z + i);
         const Lanes glossy = hn::And(lit, hasTrait(traits, traits::kGlossy));
-        if (!hn::AllFalse(d, glossy)) {
-            share = share + glossyShare<kind>(
-                                rows, s.material + i, glossy, arriving, normal,
-                                loadVectors(s.toViewer.x + i, s.toViewer.y + i, s.toViewer.z + i), cosine);
+        const Lanes rough = hn::And(lit, hasTrait(traits, traits::kRough));
+        if (!hn::AllFalse(d, hn::Or(glossy, rough))) {
+            const Vectors toViewer = loadVectors(s.toViewer.x + i, s.toViewer.y + i, s.toViewer.z + i);
+            if (!hn::AllFalse(d, glossy)) {
+                share = share +
+                        glossyShare<kind>(rows, s.material + i, glossy, arriving, normal, toViewer, cosine);
+            }
+            if (!hn::AllFalse(d, rough))
+                share = share + roughShare(rows, s.material + i, rough, cosine, dot(normal, toViewer));
         }
         share = share * hn::Mul(cosine, terminatorFactors(geometricNormal, normal, geometric, cosine));
         const Vectors scale = loadVectors(s.share.x + i, s.share.y + i, s.share.z + i);

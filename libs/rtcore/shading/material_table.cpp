@@ -3,6 +3,8 @@
 #include "rtcore/shading/ambient_light.h"
 #include "rtcore/shading/phong.h"
 
+#include <algorithm>
+
 namespace rtcore {
 
 namespace {
@@ -10,7 +12,10 @@ namespace {
 std::uint32_t traitsOf(const Material& m, bool colours, const RenderSettings& settings) {
     const auto used = [&](std::uint32_t texture) { return settings.textures && texture != kNoTexture; };
     std::uint32_t result = traits::kPoint;
-    if (!isBlack(m.specular)) result |= traits::kGlossy;
+    if (!isBlack(m.specular)) {
+        if (m.shininess > 0) result |= traits::kGlossy;
+        if (m.shininess < kLeastShininess) result |= traits::kRough;
+    }
     if (colours || used(m.diffuseTexture)) result |= traits::kColoured;
     if ((settings.refractions && !(m.opacity >= 1)) || used(m.alphaTexture) || used(m.normalTexture) ||
         used(m.emissionTexture)) {
@@ -51,8 +56,10 @@ void MaterialTable::prepare(const Scene& scene, const RenderSettings& settings) 
         put(m.mirror, row.mirror);
         row.mirrorScale = m.mirrorScale;
         put(m.specular, row.specular);
-        row.shininess = m.shininess;
-        row.lobeScale = (m.shininess + 2) / (2 * kPi);
+        const float phong = std::min(m.shininess / kLeastShininess, 1.0F);
+        row.shininess = std::max(m.shininess, kLeastShininess);
+        row.lobeScale = phong * (row.shininess + 2) / (2 * kPi);
+        row.roughScale = (1 - phong) / (2 * kPi);
         traits_ |= row.traits;
         anyGlow_ = anyGlow_ || !isBlack(glow);
         tintedShadows_ = tintedShadows_ || (settings.refractions && m.opacity < 1) ||

@@ -18,6 +18,7 @@ inline constexpr std::uint32_t kFresnel = 8;   ///< a mirror that reflects more 
 inline constexpr std::uint32_t kColoured = 16; ///< the albedo varies: texture, colours of vertices
 inline constexpr std::uint32_t kGeneral = 32;  ///< transparent, perforated, bump mapped, glowing by a texture
 inline constexpr std::uint32_t kOnward = 64;   ///< of points, not of materials: a mirrored ray follows
+inline constexpr std::uint32_t kRough = 128;   ///< it has a rough lobe (phong.h)
 /// Vector code alone cannot shade such a point.
 inline constexpr std::uint32_t kNotPlain = kColoured | kGeneral;
 } // namespace traits
@@ -27,14 +28,15 @@ struct alignas(64) MaterialRow {
     float diffuse[3] = {}; ///< albedo / pi
     std::uint32_t traits = 0;
     float specular[3] = {};
-    float shininess = 0;
-    float lobeScale = 0; ///< of the Phong lobe, (n + 2) / 2 pi
+    float shininess = 0;  ///< of the Phong lobe, at least kLeastShininess
+    float lobeScale = 0;  ///< of the Phong lobe, (n + 2) / 2 pi times its share
+    float roughScale = 0; ///< of the rough lobe, its share over 2 pi
     float mirrorScale = 0;
     float mirror[3] = {};
     float emission[3] = {};
     float ambient[3] = {}; ///< radiance of reflected ambient light
     float glow[3] = {};    ///< emission + ambient
-    float unused[10] = {};
+    float unused[9] = {};
 };
 inline constexpr int kRowShift = 5; ///< a row has 2^kRowShift floats
 static_assert(sizeof(MaterialRow) == sizeof(float) << kRowShift);

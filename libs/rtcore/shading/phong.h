@@ -11,7 +11,20 @@ namespace rtcore {
 
 inline constexpr float kPi = 3.14159265358979F;
 
-/// f_r of the glossy lobe: (n + 2) / 2 pi cos^n of the angle between the mirrored light and the viewer.
+/// Below this exponent cos^n ends in a step, at right angles to the mirrored light: a share 1 - n of the
+/// glossy light is then scattered by roughLobe(), the rest by the lobe of this exponent.
+inline constexpr float kLeastShininess = 1;
+
+/// Keeps the rough lobe finite where light and viewer graze the surface.
+inline constexpr float kLeastCosines = 1e-18F;
+
+/// f_r of a metal of roughness 1: GGX with alpha = 1 and the height-correlated masking of Smith, which comes
+/// to 1 / 2 pi (cos i + cos o). The cosines of light and viewer with the normal, >= 0.
+inline float roughLobe(float light, float viewer) {
+    return 1 / (2 * kPi * std::max(light + viewer, kLeastCosines));
+}
+
+/// f_r of the Phong lobe: (n + 2) / 2 pi cos^n of the angle between the mirrored light and the viewer.
 inline float phongLobe(float cosine, float shininess) {
     if (cosine <= 0) return 0;
     return (shininess + 2) / (2 * kPi) * portablePow(cosine, shininess);

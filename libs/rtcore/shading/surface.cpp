@@ -29,6 +29,13 @@ Vec2 texcoordAt(const Mesh& mesh, const ShadingTriangle& triangle, const Hit& hi
     return {a.x * w + b.x * hit.u + c.x * hit.v, a.y * w + b.y * hit.u + c.y * hit.v};
 }
 
+/// The corners' normals tell which side is the front more truly than the order of the corners only where they
+/// are well behind the face on the whole (kNormalsBehind).
+bool normalsAreBehind(const Mesh& mesh, const ShadingTriangle& triangle, Vec3 front) {
+    const Vec3 sum = mesh.normals[triangle.v[0]] + mesh.normals[triangle.v[1]] + mesh.normals[triangle.v[2]];
+    return dot(sum, front) < kNormalsBehind;
+}
+
 float coverageOf(const Scene& scene, const Material& material, Vec2 uv) {
     if (material.alphaTexture == kNoTexture) return 1;
     const TextureSample s = sampleTexture(scene.model, scene.model.textures[material.alphaTexture], uv);
@@ -61,9 +68,11 @@ Surface surfaceAt(const Scene& scene, bool textures, Vec3 direction, const Hit& 
     s.shadingNormal = normalize(interpolate(mesh.normals, shading, hit));
     s.clearance = surfaceClearance(a, b, c, s.geometricNormal);
     s.fromInside = dot(s.geometricNormal, direction) > 0;
+    const bool behind = normalsAreBehind(mesh, shading, s.geometricNormal);
     if (s.fromInside) s.geometricNormal = -s.geometricNormal;
-    if (s.shadingNormal == Vec3{}) s.shadingNormal = s.geometricNormal;
-    const bool turned = dot(s.shadingNormal, s.geometricNormal) < 0;
+    const bool none = s.shadingNormal == Vec3{};
+    if (none) s.shadingNormal = s.geometricNormal;
+    const bool turned = !none && behind != s.fromInside;
     if (textures && material.normalTexture != kNoTexture) {
         s.shadingNormal = mapNormal(scene, scene.model.textures[material.normalTexture], hit.triangle,
                                     texcoordAt(mesh, shading, hit), s.shadingNormal);

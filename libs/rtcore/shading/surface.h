@@ -6,15 +6,20 @@
 
 namespace rtcore {
 
+/// The sum of the cosines between a face and the normals of its corners, below which the normals tell that
+/// the order of the corners is wrong: a third of it is a mean of 14 degrees behind the face.
+inline constexpr float kNormalsBehind = -0.75F;
+
 struct Surface {
     Vec3 position;
-    float clearance = 0;     ///< rays that leave start so far off `position`, on the side that they leave to
-    Vec3 geometricNormal;    ///< unit, on the side of the viewer
-    Vec3 shadingNormal;      ///< unit, interpolated, on the same side as geometricNormal
-    Vec3 toViewer;           ///< unit
-    Colour diffuse;          ///< albedo with texture and vertex colour
-    Colour emission;         ///< radiance
-    float coverage = 1;      ///< under 1 where an alpha texture lets rays pass as if nothing were there
+    float clearance = 0;  ///< rays that leave start so far off `position`, on the side that they leave to
+    Vec3 geometricNormal; ///< unit, on the side of the viewer
+    Vec3 shadingNormal;   ///< unit, interpolated, turned to the viewer's side as the face is: where a file's
+                          ///< normals are flatter than the face it may lie below it
+    Vec3 toViewer;        ///< unit
+    Colour diffuse;       ///< albedo with texture and vertex colour
+    Colour emission;      ///< radiance
+    float coverage = 1;   ///< under 1 where an alpha texture lets rays pass as if nothing were there
     bool fromInside = false; ///< the viewer is behind the front side
     bool closed = false;     ///< the surface bounds a solid
     const Material* material = nullptr;

@@ -90,6 +90,11 @@ HWY_INLINE Floats largestOf(Floats a, Floats b, Floats c) {
     return larger(hn::Abs(a), larger(hn::Abs(b), hn::Abs(c)));
 }
 
+/// surface.h
+HWY_INLINE Lanes normalsBehind(const Corners& normals, Vectors front) {
+    return hn::Lt(dot(normals.a + normals.b + normals.c, front), constant(kNormalsBehind));
+}
+
 /// math/ray_offset.h
 HWY_INLINE Floats clearanceOf(const Corners& p, Vectors normal) {
     const Vectors extent{largestOf(p.a.x, p.b.x, p.c.x), largestOf(p.a.y, p.b.y, p.c.y),
@@ -110,6 +115,7 @@ std::size_t fillBlock(const SurfaceSources& sources, const BlockRays& rays, std:
     std::size_t notPlainCount = 0;
     std::uint32_t known = kNoTriangle; // whose normal and clearance these are
     Vectors front = constant(0, 0, 0);
+    Lanes behind = hn::Lt(zero, zero);
     Floats clearance = zero;
     for (std::size_t i = 0; i < kWaveBlock; i += hn::Lanes(d)) {
         const std::size_t at = first + i;
@@ -151,19 +157,20 @@ std::size_t fillBlock(const SurfaceSources& sources, const BlockRays& rays, std:
         storeAt(interpolate(p, u, v), wave.position, at);
         if (!same || triangle != known) {
             front = normalize(cross(p.b - p.a, p.c - p.a), used);
+            behind = normalsBehind(found.normal, front);
             clearance = clearanceOf(p, front);
             known = same ? triangle : kNoTriangle;
         }
         hn::StoreU(clearance, d, wave.clearance + at);
         const Vectors direction = loadVectors(rays.dx + i, rays.dy + i, rays.dz + i);
-        const Vectors geometric = negateWhere(hn::Gt(dot(front, direction), zero), front);
+        const Lanes inside = hn::Gt(dot(front, direction), zero);
+        const Vectors geometric = negateWhere(inside, front);
         storeAt(geometric, wave.geometricNormal, at);
         storeAt({hn::Neg(direction.x), hn::Neg(direction.y), hn::Neg(direction.z)}, wave.toViewer, at);
 
-        Vectors shading = normalize(interpolate(found.normal, u, v), used);
-        shading = select(isZero(shading), geometric, shading);
-        shading = negateWhere(hn::Lt(dot(shading, geometric), zero), shading);
-        storeAt(shading, wave.shadingNormal, at);
+        const Vectors normal = normalize(interpolate(found.normal, u, v), used);
+        const Vectors shading = negateWhere(hn::Xor(inside, behind), normal);
+        storeAt(select(isZero(normal), geometric, shading), wave.shadingNormal, at);
     }
     return notPlainCount;
 }

@@ -41,7 +41,7 @@ class SurfaceWave {
     ArraysOf3 position;
     float* clearance = nullptr; ///< as in Surface
     ArraysOf3 geometricNormal;  ///< unit, on the side of the viewer
-    ArraysOf3 shadingNormal;    ///< unit, on the same side
+    ArraysOf3 shadingNormal;    ///< unit, as in Surface
     ArraysOf3 toViewer;         ///< unit
     ArraysOf3 diffuse;          ///< albedo / pi
     ArraysOf3 share;            ///< of the light scattered here, what reaches the sample

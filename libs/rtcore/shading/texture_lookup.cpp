@@ -1,5 +1,6 @@
 #include "rtcore/shading/texture_lookup.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -28,18 +29,28 @@ struct Tap {
     float share;
 };
 
-Tap tapAt(float coordinate, std::uint32_t size) {
-    const float wrapped = coordinate - floorOf(coordinate);
-    if (!(wrapped >= 0 && wrapped <= 1)) return {0, 0, 0}; // not finite
-    const float x = wrapped * static_cast<float>(size) - 0.5F;
+/// Where in the picture a coordinate lies, 0..1, or nowhere: not a number.
+float wrapped(float coordinate, TextureWrap wrap) {
+    if (wrap == TextureWrap::Repeat) return coordinate - floorOf(coordinate);
+    if (wrap == TextureWrap::ClampToEdge) return std::min(std::max(coordinate, 0.0F), 1.0F);
+    const float pair = coordinate * 0.5F;
+    return 1 - std::fabs(1 - 2 * (pair - floorOf(pair)));
+}
+
+Tap tapAt(float coordinate, std::uint32_t size, TextureWrap wrap) {
+    const float inside = wrapped(coordinate, wrap);
+    if (!(inside >= 0 && inside <= 1)) return {0, 0, 0}; // not a number
+    const float x = inside * static_cast<float>(size) - 0.5F;
     const float whole = floorOf(x);
-    // From -1 to size, since float rounds: wrapped by comparisons, which cost less than a remainder.
+    // From -1 to size, since float rounds: brought back by comparisons, which cost less than a remainder.
     const auto base = static_cast<std::int64_t>(whole);
     const auto n = static_cast<std::int64_t>(size);
-    const auto wrap = [n](std::int64_t i) {
-        return static_cast<std::uint32_t>(i < 0 ? i + n : i >= n ? i - n : i);
+    const bool repeats = wrap == TextureWrap::Repeat;
+    const auto texel = [n, repeats](std::int64_t i) {
+        const std::int64_t below = repeats ? i + n : 0, above = repeats ? i - n : n - 1;
+        return static_cast<std::uint32_t>(i < 0 ? below : i >= n ? above : i);
     };
-    return {wrap(base), wrap(base + 1), x - whole};
+    return {texel(base), texel(base + 1), x - whole};
 }
 
 Colour colourOf(Rgba8 p) { return {kLinear[p.r], kLinear[p.g], kLinear[p.b]}; }
@@ -60,8 +71,8 @@ TextureSample mix(const TextureSample& a, const TextureSample& b, float share) {
 /// `valueOf` a texel, bilinear.
 template <typename ValueOf>
 auto lookUp(const Model& model, const Texture& texture, Vec2 uv, ValueOf&& valueOf) {
-    const Tap x = tapAt(uv.x, texture.width);
-    const Tap y = tapAt(1 - uv.y, texture.height);
+    const Tap x = tapAt(uv.x, texture.width, texture.wrapU);
+    const Tap y = tapAt(1 - uv.y, texture.height, texture.wrapV);
     const Rgba8* const texels = model.texels.data() + texture.firstTexel;
     const Rgba8* const upperRow = texels + std::uint64_t{y.first} * texture.width;
     const Rgba8* const lowerRow = texels + std::uint64_t{y.second} * texture.width;

@@ -19,6 +19,8 @@ struct TextureBlock {
     alignas(64) float corner[3][2][kWaveBlock] = {}; ///< texture coordinates of the triangle
     alignas(64) float u[kWaveBlock] = {}, v[kWaveBlock] = {};
     alignas(64) std::uint32_t size[2][kWaveBlock] = {};  ///< of the texture: width, height
+    alignas(64) std::uint32_t wrap[2][kWaveBlock] = {};  ///< TextureWrap of u, v
+    bool repeats = true;                                 ///< all of them do
     alignas(64) std::uint32_t texel[4][kWaveBlock] = {}; ///< which four: upper left, right, lower left, right
     alignas(64) float share[2][kWaveBlock] = {};         ///< of the right ones, of the lower ones
     alignas(64) float light[4][3][kWaveBlock] = {};      ///< of the four texels
@@ -37,28 +39,50 @@ struct Taps {
     Floats share;
 };
 
-/// tapAt() of texture_lookup.cpp
-HWY_INLINE Taps tapsAt(Floats coordinate, Bits size) {
+HWY_INLINE Floats fractionOf(Floats x) { return hn::Sub(x, hn::Floor(x)); }
+
+/// The lanes that wrap so.
+HWY_INLINE Lanes wrapAs(Bits wrap, TextureWrap kind) {
+    const Bits wanted = hn::Set(BitsTag(), static_cast<std::uint32_t>(kind));
+    return hn::MaskFromVec(hn::BitCast(FloatTag(), hn::VecFromMask(BitsTag(), hn::Eq(wrap, wanted))));
+}
+
+/// tapAt() of texture_lookup.cpp; `repeats`: all do, whatever `wrap` says.
+template <bool repeats>
+HWY_INLINE Taps tapsAt(Floats coordinate, Bits size, Bits wrap) {
     const FloatTag d;
     const BitsTag du;
     const hn::RebindToSigned<FloatTag> di;
     const auto n = hn::BitCast(di, size);
-    const Floats fraction = hn::Sub(coordinate, hn::Floor(coordinate));
-    const Lanes finite = hn::And(hn::Ge(fraction, constant(0)), hn::Le(fraction, constant(1)));
+    Floats inside = fractionOf(coordinate);
+    Lanes atEdge = hn::Lt(constant(1), constant(0)); // of the lanes that do not repeat
+    if constexpr (!repeats) {
+        const Lanes clamps = wrapAs(wrap, TextureWrap::ClampToEdge);
+        const Lanes mirrors = wrapAs(wrap, TextureWrap::MirroredRepeat);
+        const Floats pair = hn::Mul(constant(2), fractionOf(hn::Mul(coordinate, constant(0.5F))));
+        const Floats there = hn::Sub(constant(1), hn::Abs(hn::Sub(constant(1), pair)));
+        inside = hn::IfThenElse(clamps, smaller(larger(coordinate, constant(0)), constant(1)), inside);
+        inside = hn::IfThenElse(mirrors, there, inside);
+        atEdge = hn::Or(clamps, mirrors);
+    }
+    const Lanes finite = hn::And(hn::Ge(inside, constant(0)), hn::Le(inside, constant(1)));
     const Floats x =
-        hn::Sub(hn::Mul(hn::IfThenElseZero(finite, fraction), hn::ConvertTo(d, n)), constant(0.5F));
+        hn::Sub(hn::Mul(hn::IfThenElseZero(finite, inside), hn::ConvertTo(d, n)), constant(0.5F));
     const Floats whole = hn::Floor(x);
     const auto base = hn::ConvertTo(di, whole);
-    const auto wrapped = [&](auto i) {
-        const auto below = hn::IfThenElse(hn::Lt(i, hn::Zero(di)), hn::Add(i, n), i);
-        const auto inside = hn::IfThenElse(hn::Lt(i, n), below, hn::Sub(i, n));
-        return hn::BitCast(du, hn::IfThenElseZero(hn::RebindMask(di, finite), inside));
+    const auto kept = hn::RebindMask(di, atEdge);
+    const auto texel = [&](auto i) {
+        const auto below = hn::IfThenElse(kept, hn::Zero(di), hn::Add(i, n));
+        const auto above = hn::IfThenElse(kept, hn::Sub(n, hn::Set(di, 1)), hn::Sub(i, n));
+        const auto fromBelow = hn::IfThenElse(hn::Lt(i, hn::Zero(di)), below, i);
+        const auto there = hn::IfThenElse(hn::Lt(i, n), fromBelow, above);
+        return hn::BitCast(du, hn::IfThenElseZero(hn::RebindMask(di, finite), there));
     };
-    return {wrapped(base), wrapped(hn::Add(base, hn::Set(di, 1))),
-            hn::IfThenElseZero(finite, hn::Sub(x, whole))};
+    return {texel(base), texel(hn::Add(base, hn::Set(di, 1))), hn::IfThenElseZero(finite, hn::Sub(x, whole))};
 }
 
-void findTexels(TextureBlock& block) {
+template <bool repeats>
+HWY_INLINE void findTexelsOf(TextureBlock& block) {
     const FloatTag d;
     const BitsTag du;
     for (std::size_t i = 0; i < kWaveBlock; i += hn::Lanes(d)) {
@@ -70,8 +94,9 @@ void findTexels(TextureBlock& block) {
                            hn::Mul(hn::Load(d, block.corner[2][axis] + i), v));
         };
         const Bits width = hn::Load(du, block.size[0] + i);
-        const Taps x = tapsAt(coordinate(0), width);
-        const Taps y = tapsAt(hn::Sub(constant(1), coordinate(1)), hn::Load(du, block.size[1] + i));
+        const Taps x = tapsAt<repeats>(coordinate(0), width, hn::Load(du, block.wrap[0] + i));
+        const Taps y = tapsAt<repeats>(hn::Sub(constant(1), coordinate(1)), hn::Load(du, block.size[1] + i),
+                                       hn::Load(du, block.wrap[1] + i));
         const Bits upper = hn::Mul(y.first, width), lower = hn::Mul(y.second, width);
         hn::Store(hn::Add(upper, x.first), du, block.texel[0] + i);
         hn::Store(hn::Add(upper, x.second), du, block.texel[1] + i);
@@ -80,6 +105,10 @@ void findTexels(TextureBlock& block) {
         hn::Store(x.share, d, block.share[0] + i);
         hn::Store(y.share, d, block.share[1] + i);
     }
+}
+
+void findTexels(TextureBlock& block) {
+    block.repeats ? findTexelsOf<true>(block) : findTexelsOf<false>(block);
 }
 
 void mixTexels(TextureBlock& block) {
@@ -120,6 +149,10 @@ void texturedAlbedos(const Scene& scene, const HitWave& hits, std::span<const st
         texels[i] = scene.model.texels.data() + texture.firstTexel;
         block.size[0][i] = texture.width;
         block.size[1][i] = texture.height;
+        block.wrap[0][i] = static_cast<std::uint32_t>(texture.wrapU);
+        block.wrap[1][i] = static_cast<std::uint32_t>(texture.wrapV);
+        if (texture.wrapU != TextureWrap::Repeat || texture.wrapV != TextureWrap::Repeat)
+            block.repeats = false;
         block.u[i] = hits.u[hit];
         block.v[i] = hits.v[hit];
         for (std::size_t corner = 0; corner < 3 && !mesh.texcoords.empty(); ++corner) {

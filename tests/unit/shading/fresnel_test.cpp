@@ -55,8 +55,8 @@ TEST(FresnelDielectric, BothSidesOfOneInterfaceAgree) {
 }
 
 TEST(FresnelDielectric, NothingIsMirroredWhereTheIndexIsTheSame) {
-    for (int degrees = 0; degrees < 90; ++degrees)
-        EXPECT_NEAR(fresnelDielectric(cosineOf(degrees), 1), 0, 1e-6);
+    for (int degrees = 0; degrees <= 90; ++degrees) EXPECT_EQ(fresnelDielectric(cosineOf(degrees), 1), 0);
+    EXPECT_EQ(fresnelDielectric(0, 1), 0);
 }
 
 TEST(FresnelDielectric, TakesCosinesThatRoundingPushedOutOfRange) {

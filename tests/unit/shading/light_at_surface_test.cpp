@@ -1,5 +1,6 @@
 // What one surface sends to the viewer: the lobes, normals, vertex colours, both sides, ambient light.
 #include "support/small_scene.h"
+#include "support/steps.h"
 
 #include <gtest/gtest.h>
 
@@ -37,6 +38,32 @@ TEST(LightAtSurface, GlossyTwentyDegreesOffTheMirroredDirection) {
     EXPECT_NEAR(s.see(atAngle(-40) * 3, {}), 6.408252, 1e-4);
     EXPECT_NEAR(s.see(atAngle(-80) * 3, {}), 6.408252, 1e-4);
     EXPECT_EQ(s.see(atAngle(50) * 3, {}), 0); // more than 90 degrees off
+}
+
+TEST(LightAtSurface, RoughMetalsHaveNoEdge) {
+    for (const float shininess : {0.0F, 0.25F, 0.72F, 0.99F}) {
+        const TracedScene s(litFloor(glossy(0.8F, shininess)).finish());
+        // The whole way from side to side, past 90 degrees from the mirrored light.
+        float before = s.see(atAngle(-89) * 3, {});
+        for (const double degrees : test::steps(-88.8, 89.0, 0.2)) {
+            const float now = s.see(atAngle(degrees) * 3, {});
+            EXPECT_GT(now, 0);
+            EXPECT_NEAR(now, before, 0.05F) << shininess << " at " << degrees;
+            before = now;
+        }
+    }
+}
+
+TEST(LightAtSurface, ARoughMetalsLightFollowsItsExponentWithoutAStep) {
+    const auto seen = [](float shininess, double degrees) {
+        return TracedScene(litFloor(glossy(0.8F, shininess)).finish()).see(atAngle(degrees) * 3, {});
+    };
+    for (const double degrees : {-60, 0, 50, 80}) {
+        EXPECT_NEAR(seen(0.9999F, degrees), seen(1, degrees), 2e-3) << degrees;
+        EXPECT_NEAR(seen(1e-4F, degrees), seen(0, degrees), 2e-3) << degrees;
+    }
+    // Irradiance 25, cosine 1/2, GGX of roughness 1 straight on from there.
+    EXPECT_NEAR(seen(0, 0), 0.8 * 25 * 0.5 / (2 * test::kPi * 1.5), 1e-4);
 }
 
 TEST(LightAtSurface, DiffuseAndGlossyAdd) {

@@ -1,10 +1,18 @@
 #include "rtcore/shading/texture_lookup.h"
 
+#include "support/random_numbers.h"
+#include "support/small_scene.h"
 #include "support/steps.h"
+
+#include "rtcore/shading/surface.h"
+#include "rtcore/shading/texture_wave.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace rtcore {
 namespace {
@@ -50,6 +58,94 @@ TEST_F(TextureLookup, Repeats) {
         EXPECT_EQ(at(0.375F, 0.25F + shift).colour, at(0.375F, 0.25F).colour);
     }
     EXPECT_NEAR(at(-1e-9F, 0.75F).colour.r, 0.5F, 1e-6F);
+}
+
+/// A row of four greys 0, 51, 102, 153, looked up at u.
+float greyAt(float u, TextureWrap wrapU, TextureWrap wrapV = TextureWrap::Repeat, bool turned = false) {
+    ModelBuffers buffers;
+    buffers.materials.resize(1);
+    for (const std::uint8_t grey : std::array<std::uint8_t, 4>{0, 51, 102, 153})
+        buffers.texels.push_back({grey, grey, grey, 255});
+    buffers.textures = {{0, 4, 1, wrapU, wrapV}};
+    if (turned) buffers.textures = {{0, 1, 4, wrapV, wrapU}}; // from the top
+    const Model model = makeModel(std::move(buffers));
+    return sampleTexture(model, model.textures[0], turned ? Vec2{0.5F, 1 - u} : Vec2{u, 0.5F}).stored.x * 5;
+}
+
+TEST(TextureWraps, ClampToTheEdge) {
+    for (const bool turned : {false, true}) {
+        const auto at = [&](float u) {
+            return greyAt(u, TextureWrap::ClampToEdge, TextureWrap::Repeat, turned);
+        };
+        for (const float u : {-1e9F, -1.0F, -0.1F, 0.0F, 0.1F, 0.125F}) EXPECT_EQ(at(u), 0) << u;
+        for (const float u : {0.875F, 0.9F, 1.0F, 1.3F, 1e9F}) EXPECT_FLOAT_EQ(at(u), 3) << u;
+        EXPECT_FLOAT_EQ(at(0.375F), 1);
+        EXPECT_FLOAT_EQ(at(0.5F), 1.5F);
+        EXPECT_TRUE(std::isfinite(at(std::numeric_limits<float>::infinity())));
+        EXPECT_TRUE(std::isfinite(at(std::numeric_limits<float>::quiet_NaN())));
+    }
+}
+
+TEST(TextureWraps, Mirror) {
+    for (const bool turned : {false, true}) {
+        const auto at = [&](float u) {
+            return greyAt(u, TextureWrap::MirroredRepeat, TextureWrap::Repeat, turned);
+        };
+        for (const float u : {0.125F, 0.25F, 0.5F, 0.8125F}) {
+            for (const float same : {-u, 2 - u, u + 2, u - 2, 4 - u, u - 100}) {
+                EXPECT_NEAR(at(same), at(u), 1e-4F) << same;
+            }
+        }
+        EXPECT_EQ(at(0), 0); // what lies beyond the edge is the edge
+        EXPECT_FLOAT_EQ(at(1), 3);
+        EXPECT_TRUE(std::isfinite(at(-std::numeric_limits<float>::infinity())));
+    }
+}
+
+TEST(TextureWraps, EachAxisHasItsOwn) {
+    EXPECT_FLOAT_EQ(greyAt(1.375F, TextureWrap::Repeat, TextureWrap::ClampToEdge), 1);
+    EXPECT_FLOAT_EQ(greyAt(1.375F, TextureWrap::ClampToEdge, TextureWrap::MirroredRepeat), 3);
+    EXPECT_FLOAT_EQ(greyAt(1.375F, TextureWrap::MirroredRepeat, TextureWrap::ClampToEdge), 2);
+}
+
+TEST(TextureWraps, AreTheSameInVectorCode) {
+    test::Random random(3);
+    test::SceneBuilder b;
+    std::vector<Rgba8> texels;
+    for (int i = 0; i < 35; ++i) {
+        const auto code = [&] { return static_cast<std::uint8_t>(random.index(256)); };
+        texels.push_back({code(), code(), code(), 255});
+    }
+    constexpr std::array kWraps{TextureWrap::Repeat, TextureWrap::ClampToEdge, TextureWrap::MirroredRepeat};
+    for (const TextureWrap u : kWraps) {
+        for (const TextureWrap v : kWraps) {
+            Material m = test::matte(0.7F);
+            m.diffuseTexture = b.texture(7, 5, texels);
+            b.buffers.textures.back().wrapU = u;
+            b.buffers.textures.back().wrapV = v;
+            b.triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, b.material(m));
+        }
+    }
+    for (Vec2& uv : b.buffers.texcoords) uv = {random.number(-4, 4), random.number(-4, 4)};
+    b.buffers.texcoords.back() = {1e30F, std::numeric_limits<float>::infinity()};
+    const Scene scene = b.finish();
+    HitWave hits;
+    constexpr std::uint32_t kHits = 4096;
+    hits.resize(kHits);
+    for (std::uint32_t i = 0; i < kHits; ++i) {
+        hits.u[i] = random.number(0, 1);
+        hits.v[i] = random.number(0, 1 - hits.u[i]);
+        hits.triangle[i] = i < kHits / 2 ? 0 : random.index(9); // the first ones all repeat
+    }
+    for (std::uint32_t first = 0; first < kHits; first += kWaveBlock) {
+        std::array<std::uint32_t, kWaveBlock> points{};
+        std::iota(points.begin(), points.end(), first);
+        std::array<Colour, kWaveBlock> albedo{};
+        texturedAlbedos(scene, hits, points, albedo.data());
+        for (std::size_t i = 0; i < kWaveBlock; ++i) {
+            ASSERT_EQ(albedo[i], diffuseAt(scene, true, hits.hit(points[i]))) << points[i];
+        }
+    }
 }
 
 TEST_F(TextureLookup, DecodesSrgbButNotAlphaAndMask) {
