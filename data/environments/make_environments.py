@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Draws the environment maps: night.hdr, sunset.hdr, day.hdr, and the day as six faces and as a cross.
 
-Equirectangular pictures have -z in the middle and +x to the right of it; faces are as OpenGL orients them.
+Equirectangular pictures have -z in the middle and +x to the right of it; faces are as they look
+from inside, with -z ("pz", ahead) in the middle of the cross.
 """
 import math
 import os
@@ -17,9 +18,9 @@ WIDTH, HEIGHT = 1024, 512
 FACE = 256
 # The direction through (s, t) of each face, s and t in -1..1, t down.
 FACES = {
-    "px": lambda s, t: (1.0, -t, -s), "nx": lambda s, t: (-1.0, -t, s),
-    "py": lambda s, t: (s, 1.0, t), "ny": lambda s, t: (s, -1.0, -t),
-    "pz": lambda s, t: (s, -t, 1.0), "nz": lambda s, t: (-s, -t, -1.0),
+    "px": lambda s, t: (1.0, -t, s), "nx": lambda s, t: (-1.0, -t, -s),
+    "py": lambda s, t: (s, 1.0, -t), "ny": lambda s, t: (s, -1.0, t),
+    "pz": lambda s, t: (s, -t, -1.0), "nz": lambda s, t: (-s, -t, 1.0),
 }
 CROSS = {"py": (1, 0), "nx": (0, 1), "pz": (1, 1), "px": (2, 1), "nz": (3, 1), "ny": (1, 2)}
 

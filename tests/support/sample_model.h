@@ -23,6 +23,7 @@ class SampleModel {
             addTriangle(0.8F / std::cbrt(static_cast<float>(triangles)));
         addLights();
         addCameras();
+        addParts();
         return std::move(buffers_);
     }
 
@@ -69,13 +70,19 @@ class SampleModel {
             if (i == 1) m.diffuseTexture = 0;
             if (i == 2) m.alphaTexture = 1;
             m.nameOffset = buffers_.addName("material " + std::to_string(i));
+            m.roughness = i == 0 ? rtcore::kNoRoughness : 0.25F * static_cast<float>(i);
+            m.metallic = 0.5F * static_cast<float>(i);
+            if (i == 2) m.metallicRoughnessTexture = 1;
+            m.emissionLights = static_cast<std::uint32_t>(i % 2);
             buffers_.materials.push_back(m);
         }
     }
 
     void addTextures() {
         for (const std::uint32_t side : {2U, 5U}) {
-            buffers_.textures.push_back({buffers_.texels.size(), side, side + 1});
+            buffers_.textures.push_back({buffers_.texels.size(), side, side + 1,
+                                         rtcore::TextureWrap::ClampToEdge,
+                                         rtcore::TextureWrap::MirroredRepeat});
             for (std::uint32_t i = 0; i < side * (side + 1); ++i) {
                 const auto bits = static_cast<std::uint32_t>(random_());
                 buffers_.texels.push_back(
@@ -112,8 +119,18 @@ class SampleModel {
             camera.forward = {number(-1, 1), 0.2F, -1};
             camera.horizontalFov = number(20, 150);
             camera.nameOffset = buffers_.addName("camera " + std::to_string(i));
+            if (i == 1) camera.kind = rtcore::CameraKind::Orthographic;
+            camera.orthographicWidth = static_cast<float>(i);
+            camera.aspect = 1.5F * static_cast<float>(i);
             buffers_.cameras.push_back(camera);
         }
+    }
+
+    /// Two, with a triangle or more between them that belongs to none.
+    void addParts() {
+        const auto all = static_cast<std::uint32_t>(buffers_.triangles.size());
+        buffers_.parts.push_back({buffers_.addName("first part"), 0, all / 3});
+        buffers_.parts.push_back({0, all - all / 3, all / 3});
     }
 
     std::mt19937 random_;

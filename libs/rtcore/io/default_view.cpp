@@ -201,7 +201,7 @@ Light defaultLight(const Camera& camera, const Box3& bounds) {
     light.position = camera.eye + right * side + up * (inside ? side : 1.4F * side);
     // Indoors the light is as far from most walls as the room is wide.
     const float distance = inside ? 0.2F * diagonal : length(bounds.centre() - light.position);
-    const float strength = 3.14159265F * std::max(distance * distance, 1e-12F);
+    const float strength = 3.14159265F * std::max(distance * distance, 1e-30F);
     light.intensity = kWhite * strength;
     light.radius = 0.01F * diagonal;
     return light;

@@ -40,10 +40,11 @@ bool isSceneText(std::string_view head) {
     return false;
 }
 
-FileKind sniff(const std::filesystem::path& path, std::span<const std::byte> bytes) {
-    if (isBsp(bytes)) return FileKind::Bsp;
+FileKind sniff(const std::filesystem::path& path, InputFile& file) {
     constexpr std::size_t kHead = 65536;
-    const std::string_view head(reinterpret_cast<const char*>(bytes.data()), std::min(bytes.size(), kHead));
+    const std::span<const std::byte> bytes = file.head(kHead);
+    if (isBsp(bytes)) return FileKind::Bsp;
+    const std::string_view head(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     const bool text = head.find('\0') == std::string_view::npos && !head.starts_with("Caligari");
     if (isSceneText(head) || (path.extension() == ".scn" && text)) return FileKind::Scene;
     return FileKind::Model;
@@ -55,10 +56,10 @@ class Loader {
 
     LoadedScene load(const std::filesystem::path& path) {
         phase(LoadPhase::ReadingScene);
-        FileBytes file = openFileBytes(path);
-        const FileKind kind = sniff(path, file.bytes);
+        out_.files.push_back(path);
+        InputFile file(path);
+        const FileKind kind = sniff(path, file);
         if (kind == FileKind::Scene) {
-            file = {};
             loadDescribed(path);
         } else {
             loadModel(path, std::move(file), kind, options_.import);
@@ -78,8 +79,8 @@ class Loader {
     void loadDescribed(const std::filesystem::path& path) {
         SceneFile file = readSceneFile(path);
         if (options_.model) file.model = *options_.model;
-        FileBytes model = openFileBytes(file.model);
-        const FileKind kind = sniff(file.model, model.bytes);
+        InputFile model(file.model);
+        const FileKind kind = sniff(file.model, model);
         if (kind == FileKind::Scene) {
             throw FileError(FailureKind::BadData, path.string(),
                             "its model is a scene file too; name a .bsp or a model: " + file.model.string());
@@ -107,24 +108,26 @@ class Loader {
         for (const EnvironmentFile& environment : file.environments) loadEnvironment(environment);
         readSettings(file);
         if (file.camera) out_.camera = *file.camera;
-        if (file.cameraFile) out_.camera = readCameraFile(*file.cameraFile).camera;
+        if (file.cameraFile) {
+            out_.camera = readCameraFile(*file.cameraFile).camera;
+            out_.files.push_back(*file.cameraFile);
+        }
         hasCamera_ = file.camera || file.cameraFile;
         out_.sceneFile = file;
     }
 
-    void loadModel(const std::filesystem::path& path, FileBytes bytes, FileKind kind,
+    void loadModel(const std::filesystem::path& path, InputFile file, FileKind kind,
                    const ImportOptions& import) {
         Scene& scene = out_.scene;
         out_.modelPath = path;
+        out_.files.push_back(path);
         if (kind == FileKind::Bsp) {
-            take(readBsp(std::move(bytes), path.string()));
+            take(readBsp(file.read(), path.string()));
         } else if (!loadBuilt()) {
-            bytes = {};
             phase(LoadPhase::ImportingModel);
             ImportedModel imported = importModel(path, import);
-            for (const std::string& warning : imported.report.warnings) {
-                out_.warnings.push_back(path.string() + ": " + warning);
-            }
+            warn(imported.report.warnings);
+            out_.files.insert(out_.files.end(), imported.report.files.begin(), imported.report.files.end());
             scene.model = std::move(imported.model);
         }
         if (out_.tree.nodes.empty()) {
@@ -139,7 +142,13 @@ class Loader {
         }
     }
 
+    void warn(const std::vector<std::string>& warnings) {
+        for (const std::string& warning : warnings)
+            out_.warnings.push_back(out_.modelPath.string() + ": " + warning);
+    }
+
     void take(BspContent content) {
+        warn(content.warnings);
         out_.scene.model = std::move(content.model);
         if (content.tree) out_.tree = std::move(*content.tree);
     }
@@ -148,6 +157,7 @@ class Loader {
         if (!options_.built) return false;
         try {
             take(readBsp(openFileBytes(*options_.built), options_.built->string()));
+            out_.files.push_back(*options_.built);
             return true;
         } catch (const FileError& error) {
             out_.warnings.emplace_back(error.what());
@@ -157,12 +167,11 @@ class Loader {
 
     /// The exact tree saves about a sixth of the time of each ray and costs twice the time of the fast one.
     BuildOptions buildOptions(std::size_t triangles) {
-        constexpr std::size_t kLarge = 200'000;
         constexpr std::uint64_t kRaysPerTriangle = 4;
         constexpr int kQuick = 3;
         BuildOptions build = options_.build;
         const bool few = options_.primaryRays > 0 && options_.primaryRays < kRaysPerTriangle * triangles;
-        if (few && triangles > kLarge) {
+        if (few && triangles > kFastTreeTriangles) {
             out_.fastTree = true;
             build.method = BuildMethod::Fast;
             build.fastQuality = kQuick;
@@ -192,6 +201,7 @@ class Loader {
                 if (texture == kNoTexture) {
                     texture = static_cast<std::uint32_t>(scene.model.textures.size() + pictures.size());
                     pictures.push_back(readLdrImage(*change.diffuseTexture));
+                    out_.files.push_back(*change.diffuseTexture);
                 }
                 material.diffuseTexture = texture;
             }
@@ -243,6 +253,7 @@ class Loader {
             return loadEquirectangular(file.files.at(0));
         };
         Environment environment = read();
+        out_.files.insert(out_.files.end(), file.files.begin(), file.files.end());
         environment.intensity = file.intensity;
         out_.scene.environments.push_back(std::make_shared<const Environment>(std::move(environment)));
     }
@@ -253,6 +264,7 @@ class Loader {
         out_.still = file.still;
         if (!file.settings) return;
         const SettingsFile settings = readSettingsFile(*file.settings);
+        out_.files.push_back(*file.settings);
         out_.live.insert(out_.live.end(), settings.live.begin(), settings.live.end());
         out_.still.insert(out_.still.end(), settings.still.begin(), settings.still.end());
     }

@@ -8,6 +8,7 @@
 #include "rtcore/io/text/scn.h"
 #include "rtcore/scene/scene.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -19,6 +20,9 @@
 namespace rtcore {
 
 enum class LoadPhase { ReadingScene, ImportingModel, BuildingTree, LoadingImages, Done };
+
+/// A model of more triangles gets a fast tree where few rays are traced.
+inline constexpr std::size_t kFastTreeTriangles = 200'000;
 
 struct LoadOptions {
     BuildOptions build; ///< for models that have no tree yet
@@ -42,7 +46,8 @@ struct LoadedScene {
         still;                         ///< the .scn's own settings, then those of the .set that it names
     std::vector<std::string> warnings; ///< each one line, with the file's name
     std::filesystem::path modelPath;
-    BuildTimes buildTimes; ///< zero when the tree came from a .bsp
+    std::vector<std::filesystem::path> files; ///< all that were read, as far as known; some may stand twice
+    BuildTimes buildTimes;                    ///< zero when the tree came from a .bsp
     bool fastTree = false; ///< since LoadOptions::primaryRays are few: an exact tree serves more rays better
 };
 

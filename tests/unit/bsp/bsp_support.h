@@ -34,7 +34,8 @@ inline Bytes sampleFile(std::uint32_t seed, std::size_t triangles) {
     const rtcore::Model model = rtcore::makeModel(SampleModel(seed).make(triangles));
     const SampleTree tree = sampleTree(model.mesh, 2);
     const rtcore::KdTree view = tree.view();
-    rtcore::writeBsp(folder / "sample.bsp", model, &view, {1234, 0xABCD, 42});
+    rtcore::writeBsp(folder / "sample.bsp", model, &view, {1234, 0xABCD, 42},
+                     std::vector<std::string>{"a texture is missing", "a light is left out"});
     return fileContent(folder / "sample.bsp");
 }
 
@@ -56,17 +57,38 @@ inline std::optional<std::string> refusal(const Bytes& bytes) {
     return {};
 }
 
-inline rtcore::BspHeader headerOf(const Bytes& bytes) {
-    rtcore::BspHeader header;
-    std::memcpy(&header, bytes.data(), sizeof header);
-    return header;
+/// What a file of the present version says about itself.
+struct FileTable {
+    rtcore::BspHead head;
+    std::vector<rtcore::BspSectionEntry> sections;
+};
+
+/// As far as the bytes reach.
+inline FileTable tableOf(const Bytes& bytes) {
+    FileTable table;
+    std::memcpy(&table.head, bytes.data(), sizeof table.head);
+    const std::size_t room = (bytes.size() - sizeof table.head) / sizeof(rtcore::BspSectionEntry);
+    table.sections.resize(std::min<std::size_t>(table.head.sectionCount, room));
+    if (!table.sections.empty()) {
+        std::memcpy(table.sections.data(), bytes.data() + sizeof table.head,
+                    table.sections.size() * sizeof(rtcore::BspSectionEntry));
+    }
+    return table;
 }
 
-/// Puts the header in, with both checksums made right.
-inline void seal(Bytes& bytes, rtcore::BspHeader header) {
-    header.payloadCrc = rtcore::crc32Of(std::span(bytes).subspan(sizeof header));
-    header.headerCrc = rtcore::headerCrcOf(header);
-    std::memcpy(bytes.data(), &header, sizeof header);
+/// Puts head and table in, with both checksums made right.
+inline void seal(Bytes& bytes, FileTable table) {
+    if (!table.sections.empty()) {
+        std::memcpy(bytes.data() + sizeof table.head, table.sections.data(),
+                    table.sections.size() * sizeof(rtcore::BspSectionEntry));
+    }
+    table.head.payloadCrc = rtcore::crc32Of(std::span(bytes).subspan(sizeof table.head));
+    table.head.headCrc = rtcore::headCrcOf(table.head);
+    std::memcpy(bytes.data(), &table.head, sizeof table.head);
+}
+
+inline std::string nameOf(const rtcore::BspSectionEntry& entry) {
+    return {entry.name.data(), ::strnlen(entry.name.data(), entry.name.size())};
 }
 
 template <typename T>
@@ -86,6 +108,7 @@ inline void expectEqual(const rtcore::Model& a, const rtcore::Model& b) {
     EXPECT_TRUE(equal(a.texels, b.texels));
     EXPECT_TRUE(equal(a.lights, b.lights));
     EXPECT_TRUE(equal(a.cameras, b.cameras));
+    EXPECT_TRUE(equal(a.parts, b.parts));
     EXPECT_TRUE(equal(a.strings, b.strings));
 }
 

@@ -19,8 +19,8 @@ void expectRefusal(const Bytes& bytes, const std::string& words) {
     EXPECT_NE(said->find(words), std::string::npos) << *said;
 }
 
-void expectRefusal(Bytes bytes, rtcore::BspHeader header, const std::string& words) {
-    test::seal(bytes, header);
+void expectRefusal(Bytes bytes, const test::FileTable& table, const std::string& words) {
+    test::seal(bytes, table);
     expectRefusal(bytes, words);
 }
 
@@ -87,73 +87,109 @@ TEST(BspDamage, otherFilesOfThisEndingAreNamedSo) {
 
 TEST(BspDamage, otherVersionsAndByteOrdersAreNamedSo) {
     const Bytes bytes = test::sampleFile(1, 6);
-    rtcore::BspHeader header = test::headerOf(bytes);
-    header.version += 1;
-    expectRefusal(bytes, header, "another version");
-    header.byteOrder = 0x04030201;
-    expectRefusal(bytes, header, "other byte order");
+    test::FileTable table = test::tableOf(bytes);
+    for (const std::uint32_t version : {0U, 1U, 4U, 0x03000000U}) {
+        table.head.version = version;
+        expectRefusal(bytes, table, "another version");
+    }
+    table.head.byteOrder = 0x04030201;
+    expectRefusal(bytes, table, "other byte order");
 }
 
 TEST(BspDamage, sectionTableThatLiesIsRefused) {
     const Bytes bytes = test::sampleFile(1, 6);
-    const rtcore::BspHeader sound = test::headerOf(bytes);
+    const test::FileTable sound = test::tableOf(bytes);
     for (std::size_t i = 0; i < rtcore::kBspSections; ++i) {
-        const std::string name = rtcore::kBspSectionNames[i];
+        const std::string name(rtcore::kBspSectionKinds[i].name);
         // The second row: times the size of an element they wrap around to the end that would be right.
         const std::uint64_t own = sound.sections[i].count, one = 1;
-        for (const std::uint64_t count : {~one, one << 61U, one << 32U, sound.fileSize, own + 64, one - 1, //
-                                          own + (one << 60U), own + (one << 61U), own + (one << 62U)}) {
+        for (const std::uint64_t count :
+             {~one, one << 61U, one << 32U, sound.head.fileSize, own + 64, one - 1, //
+              own + (one << 60U), own + (one << 61U), own + (one << 62U)}) {
             if (count == own) continue;
-            rtcore::BspHeader header = sound;
-            header.sections[i].count = count;
-            expectRefusal(bytes, header, "section");
+            test::FileTable table = sound;
+            table.sections[i].count = count;
+            expectRefusal(bytes, table, "section");
         }
         for (const std::uint64_t offset : {std::uint64_t{0}, sound.sections[i].offset + 64,
                                            sound.sections[i].offset + 1, ~std::uint64_t{0} - 63}) {
-            rtcore::BspHeader header = sound;
-            header.sections[i].offset = offset;
-            expectRefusal(bytes, header, "section " + name + " begins at the wrong place");
+            test::FileTable table = sound;
+            table.sections[i].offset = offset;
+            expectRefusal(bytes, table, "section " + name + " begins at the wrong place");
         }
-        rtcore::BspHeader header = sound;
-        header.sections[i].elementSize = 0;
-        expectRefusal(bytes, header, "section " + name + " has elements of the wrong size");
+        test::FileTable table = sound;
+        table.sections[i].elementSize = 0;
+        expectRefusal(bytes, table, "section " + name + " has elements of the wrong size");
+    }
+}
+
+TEST(BspDamage, namesOfSectionsAreChecked) {
+    const Bytes bytes = test::sampleFile(1, 6);
+    const test::FileTable sound = test::tableOf(bytes);
+    test::FileTable table = sound;
+    table.sections[5].name = table.sections[6].name;
+    expectRefusal(bytes, table, "the same name");
+    table = sound;
+    table.sections[5].name = {};
+    expectRefusal(bytes, table, "no proper name");
+    table = sound;
+    table.sections[5].name.back() = 'x';
+    expectRefusal(bytes, table, "no proper name");
+    table = sound;
+    table.head.sectionCount = 0xFFFFFFFF;
+    expectRefusal(bytes, table, "wrong size");
+    table.head.sectionCount = 1024;
+    expectRefusal(bytes, table, "the table of sections is cut off");
+    table.head.sectionCount = 0;
+    table.sections.clear();
+    expectRefusal(bytes, table, "does not end with the file");
+}
+
+TEST(BspDamage, warningsMustBeText) {
+    const Bytes sound = test::sampleFile(1, 6);
+    const rtcore::BspSectionEntry warnings = test::tableOf(sound).sections.back();
+    ASSERT_EQ(test::nameOf(warnings), "warnings");
+    for (const std::size_t at : {std::size_t{0}, static_cast<std::size_t>(warnings.count) - 1}) {
+        Bytes bytes = sound;
+        bytes[warnings.offset + at] = static_cast<std::byte>(at == 0 ? '\x1B' : 'x');
+        expectRefusal(bytes, test::tableOf(bytes), "section warnings is no text");
     }
 }
 
 TEST(BspDamage, headerThatMakesNoSenseIsRefused) {
     const Bytes bytes = test::sampleFile(1, 6);
-    const rtcore::BspHeader sound = test::headerOf(bytes);
-    rtcore::BspHeader header = sound;
-    header.hasTree = 0;
-    expectRefusal(bytes, header, "belongs to no tree");
-    header = sound;
-    header.hasTree = 2;
-    expectRefusal(bytes, header, "flags");
-    header = sound;
-    header.reserved[3] = 1;
-    expectRefusal(bytes, header, "reserved");
-    header = sound;
-    header.boundsHi[1] = std::numeric_limits<float>::quiet_NaN();
-    expectRefusal(bytes, header, "bounds");
-    header = sound;
-    header.boundsLo = header.boundsHi = {0, 0, 0};
-    expectRefusal(bytes, header, "splits outside of its cell");
-    header = sound;
-    header.headerSize = 64;
-    expectRefusal(bytes, header, "wrong size");
+    const test::FileTable sound = test::tableOf(bytes);
+    test::FileTable table = sound;
+    table.head.hasTree = 0;
+    expectRefusal(bytes, table, "belongs to no tree");
+    table = sound;
+    table.head.hasTree = 2;
+    expectRefusal(bytes, table, "flags");
+    table = sound;
+    table.head.reserved[3] = 1;
+    expectRefusal(bytes, table, "reserved");
+    table = sound;
+    table.head.boundsHi[1] = std::numeric_limits<float>::quiet_NaN();
+    expectRefusal(bytes, table, "bounds");
+    table = sound;
+    table.head.boundsLo = table.head.boundsHi = {0, 0, 0};
+    expectRefusal(bytes, table, "splits outside of its cell");
+    table = sound;
+    table.head.headSize = 64;
+    expectRefusal(bytes, table, "wrong size");
 }
 
 TEST(BspDamage, paddingMustBeZero) {
     Bytes bytes = test::sampleFile(1, 6);
-    const rtcore::BspHeader header = test::headerOf(bytes);
+    const test::FileTable table = test::tableOf(bytes);
     int gaps = 0;
     for (std::size_t i = 1; i < rtcore::kBspSections; ++i) {
-        const auto& before = header.sections[i - 1];
+        const auto& before = table.sections[i - 1];
         const std::size_t gap = before.offset + before.count * before.elementSize;
-        if (gap == header.sections[i].offset) continue;
+        if (gap == table.sections[i].offset) continue;
         ++gaps;
         bytes[gap] = std::byte{1};
-        expectRefusal(bytes, header, "not zero");
+        expectRefusal(bytes, table, "not zero");
         bytes[gap] = std::byte{0};
     }
     EXPECT_GT(gaps, 3);

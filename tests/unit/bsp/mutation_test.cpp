@@ -1,6 +1,8 @@
 // Malice: files whose checksums are right and whose content is not. Whatever is accepted must be safe to use.
 #include "bsp_support.h"
 
+#include "rtcore/io/bsp/bsp_version2.h"
+
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -22,10 +24,11 @@ class Mutator {
     Bytes mutate(Bytes bytes) {
         const std::size_t changes = 1 + below(4);
         for (std::size_t i = 0; i < changes; ++i) change(bytes);
-        if (bytes.size() < sizeof(rtcore::BspHeader)) return bytes;
-        rtcore::BspHeader header = test::headerOf(bytes);
-        if (below(8) != 0) restore(header, bytes.size());
-        test::seal(bytes, header);
+        if (bytes.size() < sizeof(rtcore::BspHead)) return bytes;
+        test::FileTable table = test::tableOf(bytes);
+        if (below(8) != 0) restore(table, bytes.size());
+        if (below(4) == 0) changeSection(table);
+        test::seal(bytes, table);
         return bytes;
     }
 
@@ -73,27 +76,53 @@ class Mutator {
     }
     /// Moves the border between two sections, or cuts the last one.
     void changeCount(Bytes& bytes) {
-        if (bytes.size() < sizeof(rtcore::BspHeader)) return;
-        rtcore::BspHeader header = test::headerOf(bytes);
-        header.sections[below(rtcore::kBspSections)].count += below(5) - 2;
-        if (below(4) == 0) bytes.resize(std::max<std::size_t>(sizeof header, bytes.size() - below(80)));
-        header.fileSize = bytes.size();
-        std::memcpy(bytes.data(), &header, sizeof header);
+        test::FileTable table = test::tableOf(bytes);
+        if (!table.sections.empty()) table.sections[below(table.sections.size())].count += below(5) - 2;
+        test::seal(bytes, table);
+        if (below(4) == 0) bytes.resize(std::max<std::size_t>(sizeof table.head, bytes.size() - below(80)));
+    }
+    /// A section of another name, of elements of another size with or without as many bytes, in another's
+    /// place.
+    void changeSection(test::FileTable& table) {
+        if (table.sections.empty()) return;
+        rtcore::BspSectionEntry& section = table.sections[below(table.sections.size())];
+        rtcore::BspSectionEntry& other = table.sections[below(table.sections.size())];
+        const std::uint64_t bytes = section.count * section.elementSize;
+        switch (below(4)) {
+        case 0:
+            section.name[below(section.name.size())] ^= static_cast<char>(1 + below(127));
+            break;
+        case 1:
+            section.elementSize = static_cast<std::uint32_t>(1 + below(200));
+            section.count = bytes / section.elementSize;
+            break;
+        case 2:
+            section.elementSize += static_cast<std::uint32_t>(below(17)) - 8;
+            break;
+        default:
+            std::swap(section.name, other.name);
+            break;
+        }
     }
     /// Most mutations should get past the first checks.
-    static void restore(rtcore::BspHeader& header, std::size_t size) {
-        header.magic = rtcore::kBspMagic;
-        header.byteOrder = rtcore::kBspByteOrder;
-        header.version = rtcore::kBspVersion;
-        header.headerSize = sizeof header;
-        header.sectionCount = rtcore::kBspSections;
-        header.fileSize = size;
-        header.reserved = {};
-        std::uint64_t end = sizeof header;
-        for (std::size_t i = 0; i < rtcore::kBspSections; ++i) {
-            header.sections[i].offset = (end + 63) / 64 * 64;
-            header.sections[i].elementSize = rtcore::kBspElementSizes[i];
-            end = header.sections[i].offset + header.sections[i].count * rtcore::kBspElementSizes[i];
+    static void restore(test::FileTable& table, std::size_t size) {
+        table.head.magic = rtcore::kBspMagic;
+        table.head.byteOrder = rtcore::kBspByteOrder;
+        table.head.version = rtcore::kBspVersion;
+        table.head.headSize = sizeof table.head;
+        table.sections.resize(std::min(table.sections.size(), rtcore::kBspSections));
+        table.head.sectionCount = static_cast<std::uint32_t>(table.sections.size());
+        table.head.fileSize = size;
+        table.head.reserved = {};
+        std::uint64_t end = sizeof table.head + table.sections.size() * sizeof(rtcore::BspSectionEntry);
+        for (std::size_t i = 0; i < table.sections.size(); ++i) {
+            rtcore::BspSectionEntry& section = table.sections[i];
+            const rtcore::BspSectionKind& kind = rtcore::kBspSectionKinds[i];
+            section.name = {};
+            std::copy(kind.name.begin(), kind.name.end(), section.name.begin());
+            section.elementSize = kind.elementSize;
+            section.offset = (end + 63) / 64 * 64;
+            end = section.offset + section.count * section.elementSize;
         }
     }
 
@@ -122,6 +151,11 @@ class Walker {
             add(c.eye);
             sum_ += static_cast<double>(model_.name(c.nameOffset).size());
         }
+        for (const rtcore::ModelPart& p : model_.parts) {
+            for (std::uint32_t t = 0; t < p.triangleCount; ++t) useTriangle(p.firstTriangle + t);
+            sum_ += static_cast<double>(model_.name(p.nameOffset).size());
+        }
+        for (const std::string& warning : content_.warnings) sum_ += static_cast<double>(warning.size());
         if (content_.tree) useTree(*content_.tree);
         return sum_;
     }
@@ -144,7 +178,8 @@ class Walker {
         sum_ += texels.front().r + texels.back().g;
     }
     void useMaterial(const rtcore::Material& m) {
-        for (const std::uint32_t t : {m.diffuseTexture, m.alphaTexture, m.normalTexture, m.emissionTexture}) {
+        for (const std::uint32_t t : {m.diffuseTexture, m.alphaTexture, m.normalTexture, m.emissionTexture,
+                                      m.metallicRoughnessTexture}) {
             if (t != rtcore::kNoTexture) useTexture(model_.textures[t]);
         }
         sum_ += static_cast<double>(model_.name(m.nameOffset).size());
@@ -174,14 +209,40 @@ class Walker {
 
 long mutationCount() {
     const char* wanted = std::getenv("RT_MUTATIONS");
-    return wanted != nullptr ? std::atol(wanted) : 4000;
+    return wanted != nullptr ? std::atol(wanted) : 10000;
 }
 
-} // namespace
+/// A file of version 2 with some words of its own or of kTelling in other places, and right checksums.
+class OldMutator {
+  public:
+    explicit OldMutator(std::uint32_t seed) : random_(seed) {}
 
-TEST(BspMutation, whatIsAcceptedIsSafeToUse) {
-    const Bytes sound = test::sampleFile(11, 30);
-    Mutator mutator(20240607);
+    Bytes mutate(Bytes bytes) {
+        const std::size_t words = bytes.size() / 4;
+        for (std::size_t changes = 1 + random_() % 4; changes > 0; --changes) {
+            std::uint32_t word = kTelling[random_() % std::size(kTelling)];
+            if (random_() % 2 == 0) std::memcpy(&word, bytes.data() + random_() % words * 4, 4);
+            // The head up to its sections is not of interest: flags alone decide there.
+            const std::size_t at = 76 / 4 + random_() % (words - 76 / 4);
+            std::memcpy(bytes.data() + at * 4, &word, 4);
+        }
+        rtcore::BspHead2 head;
+        std::memcpy(&head, bytes.data(), sizeof head);
+        head.payloadCrc = rtcore::crc32Of(std::span(bytes).subspan(sizeof head));
+        head.reserved = {};
+        std::memcpy(bytes.data(), &head, sizeof head);
+        head.headCrc = rtcore::crc32Of(std::span(bytes).first(offsetof(rtcore::BspHead2, headCrc)));
+        std::memcpy(bytes.data(), &head, sizeof head);
+        return bytes;
+    }
+
+  private:
+    std::mt19937 random_;
+};
+
+/// Reads RT_MUTATIONS files and uses what is accepted.
+template <typename SomeMutator>
+void readMutations(const Bytes& sound, SomeMutator mutator) {
     const long count = mutationCount();
     long accepted = 0;
     const auto start = std::chrono::steady_clock::now();
@@ -200,4 +261,12 @@ TEST(BspMutation, whatIsAcceptedIsSafeToUse) {
                 static_cast<double>(count) / seconds.count());
     EXPECT_GT(accepted, count / 50) << "the mutations must reach beyond the first checks";
     EXPECT_LT(accepted, count * 9 / 10);
+}
+
+} // namespace
+
+TEST(BspMutation, whatIsAcceptedIsSafeToUse) { readMutations(test::sampleFile(11, 30), Mutator(20240607)); }
+
+TEST(BspMutation, whatIsAcceptedOfVersion2IsSafeToUse) {
+    readMutations(test::fileContent(RT_VERSION_2_FILE), OldMutator(20240608));
 }

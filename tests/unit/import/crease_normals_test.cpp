@@ -65,6 +65,15 @@ Vec3 facet(const ModelBuffers& m, std::size_t t) {
     return normalize(cross(p(1) - p(0), p(2) - p(0)));
 }
 
+TEST(CreaseNormals, AnAngleOfZeroIsFlat) {
+    ModelBuffers m = sphere(500); // neighbours are a third of a degree apart, those at the poles less
+    computeMissingNormals(m, 0);
+    for (std::size_t t = 0; t < m.triangles.size(); ++t) {
+        for (const std::uint32_t i : m.shading[t].v)
+            ASSERT_LT(length(m.normals[i] - facet(m, t)), 2e-4F) << "triangle " << t;
+    }
+}
+
 TEST(CreaseNormals, ACubeStaysSharp) {
     ModelBuffers m = cube();
     computeMissingNormals(m, 40);

@@ -191,4 +191,27 @@ TEST(Importer, DiesWithItsParent) {
     EXPECT_EQ(late.code, 1);
 }
 
+TEST(ImportLimits, FollowTheFileWithoutItsHolesAndTheMachine) {
+    const test::TemporaryFolder folder;
+    const auto file = [&](const std::string& name, std::size_t bytes) {
+        std::ofstream(folder / name, std::ios::binary) << std::string(bytes, 'x');
+        return folder / name;
+    };
+    const std::uint64_t most = machineMemory() / 2;
+    const ImportLimits tiny = importLimits(file("tiny.ply", 20));
+    EXPECT_EQ(tiny.memory, std::min<std::uint64_t>(2'000'000'000, most));
+    EXPECT_EQ(tiny.seconds, 5);
+    EXPECT_NEAR(importLimits(file("tiny.gltf", 20)).seconds, 15, 0.01) << "its buffers may be large";
+    EXPECT_NEAR(importLimits(file("a.ply", 1'000'000)).seconds, 17, 0.01);
+    std::filesystem::resize_file(folder / "a.ply", 5'000'000'000);
+    const ImportLimits sparse = importLimits(folder / "a.ply");
+    EXPECT_NEAR(sparse.seconds, 17, 0.2);
+    EXPECT_EQ(sparse.memory, tiny.memory);
+    ImportOptions asked;
+    asked.memoryLimit = 123;
+    asked.timeLimit = 4;
+    EXPECT_EQ(importLimits(folder / "a.ply", asked).memory, 123U);
+    EXPECT_EQ(importLimits(folder / "a.ply", asked).seconds, 4);
+}
+
 } // namespace

@@ -12,8 +12,14 @@ TEST(ImportReport, SurvivesTheWay) {
     report.degenerateTriangles = 3;
     report.ignoredPrimitives = 1;
     report.nonFiniteTriangles = 9;
+    report.unconnectedTriangles = 4;
+    report.equalTriangles = 77;
     addWarning(report, "texture 'a b.png' is missing");
     addWarning(report, "another");
+    addFile(report, "/a b/c.obj");
+    addFile(report, "/a b/ c.png ");
+    addFile(report, "/a b/c.obj");
+    EXPECT_EQ(report.files.size(), 2U);
     EXPECT_EQ(readReport("alive\nalive\n" + writeReport(report)), report);
 }
 

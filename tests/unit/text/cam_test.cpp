@@ -101,11 +101,34 @@ TEST(Cam, DirectionsThatMakeNoViewAreRefused) {
               "x.cam:4:6: up is zero; give the direction that is up in the picture");
     EXPECT_EQ(problemWith("up = [0, 0, 1e-30]"),
               "x.cam:4:6: up is parallel to the view direction; give another up");
-    EXPECT_EQ(problem("version=1\neye=[0,0,0]\nforward=[0,-7,0]"),
-              "x.cam:3:9: up is parallel to the view direction; give another up");
     EXPECT_EQ(problemWith("up = [0, 1e-3, 1]"), "no error");
     // Tiny and huge directions are directions.
     EXPECT_EQ(problem("version=1\neye=[0,0,0]\nforward=[0,0,1e-40]\nup=[0,1e30,0]"), "no error");
+}
+
+/// Only an up that the file gives can be wrong.
+TEST(Cam, LooksStraightUpAndDownWithoutAnUp) {
+    const auto upOf = [](const char* forward) {
+        return parseCameraFile("version=1\neye=[0,0,0]\nforward=" + std::string(forward), "x.cam").camera.up;
+    };
+    EXPECT_EQ(upOf("[0,-7,0]"), (rtcore::Vec3{0, 0, -1})); // as if one had looked along -z before
+    EXPECT_EQ(upOf("[0,7,0]"), (rtcore::Vec3{0, 0, 1}));
+    EXPECT_EQ(upOf("[1e-9,-7,0]"), (rtcore::Vec3{0, 0, -1}));
+    EXPECT_EQ(upOf("[0.1,-7,0]"), (rtcore::Vec3{0, 1, 0}));
+}
+
+TEST(Cam, OrthographicCamerasHaveAWidth) {
+    const rtcore::Camera camera =
+        parseCameraFile(kLeast + "orthographicWidth = 4.5\naspect = 1.25\n", "x.cam").camera;
+    EXPECT_EQ(camera.kind, rtcore::CameraKind::Orthographic);
+    EXPECT_EQ(camera.orthographicWidth, 4.5F);
+    EXPECT_EQ(camera.aspect, 1.25F);
+    EXPECT_EQ(parseCameraFile(kLeast, "x.cam").camera.kind, rtcore::CameraKind::Perspective);
+    EXPECT_EQ(problemWith("fov = 60\northographicWidth = 1"),
+              "x.cam:4:7: fov and orthographicWidth are both given; leave one out");
+    for (const char* wrong : {"orthographicWidth = 0", "orthographicWidth = -1", "orthographicWidth = 1e19",
+                              "aspect = 0", "aspect = 1e-5", "aspect = 40000"})
+        EXPECT_NE(problemWith(wrong), "no error") << wrong;
 }
 
 TEST(Cam, LineEndsAndByteOrderMarkDoNotMatter) {
@@ -127,7 +150,13 @@ CameraFile randomCamera(test::Random& random) {
     file.camera.eye = {random.number(), random.number(), random.number()};
     file.camera.forward = {random.number(), random.number(), 0};
     file.camera.up = {0, random.number(), random.number()};
-    file.camera.horizontalFov = 0.001F + 179.9F * random.share();
+    if (random.flag()) {
+        file.camera.horizontalFov = 0.001F + 179.9F * random.share();
+    } else {
+        file.camera.kind = rtcore::CameraKind::Orthographic;
+        file.camera.orthographicWidth = 0.001F + 1000 * random.share();
+    }
+    if (random.flag()) file.camera.aspect = 0.1F + random.share();
     if (random.flag()) file.width = 1 + static_cast<int>(random.below(32768));
     if (random.flag()) file.height = 1 + static_cast<int>(random.below(32768));
     if (random.flag()) file.antialiasing = 1 + static_cast<int>(random.below(16));

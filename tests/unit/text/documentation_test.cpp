@@ -3,6 +3,7 @@
 #include "rtcore/io/text/camera_list.h"
 #include "rtcore/io/text/scn.h"
 #include "rtcore/io/text/set.h"
+#include "rtcore/io/text/toml_guard.h"
 #include "unit/text/text_test_support.h"
 
 #include <gtest/gtest.h>
@@ -90,6 +91,56 @@ TEST(FormatsDocument, NamesEveryKeyOfAScene) {
             EXPECT_TRUE(shown) << section << key;
         }
     }
+}
+
+TEST(FormatsDocument, NamesTheBoundsOfTheParser) {
+    const auto says = [](const std::string& words) {
+        EXPECT_NE(document().find(words), std::string::npos) << words;
+    };
+    says("of at most " + std::to_string(rtcore::kMaxTomlBytes >> 20U) + " MB");
+    says("at most " + std::to_string(rtcore::kMaxTomlDepth) + " brackets within brackets,\n  " +
+         std::to_string(rtcore::kMaxTomlDepth) + " parts in a dotted key, a million values");
+    EXPECT_EQ(rtcore::kMaxTomlValues, 1'000'000U);
+}
+
+TEST(FormatsDocument, NamesTheRangesOfMaterials) {
+    const auto taken = [](const std::string& key, const std::string& value) {
+        const std::string text = "version = 1\nmodel = 'a'\n[[material]]\nname = 'b'\n" + key + " = " + value;
+        return test::badData([&] { rtcore::parseSceneFile(text, "f"); }) == "no error";
+    };
+    struct Range {
+        const char *key, *lowest, *highest, *below, *above, *words;
+    };
+    for (const Range& range :
+         {Range{"opacity", "0.0", "1.0", "-0.01", "1.01", "`opacity`,\n`reflectivity` 0 to 1"},
+          Range{"reflectivity", "0.0", "1.0", "-0.01", "1.01", "`reflectivity` 0 to 1"},
+          Range{"shininess", "0.0", "100000.0", "-0.01", "100001.0", "`shininess` 0 to 100000"},
+          Range{"indexOfRefraction", "1.0", "5.0", "0.99", "5.01", "`indexOfRefraction` 1 to 5"}}) {
+        EXPECT_TRUE(taken(range.key, range.lowest) && taken(range.key, range.highest)) << range.key;
+        EXPECT_FALSE(taken(range.key, range.below) || taken(range.key, range.above)) << range.key;
+        EXPECT_NE(document().find(range.words), std::string::npos) << range.words;
+    }
+}
+
+TEST(FormatsDocument, NamesTheDefaultsOfCamerasAndLights) {
+    const auto says = [](const std::string& words) {
+        EXPECT_NE(document().find(words), std::string::npos) << words;
+    };
+    const rtcore::CameraFile camera =
+        rtcore::parseCameraFile("version = 1\neye = [0, 0, 0]\nforward = [0, 0, -1]\n", "x.cam");
+    EXPECT_EQ(camera.camera.horizontalFov, 60);
+    EXPECT_EQ(camera.camera.up, (rtcore::Vec3{0, 1, 0}));
+    says("above 0, below 180; default 60");
+    says("`up` is +y and `fov` 60 when absent");
+    const rtcore::SceneFile scene = rtcore::parseSceneFile(
+        "version = 1\nmodel = 'a'\n[[light]]\nkind = 'point'\nposition = [0, 0, 0]\n", "x.scn");
+    ASSERT_EQ(scene.lights.size(), 1U);
+    EXPECT_EQ(scene.lights[0].light.intensity, (rtcore::Colour{1, 1, 1}));
+    says("# W/sr; default 1 1 1");
+    EXPECT_EQ(scene.background, rtcore::Colour{});
+    EXPECT_EQ(scene.ambient, rtcore::Colour{});
+    says("where there is no environment; default black");
+    says("without shadows; default black");
 }
 
 } // namespace

@@ -103,6 +103,8 @@ TEST(Scn, TheCameraLooksAtAPointOrForward) {
     // The scene's up is the camera's, too.
     EXPECT_EQ(parse("up = \"+z\"\n[camera]\neye = [0, 0, 0]\nforward = [1, 0, 0]\n").camera->up,
               (Vec3{0, 0, 1}));
+    EXPECT_EQ(parse("up = \"+z\"\n[camera]\neye = [0, 0, 9]\nlookAt = [0, 0, 0]\n").camera->up,
+              (Vec3{0, 1, 0}));
 }
 
 TEST(Scn, CamerasThatMakeNoViewAreRefused) {
@@ -111,8 +113,10 @@ TEST(Scn, CamerasThatMakeNoViewAreRefused) {
     EXPECT_EQ(problem("[camera]\neye = [0, 0, 0]\nforward = [1, 0, 0]\nlookAt = [1, 0, 0]"),
               "x.scn:6:10: forward and lookAt are both given; leave one out");
     EXPECT_EQ(problem("[camera]\neye = [0, 0, 0]"), "x.scn:3:1: the key 'forward' is missing here; add it");
-    EXPECT_EQ(problem("[camera]\neye = [0, 0, 0]\nlookAt = [0, 9, 0]"),
-              "x.scn:5:10: up is parallel to the view direction; give another up");
+    EXPECT_EQ(problem("[camera]\neye = [0, 0, 0]\nlookAt = [0, 9, 0]\nup = [0, 1, 0]"),
+              "x.scn:6:6: up is parallel to the view direction; give another up");
+    EXPECT_EQ(problem("[camera]\nfile = \"a.cam\"\naspect = 1"),
+              "x.scn:5:10: file and aspect are both given; leave one out");
     EXPECT_EQ(problem("[camera]\neye = [0, 0, 0]\nfile = \"a.cam\""),
               "x.scn:4:7: file and eye are both given; leave one out");
     EXPECT_EQ(problem("[camera]\nfille = \"a.cam\""), "x.scn:4:1: unknown key 'fille'; did you mean 'file'?");

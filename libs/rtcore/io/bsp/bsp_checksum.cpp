@@ -11,8 +11,8 @@ std::uint32_t crc32Of(std::span<const std::byte> bytes, std::uint32_t before) {
     return static_cast<std::uint32_t>(::crc32_z(before, first, bytes.size()));
 }
 
-std::uint32_t headerCrcOf(const BspHeader& header) {
-    return crc32Of(std::as_bytes(std::span(&header, 1)).first(offsetof(BspHeader, headerCrc)));
+std::uint32_t headCrcOf(const BspHead& head) {
+    return crc32Of(std::as_bytes(std::span(&head, 1)).first(offsetof(BspHead, headCrc)));
 }
 
 } // namespace rtcore

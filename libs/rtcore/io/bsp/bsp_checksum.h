@@ -12,7 +12,7 @@ namespace rtcore {
 /// Of `bytes` that follow others whose CRC is `before`.
 std::uint32_t crc32Of(std::span<const std::byte> bytes, std::uint32_t before = 0);
 
-/// Of the header without its last field.
-std::uint32_t headerCrcOf(const BspHeader& header);
+/// Of the head without its last field.
+std::uint32_t headCrcOf(const BspHead& head);
 
 } // namespace rtcore

@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace rtcore {
 
@@ -26,18 +27,21 @@ struct BspContent {
     Model model;
     std::optional<KdTree> tree; ///< none in a file that only hands over an imported model
     BspIdentity identity;
+    std::vector<std::string> warnings; ///< what its import left out or changed, each one line
 };
 
 /// Writes by replaceFile(): a reader sees the old file or all of the new one, whenever the writer is killed.
-/// `tree` may be null. The same content gives the same bytes.
+/// `tree` may be null; `warnings` are kept with the model, at most 64 KB of them. The same content gives the
+/// same bytes.
 /// Throws FileError: CannotWrite, and BadData when the model or the tree breaks a rule of checkModel() or
 /// validateKdTree(), since readBsp() would refuse the file.
 void writeBsp(const std::filesystem::path& path, const Model& model, const KdTree* tree,
-              const BspIdentity& identity);
+              const BspIdentity& identity, std::span<const std::string> warnings = {});
 
 /// Maps the file and checks all of it - checksums, structure, every index, every number - before it returns
-/// views into the mapping, which `model.storage` and `tree->storage` own. About 10 ms for a million
-/// triangles. Safe from many threads. Throws FileError: NoInput, and BadData that names the section at fault.
+/// views into the mapping, which `model.storage` and `tree->storage` own; sections of version 2 whose
+/// elements were shorter then are copied. About 10 ms for a million triangles. Safe from many threads. Throws
+/// FileError: NoInput, and BadData that names the section at fault.
 BspContent readBsp(const std::filesystem::path& path);
 
 /// The same for bytes that are in memory; `name` stands for the file in messages. The first byte must be

@@ -5,6 +5,8 @@
 #include "rtcore/accel/validation.h"
 #include "rtcore/platform/error.h"
 
+#include <algorithm>
+#include <string_view>
 #include <vector>
 
 namespace rtcore {
@@ -16,15 +18,32 @@ using Bytes = std::span<const std::byte>;
 constexpr std::array<std::byte, kBspAlignment> kZeros{};
 
 /// In the order of BspSection.
-std::array<Bytes, kBspSections> contentOf(const Model& model, const KdTree* tree) {
+std::array<Bytes, kBspSections> contentOf(const Model& model, const KdTree* tree, std::string_view warnings) {
     const Mesh& mesh = model.mesh;
     const auto nodes = tree != nullptr ? tree->nodes : std::span<const KdNode>();
     const auto references = tree != nullptr ? tree->references : std::span<const std::uint32_t>();
-    return {std::as_bytes(nodes),          std::as_bytes(references),   std::as_bytes(mesh.vertices),
-            std::as_bytes(mesh.triangles), std::as_bytes(mesh.shading), std::as_bytes(mesh.normals),
-            std::as_bytes(mesh.texcoords), std::as_bytes(mesh.colours), std::as_bytes(model.materials),
-            std::as_bytes(model.textures), std::as_bytes(model.texels), std::as_bytes(model.lights),
-            std::as_bytes(model.cameras),  std::as_bytes(model.strings)};
+    return {std::as_bytes(nodes),           std::as_bytes(references),
+            std::as_bytes(mesh.vertices),   std::as_bytes(mesh.triangles),
+            std::as_bytes(mesh.shading),    std::as_bytes(mesh.normals),
+            std::as_bytes(mesh.texcoords),  std::as_bytes(mesh.colours),
+            std::as_bytes(model.materials), std::as_bytes(model.textures),
+            std::as_bytes(model.texels),    std::as_bytes(model.lights),
+            std::as_bytes(model.cameras),   std::as_bytes(model.parts),
+            std::as_bytes(model.strings),   std::as_bytes(std::span(warnings))};
+}
+
+/// One line each, whatever they hold.
+std::string linesOf(std::span<const std::string> warnings) {
+    std::string lines;
+    for (const std::string& warning : warnings) {
+        if (lines.size() + warning.size() >= kMostBspWarningBytes) break;
+        for (const char c : warning) {
+            const auto code = static_cast<unsigned char>(c);
+            lines += code < 0x20 || code == 0x7F ? '?' : c;
+        }
+        lines += '\n';
+    }
+    return lines;
 }
 
 void refuseBadContent(const std::filesystem::path& path, const Model& model, const KdTree* tree) {
@@ -38,45 +57,64 @@ void refuseBadContent(const std::filesystem::path& path, const Model& model, con
                     "not written: the model cannot be used (" + *problem + "); repair the model's file");
 }
 
-BspHeader headerOf(const Model& model, const KdTree* tree, const BspIdentity& identity) {
+BspHead headOf(const Model& model, const KdTree* tree, const BspIdentity& identity) {
     const Box3 bounds = tree != nullptr ? tree->bounds : model.mesh.bounds();
-    BspHeader header{};
-    header.magic = kBspMagic;
-    header.byteOrder = kBspByteOrder;
-    header.version = kBspVersion;
-    header.headerSize = sizeof(BspHeader);
-    header.sectionCount = kBspSections;
-    header.sourceSize = identity.sourceSize;
-    header.sourceCrc = identity.sourceCrc;
-    header.buildOptionsHash = identity.buildOptionsHash;
-    header.boundsLo = {bounds.lo.x, bounds.lo.y, bounds.lo.z};
-    header.boundsHi = {bounds.hi.x, bounds.hi.y, bounds.hi.z};
-    header.hasTree = tree != nullptr ? 1 : 0;
-    return header;
+    BspHead head{};
+    head.magic = kBspMagic;
+    head.byteOrder = kBspByteOrder;
+    head.version = kBspVersion;
+    head.headSize = sizeof(BspHead);
+    head.sectionCount = kBspSections;
+    head.sourceSize = identity.sourceSize;
+    head.sourceCrc = identity.sourceCrc;
+    head.buildOptionsHash = identity.buildOptionsHash;
+    head.boundsLo = {bounds.lo.x, bounds.lo.y, bounds.lo.z};
+    head.boundsHi = {bounds.hi.x, bounds.hi.y, bounds.hi.z};
+    head.hasTree = tree != nullptr ? 1 : 0;
+    return head;
+}
+
+using Table = std::array<BspSectionEntry, kBspSections>;
+
+/// Where each section comes to lie.
+Table tableOf(const std::array<Bytes, kBspSections>& sections) {
+    Table table{};
+    std::uint64_t end = sizeof(BspHead) + sizeof(Table);
+    for (std::size_t i = 0; i < kBspSections; ++i) {
+        const BspSectionKind& kind = kBspSectionKinds[i];
+        std::copy(kind.name.begin(), kind.name.end(), table[i].name.begin());
+        table[i].elementSize = kind.elementSize;
+        table[i].offset = (end + kBspAlignment - 1) / kBspAlignment * kBspAlignment;
+        table[i].count = sections[i].size() / kind.elementSize;
+        end = table[i].offset + sections[i].size();
+    }
+    return table;
 }
 
 } // namespace
 
 void writeBsp(const std::filesystem::path& path, const Model& model, const KdTree* tree,
-              const BspIdentity& identity) {
+              const BspIdentity& identity, std::span<const std::string> warnings) {
     refuseBadContent(path, model, tree);
-    BspHeader header = headerOf(model, tree, identity);
+    const std::string lines = linesOf(warnings);
+    const auto sections = contentOf(model, tree, lines);
+    const Table table = tableOf(sections);
+    BspHead head = headOf(model, tree, identity);
 
-    std::vector<Bytes> pieces{std::as_bytes(std::span(&header, 1))};
-    std::uint64_t end = sizeof(BspHeader);
+    std::vector<Bytes> pieces{std::as_bytes(std::span(&head, 1))};
+    std::uint64_t end = sizeof(BspHead);
     const auto append = [&](Bytes bytes) {
-        header.payloadCrc = crc32Of(bytes, header.payloadCrc);
+        head.payloadCrc = crc32Of(bytes, head.payloadCrc);
         end += bytes.size();
         pieces.push_back(bytes);
     };
-    const auto sections = contentOf(model, tree);
+    append(std::as_bytes(std::span(table)));
     for (std::size_t i = 0; i < kBspSections; ++i) {
-        append(Bytes(kZeros).first((kBspAlignment - end % kBspAlignment) % kBspAlignment));
-        header.sections[i] = {end, sections[i].size() / kBspElementSizes[i], kBspElementSizes[i]};
+        append(Bytes(kZeros).first(table[i].offset - end));
         append(sections[i]);
     }
-    header.fileSize = end;
-    header.headerCrc = headerCrcOf(header);
+    head.fileSize = end;
+    head.headCrc = headCrcOf(head);
     writeFileAtomically(path, pieces);
 }
 

@@ -11,6 +11,9 @@ using Finding = std::optional<std::string>;
 /// What sums of albedos may exceed 1 by, and lengths of directions differ from it.
 constexpr float kRounding = 1e-3F;
 
+/// Of pictures of one pixel by as many as there may be.
+constexpr float kLeastAspect = 1.0F / kMaxImageSide;
+
 bool within(float value, float lo, float hi) { return value >= lo && value <= hi; } // false for NaN
 bool within(Colour c, float lo, float hi) {
     return within(c.r, lo, hi) && within(c.g, lo, hi) && within(c.b, lo, hi);
@@ -36,7 +39,11 @@ const char* problemOf(const Material& m, const Model& model) {
     if (!within(m.indexOfRefraction, 1, 5)) return "indexOfRefraction is not in 1..5";
     if (!isSwitch(m.fresnel) || !isSwitch(m.alphaFromAlpha)) return "a switch is neither 0 nor 1";
     if (!within(m.alphaCutoff, 0, 1)) return "alphaCutoff is not in 0..1";
-    for (const std::uint32_t t : {m.diffuseTexture, m.alphaTexture, m.normalTexture, m.emissionTexture}) {
+    if (!within(m.roughness, 0, 1) && m.roughness != kNoRoughness) return "roughness is not in 0..1";
+    if (!within(m.metallic, 0, 1)) return "metallic is not in 0..1";
+    if (!isSwitch(m.emissionLights)) return "a switch is neither 0 nor 1";
+    for (const std::uint32_t t :
+         {m.diffuseTexture, m.alphaTexture, m.normalTexture, m.emissionTexture, m.metallicRoughnessTexture}) {
         if (t != kNoTexture && t >= model.textures.size()) return "it names a texture that does not exist";
     }
     return m.nameOffset < model.strings.size() ? nullptr : "its name lies outside of the strings";
@@ -50,6 +57,8 @@ const char* problemOf(const Texture& t, const Model& model) {
     }
     const std::uint64_t texels = std::uint64_t{t.width} * t.height;
     if (texels > kMaxImagePixels) return "it has too many texels";
+    if (t.wrapU > TextureWrap::MirroredRepeat || t.wrapV > TextureWrap::MirroredRepeat)
+        return "it wraps in no known way";
     const std::uint64_t available = model.texels.size();
     if (t.firstTexel > available || texels > available - t.firstTexel) return "it ends outside of the texels";
     return nullptr;
@@ -80,6 +89,11 @@ const char* problemOf(const Camera& c, const Model& model) {
     if (forward == Vec3{} || up == Vec3{}) return "forward or up is zero or not a number";
     if (!(length(cross(forward, up)) > 1e-6F)) return "forward and up are parallel";
     if (!(c.horizontalFov > 0 && c.horizontalFov < 180)) return "the field of view is not in 0..180 degrees";
+    if (c.kind > CameraKind::Orthographic) return "it is of no known kind";
+    if (c.kind == CameraKind::Orthographic && !(c.orthographicWidth > 0)) return "its width is not above 0";
+    if (!within(c.orthographicWidth, 0, kLargestNumber)) return "its width is out of range";
+    if (c.aspect != 0 && !within(c.aspect, kLeastAspect, 1 / kLeastAspect))
+        return "its aspect is out of range";
     return c.nameOffset < model.strings.size() ? nullptr : "its name lies outside of the strings";
 }
 

@@ -83,6 +83,17 @@ Finding checkSizes(const Model& model) {
     return {};
 }
 
+Finding checkParts(const Model& model) {
+    std::uint64_t end = 0;
+    for (const ModelPart& part : model.parts) {
+        if (part.nameOffset >= model.strings.size()) return "parts: a name lies outside of the strings";
+        if (part.firstTriangle < end) return "parts: two overlap, or they do not ascend";
+        end = std::uint64_t{part.firstTriangle} + part.triangleCount;
+        if (end > model.mesh.triangles.size()) return "parts: one names a triangle that does not exist";
+    }
+    return {};
+}
+
 Finding checkStrings(std::span<const char> strings) {
     if (strings.empty() || strings.front() != 0) return "strings: the first name must be empty";
     if (strings.back() != 0) return "strings: the last name does not end";
@@ -109,6 +120,7 @@ std::optional<std::string> checkModel(const Model& model) {
     if (Finding f = checkSizes(model)) return f;
     if (Finding f = checkStrings(model.strings)) return f;
     if (Finding f = checkMesh(model)) return f;
+    if (Finding f = checkParts(model)) return f;
     if (Finding f = checkMaterials(model)) return f;
     if (Finding f = checkTextures(model)) return f;
     if (Finding f = checkLights(model)) return f;

@@ -126,13 +126,14 @@ void sketchCamera(const CameraRays& rays, float distance, int width, int height,
     sketch.object("camera", {0.9F, 0.1F, 0.6F});
     const auto w = static_cast<float>(width), h = static_cast<float>(height);
     const Vec3 ahead = rays.at(w / 2, h / 2).direction;
-    const auto corner = [&](float x, float y) {
-        const Vec3 direction = rays.at(x, y).direction;
-        return rays.eye() + direction * (distance / dot(direction, ahead));
-    };
-    const std::array<Vec3, 4> corners{corner(0, 0), corner(w, 0), corner(w, h), corner(0, h)};
+    const std::array<Ray, 4> edges{rays.at(0, 0), rays.at(w, 0), rays.at(w, h), rays.at(0, h)};
+    std::array<Vec3, 4> corners;
     for (std::size_t i = 0; i < 4; ++i) {
-        sketch.bar(rays.eye(), corners[i], thickness);
+        const Vec3 direction = edges[i].direction;
+        corners[i] = edges[i].origin + direction * (distance / dot(direction, ahead));
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+        sketch.bar(edges[i].origin, corners[i], thickness);
         sketch.bar(corners[i], corners[(i + 1) % 4], thickness);
     }
     const Vec3 top = (corners[0] + corners[1]) * 0.5F;
@@ -182,10 +183,11 @@ DebugScene sketchScene(const Scene& scene, const KdTree& tree, const RayTracer& 
     return {sketch.text(), sketch.materials()};
 }
 
+std::filesystem::path debugMaterials(std::filesystem::path path) { return path.replace_extension(".mtl"); }
+
 void writeDebugScene(const std::filesystem::path& path, const Scene& scene, const KdTree& tree,
                      const RayTracer& tracer, const Camera& camera, int width, int height) {
-    std::filesystem::path materials = path;
-    materials.replace_extension(".mtl");
+    const std::filesystem::path materials = debugMaterials(path);
     const DebugScene drawn =
         sketchScene(scene, tree, tracer, camera, width, height, materials.filename().string());
     const auto write = [](const std::filesystem::path& file, const std::string& text) {

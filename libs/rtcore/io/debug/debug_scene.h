@@ -23,6 +23,9 @@ struct DebugScene {
 DebugScene sketchScene(const Scene& scene, const KdTree& tree, const RayTracer& tracer, const Camera& camera,
                        int width, int height, std::string_view materials);
 
+/// The file of materials that writeDebugScene() writes beside `path`.
+std::filesystem::path debugMaterials(std::filesystem::path path);
+
 /// Writes the drawing to `path` and its materials beside it, with the ending .mtl; both complete or not at
 /// all. Throws FileError CannotWrite.
 void writeDebugScene(const std::filesystem::path& path, const Scene& scene, const KdTree& tree,

@@ -1,18 +1,27 @@
 #include "rtcore/io/import/assimp_import.h"
 
 #include "rtcore/io/import/assimp_parts.h"
+#include "rtcore/io/import/equal_triangles.h"
+#include "rtcore/io/import/gltf_file.h"
+#include "rtcore/io/import/import_warnings.h"
 #include "rtcore/io/import/mesh_assembly.h"
 #include "rtcore/io/import/polygon.h"
+#include "rtcore/io/import/unread_content.h"
 #include "rtcore/platform/error.h"
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/importerdesc.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iomanip>
 #include <new>
+#include <optional>
+#include <sstream>
 #include <utility>
 
 namespace rtcore {
@@ -33,6 +42,7 @@ Affine affineOf(const aiMatrix4x4& m) {
 struct Instance {
     unsigned mesh;
     Affine place;
+    const aiNode* node;
 };
 
 /// All that the node graph says.
@@ -59,7 +69,7 @@ NodeWalk walkNodes(const aiScene& scene) {
         const Affine place = parent * affineOf(node->mTransformation);
         if (scene.mNumLights + scene.mNumCameras > 0) walk.places.try_emplace(node->mName.C_Str(), place);
         for (unsigned i = 0; i < node->mNumMeshes; ++i) {
-            if (hasMesh(scene, node->mMeshes[i])) walk.instances.push_back({node->mMeshes[i], place});
+            if (hasMesh(scene, node->mMeshes[i])) walk.instances.push_back({node->mMeshes[i], place, node});
         }
         for (unsigned i = node->mNumChildren; i-- > 0;) {
             if (node->mChildren[i] != nullptr) open.emplace_back(node->mChildren[i], place);
@@ -117,7 +127,7 @@ class MeshReader {
             if (face.mNumIndices < 3 || face.mIndices == nullptr) {
                 ++report_.ignoredPrimitives;
             } else if (!valid(face, mesh.mNumVertices)) {
-                addWarning(report_, "faces that name vertices which do not exist are left out");
+                report_.unconnectedTriangles += face.mNumIndices - 2;
             } else if (face.mNumIndices == 3) {
                 addTriangle(face, 0, 1, 2, mirrored);
             } else {
@@ -204,8 +214,9 @@ class MeshReader {
 /// Model materials, in the order of the file, without those that no mesh uses.
 class Materials {
   public:
-    Materials(const aiScene& scene, const NodeWalk& walk, const FormatQuirks& quirks, ModelBuffers& model,
-              ImportReport& report, TextureStore& textures)
+    Materials(const aiScene& scene, const NodeWalk& walk, const FormatQuirks& quirks,
+              std::span<const float> emissiveStrengths, ModelBuffers& model, ImportReport& report,
+              TextureStore& textures)
         : numbers_(scene.mNumMaterials, kNoMaterial), uses_(scene.mNumMaterials) {
         std::vector<char> used(scene.mNumMaterials, 0);
         for (const Instance& i : walk.instances) {
@@ -214,7 +225,8 @@ class Materials {
         }
         for (unsigned m = 0; m < scene.mNumMaterials; ++m) {
             if (used[m] == 0 || scene.mMaterials[m] == nullptr) continue;
-            const SourceMaterial source = sourceMaterialOf(*scene.mMaterials[m], quirks);
+            SourceMaterial source = sourceMaterialOf(*scene.mMaterials[m], quirks);
+            if (m < emissiveStrengths.size()) source.emission = source.emission * emissiveStrengths[m];
             uses_[m] = texcoordUseOf(*scene.mMaterials[m], report);
             numbers_[m] = append(mapMaterial(source, textures), source.name, model);
         }
@@ -242,16 +254,41 @@ class Materials {
     ModelBuffers* model_ = nullptr;
 };
 
+/// Notes the files that Assimp reads.
+class NotingFiles : public Assimp::DefaultIOSystem {
+  public:
+    explicit NotingFiles(std::shared_ptr<std::vector<std::string>> files) : files_(std::move(files)) {}
+    Assimp::IOStream* Open(const char* file, const char* mode) override {
+        Assimp::IOStream* const stream = DefaultIOSystem::Open(file, mode);
+        if (stream != nullptr) files_->push_back(std::filesystem::absolute(file).lexically_normal().string());
+        return stream;
+    }
+
+  private:
+    std::shared_ptr<std::vector<std::string>> files_;
+};
+
 /// Only parses: Assimp's own post-processing takes ten times as long as ours.
-const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path& path) {
+const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path& path,
+                         const std::optional<GltfFile>& gltf, ImportReport& report) {
+    const auto files = std::make_shared<std::vector<std::string>>();
+    importer.SetIOHandler(new NotingFiles(files)); // which the importer owns from now on
+    // A file of lights or bones alone holds no surface: none is made up.
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, false);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_MD5_NO_ANIM_AUTOLOAD, true);
     const aiScene* const scene = importer.ReadFile(path.string(), 0);
+    for (const std::string& file : *files) addFile(report, file);
     if (scene != nullptr) return *scene;
     const std::string reason = importer.GetErrorString();
     if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
     if (reason.find("No suitable reader") != std::string::npos) {
         refuse("no importer knows this format; convert it to glTF, OBJ, PLY or STL");
+    }
+    if (gltf && !gltf->missingBuffers.empty()) {
+        const bool one = gltf->missingBuffers.size() == 1;
+        refuse("its geometry is in " + firstOf(gltf->missingBuffers) + (one ? ", which is" : ", which are") +
+               " missing; put " + (one ? "it" : "them") + " beside the model's file");
     }
     refuse(
         "Assimp cannot read it: " + reason +
@@ -290,16 +327,61 @@ void refuseEmpty(const aiScene& scene, const ImportReport& report, ModelBuffers&
     refuse("it holds no triangles (" + std::to_string(report.ignoredPrimitives) + " points and lines, " +
            std::to_string(report.degenerateTriangles) + " triangles without area, " +
            std::to_string(report.nonFiniteTriangles) + " with broken coordinates, " +
+           std::to_string(report.unconnectedTriangles) + " with corners that do not exist, " +
            std::to_string(scene.mNumMeshes) + " meshes); give a model with surfaces");
+}
+
+/// Smaller models would vanish in the rounding of products of their coordinates.
+void refuseTooSmall(const Box3& bounds) {
+    constexpr float kLeastSize = 1e-12F;
+    if (bounds.empty()) return;
+    const Vec3 size = bounds.size();
+    const float largest = std::max({size.x, size.y, size.z});
+    if (largest == 0 || largest >= kLeastSize) return;
+    std::ostringstream text;
+    text << "it is only " << largest << " units large, too small to be traced; scale it up by a factor of "
+         << std::scientific << std::setprecision(0) << 1 / std::max(double{largest}, 1e-45);
+    refuse(text.str());
+}
+
+/// Of what Assimp drops without a word, by what the file declares.
+void countDroppedTriangles(const GltfFile& gltf, const aiScene& scene, ImportReport& report) {
+    std::uint64_t read = 0;
+    for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+        const aiMesh* const mesh = scene.mMeshes[m];
+        for (unsigned f = 0; mesh != nullptr && f < mesh->mNumFaces; ++f)
+            read += mesh->mFaces[f].mNumIndices > 2 ? 1 : 0;
+    }
+    if (gltf.triangles > read) report.unconnectedTriangles += gltf.triangles - read;
+}
+
+void warnOfFiles(const std::filesystem::path& path, const std::optional<GltfFile>& gltf,
+                 ImportReport& report) {
+    if (const auto libraries = missingMaterialLibraries(path); !libraries.empty()) {
+        addWarning(report, "material library " + firstOf(libraries) +
+                               (libraries.size() == 1 ? " is" : " are") +
+                               " missing; what it describes is plain grey");
+    }
+    for (const std::string& sentence : unreadInCollada(path)) addWarning(report, sentence);
+    if (gltf && !gltf->ignoredExtensions.empty())
+        addWarning(report, "ignored, since not supported: " + firstOf(gltf->ignoredExtensions));
+}
+
+/// The name of the object, as its author sees it.
+std::string nameOf(const Instance& instance, const aiScene& scene) {
+    const std::string node = instance.node->mName.C_Str();
+    return node.empty() || instance.node == scene.mRootNode ? scene.mMeshes[instance.mesh]->mName.C_Str()
+                                                            : node;
 }
 
 } // namespace
 
 AssimpResult importWithAssimp(const std::filesystem::path& path, const AssimpOptions& options) {
     const auto importer = std::make_shared<Assimp::Importer>();
-    const aiScene& scene = readScene(*importer, path);
-    options.alive();
+    const std::optional<GltfFile> gltf = readGltfFile(path);
     AssimpResult result;
+    const aiScene& scene = readScene(*importer, path, gltf, result.report);
+    options.alive();
     result.source = importer;
     result.report.format = formatOf(*importer);
     const FormatQuirks quirks = quirksOf(result.report.format);
@@ -309,21 +391,33 @@ AssimpResult importWithAssimp(const std::filesystem::path& path, const AssimpOpt
 
     const SceneEmbeddedPictures embedded(scene);
     TextureStore textures(result.model, result.report, path.parent_path(), embedded, options.alive);
-    Materials materials(scene, walk, quirks, result.model, result.report, textures);
+    const auto strengths = gltf ? gltf->emissiveStrengths : std::vector<float>();
+    Materials materials(scene, walk, quirks, strengths, result.model, result.report, textures);
     MeshReader reader(quirks, result.report);
     for (const Instance& instance : walk.instances) {
         const aiMesh& mesh = *scene.mMeshes[instance.mesh];
         SourceMesh source = reader.read(mesh, instance.place, materials.texcoordUse(mesh.mMaterialIndex));
         if (source.triangles.empty()) continue;
         source.material = materials.numberOf(mesh.mMaterialIndex);
+        const std::uint32_t first = assembler.triangleCount();
         assembler.add(source);
+        result.model.parts.push_back(
+            {result.model.addName(nameOf(instance, scene)), first, assembler.triangleCount() - first});
         options.alive();
     }
     assembler.finish(result.model, options.creaseAngle);
     result.report.degenerateTriangles = assembler.degenerateTriangles();
     result.report.nonFiniteTriangles = assembler.nonFiniteTriangles();
+    if (gltf) countDroppedTriangles(*gltf, scene, result.report);
+    refuseTooSmall(assembler.bounds());
     refuseEmpty(scene, result.report, result.model);
+    result.report.equalTriangles = removeEqualTriangles(result.model);
 
+    warnOfLostTriangles(result.model, result.report);
+    warnOfFiles(path, gltf, result.report);
+    warnOfMissingTextures(textures.missing(), result.report);
+    warnWhenInvisible(result.model, result.report);
+    warnOfOutliers(result.model, result.report);
     Box3 bounds;
     for (const Vertex& v : result.model.vertices) bounds.extend(v.position());
     addLights(scene, walk.places, quirks, bounds, result.model, result.report);

@@ -103,6 +103,15 @@ bool convert(const aiLight& light, const Affine& place, const FormatQuirks& quir
     return i.r >= 0 && i.g >= 0 && i.b >= 0 && maxComponent(i) <= kLargest && !isBlack(i);
 }
 
+/// Of the picture that was framed. Without one in the file the vertical angle is meant for pictures of any
+/// shape: 4:3 is ours.
+float aspectOf(const aiCamera& camera) {
+    constexpr float kMost = 1000;
+    const float aspect = camera.mAspect;
+    if (!(aspect > 0) || !std::isfinite(aspect)) return 4.0F / 3;
+    return std::clamp(aspect, 1 / kMost, kMost);
+}
+
 /// The horizontal angle in degrees. Assimp documents it as half of the angle; its importers give all of it.
 float horizontalFov(const aiCamera& camera, const FormatQuirks& quirks) {
     const float angle = camera.mHorizontalFOV;
@@ -110,8 +119,8 @@ float horizontalFov(const aiCamera& camera, const FormatQuirks& quirks) {
     float horizontal = angle;
     if (quirks.fovTimesAspect &&
         (aiGetVersionMajor() < 5 || (aiGetVersionMajor() == 5 && aiGetVersionMinor() < 3))) {
-        // Without an aspect ratio it is the vertical angle, for a picture of any shape: 4:3 is ours.
-        const float aspect = camera.mAspect > 0 && std::isfinite(camera.mAspect) ? camera.mAspect : 4.0F / 3;
+        // Without an aspect ratio it is the vertical angle.
+        const float aspect = aspectOf(camera);
         const float vertical = camera.mAspect > 0 ? angle / aspect : angle;
         const float half = std::clamp(vertical / 2, 1e-3F, kPi / 2 - 1e-3F);
         horizontal = 2 * portableAtan2(portableSin(half) * aspect, portableCos(half));
@@ -129,6 +138,12 @@ bool convert(const aiCamera& camera, const Affine& place, const FormatQuirks& qu
         out.up = std::fabs(out.forward.y) < 0.9F ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
     }
     out.horizontalFov = horizontalFov(camera, quirks);
+    const bool framed = camera.mAspect > 0 || quirks.fovTimesAspect;
+    if (quirks.framedAspect && framed) out.aspect = aspectOf(camera);
+    if (camera.mOrthographicWidth > 0 && camera.mOrthographicWidth <= kLargest / 2) {
+        out.kind = CameraKind::Orthographic;
+        out.orthographicWidth = 2 * camera.mOrthographicWidth; // Assimp's is half of it
+    }
     return true;
 }
 

@@ -11,7 +11,9 @@
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
+#include <optional>
 #include <span>
+#include <utility>
 
 namespace rtcore {
 
@@ -43,14 +45,26 @@ class Properties {
         return material_.Get(key, type, index, value) == aiReturn_SUCCESS ? value.C_Str() : "";
     }
     /// The first picture of these kinds.
-    std::string picture(std::initializer_list<aiTextureType> kinds) const {
+    SourceMap picture(std::initializer_list<aiTextureType> kinds) const {
         for (const aiTextureType kind : kinds) {
-            if (std::string name = text(AI_MATKEY_TEXTURE(kind, 0)); !name.empty()) return name;
+            std::string name = text(AI_MATKEY_TEXTURE(kind, 0));
+            if (name.empty()) continue;
+            return {std::move(name), wrap(AI_MATKEY_MAPPINGMODE_U(kind, 0)),
+                    wrap(AI_MATKEY_MAPPINGMODE_V(kind, 0))};
         }
         return {};
     }
 
   private:
+    /// A decal, which ends at its edge, comes nearest to one that is clamped.
+    TextureWrap wrap(const char* key, unsigned type, unsigned index) const {
+        int mode = aiTextureMapMode_Wrap;
+        read(mode, key, type, index);
+        if (mode == aiTextureMapMode_Mirror) return TextureWrap::MirroredRepeat;
+        const bool ends = mode == aiTextureMapMode_Clamp || mode == aiTextureMapMode_Decal;
+        return ends ? TextureWrap::ClampToEdge : TextureWrap::Repeat;
+    }
+
     const aiMaterial& material_;
 };
 
@@ -134,20 +148,41 @@ SourceMaterial sourceMaterialOf(const aiMaterial& material, const FormatQuirks& 
     return m;
 }
 
-TexcoordUse texcoordUseOf(const aiMaterial& material, ImportReport& report) {
+namespace {
+
+TexcoordUse texcoordUseOf(const aiMaterial& material, aiTextureType kind, ImportReport& report) {
     TexcoordUse use;
     int set = 0;
-    if (material.Get(AI_MATKEY_UVWSRC_DIFFUSE(0), set) == aiReturn_SUCCESS && set >= 0) {
+    if (material.Get(AI_MATKEY_UVWSRC(kind, 0), set) == aiReturn_SUCCESS && set >= 0) {
         use.set = static_cast<unsigned int>(set);
     }
     aiUVTransform t;
-    if (material.Get(AI_MATKEY_UVTRANSFORM_DIFFUSE(0), t) != aiReturn_SUCCESS) return use;
+    if (material.Get(AI_MATKEY_UVTRANSFORM(kind, 0), t) != aiReturn_SUCCESS) return use;
     if (t.mRotation != 0) {
         addWarning(report, "a texture is turned on its surface; that is not supported, so it is not turned");
     }
     use.scale = {t.mScaling.x, t.mScaling.y};
     if (t.mRotation == 0) use.offset = {t.mTranslation.x, t.mTranslation.y};
     return use;
+}
+
+} // namespace
+
+TexcoordUse texcoordUseOf(const aiMaterial& material, ImportReport& report) {
+    // Those that are looked up texel by texel; of the others only the mean counts.
+    std::optional<TexcoordUse> first;
+    for (const aiTextureType kind : {aiTextureType_DIFFUSE, aiTextureType_BASE_COLOR, aiTextureType_OPACITY,
+                                     aiTextureType_NORMALS, aiTextureType_EMISSIVE}) {
+        if (material.GetTextureCount(kind) == 0) continue;
+        const TexcoordUse use = texcoordUseOf(material, kind, report);
+        if (!first) first = use;
+        if (use == *first) continue;
+        aiString name;
+        material.Get(AI_MATKEY_NAME, name);
+        addWarning(report, std::string("the textures of material '") + name.C_Str() +
+                               "' lie on it in different ways; all are laid as the first one is");
+    }
+    return first.value_or(TexcoordUse{});
 }
 
 bool SceneEmbeddedPictures::has(const std::string& name) const {

@@ -21,10 +21,12 @@ namespace rtcore {
 struct TexcoordUse {
     unsigned int set = 0;
     Vec2 scale{1, 1}, offset;
+    friend bool operator==(const TexcoordUse&, const TexcoordUse&) = default;
 };
 
 SourceMaterial sourceMaterialOf(const aiMaterial& material, const FormatQuirks& quirks);
-/// Of the diffuse picture; one record has one set of coordinates for all of its pictures.
+/// Of the first picture, the diffuse one if there is one: one record has one set of coordinates for all of
+/// its pictures.
 TexcoordUse texcoordUseOf(const aiMaterial& material, ImportReport& report);
 
 class SceneEmbeddedPictures : public EmbeddedPictures {

@@ -52,7 +52,7 @@ Facet facetOf(const ModelBuffers& model, const Triangle& t) {
 class Smoother {
   public:
     Smoother(ModelBuffers& model, float creaseAngle)
-        : model_(model), cosCrease_(cosine(creaseAngle) - kSlack),
+        : model_(model), flat_(creaseAngle <= 0), cosCrease_(cosine(creaseAngle) - kSlack),
           cosHalf_(cosine(creaseAngle / 2) + kSlack) {}
 
     void run() {
@@ -106,6 +106,10 @@ class Smoother {
 
     void smoothVertex(std::span<const std::uint32_t> corners) {
         added_.clear();
+        if (flat_) {
+            for (const std::uint32_t c : corners) assign(c, facetNormal(c));
+            return;
+        }
         Vec3 sum;
         for (const std::uint32_t c : corners) sum += weighted(c);
         const Vec3 mean = normalize(sum);
@@ -179,6 +183,7 @@ class Smoother {
     };
 
     ModelBuffers& model_;
+    bool flat_; ///< nothing is smoothed, not even what rounding leaves of one plane
     float cosCrease_, cosHalf_;
     std::vector<std::uint32_t> first_, corners_; ///< corner = 3 * triangle + 0..2
     std::vector<Facet> facets_;

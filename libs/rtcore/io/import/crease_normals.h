@@ -7,11 +7,12 @@ namespace rtcore {
 
 /// Gives every corner whose normal is (0, 0, 0) the average, weighted by angle, of the normals of those
 /// triangles around its vertex - among corners without a normal - that are within `creaseAngle` (degrees,
-/// 0..180) of its own triangle's. All normals in `model` are of unit length or zero; afterwards only those of
-/// triangles without area can be zero. One entry of `normals` (with its texture coordinate and colour) serves
-/// all corners that use it where they agree; where a crease parts them, entries are added. Triangles must
-/// have valid indices, and be fewer than 2^30. Linear time, about 100 bytes a triangle for its duration.
-/// Weights: Thuermer and Wuethrich 1998, "Computing Vertex Normals from Polygonal Facets".
+/// 0..180) of its own triangle's; 0: its own alone. All normals in `model` are of unit length or zero;
+/// afterwards only those of triangles without area can be zero. One entry of `normals` (with its texture
+/// coordinate and colour) serves all corners that use it where they agree; where a crease parts them, entries
+/// are added. Triangles must have valid indices, and be fewer than 2^30. Linear time, about 100 bytes a
+/// triangle for its duration. Weights: Thuermer and Wuethrich 1998, "Computing Vertex Normals from Polygonal
+/// Facets".
 void computeMissingNormals(ModelBuffers& model, float creaseAngle);
 
 } // namespace rtcore

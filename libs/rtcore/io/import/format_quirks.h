@@ -15,6 +15,7 @@ struct FormatQuirks {
     bool cameraAtNode = false;        ///< the camera's own position repeats its node's
     bool cameraBackwards = false;     ///< cameras look along -z whatever is said
     bool fovTimesAspect = false;      ///< the camera's angle is the vertical one times the aspect ratio
+    bool framedAspect = false;        ///< a camera has the aspect that its author framed; else a made up one
     bool mapReplacesDiffuse = false;  ///< a diffuse picture stands in place of the diffuse colour
 };
 

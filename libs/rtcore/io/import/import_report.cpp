@@ -27,13 +27,23 @@ void addWarning(ImportReport& report, const std::string& text) {
     report.warnings.push_back(known.size() < kMaxWarnings ? line : kMore);
 }
 
+void addFile(ImportReport& report, const std::string& path) {
+    auto& known = report.files;
+    if (std::find(known.begin(), known.end(), path) == known.end()) known.push_back(path);
+}
+
 std::string writeReport(const ImportReport& report) {
     std::ostringstream out;
     out << "format " << printable(report.format) << '\n'
         << "degenerate " << report.degenerateTriangles << '\n'
         << "ignored " << report.ignoredPrimitives << '\n'
-        << "nonfinite " << report.nonFiniteTriangles << '\n';
+        << "nonfinite " << report.nonFiniteTriangles << '\n'
+        << "unconnected " << report.unconnectedTriangles << '\n'
+        << "equal " << report.equalTriangles << '\n';
     for (const std::string& warning : report.warnings) out << "warning " << warning << '\n';
+    for (const std::string& file : report.files) {
+        if (file.find('\n') == std::string::npos) out << "file " << file << '\n';
+    }
     return out.str();
 }
 
@@ -46,10 +56,14 @@ ImportReport readReport(const std::string& text) {
         const std::string name = line.substr(0, space);
         const std::string value = line.substr(space + 1);
         if (name == "format") report.format = value;
-        if (name == "degenerate") report.degenerateTriangles = std::strtoull(value.c_str(), nullptr, 10);
-        if (name == "ignored") report.ignoredPrimitives = std::strtoull(value.c_str(), nullptr, 10);
-        if (name == "nonfinite") report.nonFiniteTriangles = std::strtoull(value.c_str(), nullptr, 10);
+        const std::uint64_t count = std::strtoull(value.c_str(), nullptr, 10);
+        if (name == "degenerate") report.degenerateTriangles = count;
+        if (name == "ignored") report.ignoredPrimitives = count;
+        if (name == "nonfinite") report.nonFiniteTriangles = count;
+        if (name == "unconnected") report.unconnectedTriangles = count;
+        if (name == "equal") report.equalTriangles = count;
         if (name == "warning") addWarning(report, value);
+        if (name == "file") addFile(report, value);
     }
     return report;
 }

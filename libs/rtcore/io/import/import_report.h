@@ -9,11 +9,14 @@
 namespace rtcore {
 
 struct ImportReport {
-    std::string format;                    ///< the importer's name for it, as "Wavefront Object Importer"
-    std::uint64_t degenerateTriangles = 0; ///< without area: dropped
-    std::uint64_t ignoredPrimitives = 0;   ///< points and lines: dropped
-    std::uint64_t nonFiniteTriangles = 0;  ///< a coordinate is no number or beyond 1e12: dropped
-    std::vector<std::string> warnings;     ///< sentences for the user, without a file name
+    std::string format;                     ///< the importer's name for it, as "Wavefront Object Importer"
+    std::uint64_t degenerateTriangles = 0;  ///< without area: dropped
+    std::uint64_t ignoredPrimitives = 0;    ///< points and lines: dropped
+    std::uint64_t nonFiniteTriangles = 0;   ///< a coordinate is no number or beyond 1e12: dropped
+    std::uint64_t unconnectedTriangles = 0; ///< name vertices that do not exist: dropped
+    std::uint64_t equalTriangles = 0;       ///< the third and further of equal ones: dropped
+    std::vector<std::string> warnings;      ///< sentences for the user, without a file name
+    std::vector<std::string> files;         ///< all that was read, absolute: the model, buffers, pictures
 
     friend bool operator==(const ImportReport&, const ImportReport&) = default;
 };
@@ -21,7 +24,10 @@ struct ImportReport {
 /// A warning; beyond the 50th they are counted only. A warning that is there already is not repeated.
 void addWarning(ImportReport& report, const std::string& text);
 
-/// Lines "name value".
+/// A file that is there already is not repeated.
+void addFile(ImportReport& report, const std::string& path);
+
+/// Lines "name value". A file whose name holds a line break is left out.
 std::string writeReport(const ImportReport& report);
 /// Takes any text: lines that it does not know are skipped.
 ImportReport readReport(const std::string& text);

@@ -112,6 +112,8 @@ void mapMetallicRoughness(const SourceMaterial& s, Material& m, TextureStore& te
         roughness *= map->meanChannel[1];
         metallic *= map->meanChannel[2];
     }
+    m.roughness = roughness;
+    m.metallic = metallic;
     Colour base = m.diffuse;
     if (const auto map = textures.summary(s.diffuseMap)) base *= map->meanColour;
     setReflection(m, mix({0.04F, 0.04F, 0.04F}, base, metallic), roughness);
@@ -126,6 +128,7 @@ void mapSpecularGlossiness(const SourceMaterial& s, Material& m, TextureStore& t
         f0 *= map->meanColour;
         glossiness *= map->meanChannel[3];
     }
+    m.roughness = 1 - glossiness;
     setReflection(m, f0, 1 - glossiness);
     m.diffuse = m.diffuse * (1 - maxComponent(f0));
     mapTransparency(s, m, 1 - glossiness, m.diffuse);
@@ -139,7 +142,7 @@ void setPictures(const SourceMaterial& s, Material& m, TextureStore& textures) {
     m.normalTexture = textures.texture(s.normalMap);
     m.emissionTexture = textures.texture(s.emissionMap);
     const bool inDiffuse = s.alphaInDiffuseMap && s.alphaMap.empty();
-    const std::string& alphaMap = inDiffuse ? s.diffuseMap : s.alphaMap;
+    const SourceMap& alphaMap = inDiffuse ? s.diffuseMap : s.alphaMap;
     // A picture that hides nothing would make every ray ask for nothing.
     const auto summary = textures.summary(alphaMap);
     if (!summary || !(inDiffuse ? summary->transparent : summary->transparent || summary->dark)) return;

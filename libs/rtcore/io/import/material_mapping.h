@@ -17,7 +17,7 @@ enum class MaterialRules {
 };
 enum class AlphaMode { Opaque, Mask, Blend };
 
-/// A material as its file has it. Any floats; names of pictures as they stand there, "" = none.
+/// A material as its file has it. Any floats.
 struct SourceMaterial {
     MaterialRules rules = MaterialRules::Classic;
     std::string name;
@@ -38,9 +38,9 @@ struct SourceMaterial {
     AlphaMode alphaMode = AlphaMode::Opaque;
     float alphaCutoff = 0.5F;
 
-    std::string diffuseMap, alphaMap, normalMap, emissionMap;
-    std::string metallicRoughnessMap;  ///< roughness in green, metal in blue; only its mean is used
-    std::string specularGlossinessMap; ///< glossiness in alpha; only its mean is used
+    SourceMap diffuseMap, alphaMap, normalMap, emissionMap;
+    SourceMap metallicRoughnessMap;  ///< roughness in green, metal in blue; only its mean is used
+    SourceMap specularGlossinessMap; ///< glossiness in alpha; only its mean is used
     bool alphaInDiffuseMap = false;
     bool mapReplacesDiffuse = false; ///< `diffuse` counts only without a picture
 };

@@ -14,6 +14,9 @@ namespace {
 
 /// Squares of distances up to here stay finite in float.
 constexpr float kLargestCoordinate = 1e12F;
+/// What is nearer to 0 is 0: in a model that is large enough to be traced it makes no difference, and numbers
+/// that a processor is slow with do not come up.
+constexpr float kLeastCoordinate = 1e-30F;
 /// Corners are numbered in 32 bits.
 constexpr std::size_t kMostTriangles = std::size_t{1} << 30;
 
@@ -25,6 +28,11 @@ std::uint64_t bitsOf(float a, float b) {
     return (std::uint64_t{std::bit_cast<std::uint32_t>(a)} << 32) | std::bit_cast<std::uint32_t>(b);
 }
 std::uint64_t finished(std::uint64_t h) { return h * 0xD6E8FEB86659FD93ULL ^ (h >> 29); }
+
+Vec3 withoutTraces(Vec3 p) {
+    const auto clean = [](float v) { return std::fabs(v) < kLeastCoordinate ? 0.0F : v; };
+    return {clean(p.x), clean(p.y), clean(p.z)};
+}
 
 bool usable(Vec3 p) {
     // False for NaN, too.
@@ -83,8 +91,7 @@ void MeshAssembler::reserve(std::size_t vertices, std::size_t triangles) {
     vertices_.reserve(expected);
 }
 
-std::uint32_t MeshAssembler::vertexAt(Vec3 position) {
-    const Vec3 p{position.x + 0.0F, position.y + 0.0F, position.z + 0.0F}; // -0 becomes 0
+std::uint32_t MeshAssembler::vertexAt(Vec3 p) {
     const std::uint64_t hash = finished(mix(mix(0, bitsOf(p.x, p.y)), std::bit_cast<std::uint32_t>(p.z)));
     const std::uint32_t known =
         vertices_.find(hash, [&](std::uint32_t i) { return out_.vertices[i].position() == p; });
@@ -128,18 +135,20 @@ std::uint32_t MeshAssembler::entryFor(std::uint32_t vertex, Vec3 normal, Vec2 te
 
 /// False, and counted, when the triangle is of no use.
 bool MeshAssembler::weldTriangle(const SourceMesh& mesh, const Triangle& t, Triangle& welded) {
-    const Vec3 a = mesh.positions[t.v[0]], b = mesh.positions[t.v[1]], c = mesh.positions[t.v[2]];
+    const auto corner = [&](int i) { return withoutTraces(mesh.positions[t.v[i]]); };
+    const Vec3 a = corner(0), b = corner(1), c = corner(2);
     if (!usable(a) || !usable(b) || !usable(c)) {
         ++nonFinite_;
         return false;
     }
+    for (int i = 0; i < 3; ++i) bounds_.extend(mesh.positions[t.v[i]]);
     if (!hasArea(a, b, c)) {
         ++degenerate_;
         return false;
     }
     for (int i = 0; i < 3; ++i) {
         std::uint32_t& vertex = localVertex_[t.v[i]];
-        if (vertex == IndexTable::kNone) vertex = vertexAt(mesh.positions[t.v[i]]);
+        if (vertex == IndexTable::kNone) vertex = vertexAt(corner(i));
         welded.v[i] = vertex;
     }
     return true;

@@ -1,6 +1,7 @@
 /// Many meshes into the flat arrays of a model.
 #pragma once
 
+#include "rtcore/math/box.h"
 #include "rtcore/scene/model.h"
 
 #include <cstdint>
@@ -49,22 +50,25 @@ class IndexTable {
     std::size_t mask_ = 0;
 };
 
-/// Welds vertices whose positions are equal (-0 = 0), so that neighbours share them; keeps the order of
-/// triangles; drops and counts triangles without area and those with a coordinate that is no number or beyond
-/// 1e12. Entries of normals, texture coordinates and colours are shared where all of them are equal. One
-/// thread.
+/// Welds vertices whose positions are equal (what is nearer to 0 than 1e-30 is 0), so that neighbours share
+/// them; keeps the order of triangles; drops and counts triangles without area and those with a coordinate
+/// that is no number or beyond 1e12. Entries of normals, texture coordinates and colours are shared where all
+/// of them are equal. One thread.
 class MeshAssembler {
   public:
     void reserve(std::size_t vertices, std::size_t triangles);
     void add(const SourceMesh& mesh);
+    std::uint32_t triangleCount() const { return static_cast<std::uint32_t>(out_.triangles.size()); }
     /// Fills the geometry of `model`; computes the normals that are missing (crease_normals.h). Call it once.
     void finish(ModelBuffers& model, float creaseAngle);
 
+    /// Of all triangles that were added, those without area, too, and before small numbers become 0.
+    const Box3& bounds() const { return bounds_; }
     std::uint64_t degenerateTriangles() const { return degenerate_; }
     std::uint64_t nonFiniteTriangles() const { return nonFinite_; }
 
   private:
-    std::uint32_t vertexAt(Vec3 position);
+    std::uint32_t vertexAt(Vec3 p);
     std::uint32_t plainEntryFor(std::uint32_t vertex);
     std::uint32_t appendEntry(std::uint32_t vertex, Vec3 normal, Vec2 texcoord, Colour colour);
     std::uint32_t entryFor(std::uint32_t vertex, Vec3 normal, Vec2 texcoord, Colour colour);
@@ -79,6 +83,7 @@ class MeshAssembler {
     std::vector<std::uint32_t> plainEntry_; ///< by vertex: the one with nothing of its own, if there is one
     std::vector<std::uint32_t> localVertex_, localEntry_; ///< of the mesh being added
     bool hasTexcoords_ = false, hasColours_ = false;
+    Box3 bounds_;
     std::uint64_t degenerate_ = 0, nonFinite_ = 0;
 };
 

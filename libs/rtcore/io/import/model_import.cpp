@@ -23,8 +23,8 @@ const std::string kRemedy =
     "; the file is damaged or Assimp cannot read it: open it in the program that wrote it and "
     "export it again, as glTF or OBJ for example";
 
-/// The size of the file in bytes; says at once what no importer needs to be asked about.
-std::uint64_t sizeOf(const fs::path& path) {
+/// Says at once what no importer needs to be asked about.
+void refuseNoModel(const fs::path& path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (!fs::exists(status)) {
@@ -33,24 +33,15 @@ std::uint64_t sizeOf(const fs::path& path) {
     if (!fs::is_regular_file(status)) {
         throw FileError(FailureKind::NoInput, path.string(), "it is not a file; give the path of a model");
     }
-    if (openFileBytes(path).bytes.empty()) {
+    if (InputFile(path).head(1).empty()) {
         throw FileError(FailureKind::BadData, path.string(), "it is empty; export the model again");
     }
-    return fs::file_size(path);
 }
 
 fs::path importerProgram() {
     // Nobody changes the environment while models are loaded.
     const char* const chosen = std::getenv("RT_IMPORTER"); // NOLINT(concurrency-mt-unsafe)
     return chosen != nullptr && *chosen != '\0' ? fs::path(chosen) : helperProgram("rtimport");
-}
-
-ProcessLimits limitsFor(std::uint64_t size, const ImportOptions& options) {
-    ProcessLimits limits;
-    limits.memory = options.memoryLimit > 0 ? options.memoryLimit : std::max(2 * kGigabyte, 40 * size);
-    limits.silence = options.timeLimit > 0 ? options.timeLimit : 15 + 2e-6 * static_cast<double>(size);
-    limits.stop = options.stop;
-    return limits;
 }
 
 /// What the importer said last: libraries may have complained before.
@@ -127,9 +118,22 @@ void explainOwnFormats(const fs::path& path) {
 
 } // namespace
 
+ImportLimits importLimits(const fs::path& path, const ImportOptions& options) {
+    const std::uint64_t size = storedBytes(path);
+    // A file that names no buffers of its own is read within this time or never.
+    const bool tiny = size < kTinyModel && path.extension() != ".gltf" && path.extension() != ".GLTF";
+    const double seconds =
+        tiny ? kTinyModelSeconds : kImportSeconds + kImportSecondsPerByte * static_cast<double>(size);
+    const std::uint64_t memory =
+        std::min(std::max(kImportMemory, kImportMemoryPerByte * size), machineMemory() / 2);
+    return {options.memoryLimit > 0 ? options.memoryLimit : memory,
+            options.timeLimit > 0 ? options.timeLimit : seconds};
+}
+
 ImportedModel importModel(const fs::path& path, const ImportOptions& options) {
-    const std::uint64_t size = sizeOf(path);
-    const ProcessLimits limits = limitsFor(size, options);
+    refuseNoModel(path);
+    const ImportLimits most = importLimits(path, options);
+    const ProcessLimits limits{.memory = most.memory, .silence = most.seconds, .stop = options.stop};
     const fs::path importer = importerProgram();
     std::error_code error;
     if (!fs::exists(importer, error)) {
@@ -138,7 +142,7 @@ ImportedModel importModel(const fs::path& path, const ImportOptions& options) {
                FailureKind::NoInput);
     }
     // Triangles take about four times their room in a compact file; pictures are unpacked.
-    const HandOverFolder folder(kGigabyte + 6 * size);
+    const HandOverFolder folder(kGigabyte + 6 * storedBytes(path));
     const fs::path handOver = folder.path() / "model.bsp";
     const ProcessResult result =
         runProcess(importer,

@@ -13,17 +13,33 @@ namespace rtcore {
 
 inline constexpr float kCreaseAngle = 40;
 
+inline constexpr std::uint64_t kImportMemory = 2'000'000'000;
+inline constexpr std::uint64_t kImportMemoryPerByte = 40; ///< of the file
+inline constexpr double kImportSeconds = 15;
+inline constexpr double kImportSecondsPerByte = 2e-6; ///< of the file
+inline constexpr std::uint64_t kTinyModel = 64'000;   ///< bytes; a smaller file gets
+inline constexpr double kTinyModelSeconds = 5;
+
 struct ImportOptions {
     std::optional<float> creaseAngle; ///< degrees: where a file has no normals, sharper edges stay edges;
                                       ///< absent: kCreaseAngle
     std::optional<bool> flipTextures; ///< turn all textures upside down: some exporters count v from the top
-    std::uint64_t memoryLimit =
-        0;                ///< bytes the importer may use; 0 = the larger of 2 GB and 40 times the file
+    std::uint64_t memoryLimit = 0;    ///< bytes the importer may use; 0 = importLimits()
     double timeLimit = 0; ///< seconds the importer may take for one step (parsing, one picture, one mesh);
-                          ///< 0 = 15, and 2 more for each MB of the file
+                          ///< 0 = importLimits()
     int threads = 0;      ///< 0 = all cores; the model does not depend on it
     const std::atomic<bool>* stop = nullptr; ///< becomes true: give up with FailureKind::Stopped
 };
+
+struct ImportLimits {
+    std::uint64_t memory = 0; ///< bytes
+    double seconds = 0;       ///< for one step
+};
+/// What the importer may take: what `options` say, else the larger of kImportMemory and of so many bytes for
+/// each byte of the file, but at most half of the machine's memory; and kImportSeconds with those for the
+/// file's bytes, less for a tiny file - but a .gltf, whose buffers are files of their own. Holes of the file
+/// do not count.
+ImportLimits importLimits(const std::filesystem::path& path, const ImportOptions& options = {});
 
 struct ImportedModel {
     Model model;

@@ -46,12 +46,14 @@ TextureStore::TextureStore(ModelBuffers& model, ImportReport& report, std::files
     : model_(model), report_(report), folder_(std::move(folder)), embedded_(embedded),
       alive_(std::move(alive)) {}
 
-std::uint32_t TextureStore::texture(const std::string& name) {
-    return name.empty() ? kNoTexture : lookUp(name, true).texture;
+std::uint32_t TextureStore::texture(const SourceMap& map) {
+    if (map.empty()) return kNoTexture;
+    Picture& picture = lookUp(map.name, true);
+    return picture.stored.width == 0 ? kNoTexture : wrapped(picture, map.wrapU, map.wrapV);
 }
 
-std::optional<ImageSummary> TextureStore::summary(const std::string& name) {
-    return name.empty() ? std::nullopt : lookUp(name, false).summary;
+std::optional<ImageSummary> TextureStore::summary(const SourceMap& map) {
+    return map.empty() ? std::nullopt : lookUp(map.name, false).summary;
 }
 
 const std::string& TextureStore::keyOf(const std::string& name) {
@@ -62,7 +64,7 @@ const std::string& TextureStore::keyOf(const std::string& name) {
     } else if (const auto path = findTextureFile(folder_, name)) {
         entry->second = std::filesystem::absolute(*path).lexically_normal().string();
     } else {
-        addWarning(report_, "texture '" + name + "' is missing; its material is plain");
+        missing_.push_back(name);
     }
     return entry->second;
 }
@@ -70,7 +72,7 @@ const std::string& TextureStore::keyOf(const std::string& name) {
 TextureStore::Picture& TextureStore::lookUp(const std::string& name, bool keep) {
     const std::string& key = keyOf(name);
     Picture& picture = pictures_[key];
-    const bool complete = picture.summary && (!keep || picture.texture != kNoTexture);
+    const bool complete = picture.summary && (!keep || picture.stored.width != 0);
     if (key.empty() || picture.unreadable || complete) return picture;
     if (lastKey_ != key) {
         auto image = read(name, key);
@@ -80,14 +82,16 @@ TextureStore::Picture& TextureStore::lookUp(const std::string& name, bool keep) 
         lastKey_ = key;
     }
     if (!picture.summary) picture.summary = summarise(last_);
-    if (keep) picture.texture = append(last_);
+    if (keep) append(last_, picture);
     return picture;
 }
 
 std::optional<LdrImage> TextureStore::read(const std::string& name, const std::string& key) {
     alive_();
     try {
-        LdrImage image = key[0] == '<' ? embedded_.decode(name) : readLdrImage(key);
+        const bool embedded = key[0] == '<';
+        if (!embedded) addFile(report_, key);
+        LdrImage image = embedded ? embedded_.decode(name) : readLdrImage(key);
         if (!image.empty()) return image;
         addWarning(report_, "texture '" + name + "' is empty; its material is plain");
     } catch (const FileError& error) {
@@ -96,12 +100,22 @@ std::optional<LdrImage> TextureStore::read(const std::string& name, const std::s
     return {};
 }
 
-std::uint32_t TextureStore::append(const LdrImage& image) {
-    const auto number = static_cast<std::uint32_t>(model_.textures.size());
-    model_.textures.push_back({model_.texels.size(), static_cast<std::uint32_t>(image.width),
-                               static_cast<std::uint32_t>(image.height)});
+void TextureStore::append(const LdrImage& image, Picture& picture) {
+    picture.stored = {model_.texels.size(), static_cast<std::uint32_t>(image.width),
+                      static_cast<std::uint32_t>(image.height)};
     model_.texels.insert(model_.texels.end(), image.pixels.begin(), image.pixels.end());
-    return number;
+}
+
+std::uint32_t TextureStore::wrapped(Picture& picture, TextureWrap u, TextureWrap v) {
+    Texture texture = picture.stored;
+    texture.wrapU = u;
+    texture.wrapV = v;
+    for (const std::uint32_t number : picture.textures) {
+        if (model_.textures[number] == texture) return number;
+    }
+    picture.textures.push_back(static_cast<std::uint32_t>(model_.textures.size()));
+    model_.textures.push_back(texture);
+    return picture.textures.back();
 }
 
 } // namespace rtcore

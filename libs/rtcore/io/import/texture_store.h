@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace rtcore {
 
@@ -19,6 +20,14 @@ struct ImageSummary {
     std::array<float, 4> meanChannel{1, 1, 1, 1}; ///< of the codes as they stand, 0..1
     bool transparent = false;                     ///< an alpha under 1 is there
     bool dark = false;                            ///< a red under 1 is there
+};
+
+/// A picture as a material uses it.
+struct SourceMap {
+    std::string name; ///< as it stands in the file; "" = none
+    TextureWrap wrapU = TextureWrap::Repeat, wrapV = TextureWrap::Repeat;
+
+    bool empty() const { return name.empty(); }
 };
 
 /// The pictures inside a model's file.
@@ -35,26 +44,31 @@ class EmbeddedPictures {
 
 class TextureStore {
   public:
-    /// `model` gets textures and texels; `report` a warning for each picture that cannot be had. `alive` is
+    /// `model` gets textures and texels; `report` a warning for each picture that is broken. `alive` is
     /// called before each picture is read.
     TextureStore(ModelBuffers& model, ImportReport& report, std::filesystem::path folder,
                  const EmbeddedPictures& embedded, std::function<void()> alive);
 
-    /// The number of the texture, or kNoTexture when there is no such picture or `name` is empty.
-    std::uint32_t texture(const std::string& name);
+    /// The number of the texture, or kNoTexture when there is no such picture. One picture that wraps in
+    /// several ways is several textures, whose texels are stored once.
+    std::uint32_t texture(const SourceMap& map);
     /// Of the picture; nothing when it cannot be had. Does not add a texture.
-    std::optional<ImageSummary> summary(const std::string& name);
+    std::optional<ImageSummary> summary(const SourceMap& map);
+    /// Names of pictures that were asked for and are not there.
+    const std::vector<std::string>& missing() const { return missing_; }
 
   private:
     struct Picture {
-        std::uint32_t texture = kNoTexture;
+        Texture stored;                      ///< where its texels are; of no width before
+        std::vector<std::uint32_t> textures; ///< numbers: one for each way in which it wraps
         std::optional<ImageSummary> summary;
         bool unreadable = false;
     };
     Picture& lookUp(const std::string& name, bool keep);
     const std::string& keyOf(const std::string& name);
     std::optional<LdrImage> read(const std::string& name, const std::string& key);
-    std::uint32_t append(const LdrImage& image);
+    void append(const LdrImage& image, Picture& picture);
+    std::uint32_t wrapped(Picture& picture, TextureWrap u, TextureWrap v);
 
     ModelBuffers& model_;
     ImportReport& report_;
@@ -66,6 +80,7 @@ class TextureStore {
     std::map<std::string, Picture> pictures_; ///< by key
     LdrImage last_; ///< the picture read last: often asked for its summary first, then kept
     std::string lastKey_;
+    std::vector<std::string> missing_;
 };
 
 } // namespace rtcore

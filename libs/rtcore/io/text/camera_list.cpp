@@ -2,6 +2,7 @@
 
 #include "rtcore/io/text/text_file.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/settings/utf8.h"
 
 #include <algorithm>
 #include <system_error>

@@ -111,7 +111,7 @@ class SceneReader {
             scene_.camera = readCamera(table, scene_.up, true);
             return;
         }
-        for (const std::string_view key : {"eye", "forward", "lookAt", "up", "fov"}) {
+        for (const std::string_view key : kCameraKeys) {
             if (table.value(key) != nullptr)
                 table.fail(key, "file and " + std::string(key) + " are both given; leave one out");
         }

@@ -22,9 +22,6 @@ void writeCheckedText(const std::filesystem::path& path, const std::string& text
 /// Where the byte `offset` of `text` is seen. A byte order mark is not counted.
 TextPosition positionAt(std::string_view text, std::size_t offset);
 
-/// The first byte that is not part of well-formed UTF-8 (Unicode 15, table 3-7), or npos.
-std::size_t findInvalidUtf8(std::string_view text);
-
 /// Text files hold paths in UTF-8 with '/' on every system.
 std::filesystem::path pathFromUtf8(std::string_view text);
 std::string pathToUtf8(const std::filesystem::path& path);

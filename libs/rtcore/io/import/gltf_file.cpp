@@ -1,0 +1,122 @@
+#include "rtcore/io/import/gltf_file.h"
+
+#include "rtcore/platform/files.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <string_view>
+
+namespace rtcore {
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// The JSON of a .glb is its first chunk.
+std::string_view jsonOf(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    constexpr std::size_t kHead = 20; // magic, version, length; length and kind of the chunk
+    if (!text.starts_with("glTF")) return path.extension() == ".gltf" ? text : std::string_view();
+    std::uint32_t version = 0, length = 0;
+    if (text.size() < kHead) return {};
+    std::memcpy(&version, text.data() + 4, sizeof version);
+    std::memcpy(&length, text.data() + 12, sizeof length);
+    return version == 2 ? text.substr(kHead, length) : std::string_view();
+}
+
+/// A member that may be missing; throws Json::exception when the parent is no object.
+const Json& member(const Json& object, const char* name) {
+    static const Json none;
+    const auto at = object.find(name);
+    return at != object.end() ? *at : none;
+}
+
+std::uint64_t countOf(const Json& accessors, const Json& index) {
+    constexpr std::uint64_t kMost = std::uint64_t{1} << 32U;
+    return std::min(accessors.at(index.get<std::size_t>()).at("count").get<std::uint64_t>(), kMost);
+}
+
+std::uint64_t trianglesOf(const Json& primitive, const Json& accessors) {
+    const Json& indices = member(primitive, "indices");
+    const Json& corners = indices.is_null() ? member(primitive.at("attributes"), "POSITION") : indices;
+    if (corners.is_null()) return 0;
+    const std::uint64_t count = countOf(accessors, corners);
+    const int mode = primitive.value("mode", 4);
+    if (mode == 4) return count / 3;
+    return (mode == 5 || mode == 6) && count > 2 ? count - 2 : 0; // strip, fan
+}
+
+std::uint64_t declaredTriangles(const Json& root) {
+    std::uint64_t triangles = 0;
+    for (const Json& mesh : member(root, "meshes")) {
+        for (const Json& primitive : mesh.at("primitives"))
+            triangles += trianglesOf(primitive, member(root, "accessors"));
+    }
+    return triangles;
+}
+
+std::vector<std::string> missingBuffersOf(const Json& root, const std::filesystem::path& folder) {
+    std::vector<std::string> missing;
+    for (const Json& buffer : member(root, "buffers")) {
+        const std::string uri = buffer.value("uri", "");
+        std::error_code error;
+        if (uri.empty() || uri.starts_with("data:")) continue;
+        if (!std::filesystem::exists(folder / uri, error)) missing.push_back(uri);
+    }
+    return missing;
+}
+
+std::vector<float> emissiveStrengthsOf(const Json& root) {
+    std::vector<float> strengths;
+    for (const Json& material : member(root, "materials")) {
+        const Json& extension = member(member(material, "extensions"), "KHR_materials_emissive_strength");
+        strengths.push_back(extension.is_null() ? 1.0F : extension.value("emissiveStrength", 1.0F));
+    }
+    return strengths;
+}
+
+std::vector<std::string> ignoredExtensionsOf(const Json& root) {
+    // Those behind the compression do not change what is seen.
+    static constexpr std::array kKnown{"KHR_lights_punctual",
+                                       "KHR_materials_emissive_strength",
+                                       "KHR_materials_ior",
+                                       "KHR_materials_pbrSpecularGlossiness",
+                                       "KHR_materials_transmission",
+                                       "KHR_materials_unlit",
+                                       "KHR_materials_volume",
+                                       "KHR_texture_transform",
+                                       "KHR_draco_mesh_compression",
+                                       "KHR_animation_pointer",
+                                       "FB_ngon_encoding",
+                                       "KHR_technique_webgl",
+                                       "KHR_xmp",
+                                       "KHR_xmp_json_ld",
+                                       "KHR_techniques_webgl"};
+    std::vector<std::string> ignored;
+    for (const Json& name : member(root, "extensionsUsed")) {
+        const auto extension = name.get<std::string>();
+        if (std::find(kKnown.begin(), kKnown.end(), extension) == kKnown.end()) ignored.push_back(extension);
+    }
+    return ignored;
+}
+
+} // namespace
+
+std::optional<GltfFile> readGltfFile(const std::filesystem::path& path) {
+    const FileBytes file = openFileBytes(path);
+    const std::string_view text = jsonOf(path, file.bytes);
+    if (text.empty()) return {};
+    try {
+        const Json root = Json::parse(text);
+        if (member(member(root, "asset"), "version").get<std::string>().substr(0, 1) != "2") return {};
+        return GltfFile{missingBuffersOf(root, path.parent_path()), emissiveStrengthsOf(root),
+                        ignoredExtensionsOf(root), declaredTriangles(root)};
+    } catch (const Json::exception&) {
+        return {};
+    }
+}
+
+} // namespace rtcore

@@ -1,0 +1,24 @@
+/// What an import has to say about a model that it could read.
+#pragma once
+
+#include "rtcore/io/import/import_report.h"
+#include "rtcore/scene/model.h"
+
+#include <span>
+#include <string>
+
+namespace rtcore {
+
+/// How many there are and the first of them, for a sentence: "'a', 'b', 'c' and 19 more".
+std::string firstOf(std::span<const std::string> names);
+
+/// Surface that is lost: triangles whose coordinates or corners are damaged, or without area where these are
+/// many. Copies that were left out.
+void warnOfLostTriangles(const ModelBuffers& model, ImportReport& report);
+void warnOfMissingTextures(std::span<const std::string> names, ImportReport& report);
+/// No material lets anything be seen.
+void warnWhenInvisible(const ModelBuffers& model, ImportReport& report);
+/// Nearly all of the model is so small beside the rest that it cannot be seen.
+void warnOfOutliers(const ModelBuffers& model, ImportReport& report);
+
+} // namespace rtcore

@@ -1,0 +1,18 @@
+/// What model files hold and Assimp passes over without a word, found in their text.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rtcore {
+
+/// Material libraries of a Wavefront file (.obj) that Assimp does not find: neither as they are named nor
+/// beside the model under its own name with .mtl. Nothing when the file is no .obj.
+std::vector<std::string> missingMaterialLibraries(const std::filesystem::path& path);
+
+/// Sentences about a Collada file (.dae): textures that do not repeat, orthographic cameras. Nothing when the
+/// file is no .dae.
+std::vector<std::string> unreadInCollada(const std::filesystem::path& path);
+
+} // namespace rtcore

@@ -1,0 +1,230 @@
+// Files of earlier and of later writers.
+#include "bsp_support.h"
+
+using test::Bytes;
+
+namespace {
+
+/// A file whose sections are taken apart, to be put together otherwise.
+struct Parts {
+    test::FileTable table;
+    std::vector<Bytes> contents; ///< one for each section
+
+    explicit Parts(const Bytes& file) : table(test::tableOf(file)) {
+        for (const rtcore::BspSectionEntry& s : table.sections) {
+            const auto begin = file.begin() + static_cast<std::ptrdiff_t>(s.offset);
+            contents.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(s.count * s.elementSize));
+        }
+    }
+
+    std::size_t indexOf(const std::string& name) const {
+        std::size_t i = 0;
+        while (test::nameOf(table.sections.at(i)) != name) ++i;
+        return i;
+    }
+
+    void add(const std::string& name, std::uint32_t elementSize, std::size_t count) {
+        rtcore::BspSectionEntry entry{};
+        std::copy(name.begin(), name.end(), entry.name.begin());
+        entry.elementSize = elementSize;
+        entry.count = count;
+        table.sections.insert(table.sections.begin(), entry);
+        contents.insert(contents.begin(), Bytes(elementSize * count, std::byte{0xA5}));
+    }
+    void remove(const std::string& name) {
+        const auto i = static_cast<std::ptrdiff_t>(indexOf(name));
+        table.sections.erase(table.sections.begin() + i);
+        contents.erase(contents.begin() + i);
+    }
+    /// Cuts the elements, or makes them longer by bytes that mean nothing to us.
+    void resizeElements(const std::string& name, std::uint32_t size) {
+        const std::size_t i = indexOf(name);
+        const std::uint32_t old = table.sections[i].elementSize;
+        Bytes resized(table.sections[i].count * size, std::byte{0xA5});
+        for (std::size_t e = 0; e < table.sections[i].count; ++e) {
+            const auto from = contents[i].begin() + static_cast<std::ptrdiff_t>(e * old);
+            std::copy(from, from + std::min(old, size),
+                      resized.begin() + static_cast<std::ptrdiff_t>(e * size));
+        }
+        contents[i] = resized;
+        table.sections[i].elementSize = size;
+    }
+
+    Bytes file() {
+        Bytes bytes(sizeof table.head + table.sections.size() * sizeof(rtcore::BspSectionEntry));
+        for (std::size_t i = 0; i < contents.size(); ++i) {
+            bytes.resize((bytes.size() + 63) / 64 * 64);
+            table.sections[i].offset = bytes.size();
+            bytes.insert(bytes.end(), contents[i].begin(), contents[i].end());
+        }
+        table.head.fileSize = bytes.size();
+        table.head.sectionCount = static_cast<std::uint32_t>(table.sections.size());
+        test::seal(bytes, table);
+        return bytes;
+    }
+};
+
+/// The sample of sampleFile() itself.
+rtcore::ModelBuffers sample() { return test::SampleModel(6).make(12); }
+Parts sampleParts() { return Parts(test::sampleFile(6, 12)); }
+
+void expectModel(const rtcore::BspContent& content, rtcore::ModelBuffers expected) {
+    test::expectEqual(content.model, rtcore::makeModel(std::move(expected)));
+    EXPECT_TRUE(content.tree);
+}
+
+} // namespace
+
+// Made by the BSPBuilder that wrote version 2, from a glTF of a textured square and a glowing triangle.
+TEST(BspVersions, aFileOfVersion2GivesTheSameModel) {
+    const rtcore::BspContent content = rtcore::readBsp(std::filesystem::path(RT_VERSION_2_FILE));
+    const rtcore::Model& model = content.model;
+    ASSERT_TRUE(content.tree);
+    EXPECT_EQ(content.tree->references.size(), 3U);
+    EXPECT_EQ(content.tree->bounds, (rtcore::Box3{{0, 0, 0}, {1, 1, 1}}));
+    EXPECT_EQ(content.identity.sourceSize, 3264U);
+
+    ASSERT_EQ(model.mesh.triangles.size(), 3U);
+    EXPECT_EQ(model.mesh.vertices.size(), 7U);
+    EXPECT_EQ(model.mesh.position(1, 2), (rtcore::Vec3{0, 1, 0}));
+    EXPECT_EQ(model.mesh.colours[model.mesh.shading[2].v[0]], (rtcore::Colour{0.5F, 0.25F, 1}));
+
+    rtcore::Material shining; // with the defaults of what version 2 did not have
+    shining.diffuse = {0.5F, 0.25F, 0.125F};
+    shining.emission = {1, 0.5F, 0.25F};
+    shining.specular = {0.04F, 0.04F, 0.04F};
+    shining.shininess = 0;
+    shining.mirrorScale = 0;
+    ASSERT_EQ(model.materials.size(), 2U);
+    EXPECT_EQ(model.name(model.materials[1].nameOffset), "shining");
+    shining.nameOffset = model.materials[1].nameOffset;
+    EXPECT_EQ(model.materials[1], shining);
+    EXPECT_EQ(model.materials[0].diffuseTexture, 0U);
+    EXPECT_EQ(model.materials[0].metallicRoughnessTexture, rtcore::kNoTexture);
+
+    ASSERT_EQ(model.textures.size(), 1U);
+    EXPECT_EQ(model.textures[0], (rtcore::Texture{0, 2, 2}));
+    EXPECT_EQ(model.texels[3], (rtcore::Rgba8{255, 255, 255, 128}));
+
+    ASSERT_EQ(model.cameras.size(), 1U);
+    EXPECT_EQ(model.cameras[0].eye, (rtcore::Vec3{0.5F, 0.5F, 4}));
+    EXPECT_EQ(model.cameras[0].kind, rtcore::CameraKind::Perspective);
+    EXPECT_EQ(model.cameras[0].aspect, 0);
+    ASSERT_EQ(model.lights.size(), 1U);
+    EXPECT_EQ(model.lights[0].intensity, (rtcore::Colour{8, 4, 2}));
+    EXPECT_EQ(model.name(model.lights[0].nameOffset), "lamp");
+    EXPECT_TRUE(model.parts.empty());
+    EXPECT_TRUE(content.warnings.empty());
+}
+
+TEST(BspVersions, aCopyOfItOutlivesTheReader) {
+    std::optional<rtcore::BspContent> content = rtcore::readBsp(std::filesystem::path(RT_VERSION_2_FILE));
+    const rtcore::Model model = content->model;
+    const rtcore::KdTree tree = *content->tree;
+    content.reset();
+    EXPECT_EQ(model.materials[1].emission.r, 1); // as AddressSanitizer sees
+    EXPECT_EQ(tree.nodes.size(), 1U);
+}
+
+TEST(BspVersions, everyFlippedBitOfAFileOfVersion2IsRefused) {
+    Bytes bytes = test::fileContent(RT_VERSION_2_FILE);
+    for (std::size_t bit = 0; bit < bytes.size() * 8; ++bit) {
+        bytes[bit / 8] ^= std::byte{1} << (bit % 8);
+        ASSERT_TRUE(test::refusal(bytes)) << "bit " << bit % 8 << " of byte " << bit / 8;
+        bytes[bit / 8] ^= std::byte{1} << (bit % 8);
+    }
+    for (std::size_t length = 0; length < bytes.size(); ++length) {
+        ASSERT_TRUE(test::refusal(Bytes(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length))));
+    }
+}
+
+TEST(BspVersions, sectionsOfUnknownNamesAreSkipped) {
+    Parts parts = sampleParts();
+    parts.add("lightmaps", 7, 33);
+    parts.add("twelve bytes", 4, 1);
+    parts.add("\x1B[2J", 1, 0);
+    expectModel(test::readFrom(parts.file()), sample());
+}
+
+TEST(BspVersions, theOrderOfSectionsIsFree) {
+    Parts parts = sampleParts();
+    std::reverse(parts.contents.begin(), parts.contents.end());
+    std::reverse(parts.table.sections.begin(), parts.table.sections.end());
+    expectModel(test::readFrom(parts.file()), sample());
+}
+
+TEST(BspVersions, missingSectionsTakeTheirDefault) {
+    Parts parts = sampleParts();
+    rtcore::ModelBuffers expected = sample();
+    for (const char* name : {"parts", "cameras", "lights", "texcoords", "colours", "warnings"})
+        parts.remove(name);
+    expected.parts.clear();
+    expected.cameras.clear();
+    expected.lights.clear();
+    expected.texcoords.clear();
+    expected.colours.clear();
+    const rtcore::BspContent content = test::readFrom(parts.file());
+    expectModel(content, expected);
+    EXPECT_TRUE(content.warnings.empty());
+
+    parts.remove("normals");
+    EXPECT_TRUE(test::refusal(parts.file())) << "triangles name normals";
+}
+
+TEST(BspVersions, aFileWithoutMaterialsAndNamesIsPlain) {
+    rtcore::ModelBuffers buffers = sample();
+    for (rtcore::ShadingTriangle& s : buffers.shading) s.material = 0;
+    buffers.cameras.clear();
+    buffers.lights.clear();
+    buffers.parts.clear();
+    const test::TemporaryFolder folder;
+    rtcore::writeBsp(folder / "f.bsp", rtcore::makeModel(std::move(buffers)), nullptr, {});
+    Parts parts(test::fileContent(folder / "f.bsp"));
+    parts.remove("materials");
+    parts.remove("strings");
+    const rtcore::Model model = test::readFrom(parts.file()).model;
+    ASSERT_EQ(model.materials.size(), 1U);
+    EXPECT_EQ(model.materials[0], rtcore::Material{});
+    EXPECT_EQ(model.name(0), "");
+}
+
+TEST(BspVersions, longerElementsOfALaterWriterAreReadByTheirBeginning) {
+    for (const rtcore::BspSectionKind& kind : rtcore::kBspSectionKinds) {
+        Parts parts = sampleParts();
+        parts.resizeElements(std::string(kind.name), kind.elementSize + 4);
+        SCOPED_TRACE(kind.name);
+        expectModel(test::readFrom(parts.file()), sample());
+    }
+}
+
+TEST(BspVersions, whatShorterElementsLackHasItsDefault) {
+    Parts parts = sampleParts();
+    parts.resizeElements("materials", offsetof(rtcore::Material, metallic));
+    parts.resizeElements("textures", offsetof(rtcore::Texture, wrapV));
+    parts.resizeElements("cameras", offsetof(rtcore::Camera, kind));
+    rtcore::ModelBuffers expected = sample();
+    for (rtcore::Material& m : expected.materials) {
+        m.metallic = 0;
+        m.metallicRoughnessTexture = rtcore::kNoTexture;
+        m.emissionLights = 0;
+    }
+    for (rtcore::Texture& t : expected.textures) t.wrapV = rtcore::TextureWrap::Repeat;
+    for (rtcore::Camera& c : expected.cameras) {
+        c.kind = rtcore::CameraKind::Perspective;
+        c.orthographicWidth = c.aspect = 0;
+    }
+    expectModel(test::readFrom(parts.file()), expected);
+}
+
+TEST(BspVersions, elementsShorterThanAnybodyWroteAreRefused) {
+    for (const rtcore::BspSectionKind& kind : rtcore::kBspSectionKinds) {
+        if (kind.leastSize == 1) continue;
+        Parts parts = sampleParts();
+        parts.resizeElements(std::string(kind.name), kind.leastSize - 1);
+        const auto said = test::refusal(parts.file());
+        ASSERT_TRUE(said) << kind.name;
+        EXPECT_NE(said->find("section " + std::string(kind.name) + " has elements of the wrong size"),
+                  std::string::npos)
+            << *said;
+    }
+}
