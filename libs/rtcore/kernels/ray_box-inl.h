@@ -48,14 +48,14 @@ HWY_INLINE Floats slackOf(const KernelScene& scene, const RayVector& ray) {
     };
     const Floats far = hn::Add(hn::Add(farthest(0, ray.ox), farthest(1, ray.oy)), farthest(2, ray.oz));
     const Floats length = hn::Max(hn::Max(hn::Abs(ray.dx), hn::Abs(ray.dy)), hn::Abs(ray.dz));
-    return hn::Div(hn::Mul(hn::Set(d, kDistanceError), far), length);
+    return hn::Div(hn::Mul(hn::Set(d, kDistanceSlack), far), length);
 }
 
-/// The part of [tMin, tMax + slack] inside the root's cell. 0 * infinity (a ray inside a face, parallel to
-/// it) is NaN, which is ignored: such a ray counts as inside.
+/// The part of [tMin - slack, tMax + slack] inside the root's cell, nothing of it behind the origin. 0 *
+/// infinity (a ray inside a face, parallel to it) is NaN, which is ignored: such a ray counts as inside.
 HWY_INLINE IntervalVector clipToBox(const KernelScene& scene, const RayVector& ray, Floats slack) {
     const FloatTag d;
-    IntervalVector interval{ray.tMin, hn::Add(ray.tMax, slack)};
+    IntervalVector interval{hn::Max(hn::Sub(ray.tMin, slack), hn::Zero(d)), hn::Add(ray.tMax, slack)};
     const auto clip = [&](int axis, Floats o, Floats direction) HWY_ATTR {
         const Floats inverse = hn::Div(hn::Set(d, 1.0F), direction);
         const Floats a = hn::Mul(hn::Sub(hn::Set(d, scene.lo[axis]), o), inverse);

@@ -16,19 +16,12 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// One ray as the leaf test wants it: origin and shear in the order of the dominant axis kz.
-struct ShearedRay {
-    int kx, ky, kz;
-    float x, y, z;
-    float sx, sy, minusSz;
-    float tMin;
-};
-
 /// What one ray has found so far.
 struct FoundByRay {
     float best; ///< for any hit tMax, or -1 once hit
     std::int32_t triangle;
     float v, w, det;
+    bool doubtful; ///< for testLeafAgain() to settle
 };
 
 /// Triangles of a leaf, as many as a vector has lanes, one array for each coordinate.
@@ -54,9 +47,9 @@ class TriangleBlock {
     HWY_INLINE Corners corners(std::uint32_t i) const { return cornersOf(scene_, leaf_, first_ + i); }
 
     /// Returns whether the ray hits one of them, closer than what it has found or as close and of lower
-    /// index.
+    /// index. For any hit, one that is doubtful is only noted.
     template <bool kAny>
-    HWY_INLINE bool test(const ShearedRay& ray, FoundByRay& found) const {
+    HWY_INLINE bool test(const ShearedRay& ray, float tMin, FoundByRay& found) const {
         const FloatTag d;
         const ShearedRays rays{hn::Set(d, ray.x),  hn::Set(d, ray.y),  hn::Set(d, ray.z),
                                hn::Set(d, ray.sx), hn::Set(d, ray.sy), hn::Set(d, ray.minusSz)};
@@ -64,11 +57,16 @@ class TriangleBlock {
             edgeTest(offset(0, ray, rays), offset(1, ray, rays), offset(2, ray, rays), rays);
         const Floats best = hn::Set(d, found.best);
         const Lanes open = hn::And(hn::And(outcome.inside, hn::FirstN(d, count_)),
-                                   hn::And(hn::Ge(outcome.t, hn::Set(d, ray.tMin)), hn::Le(outcome.t, best)));
+                                   hn::And(hn::Ge(outcome.t, hn::Set(d, tMin)), hn::Le(outcome.t, best)));
         if (hn::AllFalse(d, open)) return false;
         if constexpr (kAny) {
+            const std::size_t lane = firstOf(open);
+            const float noise = scene_.noise->ofTriangle[static_cast<std::size_t>(triangle_[lane])];
+            found.doubtful = isDoubtful(laneOf(outcome.t, lane), laneOf(outcome.det, lane), ray.minusSz,
+                                        noise, scene_.reach);
+            if (found.doubtful) return false;
             found.best = -1;
-            found.triangle = static_cast<std::int32_t>(firstOf(open));
+            found.triangle = static_cast<std::int32_t>(lane);
             return true;
         }
         // References ascend inside a leaf: of several as close the first has the lowest index.
@@ -79,8 +77,9 @@ class TriangleBlock {
         const float distance = hn::GetLane(closest);
         const std::int32_t triangle = triangle_[lane];
         if (distance == found.best && triangle >= found.triangle) return false;
-        found = {distance, triangle, laneOf(outcome.v, lane), laneOf(outcome.w, lane),
-                 laneOf(outcome.det, lane)};
+        found = {
+            distance, triangle, laneOf(outcome.v, lane), laneOf(outcome.w, lane), laneOf(outcome.det, lane),
+            false};
         return true;
     }
 

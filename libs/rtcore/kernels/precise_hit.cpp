@@ -1,0 +1,84 @@
+#include "rtcore/kernels/precise_hit.h"
+
+#include <limits>
+
+namespace rtcore {
+
+namespace {
+
+/// A corner as the ray sees it: x and y across the ray, z along the dominant axis; origin minus corner.
+struct Place {
+    double x, y, z;
+};
+
+Place placeOf(const ShearedRay& ray, const float* corner) {
+    const auto offset = [&](float origin, int axis) { return double{origin} - corner[axis]; };
+    const double z = offset(ray.z, ray.kz);
+    return {offset(ray.x, ray.kx) - ray.sx * z, offset(ray.y, ray.ky) - ray.sy * z, z};
+}
+
+/// Weights of the corners that add up to 1.
+struct Weights {
+    double of[3];
+};
+
+/// The point of the three edges that is nearest to the ray, seen along it.
+Weights nearestOfEdges(const Place (&p)[3]) {
+    Weights nearest{};
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        const double x = p[j].x - p[i].x;
+        const double y = p[j].y - p[i].y;
+        const double squared = x * x + y * y;
+        const double along = -(p[i].x * x + p[i].y * y);
+        const double share = squared > 0 ? std::clamp(along / squared, 0.0, 1.0) : 0;
+        const double apartX = p[i].x + share * x;
+        const double apartY = p[i].y + share * y;
+        const double apart = apartX * apartX + apartY * apartY;
+        if (!(apart < least)) continue;
+        least = apart;
+        nearest = {};
+        nearest.of[i] = 1 - share;
+        nearest.of[j] = share;
+    }
+    return nearest;
+}
+
+Weights weightsOf(const Place (&p)[3]) {
+    const auto edge = [](const Place& from, const Place& to) { return from.x * to.y - from.y * to.x; };
+    const double u = edge(p[2], p[1]);
+    const double v = edge(p[0], p[2]);
+    const double w = edge(p[1], p[0]);
+    const double det = u + v + w;
+    const bool inside = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
+    return inside && det != 0 ? Weights{{u / det, v / det, w / det}} : nearestOfEdges(p);
+}
+
+/// In the order of the ray's axes.
+Place differenceOf(const ShearedRay& ray, Vec3 a, Vec3 b) {
+    return {double{a[ray.kx]} - b[ray.kx], double{a[ray.ky]} - b[ray.ky], double{a[ray.kz]} - b[ray.kz]};
+}
+
+} // namespace
+
+bool isBefore(const ShearedRay& ray, Vec3 a, Vec3 b, Vec3 c) {
+    const Place p = differenceOf(ray, b, a);
+    const Place q = differenceOf(ray, c, a);
+    const Place normal{p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
+    const double height = normal.x * (double{a[ray.kx]} - ray.x) + normal.y * (double{a[ray.ky]} - ray.y) +
+                          normal.z * (double{a[ray.kz]} - ray.z);
+    const double facing = normal.x * ray.sx + normal.y * ray.sy + normal.z;
+    return ray.minusSz < 0 ? height * facing >= 0 : height * facing <= 0;
+}
+
+PreciseHit preciseHit(const ShearedRay& ray, const float* a, const float* b, const float* c) {
+    const Place p[3] = {placeOf(ray, a), placeOf(ray, b), placeOf(ray, c)};
+    const Weights weights = weightsOf(p);
+    const double z = weights.of[0] * p[0].z + weights.of[1] * p[1].z + weights.of[2] * p[2].z;
+    const auto t = static_cast<float>(z * ray.minusSz);
+    return {std::isfinite(t) ? t : std::numeric_limits<float>::quiet_NaN(), static_cast<float>(weights.of[1]),
+            static_cast<float>(weights.of[2])};
+}
+
+} // namespace rtcore
