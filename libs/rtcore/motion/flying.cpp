@@ -23,6 +23,14 @@ double settle(double speed, double wanted, double full) {
     return std::fabs(now - wanted) < kStopped * full ? wanted : now;
 }
 
+/// In e-folds a second.
+void narrow(FlightState& state, double wanted) {
+    constexpr double kLog2E = 1.44269504088896340736, kNarrowest = 1e-9, kWidest = 1e15;
+    state.narrowing = settle(state.narrowing, wanted, 1);
+    const auto doublings = static_cast<float>(-state.narrowing * kTickSeconds * kLog2E);
+    state.width = std::clamp(state.width * double{portableExp2(doublings)}, kNarrowest, kWidest);
+}
+
 } // namespace
 
 Heading normalize(Heading h) {
@@ -51,9 +59,15 @@ Heading headingOf(Vec3d forward, Vec3d up) {
 }
 
 void fly(FlightState& state, Heading heading, const ActionSet& held, double speed) {
-    const double full = speed * (held.has(Action::Sprint) ? 4 : 1) * (held.has(Action::Crouch) ? 0.25 : 1);
+    const double pace = (held.has(Action::Sprint) ? 4 : 1) * (held.has(Action::Crouch) ? 0.25 : 1);
+    const double full = speed * pace;
     const Vec3d ahead = aheadOf(heading);
-    const Vec3d wish = lookDirection(heading) * held.balance(Action::Forward, Action::Back) +
+    double forward = held.balance(Action::Forward, Action::Back);
+    if (state.width > 0) {
+        narrow(state, forward * pace);
+        forward = 0;
+    }
+    const Vec3d wish = lookDirection(heading) * forward +
                        Vec3d{ahead.y, -ahead.x, 0} * held.balance(Action::Right, Action::Left) +
                        Vec3d{0, 0, 1} * held.balance(Action::Up, Action::Down);
     const Vec3d wanted = normalize(wish) * full;

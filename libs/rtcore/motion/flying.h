@@ -23,11 +23,14 @@ Vec3d aheadOf(Heading heading);
 Heading headingOf(Vec3d forward, Vec3d up);
 
 struct FlightState {
-    Vec3d eye, velocity; ///< metres
+    Vec3d eye, velocity;  ///< metres
+    double width = 0;     ///< of an orthographic view, scene units; 0: a perspective one
+    double narrowing = 0; ///< e-folds a second
     friend bool operator==(const FlightState&, const FlightState&) = default;
 };
 
-/// One step of kTickSeconds at `speed` (m/s): with Sprint four times as fast, with Crouch a quarter.
+/// One step of kTickSeconds at `speed` (m/s): with Sprint four times as fast, with Crouch a quarter. An
+/// orthographic view shows the same from near and far: it gets narrower in place of going forwards.
 void fly(FlightState& state, Heading heading, const ActionSet& held, double speed);
 
 /// Turning by keys, both modes: speed in radians per second, approached smoothly.

@@ -36,10 +36,11 @@ Player::Player(const KdTree& tree, const Mesh& mesh, const PlayerOptions& option
 
 void Player::setCamera(const Camera& camera) {
     given_ = camera;
-    moved_ = turned_ = false;
+    moved_ = turned_ = narrowed_ = false;
     flight_ = {frame_.toMetres(camera.eye), {}};
+    if (camera.kind == CameraKind::Orthographic) flight_.width = double{camera.orthographicWidth};
     turn_ = {};
-    now_ = {flight_.eye, headingOf(frame_.turn(camera.forward), frame_.turn(camera.up))};
+    now_ = {flight_.eye, headingOf(frame_.turn(camera.forward), frame_.turn(camera.up)), flight_.width};
     before_ = now_;
     if (mode_ == MotionMode::View) return;
     mode_ = MotionMode::View;
@@ -56,6 +57,7 @@ Camera Player::camera() const {
         camera.forward = frame_.turnBack(lookDirection(heading));
         camera.up = frame_.up();
     }
+    if (narrowed_) camera.orthographicWidth = static_cast<float>(between(before_.width, now_.width, share));
     return camera;
 }
 
@@ -63,12 +65,13 @@ bool Player::setMode(MotionMode mode) {
     if (mode == mode_) return true;
     if (mode == MotionMode::Walk) {
         if (!walker_.enter(now_.eye)) return false;
+        entered_ = now_.eye;
         moved_ = moved_ || walker_.eye() != now_.eye;
         // He may have been put aside: drawn there at once.
         constexpr double kAside = 1e-6;
         if (length(walker_.eye() - now_.eye) > kAside) now_.eye = walker_.eye();
     }
-    flight_ = {now_.eye, {}};
+    flight_ = {now_.eye, {}, now_.width};
     before_ = now_;
     mode_ = mode;
     return true;
@@ -104,7 +107,9 @@ void Player::step() {
     } else {
         fly(flight_, now_.heading, held, flyingSpeed_ * speedFactor_);
         now_.eye = flight_.eye;
+        now_.width = flight_.width;
     }
+    narrowed_ = narrowed_ || now_.width != before_.width;
     moved_ = moved_ || now_.eye != before_.eye;
 }
 
@@ -118,15 +123,16 @@ void Player::stepWalking(const ActionSet& held) {
     input.crawl = held.has(Action::Crawl);
     input.sprint = held.has(Action::Sprint);
     const bool inWorld = walker_.tick(input);
-    now_.eye = walker_.eye();
+    now_.eye = inWorld ? walker_.eye() : entered_;
     if (inWorld) return;
-    flight_ = {now_.eye, {}};
+    flight_ = {now_.eye, {}, now_.width};
     mode_ = MotionMode::View;
 }
 
 bool Player::atRest() const {
     if (!held_.none() || !tapped_.none() || turn_ != TurnState{} || before_ != now_) return false;
-    return mode_ == MotionMode::Walk ? walker_.atRest() : flight_.velocity == Vec3d{};
+    return mode_ == MotionMode::Walk ? walker_.atRest()
+                                     : flight_.velocity == Vec3d{} && flight_.narrowing == 0;
 }
 
 } // namespace rtcore

@@ -46,8 +46,12 @@ class Player {
     Camera camera() const;
 
     MotionMode mode() const { return mode_; }
-    /// False, and nothing changed, where there is no room for a body within a metre of the eye.
+    /// False, and nothing changed, where there is no room for a body within a metre of the eye, or where the
+    /// eye is below all that could carry. Who falls out of the world and never stood is put back to where he
+    /// was before, and flies.
     bool setMode(MotionMode mode);
+    /// Walks beside the model, where nothing is below: on a floor at its lowest point that is not seen.
+    bool onUnseenFloor() const { return mode_ == MotionMode::Walk && walker_.onUnseenFloor(); }
 
     /// What goes on (isHeld) until it is released.
     void press(Action action) { held_.set(action); }
@@ -77,6 +81,7 @@ class Player {
     struct View {
         Vec3d eye;
         Heading heading;
+        double width = 0; ///< as in FlightState
         friend bool operator==(const View&, const View&) = default;
     };
 
@@ -89,7 +94,8 @@ class Player {
     double speedFactor_ = 1;
     MotionMode mode_ = MotionMode::View;
     Camera given_;
-    bool moved_ = false, turned_ = false; ///< since the camera was given
+    bool moved_ = false, turned_ = false, narrowed_ = false; ///< since the camera was given
+    Vec3d entered_;                                          ///< the eye, when it began to walk
     FlightState flight_;
     TurnState turn_;
     View now_, before_;

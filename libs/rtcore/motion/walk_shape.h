@@ -8,10 +8,10 @@ namespace rtcore {
 enum class Stance { Crawl, Crouch, Stand };
 
 struct StanceShape {
-    double height = 1.8; ///< m
-    double step = 0.4;   ///< m, the highest that is stepped up
-    double speed = 1.4;  ///< m/s
-    double jump = 0.45;  ///< m
+    double height = 0; ///< m
+    double step = 0;   ///< m, the highest that is stepped up
+    double speed = 0;  ///< m/s
+    double jump = 0;   ///< m
 };
 
 /// Metres and seconds. The proportions are those of a man of 1.80 m; all lengths scale with the height.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rtcore {
 
@@ -48,7 +49,7 @@ Stance wantedStance(const WalkInput& input) {
 
 Walker::Walker(const KdTree& tree, const Mesh& mesh, const WorldFrame& frame, const WalkShape& shape)
     : tree_(tree), mesh_(mesh), frame_(frame), shape_(shape), nearby_(tree, mesh, frame),
-      nearLedge_(tree, mesh, frame, 0), lowest_(lowestPoint(tree, frame) - kBelowWorld) {}
+      nearLedge_(tree, mesh, frame, 0), lowest_(lowestPoint(tree, frame)) {}
 
 Vec3d Walker::eye() const {
     return state_.feet + kUp * (state_.height - shape_.eyeBelowTop + state_.eyeOffset);
@@ -62,7 +63,32 @@ bool Walker::atRest() const {
 void Walker::gather(double move) {
     const Box3d here = body(std::max(state_.height, shape_.stand.height)).box(state_.feet);
     const double beside = move + kMargin;
-    triangles_ = nearby_.in(here.grown({beside, beside, beside + shape_.stand.step}));
+    const Box3d box = here.grown({beside, beside, beside + shape_.stand.step});
+    triangles_ = withUnseenFloor(nearby_.in(box), box);
+}
+
+/// One triangle around the player, wherever he is: without edges near him.
+std::span<const SolidTriangle> Walker::withUnseenFloor(std::span<const SolidTriangle> triangles,
+                                                       const Box3d& box) {
+    if (!unseenFloor_ || box.lo.z > lowest_ || box.hi.z < lowest_) return triangles;
+    const double x = (box.lo.x + box.hi.x) / 2, y = (box.lo.y + box.hi.y) / 2;
+    const double far = 10 * (box.hi.x - box.lo.x + box.hi.y - box.lo.y);
+    const Vec3d a{x - 2 * far, y - far, lowest_}, b{x + 2 * far, y - far, lowest_},
+        c{x, y + 2 * far, lowest_};
+    withFloor_.assign(triangles.begin(), triangles.end());
+    withFloor_.push_back({a, b, c, {{a.x, a.y, lowest_}, {b.x, c.y, lowest_}}});
+    return withFloor_;
+}
+
+/// Under any part of the body.
+bool Walker::anythingBelow(Vec3d eye) const {
+    const Vec3 down = frame_.turnBack(-kUp);
+    for (const Vec3d aside : {Vec3d{}, {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}}) {
+        const Ray ray{frame_.toScene(eye + aside * shape_.radius), 0, down,
+                      std::numeric_limits<float>::max()};
+        if (occluded(tree_, mesh_, ray)) return true;
+    }
+    return false;
 }
 
 // --- entering -------------------------------------------------------------------------------------------
@@ -88,8 +114,10 @@ void Walker::useTree(const KdTree& tree) {
 }
 
 bool Walker::enter(Vec3d eye) {
-    const WalkState before = state_;
     if (!isFinite(eye)) return false;
+    const WalkState before = state_;
+    const bool floorBefore = unseenFloor_;
+    unseenFloor_ = !anythingBelow(eye);
     static constexpr Vec3d kWays[] = {{0, 0, 1},  {0, 0, -1}, {1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
                                       {0, -1, 0}, {1, 1, 0},  {-1, 1, 0}, {1, -1, 0}, {-1, -1, 0}};
     for (const double distance : {0.0, 0.125, 0.25, 0.5, 0.75, 1.0}) {
@@ -97,14 +125,16 @@ bool Walker::enter(Vec3d eye) {
             const Vec3d there = eye + normalize(way) * distance;
             for (const Stance stance : {Stance::Stand, Stance::Crouch, Stance::Crawl}) {
                 if (!fitsAt(there, eye, stance)) continue;
+                if (unseenFloor_ && state_.feet.z < lowest_) continue;
                 savedCount_ = 0;
-                sinceSaved_ = 0;
+                sinceSaved_ = kSaveTicks; // the first floor is a place to come back to
                 return true;
             }
             if (distance == 0) break;
         }
     }
     state_ = before;
+    unseenFloor_ = floorBefore;
     return false;
 }
 
@@ -124,7 +154,7 @@ bool Walker::tick(const WalkInput& input, MotionTrail* trail) {
     }
 
     act(input, trail);
-    if (!isFinite(state_.feet) || state_.feet.z < lowest_) {
+    if (!isFinite(state_.feet) || state_.feet.z < lowest_ - kBelowWorld) {
         if (restorePose()) return true;
         state_ = last;
         return false;

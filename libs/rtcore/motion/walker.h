@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace rtcore {
 
@@ -62,8 +63,12 @@ class Walker {
     void useTree(const KdTree& tree);
 
     /// Puts the player where his eye is at `eye` or, when there is no room, within a metre of it and in its
-    /// sight. False, and nothing changed, when there is no room at all.
+    /// sight. Where nothing is below, as beside a model that is looked at from outside, an unseen floor at
+    /// the lowest point of the scene carries him. False, and nothing changed, when there is no room at all,
+    /// or nothing below that could carry.
     bool enter(Vec3d eye);
+    /// Since the last enter() there is an unseen floor.
+    bool onUnseenFloor() const { return unseenFloor_; }
 
     /// One step of kTickSeconds. False when he fell out of the world and there is no place to put him back
     /// to: the state is the last good one then.
@@ -84,6 +89,9 @@ class Walker {
 
     Body body(double height) { return {triangles_, shape_, height}; }
     void gather(double move);
+    std::span<const SolidTriangle> withUnseenFloor(std::span<const SolidTriangle> triangles,
+                                                   const Box3d& box);
+    bool anythingBelow(Vec3d eye) const;
     void act(const WalkInput& input, MotionTrail* trail);
     void recover(MotionTrail* trail);
     void changeStance(const WalkInput& input);
@@ -105,7 +113,9 @@ class Walker {
     WalkShape shape_;
     NearbyTriangles nearby_, nearLedge_;
     std::span<const SolidTriangle> triangles_;
-    double lowest_; ///< below this height he has fallen out of the world
+    double lowest_;                        ///< height of the scene's lowest point
+    bool unseenFloor_ = false;             ///< there
+    std::vector<SolidTriangle> withFloor_; ///< triangles_, where it is among them
     WalkState state_;
     std::array<Pose, 16> saved_{};
     int savedCount_ = 0, savedNext_ = 0;

@@ -52,14 +52,80 @@ TEST(Entering, comesBackFromBelowTheWorld) {
     EXPECT_NEAR(walker->state().feet.z, 0, 1e-3);
 }
 
-TEST(Entering, fliesWhereThereIsNoWorld) {
+TEST(Entering, walksOnAnUnseenFloorBesideAModel) {
     WalkWorld world;
-    world.floor(0, 1);
-    const auto player = world.player(30, 0, 0);
+    world.box(metres(-1, -2, 0.2), metres(1, 2, 1.5)); // a car, say
+    const auto player = world.player(30, 0, 1);
     ASSERT_TRUE(player->setMode(MotionMode::Walk));
+    EXPECT_TRUE(player->onUnseenFloor());
+    for (int i = 0; i < 120; ++i) player->advance(std::chrono::milliseconds(17));
+    EXPECT_EQ(player->mode(), MotionMode::Walk);
+    EXPECT_NEAR(player->camera().eye.z, 0.2 + 1.7, 0.01) << "its lowest point";
+    EXPECT_TRUE(player->atRest());
+    player->press(rtcore::Action::Forward);
     for (int i = 0; i < 600; ++i) player->advance(std::chrono::milliseconds(17));
+    EXPECT_GT(player->camera().eye.y, 25) << "it reaches everywhere";
+    EXPECT_NEAR(player->camera().eye.z, 0.2 + 1.7, 0.01);
+    player->setMode(MotionMode::View);
+    EXPECT_FALSE(player->onUnseenFloor());
+}
+
+TEST(Entering, runsIntoTheModelOnTheUnseenFloor) {
+    WalkWorld world;
+    world.box(metres(-5, 3, 0), metres(5, 6, 4));
+    const auto walker = world.walker(0, 0, 0);
+    EXPECT_TRUE(walker->onUnseenFloor());
+    test::walkFor(*walker, test::ahead(), 300);
+    EXPECT_LE(walker->state().feet.y, 3 - 0.29);
+    EXPECT_GT(walker->state().feet.y, 2.5);
+    EXPECT_NEAR(walker->state().feet.z, 0, 0.02);
+}
+
+TEST(Entering, knowsNoUnseenFloorWhereSomethingIsBelow) {
+    WalkWorld world;
+    world.floor(0, 4);
+    for (const double x : {0.0, 4.2}) { // half of the body is over the edge
+        const auto player = world.player(x, 0, 0);
+        ASSERT_TRUE(player->setMode(MotionMode::Walk));
+        EXPECT_FALSE(player->onUnseenFloor()) << x;
+    }
+    const auto below = world.player(0, 0, -10);
+    EXPECT_FALSE(below->setMode(MotionMode::Walk)) << "nothing carries there";
+    EXPECT_EQ(below->mode(), MotionMode::View);
+}
+
+// A floor that is too steep to stand on, and nothing behind its lower edge.
+TEST(Entering, bringsBackToWhereHeFlewWhoNeverStood) {
+    WalkWorld world;
+    world.quad(metres(-3, 0, 0), metres(3, 0, 0), metres(3, 2, 6), metres(-3, 2, 6));
+    const auto player = world.player(0, 1, 3.5);
+    const rtcore::Vec3 eye = player->camera().eye;
+    ASSERT_TRUE(player->setMode(MotionMode::Walk));
+    ASSERT_FALSE(player->onUnseenFloor());
+    for (int i = 0; i < 900 && player->mode() == MotionMode::Walk; ++i)
+        player->advance(std::chrono::milliseconds(17));
     EXPECT_EQ(player->mode(), MotionMode::View);
-    EXPECT_TRUE(isFinite(player->camera().eye));
+    player->advance(std::chrono::milliseconds(17));
+    EXPECT_NEAR(length(player->camera().eye - eye), 0, 1e-4);
+}
+
+TEST(Entering, comesBackToWhereItStoodForAMomentOnly) {
+    WalkWorld world;
+    world.floor(0, 0.6);
+    const auto player = world.player(0, 0, 0);
+    ASSERT_TRUE(player->setMode(MotionMode::Walk));
+    player->press(rtcore::Action::Forward);
+    bool fell = false;
+    for (int i = 0; i < 900 && player->mode() == MotionMode::Walk; ++i) {
+        player->advance(std::chrono::milliseconds(17));
+        if (player->camera().eye.z < -5) {
+            fell = true;
+            player->hold({});
+        }
+    }
+    EXPECT_TRUE(fell);
+    EXPECT_EQ(player->mode(), MotionMode::Walk);
+    EXPECT_NEAR(player->camera().eye.z, 1.7, 0.02);
 }
 
 TEST(Entering, worksWithoutTriangles) {

@@ -46,6 +46,33 @@ TEST(Flying, leavesACameraAsItIs) {
     EXPECT_LT(length(turned - was), 1e-5F);
 }
 
+TEST(Flying, anOrthographicViewGetsNarrowerInPlaceOfNearer) {
+    WalkWorld world = hall();
+    const auto player = world.player(0, 0, 0);
+    Camera camera;
+    camera.eye = {0.1F, 0.7F, 3.3F};
+    camera.kind = rtcore::CameraKind::Orthographic;
+    camera.orthographicWidth = 8;
+    player->setCamera(camera);
+    fly(*player, 50);
+    EXPECT_EQ(player->camera(), camera);
+    player->press(Action::Forward);
+    fly(*player, 50);
+    player->release(Action::Forward);
+    fly(*player, 100);
+    EXPECT_TRUE(player->atRest());
+    const float narrow = player->camera().orthographicWidth;
+    EXPECT_NEAR(narrow, 8 / std::exp(1.0), 0.1);
+    EXPECT_EQ(player->camera().eye, camera.eye);
+    player->press(Action::Back);
+    fly(*player, 50);
+    player->release(Action::Back);
+    player->press(Action::Right);
+    fly(*player, 100);
+    EXPECT_NEAR(player->camera().orthographicWidth, 8, 1e-4);
+    EXPECT_NE(player->camera().eye, camera.eye);
+}
+
 TEST(Flying, movesByTheSizeOfTheScene) {
     WalkWorld world = hall();
     const auto player = world.player(0, 0, 0);
