@@ -70,16 +70,18 @@ Vec3 rightOf(Vec3 forward, Vec3 up) {
 
 } // namespace
 
-CameraRays::CameraRays(const Camera& camera, int width, int height) : eye_(camera.eye) {
-    const Vec3 forward = normalize(camera.forward);
-    const Vec3 right = rightOf(forward, normalize(camera.up));
-    const Vec3 down = cross(forward, right);
+CameraRays::CameraRays(const Camera& camera, int width, int height)
+    : eye_(camera.eye), forward_(normalize(camera.forward)),
+      parallel_(camera.kind == CameraKind::Orthographic), widened_(widening(camera, width, height)) {
+    const Vec3 right = rightOf(forward_, normalize(camera.up));
+    const Vec3 down = cross(forward_, right);
 
     const float half = camera.horizontalFov * 0.5F * kRadiansPerDegree;
-    const float pixel = 2 * portableSin(half) / portableCos(half) / static_cast<float>(width);
+    const float across = parallel_ ? camera.orthographicWidth : 2 * portableSin(half) / portableCos(half);
+    const float pixel = across / static_cast<float>(width) * widened_;
     plane_.right = right * pixel;
     plane_.down = down * pixel;
-    plane_.corner = forward - plane_.right * (static_cast<float>(width) * 0.5F) -
+    plane_.corner = (parallel_ ? Vec3{} : forward_) - plane_.right * (static_cast<float>(width) * 0.5F) -
                     plane_.down * (static_cast<float>(height) * 0.5F);
 }
 
@@ -91,12 +93,22 @@ CameraRays CameraRays::coarser(int factor) const {
 }
 
 Ray CameraRays::at(float x, float y) const {
-    return {eye_, 0, normalize(plane_.corner + plane_.right * x + plane_.down * y),
-            std::numeric_limits<float>::max()};
+    constexpr float kFar = std::numeric_limits<float>::max();
+    const Vec3 seen = plane_.corner + plane_.right * x + plane_.down * y;
+    if (parallel_) return {eye_ + seen, 0, forward_, kFar};
+    return {eye_, 0, normalize(seen), kFar};
 }
 
 void CameraRays::directions(const Block& block, float* dx, float* dy, float* dz) const {
     HWY_DYNAMIC_DISPATCH(blockDirections)(plane_, block, dx, dy, dz);
+}
+
+float fieldOfView(const Camera& camera, int width, int height) {
+    if (camera.kind == CameraKind::Orthographic) return 0;
+    const float widened = widening(camera, width, height);
+    if (widened == 1) return camera.horizontalFov;
+    const float half = camera.horizontalFov * 0.5F * kRadiansPerDegree;
+    return 2 / kRadiansPerDegree * portableAtan2(portableSin(half) * widened, portableCos(half));
 }
 
 } // namespace rtcore

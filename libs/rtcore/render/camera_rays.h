@@ -1,4 +1,4 @@
-/// Rays of a pinhole camera with a flat picture.
+/// Rays of a camera with a flat picture.
 #pragma once
 
 #include "rtcore/kernels/ray_wave.h"
@@ -25,17 +25,24 @@ class CameraRays {
     CameraRays() = default;
     CameraRays(const Camera& camera, int width, int height);
 
+    /// All are parallel, and start in a plane through the eye; else all start at the eye.
+    bool parallel() const { return parallel_; }
+    /// The tangent of half the field of view is this many times that of the camera's own (scene/camera.h).
+    float widened() const { return widened_; }
+
     /// The ray through the point (x, y) of the picture, in pixels from its upper left corner; unit length,
     /// from 0 to infinity.
     Ray at(float x, float y) const;
     Vec3 eye() const { return eye_; }
+    Vec3 forward() const { return forward_; } ///< unit
 
     /// The same view in pixels `factor` times as wide and as high: one of them covers a square of `factor`
     /// pixels a side, and its middle is the middle of that square.
     CameraRays coarser(int factor) const;
 
-    /// Directions of a block of 8 x 8 samples: those of at(left + (i + 0.5) * step, top + (j + 0.5) * step)
-    /// for the samples (i, j) from (column, row) on, to dx[64], dy[64], dz[64], at indexInBlock().
+    /// Not of parallel rays. Directions of a block of 8 x 8 samples: those of at(left + (i + 0.5) * step, top
+    /// + (j + 0.5) * step) for the samples (i, j) from (column, row) on, to dx[64], dy[64], dz[64], at
+    /// indexInBlock().
     struct Block {
         float left, top;
         int column, row;
@@ -45,15 +52,20 @@ class CameraRays {
 
     /// What directions are made of.
     struct Plane {
-        Vec3 corner;      ///< towards the upper left corner of the picture at distance 1
-        Vec3 right, down; ///< one pixel, at distance 1
+        Vec3 corner; ///< towards the upper left corner of the picture at distance 1 (parallel: at the eye)
+        Vec3 right, down; ///< one pixel, there
     };
 
     const Plane& plane() const { return plane_; }
 
   private:
-    Vec3 eye_;
+    Vec3 eye_, forward_;
     Plane plane_;
+    bool parallel_ = false;
+    float widened_ = 1;
 };
+
+/// Degrees between the left and right edge of a picture of this size; 0 for an orthographic camera.
+float fieldOfView(const Camera& camera, int width, int height);
 
 } // namespace rtcore

@@ -58,7 +58,7 @@ void FrameRenderer::aim(const Scene& scene, const RayTracer& tracer, const Camer
     view_.camera = CameraRays(camera, settings.width, settings.height);
     view_.lens = {};
     const DepthOfFieldSettings& lens = settings.depthOfField;
-    if (!lens.on) return;
+    if (!lens.on || view_.camera.parallel()) return; // an orthographic view has no lens
     const float focus = lens.focus > 0
                             ? lens.focus
                             : focus_.distance(tracer, view_.camera, static_cast<float>(settings.width) * 0.5F,

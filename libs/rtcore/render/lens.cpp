@@ -17,7 +17,7 @@ constexpr float kNearest = 1e-15F, kWidest = 1e15F;
 
 Lens makeLens(const CameraRays& view, float horizontalFov, float fNumber, float focus, float metresPerUnit) {
     const float half = horizontalFov * 0.5F * kRadiansPerDegree;
-    const float film = kHalfFilm * portableCos(half) / portableSin(half);
+    const float film = kHalfFilm * portableCos(half) / portableSin(half) / view.widened();
     const float sharp = std::max(focus, kNearest);
     const bool infinite = !(sharp < kInfiniteFocus);
     const float focal = infinite ? film : film / (1 + film / (sharp * metresPerUnit));

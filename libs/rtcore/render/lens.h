@@ -21,7 +21,8 @@ inline constexpr float kInfiniteFocus = 1e15F;
 /// A lens that makes the camera's picture on a film 36 mm wide while it is focused at `focus` (scene units
 /// along the axis): the film lies v = 18 mm / tan(fov / 2) behind it, so its focal length is f
 /// = 1 / (1 / v + 1 / focus), and its radius f / (2 fNumber). Then a point at distance x is blurred to a disc
-/// of radius r |x - focus| / (x focus) at distance 1, as by the thin lens equation.
+/// of radius r |x - focus| / (x focus) at distance 1, as by the thin lens equation. `horizontalFov` is the
+/// camera's; not of parallel rays.
 Lens makeLens(const CameraRays& view, float horizontalFov, float fNumber, float focus, float metresPerUnit);
 
 /// Finds what a picture is to be focused at.

@@ -35,9 +35,7 @@ void SampleChoice::begin(const RenderSettings& settings) {
     width_ = settings.width;
     height_ = settings.height;
     threshold_ = settings.adaptive;
-    const bool fixed = settings.exposure.mode == ExposureMode::Fixed;
-    exposure_ = settings.exposure.value;
-    key_ = fixed ? 0 : settings.exposure.key;
+    key_ = settings.exposure.key;
     share_ = 1 / static_cast<float>(firstSamples(settings.antialiasing));
     extents_.assign(at(0, height_), {{kInfinity, kInfinity, kInfinity}, {}});
     chosen_.resize(extents_.size());
@@ -50,7 +48,6 @@ void SampleChoice::add(int x, int y, Colour c) {
 }
 
 void SampleChoice::measure(const HdrImage& sums) {
-    if (key_ == 0) return;
     constexpr int kStep = 3; // a part of the pixels is enough
     double sum = 0;
     int count = 0;

@@ -20,9 +20,10 @@ int firstSamples(int n);
 bool choosesSamples(const RenderSettings& settings);
 
 /// Of one frame. Differences are measured as the display shows them: of the square root of L = Y / (Y + c)
-/// for each colour, where c is the fixed exposure, or that which shows the mean of the first samples as the
-/// key. A pixel's error is the largest difference between its own samples, or between its mean and that of a
-/// pixel beside, above or below it.
+/// for each colour, where c is the exposure which shows the mean of the first samples as the key. The mode of
+/// exposure has no part in it: a frame of the live view and its .cam, which fixes what the live view had
+/// reached, choose the same samples. A pixel's error is the largest difference between its own samples, or
+/// between its mean and that of a pixel beside, above or below it.
 ///
 /// begin(); add() for all first samples; measure(); choose() for all pixels; chosen(). What is for different
 /// pixels may run at once.
@@ -49,7 +50,7 @@ class SampleChoice {
         Colour lowest, highest;
     };
     int width_ = 0, height_ = 0;
-    float threshold_ = 0, exposure_ = 1, key_ = 0;
+    float threshold_ = 0, exposure_ = 1, key_ = 1;
     float share_ = 1; ///< 1 / samples that come first
     std::vector<Extent> extents_;
     std::vector<std::uint8_t> chosen_;

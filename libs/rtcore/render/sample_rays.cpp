@@ -46,6 +46,18 @@ HWY_INLINE void mapToDisc(Floats& u, Floats& v) {
     v = hn::IfThenElseZero(out, hn::IfThenElse(across, aside, along));
 }
 
+void aimParallel(const CameraRays& camera, SampleBlock& block) {
+    const FloatTag d;
+    const Vectors corner = everywhere(camera.plane().corner), right = everywhere(camera.plane().right),
+                  down = everywhere(camera.plane().down), eye = everywhere(camera.eye()),
+                  forward = everywhere(camera.forward());
+    for (std::size_t i = 0; i < SampleBlock::kSize; i += hn::Lanes(d)) {
+        const Vectors seen = corner + right * hn::LoadU(d, block.x + i) + down * hn::LoadU(d, block.y + i);
+        storeVectors(eye + seen, block.ox + i, block.oy + i, block.oz + i);
+        storeVectors(forward, block.dx + i, block.dy + i, block.dz + i);
+    }
+}
+
 /// `round`: places on the lens are points of the unit square yet.
 void aimBlock(const CameraRays& camera, const Lens& lens, bool round, SampleBlock& block) {
     const FloatTag d;
@@ -75,6 +87,7 @@ HWY_AFTER_NAMESPACE();
 namespace rtcore {
 
 HWY_EXPORT(aimBlock);
+HWY_EXPORT(aimParallel);
 
 namespace {
 
@@ -112,7 +125,11 @@ void makeSampleRays(const SampleView& view, std::span<const SampleId> samples, R
         const std::size_t count = std::min(SampleBlock::kSize, samples.size() - first);
         placeBlock(view, samples.subspan(first, count), block);
         if (view.lens.open()) placeOnLens(view, samples.subspan(first, count), block);
-        HWY_DYNAMIC_DISPATCH(aimBlock)(view.camera, view.lens, view.aperture.round(), block);
+        if (view.camera.parallel()) {
+            HWY_DYNAMIC_DISPATCH(aimParallel)(view.camera, block);
+        } else {
+            HWY_DYNAMIC_DISPATCH(aimBlock)(view.camera, view.lens, view.aperture.round(), block);
+        }
         std::copy_n(block.ox, count, &rays.ox[first]);
         std::copy_n(block.oy, count, &rays.oy[first]);
         std::copy_n(block.oz, count, &rays.oz[first]);

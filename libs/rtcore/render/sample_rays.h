@@ -21,12 +21,14 @@ struct SampleView {
     Aperture aperture;
 
     /// Samples in the middles of a grid's cells, all seen from one point.
-    bool plain() const { return pattern.pattern() == SamplingPattern::Grid && !lens.open(); }
+    bool plain() const {
+        return pattern.pattern() == SamplingPattern::Grid && !lens.open() && !camera.parallel();
+    }
 };
 
 /// One ray from 0 to infinity with a direction of unit length for each sample, in their order; they start on
-/// the lens and pass through the point of perfect sharpness. The directions through a pinhole have the bits
-/// of CameraRays::at().
+/// the lens, or in the plane of an orthographic camera, and pass through the point of perfect sharpness.
+/// Without a lens they have the bits of CameraRays::at().
 void makeSampleRays(const SampleView& view, std::span<const SampleId> samples, RayWave& rays);
 
 } // namespace rtcore

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace rtcore {
 namespace {
@@ -44,6 +46,48 @@ TEST(CameraRays, TheFieldOfViewIsExactBetweenLeftAndRightEdge) {
         EXPECT_NEAR(angleBetween(left, right), fov, 2e-5) << fov;
         EXPECT_NEAR(angleBetween(left, {0, 0, -1}), fov / 2, 2e-5) << fov;
     }
+}
+
+/// Tangents of the angles from the middle to the right and to the upper edge.
+std::pair<float, float> extentOf(const Camera& camera, int width, int height) {
+    const CameraRays rays(camera, width, height);
+    const auto w = static_cast<float>(width), h = static_cast<float>(height);
+    const Vec3 right = rays.at(w, h / 2).direction, top = rays.at(w / 2, 0).direction;
+    return {right.x / -right.z, top.y / -top.z};
+}
+
+TEST(CameraRays, AllThatTheAuthorFramedIsSeen) {
+    Camera camera = cameraOf(90);
+    camera.aspect = 2;
+    for (const auto& [width, height] : {std::pair{300, 100}, {200, 100}, {100, 100}, {50, 100}}) {
+        const auto [across, up] = extentOf(camera, width, height);
+        EXPECT_NEAR(across, std::max(1.0, 0.5 * width / height), 1e-5) << width;
+        EXPECT_NEAR(up, std::max(0.5, 1.0 * height / width), 1e-5) << width;
+        EXPECT_NEAR(fieldOfView(camera, width, height), 2 * std::atan(across) * 180 / kPi, 1e-3);
+    }
+    EXPECT_EQ(extentOf(camera, 200, 100), extentOf(cameraOf(90), 200, 100));
+    EXPECT_EQ(fieldOfView(cameraOf(71.3F), 300, 100), 71.3F);
+}
+
+TEST(CameraRays, OrthographicOnesAreParallel) {
+    Camera camera = cameraOf(60);
+    camera.kind = CameraKind::Orthographic;
+    camera.orthographicWidth = 8;
+    const CameraRays rays(camera, 400, 200);
+    EXPECT_TRUE(rays.parallel());
+    for (const auto& [x, y] : {std::pair{0.0F, 0.0F}, {200.0F, 100.0F}, {400.0F, 200.0F}, {30.5F, 7.5F}}) {
+        const Ray ray = rays.at(x, y);
+        EXPECT_EQ(ray.direction, (Vec3{0, 0, -1}));
+        EXPECT_NEAR(ray.origin.x, 1 + (x - 200) / 50, 1e-5F);
+        EXPECT_NEAR(ray.origin.y, 2 - (y - 100) / 50, 1e-5F);
+        EXPECT_EQ(ray.origin.z, 3);
+        const Ray coarse = rays.coarser(2).at(x / 2, y / 2);
+        EXPECT_NEAR(length(coarse.origin - ray.origin), 0, 1e-5F);
+    }
+    EXPECT_EQ(fieldOfView(camera, 400, 200), 0);
+    camera.aspect = 1;
+    EXPECT_NEAR(CameraRays(camera, 400, 200).at(400, 100).origin.x, 1 + 8, 1e-5F);
+    EXPECT_NEAR(CameraRays(camera, 200, 400).at(200, 200).origin.x, 1 + 4, 1e-5F);
 }
 
 TEST(CameraRays, CornersAreSymmetric) {

@@ -146,6 +146,33 @@ TEST(RenderFrame, CoveredTellsGeometryFromBackground) {
     }
 }
 
+TEST(RenderFrame, AnOrthographicViewShowsTheSameSizeNearAndFar) {
+    test::SceneBuilder b;
+    const std::uint32_t white = b.material(test::lamp({1, 1, 1}));
+    b.square({-2, 0, -1}, {0, 0, 1}, 0.5F, white);
+    b.square({2, 0, -100}, {0, 0, 1}, 0.5F, white);
+    const test::TracedScene s(b.finish());
+    Camera camera;
+    camera.kind = CameraKind::Orthographic;
+    camera.orthographicWidth = 8;
+    RenderSettings settings = test::sampleSettings(160, 80);
+    const auto render = [&] {
+        Frame frame;
+        RenderControl control;
+        EXPECT_TRUE(renderFrame(s.scene, s.tracer, camera, settings, 2, control, frame));
+        return frame;
+    };
+    const Frame frame = render();
+    for (int y = 0; y < 80; ++y) {
+        for (int x = 0; x < 160; ++x) {
+            const bool inside = y >= 30 && y < 50 && ((x >= 30 && x < 50) || (x >= 110 && x < 130));
+            ASSERT_EQ(frame.radiance.at(x, y).g, inside ? 1.0F : 0.0F) << x << " " << y;
+        }
+    }
+    settings.depthOfField.on = true; // an orthographic view has no lens
+    EXPECT_EQ(render().radiance.pixels, frame.radiance.pixels);
+}
+
 TEST(RenderFrame, CountsItsTiles) {
     const TracedScene s(test::sampleScene());
     Frame frame;

@@ -103,9 +103,9 @@ TEST(Lens, RaysStartOnItAndMeetInThePlaneOfFocus) {
     }
 }
 
-TEST(SampleRays, ThroughAPinholeHaveTheBitsOfTheCamera) {
+void expectTheBitsOfTheCamera(const Camera& camera) {
     SampleView view;
-    view.camera = CameraRays(test::sampleCamera(), 640, 480);
+    view.camera = CameraRays(camera, 640, 480);
     view.pattern.prepare(SamplingPattern::Poisson, 3);
     std::vector<SampleId> samples;
     for (std::uint32_t i = 0; i < 100; ++i) samples.push_back({static_cast<std::uint16_t>(6 * i), 99, i % 9});
@@ -117,6 +117,14 @@ TEST(SampleRays, ThroughAPinholeHaveTheBitsOfTheCamera) {
         EXPECT_EQ(rays.ray(i).direction, expected.direction);
         EXPECT_EQ(rays.ray(i).origin, expected.origin);
     }
+}
+
+TEST(SampleRays, WithoutALensHaveTheBitsOfTheCamera) {
+    Camera camera = test::sampleCamera();
+    expectTheBitsOfTheCamera(camera);
+    camera.kind = CameraKind::Orthographic;
+    camera.orthographicWidth = 7.3F;
+    expectTheBitsOfTheCamera(camera);
 }
 
 TEST(SampleRays, StartWhereTheApertureSays) {

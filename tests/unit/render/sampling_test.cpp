@@ -188,17 +188,23 @@ TEST(Adaptive, ASmallEnoughErrorTakesAllSamples) {
     EXPECT_EQ(frame.covered, expected.covered);
 }
 
-TEST(Adaptive, FollowsTheExposure) {
-    // An edge far below what the display shows is none.
+TEST(Adaptive, ChoosesTheSameWhateverTheExposure) {
+    // A .cam fixes the exposure that the live view had reached.
     test::SceneBuilder b;
     b.quad({-100, -100, -1}, {0.01F, -100, -1}, {0.01F, 100, -1}, {-100, 100, -1},
            b.material(test::lamp({1e-4F, 1e-4F, 1e-4F})));
     const test::TracedScene s(b.finish());
     RenderSettings settings = test::sampleSettings(40, 30, 4);
     settings.adaptive = .05F;
-    EXPECT_GT(test::render(s, settings).statistics.rays[0], 40U * 30 * 4);
+    const Frame automatic = test::render(s, settings);
+    EXPECT_GT(automatic.statistics.rays[0], 40U * 30 * 4);
     settings.exposure.mode = ExposureMode::Fixed;
-    EXPECT_EQ(test::render(s, settings).statistics.rays[0], 40U * 30 * 4);
+    for (const float value : {1e-6F, 1e-4F, 1.0F}) {
+        settings.exposure.value = value;
+        const Frame fixed = test::render(s, settings);
+        EXPECT_EQ(fixed.statistics.rays[0], automatic.statistics.rays[0]);
+        EXPECT_EQ(fixed.radiance.pixels, automatic.radiance.pixels);
+    }
 }
 
 TEST(Adaptive, StopsWhenItIsTold) {
