@@ -7,6 +7,7 @@
 
 #include "common/command_line.h"
 #include "common/help_text.h"
+#include "common/ipc_exit_code.h"
 #include "common/run_program.h"
 #include "common/stop.h"
 #include "common/terminal.h"
@@ -15,15 +16,13 @@
 #include "ipc/endpoint/instances.h"
 #include "ipc/endpoint/viewer.h"
 
-#include "rtcore/platform/error.h"
+#include "rtcore/platform/files.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iostream>
 #include <optional>
 #include <span>
 #include <thread>
@@ -59,7 +58,7 @@ class Run {
         const std::string text = app::joinWords(line);
         if (found.spec->name == "exit" || found.spec->name == "quit") return conversation_.quit(text);
         const std::string answer = conversation_.request(text, work);
-        if (!answer.empty()) app::writeOutput(answer + "\n");
+        if (!answer.empty()) app::writeLines(answer + "\n");
     }
 
   private:
@@ -140,16 +139,11 @@ class Run {
     void script(const std::string& name) {
         if (inScript_) throw app::UsageError("a script cannot run another one");
         inScript_ = true;
-        std::ifstream file;
-        if (name != "-") {
-            file.open(name);
-            if (!file) throw rtcore::FileError(rtcore::FailureKind::NoInput, name, "cannot be read");
-        }
-        std::istream& lines = name == "-" ? std::cin : file;
-        std::string line;
-        for (int number = 1; std::getline(lines, line); ++number) {
+        rtcore::LineReader lines(name);
+        int number = 0;
+        while (const std::optional<std::string> line = lines.next()) {
             app::throwIfStopped();
-            runLine(line, (name == "-" ? "standard input" : name) + ":" + std::to_string(number) + ": ");
+            runLine(*line, (name == "-" ? "standard input" : name) + ":" + std::to_string(++number) + ": ");
         }
         inScript_ = false;
     }
@@ -174,19 +168,6 @@ class Run {
     bool inScript_ = false;
 };
 
-app::ExitCode exitCodeOf(ipc::Problem problem) {
-    switch (problem) {
-    case ipc::Problem::BadName:
-        return app::ExitCode::Usage;
-    case ipc::Problem::NoServer:
-    case ipc::Problem::NoSlot:
-    case ipc::Problem::NoSpace:
-        return app::ExitCode::TryAgain;
-    default:
-        return app::ExitCode::Failed;
-    }
-}
-
 } // namespace
 
 app::ExitCode runCui(const app::Arguments& arguments) {
@@ -198,7 +179,7 @@ app::ExitCode runCui(const app::Arguments& arguments) {
         return error.code;
     } catch (const ipc::Error& error) {
         app::printMessage(cuiSpec().name, error.what());
-        return exitCodeOf(error.problem);
+        return app::exitCodeOf(error.problem);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "cui/render_view.h"
 
 #include "common/command_line.h"
+#include "common/input_files.h"
 #include "common/stop.h"
 #include "common/words.h"
 
@@ -45,6 +46,9 @@ void renderView(Conversation& conversation, std::span<const std::string> argumen
     arguments = arguments.subspan(1);
     if (!arguments.empty() && arguments[0] == "--") arguments = arguments.subspan(1);
 
+    app::InputFiles inputs;
+    inputs.add(conversation.request("scene"));
+    inputs.refuse(output);
     const fs::path renderer = rendererProgram();
     rtcore::TemporaryFolder folder("rtsuite-view-");
     const fs::path camera = folder.file("view.cam"), scene = folder.file("view.scn");

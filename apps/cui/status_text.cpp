@@ -38,6 +38,9 @@ const char* state(const ipc::Status& status) {
 
 const char* mode(const ipc::Status& status) { return status.mode == 0 ? "fly" : "walk"; }
 
+// Where nothing is below.
+const char* floorNote(const ipc::Status& status) { return status.mode == 2 ? " (on an unseen floor)" : ""; }
+
 const char* truth(std::uint32_t value) { return value != 0 ? "true" : "false"; }
 
 } // namespace
@@ -56,7 +59,7 @@ std::string statusText(const std::string& instance, std::int64_t process, const 
     line("frame time", fixed(status.frameSeconds * 1e3, 2) + " ms");
     line("frames per second", fixed(status.framesPerSecond, 1));
     line("rays per second", fixed(status.raysPerSecond * 1e-6, 2) + " million");
-    line("mode", mode(status));
+    line("mode", std::string(mode(status)) + floorNote(status));
     line("eye", vector(status.eye, " "));
     line("forward", vector(status.forward, " "));
     line("up", vector(status.up, " "));

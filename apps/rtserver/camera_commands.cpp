@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace rtserver {
 
@@ -29,8 +30,12 @@ Result setCamera(const Call& call, rtcore::Vec3 forward) {
     rtcore::Camera camera = call.session.camera();
     camera.eye = vectorAt(call, 0);
     camera.forward = forward;
-    camera.up = call.session.world().loaded.scene.up;
-    if (call.size() > 6) camera.horizontalFov = number(call[6]);
+    camera.up = rtcore::upwardsOf(forward, call.session.world().loaded.scene.up);
+    if (call.size() > 6) {
+        camera.kind = rtcore::CameraKind::Perspective;
+        camera.horizontalFov = number(call[6]);
+        camera.aspect = 0;
+    }
     call.session.setCamera(camera);
     return {};
 }
@@ -54,7 +59,7 @@ Result reset(const Call& call) {
 
 Result walk(const Call& call) {
     call.session.setWalking(true);
-    return {};
+    return {.answer = call.session.onUnseenFloor() ? kUnseenFloor : ""};
 }
 
 Result fly(const Call& call) {
@@ -77,16 +82,19 @@ Result focus(const Call& call) {
             "focus takes a place in the picture: 0 to 1 from the left, 0 to 1 from the top");
     rtcore::RenderSettings settings = call.session.settings();
     const rtcore::CameraRays view(call.session.camera(), settings.width, settings.height);
+    const float distance = rtcore::FocusFinder().distance(*call.session.world().tracer, view,
+                                                          right * static_cast<float>(settings.width),
+                                                          down * static_cast<float>(settings.height));
+    if (!(distance < rtcore::kInfiniteFocus))
+        throw std::runtime_error("there is nothing to focus on; the focus stays as it was");
     settings.depthOfField.on = true;
-    settings.depthOfField.focus = rtcore::FocusFinder().distance(*call.session.world().tracer, view,
-                                                                 right * static_cast<float>(settings.width),
-                                                                 down * static_cast<float>(settings.height));
+    settings.depthOfField.focus = distance;
     call.session.setSettings(settings);
     return {.answer = rtcore::settingText(settings.depthOfField.focus)};
 }
 
 constexpr std::array kCommands{
-    Command{"camera get", 0, 0, "", true, get},
+    Command{"camera get", 0, 0, "", true, get, Effect::Tells},
     Command{"camera set", 6, 7, "EX EY EZ FX FY FZ [FOV]", true, set},
     Command{"camera look-at", 6, 7, "EX EY EZ TX TY TZ [FOV]", true, lookAt},
     Command{"camera turn", 2, 2, "RIGHT UP", true, turn},

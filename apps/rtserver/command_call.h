@@ -26,6 +26,7 @@ struct Command {
     std::string_view arguments; ///< for messages
     bool needsScene;
     Result (*run)(const Call&);
+    Effect effect = Effect::Acts;
 };
 
 std::span<const Command> serverCommands();

@@ -3,6 +3,7 @@
 #include "rtserver/command_call.h"
 
 #include "common/command_line.h"
+#include "common/ipc_exit_code.h"
 #include "common/run_program.h"
 #include "common/words.h"
 
@@ -12,6 +13,7 @@
 #include "rtcore/settings/nearest_name.h"
 
 #include <algorithm>
+#include <new>
 #include <stdexcept>
 #include <vector>
 
@@ -55,8 +57,8 @@ app::ExitCode exitCodeOf(const std::exception& error) {
     if (const auto* file = dynamic_cast<const rtcore::FileError*>(&error)) return app::exitCodeOf(file->kind);
     if (dynamic_cast<const std::invalid_argument*>(&error) != nullptr) return app::ExitCode::Usage;
     if (dynamic_cast<const app::UsageError*>(&error) != nullptr) return app::ExitCode::Usage;
-    const auto* link = dynamic_cast<const ipc::Error*>(&error);
-    if (link != nullptr && link->problem == ipc::Problem::NoSpace) return app::ExitCode::TryAgain;
+    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return app::ExitCode::TryAgain;
+    if (const auto* link = dynamic_cast<const ipc::Error*>(&error)) return app::exitCodeOf(link->problem);
     return app::ExitCode::Failed;
 }
 
@@ -75,8 +77,19 @@ Result runCommand(std::string_view text, Session& session, Host& host) {
     return command.run({session, host, arguments});
 }
 
+Effect effectOf(std::string_view text) {
+    try {
+        std::size_t used = 0;
+        return find(app::splitWords(text), used).effect;
+    } catch (const app::UsageError&) {
+        return Effect::Tells;
+    }
+}
+
 std::string failureText(const std::exception& error) {
-    return std::to_string(static_cast<int>(exitCodeOf(error))) + " " + error.what();
+    const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+    return std::to_string(static_cast<int>(exitCodeOf(error))) + " " +
+           (memory ? "not enough memory" : error.what());
 }
 
 } // namespace rtserver

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "rtserver/frame_maker.h"
+#include "rtserver/messages.h"
 #include "rtserver/session.h"
+#include "rtserver/side_work.h"
 
 #include "common/exit_codes.h"
 
@@ -25,6 +27,7 @@ class Host {
     /// When this process is no more, the server ends as soon as no client is connected. Nothing: it goes on.
     virtual void setParent(std::optional<std::int64_t> process) = 0;
     virtual const FrameMaker& frames() const = 0;
+    virtual const Messages& messages() const = 0;
 };
 
 /// When the answer is due.
@@ -34,13 +37,24 @@ enum class Turn {
     WhenIdle,     ///< as soon as the next frame would equal the last
     WhenLoaded,   ///< when the scene stands
     WhenReleased, ///< when the key is up again
+    Beside,       ///< when the work is done, which touches files and goes on beside the server
 };
 
 struct Result {
     Turn turn = Turn::Done;
     std::string answer = {};
     std::uint64_t press = 0; ///< of Keyboard::pressFor(), for WhenReleased
+    Work work = {};          ///< for Beside; what it returns gives the answer
 };
+
+/// What becomes of a command that comes while a long frame is drawn.
+enum class Effect {
+    Acts,  ///< the frame is left for it
+    Waits, ///< the frame is no hindrance: the command waits for it, or for its turn
+    Tells, ///< it only reads the session: runCommand() answers it at once, in another thread
+};
+/// Of a wrong command: Tells, which is what is wrong with it.
+Effect effectOf(std::string_view text);
 
 /// Throws app::UsageError (no such command, wrong arguments), rtcore::FileError, ipc::Error, and other
 /// exceptions with a text for the user. Commands that need a scene give Again until there is one.

@@ -43,6 +43,7 @@ rtcore::SceneFile sceneFileOf(const Session& session) {
     if (world.import.creaseAngle) file.creaseAngle = *world.import.creaseAngle;
     if (world.import.flipTextures) file.flipTextures = *world.import.flipTextures;
     file.settings.reset();
+    file.output.reset(); // a copy of a scene does not overwrite the picture of the first
     file.background = scene.background;
     file.ambient = scene.ambient;
     file.modelLights = false;

@@ -5,10 +5,18 @@
 #include "common/command_line.h"
 
 #include "rtcore/io/images/image_file.h"
+#include "rtcore/io/text/set.h"
 
 #include <array>
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace rtserver {
 
@@ -20,22 +28,43 @@ bool frameSuits(const Call& call) {
     const bool drawn = !frames.image().empty();
     if (call.session.paused && !drawn)
         throw std::runtime_error("there is no frame yet, and the server is paused");
-    return drawn && (call.session.paused || (!call.session.stale() && !frames.reduced()));
+    return drawn && (call.session.paused || (!call.session.stale() && frames.whole()));
 }
 
 Result loadCamera(const Call& call) {
-    call.session.loadCamera(pathOf(call[0]));
-    return {};
+    return {.turn = Turn::Beside, .work = [path = pathOf(call[0]), &session = call.session]() -> Finish {
+                return [path, &session, file = rtcore::readCameraFile(path)] {
+                    const std::string warning = session.applyCameraFile(file, path);
+                    return warning.empty() ? warning : "warning: " + warning;
+                };
+            }};
 }
 
 Result loadSet(const Call& call) {
-    call.session.loadSettings(pathOf(call[0]));
-    return {};
+    return {.turn = Turn::Beside, .work = [path = pathOf(call[0]), &session = call.session]() -> Finish {
+                return [&session, live = rtcore::readSettingsFile(path).live] {
+                    session.assign(live);
+                    return std::string();
+                };
+            }};
 }
 
 Result loadScene(const Call& call) {
     call.host.load(pathOf(call[0]), call.size() > 1 ? std::optional(pathOf(call[1])) : std::nullopt);
     return {.turn = Turn::WhenLoaded};
+}
+
+// Writes what was true when the command was run. What is shown was read from files: none of them is written
+// over, but a description by another of its kind.
+Result writeBeside(const Call& call, std::string_view replaces, std::function<void()> write) {
+    return {.turn = Turn::Beside,
+            .work = [path = pathOf(call[0]), replaces, inputs = call.session.world().inputs,
+                     write = std::move(write)]() -> Finish {
+                const auto input = inputs.find(path);
+                if (input && (replaces.empty() || input->extension() != replaces)) inputs.refuse(path);
+                write();
+                return [] { return std::string(); };
+            }};
 }
 
 Result exportCamera(const Call& call) {
@@ -44,20 +73,28 @@ Result exportCamera(const Call& call) {
     const std::array<std::optional<int>*, 4> fields{&file.width, &file.height, &file.antialiasing,
                                                     &file.bloom};
     for (std::size_t i = 0; i + 1 < call.size(); ++i) *fields[i] = integer(call[i + 1]);
-    rtcore::writeCameraFile(pathOf(call[0]), file);
-    return {};
+    return writeBeside(call, ".cam", [path = pathOf(call[0]), file] { rtcore::writeCameraFile(path, file); });
 }
 
 Result exportScene(const Call& call) {
-    rtcore::writeSceneFile(pathOf(call[0]), sceneFileOf(call.session));
-    return {};
+    return writeBeside(call, ".scn", [path = pathOf(call[0]), file = sceneFileOf(call.session)] {
+        rtcore::writeSceneFile(path, file);
+    });
 }
 
 Result startVideo(const Call& call) {
     const float rate = call.size() > 1 ? number(call[1]) : 30;
     if (!(rate >= 1 && rate <= 240)) throw app::UsageError("a recording takes 1 to 240 frames a second");
-    call.session.startRecording(pathOf(call[0]), static_cast<double>(rate));
-    return {};
+    call.session.refuseSecondRecording();
+    return {.turn = Turn::Beside,
+            .work = [path = pathOf(call[0]), rate, &session = call.session]() -> Finish {
+                auto recording = std::make_shared<std::unique_ptr<Recording>>(
+                    std::make_unique<Recording>(path, static_cast<double>(rate)));
+                return [recording, &session] {
+                    session.startRecording(std::move(*recording));
+                    return std::string();
+                };
+            }};
 }
 
 // The thesis' spelling names the file here, too.
@@ -66,9 +103,24 @@ Result stopVideo(const Call& call) {
     return {.answer = std::to_string(frames) + (frames == 1 ? " frame" : " frames")};
 }
 
+// The list outlives its recording here, for who looks later.
+Result video(const Call& call) {
+    const std::string list = call.session.recordedList().string();
+    if (!call.session.recording()) return {.answer = list.empty() ? "off" : "off " + list};
+    char seconds[32];
+    std::snprintf(seconds, sizeof seconds, "%.1f",
+                  std::chrono::duration<double>(call.session.recordedTime()).count());
+    return {.answer = std::string("on ") + seconds + ' ' + list};
+}
+
 Result play(const Call& call) {
-    call.session.play(pathOf(call[0]));
-    return {};
+    return {.turn = Turn::Beside, .work = [path = pathOf(call[0]), &session = call.session]() -> Finish {
+                auto playback = std::make_shared<std::unique_ptr<Playback>>(std::make_unique<Playback>(path));
+                return [playback, &session] {
+                    session.play(std::move(*playback));
+                    return std::string();
+                };
+            }};
 }
 
 Result stopPlaying(const Call& call) {
@@ -79,25 +131,30 @@ Result stopPlaying(const Call& call) {
 Result screenshot(const Call& call) {
     const std::filesystem::path path = pathOf(call[0]);
     if (!frameSuits(call)) return {.turn = Turn::Again};
+    const FrameMaker& frames = call.host.frames();
     if (rtcore::isHdrFormat(path)) {
-        rtcore::writeHdrImage(path, call.host.frames().radiance());
-    } else {
-        rtcore::writeImage(path, call.host.frames().image());
+        if (!frames.hasRadiance())
+            throw std::runtime_error("the server was paused in the midst of a frame; resume it first");
+        const auto picture = std::make_shared<const rtcore::HdrImage>(frames.radiance());
+        return writeBeside(call, "", [path, picture] { rtcore::writeHdrImage(path, *picture); });
     }
-    return {};
+    const auto picture = std::make_shared<const rtcore::LdrImage>(frames.image());
+    return writeBeside(call, "", [path, picture] { rtcore::writeImage(path, *picture); });
 }
 
 constexpr std::array kCommands{
     Command{"load camera", 1, 1, "FILE", true, loadCamera},
     Command{"load scene", 1, 2, "FILE [BUILT-MODEL]", true, loadScene},
     Command{"load set", 1, 1, "FILE", true, loadSet},
-    Command{"export camera", 1, 5, "FILE [WIDTH HEIGHT ANTIALIASING BLOOM]", true, exportCamera},
-    Command{"export scene", 1, 1, "FILE", true, exportScene},
+    Command{"export camera", 1, 5, "FILE [WIDTH HEIGHT ANTIALIASING BLOOM]", true, exportCamera,
+            Effect::Waits},
+    Command{"export scene", 1, 1, "FILE", true, exportScene, Effect::Waits},
     Command{"export video start", 1, 2, "FILE [FRAMES-PER-SECOND]", true, startVideo},
+    Command{"export video", 0, 0, "", true, video, Effect::Tells},
     Command{"export video stop", 0, 1, "[FILE]", true, stopVideo},
     Command{"play", 1, 1, "FILE", true, play},
     Command{"play stop", 0, 0, "", true, stopPlaying},
-    Command{"screenshot", 1, 1, "FILE", true, screenshot},
+    Command{"screenshot", 1, 1, "FILE", true, screenshot, Effect::Waits},
 };
 
 } // namespace

@@ -6,8 +6,7 @@
 namespace rtserver {
 
 namespace {
-constexpr auto kPatience = std::chrono::milliseconds(40);
-constexpr auto kInterval = std::chrono::milliseconds(5);
+constexpr auto kInterval = std::chrono::milliseconds(3);
 } // namespace
 
 FrameGuard::FrameGuard(std::function<bool()> poll)
@@ -24,7 +23,7 @@ void FrameGuard::begin(std::atomic<bool>* cancel) {
         cancel_ = cancel;
         ++frame_;
     }
-    // The end of a frame needs no wake-up: the thread finds out when its patience is over.
+    // The end of a frame needs no wake-up: the thread finds out when its interval is over.
     if (cancel != nullptr) wake_.notify_one();
 }
 
@@ -33,7 +32,7 @@ void FrameGuard::watch(const std::stop_token& stop) {
     while (wake_.wait(lock, stop, [this] { return cancel_ != nullptr; })) {
         const std::uint64_t frame = frame_;
         const auto over = [&] { return frame_ != frame; };
-        if (wake_.wait_for(lock, stop, kPatience, over)) continue;
+        if (wake_.wait_for(lock, stop, kInterval, over)) continue;
         while (!stop.stop_requested() && !over()) {
             if (poll_()) *cancel_ = true;
             wake_.wait_for(lock, stop, kInterval, over);

@@ -10,8 +10,8 @@
 
 namespace rtserver {
 
-/// A thread of its own calls `poll` every few milliseconds while a frame lasts longer than a few frames may,
-/// and sets `cancel` when that returns true. `poll` never runs outside of a Watch, nor twice at once.
+/// A thread of its own calls `poll` every few milliseconds while a frame lasts, and sets `cancel` when that
+/// returns true. `poll` never runs outside of a Watch, nor twice at once.
 class FrameGuard {
   public:
     explicit FrameGuard(std::function<bool()> poll);

@@ -3,33 +3,28 @@
 #include "rtcore/platform/error.h"
 
 #include <algorithm>
-#include <cmath>
 #include <new>
 #include <string>
 
 namespace rtserver {
 
-namespace {
-
-int scaled(int pixels, double scale) {
-    return std::max(1, static_cast<int>(std::lround(static_cast<double>(pixels) * scale)));
-}
-
-} // namespace
-
-bool FrameMaker::trace(const Session& session, double scale, rtcore::RenderControl& control) {
+bool FrameMaker::trace(const Session& session, const FrameDetail& detail, rtcore::RenderControl& control) {
     const Clock::time_point start = Clock::now();
     const World& world = session.world();
-    rtcore::RenderSettings settings = session.shownSettings();
-    settings.width = scaled(settings.width, scale);
-    settings.height = scaled(settings.height, scale);
-    if (!renderer_.render(world.loaded.scene, *world.tracer, session.camera(), settings, threads_, control,
-                          frame_)) {
+    const rtcore::RenderSettings settings = settingsAt(session.shownSettings(), detail);
+    rtcore::Frame& frame = detail.whole() ? whole_ : coarse_;
+    if (detail.whole() == detail_.whole()) seen_ = nullptr; // its memory is written to
+    if (!renderer_->render(world.loaded.scene, *world.tracer, session.camera(), settings, threads_, control,
+                           frame)) {
         return false;
     }
-    scale_ = scale;
-    target_ = developer_.exposure(frame_, settings.exposure, threads_);
-    seen_ = &developer_.finish(frame_, session.shownSettings(), threads_);
+    detail_ = detail;
+    target_ = developer_.exposure(frame, settings.exposure, threads_);
+    // Bloom has its width in pixels of the whole frame.
+    rtcore::RenderSettings effects = session.shownSettings();
+    effects.denoise = settings.denoise;
+    seen_ = &developer_.finish(frame, effects, threads_);
+    rays_ = frame.statistics.total();
     seconds_ = std::chrono::duration<double>(Clock::now() - start).count();
     return true;
 }
@@ -50,14 +45,17 @@ void FrameMaker::requireMemory(const rtcore::RenderSettings& settings) {
 }
 
 void FrameMaker::drop() {
-    frame_ = {};
+    whole_ = {};
+    coarse_ = {};
     seen_ = nullptr;
+    renderer_.emplace();
     developer_ = {};
     image_ = {};
 }
 
 void FrameMaker::develop(const Session& session) {
     constexpr double kLongest = 0.25; // a pause is no time in which the eye saw anything
+    constexpr double kFirst = 0.033;  // but of a change something is to be seen at once
     const Clock::time_point now = Clock::now();
     const double passed = std::chrono::duration<double>(now - developed_).count();
     developed_ = now;
@@ -65,7 +63,8 @@ void FrameMaker::develop(const Session& session) {
     if (settings.exposure.mode == rtcore::ExposureMode::Fixed) {
         adaptation_.jump(target_);
     } else {
-        adaptation_.advance(target_, adaptation_.settled() ? 0 : std::min(passed, kLongest),
+        const double before = detail_.whole() ? 0 : kFirst;
+        adaptation_.advance(target_, adaptation_.settled() ? before : std::min(passed, kLongest),
                             {settings.exposure.brighterSeconds, settings.exposure.darkerSeconds});
     }
     developer_.develop(*seen_, settings, adaptation_.value(), threads_, image_);

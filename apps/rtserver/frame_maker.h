@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtserver/adaptation.h"
+#include "rtserver/frame_detail.h"
 #include "rtserver/session.h"
 
 #include "rtcore/post/develop.h"
@@ -9,6 +10,8 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
+#include <utility>
 
 namespace rtserver {
 
@@ -17,13 +20,13 @@ class FrameMaker {
   public:
     explicit FrameMaker(int threads) : threads_(threads) {}
 
-    /// The radiance of what the session shows, with `scale` times its width and height. False when
-    /// control.cancel was set: nothing can be developed then until a frame was traced.
-    bool trace(const Session& session, double scale, rtcore::RenderControl& control);
-    /// Whether the last frame has fewer pixels than the session asks for.
-    bool reduced() const { return scale_ < 1; }
-    double scale() const { return scale_; }
-    /// The picture of the frame that was traced last, at the exposure of this moment.
+    /// The radiance of what the session shows, in such detail. False when control.cancel was set; then there
+    /// may be no radiance, while the picture stays.
+    bool trace(const Session& session, const FrameDetail& detail, rtcore::RenderControl& control);
+    bool hasRadiance() const { return seen_ != nullptr; }
+    /// Whether the last frame has all the pixels and samples that the session asks for.
+    bool whole() const { return detail_.whole(); }
+    /// The picture of the frame that was traced last, at the exposure of this moment. Needs hasRadiance().
     void develop(const Session& session);
     /// Whether develop() would give the same picture again.
     bool settled() const { return adaptation_.settled(); }
@@ -35,26 +38,27 @@ class FrameMaker {
     void forget() { adaptation_ = {}; }
 
     const rtcore::LdrImage& image() const { return image_; } ///< empty before the first one
-    /// As it is shown: denoised, with its glow. After trace() only.
+    /// As it is shown: denoised, with its glow. Needs hasRadiance().
     const rtcore::HdrImage& radiance() const { return *seen_; }
     float exposure() const { return adaptation_.value(); }
     double seconds() const { return seconds_; } ///< that the last frame took to trace
-    std::uint64_t rays() const { return frame_.statistics.total(); }
+    std::uint64_t rays() const { return rays_; }
 
   private:
     using Clock = std::chrono::steady_clock;
 
     int threads_;
-    rtcore::FrameRenderer renderer_;
+    std::optional<rtcore::FrameRenderer> renderer_{std::in_place};
     rtcore::PictureDeveloper developer_;
-    rtcore::Frame frame_;
-    const rtcore::HdrImage* seen_ = nullptr; ///< the frame with its effects; null: no frame
+    rtcore::Frame whole_, coarse_;           ///< apart, so that one keeps its memory beside the other
+    const rtcore::HdrImage* seen_ = nullptr; ///< the last frame with its effects; null: no frame
     rtcore::LdrImage image_;
     Adaptation adaptation_;
     float target_ = 1; ///< the exposure that suits the frame
     Clock::time_point developed_;
     double seconds_ = 0;
-    double scale_ = 1;
+    std::uint64_t rays_ = 0;
+    FrameDetail detail_; ///< of the last frame
 };
 
 } // namespace rtserver

@@ -103,7 +103,7 @@ Result bind(const Call& call) {
     }
     if (call.size() == 3) binding.number = integer(call[2]);
     if (binding.number < 0 || (call.size() == 3 && binding.number < 1))
-        throw app::UsageError("lights and environments are counted from 1 here");
+        throw app::UsageError("lights and environments are counted from 1 here, as on the keys");
     std::vector<rtcore::KeyBinding> list = without(call.session, keys);
     list.push_back(binding);
     call.session.setBindings(rtcore::KeyBindings(list));
@@ -122,7 +122,7 @@ constexpr std::array kCommands{
     Command{"key press", 1, 2, "KEY [MILLISECONDS]", true, press},
     Command{"key release", 1, 1, "KEY|all", true, release},
     Command{"key tap", 1, 1, "KEY", true, tap},
-    Command{"bindings", 0, 0, "", true, bindings},
+    Command{"bindings", 0, 0, "", true, bindings, Effect::Tells},
     Command{"bindings default", 0, 0, "", true, defaultBindings},
     Command{"bind", 2, 3, "KEY|KEY+KEY ACTION [NUMBER]", true, bind},
     Command{"unbind", 1, 1, "KEY|KEY+KEY", true, unbind},

@@ -5,5 +5,5 @@
 #include "common/run_program.h"
 
 int main(int argc, char** argv) {
-    return app::runProgram(argc, argv, rtserver::serverSpec(), rtserver::runServer);
+    rtserver::endProcess(app::runProgram(argc, argv, rtserver::serverSpec(), rtserver::runServer));
 }

@@ -5,17 +5,28 @@
 #include "common/run_program.h"
 #include "common/terminal.h"
 
+#include "rtcore/settings/nearest_name.h"
+
+#include <algorithm>
+
 namespace rtserver {
 
 namespace {
 
 constexpr std::size_t kLongest = 4000;
+constexpr std::size_t kMostKept = 100, kLongestKept = 500; ///< all fit into one answer
 constexpr auto kInterval = std::chrono::seconds(1);
 
 } // namespace
 
 void Messages::print(const std::string& text) {
-    if (app::errorTakesMore()) app::printMessage(serverSpec().name, text.substr(0, kLongest));
+    if (app::errorTakesMore())
+        app::printMessage(serverSpec().name, rtcore::printable(text).substr(0, kLongest));
+}
+
+void Messages::warn(const std::string& text) {
+    print("warning: " + text);
+    keep("warning", text);
 }
 
 void Messages::complain(const std::string& text) {
@@ -25,8 +36,27 @@ void Messages::complain(const std::string& text) {
         return;
     }
     last_ = now;
-    print(text + (others_ == 0 ? "" : " (and " + std::to_string(others_) + " other failures before)"));
+    const std::string others =
+        others_ == 0 ? "" : " (and " + std::to_string(others_) + " other failures before)";
     others_ = 0;
+    print(text + others);
+    keep("warning", text + others);
+}
+
+void Messages::tell(const std::string& text) { keep("event", text); }
+
+void Messages::keep(const char* kind, const std::string& text) {
+    kept_.push_back(std::to_string(++count_) + ' ' + kind + ' ' +
+                    rtcore::printable(rtcore::printable(text), kLongestKept));
+    if (kept_.size() > kMostKept) kept_.pop_front();
+}
+
+std::string Messages::since(std::uint32_t known) const {
+    const std::size_t news = std::min<std::size_t>(kept_.size(), count_ - std::min(known, count_));
+    std::string text;
+    for (auto line = kept_.end() - static_cast<std::ptrdiff_t>(news); line != kept_.end(); ++line)
+        text += (text.empty() ? "" : "\n") + *line;
+    return text;
 }
 
 } // namespace rtserver

@@ -1,8 +1,10 @@
-/// What the server prints for who started it. Never waits, however much there is to say and whoever does not
-/// read it.
+/// What the server has to say: on stderr, for who started it, and by the command `messages` for whoever looks
+/// on. Never waits, however much there is to say and whoever does not read it.
 #pragma once
 
 #include <chrono>
+#include <cstdint>
+#include <deque>
 #include <string>
 
 namespace rtserver {
@@ -10,15 +12,32 @@ namespace rtserver {
 /// One thread.
 class Messages {
   public:
-    /// On stderr, with the program's name. Left out when stderr takes no more; cut off after some 4000 bytes.
+    /// On stderr alone, with the program's name. Left out when stderr takes no more; cut off after some 4000
+    /// bytes.
     static void print(const std::string& text);
+    /// A warning: on stderr, and kept for those who look on.
+    void warn(const std::string& text);
     /// The same for what clients can bring about as often as they like: one a second, and how many there were
     /// beside it.
     void complain(const std::string& text);
+    /// What a key did. Kept for those who look on, not printed.
+    void tell(const std::string& text);
+
+    /// How many were kept so far: grows with each, and never falls.
+    std::uint32_t count() const { return count_; }
+    /// Those after the first `known` ones, as far as they are still there (the last 100 are), a line each:
+    /// its number, "warning" or "event", the text.
+    std::string since(std::uint32_t known) const;
+    /// Another scene is shown: what was kept of the last one is no news to who comes now.
+    void forget() { kept_.clear(); }
 
   private:
+    void keep(const char* kind, const std::string& text);
+
     std::chrono::steady_clock::time_point last_;
-    std::size_t others_ = 0; ///< not told since then
+    std::size_t others_ = 0;       ///< not told since then
+    std::deque<std::string> kept_; ///< lines, the last one is number count_
+    std::uint32_t count_ = 0;
 };
 
 } // namespace rtserver

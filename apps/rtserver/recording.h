@@ -18,6 +18,8 @@ class Recording {
 
     /// Until the next camera is due. The first one is due at once.
     std::chrono::nanoseconds untilNext() const { return next_ - now_; }
+    /// That was told of by advance().
+    std::chrono::nanoseconds time() const { return now_; }
     /// Time goes on.
     void advance(std::chrono::nanoseconds time) { now_ += time; }
     /// Takes the camera that is due; its time and exposure are seen to.

@@ -58,8 +58,14 @@ Result waitIdle(const Call& call) {
     return {.turn = Turn::WhenIdle};
 }
 
+Result messages(const Call& call) {
+    const int known = call.size() > 0 ? integer(call[0]) : 0;
+    if (known < 0) throw app::UsageError("messages are counted from 1; 0 asks for all");
+    return {.answer = call.host.messages().since(static_cast<std::uint32_t>(known))};
+}
+
 constexpr std::array kCommands{
-    Command{"ping", 0, 0, "", false, ping},
+    Command{"ping", 0, 0, "", false, ping, Effect::Tells},
     Command{"quit", 0, 0, "", false, quit},
     Command{"exit", 0, 0, "", false, quit},
     Command{"parent", 1, 1, "PID|none", false, parent},
@@ -67,7 +73,8 @@ constexpr std::array kCommands{
     Command{"resume", 0, 0, "", false, resume},
     Command{"idle", 1, 1, "on|off", false, idle},
     Command{"frame-time", 1, 1, "MILLISECONDS|off", false, frameTime},
-    Command{"wait-idle", 0, 0, "", true, waitIdle},
+    Command{"messages", 0, 1, "[KNOWN]", false, messages, Effect::Tells},
+    Command{"wait-idle", 0, 0, "", true, waitIdle, Effect::Waits},
 };
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "common/stop.h"
 
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/file_waits.h"
 #include "rtcore/settings/nearest_name.h"
 
 #include <algorithm>
@@ -22,16 +23,21 @@ using Clock = std::chrono::steady_clock;
 
 constexpr Clock::duration kSleep = 200ms; ///< less than a turn of Session::move() may last
 constexpr Clock::duration kSleepWhileLoading = 20ms;
-constexpr auto kMotionStep = 2ms;      ///< until who is not at rest has moved
-constexpr auto kAdaptationStep = 16ms; ///< between frames that differ by their exposure alone
-constexpr int kMostPending = 64;       ///< of a client; then its further commands stay in its queue
-constexpr auto kLongFrame = 1s;        ///< such a frame is given up for a change, but never two in a row
+constexpr auto kMotionStep = 2ms;        ///< until who is not at rest has moved
+constexpr auto kAdaptationStep = 16ms;   ///< between frames that differ by their exposure alone
+constexpr auto kSideWorkStep = 2ms;      ///< until a file that is written is asked for again
+constexpr auto kObstruction = 10s;       ///< for a frame that somebody waits for who has sent more
+constexpr auto kMemoryPause = 1s;        ///< between frames for which there is no memory
+constexpr auto kPatience = 1s;           ///< for files that are being written when the server ends
+constexpr std::size_t kMostPending = 64; ///< of a client; then its further commands stay in its queue
 
 ipc::ServerOptions serverOptions(const Options& options) {
     ipc::ServerOptions result;
     result.instance = options.instance;
     return result;
 }
+
+bool isEnd(const ipc::Command& command) { return command.text == "quit" || command.text == "exit"; }
 
 template <typename Vector>
 void copy(const Vector& from, float (&to)[3]) {
@@ -48,15 +54,17 @@ std::string shortNumber(double value) {
 
 ServerLoop::ServerLoop(const Options& options, std::function<void()> onReady)
     : options_(options), onReady_(std::move(onReady)), server_(serverOptions(options)),
-      session_(options,
-               [this](const rtcore::RenderSettings& settings) {
-                   FrameMaker::requireMemory(settings);
-                   server_.reserveFrame(static_cast<std::uint32_t>(settings.width),
-                                        static_cast<std::uint32_t>(settings.height));
-               }),
+      session_(
+          options,
+          [this](const rtcore::RenderSettings& settings) {
+              FrameMaker::requireMemory(settings);
+              server_.reserveFrame(static_cast<std::uint32_t>(settings.width),
+                                   static_cast<std::uint32_t>(settings.height));
+          },
+          messages_),
       frames_(options.threads), guard_([this] { return guardFrame(); }) {}
 
-ServerLoop::~ServerLoop() = default;
+ServerLoop::~ServerLoop() { sideWork_.waitFor(kPatience); }
 
 void ServerLoop::setParent(std::optional<std::int64_t> process) {
     parent_.reset();
@@ -66,10 +74,7 @@ void ServerLoop::setParent(std::optional<std::int64_t> process) {
 bool ServerLoop::forsaken() {
     if (!parent_ || !parent_->ended()) return false;
     // So that who came before the parent's end is counted.
-    for (ipc::Command& command : takeCommands()) {
-        pending_.push_back(std::move(command));
-        changeWaits_ = true;
-    }
+    for (ipc::Command& command : takeCommands()) commands_.add(std::move(command));
     return server_.clients() == 0;
 }
 
@@ -84,9 +89,13 @@ app::ExitCode ServerLoop::run() {
         }
         takeLoadedScene();
         takeRefinedTree();
+        finishSideWork();
         serve();
         if (quit_) break;
-        move();
+        // Who wants the frame for a file gets the whole one of what is shown.
+        const bool holdsStill = commands_.waits() && !changeWaits_ && !session_.stale() && !frames_.whole();
+        changeWaits_ = false;
+        if (!holdsStill) move();
         shown_ = false;
         if (wantsFrame() && Clock::now() >= due_) draw();
         if (shown_ || !wantsFrame()) record();
@@ -112,15 +121,17 @@ void ServerLoop::takeLoadedScene() {
     try {
         refinement_.reset();
         session_.show(load->take());
+        messages_.forget();
         frames_.forget();
+        schedule_.forget();
+        rtcore::allowRegularFilesOnly(); // from here on paths come from clients
         moved_ = Clock::now();
         if (!session_.world().loaded.sceneFile) {
             Messages::print("one unit of " + session_.title() + " is taken for " +
                             shortNumber(session_.metresPerUnit()) +
                             " m; a .scn file with 'metresPerUnit' says it");
         }
-        for (const std::string& warning : session_.world().loaded.warnings)
-            Messages::print("warning: " + warning);
+        for (const std::string& warning : session_.world().loaded.warnings) messages_.warn(warning);
     } catch (const std::exception& error) {
         if (!session_.ready()) throw;
         messages_.complain(error.what());
@@ -137,7 +148,7 @@ void ServerLoop::takeRefinedTree() {
     if (!session_.ready()) return;
     if (refinement_ == nullptr) {
         // After the first frame, which nothing should slow down.
-        if (!session_.world().loaded.fastTree || session_.stale()) return;
+        if (!session_.world().loaded.fastTree || session_.stale() || !frames_.whole()) return;
         refinement_ = std::make_unique<TreeRefinement>(session_.world(), options_.threads);
     }
     if (!refinement_->done()) return;
@@ -150,57 +161,70 @@ void ServerLoop::takeRefinedTree() {
 // --- Commands ---
 
 std::vector<ipc::Command> ServerLoop::takeCommands() {
-    std::array<int, ipc::kMaxClients> counts{};
     ipc::ClientSet full;
-    for (const ipc::Command& command : pending_) {
-        const auto slot = static_cast<std::size_t>(command.slot);
-        if (++counts[slot] >= kMostPending) full.set(slot);
+    for (const ipc::Command* command : commands_.ofClientsWith(kMostPending)) {
+        if (server_.isConnected(*command)) full.set(static_cast<std::size_t>(command->slot));
     }
     return server_.takeCommands(full);
 }
 
-// Of each client in order; nobody waits for the commands of another.
 void ServerLoop::serve() {
-    for (ipc::Command& command : takeCommands()) pending_.push_back(std::move(command));
-    ipc::ClientSet waiting;
-    std::deque<ipc::Command> again;
-    for (ipc::Command& command : pending_) {
-        if (quit_) return;
-        const auto slot = static_cast<std::size_t>(command.slot);
-        if (!waiting[slot] && serveOne(command)) continue;
-        waiting.set(slot);
-        again.push_back(std::move(command));
+    for (ipc::Command& command : takeCommands()) {
+        // Not to be held up by a file that does not answer.
+        if (isEnd(command) && commands_.isBeside(command.client)) quit_ = true;
+        commands_.add(std::move(command));
     }
-    pending_ = std::move(again);
-    waiting_ = pending_.size();
+    commands_.serve(
+        [this](const ipc::Command& command) { return quit_ ? Served::Again : serveOne(command); });
 }
 
-// False: to be run again.
-bool ServerLoop::serveOne(const ipc::Command& command) {
-    try {
-        const Result result = runCommand(command.text, session_, *this);
+Served ServerLoop::serveOne(const ipc::Command& command) {
+    Served served = Served::Done;
+    answer(command, [&] {
+        Result result = runCommand(command.text, session_, *this);
         switch (result.turn) {
         case Turn::Again:
-            return false;
+            served = Served::Again;
+            break;
+        case Turn::Beside:
+            sideWork_.start(command, std::move(result.work));
+            served = Served::Beside;
+            break;
         case Turn::WhenIdle:
             if (command.wantsAnswer) idleWaiters_.push_back(command);
-            return true;
+            break;
         case Turn::WhenLoaded:
             loader_ = command;
-            return true;
+            break;
         case Turn::WhenReleased:
             if (command.wantsAnswer) keyWaiters_.push_back({command, result.press});
-            return true;
-        case Turn::Done:
             break;
+        case Turn::Done:
+            return std::optional(std::move(result.answer));
         }
+        return std::optional<std::string>();
+    });
+    return served;
+}
+
+// Nothing: the answer comes later.
+void ServerLoop::answer(const ipc::Command& command, const std::function<std::optional<std::string>()>& act) {
+    try {
+        const std::optional<std::string> text = act();
+        if (!text) return;
         tellStatus(); // before the answer, so that who has it sees no idle flag of the time before
-        server_.answer(command, ipc::AnswerStatus::Done, result.answer);
+        server_.answer(command, ipc::AnswerStatus::Done, *text);
     } catch (const std::exception& error) {
         server_.answer(command, ipc::AnswerStatus::Failed, failureText(error));
         if (!command.wantsAnswer) messages_.complain(rtcore::quoted(command.text) + ": " + error.what());
     }
-    return true;
+}
+
+void ServerLoop::finishSideWork() {
+    for (const SideWork::Done& done : sideWork_.takeDone()) {
+        answer(done.command, [&] { return std::optional(done.finish()); });
+        commands_.resume(done.command.client);
+    }
 }
 
 void ServerLoop::answerWhoWaitsForIdle() {
@@ -234,13 +258,13 @@ void ServerLoop::answerWhoWaitsForKeys() {
 // --- Frames ---
 
 void ServerLoop::move() {
-    const ipc::KeyState keys = server_.keys();
+    keys_.add(server_.keys());
     const Clock::time_point now = Clock::now();
     const Clock::duration passed = now - std::exchange(moved_, now);
     // Who looks at a picture that stands still does not move about.
     if (!session_.ready() || session_.paused) return;
     try {
-        session_.move(passed, keys);
+        session_.move(passed, keys_.take());
     } catch (const rtcore::FileError& error) {
         session_.stopPlaying();
         messages_.complain(std::string("playing ended: ") + error.what());
@@ -258,28 +282,25 @@ void ServerLoop::record() {
 }
 
 bool ServerLoop::wantsFrame() const {
-    const bool rough = frames_.reduced() && scale() == 1;
     return session_.ready() && !session_.paused &&
-           (session_.stale() || rough || !frames_.settled() || !session_.idles);
+           (session_.stale() || wantsWholeFrame() || !frames_.settled() || !session_.idles);
 }
 
-// Full resolution for what stays, and for who wants the frame for a file.
-double ServerLoop::scale() const {
-    const bool moves = session_.frameSeconds > 0 && !session_.atRest() && pending_.empty();
-    return moves ? governor_.scale() : 1;
+// All there is for what stays, and for who wants the frame for a file.
+bool ServerLoop::wantsWholeFrame() const {
+    return !frames_.whole() && (session_.atRest() || commands_.waits());
 }
 
 bool ServerLoop::idle() const {
-    return session_.ready() && session_.idles && !session_.stale() && frames_.settled() &&
-           !frames_.reduced() && session_.atRest() && load_ == nullptr;
+    return session_.ready() && session_.idles && !session_.stale() && frames_.settled() && frames_.whole() &&
+           session_.atRest() && load_ == nullptr;
 }
 
 void ServerLoop::draw() {
     try {
         drawFrame();
     } catch (const std::bad_alloc&) {
-        // Without a frame to go back to there is nothing to serve.
-        if (publishedFrames_ == 0 || std::exchange(wentBack_, true)) throw;
+        if (wholeFrames_ == 0) throw; // there is nothing to go back to
         goBack();
     }
 }
@@ -292,44 +313,59 @@ void ServerLoop::goBack() {
     const std::string text = "not enough memory for frames of " + size(session_.settings()) +
                              " at these settings; " + "back to those of the last frame, " + size(drawn_);
     frames_.drop();
-    session_.setSettings(drawn_);
+    session_.goBackTo(drawn_);
+    // Even those may need more than there is now. The last frame stands, and memory may come back.
+    if (std::exchange(wentBack_, true)) due_ = Clock::now() + kMemoryPause;
     messages_.complain(text);
     const std::string answer = std::to_string(static_cast<int>(app::ExitCode::TryAgain)) + " " + text;
-    for (const ipc::Command& command : idleWaiters_)
+    for (const ipc::Command& command : std::exchange(idleWaiters_, {}))
         server_.answer(command, ipc::AnswerStatus::Failed, answer);
-    idleWaiters_.clear();
-    ipc::ClientSet told;
-    const auto end = pending_.begin() + static_cast<std::ptrdiff_t>(std::exchange(waiting_, 0));
-    pending_.erase(std::remove_if(pending_.begin(), end,
-                                  [&](const ipc::Command& command) {
-                                      const auto slot = static_cast<std::size_t>(command.slot);
-                                      if (told[slot]) return false;
-                                      told.set(slot);
-                                      server_.answer(command, ipc::AnswerStatus::Failed, answer);
-                                      return true;
-                                  }),
-                   end);
+    for (const ipc::Command& command : commands_.takeWaiting())
+        server_.answer(command, ipc::AnswerStatus::Failed, answer);
 }
 
 void ServerLoop::drawFrame() {
-    const double scale = this->scale();
-    if (session_.stale() || !session_.idles || frames_.scale() < scale) {
-        begun_ = Clock::now();
-        changeWaits_ = false;
-        rtcore::RenderControl control;
-        bool whole = false;
-        {
-            const FrameGuard::Watch watch(guard_, control.cancel);
-            whole = frames_.trace(session_, scale, control);
-        }
-        if (guardError_) std::rethrow_exception(std::exchange(guardError_, nullptr));
-        gaveUpLast_ = !whole;
-        if (!whole) return;
-        if (session_.frameSeconds > 0) governor_.learn(frames_.seconds(), scale, session_.frameSeconds);
-        session_.drawn();
-    }
+    const bool trace = session_.stale() || wantsWholeFrame() || !session_.idles || !frames_.hasRadiance();
+    if (trace && !traceFrame()) return;
     frames_.develop(session_);
     publish();
+    if (trace) schedule_.shown(Clock::now() - begun_);
+}
+
+// False: it was left.
+bool ServerLoop::traceFrame() {
+    const rtcore::Scene& scene = session_.world().loaded.scene;
+    const rtcore::RenderSettings& settings = session_.settings();
+    const FrameDetail detail =
+        schedule_.begin({.changed = session_.stale() || (!session_.atRest() && !commands_.waits()),
+                         .waitedFor = commands_.waits(),
+                         .frameSeconds = session_.frameSeconds,
+                         .work = {workOf(settings, scene), workOf(settingsAt(settings, {1, true}), scene)}});
+    begun_ = Clock::now();
+    changeWaits_ = endWaits_ = obstructed_ = false;
+    rtcore::RenderControl control;
+    bool whole = false;
+    {
+        const FrameGuard::Watch watch(guard_, control.cancel);
+        whole = frames_.trace(session_, detail, control);
+    }
+    if (guardError_) std::rethrow_exception(std::exchange(guardError_, nullptr));
+    if (whole) {
+        session_.drawn();
+        return true;
+    }
+    schedule_.left(Clock::now() - begun_);
+    if (std::exchange(obstructed_, false)) clearTheWay();
+    return false;
+}
+
+// Who has set what no frame comes to an end with must be able to take it back.
+void ServerLoop::clearTheWay() {
+    const std::string text =
+        std::to_string(static_cast<int>(app::ExitCode::TryAgain)) +
+        " given up: the frame that it needs takes too long for the commands behind it; send them later";
+    for (const ipc::Command& command : commands_.takeObstructing())
+        server_.answer(command, ipc::AnswerStatus::Failed, text);
 }
 
 void ServerLoop::publish() {
@@ -338,12 +374,15 @@ void ServerLoop::publish() {
     info.width = static_cast<std::uint32_t>(image.width);
     info.height = static_cast<std::uint32_t>(image.height);
     const auto side = static_cast<std::uint32_t>(session_.settings().antialiasing);
-    info.samples = side * side;
+    info.samples = frames_.whole() ? side * side : 0;
     server_.publishFrame(info, std::as_bytes(std::span(image.pixels)));
 
     shown_ = true;
-    drawn_ = session_.settings();
-    wentBack_ = false;
+    if (frames_.whole()) {
+        drawn_ = session_.settings();
+        wentBack_ = false;
+        ++wholeFrames_;
+    }
     const Clock::time_point now = Clock::now();
     count(now);
     due_ = now;
@@ -361,49 +400,55 @@ void ServerLoop::publish() {
 
 void ServerLoop::sleep() {
     const Clock::time_point now = Clock::now();
-    const bool tooEarly = session_.stale() && due_ > now; // for the frame that commands wait for
-    if (!pending_.empty() && session_.ready() && !tooEarly) return;
-    if (session_.ready() && !session_.paused && !session_.atRest()) {
-        server_.wait(std::max<Clock::duration>(due_ - now, session_.stale() ? 0ms : kMotionStep));
-    } else if (wantsFrame()) {
-        if (due_ > now) server_.wait(due_ - now);
-    } else {
-        const bool busy = load_ != nullptr || refinement_ != nullptr;
-        Clock::duration time = busy ? kSleepWhileLoading : kSleep;
-        if (session_.ready() && !session_.paused)
-            time = std::min<Clock::duration>(time, std::max<Clock::duration>(session_.untilEvent(), 0ns));
-        server_.wait(time);
-    }
+    const bool ready = session_.ready() && !session_.paused;
+    const bool draws = wantsFrame();
+    if (changeWaits_ || commands_.hasNew() || (draws && due_ <= now)) return;
+    if (commands_.waits() && session_.ready() && !draws) return; // their frame is there
+    Clock::duration time = load_ != nullptr || refinement_ != nullptr ? kSleepWhileLoading : kSleep;
+    if (ready && !session_.atRest() && !session_.stale()) time = std::min<Clock::duration>(time, kMotionStep);
+    if (sideWork_.underWay()) time = std::min<Clock::duration>(time, kSideWorkStep);
+    if (draws) time = std::min(time, due_ - now);
+    if (ready) time = std::min<Clock::duration>(time, std::max<Clock::duration>(session_.untilEvent(), 0ns));
+    server_.wait(time);
 }
 
-// --- Long frames, in the guard's thread ---
+// --- Frames that take their time, in the guard's thread ---
 
 bool ServerLoop::guardFrame() {
     if (guardError_) return true;
     try {
-        return pollDuringFrame();
+        pollDuringFrame();
+        obstructed_ = commands_.obstructs() && Clock::now() - begun_ > kObstruction;
+        return endWaits_ || obstructed_ || app::stopRequested() || forsaken() ||
+               schedule_.leaves(Clock::now() - begun_, changeWaits_);
     } catch (...) {
         guardError_ = std::current_exception();
         return true;
     }
 }
 
-bool ServerLoop::pollDuringFrame() {
-    bool leave = app::stopRequested();
-    const auto hasMore = [this](const ipc::Command& of) {
-        return std::any_of(pending_.begin(), pending_.end(),
-                           [&](const ipc::Command& command) { return command.slot == of.slot; });
-    };
+// The status stays as it is: it tells of the frame that is drawn, too.
+void ServerLoop::tell(const ipc::Command& command) {
+    try {
+        server_.answer(command, ipc::AnswerStatus::Done, runCommand(command.text, session_, *this).answer);
+    } catch (const std::exception& error) {
+        server_.answer(command, ipc::AnswerStatus::Failed, failureText(error));
+    }
+}
+
+void ServerLoop::pollDuringFrame() {
     for (ipc::Command& command : takeCommands()) {
-        if (command.text == "ping" && !hasMore(command)) {
-            server_.answer(command, ipc::AnswerStatus::Done, "pong");
+        const Effect effect = effectOf(command.text);
+        if (effect == Effect::Tells && !commands_.hasMore(command.client)) {
+            tell(command);
             continue;
         }
-        leave = leave || command.text == "quit" || command.text == "exit";
-        changeWaits_ = true;
-        pending_.push_back(std::move(command));
+        endWaits_ = endWaits_ || isEnd(command);
+        changeWaits_ = changeWaits_ || (effect == Effect::Acts && !commands_.hasMore(command.client));
+        commands_.add(std::move(command));
     }
-    return leave || forsaken() || (changeWaits_ && !gaveUpLast_ && Clock::now() - begun_ > kLongFrame);
+    if (sideWork_.anyDone()) changeWaits_ = true;
+    if (keys_.add(server_.keys())) changeWaits_ = true;
 }
 
 // --- Status ---
@@ -418,6 +463,7 @@ void ServerLoop::tellStatus() {
     status.progress = load_ != nullptr ? load_->fraction() : 1;
     status.paused = session_.paused ? 1 : 0;
     status.recording = session_.recording() ? 1 : 0;
+    status.messages = messages_.count();
     const Clock::time_point now = Clock::now();
     status.framesPerSecond = static_cast<double>(std::count_if(
         published_.begin(), published_.end(), [&](Clock::time_point then) { return now - then <= 1s; }));
@@ -432,8 +478,9 @@ void ServerLoop::tellStatus() {
         copy(camera.eye, status.eye);
         copy(normalize(camera.forward), status.forward);
         copy(normalize(camera.up), status.up);
-        status.fieldOfView = camera.horizontalFov;
-        status.mode = session_.walking() ? 1 : 0;
+        status.fieldOfView =
+            rtcore::fieldOfView(camera, session_.settings().width, session_.settings().height);
+        status.mode = session_.onUnseenFloor() ? 2 : session_.walking() ? 1 : 0;
         status.exposure = frames_.exposure();
         status.idle = idle() ? 1 : 0;
     }

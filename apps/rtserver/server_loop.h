@@ -1,14 +1,17 @@
 /// Serve, update, render or idle, until told to exit. (thesis figure 7.2)
 #pragma once
 
+#include "rtserver/command_book.h"
 #include "rtserver/commands.h"
 #include "rtserver/frame_guard.h"
 #include "rtserver/frame_maker.h"
+#include "rtserver/frame_schedule.h"
+#include "rtserver/key_inbox.h"
 #include "rtserver/messages.h"
-#include "rtserver/resolution_governor.h"
 #include "rtserver/scene_load.h"
 #include "rtserver/server_options.h"
 #include "rtserver/session.h"
+#include "rtserver/side_work.h"
 #include "rtserver/tree_refinement.h"
 
 #include "common/exit_codes.h"
@@ -45,16 +48,20 @@ class ServerLoop : private Host {
     void quit() override { quit_ = true; }
     void setParent(std::optional<std::int64_t> process) override;
     const FrameMaker& frames() const override { return frames_; }
+    const Messages& messages() const override { return messages_; }
 
     void takeLoadedScene();
     void takeRefinedTree();
     std::vector<ipc::Command> takeCommands();
     void serve();
-    bool serveOne(const ipc::Command& command);
+    Served serveOne(const ipc::Command& command);
+    void answer(const ipc::Command& command, const std::function<std::optional<std::string>()>& act);
+    void finishSideWork();
     void move();
-    double scale() const;
     void draw();
     void drawFrame();
+    bool traceFrame();
+    void clearTheWay();
     void goBack();
     void publish();
     void record();
@@ -64,9 +71,11 @@ class ServerLoop : private Host {
 
     bool forsaken();
     bool guardFrame();
-    bool pollDuringFrame();
+    void pollDuringFrame();
+    void tell(const ipc::Command& command);
 
     bool wantsFrame() const;
+    bool wantsWholeFrame() const;
     bool idle() const;
     void tellStatus();
     void count(Clock::time_point now);
@@ -74,15 +83,16 @@ class ServerLoop : private Host {
     const Options& options_;
     std::function<void()> onReady_;
     ipc::Server server_;
-    Session session_;
     Messages messages_;
+    Session session_;
     FrameMaker frames_;
-    ResolutionGovernor governor_;
+    FrameSchedule schedule_;
     std::unique_ptr<SceneLoad> load_;
     std::unique_ptr<TreeRefinement> refinement_; ///< of the scene that is shown
     std::optional<ipc::Command> loader_;         ///< who wants to know of the load; nobody: the command line
-    std::deque<ipc::Command> pending_;
-    std::size_t waiting_ = 0; ///< of these, the first so many wait for a frame, or behind one that does
+    CommandBook commands_;
+    SideWork sideWork_;
+    KeyInbox keys_;
     std::vector<ipc::Command> idleWaiters_;
     struct KeyWaiter {
         ipc::Command command;
@@ -91,18 +101,19 @@ class ServerLoop : private Host {
     std::vector<KeyWaiter> keyWaiters_;
     bool quit_ = false;
     std::optional<app::ProcessWatch> parent_;
-    rtcore::RenderSettings drawn_;            ///< of the last frame that was published
-    bool wentBack_ = false;                   ///< to those, for lack of memory, and none was published since
+    rtcore::RenderSettings drawn_;            ///< of the last whole frame that was published
+    bool wentBack_ = false;                   ///< to those, for lack of memory, and none is there yet
     bool shown_ = false;                      ///< in this turn a frame was published
     Clock::time_point moved_;                 ///< when keys acted last
     Clock::time_point due_;                   ///< no frame before that
     std::deque<Clock::time_point> published_; ///< within the last second
-    std::uint64_t publishedFrames_ = 0;
+    std::uint64_t publishedFrames_ = 0, wholeFrames_ = 0;
 
-    // Of the frame that is drawn. The guard's thread has them then, and server_ and pending_ too.
+    // Of the frame that is drawn. The guard's thread has them then, and server_, commands_ and keys_ too.
     Clock::time_point begun_;
-    bool gaveUpLast_ = false;
-    bool changeWaits_ = false;
+    bool changeWaits_ = false; ///< something came that the session does not know yet
+    bool endWaits_ = false;    ///< somebody wants the server to end
+    bool obstructed_ = false;  ///< somebody waits for too long with other commands behind
     std::exception_ptr guardError_;
     FrameGuard guard_;
 };

@@ -74,8 +74,8 @@ OptionGroup runOptions() {
          {.name = "frame-time",
           .value = ValueKind::Number,
           .argument = "MS",
-          .help =
-              "while something moves, draw fewer pixels where a frame would take longer; 0 is always all [0]",
+          .help = "after a change and while something moves, draw a coarser frame where the whole one would "
+                  "take longer; 0 is always all [33 with --daemon, else 0]",
           .minimum = 0,
           .maximum = 10000},
          {.name = "parent",
@@ -137,9 +137,10 @@ Options readOptions(const app::Arguments& arguments) {
     }
     options.threads = app::threadCount(arguments.integer("threads"));
     options.framesPerSecond = arguments.number("fps-limit").value_or(0);
-    options.frameSeconds = arguments.number("frame-time").value_or(0) * 1e-3;
     options.parent = arguments.integer("parent");
     options.daemon = arguments.has("daemon");
+    constexpr double kInteractive = 33;
+    options.frameSeconds = arguments.number("frame-time").value_or(options.daemon ? kInteractive : 0) * 1e-3;
     app::useIsa(arguments);
     options.import = app::readImportOptions(arguments);
     options.import.threads = options.threads;

@@ -1,6 +1,7 @@
 #include "rtserver/server_run.h"
 
 #include "rtserver/background.h"
+#include "rtserver/detached_task.h"
 #include "rtserver/playback.h"
 #include "rtserver/server_loop.h"
 #include "rtserver/server_options.h"
@@ -9,10 +10,15 @@
 #include "common/run_program.h"
 #include "common/threads.h"
 
+#include "rtcore/platform/files.h"
+
+#include <cstdlib>
+
 namespace rtserver {
 
 app::ExitCode runServer(const app::Arguments& arguments) {
     const Options options = readOptions(arguments);
+    app::shareMemoryAmongThreads(); // each command with a file has a thread
     // A mistake in the list shows before a big scene is loaded.
     if (options.path) const Playback check(*options.path);
     // Before the first thread, and before the lock that the server holds.
@@ -29,6 +35,13 @@ app::ExitCode runServer(const app::Arguments& arguments) {
         app::printMessage(serverSpec().name, error.what());
         return app::exitCodeOf(error.problem);
     }
+}
+
+void endProcess(int exitCode) {
+    // Static objects go only when nobody uses them any more.
+    if (tasksAtWork() == 0) std::exit(exitCode);
+    rtcore::removeTemporaryFiles();
+    std::_Exit(exitCode);
 }
 
 } // namespace rtserver

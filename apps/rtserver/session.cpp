@@ -16,23 +16,20 @@ namespace {
 
 constexpr int kBloom = 16; ///< radius in pixels, where nobody chose one
 
-[[noreturn]] void refuseNumber(const std::string& what, int number, std::size_t count) {
+// For users they are counted from 1.
+[[noreturn]] void refuseNumber(const std::string& what, int index, std::size_t count) {
     const std::string has = count == 0   ? "none"
-                            : count == 1 ? "only number 0"
-                                         : "numbers 0 to " + std::to_string(count - 1);
-    throw std::invalid_argument("there is no " + what + " " + std::to_string(number) + "; the scene has " +
+                            : count == 1 ? "only number 1"
+                                         : "numbers 1 to " + std::to_string(count);
+    throw std::invalid_argument("there is no " + what + " " + std::to_string(index + 1) + "; the scene has " +
                                 has);
-}
-
-bool isParallel(rtcore::Vec3 a, rtcore::Vec3 b) {
-    constexpr float kSine = 1e-5F;
-    return length(cross(normalize(a), normalize(b))) < kSine;
 }
 
 } // namespace
 
-Session::Session(const Options& options, Reserve reserve)
-    : frameSeconds(options.frameSeconds), options_(options), reserve_(std::move(reserve)), bloom_(kBloom) {}
+Session::Session(const Options& options, Reserve reserve, Messages& messages)
+    : frameSeconds(options.frameSeconds), options_(options), reserve_(std::move(reserve)),
+      messages_(messages), bloom_(kBloom) {}
 
 Session::~Session() = default;
 
@@ -62,14 +59,15 @@ void Session::show(std::unique_ptr<World> world) {
         path = *loaded.sceneFile->cameraFile;
     if (!path.empty()) {
         camera = rtcore::readCameraFile(path);
-        app::applyCameraToScene(*camera, path, loaded.scene);
+        const std::string warning = app::applyCameraToScene(*camera, path, loaded.scene);
+        if (!warning.empty()) loaded.warnings.push_back(warning);
         loaded.camera = camera->camera;
     }
     const rtcore::RenderSettings settings = settingsOf(*world, camera ? &*camera : nullptr);
     reserve_(settings);
     settings_ = settings;
     stopPlaying();
-    recording_.reset();
+    if (recording_) endRecording("another scene was shown");
     player_.reset();
     world_ = std::move(world);
     // A model by itself does not tell its unit.
@@ -81,7 +79,7 @@ void Session::show(std::unique_ptr<World> world) {
     player_->setCamera(loaded.camera);
     camera_ = player_->camera();
     touch();
-    if (first && options_.path) play(*options_.path);
+    if (first && options_.path) play(std::make_unique<Playback>(*options_.path));
 }
 
 void Session::useTree(rtcore::KdTree tree, std::unique_ptr<rtcore::KdRayTracer> tracer) {
@@ -95,8 +93,6 @@ void Session::setCamera(const rtcore::Camera& camera) {
     const bool finite = isFinite(camera.eye) && isFinite(camera.forward) && isFinite(camera.up);
     if (!finite || normalize(camera.forward) == rtcore::Vec3{})
         throw std::invalid_argument("the camera needs a direction to look in");
-    if (isParallel(camera.forward, camera.up))
-        throw std::invalid_argument("the camera cannot look straight along its up direction");
     if (!(camera.horizontalFov > 0 && camera.horizontalFov < 180))
         throw std::invalid_argument("the field of view is more than 0 and less than 180 degrees");
     stopPlaying();
@@ -106,6 +102,11 @@ void Session::setCamera(const rtcore::Camera& camera) {
 
 void Session::setSettings(const rtcore::RenderSettings& settings) {
     if (settings.width != settings_.width || settings.height != settings_.height) reserve_(settings);
+    settings_ = settings;
+    touch();
+}
+
+void Session::goBackTo(const rtcore::RenderSettings& settings) {
     settings_ = settings;
     touch();
 }
@@ -126,14 +127,14 @@ void Session::switchBloom(bool on) {
     touch();
 }
 
-void Session::loadCamera(const std::filesystem::path& path) {
-    const rtcore::CameraFile file = rtcore::readCameraFile(path);
+std::string Session::applyCameraFile(const rtcore::CameraFile& file, const std::filesystem::path& path) {
+    std::string warning;
     const std::vector<rtcore::SettingAssignment> now = rtcore::settingAssignments(settings_, true);
     rtcore::Scene& scene = world_->loaded.scene;
     const std::vector<rtcore::Light> lights = scene.lights;
     const int environment = scene.activeEnvironment;
     try {
-        app::applyCameraToScene(file, path, scene);
+        warning = app::applyCameraToScene(file, path, scene);
         setSettings(app::mergeSettings({.scene = now, .camera = &file}));
     } catch (...) {
         scene.lights = lights;
@@ -143,11 +144,12 @@ void Session::loadCamera(const std::filesystem::path& path) {
     stopPlaying();
     player_->setCamera(file.camera);
     takeCamera();
+    return warning;
 }
 
-void Session::loadSettings(const std::filesystem::path& path) {
+void Session::assign(const std::vector<rtcore::SettingAssignment>& assignments) {
     rtcore::RenderSettings settings = settings_;
-    rtcore::applySettings(settings, rtcore::readSettingsFile(path).live);
+    rtcore::applySettings(settings, assignments);
     setSettings(settings);
 }
 
@@ -179,9 +181,11 @@ void Session::turn(double right, double upwards) {
 void Session::setWalking(bool walking) {
     stopPlaying();
     if (!player_->setMode(walking ? rtcore::MotionMode::Walk : rtcore::MotionMode::View))
-        throw std::runtime_error("there is no room to stand here; move elsewhere first");
+        throw std::runtime_error("there is no room to stand here, or no floor below; move elsewhere first");
     takeCamera();
 }
+
+bool Session::onUnseenFloor() const { return player_->onUnseenFloor(); }
 
 void Session::setSpeed(double factor) { player_->setSpeedFactor(factor); }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rtserver/keyboard.h"
+#include "rtserver/messages.h"
 #include "rtserver/playback.h"
 #include "rtserver/recording.h"
 #include "rtserver/server_options.h"
@@ -19,6 +20,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace rtcore {
 class Player;
@@ -26,12 +29,17 @@ class Player;
 
 namespace rtserver {
 
+/// Of Session::onUnseenFloor().
+inline constexpr const char* kUnseenFloor =
+    "nothing is below: walking on a floor at the model's lowest point that is not seen";
+
 /// One thread. What changes the next frame makes it stale().
 class Session {
   public:
     using Reserve = std::function<void(const rtcore::RenderSettings&)>;
-    /// `reserve` throws when frames of such settings cannot be made and published. `options` must outlive it.
-    Session(const Options& options, Reserve reserve);
+    /// `reserve` throws when frames of such settings cannot be made and published. `messages` are told what
+    /// keys did. `options` and `messages` must outlive it.
+    Session(const Options& options, Reserve reserve, Messages& messages);
 
     ~Session();
 
@@ -50,8 +58,10 @@ class Session {
     void setCamera(const rtcore::Camera& camera);
     /// To the right and upwards, degrees.
     void turn(double right, double upwards);
-    /// Throws std::runtime_error where there is no room for a body.
+    /// Throws std::runtime_error where there is no room for a body, or no floor below.
     void setWalking(bool walking);
+    /// Beside the model, where only a floor that is not seen carries.
+    bool onUnseenFloor() const;
     /// Of flying, in times the usual speed of the scene; until another scene is shown.
     void setSpeed(double factor);
     bool walking() const;
@@ -59,14 +69,17 @@ class Session {
     const rtcore::RenderSettings& settings() const { return settings_; }
     /// Throws what `reserve` throws, with nothing changed.
     void setSettings(const rtcore::RenderSettings& settings);
+    /// Those of a frame that was published: there is room for it.
+    void goBackTo(const rtcore::RenderSettings& settings);
     /// The settings, with the exposure of the path that is being played.
     rtcore::RenderSettings shownSettings() const;
     void switchBloom(bool on); ///< as strong as it was
 
-    /// Looks through a .cam and takes over what else it says. Throws FileError, with nothing changed.
-    void loadCamera(const std::filesystem::path& path);
-    /// Takes the table [live] of a .set over. Throws FileError.
-    void loadSettings(const std::filesystem::path& path);
+    /// Looks through a .cam and takes over what else it says; `path` is for messages. Returns a warning of
+    /// what does not suit the scene, or "". Throws FileError, with nothing changed.
+    std::string applyCameraFile(const rtcore::CameraFile& file, const std::filesystem::path& path);
+    /// Settings of a file that was checked.
+    void assign(const std::vector<rtcore::SettingAssignment>& assignments);
     /// Counted from 0. They throw std::invalid_argument when the scene has fewer.
     void switchLight(int light, std::optional<bool> on); ///< nothing: the other way round
     void setEnvironment(int environment);
@@ -83,19 +96,27 @@ class Session {
     void setBindings(rtcore::KeyBindings bindings) { bindings_ = std::move(bindings); }
     double metresPerUnit() const;
 
-    /// Records the camera so many times in each second of the time that move() is told of. Throws
-    /// std::runtime_error when a recording is under way, and FileError.
-    void startRecording(const std::filesystem::path& list, double framesPerSecond);
-    /// The number of cameras. Throws std::runtime_error when there is no recording, and FileError.
+    /// Records the camera in the time that move() is told of. Throws std::runtime_error when a recording is
+    /// under way.
+    void startRecording(std::unique_ptr<Recording> recording);
+    void refuseSecondRecording() const;
+    /// The number of cameras. Throws std::runtime_error when there is no recording, with the reason why the
+    /// last one ended by itself, and FileError.
     int stopRecording(float exposure);
     bool recording() const { return recording_ != nullptr; }
+    /// How much time is recorded; 0 when nothing is being recorded.
+    std::chrono::nanoseconds recordedTime() const {
+        return recording_ ? recording_->time() : std::chrono::nanoseconds(0);
+    }
+    /// The list of the last startRecording(), absolute; empty before it.
+    const std::filesystem::path& recordedList() const { return recordedList_; }
     /// The exposure of the frame that is shown: what was recorded since the last call is written. Throws
     /// FileError, with the recording ended.
     void settleRecording(float exposure);
 
     /// Shows a recorded path, from its first camera on; the frames keep their size and quality. Ends with its
-    /// last camera, or when somebody moves. Throws FileError.
-    void play(const std::filesystem::path& list);
+    /// last camera, or when somebody moves.
+    void play(std::unique_ptr<Playback> playback);
     void stopPlaying();
 
     bool paused = false;
@@ -113,11 +134,16 @@ class Session {
     void press(const ipc::KeyState& clientKeys);
     void hold();
     void apply(const rtcore::ActionTap& tap);
+    void toggleWalking();
+    void toggleLight(int light);
+    void chooseEnvironment(int environment);
     void takeRecordedView();
+    void endRecording(const std::string& reason);
     void show(const Playback::Shot& shot);
 
     const Options& options_;
     Reserve reserve_;
+    Messages& messages_;
     std::unique_ptr<World> world_;
     std::unique_ptr<rtcore::Player> player_; ///< refers to *world_
     rtcore::Camera camera_;
@@ -128,6 +154,8 @@ class Session {
     std::bitset<ipc::kMaxKeys> clientKeys_;
     std::bitset<ipc::kMaxKeys> lastDown_; ///< and those of commands, at the last look
     std::unique_ptr<Recording> recording_;
+    std::string recordingFailure_; ///< why the last one ended by itself; "" = it did not
+    std::filesystem::path recordedList_;
     std::unique_ptr<Playback> playback_;
     std::optional<rtcore::CameraFile> shown_; ///< of the path that is played, without its time
     bool stale_ = true;

@@ -1,5 +1,6 @@
 // What moves by itself: the player, keys that are pressed for a time, a path that is recorded or played.
 #include "rtserver/exports.h"
+#include "rtserver/messages.h"
 #include "rtserver/session.h"
 
 #include "common/settings_merge.h"
@@ -57,26 +58,47 @@ void Session::hold() {
     player_->hold(actions);
 }
 
-// What the scene does not have is no error of who presses a key.
 void Session::apply(const rtcore::ActionTap& tap) {
-    const rtcore::Scene& scene = world_->loaded.scene;
-    const int index = tap.number - 1;
-    const auto among = [&](std::size_t count) {
-        return index >= 0 && static_cast<std::size_t>(index) < count;
-    };
     if (rtcore::isHeld(tap.action)) {
         stopPlaying();
         player_->tap(tap.action);
     } else if (tap.action == rtcore::Action::ToggleWalk) {
-        stopPlaying();
-        player_->setMode(walking() ? rtcore::MotionMode::View : rtcore::MotionMode::Walk);
+        toggleWalking();
     } else if (tap.action == rtcore::Action::ToggleBloom) {
         switchBloom(settings_.bloom == 0);
-    } else if (tap.action == rtcore::Action::ToggleLight && among(scene.lights.size())) {
-        switchLight(index, std::nullopt);
-    } else if (tap.action == rtcore::Action::SelectEnvironment && among(scene.environments.size())) {
-        setEnvironment(index);
+        messages_.tell(settings_.bloom == 0 ? "bloom off" : "bloom on");
+    } else if (tap.action == rtcore::Action::ToggleLight) {
+        toggleLight(tap.number - 1);
+    } else if (tap.action == rtcore::Action::SelectEnvironment) {
+        chooseEnvironment(tap.number - 1);
     }
+}
+
+void Session::toggleWalking() {
+    try {
+        setWalking(!walking());
+        messages_.tell(onUnseenFloor() ? kUnseenFloor : walking() ? "walking" : "flying");
+    } catch (const std::runtime_error& error) {
+        messages_.tell(error.what());
+    }
+}
+
+// What the scene does not have is no error of who presses a key.
+void Session::toggleLight(int light) {
+    const std::vector<rtcore::Light>& lights = world_->loaded.scene.lights;
+    const std::string name = "light " + std::to_string(light + 1);
+    if (light < 0 || std::cmp_greater_equal(light, lights.size()))
+        return messages_.tell("there is no " + name);
+    switchLight(light, std::nullopt);
+    messages_.tell(name + (lights[static_cast<std::size_t>(light)].on != 0 ? " on" : " off"));
+}
+
+void Session::chooseEnvironment(int environment) {
+    const std::string name = "environment " + std::to_string(environment + 1);
+    if (environment < 0 || std::cmp_greater_equal(environment, world_->loaded.scene.environments.size()))
+        return messages_.tell("there is no " + name);
+    setEnvironment(environment);
+    messages_.tell(name);
 }
 
 nanoseconds Session::untilEvent() const {
@@ -90,16 +112,25 @@ bool Session::atRest() const { return player_->atRest() && !playback_; }
 
 // --- Recording ---
 
-void Session::startRecording(const std::filesystem::path& list, double framesPerSecond) {
+void Session::refuseSecondRecording() const {
     if (recording_) {
         throw std::runtime_error("a recording is under way: " + recording_->list().string() +
                                  "; 'export video stop' ends it");
     }
-    recording_ = std::make_unique<Recording>(list, framesPerSecond);
+}
+
+void Session::startRecording(std::unique_ptr<Recording> recording) {
+    refuseSecondRecording();
+    recordingFailure_.clear();
+    recording_ = std::move(recording);
+    recordedList_ = recording_->list();
 }
 
 int Session::stopRecording(float exposure) {
-    if (!recording_) throw std::runtime_error("nothing is being recorded");
+    if (!recording_) {
+        throw std::runtime_error("nothing is being recorded" +
+                                 (recordingFailure_.empty() ? "" : "; " + recordingFailure_));
+    }
     const std::unique_ptr<Recording> recording = std::move(recording_);
     recording->settle(exposure);
     recording->finish();
@@ -110,10 +141,16 @@ void Session::settleRecording(float exposure) {
     if (!recording_) return;
     try {
         recording_->settle(exposure);
-    } catch (const rtcore::FileError&) {
-        recording_.reset();
+    } catch (const rtcore::FileError& error) {
+        endRecording(error.what());
         throw;
     }
+}
+
+void Session::endRecording(const std::string& reason) {
+    recordingFailure_ = "the recording " + recording_->list().string() + " ended after " +
+                        std::to_string(recording_->frames()) + " frames: " + reason;
+    recording_.reset();
 }
 
 void Session::takeRecordedView() {
@@ -124,8 +161,7 @@ void Session::takeRecordedView() {
 
 // --- Playing ---
 
-void Session::play(const std::filesystem::path& list) {
-    auto playback = std::make_unique<Playback>(list);
+void Session::play(std::unique_ptr<Playback> playback) {
     stopPlaying();
     if (walking()) player_->setMode(rtcore::MotionMode::View);
     playback_ = std::move(playback);
@@ -136,7 +172,9 @@ void Session::show(const Playback::Shot& shot) {
     rtcore::CameraFile camera = shot.camera;
     camera.time.reset();
     if (camera == shown_) return;
-    app::applyCameraToScene(camera, shot.path, scene);
+    const std::string warning = app::applyCameraToScene(camera, shot.path, scene);
+    // Once: the other cameras of the path say the same.
+    if (!warning.empty() && !shown_) Messages::print("warning: " + warning);
     player_->setCamera(camera.camera);
     camera_ = player_->camera();
     shown_ = std::move(camera);

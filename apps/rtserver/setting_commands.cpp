@@ -47,19 +47,25 @@ Result bloom(const Call& call) {
     return {};
 }
 
+// Counted from 1, as on the keys.
+int indexOf(const std::string& number) {
+    const int counted = integer(number);
+    return counted > 0 ? counted - 1 : -1;
+}
+
 Result light(const Call& call) {
     const bool toggle = call[1] == "toggle";
-    call.session.switchLight(integer(call[0]), toggle ? std::nullopt : std::optional(flag(call[1])));
+    call.session.switchLight(indexOf(call[0]), toggle ? std::nullopt : std::optional(flag(call[1])));
     return {};
 }
 
 Result environment(const Call& call) {
-    call.session.setEnvironment(integer(call[0]));
+    call.session.setEnvironment(indexOf(call[0]));
     return {};
 }
 
-std::string numbered(std::size_t number, const std::string& state, const std::string& name) {
-    return std::to_string(number) + ' ' + state + (name.empty() ? "" : ' ' + name) + '\n';
+std::string numbered(std::size_t index, const std::string& state, const std::string& name) {
+    return std::to_string(index + 1) + ' ' + state + (name.empty() ? "" : ' ' + name) + '\n';
 }
 
 Result withoutLastEnd(std::string text) {
@@ -101,15 +107,15 @@ Result scene(const Call& call) {
 
 constexpr std::array kCommands{
     Command{"set", 2, 2, "NAME VALUE", true, set},
-    Command{"get", 1, 1, "NAME", true, get},
-    Command{"settings", 0, 0, "", true, settings},
+    Command{"get", 1, 1, "NAME", true, get, Effect::Tells},
+    Command{"settings", 0, 0, "", true, settings, Effect::Tells},
     Command{"resolution", 2, 2, "WIDTH HEIGHT", true, resolution},
     Command{"bloom", 1, 1, "on|off", true, bloom},
     Command{"light", 2, 2, "N on|off|toggle", true, light},
     Command{"environment", 1, 1, "N", true, environment},
-    Command{"lights", 0, 0, "", true, lights},
-    Command{"environments", 0, 0, "", true, environments},
-    Command{"scene", 0, 0, "", true, scene},
+    Command{"lights", 0, 0, "", true, lights, Effect::Tells},
+    Command{"environments", 0, 0, "", true, environments, Effect::Tells},
+    Command{"scene", 0, 0, "", true, scene, Effect::Tells},
 };
 
 } // namespace

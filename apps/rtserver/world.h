@@ -1,6 +1,8 @@
 /// A scene that is loaded and can be traced.
 #pragma once
 
+#include "common/input_files.h"
+
 #include "rtcore/io/import/model_import.h"
 #include "rtcore/io/scene_loader.h"
 #include "rtcore/kernels/ray_tracer.h"
@@ -16,7 +18,9 @@ class World {
     World(rtcore::LoadedScene scene, std::filesystem::path path, const rtcore::ImportOptions& options)
         : loaded(std::move(scene)), tracer(std::make_unique<rtcore::KdRayTracer>(
                                         loaded.tree, loaded.scene.mesh(), chooseLeafRecords(loaded.tree, 0))),
-          source(std::move(path)), import(options) {}
+          source(std::move(path)), import(options) {
+        inputs.add(loaded.files);
+    }
     World(const World&) = delete;
     World& operator=(const World&) = delete;
 
@@ -24,6 +28,7 @@ class World {
     std::unique_ptr<rtcore::KdRayTracer> tracer;
     std::filesystem::path source; ///< what the user named
     rtcore::ImportOptions import; ///< as far as the user gave them
+    app::InputFiles inputs;       ///< what was read
 };
 
 } // namespace rtserver

@@ -103,6 +103,33 @@ TEST_F(Hardship, TooLittleMemoryForLargerFramesIsAnError) {
     expectGoodEnd();
 }
 
+// From where it can hardly start to where it has enough: whatever cannot be had is refused, and nothing ends
+// it.
+TEST_F(Hardship, InLittleMemoryASizeIsRefusedAndTheServerStays) {
+    if (kSanitized) GTEST_SKIP() << "a sanitizer takes all the address space that there is";
+    int stood = 0, refusals = 0;
+    for (std::size_t bytes = 90'000'000; stood < 4 && bytes < 400'000'000; bytes += 10'000'000) {
+        viewer.reset();
+        troupe.put(0, newServer({"--resolution=32x24", "--threads=1"}, {.addressBytes = bytes}));
+        const auto ended = [&] {
+            troupe[0].wait(0s);
+            return troupe[0].process() < 0;
+        };
+        const bool stands = eventually([&] { return ended() || showsFrames(); }, 20s) && !ended();
+        if (!stands) continue; // too little even for that
+        ++stood;
+        for (const auto& [width, height] :
+             {std::pair{"8000", "6000"}, {"1000", "600"}, {"2000", "1000"}, {"700", "400"}, {"64", "48"}}) {
+            refusals += cui({"resolution", width, height}).exitCode == 75 ? 1 : 0;
+            refusals += cui({"wait-idle"}).exitCode == 75 ? 1 : 0;
+            EXPECT_EQ(cui({"ping"}).output, "pong\n") << width << " with " << bytes << "\n" << log();
+        }
+        expectGoodEnd();
+    }
+    EXPECT_EQ(stood, 4);
+    EXPECT_GT(refusals, 0);
+}
+
 // Whatever waits for an answer, a frame or a command does so by another clock.
 TEST_F(Hardship, TheWallClockIsNobodysMatter) {
     if (kSanitized) GTEST_SKIP() << "a sanitizer must be the first library of a program";

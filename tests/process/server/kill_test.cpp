@@ -72,6 +72,29 @@ TEST_F(KilledServer, AtRandomWithItsClients) {
     expectGoodEnd();
 }
 
+// Wherever it is in its start, the next one stands.
+TEST_F(KilledServer, WhileItStarts) {
+    const char* asked = std::getenv("RT_START_KILLS");
+    const int kills = asked == nullptr ? 20 : std::max(1, std::atoi(asked));
+    std::mt19937 random(20101121);
+    std::vector<double> starts;
+    for (int i = 0; i < kills; ++i) {
+        troupe.put(0, newServer());
+        std::this_thread::sleep_for(std::chrono::microseconds(random() % 150000));
+        troupe[0].kill();
+        const auto start = Clock::now();
+        ASSERT_TRUE(stands()) << "kill " << i;
+        starts.push_back(milliseconds(Clock::now() - start));
+        EXPECT_EQ(troupe.instance.segments().size(), 2U) << "kill " << i;
+        EXPECT_EQ(ipc::Client(troupe.instance.name()).request("ping", 5s).text, "pong") << "kill " << i;
+        troupe[0].kill();
+    }
+    std::printf("%d starts after a kill: %.0f ms median, %.0f p99, %.0f max\n", kills, quantile(starts, 0.5),
+                quantile(starts, 0.99), quantile(starts, 1));
+    ASSERT_TRUE(stands());
+    expectGoodEnd();
+}
+
 TEST_F(KilledServer, OfTwoStartedAtOnceOneWins) {
     for (int round = 0; round < rounds(1); ++round) {
         ChildProcess rivals[] = {newServer(), newServer()};

@@ -93,7 +93,24 @@ TEST_F(Motions, TheBloomKeySwitchesIt) {
     ask({"key", "tap", "b"});
     ask({"wait-idle"});
     EXPECT_EQ(ask({"get", "bloom"}), "7\n");
-    ask({"light", "0", "toggle"});
+    ask({"light", "1", "toggle"});
+}
+
+TEST_F(Motions, WhatAKeyDidIsTold) {
+    start();
+    const auto told = [this](const char* key) {
+        const std::string before = ask({"messages"});
+        ask({"key", "tap", key});
+        ask({"wait-idle"});
+        return ask({"messages"}).substr(before.size());
+    };
+    EXPECT_EQ(told("1"), "1 event light 1 off\n");
+    EXPECT_EQ(told("1"), "2 event light 1 on\n");
+    EXPECT_EQ(told("9"), "3 event there is no light 9\n");
+    EXPECT_EQ(told("b"), "4 event bloom on\n");
+    EXPECT_EQ(ask({"messages", "3"}), "4 event bloom on\n");
+    EXPECT_EQ(told("w"), "") << "that is seen";
+    refused({"messages", "-1"}, 2, "counted from 1");
 }
 
 TEST_F(Motions, FewerPixelsWhileItMovesAndAllAtRest) {

@@ -18,7 +18,7 @@ TEST_F(RealScene, IsWalkedRecordedAndRenderedTheSame) {
     const std::string model = std::string(scenes) + "/sibenik/sibenik.obj";
     start({"--resolution=160x120"}, model);
     writeText(folder() / "walk.txt", "walk\nwait-idle\nexport video start walk.lst\nkey press shift\n"
-                                     "key press w --for 2000\ncamera turn 170 0\nkey press w --for 1800\n"
+                                     "key press w --for 3600\ncamera turn 170 0\nkey press w --for 3200\n"
                                      "camera turn -60 10\nkey tap space\nkey press w --for 400\n"
                                      "key release all\nexport video stop\nwait-idle\nscreenshot a.png\n"
                                      "export camera a.cam\nexport scene a.scn\nexit\n");

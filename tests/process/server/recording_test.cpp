@@ -28,14 +28,21 @@ class Recordings : public LiveServer {
 TEST_F(Recordings, GoAtAnEvenPace) {
     start();
     ask({"wait-idle"});
+    EXPECT_EQ(ask({"export", "video"}), "off\n");
     ask({"export", "video", "start", "walk.lst", "50"});
     refused({"export", "video", "start", "other.lst"}, 1, "under way");
     EXPECT_NE(ask({"status", "--json"}).find("\"recording\":true"), std::string::npos);
     ask({"key", "press", "w", "--for=400"});
-    ask({"light", "0", "off"});
+    ask({"light", "1", "off"});
     std::this_thread::sleep_for(300ms);
+    const std::string list = (folder() / "walk.lst").string();
+    const std::string recording = ask({"export", "video"});
+    EXPECT_EQ(recording.rfind("on ", 0), 0U) << recording;
+    EXPECT_GT(std::atof(recording.c_str() + 3), 0.5) << recording;
+    EXPECT_NE(recording.find(' ' + list + '\n'), std::string::npos) << recording;
     const int frames = std::atoi(ask({"export", "video", "stop", "walk.lst"}).c_str());
     refused({"export", "video", "stop"}, 1, "nothing is being recorded");
+    EXPECT_EQ(ask({"export", "video"}), "off " + list + "\n");
 
     const std::vector<rtcore::CameraFile> path = cameras("walk.lst");
     ASSERT_EQ(path.size(), static_cast<std::size_t>(frames));

@@ -32,7 +32,7 @@ class RenderCommand : public LiveServer {
 TEST_F(RenderCommand, MakesThePictureOfTheExportedFiles) {
     start();
     ask({"camera", "look-at", "1", "2", "7.5", "-0.5", "0.3", "0", "71"});
-    ask({"light", "0", "off"});
+    ask({"light", "1", "off"});
     ask({"wait-idle"}); // the exposure stands still
     for (const Names& options : {Names{}, Names{"-a", "3", "-w", "90", "-h", "70"}}) {
         Names words{"view.png"};

@@ -229,6 +229,24 @@ TEST_F(Serving, FocusIsTakenFromAPlace) {
     EXPECT_GT(std::stof(distance), 0);
     EXPECT_EQ(ask({"get", "depthOfField.focus"}), distance);
     EXPECT_EQ(ask({"get", "depthOfField.on"}), "true\n");
+    ask({"set", "depthOfField.on", "false"});
+    ask({"camera", "look-at", "0", "900", "0", "0", "1000", "1"}); // nothing but background
+    refused({"focus", "0.5", "0.5"}, 1, "nothing to focus on");
+    EXPECT_EQ(ask({"get", "depthOfField.focus"}), distance);
+    EXPECT_EQ(ask({"get", "depthOfField.on"}), "false\n");
+}
+
+TEST_F(Serving, BesideAModelWhoWalksHasAFloor) {
+    start();
+    ask({"camera", "look-at", "500", "3", "0", "0", "0", "0"});
+    EXPECT_NE(ask({"walk"}).find("nothing is below"), std::string::npos);
+    ask({"wait-idle"});
+    EXPECT_NE(ask({"status"}).find("unseen floor"), std::string::npos);
+    EXPECT_EQ(status()["mode"], "walk");
+    ask({"fly"});
+    EXPECT_EQ(ask({"status"}).find("unseen floor"), std::string::npos);
+    ask({"camera", "set", "0", "-900", "0", "0", "0", "-1"});
+    refused({"walk"}, 1, "no floor below");
 }
 
 TEST_F(Serving, LightsAndEnvironmentsAreTold) {
@@ -242,18 +260,31 @@ TEST_F(Serving, LightsAndEnvironmentsAreTold) {
               "[[environment]]\nequirectangular = \"sky.ppm\"\n"
               "[[environment]]\nname = \"late evening\"\nequirectangular = \"sky.ppm\"\n");
     start({}, "lit.scn");
-    EXPECT_EQ(ask({"lights"}), "0 on tall lamp\n1 on\n");
-    ask({"light", "0", "off"});
-    EXPECT_EQ(ask({"lights"}), "0 off tall lamp\n1 on\n");
-    EXPECT_EQ(ask({"environments"}), "0 - sky\n1 active late evening\n");
-    ask({"environment", "0"});
-    EXPECT_EQ(ask({"environments"}), "0 active sky\n1 - late evening\n");
+    EXPECT_EQ(ask({"lights"}), "1 on tall lamp\n2 on\n");
+    ask({"light", "1", "off"});
+    EXPECT_EQ(ask({"lights"}), "1 off tall lamp\n2 on\n");
+    EXPECT_EQ(ask({"environments"}), "1 - sky\n2 active late evening\n");
+    ask({"environment", "1"});
+    EXPECT_EQ(ask({"environments"}), "1 active sky\n2 - late evening\n");
     EXPECT_EQ(ask({"scene"}), (folder() / "lit.scn").string() + "\n");
     const std::string first = ask({"camera", "get"});
     ask({"camera", "set", "1", "2", "3", "0", "0", "-1"});
     EXPECT_NE(ask({"camera", "get"}), first);
     ask({"camera", "reset"});
     EXPECT_EQ(ask({"camera", "get"}), first);
+}
+
+TEST_F(Serving, TheCameraMayLookStraightDown) {
+    start();
+    ask({"camera", "set", "1", "1", "1", "0", "-1", "0"});
+    EXPECT_NE(ask({"camera", "get"}).find("up = [0.0, 0.0, -1.0]"), std::string::npos);
+}
+
+TEST_F(Serving, ACameraOfAnotherSceneIsLookedThrough) {
+    start();
+    writeCamera(folder() / "other.cam", 1.5, "lights = [true, false, true, false]\nenvironment = 3\n");
+    EXPECT_NE(ask({"load", "camera", "other.cam"}).find("other.cam switches 4 lights"), std::string::npos);
+    EXPECT_NE(ask({"camera", "get"}).find("eye = [1.5,"), std::string::npos);
 }
 
 TEST_F(Serving, ErrorsReachTheShell) {
@@ -263,14 +294,33 @@ TEST_F(Serving, ErrorsReachTheShell) {
     refused({"load", "camera", "bad.cam"}, 65, "bad.cam:2");
     refused({"screenshot", "no/such/folder/a.png"}, 73, "a.png");
     refused({"light", "9", "on"}, 2, "there is no light 9");
-    refused({"environment", "0"}, 2, "there is no environment 0");
+    refused({"environment", "1"}, 2, "there is no environment 1");
     refused({"camera", "look-at", "1", "1", "1", "1", "1", "1"}, 2, "direction");
-    refused({"camera", "set", "1", "1", "1", "0", "-1", "0"}, 2, "up direction");
     refused({"camera", "set", "1", "1"}, 2, "EX EY EZ");
     refused({"focus", "320", "240"}, 2, "0 to 1 from the left");
     refused({"resolutoin", "3", "4"}, 2, "resolution");
-    refused({"free"}, 1, instance.name());
+    refused({"free"}, 75, instance.name());
     EXPECT_EQ(ask({"ping"}), "pong\n");
+}
+
+TEST_F(Serving, WhatWasReadIsNotWrittenOver) {
+    writeText(folder() / "room.scn", "version = 1\nmodel = \"room.obj\"\n[camera]\nfile = \"first.cam\"\n");
+    writeCamera(folder() / "first.cam", 0);
+    std::filesystem::create_hard_link(folder() / "room.obj", folder() / "linked.png");
+    std::filesystem::create_hard_link(folder() / "room.scn", folder() / "scene.png");
+    const std::string model = bytes("room.obj"), scene = bytes("room.scn");
+    start({}, "room.scn");
+    for (const char* what : {"camera", "scene"}) refused({"export", what, "room.obj"}, 2, "the same file");
+    refused({"export", "camera", "room.scn"}, 2, "the same file");
+    refused({"export", "scene", "first.cam"}, 2, "the same file");
+    refused({"screenshot", "linked.png"}, 2, "the same file");
+    EXPECT_EQ(cui({"render", "linked.png"}).exitCode, 2) << "the Renderer refuses it";
+    refused({"render", "scene.png"}, 2, "the same file");
+    EXPECT_EQ(bytes("room.obj"), model);
+    EXPECT_EQ(bytes("room.scn"), scene);
+    ask({"export", "camera", "first.cam"});
+    ask({"export", "scene", "room.scn"});
+    EXPECT_NE(bytes("room.scn"), scene) << "a scene may be kept under its own name";
 }
 
 TEST_F(Serving, NegativeNumbersAreNoOptions) {

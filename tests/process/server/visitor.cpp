@@ -156,13 +156,13 @@ void sendJunk(Visit& visit) {
     const ipc::Names names(visit.instance);
     std::optional<ipc::Link> link = ipc::Link::open(names, ipc::Access::Write);
     if (!link) return;
-    const ipc::SlotLock lock = ipc::SlotLock::take(names, link->lockFolder());
+    const int slot = ipc::takeSlot(names, *link);
     const ipc::KeyWriter keys;
     std::optional<ipc::Attachment> attachment;
     for (std::uint64_t sequence = 1; link->check() != ipc::LinkState::Gone; ++sequence) {
         if (!attachment || !attachment->accepted()) {
             attachment.reset();
-            attachment.emplace(names, *link, lock, keys);
+            attachment.emplace(names, *link, slot, keys);
         }
         std::vector<std::byte> message =
             ipc::encode({sequence, true, rubbish(visit, 100)}, link->epoch() + visit.below(2));

@@ -38,4 +38,25 @@ TEST(Messages, AreCutAndComplaintsAreRare) {
     EXPECT_EQ(text.find("something failed"), text.rfind("something failed"));
 }
 
+TEST(Messages, AreKeptForThoseWhoLookOn) {
+    testing::internal::CaptureStderr();
+    rtserver::Messages messages;
+    EXPECT_EQ(messages.since(0), "");
+    messages.warn("a texture\nis missing");
+    messages.tell("light 2 off");
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "RTServer: warning: a texture\\x0ais missing\n")
+        << "what keys did is not printed";
+    EXPECT_EQ(messages.since(0), "1 warning a texture\\x0ais missing\n2 event light 2 off");
+    EXPECT_EQ(messages.since(1), "2 event light 2 off");
+    EXPECT_EQ(messages.since(2), "");
+    EXPECT_EQ(messages.since(7), "") << "more than there are";
+    messages.forget();
+    EXPECT_EQ(messages.since(0), "");
+    EXPECT_EQ(messages.count(), 2U);
+    for (int i = 0; i < 1000; ++i) messages.tell(std::string(10'000, 'x'));
+    EXPECT_EQ(messages.count(), 1002U);
+    EXPECT_LT(messages.since(0).size(), 65'520U) << "as much as an answer holds";
+    EXPECT_EQ(messages.since(1001).rfind("1002 event xxx", 0), 0U);
+}
+
 } // namespace

@@ -1,0 +1,26 @@
+/// How much of a frame is drawn: a coarse one shows a change at once, the whole one follows.
+#pragma once
+
+#include "rtcore/scene/scene.h"
+#include "rtcore/settings/render_settings.h"
+
+namespace rtserver {
+
+struct FrameDetail {
+    double scale = 1; ///< times the width and the height that are asked for: 1/8 to 1
+    bool cut = false; ///< few samples in place of those that are asked for
+
+    bool whole() const { return scale == 1 && !cut; }
+    friend bool operator==(const FrameDetail&, const FrameDetail&) = default;
+};
+
+inline constexpr double kLeastScale = 0.125;
+inline constexpr FrameDetail kCoarsest{kLeastScale, true};
+
+/// What a frame of that detail is rendered with: `settings` themselves for a whole one.
+rtcore::RenderSettings settingsAt(const rtcore::RenderSettings& settings, const FrameDetail& detail);
+
+/// About the rays of such a frame, to compare frames of one scene by.
+double workOf(const rtcore::RenderSettings& settings, const rtcore::Scene& scene);
+
+} // namespace rtserver

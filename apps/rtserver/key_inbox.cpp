@@ -1,0 +1,22 @@
+#include "rtserver/key_inbox.h"
+
+namespace rtserver {
+
+bool KeyInbox::add(const ipc::KeyState& keys) {
+    bool pressed = false;
+    for (std::size_t i = 0; i < keys.presses.size(); ++i) {
+        keys_.presses[i] += keys.presses[i];
+        pressed = pressed || keys.presses[i] != 0;
+    }
+    keys_.down = keys.down;
+    return pressed || keys_.down != taken_;
+}
+
+ipc::KeyState KeyInbox::take() {
+    const ipc::KeyState keys = keys_;
+    keys_.presses = {};
+    taken_ = keys.down;
+    return keys;
+}
+
+} // namespace rtserver

@@ -1,0 +1,21 @@
+/// The keys of all clients between two looks of the session.
+#pragma once
+
+#include "ipc/layout/key_state.h"
+
+namespace rtserver {
+
+/// One thread at a time.
+class KeyInbox {
+  public:
+    /// What ipc::Server::keys() gave. True when the session does not know it yet.
+    bool add(const ipc::KeyState& keys);
+    /// What is down, and the presses since the last call.
+    ipc::KeyState take();
+
+  private:
+    ipc::KeyState keys_;
+    decltype(ipc::KeyState::down) taken_;
+};
+
+} // namespace rtserver

@@ -1,0 +1,48 @@
+/// Commands that read and write files, done beside the server, which answers meanwhile.
+#pragma once
+
+#include "rtserver/detached_task.h"
+
+#include "ipc/endpoint/server.h"
+
+#include <chrono>
+#include <functional>
+#include <list>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rtserver {
+
+/// In the server's thread, when the work is over; gives the answer. Both may throw what a command may throw.
+using Finish = std::function<std::string()>;
+/// In a thread of its own: owns what it uses.
+using Work = std::function<Finish()>;
+
+/// One thread.
+class SideWork {
+  public:
+    /// Throws rtcore::FileError TryAgain when too many are under way, which then wait for something that
+    /// does not come.
+    void start(const ipc::Command& command, Work work);
+    bool underWay() const { return !jobs_.empty(); }
+    bool anyDone() const;
+
+    struct Done {
+        ipc::Command command;
+        Finish finish; ///< throws what the work threw, if it did
+    };
+    std::vector<Done> takeDone();
+    /// Waits at most so long for all of them.
+    void waitFor(std::chrono::nanoseconds time) const;
+
+  private:
+    struct Job {
+        Job(const ipc::Command& of, Work work) : command(of), task(std::move(work)) {}
+        ipc::Command command;
+        DetachedTask<Finish> task;
+    };
+    std::list<Job> jobs_;
+};
+
+} // namespace rtserver

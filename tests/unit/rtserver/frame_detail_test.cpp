@@ -1,0 +1,59 @@
+#include "rtserver/frame_detail.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using rtserver::FrameDetail;
+using rtserver::settingsAt;
+using rtserver::workOf;
+
+rtcore::RenderSettings dear() {
+    rtcore::RenderSettings settings;
+    settings.width = 1235;
+    settings.height = 963;
+    settings.antialiasing = 16;
+    settings.adaptive = 0.05F;
+    settings.maxDepth = 1000;
+    settings.minContribution = 0;
+    settings.ambientOcclusion.on = true;
+    settings.ambientOcclusion.samples = 4096;
+    settings.depthOfField.on = true;
+    settings.lampSamples = 64;
+    settings.fog.shafts = 100;
+    settings.denoise = 5;
+    settings.bloom = 20;
+    return settings;
+}
+
+TEST(FrameDetail, OfAWholeFrameIsAllThatIsAskedFor) {
+    EXPECT_EQ(settingsAt(dear(), {}).width, 1235);
+    EXPECT_EQ(settingsAt(dear(), {}).antialiasing, 16);
+    EXPECT_EQ(settingsAt(dear(), {}).ambientOcclusion.samples, 4096);
+    EXPECT_TRUE(FrameDetail{}.whole());
+    EXPECT_FALSE((FrameDetail{1, true}).whole());
+    EXPECT_FALSE((FrameDetail{0.5, false}).whole());
+}
+
+TEST(FrameDetail, TheCoarsestIsCheapWhateverTheSettings) {
+    rtcore::Scene scene;
+    scene.lights.resize(10);
+    const rtcore::RenderSettings coarse = settingsAt(dear(), rtserver::kCoarsest);
+    EXPECT_GE(coarse.width * 8, 1235) << "an eighth of the pixels at least";
+    EXPECT_GE(coarse.height * 8, 963);
+    EXPECT_LT(workOf(coarse, scene), 60.0 * coarse.width * coarse.height);
+    EXPECT_EQ(coarse.antialiasing, 1);
+    EXPECT_EQ(coarse.denoise, 0);
+    EXPECT_FALSE(coarse.depthOfField.on);
+    EXPECT_TRUE(coarse.ambientOcclusion.on) << "what it shows is there, with grain";
+    EXPECT_EQ(coarse.bloom, 20);
+}
+
+TEST(FrameDetail, OfOnePixelIsOnePixel) {
+    rtcore::RenderSettings settings;
+    settings.width = settings.height = 1;
+    EXPECT_EQ(settingsAt(settings, rtserver::kCoarsest).width, 1);
+    EXPECT_EQ(settingsAt(settings, rtserver::kCoarsest).height, 1);
+}
+
+} // namespace

@@ -1,0 +1,77 @@
+#include "rtserver/frame_schedule.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace std::chrono_literals;
+using rtserver::FrameDetail;
+using rtserver::FrameSchedule;
+using rtserver::kCoarsest;
+
+constexpr rtserver::DetailGovernor::Work kWork{64e6, 1e6};
+constexpr FrameSchedule::Demand kChange{.frameSeconds = 0.033, .work = kWork};
+constexpr FrameSchedule::Demand kRest{.changed = false, .frameSeconds = 0.033, .work = kWork};
+
+TEST(FrameSchedule, AChangeIsSeenCoarseAtFirstAndThenWhole) {
+    FrameSchedule schedule;
+    EXPECT_EQ(schedule.begin(kChange), kCoarsest);
+    EXPECT_FALSE(schedule.leaves(10h, true)) << "or nothing would ever be seen";
+    schedule.shown(20ms);
+    EXPECT_TRUE(schedule.begin(kRest).whole());
+    EXPECT_FALSE(schedule.leaves(10h, false));
+    EXPECT_TRUE(schedule.leaves(1ms, true)) << "at once";
+    schedule.left(1ms);
+    EXPECT_FALSE(schedule.begin(kChange).whole());
+}
+
+TEST(FrameSchedule, WhatIsQuickEnoughIsWholeAtOnce) {
+    FrameSchedule schedule;
+    schedule.begin(kRest);
+    schedule.shown(5ms);
+    EXPECT_TRUE(schedule.begin(kChange).whole());
+    EXPECT_FALSE(schedule.leaves(20ms, true)) << "a change is never left for another";
+    EXPECT_TRUE(schedule.leaves(34ms, false)) << "it was not quick enough";
+    schedule.left(34ms);
+    EXPECT_EQ(schedule.begin(kChange), kCoarsest);
+    EXPECT_FALSE(schedule.leaves(1s, true));
+    schedule.shown(20ms);
+    EXPECT_FALSE(schedule.begin(kChange).whole()) << "and that is known now";
+}
+
+TEST(FrameSchedule, AnotherSceneIsSeenCoarseAtFirst) {
+    FrameSchedule schedule;
+    schedule.begin(kRest);
+    schedule.shown(5ms);
+    schedule.forget();
+    EXPECT_EQ(schedule.begin(kChange), kCoarsest);
+}
+
+TEST(FrameSchedule, AFrameThatACommandWaitsForHasASecond) {
+    FrameSchedule schedule;
+    FrameSchedule::Demand file = kRest;
+    file.waitedFor = true;
+    EXPECT_TRUE(schedule.begin(file).whole());
+    EXPECT_FALSE(schedule.leaves(900ms, true));
+    EXPECT_TRUE(schedule.leaves(1100ms, true));
+    EXPECT_FALSE(schedule.leaves(10h, false));
+}
+
+TEST(FrameSchedule, WithoutATimeAllIsWholeButForWhatWouldLockTheUserOut) {
+    FrameSchedule schedule;
+    for (const bool changed : {true, false}) {
+        const FrameSchedule::Demand any{.changed = changed, .work = kWork};
+        EXPECT_TRUE(schedule.begin(any).whole());
+        EXPECT_FALSE(schedule.leaves(10h, false));
+        EXPECT_FALSE(schedule.leaves(900ms, true));
+        EXPECT_TRUE(schedule.leaves(1100ms, true));
+        schedule.left(1100ms);
+        EXPECT_EQ(schedule.begin(any), kCoarsest);
+        EXPECT_FALSE(schedule.leaves(10h, true));
+        schedule.shown(50ms);
+        EXPECT_TRUE(schedule.begin(any).whole());
+        schedule.shown(3s);
+    }
+}
+
+} // namespace
