@@ -34,6 +34,7 @@ std::string describe(const std::optional<std::string>& problem) {
 std::string describeModel(const BuildReport& report) {
     return line("format", report.format) + line("triangles", report.triangles) +
            line("dropped: no area", report.degenerate) + line("dropped: not finite", report.nonFinite) +
+           line("dropped: no corner", report.unconnected) + line("dropped: copies", report.equal) +
            line("dropped: points, lines", report.primitives) + line("vertices", report.vertices) +
            line("materials", report.materials) + line("textures", report.textures) +
            line("lights", report.lights) + line("cameras", report.cameras) +

@@ -11,11 +11,13 @@
 namespace bspbuilder {
 
 struct BuildReport {
-    std::string format;           ///< of the model's file, as the importer calls it
-    std::uint64_t triangles = 0;  ///< kept
-    std::uint64_t degenerate = 0; ///< dropped by the import: without area
-    std::uint64_t nonFinite = 0;  ///< dropped: a coordinate is no number, or far too large
-    std::uint64_t primitives = 0; ///< dropped: points and lines
+    std::string format;            ///< of the model's file, as the importer calls it
+    std::uint64_t triangles = 0;   ///< kept
+    std::uint64_t degenerate = 0;  ///< dropped by the import: without area
+    std::uint64_t nonFinite = 0;   ///< dropped: a coordinate is no number, or far too large
+    std::uint64_t unconnected = 0; ///< dropped: a corner that does not exist
+    std::uint64_t equal = 0;       ///< dropped: the third and further of equal ones
+    std::uint64_t primitives = 0;  ///< dropped: points and lines
     std::uint64_t vertices = 0, materials = 0, textures = 0, lights = 0, cameras = 0;
     double importSeconds = 0, writeSeconds = 0;
     rtcore::BuildTimes build;

@@ -3,6 +3,8 @@
 #include "bspbuilder/build_report.h"
 #include "bspbuilder/builder_options.h"
 
+#include "common/file_notes.h"
+#include "common/input_files.h"
 #include "common/parent.h"
 #include "common/progress.h"
 #include "common/stop.h"
@@ -12,17 +14,22 @@
 #include "rtcore/accel/validation.h"
 #include "rtcore/io/bsp/bsp_checksum.h"
 #include "rtcore/io/bsp/bsp_file.h"
+#include "rtcore/io/images/image_format.h"
 #include "rtcore/io/import/model_import.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <cctype>
 #include <chrono>
 #include <fstream>
 #include <span>
+#include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace bspbuilder {
 
@@ -34,12 +41,28 @@ double secondsSince(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+// A .bsp of another format's ending would be taken for a damaged file of that format.
+void refuseForeignEnding(const std::filesystem::path& output) {
+    std::string ending = rtcore::extensionOf(output);
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::vector<std::string> foreign = app::modelExtensions();
+    foreign.insert(foreign.end(), {"scn", "cam", "set", "mtl", "bin", "lst"});
+    if (rtcore::findFormat(ending) == nullptr &&
+        std::find(foreign.begin(), foreign.end(), ending) == foreign.end())
+        return;
+    throw app::UsageError("the output is a .bsp file, but " + output.string() +
+                          " has the ending of another kind; name it " +
+                          std::filesystem::path(output).replace_extension(".bsp").string());
+}
+
 // Nothing that might be precious is overwritten: neither the input nor any file that is no .bsp.
 void checkOutput(const std::filesystem::path& input, const std::filesystem::path& output) {
+    app::InputFiles inputs;
+    inputs.add(input);
+    inputs.refuse(output);
+    refuseForeignEnding(output);
     std::error_code missing;
-    if (std::filesystem::equivalent(input, output, missing)) {
-        throw app::UsageError("input and output are the same file, " + output.string());
-    }
     const auto refuse = [&](const std::string& reason) {
         throw rtcore::FileError(rtcore::FailureKind::CannotWrite, output.string(), reason);
     };
@@ -95,8 +118,11 @@ class Builder {
             progress_.print("warning: " + options_.input.string() + ": " + warning);
         }
         model_ = std::move(imported.model);
+        warnings_ = std::move(imported.report.warnings);
         report_.degenerate = imported.report.degenerateTriangles;
         report_.nonFinite = imported.report.nonFiniteTriangles;
+        report_.unconnected = imported.report.unconnectedTriangles;
+        report_.equal = imported.report.equalTriangles;
         report_.primitives = imported.report.ignoredPrimitives;
         report_.format = imported.report.format;
         app::throwIfStopped();
@@ -120,7 +146,7 @@ class Builder {
     void write(const rtcore::BspIdentity& identity) {
         const auto start = Clock::now();
         const app::ProgressScope scope(progress_, {"writing", {}, nullptr});
-        rtcore::writeBsp(options_.output, model_, &tree_, identity);
+        rtcore::writeBsp(options_.output, model_, &tree_, identity, warnings_);
         report_.writeSeconds = secondsSince(start);
     }
 
@@ -175,6 +201,7 @@ class Builder {
     const BuilderOptions& options_;
     app::Progress& progress_;
     rtcore::Model model_;
+    std::vector<std::string> warnings_;
     rtcore::KdTree tree_;
     BuildReport report_;
 };

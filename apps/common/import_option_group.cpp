@@ -15,13 +15,15 @@ OptionGroup importOptionGroup() {
          {.name = "memory-limit",
           .value = ValueKind::Integer,
           .argument = "MB",
-          .help = "memory that importing may take [2000, or 40 times the file if that is more]",
+          .help = "memory that importing may take [2000, or 40 times the file if that is more, but at most "
+                  "half of the machine's]",
           .minimum = 16,
           .maximum = 1e8},
          {.name = "time-limit",
           .value = ValueKind::Number,
           .argument = "S",
-          .help = "seconds that one step of importing may take [15, and 2 more for each MB of the file]",
+          .help = "seconds that one step of importing may take [15, and 2 more for each MB of the file; 5 "
+                  "for a tiny one]",
           .minimum = 0.01,
           .maximum = 1e6}}};
 }

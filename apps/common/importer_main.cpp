@@ -8,6 +8,7 @@
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/processes.h"
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -122,6 +123,7 @@ ImporterExit run(const Arguments& arguments) {
 } // namespace
 
 int main(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error of writing like any other
     Arguments arguments;
     if (!parse(argc, argv, arguments)) {
         std::fputs(kUsage, stderr);

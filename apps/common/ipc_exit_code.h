@@ -1,4 +1,4 @@
-/// The exit code that tells of a failure between the processes.
+/// The exit code that tells of a failure between the processes: TryAgain for all that may be otherwise soon.
 #pragma once
 
 #include "common/exit_codes.h"
@@ -12,8 +12,12 @@ inline ExitCode exitCodeOf(ipc::Problem problem) {
     case ipc::Problem::BadName:
         return ExitCode::Usage;
     case ipc::Problem::AlreadyRunning:
+    case ipc::Problem::NoServer:
+    case ipc::Problem::NoSlot:
     case ipc::Problem::NoSpace:
         return ExitCode::TryAgain;
+    case ipc::Problem::NotYours:
+        return ExitCode::CannotWrite;
     default:
         return ExitCode::Failed;
     }

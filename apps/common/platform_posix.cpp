@@ -3,17 +3,26 @@
 #include "common/process_watch.h"
 #include "common/stop.h"
 #include "common/terminal.h"
+#include "common/threads.h"
 
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/file_waits.h"
 #include "rtcore/platform/files.h"
+#include "rtcore/settings/nearest_name.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <climits>
 #include <csignal>
 #include <cstring>
+#include <string>
 #include <utility>
 
+#include <fcntl.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <poll.h>
 #include <sys/ioctl.h>
 #ifdef __linux__
@@ -63,11 +72,41 @@ void handle(int signal, void (*handler)(int)) {
     sigaction(signal, &action, nullptr);
 }
 
-// Returns 0, or errno.
+// Bytes that a stream which is ready takes without waiting: all that a pipe can hold when it is empty, so
+// that a reader who wants the first lines only has got all of a short text.
+std::size_t roomOf(int stream) noexcept {
+#ifdef F_GETPIPE_SZ
+    int held = 0;
+    const int size = ::fcntl(stream, F_GETPIPE_SZ);
+    if (size > PIPE_BUF && ::ioctl(stream, FIONREAD, &held) == 0 && held == 0)
+        return static_cast<std::size_t>(size);
+#else
+    static_cast<void>(stream);
+#endif
+    return PIPE_BUF;
+}
+
+// A file must not get the number of a standard stream that the parent has closed: messages would go into it.
+// Writing to what was closed still fails, as does reading.
+void fillStandardStreams() noexcept {
+    for (const auto& [stream, mode] : {std::pair(STDIN_FILENO, O_WRONLY), std::pair(STDOUT_FILENO, O_RDONLY),
+                                       std::pair(STDERR_FILENO, O_RDONLY)}) {
+        // It gets the lowest free number, which is this one.
+        if (::fcntl(stream, F_GETFD) < 0) static_cast<void>(::open("/dev/null", mode));
+    }
+}
+
+// Returns 0, or errno: EINTR when a signal asked to stop while nobody takes the bytes.
 int writeAll(int stream, std::string_view bytes) noexcept {
+    constexpr int kLook = 20; // milliseconds
     while (!bytes.empty()) {
-        const ssize_t written = ::write(stream, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
+        pollfd room{stream, POLLOUT, 0};
+        if (::poll(&room, 1, kLook) <= 0) {
+            if (stopRequested()) return EINTR;
+            continue;
+        }
+        const ssize_t written = ::write(stream, bytes.data(), std::min(bytes.size(), roomOf(stream)));
+        if (written < 0 && (errno == EINTR || errno == EAGAIN)) continue;
         if (written < 0) return errno;
         bytes.remove_prefix(static_cast<std::size_t>(written));
     }
@@ -77,8 +116,17 @@ int writeAll(int stream, std::string_view bytes) noexcept {
 } // namespace
 
 void installSignalHandlers() {
+    fillStandardStreams();
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) handle(signal, onStopSignal);
-    std::signal(SIGPIPE, SIG_IGN);
+    // Both are errors of writing like any other.
+    for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
+    rtcore::interruptFilesBy(stopRequested);
+}
+
+void shareMemoryAmongThreads() noexcept {
+#ifdef __GLIBC__
+    mallopt(M_ARENA_MAX, 2);
+#endif
 }
 
 void stopWithParent(std::int64_t parent) {
@@ -139,9 +187,22 @@ std::optional<int> terminalColumns() {
 
 void writeOutput(std::string_view bytes) {
     const int error = writeAll(STDOUT_FILENO, bytes);
+    if (error == EINTR) throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "stopped");
     if (error != 0) {
         throw rtcore::FileError(rtcore::FailureKind::CannotWrite, "standard output", std::strerror(error));
     }
+}
+
+void writeLines(std::string_view lines) {
+    if (isatty(STDOUT_FILENO) == 0) return writeOutput(lines);
+    std::string shown;
+    while (!lines.empty()) {
+        const std::size_t end = std::min(lines.find_first_of("\t\n"), lines.size());
+        shown += rtcore::printable(lines.substr(0, end));
+        shown += lines.substr(end, 1);
+        lines.remove_prefix(std::min(end + 1, lines.size()));
+    }
+    writeOutput(shown);
 }
 
 void writeError(std::string_view text) noexcept { writeAll(STDERR_FILENO, text); }

@@ -8,6 +8,7 @@
 
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/instruction_set.h"
+#include "rtcore/settings/nearest_name.h"
 
 #include <exception>
 #include <new>
@@ -73,7 +74,7 @@ ExitCode exitCodeOf(rtcore::FailureKind kind) {
 void printMessage(std::string_view program, std::string_view text) noexcept {
     try {
         std::string line(program);
-        line.append(": ").append(text).append("\n");
+        line.append(": ").append(rtcore::printable(text)).append("\n");
         writeError(line);
     } catch (const std::bad_alloc&) {
         writeError("not enough memory\n");

@@ -21,7 +21,8 @@ ExitCode exitCodeOf(rtcore::FailureKind kind);
 int runProgram(int argc, const char* const* argv, const ProgramSpec& spec,
                const std::function<ExitCode(const Arguments&)>& work);
 
-/// "Program: text" and a line end, on stderr, in one write. Safe from any thread.
+/// "Program: text" and a line end, on stderr, in one write. Names in the text may come from anywhere: control
+/// characters and what is no UTF-8 are shown as `\xNN`. Safe from any thread.
 void printMessage(std::string_view program, std::string_view text) noexcept;
 
 } // namespace app

@@ -20,12 +20,15 @@ struct SettingSources {
     std::span<const rtcore::SettingAssignment> commandLine = {};
 };
 
-/// Throws std::invalid_argument for a value that the table of settings refuses.
+/// Where the command line names the width or the height alone, the other one follows: the picture keeps the
+/// aspect that the other places give it. Throws std::invalid_argument for a value that the table of settings
+/// refuses.
 rtcore::RenderSettings mergeSettings(const SettingSources& sources);
 
-/// Switches the lights and picks the environment that a .cam file asks for.
-/// Throws rtcore::FileError BadData when the scene has fewer of them; `file` is named in the message.
-void applyCameraToScene(const rtcore::CameraFile& camera, const std::filesystem::path& file,
-                        rtcore::Scene& scene);
+/// Switches the lights and picks the environment that a .cam file asks for. Where the scene has fewer of them
+/// the .cam was made for another scene: they stay as they are, and a warning that names `file` is returned,
+/// else "".
+std::string applyCameraToScene(const rtcore::CameraFile& camera, const std::filesystem::path& file,
+                               rtcore::Scene& scene);
 
 } // namespace app

@@ -13,4 +13,8 @@ int threadCount(std::optional<long long> asked);
 /// What is parallel without being told a number uses `threads` from now on; 0 changes nothing.
 void useThreads(int threads);
 
+/// Lets threads that come and go share the allocator's memory, where each would leave an arena of its own
+/// behind. Call it before the first thread. Nothing where the system has no such switch.
+void shareMemoryAmongThreads() noexcept;
+
 } // namespace app

@@ -49,6 +49,12 @@ FrameTask singleFrame(const std::filesystem::path& camera, std::span<const std::
     return makeFrame(1, camera, patterns, false);
 }
 
+void refuseInputs(const app::InputFiles& inputs, const FrameTask& frame) {
+    for (const std::filesystem::path& output : frame.outputs) {
+        if (!isStandardOutput(output)) inputs.refuse(output);
+    }
+}
+
 std::vector<FrameTask> framesOfChunk(std::vector<FrameTask> frames, const Chunk& chunk) {
     const auto bound = [&](int part) {
         return static_cast<std::ptrdiff_t>(static_cast<std::uint64_t>(frames.size()) *

@@ -3,6 +3,8 @@
 
 #include "renderer/output_names.h"
 
+#include "common/input_files.h"
+
 #include <filesystem>
 #include <span>
 #include <vector>
@@ -28,6 +30,9 @@ std::vector<FrameTask> framesOfList(std::span<const std::filesystem::path> camer
 
 /// The one frame of a run without a list.
 FrameTask singleFrame(const std::filesystem::path& camera, std::span<const std::filesystem::path> patterns);
+
+/// Throws app::UsageError when one of the frame's outputs is one of `inputs`.
+void refuseInputs(const app::InputFiles& inputs, const FrameTask& frame);
 
 /// Those of the chunk, in a row. None when there are more chunks than frames.
 std::vector<FrameTask> framesOfChunk(std::vector<FrameTask> frames, const Chunk& chunk);

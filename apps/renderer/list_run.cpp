@@ -11,6 +11,7 @@
 #include "rtcore/platform/processes.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 
 namespace renderer {
@@ -28,9 +29,9 @@ using Paths = std::vector<std::filesystem::path>;
 
 class ListRun {
   public:
-    ListRun(const RendererOptions& options, const Paths& patterns, PictureMaker& maker,
-            app::Progress& progress)
-        : options_(options), patterns_(patterns), maker_(maker), progress_(progress) {}
+    ListRun(const RendererOptions& options, const Paths& patterns, const app::InputFiles& inputs,
+            PictureMaker& maker, app::Progress& progress)
+        : options_(options), patterns_(patterns), inputs_(inputs), maker_(maker), progress_(progress) {}
 
     app::ExitCode run(const Paths& cameras, const std::optional<std::filesystem::path>& ffmpeg) {
         std::vector<FrameTask> frames;
@@ -41,6 +42,9 @@ class ListRun {
                 return app::ExitCode::Done;
             }
         }
+        if (options_.video) inputs_.refuse(*options_.video);
+        checkOutputs(frames);
+        preparePlaces();
         const double rate = options_.framesPerSecond.value_or(recordedFrameRate(frames));
         if (options_.video && ffmpeg) return renderFilm(*ffmpeg, rate, frames);
         FrameRun run(options_, progress_, maker_);
@@ -59,6 +63,23 @@ class ListRun {
         return run.finish();
     }
 
+    void checkOutputs(const std::vector<FrameTask>& frames) {
+        for (const FrameTask& frame : frames) inputs_.add(frame.camera);
+        for (const FrameTask& frame : frames) refuseInputs(inputs_, frame);
+    }
+
+    /// Makes the folders of frames that are missing, and removes what killed runs left in them.
+    void preparePlaces() {
+        std::set<std::filesystem::path> folders;
+        for (const std::filesystem::path& pattern : patterns_) {
+            if (!isStandardOutput(pattern)) folders.insert(pattern.parent_path());
+        }
+        for (const std::filesystem::path& folder : folders) {
+            if (makeFolder(folder) && options_.verbose) progress_.print("made the folder " + folder.string());
+            rtcore::removeForgottenFiles(folder);
+        }
+    }
+
     void followList(FrameRun& run) {
         ListFollower follower(*options_.list, options_.followTimeout);
         std::size_t known = 0;
@@ -68,7 +89,9 @@ class ListRun {
             const int next = static_cast<int>(known) + 1;
             const FrameRange fresh{std::max(next, options_.frames.first), options_.frames.last};
             known = cameras.size();
-            run.renderList(pickFrames(cameras, fresh, patterns_));
+            const std::vector<FrameTask> frames = pickFrames(cameras, fresh, patterns_);
+            checkOutputs(frames);
+            run.renderList(frames);
             if (follower.ended()) return;
             if (!grown) break;
         }
@@ -98,6 +121,7 @@ class ListRun {
 
     const RendererOptions& options_;
     const Paths& patterns_;
+    app::InputFiles inputs_;
     PictureMaker& maker_;
     app::Progress& progress_;
 };
@@ -114,9 +138,9 @@ std::optional<std::filesystem::path> findFilmMaker(const RendererOptions& option
 }
 
 app::ExitCode runList(const RendererOptions& options, const Paths& cameras, const Paths& patterns,
-                      const std::optional<std::filesystem::path>& ffmpeg, PictureMaker& maker,
-                      app::Progress& progress) {
-    return ListRun(options, patterns, maker, progress).run(cameras, ffmpeg);
+                      const app::InputFiles& inputs, const std::optional<std::filesystem::path>& ffmpeg,
+                      PictureMaker& maker, app::Progress& progress) {
+    return ListRun(options, patterns, inputs, maker, progress).run(cameras, ffmpeg);
 }
 
 } // namespace renderer

@@ -5,6 +5,7 @@
 #include "renderer/renderer_options.h"
 
 #include "common/exit_codes.h"
+#include "common/input_files.h"
 #include "common/progress.h"
 
 #include <filesystem>
@@ -18,11 +19,13 @@ namespace renderer {
 std::optional<std::filesystem::path> findFilmMaker(const RendererOptions& options);
 
 /// Renders the frames of a list that is complete (`cameras`) or, with --follow, of one that still grows. A
-/// film appears under its name only when all its frames are in it. Returns the exit code of the first bad
-/// frame. Throws rtcore::FileError: CannotWrite when an output cannot be written or ffmpeg fails, Stopped,
-/// and for a film that lacks frames, or ffmpeg.
+/// film appears under its name only when all its frames are in it. Folders of frames that are missing are
+/// made, and what killed runs left there is removed. Returns the exit code of the first bad frame. Throws
+/// app::UsageError when an output is one of `inputs` or of the .cam files, before anything is written;
+/// rtcore::FileError: CannotWrite when an output cannot be written or ffmpeg fails, Stopped, and for a film
+/// that lacks frames, or ffmpeg.
 app::ExitCode runList(const RendererOptions& options, const std::vector<std::filesystem::path>& cameras,
-                      const std::vector<std::filesystem::path>& patterns,
+                      const std::vector<std::filesystem::path>& patterns, const app::InputFiles& inputs,
                       const std::optional<std::filesystem::path>& ffmpeg, PictureMaker& maker,
                       app::Progress& progress);
 

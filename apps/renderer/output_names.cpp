@@ -71,13 +71,22 @@ std::filesystem::path numberedPath(const std::filesystem::path& pattern, int num
     return pattern.parent_path() / name;
 }
 
-void checkOutput(const std::filesystem::path& path) {
+void checkOutput(const std::filesystem::path& path, MissingFolder missing) {
     if (isStandardOutput(path)) return;
     if (!rtcore::isWritableFormat(path)) {
         throw app::UsageError(path.string() + ": cannot write images with this extension, only " +
                               rtcore::writableFormats());
     }
-    checkPlace(path);
+    checkPlace(path, missing);
+}
+
+bool makeFolder(const std::filesystem::path& folder) {
+    std::error_code error;
+    const bool made = !folder.empty() && std::filesystem::create_directory(folder, error);
+    if (error)
+        throw rtcore::FileError(rtcore::FailureKind::CannotWrite, folder.string(),
+                                "the folder cannot be made: " + error.message());
+    return made;
 }
 
 void checkLayers(std::span<const std::filesystem::path> patterns) {
@@ -95,12 +104,14 @@ void checkFilm(const std::filesystem::path& film) {
     checkPlace(film);
 }
 
-void checkPlace(const std::filesystem::path& path) {
+void checkPlace(const std::filesystem::path& path, MissingFolder missing) {
     const auto refuse = [&](const std::string& reason) {
         throw rtcore::FileError(rtcore::FailureKind::CannotWrite, path.string(), reason);
     };
     std::error_code ignored;
-    const std::filesystem::path folder = path.parent_path();
+    std::filesystem::path folder = path.parent_path();
+    if (missing == MissingFolder::Make && !std::filesystem::exists(folder, ignored))
+        folder = folder.parent_path();
     if (!folder.empty() && !std::filesystem::is_directory(folder, ignored)) {
         refuse("there is no folder " + folder.string() + "; make it first");
     }

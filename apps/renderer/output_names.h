@@ -37,10 +37,19 @@ std::filesystem::path numberedPath(const std::filesystem::path& pattern, int num
 /// "-" stands for standard output.
 inline bool isStandardOutput(const std::filesystem::path& path) { return path == "-"; }
 
+/// What to do about an output whose folder does not exist.
+enum class MissingFolder {
+    Refuse,
+    Make, ///< before the first frame, by makeFolder(): where a list is rendered into a folder of its own
+};
+
 /// Throws before hours are spent on a picture that cannot be written: app::UsageError when no image format
-/// goes by the name's extension, rtcore::FileError CannotWrite when its folder does not exist or it is a
-/// folder.
-void checkOutput(const std::filesystem::path& path);
+/// goes by the name's extension, rtcore::FileError CannotWrite when it is a folder, or its own folder does
+/// not exist - and, if that is made, when the folder around that does not.
+void checkOutput(const std::filesystem::path& path, MissingFolder missing = MissingFolder::Refuse);
+
+/// Whether there was no such folder, and it was made. Throws rtcore::FileError CannotWrite.
+bool makeFolder(const std::filesystem::path& folder);
 
 /// Throws app::UsageError when none of the patterns names a file that can hold layers.
 void checkLayers(std::span<const std::filesystem::path> patterns);
@@ -49,6 +58,6 @@ void checkLayers(std::span<const std::filesystem::path> patterns);
 void checkFilm(const std::filesystem::path& film);
 
 /// The same for any file: throws rtcore::FileError CannotWrite.
-void checkPlace(const std::filesystem::path& path);
+void checkPlace(const std::filesystem::path& path, MissingFolder missing = MissingFolder::Refuse);
 
 } // namespace renderer

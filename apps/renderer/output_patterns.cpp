@@ -6,18 +6,45 @@
 
 #include "rtcore/platform/error.h"
 
+#include <algorithm>
+#include <system_error>
+
 namespace renderer {
 
-std::vector<std::filesystem::path> outputPatterns(const RendererOptions& options,
-                                                  const rtcore::SceneFile* scene) {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const RendererOptions& options, const std::string& reason) {
+    throw rtcore::FileError(rtcore::FailureKind::BadData, options.scene.string(), reason);
+}
+
+/// Who renders a scene of somebody else's does not expect that it writes anywhere but beside itself.
+void checkInsideFolder(const RendererOptions& options, const fs::path& output) {
+    std::error_code unknown;
+    const fs::path folder = fs::weakly_canonical(fs::absolute(options.scene).parent_path(), unknown);
+    const fs::path target = fs::weakly_canonical(fs::absolute(output), unknown);
+    const bool inside =
+        std::mismatch(folder.begin(), folder.end(), target.begin(), target.end()).first == folder.end();
+    if (!inside)
+        refuse(options, "its output, " + output.string() +
+                            ", lies outside of the scene's folder; name it by -o if it is to be written");
+}
+
+} // namespace
+
+std::vector<fs::path> outputPatterns(const RendererOptions& options, const rtcore::SceneFile* scene) {
     if (!options.outputs.empty()) return options.outputs;
     if (options.video || options.preview) return {};
-    std::filesystem::path output = options.scene.stem().string() + ".png";
-    if (scene != nullptr && scene->output) output = *scene->output;
+    fs::path output = options.scene.stem().string() + ".png";
+    if (scene != nullptr && scene->output) {
+        output = *scene->output;
+        checkInsideFolder(options, output);
+    }
     try {
-        checkOutput(output);
+        checkOutput(output, options.missingFolder());
     } catch (const app::UsageError& error) {
-        throw rtcore::FileError(rtcore::FailureKind::BadData, options.scene.string(), error.what());
+        refuse(options, error.what());
     }
     return {output};
 }

@@ -84,7 +84,10 @@ rtcore::RenderSettings PictureMaker::prepare(const std::filesystem::path& camera
     if (!cameraFile.empty()) {
         file = rtcore::readCameraFile(cameraFile);
         camera = file->camera;
-        app::applyCameraToScene(*file, cameraFile, loaded_.scene);
+        const std::string warning = app::applyCameraToScene(*file, cameraFile, loaded_.scene);
+        // Once: the other cameras of a list say the same.
+        if (!warning.empty() && !warned_) progress_.print("warning: " + warning);
+        warned_ = warned_ || !warning.empty();
     }
     return app::mergeSettings({.scene = loaded_.still,
                                .settingsFile = settingsFile_,

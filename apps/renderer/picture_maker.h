@@ -61,6 +61,7 @@ class PictureMaker {
     const RendererOptions& options_;
     app::Progress& progress_;
     Preview* preview_ = nullptr;
+    bool warned_ = false; ///< that a .cam is of another scene
     rtcore::KdRayTracer tracer_;
     // Kept, so that their memory is reused.
     rtcore::FrameRenderer renderer_;

@@ -90,7 +90,7 @@ void Preview::begin(Work& work, const rtcore::Scene& scene, const rtcore::Camera
     copy(camera.eye, status_.eye);
     copy(normalize(camera.forward), status_.forward);
     copy(normalize(camera.up), status_.up);
-    status_.fieldOfView = camera.horizontalFov;
+    status_.fieldOfView = fieldOfView(camera, work.settings.width, work.settings.height);
     work_ = &work;
 }
 

@@ -156,7 +156,7 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     options.verbose = arguments.has("verbose");
     options.debugScene = readPath(arguments, "debug-scene");
     checkCombinations(options, arguments);
-    for (const std::filesystem::path& output : options.outputs) checkOutput(output);
+    for (const std::filesystem::path& output : options.outputs) checkOutput(output, options.missingFolder());
     if (options.video) checkFilm(*options.video);
     options.progress = app::progressStyle(arguments.text("progress").value_or("auto"));
     return options;

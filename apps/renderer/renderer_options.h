@@ -43,6 +43,9 @@ struct RendererOptions {
     bool verbose = false;
     std::optional<std::filesystem::path> debugScene; ///< draw it there and render nothing
     app::ProgressStyle progress = app::ProgressStyle::None;
+
+    /// Frames of a list may go into a folder that is not there yet.
+    MissingFolder missingFolder() const { return list ? MissingFolder::Make : MissingFolder::Refuse; }
 };
 
 /// Throws app::UsageError for values and combinations that make no sense.

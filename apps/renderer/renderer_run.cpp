@@ -11,6 +11,7 @@
 #include "renderer/settings_list.h"
 #include "renderer/verify.h"
 
+#include "common/input_files.h"
 #include "common/ipc_exit_code.h"
 #include "common/parent.h"
 #include "common/run_program.h"
@@ -18,6 +19,7 @@
 #include "common/terminal.h"
 #include "common/threads.h"
 
+#include "rtcore/io/debug/debug_scene.h"
 #include "rtcore/io/text/camera_list.h"
 #include "rtcore/io/text/set.h"
 #include "rtcore/platform/error.h"
@@ -31,6 +33,25 @@ namespace renderer {
 namespace {
 
 using Paths = std::vector<std::filesystem::path>;
+
+/// All that is read, but for the cameras of a list that still grows.
+app::InputFiles inputsOf(const RendererOptions& options, const rtcore::LoadedScene& loaded,
+                         const Paths& cameras) {
+    app::InputFiles inputs;
+    inputs.add(loaded.files);
+    inputs.add(cameras);
+    for (const auto& named : {options.camera, options.list, options.settingsFile}) {
+        if (named) inputs.add(*named);
+    }
+    return inputs;
+}
+
+void drawDebugScene(const std::filesystem::path& path, const std::filesystem::path& camera,
+                    const app::InputFiles& inputs, PictureMaker& maker) {
+    inputs.refuse(path);
+    inputs.refuse(rtcore::debugMaterials(path));
+    maker.writeDebugScene(camera, path);
+}
 
 app::ExitCode renderAll(const RendererOptions& options, app::Progress& progress) {
     // Small inputs first: a mistake in one shows before a big scene is loaded.
@@ -54,14 +75,17 @@ app::ExitCode renderAll(const RendererOptions& options, app::Progress& progress)
     if (options.layers) checkLayers(patterns);
     const auto ofScene = loaded.sceneFile ? loaded.sceneFile->cameraFile : std::nullopt;
     const std::filesystem::path camera = options.camera.value_or(ofScene.value_or(""));
+    const app::InputFiles inputs = inputsOf(options, loaded, cameras);
     PictureMaker maker(std::move(loaded), std::move(settingsFile), options, progress);
     if (options.debugScene) {
-        maker.writeDebugScene(camera, *options.debugScene);
+        drawDebugScene(*options.debugScene, camera, inputs, maker);
         return app::ExitCode::Done;
     }
-    if (options.list) return runList(options, cameras, patterns, ffmpeg, maker, progress);
+    if (options.list) return runList(options, cameras, patterns, inputs, ffmpeg, maker, progress);
     if (preview) maker.showOn(&*preview);
-    FrameRun(options, progress, maker).renderOne(singleFrame(camera, patterns));
+    const FrameTask frame = singleFrame(camera, patterns);
+    refuseInputs(inputs, frame);
+    FrameRun(options, progress, maker).renderOne(frame);
     if (preview) preview->linger();
     return app::ExitCode::Done;
 }

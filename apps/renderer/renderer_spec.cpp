@@ -40,12 +40,12 @@ OptionGroup outputOptions() {
           .letter = 'w',
           .value = ValueKind::Text,
           .argument = "N",
-          .help = "pixels from left to right"},
+          .help = "pixels from left to right; alone it keeps the aspect"},
          {.name = "height",
           .letter = 'h',
           .value = ValueKind::Text,
           .argument = "N",
-          .help = "pixels from top to bottom"}}};
+          .help = "pixels from top to bottom; alone it keeps the aspect"}}};
 }
 
 OptionGroup sequenceOptions() {

@@ -38,7 +38,7 @@ app::ExitCode verifyFrames(const RendererOptions& options, app::Progress& progre
         lines += std::to_string(flaw.frame) + "\t" + flaw.file.string() + "\t" +
                  (flaw.missing ? "missing" : "broken: " + flaw.reason) + "\n";
     }
-    app::writeOutput(lines);
+    app::writeLines(lines);
     const std::string count = std::to_string(frames.size());
     progress.print(unfinished.empty() ? "all " + count + " frames are there"
                                       : std::to_string(unfinished.size()) + " of " + count +

@@ -3,7 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdlib>
+
+#include <fcntl.h>
+#include <unistd.h>
+
 namespace {
+
+using Names = std::vector<std::string>;
 
 class Failures : public testing::Test {
   protected:
@@ -98,6 +106,8 @@ TEST_F(Failures, AnInputIsNeverOverwritten) {
     expect(test::bspBuilder({file("room.obj"), file("link.obj")}), 2, "input and output are the same file");
     test::writeText(folder / "notes.txt", "precious");
     expect(test::bspBuilder({file("room.obj"), file("notes.txt")}), 73, "is no .bsp file");
+    expect(test::bspBuilder({file("room.obj"), file("room.png")}), 2, "name it " + file("room.bsp"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "room.png"));
     EXPECT_EQ(test::readBytes(folder / "notes.txt"), "precious");
     EXPECT_EQ(test::readBytes(folder / "room.obj"), before);
 }
@@ -109,6 +119,21 @@ TEST_F(Failures, OutputsThatCannotBeWritten) {
     expect(test::renderer({file("room.obj"), "-o", file("a.nonsense")}), 2, "extension");
     test::writeText(folder / "bad.scn", "version = 1\nmodel = \"room.obj\"\noutput = \"a.nonsense\"\n");
     expect(test::renderer({file("bad.scn")}), 65, "extension");
+}
+
+TEST_F(Failures, AFileThatMayNotGrow) {
+    test::writeRoom(folder / "room.obj");
+    // Blocks of 512 bytes: too few for the model that the importer hands over, for the picture.
+    for (const char* blocks : {"2", "128"}) {
+        const std::string command = std::string("ulimit -f ") + blocks + "; '" +
+                                    test::programPath("Renderer").string() +
+                                    "' room.obj -w 200 -h 200 -o a.bmp --progress=none; echo $? > code";
+        const test::ProgramResult result =
+            test::runProgram("/bin/sh", {"-c", command}, {.folder = folder.path()});
+        EXPECT_EQ(test::readBytes(folder / "code"), "73\n") << result.error;
+        EXPECT_NE(result.error.find("File too large"), std::string::npos) << result.error;
+        EXPECT_EQ(test::filesIn(folder.path()), (Names{"code", "room.obj"}));
+    }
 }
 
 TEST_F(Failures, AFullDiskUnderAPicture) {
@@ -131,14 +156,22 @@ TEST_F(Failures, AClosedPipeIsAnErrorLikeAnyOther) {
     EXPECT_NE(result.error.find("Renderer: standard output: "), std::string::npos) << result.error;
 }
 
-TEST_F(Failures, LightsAndEnvironmentsThatTheSceneLacks) {
+/// A .cam of another scene: one warning, however many frames say the same.
+TEST_F(Failures, LightsAndEnvironmentsThatTheSceneLacksAreLeftOut) {
     test::writeRoom(folder / "room.obj");
-    test::writeCamera(folder / "dark.cam", 0, "lights = [true, true, true, true, true]\n");
-    expect(test::renderer({file("room.obj"), "-o", file("a.png"), "--camera", file("dark.cam")}), 65,
-           "lights");
-    test::writeCamera(folder / "sky.cam", 0, "environment = 3\n");
-    expect(test::renderer({file("room.obj"), "-o", file("a.png"), "--camera", file("sky.cam")}), 65,
-           "environment 3");
+    test::writeCamera(folder / "a.cam", 0, "width = 16\nheight = 12\nlights = [true, false, true]\n");
+    test::writeCamera(folder / "b.cam", 0, "width = 16\nheight = 12\nenvironment = 3\n");
+    test::writeText(folder / "two.lst", "a.cam\nb.cam\n");
+    const std::string lights = "a.cam switches 3 lights, but the scene has 1; these stay as they are";
+    const std::string sky = "b.cam asks for environment 3";
+    expect(test::renderer({file("room.obj"), "-o", file("a.png"), "--camera", file("a.cam")}), 0, lights);
+    expect(test::renderer({file("room.obj"), "-o", file("b.png"), "--camera", file("b.cam")}), 0, sky);
+    const test::ProgramResult list =
+        test::renderer({file("room.obj"), "-o", file("f#.png"), "--list", file("two.lst")});
+    expect(list, 0, lights);
+    EXPECT_EQ(list.error.find(sky), std::string::npos) << list.error;
+    EXPECT_TRUE(test::readBytes(folder / "f1.png") == test::readBytes(folder / "a.png"));
+    EXPECT_TRUE(test::readBytes(folder / "f2.png") == test::readBytes(folder / "b.png"));
 }
 
 TEST_F(Failures, ThePictureStandsBesideWarnings) {
@@ -150,6 +183,77 @@ TEST_F(Failures, ThePictureStandsBesideWarnings) {
     EXPECT_EQ(result.exitCode, 0) << result.error;
     EXPECT_EQ(test::pngFileSize(folder / "a.png"), (test::PictureSize{16, 16}));
     EXPECT_NE(result.error.find("texture 'lost.png' is missing"), std::string::npos) << result.error;
+}
+
+TEST_F(Failures, WhoReadsTheFirstLineOnlyIsNoFailure) {
+    for (const char* program : {"Renderer", "BSPBuilder", "RTServer", "CUI"}) {
+        const std::string command =
+            "{ '" + test::programPath(program).string() + "' --help; echo $? > code; } | head -n 1";
+        const test::ProgramResult result =
+            test::runProgram("/bin/sh", {"-c", command}, {.folder = folder.path()});
+        EXPECT_EQ(test::readBytes(folder / "code"), "0\n") << program;
+        EXPECT_EQ(result.error, "") << program;
+    }
+}
+
+// A file that got the number of a closed stream would be written into.
+TEST_F(Failures, ClosedStandardStreamsLeaveFilesAlone) {
+    test::writeRoom(folder / "room.obj");
+    test::writeCamera(folder / "a.cam", 0, "width = 16\nheight = 16\n");
+    test::writeText(folder / "film.lst", "a.cam\nnone.cam\na.cam\n");
+    const std::string command =
+        "'" + test::programPath("Renderer").string() +
+        "' room.obj -l film.lst -v --progress=json -o f#.ppm <&- >&- 2>&-; echo $? > code";
+    test::runProgram("/bin/sh", {"-c", command}, {.folder = folder.path()});
+    EXPECT_EQ(test::readBytes(folder / "code"), "66\n");
+    for (const char* name : {"f1.ppm", "f3.ppm"}) {
+        EXPECT_EQ(test::readBytes(folder / name).size(), 13U + 16 * 16 * 3) << name;
+    }
+    const std::string shown =
+        "'" + test::programPath("Renderer").string() + "' room.obj -o - >&-; echo $? > code";
+    test::runProgram("/bin/sh", {"-c", shown}, {.folder = folder.path()});
+    EXPECT_EQ(test::readBytes(folder / "code"), "73\n");
+}
+
+// Names in a scene of somebody else's may hold what a terminal obeys: its title, its clipboard.
+TEST_F(Failures, NamesInFilesDoNotReachTheTerminalRaw) {
+    test::writeRoom(folder / "room.obj");
+    test::writeText(folder / "a.scn", "version = 1\nmodel = \"\\u001b]0;owned\\u0007.obj\"\n");
+    test::writeText(folder / "b.scn", "version = 1\nmodel = \"room.obj\"\n[[material]]\n"
+                                      "name = \"\\u001b]52;c;x\\u0007\\u009b31m\"\n");
+    const test::ProgramSettings here{.folder = folder.path()};
+    const std::string texts =
+        test::renderer({"a.scn", "-o", "a.png"}, here).error +
+        test::renderer({"b.scn", "-w", "8", "-h", "8", "-o", "a.png"}, here).error +
+        test::renderer({"\x1b]0;x\x07", "-o", "a.png"}, here).error +
+        test::bspBuilder({"\x1b]0;x\x07.obj", "a.bsp"}, here).error +
+        test::runProgram(test::programPath("RTServer"), {"a.scn", "-i", "raw"}, here).error +
+        test::runProgram(test::programPath("CUI"), {"\x1b[31m"}, here).error;
+    EXPECT_NE(texts.find("\\x1b]0;owned\\x07.obj"), std::string::npos) << texts;
+    EXPECT_NE(texts.find("\\x1b]52;c;x\\x07\\xc2\\x9b31m"), std::string::npos) << texts;
+    for (const char* raw : {"\x1b", "\x07", "\xc2\x9b"})
+        EXPECT_EQ(texts.find(raw), std::string::npos) << texts;
+}
+
+TEST_F(Failures, NorDoLinesOfOutputOnATerminal) {
+    test::writeRoom(folder / "room.obj");
+    test::writeCamera(folder / "a.cam", 0);
+    test::writeText(folder / "film.lst", "a.cam\n");
+    const Names words{"room.obj", "-l", "film.lst", "-o", "\x1b]0;x\x07#.png", "--verify"};
+    const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+    ASSERT_TRUE(terminal >= 0 && ::grantpt(terminal) == 0 && ::unlockpt(terminal) == 0);
+    const std::string end = ::ptsname(terminal);
+    const int held = ::open(end.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC); // so that reading has no early end
+    test::renderer(words, {.folder = folder.path(), .outputFile = end});
+    std::array<char, 1000> shown{};
+    const ssize_t count = ::read(terminal, shown.data(), shown.size());
+    ::close(held);
+    ::close(terminal);
+    ASSERT_GT(count, 0);
+    EXPECT_EQ(std::string(shown.data(), static_cast<std::size_t>(count)),
+              "1\t\\x1b]0;x\\x071.png\tmissing\r\n");
+    EXPECT_EQ(test::renderer(words, {.folder = folder.path()}).output, "1\t\x1b]0;x\x07"
+                                                                       "1.png\tmissing\n");
 }
 
 } // namespace

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 namespace {
 
 class Outputs : public testing::Test {
@@ -103,6 +105,48 @@ TEST_F(Outputs, NamesMayHoldAnything) {
         {"-w", "8", "-h", "8", "--output=-dash.png", "--", "-dash/-dash.obj"}, {.folder = folder.path()});
     EXPECT_EQ(terminated.exitCode, 0) << terminated.error;
     EXPECT_TRUE(std::filesystem::exists(folder / "-dash.png"));
+}
+
+TEST_F(Outputs, FramesOfAListMayHaveANewFolder) {
+    test::writeCamera(folder / "a.cam", 0);
+    test::writeText(folder / "film.lst", "a.cam\n");
+    EXPECT_EQ(render({"-l", "film.lst", "-o", "frames/##.png", "--verify"}).exitCode, 1);
+    EXPECT_EQ(render({"-l", "none.lst", "-o", "frames/##.png"}).exitCode, 66);
+    EXPECT_EQ(render({"-l", "film.lst", "-o", "no/such/##.png"}).exitCode, 73);
+    EXPECT_EQ(render({"-o", "frames/picture.png"}).exitCode, 73) << "that may be a slip";
+    EXPECT_FALSE(std::filesystem::exists(folder / "frames"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "no"));
+    const test::ProgramResult result = render({"-l", "film.lst", "-o", "frames/##.png", "-v"});
+    EXPECT_EQ(result.exitCode, 0) << result.error;
+    EXPECT_NE(result.error.find("made the folder frames\n"), std::string::npos) << result.error;
+    EXPECT_EQ(test::pngFileSize(folder / "frames/01.png"), (test::PictureSize{16, 12}));
+}
+
+TEST_F(Outputs, AListRemovesWhatKilledRunsLeft) {
+    test::writeCamera(folder / "a.cam", 0);
+    test::writeText(folder / "film.lst", "a.cam\n");
+    const std::filesystem::path old = folder / ".rtsuite-0123456789abcdef.png", foreign = folder / ".rtsuite";
+    for (const auto& path : {old, foreign}) test::writeText(path, "half");
+    const auto now = std::chrono::file_clock::now();
+    for (const auto& path : {old, foreign}) std::filesystem::last_write_time(path, now);
+    ASSERT_EQ(render({"-l", "film.lst", "-o", "##.png"}).exitCode, 0);
+    EXPECT_TRUE(std::filesystem::exists(old)) << "somebody may be writing it";
+    EXPECT_TRUE(std::filesystem::exists(foreign));
+}
+
+TEST_F(Outputs, OneSideAloneKeepsTheAspect) {
+    const auto size = [&](const std::vector<std::string>& words) {
+        std::vector<std::string> all{"room.obj", "-o", "size.png"};
+        all.insert(all.end(), words.begin(), words.end());
+        const test::ProgramResult result = test::renderer(all, {.folder = folder.path()});
+        EXPECT_EQ(result.exitCode, 0) << result.error;
+        return test::pngFileSize(folder / "size.png");
+    };
+    EXPECT_EQ(size({"-w", "40"}), (test::PictureSize{40, 30}));
+    EXPECT_EQ(size({"-h", "60"}), (test::PictureSize{80, 60}));
+    test::writeCamera(folder / "wide.cam", 0, "width = 400\nheight = 100\n");
+    EXPECT_EQ(size({"--camera=wide.cam", "-w", "40"}), (test::PictureSize{40, 10}));
+    EXPECT_EQ(size({"--camera=wide.cam", "-w", "40", "-h", "40"}), (test::PictureSize{40, 40}));
 }
 
 } // namespace

@@ -44,9 +44,10 @@ TEST_F(Precedence, CameraBeatsSets) {
     EXPECT_EQ(render({"named.scn", "--set", "given.set", "--camera", "none.cam"}), (Size{12, 22}));
 }
 TEST_F(Precedence, CommandLineBeatsAll) {
-    EXPECT_EQ(render({"named.scn", "--set", "given.set", "--camera", "both.cam", "-w", "14"}),
-              (Size{14, 23}));
-    EXPECT_EQ(render({"named.scn", "--camera", "both.cam", "--setting", "height=24"}), (Size{13, 24}));
+    EXPECT_EQ(render({"named.scn", "--set", "given.set", "--camera", "both.cam", "-w", "14"}), (Size{14, 25}))
+        << "in the aspect of the camera";
+    EXPECT_EQ(render({"named.scn", "--camera", "both.cam", "--setting", "height=24", "-w", "9"}),
+              (Size{9, 24}));
 }
 TEST_F(Precedence, ThesisSpellingsAndLongOnesAreOne) {
     EXPECT_EQ(render({"room.obj", "-w", "15", "-h", "25", "-a", "1"}), (Size{15, 25}));

@@ -3,6 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
+#include <sys/stat.h>
+
 namespace {
 
 using Names = std::vector<std::string>;
@@ -65,6 +70,52 @@ TEST_F(Stopping, FinishedFramesOfAListStay) {
     EXPECT_EQ(program.wait().exitCode, 130);
     EXPECT_EQ(test::filesIn(folder.path()),
               (Names{"f1.png", "film.lst", "quick.cam", "room.obj", "slow.cam"}));
+}
+
+// What the program reads, or writes to, may be a pipe whose partner says nothing.
+class StoppingAtAPipe : public Stopping {
+  protected:
+    void SetUp() override {
+        Stopping::SetUp();
+        ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+        ASSERT_EQ(::mkfifo((folder / "pipe.ppm").c_str(), 0600), 0);
+    }
+    // Exit code after one SIGTERM, sent when it has nothing else to do.
+    int stopped(const Names& arguments) {
+        const test::ProgramSettings settings{.folder = folder.path(), .timeoutSeconds = 20};
+        test::RunningProgram program(test::programPath("Renderer"), arguments, settings);
+        std::this_thread::sleep_for(std::chrono::milliseconds(700));
+        program.send(SIGTERM);
+        return program.wait().exitCode;
+    }
+};
+
+TEST_F(StoppingAtAPipe, OneSignalIsEnough) {
+    EXPECT_EQ(stopped({"room.obj", "--camera=pipe", "-o", "a.png"}), 143) << "nobody writes";
+    EXPECT_EQ(stopped({"room.obj", "-w", "8", "-h", "8", "-o", "pipe.ppm"}), 143) << "nobody reads";
+    const int partner = ::open((folder / "pipe").c_str(), O_RDWR | O_CLOEXEC);
+    ASSERT_GE(partner, 0);
+    ASSERT_EQ(::write(partner, "version = 1\n", 12), 12);
+    EXPECT_EQ(stopped({"room.obj", "--set=pipe", "-o", "a.png"}), 143) << "the writer says no more";
+    ::close(partner);
+    EXPECT_EQ(test::filesIn(folder.path()), (Names{"pipe", "pipe.ppm", "room.obj"}));
+}
+
+TEST_F(StoppingAtAPipe, AScriptThatSaysNothing) {
+    const int partner = ::open((folder / "pipe").c_str(), O_RDWR | O_CLOEXEC);
+    test::RunningProgram program(test::programPath("CUI"), {"script", "pipe"}, {.folder = folder.path()});
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    program.send(SIGINT);
+    EXPECT_EQ(program.wait().exitCode, 130);
+    ::close(partner);
+}
+
+TEST_F(StoppingAtAPipe, AlsoWhereNobodyReadsStandardOutput) {
+    const std::string command = "'" + test::programPath("Renderer").string() +
+                                "' room.obj -o - -w 300 -h 300 --format=ppm & renderer=$!; sleep 0.7; "
+                                "kill -TERM $renderer; wait $renderer; echo $? > code";
+    test::runProgram("/bin/sh", {"-c", "{ " + command + "; } | sleep 3"}, {.folder = folder.path()});
+    EXPECT_EQ(test::readBytes(folder / "code"), "143\n");
 }
 
 TEST_F(Stopping, BuilderWhileItBuilds) {

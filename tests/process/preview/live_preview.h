@@ -2,7 +2,8 @@
 #pragma once
 
 #include "ipc/endpoint/viewer.h"
-#include "ipc/platform/owner_lock.h"
+#include "ipc/layout/control_block.h"
+#include "ipc/platform/segment.h"
 #include "ipc/platform/system.h"
 #include "process/sample_scene.h"
 #include "support/ipc_instance.h"
@@ -68,7 +69,10 @@ class LivePreview : public testing::Test {
         return true;
     }
     /// Whether the lock that proves a Renderer's life is held.
-    bool alive() const { return ipc::lockHolder(instance.names().serverLock(ipc::lockFolder())).held; }
+    bool alive() const {
+        const auto control = ipc::Segment::open(instance.names().control(), ipc::Access::Read, 0);
+        return control && control->locked(ipc::kServerLock);
+    }
 
     const TemporaryFolder& folder() const { return instance.folder(); }
 

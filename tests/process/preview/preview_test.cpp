@@ -107,7 +107,7 @@ TEST_F(Previewing, WritesNoFileUnlessAsked) {
     // All is done: the signal only ends the waiting.
     program->send(SIGTERM);
     EXPECT_EQ(program->wait().exitCode, 0);
-    EXPECT_EQ(filesIn(folder().path()), (Names{"room.bsp", "room.obj", "rts"}));
+    EXPECT_EQ(filesIn(folder().path()), (Names{"room.bsp", "room.obj"}));
     EXPECT_TRUE(instance.segments().empty());
 }
 

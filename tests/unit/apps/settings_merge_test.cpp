@@ -18,7 +18,7 @@ TEST(SettingsMerge, EachPlaceBeatsTheOneBefore) {
     const rtcore::RenderSettings settings = app::mergeSettings(
         {.scene = scene, .settingsFile = file, .camera = &camera, .commandLine = commandLine});
     EXPECT_EQ(settings.width, 4);
-    EXPECT_EQ(settings.height, 3);
+    EXPECT_EQ(settings.height, 4) << "in the aspect of the camera";
     EXPECT_EQ(settings.antialiasing, 3);
     EXPECT_EQ(settings.maxDepth, 3);
     EXPECT_EQ(settings.shadows, rtcore::RenderSettings().shadows);
@@ -41,21 +41,51 @@ TEST(SettingsMerge, ACameraSwitchesLights) {
     scene.lights.resize(3);
     rtcore::CameraFile camera;
     camera.lights = std::vector<bool>{false, true};
-    app::applyCameraToScene(camera, "x.cam", scene);
+    EXPECT_EQ(app::applyCameraToScene(camera, "x.cam", scene), "");
     EXPECT_EQ(scene.lights[0].on, 0U);
     EXPECT_EQ(scene.lights[1].on, 1U);
     EXPECT_EQ(scene.lights[2].on, 1U);
     camera.lights->resize(4);
-    EXPECT_THROW(app::applyCameraToScene(camera, "x.cam", scene), rtcore::FileError);
+    EXPECT_EQ(app::applyCameraToScene(camera, "x.cam", scene),
+              "x.cam switches 4 lights, but the scene has 3; these stay as they are");
+    EXPECT_EQ(scene.lights[0].on, 0U);
+    EXPECT_EQ(scene.lights[1].on, 1U);
 }
 
 TEST(SettingsMerge, ACameraPicksAnEnvironmentThatExists) {
     rtcore::Scene scene;
     rtcore::CameraFile camera;
     camera.environment = 0;
-    EXPECT_NO_THROW(app::applyCameraToScene(camera, "x.cam", scene));
+    EXPECT_EQ(app::applyCameraToScene(camera, "x.cam", scene), "");
     camera.environment = 1;
-    EXPECT_THROW(app::applyCameraToScene(camera, "x.cam", scene), rtcore::FileError);
+    camera.lights = std::vector<bool>{true};
+    EXPECT_EQ(
+        app::applyCameraToScene(camera, "x.cam", scene),
+        "x.cam switches 1 light, but the scene has 0 and asks for environment 1 (counted from 0), but the "
+        "scene has 0; these stay as they are");
+    EXPECT_EQ(scene.activeEnvironment, 0);
+}
+
+TEST(SettingsMerge, OneSideAloneKeepsTheAspect) {
+    const auto sizeOf = [](const Assignments& scene, const rtcore::CameraFile* camera,
+                           const Assignments& line) {
+        const rtcore::RenderSettings settings =
+            app::mergeSettings({.scene = scene, .camera = camera, .commandLine = line});
+        return std::pair(settings.width, settings.height);
+    };
+    EXPECT_EQ(sizeOf({}, nullptr, {{"width", 800}}), std::pair(800, 600)) << "that of the default";
+    EXPECT_EQ(sizeOf({}, nullptr, {{"height", 240}}), std::pair(320, 240));
+    EXPECT_EQ(sizeOf({}, nullptr, {{"width", 7}, {"height", 9}}), std::pair(7, 9));
+    const Assignments scene{{"width", 1920}, {"height", 1080}};
+    EXPECT_EQ(sizeOf(scene, nullptr, {{"width", 1280}}), std::pair(1280, 720));
+    EXPECT_EQ(sizeOf({{"width", 1920}}, nullptr, {}), std::pair(1920, 480)) << "files say what they mean";
+    rtcore::CameraFile camera;
+    camera.width = 100;
+    camera.height = 400;
+    EXPECT_EQ(sizeOf(scene, &camera, {{"height", 200}}), std::pair(50, 200));
+    camera.height = 32768;
+    EXPECT_EQ(sizeOf(scene, &camera, {{"height", 10}}), std::pair(1, 10));
+    EXPECT_EQ(sizeOf(scene, &camera, {{"width", 32768}}), std::pair(32768, 32768)) << "the most there can be";
 }
 
 } // namespace
