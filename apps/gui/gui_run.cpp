@@ -3,13 +3,18 @@
 #include "gui/gui_spec.h"
 #include "gui/main_window.h"
 #include "gui/models/preferences.h"
+#include "gui/operations/actions.h"
 #include "gui/session/server_list.h"
 #include "gui/view/language.h"
+#include "gui/view/notice_bar.h"
 
 #include "common/run_program.h"
 #include "common/stop.h"
 #include "common/terminal.h"
 
+#include "rtcore/platform/error.h"
+
+#include <QAction>
 #include <QApplication>
 #include <QTimer>
 
@@ -30,10 +35,24 @@ void onQtMessage(QtMsgType type, const QMessageLogContext&, const QString& text)
     std::_Exit(static_cast<int>(app::ExitCode::Failed));
 }
 
+// What is wrong with the file; empty when nothing is. Who starts the program by an icon sees no stderr: then
+// the window tells it.
+QString troubleWith(const Options& options) {
+    try {
+        requireFile(options);
+        return {};
+    } catch (const rtcore::FileError& error) {
+        if (app::terminalColumns()) throw;
+        app::printMessage(guiSpec().name, error.what());
+        return QString::fromUtf8(error.what());
+    }
+}
+
 } // namespace
 
 app::ExitCode runGui(const app::Arguments& arguments) {
     const Options options = readOptions(arguments);
+    const QString trouble = troubleWith(options);
     const QString instance = QString::fromStdString(options.instance);
     if (!instance.isEmpty() && !isInstanceName(instance))
         throw app::UsageError("an instance is 1 to 32 letters, digits, '_' or '-'");
@@ -51,6 +70,7 @@ app::ExitCode runGui(const app::Arguments& arguments) {
     window.show();
     // Once the window has its size: the server draws frames as large.
     QTimer::singleShot(0, &window, [&] {
+        if (!trouble.isEmpty()) return window.notice().explain(trouble, {window.actions()[ActionId::Open]});
         if (!options.file.empty()) window.open(QString::fromStdString(options.file));
         if (options.connect) window.connectToServer();
     });

@@ -38,14 +38,16 @@ Options readOptions(const app::Arguments& arguments) {
     options.connect = arguments.has("connect");
     if (arguments.positionals().empty()) return options;
     if (options.connect) throw app::UsageError("--connect and a scene exclude each other");
-    const std::filesystem::path file = std::filesystem::absolute(arguments.positionals().front());
-    if (!std::filesystem::is_regular_file(file)) {
-        throw rtcore::FileError(rtcore::FailureKind::NoInput, arguments.positionals().front(),
-                                std::filesystem::is_directory(file) ? "this is a folder, no scene or model"
-                                                                    : "there is no such file");
-    }
-    options.file = file.string();
+    options.file = std::filesystem::absolute(arguments.positionals().front()).string();
     return options;
+}
+
+void requireFile(const Options& options) {
+    if (options.file.empty() || std::filesystem::is_regular_file(options.file)) return;
+    throw rtcore::FileError(rtcore::FailureKind::NoInput, options.file,
+                            std::filesystem::is_directory(options.file)
+                                ? "this is a folder, no scene or model"
+                                : "there is no such file");
 }
 
 } // namespace gui

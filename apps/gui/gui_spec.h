@@ -16,7 +16,9 @@ struct Options {
     bool connect = false;
 };
 
-/// Throws app::UsageError, and rtcore::FileError (NoInput) when there is no such file.
+/// Throws app::UsageError.
 Options readOptions(const app::Arguments& arguments);
+/// Throws rtcore::FileError (NoInput) when there is no such file.
+void requireFile(const Options& options);
 
 } // namespace gui

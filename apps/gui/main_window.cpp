@@ -7,10 +7,12 @@
 #include "gui/operations/display_operations.h"
 #include "gui/operations/job_operations.h"
 #include "gui/operations/look_operations.h"
+#include "gui/operations/message_operations.h"
 #include "gui/operations/motion_operations.h"
 #include "gui/operations/panel_operations.h"
 #include "gui/operations/render_operations.h"
 #include "gui/view/frame_view.h"
+#include "gui/view/full_screen.h"
 #include "gui/view/notice_bar.h"
 
 #include <QAction>
@@ -27,17 +29,19 @@ static void loadResources() { Q_INIT_RESOURCE(gui); }
 namespace gui {
 
 MainWindow::MainWindow(const QString& instance, QWidget* parent)
-    : QMainWindow(parent), view_(new FrameView(session_)), notice_(new NoticeBar),
-      actions_(new Actions(*this, preferences_)) {
+    : QMainWindow(parent), view_(new FrameView(session_)), fullScreen_(new FullScreen(*this)),
+      notice_(new NoticeBar), actions_(new Actions(*this, preferences_)) {
     loadResources();
     setWindowIcon(QIcon(QStringLiteral(":/gui.png")));
     layOut();
-    const Desk desk{*this, session_, keeper_, preferences_, *actions_, *view_, *notice_, editor_};
+    const Desk desk{*this,  session_,     keeper_,  preferences_, *actions_,
+                    *view_, *fullScreen_, *notice_, editor_};
     connection_ = new ConnectionOperations(desk, this);
     connection_->setInstance(instance);
     auto* camera = new CameraOperations(desk, this);
     new DisplayOperations(desk, this);
     new MotionOperations(desk, this);
+    new MessageOperations(desk, this);
     new RenderOperations(desk, this);
     new LookOperations(desk, this);
     new PanelOperations(desk, this);
@@ -47,6 +51,7 @@ MainWindow::MainWindow(const QString& instance, QWidget* parent)
     connect(camera, &CameraOperations::filmWanted, jobs_, &JobOperations::renderList);
     connect(&session_, &Session::stateChanged, this, &MainWindow::showTitle);
     connect(&keeper_, &ServerKeeper::started, this, &MainWindow::showTitle);
+    connect(&editor_, &SceneEditor::sceneChanged, this, &MainWindow::showTitle);
     showTitle();
     restoreGeometryAndState();
     view_->setFocus();
@@ -75,7 +80,8 @@ void MainWindow::restoreGeometryAndState() {
 
 void MainWindow::showTitle() {
     const QString name = tr("Ray tracing");
-    const QString scene = QFileInfo(keeper_.scene()).fileName();
+    const QString shown = session_.live() && !editor_.scene().isEmpty() ? editor_.scene() : keeper_.scene();
+    const QString scene = QFileInfo(shown).fileName();
     const QString what = scene.isEmpty() && session_.live() ? session_.instance() : scene;
     setWindowTitle(what.isEmpty() ? name : QStringLiteral("%1 – %2").arg(what, name));
 }
@@ -86,6 +92,7 @@ void MainWindow::connectToServer() { keeper_.connectTo(connection_->instanceName
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     if (!jobs_->mayClose()) return event->ignore();
+    fullScreen_->set(false); // the next one begins with its menus and panels
     preferences_.set(pref::geometry, saveGeometry());
     preferences_.set(pref::windowState, saveState());
     keeper_.close();
@@ -100,13 +107,6 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
     const QList<QUrl> urls = event->mimeData()->urls();
     if (urls.size() == 1) open(urls.first().toLocalFile());
-}
-
-void MainWindow::changeEvent(QEvent* event) {
-    QMainWindow::changeEvent(event);
-    if (event->type() != QEvent::WindowStateChange || actions_ == nullptr) return;
-    (*actions_)[ActionId::FullScreen]->setChecked(isFullScreen());
-    menuBar()->setVisible(!isFullScreen());
 }
 
 } // namespace gui

@@ -13,6 +13,7 @@ namespace gui {
 class Actions;
 class ConnectionOperations;
 class FrameView;
+class FullScreen;
 class JobOperations;
 class NoticeBar;
 
@@ -41,7 +42,6 @@ class MainWindow : public QMainWindow {
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
   private:
     void layOut();
@@ -53,6 +53,7 @@ class MainWindow : public QMainWindow {
     ServerKeeper keeper_{session_};
     SceneEditor editor_{session_};
     FrameView* view_;
+    FullScreen* fullScreen_;
     NoticeBar* notice_;
     Actions* actions_;
     ConnectionOperations* connection_;

@@ -19,6 +19,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTableWidget>
@@ -185,6 +186,53 @@ TEST_F(DialogsTest, RecordingStartsAndStops) {
     ASSERT_TRUE(comes([&] { return session.status().view.eye == QVector3D(9, 9, 9); }));
     ASSERT_TRUE(comes([&] { return press(dialog, "Play"); }));
     EXPECT_TRUE(comes([&] { return session.status().view.eye != QVector3D(9, 9, 9); }));
+}
+
+TEST_F(DialogsTest, ARecordingIsKnownToADialogThatIsOpenedLater) {
+    startServer();
+    session.connectTo(name());
+    ASSERT_TRUE(shows(session));
+    const auto make = [this] {
+        auto dialog =
+            std::make_unique<RecordingDialog>(session, QString::fromStdString(folder().path().string()));
+        dialog->setAttribute(Qt::WA_DeleteOnClose, false);
+        return dialog;
+    };
+    const auto path = [](const RecordingDialog& dialog) { return dialog.findChild<QLineEdit*>()->text(); };
+    const auto says = [](const RecordingDialog& dialog, const QRegularExpression& words) {
+        return comes([&] {
+            const QList<QLabel*> labels = dialog.findChildren<QLabel*>();
+            return std::any_of(labels.begin(), labels.end(),
+                               [&](const QLabel* label) { return label->text().contains(words); });
+        });
+    };
+    auto dialog = make();
+    ASSERT_TRUE(press(*dialog, "Start"));
+    ASSERT_TRUE(comes([&] { return session.status().recording; }));
+    dialog.reset();
+    QTest::qWait(1200);
+    dialog = make();
+    ASSERT_TRUE(says(*dialog, QRegularExpression(QStringLiteral("walk-0001.lst for [1-9][0-9.]* s"))));
+    EXPECT_EQ(path(*dialog), file("walk-0001.lst"));
+    ASSERT_TRUE(comes([&] { return press(*dialog, "Stop"); }));
+    ASSERT_TRUE(says(*dialog, QRegularExpression(QStringLiteral("Recorded: .*walk-0001.lst"))));
+    QSignalSpy film(dialog.get(), &RecordingDialog::filmWanted);
+    ASSERT_TRUE(comes([&] { return press(*dialog, "film"); }));
+    EXPECT_EQ(film.value(0).value(0).toString(), file("walk-0001.lst"));
+
+    ASSERT_TRUE(comes([&] { return press(*dialog, "Start"); })) << "what is recorded stays";
+    ASSERT_TRUE(says(*dialog, QRegularExpression(QStringLiteral("Recording walk-0002.lst"))));
+    ASSERT_TRUE(comes([&] { return press(*dialog, "Stop"); }));
+    ASSERT_TRUE(comes([&] { return press(*dialog, "Play"); }));
+    EXPECT_TRUE(says(*dialog, QRegularExpression(QStringLiteral("Recorded: .*walk-0002.lst"))));
+
+    dialog->findChild<QLineEdit*>()->setText(file("nothing.lst"));
+    EXPECT_FALSE(press(*dialog, "Play"));
+    EXPECT_FALSE(press(*dialog, "film"));
+    dialog->findChild<QLineEdit*>()->setText(file("walk-0001.lst"));
+    EXPECT_TRUE(press(*dialog, "Play")) << "any list";
+    ASSERT_TRUE(press(*dialog, "film"));
+    EXPECT_EQ(film.last().value(0).toString(), file("walk-0001.lst"));
 }
 
 TEST_F(DialogsTest, TheCheatSheetNamesEveryKindOfKey) {

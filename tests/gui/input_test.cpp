@@ -22,7 +22,10 @@ class InputTest : public testing::Test {
         window.setCentralWidget(view);
         QAction* start =
             window.menuBar()->addMenu(QStringLiteral("Menu"))->addAction(QStringLiteral("Start"));
-        start->setShortcut(QKeySequence(QStringLiteral("Ctrl+S")));
+        start->setShortcuts({QKeySequence(QStringLiteral("Ctrl+S")), QKeySequence(QStringLiteral("Ctrl+B")),
+                             QKeySequence(QStringLiteral("Alt+1")), QKeySequence(QStringLiteral("Ctrl+Home")),
+                             QKeySequence(QStringLiteral("Ctrl+Shift+C")),
+                             QKeySequence(QStringLiteral("Ctrl+Shift+R"))});
         QObject::connect(start, &QAction::triggered, &window, [this] { ++shortcuts; });
         window.resize(400, 300);
         window.show();
@@ -33,6 +36,15 @@ class InputTest : public testing::Test {
     QList<int> codes(const QSignalSpy& spy) const {
         QList<int> all;
         for (const QList<QVariant>& each : spy) all.append(each.front().toInt());
+        return all;
+    }
+
+    // Without those of the modifiers.
+    QList<int> keys() const {
+        QList<int> all = codes(pressed);
+        all.removeIf([](int code) {
+            return code == rtcore::KeyShift || code == rtcore::KeyControl || code == rtcore::KeyAlt;
+        });
         return all;
     }
 
@@ -70,6 +82,57 @@ TEST_F(InputTest, ShortcutsWorkUntilTheKeysAreCaptured) {
     EXPECT_GE(allReleased.count(), 1);
     QTest::keyClick(view, Qt::Key_S, Qt::ControlModifier);
     EXPECT_EQ(shortcuts, 2);
+}
+
+// Only what keys that move make together is the camera's.
+TEST_F(InputTest, OtherCombinationsStayShortcutsWhileCaptured) {
+    input.capture();
+    QTest::keyClick(view, Qt::Key_1, Qt::AltModifier);
+    QTest::keyClick(view, Qt::Key_B, Qt::ControlModifier);
+    QTest::keyClick(view, Qt::Key_Home, Qt::ControlModifier);
+    QTest::keyClick(view, Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
+    QTest::keyClick(view, Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_EQ(shortcuts, 5);
+    EXPECT_TRUE(keys().isEmpty()) << "neither a light nor the bloom is switched";
+    EXPECT_TRUE(commands.isEmpty());
+    EXPECT_TRUE(input.captured());
+    for (const Qt::Key key : {Qt::Key_1, Qt::Key_B, Qt::Key_C}) QTest::keyClick(view, key);
+    QTest::keyClick(view, Qt::Key_W, Qt::ShiftModifier);
+    QTest::keyClick(view, Qt::Key_X, Qt::ControlModifier); // nobody's shortcut
+    EXPECT_EQ(keys(), (QList<int>{'1', 'B', 'C', 'W', 'X'}));
+    EXPECT_EQ(shortcuts, 5);
+}
+
+TEST_F(InputTest, WhatIsTheCamerasFollowsFromTheBindings) {
+    input.setBindings({{QStringLiteral("B"), QStringLiteral("forward"), 0},
+                       {QStringLiteral("Control"), QStringLiteral("crawl"), 0},
+                       {QStringLiteral("S"), QStringLiteral("toggleBloom"), 0},
+                       {QStringLiteral("Alt+1"), QStringLiteral("toggleLight"), 1}});
+    input.capture();
+    QTest::keyClick(view, Qt::Key_B, Qt::ControlModifier);
+    QTest::keyClick(view, Qt::Key_1, Qt::AltModifier);
+    EXPECT_EQ(shortcuts, 0);
+    EXPECT_EQ(keys(), (QList<int>{'B', '1'}));
+    QTest::keyClick(view, Qt::Key_S, Qt::ControlModifier);
+    EXPECT_EQ(shortcuts, 1);
+}
+
+// Whoever holds W and adds Control and S means to crawl.
+TEST_F(InputTest, ControlCrawlsWhileAKeyThatMovesIsDown) {
+    QTest::keyPress(view, Qt::Key_Control);
+    EXPECT_TRUE(pressed.isEmpty()) << "it begins a shortcut";
+    QTest::keyRelease(view, Qt::Key_Control);
+    QTest::keyPress(view, Qt::Key_W);
+    QTest::keyPress(view, Qt::Key_Control);
+    QTest::keyPress(view, Qt::Key_S, Qt::ControlModifier);
+    EXPECT_EQ(codes(pressed), (QList<int>{'W', rtcore::KeyControl, 'S'}));
+    EXPECT_EQ(shortcuts, 0);
+    QTest::keyRelease(view, Qt::Key_S, Qt::ControlModifier);
+    QTest::keyRelease(view, Qt::Key_Control);
+    QTest::keyRelease(view, Qt::Key_W);
+    EXPECT_EQ(released.count(), 3);
+    QTest::keyClick(view, Qt::Key_S, Qt::ControlModifier);
+    EXPECT_EQ(shortcuts, 1);
 }
 
 TEST_F(InputTest, EnterCapturesToo) {

@@ -114,6 +114,26 @@ TEST_F(JobDialogsTest, RenderDialogShowsTheCommandAndWhatIsWrong) {
     }
 }
 
+TEST_F(JobDialogsTest, AFilmIsNamedLikeItsListUntilSomebodyNamesIt) {
+    RenderDialog dialog(RenderContext{});
+    dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+    dialog.setSource(RenderDialog::Source::List);
+    auto* list = field<QLineEdit>(dialog, "List of cameras");
+    auto* film = field<QLineEdit>(dialog, "Film");
+    for (const QChar letter : file("walk-0001.lst")) {
+        QTest::keyClick(list, letter.toLatin1());
+        EXPECT_FALSE(film->text().startsWith(QStringLiteral("//"))) << text(list->text());
+    }
+    EXPECT_EQ(text(film->text()), text(file("walk-0001.mp4")));
+    list->setText(file("other.lst"));
+    EXPECT_EQ(text(film->text()), text(file("other.mp4")));
+    list->clear();
+    EXPECT_EQ(film->text(), QString());
+    film->setText(file("mine.webm"));
+    list->setText(file("walk-0001.lst"));
+    EXPECT_EQ(text(film->text()), text(file("mine.webm")));
+}
+
 TEST_F(JobDialogsTest, EveryFieldHasANameAndEveryMnemonicIsUsedOnce) {
     RenderContext context;
     context.live = true;

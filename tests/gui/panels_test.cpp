@@ -252,10 +252,10 @@ TEST_F(PanelsTest, LightsAndEnvironmentsAreSwitched) {
     const auto told = [&](const char* command) {
         return ask(window->session(), QString::fromLatin1(command)).text;
     };
-    EXPECT_TRUE(comes([&] { return told("lights").startsWith(QStringLiteral("0 off")); }));
+    EXPECT_TRUE(comes([&] { return told("lights").startsWith(QStringLiteral("1 off")); }));
     EXPECT_NE(picture(), before);
     lights().environment(1)->click();
-    EXPECT_TRUE(comes([&] { return told("environments").contains(QStringLiteral("1 active")); }));
+    EXPECT_TRUE(comes([&] { return told("environments").contains(QStringLiteral("2 active")); }));
     action(ActionId::Undo)->trigger();
     action(ActionId::Undo)->trigger();
     EXPECT_TRUE(
@@ -327,7 +327,7 @@ TEST_F(PanelsTest, PlacementsAreTakenBackWithAllThatTheFileBrought) {
     EXPECT_TRUE(becomes("antialiasing", "1"));
     EXPECT_EQ(served("exposure.value"), QStringLiteral("2"));
     EXPECT_EQ(camera(), before);
-    EXPECT_TRUE(ask(window->session(), QStringLiteral("lights")).text.startsWith(QStringLiteral("0 on")));
+    EXPECT_TRUE(ask(window->session(), QStringLiteral("lights")).text.startsWith(QStringLiteral("1 on")));
 }
 
 TEST_F(PanelsTest, ResetShowsTheScenesOwnView) {
@@ -390,8 +390,8 @@ TEST(LookTest, TheDirectionThroughACornerHasTheAngleOfTheField) {
 TEST(SceneStateTest, AnswersAreReadAndDifferencesAreCommands) {
     SceneState from;
     from.settings = readSettings(QStringLiteral("bloom = 0\nexposure.key = 0.18"));
-    from.lights = readSwitches(QStringLiteral("0 on sun and moon\n1 off"));
-    from.environments = readSwitches(QStringLiteral("0 active day\n1 - night"));
+    from.lights = readSwitches(QStringLiteral("1 on sun and moon\n2 off"));
+    from.environments = readSwitches(QStringLiteral("1 active day\n2 - night"));
     EXPECT_EQ(from.lights, (QList<NamedSwitch>{{true, QStringLiteral("sun and moon")}, {false, {}}}));
     SceneState to = from;
     EXPECT_TRUE(commandsBetween(from, to).isEmpty());
@@ -400,8 +400,8 @@ TEST(SceneStateTest, AnswersAreReadAndDifferencesAreCommands) {
     to.environments[0].on = false;
     to.environments[1].on = true;
     EXPECT_EQ(commandsBetween(from, to),
-              (QStringList{QStringLiteral("set bloom 16"), QStringLiteral("light 1 on"),
-                           QStringLiteral("environment 1")}));
+              (QStringList{QStringLiteral("set bloom 16"), QStringLiteral("light 2 on"),
+                           QStringLiteral("environment 2")}));
 }
 
 } // namespace

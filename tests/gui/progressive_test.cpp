@@ -1,7 +1,6 @@
 /// Progressive rendering in the whole window, with real servers and Renderers.
 // Before Qt, to whom "slots" is a keyword.
 #include "ipc/endpoint/link.h"
-#include "ipc/platform/owner_lock.h"
 
 #include "gui/gui_support.h"
 #include "gui/processes_of.h"
@@ -160,7 +159,7 @@ TEST_F(ProgressiveTest, ANameThatIsNotFreeYetIsWaitedFor) {
     QObject::connect(&preview, &PreviewProcess::refined, &preview,
                      [&](const QImage&, bool last) { done = last; });
     const ipc::Names names(preview.instance().toStdString());
-    std::optional<ipc::OwnerLock> dying = ipc::OwnerLock::tryTake(names.serverLock(ipc::lockFolder()));
+    std::optional<ipc::Segment> dying = ipc::Segment::createLocked(names.control(), 0, ipc::kServerLock);
     ASSERT_TRUE(dying.has_value());
     preview.render({.antialiasing = 2});
     QTest::qWait(3000);
@@ -176,7 +175,7 @@ TEST_F(ProgressiveTest, SoDoesWhateverElseMovesTheCamera) {
     ASSERT_NO_FATAL_FAILURE(look(QStringLiteral("0.5 2 6 0 0 -1 60")));
     const QImage expected = rendered(2);
     EXPECT_TRUE(comes([&] { return window->view().picture() == expected; }));
-    ASSERT_TRUE(ask(window->session(), QStringLiteral("light 0 off")).done);
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("light 1 off")).done);
     EXPECT_TRUE(comes([&] { return window->view().picture() != expected; }));
 }
 

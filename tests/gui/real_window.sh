@@ -1,7 +1,7 @@
 #!/bin/sh
 # The window on a real X server, driven by keys and mouse as a person would: it walks, it turns, switches light and
-# bloom, exports, is resized; Ctrl+S starts a server only while the keyboard is not captured; and whether it is closed
-# or killed, nothing is left behind once nobody looks.
+# bloom, exports, is resized; Ctrl+S starts a server only while the keyboard is not captured, Alt+1 is a bookmark's always;
+# and whether it is closed or killed, nothing is left behind once nobody looks.
 #   real_window.sh FOLDER-OF-PROGRAMS MODEL [PICTURES]     77: the tools are missing
 set -eu
 for tool in Xvfb xdotool import compare; do
@@ -108,8 +108,18 @@ before=$(eye)
 xdotool keydown ctrl keydown s; sleep 0.3; xdotool keyup s keyup ctrl
 comes "Ctrl and S crawl while captured" moved
 if dialog >/dev/null; then fail "Ctrl+S opens a dialog though the keyboard is captured"; fi
+asked=lights before=$(answer lights)
+xdotool key alt+1
+sleep 0.5
+is || fail "Alt+1 switches a light while captured"
 xdotool key Escape
 settle "crawling"
+xdotool keydown w keydown ctrl keydown d; sleep 0.3; xdotool keyup d keyup ctrl keyup w
+settle "crawling aside"
+before=$(eye)
+xdotool keydown s; sleep 0.2; xdotool keyup s
+comes "Ctrl+D leaves no server while W is down" moved
+settle "walking back"
 before=$(eye)
 xdotool mousemove_relative 60 0
 sleep 0.5
@@ -123,7 +133,8 @@ xdotool key Escape
 # A second window looks on. It stays when the first one is killed, and the server with it; then nobody does.
 "$programs/GUI" --connect --instance="$name" 2>>"$work/out" &
 second=$!
-comes "a second window" xdotool search --onlyvisible --name "$name"
+two() { [ "$(xdotool search --onlyvisible --name "Ray tracing" | wc -l)" = 2 ]; }
+comes "a second window, titled by the scene" two
 sleep 0.5
 kill -KILL "$window"
 wait "$window" 2>/dev/null || true

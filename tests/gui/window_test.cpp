@@ -4,13 +4,16 @@
 #include "gui/view/input_capture.h"
 
 #include <QClipboard>
+#include <QDockWidget>
 #include <QElapsedTimer>
 #include <QGuiApplication>
+#include <QMenuBar>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
 
 #include <csignal>
+#include <filesystem>
 
 namespace {
 
@@ -160,6 +163,60 @@ TEST_F(WindowTest, CloseStopsTheServer) {
     EXPECT_NE(::kill(process, 0), 0);
     EXPECT_TRUE(instance.segments().empty());
     window.emplace(name());
+}
+
+TEST_F(WindowTest, FullScreenIsThePictureAlone) {
+    for (const ActionId panel : {ActionId::SettingsPanel, ActionId::Jobs}) action(panel)->trigger();
+    const auto panels = [&] {
+        QStringList seen;
+        for (const QDockWidget* each : window->findChildren<QDockWidget*>()) {
+            if (!each->isHidden()) seen.append(each->objectName());
+        }
+        seen.sort();
+        return seen;
+    };
+    const QStringList before = panels();
+    ASSERT_EQ(before.size(), 2);
+    action(ActionId::FullScreen)->trigger();
+    ASSERT_TRUE(comes([&] { return window->isFullScreen(); }));
+    EXPECT_TRUE(panels().isEmpty());
+    EXPECT_TRUE(window->menuBar()->isHidden());
+    EXPECT_TRUE(action(ActionId::FullScreen)->isChecked());
+    QTest::keyClick(&*window, Qt::Key_F11);
+    ASSERT_TRUE(comes([&] { return !window->isFullScreen(); }));
+    EXPECT_EQ(panels(), before);
+    EXPECT_FALSE(window->menuBar()->isHidden());
+    // Closed in full screen, the next window has all of it.
+    action(ActionId::FullScreen)->trigger();
+    window->close();
+    window.emplace(name());
+    window->show();
+    EXPECT_FALSE(window->isFullScreen());
+    EXPECT_EQ(panels(), before);
+}
+
+TEST_F(WindowTest, EveryWindowIsTitledByTheScene) {
+    open();
+    MainWindow other(name());
+    other.show();
+    other.connectToServer();
+    ASSERT_TRUE(shows(other.session()));
+    EXPECT_TRUE(comes([&] { return other.windowTitle().contains(QStringLiteral("room.obj")); }))
+        << other.windowTitle().toStdString();
+    std::filesystem::copy(folder() / "room.obj", folder() / "hall.obj");
+    window->open(file("hall.obj"));
+    EXPECT_TRUE(comes([&] { return other.windowTitle().contains(QStringLiteral("hall.obj")); }))
+        << other.windowTitle().toStdString();
+    other.close();
+}
+
+TEST_F(WindowTest, ASceneThatCannotBeLoadedIsNotLoadingAnyMore) {
+    open();
+    writeText(folder() / "broken.obj", "nothing of a model\n");
+    window->open(file("broken.obj"));
+    EXPECT_TRUE(window->view().told().contains(QStringLiteral("broken.obj")));
+    ASSERT_TRUE(comes([&] { return window->notice().isVisible(); }));
+    EXPECT_EQ(window->view().told(), QString());
 }
 
 TEST_F(WindowTest, TheWheelChangesTheSpeed) {

@@ -44,6 +44,7 @@ JobsPanel::JobsPanel(JobQueue& queue, QWidget* parent)
     picture_->setFixedSize(kPictureWide, kPictureHigh);
     picture_->setAlignment(Qt::AlignCenter);
     picture_->setAccessibleName(tr("Result"));
+    picture_->hide();
     message_->setWordWrap(true);
     message_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     log_->setReadOnly(true);

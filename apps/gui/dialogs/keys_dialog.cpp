@@ -52,8 +52,8 @@ QString shortcutRows() {
 
 QString keysPage(const QList<Binding>& bindings) {
     const auto tr = [](const char* text) { return QCoreApplication::translate("gui", text); };
-    const QString picture = row(tr("Click, Enter"), tr("Give keyboard and mouse to the camera")) +
-                            row(tr("Esc"), tr("Take them back")) + row(tr("Mouse"), tr("Look around")) +
+    const QString picture = row(tr("Click, Enter"), tr("Capture mouse and keyboard")) +
+                            row(tr("Esc"), tr("Release them")) + row(tr("Mouse"), tr("Look around")) +
                             row(tr("Double click"), tr("Look there")) +
                             row(tr("Alt+digit"), tr("Go to a bookmark")) + row(tr("Wheel"), tr("Speed")) +
                             row(QStringLiteral("E"), tr("Export the camera")) +

@@ -1,10 +1,12 @@
-/// Starts and stops the recording of every frame's camera. Stays open while the user walks.
+/// Starts and stops the recording of the camera, and plays lists. Can be closed meanwhile: the server knows
+/// what is being recorded.
 #pragma once
 
 #include "gui/session/session.h"
 
 #include <QDialog>
 #include <QElapsedTimer>
+#include <QTimer>
 
 class QLabel;
 class QPushButton;
@@ -21,24 +23,27 @@ class RecordingDialog : public QDialog {
     RecordingDialog(Session& session, const QString& folder, QWidget* parent = nullptr);
 
   signals:
-    /// The user wants the list that was recorded last as a film.
+    /// The user wants this list as a film.
     void filmWanted(const QString& list);
 
   private:
     void toggle();
     void play();
     void tell(const Answer& answer);
+    void onStatus();
+    void ask();
+    void take(const QString& text);
     void refresh();
-    void propose();
+    QString freeList(const QString& like) const;
 
     Session& session_;
-    QString folder_;
     FileField* path_;
     QPushButton *button_, *play_, *film_;
     QLabel* state_;
+    QTimer timer_; ///< while a recording runs: its time is shown
     QElapsedTimer clock_;
-    bool recording_ = false;
-    QString started_, recorded_; ///< lists of this dialog: being written, complete
+    bool live_ = false, recording_ = false;
+    double before_ = 0; ///< seconds that were recorded when clock_ began
 };
 
 } // namespace gui

@@ -9,6 +9,7 @@
 #include "renderer/renderer_spec.h"
 
 #include <QComboBox>
+#include <QDir>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
@@ -190,6 +191,7 @@ void RenderDialog::onSource() {
     size_->setItemText(AsTheScene, now == Source::View    ? tr("as the live picture")
                                    : now == Source::Scene ? tr("as the scene says")
                                                           : tr("as the cameras say"));
+    size_->setMinimumWidth(size_->sizeHint().width()); // its least width is that of the words before
     output_->edit()->setPlaceholderText(now == Source::List ? tr("no pictures; or such as frame_####.png")
                                                             : QString());
     output_->setPath(now == Source::List ? QString() : proposedOutput_);
@@ -199,10 +201,11 @@ void RenderDialog::onSource() {
 }
 
 void RenderDialog::proposeFilm() {
-    if (list_->path().isEmpty() || (!film_->path().isEmpty() && film_->path() != proposedFilm_)) return;
+    if (film_->path() != proposedFilm_) return; // somebody has chosen another
     const QFileInfo list(list_->path());
-    proposedFilm_ = list.absolutePath() + QLatin1Char('/') + list.completeBaseName() + QStringLiteral(".mp4");
-    film_->setPath(proposedFilm_);
+    const QString name = list.isDir() ? QString() : list.completeBaseName();
+    film_->setPath(name.isEmpty() ? QString() : list.dir().filePath(name + QStringLiteral(".mp4")));
+    proposedFilm_ = film_->path();
 }
 
 bool RenderDialog::sceneOfServer() const {

@@ -28,7 +28,7 @@ constexpr ActionRow kRows[]{
     ActionRow{ActionId::Disconnect, MenuId::Connection, TEXT("&Disconnect"),
               TEXT("Leave the server; it goes on"), "Ctrl+D", NeedsServer},
     ActionRow{ActionId::ServerLog, MenuId::Connection, TEXT("Server &log"),
-              TEXT("What the server that this window started has to say"), "Ctrl+L", SeparatorBefore},
+              TEXT("What the server has to say"), "Ctrl+L", SeparatorBefore},
 
     ActionRow{ActionId::ExportCamera, MenuId::Action, TEXT("&Export camera…"),
               TEXT("Write the camera to a .cam file"), "Ctrl+E", NeedsServer},

@@ -67,12 +67,15 @@ QList<Binding> readBindings(const QString& text) {
     return bindings;
 }
 
-std::optional<QString> normalKeys(const QString& keys) {
-    // A plus sign can be a key itself: "M++".
+// A plus sign can be a key itself.
+QStringList keyNames(const QString& keys) {
     const qsizetype plus = keys.indexOf(QLatin1Char('+'), 1);
-    const QStringList names = plus < 0 ? QStringList{keys} : QStringList{keys.left(plus), keys.mid(plus + 1)};
+    return plus < 0 ? QStringList{keys} : QStringList{keys.left(plus), keys.mid(plus + 1)};
+}
+
+std::optional<QString> normalKeys(const QString& keys) {
     QStringList normal;
-    for (const QString& name : names) {
+    for (const QString& name : keyNames(keys)) {
         const std::optional<int> code = rtcore::keyNamed(name.trimmed().toStdString());
         if (!code) return std::nullopt;
         normal.append(QString::fromStdString(rtcore::keyName(*code)));

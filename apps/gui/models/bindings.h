@@ -20,6 +20,8 @@ QList<Binding> defaultBindings();
 /// Lines that are none are left out.
 QList<Binding> readBindings(const QString& text);
 
+/// The one or two names in "W", "M+3", "M++".
+QStringList keyNames(const QString& keys);
 /// "M+3" with both names as the server spells them; nothing when one is no key.
 std::optional<QString> normalKeys(const QString& keys);
 

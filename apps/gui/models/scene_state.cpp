@@ -38,12 +38,12 @@ QStringList commandsBetween(const SceneState& from, const SceneState& to) {
     for (qsizetype i = 0; i < std::min(from.lights.size(), to.lights.size()); ++i) {
         if (from.lights[i].on != to.lights[i].on)
             commands.append(QStringLiteral("light %1 %2")
-                                .arg(i)
+                                .arg(i + 1)
                                 .arg(to.lights[i].on ? QLatin1String("on") : QLatin1String("off")));
     }
     for (qsizetype i = 0; i < std::min(from.environments.size(), to.environments.size()); ++i) {
         if (to.environments[i].on && !from.environments[i].on)
-            commands.append(QStringLiteral("environment %1").arg(i));
+            commands.append(QStringLiteral("environment %1").arg(i + 1));
     }
     return commands;
 }

@@ -82,7 +82,7 @@ void BookmarkOperations::addBookmark() {
 }
 
 // While something moves, the frame that is there was drawn before the camera was asked for; the next one was
-// not.
+// not. None comes where a key is down that moves nothing, such as the Control of Ctrl+B in flight.
 void BookmarkOperations::keepWithPicture(const QByteArray& camera) {
     const auto keepNow = [this, camera] {
         const QImage seen = desk_.view.showsLive() ? desk_.session.frame() : desk_.view.picture();
@@ -98,6 +98,9 @@ void BookmarkOperations::keepWithPicture(const QByteArray& camera) {
         keepNow();
     };
     connect(&desk_.session, &Session::frameChanged, once, keepOnce);
+    connect(&desk_.session, &Session::statusChanged, once, [this, keepOnce] {
+        if (desk_.session.status().idle) keepOnce();
+    });
     connect(&desk_.session, &Session::stateChanged, once, keepOnce);
 }
 

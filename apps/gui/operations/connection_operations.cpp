@@ -1,7 +1,6 @@
 #include "gui/operations/connection_operations.h"
 
 #include "gui/dialogs/connect_dialog.h"
-#include "gui/dialogs/log_dialog.h"
 #include "gui/dialogs/start_server_dialog.h"
 #include "gui/models/bindings.h"
 #include "gui/operations/actions.h"
@@ -14,6 +13,8 @@
 #include <QElapsedTimer>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
 
 namespace gui {
 
@@ -44,8 +45,7 @@ void ConnectionOperations::connectActions() {
     actions.on(ActionId::Connect, [this] { chooseServer(); });
     actions.on(ActionId::StartServer, [this] { configureServer(); });
     actions.on(ActionId::Disconnect, [this] { desk_.session.leave(); });
-    actions.on(ActionId::ServerLog, [this] { showLog(); });
-    actions.on(ActionId::StopServer, [this] { desk_.keeper.stop(); });
+    actions.on(ActionId::StopServer, [this] { askToStop(); });
     actions.on(ActionId::PingServer, [this] { ping(); });
     actions.on(ActionId::RestartServer, [this] {
         desk_.notice.hide();
@@ -94,11 +94,13 @@ void ConnectionOperations::showScene(const QString& path) {
         request.resolution = desk_.view.devicePixels() * percent / 100;
         return start(request);
     }
+    desk_.notice.hide();
     desk_.view.tell(tr("Loading %1…").arg(QFileInfo(path).fileName()));
     QStringList words{QStringLiteral("load"), QStringLiteral("scene"), path};
     const QString built = desk_.keeper.models().find(path);
     if (!built.isEmpty()) words.append(built);
     desk_.session.send(Session::line(words), this, [this, path](const Answer& answer) {
+        desk_.view.tell({}); // it loads no more
         if (!answer.done) return desk_.notice.explain(answer.text, {});
         desk_.keeper.sceneLoaded(path);
         desk_.preferences.addRecentFile(path);
@@ -129,9 +131,18 @@ void ConnectionOperations::configureServer() {
     dialog->open();
 }
 
-void ConnectionOperations::showLog() {
-    auto* dialog = new LogDialog([this] { return desk_.keeper.server().log(); }, &desk_.window);
-    dialog->show();
+// Its key is beside those that move.
+void ConnectionOperations::askToStop() {
+    if (question_ != nullptr) return question_->raise();
+    question_ = new QMessageBox(
+        QMessageBox::Question, tr("Stop server"),
+        tr("End the server “%1”? Whoever looks at it loses it.").arg(desk_.session.instance()),
+        QMessageBox::NoButton, &desk_.window);
+    question_->setAttribute(Qt::WA_DeleteOnClose);
+    const QPushButton* stop = question_->addButton(tr("&Stop"), QMessageBox::AcceptRole);
+    question_->setDefaultButton(question_->addButton(QMessageBox::Cancel));
+    connect(stop, &QPushButton::clicked, this, [this] { desk_.keeper.stop(); });
+    question_->open();
 }
 
 void ConnectionOperations::ping() {

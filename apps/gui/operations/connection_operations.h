@@ -4,7 +4,10 @@
 #include "gui/operations/desk.h"
 
 #include <QObject>
+#include <QPointer>
 #include <QStringList>
+
+class QMessageBox;
 
 namespace gui {
 
@@ -31,14 +34,15 @@ class ConnectionOperations : public QObject {
     void chooseServer();
     void configureServer();
     void showScene(const QString& path);
-    void showLog();
     void ping();
+    void askToStop();
     void onDeath(const QString& text);
     void onState();
     void sendBindings();
 
     Desk desk_;
     QString instance_; ///< empty: the preference
+    QPointer<QMessageBox> question_;
 };
 
 } // namespace gui

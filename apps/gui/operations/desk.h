@@ -8,6 +8,7 @@ namespace gui {
 
 class Actions;
 class FrameView;
+class FullScreen;
 class NoticeBar;
 class Preferences;
 class SceneEditor;
@@ -22,6 +23,7 @@ struct Desk {
     Preferences& preferences;
     Actions& actions;
     FrameView& view;
+    FullScreen& fullScreen;
     NoticeBar& notice;
     SceneEditor& editor;
 };

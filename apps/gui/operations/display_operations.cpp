@@ -8,6 +8,7 @@
 #include "gui/processes/server_keeper.h"
 #include "gui/session/session.h"
 #include "gui/view/frame_view.h"
+#include "gui/view/full_screen.h"
 #include "gui/view/input_capture.h"
 #include "gui/view/theme.h"
 
@@ -31,7 +32,8 @@ DisplayOperations::DisplayOperations(const Desk& desk, QObject* parent) : QObjec
     actions.bind(ActionId::IgnoreAspectRatio, pref::ignoreAspectRatio);
     actions.bind(ActionId::SmoothTransformation, pref::smoothTransformation);
     actions.bind(ActionId::ShowOverlay, pref::showOverlay);
-    actions.onToggle(ActionId::FullScreen, [this](bool on) { setFullScreen(on); });
+    actions.onToggle(ActionId::FullScreen, [this](bool on) { desk_.fullScreen.set(on); });
+    connect(&desk_.fullScreen, &FullScreen::changed, actions[ActionId::FullScreen], &QAction::setChecked);
     actions.on(ActionId::Configure, [this] { configure(); });
     actions.on(ActionId::Keys, [this] { showKeys(); });
     actions.on(ActionId::About, [this] { (new AboutDialog(&desk_.window))->open(); });
@@ -58,11 +60,6 @@ void DisplayOperations::askForResolution(const QSize& devicePixels) {
     const QSize wanted = devicePixels * desk_.preferences.get(pref::pictureScale) / 100;
     if (wanted.isEmpty() || wanted == desk_.session.status().resolution) return;
     desk_.session.send(QStringLiteral("resolution %1 %2").arg(wanted.width()).arg(wanted.height()));
-}
-
-void DisplayOperations::setFullScreen(bool on) {
-    desk_.window.setWindowState(on ? desk_.window.windowState() | Qt::WindowFullScreen
-                                   : desk_.window.windowState() & ~Qt::WindowFullScreen);
 }
 
 void DisplayOperations::configure() {

@@ -20,7 +20,6 @@ class DisplayOperations : public QObject {
   private:
     void applyPreferences();
     void askForResolution(const QSize& devicePixels);
-    void setFullScreen(bool on);
     void configure();
     void showKeys();
     void showStatistics();

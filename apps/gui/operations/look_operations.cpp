@@ -78,7 +78,11 @@ void LookOperations::focusAt(const QPointF& place) {
     desk_.view.showLive();
     const auto share = [](double value) { return QString::number((1 + value) / 2, 'f', 6); };
     desk_.editor.place(Session::line({QStringLiteral("focus"), share(point->x()), share(-point->y())}),
-                       tr("focus there"));
+                       tr("focus there"), [this](const Answer& answer) {
+                           if (answer.done) return;
+                           const bool nothing = answer.text.contains(QLatin1String("nothing"));
+                           desk_.view.tell(nothing ? tr("There is nothing there to focus on.") : answer.text);
+                       });
 }
 
 // Steps that the server is too slow for are left out; the last one never is.

@@ -1,5 +1,6 @@
 #include "gui/operations/motion_operations.h"
 
+#include "gui/models/bindings.h"
 #include "gui/processes/server_keeper.h"
 #include "gui/session/session.h"
 #include "gui/view/frame_view.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace gui {
 
@@ -30,6 +32,17 @@ MotionOperations::MotionOperations(const Desk& desk, QObject* parent) : QObject(
     connect(&session, &Session::stateChanged, this, [this](SessionState state) {
         if (state == SessionState::Connecting) steps_ = 0;
         if (!desk_.session.live()) desk_.view.input().release();
+        if (!std::exchange(live_, desk_.session.live()) && live_) askForBindings();
+    });
+    connect(&input, &InputCapture::capturedChanged, this, [this](bool captured) {
+        if (captured && desk_.session.live()) askForBindings();
+    });
+}
+
+// Any program may change them.
+void MotionOperations::askForBindings() {
+    desk_.session.send(QStringLiteral("bindings"), this, [this](const Answer& answer) {
+        if (answer.done) desk_.view.input().setBindings(readBindings(answer.text));
     });
 }
 
@@ -38,7 +51,9 @@ void MotionOperations::changeSpeed(double steps) {
     steps_ = std::clamp(steps_ + steps, -kMostSteps, kMostSteps);
     const double factor = std::exp2(steps_ / kStepsPerDoubling);
     desk_.session.send(QStringLiteral("speed %1").arg(factor, 0, 'g', 6));
-    desk_.view.tell(tr("Flying speed × %1").arg(QLocale().toString(factor, 'g', 2)));
+    const QString text = desk_.session.status().view.walking ? tr("Flying speed × %1; walking keeps its own")
+                                                             : tr("Flying speed × %1");
+    desk_.view.tell(text.arg(QLocale().toString(factor, 'g', 2)));
 }
 
 } // namespace gui

@@ -1,4 +1,4 @@
-/// Keys and mouse of the picture, handed to the server; the wheel's speed.
+/// Keys and mouse of the picture, handed to the server; what the server's keys do; the wheel's speed.
 #pragma once
 
 #include "gui/operations/desk.h"
@@ -15,8 +15,10 @@ class MotionOperations : public QObject {
 
   private:
     void changeSpeed(double steps);
+    void askForBindings();
 
     Desk desk_;
+    bool live_ = false;
     double steps_ = 0; ///< of the wheel, from the usual speed
 };
 

@@ -24,6 +24,10 @@ constexpr int kMostSteps = 500;
 SceneEditor::SceneEditor(Session& session, QObject* parent) : QObject(parent), session_(session) {
     undo_.setUndoLimit(kMostSteps);
     connect(&session_, &Session::stateChanged, this, &SceneEditor::onSession);
+    connect(&session_, &Session::statusChanged, this, [this] {
+        const bool loads = session_.status().progress < 1;
+        if (std::exchange(loading_, loads) && !loads) refresh(); // whoever had it loaded
+    });
     connect(&timer_, &QTimer::timeout, this, &SceneEditor::look);
     sinceAsked_.start();
     timer_.start(kTick);

@@ -93,7 +93,7 @@ class SceneEditor : public QObject {
     QHash<QString, Sending> sending_; ///< by name of the setting
     quint64 changes_ = 0;             ///< sent by us: an answer to an older question is out of date
     quint64 askedAt_ = 0;             ///< number of the frame
-    bool live_ = false, asking_ = false, askAgain_ = false;
+    bool live_ = false, loading_ = false, asking_ = false, askAgain_ = false;
 };
 
 } // namespace gui

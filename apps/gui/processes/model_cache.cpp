@@ -84,6 +84,9 @@ QString fileFor(const Source& source) {
     return cacheFolder().filePath(QString::fromLatin1(hash.result().toHex()) + QStringLiteral(".bsp"));
 }
 
+// A .bsp does not know what its import warned of.
+QString printedFor(const QString& bsp) { return bsp + QStringLiteral(".txt"); }
+
 } // namespace
 
 ModelCache::ModelCache(QObject* parent) : QObject(parent) {}
@@ -107,6 +110,19 @@ QString ModelCache::find(const QString& scene) const {
     return file.fileName();
 }
 
+QStringList ModelCache::warnings(const QString& scene) const {
+    const QString bsp = find(scene);
+    QFile file(printedFor(bsp));
+    QStringList warnings;
+    if (bsp.isEmpty() || !file.open(QIODevice::ReadOnly)) return warnings;
+    const QString mark = QStringLiteral("warning: ");
+    for (const QString& line : QString::fromUtf8(file.readAll()).split(QLatin1Char('\n'))) {
+        const qsizetype at = line.indexOf(mark);
+        if (at >= 0) warnings.append(line.mid(at + mark.size()));
+    }
+    return warnings;
+}
+
 void ModelCache::keep(const QString& scene) {
     const std::optional<Source> source = megabytes_ > 0 ? sourceOf(scene) : std::nullopt;
     const QString program = programPath(QStringLiteral("BSPBuilder"));
@@ -118,7 +134,7 @@ void ModelCache::keep(const QString& scene) {
     building_ = bsp;
     builder_ = new QProcess(this);
     builder_->setStandardOutputFile(QProcess::nullDevice());
-    builder_->setStandardErrorFile(QProcess::nullDevice());
+    builder_->setStandardErrorFile(printedFor(bsp));
     startInBackground(*builder_);
     connect(builder_, &QProcess::finished, this, [this, bsp] { finish(bsp); });
     QStringList words{
@@ -138,12 +154,17 @@ void ModelCache::finish(const QString& bsp) {
 
 // The oldest go first.
 void ModelCache::makeRoom() const {
+    const QDir folder = cacheFolder();
     constexpr qint64 kMegabyte = 1024 * 1024;
     qint64 room = megabytes_ * kMegabyte;
-    for (const QFileInfo& file :
-         cacheFolder().entryInfoList({QStringLiteral("*.bsp")}, QDir::Files, QDir::Time)) {
+    for (const QFileInfo& file : folder.entryInfoList({QStringLiteral("*.bsp")}, QDir::Files, QDir::Time)) {
         room -= file.size();
         if (room < 0) QFile::remove(file.filePath());
+    }
+    // Of those, of builds that were given up, and of those that had nothing to say.
+    for (const QFileInfo& printed : folder.entryInfoList({QStringLiteral("*.bsp.txt")}, QDir::Files)) {
+        if (printed.size() == 0 || !folder.exists(printed.completeBaseName()))
+            QFile::remove(printed.filePath());
     }
 }
 

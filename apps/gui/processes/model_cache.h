@@ -3,13 +3,15 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 
 class QProcess;
 
 namespace gui {
 
-/// A folder of .bsp files in the user's cache. What a file was made of is in its name: the model's path, size
-/// and time, those of the materials and textures beside it, and how it is imported.
+/// A folder of .bsp files in the user's cache, with what BSPBuilder printed in a .txt beside each. What a
+/// file was made of is in its name: the model's path, size and time, those of the materials and textures
+/// beside it, and how it is imported.
 class ModelCache : public QObject {
     Q_OBJECT
 
@@ -23,6 +25,8 @@ class ModelCache : public QObject {
     /// The .bsp of a model, or of the model of a .scn; empty when there is none, or when that is a .bsp
     /// itself.
     QString find(const QString& scene) const;
+    /// What that model's import had warned of; empty where find() gives nothing.
+    QStringList warnings(const QString& scene) const;
     /// Makes it by a BSPBuilder that stays behind everything else, unless it is there. One at a time: the
     /// build of another model is given up. Failures are silent, for nothing depends on it.
     void keep(const QString& scene);

@@ -7,7 +7,6 @@
 
 #include <QRegularExpression>
 
-#include <algorithm>
 #include <chrono>
 
 namespace gui {
@@ -42,14 +41,9 @@ QList<RunningServer> runningServers() {
 }
 
 QString freeInstanceName(const QString& wanted) {
-    const auto all = ipc::listInstances();
-    const auto taken = [&](const QString& name) {
-        return std::any_of(all.begin(), all.end(), [&](const ipc::Instance& each) {
-            return each.running && each.name == name.toStdString();
-        });
-    };
     QString name = wanted;
-    for (int number = 2; taken(name); ++number) name = QStringLiteral("%1-%2").arg(wanted).arg(number);
+    for (int number = 2; !ipc::isAvailable(name.toStdString()); ++number)
+        name = QStringLiteral("%1-%2").arg(wanted).arg(number);
     return name;
 }
 

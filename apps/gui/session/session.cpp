@@ -28,6 +28,7 @@ ServerStatus statusOf(const ipc::Status& from) {
     to.idle = from.idle != 0;
     to.paused = from.paused != 0;
     to.recording = from.recording != 0;
+    to.messages = from.messages;
     return to;
 }
 

@@ -110,16 +110,8 @@
         <translation>Kliknutí, Enter</translation>
     </message>
     <message>
-        <source>Give keyboard and mouse to the camera</source>
-        <translation>Předat klávesnici a myš kameře</translation>
-    </message>
-    <message>
         <source>Esc</source>
         <translation>Esc</translation>
-    </message>
-    <message>
-        <source>Take them back</source>
-        <translation>Vzít si je zpět</translation>
     </message>
     <message>
         <source>Mouse</source>
@@ -274,10 +266,6 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
     <message>
         <source>Server &amp;log</source>
         <translation>&amp;Výpis serveru</translation>
-    </message>
-    <message>
-        <source>What the server that this window started has to say</source>
-        <translation>Co vypsal server spuštěný tímto oknem</translation>
     </message>
     <message>
         <source>&amp;Export camera…</source>
@@ -574,6 +562,78 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
     <message>
         <source>off</source>
         <translation>vypnuto</translation>
+    </message>
+    <message>
+        <source>Capture mouse and keyboard</source>
+        <translation>Zachytit myš a klávesnici</translation>
+    </message>
+    <message>
+        <source>Release them</source>
+        <translation>Uvolnit je</translation>
+    </message>
+    <message>
+        <source>What the server has to say</source>
+        <translation>Co server hlásí</translation>
+    </message>
+    <message>
+        <source>%1 (and others like this: %2)</source>
+        <translation>%1 (a další podobná: %2)</translation>
+    </message>
+    <message>
+        <source>Walking</source>
+        <translation>Chůze</translation>
+    </message>
+    <message>
+        <source>Flying</source>
+        <translation>Let</translation>
+    </message>
+    <message>
+        <source>Bloom: on</source>
+        <translation>Záře: zapnuta</translation>
+    </message>
+    <message>
+        <source>Bloom: off</source>
+        <translation>Záře: vypnuta</translation>
+    </message>
+    <message>
+        <source>Light %1: on</source>
+        <translation>Světlo %1: zapnuto</translation>
+    </message>
+    <message>
+        <source>Light %1: off</source>
+        <translation>Světlo %1: vypnuto</translation>
+    </message>
+    <message>
+        <source>Environment map %1</source>
+        <translation>Mapa prostředí %1</translation>
+    </message>
+    <message>
+        <source>There is no light %1.</source>
+        <translation>Světlo %1 neexistuje.</translation>
+    </message>
+    <message>
+        <source>There is no environment map %1.</source>
+        <translation>Mapa prostředí %1 neexistuje.</translation>
+    </message>
+    <message>
+        <source>Further warnings: %1</source>
+        <translation>Další varování: %1</translation>
+    </message>
+    <message>
+        <source>refining</source>
+        <translation>zpřesňuje se</translation>
+    </message>
+    <message>
+        <source>%1 textures are missing, so their materials are plain: %2</source>
+        <translation>Chybějící textury: %1; jejich materiály jsou jednobarevné: %2</translation>
+    </message>
+    <message>
+        <source>Walking on a floor that is not seen, at the model&apos;s lowest point</source>
+        <translation>Chůze po neviditelné podlaze v nejnižším bodě modelu</translation>
+    </message>
+    <message>
+        <source>There is no room to stand here, or no floor below; move elsewhere first.</source>
+        <translation>Není tu místo k stání nebo pod vámi není podlaha; přesuňte se jinam.</translation>
     </message>
 </context>
 <context>
@@ -1033,6 +1093,18 @@ Alt+%2</translation>
         <source>The server “%1” answered after %2 ms.</source>
         <translation>Server „%1“ odpověděl za %2 ms.</translation>
     </message>
+    <message>
+        <source>Stop server</source>
+        <translation>Zastavit server</translation>
+    </message>
+    <message>
+        <source>End the server “%1”? Whoever looks at it loses it.</source>
+        <translation>Ukončit server „%1“? Přijdou o něj všichni, kdo jej sledují.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Zastavit</translation>
+    </message>
 </context>
 <context>
     <name>gui::ExportCameraDialog</name>
@@ -1130,12 +1202,12 @@ Alt+%2</translation>
         <translation>Obraz</translation>
     </message>
     <message>
-        <source>The live picture. Keys move; Enter or a click takes keyboard and mouse, Esc gives them back.</source>
-        <translation>Živý obraz. Klávesami se pohybujete; Enter nebo kliknutí předá klávesnici a myš kameře, Esc je vrátí.</translation>
+        <source>The live picture. Keys move; Enter or a click captures mouse and keyboard, Esc releases them.</source>
+        <translation>Živý obraz. Klávesami se pohybujete; Enter nebo kliknutí zachytí myš a klávesnici, Esc je uvolní.</translation>
     </message>
     <message>
-        <source>Keyboard and mouse are the camera&apos;s. Esc gives them back.</source>
-        <translation>Klávesnice a myš patří kameře. Esc je vrátí.</translation>
+        <source>Mouse and keyboard captured. Esc releases them.</source>
+        <translation>Myš a klávesnice jsou zachyceny. Esc je uvolní.</translation>
     </message>
 </context>
 <context>
@@ -1475,6 +1547,10 @@ Alt+%2</translation>
         <source>focus there</source>
         <translation>zaostřit na místo</translation>
     </message>
+    <message>
+        <source>There is nothing there to focus on.</source>
+        <translation>Není tam nic, na co by se dalo zaostřit.</translation>
+    </message>
 </context>
 <context>
     <name>gui::MainWindow</name>
@@ -1488,6 +1564,10 @@ Alt+%2</translation>
     <message>
         <source>Flying speed × %1</source>
         <translation>Rychlost letu × %1</translation>
+    </message>
+    <message>
+        <source>Flying speed × %1; walking keeps its own</source>
+        <translation>Rychlost letu × %1; chůze má svou vlastní</translation>
     </message>
 </context>
 <context>
@@ -1644,10 +1724,6 @@ Alt+%2</translation>
         <translation>&amp;Začít</translation>
     </message>
     <message>
-        <source>Recording for %1 s.</source>
-        <translation>Záznam trvá %1 s.</translation>
-    </message>
-    <message>
         <source>Recorded: %1</source>
         <translation>Zaznamenáno: %1</translation>
     </message>
@@ -1662,6 +1738,10 @@ Alt+%2</translation>
     <message>
         <source>P&amp;lay</source>
         <translation>Pře&amp;hrát</translation>
+    </message>
+    <message>
+        <source>Recording %1 for %2 s.</source>
+        <translation>Záznam %1 trvá %2 s.</translation>
     </message>
 </context>
 <context>

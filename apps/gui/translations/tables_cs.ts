@@ -423,16 +423,16 @@
         <translation>Šířka</translation>
     </message>
     <message>
-        <source>pixels from left to right</source>
-        <translation>počet bodů zleva doprava</translation>
+        <source>pixels from left to right; alone it keeps the aspect</source>
+        <translation>počet bodů zleva doprava; sám zachová poměr stran</translation>
     </message>
     <message>
         <source>Height</source>
         <translation>Výška</translation>
     </message>
     <message>
-        <source>pixels from top to bottom</source>
-        <translation>počet bodů shora dolů</translation>
+        <source>pixels from top to bottom; alone it keeps the aspect</source>
+        <translation>počet bodů shora dolů; sám zachová poměr stran</translation>
     </message>
     <message>
         <source>View and video</source>
@@ -719,16 +719,16 @@
         <translation>Mez paměti</translation>
     </message>
     <message>
-        <source>memory that importing may take [2000, or 40 times the file if that is more]</source>
-        <translation>kolik paměti smí import zabrat [2000, nebo 40násobek souboru, je-li to víc]</translation>
+        <source>memory that importing may take [2000, or 40 times the file if that is more, but at most half of the machine's]</source>
+        <translation>kolik paměti smí import zabrat [2000, nebo 40násobek souboru, je-li to víc, nejvýš však polovinu paměti počítače]</translation>
     </message>
     <message>
         <source>Time limit</source>
         <translation>Mez času</translation>
     </message>
     <message>
-        <source>seconds that one step of importing may take [15, and 2 more for each MB of the file]</source>
-        <translation>kolik sekund smí trvat jeden krok importu [15 a 2 navíc za každý MB souboru]</translation>
+        <source>seconds that one step of importing may take [15, and 2 more for each MB of the file; 5 for a tiny one]</source>
+        <translation>kolik sekund smí trvat jeden krok importu [15 a 2 navíc za každý MB souboru; u malého 5]</translation>
     </message>
     <message>
         <source>Tree</source>

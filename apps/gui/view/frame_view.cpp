@@ -7,6 +7,7 @@
 #include <QPainter>
 
 #include <chrono>
+#include <utility>
 
 namespace gui {
 
@@ -26,19 +27,22 @@ FrameView::FrameView(Session& session, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(160, 120);
     setAccessibleName(tr("Picture"));
-    setAccessibleDescription(tr("The live picture. Keys move; Enter or a click takes keyboard and mouse, Esc "
-                                "gives them back."));
+    setAccessibleDescription(
+        tr("The live picture. Keys move; Enter or a click captures mouse and keyboard, Esc releases them."));
     tellTimer_.setSingleShot(true);
     resizeTimer_.setSingleShot(true);
     connect(&tellTimer_, &QTimer::timeout, this, [this] { tell({}); });
     connect(&resizeTimer_, &QTimer::timeout, this, [this] { emit resolutionWanted(devicePixels()); });
     connect(&session_, &Session::frameChanged, this, [this] {
+        const View& now = session_.status().view;
+        const View before = std::exchange(view_, now);
+        still_ = before.fieldOfView <= 0 || before == now; // the first one moves as little
         if (showsLive()) update();
     });
     connect(&session_, &Session::statusChanged, this, &FrameView::onStatus);
     connect(&session_, &Session::stateChanged, this, qOverload<>(&QWidget::update));
     connect(input_, &InputCapture::capturedChanged, this, [this](bool captured) {
-        tell(captured ? tr("Keyboard and mouse are the camera's. Esc gives them back.") : QString());
+        tell(captured ? tr("Mouse and keyboard captured. Esc releases them.") : QString());
     });
 }
 
@@ -140,7 +144,7 @@ void FrameView::paintEvent(QPaintEvent* event) {
     if (!words_.isEmpty() && !picture.isNull()) painter.fillRect(rect(), QColor(0, 0, 0, 90));
     drawWords(painter, rect(), words_);
     if (figures_ && session_.live()) {
-        const QString figures = figuresText(session_.status(), picture.size());
+        const QString figures = figuresText(session_.status(), picture.size(), still_);
         drawFigures(painter, rect(),
                     activity_.isEmpty() ? figures : figures + QStringLiteral("  ·  ") + activity_);
     }

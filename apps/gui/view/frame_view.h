@@ -35,6 +35,7 @@ class FrameView : public QWidget {
     void showLive();
     bool showsLive() const { return picture_.isNull(); }
     const QString& activity() const { return activity_; } ///< what goes on, in a word
+    const QString& told() const { return told_; }         ///< by tell(), as long as it is seen
     const QImage& picture() const { return picture_; }    ///< null while it shows live frames
 
     /// Where a point of the widget is in the picture: from -1 (left, bottom) to 1; nothing beside it.
@@ -66,6 +67,8 @@ class FrameView : public QWidget {
     bool ignoreAspectRatio_ = false, smooth_ = true, figures_ = true;
     QString told_, activity_, words_; ///< the last: in the middle, as painted
     QTimer tellTimer_, resizeTimer_;
+    View view_;           ///< of the last frame
+    bool still_ = false;  ///< it was the same as that of the frame before
     quint64 painted_ = 0; ///< number of the frame
     double paintDelay_ = 0;
 };

@@ -10,6 +10,8 @@
 #include <QWheelEvent>
 #include <QWidget>
 
+#include <algorithm>
+
 namespace gui {
 
 namespace {
@@ -27,10 +29,18 @@ bool isModifier(int key) {
     return key == Qt::Key_Control || key == Qt::Key_Alt || key == Qt::Key_Meta || key == Qt::Key_AltGr;
 }
 
-// A shortcut of the window or of the desktop.
+// One of the window or of the desktop, unless the camera has it.
 bool isShortcut(const QKeyEvent& event) {
     return isModifier(event.key()) ||
            (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) != 0;
+}
+
+// The code of the only modifier that is down; KeyNone when there are several, or another one.
+int onlyModifier(Qt::KeyboardModifiers modifiers) {
+    const auto down = modifiers & ~Qt::KeypadModifier;
+    return down == Qt::ControlModifier ? rtcore::KeyControl
+           : down == Qt::AltModifier   ? rtcore::KeyAlt
+                                       : rtcore::KeyNone;
 }
 
 bool isFunctionKey(int key) { return key >= Qt::Key_F1 && key <= Qt::Key_F35; }
@@ -104,9 +114,24 @@ bool InputCapture::eventFilter(QObject*, QEvent* event) {
 
 // --- Keys ---
 
+// The camera is being moved by the keyboard.
+bool InputCapture::takesAll() const {
+    return captured_ ||
+           std::any_of(held_.begin(), held_.end(), [this](int code) { return keys_.moves(code); });
+}
+
+bool InputCapture::isCameras(const QKeyEvent& event) const {
+    const int code = keyCodeOf(event);
+    if (isFunctionKey(event.key())) return false;
+    if (!isShortcut(event)) return captured_ || code != rtcore::KeyNone;
+    if (!takesAll()) return false;
+    if (isModifier(event.key())) return captured_ || keys_.moves(code);
+    return keys_.combines(onlyModifier(event.modifiers()), code);
+}
+
 // Accepted: Qt sends it as a key, and no shortcut fires.
 bool InputCapture::onShortcutOverride(QKeyEvent& event) {
-    const bool ours = captured_ ? !isFunctionKey(event.key()) : keyCodeOf(event) != 0 && !isShortcut(event);
+    const bool ours = isCameras(event);
     event.setAccepted(ours);
     return ours;
 }
@@ -119,7 +144,7 @@ bool InputCapture::onPress(QKeyEvent& event) {
     }
     if (!captured_) {
         const bool toFocus = code == rtcore::KeyTab || code == rtcore::KeyEscape;
-        if (isShortcut(event) || isFunctionKey(event.key()) || toFocus) return false;
+        if (!isCameras(event) || toFocus) return false;
         if (code == rtcore::KeyReturn) {
             capture();
             return true;

@@ -1,7 +1,9 @@
-/// Keys and mouse of a widget, turned into key codes and angles. While captured every key belongs to the
-/// server, and the mouse turns the camera; otherwise the keys without Ctrl, Alt and Meta do, and shortcuts
-/// work.
+/// Keys and mouse of a widget, turned into key codes and angles. Keys without Ctrl, Alt and Meta are the
+/// server's; while captured, or while a key that moves is down, so are the combinations of keys that move
+/// (Control+W crawls), and all others are shortcuts. While captured the mouse turns the camera.
 #pragma once
+
+#include "gui/models/camera_keys.h"
 
 #include <QHash>
 #include <QObject>
@@ -26,6 +28,8 @@ class InputCapture : public QObject {
     void capture();
     void release();
     void setMouseSensitivity(double degreesPerPixel, bool invert);
+    /// What the keys do on the server.
+    void setBindings(const QList<Binding>& bindings) { keys_ = CameraKeys(bindings); }
 
   signals:
     void capturedChanged(bool captured);
@@ -45,6 +49,8 @@ class InputCapture : public QObject {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
+    bool takesAll() const;
+    bool isCameras(const QKeyEvent& event) const;
     bool onShortcutOverride(QKeyEvent& event);
     bool onPress(QKeyEvent& event);
     bool onRelease(QKeyEvent& event);
@@ -57,6 +63,7 @@ class InputCapture : public QObject {
     void releaseKeys();
 
     QWidget* widget_;
+    CameraKeys keys_;
     bool captured_ = false;
     QHash<quint64, int> held_; ///< by the key's place, as long as it is down
     QSet<int> commands_;       ///< E, H, R, L that are down

@@ -14,9 +14,10 @@ constexpr double kRadius = 6;
 
 QString tr(const char* text) { return QCoreApplication::translate("gui", text); }
 
-QString activity(const ServerStatus& status) {
+QString activity(const ServerStatus& status, bool refining) {
     if (status.paused) return tr("paused");
-    return status.idle ? tr("at rest") : tr("drawing");
+    if (status.idle) return tr("at rest");
+    return refining ? tr("refining") : tr("drawing");
 }
 
 void drawBox(QPainter& painter, const QRect& box) {
@@ -29,16 +30,17 @@ void drawBox(QPainter& painter, const QRect& box) {
 
 } // namespace
 
-QString figuresText(const ServerStatus& status, const QSize& frame) {
+QString figuresText(const ServerStatus& status, const QSize& frame, bool still) {
     if (status.resolution.isEmpty()) return {};
     QString size = QStringLiteral("%1 × %2").arg(status.resolution.width()).arg(status.resolution.height());
     constexpr int kPercent = 100;
     const int share = kPercent * frame.width() / status.resolution.width();
-    if (share > 0 && share < kPercent) size += tr(" (%1 %)").arg(share);
+    const bool coarse = share > 0 && share < kPercent;
+    if (coarse) size += tr(" (%1 %)").arg(share);
     const QString mode = status.view.walking ? tr("walking") : tr("flying");
-    QStringList parts{size, mode, activity(status)};
-    const bool drawing = !status.idle && !status.paused;
-    if (drawing) parts.prepend(tr("%1 fps").arg(QLocale().toString(status.framesPerSecond, 'f', 0)));
+    QStringList parts{size, mode, activity(status, coarse && still)};
+    const bool counts = !status.idle && !status.paused && status.framesPerSecond >= 1;
+    if (counts) parts.prepend(tr("%1 fps").arg(QLocale().toString(status.framesPerSecond, 'f', 0)));
     if (status.recording) parts.append(tr("● recording"));
     return parts.join(QStringLiteral("  ·  "));
 }

@@ -11,8 +11,9 @@ class QRect;
 
 namespace gui {
 
-/// "29 fps · 1280 × 720 (62 %) · walking · drawing": `frame` is smaller while the server saves pixels.
-QString figuresText(const ServerStatus& status, const QSize& frame);
+/// "29 fps · 1280 × 720 (62 %) · walking · drawing": `frame` is smaller while the server saves pixels. Does
+/// the camera stand still, more pixels follow: "refining".
+QString figuresText(const ServerStatus& status, const QSize& frame, bool still);
 /// What stands in the middle while there is no live picture; empty when there is.
 QString stateText(const Session& session);
 

@@ -1,0 +1,89 @@
+#include "gui/models/messages.h"
+
+#include <QCoreApplication>
+#include <QHash>
+#include <QRegularExpression>
+
+namespace gui {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("gui", text); }
+
+// Warnings that differ only in what they name are of one kind.
+QString kindOf(const QString& warning) {
+    static const QRegularExpression names(QStringLiteral("'[^']*'|\"[^\"]*\""));
+    return QString(warning).replace(names, QStringLiteral("…"));
+}
+
+// Without the folders of the file, and in the user's language as far as it is known.
+QString warningText(QString warning) {
+    static const QRegularExpression folders(QStringLiteral("^/(?:[^:]*/)?(?=[^/:]*: )"));
+    static const QRegularExpression missing(
+        QStringLiteral("(\\d+) textures are missing, so their materials are plain: (.*)$"));
+    warning.remove(folders);
+    const QRegularExpressionMatch found = missing.match(warning);
+    if (!found.hasMatch()) return warning;
+    return warning.left(found.capturedStart()) +
+           tr("%1 textures are missing, so their materials are plain: %2")
+               .arg(found.captured(1), found.captured(2));
+}
+
+QString countedText(const QString& first, qsizetype count) {
+    const QString text = warningText(first);
+    return count == 1 ? text : tr("%1 (and others like this: %2)").arg(text).arg(count - 1);
+}
+
+} // namespace
+
+QList<Message> readMessages(const QString& answer) {
+    QList<Message> messages;
+    for (const QString& line : answer.split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
+        bool counted = false;
+        const quint64 number = line.section(QLatin1Char(' '), 0, 0).toULongLong(&counted);
+        const QString kind = line.section(QLatin1Char(' '), 1, 1), text = line.section(QLatin1Char(' '), 2);
+        const bool warning = kind == QLatin1String("warning");
+        if (counted && (warning || kind == QLatin1String("event"))) messages.append({number, warning, text});
+    }
+    return messages;
+}
+
+QString eventText(const QString& event) {
+    const QStringList words = event.split(QLatin1Char(' '));
+    if (event == QLatin1String("walking")) return tr("Walking");
+    if (event == QLatin1String("flying")) return tr("Flying");
+    if (event.startsWith(QLatin1String("nothing is below")))
+        return tr("Walking on a floor that is not seen, at the model's lowest point");
+    if (event.startsWith(QLatin1String("there is no room to stand")))
+        return tr("There is no room to stand here, or no floor below; move elsewhere first.");
+    if (event == QLatin1String("bloom on")) return tr("Bloom: on");
+    if (event == QLatin1String("bloom off")) return tr("Bloom: off");
+    if (words.size() == 3 && words[0] == QLatin1String("light"))
+        return (words[2] == QLatin1String("on") ? tr("Light %1: on") : tr("Light %1: off")).arg(words[1]);
+    if (words.size() == 2 && words[0] == QLatin1String("environment"))
+        return tr("Environment map %1").arg(words[1]);
+    if (event.startsWith(QLatin1String("there is no light ")))
+        return tr("There is no light %1.").arg(words.last());
+    if (event.startsWith(QLatin1String("there is no environment ")))
+        return tr("There is no environment map %1.").arg(words.last());
+    return event;
+}
+
+QString warningsText(const QStringList& warnings) {
+    QStringList kinds;
+    QHash<QString, QStringList> ofKind;
+    for (const QString& warning : warnings) {
+        const QString kind = kindOf(warning);
+        if (!ofKind.contains(kind)) kinds.append(kind);
+        ofKind[kind].append(warning);
+    }
+    constexpr qsizetype kMostLines = 4;
+    QStringList lines;
+    for (const QString& kind : kinds.mid(0, kMostLines))
+        lines.append(countedText(ofKind[kind].first(), ofKind[kind].size()));
+    const qsizetype more = kinds.size() - lines.size();
+    if (more > 0) lines.append(tr("Further warnings: %1").arg(more));
+    return lines.join(QLatin1Char('\n'));
+}
+
+} // namespace gui

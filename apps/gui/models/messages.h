@@ -1,0 +1,24 @@
+/// What a server has to say, as its command `messages` prints it: NUMBER warning|event TEXT.
+#pragma once
+
+#include <QList>
+#include <QString>
+#include <QStringList>
+
+namespace gui {
+
+struct Message {
+    quint64 number = 0;   ///< counts from 1
+    bool warning = false; ///< else what a key did
+    QString text;         ///< in English
+};
+
+/// Lines that are none are left out.
+QList<Message> readMessages(const QString& answer);
+
+/// What a key did, in the user's language as far as it is known: "Light 3: off".
+QString eventText(const QString& event);
+/// Many warnings in a few lines: those of one kind are counted, files stand without their folders.
+QString warningsText(const QStringList& warnings);
+
+} // namespace gui

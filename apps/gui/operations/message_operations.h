@@ -1,0 +1,36 @@
+/// Shows what the server has to say: warnings in the notice bar, what keys did below the picture, all of it
+/// in the log.
+#pragma once
+
+#include "gui/models/messages.h"
+#include "gui/operations/desk.h"
+
+#include <QObject>
+#include <QStringList>
+
+namespace gui {
+
+class MessageOperations : public QObject {
+    Q_OBJECT
+
+  public:
+    MessageOperations(const Desk& desk, QObject* parent);
+
+  private:
+    void onState();
+    void onStatus();
+    void take(const QList<Message>& messages);
+    void onScene();
+    void warn(const QStringList& warnings);
+    void showLog();
+
+    Desk desk_;
+    bool live_ = false;
+    bool asking_ = false;
+    quint64 known_ = 0;    ///< number of the last one that was shown
+    quint64 before_ = 0;   ///< so many were there when we came
+    QStringList heard_;    ///< all of this server
+    QStringList warnings_; ///< of the notice that is shown
+};
+
+} // namespace gui

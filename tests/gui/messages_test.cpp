@@ -1,0 +1,154 @@
+/// What the server has to say is seen in the window.
+#include "gui/lit_scene.h"
+#include "gui/window_support.h"
+
+#include "gui/dialogs/log_dialog.h"
+#include "gui/models/messages.h"
+#include "gui/view/overlay.h"
+
+#include <QPlainTextEdit>
+#include <QPushButton>
+
+namespace {
+
+using namespace test;
+using namespace gui;
+
+std::string text(const QString& from) { return from.toStdString(); }
+
+const char* const kMissing =
+    "bare.obj: 2 textures are missing, so their materials are plain: 'one.png' and 'two.png'";
+
+class MessagesTest : public WindowFixture {
+  protected:
+    /// Two triangles in a material each, whose textures are not there.
+    void writeBareModel() {
+        writeText(folder() / "bare.mtl", "newmtl a\nmap_Kd one.png\nnewmtl b\nmap_Kd two.png\n");
+        writeText(folder() / "bare.obj",
+                  "mtllib bare.mtl\nv 0 0 0\nv 4 0 0\nv 4 3 0\nv 0 3 0\nvt 0 0\nvt 1 1\n"
+                  "vt 0 1\nusemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 3/2 4/3\n");
+    }
+    bool told(const char* words) {
+        return comes([&] { return window->view().told() == QLatin1String(words); });
+    }
+};
+
+TEST_F(MessagesTest, MissingTexturesAreCountedInANotice) {
+    writeBareModel();
+    open("bare.obj");
+    ASSERT_TRUE(comes([&] { return window->notice().isVisible(); }));
+    EXPECT_EQ(text(window->notice().text()), kMissing);
+    window->notice().findChild<QPushButton*>()->click();
+    const auto* log = window->findChild<LogDialog*>();
+    ASSERT_NE(log, nullptr) << "with the names";
+    EXPECT_TRUE(log->findChild<QPlainTextEdit*>()->toPlainText().contains(QStringLiteral("two.png")));
+    EXPECT_FALSE(window->notice().isVisible());
+
+    MainWindow other(name()); // which did not start the server
+    other.show();
+    other.connectToServer();
+    ASSERT_TRUE(comes([&] { return other.notice().isVisible(); }));
+    EXPECT_EQ(text(other.notice().text()), kMissing);
+    other.notice().findChild<QPushButton*>()->click();
+    const auto* otherLog = other.findChild<LogDialog*>();
+    ASSERT_NE(otherLog, nullptr);
+    EXPECT_TRUE(otherLog->findChild<QPlainTextEdit*>()->toPlainText().contains(QStringLiteral("two.png")));
+    other.close();
+}
+
+// A kept model is not imported again.
+TEST_F(MessagesTest, AKeptModelStillLacksItsTextures) {
+    writeBareModel();
+    open("bare.obj");
+    ASSERT_TRUE(comes([&] { return !window->keeper().models().find(file("bare.obj")).isEmpty(); }));
+    ASSERT_TRUE(comes([&] { return !window->keeper().models().building(); }));
+    window->close();
+    window.emplace(name());
+    window->show();
+    open("bare.obj");
+    ASSERT_TRUE(comes([&] { return window->notice().isVisible(); }));
+    EXPECT_EQ(text(window->notice().text()), kMissing);
+    window->notice().findChild<QPushButton*>()->click();
+    const auto* log = window->findChild<LogDialog*>();
+    ASSERT_NE(log, nullptr);
+    EXPECT_TRUE(log->findChild<QPlainTextEdit*>()->toPlainText().contains(QStringLiteral("one.png")));
+}
+
+TEST_F(MessagesTest, TheNoticeIsThatOfTheSceneThatIsShown) {
+    writeBareModel();
+    open("bare.obj");
+    ASSERT_TRUE(comes([&] { return window->notice().isVisible(); }));
+    window->open(file("room.obj"));
+    ASSERT_TRUE(comes([&] { return window->windowTitle().contains(QStringLiteral("room.obj")); }));
+    EXPECT_FALSE(window->notice().isVisible());
+    window->open(file("bare.obj"));
+    EXPECT_TRUE(comes([&] { return window->notice().isVisible(); })) << "again";
+}
+
+TEST_F(MessagesTest, WhatAKeyDidIsTold) {
+    writeLitScene(folder());
+    openAndRest("lit.scn");
+    QTest::keyClick(&window->view(), Qt::Key_2);
+    EXPECT_TRUE(told("Light 2: off")) << text(window->view().told());
+    QTest::keyClick(&window->view(), Qt::Key_2);
+    EXPECT_TRUE(told("Light 2: on"));
+    QTest::keyClick(&window->view(), Qt::Key_7);
+    EXPECT_TRUE(told("There is no light 7."));
+    QTest::keyClick(&window->view(), Qt::Key_B);
+    EXPECT_TRUE(told("Bloom: on"));
+    QTest::keyPress(&window->view(), Qt::Key_M);
+    QTest::keyClick(&window->view(), Qt::Key_2);
+    QTest::keyRelease(&window->view(), Qt::Key_M);
+    EXPECT_TRUE(told("Environment map 2"));
+    MainWindow other(name());
+    other.show();
+    other.connectToServer();
+    ASSERT_TRUE(shows(other.session()));
+    ASSERT_TRUE(ask(other.session(), QStringLiteral("ping")).done);
+    QTest::qWait(100);
+    EXPECT_EQ(text(other.view().told()), "") << "that was before it came";
+    other.close();
+}
+
+TEST(Messages, AreReadLineByLine) {
+    const QList<Message> messages =
+        readMessages(QStringLiteral("3 warning a b: c\nnonsense\n4 event light 2 off\n5 other x"));
+    ASSERT_EQ(messages.size(), 2);
+    EXPECT_TRUE(messages[0].warning);
+    EXPECT_EQ(text(messages[0].text), "a b: c");
+    EXPECT_EQ(messages[1].number, 4U);
+    EXPECT_EQ(text(eventText(messages[1].text)), "Light 2: off");
+    EXPECT_EQ(text(eventText(QStringLiteral("a new thing"))), "a new thing") << "what is new stays English";
+}
+
+TEST(Messages, OfOneKindAreCounted) {
+    QStringList warnings{
+        QStringLiteral("/a b/m.obj: 3 of 35 triangles are damaged"),
+        QStringLiteral("/a b/m.obj: 22 textures are missing, so their materials are plain: 'a/b.png', ...")};
+    for (const char* name : {"a", "b"})
+        warnings.append(QStringLiteral("/c.obj: light '%1' of a/b: it is left out").arg(QLatin1String(name)));
+    EXPECT_EQ(text(warningsText(warnings)),
+              "m.obj: 3 of 35 triangles are damaged\n"
+              "m.obj: 22 textures are missing, so their materials are plain: 'a/b.png', ...\n"
+              "c.obj: light 'a' of a/b: it is left out (and others like this: 1)");
+    for (const char* kind : {"x", "y", "z"}) warnings.append(QLatin1String(kind));
+    EXPECT_TRUE(warningsText(warnings).endsWith(QStringLiteral("x\nFurther warnings: 2")));
+}
+
+TEST(Figures, SayThatACoarsePictureIsRefined) {
+    ServerStatus status;
+    status.resolution = QSize(800, 600);
+    const auto figures = [&](const QSize& frame, bool still) {
+        return text(figuresText(status, frame, still));
+    };
+    EXPECT_NE(figures({100, 75}, true).find("(12 %)  ·  flying  ·  refining"), std::string::npos);
+    EXPECT_NE(figures({100, 75}, false).find("drawing"), std::string::npos) << "while it moves";
+    EXPECT_NE(figures({800, 600}, true).find("drawing"), std::string::npos);
+    EXPECT_EQ(figures({800, 600}, true).find("fps"), std::string::npos) << "0 fps tells nothing";
+    status.framesPerSecond = 25;
+    EXPECT_EQ(figures({800, 600}, true).rfind("25 fps", 0), 0U);
+    status.idle = true;
+    EXPECT_NE(figures({800, 600}, true).find("at rest"), std::string::npos);
+}
+
+} // namespace
