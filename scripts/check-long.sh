@@ -1,13 +1,22 @@
 #!/bin/sh
 # The checks that take too long for every run; their output belongs into the note that closes an issue.
-#   scripts/check-long.sh [leaks] [waves] [oracle] [mutations] [kills] [formats] [ipc] [server] [soak] [preview] [window]
-#                         [walks] [sanitizers] [mutants]
+<<<<<<< HEAD
+#   scripts/check-long.sh [leaks] [waves] [oracle] [mutations] [kills] [formats] [ipc] [server] [reaction] [soak] [preview]
+#                         [window] [walks] [tutorial] [sanitizers] [mutants]
+=======
+#   scripts/check-long.sh [leaks] [leaving] [waves] [oracle] [mutations] [kills] [formats] [ipc] [server] [soak] [preview]
+#                         [window] [walks] [sanitizers] [mutants]
+>>>>>>> d38a33e (Settle in double the distances that single precision cannot tell)
 # Without arguments: all. RT_ISA chooses the instruction set of the kernels.
 set -eu
 cd "$(dirname "$0")/.."
 scripts/build.sh
 [ $# -gt 0 ] ||
-    set -- leaks waves oracle mutations kills formats ipc server soak preview window walks sanitizers mutants
+<<<<<<< HEAD
+    set -- leaks waves oracle mutations kills formats ipc server reaction soak preview window walks tutorial sanitizers mutants
+=======
+    set -- leaks leaving waves oracle mutations kills formats ipc server soak preview window walks sanitizers mutants
+>>>>>>> d38a33e (Settle in double the distances that single precision cannot tell)
 release=build/release/bin
 for check in "$@"; do
     echo "== $check"
@@ -15,6 +24,10 @@ for check in "$@"; do
     leaks)
         # So many rays for each kernel, five times as many in all; RT_ISA chooses the instruction set.
         RT_LEAK_RAYS=${RT_LEAK_RAYS:-100000000} $release/test_leaks
+        ;;
+    leaving)
+        # So many rays in all, from triangles of 1 : 1 to 1 : 100,000, by every kernel and instruction set.
+        RT_LEAVING_RAYS=${RT_LEAVING_RAYS:-1000000000} $release/test_leaving
         ;;
     waves)
         RT_WAVE_ROUNDS=${RT_WAVE_ROUNDS:-200} $release/test_kernels --gtest_filter='AwkwardWaves.*-*EqualTriangles*'
@@ -27,7 +40,7 @@ for check in "$@"; do
     mutations)
         cmake --preset asan-ubsan >/dev/null
         cmake --build --preset asan-ubsan --target unit_tests
-        RT_MUTATIONS=${RT_MUTATIONS:-200000} ctest --preset asan-ubsan -R Mutat -j "$(nproc)" --verbose
+        RT_MUTATIONS=${RT_MUTATIONS:-1000000} ctest --preset asan-ubsan -R Mutat -j "$(nproc)" --verbose
         RT_MUTATIONS=${RT_IMAGE_MUTATIONS:-20000} ctest --preset asan-ubsan -R ChangedAnywhere -j "$(nproc)" --verbose
         ;;
     kills)
@@ -42,15 +55,22 @@ for check in "$@"; do
         ;;
     server)
         # 50 kills, times the factor; the floods last as many seconds.
-        RT_IPC_ROUNDS=${RT_IPC_ROUNDS:-20} $release/test_server_faults --gtest_filter=-Soak.*
+        RT_IPC_ROUNDS=${RT_IPC_ROUNDS:-20} RT_START_KILLS=${RT_START_KILLS:-500} \
+            $release/test_server_faults --gtest_filter=-Soak.*
+        ;;
+    reaction)
+        # RT_SERVERS: other RTServers, which take turns with this one, such as one of before a change.
+        # shellcheck disable=SC2086
+        $release/bench_reaction $release/RTServer ${RT_SERVERS:-}
         ;;
     soak)
         RT_SOAK_SECONDS=${RT_SOAK_SECONDS:-1200} $release/test_server_faults --gtest_filter=Soak.*
         ;;
     sanitizers)
         cmake --preset asan-ubsan >/dev/null
-        cmake --build --preset asan-ubsan --target test_server_process --target test_server_faults
+        cmake --build --preset asan-ubsan --target test_server_process --target test_server_faults --target test_ipc
         sanitized=build/asan-ubsan/bin
+        RT_MUTATIONS=${RT_SCRIBBLES:-100000} $sanitized/test_ipc --gtest_filter='Scribble.*:Queues.*'
         UBSAN_OPTIONS=print_stacktrace=1 $sanitized/test_server_process
         UBSAN_OPTIONS=print_stacktrace=1 $sanitized/test_server_faults
         ;;
@@ -66,6 +86,10 @@ for check in "$@"; do
         $release/test_motion --gtest_filter='RandomWalk.*'
         $release/test_walks
         $release/bench_motion data/nave/generated/nave.glb 1
+        ;;
+    tutorial)
+        # In the sizes that it names.
+        RT_TUTORIAL_FULL=1 $release/test_process --gtest_filter='Tutorial.*'
         ;;
     mutants)
         scripts/check-mutants.sh

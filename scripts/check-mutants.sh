@@ -30,15 +30,20 @@ handshake-unchecked endpoint/link.cpp s/facts->handshake != ownHandshake()/false
 wait-to-send channel/command_queue.cpp s/state_->queue.try_send(\(.*\), 0)/(state_->queue.send(\1, 0), true)/
 wait-to-receive channel/command_queue.cpp s/if (!state_->queue.try_receive(\(.*\)))/state_->queue.receive(\1); if (false)/
 silence-is-death endpoint/link.cpp s/? LinkState::Busy :/? LinkState::Gone :/
-lock-unchecked endpoint/link.cpp s/!lockHolder([^;]*).held || replaced()/replaced()/
+lock-unchecked endpoint/link.cpp s/!segment_.locked(kServerLock) || replaced()/replaced()/
 dead-clients-kept endpoint/server.cpp /ServedClient::declareDead(/d
-queue-name-kept channel/command_queue.cpp /^        Segment::remove(name);/d
+queue-name-kept channel/command_queue.cpp s/~NameRemover() { Segment::remove(name); }//
 nothing-removed-at-start endpoint/server.cpp /^        removeSegments(names);/d
 names-not-watched endpoint/server.cpp /named()) publishAnew();/d
 mode-unchecked platform/segment.cpp /if (!facts.ours)/d
 space-not-reserved platform/segment.cpp s/reserveSpace(\(.*\), bytes, name);/if (ftruncate(\1, static_cast<off_t>(bytes)) != 0) throw 1;/;s/^#include "ipc.platform.system.h"/&\n#include <unistd.h>/
 crc-unchecked channel/message.cpp /header.checksum) return false/d
-wall-clock-waits platform/system_posix.cpp s/__GLIBC_PREREQ(2, 30)/0/
+wall-clock-waits platform/system.h s/std::chrono::steady_clock/std::chrono::system_clock/
+wall-clock-in-the-queue platform/boost_interprocess.h /define pthread_mutex_timedlock/d
+pipes-waited-for platform/system_posix.cpp s/O_NONBLOCK | //
+queue-unchecked channel/command_queue.cpp s/!isSoundQueue([^)]*)/false/
+fields-not-repaired endpoint/server.cpp /^        repair();/d
+taken-for-dead-unnoticed endpoint/attachment.cpp s/slot_->clientTag.load(std::memory_order_relaxed) == tag_/true/
 keys-kept endpoint/attachment.cpp s/^    keys.restore(.*/(void)keys;/
 END
 }

@@ -1,22 +1,51 @@
 #!/bin/sh
 # All set-up, then all tests: the release build with everything, the libraries' unit and mutation tests under the
 # address and undefined-behaviour sanitizers, those of shared memory under the thread sanitizer, too. RT_TEST_SCENES
-# may name a folder with real models for more tests.
+# may name a folder with real models for more tests. Says how long each stage took.
 set -eu
 cd "$(dirname "$0")/.."
-# Warnings are errors, except in what was built without: that is not built again.
-[ -f build/release/CMakeCache.txt ] || export RT_WERROR=ON
-scripts/build.sh
-scripts/check-style.sh
 jobs=$(nproc)
-ctest --preset release -j "$jobs"
+begun=$(date +%s)
 
-cmake --preset asan-ubsan -DRT_WERROR=ON >/dev/null
-cmake --build --preset asan-ubsan --target unit_tests
-UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=allocator_may_return_null=1 \
-    ctest --preset asan-ubsan -j "$jobs" -L unit
+# Minutes and seconds since $1, as "stage: 2:05".
+tell() {
+    taken=$(($(date +%s) - $1))
+    printf '== %s: %d:%02d minutes\n' "$2" $((taken / 60)) $((taken % 60))
+}
+# Runs the function $2 and tells how long it took.
+stage() {
+    from=$(date +%s)
+    $2
+    tell "$from" "$1"
+}
 
+build() {
+    # Warnings are errors, except in what was built without: that is not built again.
+    [ -f build/release/CMakeCache.txt ] || export RT_WERROR=ON
+    scripts/build.sh
+}
+check_release() {
+    scripts/check-style.sh
+    ctest --preset release -j "$jobs"
+}
+build_sanitized() {
+    cmake --preset asan-ubsan -DRT_WERROR=ON >/dev/null
+    cmake --build --preset asan-ubsan --target unit_tests
+}
+check_sanitized() {
+    UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=allocator_may_return_null=1 \
+        ctest --preset asan-ubsan -j "$jobs" -L unit
+}
 # Shared memory is where programs meet without a lock.
-cmake --preset tsan -DRT_WERROR=ON >/dev/null
-cmake --build --preset tsan --target test_ipc
-build/tsan/bin/test_ipc --gtest_brief=1
+check_threads() {
+    cmake --preset tsan -DRT_WERROR=ON >/dev/null
+    cmake --build --preset tsan --target test_ipc
+    build/tsan/bin/test_ipc --gtest_brief=1
+}
+
+stage "building" build
+stage "tests" check_release
+stage "building with sanitizers" build_sanitized
+stage "tests with sanitizers" check_sanitized
+stage "tests of threads" check_threads
+tell "$begun" "all"
