@@ -1,22 +1,14 @@
 #!/bin/sh
 # The checks that take too long for every run; their output belongs into the note that closes an issue.
-<<<<<<< HEAD
-#   scripts/check-long.sh [leaks] [waves] [oracle] [mutations] [kills] [formats] [ipc] [server] [reaction] [soak] [preview]
-#                         [window] [walks] [tutorial] [sanitizers] [mutants]
-=======
-#   scripts/check-long.sh [leaks] [leaving] [waves] [oracle] [mutations] [kills] [formats] [ipc] [server] [soak] [preview]
-#                         [window] [walks] [sanitizers] [mutants]
->>>>>>> d38a33e (Settle in double the distances that single precision cannot tell)
+#   scripts/check-long.sh [leaks] [leaving] [waves] [oracle] [mutations] [kills] [formats] [ipc] [server] [reaction]
+#                         [soak] [preview] [window] [walks] [tutorial] [sanitizers] [mutants]
 # Without arguments: all. RT_ISA chooses the instruction set of the kernels.
 set -eu
 cd "$(dirname "$0")/.."
 scripts/build.sh
 [ $# -gt 0 ] ||
-<<<<<<< HEAD
-    set -- leaks waves oracle mutations kills formats ipc server reaction soak preview window walks tutorial sanitizers mutants
-=======
-    set -- leaks leaving waves oracle mutations kills formats ipc server soak preview window walks sanitizers mutants
->>>>>>> d38a33e (Settle in double the distances that single precision cannot tell)
+    set -- leaks leaving waves oracle mutations kills formats ipc server reaction soak preview window walks tutorial \
+        sanitizers mutants
 release=build/release/bin
 for check in "$@"; do
     echo "== $check"

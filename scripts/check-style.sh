@@ -1,5 +1,5 @@
 #!/bin/sh
-# The layout of the code by clang-format 14; with --tidy also clang-tidy over the release build (takes a while).
+# The layout of the code by clang-format 14 and the syntax of the scripts; with --tidy also clang-tidy over the release build (takes a while).
 #   scripts/check-style.sh [--tidy]
 set -eu
 cd "$(dirname "$0")/.."
@@ -9,6 +9,12 @@ if clang-format --version 2>/dev/null | grep -q "version 14\."; then
 else
     echo "check-style: skipped clang-format: version 14 is not installed" >&2
 fi
+# Each by the shell that its first line names.
+git ls-files '*.sh' .ci/run | while read -r script; do
+    shell=$(sed -n '1s/^#![^ ]*[/ ]\([a-z]*\)$/\1/p' "$script")
+    "${shell:-sh}" -n "$script" || exit 1
+done
+echo "check-style: the scripts' syntax is right"
 [ "${1:-}" = "--tidy" ] || exit 0
 git ls-files '*.cpp' | xargs -n 4 -P "$(nproc)" clang-tidy -p build/release --quiet --extra-arg=-Wno-unknown-warning-option
 echo "check-style: clang-tidy is content"
