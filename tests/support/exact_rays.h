@@ -21,18 +21,16 @@ namespace test {
 /// The closest hit among all triangles by the kernels' own arithmetic: what a tree must find, bit for bit.
 inline bool bruteForce(const rtcore::Mesh& mesh, const rtcore::Ray& ray, rtcore::Hit& hit) {
     const rtcore::RayShear shear(ray.direction);
-    const rtcore::Box3 bounds = mesh.bounds();
-    const float reach = rtcore::distanceReach(bounds);
     rtcore::Hit best;
     best.t = ray.tMax;
     rtcore::alongAxis(shear.kz, [&](auto kz) {
         for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-            rtcore::testTriangle<kz>(mesh, i, ray, shear, reach, best);
+            rtcore::testTriangle<kz>(mesh, i, ray, shear, best);
         }
     });
     if (best.triangle == rtcore::kNoTriangle) return false;
     hit = best;
-    if (isNear(ray, hit, rtcore::nearLimit(bounds))) refineDistance(mesh, ray, reach, hit);
+    if (isNear(ray, hit, rtcore::nearLimit(mesh.bounds()))) refineDistance(mesh, ray, hit);
     return true;
 }
 

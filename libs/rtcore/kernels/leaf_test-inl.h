@@ -130,7 +130,7 @@ struct Offset {
 struct AlongAxis {
     int kx, ky, kz;
 
-    HWY_INLINE Floats choose(Vec3 v) const { return hn::Set(FloatTag(), v[kz]); }
+    HWY_INLINE Floats axes() const { return hn::Set(FloatTag(), static_cast<float>(kz)); }
     HWY_INLINE Offset offset(const float* corner, std::size_t stride, const ShearedRays& rays) const {
         const FloatTag d;
         return {hn::Sub(rays.x, hn::Set(d, corner[static_cast<std::size_t>(kx) * stride])),
@@ -143,9 +143,9 @@ struct AlongAxis {
 struct AlongEach {
     const AxisOrder& order;
 
-    HWY_INLINE Floats choose(Vec3 v) const {
+    HWY_INLINE Floats axes() const {
         const FloatTag d;
-        return order.choose(hn::Set(d, v.x), hn::Set(d, v.y), hn::Set(d, v.z));
+        return order.choose(hn::Zero(d), hn::Set(d, 1.0F), hn::Set(d, 2.0F));
     }
     HWY_INLINE Offset offset(const float* corner, std::size_t stride, const ShearedRays& rays) const {
         const FloatTag d;
@@ -196,46 +196,29 @@ struct Found {
     Ints triangle;
     Floats v, w, det; ///< only of the lanes in `changed`
     Lanes changed;    ///< by the leaf
-    Lanes doubtful;   ///< for testLeafAgain() to settle
 };
 
-/// Before a leaf; for closest hits the triangle follows.
-HWY_INLINE Found nothingFound(Floats best) {
-    const FloatTag d;
-    const Floats zero = hn::Zero(d);
-    const Lanes none = hn::FirstN(d, 0);
-    return {best, hn::Zero(IntTag()), zero, zero, zero, none, none};
+template <typename Along>
+HWY_INLINE Outcome edgeTest(const Corners& corners, const Along& along, const ShearedRays& rays) {
+    return edgeTest(along.offset(corners.a, corners.stride, rays),
+                    along.offset(corners.b, corners.stride, rays),
+                    along.offset(corners.c, corners.stride, rays), rays);
 }
 
-/// isDoubtful() of each lane; `scale` is |minusSz|.
-HWY_INLINE Lanes areDoubtful(Floats t, Floats det, Floats scale, Floats noise, float reach) {
-    const Floats far = hn::Mul(hn::Set(FloatTag(), reach), scale);
-    return hn::Not(hn::Ge(hn::Mul(hn::Abs(det), hn::Min(t, far)), hn::Mul(hn::Abs(noise), scale)));
-}
-
-/// Tests one triangle against a vector of rays: those in `inCell`, from `tMin` on. Returns who hit it (for
-/// any hit `triangle`, v, w, det are left alone, and hits that are doubtful only noted).
-template <bool kAny, typename Along>
-HWY_INLINE Lanes testTriangle(const KernelScene& scene, const Corners& corners, const Along& along,
-                              const ShearedRays& rays, Floats tMin, Lanes inCell, Found& found) {
+/// Keeps what the test of `triangle` says of the rays in `inCell`, from `tMin` on. Returns who hit it (for
+/// any hit `triangle`, v, w, det are left alone).
+template <bool kAny>
+HWY_INLINE Lanes keepHits(const Outcome& outcome, std::int32_t triangle, Floats tMin, Lanes inCell,
+                          Found& found) {
     const FloatTag d;
     const IntTag di;
-    const Outcome outcome =
-        edgeTest(along.offset(corners.a, corners.stride, rays), along.offset(corners.b, corners.stride, rays),
-                 along.offset(corners.c, corners.stride, rays), rays);
     const Lanes open = hn::And(hn::And(outcome.inside, inCell), hn::Ge(outcome.t, tMin));
     Lanes hit = open;
     if constexpr (kAny) {
         hit = hn::And(open, hn::Le(outcome.t, found.best));
-        if (hn::AllFalse(d, hit)) return hit;
-        const Floats noise = hn::Set(d, scene.noise->ofTriangle[static_cast<std::size_t>(corners.triangle)]);
-        const Lanes doubtful =
-            hn::And(hit, areDoubtful(outcome.t, outcome.det, hn::Abs(rays.minusSz), noise, scene.reach));
-        found.doubtful = hn::Or(found.doubtful, doubtful);
-        hit = hn::AndNot(doubtful, hit);
         found.best = hn::IfThenElse(hit, hn::Set(d, -1.0F), found.best);
     } else {
-        const Ints index = hn::Set(di, corners.triangle);
+        const Ints index = hn::Set(di, triangle);
         const Lanes lower = hn::RebindMask(d, hn::Lt(index, found.triangle));
         hit = hn::And(open,
                       hn::Or(hn::Lt(outcome.t, found.best), hn::And(hn::Eq(outcome.t, found.best), lower)));
@@ -249,31 +232,28 @@ HWY_INLINE Lanes testTriangle(const KernelScene& scene, const Corners& corners, 
     return hit;
 }
 
+/// Tests one triangle, which must not be narrow, against a vector of rays.
+template <bool kAny, typename Along>
+HWY_INLINE Lanes testTriangle(const Corners& corners, const Along& along, const ShearedRays& rays,
+                              Floats tMin, Lanes inCell, Found& found) {
+    return keepHits<kAny>(edgeTest(corners, along, rays), corners.triangle, tMin, inCell, found);
+}
+
 HWY_INLINE AlongAxis alongAxis(int kz) { return {(kz + 1) % 3, (kz + 2) % 3, kz}; }
 
-/// Tests all triangles of a leaf. For any hit `onHit` gets the corners of each that was hit.
+/// Tests all triangles of a leaf, none of which is narrow. For any hit `onHit` gets the corners of each that
+/// was hit.
 template <bool kAny, typename Along, typename OnHit>
 HWY_INLINE void testTriangles(const KernelScene& scene, const Leaf& leaf, const Along& along,
                               const ShearedRays& rays, Floats tMin, Lanes inCell, Found& found,
                               const OnHit& onHit) {
     for (std::uint32_t i = 0; i < leaf.count; ++i) {
         const Corners corners = cornersOf(scene, leaf, i);
-        const Lanes hit = testTriangle<kAny>(scene, corners, along, rays, tMin, inCell, found);
+        const Lanes hit = testTriangle<kAny>(corners, along, rays, tMin, inCell, found);
         if constexpr (kAny) {
             if (!hn::AllFalse(FloatTag(), hit)) onHit(corners);
         }
     }
-}
-
-/// distanceNoise() of a triangle.
-inline Vec3 noiseOf(const Corners& corners) {
-    const auto position = [&](const float* p) {
-        return Vec3{p[0], p[corners.stride], p[2 * corners.stride]};
-    };
-    const Vec3 a = position(corners.a);
-    const Vec3 b = position(corners.b);
-    const Vec3 c = position(corners.c);
-    return distanceNoise(a, b, c, cross(b - a, c - a));
 }
 
 /// Calls `work` with the number of each lane that `lanes` holds.
@@ -285,59 +265,52 @@ HWY_INLINE void forEachLane(Lanes lanes, Work&& work) {
     for (; bits != 0; bits &= bits - 1) work(static_cast<std::size_t>(std::countr_zero(bits)));
 }
 
-/// Those of the lanes `which` that isBefore() holds for.
+/// Puts preciseHit() into what the test of a narrow triangle says of the lanes that are inside.
 template <typename Along>
-[[gnu::cold]] HWY_NOINLINE Lanes before(const Corners& corners, const Along& along, const ShearedRays& rays,
-                                        Lanes which) {
+HWY_NOINLINE void makePrecise(const Corners& corners, const Along& along, const ShearedRays& rays,
+                              Outcome& outcome) {
     const FloatTag d;
-    const Floats columns[] = {
-        rays.x, rays.y, rays.z, rays.sx, rays.sy, rays.minusSz, along.choose({0, 1, 2})};
+    const Floats columns[] = {rays.x, rays.y, rays.z, rays.sx, rays.sy, rays.minusSz, along.axes()};
     alignas(64) float of[7][kLanes];
-    alignas(64) float result[kLanes] = {};
     for (std::size_t i = 0; i < 7; ++i) hn::Store(columns[i], d, of[i]);
+    alignas(64) float t[kLanes] = {};
+    alignas(64) float v[kLanes] = {};
+    alignas(64) float w[kLanes] = {};
     const auto position = [&](const float* p) {
         return Vec3{p[0], p[corners.stride], p[2 * corners.stride]};
     };
-    forEachLane(which, [&](std::size_t i) {
+    forEachLane(outcome.inside, [&](std::size_t i) {
         const int kz = static_cast<int>(of[6][i]);
         const ShearedRay ray{(kz + 1) % 3, (kz + 2) % 3, kz,       of[0][i], of[1][i],
                              of[2][i],     of[3][i],     of[4][i], of[5][i]};
-        if (isBefore(ray, position(corners.a), position(corners.b), position(corners.c))) result[i] = 1;
+        const PreciseHit hit = preciseHit(ray, position(corners.a), position(corners.b), position(corners.c));
+        t[i] = hit.t;
+        v[i] = hit.v;
+        w[i] = hit.w;
     });
-    return hn::Gt(hn::Load(d, result), hn::Zero(d));
+    outcome = {outcome.inside, hn::Load(d, t), hn::Load(d, v), hn::Load(d, w), hn::Set(d, 1.0F)};
 }
 
-/// Those of the rays in `inCell` that isJustBehind() holds for and a triangle of the leaf.
-template <typename Along>
-HWY_NOINLINE Lanes justBehind(const KernelScene& scene, const Leaf& leaf, const Along& along,
-                              const ShearedRays& rays, Lanes inCell) {
+/// Tests all triangles of a leaf, some of which are narrow. `onHit` as above, but for those that are.
+template <bool kAny, typename Along, typename OnHit>
+HWY_NOINLINE void testNarrowLeaf(const KernelScene& scene, const Leaf& leaf, const Along& along,
+                                 const ShearedRays& rays, Floats tMin, Lanes inCell, Found& found,
+                                 const OnHit& onHit) {
     const FloatTag d;
-    const Floats zero = hn::Zero(d);
-    Lanes all = hn::FirstN(d, 0);
     for (std::uint32_t i = 0; i < leaf.count; ++i) {
-        if (!(scene.noise->ofTriangle[scene.references[leaf.first + i]] < 0)) continue;
         const Corners corners = cornersOf(scene, leaf, i);
-        const Floats noise = along.choose(noiseOf(corners));
-        const Outcome outcome = edgeTest(along.offset(corners.a, corners.stride, rays),
-                                         along.offset(corners.b, corners.stride, rays),
-                                         along.offset(corners.c, corners.stride, rays), rays);
-        const Lanes near =
-            hn::Lt(hn::Mul(hn::Abs(outcome.det), hn::Neg(outcome.t)), hn::Mul(noise, hn::Abs(rays.minusSz)));
-        const Lanes behind = hn::And(hn::And(outcome.inside, inCell), hn::And(hn::Lt(outcome.t, zero), near));
-        if (hn::AllFalse(d, behind)) continue;
-        all = hn::Or(all, before(corners, along, rays, behind));
+        const bool isNarrow = isBitSet(scene.narrowTriangles, static_cast<std::size_t>(corners.triangle));
+        Outcome outcome = edgeTest(corners, along, rays);
+        if (isNarrow) {
+            outcome.inside = hn::And(outcome.inside, inCell);
+            if (hn::AllFalse(d, outcome.inside)) continue;
+            makePrecise(corners, along, rays, outcome);
+        }
+        const Lanes hit = keepHits<kAny>(outcome, corners.triangle, tMin, inCell, found);
+        if constexpr (kAny) {
+            if (!isNarrow && !hn::AllFalse(d, hit)) onHit(corners);
+        }
     }
-    return all;
-}
-
-/// The same, of those whose cell begins at `t0` near their origin.
-template <typename Along>
-HWY_INLINE Lanes justBehindNear(const KernelScene& scene, const Leaf& leaf, const Along& along,
-                                const ShearedRays& rays, Floats t0, Lanes inCell) {
-    const FloatTag d;
-    const Floats end = hn::Mul(hn::Set(d, 2 * behindReach(scene.reach)), hn::Abs(rays.minusSz));
-    const Lanes near = hn::And(inCell, hn::Le(t0, end));
-    return hn::AllFalse(d, near) ? near : justBehind(scene, leaf, along, rays, near);
 }
 
 /// The smaller of both; the second where either is not a number.

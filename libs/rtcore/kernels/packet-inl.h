@@ -9,7 +9,6 @@
 #endif
 
 #include "rtcore/kernels/rounding.h"
-#include "rtcore/kernels/single_ray.h"
 #include "rtcore/kernels/triangle_block-inl.h"
 
 #include <algorithm>
@@ -298,10 +297,22 @@ class PacketWalk {
                 hn::Load(d, sheared_[3] + at), hn::Load(d, sheared_[4] + at), hn::Load(d, sheared_[5] + at)};
     }
 
+    /// Calls `work` with what brings corners to the vector at `at`.
+    template <typename Work>
+    HWY_INLINE void withAlong(std::size_t at, const Work& work) const {
+        if constexpr (kShared == Shared::Nothing) {
+            const AxisOrder order = axisOrder(at);
+            work(AlongEach{order});
+        } else {
+            work(along_);
+        }
+    }
+
     /// Tests the triangles of a leaf; true when the walk can end.
     HWY_INLINE bool testLeaf(const Leaf& leaf, const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
         const FloatTag d;
         if (!leavesReady_) prepareLeaves();
+        if (HWY_UNLIKELY(scene_.isNarrowLeaf(leaf.first))) return testNarrow(leaf, t0, t1);
         std::size_t vectors = 0;
         std::size_t rays = 0;
         RTCORE_EACH_VECTOR
@@ -310,67 +321,48 @@ class PacketWalk {
             rays += inCell;
             vectors += inCell > 0 ? 1 : 0;
         }
-        const bool isNarrow = scene_.noise->isNarrow(leaf.first);
+        if (rayByRayPays(rays, vectors, leaf.count)) return testRayByRay(leaf, t0, t1);
         const auto remember = [&](const Corners& corners) HWY_ATTR { occluder = corners; };
         const auto test = [&](std::size_t at, Lanes inCell, Found& found) HWY_ATTR {
             const Floats tMin = hn::Load(d, packet_.tMin + at);
             const ShearedRays rays = shearedRays(at);
-            if constexpr (kShared == Shared::Nothing) {
-                const AxisOrder order = axisOrder(at);
-                testTriangles<kAny>(scene_, leaf, AlongEach{order}, rays, tMin, inCell, found, remember);
-            } else {
-                testTriangles<kAny>(scene_, leaf, along_, rays, tMin, inCell, found, remember);
-            }
+            withAlong(at, [&](const auto& along) HWY_ATTR {
+                testTriangles<kAny>(scene_, leaf, along, rays, tMin, inCell, found, remember);
+            });
         };
-        const bool done = rayByRayPays(rays, vectors, leaf.count) ? testRayByRay(leaf, t0, t1)
-                                                                  : testVectors(leaf, test, t0, t1);
-        return isNarrow && !done ? testJustBehind(leaf, t0, t1) : done;
+        return testVectors(test, t0, t1);
     }
 
-    /// Tests the triangle that stopped a ray before; where it is doubtful, it waits for its leaf.
+    /// Tests the triangles of a leaf with narrow ones.
+    HWY_NOINLINE bool testNarrow(const Leaf& leaf, const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
+        const FloatTag d;
+        const auto remember = [&](const Corners& corners) HWY_ATTR { occluder = corners; };
+        const auto test = [&](std::size_t at, Lanes inCell, Found& found) HWY_ATTR {
+            const Floats tMin = hn::Load(d, packet_.tMin + at);
+            const ShearedRays rays = shearedRays(at);
+            withAlong(at, [&](const auto& along) HWY_ATTR {
+                testNarrowLeaf<kAny>(scene_, leaf, along, rays, tMin, inCell, found, remember);
+            });
+        };
+        return testVectors(test, t0, t1);
+    }
+
+    /// Tests the triangle that stopped a ray before.
     HWY_NOINLINE bool testOccluder(const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
         const FloatTag d;
         if (!leavesReady_) prepareLeaves();
         const auto test = [&](std::size_t at, Lanes inCell, Found& found) HWY_ATTR {
             const Floats tMin = hn::Load(d, packet_.tMin + at);
             const ShearedRays rays = shearedRays(at);
-            if constexpr (kShared == Shared::Nothing) {
-                const AxisOrder order = axisOrder(at);
-                testTriangle<kAny>(scene_, occluder, AlongEach{order}, rays, tMin, inCell, found);
-            } else {
-                testTriangle<kAny>(scene_, occluder, along_, rays, tMin, inCell, found);
-            }
+            withAlong(at, [&](const auto& along)
+                              HWY_ATTR { testTriangle<kAny>(occluder, along, rays, tMin, inCell, found); });
         };
-        return testVectors({0, 0}, test, t0, t1);
+        return testVectors(test, t0, t1);
     }
 
-    /// Looks for what the vectors' test takes to lie behind the origin of rays that start in or near the
-    /// leaf.
-    HWY_NOINLINE bool testJustBehind(const Leaf& leaf, const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
-        const FloatTag d;
-        bool any = false;
-        for (std::size_t k = 0; k < kVectors; ++k) {
-            const Lanes inCell = hn::Le(t0[k], t1[k]);
-            const std::size_t at = k * kLanes;
-            const ShearedRays rays = shearedRays(at);
-            Lanes lanes = inCell;
-            if constexpr (kShared == Shared::Nothing) {
-                const AxisOrder order = axisOrder(at);
-                lanes = justBehindNear(scene_, leaf, AlongEach{order}, rays, t0[k], inCell);
-            } else {
-                lanes = justBehindNear(scene_, leaf, along_, rays, t0[k], inCell);
-            }
-            if (hn::AllFalse(d, lanes)) continue;
-            any = true;
-            t1[k] = testAgain(leaf, at, lanes, t1[k]);
-        }
-        return kAny && any && allDone();
-    }
-
-    /// Runs `test` for each vector that has rays in the cell of the leaf, and keeps what they find.
+    /// Runs `test` for each vector that has rays in the cell, and keeps what they find.
     template <typename Test>
-    HWY_INLINE bool testVectors(const Leaf& leaf, const Test& test, const Floats (&t0)[kVectors],
-                                Floats (&t1)[kVectors]) {
+    HWY_INLINE bool testVectors(const Test& test, const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
         const FloatTag d;
         const IntTag di;
         bool any = false;
@@ -379,16 +371,14 @@ class PacketWalk {
             const Lanes inCell = hn::Le(t0[k], t1[k]);
             if (hn::AllFalse(d, inCell)) continue;
             const std::size_t at = k * kLanes;
-            Found found = nothingFound(hn::Load(d, packet_.best + at));
+            Found found{hn::Load(d, packet_.best + at),
+                        hn::Zero(di),
+                        hn::Zero(d),
+                        hn::Zero(d),
+                        hn::Zero(d),
+                        hn::FirstN(d, 0)};
             if constexpr (!kAny) found.triangle = hn::Load(di, packet_.triangle + at);
             test(at, inCell, found);
-            if constexpr (kAny) {
-                if (HWY_UNLIKELY(!hn::AllFalse(d, found.doubtful))) {
-                    any = true;
-                    t1[k] = testAgain(leaf, at, found.doubtful, t1[k]);
-                    found.best = hn::IfThenElse(found.doubtful, hn::Load(d, packet_.best + at), found.best);
-                }
-            }
             if (hn::AllFalse(d, found.changed)) continue;
             any = true;
             hn::Store(found.best, d, packet_.best + at);
@@ -402,32 +392,6 @@ class PacketWalk {
             }
         }
         return kAny && any && allDone();
-    }
-
-    /// Tests the triangles of a leaf once more against some rays of a vector. Returns where the intervals of
-    /// all its rays end then, which was `t1`.
-    [[gnu::cold]] HWY_NOINLINE Floats testAgain(const Leaf& leaf, std::size_t at, Lanes which, Floats t1) {
-        const FloatTag d;
-        forEachLane(which, [&](std::size_t lane) HWY_ATTR { testAgain(leaf, at + lane); });
-        if constexpr (!kAny) return t1;
-        const Floats best = hn::Load(d, packet_.best + at);
-        return hn::IfThenElse(hn::Lt(best, hn::Zero(d)), best, t1);
-    }
-
-    [[gnu::cold]] HWY_NOINLINE bool testAgain(const Leaf& leaf, std::size_t i) {
-        const auto vector = [&](const auto& arrays) {
-            return Vec3{arrays[0][i], arrays[1][i], arrays[2][i]};
-        };
-        const Ray ray{vector(packet_.origin), packet_.tMin[i], vector(packet_.direction), packet_.best[i]};
-        Hit hit{ray.tMax, kAny ? kNoTriangle : static_cast<std::uint32_t>(packet_.triangle[i]), 0, 0};
-        if (!testLeafAgain(scene_, leaf.first, leaf.count, ray, kAny, hit)) return false;
-        packet_.best[i] = kAny ? -1.0F : hit.t;
-        if constexpr (kAny) return true;
-        packet_.triangle[i] = static_cast<std::int32_t>(hit.triangle);
-        packet_.v[i] = hit.u;
-        packet_.w[i] = hit.v;
-        packet_.det[i] = 0; // to be found once more (wave-inl.h)
-        return true;
     }
 
     HWY_INLINE AxisOrder axisOrder(std::size_t at) const {
@@ -454,8 +418,8 @@ class PacketWalk {
             block.load(i);
             RTCORE_EACH_VECTOR
             for (std::size_t k = 0; k < kVectors; ++k) {
-                forEachLane(inCell[k], [&](std::size_t lane)
-                                           HWY_ATTR { hit |= testRay(leaf, block, k * kLanes + lane); });
+                forEachLane(inCell[k],
+                            [&](std::size_t lane) HWY_ATTR { hit |= testRay(block, k * kLanes + lane); });
             }
         }
         if (!kAny || !hit) return false;
@@ -467,7 +431,7 @@ class PacketWalk {
         return allDone();
     }
 
-    HWY_INLINE bool testRay(const Leaf& leaf, const TriangleBlock& block, std::size_t i) {
+    HWY_INLINE bool testRay(const TriangleBlock& block, std::size_t i) {
         ShearedRay ray{};
         const int kz = kShared == Shared::Nothing ? axis_[i] : along_.kz;
         ray.kx = (kz + 1) % 3;
@@ -479,8 +443,8 @@ class PacketWalk {
         ray.sx = sheared_[3][i];
         ray.sy = sheared_[4][i];
         ray.minusSz = sheared_[5][i];
-        FoundByRay found{packet_.best[i], kAny ? kNone : packet_.triangle[i], 0, 0, 0, false};
-        if (!block.test<kAny>(ray, packet_.tMin[i], found)) return found.doubtful && testAgain(leaf, i);
+        FoundByRay found{packet_.best[i], kAny ? kNone : packet_.triangle[i], 0, 0, 0};
+        if (!block.test<kAny>(ray, packet_.tMin[i], found)) return false;
         packet_.best[i] = found.best;
         if constexpr (kAny) {
             occluder = block.corners(static_cast<std::uint32_t>(found.triangle));
@@ -504,8 +468,8 @@ class PacketWalk {
     }
 
   public:
-    /// For any hit: the last triangle that stopped a ray. It is tested first: neighbours are often stopped by
-    /// the same.
+    /// For any hit: the last triangle that stopped a ray, if it is not narrow. It is tested first: neighbours
+    /// are often stopped by the same.
     Corners occluder;
 
   private:

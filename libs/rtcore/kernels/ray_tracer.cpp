@@ -42,7 +42,7 @@ LeafRecords chooseLeafRecords(const KdTree& tree, std::uint64_t expectedRays) {
 KdRayTracer::KdRayTracer(const KdTree& tree, const Mesh& mesh, LeafRecords records)
     : tree_(tree), mesh_(mesh),
       records_(records == LeafRecords::Inline ? makeLeafRecords(tree, mesh) : std::vector<float>{}),
-      noise_(tree, mesh), scene_(tree_, mesh_, records_.empty() ? nullptr : records_.data(), &noise_),
+      narrow_(tree, mesh), scene_(tree_, mesh_, records_.empty() ? nullptr : records_.data(), &narrow_),
       nearLimit_(nearLimit(tree.bounds)) {}
 
 void KdRayTracer::intersect(RayKind /*kind*/, const RayWave& rays, HitWave& hits) const {
@@ -56,7 +56,7 @@ void KdRayTracer::intersect(RayKind /*kind*/, const RayWave& rays, HitWave& hits
     for (std::size_t i = 0; i < near; ++i) {
         const std::uint32_t ray = memory.near[i];
         Hit hit = hits.hit(ray);
-        refineDistance(mesh_, rays.ray(ray), scene_.reach, hit);
+        refineDistance(mesh_, rays.ray(ray), hit);
         hits.t[ray] = hit.t;
     }
 }

@@ -3,7 +3,7 @@
 
 #include "rtcore/accel/kd_tree.h"
 #include "rtcore/kernels/kernel_scene.h"
-#include "rtcore/kernels/leaf_noise.h"
+#include "rtcore/kernels/narrow_triangles.h"
 #include "rtcore/kernels/ray_wave.h"
 #include "rtcore/scene/mesh.h"
 
@@ -51,7 +51,7 @@ class KdRayTracer final : public RayTracer {
     KdTree tree_;
     Mesh mesh_;
     std::vector<float> records_;
-    LeafNoise noise_;
+    NarrowTriangles narrow_;
     KernelScene scene_;
     float nearLimit_;
 };

@@ -9,11 +9,7 @@ namespace rtcore {
 inline constexpr float kPlaneDown = 1 - 6 * 0x1p-24F;
 inline constexpr float kPlaneUp = 1 + 6 * 0x1p-24F;
 
-/// What rounding may do to the leaf test's distance, as a share of that of the farthest corner of a triangle
-/// of common shape.
+/// What rounding may do to the leaf test's distance, as a share of that of the farthest corner.
 inline constexpr float kDistanceError = 0x1p-17F;
-
-/// What traversal allows for, as a share of the distance of the farthest corner of the scene.
-inline constexpr float kDistanceSlack = 0x1p-13F;
 
 } // namespace rtcore

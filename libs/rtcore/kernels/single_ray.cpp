@@ -29,8 +29,8 @@ struct Interval {
 };
 
 /// By how much the distance of a hit may be off from where the tree says that its cell lies: the leaf test's
-/// error grows with the distance of a triangle's farthest corner, which is at most that of the box; where it
-/// may be more, distances are precise (precise_hit.h).
+/// error grows with the distance of a triangle's farthest corner (kDistanceError), which is at most that of
+/// the box.
 float slackOf(const KernelScene& scene, const Ray& ray) {
     float far = 0;
     float length = 0;
@@ -39,7 +39,7 @@ float slackOf(const KernelScene& scene, const Ray& ray) {
         far += std::max(std::fabs(scene.lo[axis] - o), std::fabs(scene.hi[axis] - o));
         length = std::max(length, std::fabs(ray.direction[axis]));
     }
-    return kDistanceSlack * far / length;
+    return kDistanceError * far / length;
 }
 
 /// The part of [tMin - slack, tMax + slack] inside the box, nothing of it behind the origin. 0 * infinity (a
@@ -115,12 +115,11 @@ void traverse(const KernelScene& scene, const Ray& ray, const float& closest, Vi
 
 /// Tests the triangles of a leaf; with `kAny`, true at the first hit.
 template <int kz, bool kAny>
-[[gnu::always_inline]] inline bool testLeaf(const KernelScene& scene, std::uint32_t first,
-                                            std::uint32_t count, const Ray& ray, const RayShear& shear,
-                                            Hit& best) {
-    for (std::uint32_t i = 0; i < count; ++i) {
-        const TriangleCorners corners = cornersOf(scene, first + i);
-        if (testTriangle<kz>(corners, ray, shear, scene.reach, best) && kAny) return true;
+[[gnu::always_inline]] inline bool testLeaf(const KernelScene& scene, const KdNode& leaf, const Ray& ray,
+                                            const RayShear& shear, Hit& best) {
+    for (std::uint32_t i = 0; i < leaf.count(); ++i) {
+        const TriangleCorners corners = cornersOf(scene, leaf.firstReference + i);
+        if (testTriangle<kz>(corners, ray, shear, best) && kAny) return true;
     }
     return false;
 }
@@ -131,9 +130,8 @@ bool find(const KernelScene& scene, const Ray& ray, Hit& hit) {
     Hit best;
     best.t = ray.tMax;
     alongAxis(shear.kz, [&](auto kz) {
-        traverse(scene, ray, best.t, [&](const KdNode& leaf) {
-            return testLeaf<kz, kAny>(scene, leaf.firstReference, leaf.count(), ray, shear, best);
-        });
+        traverse(scene, ray, best.t,
+                 [&](const KdNode& leaf) { return testLeaf<kz, kAny>(scene, leaf, ray, shear, best); });
     });
     if (best.triangle == kNoTriangle) return false;
     hit = best;
@@ -149,21 +147,9 @@ bool findAny(const KernelScene& scene, const Ray& ray) {
     return find<true>(scene, ray, any);
 }
 
-bool testLeafAgain(const KernelScene& scene, std::uint32_t first, std::uint32_t count, const Ray& ray,
-                   bool any, Hit& hit) {
-    const RayShear shear(ray.direction);
-    const float before = hit.t;
-    const std::uint32_t known = hit.triangle;
-    return alongAxis(shear.kz, [&](auto kz) {
-        if (any) return testLeaf<kz, true>(scene, first, count, ray, shear, hit);
-        testLeaf<kz, false>(scene, first, count, ray, shear, hit);
-        return hit.triangle != known || hit.t != before;
-    });
-}
-
 bool intersect(const KdTree& tree, const Mesh& mesh, const Ray& ray, Hit& hit) {
     if (!findClosest({tree, mesh}, ray, hit)) return false;
-    if (isNear(ray, hit, nearLimit(tree.bounds))) refineDistance(mesh, ray, distanceReach(tree.bounds), hit);
+    if (isNear(ray, hit, nearLimit(tree.bounds))) refineDistance(mesh, ray, hit);
     return true;
 }
 

@@ -22,11 +22,4 @@ bool findClosest(const KernelScene& scene, const Ray& ray, Hit& hit);
 /// As occluded().
 bool findAny(const KernelScene& scene, const Ray& ray);
 
-/// Tests `count` references from `first` on against one ray of a vector, of which a triangle was doubtful
-/// (precise_hit.h). `hit` is what the ray has found so far, its t the end of the search; returns whether it
-/// was replaced, for any hit at the first that is found. Those that are not doubtful give the bits that they
-/// gave.
-bool testLeafAgain(const KernelScene& scene, std::uint32_t first, std::uint32_t count, const Ray& ray,
-                   bool any, Hit& hit);
-
 } // namespace rtcore

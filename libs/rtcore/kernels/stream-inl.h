@@ -337,43 +337,23 @@ class StreamWalk {
         const ShearedRays rays =
             shear(order, get(Origin, at), get(Origin + 1, at), get(Origin + 2, at), dx, dy, dz);
         const Floats tMin = hn::GatherIndex(d, scratch_.tMin, slot);
-        Found found = nothingFound(hn::GatherIndex(d, scratch_.best, slot));
+        Found found{hn::GatherIndex(d, scratch_.best, slot),
+                    hn::Zero(di),
+                    hn::Zero(d),
+                    hn::Zero(d),
+                    hn::Zero(d),
+                    hn::FirstN(d, 0)};
         if constexpr (!kAny) found.triangle = hn::GatherIndex(di, scratch_.triangle, slot);
         const auto forget = [](const Corners&) HWY_ATTR {}; // a stream has too many occluders
         const int axis = order.common();
-        if (axis < 3) {
+        if (HWY_UNLIKELY(scene_.isNarrowLeaf(leaf.first))) {
+            testNarrowLeaf<kAny>(scene_, leaf, AlongEach{order}, rays, tMin, inCell, found, forget);
+        } else if (axis < 3) {
             testTriangles<kAny>(scene_, leaf, alongAxis(axis), rays, tMin, inCell, found, forget);
         } else {
             testTriangles<kAny>(scene_, leaf, AlongEach{order}, rays, tMin, inCell, found, forget);
         }
         if (!hn::AllFalse(d, found.changed)) keep(slot, found);
-        Lanes again = found.doubtful;
-        if (scene_.noise->isNarrow(leaf.first)) {
-            const Floats t0 = get(T0, list.intervals + i);
-            again = hn::Or(again, justBehindNear(scene_, leaf, AlongEach{order}, rays, t0, inCell));
-        }
-        if (HWY_UNLIKELY(!hn::AllFalse(d, again))) testAgain(leaf, at, again);
-    }
-
-    /// Tests the triangles of a leaf once more against some rays of the vector at `at`.
-    [[gnu::cold]] HWY_NOINLINE void testAgain(const Leaf& leaf, std::size_t at, Lanes which) {
-        forEachLane(which, [&](std::size_t lane) {
-            const auto value = [&](std::size_t column) { return columns_[column][at + lane]; };
-            const std::int32_t slot = std::bit_cast<std::int32_t>(value(Slot));
-            const Ray ray{{value(Origin), value(Origin + 1), value(Origin + 2)},
-                          scratch_.tMin[slot],
-                          {value(Direction), value(Direction + 1), value(Direction + 2)},
-                          scratch_.best[slot]};
-            Hit hit{ray.tMax, kAny ? kNoTriangle : static_cast<std::uint32_t>(scratch_.triangle[slot]), 0, 0};
-            if (!testLeafAgain(scene_, leaf.first, leaf.count, ray, kAny, hit)) return;
-            ++found_;
-            scratch_.best[slot] = kAny ? -1.0F : hit.t;
-            if constexpr (kAny) return;
-            scratch_.triangle[slot] = static_cast<std::int32_t>(hit.triangle);
-            scratch_.v[slot] = hit.u;
-            scratch_.w[slot] = hit.v;
-            scratch_.det[slot] = 0; // to be found once more (wave-inl.h)
-        });
     }
 
     HWY_INLINE void keep(Ints slots, const Found& found) {

@@ -21,7 +21,6 @@ struct FoundByRay {
     float best; ///< for any hit tMax, or -1 once hit
     std::int32_t triangle;
     float v, w, det;
-    bool doubtful; ///< for testLeafAgain() to settle
 };
 
 /// Triangles of a leaf, as many as a vector has lanes, one array for each coordinate.
@@ -47,7 +46,7 @@ class TriangleBlock {
     HWY_INLINE Corners corners(std::uint32_t i) const { return cornersOf(scene_, leaf_, first_ + i); }
 
     /// Returns whether the ray hits one of them, closer than what it has found or as close and of lower
-    /// index. For any hit, one that is doubtful is only noted.
+    /// index.
     template <bool kAny>
     HWY_INLINE bool test(const ShearedRay& ray, float tMin, FoundByRay& found) const {
         const FloatTag d;
@@ -60,13 +59,8 @@ class TriangleBlock {
                                    hn::And(hn::Ge(outcome.t, hn::Set(d, tMin)), hn::Le(outcome.t, best)));
         if (hn::AllFalse(d, open)) return false;
         if constexpr (kAny) {
-            const std::size_t lane = firstOf(open);
-            const float noise = scene_.noise->ofTriangle[static_cast<std::size_t>(triangle_[lane])];
-            found.doubtful = isDoubtful(laneOf(outcome.t, lane), laneOf(outcome.det, lane), ray.minusSz,
-                                        noise, scene_.reach);
-            if (found.doubtful) return false;
             found.best = -1;
-            found.triangle = static_cast<std::int32_t>(lane);
+            found.triangle = static_cast<std::int32_t>(firstOf(open));
             return true;
         }
         // References ascend inside a leaf: of several as close the first has the lowest index.
@@ -77,9 +71,8 @@ class TriangleBlock {
         const float distance = hn::GetLane(closest);
         const std::int32_t triangle = triangle_[lane];
         if (distance == found.best && triangle >= found.triangle) return false;
-        found = {
-            distance, triangle, laneOf(outcome.v, lane), laneOf(outcome.w, lane), laneOf(outcome.det, lane),
-            false};
+        found = {distance, triangle, laneOf(outcome.v, lane), laneOf(outcome.w, lane),
+                 laneOf(outcome.det, lane)};
         return true;
     }
 

@@ -9,7 +9,6 @@
 #include "rtcore/math/vec.h"
 #include "rtcore/scene/mesh.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -49,10 +48,10 @@ struct TriangleCorners {
 
 /// Tests a triangle against the ray, whose shear.kz is `Kz`; `hit` holds the closest so far (its t bounds the
 /// search) and is replaced when this one is closer, or as close and of lower index. A constant axis spares
-/// the choice of nine coordinates: see alongAxis(). `reach` is distanceReach() of the scene.
+/// the choice of nine coordinates: see alongAxis().
 template <int Kz>
 [[gnu::always_inline]] inline bool testTriangle(const TriangleCorners& corners, const Ray& ray,
-                                                const RayShear& shear, float reach, Hit& hit) {
+                                                const RayShear& shear, Hit& hit) {
     constexpr int kx = (Kz + 1) % 3;
     constexpr int ky = (Kz + 2) % 3;
     // Origin minus corner, as leaf_test-inl.h has it: the other way round only the signs of zeros differ.
@@ -75,39 +74,26 @@ template <int Kz>
     const float det = u + v + w;
     // Seen edge-on; or so nearly that products underflow, and the distance would be noise.
     if (std::fabs(det) < std::numeric_limits<float>::min()) return false;
-    const float t = (u * az + v * bz + w * cz) * shear.minusSz / det;
-    // Written so that NaN fails.
-    if (!(t <= hit.t)) return false;
     const Vec3 p = corners.a.position();
     const Vec3 q = corners.b.position();
     const Vec3 r = corners.c.position();
-    const float noise = noiseOfTriangle(p, q, r);
-    const bool isBehind =
-        noise < 0 && isJustBehind(t, det, shear.minusSz, distanceNoise(p, q, r, cross(q - p, r - p))[Kz]) &&
-        isBefore(shearedRay(ray, shear), p, q, r);
-    if (!(t >= ray.tMin || isBehind)) return false;
-    Hit found{t, corners.index, v / det, w / det};
-    if (isBehind || isDoubtful(t, det, shear.minusSz, noise, reach)) {
-        const PreciseHit at = preciseHit(shearedRay(ray, shear), &corners.a.x, &corners.b.x, &corners.c.x);
-        const float scale = std::fabs(shear.minusSz);
-        if (!(at.t >= std::max(ray.tMin - reach * scale, 0.0F))) return false;
-        if (isBehind && at.t > behindReach(reach) * scale) return false;
-        // The farther one, so that what is tested first does not decide which of two is hit.
-        found = {std::max(t, at.t), corners.index, at.v, at.w};
-        if (!(found.t >= ray.tMin && found.t <= hit.t)) return false;
-    }
-    if (found.t == hit.t && corners.index >= hit.triangle) return false;
-    hit = found;
+    const PreciseHit at =
+        isNarrow(p, q, r) ? preciseHit(shearedRay(ray, shear), p, q, r)
+                          : PreciseHit{(u * az + v * bz + w * cz) * shear.minusSz / det, v / det, w / det};
+    // Written so that NaN fails.
+    if (!(at.t >= ray.tMin && at.t <= hit.t)) return false;
+    if (at.t == hit.t && corners.index >= hit.triangle) return false;
+    hit = {at.t, corners.index, at.v, at.w};
     return true;
 }
 
 /// The same for triangle `index` of a mesh.
 template <int Kz>
 [[gnu::always_inline]] inline bool testTriangle(const Mesh& mesh, std::uint32_t index, const Ray& ray,
-                                                const RayShear& shear, float reach, Hit& hit) {
+                                                const RayShear& shear, Hit& hit) {
     const Triangle& t = mesh.triangles[index];
     return testTriangle<Kz>({mesh.vertices[t.v[0]], mesh.vertices[t.v[1]], mesh.vertices[t.v[2]], index}, ray,
-                            shear, reach, hit);
+                            shear, hit);
 }
 
 /// Calls `work` with the ray's dominant axis as a constant.

@@ -231,10 +231,8 @@ HWY_INLINE void traceWave(const KernelScene& scene, const RaySpan& rays, StreamS
     output.fromPacket(tracer.packet, whole, rays.count - whole);
 }
 
-class ClosestOutput {
-  public:
-    ClosestOutput(const KernelScene& scene, const RaySpan& rays, const HitSpan& hits)
-        : scene_(scene), rays_(rays), hits_(hits) {}
+struct ClosestOutput {
+    const HitSpan& hits;
 
     HWY_INLINE void fromPacket(const Packet<kGroupVectors>& p, std::size_t first, std::size_t count) const {
         store(p.best, p.triangle, p.v, p.w, p.det, first, count);
@@ -252,81 +250,25 @@ class ClosestOutput {
         for (std::size_t i = 0; i < count; i += kLanes) {
             const Floats area = hn::Load(d, det + i);
             const Ints known = hn::Load(di, triangle + i);
-            const Lanes missed = hn::RebindMask(d, hn::Eq(known, hn::Set(di, kNone)));
-            const Ints index = hn::IfThenElse(hn::RebindMask(di, missed), hn::Set(di, -1), known);
+            const Ints index = hn::IfThenElse(hn::Eq(known, hn::Set(di, kNone)), hn::Set(di, -1), known);
             const Floats share1 = hn::Div(hn::Load(d, v + i), area);
             const Floats share2 = hn::Div(hn::Load(d, w + i), area);
             const Floats t = hn::Load(d, best + i);
-            const auto out = reinterpret_cast<std::int32_t*>(hits_.triangle + first + i);
-            Lanes used = hn::Not(missed);
+            const auto out = reinterpret_cast<std::int32_t*>(hits.triangle + first + i);
             if (i + kLanes <= count) {
-                hn::StoreU(t, d, hits_.t + first + i);
-                hn::StoreU(share1, d, hits_.u + first + i);
-                hn::StoreU(share2, d, hits_.v + first + i);
+                hn::StoreU(t, d, hits.t + first + i);
+                hn::StoreU(share1, d, hits.u + first + i);
+                hn::StoreU(share2, d, hits.v + first + i);
                 hn::StoreU(index, di, out);
             } else {
                 const Lanes some = hn::FirstN(d, count - i);
-                hn::BlendedStore(t, some, d, hits_.t + first + i);
-                hn::BlendedStore(share1, some, d, hits_.u + first + i);
-                hn::BlendedStore(share2, some, d, hits_.v + first + i);
+                hn::BlendedStore(t, some, d, hits.t + first + i);
+                hn::BlendedStore(share1, some, d, hits.u + first + i);
+                hn::BlendedStore(share2, some, d, hits.v + first + i);
                 hn::BlendedStore(index, hn::RebindMask(di, some), di, out);
-                used = hn::And(used, some);
             }
-            if (!hn::AllFalse(d, used)) settleDoubtful(t, area, known, used, first + i);
         }
     }
-
-    /// Traces those rays once more whose closest hit is doubtful. What the others hit is the closest of all:
-    /// a doubtful triangle never counts as nearer than its test said (watertight.h).
-    HWY_INLINE void settleDoubtful(Floats t, Floats det, Ints triangle, Lanes used, std::size_t first) const {
-        const FloatTag d;
-        const Floats noise = noiseOf(triangle, used);
-        const auto along = [&](int axis) HWY_ATTR { return hn::Abs(loadSome(rays_.direction[axis], first)); };
-        const Floats longest = hn::Max(along(0), hn::Max(along(1), along(2)));
-        const Floats scale = hn::Div(hn::Set(d, 1.0F), longest);
-        const Lanes doubtful = hn::And(used, areDoubtful(t, det, scale, noise, scene_.reach));
-        if (HWY_UNLIKELY(!hn::AllFalse(d, doubtful))) traceAgain(doubtful, first);
-    }
-
-    /// Zeros behind the last ray. (MaskedLoad reads all of a vector where there are no masks.)
-    HWY_INLINE Floats loadSome(const float* values, std::size_t first) const {
-        const FloatTag d;
-        if (first + kLanes <= rays_.count) return hn::LoadU(d, values + first);
-        alignas(64) float some[kLanes] = {};
-        for (std::size_t i = 0; first + i < rays_.count; ++i) some[i] = values[first + i];
-        return hn::Load(d, some);
-    }
-
-    /// Neighbours often hit the same triangle.
-    HWY_INLINE Floats noiseOf(Ints triangle, Lanes used) const {
-        const FloatTag d;
-        const IntTag di;
-        const float* const all = scene_.noise->ofTriangle.data();
-        const std::int32_t first = hn::GetLane(triangle);
-        const Lanes others = hn::AndNot(hn::RebindMask(d, hn::Eq(triangle, hn::Set(di, first))), used);
-        if (hn::AllFalse(d, others)) return hn::Set(d, all[first]);
-        return hn::GatherIndex(d, all, hn::IfThenElseZero(hn::RebindMask(di, used), triangle));
-    }
-
-    [[gnu::cold]] HWY_NOINLINE void traceAgain(Lanes which, std::size_t first) const {
-        forEachLane(which, [&](std::size_t lane) {
-            const std::size_t i = first + lane;
-            const Ray ray{{rays_.origin[0][i], rays_.origin[1][i], rays_.origin[2][i]},
-                          rays_.tMin[i],
-                          {rays_.direction[0][i], rays_.direction[1][i], rays_.direction[2][i]},
-                          rays_.tMax[i]};
-            Hit hit;
-            findClosest(scene_, ray, hit);
-            hits_.t[i] = hit.t;
-            hits_.u[i] = hit.u;
-            hits_.v[i] = hit.v;
-            hits_.triangle[i] = hit.triangle;
-        });
-    }
-
-    const KernelScene& scene_;
-    const RaySpan& rays_;
-    const HitSpan& hits_;
 };
 
 struct AnyOutput {

@@ -87,7 +87,7 @@ void any(const KernelScene& scene, const RaySpan& rays, StreamScratch& /*scratch
 #else
 
 void closest(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch, const HitSpan& hits) {
-    traceWave<false>(scene, rays, scratch, ClosestOutput(scene, rays, hits));
+    traceWave<false>(scene, rays, scratch, ClosestOutput{hits});
 }
 
 void any(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch, std::uint8_t* occluded) {

@@ -18,8 +18,7 @@ bool hits(const test::SampleMesh& mesh, Vec3 origin, Vec3 direction, Hit& hit) {
     hit.t = test::kForever;
     const RayShear shear(direction);
     return rtcore::alongAxis(shear.kz, [&](auto kz) {
-        return rtcore::testTriangle<kz>(mesh.view(), 0, {origin, 0, direction, test::kForever}, shear,
-                                        rtcore::distanceReach(mesh.view().bounds()), hit);
+        return rtcore::testTriangle<kz>(mesh.view(), 0, {origin, 0, direction, test::kForever}, shear, hit);
     });
 }
 
@@ -92,9 +91,8 @@ TEST(Watertight, atEqualDistanceTheLowerIndexStays) {
     for (const std::uint32_t first : {0U, 1U}) {
         Hit hit;
         hit.t = 1; // inclusive
-        const float reach = rtcore::distanceReach(mesh.view().bounds());
-        EXPECT_TRUE(rtcore::testTriangle<2>(mesh.view(), first, ray, shear, reach, hit));
-        EXPECT_EQ(rtcore::testTriangle<2>(mesh.view(), 1 - first, ray, shear, reach, hit), first == 1);
+        EXPECT_TRUE(rtcore::testTriangle<2>(mesh.view(), first, ray, shear, hit));
+        EXPECT_EQ(rtcore::testTriangle<2>(mesh.view(), 1 - first, ray, shear, hit), first == 1);
         EXPECT_EQ(hit.triangle, 0U);
     }
 }
