@@ -1,9 +1,10 @@
 /// The distance of a hit, better than the leaf test gives it.
 #pragma once
 
-#include "rtcore/kernels/precise_hit.h"
+#include "rtcore/kernels/narrow_noise.h"
 #include "rtcore/kernels/ray_wave.h"
 #include "rtcore/kernels/rounding.h"
+#include "rtcore/kernels/watertight.h"
 #include "rtcore/math/box.h"
 #include "rtcore/math/vec.h"
 #include "rtcore/scene/mesh.h"
@@ -17,10 +18,9 @@ namespace rtcore {
 /// taken, and an axis-parallel plane has no rounding but that of its own coordinate. The leaf test's own
 /// distance `t` is a mean of the corners', whose error grows with the triangle: too much for a ray that
 /// starts beside a large wall. Where the plane is seen so nearly edge-on that its distance is the worse one,
-/// or the triangle is narrow and `t` precise (precise_hit.h), `t` stays.
+/// or `t` is that of a narrow triangle in doubt, precise already (narrow_noise.h), `t` stays.
 inline float planeDistance(const Mesh& mesh, std::uint32_t index, Vec3 origin, Vec3 direction, float t) {
     const Vec3 corners[3] = {mesh.position(index, 0), mesh.position(index, 1), mesh.position(index, 2)};
-    if (isNarrow(corners[0], corners[1], corners[2])) return t;
     const Vec3 a = corners[0] - origin;
     const Vec3 b = corners[1] - origin;
     const Vec3 c = corners[2] - origin;
@@ -30,7 +30,13 @@ inline float planeDistance(const Mesh& mesh, std::uint32_t index, Vec3 origin, V
     const float cc = dot(c, c);
     const Vec3 nearest = aa <= bb && aa <= cc ? a : bb <= cc ? b : c;
     const float farthest = aa >= bb && aa >= cc ? aa : bb >= cc ? bb : cc;
-    const float exact = dot(normal, nearest) / dot(normal, direction);
+    const float facing = dot(normal, direction);
+    const float noise = narrowNoise(corners[0], corners[1], corners[2]);
+    if (noise > 0) {
+        const float minusSz = RayShear(direction).minusSz;
+        if (isDoubtful(t, facing * minusSz, minusSz, noise)) return t;
+    }
+    const float exact = dot(normal, nearest) / facing;
     const float apart = exact - t;
     return apart * apart * dot(direction, direction) <= kDistanceError * kDistanceError * farthest ? exact
                                                                                                    : t;

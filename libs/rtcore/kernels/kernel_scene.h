@@ -10,7 +10,7 @@
 
 namespace rtcore {
 
-/// Valid as long as the arrays behind the tree, the mesh, the records and the bits.
+/// Valid as long as the arrays behind the tree, the mesh, the records and the noise.
 struct KernelScene {
     KernelScene(const KdTree& tree, const Mesh& mesh, const float* inlineRecords = nullptr,
                 const NarrowTriangles* narrow = nullptr)
@@ -20,7 +20,7 @@ struct KernelScene {
           hi{tree.bounds.hi.x, tree.bounds.hi.y, tree.bounds.hi.z} {
         if (narrow == nullptr || narrow->leaves.empty()) return;
         narrowLeaves = narrow->leaves.data();
-        narrowTriangles = narrow->triangles.data();
+        noise = narrow->noise.data();
     }
 
     bool isNarrowLeaf(std::uint32_t firstReference) const {
@@ -34,7 +34,8 @@ struct KernelScene {
     /// Null, or copies of the corners in the order of the leaves (leaf_records.h).
     const float* records;
     /// Null where none is narrow. (Single rays need them not.)
-    const std::uint32_t *narrowLeaves = nullptr, *narrowTriangles = nullptr;
+    const std::uint32_t* narrowLeaves = nullptr;
+    const float* noise = nullptr;
     float lo[3], hi[3]; ///< the root's cell; lo > hi: nothing to hit
 };
 

@@ -7,7 +7,6 @@
 #endif
 
 #include "rtcore/kernels/leaf_records.h"
-#include "rtcore/kernels/precise_hit.h"
 #include "rtcore/kernels/wave_kernels.h"
 
 #include <hwy/highway.h>
@@ -263,54 +262,6 @@ HWY_INLINE void forEachLane(Lanes lanes, Work&& work) {
     hn::StoreMaskBits(FloatTag(), lanes, bytes);
     std::uint32_t bits = std::uint32_t{bytes[0]} | std::uint32_t{bytes[1]} << 8U;
     for (; bits != 0; bits &= bits - 1) work(static_cast<std::size_t>(std::countr_zero(bits)));
-}
-
-/// Puts preciseHit() into what the test of a narrow triangle says of the lanes that are inside.
-template <typename Along>
-HWY_NOINLINE void makePrecise(const Corners& corners, const Along& along, const ShearedRays& rays,
-                              Outcome& outcome) {
-    const FloatTag d;
-    const Floats columns[] = {rays.x, rays.y, rays.z, rays.sx, rays.sy, rays.minusSz, along.axes()};
-    alignas(64) float of[7][kLanes];
-    for (std::size_t i = 0; i < 7; ++i) hn::Store(columns[i], d, of[i]);
-    alignas(64) float t[kLanes] = {};
-    alignas(64) float v[kLanes] = {};
-    alignas(64) float w[kLanes] = {};
-    const auto position = [&](const float* p) {
-        return Vec3{p[0], p[corners.stride], p[2 * corners.stride]};
-    };
-    forEachLane(outcome.inside, [&](std::size_t i) {
-        const int kz = static_cast<int>(of[6][i]);
-        const ShearedRay ray{(kz + 1) % 3, (kz + 2) % 3, kz,       of[0][i], of[1][i],
-                             of[2][i],     of[3][i],     of[4][i], of[5][i]};
-        const PreciseHit hit = preciseHit(ray, position(corners.a), position(corners.b), position(corners.c));
-        t[i] = hit.t;
-        v[i] = hit.v;
-        w[i] = hit.w;
-    });
-    outcome = {outcome.inside, hn::Load(d, t), hn::Load(d, v), hn::Load(d, w), hn::Set(d, 1.0F)};
-}
-
-/// Tests all triangles of a leaf, some of which are narrow. `onHit` as above, but for those that are.
-template <bool kAny, typename Along, typename OnHit>
-HWY_NOINLINE void testNarrowLeaf(const KernelScene& scene, const Leaf& leaf, const Along& along,
-                                 const ShearedRays& rays, Floats tMin, Lanes inCell, Found& found,
-                                 const OnHit& onHit) {
-    const FloatTag d;
-    for (std::uint32_t i = 0; i < leaf.count; ++i) {
-        const Corners corners = cornersOf(scene, leaf, i);
-        const bool isNarrow = isBitSet(scene.narrowTriangles, static_cast<std::size_t>(corners.triangle));
-        Outcome outcome = edgeTest(corners, along, rays);
-        if (isNarrow) {
-            outcome.inside = hn::And(outcome.inside, inCell);
-            if (hn::AllFalse(d, outcome.inside)) continue;
-            makePrecise(corners, along, rays, outcome);
-        }
-        const Lanes hit = keepHits<kAny>(outcome, corners.triangle, tMin, inCell, found);
-        if constexpr (kAny) {
-            if (!isNarrow && !hn::AllFalse(d, hit)) onHit(corners);
-        }
-    }
 }
 
 /// The smaller of both; the second where either is not a number.

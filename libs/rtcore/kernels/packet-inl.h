@@ -8,6 +8,7 @@
 #define RTCORE_KERNELS_PACKET_INL_H_
 #endif
 
+#include "rtcore/kernels/narrow_leaf-inl.h"
 #include "rtcore/kernels/rounding.h"
 #include "rtcore/kernels/triangle_block-inl.h"
 

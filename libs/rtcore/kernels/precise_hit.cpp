@@ -1,7 +1,5 @@
 #include "rtcore/kernels/precise_hit.h"
 
-#include "rtcore/math/ray_offset.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -59,46 +57,7 @@ Weights weightsOf(const Place (&p)[3]) {
     return inside && det != 0 ? Weights{{u / det, v / det, w / det}} : nearestOfEdges(p);
 }
 
-/// From one corner to another.
-struct Edge {
-    double x, y, z;
-};
-
-Edge edge(Vec3 from, Vec3 to) {
-    return {double{to.x} - from.x, double{to.y} - from.y, double{to.z} - from.z};
-}
-
-double span(double a, double b, double c) { return std::max({a, b, c}) - std::min({a, b, c}); }
-
 } // namespace
-
-/// With x, y, z the sizes of the triangle's box and units of one rounding, 2^-24, for a ray that meets the
-/// triangle near its origin: places of the corners across the ray err by at most 2 x + 3 z (z along the
-/// dominant axis), distances by z, and the products and sums of distances by 4 z; weighted by the corners'
-/// shares that is half as much, and moves the plane by its normal's part of it. Edge functions are of two
-/// products of places, which span x + z and y + z: their roundings, weighted by the corners' distances, add
-/// up to at most (x + z) (y + z) z, a share of twice the area.
-bool isNarrow(Vec3 a, Vec3 b, Vec3 c) {
-    constexpr double kRounding = 0x1p-24;
-    constexpr double kShare = 0.75; // of the clearance; the rest is for the rounding of where rays start
-    const Edge p = edge(a, b);
-    const Edge q = edge(a, c);
-    const Edge normal{p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
-    const double twiceArea = std::sqrt(normal.x * normal.x + normal.y * normal.y + normal.z * normal.z);
-    const double x = span(a.x, b.x, c.x);
-    const double y = span(a.y, b.y, c.y);
-    const double z = span(a.z, b.z, c.z);
-    const double nx = std::fabs(normal.x);
-    const double ny = std::fabs(normal.y);
-    const double nz = std::fabs(normal.z);
-    const double places = nx * x + ny * y + nz * z + 3.5 * (nx + ny + nz) * std::max({x, y, z});
-    const double products = std::max({(y + x) * (z + x) * x, (x + y) * (z + y) * y, (x + z) * (y + z) * z});
-    const Vec3 unit{static_cast<float>(normal.x / twiceArea), static_cast<float>(normal.y / twiceArea),
-                    static_cast<float>(normal.z / twiceArea)};
-    const double clearance = surfaceClearance(a, b, c, unit);
-    // Written so that NaN, of a triangle without area, is narrow.
-    return !((places + products) * kRounding <= kShare * clearance * twiceArea);
-}
 
 PreciseHit preciseHit(const ShearedRay& ray, Vec3 a, Vec3 b, Vec3 c) {
     const Place p[3] = {placeOf(ray, a), placeOf(ray, b), placeOf(ray, c)};

@@ -4,6 +4,7 @@
 /// sign can be wrong.
 #pragma once
 
+#include "rtcore/kernels/narrow_noise.h"
 #include "rtcore/kernels/precise_hit.h"
 #include "rtcore/kernels/ray_wave.h"
 #include "rtcore/math/vec.h"
@@ -77,9 +78,11 @@ template <int Kz>
     const Vec3 p = corners.a.position();
     const Vec3 q = corners.b.position();
     const Vec3 r = corners.c.position();
-    const PreciseHit at =
-        isNarrow(p, q, r) ? preciseHit(shearedRay(ray, shear), p, q, r)
-                          : PreciseHit{(u * az + v * bz + w * cz) * shear.minusSz / det, v / det, w / det};
+    const float t = (u * az + v * bz + w * cz) * shear.minusSz / det;
+    const float noise = narrowNoise(p, q, r);
+    const PreciseHit at = noise > 0 && isDoubtful(t, det, shear.minusSz, noise)
+                              ? preciseHit(shearedRay(ray, shear), p, q, r)
+                              : PreciseHit{t, v / det, w / det};
     // Written so that NaN fails.
     if (!(at.t >= ray.tMin && at.t <= hit.t)) return false;
     if (at.t == hit.t && corners.index >= hit.triangle) return false;

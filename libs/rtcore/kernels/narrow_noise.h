@@ -1,0 +1,27 @@
+/// Triangles so long and narrow that single precision cannot tell where a ray meets them.
+///
+/// The leaf test (watertight.h) takes the mean of the corners' distances, weighted by the edge functions u,
+/// v, w. These are differences of products of the corners' places across the ray; divided by their small sum
+/// det, their roundings grow by the length of a triangle over its width. So a long narrow one would be hit by
+/// rays that leave it, and be found or not as the cells of a tree happen to lie. Whether a ray meets a
+/// triangle is decided by the leaf test alone; where it meets a narrow one, double says if in doubt.
+#pragma once
+
+#include "rtcore/math/vec.h"
+
+#include <cmath>
+
+namespace rtcore {
+
+/// What rounding may do to the leaf test's sum of weighted distances, the distance times det, for rays that
+/// meet the triangle near their origin. 0 for common triangles: what rays start off them, surfaceClearance(),
+/// is more. Infinity for those so narrow that it matters at any distance. The same bits everywhere.
+float narrowNoise(Vec3 a, Vec3 b, Vec3 c);
+
+/// Whether a narrow triangle that is met at `t` may in truth lie on the other side of the ray's origin. det
+/// and minusSz as in the leaf test.
+inline bool isDoubtful(float t, float det, float minusSz, float noise) {
+    return !(std::fabs(det * t) >= noise * std::fabs(minusSz)); // NaN is
+}
+
+} // namespace rtcore
