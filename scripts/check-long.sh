@@ -1,14 +1,14 @@
 #!/bin/sh
 # The checks that take too long for every run; their output belongs into the note that closes an issue.
-#   scripts/check-long.sh [leaks] [leaving] [waves] [oracle] [mutations] [kills] [formats] [ipc] [server] [reaction]
-#                         [soak] [preview] [window] [walks] [tutorial] [sanitizers] [mutants]
+#   scripts/check-long.sh [leaks] [leaving] [trees] [waves] [oracle] [mutations] [kills] [formats] [ipc] [server]
+#                         [reaction] [soak] [preview] [window] [walks] [tutorial] [sanitizers] [mutants]
 # Without arguments: all. RT_ISA chooses the instruction set of the kernels.
 set -eu
 cd "$(dirname "$0")/.."
 scripts/build.sh
 [ $# -gt 0 ] ||
-    set -- leaks leaving waves oracle mutations kills formats ipc server reaction soak preview window walks tutorial \
-        sanitizers mutants
+    set -- leaks leaving trees waves oracle mutations kills formats ipc server reaction soak preview window walks \
+        tutorial sanitizers mutants
 release=build/release/bin
 for check in "$@"; do
     echo "== $check"
@@ -20,6 +20,11 @@ for check in "$@"; do
     leaving)
         # So many rays in all, from triangles of 1 : 1 to 1 : 100,000, by every kernel and instruction set.
         RT_LEAVING_RAYS=${RT_LEAVING_RAYS:-1000000000} $release/test_leaving
+        ;;
+    trees)
+        # Pictures by the exact tree and by fast ones, from so many places in each scene.
+        [ -n "${RT_TEST_SCENES:-}" ] || echo "check-long: RT_TEST_SCENES is not set: only our own scenes" >&2
+        RT_TREE_CAMERAS=${RT_TREE_CAMERAS:-50} $release/test_trees
         ;;
     waves)
         RT_WAVE_ROUNDS=${RT_WAVE_ROUNDS:-200} $release/test_kernels --gtest_filter='AwkwardWaves.*-*EqualTriangles*'
