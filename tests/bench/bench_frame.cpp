@@ -1,7 +1,8 @@
 // What a steady frame costs, stage by stage.
 //   bench_frame SCENE [--view NAME] [--size WxH] [--mirror SHARE] [--specular SHARE] [--threads N] [--frames
 //   N]
-//               [--antialiasing N] [--no-shadows] [--setting NAME=VALUE]... [--replay-only]
+//               [--antialiasing N] [--no-shadows] [--setting NAME=VALUE]... [--shadow-maps]
+//               [--replay-only]
 // SCENE is a .bsp, .scn or model. Without lights of its own it gets one at the eye's height; a view of that
 // name (tests/support/view_rays.h) sets camera and light. The best of N frames (20) counts. The line `without
 // tracing` renders the same frame with the answers of the tracer played back, by one thread: what is left is
@@ -21,6 +22,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -37,7 +39,7 @@ struct Options {
     std::vector<std::string> settings; ///< "name=value"
     int width = 1920, height = 1080, threads = 1, frames = 20, antialiasing = 1;
     float mirror = 0, specular = 0;
-    bool shadows = true, replayOnly = false;
+    bool shadows = true, shadowMaps = false, replayOnly = false;
 };
 
 /// Of all threads, so that other work on the machine does not count.
@@ -90,6 +92,8 @@ Options parse(int argc, char** argv) {
         const std::string_view name = argv[i];
         if (name == "--no-shadows") {
             o.shadows = false;
+        } else if (name == "--shadow-maps") {
+            o.shadowMaps = true;
         } else if (name == "--replay-only") {
             o.replayOnly = true;
         } else if (name.substr(0, 2) != "--") {
@@ -151,6 +155,7 @@ class Bench {
         settings_.height = o.height;
         settings_.antialiasing = o.antialiasing;
         settings_.shadows = o.shadows;
+        if (o.shadowMaps) makeMaps();
         for (const std::string& s : o.settings) {
             const std::size_t equals = std::min(s.find('='), s.size() - 1);
             setSettingFromText(settings_, s.substr(0, equals), s.substr(equals + 1));
@@ -163,6 +168,13 @@ class Bench {
     }
 
   private:
+    void makeMaps() {
+        const double start = processSeconds();
+        maps_ = ShadowMaps::make(loaded_.scene, tracer_, control_.cancel);
+        renderer_.takeShadowsFrom(maps_.get());
+        std::printf("shadow maps of %zu lamps: %.2f s\n", loaded_.scene.lights.size(),
+                    processSeconds() - start);
+    }
     double render(const RayTracer& tracer, int threads) {
         const double start = processSeconds();
         renderer_.render(loaded_.scene, tracer, loaded_.camera, settings_, threads, control_, frame_);
@@ -257,6 +269,7 @@ class Bench {
     ReplayTracer replay_;
     RenderSettings settings_;
     RenderControl control_;
+    std::unique_ptr<const ShadowMaps> maps_;
     FrameRenderer renderer_;
     PictureDeveloper developer_;
     Frame frame_;
@@ -272,7 +285,7 @@ int main(int argc, char** argv) {
         std::fprintf(stderr,
                      "bench_frame SCENE [--view NAME] [--size WxH] [--mirror SHARE] [--specular SHARE]\n"
                      "            [--threads N] [--frames N] [--antialiasing N] [--no-shadows]\n"
-                     "            [--setting NAME=VALUE]... [--replay-only]\n");
+                     "            [--setting NAME=VALUE]... [--shadow-maps] [--replay-only]\n");
         return 2;
     }
     try {

@@ -127,6 +127,7 @@ void FrameRenderer::renderTiles(const Work& work, const TileGrid& grid, Render&&
         TileRenderer& renderer = rendererOfThread(threadNumber());
         renderer.begin(work.scene, work.tracer, work.settings, materials_, view_, cancel, measureStages_,
                        work.frame.layers.empty() ? nullptr : &work.frame.layers);
+        renderer.takeShadowsFrom(maps_);
         // In the order of the picture: its last row of tiles is the one that its lower edge cuts.
 #pragma omp for schedule(dynamic, 1) nowait
         for (int tile = 0; tile < grid.count(); ++tile) {

@@ -10,6 +10,7 @@
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
 #include "rtcore/shading/material_table.h"
+#include "rtcore/shading/shadow_maps.h"
 #include "rtcore/shading/stage_times.h"
 
 #include <atomic>
@@ -55,6 +56,9 @@ class FrameRenderer {
     void collectLayers(bool on) { collectLayers_ = on; }
     /// Whether frames to come measure stageTimes().
     void measureStages(bool on) { measureStages_ = on; }
+    /// Where the shadows of frames to come are looked up, quicker and less exact than by rays; null: by rays.
+    /// The maps are the scene's, suit the settings, and must outlive the frames.
+    void takeShadowsFrom(const ShadowMaps* maps) { maps_ = maps; }
     /// Of the last frame, all threads together.
     const StageTimes& stageTimes() const { return stageTimes_; }
 
@@ -86,6 +90,7 @@ class FrameRenderer {
     std::vector<std::unique_ptr<TileRenderer>> renderers_; ///< by thread
     bool collectLayers_ = false;
     bool measureStages_ = false;
+    const ShadowMaps* maps_ = nullptr;
     StageTimes stageTimes_;
 };
 

@@ -36,6 +36,8 @@ class TileRenderer {
     void begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
                const MaterialTable& materials, const SampleView& view, const std::atomic<bool>& cancel,
                bool measureStages, FrameLayers* layers);
+    /// As WhittedIntegrator has it.
+    void takeShadowsFrom(const ShadowMaps* maps) { integrator_.takeShadowsFrom(maps); }
 
     /// Writes the pixels of one tile into `frame`; soon returns, with them undefined, when `cancel` is set.
     void render(const PixelArea& area, Frame& frame);

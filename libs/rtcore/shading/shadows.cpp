@@ -39,14 +39,57 @@ const std::vector<Colour>& ShadowTracer::transmittance(const RayWave& rays, cons
     return transmittance_;
 }
 
-void ShadowTracer::traceTinted(const RayWave& rays, const Light& light, RayStatistics& statistics) {
+void ShadowTracer::startLayers(const RayWave& rays) {
     current_ = rays;
     currentIndex_.resize(rays.size());
     // As much as the other: the two change places, and steady frames must not allocate whichever is which.
     next_.reserve(rays.size());
     nextIndex_.reserve(rays.size());
     for (std::uint32_t i = 0; i < rays.size(); ++i) currentIndex_[i] = i;
+}
 
+/// What is left of a ray, behind the surface that it hit.
+void ShadowTracer::goOn(std::size_t ray, const Surface& surface, const Hit& hit) {
+    Ray rest = current_.ray(ray);
+    rest.origin = surface.position - surface.geometricNormal * surface.clearance;
+    rest.tMax = rest.tMax - hit.t;
+    if (!(rest.tMax > 0)) return;
+    next_.push(rest);
+    nextIndex_.push_back(currentIndex_[ray]);
+}
+
+const std::vector<LightEnd>& ShadowTracer::ends(const RayWave& rays) {
+    ends_.assign(rays.size(), {});
+    travelled_.assign(rays.size(), 0);
+    startLayers(rays);
+    for (int layer = 0; layer < kMaxLayers && !current_.empty(); ++layer) {
+        tracer_->intersect(RayKind::Shadow, current_, hits_);
+        next_.clear();
+        nextIndex_.clear();
+        for (std::size_t i = 0; i < current_.size(); ++i) {
+            if (!hits_.isHit(i)) continue;
+            const Hit hit = hits_.hit(i);
+            const std::uint32_t index = currentIndex_[i];
+            travelled_[index] += hit.t;
+            if (layer == 0) ends_[index].clear = hit.t;
+            const Surface surface = surfaceAt(*scene_, false, current_.ray(i).direction, hit);
+            const Colour left = ends_[index].tint * throughSurface(surface, hit);
+            if (isBlack(left)) {
+                ends_[index].distance = travelled_[index];
+                continue;
+            }
+            ends_[index].tint = left;
+            goOn(i, surface, hit);
+        }
+        std::swap(current_, next_);
+        std::swap(currentIndex_, nextIndex_);
+    }
+    for (const std::uint32_t lost : currentIndex_) ends_[lost].distance = travelled_[lost];
+    return ends_;
+}
+
+void ShadowTracer::traceTinted(const RayWave& rays, const Light& light, RayStatistics& statistics) {
+    startLayers(rays);
     for (int layer = 0; layer < kMaxLayers && !current_.empty(); ++layer) {
         statistics.count(RayKind::Shadow, current_.size());
         tracer_->intersect(RayKind::Shadow, current_, hits_);
@@ -64,12 +107,7 @@ void ShadowTracer::traceTinted(const RayWave& rays, const Light& light, RayStati
             arriving *= throughSurface(surface, hit);
             if (fog_ != nullptr) arriving = arriving * throughFog(surface, ray, light, hit);
             if (isBlack(arriving)) continue;
-            Ray rest = ray;
-            rest.origin = surface.position - surface.geometricNormal * surface.clearance;
-            rest.tMax = ray.tMax - hit.t;
-            if (!(rest.tMax > 0)) continue;
-            next_.push(rest);
-            nextIndex_.push_back(currentIndex_[i]);
+            goOn(i, surface, hit);
         }
         std::swap(current_, next_);
         std::swap(currentIndex_, nextIndex_);

@@ -8,9 +8,18 @@
 #include "rtcore/shading/fog.h"
 #include "rtcore/shading/surface.h"
 
+#include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace rtcore {
+
+/// How far a ray of light gets.
+struct LightEnd {
+    float clear = std::numeric_limits<float>::max(); ///< distance to the first surface
+    float distance = clear;                          ///< to what lets nothing of it through
+    Colour tint = kWhite;                            ///< what is left of it between the two
+};
 
 /// Reuses its memory from wave to wave and from frame to frame; one for each thread.
 class ShadowTracer {
@@ -32,7 +41,13 @@ class ShadowTracer {
     const std::vector<Colour>& transmittance(const RayWave& rays, const Light& light,
                                              RayStatistics& statistics);
 
+    /// The way of light along rays that leave a lamp, in directions of unit length, without fog. Valid until
+    /// the next call.
+    const std::vector<LightEnd>& ends(const RayWave& rays);
+
   private:
+    void startLayers(const RayWave& rays);
+    void goOn(std::size_t ray, const Surface& surface, const Hit& hit);
     void traceTinted(const RayWave& rays, const Light& light, RayStatistics& statistics);
     /// What one surface leaves of the light; the ray came from the surface before it, hit.t away.
     Colour throughSurface(const Surface& surface, const Hit& hit) const;
@@ -44,6 +59,8 @@ class ShadowTracer {
     bool textures_ = true, refractions_ = true, tinted_ = false;
 
     std::vector<Colour> transmittance_;
+    std::vector<LightEnd> ends_;
+    std::vector<float> travelled_; ///< of ends_
     std::vector<std::uint8_t> occluded_;
     HitWave hits_;
     RayWave current_, next_;

@@ -293,11 +293,17 @@ void WhittedIntegrator::addShafts(const Light& light, std::uint32_t number) {
     }
     const int samples = settings_->fog.shafts;
     const std::size_t atOnce = FogShafts::raysAtOnce(samples);
-    const bool tinted = settings_->shadows && shadows_.tinted();
+    const bool tinted = tracesTinted();
     for (std::size_t first = 0; first < count && !stopped(); first += atOnce) {
         shafts_.draw(fog_, light, first, std::min(atOnce, count - first), samples, shifts_.data(), !tinted);
         if (!settings_->shadows) {
             shafts_.addAll(fog_);
+        } else if (maps_ != nullptr) {
+            const RayWave& rays = shafts_.rays();
+            arriving_.resize(rays.size());
+            for (std::size_t i = 0; i < arriving_.size(); ++i)
+                arriving_[i] = maps_->of(number).arriving({rays.ox[i], rays.oy[i], rays.oz[i]}, {});
+            shafts_.add(fog_, arriving_);
         } else if (tinted) {
             shafts_.add(fog_, shadows_.transmittance(shafts_.rays(), light, statistics_));
         } else {
@@ -327,7 +333,7 @@ void WhittedIntegrator::lightBy(const Light& light, std::uint32_t number) {
     }
     lit_ = Lit::ByPoint;
     addLight(light, *materials_, surfaces_, settings_->shadows ? &shadowRays_ : nullptr);
-    addUnshadowed(light);
+    addUnshadowed(light, number);
 }
 
 void WhittedIntegrator::lightBySamples(const Light& light, std::uint32_t number) {
@@ -339,18 +345,20 @@ void WhittedIntegrator::lightBySamples(const Light& light, std::uint32_t number)
     for (int k = 0; k < samples && !stopped(); ++k) {
         addLight(light, lampDraw_.part(k), *materials_, surfaces_,
                  settings_->shadows ? &shadowRays_ : nullptr);
-        addUnshadowed(light);
+        addUnshadowed(light, number);
     }
 }
 
 /// What the light adds to the samples from where nothing is between.
-void WhittedIntegrator::addUnshadowed(const Light& light) {
-    // Where shadows are tinted, fog and glass take turns on the way.
-    if (fog_.on() && !(settings_->shadows && shadows_.tinted())) fog_.dimLight(light, surfaces_);
+void WhittedIntegrator::addUnshadowed(const Light& light, std::uint32_t number) {
+    // Where tinted shadows are traced, fog and glass take turns on the way.
+    if (fog_.on() && !tracesTinted()) fog_.dimLight(light, surfaces_);
     clock_.lap(Stage::Light);
     if (settings_->shadows) {
         if (shadowRays_.rays.empty()) return;
-        if (shadows_.tinted()) {
+        if (maps_ != nullptr) {
+            lookShadowsUp(maps_->of(number));
+        } else if (shadows_.tinted()) {
             tint(shadows_.transmittance(shadowRays_.rays, light, statistics_));
         } else {
             darken(shadows_.occluded(shadowRays_.rays, statistics_));
@@ -359,6 +367,15 @@ void WhittedIntegrator::addUnshadowed(const Light& light) {
     }
     accumulate();
     clock_.lap(Stage::Light);
+}
+
+void WhittedIntegrator::lookShadowsUp(const ShadowMap& map) {
+    arriving_.resize(shadowRays_.rays.size());
+    for (std::size_t i = 0; i < arriving_.size(); ++i) {
+        const std::uint32_t point = shadowRays_.point[i];
+        arriving_[i] = map.arriving(surfaces_.position.at(point), surfaces_.geometricNormal.at(point));
+    }
+    tint(arriving_);
 }
 
 void WhittedIntegrator::darken(const std::vector<std::uint8_t>& occluded) {

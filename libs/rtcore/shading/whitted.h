@@ -15,6 +15,7 @@
 #include "rtcore/shading/material_table.h"
 #include "rtcore/shading/occlusion_wave.h"
 #include "rtcore/shading/path_queue.h"
+#include "rtcore/shading/shadow_maps.h"
 #include "rtcore/shading/shadows.h"
 #include "rtcore/shading/stage_times.h"
 #include "rtcore/shading/surface.h"
@@ -54,6 +55,9 @@ class WhittedIntegrator {
     void collectFirstHits(bool on) { collectFirstHits_ = on; }
     const FirstHits& firstHits() const { return firstHits_; }
 
+    /// Where the shadows of waves to come are looked up in place of being traced; null: they are traced.
+    void takeShadowsFrom(const ShadowMaps* maps) { maps_ = maps; }
+
     /// trace(), with the results copied to spans of the size of the wave.
     void trace(const RayWave& primary, std::span<Colour> radiance, std::span<std::uint8_t> hit);
 
@@ -89,7 +93,8 @@ class WhittedIntegrator {
     void lightFromEverywhere();
     void lightBy(const Light& light, std::uint32_t number);
     void lightBySamples(const Light& light, std::uint32_t number);
-    void addUnshadowed(const Light& light);
+    void addUnshadowed(const Light& light, std::uint32_t number);
+    void lookShadowsUp(const ShadowMap& map);
     void takeFirstHits();
     void tellFirstHits();
     void darken(const std::vector<std::uint8_t>& occluded);
@@ -99,6 +104,7 @@ class WhittedIntegrator {
     void spawnTransmitted(const Transparent& point);
     void evenQueues();
     bool matters(Colour weight) const;
+    bool tracesTinted() const { return settings_->shadows && shadows_.tinted() && maps_ == nullptr; }
     bool stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
 
     const Scene* scene_ = nullptr;
@@ -130,6 +136,8 @@ class WhittedIntegrator {
     } textured_;
     std::vector<Transparent> transparent_;
     ShadowRays shadowRays_;
+    const ShadowMaps* maps_ = nullptr;
+    std::vector<Colour> arriving_; ///< along shadow rays, by the maps
     LampDraw lampDraw_;
     FogWave fog_;
     FogShafts shafts_;

@@ -52,6 +52,36 @@ TEST(RenderFrame, TheSameFogForAnyNumberOfThreads) {
     }
 }
 
+TEST(RenderFrame, WithShadowMapsIsNearlyTheSameAndLeavesNoTrace) {
+    const std::atomic<bool> cancel{false};
+    for (const FogKind kind : {FogKind::None, FogKind::Homogeneous}) {
+        const test::TracedScene s(test::foggyScene(kind));
+        const auto maps = ShadowMaps::make(s.scene, s.tracer, cancel);
+        RenderSettings settings = test::sampleSettings(160, 90);
+        settings.fog.shafts = 2;
+        const Frame exact = test::render(s, settings, 2);
+        FrameRenderer renderer;
+        RenderControl control;
+        Frame quick, after;
+        renderer.takeShadowsFrom(maps.get());
+        renderer.render(s.scene, s.tracer, test::sampleCamera(), settings, 2, control, quick);
+        EXPECT_EQ(quick.statistics.rays[static_cast<std::size_t>(RayKind::Shadow)], 0U);
+        double sum = 0, exactSum = 0, quickSum = 0;
+        for (std::size_t i = 0; i < exact.radiance.pixels.size(); ++i) {
+            const double a = luminance(exact.radiance.pixels[i]), b = luminance(quick.radiance.pixels[i]);
+            sum += std::abs(a - b);
+            exactSum += a;
+            quickSum += b;
+        }
+        EXPECT_LT(sum, 0.02 * exactSum);
+        EXPECT_NEAR(quickSum, exactSum, 0.01 * exactSum);
+        EXPECT_GT(sum, 0) << "else no map was asked";
+        renderer.takeShadowsFrom(nullptr);
+        renderer.render(s.scene, s.tracer, test::sampleCamera(), settings, 2, control, after);
+        EXPECT_EQ(after.radiance.pixels, exact.radiance.pixels);
+    }
+}
+
 TEST(RenderFrame, TheSameBitsForAnyTree) {
     const TracedScene exact(test::sampleScene(), BuildMethod::Exact);
     const TracedScene fast(test::sampleScene(), BuildMethod::Fast);
