@@ -204,8 +204,9 @@ void Denoiser::filter(int pass, int threads) {
     if (rows_.size() < static_cast<std::size_t>(team)) rows_.resize(static_cast<std::size_t>(team));
     for (std::vector<float>& sums : rows_) sums.resize(5 * row(1));
 #pragma omp parallel for schedule(static) num_threads(team)
-    for (int y = 0; y < height_; ++y)
-        filterRow(pass, y, rows_[static_cast<std::size_t>(threadNumber())].data());
+    for (int y = 0; y < height_; ++y) {
+        if (!stopped()) filterRow(pass, y, rows_[static_cast<std::size_t>(threadNumber())].data());
+    }
     for (std::size_t c = 0; c < 3; ++c) light_[c].swap(result_[c]);
 #pragma omp parallel for schedule(static) num_threads(team)
     for (int y = 0; y < height_; ++y) {
@@ -215,20 +216,23 @@ void Denoiser::filter(int pass, int threads) {
     }
 }
 
-const HdrImage& Denoiser::apply(const Frame& frame, const RenderSettings& settings, int threads) {
+const HdrImage& Denoiser::apply(const Frame& frame, const RenderSettings& settings, int threads,
+                                const std::atomic<bool>* stop) {
     const HdrImage& radiance = frame.radiance;
     const FrameLayers& layers = frame.layers;
     if (settings.denoise <= 0 || layers.empty() || layers.width() != radiance.width ||
         layers.height() != radiance.height) {
         return radiance;
     }
+    stop_ = stop;
     const bool all = settings.depthOfField.on;
     resize(radiance.width, radiance.height);
     fillGuides(layers, threads);
     if (!fillLight(frame, all, threads)) return radiance;
-    fillSlopes(threads);
-    measureGrain(threads);
-    for (int pass = 0; pass < settings.denoise; ++pass) filter(pass, threads);
+    if (!stopped()) fillSlopes(threads);
+    if (!stopped()) measureGrain(threads);
+    for (int pass = 0; pass < settings.denoise && !stopped(); ++pass) filter(pass, threads);
+    if (stopped()) return radiance;
 #pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
     for (int y = 0; y < height_; ++y) {
         for (std::size_t i = row(y); i < row(y + 1); ++i) {

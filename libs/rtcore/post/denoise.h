@@ -5,6 +5,7 @@
 #include "rtcore/scene/image.h"
 #include "rtcore/settings/render_settings.h"
 
+#include <atomic>
 #include <vector>
 
 namespace rtcore {
@@ -18,8 +19,10 @@ class Denoiser {
   public:
     /// The frame's radiance after settings.denoise passes, valid until the next call; frame.radiance itself
     /// when there are none, or nothing was sampled, or the frame has no layers. `threads` = 0: all cores; the
-    /// bits are the same for any number.
-    const HdrImage& apply(const Frame& frame, const RenderSettings& settings, int threads);
+    /// bits are the same for any number. Returns soon, with a picture that is undefined, when `stop` (may be
+    /// null) becomes true.
+    const HdrImage& apply(const Frame& frame, const RenderSettings& settings, int threads,
+                          const std::atomic<bool>* stop = nullptr);
 
   private:
     using Plane = std::vector<float>;
@@ -33,8 +36,10 @@ class Denoiser {
     void filterRow(int pass, int y, float* sums);
     void takeTap(int y, int dx, int dy, float kernel, float planeTolerance, float* sums) const;
 
+    bool stopped() const { return stop_ != nullptr && stop_->load(std::memory_order_relaxed); }
     std::size_t row(int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_); }
 
+    const std::atomic<bool>* stop_ = nullptr;
     int width_ = 0, height_ = 0;
     Plane normal_[3];         ///< unit; zero for the background
     Plane nearness_;          ///< 1 / depth, which is linear over a plane's picture

@@ -61,8 +61,10 @@ float PictureDeveloper::exposure(const Frame& frame, const ExposureSettings& set
     return std::clamp(found.value_or(kDarkness) / settings.key, kLeast, kMost);
 }
 
-const HdrImage& PictureDeveloper::finish(const Frame& frame, const RenderSettings& settings, int threads) {
-    return bloom_.apply(denoiser_.apply(frame, settings, threads), settings, threads);
+const HdrImage& PictureDeveloper::finish(const Frame& frame, const RenderSettings& settings, int threads,
+                                         const std::atomic<bool>* stop) {
+    const HdrImage& denoised = denoiser_.apply(frame, settings, threads, stop);
+    return stop != nullptr && *stop ? frame.radiance : bloom_.apply(denoised, settings, threads);
 }
 
 void PictureDeveloper::develop(const Frame& frame, const RenderSettings& settings, float exposure,

@@ -10,6 +10,7 @@
 #include "rtcore/scene/image.h"
 #include "rtcore/settings/render_settings.h"
 
+#include <atomic>
 #include <optional>
 #include <vector>
 
@@ -33,8 +34,10 @@ class PictureDeveloper {
 
     /// The frame with the effects that need all of it: denoised, and with its glow. frame.radiance itself
     /// when there are none; else valid until the next call. A frame that is larger or smaller than the
-    /// settings say gets effects in proportion.
-    const HdrImage& finish(const Frame& frame, const RenderSettings& settings, int threads);
+    /// settings say gets effects in proportion. Returns soon, with a picture that is undefined, when `stop`
+    /// (may be null) becomes true.
+    const HdrImage& finish(const Frame& frame, const RenderSettings& settings, int threads,
+                           const std::atomic<bool>* stop = nullptr);
 
     /// Tone maps with the constant `exposure` and quantises into `image`, whose memory is reused when the
     /// size fits.

@@ -57,6 +57,16 @@ RenderSettings occluded(int samples, int denoise) {
     return settings;
 }
 
+TEST(Denoise, CanBeLeft) {
+    const test::TracedScene traced(corners());
+    const RenderSettings settings = occluded(4, 3);
+    const Frame frame = rendered(traced, settings);
+    Denoiser denoiser;
+    const std::atomic<bool> stop{true}, goOn{false};
+    EXPECT_EQ(&denoiser.apply(frame, settings, 2, &stop), &frame.radiance);
+    EXPECT_EQ(denoiser.apply(frame, settings, 2, &goOn).pixels, Denoiser().apply(frame, settings, 1).pixels);
+}
+
 TEST(Denoise, HalvesTheGrainOfAmbientOcclusion) {
     const test::TracedScene traced(corners());
     const HdrImage reference = rendered(traced, occluded(400, 0), 2).radiance;
