@@ -1,7 +1,9 @@
 // How soon RTServer shows that something changed, whatever it is drawing: keys, settings, scenes.
-//   bench_reaction [--keys=N] [--settings=N] [--loads=N] [--seed=N] [--size=WxH] [--scene=FILE] [SERVER]...
+//   bench_reaction [--keys=N] [--settings=N] [--loads=N] [--seed=N] [--size=WxH] [--scene=FILE]
+//                  [--turns=FILE] [SERVER]...
 // Each SERVER is an RTServer, such as one of before a change; they take turns, so that whatever else the
-// machine does hits all alike. Without one: the one that was built.
+// machine does hits all alike. Without one: the one that was built. With the same FILE several
+// bench_reactions take turns, too: each speaks one version of the protocol.
 #include "ipc/endpoint/client.h"
 #include "support/ipc_instance.h"
 #include "support/quantile.h"
@@ -20,6 +22,10 @@
 #include <utility>
 #include <vector>
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 namespace {
 
 using namespace std::chrono_literals;
@@ -35,7 +41,28 @@ struct Wishes {
     unsigned seed = 1;
     std::string size = "1920x1080";
     std::string scene = RT_SOURCE_FOLDER "/data/nave/nave.scn";
+    std::string turns; ///< a file; "" = nobody else measures
     std::vector<std::string> servers;
+};
+
+/// As long as it lives, no other bench_reaction with the same file has one.
+class Turn {
+  public:
+    explicit Turn(const std::string& path) {
+        if (path.empty()) return;
+        file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+        if (file_ < 0 || ::flock(file_, LOCK_EX) != 0) throw std::runtime_error("cannot lock " + path);
+    }
+    ~Turn() {
+        if (file_ < 0) return;
+        ::close(file_);
+        std::this_thread::sleep_for(200ms); // so that the others have theirs
+    }
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+
+  private:
+    int file_ = -1;
 };
 
 double milliseconds(Clock::duration time) { return std::chrono::duration<double, std::milli>(time).count(); }
@@ -217,6 +244,8 @@ Wishes read(int count, char** words) {
             wishes.size = value;
         else if (name == "--scene")
             wishes.scene = value;
+        else if (name == "--turns")
+            wishes.turns = value;
         else
             wishes.servers.push_back(word);
     }
@@ -228,12 +257,16 @@ void measure(const Wishes& wishes) {
     const test::IpcInstance instance;
     std::vector<std::unique_ptr<Measured>> all;
     for (const std::string& program : wishes.servers) {
+        const Turn turn(wishes.turns);
         all.push_back(std::make_unique<Measured>(wishes, instance, program, static_cast<int>(all.size())));
     }
     std::mt19937 random(wishes.seed);
     const auto inTurns = [&](int count, const auto& part) {
         for (int left = count; left > 0; left -= kOneTurn) {
-            for (const auto& one : all) part(*one, std::min(left, kOneTurn));
+            for (const auto& one : all) {
+                const Turn turn(wishes.turns);
+                part(*one, std::min(left, kOneTurn));
+            }
             tellLoad();
         }
     };
