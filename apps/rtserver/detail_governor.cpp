@@ -8,9 +8,9 @@ namespace rtserver {
 namespace {
 
 constexpr double kSteps = 16;
-constexpr double kBack = 0.15;  ///< share of the way up that is taken after each frame
-constexpr double kSpared = 0.8; ///< of the time: frames are not all alike
-constexpr double kFine = 0.5;   ///< rather this scale with all samples than a finer one with few
+constexpr double kBack = 0.15;   ///< share of the way up that is taken after each frame
+constexpr double kSpared = 0.65; ///< of the time: frames are not all alike
+constexpr double kFine = 0.5;    ///< rather this scale with all samples than a finer one with few
 
 double fits(double pace, double work, double target) {
     return std::min(1.0, pace * std::sqrt(target * kSpared / std::max(work, 1.0)));

@@ -28,7 +28,7 @@ bool frameSuits(const Call& call) {
     const bool drawn = !frames.image().empty();
     if (call.session.paused && !drawn)
         throw std::runtime_error("there is no frame yet, and the server is paused");
-    return drawn && (call.session.paused || (!call.session.stale() && frames.whole()));
+    return drawn && frames.whole() && (call.session.paused || !call.session.stale());
 }
 
 Result loadCamera(const Call& call) {

@@ -7,19 +7,23 @@ namespace rtserver {
 
 namespace {
 
+constexpr double kLookUp = 0.3;  ///< of the time of a shadow ray
+constexpr double kCoarse = 0.25; ///< below, pixels are too large for grain and gloss to be seen as such
+
 int scaled(int pixels, double scale) {
     return std::max(1, static_cast<int>(std::ceil(static_cast<double>(pixels) * scale)));
 }
 
 // Whatever makes a sample dear or asks for many of them. Light keeps its brightness, so the exposure of the
 // whole frame is nearly the same.
-void cutSamples(rtcore::RenderSettings& settings) {
+void cutSamples(rtcore::RenderSettings& settings, double scale) {
     settings.antialiasing = 1;
     settings.sampling = rtcore::SamplingPattern::Grid;
     settings.adaptive = 0;
     settings.maxDepth = std::min(settings.maxDepth, 2);
-    settings.minContribution = std::max(settings.minContribution, 0.1F); // mirrors, but no polished floors
-    settings.ambientOcclusion.samples = std::min(settings.ambientOcclusion.samples, 4);
+    // Mirrors, but no polished floors.
+    settings.minContribution = std::max(settings.minContribution, scale < kCoarse ? 0.3F : 0.1F);
+    settings.ambientOcclusion.samples = std::min(settings.ambientOcclusion.samples, scale < kCoarse ? 1 : 4);
     settings.lampSamples = std::min(settings.lampSamples, 1);
     settings.fog.shafts = std::min(settings.fog.shafts, 2);
     settings.depthOfField.on = false;
@@ -32,17 +36,22 @@ rtcore::RenderSettings settingsAt(const rtcore::RenderSettings& settings, const 
     rtcore::RenderSettings result = settings;
     result.width = scaled(settings.width, detail.scale);
     result.height = scaled(settings.height, detail.scale);
-    if (detail.cut) cutSamples(result);
+    if (detail.cut) cutSamples(result, detail.scale);
     return result;
 }
 
-double workOf(const rtcore::RenderSettings& settings, const rtcore::Scene& scene) {
-    const double lights = static_cast<double>(std::count_if(
-        scene.lights.begin(), scene.lights.end(), [](const rtcore::Light& l) { return l.on != 0; }));
+double workOf(const rtcore::RenderSettings& settings, const rtcore::Scene& scene, bool mapped) {
+    double lights = 0, parts = 0;
+    for (const rtcore::Light& light : scene.lights) {
+        if (light.on == 0) continue;
+        ++lights;
+        parts += rtcore::hasSize(light) ? std::max(1, settings.lampSamples) : 1;
+    }
     const double samples = double{static_cast<float>(settings.antialiasing)} * settings.antialiasing;
     double rays = 1;
-    if (settings.shadows) rays += lights * std::max(1, settings.lampSamples);
-    if (settings.fog.on) rays += lights * settings.fog.shafts;
+    const double shadow = mapped ? kLookUp : 1;
+    if (settings.shadows) rays += parts * shadow;
+    if (settings.fog.on) rays += lights * settings.fog.shafts * shadow;
     if (settings.ambientOcclusion.on) rays += settings.ambientOcclusion.samples;
     if (settings.reflections || settings.refractions) rays *= 1 + 0.25 * settings.maxDepth;
     return static_cast<double>(settings.width) * settings.height * samples * rays;

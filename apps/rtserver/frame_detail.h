@@ -20,7 +20,7 @@ inline constexpr FrameDetail kCoarsest{kLeastScale, true};
 /// What a frame of that detail is rendered with: `settings` themselves for a whole one.
 rtcore::RenderSettings settingsAt(const rtcore::RenderSettings& settings, const FrameDetail& detail);
 
-/// About the rays of such a frame, to compare frames of one scene by.
-double workOf(const rtcore::RenderSettings& settings, const rtcore::Scene& scene);
+/// About the rays of such a frame, to compare frames of one scene by. `mapped`: shadows are looked up.
+double workOf(const rtcore::RenderSettings& settings, const rtcore::Scene& scene, bool mapped = false);
 
 } // namespace rtserver

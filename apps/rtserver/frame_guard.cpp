@@ -6,7 +6,7 @@
 namespace rtserver {
 
 namespace {
-constexpr auto kInterval = std::chrono::milliseconds(3);
+constexpr auto kInterval = std::chrono::milliseconds(2);
 } // namespace
 
 FrameGuard::FrameGuard(std::function<bool()> poll)

@@ -14,16 +14,21 @@ bool FrameMaker::trace(const Session& session, const FrameDetail& detail, rtcore
     const rtcore::RenderSettings settings = settingsAt(session.shownSettings(), detail);
     rtcore::Frame& frame = detail.whole() ? whole_ : coarse_;
     if (detail.whole() == detail_.whole()) seen_ = nullptr; // its memory is written to
+    const rtcore::ShadowMaps* const maps = world.shadowMaps.get();
+    renderer_->takeShadowsFrom(detail.cut && maps != nullptr && maps->suit(settings) ? maps : nullptr);
     if (!renderer_->render(world.loaded.scene, *world.tracer, session.camera(), settings, threads_, control,
                            frame)) {
         return false;
     }
-    detail_ = detail;
     target_ = developer_.exposure(frame, settings.exposure, threads_);
     // Bloom has its width in pixels of the whole frame.
     rtcore::RenderSettings effects = session.shownSettings();
     effects.denoise = settings.denoise;
-    seen_ = &developer_.finish(frame, effects, threads_);
+    seen_ = nullptr; // the frame before may be shown from the effects' memory
+    const rtcore::HdrImage& finished = developer_.finish(frame, effects, threads_, &control.cancel);
+    if (control.cancel) return false;
+    seen_ = &finished;
+    detail_ = detail;
     rays_ = frame.statistics.total();
     seconds_ = std::chrono::duration<double>(Clock::now() - start).count();
     return true;

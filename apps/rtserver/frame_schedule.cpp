@@ -1,10 +1,15 @@
 #include "rtserver/frame_schedule.h"
 
+#include <algorithm>
+
 namespace rtserver {
 
 namespace {
 
 constexpr auto kLongFrame = std::chrono::seconds(1);
+constexpr double kNotDrawing = 0.4; ///< frame times in which a change is noticed and a frame is left
+constexpr double kLeast = 0.25;     ///< frame times; in less no other frame than the coarsest is tried
+constexpr double kForget = 0.05;    ///< share of the way down that is taken after each coarsest frame
 
 double seconds(FrameSchedule::Duration time) { return std::chrono::duration<double>(time).count(); }
 
@@ -13,7 +18,14 @@ double seconds(FrameSchedule::Duration time) { return std::chrono::duration<doub
 FrameDetail FrameSchedule::choose() const {
     if (owed_) return kCoarsest;
     if (!demand_.changed || demand_.frameSeconds <= 0) return {};
-    return governor_.detail(demand_.work, demand_.frameSeconds);
+    const double time = patience();
+    return time > 0 ? governor_.detail(demand_.work, time) : kCoarsest;
+}
+
+/// For a frame after a change, so that the coarsest is in time when it is left.
+double FrameSchedule::patience() const {
+    const double spare = (2 - kNotDrawing) * demand_.frameSeconds - coarsest_;
+    return spare < kLeast * demand_.frameSeconds ? 0 : std::min(spare, demand_.frameSeconds);
 }
 
 FrameDetail FrameSchedule::begin(const Demand& demand) {
@@ -25,7 +37,7 @@ FrameDetail FrameSchedule::begin(const Demand& demand) {
 bool FrameSchedule::leaves(Duration lasted, bool changeWaits) const {
     if (detail_ == kCoarsest) return false;
     const bool patient = demand_.waitedFor || demand_.frameSeconds <= 0;
-    if (demand_.changed && demand_.frameSeconds > 0) return seconds(lasted) > demand_.frameSeconds;
+    if (demand_.changed && demand_.frameSeconds > 0) return seconds(lasted) > patience();
     return changeWaits && (!patient || lasted > kLongFrame);
 }
 
@@ -36,11 +48,16 @@ void FrameSchedule::left(Duration lasted) {
 
 void FrameSchedule::shown(Duration lasted) {
     owed_ = false;
+    if (detail_ == kCoarsest) {
+        const double now = seconds(lasted);
+        coarsest_ = now > coarsest_ ? now : coarsest_ + (now - coarsest_) * kForget;
+    }
     governor_.learn(detail_, demand_.work, seconds(lasted));
 }
 
 void FrameSchedule::forget() {
     governor_.forget();
+    coarsest_ = 0;
     owed_ = false;
 }
 

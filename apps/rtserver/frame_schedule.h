@@ -8,9 +8,9 @@
 namespace rtserver {
 
 /// One thread at a time. A change is seen in a frame that is quick enough, as far as one can tell, and never
-/// left for another change: so there always is a next one. Where it takes longer than it may, the coarsest
-/// one takes its place. The whole frame follows, and is left as soon as something changes. One that a command
-/// waits for is left after a second only.
+/// left for another change: so there always is a next one. Where it takes so long that the coarsest one
+/// would come later than two frame times after the change, that takes its place. The whole frame follows, and
+/// is left as soon as something changes. One that a command waits for is left after a second only.
 ///
 /// Where frames may take any time, all of them are whole. One that takes more than a second is left for a
 /// change, and the coarsest is seen in its place.
@@ -36,11 +36,13 @@ class FrameSchedule {
 
   private:
     FrameDetail choose() const;
+    double patience() const;
 
     DetailGovernor governor_;
     Demand demand_; ///< of the frame that is drawn
     FrameDetail detail_;
-    bool owed_ = false; ///< a frame was left before its change was seen
+    bool owed_ = false;   ///< a frame was left before its change was seen
+    double coarsest_ = 0; ///< seconds that such frames take at most, as far as is known
 };
 
 } // namespace rtserver

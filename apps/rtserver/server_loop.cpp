@@ -89,6 +89,7 @@ app::ExitCode ServerLoop::run() {
         }
         takeLoadedScene();
         takeRefinedTree();
+        takeShadowMaps();
         finishSideWork();
         serve();
         if (quit_) break;
@@ -97,6 +98,7 @@ app::ExitCode ServerLoop::run() {
         changeWaits_ = false;
         if (!holdsStill) move();
         shown_ = false;
+        keepsPicture_ = session_.paused && (keepsPicture_ || !wantsFrame());
         if (wantsFrame() && Clock::now() >= due_) draw();
         if (shown_ || !wantsFrame()) record();
         answerWhoWaitsForKeys();
@@ -120,6 +122,8 @@ void ServerLoop::takeLoadedScene() {
     const std::optional<ipc::Command> loader = std::exchange(loader_, std::nullopt);
     try {
         refinement_.reset();
+        mapping_.reset();
+        mapless_ = false;
         session_.show(load->take());
         messages_.forget();
         frames_.forget();
@@ -156,6 +160,22 @@ void ServerLoop::takeRefinedTree() {
     TreeRefinement::Result result = refinement->take();
     session_.useTree(std::move(result.tree), std::move(result.tracer));
     Messages::print("the exact kd-tree is in use; it took " + shortNumber(result.seconds) + " s");
+}
+
+// Where whole frames are not quick enough to be seen at once.
+void ServerLoop::takeShadowMaps() {
+    if (!session_.ready() || session_.world().shadowMaps != nullptr) return;
+    if (mapping_ == nullptr) {
+        const bool needed = session_.frameSeconds > 0 && frames_.seconds() > session_.frameSeconds;
+        if (mapless_ || !needed || !idle() || session_.world().loaded.fastTree) return;
+        mapping_ = std::make_unique<ShadowMapping>(session_.world());
+    }
+    if (!mapping_->done()) return;
+    try {
+        session_.useShadowMaps(std::exchange(mapping_, nullptr)->take());
+    } catch (const std::bad_alloc&) { // then without
+    }
+    mapless_ = session_.world().shadowMaps == nullptr;
 }
 
 // --- Commands ---
@@ -282,14 +302,15 @@ void ServerLoop::record() {
 }
 
 bool ServerLoop::wantsFrame() const {
-    return session_.ready() && !session_.paused &&
-           (session_.stale() || wantsWholeFrame() || !frames_.settled() || !session_.idles);
+    if (!session_.ready() || keepsPicture_) return false;
+    if (session_.stale() || wantsWholeFrame()) return true;
+    return !session_.paused && (!frames_.settled() || !session_.idles);
 }
 
+bool ServerLoop::standsStill() const { return session_.paused || session_.atRest(); }
+
 // All there is for what stays, and for who wants the frame for a file.
-bool ServerLoop::wantsWholeFrame() const {
-    return !frames_.whole() && (session_.atRest() || commands_.waits());
-}
+bool ServerLoop::wantsWholeFrame() const { return !frames_.whole() && (standsStill() || commands_.waits()); }
 
 bool ServerLoop::idle() const {
     return session_.ready() && session_.idles && !session_.stale() && frames_.settled() && frames_.whole() &&
@@ -336,11 +357,13 @@ void ServerLoop::drawFrame() {
 bool ServerLoop::traceFrame() {
     const rtcore::Scene& scene = session_.world().loaded.scene;
     const rtcore::RenderSettings& settings = session_.settings();
-    const FrameDetail detail =
-        schedule_.begin({.changed = session_.stale() || (!session_.atRest() && !commands_.waits()),
-                         .waitedFor = commands_.waits(),
-                         .frameSeconds = session_.frameSeconds,
-                         .work = {workOf(settings, scene), workOf(settingsAt(settings, {1, true}), scene)}});
+    const rtcore::ShadowMaps* const maps = session_.world().shadowMaps.get();
+    const bool mapped = maps != nullptr && maps->suit(settings);
+    const FrameDetail detail = schedule_.begin(
+        {.changed = session_.stale() || (!standsStill() && !commands_.waits()),
+         .waitedFor = commands_.waits(),
+         .frameSeconds = session_.frameSeconds,
+         .work = {workOf(settings, scene), workOf(settingsAt(settings, {1, true}), scene, mapped)}});
     begun_ = Clock::now();
     changeWaits_ = endWaits_ = obstructed_ = false;
     rtcore::RenderControl control;
@@ -404,7 +427,8 @@ void ServerLoop::sleep() {
     const bool draws = wantsFrame();
     if (changeWaits_ || commands_.hasNew() || (draws && due_ <= now)) return;
     if (commands_.waits() && session_.ready() && !draws) return; // their frame is there
-    Clock::duration time = load_ != nullptr || refinement_ != nullptr ? kSleepWhileLoading : kSleep;
+    const bool works = load_ != nullptr || refinement_ != nullptr || mapping_ != nullptr;
+    Clock::duration time = works ? kSleepWhileLoading : kSleep;
     if (ready && !session_.atRest() && !session_.stale()) time = std::min<Clock::duration>(time, kMotionStep);
     if (sideWork_.underWay()) time = std::min<Clock::duration>(time, kSideWorkStep);
     if (draws) time = std::min(time, due_ - now);

@@ -11,6 +11,7 @@
 #include "rtserver/scene_load.h"
 #include "rtserver/server_options.h"
 #include "rtserver/session.h"
+#include "rtserver/shadow_mapping.h"
 #include "rtserver/side_work.h"
 #include "rtserver/tree_refinement.h"
 
@@ -52,6 +53,7 @@ class ServerLoop : private Host {
 
     void takeLoadedScene();
     void takeRefinedTree();
+    void takeShadowMaps();
     std::vector<ipc::Command> takeCommands();
     void serve();
     Served serveOne(const ipc::Command& command);
@@ -75,6 +77,7 @@ class ServerLoop : private Host {
     void tell(const ipc::Command& command);
 
     bool wantsFrame() const;
+    bool standsStill() const;
     bool wantsWholeFrame() const;
     bool idle() const;
     void tellStatus();
@@ -89,6 +92,8 @@ class ServerLoop : private Host {
     FrameSchedule schedule_;
     std::unique_ptr<SceneLoad> load_;
     std::unique_ptr<TreeRefinement> refinement_; ///< of the scene that is shown
+    std::unique_ptr<ShadowMapping> mapping_;     ///< of that scene
+    bool mapless_ = false;                       ///< this scene goes without
     std::optional<ipc::Command> loader_;         ///< who wants to know of the load; nobody: the command line
     CommandBook commands_;
     SideWork sideWork_;
@@ -103,6 +108,7 @@ class ServerLoop : private Host {
     std::optional<app::ProcessWatch> parent_;
     rtcore::RenderSettings drawn_;            ///< of the last whole frame that was published
     bool wentBack_ = false;                   ///< to those, for lack of memory, and none is there yet
+    bool keepsPicture_ = false;               ///< paused, with all of the last picture there
     bool shown_ = false;                      ///< in this turn a frame was published
     Clock::time_point moved_;                 ///< when keys acted last
     Clock::time_point due_;                   ///< no frame before that

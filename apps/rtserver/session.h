@@ -51,6 +51,10 @@ class Session {
     const World& world() const { return *world_; }
     /// The exact tree of the same scene, with its tracer. The frames stay the same.
     void useTree(rtcore::KdTree tree, std::unique_ptr<rtcore::KdRayTracer> tracer);
+    /// For frames that have to be quick.
+    void useShadowMaps(std::unique_ptr<const rtcore::ShadowMaps> maps) {
+        world_->shadowMaps = std::move(maps);
+    }
     std::string title() const; ///< for messages
 
     const rtcore::Camera& camera() const { return camera_; }

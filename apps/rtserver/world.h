@@ -6,6 +6,7 @@
 #include "rtcore/io/import/model_import.h"
 #include "rtcore/io/scene_loader.h"
 #include "rtcore/kernels/ray_tracer.h"
+#include "rtcore/shading/shadow_maps.h"
 
 #include <filesystem>
 #include <memory>
@@ -26,9 +27,10 @@ class World {
 
     rtcore::LoadedScene loaded;
     std::unique_ptr<rtcore::KdRayTracer> tracer;
-    std::filesystem::path source; ///< what the user named
-    rtcore::ImportOptions import; ///< as far as the user gave them
-    app::InputFiles inputs;       ///< what was read
+    std::unique_ptr<const rtcore::ShadowMaps> shadowMaps; ///< null until they are made, where they are needed
+    std::filesystem::path source;                         ///< what the user named
+    rtcore::ImportOptions import;                         ///< as far as the user gave them
+    app::InputFiles inputs;                               ///< what was read
 };
 
 } // namespace rtserver

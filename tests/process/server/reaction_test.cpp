@@ -120,6 +120,26 @@ TEST_F(Reaction, FilesGetTheWholeFrameToTheBit) {
     EXPECT_TRUE(bytes("after.png") == bytes("whole.png"));
 }
 
+TEST_F(Reaction, PausedItFinishesThePictureAndKeepsIt) {
+    start({"--frame-time=33", "--resolution=640x480"});
+    ask({"frame-time", "0.01"}); // coarse while something moves
+    ask({"set", "antialiasing", "3"});
+    ask({"wait-idle"});
+    ask({"key", "press", "w"});
+    EXPECT_TRUE(seen(coarse));
+    ask({"pause"});
+    EXPECT_TRUE(seen([](const ipc::FrameInfo& info) { return info.samples == 9; }));
+    ipc::Viewer viewer(instance.name());
+    ipc::Frame frame;
+    ASSERT_TRUE(viewer.readFrame(frame));
+    EXPECT_EQ(frame.info.width, 640U);
+    ask({"camera", "turn", "10", "0"});
+    EXPECT_FALSE(viewer.waitForFrame(frame, 300ms)) << "what changes is seen when the pause is over";
+    ask({"key", "release", "w"});
+    ask({"resume"});
+    EXPECT_TRUE(viewer.waitForFrame(frame, 5s));
+}
+
 TEST_F(Reaction, InTheBackgroundItHasAFrameTime) {
     const ProgramResult result =
         runProgram(programPath("RTServer"),

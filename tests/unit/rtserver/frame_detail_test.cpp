@@ -45,8 +45,21 @@ TEST(FrameDetail, TheCoarsestIsCheapWhateverTheSettings) {
     EXPECT_EQ(coarse.antialiasing, 1);
     EXPECT_EQ(coarse.denoise, 0);
     EXPECT_FALSE(coarse.depthOfField.on);
+    EXPECT_EQ(coarse.ambientOcclusion.samples, 1);
+    EXPECT_GT(settingsAt(dear(), {0.5, true}).ambientOcclusion.samples, 1);
     EXPECT_TRUE(coarse.ambientOcclusion.on) << "what it shows is there, with grain";
     EXPECT_EQ(coarse.bloom, 20);
+}
+
+TEST(FrameDetail, LookingShadowsUpCostsLess) {
+    rtcore::Scene scene;
+    scene.lights.resize(9);
+    EXPECT_LT(workOf(dear(), scene, true), workOf(dear(), scene));
+    for (rtcore::Light& light : scene.lights) light.kind = rtcore::LightKind::Sphere;
+    rtcore::RenderSettings settings;
+    const double soft = workOf(settings, scene);
+    scene.lights.assign(9, {});
+    EXPECT_LT(workOf(settings, scene), soft) << "one ray to a lamp without a size";
 }
 
 TEST(FrameDetail, OfOnePixelIsOnePixel) {

@@ -39,6 +39,22 @@ TEST(FrameSchedule, WhatIsQuickEnoughIsWholeAtOnce) {
     EXPECT_FALSE(schedule.begin(kChange).whole()) << "and that is known now";
 }
 
+TEST(FrameSchedule, LeavesWhatIsLateEarlyEnoughForTheCoarsest) {
+    FrameSchedule schedule;
+    schedule.begin(kChange);
+    schedule.shown(30ms); // the coarsest
+    schedule.begin(kRest);
+    schedule.shown(1ms);
+    EXPECT_TRUE(schedule.begin(kChange).whole());
+    EXPECT_FALSE(schedule.leaves(20ms, true));
+    EXPECT_TRUE(schedule.leaves(24ms, false)) << "24 and 30 ms, and what else there is to do, are 66";
+    schedule.left(24ms);
+    EXPECT_EQ(schedule.begin(kChange), kCoarsest);
+    schedule.shown(50ms);
+    EXPECT_EQ(schedule.begin(kChange), kCoarsest) << "nothing else would leave it time";
+    EXPECT_FALSE(schedule.leaves(10h, true));
+}
+
 TEST(FrameSchedule, AnotherSceneIsSeenCoarseAtFirst) {
     FrameSchedule schedule;
     schedule.begin(kRest);
