@@ -61,7 +61,7 @@ constexpr ActionRow kRows[]{
     ActionRow{ActionId::StopServer, MenuId::Commands, TEXT("&Stop server"), TEXT("End the server"), "Ctrl+K",
               NeedsServer},
     ActionRow{ActionId::PauseServer, MenuId::Commands, TEXT("P&ause server"),
-              TEXT("No more frames until this is off again"), "Ctrl+P", NeedsServer | Checkable},
+              TEXT("Finish the picture, then draw no more until this is off again"), "Ctrl+P", NeedsServer | Checkable},
     ActionRow{ActionId::PingServer, MenuId::Commands, TEXT("&Ping server"), TEXT("Does it answer?"), "",
               NeedsServer},
     ActionRow{ActionId::RestartServer, MenuId::Commands, TEXT("&Restart server"),

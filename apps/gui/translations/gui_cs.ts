@@ -332,8 +332,8 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
         <translation>&amp;Pozastavit server</translation>
     </message>
     <message>
-        <source>No more frames until this is off again</source>
-        <translation>Žádné další snímky, dokud se volba nevypne</translation>
+        <source>Finish the picture, then draw no more until this is off again</source>
+        <translation>Dokončit obraz a další nekreslit, dokud se volba nevypne</translation>
     </message>
     <message>
         <source>&amp;Ping server</source>
