@@ -408,11 +408,14 @@ void ServerLoop::publish() {
     }
     const Clock::time_point now = Clock::now();
     count(now);
-    due_ = now;
+    const Clock::time_point wasDue = std::exchange(due_, now);
     if (!session_.stale() && !frames_.settled()) due_ = now + kAdaptationStep;
     if (options_.framesPerSecond > 0) {
-        const std::chrono::duration<double> interval(1 / options_.framesPerSecond);
-        due_ = std::max(due_, now + std::chrono::duration_cast<Clock::duration>(interval));
+        const auto interval = std::chrono::duration_cast<Clock::duration>(
+            std::chrono::duration<double>(1 / options_.framesPerSecond));
+        // One that began a little late does not put off all that follow.
+        const Clock::time_point start = begun_ - wasDue < interval ? wasDue : begun_;
+        due_ = std::max(due_, start + interval);
     }
     if (publishedFrames_++ > 0) return;
     tellStatus();

@@ -52,14 +52,24 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
     return now[b.size()];
 }
 
+namespace {
+
+/// editDistance(), or `limit` where the lengths alone differ by as much.
+std::size_t distanceBelow(std::size_t limit, std::string_view a, std::string_view b) {
+    const std::size_t apart = a.size() > b.size() ? a.size() - b.size() : b.size() - a.size();
+    return apart >= limit ? limit : editDistance(a, b);
+}
+
+} // namespace
+
 std::string_view nearestName(std::string_view name, std::span<const std::string_view> known) {
     if (name.size() > kLongestName) return {};
     std::string_view nearest;
     std::size_t best = std::max<std::size_t>(2, name.size() / 2) + 1;
     for (const std::string_view candidate : known) {
         // The last part alone counts one more, so that a name which fits as a whole wins.
-        const std::size_t distance =
-            std::min(editDistance(name, candidate), editDistance(name, lastPart(candidate)) + 1);
+        const std::size_t distance = std::min(distanceBelow(best, name, candidate),
+                                              distanceBelow(best, name, lastPart(candidate)) + 1);
         if (distance >= best) continue;
         best = distance;
         nearest = candidate;
