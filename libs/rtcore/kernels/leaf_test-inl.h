@@ -129,7 +129,6 @@ struct Offset {
 struct AlongAxis {
     int kx, ky, kz;
 
-    HWY_INLINE Floats axes() const { return hn::Set(FloatTag(), static_cast<float>(kz)); }
     HWY_INLINE Offset offset(const float* corner, std::size_t stride, const ShearedRays& rays) const {
         const FloatTag d;
         return {hn::Sub(rays.x, hn::Set(d, corner[static_cast<std::size_t>(kx) * stride])),
@@ -142,10 +141,6 @@ struct AlongAxis {
 struct AlongEach {
     const AxisOrder& order;
 
-    HWY_INLINE Floats axes() const {
-        const FloatTag d;
-        return order.choose(hn::Zero(d), hn::Set(d, 1.0F), hn::Set(d, 2.0F));
-    }
     HWY_INLINE Offset offset(const float* corner, std::size_t stride, const ShearedRays& rays) const {
         const FloatTag d;
         if (stride != 1) {
