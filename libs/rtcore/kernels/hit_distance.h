@@ -32,10 +32,7 @@ inline float planeDistance(const Mesh& mesh, std::uint32_t index, Vec3 origin, V
     const float farthest = aa >= bb && aa >= cc ? aa : bb >= cc ? bb : cc;
     const float facing = dot(normal, direction);
     const float noise = narrowNoise(corners[0], corners[1], corners[2]);
-    if (noise > 0) {
-        const float minusSz = RayShear(direction).minusSz;
-        if (isDoubtful(t, facing * minusSz, minusSz, noise)) return t;
-    }
+    if (noise > 0 && isDoubtful(facing * t, noise)) return t;
     const float exact = dot(normal, nearest) / facing;
     const float apart = exact - t;
     return apart * apart * dot(direction, direction) <= kDistanceError * kDistanceError * farthest ? exact

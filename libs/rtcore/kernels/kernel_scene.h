@@ -18,13 +18,10 @@ struct KernelScene {
           triangles(mesh.triangles.data()),
           records(inlineRecords), lo{tree.bounds.lo.x, tree.bounds.lo.y, tree.bounds.lo.z},
           hi{tree.bounds.hi.x, tree.bounds.hi.y, tree.bounds.hi.z} {
-        if (narrow == nullptr || narrow->leaves.empty()) return;
-        narrowLeaves = narrow->leaves.data();
+        if (narrow == nullptr || narrow->bits.empty()) return;
+        references = narrow->references.data();
+        narrowBits = narrow->bits.data();
         noise = narrow->noise.data();
-    }
-
-    bool isNarrowLeaf(std::uint32_t firstReference) const {
-        return narrowLeaves != nullptr && isBitSet(narrowLeaves, firstReference);
     }
 
     const KdNode* nodes;
@@ -33,8 +30,8 @@ struct KernelScene {
     const Triangle* triangles;
     /// Null, or copies of the corners in the order of the leaves (leaf_records.h).
     const float* records;
-    /// Null where none is narrow. (Single rays need them not.)
-    const std::uint32_t* narrowLeaves = nullptr;
+    /// As in NarrowTriangles; null where none is narrow. (Single rays need them not.)
+    const std::uint32_t* narrowBits = nullptr;
     const float* noise = nullptr;
     float lo[3], hi[3]; ///< the root's cell; lo > hi: nothing to hit
 };

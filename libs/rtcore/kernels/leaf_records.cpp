@@ -9,11 +9,10 @@ namespace {
 
 constexpr std::size_t kPadding = 16; // floats of the longest vector
 
-void fillLeaf(const KdTree& tree, const Mesh& mesh, const KdNode& leaf, float* records) {
+void fillLeaf(const KdNode& leaf, const std::uint32_t* references, const Mesh& mesh, float* out) {
     const std::size_t count = leaf.count();
-    float* const out = records + kFloatsPerRecord * leaf.firstReference;
     for (std::size_t i = 0; i < count; ++i) {
-        const std::uint32_t index = tree.references[leaf.firstReference + i];
+        const std::uint32_t index = references[i];
         const Triangle& triangle = mesh.triangles[index];
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const Vertex& vertex = mesh.vertices[triangle.v[corner]];
@@ -27,11 +26,15 @@ void fillLeaf(const KdTree& tree, const Mesh& mesh, const KdNode& leaf, float* r
 
 } // namespace
 
-std::vector<float> makeLeafRecords(const KdTree& tree, const Mesh& mesh) {
-    std::vector<float> records(kFloatsPerRecord * tree.references.size() + kPadding);
+std::vector<float> makeLeafRecords(const KdTree& tree, std::span<const std::uint32_t> references,
+                                   const Mesh& mesh) {
+    std::vector<float> records(kFloatsPerRecord * references.size() + kPadding);
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
-        if (tree.nodes[i].isLeaf()) fillLeaf(tree, mesh, tree.nodes[i], records.data());
+        const KdNode node = tree.nodes[i];
+        if (!node.isLeaf()) continue;
+        fillLeaf(node, references.data() + node.firstReference, mesh,
+                 records.data() + kFloatsPerRecord * node.firstReference);
     }
     return records;
 }

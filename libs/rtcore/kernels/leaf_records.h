@@ -6,6 +6,8 @@
 #include "rtcore/scene/mesh.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace rtcore {
@@ -14,7 +16,9 @@ inline constexpr std::size_t kFloatsPerRecord = 10;
 
 /// The records of a leaf begin at kFloatsPerRecord * firstReference: ten arrays of count() numbers, the x, y
 /// and z of the first corner of each triangle, then of the second and of the third, and the bits of its
-/// index. A vector's length of padding follows the last leaf.
-std::vector<float> makeLeafRecords(const KdTree& tree, const Mesh& mesh);
+/// index. A vector's length of padding follows the last leaf. `references` are those of the tree, in any
+/// order inside a leaf.
+std::vector<float> makeLeafRecords(const KdTree& tree, std::span<const std::uint32_t> references,
+                                   const Mesh& mesh);
 
 } // namespace rtcore

@@ -39,9 +39,17 @@ enum class Shared {
     Nothing
 };
 
-/// The references of a leaf.
+/// The references of a leaf, those to narrow triangles last.
 struct Leaf {
+    HWY_INLINE Leaf(const KernelScene& scene, KdNode node)
+        : first(node.firstReference), count(node.count()), common(count) {
+        if (scene.narrowBits == nullptr) return;
+        while (HWY_UNLIKELY(common > 0 && isBitSet(scene.narrowBits, std::size_t{first} + common - 1)))
+            --common;
+    }
+
     std::uint32_t first, count;
+    std::uint32_t common; ///< so many are not narrow
 };
 
 /// Where the corners of a triangle are: the coordinates of each lie `stride` apart.
@@ -162,6 +170,7 @@ struct Outcome {
     Lanes inside; ///< the ray's line meets the triangle
     Floats t;     ///< where; NaN or any other number outside
     Floats v, w, det;
+    Floats sum; ///< of the corners' distances, weighted by the edge functions
 };
 
 HWY_INLINE Outcome edgeTest(Offset a, Offset b, Offset c, const ShearedRays& rays) {
@@ -181,7 +190,7 @@ HWY_INLINE Outcome edgeTest(Offset a, Offset b, Offset c, const ShearedRays& ray
     const Floats det = hn::Add(hn::Add(u, v), w);
     const Lanes seen = hn::Ge(hn::Abs(det), hn::Set(d, std::numeric_limits<float>::min()));
     const Floats sum = hn::Add(hn::Add(hn::Mul(u, a.z), hn::Mul(v, b.z)), hn::Mul(w, c.z));
-    return {hn::And(hn::Or(front, back), seen), hn::Div(hn::Mul(sum, rays.minusSz), det), v, w, det};
+    return {hn::And(hn::Or(front, back), seen), hn::Div(hn::Mul(sum, rays.minusSz), det), v, w, det, sum};
 }
 
 /// What a vector of rays has found so far.
@@ -235,13 +244,12 @@ HWY_INLINE Lanes testTriangle(const Corners& corners, const Along& along, const 
 
 HWY_INLINE AlongAxis alongAxis(int kz) { return {(kz + 1) % 3, (kz + 2) % 3, kz}; }
 
-/// Tests all triangles of a leaf, none of which is narrow. For any hit `onHit` gets the corners of each that
-/// was hit.
+/// Tests the common triangles of a leaf. For any hit `onHit` gets the corners of each that was hit.
 template <bool kAny, typename Along, typename OnHit>
 HWY_INLINE void testTriangles(const KernelScene& scene, const Leaf& leaf, const Along& along,
                               const ShearedRays& rays, Floats tMin, Lanes inCell, Found& found,
                               const OnHit& onHit) {
-    for (std::uint32_t i = 0; i < leaf.count; ++i) {
+    for (std::uint32_t i = 0; i < leaf.common; ++i) {
         const Corners corners = cornersOf(scene, leaf, i);
         const Lanes hit = testTriangle<kAny>(corners, along, rays, tMin, inCell, found);
         if constexpr (kAny) {

@@ -1,4 +1,4 @@
-// Leaves with narrow triangles, whose distances are taken in double: precise_hit.h, with the same bits.
+// Narrow triangles of leaves, whose distances are taken in double: precise_hit.h, with the same bits.
 // Included once for each target.
 #if defined(RTCORE_KERNELS_NARROW_LEAF_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RTCORE_KERNELS_NARROW_LEAF_INL_H_
@@ -40,6 +40,7 @@ struct PreciseTest {
     }
 
     /// All lanes; where the ray passes beside the triangle, `inside` is 0 and the rest not yet right.
+    template <bool kAny>
     HWY_INLINE void run() {
         const DoubleTag dd;
         const hn::Rebind<float, DoubleTag> half;
@@ -66,16 +67,14 @@ struct PreciseTest {
             const auto front = hn::Ge(hn::Min(hn::Min(u, v), w), zero);
             const auto back = hn::Le(hn::Max(hn::Max(u, v), w), zero);
             const auto meets = hn::And(hn::Or(front, back), hn::Ne(det, zero));
-            const Doubles a = hn::Div(u, det);
-            const Doubles b = hn::Div(v, det);
-            const Doubles c = hn::Div(w, det);
-            const Doubles along = hn::Add(hn::Add(hn::Mul(a, z[0]), hn::Mul(b, z[1])), hn::Mul(c, z[2]));
+            const Doubles sum = hn::Add(hn::Add(hn::Mul(u, z[0]), hn::Mul(v, z[1])), hn::Mul(w, z[2]));
             const auto put = [&](Doubles value, float* to)
                                  HWY_ATTR { hn::Store(hn::DemoteTo(half, value), half, to + i); };
             put(hn::IfThenElseZero(meets, hn::Set(dd, 1.0)), inside);
-            put(hn::Mul(along, get(5)), t);
-            put(b, share1);
-            put(c, share2);
+            put(hn::Mul(hn::Div(sum, det), get(5)), t);
+            if constexpr (kAny) continue;
+            put(hn::Div(v, det), share1);
+            put(hn::Div(w, det), share2);
         }
     }
 
@@ -84,19 +83,17 @@ struct PreciseTest {
 };
 
 /// isDoubtful() of those inside.
-HWY_INLINE Lanes areDoubtful(const Outcome& outcome, const ShearedRays& rays, float noise) {
-    const Floats weighted = hn::Abs(hn::Mul(outcome.det, outcome.t));
-    const Floats least = hn::Mul(hn::Set(FloatTag(), noise), hn::Abs(rays.minusSz));
-    return hn::AndNot(hn::Ge(weighted, least), outcome.inside);
+HWY_INLINE Lanes areDoubtful(const Outcome& outcome, float noise) {
+    return hn::AndNot(hn::Ge(hn::Abs(outcome.sum), hn::Set(FloatTag(), noise)), outcome.inside);
 }
 
 /// Puts preciseHit() into what the test of a narrow triangle says of the lanes `which`.
-template <typename Along>
+template <bool kAny, typename Along>
 HWY_INLINE void makePrecise(const Corners& corners, const Along& along, const ShearedRays& rays, Lanes which,
                             Outcome& outcome) {
     const FloatTag d;
     PreciseTest test(corners, along, rays);
-    test.run();
+    test.template run<kAny>();
     const Lanes beside = hn::AndNot(hn::Ne(hn::Load(d, test.inside), hn::Zero(d)), which);
     if (HWY_UNLIKELY(!hn::AllFalse(d, beside))) {
         forEachLane(beside, [&](std::size_t i) {
@@ -117,31 +114,25 @@ HWY_INLINE void makePrecise(const Corners& corners, const Along& along, const Sh
     const Lanes tooFar = hn::Not(hn::Le(hn::Abs(t), hn::Set(d, std::numeric_limits<float>::max())));
     outcome.inside = hn::AndNot(hn::And(which, tooFar), outcome.inside);
     outcome.t = hn::IfThenElse(which, t, outcome.t);
+    if constexpr (kAny) return;
     outcome.v = hn::IfThenElse(which, hn::Load(d, test.share1), outcome.v);
     outcome.w = hn::IfThenElse(which, hn::Load(d, test.share2), outcome.w);
     outcome.det = hn::IfThenElse(which, hn::Set(d, 1.0F), outcome.det);
 }
 
-/// Tests all triangles of a leaf, some of which are narrow. For any hit `onHit` gets the corners of each that
-/// was hit and is not.
-template <bool kAny, typename Along, typename OnHit>
-HWY_NOINLINE void testNarrowLeaf(const KernelScene& scene, const Leaf& leaf, const Along& along,
-                                 const ShearedRays& rays, Floats tMin, Lanes inCell, Found& found,
-                                 const OnHit& onHit) {
+/// Tests the narrow triangles of a leaf.
+template <bool kAny, typename Along>
+HWY_NOINLINE void testNarrowTriangles(const KernelScene& scene, const Leaf& leaf, const Along& along,
+                                      const ShearedRays& rays, Floats tMin, Lanes inCell, Found& found) {
     const FloatTag d;
-    for (std::uint32_t i = 0; i < leaf.count; ++i) {
+    for (std::uint32_t i = leaf.common; i < leaf.count; ++i) {
         const Corners corners = cornersOf(scene, leaf, i);
-        const float noise = scene.noise[static_cast<std::size_t>(corners.triangle)];
         Outcome outcome = edgeTest(corners, along, rays);
-        if (noise > 0) {
-            outcome.inside = hn::And(outcome.inside, inCell);
-            const Lanes doubtful = areDoubtful(outcome, rays, noise);
-            if (!hn::AllFalse(d, doubtful)) makePrecise(corners, along, rays, doubtful, outcome);
-        }
-        const Lanes hit = keepHits<kAny>(outcome, corners.triangle, tMin, inCell, found);
-        if constexpr (kAny) {
-            if (noise == 0 && !hn::AllFalse(d, hit)) onHit(corners);
-        }
+        outcome.inside = hn::And(outcome.inside, inCell);
+        const float noise = scene.noise[static_cast<std::size_t>(corners.triangle)];
+        const Lanes doubtful = areDoubtful(outcome, noise);
+        if (!hn::AllFalse(d, doubtful)) makePrecise<kAny>(corners, along, rays, doubtful, outcome);
+        keepHits<kAny>(outcome, corners.triangle, tMin, inCell, found);
     }
 }
 

@@ -18,10 +18,8 @@ namespace rtcore {
 /// is more. Infinity for those so narrow that it matters at any distance. The same bits everywhere.
 float narrowNoise(Vec3 a, Vec3 b, Vec3 c);
 
-/// Whether a narrow triangle that is met at `t` may in truth lie on the other side of the ray's origin. det
-/// and minusSz as in the leaf test.
-inline bool isDoubtful(float t, float det, float minusSz, float noise) {
-    return !(std::fabs(det * t) >= noise * std::fabs(minusSz)); // NaN is
-}
+/// Whether a narrow triangle that is met may in truth lie on the other side of the ray's origin: `sum` is
+/// that of the weighted distances.
+inline bool isDoubtful(float sum, float noise) { return !(std::fabs(sum) >= noise); } // NaN is
 
 } // namespace rtcore

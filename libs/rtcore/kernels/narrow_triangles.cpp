@@ -26,14 +26,17 @@ NarrowTriangles::NarrowTriangles(const KdTree& tree, const Mesh& mesh) : noise(n
         noise = {};
         return;
     }
-    leaves.resize((tree.references.size() + 31) / 32);
+    references.assign(tree.references.begin(), tree.references.end());
+    bits.resize((references.size() + 31) / 32);
+    const auto isCommon = [&](std::uint32_t triangle) { return noise[triangle] == 0; };
     for (const KdNode node : tree.nodes) {
-        if (!node.isLeaf() || node.count() == 0) continue;
-        const std::uint32_t first = node.firstReference;
-        const auto references = tree.references.begin() + first;
-        const auto isNarrow = [&](std::uint32_t triangle) { return noise[triangle] > 0; };
-        if (std::any_of(references, references + node.count(), isNarrow))
-            leaves[first / 32] |= 1U << first % 32;
+        if (!node.isLeaf()) continue;
+        const auto first = references.begin() + node.firstReference;
+        const auto narrow = std::stable_partition(first, first + node.count(), isCommon);
+        for (auto i = narrow; i != first + node.count(); ++i) {
+            const auto bit = static_cast<std::size_t>(i - references.begin());
+            bits[bit / 32] |= 1U << bit % 32;
+        }
     }
 }
 

@@ -1,4 +1,4 @@
-/// Which leaves and triangles of a scene kernels have to test with care (narrow_noise.h).
+/// Which triangles of a scene kernels have to test with care (narrow_noise.h).
 #pragma once
 
 #include "rtcore/accel/kd_tree.h"
@@ -13,9 +13,9 @@ namespace rtcore {
 struct NarrowTriangles {
     NarrowTriangles(const KdTree& tree, const Mesh& mesh);
 
-    std::vector<float> noise; ///< narrowNoise() of each triangle
-    /// A bit for each reference, 32 to a word: where it is the first of a leaf, whether one there is narrow.
-    std::vector<std::uint32_t> leaves;
+    std::vector<float> noise;              ///< narrowNoise() of each triangle
+    std::vector<std::uint32_t> references; ///< those of the tree, in each leaf the narrow ones last
+    std::vector<std::uint32_t> bits;       ///< one for each of them, 32 to a word: whether it is narrow
 };
 
 inline bool isBitSet(const std::uint32_t* bits, std::size_t i) { return bits[i / 32] >> i % 32 & 1U; }

@@ -116,7 +116,7 @@ class PacketWalk {
                 index = descend(node, culling, t0, t1, interval, waiting);
                 continue;
             }
-            if (node.count() != 0 && testLeaf({node.firstReference, node.count()}, t0, t1)) return;
+            if (node.count() != 0 && testLeaf({scene_, node}, t0, t1)) return;
             bool alive = false;
             do {
                 if (waiting == 0) return;
@@ -313,7 +313,6 @@ class PacketWalk {
     HWY_INLINE bool testLeaf(const Leaf& leaf, const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
         const FloatTag d;
         if (!leavesReady_) prepareLeaves();
-        if (HWY_UNLIKELY(scene_.isNarrowLeaf(leaf.first))) return testNarrow(leaf, t0, t1);
         std::size_t vectors = 0;
         std::size_t rays = 0;
         RTCORE_EACH_VECTOR
@@ -322,27 +321,33 @@ class PacketWalk {
             rays += inCell;
             vectors += inCell > 0 ? 1 : 0;
         }
-        if (rayByRayPays(rays, vectors, leaf.count)) return testRayByRay(leaf, t0, t1);
+        const bool hasNarrow = leaf.common < leaf.count;
+        if (rayByRayPays(rays, vectors, leaf.common)) {
+            return testRayByRay(leaf, t0, t1) || (HWY_UNLIKELY(hasNarrow) && testNarrow(leaf, t0, t1));
+        }
         const auto remember = [&](const Corners& corners) HWY_ATTR { occluder = corners; };
         const auto test = [&](std::size_t at, Lanes inCell, Found& found) HWY_ATTR {
             const Floats tMin = hn::Load(d, packet_.tMin + at);
             const ShearedRays rays = shearedRays(at);
             withAlong(at, [&](const auto& along) HWY_ATTR {
                 testTriangles<kAny>(scene_, leaf, along, rays, tMin, inCell, found, remember);
+                if (HWY_LIKELY(!hasNarrow)) return;
+                Found all = found;
+                testNarrowTriangles<kAny>(scene_, leaf, along, rays, tMin, inCell, all);
+                found = all;
             });
         };
         return testVectors(test, t0, t1);
     }
 
-    /// Tests the triangles of a leaf with narrow ones.
+    /// Tests the narrow triangles of a leaf.
     HWY_NOINLINE bool testNarrow(const Leaf& leaf, const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
         const FloatTag d;
-        const auto remember = [&](const Corners& corners) HWY_ATTR { occluder = corners; };
         const auto test = [&](std::size_t at, Lanes inCell, Found& found) HWY_ATTR {
             const Floats tMin = hn::Load(d, packet_.tMin + at);
             const ShearedRays rays = shearedRays(at);
             withAlong(at, [&](const auto& along) HWY_ATTR {
-                testNarrowLeaf<kAny>(scene_, leaf, along, rays, tMin, inCell, found, remember);
+                testNarrowTriangles<kAny>(scene_, leaf, along, rays, tMin, inCell, found);
             });
         };
         return testVectors(test, t0, t1);
@@ -415,7 +420,7 @@ class PacketWalk {
         for (std::size_t k = 0; k < kVectors; ++k) inCell[k] = hn::Le(t0[k], t1[k]);
         bool hit = false;
         TriangleBlock block(scene_, leaf);
-        for (std::uint32_t i = 0; i < leaf.count; i += static_cast<std::uint32_t>(kLanes)) {
+        for (std::uint32_t i = 0; i < leaf.common; i += static_cast<std::uint32_t>(kLanes)) {
             block.load(i);
             RTCORE_EACH_VECTOR
             for (std::size_t k = 0; k < kVectors; ++k) {

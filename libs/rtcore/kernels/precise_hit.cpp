@@ -19,9 +19,10 @@ Place placeOf(const ShearedRay& ray, Vec3 corner) {
     return {offset(ray.x, ray.kx) - ray.sx * z, offset(ray.y, ray.ky) - ray.sy * z, z};
 }
 
-/// Weights of the corners that add up to 1.
+/// Weights of the corners, and their sum.
 struct Weights {
     double of[3];
+    double sum;
 };
 
 /// The point of the three edges that is nearest to the ray, seen along it.
@@ -40,7 +41,7 @@ Weights nearestOfEdges(const Place (&p)[3]) {
         const double apart = apartX * apartX + apartY * apartY;
         if (!(apart < least)) continue;
         least = apart;
-        nearest = {};
+        nearest = {{0, 0, 0}, 1};
         nearest.of[i] = 1 - share;
         nearest.of[j] = share;
     }
@@ -54,7 +55,7 @@ Weights weightsOf(const Place (&p)[3]) {
     const double w = edge(p[1], p[0]);
     const double det = u + v + w;
     const bool inside = (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
-    return inside && det != 0 ? Weights{{u / det, v / det, w / det}} : nearestOfEdges(p);
+    return inside && det != 0 ? Weights{{u, v, w}, det} : nearestOfEdges(p);
 }
 
 } // namespace
@@ -63,9 +64,9 @@ PreciseHit preciseHit(const ShearedRay& ray, Vec3 a, Vec3 b, Vec3 c) {
     const Place p[3] = {placeOf(ray, a), placeOf(ray, b), placeOf(ray, c)};
     const Weights weights = weightsOf(p);
     const double z = weights.of[0] * p[0].z + weights.of[1] * p[1].z + weights.of[2] * p[2].z;
-    const auto t = static_cast<float>(z * ray.minusSz);
-    return {std::isfinite(t) ? t : std::numeric_limits<float>::quiet_NaN(), static_cast<float>(weights.of[1]),
-            static_cast<float>(weights.of[2])};
+    const auto t = static_cast<float>(z / weights.sum * ray.minusSz);
+    return {std::isfinite(t) ? t : std::numeric_limits<float>::quiet_NaN(),
+            static_cast<float>(weights.of[1] / weights.sum), static_cast<float>(weights.of[2] / weights.sum)};
 }
 
 } // namespace rtcore

@@ -40,9 +40,11 @@ LeafRecords chooseLeafRecords(const KdTree& tree, std::uint64_t expectedRays) {
 }
 
 KdRayTracer::KdRayTracer(const KdTree& tree, const Mesh& mesh, LeafRecords records)
-    : tree_(tree), mesh_(mesh),
-      records_(records == LeafRecords::Inline ? makeLeafRecords(tree, mesh) : std::vector<float>{}),
-      narrow_(tree, mesh), scene_(tree_, mesh_, records_.empty() ? nullptr : records_.data(), &narrow_),
+    : tree_(tree), mesh_(mesh), narrow_(tree, mesh),
+      records_(records == LeafRecords::Inline
+                   ? makeLeafRecords(tree, narrow_.bits.empty() ? tree.references : narrow_.references, mesh)
+                   : std::vector<float>{}),
+      scene_(tree_, mesh_, records_.empty() ? nullptr : records_.data(), &narrow_),
       nearLimit_(nearLimit(tree.bounds)) {}
 
 void KdRayTracer::intersect(RayKind /*kind*/, const RayWave& rays, HitWave& hits) const {

@@ -50,8 +50,8 @@ class KdRayTracer final : public RayTracer {
   private:
     KdTree tree_;
     Mesh mesh_;
-    std::vector<float> records_;
     NarrowTriangles narrow_;
+    std::vector<float> records_;
     KernelScene scene_;
     float nearLimit_;
 };

@@ -162,7 +162,7 @@ class StreamWalk {
             if (list.active > kShort) {
                 const KdNode node = scene_.nodes[list.node];
                 if (node.isLeaf()) {
-                    if (node.count() != 0) testLeaf({node.firstReference, node.count()}, list);
+                    if (node.count() != 0) testLeaf({scene_, node}, list);
                 } else {
                     more = split(node, list, waiting, top);
                 }
@@ -346,12 +346,13 @@ class StreamWalk {
         if constexpr (!kAny) found.triangle = hn::GatherIndex(di, scratch_.triangle, slot);
         const auto forget = [](const Corners&) HWY_ATTR {}; // a stream has too many occluders
         const int axis = order.common();
-        if (HWY_UNLIKELY(scene_.isNarrowLeaf(leaf.first))) {
-            testNarrowLeaf<kAny>(scene_, leaf, AlongEach{order}, rays, tMin, inCell, found, forget);
-        } else if (axis < 3) {
+        if (axis < 3) {
             testTriangles<kAny>(scene_, leaf, alongAxis(axis), rays, tMin, inCell, found, forget);
         } else {
             testTriangles<kAny>(scene_, leaf, AlongEach{order}, rays, tMin, inCell, found, forget);
+        }
+        if (HWY_UNLIKELY(leaf.common < leaf.count)) {
+            testNarrowTriangles<kAny>(scene_, leaf, AlongEach{order}, rays, tMin, inCell, found);
         }
         if (!hn::AllFalse(d, found.changed)) keep(slot, found);
     }

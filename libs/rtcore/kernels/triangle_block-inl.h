@@ -23,7 +23,7 @@ struct FoundByRay {
     float v, w, det;
 };
 
-/// Triangles of a leaf, as many as a vector has lanes, one array for each coordinate.
+/// Common triangles of a leaf, as many as a vector has lanes, one array for each coordinate.
 class TriangleBlock {
   public:
     HWY_INLINE TriangleBlock(const KernelScene& scene, const Leaf& leaf) : scene_(scene), leaf_(leaf) {}
@@ -31,7 +31,7 @@ class TriangleBlock {
     /// Those from the leaf's reference `first` on.
     HWY_INLINE void load(std::uint32_t first) {
         first_ = first;
-        count_ = std::min(leaf_.count - first, static_cast<std::uint32_t>(kLanes));
+        count_ = std::min(leaf_.common - first, static_cast<std::uint32_t>(kLanes));
         if (scene_.records != nullptr) {
             const float* const records = scene_.records + kFloatsPerRecord * leaf_.first + first;
             for (std::size_t i = 0; i < 9; ++i) coordinates_[i] = records + i * leaf_.count;

@@ -78,11 +78,11 @@ template <int Kz>
     const Vec3 p = corners.a.position();
     const Vec3 q = corners.b.position();
     const Vec3 r = corners.c.position();
-    const float t = (u * az + v * bz + w * cz) * shear.minusSz / det;
+    const float sum = u * az + v * bz + w * cz;
     const float noise = narrowNoise(p, q, r);
-    const PreciseHit at = noise > 0 && isDoubtful(t, det, shear.minusSz, noise)
+    const PreciseHit at = noise > 0 && isDoubtful(sum, noise)
                               ? preciseHit(shearedRay(ray, shear), p, q, r)
-                              : PreciseHit{t, v / det, w / det};
+                              : PreciseHit{sum * shear.minusSz / det, v / det, w / det};
     // Written so that NaN fails.
     if (!(at.t >= ray.tMin && at.t <= hit.t)) return false;
     if (at.t == hit.t && corners.index >= hit.triangle) return false;
