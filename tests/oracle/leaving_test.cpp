@@ -124,7 +124,7 @@ float clearanceOf(const Mesh& mesh, std::uint32_t triangle) {
 
 struct Totals {
     std::uint64_t rays = 0, selfHits = 0, leaks = 0, differing = 0;
-    std::uint64_t besideFaces = 0; ///< nearer to another face than half of its clearance
+    std::uint64_t besideFaces = 0; ///< nearer to another face than the start is rounded
 };
 
 /// A mesh in both kinds of trees, and rays that leave it.
@@ -191,11 +191,24 @@ class Subject {
         return plane.heightOf((box.lo + box.hi) * 0.5F) > 0 ? 1.0F : -1.0F;
     }
 
+    /// What rounding a point near a triangle may move it across the plane: the point on a face, and the step.
+    double roundingAt(std::uint32_t triangle) const {
+        const Vec3 normal = normalOf(planes_[triangle]);
+        double across = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            double extent = 0;
+            for (int corner = 0; corner < 3; ++corner)
+                extent = std::max(extent, std::fabs(double{mesh_.position(triangle, corner)[axis]}));
+            across += extent * std::fabs(double{normal[axis]});
+        }
+        return 2 * 0x1p-24 * across;
+    }
+
     bool isBesideFace(const Ray& ray, std::uint32_t left) const {
         for (std::uint32_t i = 0; i < planes_.size(); ++i) {
             if (i / 2 == left / 2) continue;
             const double height = planes_[i].heightOf(ray.origin) * double{inwards(planes_[i])};
-            if (height < double{clearanceOf(mesh_, i)} / 2) return true;
+            if (height < roundingAt(i)) return true;
         }
         return false;
     }
