@@ -31,6 +31,8 @@ class FrameSchedule {
     bool leaves(Duration lasted, bool changeWaits) const;
     void left(Duration lasted);
     void shown(Duration lasted);
+    /// Seconds that the coarsest frames take at most, as far as is known; 0 = not yet known.
+    double coarsest() const { return coarsest_; }
     /// The next frame is of another scene.
     void forget();
 
@@ -41,8 +43,8 @@ class FrameSchedule {
     DetailGovernor governor_;
     Demand demand_; ///< of the frame that is drawn
     FrameDetail detail_;
-    bool owed_ = false;   ///< a frame was left before its change was seen
-    double coarsest_ = 0; ///< seconds that such frames take at most, as far as is known
+    bool owed_ = false; ///< a frame was left before its change was seen
+    double coarsest_ = 0;
 };
 
 } // namespace rtserver

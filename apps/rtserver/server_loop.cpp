@@ -162,12 +162,15 @@ void ServerLoop::takeRefinedTree() {
     Messages::print("the exact kd-tree is in use; it took " + shortNumber(result.seconds) + " s");
 }
 
-// Where whole frames are not quick enough to be seen at once.
+// Where whole frames are not quick enough to be seen at once: while nothing else is to do; or soon, where not
+// even the coarsest are.
 void ServerLoop::takeShadowMaps() {
     if (!session_.ready() || session_.world().shadowMaps != nullptr) return;
     if (mapping_ == nullptr) {
-        const bool needed = session_.frameSeconds > 0 && frames_.seconds() > session_.frameSeconds;
-        if (mapless_ || !needed || !idle() || session_.world().loaded.fastTree) return;
+        const double quick = session_.frameSeconds;
+        const bool needed =
+            quick > 0 && (schedule_.coarsest() > quick || (idle() && frames_.seconds() > quick));
+        if (mapless_ || !needed || session_.world().loaded.fastTree) return;
         mapping_ = std::make_unique<ShadowMapping>(session_.world());
     }
     if (!mapping_->done()) return;

@@ -1,4 +1,4 @@
-/// The shadow maps of a scene that is shown, made while nothing else is to do.
+/// The shadow maps of a scene that is shown, made beside it.
 #pragma once
 
 #include "rtserver/world.h"

@@ -1,6 +1,6 @@
 // How soon RTServer shows that something changed, whatever it is drawing: keys, settings, scenes.
 //   bench_reaction [--keys=N] [--settings=N] [--loads=N] [--seed=N] [--size=WxH] [--scene=FILE]
-//                  [--turns=FILE] [SERVER]...
+//                  [--turns=FILE] [--each] [SERVER]...
 // Each SERVER is an RTServer, such as one of before a change; they take turns, so that whatever else the
 // machine does hits all alike. Without one: the one that was built. With the same FILE several
 // bench_reactions take turns, too: each speaks one version of the protocol.
@@ -41,6 +41,7 @@ struct Wishes {
     unsigned seed = 1;
     std::string size = "1920x1080";
     std::string scene = RT_SOURCE_FOLDER "/data/nave/nave.scn";
+    bool each = false; ///< each is told
     std::string turns; ///< a file; "" = nobody else measures
     std::vector<std::string> servers;
 };
@@ -102,6 +103,7 @@ class Measured {
         for (int i = 0; i < count; ++i, forwards_ = !forwards_) {
             const int key = forwards_ ? 'W' : 'S';
             keys_.push_back(reaction([&] { client_->pressKey(key); }, true));
+            tellEach("key", keys_.back());
             std::this_thread::sleep_for(std::chrono::milliseconds(walks(random)));
             client_->releaseKey(key);
             std::this_thread::sleep_for(std::chrono::milliseconds(stands(random)));
@@ -113,6 +115,7 @@ class Measured {
         for (int i = 0; i < count; ++i) {
             const std::string command = std::string("set ") + kSettings[setting_++ % kSettings.size()];
             settings_.push_back(reaction([&] { client_->send(command); }, false));
+            tellEach(command.c_str(), settings_.back());
             const bool stuck = settings_.size() > 1 && settings_.back() >= milliseconds(kLongest) &&
                                settings_[settings_.size() - 2] >= milliseconds(kLongest);
             if (stuck) start();
@@ -198,6 +201,10 @@ class Measured {
         return milliseconds(kLongest);
     }
 
+    void tellEach(const char* what, double time) const {
+        if (wishes_.each) std::printf("    %-34s %6.1f ms\n", what, time);
+    }
+
     static void tell(const char* what, const std::vector<double>& times) {
         if (times.empty()) return;
         const auto late =
@@ -244,6 +251,8 @@ Wishes read(int count, char** words) {
             wishes.size = value;
         else if (name == "--scene")
             wishes.scene = value;
+        else if (name == "--each")
+            wishes.each = true;
         else if (name == "--turns")
             wishes.turns = value;
         else
