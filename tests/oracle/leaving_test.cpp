@@ -191,7 +191,7 @@ class Subject {
         return plane.heightOf((box.lo + box.hi) * 0.5F) > 0 ? 1.0F : -1.0F;
     }
 
-    /// What rounding a point near a triangle may move it across the plane: the point on a face, and the step.
+    /// How far rounding may move a start across the plane of a triangle near it.
     double roundingAt(std::uint32_t triangle) const {
         const Vec3 normal = normalOf(planes_[triangle]);
         double across = 0;
@@ -201,7 +201,8 @@ class Subject {
                 extent = std::max(extent, std::fabs(double{mesh_.position(triangle, corner)[axis]}));
             across += extent * std::fabs(double{normal[axis]});
         }
-        return 2 * 0x1p-24 * across;
+        constexpr double kStart = 6; // of three products, their sum, 1 - u - v, and of the step off the face
+        return kStart * 0x1p-24 * across;
     }
 
     bool isBesideFace(const Ray& ray, std::uint32_t left) const {
