@@ -220,9 +220,11 @@ TEST_F(Orphaned, EndsWithTheParent) {
 TEST_F(Orphaned, EndsWithTheParentEvenAfterASignal) {
     startByShell("--preview=" + instance.name());
     look();
-    ::kill(static_cast<pid_t>(viewer->serverProcess()), SIGTERM);
+    const auto renderer = static_cast<pid_t>(viewer->serverProcess());
+    ::kill(renderer, SIGTERM);
     program->send(SIGKILL);
     EXPECT_TRUE(within(10, [&] { return !alive(); }));
+    EXPECT_TRUE(within(1, [&] { return ended(renderer); }));
     EXPECT_TRUE(instance.segments().empty());
 }
 
@@ -239,6 +241,7 @@ TEST_F(Orphaned, EndsWithTheParentEvenBeforeASignal) {
         std::this_thread::sleep_for(std::chrono::milliseconds(pause));
         ::kill(renderer, SIGTERM);
         EXPECT_TRUE(within(10, [&] { return !alive(); }));
+        EXPECT_TRUE(within(1, [&] { return ended(renderer); }));
         EXPECT_TRUE(instance.segments().empty());
     }
 }
