@@ -4,7 +4,6 @@
 #include "rtcore/kernels/narrow_noise.h"
 #include "rtcore/kernels/ray_wave.h"
 #include "rtcore/kernels/rounding.h"
-#include "rtcore/kernels/watertight.h"
 #include "rtcore/math/box.h"
 #include "rtcore/math/vec.h"
 #include "rtcore/scene/mesh.h"

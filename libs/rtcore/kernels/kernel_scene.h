@@ -10,7 +10,7 @@
 
 namespace rtcore {
 
-/// Valid as long as the arrays behind the tree, the mesh, the records and the noise.
+/// Valid as long as the arrays behind the tree, the mesh, the records and the narrow triangles.
 struct KernelScene {
     KernelScene(const KdTree& tree, const Mesh& mesh, const float* inlineRecords = nullptr,
                 const NarrowTriangles* narrow = nullptr)
