@@ -1,7 +1,7 @@
 #include "common/isa_option.h"
 
-#include "rtcore/platform/instruction_set.h"
 #include "rtcore/settings/nearest_name.h"
+#include "rtcore/simd/instruction_set.h"
 
 namespace app {
 

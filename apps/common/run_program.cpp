@@ -7,8 +7,8 @@
 #include "common/terminal.h"
 
 #include "rtcore/platform/error.h"
-#include "rtcore/platform/instruction_set.h"
 #include "rtcore/settings/nearest_name.h"
+#include "rtcore/simd/instruction_set.h"
 
 #include <exception>
 #include <new>

@@ -1,6 +1,6 @@
 #include "common/help_text.h"
 
-#include "rtcore/platform/instruction_set.h"
+#include "rtcore/simd/instruction_set.h"
 
 // RT_VERSION and RT_HAS_... come from the build system, for this file alone; _OPENMP from the compiler.
 

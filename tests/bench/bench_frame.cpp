@@ -8,10 +8,10 @@
 // tracing` renders the same frame with the answers of the tracer played back, by one thread: what is left is
 // all that a faster tracer cannot save.
 #include "rtcore/io/scene_loader.h"
-#include "rtcore/platform/instruction_set.h"
 #include "rtcore/post/develop.h"
 #include "rtcore/render/frame_renderer.h"
 #include "rtcore/settings/settings_table.h"
+#include "rtcore/simd/instruction_set.h"
 #include "support/view_rays.h"
 
 #include <algorithm>

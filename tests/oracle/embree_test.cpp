@@ -4,7 +4,7 @@
 #include "rtcore/accel/builder.h"
 #include "rtcore/kernels/ray_tracer.h"
 #include "rtcore/kernels/single_ray.h"
-#include "rtcore/platform/instruction_set.h"
+#include "rtcore/simd/instruction_set.h"
 #include "support/embree_scene.h"
 #include "support/exact_rays.h"
 #include "support/mesh_files.h"

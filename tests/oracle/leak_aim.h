@@ -1,7 +1,7 @@
 /// Closed meshes, and rays from inside them, aimed where cells and triangles meet.
 #pragma once
 
-#include "rtcore/math/ray_offset.h"
+#include "rtcore/math/triangle.h"
 #include "rtcore/math/vec.h"
 #include "support/sample_meshes.h"
 

@@ -6,7 +6,7 @@
 #include "rtcore/accel/builder.h"
 #include "rtcore/kernels/ray_tracer.h"
 #include "rtcore/kernels/single_ray.h"
-#include "rtcore/platform/instruction_set.h"
+#include "rtcore/simd/instruction_set.h"
 
 #include <gtest/gtest.h>
 

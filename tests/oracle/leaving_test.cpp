@@ -4,8 +4,8 @@
 #include "rtcore/accel/builder.h"
 #include "rtcore/kernels/ray_tracer.h"
 #include "rtcore/kernels/single_ray.h"
-#include "rtcore/math/ray_offset.h"
-#include "rtcore/platform/instruction_set.h"
+#include "rtcore/math/triangle.h"
+#include "rtcore/simd/instruction_set.h"
 #include "support/sample_meshes.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include "bench/rtbench/contenders.h"
 
-#include "rtcore/platform/instruction_set.h"
+#include "rtcore/simd/instruction_set.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

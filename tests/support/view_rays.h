@@ -3,7 +3,7 @@
 #pragma once
 
 #include "rtcore/kernels/ray_wave.h"
-#include "rtcore/math/ray_offset.h"
+#include "rtcore/math/triangle.h"
 #include "rtcore/scene/mesh.h"
 #include "support/random_numbers.h"
 

@@ -10,7 +10,7 @@
 
 #include "rtcore/accel/builder.h"
 #include "rtcore/io/scene_loader.h"
-#include "rtcore/platform/instruction_set.h"
+#include "rtcore/simd/instruction_set.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,8 @@
 #include "rtcore/accel/rank_sort.h"
 
-#include "rtcore/platform/vector_targets.h"
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/accel/rank_sort.cpp"
-#include <hwy/foreach_target.h>
+#include "rtcore/simd/foreach_target.h"
 
 #include <hwy/highway.h>
 

@@ -1,7 +1,7 @@
 #include "rtcore/io/default_view.h"
 
 #include "rtcore/kernels/single_ray.h"
-#include "rtcore/math/portable_math.h"
+#include "rtcore/simd/portable_math.h"
 
 #include <algorithm>
 #include <cmath>

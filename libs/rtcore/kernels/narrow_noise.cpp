@@ -1,6 +1,6 @@
 #include "rtcore/kernels/narrow_noise.h"
 
-#include "rtcore/math/ray_offset.h"
+#include "rtcore/math/triangle.h"
 
 #include <algorithm>
 #include <array>

@@ -9,11 +9,9 @@
 #include <limits>
 
 // Compiled once for each instruction set, and the best chosen when the program runs.
-#include "rtcore/platform/vector_targets.h"
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/kernels/wave_kernels.cpp"
-#include <hwy/foreach_target.h>
+#include "rtcore/simd/foreach_target.h"
 
 #include <hwy/highway.h>
 

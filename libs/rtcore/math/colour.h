@@ -2,7 +2,7 @@
 /// values may be any size >= 0 (high dynamic range).
 #pragma once
 
-#include "rtcore/math/portable_math.h"
+#include "rtcore/simd/portable_math.h"
 
 #include <algorithm>
 #include <cmath>

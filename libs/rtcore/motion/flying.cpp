@@ -1,7 +1,7 @@
 #include "rtcore/motion/flying.h"
 
-#include "rtcore/math/portable_math.h"
 #include "rtcore/motion/walker.h"
+#include "rtcore/simd/portable_math.h"
 
 #include <algorithm>
 #include <cmath>

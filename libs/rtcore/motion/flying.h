@@ -1,8 +1,8 @@
 /// Viewing mode: the eye flies freely, and turns, with a little inertia.
 #pragma once
 
+#include "rtcore/math/vec.h"
 #include "rtcore/motion/action.h"
-#include "rtcore/motion/vec3d.h"
 
 namespace rtcore {
 

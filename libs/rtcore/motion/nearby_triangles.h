@@ -2,7 +2,7 @@
 #pragma once
 
 #include "rtcore/accel/kd_tree.h"
-#include "rtcore/motion/vec3d.h"
+#include "rtcore/math/vec.h"
 #include "rtcore/motion/world_frame.h"
 #include "rtcore/scene/mesh.h"
 

@@ -1,8 +1,8 @@
 /// How far an upright line is from a triangle.
 #pragma once
 
+#include "rtcore/math/vec.h"
 #include "rtcore/motion/nearby_triangles.h"
-#include "rtcore/motion/vec3d.h"
 
 namespace rtcore {
 

@@ -2,10 +2,10 @@
 /// crawls.
 #pragma once
 
+#include "rtcore/math/vec.h"
 #include "rtcore/motion/ground.h"
 #include "rtcore/motion/nearby_triangles.h"
 #include "rtcore/motion/slide.h"
-#include "rtcore/motion/vec3d.h"
 #include "rtcore/motion/walk_shape.h"
 
 #include <array>

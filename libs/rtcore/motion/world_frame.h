@@ -3,7 +3,6 @@
 
 #include "rtcore/math/box.h"
 #include "rtcore/math/vec.h"
-#include "rtcore/motion/vec3d.h"
 
 namespace rtcore {
 

@@ -1,8 +1,8 @@
 #include "rtcore/post/airy_blur.h"
 
-#include "rtcore/math/portable_math.h"
 #include "rtcore/platform/threads.h"
 #include "rtcore/post/usable_radiance.h"
+#include "rtcore/simd/portable_math.h"
 
 #include <algorithm>
 #include <array>

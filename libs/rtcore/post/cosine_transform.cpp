@@ -1,16 +1,14 @@
 #include "rtcore/post/cosine_transform.h"
 
-#include "rtcore/math/portable_math.h"
+#include "rtcore/simd/portable_math.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "rtcore/platform/vector_targets.h"
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/post/cosine_transform.cpp"
-#include <hwy/foreach_target.h>
-// The loop over targets comes before the code that is compiled for each of them.
+#include "rtcore/simd/foreach_target.h"
+
 #include "rtcore/post/complex_floats-inl.h"
 
 #ifndef RTCORE_POST_COSINE_TRANSFORM_TYPES
@@ -39,18 +37,16 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE ComplexFloats splat(CosineTransform::Root r) { return {constant(r.re), constant(r.im)}; }
+HWY_INLINE ComplexFloats splat(CosineTransform::Root r) { return {r.re, r.im}; }
 /// -i a
-HWY_INLINE ComplexFloats turnedRight(ComplexFloats a) { return {a.im, hn::Neg(a.re)}; }
+HWY_INLINE ComplexFloats turnedRight(ComplexFloats a) { return {a.im, -a.re}; }
 
 HWY_INLINE ComplexFloats loadComplex(ConstLines from, std::size_t at) {
-    const FloatTag d;
-    return {hn::LoadU(d, from.re + at), hn::LoadU(d, from.im + at)};
+    return {load(from.re + at), load(from.im + at)};
 }
 HWY_INLINE void storeComplex(ComplexFloats a, Lines to, std::size_t at) {
-    const FloatTag d;
-    hn::StoreU(a.re, d, to.re + at);
-    hn::StoreU(a.im, d, to.im + at);
+    store(a.re, to.re + at);
+    store(a.im, to.im + at);
 }
 
 /// The transform of `factor` values, from `in` to `out`.
@@ -85,7 +81,7 @@ void runStage(const Stage& stage, ConstLines from, Lines to) {
     ComplexFloats in[kLargestFactor], out[kLargestFactor];
     for (std::size_t i = 0; i < stage.parts; ++i) {
         for (std::size_t j = 0; j < left; ++j) {
-            for (std::size_t line = 0; line < kTransformLines; line += hn::Lanes(FloatTag())) {
+            for (std::size_t line = 0; line < kTransformLines; line += lanes()) {
                 for (std::size_t p = 0; p < r; ++p) {
                     in[p] = loadComplex(from, ((i * r + p) * left + j) * kTransformLines + line);
                     // twiddle: e^(-2 pi i (p i) / (l r))
@@ -104,7 +100,7 @@ void runStage(const Stage& stage, ConstLines from, Lines to) {
 void multiplyBy(const CosineTransform::Root* roots, std::size_t count, Lines a) {
     for (std::size_t i = 0; i < count; ++i) {
         const ComplexFloats root = splat(roots[i]);
-        for (std::size_t line = 0; line < kTransformLines; line += hn::Lanes(FloatTag())) {
+        for (std::size_t line = 0; line < kTransformLines; line += lanes()) {
             const std::size_t at = i * kTransformLines + line;
             storeComplex(root * loadComplex({a.re, a.im}, at), a, at);
         }
@@ -113,14 +109,13 @@ void multiplyBy(const CosineTransform::Root* roots, std::size_t count, Lines a) 
 
 /// X[k] = (w V[k] + conj(w) V[N - k]) / 2, w = turns[k], V[N] = V[0].
 void turnForward(const CosineTransform::Root* turns, std::size_t n, ConstLines from, Lines to) {
-    const Floats half = constant(0.5F);
     for (std::size_t k = 0; k < n; ++k) {
         const ComplexFloats turn = splat(turns[k]), back = splat({turns[k].re, -turns[k].im});
         const std::size_t other = k == 0 ? 0 : n - k;
-        for (std::size_t line = 0; line < kTransformLines; line += hn::Lanes(FloatTag())) {
+        for (std::size_t line = 0; line < kTransformLines; line += lanes()) {
             const ComplexFloats sum = turn * loadComplex(from, k * kTransformLines + line) +
                                       back * loadComplex(from, other * kTransformLines + line);
-            storeComplex({hn::Mul(half, sum.re), hn::Mul(half, sum.im)}, to, k * kTransformLines + line);
+            storeComplex({0.5F * sum.re, 0.5F * sum.im}, to, k * kTransformLines + line);
         }
     }
 }
@@ -128,15 +123,14 @@ void turnForward(const CosineTransform::Root* turns, std::size_t n, ConstLines f
 /// The inverse of that, conjugated as the inverse transform wants it: conj(conj(w) (X[k] - i X[N - k])),
 /// X[N] = 0, with the scale 1 / N.
 void turnBackward(const CosineTransform::Root* turns, std::size_t n, ConstLines from, Lines to) {
-    const Floats scale = constant(1 / static_cast<float>(n));
+    const Float scale = 1 / static_cast<float>(n);
     for (std::size_t k = 0; k < n; ++k) {
         const ComplexFloats back = splat({turns[k].re, -turns[k].im});
-        for (std::size_t line = 0; line < kTransformLines; line += hn::Lanes(FloatTag())) {
+        for (std::size_t line = 0; line < kTransformLines; line += lanes()) {
             ComplexFloats x = loadComplex(from, k * kTransformLines + line);
             if (k > 0) x = x + turnedRight(loadComplex(from, (n - k) * kTransformLines + line));
             const ComplexFloats v = back * x;
-            storeComplex({hn::Mul(scale, v.re), hn::Neg(hn::Mul(scale, v.im))}, to,
-                         k * kTransformLines + line);
+            storeComplex({scale * v.re, -(scale * v.im)}, to, k * kTransformLines + line);
         }
     }
 }

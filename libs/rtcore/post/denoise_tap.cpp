@@ -1,62 +1,61 @@
 #include "rtcore/post/denoise_tap.h"
 
-#include "rtcore/platform/vector_targets.h"
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/post/denoise_tap.cpp"
-#include <hwy/foreach_target.h>
-// The loop over targets comes before the code that is compiled for each of them.
-#include "rtcore/shading/vector_math-inl.h"
+#include "rtcore/simd/foreach_target.h"
+
+#include "rtcore/simd/wide-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-template <class Tag>
-HWY_INLINE hn::Vec<Tag> notNegative(Tag d, hn::Vec<Tag> x) {
-    return hn::IfThenElseZero(hn::Gt(x, hn::Zero(d)), x);
+template <typename F>
+HWY_INLINE F notNegative(F x) {
+    return selectOrZero(x > 0.0F, x);
 }
 
-/// From pixel `x` on, for as many as `d` has lanes.
-template <class Tag>
-HWY_INLINE void addLanes(Tag d, const DenoiseTap& tap, std::size_t x) {
-    using V = hn::Vec<Tag>;
-    const auto load = [d, x](const float* row) HWY_ATTR { return hn::LoadU(d, row + x); };
+HWY_INLINE void loadAs(Float& value, const float* from) { value = load(from); }
+HWY_INLINE void loadAs(float& value, const float* from) { value = *from; }
+HWY_INLINE void store(float value, float* to) { *to = value; }
+
+/// Of pixel `x`, or from it on for as many as F has lanes.
+template <typename F>
+HWY_INLINE void addPixels(const DenoiseTap& tap, std::size_t x) {
+    const auto load = [x](const float* row) HWY_ATTR {
+        F value;
+        loadAs(value, row + x);
+        return value;
+    };
     const GrainyRow& p = tap.pixels;
     const GrainyRow& q = tap.neighbours;
-    const V dots =
-        hn::Add(hn::Add(hn::Mul(load(p.normalX), load(q.normalX)), hn::Mul(load(p.normalY), load(q.normalY))),
-                hn::Mul(load(p.normalZ), load(q.normalZ)));
-    const V c1 = notNegative(d, dots);
-    const V c2 = hn::Mul(c1, c1), c4 = hn::Mul(c2, c2), c8 = hn::Mul(c4, c4), c16 = hn::Mul(c8, c8);
+    const F c1 = notNegative(load(p.normalX) * load(q.normalX) + load(p.normalY) * load(q.normalY) +
+                             load(p.normalZ) * load(q.normalZ));
+    const F c2 = c1 * c1, c4 = c2 * c2, c8 = c4 * c4, c16 = c8 * c8;
 
-    const V nearness = load(p.nearness);
-    const V slope = hn::Add(hn::Mul(load(tap.across), hn::Set(d, tap.stepX)),
-                            hn::Mul(load(tap.down), hn::Set(d, tap.stepY)));
-    const V off = hn::Sub(load(q.nearness), hn::Add(nearness, slope));
-    const V within = hn::Mul(hn::Set(d, tap.tolerance), nearness);
-    const V square = hn::Mul(within, within);
-    const V inPlane = notNegative(d, hn::Sub(square, hn::Mul(off, off)));
+    const F nearness = load(p.nearness);
+    const F slope = load(tap.across) * tap.stepX + load(tap.down) * tap.stepY;
+    const F off = load(q.nearness) - (nearness + slope);
+    const F within = tap.tolerance * nearness;
+    const F square = within * within;
+    const F inPlane = notNegative(square - off * off);
     // What is so far off is background.
-    const V plane = hn::IfThenElseZero(hn::Gt(square, hn::Set(d, 1e-30F)), hn::Div(inPlane, square));
+    const F plane = selectOrZero(square > 1e-30F, inPlane / square);
 
-    const V unlike = hn::Mul(hn::Sub(load(q.bright), load(p.bright)), load(tap.alike));
-    const V light = notNegative(d, hn::Sub(hn::Set(d, 1.0F), hn::Mul(unlike, unlike)));
+    const F unlike = (load(q.bright) - load(p.bright)) * load(tap.alike);
+    const F light = notNegative(1.0F - unlike * unlike);
 
-    const V guided = hn::Mul(hn::Mul(hn::Set(d, tap.kernel), hn::Mul(c16, c16)), plane);
-    const V weight = hn::Mul(guided, hn::Mul(light, light));
-    hn::StoreU(hn::Add(load(tap.weights), weight), d, tap.weights + x);
-    hn::StoreU(hn::Add(load(tap.red), hn::Mul(weight, load(q.red))), d, tap.red + x);
-    hn::StoreU(hn::Add(load(tap.green), hn::Mul(weight, load(q.green))), d, tap.green + x);
-    hn::StoreU(hn::Add(load(tap.blue), hn::Mul(weight, load(q.blue))), d, tap.blue + x);
+    const F weight = tap.kernel * (c16 * c16) * plane * (light * light);
+    store(load(tap.weights) + weight, tap.weights + x);
+    store(load(tap.red) + weight * load(q.red), tap.red + x);
+    store(load(tap.green) + weight * load(q.green), tap.green + x);
+    store(load(tap.blue) + weight * load(q.blue), tap.blue + x);
 }
 
 void addTapVectors(const DenoiseTap& tap, std::size_t count) {
-    const FloatTag d;
-    const std::size_t lanes = hn::Lanes(d);
     std::size_t x = 0;
-    for (; x + lanes <= count; x += lanes) addLanes(d, tap, x);
-    for (; x < count; ++x) addLanes(hn::CappedTag<float, 1>(), tap, x);
+    for (; x + lanes() <= count; x += lanes()) addPixels<Float>(tap, x);
+    for (; x < count; ++x) addPixels<float>(tap, x);
 }
 
 } // namespace HWY_NAMESPACE

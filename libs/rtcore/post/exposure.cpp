@@ -4,13 +4,11 @@
 #include <bit>
 #include <cmath>
 
-#include "rtcore/platform/vector_targets.h"
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/post/exposure.cpp"
-#include <hwy/foreach_target.h>
-// The loop over targets comes before the code that is compiled for each of them.
-#include <hwy/highway.h>
+#include "rtcore/simd/foreach_target.h"
+
+#include "rtcore/math/float3-inl.h"
 
 #ifndef RTCORE_POST_EXPOSURE_BINS
 #define RTCORE_POST_EXPOSURE_BINS
@@ -29,21 +27,13 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
 /// The bin of each pixel's luminance, kBins where it does not count.
 void binsOf(const float* HWY_RESTRICT rgb, std::uint32_t* HWY_RESTRICT bins) {
-    const hn::ScalableTag<float> d;
-    const hn::RebindToUnsigned<decltype(d)> du;
-    for (std::size_t i = 0; i < kBinBlock; i += hn::Lanes(d)) {
-        hn::Vec<decltype(d)> r, g, b;
-        hn::LoadInterleaved3(d, rgb + 3 * i, r, g, b);
-        const auto y = hn::Add(hn::Add(hn::Mul(hn::Set(d, 0.2126F), r), hn::Mul(hn::Set(d, 0.7152F), g)),
-                               hn::Mul(hn::Set(d, 0.0722F), b));
-        const auto infinity = hn::BitCast(d, hn::Set(du, 0x7F800000U));
-        const auto counts = hn::And(hn::Gt(y, hn::Zero(d)), hn::Lt(y, infinity));
-        const auto bin = hn::ShiftRight<kBinShift>(hn::BitCast(du, hn::IfThenElse(counts, y, infinity)));
-        hn::StoreU(bin, du, bins + i);
+    for (std::size_t i = 0; i < kBinBlock; i += lanes()) {
+        const Float3 c = loadInterleaved(rgb + 3 * i);
+        const Float y = 0.2126F * c.x + 0.7152F * c.y + 0.0722F * c.z;
+        const Float infinity = std::numeric_limits<float>::infinity();
+        store(shiftRight<kBinShift>(bitsOf(select((y > 0.0F) & (y < infinity), y, infinity))), bins + i);
     }
 }
 

@@ -1,20 +1,18 @@
 #include "rtcore/post/gaussian_blur.h"
 
-#include "rtcore/math/portable_math.h"
 #include "rtcore/platform/threads.h"
 #include "rtcore/post/usable_radiance.h"
+#include "rtcore/simd/portable_math.h"
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 
-#include "rtcore/platform/vector_targets.h"
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/post/gaussian_blur.cpp"
-#include <hwy/foreach_target.h>
-// The loop over targets comes before the code that is compiled for each of them.
+#include "rtcore/simd/foreach_target.h"
+
 #include "rtcore/post/complex_floats-inl.h"
 
 #ifndef RTCORE_POST_GAUSSIAN_BLUR_TYPES
@@ -50,39 +48,36 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE ComplexFloats splat(ComplexFloat c) { return {constant(c.re), constant(c.im)}; }
-HWY_INLINE Floats realOfProduct(ComplexFloats a, ComplexFloats b) {
-    return hn::Sub(hn::Mul(a.re, b.re), hn::Mul(a.im, b.im));
-}
+HWY_INLINE ComplexFloats splat(ComplexFloat c) { return {c.re, c.im}; }
+HWY_INLINE Float realOfProduct(ComplexFloats a, ComplexFloats b) { return a.re * b.re - a.im * b.im; }
 /// pole * state + x
-HWY_INLINE ComplexFloats advanced(ComplexFloats pole, ComplexFloats state, Floats x) {
+HWY_INLINE ComplexFloats advanced(ComplexFloats pole, ComplexFloats state, Float x) {
     const ComplexFloats next = pole * state;
-    return {hn::Add(next.re, x), next.im};
+    return {next.re + x, next.im};
 }
 
 /// values[line + kLines * i] -> filtered[...], for as many lines as a vector has lanes.
 HWY_INLINE void filterVector(const RecursiveFilter& filter, const float* HWY_RESTRICT values,
                              float* HWY_RESTRICT filtered) {
-    const FloatTag d;
     const std::size_t n = filter.length;
     const ComplexFloats pole0 = splat(filter.terms[0].pole), pole1 = splat(filter.terms[1].pole);
     const ComplexFloats factor0 = splat(filter.terms[0].factor), factor1 = splat(filter.terms[1].factor);
     const ComplexFloats toEnd0 = splat(filter.terms[0].toEnd), toEnd1 = splat(filter.terms[1].toEnd);
     const ComplexFloats gain0 = splat(filter.terms[0].mirrorGain);
     const ComplexFloats gain1 = splat(filter.terms[1].mirrorGain);
-    const ComplexFloats none{hn::Zero(d), hn::Zero(d)};
+    const ComplexFloats none{0.0F, 0.0F};
 
     // What the mirrored picture before the first pixel has left.
     ComplexFloats state0 = none, state1 = none;
     for (std::size_t i = filter.reach; i-- > 0;) {
-        const Floats x = hn::LoadU(d, values + i * kLines);
+        const Float x = load(values + i * kLines);
         state0 = advanced(pole0, state0, x);
         state1 = advanced(pole1, state1, x);
     }
     if (filter.shortLines) {
         ComplexFloats end0 = none, end1 = none;
         for (std::size_t i = 0; i < n; ++i) {
-            const Floats x = hn::LoadU(d, values + i * kLines);
+            const Float x = load(values + i * kLines);
             end0 = advanced(pole0, end0, x);
             end1 = advanced(pole1, end1, x);
         }
@@ -91,30 +86,29 @@ HWY_INLINE void filterVector(const RecursiveFilter& filter, const float* HWY_RES
     }
 
     for (std::size_t i = 0; i < n; ++i) {
-        const Floats x = hn::LoadU(d, values + i * kLines);
+        const Float x = load(values + i * kLines);
         state0 = advanced(pole0, state0, x);
         state1 = advanced(pole1, state1, x);
-        hn::StoreU(hn::Add(realOfProduct(factor0, state0), realOfProduct(factor1, state1)), d,
-                   filtered + i * kLines);
+        store(realOfProduct(factor0, state0) + realOfProduct(factor1, state1), filtered + i * kLines);
     }
 
     // The mirrored picture behind the last pixel begins with that pixel: it leaves what all before it left.
-    const Floats gain = constant(filter.gain);
+    const Float gain = filter.gain;
     for (std::size_t i = n; i-- > 0;) {
-        const Floats x = hn::LoadU(d, values + i * kLines);
+        const Float x = load(values + i * kLines);
         state0 = pole0 * state0;
         state1 = pole1 * state1;
-        const Floats behind = hn::Add(realOfProduct(factor0, state0), realOfProduct(factor1, state1));
-        const Floats before = hn::LoadU(d, filtered + i * kLines);
-        hn::StoreU(hn::Mul(gain, hn::Add(before, behind)), d, filtered + i * kLines);
-        state0 = {hn::Add(state0.re, x), state0.im};
-        state1 = {hn::Add(state1.re, x), state1.im};
+        const Float behind = realOfProduct(factor0, state0) + realOfProduct(factor1, state1);
+        const Float before = load(filtered + i * kLines);
+        store(gain * (before + behind), filtered + i * kLines);
+        state0 = {state0.re + x, state0.im};
+        state1 = {state1.re + x, state1.im};
     }
 }
 
 void filterLines(const RecursiveFilter& filter, const float* HWY_RESTRICT values,
                  float* HWY_RESTRICT filtered) {
-    for (std::size_t line = 0; line < kLines; line += hn::Lanes(FloatTag())) {
+    for (std::size_t line = 0; line < kLines; line += lanes()) {
         filterVector(filter, values + line, filtered + line);
     }
 }

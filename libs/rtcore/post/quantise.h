@@ -1,4 +1,4 @@
-/// From linear light in [0, 1] to eight bits of sRGB.
+/// From linear light in [0, 1] to eight bits of sRGB; the formulas are in tone_map-inl.h.
 #pragma once
 
 #include <array>
@@ -12,8 +12,6 @@ namespace rtcore {
 class SrgbCurve {
   public:
     SrgbCurve();
-    /// x in [0, 1] -> [0, 255], before rounding.
-    float code(float x) const;
 
     /// A chord: the code at its begin, and how much greater it is at its end.
     struct Chord {
@@ -28,15 +26,5 @@ class SrgbCurve {
   private:
     std::array<Chord, kLast - kFirst + 1> chords_{};
 };
-
-/// A threshold in [0, 1) for each pixel, the same in every frame: neighbouring thresholds differ much, so
-/// that the error of rounding spreads as fine grain (Jimenez 2014, interleaved gradient noise).
-float ditherThreshold(int x, int y);
-
-/// floor(code + threshold), within 0..255.
-inline std::uint8_t quantise(float code, float threshold) {
-    const float value = code + threshold;
-    return static_cast<std::uint8_t>(value >= 255 ? 255 : value > 0 ? value : 0);
-}
 
 } // namespace rtcore

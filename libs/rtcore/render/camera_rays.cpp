@@ -1,48 +1,33 @@
 #include "rtcore/render/camera_rays.h"
 
-#include "rtcore/math/portable_math.h"
+#include "rtcore/simd/portable_math.h"
 
 #include <limits>
 
-#include "rtcore/platform/vector_targets.h"
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/render/camera_rays.cpp"
-#include <hwy/foreach_target.h>
-// The loop over targets comes before the code that is compiled for each of them.
-#include "rtcore/shading/vector_math-inl.h"
+#include "rtcore/simd/foreach_target.h"
+
+#include "rtcore/math/float3-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE Vectors everywhere(Vec3 v) { return constant(v.x, v.y, v.z); }
-
-void blockDirections(const CameraRays::Plane& plane, const CameraRays::Block& block, float* HWY_RESTRICT dx,
-                     float* HWY_RESTRICT dy, float* HWY_RESTRICT dz) {
-    const FloatTag d;
-    const BitsTag du;
-    const hn::RebindToSigned<FloatTag> di;
-    const Floats half = constant(0.5F);
-    const Floats step = constant(block.step);
-    const Vectors corner = everywhere(plane.corner), right = everywhere(plane.right),
-                  down = everywhere(plane.down);
-    const auto place = [&](int first, Bits offset, float from) {
-        const Floats whole = hn::ConvertTo(d, hn::Add(hn::Set(di, first), hn::BitCast(di, offset)));
-        return hn::Add(constant(from), hn::Mul(hn::Add(whole, half), step));
+void blockDirections(const CameraRays::Plane& plane, const CameraRays::Block& block, float* dx, float* dy,
+                     float* dz) {
+    const Float3 corner = broadcast(plane.corner), right = broadcast(plane.right),
+                 down = broadcast(plane.down);
+    const auto place = [&](int first, Uint offset, float from) {
+        return from + (toFloat(first + toInt(offset)) + 0.5F) * block.step;
     };
-    const Bits lane = hn::Iota(du, 0);
-    for (std::uint32_t i = 0; i < kCameraBlock * kCameraBlock;
-         i += static_cast<std::uint32_t>(hn::Lanes(d))) {
-        const Bits index = hn::Add(lane, hn::Set(du, i));
-        const Bits column =
-            hn::Or(hn::And(index, hn::Set(du, 3U)), hn::And(hn::ShiftRight<2>(index), hn::Set(du, 4U)));
-        const Bits row = hn::Or(hn::And(hn::ShiftRight<2>(index), hn::Set(du, 3U)),
-                                hn::And(hn::ShiftRight<3>(index), hn::Set(du, 4U)));
-        const Floats x = place(block.column, column, block.left);
-        const Floats y = place(block.row, row, block.top);
-        const Vectors direction = normalize(corner + right * x + down * y, hn::Eq(half, half));
-        storeVectors(direction, dx + i, dy + i, dz + i);
+    for (std::uint32_t i = 0; i < kCameraBlock * kCameraBlock; i += static_cast<std::uint32_t>(lanes())) {
+        const Uint index = iota(i);
+        const Uint column = (index & 3U) | (shiftRight<2>(index) & 4U);
+        const Uint row = (shiftRight<2>(index) & 3U) | (shiftRight<3>(index) & 4U);
+        const Float x = place(block.column, column, block.left);
+        const Float y = place(block.row, row, block.top);
+        store(normalize(corner + right * x + down * y), dx + i, dy + i, dz + i);
     }
 }
 

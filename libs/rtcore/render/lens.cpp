@@ -1,6 +1,6 @@
 #include "rtcore/render/lens.h"
 
-#include "rtcore/math/portable_math.h"
+#include "rtcore/simd/portable_math.h"
 
 #include <algorithm>
 

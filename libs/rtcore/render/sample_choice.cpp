@@ -1,6 +1,6 @@
 #include "rtcore/render/sample_choice.h"
 
-#include "rtcore/math/portable_math.h"
+#include "rtcore/simd/portable_math.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <limits>
 
-#include "rtcore/platform/vector_targets.h"
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/render/sample_rays.cpp"
-#include <hwy/foreach_target.h>
-// The loop over targets comes before the code that is compiled for each of them.
-#include "rtcore/shading/vector_math-inl.h"
+#include "rtcore/simd/foreach_target.h"
+
+#include "rtcore/math/float3-inl.h"
+#include "rtcore/sampling/disc-inl.h"
 
 #ifndef RTCORE_RENDER_SAMPLE_BLOCK_
 #define RTCORE_RENDER_SAMPLE_BLOCK_
@@ -27,55 +26,32 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE Vectors everywhere(Vec3 v) { return constant(v.x, v.y, v.z); }
-
-/// onDisc(), with its bits.
-HWY_INLINE void mapToDisc(Floats& u, Floats& v) {
-    const Floats one = constant(1), a = hn::Sub(hn::Add(u, u), one), b = hn::Sub(hn::Add(v, v), one);
-    const Lanes across = hn::Gt(hn::Abs(a), hn::Abs(b));
-    const Floats r = hn::IfThenElse(across, a, b), other = hn::IfThenElse(across, b, a);
-    const Floats angle = hn::Mul(constant(kDiscAngle), hn::Div(other, r));
-    const Floats z = hn::Mul(angle, angle);
-    const auto times = [z](Floats sum, float next) { return hn::Add(constant(next), hn::Mul(z, sum)); };
-    Floats sine = constant(kDiscSine[0]), cosine = constant(kDiscCosine[0]);
-    for (std::size_t i = 1; i < kDiscSine.size(); ++i) sine = times(sine, kDiscSine[i]);
-    for (std::size_t i = 1; i < kDiscCosine.size(); ++i) cosine = times(cosine, kDiscCosine[i]);
-    const Floats along = hn::Mul(r, cosine), aside = hn::Mul(r, hn::Mul(angle, sine));
-    const Lanes out = hn::Ne(r, hn::Zero(FloatTag()));
-    u = hn::IfThenElseZero(out, hn::IfThenElse(across, along, aside));
-    v = hn::IfThenElseZero(out, hn::IfThenElse(across, aside, along));
-}
-
 void aimParallel(const CameraRays& camera, SampleBlock& block) {
-    const FloatTag d;
-    const Vectors corner = everywhere(camera.plane().corner), right = everywhere(camera.plane().right),
-                  down = everywhere(camera.plane().down), eye = everywhere(camera.eye()),
-                  forward = everywhere(camera.forward());
-    for (std::size_t i = 0; i < SampleBlock::kSize; i += hn::Lanes(d)) {
-        const Vectors seen = corner + right * hn::LoadU(d, block.x + i) + down * hn::LoadU(d, block.y + i);
-        storeVectors(eye + seen, block.ox + i, block.oy + i, block.oz + i);
-        storeVectors(forward, block.dx + i, block.dy + i, block.dz + i);
+    const Float3 corner = broadcast(camera.plane().corner), right = broadcast(camera.plane().right),
+                 down = broadcast(camera.plane().down), eye = broadcast(camera.eye()),
+                 forward = broadcast(camera.forward());
+    for (std::size_t i = 0; i < SampleBlock::kSize; i += lanes()) {
+        const Float3 seen = corner + right * load(block.x + i) + down * load(block.y + i);
+        store(eye + seen, block.ox + i, block.oy + i, block.oz + i);
+        store(forward, block.dx + i, block.dy + i, block.dz + i);
     }
 }
 
 /// `round`: places on the lens are points of the unit square yet.
 void aimBlock(const CameraRays& camera, const Lens& lens, bool round, SampleBlock& block) {
-    const FloatTag d;
-    const Vectors corner = everywhere(camera.plane().corner), right = everywhere(camera.plane().right),
-                  down = everywhere(camera.plane().down), eye = everywhere(camera.eye()),
-                  lensRight = everywhere(lens.right), lensDown = everywhere(lens.down);
-    const Floats inverseFocus = constant(lens.inverseFocus);
+    const Float3 corner = broadcast(camera.plane().corner), right = broadcast(camera.plane().right),
+                 down = broadcast(camera.plane().down), eye = broadcast(camera.eye()),
+                 lensRight = broadcast(lens.right), lensDown = broadcast(lens.down);
     const bool disc = round && lens.open();
-    for (std::size_t i = 0; i < SampleBlock::kSize; i += hn::Lanes(d)) {
-        Floats u = hn::LoadU(d, block.u + i), v = hn::LoadU(d, block.v + i);
-        if (disc) mapToDisc(u, v);
-        const Vectors offset = lensRight * u - lensDown * v;
-        const Vectors seen = corner + right * hn::LoadU(d, block.x + i) + down * hn::LoadU(d, block.y + i);
+    for (std::size_t i = 0; i < SampleBlock::kSize; i += lanes()) {
+        Disc<Float> onLens{load(block.u + i), load(block.v + i)};
+        if (disc) onLens = onDisc(onLens.x, onLens.y);
+        const Float3 offset = lensRight * onLens.x - lensDown * onLens.y;
+        const Float3 seen = corner + right * load(block.x + i) + down * load(block.y + i);
         // Towards the sharp point seen / inverseFocus from the eye, divided by its distance.
-        const Vectors aimed = seen - offset * inverseFocus;
-        storeVectors(eye + offset, block.ox + i, block.oy + i, block.oz + i);
-        storeVectors(normalize(aimed, hn::Eq(inverseFocus, inverseFocus)), block.dx + i, block.dy + i,
-                     block.dz + i);
+        const Float3 aimed = seen - offset * lens.inverseFocus;
+        store(eye + offset, block.ox + i, block.oy + i, block.oz + i);
+        store(normalize(aimed), block.dx + i, block.dy + i, block.dz + i);
     }
 }
 

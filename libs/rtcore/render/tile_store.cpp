@@ -4,12 +4,10 @@
 
 #include <cstring>
 
-#include "rtcore/platform/vector_targets.h"
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/render/tile_store.cpp"
-#include <hwy/foreach_target.h>
-// The loop over targets comes before the code that is compiled for each of them.
+#include "rtcore/simd/foreach_target.h"
+
 #include <hwy/highway.h>
 
 HWY_BEFORE_NAMESPACE();

@@ -1,35 +1,17 @@
 #include "rtcore/sampling/aperture.h"
 
-#include "rtcore/math/portable_math.h"
+#include "rtcore/math/constants.h"
+#include "rtcore/sampling/disc-inl.h"
+#include "rtcore/simd/portable_math.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace rtcore {
 
-namespace {
-
-constexpr float kPi = 3.14159265359F;
-
-template <std::size_t N>
-float polynomial(const std::array<float, N>& factors, float z) {
-    float sum = factors[0];
-    for (std::size_t i = 1; i < N; ++i) sum = factors[i] + z * sum;
-    return sum;
-}
-
-} // namespace
-
 Vec2 onDisc(SquarePoint point) {
-    const float a = 2 * point.u - 1, b = 2 * point.v - 1;
-    // The angle from the nearer axis, which the coordinate that is larger follows.
-    const bool across = std::fabs(a) > std::fabs(b);
-    const float r = across ? a : b;
-    if (r == 0) return {};
-    const float angle = kDiscAngle * ((across ? b : a) / r);
-    const float along = r * polynomial(kDiscCosine, angle * angle);
-    const float aside = r * (angle * polynomial(kDiscSine, angle * angle));
-    return across ? Vec2{along, aside} : Vec2{aside, along};
+    const auto [x, y] = HWY_NAMESPACE::onDisc(point.u, point.v);
+    return {x, y};
 }
 
 void Aperture::prepare(int corners) {

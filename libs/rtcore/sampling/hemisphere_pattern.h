@@ -2,8 +2,8 @@
 /// is the square of the sine of a direction's angle with the pole, v its azimuth.
 #pragma once
 
-#include "rtcore/math/portable_math.h"
 #include "rtcore/sampling/sample_id.h"
+#include "rtcore/simd/portable_math.h"
 
 #include <cmath>
 #include <vector>

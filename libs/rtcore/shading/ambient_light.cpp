@@ -1,6 +1,6 @@
 #include "rtcore/shading/ambient_light.h"
 
-#include "rtcore/shading/phong.h"
+#include "rtcore/math/constants.h"
 
 #include <algorithm>
 

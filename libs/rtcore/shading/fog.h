@@ -3,7 +3,7 @@
 /// The optical depth of a stretch is tau = density * length, where `length` counts thin fog less and thick
 /// fog more than its distance (the integral of the density relative to `Fog::density`). Light loses all but
 /// e^-tau on it, and the fog adds (1 - e^-tau) * source, its own radiance: what it scatters of its
-/// surroundings and emits. The light of lamps comes on top (fog_light.h).
+/// surroundings and emits. The light of lamps comes on top (fog_wave.h).
 ///
 /// Pure functions, safe from many threads; the same bits on every processor. Directions of unit length;
 /// distances in scene units, kEndless for a ray that meets nothing. Never NaN, whatever the ray.
@@ -29,9 +29,7 @@ struct FogMedium {
     Colour source;       ///< radiance that an endless ray tends to, without lamps
     Colour scattered;    ///< of a lamp's irradiance, to each direction: albedo / 4 pi, per steradian
 
-    /// Height above the ground in scale heights, at least kLowest: the density stays the same below.
-    float height(Vec3 position) const;
-    static constexpr float kLowest = -60;
+    static constexpr float kLowest = -60; ///< scale heights: the density stays the same below
 };
 
 FogMedium fogMedium(const Scene& scene, const RenderSettings& settings);
@@ -43,9 +41,6 @@ float fogLength(const FogMedium& fog, Vec3 origin, Vec3 direction, float distanc
 
 /// What is left of the light after the stretch: e^-tau.
 float fogTransmittance(const FogMedium& fog, Vec3 origin, Vec3 direction, float distance);
-
-/// 1 - e^-tau, to its own last digits however small tau is: factor on `source`.
-float fogOpacity(const FogMedium& fog, Vec3 origin, Vec3 direction, float distance);
 
 /// What is left of a lamp's light at `position`. Of a directional lamp in homogeneous fog everything: its
 /// intensity is what arrives in the scene, and fog without an end would leave nothing of it. In exponential

@@ -1,12 +1,10 @@
 // Lamps in fog: what reaches a ray of their light, unshadowed.
 #include "rtcore/shading/fog_wave.h"
 
-#include "rtcore/platform/vector_targets.h"
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/shading/fog_light.cpp"
-#include <hwy/foreach_target.h>
-// The loop over targets comes before the code that is compiled for each of them.
+#include "rtcore/simd/foreach_target.h"
+
 #include "rtcore/shading/fog_path-inl.h"
 
 #ifndef RTCORE_SHADING_FOG_LIGHT_TYPES
@@ -77,86 +75,67 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE Floats inverseSinh(Floats x) {
-    // Beyond, distances are without meaning.
-    const Floats size = smaller(hn::Abs(x), constant(1e15F));
-    const Floats high = logOf(hn::Add(size, hn::Sqrt(hn::Add(hn::Mul(size, size), constant(1)))));
-    // x - x^3 / 6 + 3 x^5 / 40
-    const Floats square = hn::Mul(size, size);
-    static constexpr float kSeries[] = {1, -1.0F / 6, 3.0F / 40};
-    const Floats low = hn::Mul(size, polynomial(kSeries, square));
-    return hn::CopySign(hn::IfThenElse(hn::Lt(size, constant(0.05F)), low, high), x);
-}
-
 /// The integral over q from `a` to `b` of path.light() / r.
 template <typename Path>
-HWY_INLINE Floats panel(const Path& path, const GaussRule& rule, Floats a, Floats b) {
-    const Floats middle = expOf(hn::Mul(hn::Add(a, b), constant(0.5F)));
-    const Floats half = hn::Mul(hn::Sub(b, a), constant(0.5F));
-    const Floats halfApart = hn::Mul(path.apart, constant(0.5F));
+HWY_INLINE Float panel(const Path& path, const GaussRule& rule, Float a, Float b) {
+    const Float middle = fastExp((a + b) * 0.5F);
+    const Float half = (b - a) * 0.5F;
+    const Float halfApart = path.apart * 0.5F;
     // e^q and e^-q, times half the lamp's distance from the ray.
-    const Floats rising = hn::Mul(halfApart, middle), falling = hn::Div(halfApart, middle);
-    const auto at = [&](Floats up, Floats down) {
-        const Floats r = hn::Add(up, down);
-        const Floats t = larger(hn::Add(path.foot, hn::Sub(up, down)), constant(0));
-        return hn::Div(path.light(t, r), r);
+    const Float rising = halfApart * middle, falling = halfApart / middle;
+    const auto at = [&](Float up, Float down) {
+        const Float r = up + down;
+        const Float t = max(path.foot + (up - down), 0.0F);
+        return path.light(t, r) / r;
     };
-    Floats sum = constant(0);
+    Float sum = 0.0F;
     for (std::size_t k = 0; k < rule.count; ++k) {
-        const Floats off = expOf(hn::Mul(half, constant(rule.node[k])));
-        const Floats back = hn::Div(constant(1), off);
-        const Floats both = hn::Add(at(hn::Mul(rising, back), hn::Mul(falling, off)),
-                                    at(hn::Mul(rising, off), hn::Mul(falling, back)));
-        sum = hn::Add(sum, hn::Mul(constant(rule.weight[k]), both));
+        const Float off = fastExp(half * rule.node[k]);
+        const Float back = 1.0F / off;
+        const Float both = at(rising * back, falling * off) + at(rising * off, falling * back);
+        sum = sum + rule.weight[k] * both;
     }
-    return hn::Mul(sum, half);
+    return sum * half;
 }
 
 /// Writes the edges of the panels of a vector of rays, all the same where a ray has none.
 template <typename Path>
-HWY_INLINE void layPanels(const Path& path, Floats from, Floats to, Panels& panels, std::size_t i) {
-    const FloatTag d;
+HWY_INLINE void layPanels(const Path& path, Float from, Float to, Panels& panels, std::size_t i) {
     path.clip(from, to);
-    const Lanes used = hn::Lt(from, to);
-    const auto place = [&](Floats t) { return inverseSinh(hn::Div(hn::Sub(t, path.foot), path.apart)); };
-    const Floats a = hn::IfThenElseZero(used, place(from)), b = hn::IfThenElseZero(used, place(to));
-    const Floats middle = smaller(larger(hn::Zero(d), a), b);
-    const Floats thick = smaller(larger(place(path.thickFrom(to)), middle), b);
-    const Floats edges[] = {a, middle, hn::IfThenElseZero(used, thick), b};
-    for (std::size_t k = 0; k < Panels::kEdges; ++k) hn::StoreU(edges[k], d, panels.edge[k] + i);
-    hn::StoreU(hn::IfThenElseZero(used, path.change(from, to)), d, panels.change + i);
+    const Mask used = from < to;
+    const auto place = [&](Float t) { return fastAsinh((t - path.foot) / path.apart); };
+    const Float a = selectOrZero(used, place(from)), b = selectOrZero(used, place(to));
+    const Float middle = min(max(Float(0), a), b);
+    const Float thick = min(max(place(path.thickFrom(to)), middle), b);
+    const Float edges[] = {a, middle, selectOrZero(used, thick), b};
+    for (std::size_t k = 0; k < Panels::kEdges; ++k) store(edges[k], panels.edge[k] + i);
+    store(selectOrZero(used, path.change(from, to)), panels.change + i);
 }
 
 template <bool exponential, Beam beam>
 HWY_INLINE void addLampAll(const FogMedium& medium, const Light& light, const LampArrays& a) {
-    const FloatTag d;
-    const Colour colour = light.intensity * medium.scattered * medium.density;
-    const Vectors scale = constant(colour.r, colour.g, colour.b);
+    const Float3 scale = broadcast(light.intensity * medium.scattered * medium.density);
     const auto pathAt = [&](std::size_t i) {
-        return LampPath<exponential, beam>(
-            medium, light, loadVectors(a.origin.x + i, a.origin.y + i, a.origin.z + i),
-            loadVectors(a.direction.x + i, a.direction.y + i, a.direction.z + i));
+        return LampPath<exponential, beam>(medium, light, loadAt(a.origin, i), loadAt(a.direction, i));
     };
     for (std::size_t block = 0; block < a.count; block += kWaveBlock) {
         Panels panels;
-        for (std::size_t i = 0; i < kWaveBlock; i += hn::Lanes(d)) {
+        for (std::size_t i = 0; i < kWaveBlock; i += lanes()) {
             const std::size_t at = block + i;
-            layPanels(pathAt(at), hn::LoadU(d, a.from + at), hn::LoadU(d, a.to + at), panels, i);
+            layPanels(pathAt(at), load(a.from + at), load(a.to + at), panels, i);
         }
         const bool changes = exponential && panels.changeMuch();
         for (std::size_t k = 0; k + 1 < Panels::kEdges; ++k) {
             const float width = panels.width(k);
             if (!(width > 0)) continue;
             const GaussRule& rule = ruleFor(width, changes);
-            for (std::size_t i = 0; i < kWaveBlock; i += hn::Lanes(d)) {
-                const Floats start = hn::LoadU(d, panels.edge[k] + i);
-                const Floats end = hn::LoadU(d, panels.edge[k + 1] + i);
-                if (hn::AllFalse(d, hn::Lt(start, end))) continue;
+            for (std::size_t i = 0; i < kWaveBlock; i += lanes()) {
+                const Float start = load(panels.edge[k] + i);
+                const Float end = load(panels.edge[k + 1] + i);
+                if (none(start < end)) continue;
                 const std::size_t at = block + i;
-                const Floats part = panel(pathAt(at), rule, start, end);
-                const Vectors old = loadVectors(a.scattered.x + at, a.scattered.y + at, a.scattered.z + at);
-                const Vectors sum = old + scale * hn::IfThenElseZero(hn::Lt(start, end), part);
-                storeVectors(sum, a.scattered.x + at, a.scattered.y + at, a.scattered.z + at);
+                const Float part = selectOrZero(start < end, panel(pathAt(at), rule, start, end));
+                storeAt(loadAt(a.scattered, at) + scale * part, a.scattered, at);
             }
         }
     }
@@ -166,37 +145,30 @@ HWY_INLINE void addLampAll(const FogMedium& medium, const Light& light, const La
 /// deepest + extinction * s * (1 - dz / lz): dz and lz are what the ray and the way to the lamp rise.
 template <bool exponential>
 HWY_INLINE void addSunAll(const FogMedium& medium, const Light& light, const LampArrays& a) {
-    const FloatTag d;
-    const VectorFog fog(medium);
-    const Colour colour = light.intensity * medium.scattered;
-    const Vectors scale = constant(colour.r, colour.g, colour.b);
+    const Float3 scale = broadcast(light.intensity * medium.scattered);
     const float rise = -dot(medium.up, light.direction);
     if (exponential && !(rise > 1e-6F)) return;
-    for (std::size_t i = 0; i < a.count; i += hn::Lanes(d)) {
-        const Floats distance = hn::LoadU(d, a.distance + i);
-        Floats share;
+    for (std::size_t i = 0; i < a.count; i += lanes()) {
+        const Float distance = load(a.distance + i);
+        Float share;
         if constexpr (exponential) {
-            const Floats height = fog.height(loadVectors(a.origin.x + i, a.origin.y + i, a.origin.z + i));
-            const Vectors direction = loadVectors(a.direction.x + i, a.direction.y + i, a.direction.z + i);
-            const Floats own = dot(fog.up, direction);
-            const Floats tau =
-                hn::Mul(fog.density, exponentialLength(height, hn::Mul(own, fog.perHeight), distance));
-            const Floats toLamp =
-                hn::Div(hn::Mul(fog.density, expOf(hn::Neg(height))), constant(rise * medium.perHeight));
-            const Floats factor = hn::Sub(constant(1), hn::Div(own, constant(rise)));
+            const Float height = fogHeight<Float>(medium, loadAt(a.origin, i));
+            const Float own = dot(broadcast(medium.up), loadAt(a.direction, i));
+            const Float tau =
+                medium.density * exponentialLength<Float>(height, own * medium.perHeight, distance);
+            const Float toLamp = medium.density * fastExp(-height) / (rise * medium.perHeight);
+            const Float factor = 1.0F - own / rise;
             // tau (1 - e^-x) / x e^-toLamp, x = tau factor; by the end that is less deep where x < 0
-            const Floats x = hn::Mul(tau, factor);
-            const Floats depth = hn::Add(toLamp, smaller(x, constant(0)));
-            const Floats size = hn::Abs(x);
-            const Floats spread = hn::IfThenElse(
-                hn::Lt(size, constant(0.25F)), hn::Mul(tau, meanDecaySeries(smaller(size, constant(0.25F)))),
-                hn::Div(hn::Sub(constant(1), expOf(hn::Neg(size))), hn::Abs(factor)));
-            share = hn::Mul(spread, expOf(hn::Neg(larger(depth, constant(0)))));
+            const Float x = tau * factor;
+            const Float depth = toLamp + min(x, 0.0F);
+            const Float size = abs(x);
+            const Float spread = select(size < 0.25F, tau * meanDecaySeries(min(size, 0.25F)),
+                                        (1.0F - fastExp(-size)) / abs(factor));
+            share = spread * fastExp(-max(depth, 0.0F));
         } else {
-            share = opacityOf(hn::Mul(fog.density, distance));
+            share = fogOpacity(medium.density * distance);
         }
-        const Vectors old = loadVectors(a.scattered.x + i, a.scattered.y + i, a.scattered.z + i);
-        storeVectors(old + scale * share, a.scattered.x + i, a.scattered.y + i, a.scattered.z + i);
+        storeAt(loadAt(a.scattered, i) + scale * share, a.scattered, i);
     }
 }
 

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 
-#include "rtcore/platform/vector_targets.h"
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/shading/fog_wave.cpp"
-#include <hwy/foreach_target.h>
-// The loop over targets comes before the code that is compiled for each of them.
+#include "rtcore/simd/foreach_target.h"
+
 #include "rtcore/shading/fog_math-inl.h"
-#include "rtcore/shading/vector_materials-inl.h"
 
 #ifndef RTCORE_SHADING_FOG_WAVE_TYPES
 #define RTCORE_SHADING_FOG_WAVE_TYPES
@@ -34,52 +31,43 @@ namespace HWY_NAMESPACE {
 constexpr float kDeepest = 16;
 
 struct Stretches {
-    Floats from, to;
+    Float from, to;
 };
 
 /// Where on a ray of exponential fog there is any that counts.
-HWY_INLINE Stretches thickStretch(const VectorFog& fog, Floats height, Floats slope, Floats distance) {
-    const Floats steepness = larger(hn::Abs(slope), constant(1e-20F));
-    const Lanes rising = hn::Gt(slope, constant(0));
+HWY_INLINE Stretches thickStretch(const FogMedium& fog, Float height, Float slope, Float distance) {
+    const Float steepness = max(abs(slope), 1e-20F);
+    const Mask rising = slope > 0.0F;
     // x = kDeepest * slope / extinction at the origin; rising, tau ends at 1/x, and the depth is reached at
     // -ln(1 - x); falling, at ln(1 + x).
-    const Floats logX =
-        hn::Add(logOf(larger(hn::Div(hn::Mul(constant(kDeepest), steepness), fog.density), constant(1e-30F))),
-                height);
-    const Floats x = expOf(logX);
-    const Floats up = hn::IfThenElse(hn::Lt(x, constant(1)), minusLogOfRest(smaller(x, constant(0.999999F))),
-                                     constant(kDeepest));
-    const Floats down =
-        hn::IfThenElse(hn::Gt(logX, constant(15)), logX,
-                       hn::IfThenElse(hn::Lt(x, constant(0.01F)), x,
-                                      logOf(hn::Add(smaller(x, constant(1e8F)), constant(1)))));
-    const Floats depth = hn::Div(hn::IfThenElse(rising, smaller(up, constant(kDeepest)), down), steepness);
-    const Floats to = smaller(distance, depth);
-    const Floats from = larger(hn::Sub(to, hn::Div(constant(kDeepest), steepness)), constant(0));
-    return {hn::IfThenElseZero(hn::Not(rising), from), to};
+    const Float logX = fastLog(max(kDeepest * steepness / fog.density, 1e-30F)) + height;
+    const Float x = fastExp(logX);
+    const Float up = select(x < 1.0F, fastMinusLogOfRest(min(x, 0.999999F)), kDeepest);
+    const Float down = select(logX > 15.0F, logX, select(x < 0.01F, x, fastLog(min(x, 1e8F) + 1.0F)));
+    const Float depth = select(rising, min(up, kDeepest), down) / steepness;
+    const Float to = min(distance, depth);
+    const Float from = max(to - kDeepest / steepness, 0.0F);
+    return {selectOrZero(!rising, from), to};
 }
 
 template <bool exponential>
 HWY_INLINE void enterAll(const FogMedium& medium, const FogArrays& a) {
-    const FloatTag d;
-    const VectorFog fog(medium);
-    const Vectors source = constant(medium.source.r, medium.source.g, medium.source.b);
-    for (std::size_t i = 0; i < a.count; i += hn::Lanes(d)) {
-        const Floats distance = hn::LoadU(d, a.distance + i);
-        Floats length = distance;
-        Stretches stretch{hn::Zero(d), smaller(distance, hn::Div(constant(kDeepest), fog.density))};
+    const Float3 source = broadcast(medium.source);
+    for (std::size_t i = 0; i < a.count; i += lanes()) {
+        const Float distance = load(a.distance + i);
+        Float length = distance;
+        Stretches stretch{0.0F, min(distance, kDeepest / medium.density)};
         if constexpr (exponential) {
-            const Floats height = fog.height(loadVectors(a.origin.x + i, a.origin.y + i, a.origin.z + i));
-            const Floats slope =
-                fog.slope(loadVectors(a.direction.x + i, a.direction.y + i, a.direction.z + i));
+            const Float height = fogHeight<Float>(medium, loadAt(a.origin, i));
+            const Float slope = fogSlope<Float>(medium, loadAt(a.direction, i));
             length = exponentialLength(height, slope, distance);
-            stretch = thickStretch(fog, height, slope, distance);
+            stretch = thickStretch(medium, height, slope, distance);
         }
-        const Floats tau = hn::Mul(fog.density, length);
-        hn::StoreU(expOf(hn::Neg(tau)), d, a.transmittance + i);
-        hn::StoreU(stretch.from, d, a.from + i);
-        hn::StoreU(stretch.to, d, a.to + i);
-        storeVectors(source * opacityOf(tau), a.scattered.x + i, a.scattered.y + i, a.scattered.z + i);
+        const Float tau = medium.density * length;
+        store(fastExp(-tau), a.transmittance + i);
+        store(stretch.from, a.from + i);
+        store(stretch.to, a.to + i);
+        storeAt(source * fogOpacity(tau), a.scattered, i);
     }
 }
 
@@ -87,39 +75,28 @@ void enterFog(const FogMedium& medium, const FogArrays& a) {
     medium.exponential ? enterAll<true>(medium, a) : enterAll<false>(medium, a);
 }
 
-void dimAll(const float* HWY_RESTRICT transmittance, const SurfaceWave& s) {
-    const FloatTag d;
-    for (std::size_t i = 0; i < s.size(); i += hn::Lanes(d)) {
-        const Vectors share = loadVectors(s.share.x + i, s.share.y + i, s.share.z + i);
-        storeVectors(share * hn::LoadU(d, transmittance + i), s.share.x + i, s.share.y + i, s.share.z + i);
-    }
-}
-
-template <bool exponential>
-HWY_INLINE void dimLightAll(const FogMedium& medium, const Light& light, const SurfaceWave& s) {
-    const FloatTag d;
-    const VectorFog fog(medium);
-    const bool directional = light.kind == LightKind::Directional;
-    for (std::size_t i = 0; i < s.size(); i += hn::Lanes(d)) {
-        const Vectors position = loadVectors(s.position.x + i, s.position.y + i, s.position.z + i);
-        Vectors toLight = constant(-light.direction.x, -light.direction.y, -light.direction.z);
-        Floats distance = constant(kEndless);
-        if (!directional) {
-            const Vectors offset = constant(light.position.x, light.position.y, light.position.z) - position;
-            distance = hn::Sqrt(dot(offset, offset));
-            toLight = offset / larger(distance, constant(1e-30F));
-        }
-        const Floats length = lengthOf<exponential>(fog, position, toLight, distance);
-        const Floats left = expOf(hn::Neg(hn::Mul(fog.density, length)));
-        const Vectors added = loadVectors(s.added.x + i, s.added.y + i, s.added.z + i);
-        // Where there is no point, the position may be anything.
-        const Vectors dimmed = select(isZero(added), added, added * left);
-        storeVectors(dimmed, s.added.x + i, s.added.y + i, s.added.z + i);
-    }
+void dimAll(const float* transmittance, const SurfaceWave& s) {
+    for (std::size_t i = 0; i < s.size(); i += lanes())
+        storeAt(loadAt(s.share, i) * load(transmittance + i), s.share, i);
 }
 
 void dimLightOf(const FogMedium& medium, const Light& light, const SurfaceWave& s) {
-    medium.exponential ? dimLightAll<true>(medium, light, s) : dimLightAll<false>(medium, light, s);
+    const bool directional = light.kind == LightKind::Directional;
+    for (std::size_t i = 0; i < s.size(); i += lanes()) {
+        const Float3 position = loadAt(s.position, i);
+        Float3 toLight = broadcast(-light.direction);
+        Float distance = kEndless;
+        if (!directional) {
+            const Float3 offset = broadcast(light.position) - position;
+            distance = sqrt(dot(offset, offset));
+            toLight = offset / max(distance, 1e-30F);
+        }
+        const Float length = fogLength<Float>(medium.exponential, medium, position, toLight, distance);
+        const Float left = fastExp(-(medium.density * length));
+        const Float3 added = loadAt(s.added, i);
+        // Where there is no point, the position may be anything.
+        storeAt(select(isZero(added), added, added * left), s.added, i);
+    }
 }
 
 } // namespace HWY_NAMESPACE

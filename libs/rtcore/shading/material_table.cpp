@@ -1,7 +1,8 @@
 #include "rtcore/shading/material_table.h"
 
+#include "rtcore/math/constants.h"
+#include "rtcore/scattering/phong.h"
 #include "rtcore/shading/ambient_light.h"
-#include "rtcore/shading/phong.h"
 
 #include <algorithm>
 

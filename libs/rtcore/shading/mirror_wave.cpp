@@ -1,12 +1,11 @@
 #include "rtcore/shading/mirror_wave.h"
 
-#include "rtcore/platform/vector_targets.h"
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/shading/mirror_wave.cpp"
-#include <hwy/foreach_target.h>
-// The loop over targets comes before the code that is compiled for each of them.
-#include "rtcore/shading/vector_materials-inl.h"
+#include "rtcore/simd/foreach_target.h"
+
+#include "rtcore/scattering/fresnel-inl.h"
+#include "rtcore/shading/material_rows-inl.h"
 
 #ifndef RTCORE_SHADING_MIRROR_WAVE_TYPES
 #define RTCORE_SHADING_MIRROR_WAVE_TYPES
@@ -32,106 +31,65 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE Vectors loadAt(const ArraysOf3& arrays, std::size_t i) {
-    return loadVectors(arrays.x + i, arrays.y + i, arrays.z + i);
-}
-HWY_INLINE void storeAt(Vectors v, const ArraysOf3& arrays, std::size_t i) {
-    storeVectors(v, arrays.x + i, arrays.y + i, arrays.z + i);
-}
-
-/// shading/fresnel.h
-HWY_INLINE Floats schlickFades(Floats cosine) {
-    const Floats x = hn::Sub(constant(1), smaller(larger(cosine, constant(0)), constant(1)));
-    return hn::Mul(hn::Mul(hn::Mul(hn::Mul(x, x), x), x), x);
-}
-
 /// shading/surface_split.h, of opaque mirrors
 void splitAll(const MaterialRow* rows, const SurfaceWave& s, const ArraysOf3* glow) {
-    const FloatTag d;
-    const BitsTag du;
-    const Vectors white = constant(1, 1, 1);
-    for (std::size_t i = 0; i < s.size(); i += hn::Lanes(d)) {
-        const Bits traits = hn::LoadU(du, s.traits + i);
-        const Lanes mirrors = hasTrait(traits, traits::kMirror);
-        if (hn::AllFalse(d, mirrors)) continue;
+    const Float3 white = broadcast(kWhite);
+    for (std::size_t i = 0; i < s.size(); i += lanes()) {
+        const Uint traits = load(s.traits + i);
+        const Mask mirrors = hasTrait(traits, traits::kMirror);
+        if (none(mirrors)) continue;
         const Rows row(rows, s.material + i, mirrors);
-        Vectors mirrored = row.get(&MaterialRow::mirror);
-        const Lanes fresnel = hn::And(mirrors, hasTrait(traits, traits::kFresnel));
-        if (!hn::AllFalse(d, fresnel)) {
-            const Floats cosine = larger(dot(loadAt(s.toViewer, i), loadAt(s.shadingNormal, i)), constant(0));
-            mirrored = select(fresnel, mirrored + (white - mirrored) * schlickFades(cosine), mirrored);
+        Float3 mirrored = row.get(&MaterialRow::mirror);
+        const Mask fresnel = mirrors & hasTrait(traits, traits::kFresnel);
+        if (any(fresnel)) {
+            const Float cosine = max(dot(loadAt(s.toViewer, i), loadAt(s.shadingNormal, i)), 0.0F);
+            mirrored = select(fresnel, fresnelSchlick<Float>(mirrored, cosine), mirrored);
         }
-        mirrored = mirrored * row.get(&MaterialRow::mirrorScale);
-        const Vectors scattered = white - mirrored;
-        const Vectors weight = loadAt(s.share, i);
+        mirrored *= row.get(&MaterialRow::mirrorScale);
+        const Float3 scattered = white - mirrored;
+        const Float3 weight = loadAt(s.share, i);
         storeAt(select(mirrors, weight * mirrored, loadAt(s.onward, i)), s.onward, i);
         storeAt(select(mirrors, weight * scattered, weight), s.share, i);
-        const Bits onward = hn::Or(traits, hn::Set(du, traits::kOnward));
-        hn::StoreU(hn::BitCast(du, hn::IfThenElse(mirrors, hn::BitCast(d, onward), hn::BitCast(d, traits))),
-                   du, s.traits + i);
+        store(select(mirrors, traits | traits::kOnward, traits), s.traits + i);
         if (glow == nullptr) continue;
-        const Vectors own =
+        const Float3 own =
             weight * (row.get(&MaterialRow::emission) + row.get(&MaterialRow::ambient) * scattered);
         storeAt(select(mirrors, own, loadAt(*glow, i)), *glow, i);
     }
 }
 
-HWY_INLINE Vectors mirrorDirections(Vectors toViewer, Vectors shadingNormal, Vectors geometricNormal,
-                                    Lanes used) {
-    const Floats lowest = constant(1e-3F);
-    const Floats twice = hn::Mul(constant(2), dot(toViewer, shadingNormal));
-    const Vectors mirrored = shadingNormal * twice - toViewer;
-    const Floats height = dot(mirrored, geometricNormal);
-    const Vectors bent = mirrored + geometricNormal * hn::Sub(lowest, height);
-    return normalize(select(hn::Lt(height, lowest), bent, mirrored), used);
-}
-
-HWY_INLINE void storeSome(Vectors v, Lanes lanes, const ArraysOf3& to, std::size_t at) {
-    storeAt({hn::Compress(v.x, lanes), hn::Compress(v.y, lanes), hn::Compress(v.z, lanes)}, to, at);
-}
-HWY_INLINE void storeSome(Bits v, Lanes lanes, std::uint32_t* to) {
-    const FloatTag d;
-    hn::StoreU(hn::BitCast(BitsTag(), hn::Compress(hn::BitCast(d, v), lanes)), BitsTag(), to);
-}
-
 /// Returns how many rays were appended. `paths`: of the points, null for primary rays.
 std::size_t spawnAll(const SurfaceWave& s, const PathArrays* paths, MirrorLimits limits,
                      const RayArrays& rays, const PathArrays& queue) {
-    const FloatTag d;
-    const BitsTag du;
-    const hn::RebindToSigned<FloatTag> di;
-    const Bits lane = hn::Iota(du, 0);
     std::size_t count = 0;
-    for (std::size_t i = 0; i < s.size(); i += hn::Lanes(d)) {
-        Lanes onward = hasTrait(hn::LoadU(du, s.traits + i), traits::kOnward);
-        if (hn::AllFalse(d, onward)) continue;
-        const Vectors weight = loadAt(s.onward, i);
-        const Floats largest = larger(weight.x, larger(weight.y, weight.z));
-        onward = hn::And(
-            onward, hn::And(hn::Gt(largest, constant(0)), hn::Ge(largest, constant(limits.minContribution))));
-        Bits bounces = hn::Zero(du);
-        if (paths != nullptr) bounces = hn::LoadU(du, paths->bounces + i);
-        const auto depth = hn::BitCast(di, hn::And(bounces, hn::Set(du, 0xFFFFU)));
-        const auto shallow = hn::Lt(depth, hn::Set(di, static_cast<std::int32_t>(limits.maxDepth)));
-        onward = hn::And(onward, hn::MaskFromVec(hn::BitCast(d, hn::VecFromMask(di, shallow))));
-        if (hn::AllFalse(d, onward)) continue;
+    for (std::size_t i = 0; i < s.size(); i += lanes()) {
+        Mask onward = hasTrait(load(s.traits + i), traits::kOnward);
+        if (none(onward)) continue;
+        const Float3 weight = loadAt(s.onward, i);
+        const Float largest = maxComponent(weight);
+        onward = onward & ((largest > 0.0F) & (largest >= limits.minContribution));
+        Uint bounces = 0U;
+        if (paths != nullptr) bounces = load(paths->bounces + i);
+        onward = onward & (toInt(bounces & 0xFFFFU) < static_cast<std::int32_t>(limits.maxDepth));
+        if (none(onward)) continue;
 
-        const Vectors normal = loadAt(s.geometricNormal, i);
-        const Vectors origin = loadAt(s.position, i) + normal * hn::LoadU(d, s.clearance + i);
-        storeSome(origin, onward, rays.origin, count);
-        storeSome(mirrorDirections(loadAt(s.toViewer, i), loadAt(s.shadingNormal, i), normal, onward), onward,
-                  rays.direction, count);
-        storeSome(weight, onward, queue.weight, count);
-        Bits sample = hn::Add(lane, hn::Set(du, static_cast<std::uint32_t>(i)));
-        Vectors extinction = constant(0, 0, 0);
+        const Compressor some(onward);
+        const Float3 normal = loadAt(s.geometricNormal, i);
+        const Float3 mirrored =
+            mirrorDirection<Float>(loadAt(s.toViewer, i), loadAt(s.shadingNormal, i), normal);
+        storeAt(loadAt(s.position, i) + normal * load(s.clearance + i), some, rays.origin, count);
+        storeAt(normalize(mirrored, onward), some, rays.direction, count);
+        storeAt(weight, some, queue.weight, count);
+        Uint sample = iota(i);
+        Float3 extinction{};
         if (paths != nullptr) {
-            sample = hn::LoadU(du, paths->sample + i);
+            sample = load(paths->sample + i);
             extinction = loadAt(paths->extinction, i);
         }
-        storeSome(sample, onward, queue.sample + count);
-        storeSome(hn::Add(bounces, hn::Set(du, 1U)), onward, queue.bounces + count);
-        storeSome(extinction, onward, queue.extinction, count);
-        count += hn::CountTrue(d, onward);
+        some.store(sample, queue.sample + count);
+        some.store(bounces + 1U, queue.bounces + count);
+        storeAt(extinction, some, queue.extinction, count);
+        count += some.count();
     }
     return count;
 }

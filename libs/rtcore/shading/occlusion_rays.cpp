@@ -1,12 +1,10 @@
 #include "rtcore/shading/occlusion_rays.h"
 
-#include "rtcore/platform/vector_targets.h"
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/shading/occlusion_rays.cpp"
-#include <hwy/foreach_target.h>
-// The loop over targets comes before the code that is compiled for each of them.
-#include "rtcore/shading/vector_math-inl.h"
+#include "rtcore/simd/foreach_target.h"
+
+#include "rtcore/math/float3-inl.h"
 
 #ifndef RTCORE_SHADING_OCCLUSION_RAYS_TYPES
 #define RTCORE_SHADING_OCCLUSION_RAYS_TYPES
@@ -23,67 +21,52 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-HWY_INLINE Vectors loadAt(const ArraysOf3& from, std::size_t i) {
-    return loadVectors(from.x + i, from.y + i, from.z + i);
-}
-
-/// Of the vector at `i`. `u` is not shifted yet.
-HWY_INLINE void aimVector(const OcclusionFrames& f, std::size_t i, Floats u, Floats cosine, Floats sine,
+/// Of the points from `i` on. `u` is not shifted yet.
+HWY_INLINE void aimVector(const OcclusionFrames& f, std::size_t i, Float u, Float cosine, Float sine,
                           const OcclusionTargets& to) {
-    const FloatTag d;
-    const Floats one = constant(1);
-    u = smaller(hn::Add(u, hn::LoadU(d, f.shift + i)), one); // rounded, the last ring may end above 1
-    const Floats across = hn::Sqrt(u);
-    const Floats along = hn::Sqrt(hn::Sub(one, u));
-    Vectors direction = loadAt(f.tangent, i) * hn::Mul(across, cosine) +
-                        loadAt(f.bitangent, i) * hn::Mul(across, sine) + loadAt(f.normal, i) * along;
-    const Vectors side = loadAt(f.side, i);
-    const Floats height = dot(direction, side);
-    const Vectors mirrored = direction - side * hn::Mul(constant(2), height);
-    direction = select(hn::Lt(height, hn::Zero(d)), mirrored, direction);
-    const Vectors origin = loadAt(f.origin, i);
-    storeVectors(origin, to.origin.x + i, to.origin.y + i, to.origin.z + i);
-    storeVectors(direction, to.direction.x + i, to.direction.y + i, to.direction.z + i);
+    u = min(u + load(f.shift + i), 1.0F); // rounded, the last ring may end above 1
+    const Float across = sqrt(u);
+    const Float along = sqrt(1.0F - u);
+    const Float3 direction = loadAt(f.tangent, i) * (across * cosine) +
+                             loadAt(f.bitangent, i) * (across * sine) + loadAt(f.normal, i) * along;
+    const Float3 side = loadAt(f.side, i);
+    const Float height = dot(direction, side);
+    storeAt(loadAt(f.origin, i), to.origin, i);
+    storeAt(select(height < 0.0F, direction - side * (2.0F * height), direction), to.direction, i);
 }
 
 void aimAllAlike(const OcclusionFrames& f, HemispherePoint direction, const OcclusionTargets& to) {
-    const Floats u = constant(direction.u);
-    const Floats cosine = constant(direction.cosine);
-    const Floats sine = constant(direction.sine);
-    for (std::size_t i = 0; i < f.count; i += hn::Lanes(FloatTag())) aimVector(f, i, u, cosine, sine, to);
+    for (std::size_t i = 0; i < f.count; i += lanes())
+        aimVector(f, i, direction.u, direction.cosine, direction.sine, to);
 }
 
 void aimAllApart(const OcclusionFrames& f, const HemispherePoint* directions, const OcclusionTargets& to) {
-    const FloatTag d;
-    constexpr std::size_t kMost = hn::MaxLanes(FloatTag());
-    HWY_ALIGN float u[kMost] = {}, cosine[kMost] = {}, sine[kMost] = {};
-    for (std::size_t i = 0; i < f.count; i += hn::Lanes(d)) {
-        for (std::size_t lane = 0; lane < hn::Lanes(d) && i + lane < f.count; ++lane) {
+    HWY_ALIGN float u[kLanes] = {}, cosine[kLanes] = {}, sine[kLanes] = {};
+    for (std::size_t i = 0; i < f.count; i += lanes()) {
+        for (std::size_t lane = 0; lane < lanes() && i + lane < f.count; ++lane) {
             u[lane] = directions[i + lane].u;
             cosine[lane] = directions[i + lane].cosine;
             sine[lane] = directions[i + lane].sine;
         }
-        aimVector(f, i, hn::Load(d, u), hn::Load(d, cosine), hn::Load(d, sine), to);
+        aimVector(f, i, load(u), load(cosine), load(sine), to);
     }
+}
+
+/// What of the light comes past a hit at `t`, over `distance`.
+template <typename F>
+HWY_INLINE F passing(F t, float distance) {
+    return min(t / distance, F(1));
 }
 
 /// The last vector may be cut off: `hits` ends with the rays.
 void addAllVisible(const OcclusionFrames& f, const float* t, const std::uint32_t* triangle, float distance) {
-    const FloatTag d;
-    const BitsTag du;
-    const std::size_t whole = f.count / hn::Lanes(d) * hn::Lanes(d);
-    const Floats one = constant(1);
-    for (std::size_t i = 0; i < whole; i += hn::Lanes(d)) {
-        const auto missed = hn::Eq(hn::LoadU(du, triangle + i), hn::Set(du, kNoTriangle));
-        const Lanes free = hn::MaskFromVec(hn::BitCast(d, hn::VecFromMask(du, missed)));
-        const Floats passing = smaller(hn::Div(hn::LoadU(d, t + i), constant(distance)), one);
-        const Floats sum = hn::Add(hn::LoadU(d, f.visible + i), hn::IfThenElse(free, one, passing));
-        hn::StoreU(sum, d, f.visible + i);
+    const std::size_t whole = f.count / lanes() * lanes();
+    for (std::size_t i = 0; i < whole; i += lanes()) {
+        const Mask free = load(triangle + i) == kNoTriangle;
+        store(load(f.visible + i) + select(free, 1.0F, passing(load(t + i), distance)), f.visible + i);
     }
-    for (std::size_t i = whole; i < f.count; ++i) {
-        const float passing = t[i] / distance;
-        f.visible[i] += triangle[i] == kNoTriangle || passing > 1 ? 1 : passing;
-    }
+    for (std::size_t i = whole; i < f.count; ++i)
+        f.visible[i] += triangle[i] == kNoTriangle ? 1 : passing(t[i], distance);
 }
 
 } // namespace HWY_NAMESPACE

@@ -1,7 +1,7 @@
 #include "rtcore/shading/occlusion_wave.h"
 
+#include "rtcore/math/constants.h"
 #include "rtcore/sampling/even_shift.h"
-#include "rtcore/shading/phong.h"
 #include "rtcore/shading/surface.h"
 
 #include <algorithm>

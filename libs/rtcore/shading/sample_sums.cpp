@@ -1,12 +1,10 @@
 #include "rtcore/shading/sample_sums.h"
 
-#include "rtcore/platform/vector_targets.h"
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/shading/sample_sums.cpp"
-#include <hwy/foreach_target.h>
-// The loop over targets comes before the code that is compiled for each of them.
-#include "rtcore/shading/vector_materials-inl.h"
+#include "rtcore/simd/foreach_target.h"
+
+#include "rtcore/shading/material_rows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rtcore {
@@ -14,39 +12,28 @@ namespace HWY_NAMESPACE {
 
 void startAll(Colour background, const SurfaceWave& s, const ArraysOf3& radiance,
               std::uint8_t* HWY_RESTRICT hit) {
-    const FloatTag d;
-    const BitsTag du;
     const hn::Rebind<std::uint8_t, FloatTag> d8;
-    const Vectors missed = constant(background.r, background.g, background.b);
-    const Vectors one = constant(1, 1, 1);
-    for (std::size_t i = 0; i < s.size(); i += hn::Lanes(d)) {
-        const Bits point = hn::And(hn::LoadU(du, s.traits + i), hn::Set(du, traits::kPoint));
-        hn::StoreU(hn::U8FromU32(point), d8, hit + i);
-        const Vectors first = selectOrZero(hn::Not(hasTrait(point, traits::kPoint)), missed);
-        storeVectors(first, radiance.x + i, radiance.y + i, radiance.z + i);
-        storeVectors(one, s.share.x + i, s.share.y + i, s.share.z + i);
+    const Float3 missed = broadcast(background);
+    for (std::size_t i = 0; i < s.size(); i += lanes()) {
+        const Uint point = load(s.traits + i) & traits::kPoint;
+        hn::StoreU(hn::U8FromU32(point.raw), d8, hit + i);
+        storeAt(selectOrZero(!hasTrait(point, traits::kPoint), missed), radiance, i);
+        storeAt(broadcast(kWhite), s.share, i);
     }
 }
 
 void glowAll(const MaterialRow* rows, const SurfaceWave& s, const ArraysOf3& glow) {
-    const FloatTag d;
-    for (std::size_t i = 0; i < s.size(); i += hn::Lanes(d)) {
-        const Lanes used = hasTrait(hn::LoadU(BitsTag(), s.traits + i), traits::kPoint);
-        if (hn::AllFalse(d, used)) continue;
-        const Vectors own = Rows(rows, s.material + i, used).get(&MaterialRow::glow);
-        const Vectors share = loadVectors(s.share.x + i, s.share.y + i, s.share.z + i);
-        const Vectors old = loadVectors(glow.x + i, glow.y + i, glow.z + i);
-        storeVectors(select(used, share * own, old), glow.x + i, glow.y + i, glow.z + i);
+    for (std::size_t i = 0; i < s.size(); i += lanes()) {
+        const Mask used = hasTrait(load(s.traits + i), traits::kPoint);
+        if (none(used)) continue;
+        const Float3 own = Rows(rows, s.material + i, used).get(&MaterialRow::glow);
+        storeAt(select(used, loadAt(s.share, i) * own, loadAt(glow, i)), glow, i);
     }
 }
 
 void addAll(const SurfaceWave& s, const ArraysOf3& radiance) {
-    const FloatTag d;
-    for (std::size_t i = 0; i < s.size(); i += hn::Lanes(d)) {
-        const Vectors sum = loadVectors(radiance.x + i, radiance.y + i, radiance.z + i) +
-                            loadVectors(s.added.x + i, s.added.y + i, s.added.z + i);
-        storeVectors(sum, radiance.x + i, radiance.y + i, radiance.z + i);
-    }
+    for (std::size_t i = 0; i < s.size(); i += lanes())
+        storeAt(loadAt(radiance, i) + loadAt(s.added, i), radiance, i);
 }
 
 } // namespace HWY_NAMESPACE

@@ -1,6 +1,6 @@
 #include "rtcore/shading/shadows.h"
 
-#include "rtcore/shading/fresnel.h"
+#include "rtcore/scattering/fresnel.h"
 #include "rtcore/shading/medium.h"
 #include "rtcore/shading/surface.h"
 

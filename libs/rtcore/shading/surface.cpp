@@ -1,6 +1,6 @@
 #include "rtcore/shading/surface.h"
 
-#include "rtcore/math/ray_offset.h"
+#include "rtcore/math/triangle-inl.h"
 #include "rtcore/shading/normal_map.h"
 #include "rtcore/shading/texture_lookup.h"
 
@@ -10,6 +10,8 @@
 namespace rtcore {
 
 namespace {
+
+namespace plain = HWY_NAMESPACE;
 
 /// An attribute of the corners at the hit.
 template <typename Value>
@@ -27,13 +29,6 @@ Vec2 texcoordAt(const Mesh& mesh, const ShadingTriangle& triangle, const Hit& hi
     const Vec2& c = mesh.texcoords[triangle.v[2]];
     const float w = 1 - hit.u - hit.v;
     return {a.x * w + b.x * hit.u + c.x * hit.v, a.y * w + b.y * hit.u + c.y * hit.v};
-}
-
-/// The corners' normals tell which side is the front more truly than the order of the corners only where they
-/// are well behind the face on the whole (kNormalsBehind).
-bool normalsAreBehind(const Mesh& mesh, const ShadingTriangle& triangle, Vec3 front) {
-    const Vec3 sum = mesh.normals[triangle.v[0]] + mesh.normals[triangle.v[1]] + mesh.normals[triangle.v[2]];
-    return dot(sum, front) < kNormalsBehind;
 }
 
 float coverageOf(const Scene& scene, const Material& material, Vec2 uv) {
@@ -59,16 +54,17 @@ Surface surfaceAt(const Scene& scene, bool textures, Vec3 direction, const Hit& 
     s.material = &material;
     // From the corners, not along the ray: the error then is that of the triangle's size, not of the ray's
     // length.
-    const Vec3 a = mesh.position(hit.triangle, 0);
-    const Vec3 b = mesh.position(hit.triangle, 1);
-    const Vec3 c = mesh.position(hit.triangle, 2);
-    s.position = a * (1 - hit.u - hit.v) + b * hit.u + c * hit.v;
+    const plain::Corners<float> positions{mesh.position(hit.triangle, 0), mesh.position(hit.triangle, 1),
+                                          mesh.position(hit.triangle, 2)};
+    const plain::Corners<float> normals{mesh.normals[shading.v[0]], mesh.normals[shading.v[1]],
+                                        mesh.normals[shading.v[2]]};
+    s.position = plain::interpolate(positions, hit.u, hit.v);
     s.toViewer = -direction;
-    s.geometricNormal = normalize(mesh.geometricNormal(hit.triangle));
-    s.shadingNormal = normalize(interpolate(mesh.normals, shading, hit));
-    s.clearance = surfaceClearance(a, b, c, s.geometricNormal);
+    s.geometricNormal = normalize(plain::normalOf(positions));
+    s.shadingNormal = normalize(plain::interpolate(normals, hit.u, hit.v));
+    s.clearance = plain::surfaceClearance(positions, s.geometricNormal);
     s.fromInside = dot(s.geometricNormal, direction) > 0;
-    const bool behind = normalsAreBehind(mesh, shading, s.geometricNormal);
+    const bool behind = plain::normalsBehind(normals, s.geometricNormal);
     if (s.fromInside) s.geometricNormal = -s.geometricNormal;
     const bool none = s.shadingNormal == Vec3{};
     if (none) s.shadingNormal = s.geometricNormal;

@@ -6,10 +6,6 @@
 
 namespace rtcore {
 
-/// The sum of the cosines between a face and the normals of its corners, below which the normals tell that
-/// the order of the corners is wrong: a third of it is a mean of 14 degrees behind the face.
-inline constexpr float kNormalsBehind = -0.75F;
-
 struct Surface {
     Vec3 position;
     float clearance = 0;  ///< rays that leave start so far off `position`, on the side that they leave to

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <iterator>
 
-#include "rtcore/platform/vector_targets.h"
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/shading/surface_wave.cpp"
-#include <hwy/foreach_target.h>
-// The loop over targets comes before the code that is compiled for each of them.
-#include "rtcore/shading/vector_math-inl.h"
+#include "rtcore/simd/foreach_target.h"
+
+#include "rtcore/math/triangle-inl.h"
 
 #ifndef RTCORE_SHADING_SURFACE_WAVE_TYPES
 #define RTCORE_SHADING_SURFACE_WAVE_TYPES
@@ -37,139 +35,94 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-struct Corners {
-    Vectors a, b, c;
-};
-
-HWY_INLINE Vectors everywhere(const float* HWY_RESTRICT v) { return constant(v[0], v[1], v[2]); }
-
 /// What consecutive rays hit.
 struct Found {
-    Corners position, normal;
-    Vectors diffuse;
-    Bits traits, material;
+    Corners<Float> position, normal;
+    Float3 diffuse;
+    Uint traits, material;
 };
 
 /// The same triangle for all.
 HWY_INLINE Found lookUp(const SurfaceSources& from, std::uint32_t t) {
-    const BitsTag du;
     const Triangle& triangle = from.triangles[t];
     const ShadingTriangle& shading = from.shading[t];
     const MaterialRow& row = from.rows[shading.material];
-    const auto vertex = [&](std::size_t i) { return everywhere(&from.vertices[triangle.v[i]].x); };
-    const auto normal = [&](std::size_t i) { return everywhere(&from.normals[shading.v[i]].x); };
+    const auto vertex = [&](std::size_t i) {
+        const Vertex& v = from.vertices[triangle.v[i]];
+        return broadcast(Vec3{v.x, v.y, v.z});
+    };
+    const auto normal = [&](std::size_t i) { return broadcast(from.normals[shading.v[i]]); };
     return {{vertex(0), vertex(1), vertex(2)},
             {normal(0), normal(1), normal(2)},
-            everywhere(row.diffuse),
-            hn::Set(du, row.traits),
-            hn::Set(du, shading.material)};
+            broadcast(row.diffuse),
+            row.traits,
+            shading.material};
 }
 
-HWY_INLINE Corners select(Lanes lanes, const Corners& a, const Corners& b) {
-    return {select(lanes, a.a, b.a), select(lanes, a.b, b.b), select(lanes, a.c, b.c)};
-}
-HWY_INLINE Bits select(Lanes lanes, Bits a, Bits b) {
-    const FloatTag d;
-    return hn::BitCast(BitsTag(), hn::IfThenElse(lanes, hn::BitCast(d, a), hn::BitCast(d, b)));
-}
-
-HWY_INLINE Lanes lanesOf(decltype(hn::Eq(Bits(), Bits())) mask) {
-    return hn::MaskFromVec(hn::BitCast(FloatTag(), hn::VecFromMask(BitsTag(), mask)));
-}
-
-HWY_INLINE void storeAt(Vectors v, const ArraysOf3& arrays, std::size_t at) {
-    storeVectors(v, arrays.x + at, arrays.y + at, arrays.z + at);
-}
-
-HWY_INLINE Vectors interpolate(const Corners& corners, Floats u, Floats v) {
-    const Floats w = hn::Sub(hn::Sub(constant(1), u), v);
-    return corners.a * w + corners.b * u + corners.c * v;
-}
-
-HWY_INLINE Floats largestOf(Floats a, Floats b, Floats c) {
-    return larger(hn::Abs(a), larger(hn::Abs(b), hn::Abs(c)));
-}
-
-/// surface.h
-HWY_INLINE Lanes normalsBehind(const Corners& normals, Vectors front) {
-    return hn::Lt(dot(normals.a + normals.b + normals.c, front), constant(kNormalsBehind));
-}
-
-/// math/ray_offset.h
-HWY_INLINE Floats clearanceOf(const Corners& p, Vectors normal) {
-    const Vectors extent{largestOf(p.a.x, p.b.x, p.c.x), largestOf(p.a.y, p.b.y, p.c.y),
-                         largestOf(p.a.z, p.b.z, p.c.z)};
-    const Floats across = dot(extent, {hn::Abs(normal.x), hn::Abs(normal.y), hn::Abs(normal.z)});
-    const Floats most = larger(extent.x, larger(extent.y, extent.z));
-    return hn::Mul(hn::Add(hn::Mul(constant(4), across), most), constant(0x1p-20F));
+HWY_INLINE Corners<Float> select(Mask where, const Corners<Float>& a, const Corners<Float>& b) {
+    return {select(where, a.a, b.a), select(where, a.b, b.b), select(where, a.c, b.c)};
 }
 
 /// The surfaces of a block; elements from `first` on of `wave`. Appends the points that are not plain to
 /// `notPlain`, which has room for a vector more, and returns how many.
 std::size_t fillBlock(const SurfaceSources& sources, const BlockRays& rays, std::size_t first,
                       SurfaceWave& wave, std::uint32_t* HWY_RESTRICT notPlain) {
-    const FloatTag d;
-    const BitsTag du;
-    const Floats zero = hn::Zero(d);
-    const Bits lane = hn::Iota(du, 0);
     std::size_t notPlainCount = 0;
     std::uint32_t known = kNoTriangle; // whose normal and clearance these are
-    Vectors front = constant(0, 0, 0);
-    Lanes behind = hn::Lt(zero, zero);
-    Floats clearance = zero;
-    for (std::size_t i = 0; i < kWaveBlock; i += hn::Lanes(d)) {
+    Float3 front{};
+    Mask behind = noLanes();
+    Float clearance = 0.0F;
+    for (std::size_t i = 0; i < kWaveBlock; i += lanes()) {
         const std::size_t at = first + i;
-        const Bits hit = hn::LoadU(du, rays.triangle + i);
-        const Lanes used = lanesOf(hn::Ne(hit, hn::Set(du, kNoTriangle)));
-        if (hn::AllFalse(d, used)) {
-            hn::StoreU(hn::Zero(du), du, wave.traits + at);
+        const Uint hit = load(rays.triangle + i);
+        const Mask used = hit != kNoTriangle;
+        if (none(used)) {
+            store(Uint(0U), wave.traits + at);
             continue;
         }
         // Neighbours hit few triangles: one after another, and each for all of its rays at once.
-        std::uint32_t triangle = rays.triangle[i + static_cast<std::size_t>(hn::FindFirstTrue(d, used))];
+        std::uint32_t triangle = rays.triangle[i + used.first()];
         Found found = lookUp(sources, triangle);
-        Lanes rest = hn::And(used, lanesOf(hn::Ne(hit, hn::Set(du, triangle))));
-        const bool same = hn::AllFalse(d, rest);
-        while (!hn::AllFalse(d, rest)) {
-            triangle = rays.triangle[i + static_cast<std::size_t>(hn::FindFirstTrue(d, rest))];
-            const Lanes these = lanesOf(hn::Eq(hit, hn::Set(du, triangle)));
+        Mask rest = used & (hit != triangle);
+        const bool same = none(rest);
+        while (any(rest)) {
+            triangle = rays.triangle[i + rest.first()];
+            const Mask these = hit == triangle;
             const Found next = lookUp(sources, triangle);
             found = {select(these, next.position, found.position), select(these, next.normal, found.normal),
                      select(these, next.diffuse, found.diffuse), select(these, next.traits, found.traits),
                      select(these, next.material, found.material)};
-            rest = hn::AndNot(these, rest);
+            rest = without(rest, these);
         }
-        const Bits traits = select(used, found.traits, hn::Zero(du));
-        hn::StoreU(traits, du, wave.traits + at);
-        hn::StoreU(found.material, du, wave.material + at);
+        const Uint traits = selectOrZero(used, found.traits);
+        store(traits, wave.traits + at);
+        store(found.material, wave.material + at);
         storeAt(found.diffuse, wave.diffuse, at);
-        const Lanes special = lanesOf(hn::Ne(hn::And(traits, hn::Set(du, traits::kNotPlain)), hn::Zero(du)));
-        if (!hn::AllFalse(d, special)) {
-            const Bits index = hn::Add(lane, hn::Set(du, static_cast<std::uint32_t>(at)));
-            const Floats some = hn::Compress(hn::BitCast(d, index), special);
-            hn::StoreU(hn::BitCast(du, some), du, notPlain + notPlainCount);
-            notPlainCount += hn::CountTrue(d, special);
+        const Mask special = (traits & traits::kNotPlain) != 0U;
+        if (any(special)) {
+            const Compressor some(special);
+            some.store(iota(at), notPlain + notPlainCount);
+            notPlainCount += some.count();
         }
 
-        const Floats u = hn::LoadU(d, rays.u + i);
-        const Floats v = hn::LoadU(d, rays.v + i);
-        const Corners& p = found.position;
-        storeAt(interpolate(p, u, v), wave.position, at);
+        const Float u = load(rays.u + i);
+        const Float v = load(rays.v + i);
+        storeAt(interpolate<Float>(found.position, u, v), wave.position, at);
         if (!same || triangle != known) {
-            front = normalize(cross(p.b - p.a, p.c - p.a), used);
-            behind = normalsBehind(found.normal, front);
-            clearance = clearanceOf(p, front);
+            front = normalize(normalOf(found.position), used);
+            behind = normalsBehind<Float>(found.normal, front);
+            clearance = surfaceClearance<Float>(found.position, front);
             known = same ? triangle : kNoTriangle;
         }
-        hn::StoreU(clearance, d, wave.clearance + at);
-        const Vectors direction = loadVectors(rays.dx + i, rays.dy + i, rays.dz + i);
-        const Lanes inside = hn::Gt(dot(front, direction), zero);
-        const Vectors geometric = negateWhere(inside, front);
+        store(clearance, wave.clearance + at);
+        const Float3 direction = load(rays.dx + i, rays.dy + i, rays.dz + i);
+        const Mask inside = dot(front, direction) > 0.0F;
+        const Float3 geometric = select(inside, -front, front);
         storeAt(geometric, wave.geometricNormal, at);
-        storeAt({hn::Neg(direction.x), hn::Neg(direction.y), hn::Neg(direction.z)}, wave.toViewer, at);
+        storeAt(-direction, wave.toViewer, at);
 
-        const Vectors normal = normalize(interpolate(found.normal, u, v), used);
-        const Vectors shading = negateWhere(hn::Xor(inside, behind), normal);
+        const Float3 normal = normalize(interpolate<Float>(found.normal, u, v), used);
+        const Float3 shading = select(inside ^ behind, -normal, normal);
         storeAt(select(isZero(normal), geometric, shading), wave.shadingNormal, at);
     }
     return notPlainCount;

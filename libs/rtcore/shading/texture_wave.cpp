@@ -2,13 +2,11 @@
 
 #include "rtcore/shading/texture_lookup.h"
 
-#include "rtcore/platform/vector_targets.h"
-
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/shading/texture_wave.cpp"
-#include <hwy/foreach_target.h>
-// The loop over targets comes before the code that is compiled for each of them.
-#include "rtcore/shading/vector_math-inl.h"
+#include "rtcore/simd/foreach_target.h"
+
+#include "rtcore/simd/wide-inl.h"
 
 #ifndef RTCORE_SHADING_TEXTURE_WAVE_TYPES
 #define RTCORE_SHADING_TEXTURE_WAVE_TYPES
@@ -35,75 +33,60 @@ namespace rtcore {
 namespace HWY_NAMESPACE {
 
 struct Taps {
-    Bits first, second;
-    Floats share;
+    Uint first, second;
+    Float share;
 };
 
-HWY_INLINE Floats fractionOf(Floats x) { return hn::Sub(x, hn::Floor(x)); }
+HWY_INLINE Float fractionOf(Float x) { return x - floor(x); }
 
 /// The lanes that wrap so.
-HWY_INLINE Lanes wrapAs(Bits wrap, TextureWrap kind) {
-    const Bits wanted = hn::Set(BitsTag(), static_cast<std::uint32_t>(kind));
-    return hn::MaskFromVec(hn::BitCast(FloatTag(), hn::VecFromMask(BitsTag(), hn::Eq(wrap, wanted))));
-}
+HWY_INLINE Mask wrapAs(Uint wrap, TextureWrap kind) { return wrap == static_cast<std::uint32_t>(kind); }
 
 /// tapAt() of texture_lookup.cpp; `repeats`: all do, whatever `wrap` says.
 template <bool repeats>
-HWY_INLINE Taps tapsAt(Floats coordinate, Bits size, Bits wrap) {
-    const FloatTag d;
-    const BitsTag du;
-    const hn::RebindToSigned<FloatTag> di;
-    const auto n = hn::BitCast(di, size);
-    Floats inside = fractionOf(coordinate);
-    Lanes atEdge = hn::Lt(constant(1), constant(0)); // of the lanes that do not repeat
+HWY_INLINE Taps tapsAt(Float coordinate, Uint size, Uint wrap) {
+    const Int n = toInt(size);
+    Float inside = fractionOf(coordinate);
+    Mask atEdge = noLanes(); // of the lanes that do not repeat
     if constexpr (!repeats) {
-        const Lanes clamps = wrapAs(wrap, TextureWrap::ClampToEdge);
-        const Lanes mirrors = wrapAs(wrap, TextureWrap::MirroredRepeat);
-        const Floats pair = hn::Mul(constant(2), fractionOf(hn::Mul(coordinate, constant(0.5F))));
-        const Floats there = hn::Sub(constant(1), hn::Abs(hn::Sub(constant(1), pair)));
-        inside = hn::IfThenElse(clamps, smaller(larger(coordinate, constant(0)), constant(1)), inside);
-        inside = hn::IfThenElse(mirrors, there, inside);
-        atEdge = hn::Or(clamps, mirrors);
+        const Mask clamps = wrapAs(wrap, TextureWrap::ClampToEdge);
+        const Mask mirrors = wrapAs(wrap, TextureWrap::MirroredRepeat);
+        const Float pair = 2.0F * fractionOf(coordinate * 0.5F);
+        inside = select(clamps, clamp(coordinate, 0.0F, 1.0F), inside);
+        inside = select(mirrors, 1.0F - abs(1.0F - pair), inside);
+        atEdge = clamps | mirrors;
     }
-    const Lanes finite = hn::And(hn::Ge(inside, constant(0)), hn::Le(inside, constant(1)));
-    const Floats x =
-        hn::Sub(hn::Mul(hn::IfThenElseZero(finite, inside), hn::ConvertTo(d, n)), constant(0.5F));
-    const Floats whole = hn::Floor(x);
-    const auto base = hn::ConvertTo(di, whole);
-    const auto kept = hn::RebindMask(di, atEdge);
-    const auto texel = [&](auto i) {
-        const auto below = hn::IfThenElse(kept, hn::Zero(di), hn::Add(i, n));
-        const auto above = hn::IfThenElse(kept, hn::Sub(n, hn::Set(di, 1)), hn::Sub(i, n));
-        const auto fromBelow = hn::IfThenElse(hn::Lt(i, hn::Zero(di)), below, i);
-        const auto there = hn::IfThenElse(hn::Lt(i, n), fromBelow, above);
-        return hn::BitCast(du, hn::IfThenElseZero(hn::RebindMask(di, finite), there));
+    const Mask finite = (inside >= 0.0F) & (inside <= 1.0F);
+    const Float x = selectOrZero(finite, inside) * toFloat(n) - 0.5F;
+    const Float whole = floor(x);
+    const Int base = truncate(whole);
+    const auto texel = [&](Int i) {
+        const Int below = select(atEdge, 0, i + n), above = select(atEdge, n - 1, i - n);
+        return toUint(selectOrZero(finite, select(i < n, select(i < 0, below, i), above)));
     };
-    return {texel(base), texel(hn::Add(base, hn::Set(di, 1))), hn::IfThenElseZero(finite, hn::Sub(x, whole))};
+    return {texel(base), texel(base + 1), selectOrZero(finite, x - whole)};
 }
 
 template <bool repeats>
 HWY_INLINE void findTexelsOf(TextureBlock& block) {
-    const FloatTag d;
-    const BitsTag du;
-    for (std::size_t i = 0; i < kWaveBlock; i += hn::Lanes(d)) {
-        const Floats u = hn::Load(d, block.u + i), v = hn::Load(d, block.v + i);
-        const Floats w = hn::Sub(hn::Sub(constant(1), u), v);
+    for (std::size_t i = 0; i < kWaveBlock; i += lanes()) {
+        const Float u = load(block.u + i), v = load(block.v + i);
+        const Float w = 1.0F - u - v;
         const auto coordinate = [&](std::size_t axis) {
-            return hn::Add(hn::Add(hn::Mul(hn::Load(d, block.corner[0][axis] + i), w),
-                                   hn::Mul(hn::Load(d, block.corner[1][axis] + i), u)),
-                           hn::Mul(hn::Load(d, block.corner[2][axis] + i), v));
+            return load(block.corner[0][axis] + i) * w + load(block.corner[1][axis] + i) * u +
+                   load(block.corner[2][axis] + i) * v;
         };
-        const Bits width = hn::Load(du, block.size[0] + i);
-        const Taps x = tapsAt<repeats>(coordinate(0), width, hn::Load(du, block.wrap[0] + i));
-        const Taps y = tapsAt<repeats>(hn::Sub(constant(1), coordinate(1)), hn::Load(du, block.size[1] + i),
-                                       hn::Load(du, block.wrap[1] + i));
-        const Bits upper = hn::Mul(y.first, width), lower = hn::Mul(y.second, width);
-        hn::Store(hn::Add(upper, x.first), du, block.texel[0] + i);
-        hn::Store(hn::Add(upper, x.second), du, block.texel[1] + i);
-        hn::Store(hn::Add(lower, x.first), du, block.texel[2] + i);
-        hn::Store(hn::Add(lower, x.second), du, block.texel[3] + i);
-        hn::Store(x.share, d, block.share[0] + i);
-        hn::Store(y.share, d, block.share[1] + i);
+        const Uint width = load(block.size[0] + i);
+        const Taps x = tapsAt<repeats>(coordinate(0), width, load(block.wrap[0] + i));
+        const Taps y =
+            tapsAt<repeats>(1.0F - coordinate(1), load(block.size[1] + i), load(block.wrap[1] + i));
+        const Uint upper = y.first * width, lower = y.second * width;
+        store(upper + x.first, block.texel[0] + i);
+        store(upper + x.second, block.texel[1] + i);
+        store(lower + x.first, block.texel[2] + i);
+        store(lower + x.second, block.texel[3] + i);
+        store(x.share, block.share[0] + i);
+        store(y.share, block.share[1] + i);
     }
 }
 
@@ -112,16 +95,13 @@ void findTexels(TextureBlock& block) {
 }
 
 void mixTexels(TextureBlock& block) {
-    const FloatTag d;
-    const auto mix = [](Floats a, Floats b, Floats share) {
-        return hn::Add(a, hn::Mul(hn::Sub(b, a), share));
-    };
-    for (std::size_t i = 0; i < kWaveBlock; i += hn::Lanes(d)) {
-        const Floats x = hn::Load(d, block.share[0] + i), y = hn::Load(d, block.share[1] + i);
+    const auto mix = [](Float a, Float b, Float share) { return a + (b - a) * share; };
+    for (std::size_t i = 0; i < kWaveBlock; i += lanes()) {
+        const Float x = load(block.share[0] + i), y = load(block.share[1] + i);
         for (std::size_t c = 0; c < 3; ++c) {
-            const auto light = [&](std::size_t texel) { return hn::Load(d, block.light[texel][c] + i); };
-            const Floats seen = mix(mix(light(0), light(1), x), mix(light(2), light(3), x), y);
-            hn::Store(hn::Mul(hn::Load(d, block.albedo[c] + i), seen), d, block.albedo[c] + i);
+            const auto light = [&](std::size_t texel) { return load(block.light[texel][c] + i); };
+            const Float seen = mix(mix(light(0), light(1), x), mix(light(2), light(3), x), y);
+            store(load(block.albedo[c] + i) * seen, block.albedo[c] + i);
         }
     }
 }

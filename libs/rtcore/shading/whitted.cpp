@@ -1,8 +1,9 @@
 #include "rtcore/shading/whitted.h"
 
+#include "rtcore/math/constants.h"
+#include "rtcore/scattering/fresnel.h"
 #include "rtcore/shading/medium.h"
 #include "rtcore/shading/mirror_wave.h"
-#include "rtcore/shading/phong.h"
 #include "rtcore/shading/sample_sums.h"
 #include "rtcore/shading/texture_wave.h"
 

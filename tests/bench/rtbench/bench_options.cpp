@@ -3,8 +3,8 @@
 #include "common/import_options.h"
 #include "common/isa_option.h"
 
-#include "rtcore/platform/instruction_set.h"
 #include "rtcore/settings/nearest_name.h"
+#include "rtcore/simd/instruction_set.h"
 
 #include <algorithm>
 #include <string>

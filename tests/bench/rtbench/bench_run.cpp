@@ -16,7 +16,7 @@
 
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
-#include "rtcore/platform/instruction_set.h"
+#include "rtcore/simd/instruction_set.h"
 
 #include <algorithm>
 #include <atomic>

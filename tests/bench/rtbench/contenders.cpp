@@ -1,6 +1,6 @@
 #include "bench/rtbench/contenders.h"
 
-#include "rtcore/platform/instruction_set.h"
+#include "rtcore/simd/instruction_set.h"
 
 #ifdef RT_EMBREE
 #include "support/embree_tracer.h"

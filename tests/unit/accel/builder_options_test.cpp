@@ -2,7 +2,7 @@
 #include "rtcore/accel/fast_builder.h"
 #include "rtcore/accel/statistics.h"
 #include "rtcore/accel/validation.h"
-#include "rtcore/platform/instruction_set.h"
+#include "rtcore/simd/instruction_set.h"
 #include "support/sample_meshes.h"
 
 #include <gtest/gtest.h>

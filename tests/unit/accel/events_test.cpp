@@ -1,7 +1,7 @@
 #include "rtcore/accel/events.h"
 
 #include "rtcore/accel/event_sort.h"
-#include "rtcore/platform/instruction_set.h"
+#include "rtcore/simd/instruction_set.h"
 #include "support/random_numbers.h"
 #include "support/sample_meshes.h"
 

@@ -3,7 +3,7 @@
 
 #include "kernel_support.h"
 
-#include "rtcore/math/ray_offset.h"
+#include "rtcore/math/triangle.h"
 
 #include <algorithm>
 #include <vector>

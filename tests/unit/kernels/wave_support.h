@@ -4,7 +4,7 @@
 #include "kernel_support.h"
 
 #include "rtcore/kernels/ray_tracer.h"
-#include "rtcore/platform/instruction_set.h"
+#include "rtcore/simd/instruction_set.h"
 
 #include <gtest/gtest.h>
 

@@ -60,8 +60,8 @@ TEST(BasisAround, IsOrthonormalAndRightHanded) {
 }
 
 TEST(Vec, ProductsAndIndices) {
-    EXPECT_EQ(cross({1, 0, 0}, {0, 1, 0}), (Vec3{0, 0, 1}));
-    EXPECT_EQ(dot({1, 2, 3}, {4, 5, 6}), 32);
+    EXPECT_EQ(cross(Vec3{1, 0, 0}, {0, 1, 0}), (Vec3{0, 0, 1}));
+    EXPECT_EQ(dot(Vec3{1, 2, 3}, {4, 5, 6}), 32);
     Vec3 v{1, 2, 3};
     v[1] = 7;
     EXPECT_EQ(v[0] + v[1] + v[2], 11);

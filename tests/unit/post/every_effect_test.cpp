@@ -1,7 +1,7 @@
 // All effects at once: the picture is the same for every number of threads, in every frame, on every
 // instruction set.
-#include "rtcore/platform/instruction_set.h"
 #include "rtcore/post/develop.h"
+#include "rtcore/simd/instruction_set.h"
 #include "unit/render/sample_view.h"
 
 #include <gtest/gtest.h>

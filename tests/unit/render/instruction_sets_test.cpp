@@ -1,12 +1,11 @@
 // Every instruction set that this processor has gives the same bits.
-#include "rtcore/platform/instruction_set.h"
 #include "rtcore/post/develop.h"
-#include "rtcore/post/quantise.h"
-#include "rtcore/post/tone_map.h"
 #include "rtcore/render/camera_rays.h"
 #include "rtcore/sampling/sample_id.h"
+#include "rtcore/simd/instruction_set.h"
 
 #include "sample_view.h"
+#include "support/srgb_code.h"
 
 #include <gtest/gtest.h>
 
@@ -90,18 +89,25 @@ TEST_F(InstructionSets, GiveTheSameDirections) {
     }
 }
 
+namespace formulas = HWY_NAMESPACE;
+
 LdrImage developedOneByOne(const Frame& frame, const RenderSettings& settings, float exposure) {
     const SrgbCurve curve;
     LdrImage image(frame.radiance.width, frame.radiance.height);
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
             const Colour c = frame.radiance.at(x, y);
-            const Colour shown = settings.toneMapping == ToneMapping::Luminance
-                                     ? toneMapLuminance(c, exposure)
-                                     : toneMapChannels(c, exposure);
-            const float t = settings.dithering ? ditherThreshold(x, y) : 0.5F;
-            image.at(x, y) = {quantise(curve.code(shown.r), t), quantise(curve.code(shown.g), t),
-                              quantise(curve.code(shown.b), t), 255};
+            const Vec3 seen{c.r, c.g, c.b};
+            const Vec3 shown = settings.toneMapping == ToneMapping::Luminance
+                                   ? formulas::toneMapLuminance<float>(seen, exposure)
+                                   : formulas::toneMapChannels<float>(seen, exposure);
+            const float threshold =
+                settings.dithering ? formulas::ditherThreshold(static_cast<float>(x), static_cast<float>(y))
+                                   : 0.5F;
+            const auto code = [&](float light) {
+                return static_cast<std::uint8_t>(formulas::quantise(test::srgbCode(curve, light), threshold));
+            };
+            image.at(x, y) = {code(shown.x), code(shown.y), code(shown.z), 255};
         }
     }
     return image;

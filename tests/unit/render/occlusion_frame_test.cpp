@@ -1,5 +1,5 @@
 // Ambient occlusion in whole pictures: the same bits whoever renders them, and little error.
-#include "rtcore/platform/instruction_set.h"
+#include "rtcore/simd/instruction_set.h"
 
 #include "sample_view.h"
 #include "support/occlusion_quality.h"

@@ -1,7 +1,7 @@
 // What patterns, lenses and the choice of samples have in common: the same picture in any order of work.
-#include "rtcore/platform/instruction_set.h"
 #include "rtcore/render/refinement.h"
 #include "rtcore/render/sample_choice.h"
+#include "rtcore/simd/instruction_set.h"
 
 #include "sample_view.h"
 

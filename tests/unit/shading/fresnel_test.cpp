@@ -1,4 +1,5 @@
-#include "rtcore/shading/fresnel.h"
+#include "rtcore/scattering/fresnel-inl.h"
+#include "rtcore/scattering/fresnel.h"
 
 #include "support/steps.h"
 
@@ -14,7 +15,9 @@ constexpr double kRadians = kPi / 180;
 
 float cosineOf(double degrees) { return static_cast<float>(std::cos(degrees * kRadians)); }
 float glassAt(double degrees) { return fresnelDielectric(cosineOf(degrees), 1.5F); }
-float schlickAt(double degrees) { return fresnelSchlick({0.04F, 0.04F, 0.04F}, cosineOf(degrees)).r; }
+float schlickAt(double degrees) {
+    return HWY_NAMESPACE::fresnelSchlick<float>({0.04F, 0.04F, 0.04F}, cosineOf(degrees)).x;
+}
 
 /// Reflectance of light that comes evenly from everywhere: 2 integral F(c) c dc.
 double cosineAverage(float eta) {
@@ -68,7 +71,7 @@ TEST(FresnelSchlick, KnownValueAndLimits) {
     EXPECT_NEAR(schlickAt(60), 0.07, 1e-6);
     EXPECT_NEAR(schlickAt(0), 0.04, 1e-7);
     EXPECT_NEAR(schlickAt(90), 1, 1e-6);
-    EXPECT_EQ(fresnelSchlick({1, 0.5F, 0}, 1), (Colour{1, 0.5F, 0}));
+    EXPECT_EQ(HWY_NAMESPACE::fresnelSchlick<float>({1, 0.5F, 0}, 1), (Vec3{1, 0.5F, 0}));
 }
 
 TEST(FresnelSchlick, DiffersFromTheExactCurveAsKnown) {
@@ -96,10 +99,17 @@ TEST(ThinWall, SumsAllReflectionsBetweenItsTwoFaces) {
     }
 }
 
-TEST(Reflect, MirrorsAtTheNormal) {
-    const Vec3 d = normalize({1, -2, 3});
-    const Vec3 r = reflect(d, {0, 1, 0});
-    EXPECT_NEAR(length(r - Vec3{d.x, -d.y, d.z}), 0, 1e-7);
+TEST(MirrorDirection, MirrorsAtTheNormal) {
+    const Vec3 d = normalize({1, 2, 3});
+    const Vec3 r = HWY_NAMESPACE::mirrorDirection<float>(d, {0, 1, 0}, {0, 1, 0});
+    EXPECT_NEAR(length(r - Vec3{-d.x, d.y, -d.z}), 0, 1e-7);
+}
+
+TEST(MirrorDirection, IsBentBackWhereASmoothNormalLeadsIntoTheSurface) {
+    const Vec3 viewer = normalize({1, 0.1F, 0}), smooth = normalize({0.5F, 1, 0});
+    const Vec3 r = HWY_NAMESPACE::mirrorDirection<float>(viewer, normalize({-0.5F, 1, 0}), {0, 1, 0});
+    EXPECT_NEAR(r.y, 1e-3, 1e-6);
+    EXPECT_GT(HWY_NAMESPACE::mirrorDirection<float>(viewer, smooth, {0, 1, 0}).y, 1e-3);
 }
 
 TEST(Refract, FollowsSnellsLaw) {

@@ -1,6 +1,6 @@
 #include "rtcore/io/import/assimp_parts.h"
 
-#include "rtcore/math/portable_math.h"
+#include "rtcore/simd/portable_math.h"
 
 #include <assimp/camera.h>
 #include <assimp/light.h>

@@ -1,6 +1,6 @@
 #include "rtcore/io/import/crease_normals.h"
 
-#include "rtcore/math/portable_math.h"
+#include "rtcore/simd/portable_math.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
-#include "rtcore/platform/instruction_set.h"
+#include "rtcore/simd/instruction_set.h"
 
-#include "rtcore/platform/vector_targets.h"
+#include "rtcore/simd/targets.h"
 
 #include <hwy/highway.h>
 

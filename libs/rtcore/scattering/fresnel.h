@@ -1,7 +1,6 @@
-/// How light divides at a smooth surface.
+/// How light divides at glass; mirrors are in fresnel-inl.h.
 #pragma once
 
-#include "rtcore/math/colour.h"
 #include "rtcore/math/vec.h"
 
 #include <algorithm>
@@ -23,22 +22,10 @@ inline float fresnelDielectric(float cosine, float eta) {
     return (s * s + p * p) / 2;
 }
 
-/// Schlick 1994: from `normal` reflectance straight on to 1 at grazing angles.
-inline float schlickFade(float cosine) {
-    const float x = 1 - std::clamp(cosine, 0.0F, 1.0F);
-    return x * x * x * x * x;
-}
-inline Colour fresnelSchlick(Colour normal, float cosine) {
-    return normal + (kWhite - normal) * schlickFade(cosine);
-}
-
 /// A thin wall has two interfaces; with all the reflections between them it reflects 2R/(1+R).
 inline float thinWallReflectance(float interfaceReflectance) {
     return 2 * interfaceReflectance / (1 + interfaceReflectance);
 }
-
-/// Direction of `d` (unit, towards the surface) after mirroring at `n`.
-inline Vec3 reflect(Vec3 d, Vec3 n) { return d - n * (2 * dot(d, n)); }
 
 /// Direction of `d` (unit, dot(d, n) <= 0) after refraction, by Snell's law; false under total internal
 /// reflection.

@@ -1,4 +1,4 @@
-#include "rtcore/math/portable_math.h"
+#include "rtcore/simd/portable_math.h"
 
 #include "support/steps.h"
 

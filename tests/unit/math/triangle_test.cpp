@@ -1,4 +1,4 @@
-#include "rtcore/math/ray_offset.h"
+#include "rtcore/math/triangle.h"
 
 #include <gtest/gtest.h>
 

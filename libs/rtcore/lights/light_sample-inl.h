@@ -1,0 +1,129 @@
+// How much light a lamp sends to a point, over the number F: float or Float. Included once for each
+// instruction set, inside the loop of foreach_target.h, or alone.
+#include "rtcore/math/constants.h"
+#include "rtcore/math/float3-inl.h"
+#include "rtcore/scene/light.h"
+#include "rtcore/simd/functions-inl.h"
+
+#include <limits>
+
+#if defined(RTCORE_LIGHTS_LIGHT_SAMPLE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RTCORE_LIGHTS_LIGHT_SAMPLE_INL_H_
+#undef RTCORE_LIGHTS_LIGHT_SAMPLE_INL_H_
+#else
+#define RTCORE_LIGHTS_LIGHT_SAMPLE_INL_H_
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace rtcore {
+namespace HWY_NAMESPACE {
+
+/// From a point to a light that has a position.
+template <typename F>
+struct WayToLight {
+    Vec3Of<F> direction; ///< unit; up where there is no way
+    F distance;
+    F free; ///< how far a shadow ray has to go: almost to the light, so that one that lies in a ceiling
+            ///< shines whichever way its distance is rounded
+};
+template <typename F>
+HWY_INLINE WayToLight<F> wayToLight(const Light& light, Vec3Of<F> offset) {
+    const F distance = sqrt(dot(offset, offset));
+    const Vec3Of<F> direction = select(distance > 0.0F, offset / distance, broadcast<F>(Vec3{0, 1, 0}));
+    return {direction, distance, max(distance * 0.9999F - light.radius, F(0))};
+}
+
+template <typename F>
+struct LightSample {
+    Vec3Of<F> toLight;    ///< unit
+    F free;               ///< how far a shadow ray has to go
+    Vec3Of<F> irradiance; ///< on a surface that faces the light, before shadows
+    F spread;             ///< of a stratum of an area light: its solid angle over pi
+};
+
+/// Which part of an area light is looked at.
+template <typename F>
+struct Stratum {
+    F u, v;      ///< where on the light, 0..1, without 1
+    float share; ///< of the light that comes from such a part
+    float ofAll; ///< of all strata that a pixel looks at: highlights are no narrower than one of them
+};
+/// All of it, from its middle.
+template <LightKind kind, typename F>
+HWY_INLINE Stratum<F> wholeLight() {
+    return {kind == LightKind::Sphere ? F(0) : F(0.5F), F(0.5F), 1, 0};
+}
+
+/// 1 inside the inner cone of a spot, 0 outside the outer one, smoothstep of the cosine between.
+template <typename F>
+HWY_INLINE F spotFactor(const Light& light, F cosine) {
+    return smoothstep<F>((cosine - light.cosOuter) / (light.cosInner - light.cosOuter));
+}
+
+/// A stratum of a sphere, uniform in the cone that it fills (Shirley, Wang and Zimmerman 1996); with 1 - cos
+/// of small angles to full precision.
+template <typename F>
+HWY_INLINE LightSample<F> sampleSphere(const Light& light, Vec3Of<F> offset, const Stratum<F>& stratum) {
+    const F radius = light.radius;
+    const F distance = sqrt(dot(offset, offset));
+    const Vec3Of<F> axis = select(distance > 0.0F, offset / distance, broadcast<F>(Vec3{0, 1, 0}));
+    const F counted = max(max(distance, radius), F(1e-18F));
+    const F sine = radius / counted;
+    const F whole = 1.0F + sqrt(max(1.0F - sine * sine, F(0)));
+    const F widest = sine * sine / whole;
+    const F bent = stratum.u * widest; // 1 - cosine
+    const F squareSine = bent * (2.0F - bent);
+    const Vec3Of<F> toLight =
+        axis * (1.0F - bent) + aroundAxis<F>(axis, unitCircle(stratum.v)) * sqrt(squareSine);
+    const F aside = distance * distance * squareSine;
+    const F depth = sqrt(max(radius * radius - aside, F(0)));
+    const F near = distance * (1.0F - bent) - depth;
+    const F scale = 2 * stratum.share / (counted * counted * whole);
+    return {toLight, max(near * 0.9999F, F(0)), broadcast<F>(light.intensity) * scale,
+            sine * sine * stratum.ofAll};
+}
+
+/// A stratum of a rectangle, uniform by area: where it is, from the middle.
+template <typename F>
+HWY_INLINE Vec3Of<F> pointOfRectangle(const Light& light, F u, F v) {
+    return broadcast<F>(light.right * light.width) * (u - 0.5F) +
+           broadcast<F>(cross(light.direction, light.right) * light.height) * (v - 0.5F);
+}
+
+/// What `light` sends to `position`; of an area light, what the stratum sends.
+template <LightKind kind, typename F>
+HWY_INLINE LightSample<F> sampleLight(const Light& light, Vec3Of<F> position,
+                                      const Stratum<F>& stratum = wholeLight<kind, F>()) {
+    if constexpr (kind == LightKind::Directional) {
+        return {broadcast<F>(-light.direction), F(std::numeric_limits<float>::max()),
+                broadcast<F>(light.intensity), F(0)};
+    }
+    Vec3Of<F> offset = broadcast<F>(light.position) - position;
+    if constexpr (kind == LightKind::Sphere) return sampleSphere<F>(light, offset, stratum);
+    if constexpr (kind == LightKind::Rectangle)
+        offset = offset + pointOfRectangle<F>(light, stratum.u, stratum.v);
+    const WayToLight<F> way = wayToLight<F>(light, offset);
+    const F counted = max(max(way.distance, F(light.radius)), F(1e-18F));
+    const F square = counted * counted;
+    Vec3Of<F> irradiance;
+    irradiance.x = light.intensity.r / square;
+    // Most lights are white: a division less for each of the others.
+    irradiance.y = light.intensity.g == light.intensity.r ? irradiance.x : light.intensity.g / square;
+    irradiance.z = light.intensity.b == light.intensity.r ? irradiance.x : light.intensity.b / square;
+    if constexpr (kind == LightKind::Spot)
+        irradiance = irradiance * spotFactor<F>(light, -dot(way.direction, broadcast<F>(light.direction)));
+    F spread = F(0);
+    if constexpr (kind == LightKind::Rectangle) {
+        const float area = light.width * light.height * stratum.ofAll / kPi;
+        const F front = max(-dot(way.direction, broadcast<F>(light.direction)), F(0));
+        irradiance = irradiance * (front * stratum.share);
+        spread = area * front / square;
+    }
+    return {way.direction, way.free, irradiance, spread};
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace rtcore
+HWY_AFTER_NAMESPACE();
+
+#endif

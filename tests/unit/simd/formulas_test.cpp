@@ -1,0 +1,228 @@
+// Each formula gives the same bits for one number and in every lane of every instruction set, whatever it is
+// given: also infinite, denormal and no numbers. RT_FORMULA_INPUTS: how many inputs, instead of some
+// thousands.
+#include "rtcore/simd/instruction_set.h"
+
+#include "support/random_numbers.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <string>
+#include <vector>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "unit/simd/formulas_test.cpp"
+#include "rtcore/simd/foreach_target.h"
+
+#include "rtcore/lights/light_sample-inl.h"
+#include "rtcore/math/triangle-inl.h"
+#include "rtcore/post/tone_map-inl.h"
+#include "rtcore/sampling/disc-inl.h"
+#include "rtcore/scattering/fresnel-inl.h"
+#include "rtcore/scattering/phong-inl.h"
+
+#ifndef RT_TESTS_FORMULAS_
+#define RT_TESTS_FORMULAS_
+namespace rtcore {
+
+/// What the formulas of one kind take and give, at most.
+inline constexpr std::size_t kInputs = 16, kOutputs = 16;
+/// Numbers that are worked on at once.
+inline constexpr std::size_t kBlock = 64;
+using Columns = std::array<std::array<float, kBlock>, kInputs>;
+
+enum class Formulas { Scattering, Mirrors, Lights, Spheres, Triangles, Pictures, Shapes, Powers };
+inline constexpr Formulas kFormulas[] = {Formulas::Scattering, Formulas::Mirrors,   Formulas::Lights,
+                                         Formulas::Spheres,    Formulas::Triangles, Formulas::Pictures,
+                                         Formulas::Shapes,     Formulas::Powers};
+
+inline Light lightOf(LightKind kind) {
+    Light light;
+    light.kind = kind;
+    light.position = {0.25F, 1, -0.5F};
+    light.direction = {0.6F, -0.8F, 0};
+    light.right = {0, 0, 1};
+    light.width = 0.5F;
+    light.height = 0.75F;
+    light.intensity = {10, 7, 10};
+    light.radius = 0.125F;
+    light.cosInner = 0.9F;
+    light.cosOuter = 0.3F;
+    return light;
+}
+
+} // namespace rtcore
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace rtcore {
+namespace HWY_NAMESPACE {
+
+HWY_INLINE float asNumber(bool a) { return a ? 1 : 0; }
+HWY_INLINE Float asNumber(Mask a) { return selectOrZero(a, Float(1)); }
+HWY_INLINE float asNumber(std::int32_t a) { return std::bit_cast<float>(a); }
+HWY_INLINE Float asNumber(Int a) { return floatOf(a); }
+HWY_INLINE float asNumber(std::uint32_t a) { return std::bit_cast<float>(a); }
+HWY_INLINE Float asNumber(Uint a) { return floatOf(a); }
+
+/// Collects what formulas give.
+template <typename F>
+struct Results {
+    F values[kOutputs];
+    std::size_t count = 0;
+
+    HWY_INLINE void add(F value) { values[count++] = value; }
+    HWY_INLINE void add(Vec3Of<F> v) { add(v.x), add(v.y), add(v.z); }
+    HWY_INLINE void add(const LightSample<F>& s) {
+        add(s.toLight), add(s.irradiance), add(s.free), add(s.spread);
+    }
+};
+
+template <LightKind kind, typename F>
+HWY_INLINE void addLights(Vec3Of<F> position, const Stratum<F>& stratum, Results<F>& out) {
+    out.add(sampleLight<kind, F>(lightOf(kind), position, stratum));
+}
+
+template <typename F>
+HWY_INLINE void calculate(Formulas formulas, const F* x, Results<F>& out) {
+    const Vec3Of<F> a{x[0], x[1], x[2]}, b{x[3], x[4], x[5]}, c{x[6], x[7], x[8]};
+    switch (formulas) {
+    case Formulas::Scattering: {
+        out.add(roughLobe<F>(x[9], x[10], x[11]));
+        out.add(terminatorFactor<F>(a, b, x[9], x[10]));
+        F shininess = x[12], scale = x[13];
+        widenLobe<F>(x[14], shininess, scale);
+        out.add(shininess);
+        out.add(scale);
+        break;
+    }
+    case Formulas::Mirrors:
+        out.add(fresnelSchlick<F>(a, x[9]));
+        out.add(mirrorDirection<F>(a, b, c));
+        break;
+    case Formulas::Lights:
+        addLights<LightKind::Point, F>(a, wholeLight<LightKind::Point, F>(), out);
+        addLights<LightKind::Spot, F>(a, wholeLight<LightKind::Spot, F>(), out);
+        break;
+    case Formulas::Spheres: // and rectangles: u, v in [0, 1)
+        addLights<LightKind::Sphere, F>(a, {x[14], x[15], 0.25F, 0.125F}, out);
+        addLights<LightKind::Rectangle, F>(a, {x[14], x[15], 0.25F, 0.125F}, out);
+        break;
+    case Formulas::Triangles: {
+        const Corners<F> corners{a, b, c};
+        out.add(interpolate<F>(corners, x[9], x[10]));
+        out.add(normalOf<F>(corners));
+        out.add(asNumber(normalsBehind<F>(corners, a)));
+        out.add(surfaceClearance<F>(corners, b));
+        break;
+    }
+    case Formulas::Pictures:
+        out.add(toneMapChannels<F>(a, max(abs(x[9]), F(1e-30F))));
+        out.add(toneMapLuminance<F>(b, max(abs(x[9]), F(1e-30F))));
+        out.add(asNumber(chordOf<F>(x[10])));
+        out.add(srgbCode<F>(x[10], x[11], x[12]));
+        out.add(ditherThreshold<F>(x[14] * 30000.0F, 17));
+        out.add(asNumber(quantise<F>(x[13], F(0.25F))));
+        break;
+    case Formulas::Shapes: {
+        const auto disc = onDisc<F>(x[14], x[15]);
+        out.add(disc.x);
+        out.add(disc.y);
+        const auto turn = unitCircle<F>(x[14]);
+        out.add(turn.cosine);
+        out.add(turn.sine);
+        out.add(aroundAxis<F>(a, turn));
+        out.add(smoothstep<F>(x[9]));
+        break;
+    }
+    case Formulas::Powers: // of cosines above 0 and exponents of at least 1
+        out.add(phongLobe<F>(max(x[14], F(1e-6F)), 1.0F + x[15] * 100000.0F, x[9]));
+        break;
+    }
+}
+
+std::size_t calculateBlock(Formulas formulas, const Columns& in, Columns& out) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < kBlock; i += lanes()) {
+        Float x[kInputs];
+        for (std::size_t k = 0; k < kInputs; ++k) x[k] = load(&in[k][i]);
+        Results<Float> results;
+        calculate<Float>(formulas, x, results);
+        count = results.count;
+        for (std::size_t k = 0; k < count; ++k) store(results.values[k], &out[k][i]);
+    }
+    return count;
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace rtcore
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace rtcore {
+
+HWY_EXPORT(calculateBlock);
+
+namespace {
+
+/// As often an ordinary number as any at all; the last two are in [0, 1).
+Columns randomColumns(test::Random& random) {
+    Columns in;
+    for (std::size_t k = 0; k < kInputs; ++k) {
+        for (float& x : in[k]) {
+            const bool ordinary = random.coin();
+            const auto bits = static_cast<std::uint32_t>(random.index(std::size_t{1} << 32U));
+            x = ordinary ? random.number(-2, 2) : std::bit_cast<float>(bits);
+            if (random.index(50) == 0) x = 0;
+            if (random.index(200) == 0) x = std::numeric_limits<float>::quiet_NaN();
+            if (random.index(200) == 0) x = std::numeric_limits<float>::infinity();
+            if (k >= kInputs - 2) x = random.number(0, 0.9999999F);
+        }
+    }
+    return in;
+}
+
+bool sameBits(float a, float b) {
+    return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b) ||
+           (std::isnan(a) && std::isnan(b));
+}
+
+TEST(Formulas, GiveTheSameBitsForOneNumberAndInEveryLane) {
+    const char* const wanted = std::getenv("RT_FORMULA_INPUTS");
+    const std::size_t inputs = wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : 20000;
+    for (const std::string& name : instructionSets()) {
+        ASSERT_TRUE(useInstructionSet(name));
+        test::Random random(1);
+        for (std::size_t done = 0; done < inputs; done += kBlock) {
+            const Columns in = randomColumns(random);
+            for (const Formulas formulas : kFormulas) {
+                Columns out;
+                const std::size_t count = HWY_DYNAMIC_DISPATCH(calculateBlock)(formulas, in, out);
+                ASSERT_GT(count, 0U);
+                for (std::size_t i = 0; i < kBlock; ++i) {
+                    float x[kInputs];
+                    for (std::size_t k = 0; k < kInputs; ++k) x[k] = in[k][i];
+                    HWY_NAMESPACE::Results<float> expected;
+                    HWY_NAMESPACE::calculate<float>(formulas, x, expected);
+                    for (std::size_t k = 0; k < count; ++k) {
+                        ASSERT_TRUE(sameBits(out[k][i], expected.values[k]))
+                            << name << ", formulas " << static_cast<int>(formulas) << ", result " << k << ": "
+                            << out[k][i] << " is not " << expected.values[k] << "; input "
+                            << testing::PrintToString(x);
+                    }
+                }
+            }
+        }
+    }
+    useInstructionSet("auto");
+}
+
+} // namespace
+} // namespace rtcore
+#endif
