@@ -1,12 +1,15 @@
 #include "rtcore/shading/texture_lookup.h"
 
+#include "rtcore/shading/texture-inl.h"
+
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace rtcore {
 
 namespace {
+
+namespace plain = HWY_NAMESPACE;
 
 /// Linear light of each code.
 const std::array<float, 256> kLinear = [] {
@@ -15,42 +18,9 @@ const std::array<float, 256> kLinear = [] {
     return t;
 }();
 
-/// std::floor() without a call; -0 becomes 0.
-float floorOf(float x) {
-    constexpr float kWholeFromHere = 0x1p23F;
-    if (!(std::fabs(x) < kWholeFromHere)) return x;
-    const auto whole = static_cast<float>(static_cast<std::int32_t>(x));
-    return whole > x ? whole - 1 : whole;
-}
-
-/// Texel index and weight of its neighbour for a coordinate in units of the whole picture.
-struct Tap {
-    std::uint32_t first, second;
-    float share;
-};
-
-/// Where in the picture a coordinate lies, 0..1, or nowhere: not a number.
-float wrapped(float coordinate, TextureWrap wrap) {
-    if (wrap == TextureWrap::Repeat) return coordinate - floorOf(coordinate);
-    if (wrap == TextureWrap::ClampToEdge) return std::min(std::max(coordinate, 0.0F), 1.0F);
-    const float pair = coordinate * 0.5F;
-    return 1 - std::fabs(1 - 2 * (pair - floorOf(pair)));
-}
-
-Tap tapAt(float coordinate, std::uint32_t size, TextureWrap wrap) {
-    const float inside = wrapped(coordinate, wrap);
-    if (!(inside >= 0 && inside <= 1)) return {0, 0, 0}; // not a number
-    const float x = inside * static_cast<float>(size) - 0.5F;
-    const float whole = floorOf(x);
-    // From -1 to size, since float rounds: brought back by comparisons, which cost less than a remainder.
-    const auto base = static_cast<std::int64_t>(whole);
-    const auto n = static_cast<std::int64_t>(size);
-    const bool repeats = wrap == TextureWrap::Repeat;
-    const auto texel = [n, repeats](std::int64_t i) {
-        const std::int64_t below = repeats ? i + n : 0, above = repeats ? i - n : n - 1;
-        return static_cast<std::uint32_t>(i < 0 ? below : i >= n ? above : i);
-    };
-    return {texel(base), texel(base + 1), x - whole};
+plain::Taps<float> tapsAt(float coordinate, std::uint32_t size, TextureWrap wrap) {
+    if (wrap == TextureWrap::Repeat) return plain::tapsAt<true, float>(coordinate, size, 0);
+    return plain::tapsAt<false, float>(coordinate, size, static_cast<std::uint32_t>(wrap));
 }
 
 Colour colourOf(Rgba8 p) { return {kLinear[p.r], kLinear[p.g], kLinear[p.b]}; }
@@ -61,18 +31,17 @@ TextureSample sampleOf(Rgba8 p) {
             {static_cast<float>(p.r) / 255, static_cast<float>(p.g) / 255, static_cast<float>(p.b) / 255}};
 }
 
-/// Exact where both are equal, so that what is solid all over has no hole.
-Colour mix(Colour a, Colour b, float share) { return a + (b - a) * share; }
+Colour mix(Colour a, Colour b, float share) { return plain::mix(a, b, share); }
 TextureSample mix(const TextureSample& a, const TextureSample& b, float share) {
-    return {mix(a.colour, b.colour, share), a.alpha + (b.alpha - a.alpha) * share,
-            a.stored + (b.stored - a.stored) * share};
+    return {mix(a.colour, b.colour, share), plain::mix(a.alpha, b.alpha, share),
+            plain::mix(a.stored, b.stored, share)};
 }
 
 /// `valueOf` a texel, bilinear.
 template <typename ValueOf>
 auto lookUp(const Model& model, const Texture& texture, Vec2 uv, ValueOf&& valueOf) {
-    const Tap x = tapAt(uv.x, texture.width, texture.wrapU);
-    const Tap y = tapAt(1 - uv.y, texture.height, texture.wrapV);
+    const plain::Taps<float> x = tapsAt(uv.x, texture.width, texture.wrapU);
+    const plain::Taps<float> y = tapsAt(1 - uv.y, texture.height, texture.wrapV);
     const Rgba8* const texels = model.texels.data() + texture.firstTexel;
     const Rgba8* const upperRow = texels + std::uint64_t{y.first} * texture.width;
     const Rgba8* const lowerRow = texels + std::uint64_t{y.second} * texture.width;

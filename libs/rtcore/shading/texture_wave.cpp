@@ -6,7 +6,7 @@
 #define HWY_TARGET_INCLUDE "rtcore/shading/texture_wave.cpp"
 #include "rtcore/simd/foreach_target.h"
 
-#include "rtcore/simd/wide-inl.h"
+#include "rtcore/shading/texture-inl.h"
 
 #ifndef RTCORE_SHADING_TEXTURE_WAVE_TYPES
 #define RTCORE_SHADING_TEXTURE_WAVE_TYPES
@@ -32,41 +32,6 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-struct Taps {
-    Uint first, second;
-    Float share;
-};
-
-HWY_INLINE Float fractionOf(Float x) { return x - floor(x); }
-
-/// The lanes that wrap so.
-HWY_INLINE Mask wrapAs(Uint wrap, TextureWrap kind) { return wrap == static_cast<std::uint32_t>(kind); }
-
-/// tapAt() of texture_lookup.cpp; `repeats`: all do, whatever `wrap` says.
-template <bool repeats>
-HWY_INLINE Taps tapsAt(Float coordinate, Uint size, Uint wrap) {
-    const Int n = toInt(size);
-    Float inside = fractionOf(coordinate);
-    Mask atEdge = noLanes(); // of the lanes that do not repeat
-    if constexpr (!repeats) {
-        const Mask clamps = wrapAs(wrap, TextureWrap::ClampToEdge);
-        const Mask mirrors = wrapAs(wrap, TextureWrap::MirroredRepeat);
-        const Float pair = 2.0F * fractionOf(coordinate * 0.5F);
-        inside = select(clamps, clamp(coordinate, 0.0F, 1.0F), inside);
-        inside = select(mirrors, 1.0F - abs(1.0F - pair), inside);
-        atEdge = clamps | mirrors;
-    }
-    const Mask finite = (inside >= 0.0F) & (inside <= 1.0F);
-    const Float x = selectOrZero(finite, inside) * toFloat(n) - 0.5F;
-    const Float whole = floor(x);
-    const Int base = truncate(whole);
-    const auto texel = [&](Int i) {
-        const Int below = select(atEdge, 0, i + n), above = select(atEdge, n - 1, i - n);
-        return toUint(selectOrZero(finite, select(i < n, select(i < 0, below, i), above)));
-    };
-    return {texel(base), texel(base + 1), selectOrZero(finite, x - whole)};
-}
-
 template <bool repeats>
 HWY_INLINE void findTexelsOf(TextureBlock& block) {
     for (std::size_t i = 0; i < kWaveBlock; i += lanes()) {
@@ -77,9 +42,9 @@ HWY_INLINE void findTexelsOf(TextureBlock& block) {
                    load(block.corner[2][axis] + i) * v;
         };
         const Uint width = load(block.size[0] + i);
-        const Taps x = tapsAt<repeats>(coordinate(0), width, load(block.wrap[0] + i));
-        const Taps y =
-            tapsAt<repeats>(1.0F - coordinate(1), load(block.size[1] + i), load(block.wrap[1] + i));
+        const Taps<Float> x = tapsAt<repeats, Float>(coordinate(0), width, load(block.wrap[0] + i));
+        const Taps<Float> y =
+            tapsAt<repeats, Float>(1.0F - coordinate(1), load(block.size[1] + i), load(block.wrap[1] + i));
         const Uint upper = y.first * width, lower = y.second * width;
         store(upper + x.first, block.texel[0] + i);
         store(upper + x.second, block.texel[1] + i);
@@ -95,7 +60,6 @@ void findTexels(TextureBlock& block) {
 }
 
 void mixTexels(TextureBlock& block) {
-    const auto mix = [](Float a, Float b, Float share) { return a + (b - a) * share; };
     for (std::size_t i = 0; i < kWaveBlock; i += lanes()) {
         const Float x = load(block.share[0] + i), y = load(block.share[1] + i);
         for (std::size_t c = 0; c < 3; ++c) {

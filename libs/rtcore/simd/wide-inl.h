@@ -100,6 +100,12 @@ using Int = Wide<std::int32_t>;
 using Mask = Float::Mask;
 using FloatTag = Float::Tag;
 
+/// Whole numbers in as many lanes as F has.
+template <typename F>
+using UintOf = std::conditional_t<std::is_same_v<F, float>, std::uint32_t, Uint>;
+template <typename F>
+using IntOf = std::conditional_t<std::is_same_v<F, float>, std::int32_t, Int>;
+
 /// Lanes of a Float, at most.
 inline constexpr std::size_t kLanes = hn::MaxLanes(FloatTag());
 HWY_INLINE std::size_t lanes() { return hn::Lanes(FloatTag()); }
@@ -108,6 +114,8 @@ HWY_INLINE Mask allLanes() { return Float(0) == Float(0); }
 HWY_INLINE Mask noLanes() { return Float(0) < Float(0); }
 
 HWY_INLINE float select(bool where, float a, float b) { return where ? a : b; }
+HWY_INLINE std::int32_t select(bool where, std::int32_t a, std::int32_t b) { return where ? a : b; }
+HWY_INLINE std::int32_t selectOrZero(bool where, std::int32_t a) { return where ? a : 0; }
 HWY_INLINE float selectOrZero(bool where, float a) { return where ? a : 0; }
 HWY_INLINE bool none(bool a) { return !a; }
 HWY_INLINE bool any(bool a) { return a; }
@@ -123,7 +131,13 @@ HWY_INLINE float max(float a, float b) { return a < b ? b : a; }
 HWY_INLINE float min(float a, float b) { return b < a ? b : a; }
 HWY_INLINE float sqrt(float a) { return std::sqrt(a); }
 HWY_INLINE float abs(float a) { return std::fabs(a); }
-HWY_INLINE float floor(float a) { return std::floor(a); }
+/// Without a call; of -0 it is 0.
+HWY_INLINE float floor(float a) {
+    constexpr float kWholeFromHere = 0x1p23F;
+    if (!(std::fabs(a) < kWholeFromHere)) return a;
+    const auto whole = static_cast<float>(static_cast<std::int32_t>(a));
+    return whole > a ? whole - 1 : whole;
+}
 HWY_INLINE float copySign(float size, float sign) { return std::copysign(size, sign); }
 
 HWY_INLINE Mask isFinite(Float a) { return abs(a) < std::numeric_limits<float>::infinity(); }
@@ -151,6 +165,7 @@ HWY_INLINE Float toFloat(Int a) { return hn::ConvertTo(FloatTag(), a.raw); }
 HWY_INLINE Uint bitsOf(Float a) { return hn::BitCast(Uint::Tag(), a.raw); }
 HWY_INLINE std::uint32_t bitsOf(float a) { return std::bit_cast<std::uint32_t>(a); }
 HWY_INLINE std::int32_t toInt(std::uint32_t a) { return static_cast<std::int32_t>(a); }
+HWY_INLINE std::uint32_t toUint(std::int32_t a) { return static_cast<std::uint32_t>(a); }
 HWY_INLINE Float floatOf(Uint bits) { return hn::BitCast(FloatTag(), bits.raw); }
 HWY_INLINE Float floatOf(Int bits) { return hn::BitCast(FloatTag(), bits.raw); }
 HWY_INLINE Int toInt(Uint a) { return hn::BitCast(Int::Tag(), a.raw); }

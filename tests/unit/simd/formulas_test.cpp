@@ -26,6 +26,7 @@
 #include "rtcore/sampling/disc-inl.h"
 #include "rtcore/scattering/fresnel-inl.h"
 #include "rtcore/scattering/phong-inl.h"
+#include "rtcore/shading/texture-inl.h"
 
 #ifndef RT_TESTS_FORMULAS_
 #define RT_TESTS_FORMULAS_
@@ -37,10 +38,10 @@ inline constexpr std::size_t kInputs = 16, kOutputs = 16;
 inline constexpr std::size_t kBlock = 64;
 using Columns = std::array<std::array<float, kBlock>, kInputs>;
 
-enum class Formulas { Scattering, Mirrors, Lights, Spheres, Triangles, Pictures, Shapes, Powers };
+enum class Formulas { Scattering, Mirrors, Lights, Spheres, Triangles, Pictures, Shapes, Powers, Textures };
 inline constexpr Formulas kFormulas[] = {Formulas::Scattering, Formulas::Mirrors,   Formulas::Lights,
                                          Formulas::Spheres,    Formulas::Triangles, Formulas::Pictures,
-                                         Formulas::Shapes,     Formulas::Powers};
+                                         Formulas::Shapes,     Formulas::Powers,    Formulas::Textures};
 
 inline Light lightOf(LightKind kind) {
     Light light;
@@ -87,6 +88,13 @@ struct Results {
 template <LightKind kind, typename F>
 HWY_INLINE void addLights(Vec3Of<F> position, const Stratum<F>& stratum, Results<F>& out) {
     out.add(sampleLight<kind, F>(lightOf(kind), position, stratum));
+}
+
+template <typename F>
+HWY_INLINE void addTaps(const Taps<F>& taps, Results<F>& out) {
+    out.add(asNumber(taps.first));
+    out.add(asNumber(taps.second));
+    out.add(taps.share);
 }
 
 template <typename F>
@@ -143,6 +151,10 @@ HWY_INLINE void calculate(Formulas formulas, const F* x, Results<F>& out) {
     }
     case Formulas::Powers: // of cosines above 0 and exponents of at least 1
         out.add(phongLobe<F>(max(x[14], F(1e-6F)), 1.0F + x[15] * 100000.0F, x[9]));
+        break;
+    case Formulas::Textures:
+        addTaps<F>(tapsAt<true, F>(x[9], 37U, 0U), out);
+        for (const std::uint32_t wrap : {0U, 1U, 2U}) addTaps<F>(tapsAt<false, F>(x[9], 37U, wrap), out);
         break;
     }
 }
