@@ -37,7 +37,11 @@ TEST_F(Clients, AnswersThatComeLateAreEachGivenOnce) {
         ASSERT_EQ(client.send("load scene " + path(scene), &load), ipc::SendStatus::Sent);
         ASSERT_EQ(client.send("load scene " + path(scene), &second), ipc::SendStatus::Sent);
         ASSERT_EQ(client.send("wait-idle", &idle), ipc::SendStatus::Sent);
-        EXPECT_EQ(client.wait(second, 20s).text, "1 another scene is being loaded");
+        const std::string refusal = client.wait(second, 20s).text;
+        // What is missing may be refused before the second is looked at: then it is refused for that, too.
+        if (status == ipc::ReplyStatus::Done || !refusal.starts_with("66 ")) {
+            EXPECT_EQ(refusal, "1 another scene is being loaded");
+        }
         EXPECT_EQ(client.wait(load, 20s).status, status) << scene;
         EXPECT_EQ(client.wait(idle, 20s).status, ipc::ReplyStatus::Done) << scene;
     }
