@@ -70,9 +70,9 @@ void WhittedIntegrator::trace(const RayWave& primary, std::span<const SampleId> 
     refracted_.clear();
 
     if (collectFirstHits_) firstHits_.start(count);
-    first_ = true;
+    paths_ = WavePaths();
     traceWave(RayKind::Primary, primary);
-    first_ = false;
+    paths_ = WavePaths(wave_);
     while (!mirrored_.empty() || !refracted_.empty()) {
         if (stopped()) return;
         const bool mirror = mirrored_.size() >= refracted_.size();
@@ -117,17 +117,10 @@ void WhittedIntegrator::traceWave(RayKind kind, const RayWave& rays) {
     clock_.lap(Stage::Spawn);
 }
 
-Path WhittedIntegrator::pathOf(std::size_t ray) const {
-    if (!first_) return wave_.path(ray);
-    Path path;
-    path.sample = static_cast<std::uint32_t>(ray);
-    return path;
-}
-
 /// What reaches the samples from each hit, were it all scattered; and which samples hit something. Starts the
 /// sums of the samples.
 void WhittedIntegrator::setShares(RayKind kind) {
-    if (first_) {
+    if (paths_.primary()) {
         const bool plain = scene_->environment() == nullptr && !fog_.on();
         startSums(plain ? scene_->background : Colour{}, surfaces_, radiance_, hit_.data());
         return;
@@ -149,7 +142,7 @@ void WhittedIntegrator::setShares(RayKind kind) {
 void WhittedIntegrator::addBackground(const RayWave& rays) {
     const Environment* const environment = scene_->environment();
     if (environment == nullptr && isBlack(scene_->background)) return;
-    if (environment == nullptr && first_ && !fog_.on()) return; // startSums() did it
+    if (environment == nullptr && paths_.primary() && !fog_.on()) return; // startSums() did it
     const TexelFilter filter = settings_->environmentFilter == EnvironmentFilter::Bilinear
                                    ? TexelFilter::Bilinear
                                    : TexelFilter::Nearest;
@@ -160,9 +153,8 @@ void WhittedIntegrator::addBackground(const RayWave& rays) {
             seen = environment->radiance({rays.dx[i], rays.dy[i], rays.dz[i]}, filter);
         }
         if (fog_.on()) seen = seen * fog_.transmittance()[i];
-        const Path path = pathOf(i);
-        if (!first_) seen = path.weight * seen;
-        radiance_.set(path.sample, radiance_.colourAt(path.sample) + seen);
+        const Path path = paths_.path(i);
+        radiance_.set(path.sample, radiance_.colourAt(path.sample) + path.weight * seen);
     }
 }
 
@@ -206,7 +198,7 @@ void WhittedIntegrator::setAlbedo(std::size_t i, Colour albedo, Colour& glow) {
 
 void WhittedIntegrator::completeGeneral(const RayWave& rays, std::size_t i, Colour& glow) {
     glow = {};
-    Path path = pathOf(i);
+    Path path = paths_.path(i);
     path.weight = surfaces_.share.colourAt(i);
     const Vec3 direction{rays.dx[i], rays.dy[i], rays.dz[i]};
     const Surface s = surfaceAt(*scene_, settings_->textures, direction, hits_.hit(i));
@@ -236,7 +228,7 @@ bool WhittedIntegrator::passHole(const RayWave& rays, std::size_t i, const Surfa
     }
     if (surface.coverage == 0) {
         surfaces_.traits[i] = 0;
-        if (first_) hit_[i] = 0;
+        if (paths_.primary()) hit_[i] = 0;
         return false;
     }
     path.weight = path.weight * surface.coverage;
@@ -246,8 +238,8 @@ bool WhittedIntegrator::passHole(const RayWave& rays, std::size_t i, const Surfa
 /// Emission, and the constant light from everywhere; on the way, mirrors take their share of all light.
 void WhittedIntegrator::addGlow() {
     const bool any = materials_->anyGlow();
-    const ArraysOf3& glow = first_ ? radiance_ : surfaces_.added;
-    if (any && !first_) {
+    const ArraysOf3& glow = paths_.primary() ? radiance_ : surfaces_.added;
+    if (any && !paths_.primary()) {
         for (float* const array : {glow.x, glow.y, glow.z}) std::fill_n(array, surfaces_.size(), 0.0F);
     }
     if (any) glowOf(*materials_, surfaces_, glow);
@@ -255,11 +247,11 @@ void WhittedIntegrator::addGlow() {
     if (!any) return;
     const std::span<const std::uint32_t> notPlain = surfaces_.notPlain();
     for (std::size_t i = 0; i < notPlain.size(); ++i) glow.set(notPlain[i], glow_[i]);
-    if (!first_) accumulate();
+    if (!paths_.primary()) accumulate();
 }
 
 void WhittedIntegrator::enterFog(const RayWave& rays) {
-    fog_.enter(rays, hits_, surfaces_.traits, first_ ? nullptr : wave_.bounces.data());
+    fog_.enter(rays, hits_, surfaces_.traits, paths_.primary() ? nullptr : wave_.bounces.data());
     fog_.dimShares(surfaces_);
 }
 
@@ -272,11 +264,7 @@ void WhittedIntegrator::addFog() {
     }
     const ArraysOf3& scattered = fog_.scattered();
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-        if (first_) {
-            radiance_.set(i, radiance_.colourAt(i) + scattered.colourAt(i));
-            continue;
-        }
-        const Path path = wave_.path(i);
+        const Path path = paths_.path(i);
         radiance_.set(path.sample, radiance_.colourAt(path.sample) + path.weight * scattered.colourAt(i));
     }
     clock_.lap(Stage::Light);
@@ -287,10 +275,8 @@ void WhittedIntegrator::addShafts(const Light& light, std::uint32_t number) {
     const std::size_t count = surfaces_.size();
     if (shifts_.size() < count + kWaveBlock) shifts_.resize(count + kWaveBlock);
     for (std::size_t i = 0; i < count; ++i) {
-        const std::uint32_t bounces = first_ ? 0 : wave_.bounces[i];
-        const std::uint32_t sample = first_ ? static_cast<std::uint32_t>(i) : wave_.sample[i];
-        const std::uint32_t salt = mixBits(bounces + 0x9E3779B9U * number) >> 8;
-        shifts_[i] = randomShift(sampleId(sample), Draw::Shaft, salt).u;
+        const std::uint32_t salt = mixBits(paths_.bounces(i) + 0x9E3779B9U * number) >> 8;
+        shifts_[i] = randomShift(sampleId(paths_.sample(i)), Draw::Shaft, salt).u;
     }
     const int samples = settings_->fog.shafts;
     const std::size_t atOnce = FogShafts::raysAtOnce(samples);
@@ -316,7 +302,7 @@ void WhittedIntegrator::addShafts(const Light& light, std::uint32_t number) {
 void WhittedIntegrator::lightFromEverywhere() {
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
         if (!occlusion_.takes(surfaces_, i)) continue;
-        const Path path = pathOf(i);
+        const Path path = paths_.path(i);
         const std::uint32_t bounce = path.depth | std::uint32_t{path.passes} << 12;
         occlusion_.add(surfaces_, i, sampleId(path.sample), bounce);
     }
@@ -341,8 +327,8 @@ void WhittedIntegrator::lightBySamples(const Light& light, std::uint32_t number)
     const int samples = settings_->lampSamples;
     lampDraw_.begin(
         surfaces_.size(), samples, settings_->antialiasing * settings_->antialiasing, number,
-        [&](std::size_t i) { return sampleId(first_ ? static_cast<std::uint32_t>(i) : wave_.sample[i]); },
-        [&](std::size_t i) { return first_ ? 0 : wave_.bounces[i]; });
+        [&](std::size_t i) { return sampleId(paths_.sample(i)); },
+        [&](std::size_t i) { return paths_.bounces(i); });
     for (int k = 0; k < samples && !stopped(); ++k) {
         addLight(light, lampDraw_.part(k), *materials_, surfaces_,
                  settings_->shadows ? &shadowRays_ : nullptr);
@@ -399,7 +385,7 @@ void WhittedIntegrator::tint(const std::vector<Colour>& arriving) {
 void WhittedIntegrator::accumulate() {
     const ArraysOf3& added = surfaces_.added;
     if (collectFirstHits_ && lit_ != Lit::Not) tellFirstHits();
-    if (first_) {
+    if (paths_.primary()) {
         addToSums(surfaces_, radiance_);
         return;
     }
@@ -414,7 +400,7 @@ void WhittedIntegrator::takeFirstHits() {
     firstHits_.beginWave();
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
         if (surfaces_.traits[i] == 0) continue;
-        const Path path = pathOf(i);
+        const Path path = paths_.path(i);
         if (path.depth > 0 || !firstHits_.missing(path.sample)) continue;
         const Colour scattered = surfaces_.share.colourAt(i);
         const bool onward = (surfaces_.traits[i] & traits::kOnward) != 0;
@@ -436,7 +422,7 @@ void WhittedIntegrator::takeFirstHits() {
 void WhittedIntegrator::tellFirstHits() {
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
         if (surfaces_.traits[i] == 0) continue;
-        FirstHit* const hit = firstHits_.present(first_ ? i : wave_.sample[i]);
+        FirstHit* const hit = firstHits_.present(paths_.sample(i));
         if (hit == nullptr) continue;
         const Colour added = surfaces_.added.colourAt(i);
         if (lit_ != Lit::ByPoint) hit->soft += added;
@@ -450,7 +436,7 @@ void WhittedIntegrator::tellFirstHits() {
 }
 
 void WhittedIntegrator::spawn() {
-    if (materials_->anyOnward()) spawnMirrored(surfaces_, first_ ? nullptr : &wave_, *settings_, mirrored_);
+    if (materials_->anyOnward()) spawnMirrored(surfaces_, paths_.queue(), *settings_, mirrored_);
     for (const Transparent& point : transparent_) spawnTransmitted(point);
 }
 

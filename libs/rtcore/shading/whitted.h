@@ -14,13 +14,13 @@
 #include "rtcore/shading/light_wave.h"
 #include "rtcore/shading/material_table.h"
 #include "rtcore/shading/occlusion_wave.h"
-#include "rtcore/shading/path_queue.h"
 #include "rtcore/shading/shadow_maps.h"
 #include "rtcore/shading/shadows.h"
 #include "rtcore/shading/stage_times.h"
 #include "rtcore/shading/surface.h"
 #include "rtcore/shading/surface_split.h"
 #include "rtcore/shading/surface_wave.h"
+#include "rtcore/shading/wave_paths.h"
 
 #include <atomic>
 #include <span>
@@ -77,7 +77,6 @@ class WhittedIntegrator {
     };
 
     void traceWave(RayKind kind, const RayWave& rays);
-    Path pathOf(std::size_t ray) const;
     SampleId sampleId(std::uint32_t sample) const;
     void setShares(RayKind kind);
     void addBackground(const RayWave& rays);
@@ -123,8 +122,8 @@ class WhittedIntegrator {
     WaveMemory radianceMemory_;
     ArraysOf3 radiance_;
     std::vector<std::uint8_t> hit_;
-    PathQueue wave_;     ///< the secondary rays being traced
-    bool first_ = false; ///< it is the primary rays that are being traced: ray i is sample i, of weight 1
+    PathQueue wave_;  ///< the secondary rays being traced
+    WavePaths paths_; ///< of the rays being traced
     PathQueue mirrored_, refracted_;
     HitWave hits_;
     SurfaceWave surfaces_;
