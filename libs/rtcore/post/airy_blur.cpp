@@ -1,5 +1,6 @@
 #include "rtcore/post/airy_blur.h"
 
+#include "rtcore/math/constants.h"
 #include "rtcore/platform/threads.h"
 #include "rtcore/post/usable_radiance.h"
 #include "rtcore/simd/portable_math.h"
@@ -12,7 +13,6 @@ namespace rtcore {
 
 namespace {
 
-constexpr float kPi = 3.14159265F;
 constexpr int kRowsOfPart = static_cast<int>(kTransformLines) / 3; ///< in the real, or imaginary, parts
 constexpr std::size_t kFloatsAcross = 2 * kTransformLines;
 

@@ -1,5 +1,6 @@
 #include "rtcore/io/import/assimp_parts.h"
 
+#include "rtcore/math/constants.h"
 #include "rtcore/simd/portable_math.h"
 
 #include <assimp/camera.h>
@@ -15,7 +16,6 @@ namespace rtcore {
 
 namespace {
 
-constexpr float kPi = 3.14159265358979F;
 constexpr float kLargest = 1e16F;
 
 Vec3 vec(const aiVector3D& v) { return {v.x, v.y, v.z}; }
