@@ -1,5 +1,5 @@
 // Three numbers of any type: the text of a template, included inside a namespace with RT_FORMULA defined as
-// what precedes each function. math/vec.h includes it for float and double; wide-inl.h once for each
+// what precedes each function. math/vec.h includes it for float and double; float3-inl.h once for each
 // instruction set, since compilers inline no function of one set into a template that was compiled for
 // another. Hence no guard.
 

@@ -5,8 +5,8 @@
 
 namespace rtcore {
 
-/// Primary rays have no queue: ray i is that of sample i, of weight 1, and has met nothing yet. Refers to the
-/// queue of others; safe from many threads.
+/// Primary rays have no queue: ray i is that of sample i, of weight 1, and has met nothing yet. Other rays
+/// are those of a queue, which must outlive this and is only read here.
 class WavePaths {
   public:
     /// Primary rays.
