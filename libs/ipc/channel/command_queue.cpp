@@ -5,6 +5,7 @@
 #include "ipc/platform/boost_interprocess.h"
 #include "ipc/platform/error.h"
 #include "ipc/platform/names.h"
+#include "ipc/platform/rules.h"
 #include "ipc/platform/segment.h"
 #include "ipc/platform/stage.h"
 #include "ipc/platform/system.h"
@@ -22,8 +23,14 @@ constexpr std::size_t kQueueBytes = kCommandQueueLength * (kMaxMessageBytes + 64
 
 struct NameRemover {
     std::string name;
-    ~NameRemover() { Segment::remove(name); }
+    ~NameRemover() {
+        if (keeps("an opened queue loses its name")) Segment::remove(name);
+    }
 };
+
+bool isSound(const Segment& queue) {
+    return isSoundQueue(queue) || !keeps("queues are checked before they are used");
+}
 
 } // namespace
 
@@ -57,6 +64,10 @@ CommandSender& CommandSender::operator=(CommandSender&&) noexcept = default;
 
 QueueResult CommandSender::trySend(std::span<const std::byte> message) {
     try {
+        if (!keeps("nobody waits to send")) {
+            state_->queue.send(message.data(), message.size(), 0);
+            return QueueResult::Done;
+        }
         return state_->queue.try_send(message.data(), message.size(), 0) ? QueueResult::Done
                                                                          : QueueResult::Nothing;
     } catch (const bi::interprocess_exception&) {
@@ -85,7 +96,7 @@ QueueResult CommandReceiver::open(const std::string& name, CommandReceiver& rece
         renameSegment(name, ours);
         const NameRemover remover{ours};
         std::optional<Segment> memory = Segment::open(ours, Access::Read, 1);
-        if (!memory || !isSoundQueue(*memory)) return QueueResult::Broken;
+        if (!memory || !isSound(*memory)) return QueueResult::Broken;
         auto state = std::make_unique<State>(std::move(*memory), ours);
         stage("queue opened");
         receiver.state_ = std::move(state);
@@ -98,13 +109,16 @@ QueueResult CommandReceiver::open(const std::string& name, CommandReceiver& rece
 }
 
 QueueResult CommandReceiver::tryReceive(std::vector<std::byte>& message) {
-    if (!isSoundQueue(state_->memory)) return QueueResult::Broken;
+    if (!isSound(state_->memory)) return QueueResult::Broken;
     try {
         bi::message_queue::size_type bytes = 0;
         unsigned priority = 0;
         std::vector<std::byte>& buffer = state_->buffer;
-        if (!state_->queue.try_receive(buffer.data(), buffer.size(), bytes, priority))
+        if (!keeps("nobody waits to receive")) {
+            state_->queue.receive(buffer.data(), buffer.size(), bytes, priority);
+        } else if (!state_->queue.try_receive(buffer.data(), buffer.size(), bytes, priority)) {
             return QueueResult::Nothing;
+        }
         if (bytes > buffer.size()) return QueueResult::Broken;
         message.assign(buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(bytes));
         return QueueResult::Done;

@@ -1,6 +1,7 @@
 #include "ipc/channel/frame_ring.h"
 
 #include "ipc/channel/shared_copy.h"
+#include "ipc/platform/rules.h"
 #include "ipc/platform/stage.h"
 
 namespace ipc {
@@ -51,7 +52,9 @@ void FrameRingWriter::repair() {
 }
 
 std::span<std::byte> FrameRingWriter::begin() {
-    slot(next_).sequence.store(writing(next_), std::memory_order_relaxed);
+    if (keeps("a slot is marked while it is written"))
+        slot(next_).sequence.store(writing(next_), std::memory_order_relaxed);
+    if (!keeps("a frame is announced when it is whole")) segment_->latest.store(next_);
     fenceBeforeWriting();
     const std::size_t offset = kPixelsOffset + next_ % slots_ * slotBytes_;
     return {reinterpret_cast<std::byte*>(segment_) + offset, capacity_};
@@ -106,7 +109,8 @@ FrameRead FrameRingReader::tryRead(std::uint64_t number, FrameInfo& info,
     const auto* base = reinterpret_cast<const std::byte*>(segment_);
     copy_(pixels.data(), base + kPixelsOffset + number % slots * slotBytes, size);
     fenceAfterReading();
-    if (slot.sequence.load(std::memory_order_relaxed) != whole(number)) return FrameRead::Missed;
+    const bool torn = slot.sequence.load(std::memory_order_relaxed) != whole(number);
+    if (torn && keeps("frames are checked after they were copied")) return FrameRead::Missed;
     info = copy;
     return FrameRead::New;
 }

@@ -1,4 +1,5 @@
 #include "ipc/channel/message.h"
+#include "ipc/platform/rules.h"
 
 #include <array>
 #include <cassert>
@@ -57,10 +58,11 @@ bool decode(std::span<const std::byte> bytes, std::uint64_t epoch, std::uint64_t
     std::memcpy(&header, bytes.data(), sizeof(header));
     const auto text = bytes.subspan(sizeof(header));
     if (header.magic != kMessageMagic || header.textBytes != text.size() || text.size() > kMaxCommandText ||
-        header.epoch != epoch || header.sequence <= lastSequence || header.wantsAnswer > 1) {
+        (header.epoch != epoch && keeps("messages are of this epoch")) || header.sequence <= lastSequence ||
+        header.wantsAnswer > 1) {
         return false;
     }
-    if (checksum(header, text) != header.checksum) return false;
+    if (checksum(header, text) != header.checksum && keeps("checksums are compared")) return false;
     if (!text.empty() && std::memchr(text.data(), 0, text.size()) != nullptr) return false;
     message = {.sequence = header.sequence,
                .wantsAnswer = header.wantsAnswer == 1,

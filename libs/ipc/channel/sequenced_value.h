@@ -3,6 +3,7 @@
 
 #include "ipc/channel/shared_copy.h"
 #include "ipc/layout/sequenced.h"
+#include "ipc/platform/rules.h"
 
 namespace ipc {
 
@@ -25,7 +26,8 @@ bool read(const Sequenced<T>& shared, T& value) {
         T copy;
         copyFromShared(&copy, &shared.value, sizeof(T));
         fenceAfterReading();
-        if (shared.sequence.load(std::memory_order_relaxed) != before) continue;
+        const bool torn = shared.sequence.load(std::memory_order_relaxed) != before;
+        if (torn && keeps("values are checked after they were copied")) continue;
         value = copy;
         return true;
     }

@@ -1,6 +1,7 @@
 #include "ipc/endpoint/attachment.h"
 
 #include "ipc/platform/error.h"
+#include "ipc/platform/rules.h"
 #include "ipc/platform/stage.h"
 
 namespace ipc {
@@ -22,7 +23,7 @@ Attachment::Attachment(const Names& names, const Link& link, int slot, const Key
     stage("queue made");
     slot_->clientProcess.store(processId(), std::memory_order_relaxed);
     slot_->wantsFrames.store(0, std::memory_order_relaxed);
-    keys.restore(slot_->keys);
+    if (keeps("keys stay held")) keys.restore(slot_->keys);
     stage("slot filled");
     slot_->clientTag.store(tag_, std::memory_order_release);
     stage("slot claimed");
@@ -37,7 +38,8 @@ Attachment::~Attachment() {
 }
 
 bool Attachment::accepted() const {
-    return slot_->clientTag.load(std::memory_order_relaxed) == tag_ &&
+    const bool own = slot_->clientTag.load(std::memory_order_relaxed) == tag_;
+    return (own || !keeps("a client sees that it was taken for dead")) &&
            slot_->droppedTag.load(std::memory_order_acquire) != tag_;
 }
 

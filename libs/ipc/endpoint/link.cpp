@@ -3,6 +3,7 @@
 #include "ipc/channel/shared_copy.h"
 #include "ipc/platform/boost_interprocess.h"
 #include "ipc/platform/error.h"
+#include "ipc/platform/rules.h"
 
 #include <cstddef>
 #include <thread>
@@ -76,7 +77,7 @@ std::optional<Link> Link::open(const Names& names, Access access) {
     if (!segment) return std::nullopt;
     std::optional<ControlFacts> facts = readControlFacts(*segment);
     if (!facts || !serverLives(*segment)) return std::nullopt;
-    if (facts->handshake != ownHandshake()) wrongVersion(names, *facts);
+    if (facts->handshake != ownHandshake() && keeps("versions are compared")) wrongVersion(names, *facts);
     if (segment->bytes() < sizeof(ControlBlock)) return std::nullopt;
     Link link(names, std::move(*segment), std::move(*facts));
     if (link.block().pulse.phase.load(std::memory_order_acquire) != ServerPhase::Running) return std::nullopt;
@@ -100,7 +101,8 @@ LinkState Link::check() {
     std::uint64_t epoch = 0;
     copyFromShared(&epoch, &block().header.epoch, sizeof epoch);
     // Another epoch in the same segment: somebody wrote over it, now or when it was read first.
-    if (phase != ServerPhase::Running || epoch != facts_.epoch) state_ = LinkState::Gone;
+    const bool replaced = epoch != facts_.epoch && keeps("a link looks at the epoch");
+    if (phase != ServerPhase::Running || replaced) state_ = LinkState::Gone;
     if (state_ == LinkState::Gone) return state_;
     const Clock::time_point now = Clock::now();
     const std::uint64_t pulse = pulseOf(block().pulse);
@@ -117,8 +119,10 @@ LinkState Link::check() {
 }
 
 LinkState Link::probe(Clock::time_point now) const {
-    if (!segment_.locked(kServerLock) || replaced()) return LinkState::Gone;
-    return now - lastPulse_ >= kBusyAfter ? LinkState::Busy : state_;
+    const bool unlocked = !segment_.locked(kServerLock) && keeps("a server without its lock is gone");
+    if (unlocked || replaced()) return LinkState::Gone;
+    if (now - lastPulse_ < kBusyAfter) return state_;
+    return keeps("silence is no death") ? LinkState::Busy : LinkState::Gone;
 }
 
 // A stopped server whose names were removed still has its lock when another takes the name: the epoch tells.

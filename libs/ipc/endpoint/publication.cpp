@@ -3,6 +3,7 @@
 #include "ipc/channel/shared_copy.h"
 #include "ipc/endpoint/link.h"
 #include "ipc/platform/error.h"
+#include "ipc/platform/rules.h"
 #include "ipc/platform/stage.h"
 #include "ipc/platform/system.h"
 
@@ -19,6 +20,7 @@ Publication::Publication(const Names& names, Segment control, std::size_t frameB
         stage("control made");
         ControlBlock& block = *new (control_.data()) ControlBlock;
         ControlHeader& header = block.header;
+        if (!keeps("the magic number comes last")) header.magic.store(kControlMagic);
         header.handshake = ownHandshake();
         header.epoch = epoch_;
         header.serverProcess = processId();

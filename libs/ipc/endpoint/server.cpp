@@ -5,6 +5,7 @@
 #include "ipc/endpoint/publication.h"
 #include "ipc/endpoint/served_client.h"
 #include "ipc/endpoint/server_lock.h"
+#include "ipc/platform/rules.h"
 #include "ipc/platform/stage.h"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ struct Server::State {
         const std::size_t frameBytes = checkedBytes(options.width, options.height);
         Segment control = claimControl(names, sizeof(ControlBlock), Clock::now() + options.patience);
         stage("server locked");
-        removeSegments(names);
+        if (keeps("a new server removes what was left")) removeSegments(names);
         stage("names cleared");
         publication = std::make_unique<Publication>(names, std::move(control), frameBytes, slots, 1);
     }
@@ -86,11 +87,12 @@ void Server::State::sweep() {
         lastSweep = now;
         for (int i = 0; i < kMaxClients; ++i) {
             const ServedClient& client = clients[static_cast<std::size_t>(i)];
-            if (client.active() && !publication->slotLocked(i)) {
+            const bool dead = client.active() && !publication->slotLocked(i);
+            if (dead && keeps("dead clients lose their slots")) {
                 ServedClient::declareDead(block().slots[i], client.tag());
             }
         }
-        repair();
+        if (keeps("fields are repaired")) repair();
     }
     if (now - lastHousekeeping >= kHousekeepingEvery && !drawing) {
         lastHousekeeping = now;
@@ -128,7 +130,7 @@ void Server::State::removeLeftQueues() const {
 }
 
 void Server::State::lookAfterNames() {
-    if (!publication->named()) publishAnew();
+    if (!publication->named() && keeps("lost names are given again")) publishAnew();
     if (!publication->framesNamed()) publication->replaceFrames(publication->frames().capacity());
 }
 

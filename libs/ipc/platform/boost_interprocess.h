@@ -8,6 +8,8 @@
 // To open what its maker never finished would take 300 s.
 #define BOOST_INTERPROCESS_MANAGED_OPEN_OR_CREATE_INITIALIZE_TIMEOUT_SEC 1
 
+#include "ipc/platform/rules.h"
+
 #include <boost/interprocess/interprocess_fwd.hpp>
 #include <boost/version.hpp>
 
@@ -21,7 +23,8 @@ namespace ipc {
 
 // In the place of the wait that Boost does with that time, but by the wall clock: setting that back would
 // stretch it. Somebody is in a queue for 50 ns, unless he is stopped there.
-inline int lockWithin(pthread_mutex_t* mutex) {
+inline int lockWithin(pthread_mutex_t* mutex, const timespec* wallClock) {
+    if (!keeps("waits for a queue go by that clock")) return ::pthread_mutex_timedlock(mutex, wallClock);
     const auto deadline = std::chrono::steady_clock::now() +
                           std::chrono::milliseconds(BOOST_INTERPROCESS_TIMEOUT_WHEN_LOCKING_DURATION_MS);
     while (true) {
@@ -34,4 +37,4 @@ inline int lockWithin(pthread_mutex_t* mutex) {
 
 } // namespace ipc
 
-#define pthread_mutex_timedlock(mutex, deadline) (static_cast<void>(deadline), ::ipc::lockWithin(mutex))
+#define pthread_mutex_timedlock(mutex, deadline) ::ipc::lockWithin(mutex, deadline)

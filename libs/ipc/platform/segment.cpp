@@ -2,6 +2,7 @@
 
 #include "ipc/platform/boost_interprocess.h"
 #include "ipc/platform/error.h"
+#include "ipc/platform/rules.h"
 #include "ipc/platform/stage.h"
 #include "ipc/platform/system.h"
 
@@ -88,7 +89,8 @@ std::optional<Segment> Segment::open(const std::string& name, Access access, std
     if (state->opened < 0) return std::nullopt;
     const SegmentFacts facts = factsOf(state->opened);
     if (!facts.regular) notYours(name, "is not a segment");
-    if (!facts.ours) notYours(name, "belongs to another user or is open to others");
+    if (!facts.ours && keeps("segments are ours alone"))
+        notYours(name, "belongs to another user or is open to others");
     if (facts.bytes < atLeast) return std::nullopt;
     try {
         const bi::mode_t mode = access == Access::Read ? bi::read_only : bi::read_write;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ipc/layout/doorbell.h"
+#include "ipc/platform/rules.h"
 
 #include <chrono>
 #include <cstddef>
@@ -11,7 +12,13 @@
 
 namespace ipc {
 
-using Clock = std::chrono::steady_clock;
+/// Nobody sets it.
+struct Clock : std::chrono::steady_clock {
+    static time_point now() noexcept {
+        if (keeps("waits go by a clock that nobody sets")) return steady_clock::now();
+        return time_point(std::chrono::system_clock::now().time_since_epoch());
+    }
+};
 
 std::uint32_t userId();
 std::int64_t processId();
