@@ -24,7 +24,6 @@ using Clock = std::chrono::steady_clock;
 constexpr Clock::duration kSleep = 200ms; ///< less than a turn of Session::move() may last
 constexpr Clock::duration kSleepWhileLoading = 20ms;
 constexpr auto kMotionStep = 2ms;        ///< until who is not at rest has moved
-constexpr auto kAdaptationStep = 16ms;   ///< between frames that differ by their exposure alone
 constexpr auto kSideWorkStep = 2ms;      ///< until a file that is written is asked for again
 constexpr auto kObstruction = 10s;       ///< for a frame that somebody waits for who has sent more
 constexpr auto kMemoryPause = 1s;        ///< between frames for which there is no memory
@@ -62,7 +61,7 @@ ServerLoop::ServerLoop(const Options& options, std::function<void()> onReady)
                                    static_cast<std::uint32_t>(settings.height));
           },
           messages_),
-      frames_(options.threads), guard_([this] { return guardFrame(); }) {}
+      frames_(options.threads), pacer_(options.framesPerSecond), guard_([this] { return guardFrame(); }) {}
 
 ServerLoop::~ServerLoop() { sideWork_.waitFor(kPatience); }
 
@@ -99,7 +98,7 @@ app::ExitCode ServerLoop::run() {
         if (!holdsStill) move();
         shown_ = false;
         keepsPicture_ = session_.paused && (keepsPicture_ || !wantsFrame());
-        if (wantsFrame() && Clock::now() >= due_) draw();
+        if (wantsFrame() && Clock::now() >= pacer_.due()) draw();
         if (shown_ || !wantsFrame()) record();
         answerWhoWaitsForKeys();
         answerWhoWaitsForIdle();
@@ -339,7 +338,7 @@ void ServerLoop::goBack() {
     frames_.drop();
     session_.goBackTo(drawn_);
     // Even those may need more than there is now. The last frame stands, and memory may come back.
-    if (std::exchange(wentBack_, true)) due_ = Clock::now() + kMemoryPause;
+    if (std::exchange(wentBack_, true)) pacer_.pauseUntil(Clock::now() + kMemoryPause);
     messages_.complain(text);
     const std::string answer = std::to_string(static_cast<int>(app::ExitCode::TryAgain)) + " " + text;
     for (const ipc::Command& command : std::exchange(idleWaiters_, {}))
@@ -409,17 +408,7 @@ void ServerLoop::publish() {
         wentBack_ = false;
         ++wholeFrames_;
     }
-    const Clock::time_point now = Clock::now();
-    count(now);
-    const Clock::time_point wasDue = std::exchange(due_, now);
-    if (!session_.stale() && !frames_.settled()) due_ = now + kAdaptationStep;
-    if (options_.framesPerSecond > 0) {
-        const auto interval = std::chrono::duration_cast<Clock::duration>(
-            std::chrono::duration<double>(1 / options_.framesPerSecond));
-        // One that began a little late does not put off all that follow.
-        const Clock::time_point start = begun_ - wasDue < interval ? wasDue : begun_;
-        due_ = std::max(due_, start + interval);
-    }
+    pacer_.published(begun_, Clock::now(), !session_.stale() && !frames_.settled());
     if (publishedFrames_++ > 0) return;
     tellStatus();
     Messages::print("ready: instance '" + options_.instance + "', " + session_.title() + ", " +
@@ -431,13 +420,13 @@ void ServerLoop::sleep() {
     const Clock::time_point now = Clock::now();
     const bool ready = session_.ready() && !session_.paused;
     const bool draws = wantsFrame();
-    if (changeWaits_ || commands_.hasNew() || (draws && due_ <= now)) return;
+    if (changeWaits_ || commands_.hasNew() || (draws && pacer_.due() <= now)) return;
     if (commands_.waits() && session_.ready() && !draws) return; // their frame is there
     const bool works = load_ != nullptr || refinement_ != nullptr || mapping_ != nullptr;
     Clock::duration time = works ? kSleepWhileLoading : kSleep;
     if (ready && !session_.atRest() && !session_.stale()) time = std::min<Clock::duration>(time, kMotionStep);
     if (sideWork_.underWay()) time = std::min<Clock::duration>(time, kSideWorkStep);
-    if (draws) time = std::min(time, due_ - now);
+    if (draws) time = std::min(time, pacer_.due() - now);
     if (ready) time = std::min<Clock::duration>(time, std::max<Clock::duration>(session_.untilEvent(), 0ns));
     server_.wait(time);
 }
@@ -483,20 +472,13 @@ void ServerLoop::pollDuringFrame() {
 
 // --- Status ---
 
-void ServerLoop::count(Clock::time_point now) {
-    published_.push_back(now);
-    while (now - published_.front() > 1s) published_.pop_front();
-}
-
 void ServerLoop::tellStatus() {
     ipc::Status status;
     status.progress = load_ != nullptr ? load_->fraction() : 1;
     status.paused = session_.paused ? 1 : 0;
     status.recording = session_.recording() ? 1 : 0;
     status.messages = messages_.count();
-    const Clock::time_point now = Clock::now();
-    status.framesPerSecond = static_cast<double>(std::count_if(
-        published_.begin(), published_.end(), [&](Clock::time_point then) { return now - then <= 1s; }));
+    status.framesPerSecond = pacer_.framesPerSecond(Clock::now());
     if (session_.ready()) {
         const rtcore::Camera& camera = session_.camera();
         status.frameSeconds = frames_.seconds();

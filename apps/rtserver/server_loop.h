@@ -5,6 +5,7 @@
 #include "rtserver/commands.h"
 #include "rtserver/frame_guard.h"
 #include "rtserver/frame_maker.h"
+#include "rtserver/frame_pacer.h"
 #include "rtserver/frame_schedule.h"
 #include "rtserver/key_inbox.h"
 #include "rtserver/messages.h"
@@ -22,7 +23,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <deque>
 #include <exception>
 #include <functional>
 #include <memory>
@@ -81,7 +81,6 @@ class ServerLoop : private Host {
     bool wantsWholeFrame() const;
     bool idle() const;
     void tellStatus();
-    void count(Clock::time_point now);
 
     const Options& options_;
     std::function<void()> onReady_;
@@ -90,6 +89,7 @@ class ServerLoop : private Host {
     Session session_;
     FrameMaker frames_;
     FrameSchedule schedule_;
+    FramePacer pacer_;
     std::unique_ptr<SceneLoad> load_;
     std::unique_ptr<TreeRefinement> refinement_; ///< of the scene that is shown
     std::unique_ptr<ShadowMapping> mapping_;     ///< of that scene
@@ -106,13 +106,11 @@ class ServerLoop : private Host {
     std::vector<KeyWaiter> keyWaiters_;
     bool quit_ = false;
     std::optional<app::ProcessWatch> parent_;
-    rtcore::RenderSettings drawn_;            ///< of the last whole frame that was published
-    bool wentBack_ = false;                   ///< to those, for lack of memory, and none is there yet
-    bool keepsPicture_ = false;               ///< paused, with all of the last picture there
-    bool shown_ = false;                      ///< in this turn a frame was published
-    Clock::time_point moved_;                 ///< when keys acted last
-    Clock::time_point due_;                   ///< no frame before that
-    std::deque<Clock::time_point> published_; ///< within the last second
+    rtcore::RenderSettings drawn_; ///< of the last whole frame that was published
+    bool wentBack_ = false;        ///< to those, for lack of memory, and none is there yet
+    bool keepsPicture_ = false;    ///< paused, with all of the last picture there
+    bool shown_ = false;           ///< in this turn a frame was published
+    Clock::time_point moved_;      ///< when keys acted last
     std::uint64_t publishedFrames_ = 0, wholeFrames_ = 0;
 
     // Of the frame that is drawn. The guard's thread has them then, and server_, commands_ and keys_ too.

@@ -2,7 +2,7 @@
 #include "rtserver/playback.h"
 #include "rtserver/recording.h"
 
-#include "rtcore/io/text/camera_list.h"
+#include "rtcore/io/recording/camera_list.h"
 #include "rtcore/platform/error.h"
 
 #include "support/temporary_folder.h"

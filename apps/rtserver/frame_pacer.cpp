@@ -1,0 +1,35 @@
+#include "rtserver/frame_pacer.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rtserver {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kAdaptationStep = 16ms;
+
+} // namespace
+
+void FramePacer::published(Clock::time_point begun, Clock::time_point now, bool adapting) {
+    published_.push_back(now);
+    while (now - published_.front() > 1s) published_.pop_front();
+
+    const Clock::time_point wasDue = std::exchange(due_, now);
+    if (adapting) due_ = now + kAdaptationStep;
+    if (framesPerSecond_ <= 0) return;
+    const auto interval =
+        std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / framesPerSecond_));
+    // One that began a little late does not put off all that follow.
+    const Clock::time_point start = begun - wasDue < interval ? wasDue : begun;
+    due_ = std::max(due_, start + interval);
+}
+
+double FramePacer::framesPerSecond(Clock::time_point now) const {
+    return static_cast<double>(
+        std::ranges::count_if(published_, [&](Clock::time_point then) { return now - then <= 1s; }));
+}
+
+} // namespace rtserver

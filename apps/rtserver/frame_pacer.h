@@ -1,0 +1,33 @@
+/// When the next frame is due, and how many came within the last second.
+#pragma once
+
+#include <chrono>
+#include <deque>
+
+namespace rtserver {
+
+/// One thread. Knows time only by what it is told.
+class FramePacer {
+  public:
+    using Clock = std::chrono::steady_clock;
+
+    /// At most so many frames a second; 0: as many as there are.
+    explicit FramePacer(double framesPerSecond) : framesPerSecond_(framesPerSecond) {}
+
+    /// No frame before that.
+    Clock::time_point due() const { return due_; }
+    /// Puts the next frame off.
+    void pauseUntil(Clock::time_point time) { due_ = time; }
+    /// A frame that was begun then is published now. `adapting`: the next one differs by its exposure alone,
+    /// and need not come at once.
+    void published(Clock::time_point begun, Clock::time_point now, bool adapting);
+    /// Published within the last second.
+    double framesPerSecond(Clock::time_point now) const;
+
+  private:
+    double framesPerSecond_;
+    Clock::time_point due_;
+    std::deque<Clock::time_point> published_; ///< within the second before the last of them
+};
+
+} // namespace rtserver
