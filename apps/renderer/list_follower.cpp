@@ -3,7 +3,7 @@
 #include "common/progress.h"
 #include "common/stop.h"
 
-#include "rtcore/io/text/camera_list.h"
+#include "rtcore/io/recording/camera_list.h"
 #include "rtcore/platform/error.h"
 
 #include <chrono>

@@ -121,18 +121,16 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
                               std::to_string(settings.height) + " pixels is too large; " +
                               std::to_string(rtcore::kMaxImagePixels) + " pixels is the most");
     }
-    rtcore::RenderControl control;
+    rtcore::RenderControl control{.threads = options_.threads};
     const auto fraction = [this, &control] {
         if (preview_ != nullptr) return preview_->fraction(control);
         const std::uint64_t tiles = control.tiles.load();
         return tiles == 0 ? 0.0 : static_cast<double>(control.tilesDone.load()) / static_cast<double>(tiles);
     };
     const app::ProgressScope scope(progress_, {"rendering", fraction, &control.cancel}, index, count);
-    const rtcore::Scene& scene = loaded_.scene;
-    const bool whole = preview_ == nullptr ? renderer_.render(scene, tracer_, camera, settings,
-                                                              options_.threads, control, frame_)
-                                           : preview_->render(renderer_, scene, tracer_, camera, settings,
-                                                              options_.threads, control, frame_);
+    const rtcore::View view{loaded_.scene, tracer_, camera, settings};
+    const bool whole = preview_ == nullptr ? renderer_.render(view, control, frame_)
+                                           : preview_->render(renderer_, view, control, frame_);
     if (!whole) {
         throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "stopped");
     }

@@ -55,15 +55,13 @@ Preview::~Preview() {
     thread_.join();
 }
 
-bool Preview::render(rtcore::FrameRenderer& renderer, const rtcore::Scene& scene,
-                     const rtcore::RayTracer& tracer, const rtcore::Camera& camera,
-                     const rtcore::RenderSettings& settings, int threads, rtcore::RenderControl& control,
-                     rtcore::Frame& frame) {
-    Work work{control, settings, frame, threads};
-    begin(work, scene, camera);
+bool Preview::render(rtcore::FrameRenderer& renderer, const rtcore::View& view,
+                     rtcore::RenderControl& control, rtcore::Frame& frame) {
+    Work work{view, control, frame};
+    begin(work);
     try {
         const bool whole =
-            refinement_.render(renderer, scene, tracer, camera, settings, threads, control, frame,
+            refinement_.render(renderer, view, control, frame,
                                [this](const rtcore::RefinementPass& pass, const rtcore::Frame& picture) {
                                    showPass(pass, picture);
                                });
@@ -75,22 +73,24 @@ bool Preview::render(rtcore::FrameRenderer& renderer, const rtcore::Scene& scene
     }
 }
 
-void Preview::begin(Work& work, const rtcore::Scene& scene, const rtcore::Camera& camera) {
+void Preview::begin(Work& work) {
     const std::lock_guard lock(mutex_);
     throwIfFailed();
+    const rtcore::RenderSettings& settings = work.view.settings;
+    const rtcore::Camera& camera = work.view.camera;
     begun_ = Clock::now();
-    picture_ = rtcore::LdrImage(work.settings.width, work.settings.height);
+    picture_ = rtcore::LdrImage(settings.width, settings.height);
     effects_ = {};
     samples_ = 0;
-    antialiasing_ = work.settings.antialiasing;
+    antialiasing_ = settings.antialiasing;
     status_ = {};
-    status_.polygons = scene.mesh().triangles.size();
-    status_.width = static_cast<std::uint32_t>(work.settings.width);
-    status_.height = static_cast<std::uint32_t>(work.settings.height);
+    status_.polygons = work.view.scene.mesh().triangles.size();
+    status_.width = static_cast<std::uint32_t>(settings.width);
+    status_.height = static_cast<std::uint32_t>(settings.height);
     copy(camera.eye, status_.eye);
     copy(normalize(camera.forward), status_.forward);
     copy(normalize(camera.up), status_.up);
-    status_.fieldOfView = fieldOfView(camera, work.settings.width, work.settings.height);
+    status_.fieldOfView = fieldOfView(camera, settings.width, settings.height);
     work_ = &work;
 }
 
@@ -124,9 +124,9 @@ void Preview::linger() {
 void Preview::showPass(const rtcore::RefinementPass& pass, const rtcore::Frame& frame) {
     const std::lock_guard lock(mutex_);
     throwIfFailed();
-    const rtcore::RenderSettings& settings = work_->settings;
+    const rtcore::RenderSettings& settings = work_->view.settings;
     // A small picture is developed sooner than several threads have met: on a busy machine they wait long.
-    const int threads = pass.block > 1 ? 1 : work_->threads;
+    const int threads = pass.block > 1 ? 1 : work_->control.threads;
     status_.exposure = developer_.exposure(frame, settings.exposure, threads);
     developer_.roughEffects(frame, pass.block, settings, status_.exposure, threads, effects_);
     if (pass.block > 1) {
@@ -149,7 +149,7 @@ void Preview::showTiles() {
     const std::vector<rtcore::PixelArea> tiles = refinement_.finishedTiles().take();
     if (tiles.empty()) return;
     for (const rtcore::PixelArea& tile : tiles) {
-        rtcore::developPart(work_->frame, work_->settings, status_.exposure, effects_, tile, picture_);
+        rtcore::developPart(work_->frame, work_->view.settings, status_.exposure, effects_, tile, picture_);
     }
     publish(picture_, tagUnderWay());
     pace_.shown(start, Clock::now());

@@ -34,9 +34,8 @@ class Preview {
 
     /// As rtcore::FrameRenderer::render, and with its result, which is not shown yet. Throws ipc::Error when
     /// there is no memory for frames, or the instance was lost.
-    bool render(rtcore::FrameRenderer& renderer, const rtcore::Scene& scene, const rtcore::RayTracer& tracer,
-                const rtcore::Camera& camera, const rtcore::RenderSettings& settings, int threads,
-                rtcore::RenderControl& control, rtcore::Frame& frame);
+    bool render(rtcore::FrameRenderer& renderer, const rtcore::View& view, rtcore::RenderControl& control,
+                rtcore::Frame& frame);
     /// Of render(). Any thread.
     double fraction(const rtcore::RenderControl& control) const { return refinement_.fraction(control); }
 
@@ -51,13 +50,12 @@ class Preview {
 
     /// What is being rendered.
     struct Work {
+        const rtcore::View& view;
         rtcore::RenderControl& control;
-        const rtcore::RenderSettings& settings;
         const rtcore::Frame& frame;
-        int threads;
     };
 
-    void begin(Work& work, const rtcore::Scene& scene, const rtcore::Camera& camera);
+    void begin(Work& work);
     void end();
     void showPass(const rtcore::RefinementPass& pass, const rtcore::Frame& frame);
     void showTiles();

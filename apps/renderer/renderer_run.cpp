@@ -20,7 +20,7 @@
 #include "common/threads.h"
 
 #include "rtcore/io/debug/debug_scene.h"
-#include "rtcore/io/text/camera_list.h"
+#include "rtcore/io/recording/camera_list.h"
 #include "rtcore/io/text/set.h"
 #include "rtcore/platform/error.h"
 

@@ -7,7 +7,7 @@
 #include "common/command_line.h"
 #include "common/terminal.h"
 
-#include "rtcore/io/text/camera_list.h"
+#include "rtcore/io/recording/camera_list.h"
 #include "rtcore/io/text/scn.h"
 
 #include <set>

@@ -39,13 +39,13 @@ rtcore::SceneFile sceneFileOf(const Session& session) {
     const rtcore::Scene& scene = world.loaded.scene;
     rtcore::SceneFile file = descriptionOf(world);
     file.model = world.loaded.modelPath;
+    static_cast<rtcore::SceneLook&>(file) = scene;
+    if (scene.environments.empty()) file.activeEnvironment = 0;
     file.metresPerUnit = static_cast<float>(session.metresPerUnit()); // guessed, where nobody said
     if (world.import.creaseAngle) file.creaseAngle = *world.import.creaseAngle;
     if (world.import.flipTextures) file.flipTextures = *world.import.flipTextures;
     file.settings.reset();
     file.output.reset(); // a copy of a scene does not overwrite the picture of the first
-    file.background = scene.background;
-    file.ambient = scene.ambient;
     file.modelLights = false;
     file.lights.clear();
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
@@ -54,7 +54,6 @@ rtcore::SceneFile sceneFileOf(const Session& session) {
         light.light.nameOffset = 0;
         file.lights.push_back(std::move(light));
     }
-    file.activeEnvironment = scene.environments.empty() ? 0 : scene.activeEnvironment;
     file.cameraFile.reset();
     file.camera = session.camera();
     file.camera->nameOffset = 0;

@@ -45,7 +45,7 @@ double workOf(const rtcore::RenderSettings& settings, const rtcore::Scene& scene
     for (const rtcore::Light& light : scene.lights) {
         if (light.on == 0) continue;
         ++lights;
-        parts += rtcore::hasSize(light) ? std::max(1, settings.lampSamples) : 1;
+        parts += rtcore::isAreaLight(light) ? std::max(1, settings.lampSamples) : 1;
     }
     const double samples = double{static_cast<float>(settings.antialiasing)} * settings.antialiasing;
     double rays = 1;

@@ -16,10 +16,9 @@ bool FrameMaker::trace(const Session& session, const FrameDetail& detail, rtcore
     if (detail.whole() == detail_.whole()) seen_ = nullptr; // its memory is written to
     const rtcore::ShadowMaps* const maps = world.shadowMaps.get();
     renderer_->takeShadowsFrom(detail.cut && maps != nullptr && maps->suit(settings) ? maps : nullptr);
-    if (!renderer_->render(world.loaded.scene, *world.tracer, session.camera(), settings, threads_, control,
-                           frame)) {
-        return false;
-    }
+    control.threads = threads_;
+    const rtcore::View view{world.loaded.scene, *world.tracer, session.camera(), settings};
+    if (!renderer_->render(view, control, frame)) return false;
     target_ = developer_.exposure(frame, settings.exposure, threads_);
     // Bloom has its width in pixels of the whole frame.
     rtcore::RenderSettings effects = session.shownSettings();

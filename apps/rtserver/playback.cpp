@@ -1,6 +1,6 @@
 #include "rtserver/playback.h"
 
-#include "rtcore/io/text/camera_list.h"
+#include "rtcore/io/recording/camera_list.h"
 #include "rtcore/platform/error.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 /// A path that is being recorded: cameras at an even pace, whatever the rate of frames.
 #pragma once
 
-#include "rtcore/io/text/path_recorder.h"
+#include "rtcore/io/recording/path_recorder.h"
 
 #include <chrono>
 #include <filesystem>

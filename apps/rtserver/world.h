@@ -6,7 +6,7 @@
 #include "rtcore/io/import/model_import.h"
 #include "rtcore/io/scene_loader.h"
 #include "rtcore/kernels/ray_tracer.h"
-#include "rtcore/shading/shadow_maps.h"
+#include "rtcore/shading/light/shadow_maps.h"
 
 #include <filesystem>
 #include <memory>

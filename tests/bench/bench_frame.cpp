@@ -177,7 +177,8 @@ class Bench {
     }
     double render(const RayTracer& tracer, int threads) {
         const double start = processSeconds();
-        renderer_.render(loaded_.scene, tracer, loaded_.camera, settings_, threads, control_, frame_);
+        control_.threads = threads;
+        renderer_.render({loaded_.scene, tracer, loaded_.camera, settings_}, control_, frame_);
         return processSeconds() - start;
     }
     double exposure() {

@@ -64,19 +64,17 @@ void fillLayers(Frame& frame) {
     const int width = frame.radiance.width, height = frame.radiance.height;
     Camera camera;
     frame.layers.begin(camera, width, height);
-    FirstHits hits;
     std::vector<SampleId> samples(static_cast<std::size_t>(width));
+    std::vector<FirstHit> hits(samples.size());
     for (int y = 0; y < height; ++y) {
-        hits.start(samples.size());
-        hits.beginWave();
         for (std::size_t x = 0; x < samples.size(); ++x) {
             samples[x] = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), 0};
-            FirstHit hit;
+            FirstHit& hit = hits[x];
             hit.position = {static_cast<float>(x), -1, -1 - static_cast<float>(height - y)};
             hit.normal = {0, 1, 0};
             hit.albedo = {0.5F, 0.5F, 0.5F};
             hit.soft = frame.radiance.at(static_cast<int>(x), y);
-            hits.take(x, hit);
+            hit.wave = 1;
         }
         frame.layers.add(hits, samples);
     }

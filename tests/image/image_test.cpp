@@ -25,9 +25,9 @@ const fs::path kFailures = RT_FAILURE_FOLDER;
 LdrImage render(const rtcore::LoadedScene& loaded, const rtcore::Camera& camera,
                 const rtcore::RenderSettings& settings) {
     const rtcore::KdRayTracer tracer(loaded.tree, loaded.scene.mesh());
-    rtcore::RenderControl control;
+    rtcore::RenderControl control{.threads = 0};
     rtcore::Frame frame;
-    EXPECT_TRUE(rtcore::renderFrame(loaded.scene, tracer, camera, settings, 0, control, frame));
+    EXPECT_TRUE(rtcore::renderFrame({loaded.scene, tracer, camera, settings}, control, frame));
     return rtcore::develop(frame, settings, rtcore::exposureFor(frame, settings.exposure));
 }
 
@@ -58,7 +58,7 @@ std::vector<fs::path> scenes() {
 
 class Picture : public testing::TestWithParam<fs::path> {};
 
-TEST_P(Picture, looksAsItDid) {
+TEST_P(Picture, LooksAsItDid) {
     const fs::path scene = GetParam();
     fs::path reference = scene;
     reference.replace_extension(".png");
@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Picture, testing::ValuesIn(scenes()), nameOf);
 
 // One mesh in nine files. All carry positions and triangles; STL has neither shared normals nor texture, so
 // what is compared is the shape: plain grey, and smooth normals computed with one crease angle.
-TEST(NineFiles, giveTheSamePicture) {
+TEST(NineFiles, GiveTheSamePicture) {
     const char* const folder = std::getenv("RT_TEST_SCENES");
     if (folder == nullptr) GTEST_SKIP() << "skipped: RT_TEST_SCENES names no folder of models";
     rtcore::RenderSettings settings;

@@ -207,7 +207,7 @@ std::string nameOfView(const testing::TestParamInfo<test::View>& view) { return 
 
 } // namespace
 
-TEST_P(AgainstEmbree, oursIsNeverTheWrongOne) {
+TEST_P(AgainstEmbree, OursIsNeverTheWrongOne) {
     const int side = (static_cast<int>(std::sqrt(static_cast<double>(rayCount()))) + 3) / 4 * 4;
     const std::vector<Ray> primary = primaryRays(GetParam(), side);
     const std::vector<Hit> hits = compareClosest("primary", primary);

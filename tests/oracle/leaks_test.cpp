@@ -170,7 +170,7 @@ class Leaks : public testing::TestWithParam<std::tuple<Solid, float>> {
 
 } // namespace
 
-TEST_P(Leaks, noneInTheExactNorInTheFastTree) {
+TEST_P(Leaks, NoneInTheExactNorInTheFastTree) {
     const auto [solid, offset] = GetParam();
     const test::ClosedMesh closed = test::makeSolid(solid, offset);
     const LeakAim aim(closed);

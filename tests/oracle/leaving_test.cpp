@@ -319,7 +319,7 @@ Subject subjectOf(const Case& c) {
 
 } // namespace
 
-TEST(Leaving, raysHitNothingOfWhatTheyLeaveAndAllThatTheyMeet) {
+TEST(Leaving, RaysHitNothingOfWhatTheyLeaveAndAllThatTheyMeet) {
     const std::vector<Case> cases = allCases();
     const std::vector<std::string> sets = rtcore::instructionSets();
     const std::uint64_t raysOfCase = allRays() / (cases.size() * sets.size()) + 1;

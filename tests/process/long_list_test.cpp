@@ -3,7 +3,7 @@
 #include "process/sample_scene.h"
 
 #include "rtcore/io/images/image_file.h"
-#include "rtcore/io/text/path_recorder.h"
+#include "rtcore/io/recording/path_recorder.h"
 
 #include <gtest/gtest.h>
 

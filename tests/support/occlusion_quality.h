@@ -65,9 +65,9 @@ class OcclusionQuality {
         settings.ambientOcclusion.light = 1;
         settings.ambientOcclusion.samples = samples;
         settings.ambientOcclusion.pattern = pattern;
-        rtcore::RenderControl control;
+        rtcore::RenderControl control{.threads = 0};
         rtcore::Frame frame;
-        rtcore::renderFrame(scene_, tracer_, camera_, settings, 0, control, frame);
+        rtcore::renderFrame({scene_, tracer_, camera_, settings}, control, frame);
         return std::move(frame.radiance);
     }
 

@@ -3,9 +3,9 @@
 
 #include "rtcore/accel/builder.h"
 #include "rtcore/kernels/ray_tracer.h"
+#include "rtcore/scene/closed_surfaces.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
-#include "rtcore/shading/closed_surfaces.h"
 #include "rtcore/shading/whitted.h"
 
 #include <array>

@@ -23,8 +23,8 @@ struct Picture {
 inline Picture pictureOf(const rtcore::Scene& scene, const rtcore::RayTracer& tracer,
                          const rtcore::Camera& camera, const rtcore::RenderSettings& settings) {
     Picture picture;
-    rtcore::RenderControl control;
-    rtcore::renderFrame(scene, tracer, camera, settings, 0, control, picture.frame);
+    rtcore::RenderControl control{.threads = 0};
+    rtcore::renderFrame({scene, tracer, camera, settings}, control, picture.frame);
     rtcore::PictureDeveloper developer;
     const float exposure = developer.exposure(picture.frame, settings.exposure, 0);
     developer.develop(picture.frame, settings, exposure, 0, picture.developed);

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "rtcore/math/box.h"
+#include "rtcore/scene/closed_surfaces.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
-#include "rtcore/shading/closed_surfaces.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -184,7 +184,7 @@ std::string nameOf(const testing::TestParamInfo<Place>& place) { return place.pa
 
 } // namespace
 
-TEST_P(Trees, picturesHaveTheSameBits) {
+TEST_P(Trees, PicturesHaveTheSameBits) {
     using rtcore::BuildMethod, rtcore::RayKind;
     const Traced exact(scene_.mesh(), {.method = BuildMethod::Exact});
     std::deque<Traced> fast;
@@ -211,7 +211,7 @@ TEST_P(Trees, picturesHaveTheSameBits) {
             << static_cast<int>(kind);
 }
 
-TEST_P(Trees, everyEffectShows) {
+TEST_P(Trees, EveryEffectShows) {
     const Traced traced(scene_.mesh(), {.method = rtcore::BuildMethod::Fast});
     const RenderSettings all = test::everyEffect(80, 60);
     const rtcore::Camera camera = viewpoints(traced).next();

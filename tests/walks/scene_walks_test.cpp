@@ -276,11 +276,11 @@ std::string nameOf(const testing::TestParamInfo<Place>& place) { return place.pa
 
 } // namespace
 
-TEST_P(SceneWalk, nothingIsEverInsideThePlayer) { walkAtRandom(walks(20)); }
-TEST_P(SceneWalk, takesTheSamePathAtAnyFrameRate) { playAtAnyFrameRate(); }
-TEST_P(SceneWalk, takesTheSamePathInAnyOrderOfTriangles) { walkInAnyOrder(walks(20)); }
-TEST_P(SceneWalk, startsOrRefusesAnywhere) { toggleAnywhere(walks(100)); }
-TEST_P(SceneWalk, doesNotTrembleAgainstWalls) { pressOnAnywhere(walks(40)); }
-TEST_P(SceneWalk, entersWhereThereIsRoom) { enterAnywhere(walks(100)); }
+TEST_P(SceneWalk, NothingIsEverInsideThePlayer) { walkAtRandom(walks(20)); }
+TEST_P(SceneWalk, TakesTheSamePathAtAnyFrameRate) { playAtAnyFrameRate(); }
+TEST_P(SceneWalk, TakesTheSamePathInAnyOrderOfTriangles) { walkInAnyOrder(walks(20)); }
+TEST_P(SceneWalk, StartsOrRefusesAnywhere) { toggleAnywhere(walks(100)); }
+TEST_P(SceneWalk, DoesNotTrembleAgainstWalls) { pressOnAnywhere(walks(40)); }
+TEST_P(SceneWalk, EntersWhereThereIsRoom) { enterAnywhere(walks(100)); }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SceneWalk, testing::ValuesIn(kPlaces), nameOf);

@@ -7,7 +7,7 @@
 #include "rtcore/io/text/set.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
-#include "rtcore/shading/closed_surfaces.h"
+#include "rtcore/scene/closed_surfaces.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -96,13 +96,7 @@ class Loader {
             scene.lights.push_back(light.light);
             scene.lightNames.push_back(light.name);
         }
-        scene.background = file.background;
-        scene.ambient = file.ambient;
-        scene.fog = file.fog;
-        scene.walk = file.walk;
-        scene.up = file.up;
-        scene.metresPerUnit = file.metresPerUnit;
-        scene.activeEnvironment = file.activeEnvironment;
+        static_cast<SceneLook&>(scene) = file;
         phase(LoadPhase::LoadingImages);
         overrideMaterials(path, file);
         for (const EnvironmentFile& environment : file.environments) loadEnvironment(environment);

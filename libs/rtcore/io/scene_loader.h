@@ -3,9 +3,9 @@
 
 #include "rtcore/accel/builder.h"
 #include "rtcore/accel/kd_tree.h"
-#include "rtcore/io/default_view.h"
 #include "rtcore/io/import/model_import.h"
 #include "rtcore/io/text/scn.h"
+#include "rtcore/render/default_view.h"
 #include "rtcore/scene/scene.h"
 
 #include <cstddef>

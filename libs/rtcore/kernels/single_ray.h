@@ -1,6 +1,6 @@
 /// One ray at a time. Watertight: a ray that starts inside a closed mesh never leaves it without a hit,
 /// whatever its direction (Woop, Benthin and Wald 2013, "Watertight Ray/Triangle Intersection", on a tree
-/// whose clipping and intervals are widened by a few units in the last place; docs/architecture.md).
+/// whose clipping and intervals are widened by a few units in the last place; accel/README.md).
 #pragma once
 
 #include "rtcore/accel/kd_tree.h"

@@ -1,4 +1,4 @@
-// How much light a lamp sends to a point, over the number F: float or Float. Included once for each
+// How much a light sends to a point, over the number F: float or Float. Included once for each
 // instruction set, inside the loop of foreach_target.h, or alone.
 #include "rtcore/math/constants.h"
 #include "rtcore/math/float3-inl.h"
@@ -83,25 +83,32 @@ HWY_INLINE LightSample<F> sampleSphere(const Light& light, Vec3Of<F> offset, con
             sine * sine * stratum.ofAll};
 }
 
-/// A stratum of a rectangle, uniform by area: where it is, from the middle.
-template <typename F>
-HWY_INLINE Vec3Of<F> pointOfRectangle(const Light& light, F u, F v) {
+/// Of a flat light, which shines with the cosine: a point that is uniform by area, seen from the middle.
+template <LightKind kind, typename F>
+HWY_INLINE Vec3Of<F> pointOnFlat(const Light& light, F u, F v) {
+    static_assert(kind == LightKind::Rectangle, "where are the points of such a light?");
     return broadcast<F>(light.right * light.width) * (u - 0.5F) +
            broadcast<F>(cross(light.direction, light.right) * light.height) * (v - 0.5F);
+}
+template <LightKind kind>
+HWY_INLINE float areaOfFlat(const Light& light) {
+    static_assert(kind == LightKind::Rectangle, "how large is such a light?");
+    return light.width * light.height;
 }
 
 /// What `light` sends to `position`; of an area light, what the stratum sends.
 template <LightKind kind, typename F>
 HWY_INLINE LightSample<F> sampleLight(const Light& light, Vec3Of<F> position,
                                       const Stratum<F>& stratum = wholeLight<kind, F>()) {
-    if constexpr (kind == LightKind::Directional) {
+    constexpr LightTraits traits = traitsOf(kind);
+    if constexpr (!traits.position) {
         return {broadcast<F>(-light.direction), F(std::numeric_limits<float>::max()),
                 broadcast<F>(light.intensity), F(0)};
     }
     Vec3Of<F> offset = broadcast<F>(light.position) - position;
     if constexpr (kind == LightKind::Sphere) return sampleSphere<F>(light, offset, stratum);
-    if constexpr (kind == LightKind::Rectangle)
-        offset = offset + pointOfRectangle<F>(light, stratum.u, stratum.v);
+    constexpr bool flat = isAreaLight(kind) && traits.beam == Beam::Cosine;
+    if constexpr (flat) offset = offset + pointOnFlat<kind, F>(light, stratum.u, stratum.v);
     const WayToLight<F> way = wayToLight<F>(light, offset);
     const F counted = max(max(way.distance, F(light.radius)), F(1e-18F));
     const F square = counted * counted;
@@ -110,11 +117,11 @@ HWY_INLINE LightSample<F> sampleLight(const Light& light, Vec3Of<F> position,
     // Most lights are white: a division less for each of the others.
     irradiance.y = light.intensity.g == light.intensity.r ? irradiance.x : light.intensity.g / square;
     irradiance.z = light.intensity.b == light.intensity.r ? irradiance.x : light.intensity.b / square;
-    if constexpr (kind == LightKind::Spot)
+    if constexpr (traits.beam == Beam::Cone)
         irradiance = irradiance * spotFactor<F>(light, -dot(way.direction, broadcast<F>(light.direction)));
     F spread = F(0);
-    if constexpr (kind == LightKind::Rectangle) {
-        const float area = light.width * light.height * stratum.ofAll / kPi;
+    if constexpr (flat) {
+        const float area = areaOfFlat<kind>(light) * stratum.ofAll / kPi;
         const F front = max(-dot(way.direction, broadcast<F>(light.direction)), F(0));
         irradiance = irradiance * (front * stratum.share);
         spread = area * front / square;

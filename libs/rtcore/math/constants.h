@@ -1,8 +1,10 @@
 /// Numbers that many formulas need.
 #pragma once
 
+#include <numbers>
+
 namespace rtcore {
 
-inline constexpr float kPi = 3.14159265358979F;
+inline constexpr float kPi = std::numbers::pi_v<float>;
 
 } // namespace rtcore

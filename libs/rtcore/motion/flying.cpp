@@ -5,12 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace rtcore {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kPi = std::numbers::pi;
 constexpr double kInertia = 0.88; ///< what a step leaves of the difference: e^(-tick / 0.065 s)
 constexpr double kTurnSpeed = 1.6;
 constexpr double kStopped = 1e-3; ///< share of full speed that counts as rest

@@ -30,63 +30,59 @@ TileRenderer& FrameRenderer::rendererOfThread(int thread) {
     return *renderer;
 }
 
-bool FrameRenderer::render(const Scene& scene, const RayTracer& tracer, const Camera& camera,
-                           const RenderSettings& settings, int threads, RenderControl& control,
-                           Frame& frame) {
-    aim(scene, tracer, camera, settings);
-    beginLayers(camera, settings, frame);
-    return renderView(scene, tracer, settings, threads, control, frame);
+bool FrameRenderer::render(const View& view, RenderControl& control, Frame& frame) {
+    aim(view);
+    return renderAimed(view, control, frame);
 }
 
-bool FrameRenderer::renderCoarse(const Scene& scene, const RayTracer& tracer, const Camera& camera,
-                                 const RenderSettings& settings, int block, int threads,
-                                 RenderControl& control, Frame& frame) {
-    aim(scene, tracer, camera, settings);
-    view_.camera = view_.camera.coarser(block);
-    RenderSettings coarse = settings;
-    coarse.width = (settings.width + block - 1) / block;
-    coarse.height = (settings.height + block - 1) / block;
+bool FrameRenderer::renderCoarse(const View& view, int block, RenderControl& control, Frame& frame) {
+    aim(view);
+    samples_.camera = samples_.camera.coarser(block);
+    RenderSettings coarse = view.settings;
+    coarse.width = (coarse.width + block - 1) / block;
+    coarse.height = (coarse.height + block - 1) / block;
     coarse.antialiasing = 1;
     coarse.sampling = SamplingPattern::Grid;
-    beginLayers(camera, coarse, frame);
-    return renderView(scene, tracer, coarse, threads, control, frame);
+    return renderAimed({view.scene, view.tracer, view.camera, coarse}, control, frame);
 }
 
 /// The camera and its lens; what is in the middle is that of the whole picture.
-void FrameRenderer::aim(const Scene& scene, const RayTracer& tracer, const Camera& camera,
-                        const RenderSettings& settings) {
-    view_.camera = CameraRays(camera, settings.width, settings.height);
-    view_.lens = {};
-    const DepthOfFieldSettings& lens = settings.depthOfField;
-    if (!lens.on || view_.camera.parallel()) return; // an orthographic view has no lens
-    const float focus = lens.focus > 0
-                            ? lens.focus
-                            : focus_.distance(tracer, view_.camera, static_cast<float>(settings.width) * 0.5F,
-                                              static_cast<float>(settings.height) * 0.5F);
-    view_.lens = makeLens(view_.camera, camera.horizontalFov, lens.fNumber, focus, scene.metresPerUnit);
-    view_.aperture.prepare(lens.blades);
+void FrameRenderer::aim(const View& view) {
+    const auto width = static_cast<float>(view.settings.width);
+    const auto height = static_cast<float>(view.settings.height);
+    CameraRays& rays = samples_.camera;
+    rays = CameraRays(view.camera, view.settings.width, view.settings.height);
+    samples_.lens = {};
+    const DepthOfFieldSettings& lens = view.settings.depthOfField;
+    if (!lens.on || rays.parallel()) return; // an orthographic view has no lens
+    const float focus =
+        lens.focus > 0 ? lens.focus : focus_.distance(view.tracer, rays, width * 0.5F, height * 0.5F);
+    samples_.lens = makeLens(rays, view.camera.horizontalFov, lens.fNumber, focus, view.scene.metresPerUnit);
+    samples_.aperture.prepare(lens.blades);
 }
 
-void FrameRenderer::beginLayers(const Camera& camera, const RenderSettings& settings, Frame& frame) const {
+void FrameRenderer::beginLayers(const View& view, Frame& frame) const {
+    const RenderSettings& settings = view.settings;
     if (collectLayers_ || settings.denoise > 0) {
-        frame.layers.begin(camera, settings.width, settings.height);
+        frame.layers.begin(view.camera, settings.width, settings.height);
     } else {
         frame.layers.clear();
     }
 }
 
-bool FrameRenderer::renderView(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
-                               int threads, RenderControl& control, Frame& frame) {
+bool FrameRenderer::renderAimed(const View& view, RenderControl& control, Frame& frame) {
+    const RenderSettings& settings = view.settings;
+    beginLayers(view, frame);
     prepare(frame, settings);
-    materials_.prepare(scene, settings);
-    view_.pattern.prepare(settings.sampling, settings.antialiasing);
-    view_.lensPattern.prepare(settings.antialiasing);
+    materials_.prepare(view.scene, settings);
+    samples_.pattern.prepare(settings.sampling, settings.antialiasing);
+    samples_.lensPattern.prepare(settings.antialiasing);
     stageTimes_ = {};
     const TileGrid grid(settings, materials_.anyOnward());
     const bool chosen = choosesSamples(settings);
     control.tilesDone = 0;
     control.tiles = static_cast<std::uint64_t>(grid.count()) * (chosen ? 2 : 1);
-    const Work work{scene, tracer, settings, threadsFor(threads), control, frame};
+    const Work work{view, threadsFor(control.threads), control, frame};
     const auto team = static_cast<std::size_t>(work.team);
     if (renderers_.size() < team) renderers_.resize(team);
     if (chosen) {
@@ -103,7 +99,7 @@ bool FrameRenderer::renderView(const Scene& scene, const RayTracer& tracer, cons
 
 void FrameRenderer::renderChosen(const Work& work, const TileGrid& grid) {
     Frame& frame = work.frame;
-    choice_.begin(work.settings);
+    choice_.begin(work.view.settings);
     renderTiles(work, grid, [&](TileRenderer& renderer, const PixelArea& tile) {
         renderer.renderFirst(tile, choice_, frame);
     });
@@ -125,9 +121,13 @@ void FrameRenderer::renderTiles(const Work& work, const TileGrid& grid, Render&&
 #pragma omp parallel num_threads(work.team) default(shared)
     errors.guard([&] {
         TileRenderer& renderer = rendererOfThread(threadNumber());
-        renderer.begin(work.scene, work.tracer, work.settings, materials_, view_, cancel, measureStages_,
-                       work.frame.layers.empty() ? nullptr : &work.frame.layers);
-        renderer.takeShadowsFrom(maps_);
+        renderer.begin({.view = work.view,
+                        .samples = samples_,
+                        .materials = materials_,
+                        .shadowMaps = maps_,
+                        .cancel = cancel,
+                        .measureStages = measureStages_,
+                        .layers = work.frame.layers.empty() ? nullptr : &work.frame.layers});
         // In the order of the picture: its last row of tiles is the one that its lower edge cuts.
 #pragma omp for schedule(dynamic, 1) nowait
         for (int tile = 0; tile < grid.count(); ++tile) {
@@ -149,9 +149,8 @@ void FrameRenderer::finish(const Work& work, const PixelArea& tile) {
     if (whole && work.control.finished != nullptr) work.control.finished->add(tile);
 }
 
-bool renderFrame(const Scene& scene, const RayTracer& tracer, const Camera& camera,
-                 const RenderSettings& settings, int threads, RenderControl& control, Frame& frame) {
-    return FrameRenderer().render(scene, tracer, camera, settings, threads, control, frame);
+bool renderFrame(const View& view, RenderControl& control, Frame& frame) {
+    return FrameRenderer().render(view, control, frame);
 }
 
 } // namespace rtcore

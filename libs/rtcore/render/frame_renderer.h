@@ -1,17 +1,15 @@
 /// From a scene and a camera to a picture of unbounded linear radiance.
 #pragma once
 
-#include "rtcore/kernels/ray_tracer.h"
 #include "rtcore/render/finished_tiles.h"
 #include "rtcore/render/frame.h"
 #include "rtcore/render/lens.h"
 #include "rtcore/render/sample_choice.h"
 #include "rtcore/render/sample_rays.h"
-#include "rtcore/scene/scene.h"
-#include "rtcore/settings/render_settings.h"
-#include "rtcore/shading/material_table.h"
-#include "rtcore/shading/shadow_maps.h"
+#include "rtcore/render/view.h"
+#include "rtcore/shading/light/shadow_maps.h"
 #include "rtcore/shading/stage_times.h"
+#include "rtcore/shading/surface/material_table.h"
 
 #include <atomic>
 #include <cstdint>
@@ -25,6 +23,7 @@ class TileRenderer;
 
 /// Shared with threads that show progress or stop the work. One frame at a time.
 struct RenderControl {
+    int threads = 0; ///< of the work; 0: all cores
     std::atomic<bool> cancel{false};
     std::atomic<std::uint64_t> tilesDone{0};
     std::atomic<std::uint64_t> tiles{0}; ///< of the whole frame; 0 before it starts
@@ -40,17 +39,14 @@ class FrameRenderer {
     FrameRenderer(const FrameRenderer&) = delete;
     FrameRenderer& operator=(const FrameRenderer&) = delete;
 
-    /// Renders into `frame`, whose memory is reused when the size fits. `threads` = 0: all cores; the picture
-    /// has the same bits for every number. Scene, camera and settings may differ in every frame, but not
-    /// change during one. Returns false when control.cancel was set, with `frame` undefined.
-    bool render(const Scene& scene, const RayTracer& tracer, const Camera& camera,
-                const RenderSettings& settings, int threads, RenderControl& control, Frame& frame);
+    /// Renders into `frame`, whose memory is reused when the size fits. The picture has the same bits for
+    /// every number of threads. The view may differ in every frame, but not change during one. Returns false
+    /// when control.cancel was set, with `frame` undefined.
+    bool render(const View& view, RenderControl& control, Frame& frame);
 
     /// The picture of those settings from afar: one sample for each square of `block` x `block` pixels, in
     /// its middle. `frame` gets a pixel for each square, also for those that the right or lower edge cuts.
-    bool renderCoarse(const Scene& scene, const RayTracer& tracer, const Camera& camera,
-                      const RenderSettings& settings, int block, int threads, RenderControl& control,
-                      Frame& frame);
+    bool renderCoarse(const View& view, int block, RenderControl& control, Frame& frame);
 
     /// Whether frames to come get layers; those that are denoised get them anyway.
     void collectLayers(bool on) { collectLayers_ = on; }
@@ -65,25 +61,21 @@ class FrameRenderer {
   private:
     /// What goes through all steps of a frame.
     struct Work {
-        const Scene& scene;
-        const RayTracer& tracer;
-        const RenderSettings& settings;
-        int team;
+        const View& view;
+        int team; ///< threads
         RenderControl& control;
         Frame& frame;
     };
-    void aim(const Scene& scene, const RayTracer& tracer, const Camera& camera,
-             const RenderSettings& settings);
-    void beginLayers(const Camera& camera, const RenderSettings& settings, Frame& frame) const;
-    bool renderView(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings, int threads,
-                    RenderControl& control, Frame& frame);
+    void aim(const View& view);
+    bool renderAimed(const View& view, RenderControl& control, Frame& frame);
+    void beginLayers(const View& view, Frame& frame) const;
     template <typename Render>
     void renderTiles(const Work& work, const TileGrid& grid, Render&& render);
     void renderChosen(const Work& work, const TileGrid& grid);
     void finish(const Work& work, const PixelArea& tile);
     TileRenderer& rendererOfThread(int thread);
 
-    SampleView view_; ///< of the frame being rendered
+    SampleView samples_; ///< of the frame being rendered
     FocusFinder focus_;
     SampleChoice choice_;
     MaterialTable materials_;
@@ -95,7 +87,6 @@ class FrameRenderer {
 };
 
 /// A single frame: FrameRenderer::render() with memory of its own.
-bool renderFrame(const Scene& scene, const RayTracer& tracer, const Camera& camera,
-                 const RenderSettings& settings, int threads, RenderControl& control, Frame& frame);
+bool renderFrame(const View& view, RenderControl& control, Frame& frame);
 
 } // namespace rtcore

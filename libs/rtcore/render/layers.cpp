@@ -16,7 +16,7 @@ void FrameLayers::begin(const Camera& camera, int width, int height) {
     sums_.assign(count, {});
 }
 
-void FrameLayers::add(const FirstHits& hits, std::span<const SampleId> samples) {
+void FrameLayers::add(std::span<const FirstHit> hits, std::span<const SampleId> samples) {
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const std::size_t at =
             static_cast<std::size_t>(samples[i].y) * static_cast<std::size_t>(width_) + samples[i].x;

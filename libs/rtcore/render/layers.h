@@ -35,7 +35,7 @@ class FrameLayers {
     bool empty() const { return pixels_.empty(); }
 
     /// samples[i] saw hits[i].
-    void add(const FirstHits& hits, std::span<const SampleId> samples);
+    void add(std::span<const FirstHit> hits, std::span<const SampleId> samples);
     /// Sums become means.
     void finish(int threads);
 

@@ -44,10 +44,9 @@ std::vector<RefinementPass> planRefinement(const RenderSettings& settings) {
     return plan;
 }
 
-bool Refinement::render(FrameRenderer& renderer, const Scene& scene, const RayTracer& tracer,
-                        const Camera& camera, const RenderSettings& settings, int threads,
-                        RenderControl& control, Frame& frame, const Show& show) {
-    const std::vector<RefinementPass> plan = planRefinement(settings);
+bool Refinement::render(FrameRenderer& renderer, const View& view, RenderControl& control, Frame& frame,
+                        const Show& show) {
+    const std::vector<RefinementPass> plan = planRefinement(view.settings);
     double all = 0;
     for (const RefinementPass& pass : plan) all += cost(pass);
     before_ = share_ = 0;
@@ -57,12 +56,11 @@ bool Refinement::render(FrameRenderer& renderer, const Scene& scene, const RayTr
         enter(cost(pass) / all, control);
         control.finished = last ? &finished_ : nullptr;
         Frame& picture = last ? frame : frame_;
-        RenderSettings quality = settings;
+        RenderSettings quality = view.settings;
         quality.antialiasing = pass.antialiasing;
-        const bool whole =
-            pass.block > 1
-                ? renderer.renderCoarse(scene, tracer, camera, quality, pass.block, threads, control, picture)
-                : renderer.render(scene, tracer, camera, quality, threads, control, picture);
+        const View seen{view.scene, view.tracer, view.camera, quality};
+        const bool whole = pass.block > 1 ? renderer.renderCoarse(seen, pass.block, control, picture)
+                                          : renderer.render(seen, control, picture);
         control.finished = nullptr;
         if (!whole) return false;
         if (!last) show(pass, picture);

@@ -29,8 +29,7 @@ class Refinement {
 
     /// As FrameRenderer::render, and with its result, to the bit: what comes before is thrown away. Calls
     /// `show` for each pass but the last one.
-    bool render(FrameRenderer& renderer, const Scene& scene, const RayTracer& tracer, const Camera& camera,
-                const RenderSettings& settings, int threads, RenderControl& control, Frame& frame,
+    bool render(FrameRenderer& renderer, const View& view, RenderControl& control, Frame& frame,
                 const Show& show);
 
     /// The share of all work that is done, 0..1. Any thread.

@@ -93,18 +93,18 @@ PixelArea TileGrid::area(int tile) const {
     return {left, top, std::min(side_, width_ - left), std::min(side_, height_ - top)};
 }
 
-void TileRenderer::begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
-                         const MaterialTable& materials, const SampleView& view,
-                         const std::atomic<bool>& cancel, bool measureStages, FrameLayers* layers) {
-    settings_ = &settings;
-    view_ = &view;
+void TileRenderer::begin(const FrameTask& task) {
+    const View& view = task.view;
+    settings_ = &view.settings;
+    view_ = &task.samples;
     sameOrigin_ = false;
-    drawsSamples_ = WhittedIntegrator::drawsSamples(scene, settings);
+    drawsSamples_ = WhittedIntegrator::drawsSamples(view.scene, view.settings);
     samples_.clear();
-    integrator_.begin(scene, tracer, settings, materials, measureStages);
-    integrator_.stopWhen(&cancel);
-    integrator_.collectFirstHits(layers != nullptr);
-    layers_ = layers;
+    integrator_.begin(view.scene, view.tracer, view.settings, task.materials, task.measureStages);
+    integrator_.takeShadowsFrom(task.shadowMaps);
+    integrator_.stopWhen(&task.cancel);
+    integrator_.collectFirstHits(task.layers != nullptr);
+    layers_ = task.layers;
 }
 
 void TileRenderer::render(const PixelArea& area, Frame& frame) {

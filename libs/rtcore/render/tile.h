@@ -6,6 +6,7 @@
 #include "rtcore/render/pixel_area.h"
 #include "rtcore/render/sample_choice.h"
 #include "rtcore/render/sample_rays.h"
+#include "rtcore/render/view.h"
 #include "rtcore/shading/whitted.h"
 
 #include <cstdint>
@@ -31,13 +32,18 @@ class TileGrid {
 /// to frame.
 class TileRenderer {
   public:
-    /// Starts a frame, or a pass of it; the arguments must outlive it. `layers` gets what samples see first;
-    /// may be null.
-    void begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
-               const MaterialTable& materials, const SampleView& view, const std::atomic<bool>& cancel,
-               bool measureStages, FrameLayers* layers);
-    /// As WhittedIntegrator has it.
-    void takeShadowsFrom(const ShadowMaps* maps) { integrator_.takeShadowsFrom(maps); }
+    /// What tiles of a frame have in common; it all must outlive the frame.
+    struct FrameTask {
+        const View& view;
+        const SampleView& samples;
+        const MaterialTable& materials; ///< of the view's scene and settings
+        const ShadowMaps* shadowMaps;   ///< as WhittedIntegrator takes them; may be null
+        const std::atomic<bool>& cancel;
+        bool measureStages;
+        FrameLayers* layers; ///< gets what samples see first; may be null
+    };
+    /// Starts a frame, or a pass of it.
+    void begin(const FrameTask& task);
 
     /// Writes the pixels of one tile into `frame`; soon returns, with them undefined, when `cancel` is set.
     void render(const PixelArea& area, Frame& frame);
@@ -62,7 +68,7 @@ class TileRenderer {
     void averageSamples(const PixelArea& area, Frame& frame);
 
     const RenderSettings* settings_ = nullptr;
-    const SampleView* view_ = nullptr;
+    const SampleView* view_ = nullptr; ///< of samples
     WhittedIntegrator integrator_;
     RayWave rays_;
     bool drawsSamples_ = false;

@@ -1,16 +1,20 @@
-/// Lamps, of no size or of some. The record is written to .bsp files as it stands here.
+/// Lights: their record, which is written to .bsp files as it stands here, and one row of traits for each
+/// kind.
 #pragma once
 
 #include "rtcore/math/colour.h"
 #include "rtcore/math/vec.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <type_traits>
 
 namespace rtcore {
 
-/// A sphere shines from its whole surface alike, a rectangle from its front with the cosine (Lambert). Lamps
-/// of any kind are not seen themselves, neither directly nor in mirrors.
+/// A sphere shines from its whole surface alike, a rectangle from its front with the cosine (Lambert). Lights
+/// of any kind are not seen themselves, neither directly nor in mirrors. The numbers stand in files.
 enum class LightKind : std::uint32_t { Point = 0, Directional = 1, Spot = 2, Sphere = 3, Rectangle = 4 };
 
 struct Light {
@@ -34,9 +38,44 @@ struct Light {
 };
 static_assert(std::is_trivially_copyable_v<Light> && sizeof(Light) == 80);
 
-/// Whether its shadows are soft.
-inline bool hasSize(const Light& light) {
-    return light.kind == LightKind::Sphere || light.kind == LightKind::Rectangle;
+/// How the radiant intensity depends on the direction: not at all, in a spot's cone, or with the cosine.
+enum class Beam : std::uint8_t { Even, Cone, Cosine };
+
+/// What tells a kind of light from the others, wherever it is not sampled (lights/light_sample-inl.h).
+struct LightTraits {
+    std::string_view name; ///< in .scn files
+    bool position;         ///< it has one; else it shines from endlessly far away
+    bool direction;        ///< it has one
+    Beam beam;
+    bool radius; ///< it is as big as its radius, which it needs
+    bool sides;  ///< it has a width and a height
+};
+
+/// By LightKind.
+inline constexpr std::array<LightTraits, 5> kLightTraits{{
+    {"point", true, false, Beam::Even, false, false},
+    {"directional", false, true, Beam::Even, false, false},
+    {"spot", true, true, Beam::Cone, false, false},
+    {"sphere", true, false, Beam::Even, true, false},
+    {"rectangle", true, true, Beam::Cosine, false, true},
+}};
+inline constexpr std::size_t kLightKinds = kLightTraits.size();
+static_assert(static_cast<std::size_t>(LightKind::Rectangle) + 1 == kLightKinds, "a row for each kind");
+
+constexpr const LightTraits& traitsOf(LightKind kind) { return kLightTraits[static_cast<std::size_t>(kind)]; }
+constexpr const LightTraits& traitsOf(const Light& light) { return traitsOf(light.kind); }
+
+/// Whether it has a size, so that its shadows are soft.
+constexpr bool isAreaLight(LightKind kind) { return traitsOf(kind).radius || traitsOf(kind).sides; }
+constexpr bool isAreaLight(const Light& light) { return isAreaLight(light.kind); }
+
+/// Calls use.operator()<kind>() for the kind of a light; returns what it returns.
+template <std::size_t first = 0, typename Use>
+[[gnu::always_inline]] inline auto forKind(LightKind kind, Use&& use) {
+    if constexpr (first + 1 < kLightKinds) {
+        if (kind != static_cast<LightKind>(first)) return forKind<first + 1>(kind, use);
+    }
+    return use.template operator()<static_cast<LightKind>(first)>();
 }
 
 } // namespace rtcore

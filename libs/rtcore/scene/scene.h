@@ -37,22 +37,26 @@ struct WalkParameters {
     float gravity = 9.81F;
 };
 
-struct Scene {
+/// What surrounds the surfaces, and how one walks between them: what a scene file says beside the model.
+struct SceneLook {
+    Colour background; ///< radiance where there is no environment
+    Colour ambient;    ///< radiance that reaches every surface from everywhere, unshadowed
+    Fog fog;
+    WalkParameters walk;
+    Vec3 up{0, 1, 0}; ///< one of the six axes
+    float metresPerUnit = 1;
+    int activeEnvironment = 0; ///< index into the scene's environments; ignored when there are none
+};
+
+struct Scene : SceneLook {
     Model model;
-    std::vector<Material>
-        materials; ///< the model's with the scene's overrides; indexed by ShadingTriangle::material
+    /// The model's with the scene's overrides; indexed by ShadingTriangle::material.
+    std::vector<Material> materials;
     std::vector<Light> lights;
     std::vector<std::string> lightNames; ///< one per light, may be ""
     std::vector<std::shared_ptr<const Environment>> environments;
-    int activeEnvironment = 0; ///< index into `environments`; ignored when there are none
-    Colour background;         ///< radiance where there is no environment
-    Colour ambient;            ///< radiance that reaches every surface from everywhere, unshadowed
-    Fog fog;
-    WalkParameters walk;
-    Vec3 up{0, 1, 0};
-    float metresPerUnit = 1;
     /// One per triangle, or empty when nothing is transparent: 1 where the triangle's surface is closed, so
-    /// that it bounds a solid (shading/closed_surfaces.h).
+    /// that it bounds a solid (scene/closed_surfaces.h).
     std::vector<std::uint8_t> closed;
 
     const Mesh& mesh() const { return model.mesh; }

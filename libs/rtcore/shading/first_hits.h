@@ -3,9 +3,12 @@
 
 #include "rtcore/math/colour.h"
 #include "rtcore/math/vec.h"
+#include "rtcore/shading/light/occlusion_wave.h"
+#include "rtcore/shading/wave.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace rtcore {
@@ -15,9 +18,8 @@ struct FirstHit {
     Vec3 normal;   ///< the shading normal, unit, on the side of the viewer
     Colour albedo; ///< share of light that the surface scatters, mirrors or lets through
     Colour direct; ///< radiance by the light of lights, once scattered
-    Colour
-        soft; ///< radiance of the light that is sampled, and so grainy: of lamps with a size, from everywhere
-    float arriving = 0, whole = 0; ///< light from everywhere, and what there would be without occlusion
+    Colour soft;   ///< radiance by sampled, and so noisy, light: of area lights and ambient light
+    float arriving = 0, whole = 0; ///< ambient light, and what there would be without occlusion
     std::uint32_t wave = 0;        ///< of the sample, in which it was hit; 0: nothing was
 
     bool any() const { return wave != 0; }
@@ -26,29 +28,22 @@ struct FirstHit {
 /// One for each thread; keeps its memory.
 class FirstHits {
   public:
-    /// Forgets the hits; `samples` are to come, wave after wave.
-    void start(std::size_t samples) {
-        hits_.assign(samples, {});
-        wave_ = 0;
-    }
-    void beginWave() { ++wave_; }
+    /// Forgets the hits; the waves of so many samples are to come.
+    void start(std::size_t samples);
+    /// Takes from a wave the hits of samples that had none so far: what their rays see first, holes passed.
+    void take(const Wave& wave);
+    /// Adds surfaces.added, the light of one light, at the hits that the wave taken last found.
+    void addLight(const Wave& wave, bool areaLight);
+    /// The same of the ambient light that `occlusion` let pass.
+    void addAmbient(const Wave& wave, const OcclusionWave& occlusion);
 
-    bool missing(std::size_t sample) const { return !hits_[sample].any(); }
-    /// Takes the first hit of a sample, which the present wave found.
-    void take(std::size_t sample, const FirstHit& hit) {
-        hits_[sample] = hit;
-        hits_[sample].wave = wave_;
-    }
-    /// The hit of a sample, or null when it was not found by the present wave.
-    FirstHit* present(std::size_t sample) {
-        FirstHit& hit = hits_[sample];
-        return hit.wave == wave_ ? &hit : nullptr;
-    }
-
-    const FirstHit& operator[](std::size_t sample) const { return hits_[sample]; }
-    std::size_t size() const { return hits_.size(); }
+    /// By sample.
+    std::span<const FirstHit> hits() const { return hits_; }
 
   private:
+    template <typename Use>
+    void forEachPresent(const Wave& wave, Use&& use);
+
     std::vector<FirstHit> hits_;
     std::uint32_t wave_ = 0;
 };

@@ -5,7 +5,7 @@
 #include "rtcore/simd/foreach_target.h"
 
 #include "rtcore/scattering/fresnel-inl.h"
-#include "rtcore/shading/material_rows-inl.h"
+#include "rtcore/shading/surface/material_rows-inl.h"
 
 #ifndef RTCORE_SHADING_MIRROR_WAVE_TYPES
 #define RTCORE_SHADING_MIRROR_WAVE_TYPES
@@ -32,7 +32,7 @@ namespace rtcore {
 namespace HWY_NAMESPACE {
 
 /// shading/surface_split.h, of opaque mirrors
-void splitAll(const MaterialRow* rows, const SurfaceWave& s, const ArraysOf3* glow) {
+void splitAll(const MaterialRow* rows, const SurfaceWave& s, const ArraysOf3* emitted) {
     const Float3 white = broadcast(kWhite);
     for (std::size_t i = 0; i < s.size(); i += lanes()) {
         const Uint traits = load(s.traits + i);
@@ -51,10 +51,10 @@ void splitAll(const MaterialRow* rows, const SurfaceWave& s, const ArraysOf3* gl
         storeAt(select(mirrors, weight * mirrored, loadAt(s.onward, i)), s.onward, i);
         storeAt(select(mirrors, weight * scattered, weight), s.share, i);
         store(select(mirrors, traits | traits::kOnward, traits), s.traits + i);
-        if (glow == nullptr) continue;
+        if (emitted == nullptr) continue;
         const Float3 own =
             weight * (row.get(&MaterialRow::emission) + row.get(&MaterialRow::ambient) * scattered);
-        storeAt(select(mirrors, own, loadAt(*glow, i)), *glow, i);
+        storeAt(select(mirrors, own, loadAt(*emitted, i)), *emitted, i);
     }
 }
 
@@ -116,8 +116,8 @@ PathArrays pathsFrom(PathQueue& queue, std::size_t first) {
 
 } // namespace
 
-void splitAtMirrors(const MaterialTable& materials, const SurfaceWave& surfaces, const ArraysOf3* glow) {
-    HWY_DYNAMIC_DISPATCH(splitAll)(materials.rows(), surfaces, glow);
+void splitAtMirrors(const MaterialTable& materials, const SurfaceWave& surfaces, const ArraysOf3* emitted) {
+    HWY_DYNAMIC_DISPATCH(splitAll)(materials.rows(), surfaces, emitted);
 }
 
 void spawnMirrored(const SurfaceWave& surfaces, PathQueue* paths, const RenderSettings& settings,

@@ -2,15 +2,16 @@
 #pragma once
 
 #include "rtcore/settings/render_settings.h"
-#include "rtcore/shading/material_table.h"
-#include "rtcore/shading/path_queue.h"
-#include "rtcore/shading/surface_wave.h"
+#include "rtcore/shading/paths/path_queue.h"
+#include "rtcore/shading/surface/material_table.h"
+#include "rtcore/shading/surface/surface_wave.h"
 
 namespace rtcore {
 
 /// Divides the light at points with the trait kMirror, whose `share` is what it would be were all scattered:
-/// sets `onward` and the trait kOnward, and lowers `share`. Sets `glow` of these points, unless it is null.
-void splitAtMirrors(const MaterialTable& materials, const SurfaceWave& surfaces, const ArraysOf3* glow);
+/// sets `onward` and the trait kOnward, and lowers `share`. Sets `emitted` of these points, unless it is
+/// null.
+void splitAtMirrors(const MaterialTable& materials, const SurfaceWave& surfaces, const ArraysOf3* emitted);
 
 /// Appends a mirrored ray to `queue` for each point with the trait kOnward whose ray was mirrored or
 /// refracted less than settings.maxDepth times and matters (minContribution). `paths` are those of the wave;

@@ -4,7 +4,7 @@
 #define HWY_TARGET_INCLUDE "rtcore/shading/sample_sums.cpp"
 #include "rtcore/simd/foreach_target.h"
 
-#include "rtcore/shading/material_rows-inl.h"
+#include "rtcore/shading/surface/material_rows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rtcore {
@@ -22,15 +22,6 @@ void startAll(Colour background, const SurfaceWave& s, const ArraysOf3& radiance
     }
 }
 
-void glowAll(const MaterialRow* rows, const SurfaceWave& s, const ArraysOf3& glow) {
-    for (std::size_t i = 0; i < s.size(); i += lanes()) {
-        const Mask used = hasTrait(load(s.traits + i), traits::kPoint);
-        if (none(used)) continue;
-        const Float3 own = Rows(rows, s.material + i, used).get(&MaterialRow::glow);
-        storeAt(select(used, loadAt(s.share, i) * own, loadAt(glow, i)), glow, i);
-    }
-}
-
 void addAll(const SurfaceWave& s, const ArraysOf3& radiance) {
     for (std::size_t i = 0; i < s.size(); i += lanes())
         storeAt(loadAt(radiance, i) + loadAt(s.added, i), radiance, i);
@@ -44,19 +35,23 @@ HWY_AFTER_NAMESPACE();
 namespace rtcore {
 
 HWY_EXPORT(startAll);
-HWY_EXPORT(glowAll);
 HWY_EXPORT(addAll);
 
-void startSums(Colour background, const SurfaceWave& surfaces, const ArraysOf3& radiance, std::uint8_t* hit) {
-    HWY_DYNAMIC_DISPATCH(startAll)(background, surfaces, radiance, hit);
+void SampleSums::start(Colour background, Wave& wave) {
+    const std::size_t count = wave.size();
+    memory_.resize(3, count);
+    radiance_ = {memory_.array(0), memory_.array(1), memory_.array(2)};
+    hit_.resize(count + kWaveBlock);
+    HWY_DYNAMIC_DISPATCH(startAll)(background, wave.surfaces, radiance_, hit_.data());
 }
 
-void glowOf(const MaterialTable& materials, const SurfaceWave& surfaces, const ArraysOf3& glow) {
-    HWY_DYNAMIC_DISPATCH(glowAll)(materials.rows(), surfaces, glow);
-}
-
-void addToSums(const SurfaceWave& surfaces, const ArraysOf3& radiance) {
-    HWY_DYNAMIC_DISPATCH(addAll)(surfaces, radiance);
+void SampleSums::add(const Wave& wave) {
+    const SurfaceWave& surfaces = wave.surfaces;
+    if (wave.paths.primary()) {
+        HWY_DYNAMIC_DISPATCH(addAll)(surfaces, radiance_);
+        return;
+    }
+    for (std::size_t i = 0; i < surfaces.size(); ++i) add(wave.paths.sample(i), surfaces.added.colourAt(i));
 }
 
 } // namespace rtcore

@@ -1,23 +1,39 @@
-/// The sums of what primary rays see, ray i for sample i.
+/// What the samples of one wave of primary rays see, summed up over all rays that follow from them.
 #pragma once
 
 #include "rtcore/math/colour.h"
-#include "rtcore/shading/material_table.h"
-#include "rtcore/shading/surface_wave.h"
+#include "rtcore/shading/wave.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace rtcore {
 
-/// Begins the sum of each sample: `background` where the ray missed, else zero. Sets `hit` to 1 where there
-/// is a surface, else 0, and surfaces.share to 1.
-void startSums(Colour background, const SurfaceWave& surfaces, const ArraysOf3& radiance, std::uint8_t* hit);
+/// Sample i is that of primary ray i. One for each thread; keeps its memory from wave to wave. Each sample's
+/// sum grows in the order of the rays.
+class SampleSums {
+  public:
+    /// Begins the sums of a wave of primary rays: `background` where the ray missed, else zero. Sets the
+    /// samples' hits, and surfaces.share to 1.
+    void start(Colour background, Wave& wave);
 
-/// Sets `glow` to what the material of each point gives off, emission and reflected ambient light, as if it
-/// were no mirror; leaves it as it is where there is no point.
-void glowOf(const MaterialTable& materials, const SurfaceWave& surfaces, const ArraysOf3& glow);
+    /// Adds surfaces.added.
+    void add(const Wave& wave);
+    void add(std::size_t sample, Colour radiance) {
+        radiance_.set(sample, radiance_.colourAt(sample) + radiance);
+    }
+    void setHit(std::size_t sample, bool hit) { hit_[sample] = hit ? 1 : 0; }
 
-/// radiance += surfaces.added, sample by sample.
-void addToSums(const SurfaceWave& surfaces, const ArraysOf3& radiance);
+    /// With room for whole blocks of kWaveBlock.
+    const ArraysOf3& radiance() const { return radiance_; }
+    /// 1 where the sample hit something, else 0; with room for whole blocks of kWaveBlock.
+    const std::vector<std::uint8_t>& hit() const { return hit_; }
+
+  private:
+    WaveMemory memory_;
+    ArraysOf3 radiance_;
+    std::vector<std::uint8_t> hit_;
+};
 
 } // namespace rtcore

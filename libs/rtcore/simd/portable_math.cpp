@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 
 namespace rtcore {
 
@@ -13,7 +14,7 @@ namespace {
 namespace plain = HWY_NAMESPACE;
 
 constexpr double kInvLn2 = 1.44269504088896340736;
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kPi = std::numbers::pi;
 
 double log2Double(float x) { return plain::log2Double(static_cast<double>(x)); }
 

@@ -2,7 +2,7 @@
 
 #include "bench/rtbench/stopwatch.h"
 
-#include "rtcore/io/default_view.h"
+#include "rtcore/render/default_view.h"
 #include "rtcore/render/frame_renderer.h"
 
 #include <algorithm>
@@ -54,7 +54,8 @@ class FrameRunner {
 
     void render() {
         const Stopwatch stopwatch(threads_);
-        renderer_.render(scene_, *contender_.tracer, camera_, settings_, threads_, control_, frame_);
+        control_.threads = threads_;
+        renderer_.render({scene_, *contender_.tracer, camera_, settings_}, control_, frame_);
         seconds_.push_back(stopwatch.seconds());
     }
     /// Of all but the first, which fetches memory.

@@ -2,7 +2,7 @@
 /// exported view.
 #include "process/server/live_server.h"
 
-#include "rtcore/io/text/camera_list.h"
+#include "rtcore/io/recording/camera_list.h"
 
 #include <chrono>
 #include <thread>

@@ -1,8 +1,8 @@
 /// A walk through a real model, from the first key to the film's frames. Needs RT_TEST_SCENES.
 #include "process/server/live_server.h"
 
+#include "rtcore/io/recording/camera_list.h"
 #include "rtcore/io/text/cam.h"
-#include "rtcore/io/text/camera_list.h"
 
 #include <cstdlib>
 

@@ -1,8 +1,8 @@
 /// Paths that are recorded, rendered and played.
 #include "process/server/live_server.h"
 
+#include "rtcore/io/recording/camera_list.h"
 #include "rtcore/io/text/cam.h"
-#include "rtcore/io/text/camera_list.h"
 
 #include <algorithm>
 #include <chrono>

@@ -51,7 +51,7 @@ const test::SampleMesh& largeMesh() {
 
 } // namespace
 
-TEST(BuilderThreads, exactTreesAreTheSameForAnyNumber) {
+TEST(BuilderThreads, ExactTreesAreTheSameForAnyNumber) {
     for (int lookAhead = 0; lookAhead <= 3; ++lookAhead) {
         BuildOptions options;
         options.lookAhead = lookAhead;
@@ -59,7 +59,7 @@ TEST(BuilderThreads, exactTreesAreTheSameForAnyNumber) {
     }
 }
 
-TEST(BuilderThreads, fastTreesAreTheSameForAnyNumber) {
+TEST(BuilderThreads, FastTreesAreTheSameForAnyNumber) {
     for (int quality = 1; quality <= 10; ++quality) {
         BuildOptions options;
         options.method = BuildMethod::Fast;
@@ -72,7 +72,7 @@ TEST(BuilderThreads, fastTreesAreTheSameForAnyNumber) {
     expectSameTreeForAllThreads(largeMesh().view(), options, {1, 2, 3, 7});
 }
 
-TEST(BuilderInstructionSets, allMakeTheSameTree) {
+TEST(BuilderInstructionSets, AllMakeTheSameTree) {
     for (const BuildMethod method : {BuildMethod::Exact, BuildMethod::Fast}) {
         BuildOptions options;
         options.method = method;
@@ -85,12 +85,12 @@ TEST(BuilderInstructionSets, allMakeTheSameTree) {
     }
 }
 
-TEST(BuilderThreads, allCoresIsTheDefault) {
+TEST(BuilderThreads, AllCoresIsTheDefault) {
     BuildOptions options;
     expectSameTreeForAllThreads(largeMesh().view(), options, {0});
 }
 
-TEST(LookAhead, onlyLowersTheExpectedCost) {
+TEST(LookAhead, OnlyLowersTheExpectedCost) {
     for (const BuildMethod method : {BuildMethod::Exact, BuildMethod::Fast}) {
         for (std::uint64_t seed = 0; seed < 6; ++seed) {
             const test::SampleMesh sample = test::soup(1500, 0.05F * static_cast<float>(1 + seed), seed);
@@ -110,7 +110,7 @@ TEST(LookAhead, onlyLowersTheExpectedCost) {
     }
 }
 
-TEST(BuilderCosts, dearerTrianglesMakeSmallerLeaves) {
+TEST(BuilderCosts, DearerTrianglesMakeSmallerLeaves) {
     const test::SampleMesh sample = test::soup(2000, 0.1F, 4);
     double last = 1e9;
     for (const float intersectionCost : {0.1F, 0.5F, 2.0F}) {
@@ -123,7 +123,7 @@ TEST(BuilderCosts, dearerTrianglesMakeSmallerLeaves) {
     }
 }
 
-TEST(FastQuality, isClampedAndGrows) {
+TEST(FastQuality, IsClampedAndGrows) {
     EXPECT_EQ(rtcore::fastOptions(-5).bins, rtcore::fastOptions(1).bins);
     EXPECT_EQ(rtcore::fastOptions(99).bins, rtcore::fastOptions(10).bins);
     for (int quality = 2; quality <= 10; ++quality) {
@@ -133,7 +133,7 @@ TEST(FastQuality, isClampedAndGrows) {
     }
 }
 
-TEST(BuilderCancel, stopsBeforeTheStart) {
+TEST(BuilderCancel, StopsBeforeTheStart) {
     for (const BuildMethod method : {BuildMethod::Exact, BuildMethod::Fast}) {
         for (const int threads : {1, 2, 7}) {
             BuildOptions options;
@@ -147,7 +147,7 @@ TEST(BuilderCancel, stopsBeforeTheStart) {
     }
 }
 
-TEST(BuilderCancel, stopsInTheMiddleAndTheNextBuildIsWhole) {
+TEST(BuilderCancel, StopsInTheMiddleAndTheNextBuildIsWhole) {
     const test::SampleMesh sample = test::icosphere(6).rotate(5);
     for (const BuildMethod method : {BuildMethod::Exact, BuildMethod::Fast}) {
         BuildOptions options;
@@ -172,7 +172,7 @@ TEST(BuilderCancel, stopsInTheMiddleAndTheNextBuildIsWhole) {
     }
 }
 
-TEST(BuildTimes, areFilled) {
+TEST(BuildTimes, AreFilled) {
     for (const BuildMethod method : {BuildMethod::Exact, BuildMethod::Fast}) {
         BuildOptions options;
         options.method = method;

@@ -101,7 +101,7 @@ class EveryMesh : public testing::TestWithParam<MeshCase> {};
 
 } // namespace
 
-TEST_P(EveryMesh, getsASoundTreeExactly) {
+TEST_P(EveryMesh, GetsASoundTreeExactly) {
     const test::SampleMesh sample = GetParam().make();
     const Mesh mesh = sample.view();
     for (const float intersectionCost : {0.0F, 2.0F}) {
@@ -111,7 +111,7 @@ TEST_P(EveryMesh, getsASoundTreeExactly) {
     }
 }
 
-TEST_P(EveryMesh, getsASoundTreeFast) {
+TEST_P(EveryMesh, GetsASoundTreeFast) {
     const test::SampleMesh sample = GetParam().make();
     const Mesh mesh = sample.view();
     for (const int quality : {1, 5, 10}) {
@@ -136,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& testCase) { return testCase.param.name; });
 
 // Every split along the bar would cut all slivers, and would still seem to pay.
-TEST(Builder, longSliversTakeMemoryInProportionToTheirNumber) {
+TEST(Builder, LongSliversTakeMemoryInProportionToTheirNumber) {
     test::Random random(31);
     test::SampleMesh sample;
     const auto across = [&] { return 1e-6F * random.number(0, 1); };
@@ -157,7 +157,7 @@ TEST(Builder, longSliversTakeMemoryInProportionToTheirNumber) {
     }
 }
 
-TEST(Builder, theEmptyTreeIsOneEmptyLeafWithoutBounds) {
+TEST(Builder, TheEmptyTreeIsOneEmptyLeafWithoutBounds) {
     const KdTree tree = buildKdTree(Mesh{}, {});
     ASSERT_EQ(tree.nodes.size(), 1U);
     EXPECT_TRUE(tree.nodes[0].isLeaf());
@@ -166,7 +166,7 @@ TEST(Builder, theEmptyTreeIsOneEmptyLeafWithoutBounds) {
     EXPECT_TRUE(tree.bounds.empty());
 }
 
-TEST(Builder, separatesTwoClustersByEmptySpace) {
+TEST(Builder, SeparatesTwoClustersByEmptySpace) {
     test::SampleMesh sample = test::soup(50, 0.1F, 10);
     sample.append(test::soup(50, 0.1F, 11).move({100, 0, 0}));
     const KdTree tree = buildKdTree(sample.view(), {});
@@ -176,7 +176,7 @@ TEST(Builder, separatesTwoClustersByEmptySpace) {
     EXPECT_LT(tree.nodes[0].split, 99.5F);
 }
 
-TEST(Builder, aTreeIsCheaperThanALeafAndTheFastOneNotMuchDearer) {
+TEST(Builder, ATreeIsCheaperThanALeafAndTheFastOneNotMuchDearer) {
     const test::SampleMesh sample = test::icosphere(5).rotate(12);
     const Mesh mesh = sample.view();
     const float cost = rtcore::automaticIntersectionCost(mesh.triangles.size(), BuildMethod::Exact);
@@ -190,7 +190,7 @@ TEST(Builder, aTreeIsCheaperThanALeafAndTheFastOneNotMuchDearer) {
     EXPECT_LT(expectedCost(BuildMethod::Fast), 1.2 * exact);
 }
 
-TEST(Builder, intersectionCostFollowsTheSize) {
+TEST(Builder, IntersectionCostFollowsTheSize) {
     using rtcore::automaticIntersectionCost;
     EXPECT_EQ(automaticIntersectionCost(99'999, BuildMethod::Exact), 0.4F);
     EXPECT_EQ(automaticIntersectionCost(100'000, BuildMethod::Exact), 0.3F);
@@ -198,7 +198,7 @@ TEST(Builder, intersectionCostFollowsTheSize) {
     EXPECT_EQ(automaticIntersectionCost(500'000, BuildMethod::Fast), 0.15F);
 }
 
-TEST(Builder, theArraysOutliveTheMesh) {
+TEST(Builder, TheArraysOutliveTheMesh) {
     KdTree tree;
     {
         const test::SampleMesh sample = smallSoup();

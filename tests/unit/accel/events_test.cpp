@@ -49,7 +49,7 @@ Side sideByDefinition(const Box3& box, const Split& split) {
 
 } // namespace
 
-TEST(Events, orderedBitsSortAsFloatsDo) {
+TEST(Events, OrderedBitsSortAsFloatsDo) {
     const float infinity = std::numeric_limits<float>::infinity();
     const std::vector<float> ascending{-infinity, -3e38F, -1.5F, -1, -1e-38F, -1e-45F, 0,
                                        1e-45F,    1e-38F, 1,     2,  3e38F,   infinity};
@@ -62,7 +62,7 @@ TEST(Events, orderedBitsSortAsFloatsDo) {
     EXPECT_EQ(rtcore::orderedBits(-0.0F), rtcore::orderedBits(0.0F));
 }
 
-TEST(Events, anEventHoldsPositionKindAndTriangle) {
+TEST(Events, AnEventHoldsPositionKindAndTriangle) {
     for (const EventKind kind : {EventKind::End, EventKind::Planar, EventKind::Start}) {
         const Event e = rtcore::makeEvent(-2.5F, kind, rtcore::kEventTriangleMask);
         EXPECT_EQ(rtcore::eventPosition(e), -2.5F);
@@ -71,7 +71,7 @@ TEST(Events, anEventHoldsPositionKindAndTriangle) {
     }
 }
 
-TEST(Events, endsComeBeforePlanarOnesAndThoseBeforeStarts) {
+TEST(Events, EndsComeBeforePlanarOnesAndThoseBeforeStarts) {
     const Event end = rtcore::makeEvent(1, EventKind::End, 9);
     const Event planar = rtcore::makeEvent(1, EventKind::Planar, 5);
     const Event start = rtcore::makeEvent(1, EventKind::Start, 0);
@@ -80,14 +80,14 @@ TEST(Events, endsComeBeforePlanarOnesAndThoseBeforeStarts) {
     EXPECT_LT(start, rtcore::makeEvent(1.0000001F, EventKind::End, 0));
 }
 
-TEST(Events, aFlatBoxHasOneEvent) {
+TEST(Events, AFlatBoxHasOneEvent) {
     const std::vector<Box3> boxes{{{0, 1, 2}, {0, 3, 4}}};
     ASSERT_EQ(eventsOf(boxes, 0).size(), 1U);
     EXPECT_EQ(rtcore::eventKind(eventsOf(boxes, 0)[0]), EventKind::Planar);
     EXPECT_EQ(eventsOf(boxes, 1).size(), 2U);
 }
 
-TEST(Events, shortAndLongListsAreSorted) {
+TEST(Events, ShortAndLongListsAreSorted) {
     test::Random random(1);
     for (const std::size_t count : {0UL, 1UL, 50UL, 900UL, 2000UL, 3000UL, 20000UL}) {
         for (const bool onLattice : {true, false}) {
@@ -105,7 +105,7 @@ TEST(Events, shortAndLongListsAreSorted) {
     }
 }
 
-TEST(Events, fewAreSortedInAnyOrderByEveryInstructionSet) {
+TEST(Events, FewAreSortedInAnyOrderByEveryInstructionSet) {
     test::Random random(6);
     for (const std::string& name : rtcore::instructionSets()) {
         ASSERT_TRUE(rtcore::useInstructionSet(name));
@@ -124,7 +124,7 @@ TEST(Events, fewAreSortedInAnyOrderByEveryInstructionSet) {
     ASSERT_TRUE(rtcore::useInstructionSet("auto"));
 }
 
-TEST(Events, ofAMeshAreItsBoxesInOrder) {
+TEST(Events, OfAMeshAreItsBoxesInOrder) {
     test::SampleMesh sample = test::soup(40'000, 0.1F, 3); // several slices, and more than one chunk
     sample.append(test::sheet(20, 1, 0.5F));
     sample.append(test::soup(100, 0.1F, 4).move({1000, 0, 0})); // most are in one slice
@@ -142,7 +142,7 @@ TEST(Events, ofAMeshAreItsBoxesInOrder) {
     }
 }
 
-TEST(Events, alongTheSplitTrianglesAreDividedByTheirBoxes) {
+TEST(Events, AlongTheSplitTrianglesAreDividedByTheirBoxes) {
     test::Random random(2);
     for (int round = 0; round < 300; ++round) {
         const std::vector<Box3> boxes = latticeBoxes(40, random);
@@ -182,7 +182,7 @@ TEST(Events, alongTheSplitTrianglesAreDividedByTheirBoxes) {
     }
 }
 
-TEST(Events, partitionKeepsTheOrderAlsoInPlace) {
+TEST(Events, PartitionKeepsTheOrderAlsoInPlace) {
     test::Random random(3);
     const std::vector<Box3> boxes = latticeBoxes(200, random);
     std::vector<Event> events = eventsOf(boxes, 1);
@@ -206,7 +206,7 @@ TEST(Events, partitionKeepsTheOrderAlsoInPlace) {
     EXPECT_EQ(events, expectedUpper);
 }
 
-TEST(Events, mergingKeepsAllInOrder) {
+TEST(Events, MergingKeepsAllInOrder) {
     test::Random random(4);
     for (const std::size_t old : {0UL, 1UL, 100UL}) {
         for (const std::size_t added : {0UL, 1UL, 100UL}) {

@@ -102,7 +102,7 @@ Split sweep(const Case& c, int axis) {
 
 } // namespace
 
-TEST(CheapestSplit, isTheOneThatBruteForceFinds) {
+TEST(CheapestSplit, IsTheOneThatBruteForceFinds) {
     test::Random random(5);
     for (int round = 0; round < 2000; ++round) {
         const Case c = randomCase(random, round % 2 == 0);
@@ -123,7 +123,7 @@ TEST(CheapestSplit, isTheOneThatBruteForceFinds) {
     }
 }
 
-TEST(CheapestSplit, isStrictlyInsideTheCell) {
+TEST(CheapestSplit, IsStrictlyInsideTheCell) {
     Case c;
     c.cell = {{0, 0, 0}, {1, 1, 1}};
     c.boxes = {c.cell, {{0, 0, 0}, {0, 1, 1}}, {{1, 0, 0}, {1, 1, 1}}};
@@ -131,7 +131,7 @@ TEST(CheapestSplit, isStrictlyInsideTheCell) {
     EXPECT_FALSE(rtcore::cheapestSplit(nullptr, 0, 0, c.cell, 0, c.cost).valid());
 }
 
-TEST(CheapestSplit, cutsOffEmptySpaceAtHalfTheBonus) {
+TEST(CheapestSplit, CutsOffEmptySpaceAtHalfTheBonus) {
     Case c;
     c.cell = {{0, 0, 0}, {4, 1, 1}};
     c.boxes.assign(3, {{3, 0, 0}, {4, 1, 1}});
@@ -143,7 +143,7 @@ TEST(CheapestSplit, cutsOffEmptySpaceAtHalfTheBonus) {
     EXPECT_FLOAT_EQ(split.cost, 0.5F * (1 + 3 * 3.0F / 9));
 }
 
-TEST(CheapestSplit, putsAFlatTriangleOnTheCheaperSide) {
+TEST(CheapestSplit, PutsAFlatTriangleOnTheCheaperSide) {
     Case c;
     c.cell = {{0, 0, 0}, {4, 1, 1}};
     c.boxes = {{{1, 0, 0}, {1, 1, 1}}};

@@ -22,7 +22,7 @@ long bars(const std::string& line) { return std::count(line.begin(), line.end(),
 
 } // namespace
 
-TEST(Statistics, ofAHandMadeTree) {
+TEST(Statistics, OfAHandMadeTree) {
     // A 2 x 1 x 1 box, split at x = 1; the upper cube is split at y = 0.25 into an empty leaf and one with
     // two.
     const std::vector<KdNode> nodes{KdNode::inner(0, 1, 1), KdNode::leaf(0, 3), KdNode::inner(1, 0.25F, 3),
@@ -45,7 +45,7 @@ TEST(Statistics, ofAHandMadeTree) {
     EXPECT_EQ(s.leavesByDepth, (std::vector<std::uint64_t>{0, 1, 2}));
 }
 
-TEST(Statistics, ofTheEmptyTree) {
+TEST(Statistics, OfTheEmptyTree) {
     const std::vector<KdNode> nodes{KdNode::leaf(0, 0)};
     const rtcore::KdStatistics s = rtcore::computeStatistics({nodes, {}, {}, nullptr}, 1, 1);
     EXPECT_EQ(s.leaves, 1U);
@@ -55,7 +55,7 @@ TEST(Statistics, ofTheEmptyTree) {
     EXPECT_EQ(s.expectedCost, 0);
 }
 
-TEST(Histogram, hasOneLineForEachValueWhenTheyFit) {
+TEST(Histogram, HasOneLineForEachValueWhenTheyFit) {
     const auto lines = linesOf(rtcore::drawHistogram("leaves by size", {10, 5, 0, 20}, 8));
     ASSERT_EQ(lines.size(), 5U);
     EXPECT_EQ(lines[0], "leaves by size");
@@ -67,7 +67,7 @@ TEST(Histogram, hasOneLineForEachValueWhenTheyFit) {
     EXPECT_NE(lines[4].find("20"), std::string::npos);
 }
 
-TEST(Histogram, joinsValuesIntoBandsWithoutLosingAny) {
+TEST(Histogram, JoinsValuesIntoBandsWithoutLosingAny) {
     const std::vector<std::uint64_t> counts(10, 1);
     for (const int bands : {1, 2, 3, 4, 5, 7, 10}) {
         const auto lines = linesOf(rtcore::drawHistogram("title", counts, bands));
@@ -87,7 +87,7 @@ TEST(Histogram, joinsValuesIntoBandsWithoutLosingAny) {
     EXPECT_NE(three[3].find("8-9"), std::string::npos);
 }
 
-TEST(Histogram, ofNothingIsEmptyButValid) {
+TEST(Histogram, OfNothingIsEmptyButValid) {
     for (const int bands : {-1, 0, 1, 5}) {
         const auto lines = linesOf(rtcore::drawHistogram("nothing", {}, bands));
         ASSERT_EQ(lines.size(), 2U);

@@ -85,7 +85,7 @@ void expectSound(const Corners& corners, const Box3& cell, float margin) {
 
 } // namespace
 
-TEST(ClippedBounds, holdTheSampledTriangle) {
+TEST(ClippedBounds, HoldTheSampledTriangle) {
     test::Random random(6);
     const float margin = rtcore::clipMargin({{-2, -2, -2}, {2, 2, 2}});
     for (int round = 0; round < 1500; ++round) {
@@ -95,7 +95,7 @@ TEST(ClippedBounds, holdTheSampledTriangle) {
     }
 }
 
-TEST(ClippedBounds, holdSliversAndPoints) {
+TEST(ClippedBounds, HoldSliversAndPoints) {
     test::Random random(7);
     const float margin = rtcore::clipMargin({{-2, -2, -2}, {2, 2, 2}});
     for (int round = 0; round < 1000; ++round) {
@@ -108,7 +108,7 @@ TEST(ClippedBounds, holdSliversAndPoints) {
     }
 }
 
-TEST(ClippedBounds, areTight) {
+TEST(ClippedBounds, AreTight) {
     test::Random random(8);
     for (int round = 0; round < 300; ++round) {
         const Corners corners{random.vector(2), random.vector(2), random.vector(2)};
@@ -126,7 +126,7 @@ TEST(ClippedBounds, areTight) {
     }
 }
 
-TEST(ClippedBounds, ofATriangleInsideAreItsOwn) {
+TEST(ClippedBounds, OfATriangleInsideAreItsOwn) {
     test::Random random(9);
     for (int round = 0; round < 100; ++round) {
         const Corners corners{random.vector(1), random.vector(1), random.vector(1)};
@@ -134,7 +134,7 @@ TEST(ClippedBounds, ofATriangleInsideAreItsOwn) {
     }
 }
 
-TEST(ClippedBounds, knownCut) {
+TEST(ClippedBounds, KnownCut) {
     // In the plane z = 0; the cell cuts off the two corners at x = -3 and x = 3.
     const Corners corners{Vec3{-3, 0, 0}, {3, 0, 0}, {0, 3, 0}};
     const Box3 box = rtcore::clippedBounds(corners, {{-1, -1, -1}, {1, 9, 1}}, 0);
@@ -143,7 +143,7 @@ TEST(ClippedBounds, knownCut) {
     EXPECT_EQ(side, (Box3{{2, 0, 0}, {3, 1, 0}}));
 }
 
-TEST(ClippedBounds, areWidenedByTheMargin) {
+TEST(ClippedBounds, AreWidenedByTheMargin) {
     const Corners corners{Vec3{-3, 0, 0}, {3, 0, 0}, {0, 3, 0}};
     const float margin = 1.0F / 64;
     const Box3 box = rtcore::clippedBounds(corners, {{2, -1, -1}, {9, 9, 1}}, margin);
@@ -153,7 +153,7 @@ TEST(ClippedBounds, areWidenedByTheMargin) {
     EXPECT_EQ(box.hi.x, 3);
 }
 
-TEST(ClippedBounds, axisParallelTrianglesStayFlat) {
+TEST(ClippedBounds, AxisParallelTrianglesStayFlat) {
     for (int axis = 0; axis < 3; ++axis) {
         for (const float height : {-1.0F, -0.25F, 0.0F, 1.0F}) {
             Corners corners;
@@ -171,7 +171,7 @@ TEST(ClippedBounds, axisParallelTrianglesStayFlat) {
     }
 }
 
-TEST(ClippedBounds, touchingCountsAsInside) {
+TEST(ClippedBounds, TouchingCountsAsInside) {
     // A corner on a face, on an edge, on a corner of the cell.
     for (const Vec3 touch : {Vec3{1, 0.2F, -0.3F}, Vec3{1, 1, 0.4F}, Vec3{1, 1, 1}}) {
         const Corners corners{touch, touch + Vec3{1, 0.5F, 0}, touch + Vec3{1, 0, 0.5F}};
@@ -180,13 +180,13 @@ TEST(ClippedBounds, touchingCountsAsInside) {
     }
 }
 
-TEST(ClippedBounds, ofWhatIsOutsideAreEmpty) {
+TEST(ClippedBounds, OfWhatIsOutsideAreEmpty) {
     EXPECT_TRUE(rtcore::clippedBounds({Vec3{2, 0, 0}, {3, 0, 0}, {2, 1, 0}}, kCell, 1e-6F).empty());
     // Its box overlaps the cell, the triangle does not.
     EXPECT_TRUE(rtcore::clippedBounds({Vec3{0, 3, 0}, {3, 0, 0}, {3, 3, 0}}, kCell, 1e-6F).empty());
 }
 
-TEST(ClippedBounds, whatOnlyTheMarginBringsInTouchesTheFace) {
+TEST(ClippedBounds, WhatOnlyTheMarginBringsInTouchesTheFace) {
     const float margin = 1.0F / 1024;
     const float outside = 1 + margin / 2;
     const Corners corners{Vec3{outside, 0, 0}, {outside + 1, 0, 0}, {outside, 0.5F, 0}};
@@ -196,7 +196,7 @@ TEST(ClippedBounds, whatOnlyTheMarginBringsInTouchesTheFace) {
     EXPECT_EQ(box.hi.x, 1);
 }
 
-TEST(ClipMargin, growsWithTheLargestCoordinate) {
+TEST(ClipMargin, GrowsWithTheLargestCoordinate) {
     EXPECT_EQ(rtcore::clipMargin({{-1, 0, 0}, {0.5F, 1, 1}}), 0x1p-21F);
     EXPECT_EQ(rtcore::clipMargin({{0, -1024, 0}, {1, 1, 1}}), 0x1p-11F);
     EXPECT_EQ(rtcore::clipMargin({{0, 0, 0}, {0, 0, 0}}), 0);

@@ -57,13 +57,13 @@ test::SampleTree chain(int depth, bool upper) {
 
 } // namespace
 
-TEST_F(ValidateKdTree, soundTreeHasNoFault) {
+TEST_F(ValidateKdTree, SoundTreeHasNoFault) {
     ASSERT_GT(tree.nodes.size(), 50U);
     EXPECT_EQ(verdict(), "");
     EXPECT_EQ(coverage(), "");
 }
 
-TEST_F(ValidateKdTree, emptyTreeIsALeafWithoutReferencesInAnyBox) {
+TEST_F(ValidateKdTree, EmptyTreeIsALeafWithoutReferencesInAnyBox) {
     test::SampleTree empty;
     empty.nodes = {KdNode::leaf(0, 0)};
     EXPECT_FALSE(validateKdTree(empty.view(), 0));
@@ -77,7 +77,7 @@ TEST_F(ValidateKdTree, emptyTreeIsALeafWithoutReferencesInAnyBox) {
     expectFault(validateKdTree(empty.view(), 0).value_or(""), "no nodes");
 }
 
-TEST_F(ValidateKdTree, boundsMustBeABox) {
+TEST_F(ValidateKdTree, BoundsMustBeABox) {
     for (const float bad :
          {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity(), -5.0F}) {
         const float kept = std::exchange(tree.bounds.hi.y, bad);
@@ -88,7 +88,7 @@ TEST_F(ValidateKdTree, boundsMustBeABox) {
     expectFault(verdict(), "bounds");
 }
 
-TEST_F(ValidateKdTree, childrenMustComeInOrder) {
+TEST_F(ValidateKdTree, ChildrenMustComeInOrder) {
     KdNode& node = firstInner();
     const KdNode sound = node;
     for (const std::uint32_t child :
@@ -102,7 +102,7 @@ TEST_F(ValidateKdTree, childrenMustComeInOrder) {
     expectFault(verdict(), "behind the last node");
 }
 
-TEST_F(ValidateKdTree, everyNodeAndReferenceMustBeUsed) {
+TEST_F(ValidateKdTree, EveryNodeAndReferenceMustBeUsed) {
     tree.nodes.push_back(KdNode::leaf(static_cast<std::uint32_t>(tree.references.size()), 0));
     expectFault(verdict(), "part of no tree");
     tree.nodes.pop_back();
@@ -110,7 +110,7 @@ TEST_F(ValidateKdTree, everyNodeAndReferenceMustBeUsed) {
     expectFault(verdict(), "part of no leaf");
 }
 
-TEST_F(ValidateKdTree, splitsMustLieInTheirCells) {
+TEST_F(ValidateKdTree, SplitsMustLieInTheirCells) {
     KdNode& node = firstInner();
     const float sound = node.split;
     for (const float bad :
@@ -129,7 +129,7 @@ TEST_F(ValidateKdTree, splitsMustLieInTheirCells) {
     EXPECT_FALSE(validateKdTree(nested.view(), 0)) << "the border belongs to the cell";
 }
 
-TEST_F(ValidateKdTree, referencesMustBeInOrderAscendingAndExist) {
+TEST_F(ValidateKdTree, ReferencesMustBeInOrderAscendingAndExist) {
     KdNode& leaf = firstLeafWith(2);
     const std::uint32_t first = leaf.firstReference;
     std::swap(tree.references[first], tree.references[first + 1]);
@@ -153,7 +153,7 @@ TEST_F(ValidateKdTree, referencesMustBeInOrderAscendingAndExist) {
     EXPECT_TRUE(validateKdTree(test::sampleTree(model.mesh).view(), kTriangles / 2));
 }
 
-TEST_F(ValidateKdTree, depthIsLimited) {
+TEST_F(ValidateKdTree, DepthIsLimited) {
     for (const bool upper : {false, true}) {
         EXPECT_FALSE(validateKdTree(chain(rtcore::kMaxKdDepth, upper).view(), 0));
         expectFault(validateKdTree(chain(rtcore::kMaxKdDepth + 1, upper).view(), 0).value_or(""), "too deep");
@@ -161,7 +161,7 @@ TEST_F(ValidateKdTree, depthIsLimited) {
     }
 }
 
-TEST_F(ValidateKdTree, coverageFindsWhatALeafLacks) {
+TEST_F(ValidateKdTree, CoverageFindsWhatALeafLacks) {
     // Take each reference out of its leaf in turn: most of them reach in by more than the tolerance.
     int found = 0, tried = 0;
     const test::SampleTree sound = tree;
@@ -188,7 +188,7 @@ TEST_F(ValidateKdTree, coverageFindsWhatALeafLacks) {
     EXPECT_GT(found * 10, tried * 6) << found << " of " << tried;
 }
 
-TEST_F(ValidateKdTree, coverageFindsWhatALeafHoldsTooMuch) {
+TEST_F(ValidateKdTree, CoverageFindsWhatALeafHoldsTooMuch) {
     KdNode& leaf = firstLeafWith(1);
     std::uint32_t& reference = tree.references[leaf.firstReference + leaf.count() - 1];
     int found = 0, tried = 0;
@@ -203,7 +203,7 @@ TEST_F(ValidateKdTree, coverageFindsWhatALeafHoldsTooMuch) {
     EXPECT_EQ(found, tried);
 }
 
-TEST(ValidateCoverage, flatScenesAndDegenerateTrianglesAreCovered) {
+TEST(ValidateCoverage, FlatScenesAndDegenerateTrianglesAreCovered) {
     rtcore::ModelBuffers buffers;
     for (int i = 0; i < 20; ++i) {
         const auto x = static_cast<float>(i);

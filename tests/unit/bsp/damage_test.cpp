@@ -26,7 +26,7 @@ void expectRefusal(Bytes bytes, const test::FileTable& table, const std::string&
 
 } // namespace
 
-TEST(BspDamage, everyTruncationIsRefused) {
+TEST(BspDamage, EveryTruncationIsRefused) {
     const Bytes whole = test::sampleFile(1, 6);
     ASSERT_LT(whole.size(), 4096U);
     for (std::size_t length = 0; length < whole.size(); ++length) {
@@ -36,7 +36,7 @@ TEST(BspDamage, everyTruncationIsRefused) {
     EXPECT_FALSE(test::refusal(whole));
 }
 
-TEST(BspDamage, everyFlippedBitIsRefused) {
+TEST(BspDamage, EveryFlippedBitIsRefused) {
     Bytes bytes = test::sampleFile(2, 6);
     ASSERT_LT(bytes.size(), 4096U);
     for (std::size_t bit = 0; bit < bytes.size() * 8; ++bit) {
@@ -47,13 +47,13 @@ TEST(BspDamage, everyFlippedBitIsRefused) {
     EXPECT_FALSE(test::refusal(bytes));
 }
 
-TEST(BspDamage, bytesBehindTheEndAreRefused) {
+TEST(BspDamage, BytesBehindTheEndAreRefused) {
     Bytes bytes = test::sampleFile(3, 6);
     bytes.push_back(std::byte{0});
     expectRefusal(bytes, "longer than it should be");
 }
 
-TEST(BspDamage, aFileOnDiskIsCheckedAsOneInMemory) {
+TEST(BspDamage, AFileOnDiskIsCheckedAsOneInMemory) {
     const test::TemporaryFolder folder;
     Bytes bytes = test::sampleFile(4, 3000);
     ASSERT_GT(bytes.size(), 65536U) << "is to be mapped";
@@ -73,7 +73,7 @@ TEST(BspDamage, aFileOnDiskIsCheckedAsOneInMemory) {
     }
 }
 
-TEST(BspDamage, otherFilesOfThisEndingAreNamedSo) {
+TEST(BspDamage, OtherFilesOfThisEndingAreNamedSo) {
     for (const std::string& head :
          {std::string("IBSP") + std::string(500, '\0'), std::string("VBSP\x13") + std::string(500, '\1'),
           std::string("BSP2"), std::string("version = 1\n"), std::string()}) {
@@ -85,7 +85,7 @@ TEST(BspDamage, otherFilesOfThisEndingAreNamedSo) {
     EXPECT_FALSE(rtcore::isBsp(std::span(sound).first(7)));
 }
 
-TEST(BspDamage, otherVersionsAndByteOrdersAreNamedSo) {
+TEST(BspDamage, OtherVersionsAndByteOrdersAreNamedSo) {
     const Bytes bytes = test::sampleFile(1, 6);
     test::FileTable table = test::tableOf(bytes);
     for (const std::uint32_t version : {0U, 1U, 4U, 0x03000000U}) {
@@ -96,7 +96,7 @@ TEST(BspDamage, otherVersionsAndByteOrdersAreNamedSo) {
     expectRefusal(bytes, table, "other byte order");
 }
 
-TEST(BspDamage, sectionTableThatLiesIsRefused) {
+TEST(BspDamage, SectionTableThatLiesIsRefused) {
     const Bytes bytes = test::sampleFile(1, 6);
     const test::FileTable sound = test::tableOf(bytes);
     for (std::size_t i = 0; i < rtcore::kBspSections; ++i) {
@@ -123,7 +123,7 @@ TEST(BspDamage, sectionTableThatLiesIsRefused) {
     }
 }
 
-TEST(BspDamage, namesOfSectionsAreChecked) {
+TEST(BspDamage, NamesOfSectionsAreChecked) {
     const Bytes bytes = test::sampleFile(1, 6);
     const test::FileTable sound = test::tableOf(bytes);
     test::FileTable table = sound;
@@ -145,7 +145,7 @@ TEST(BspDamage, namesOfSectionsAreChecked) {
     expectRefusal(bytes, table, "does not end with the file");
 }
 
-TEST(BspDamage, warningsMustBeText) {
+TEST(BspDamage, WarningsMustBeText) {
     const Bytes sound = test::sampleFile(1, 6);
     const rtcore::BspSectionEntry warnings = test::tableOf(sound).sections.back();
     ASSERT_EQ(test::nameOf(warnings), "warnings");
@@ -156,7 +156,7 @@ TEST(BspDamage, warningsMustBeText) {
     }
 }
 
-TEST(BspDamage, headerThatMakesNoSenseIsRefused) {
+TEST(BspDamage, HeaderThatMakesNoSenseIsRefused) {
     const Bytes bytes = test::sampleFile(1, 6);
     const test::FileTable sound = test::tableOf(bytes);
     test::FileTable table = sound;
@@ -179,7 +179,7 @@ TEST(BspDamage, headerThatMakesNoSenseIsRefused) {
     expectRefusal(bytes, table, "wrong size");
 }
 
-TEST(BspDamage, paddingMustBeZero) {
+TEST(BspDamage, PaddingMustBeZero) {
     Bytes bytes = test::sampleFile(1, 6);
     const test::FileTable table = test::tableOf(bytes);
     int gaps = 0;

@@ -25,7 +25,7 @@ namespace {
 
 } // namespace
 
-TEST(BspKill, fileIsReadableWheneverItsWriterIsKilled) {
+TEST(BspKill, FileIsReadableWheneverItsWriterIsKilled) {
     const test::TemporaryFolder folder;
     const auto path = folder / "f.bsp";
     const rtcore::Model small = rtcore::makeModel(test::SampleModel(1).make(100));

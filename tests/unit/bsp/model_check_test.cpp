@@ -117,7 +117,7 @@ const std::vector<Fault>& faults() {
 
 } // namespace
 
-TEST(CheckModel, namesTheSectionOfEveryFault) {
+TEST(CheckModel, NamesTheSectionOfEveryFault) {
     ASSERT_FALSE(rtcore::checkModel(rtcore::makeModel(test::SampleModel(21).make(10))));
     const auto& all = faults();
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -130,7 +130,7 @@ TEST(CheckModel, namesTheSectionOfEveryFault) {
     }
 }
 
-TEST(CheckModel, writerRefusesThemAllAndLeavesTheOldFile) {
+TEST(CheckModel, WriterRefusesThemAllAndLeavesTheOldFile) {
     const test::TemporaryFolder folder;
     const rtcore::Model sound = rtcore::makeModel(test::SampleModel(21).make(10));
     rtcore::writeBsp(folder / "f.bsp", sound, nullptr, {});
@@ -143,7 +143,7 @@ TEST(CheckModel, writerRefusesThemAllAndLeavesTheOldFile) {
     test::expectEqual(rtcore::readBsp(folder / "f.bsp").model, sound);
 }
 
-TEST(CheckModel, bordersOfRangesAreInside) {
+TEST(CheckModel, BordersOfRangesAreInside) {
     ModelBuffers b = test::SampleModel(21).make(10);
     b.vertices[0] = {rtcore::kLargestNumber, -rtcore::kLargestNumber, 0, 0};
     b.normals[0] = {};

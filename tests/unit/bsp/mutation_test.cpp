@@ -265,8 +265,8 @@ void readMutations(const Bytes& sound, SomeMutator mutator) {
 
 } // namespace
 
-TEST(BspMutation, whatIsAcceptedIsSafeToUse) { readMutations(test::sampleFile(11, 30), Mutator(20240607)); }
+TEST(BspMutation, WhatIsAcceptedIsSafeToUse) { readMutations(test::sampleFile(11, 30), Mutator(20240607)); }
 
-TEST(BspMutation, whatIsAcceptedOfVersion2IsSafeToUse) {
+TEST(BspMutation, WhatIsAcceptedOfVersion2IsSafeToUse) {
     readMutations(test::fileContent(RT_VERSION_2_FILE), OldMutator(20240608));
 }

@@ -14,7 +14,7 @@ constexpr BspIdentity kIdentity{987654321012, 0xDEADBEEF, 77};
 
 } // namespace
 
-TEST(BspRoundTrip, everythingComesBack) {
+TEST(BspRoundTrip, EverythingComesBack) {
     const test::TemporaryFolder folder;
     for (const std::size_t triangles : {1, 20, 5000}) { // read, read, mapped
         const Model model = rtcore::makeModel(test::SampleModel(7).make(triangles));
@@ -30,7 +30,7 @@ TEST(BspRoundTrip, everythingComesBack) {
     }
 }
 
-TEST(BspRoundTrip, fileWithoutATreeHandsOverAModel) {
+TEST(BspRoundTrip, FileWithoutATreeHandsOverAModel) {
     const test::TemporaryFolder folder;
     const Model model = rtcore::makeModel(test::SampleModel(8).make(50));
     rtcore::writeBsp(folder / "f.bsp", model, nullptr, {1, 2, 0});
@@ -39,7 +39,7 @@ TEST(BspRoundTrip, fileWithoutATreeHandsOverAModel) {
     test::expectEqual(content.model, model);
 }
 
-TEST(BspRoundTrip, whatAModelMayLackMayBeMissing) {
+TEST(BspRoundTrip, WhatAModelMayLackMayBeMissing) {
     const test::TemporaryFolder folder;
     rtcore::ModelBuffers buffers = test::SampleModel(9).make(10);
     buffers.texcoords.clear();
@@ -55,7 +55,7 @@ TEST(BspRoundTrip, whatAModelMayLackMayBeMissing) {
     test::expectEqual(rtcore::readBsp(folder / "f.bsp").model, model);
 }
 
-TEST(BspRoundTrip, aSceneWithoutTrianglesHasATreeOfOneLeaf) {
+TEST(BspRoundTrip, ASceneWithoutTrianglesHasATreeOfOneLeaf) {
     const test::TemporaryFolder folder;
     rtcore::ModelBuffers buffers;
     buffers.materials.emplace_back();
@@ -70,12 +70,12 @@ TEST(BspRoundTrip, aSceneWithoutTrianglesHasATreeOfOneLeaf) {
     EXPECT_TRUE(content.model.mesh.triangles.empty());
 }
 
-TEST(BspRoundTrip, sameContentGivesSameBytes) {
+TEST(BspRoundTrip, SameContentGivesSameBytes) {
     EXPECT_EQ(test::sampleFile(3, 40), test::sampleFile(3, 40));
     EXPECT_NE(test::sampleFile(3, 40), test::sampleFile(4, 40));
 }
 
-TEST(BspRoundTrip, viewsPointIntoTheFileAndKeepItAlive) {
+TEST(BspRoundTrip, ViewsPointIntoTheFileAndKeepItAlive) {
     const test::Bytes bytes = test::sampleFile(5, 30);
     const std::shared_ptr<std::byte[]> memory(new std::byte[bytes.size()]);
     std::copy(bytes.begin(), bytes.end(), memory.get());
@@ -91,12 +91,12 @@ TEST(BspRoundTrip, viewsPointIntoTheFileAndKeepItAlive) {
     EXPECT_EQ(memory.use_count(), 2);
 }
 
-TEST(BspRoundTrip, sectionsAreAligned) {
+TEST(BspRoundTrip, SectionsAreAligned) {
     for (const auto& section : test::tableOf(test::sampleFile(5, 30)).sections)
         EXPECT_EQ(section.offset % rtcore::kBspAlignment, 0U);
 }
 
-TEST(BspRoundTrip, warningsAreKeptOneLineEach) {
+TEST(BspRoundTrip, WarningsAreKeptOneLineEach) {
     const test::TemporaryFolder folder;
     const Model model = rtcore::makeModel(test::SampleModel(2).make(5));
     const std::vector<std::string> warnings{"texture 'a.png' is missing", "", "two\nlines\x7F",
@@ -111,7 +111,7 @@ TEST(BspRoundTrip, warningsAreKeptOneLineEach) {
     EXPECT_TRUE(rtcore::readBsp(folder / "f.bsp").warnings.empty());
 }
 
-TEST(BspWriting, refusesATreeOfAnotherModel) {
+TEST(BspWriting, RefusesATreeOfAnotherModel) {
     const test::TemporaryFolder folder;
     const Model small = rtcore::makeModel(test::SampleModel(1).make(5));
     const Model large = rtcore::makeModel(test::SampleModel(1).make(50));
@@ -121,7 +121,7 @@ TEST(BspWriting, refusesATreeOfAnotherModel) {
     EXPECT_FALSE(std::filesystem::exists(folder / "f.bsp"));
 }
 
-TEST(BspWriting, missingFolderIsAnError) {
+TEST(BspWriting, MissingFolderIsAnError) {
     const test::TemporaryFolder folder;
     const Model model = rtcore::makeModel(test::SampleModel(1).make(5));
     try {

@@ -76,7 +76,7 @@ void expectModel(const rtcore::BspContent& content, rtcore::ModelBuffers expecte
 } // namespace
 
 // Made by the BSPBuilder that wrote version 2, from a glTF of a textured square and a glowing triangle.
-TEST(BspVersions, aFileOfVersion2GivesTheSameModel) {
+TEST(BspVersions, AFileOfVersion2GivesTheSameModel) {
     const rtcore::BspContent content = rtcore::readBsp(std::filesystem::path(RT_VERSION_2_FILE));
     const rtcore::Model& model = content.model;
     ASSERT_TRUE(content.tree);
@@ -117,7 +117,7 @@ TEST(BspVersions, aFileOfVersion2GivesTheSameModel) {
     EXPECT_TRUE(content.warnings.empty());
 }
 
-TEST(BspVersions, aCopyOfItOutlivesTheReader) {
+TEST(BspVersions, ACopyOfItOutlivesTheReader) {
     std::optional<rtcore::BspContent> content = rtcore::readBsp(std::filesystem::path(RT_VERSION_2_FILE));
     const rtcore::Model model = content->model;
     const rtcore::KdTree tree = *content->tree;
@@ -126,7 +126,7 @@ TEST(BspVersions, aCopyOfItOutlivesTheReader) {
     EXPECT_EQ(tree.nodes.size(), 1U);
 }
 
-TEST(BspVersions, everyFlippedBitOfAFileOfVersion2IsRefused) {
+TEST(BspVersions, EveryFlippedBitOfAFileOfVersion2IsRefused) {
     Bytes bytes = test::fileContent(RT_VERSION_2_FILE);
     for (std::size_t bit = 0; bit < bytes.size() * 8; ++bit) {
         bytes[bit / 8] ^= std::byte{1} << (bit % 8);
@@ -138,7 +138,7 @@ TEST(BspVersions, everyFlippedBitOfAFileOfVersion2IsRefused) {
     }
 }
 
-TEST(BspVersions, sectionsOfUnknownNamesAreSkipped) {
+TEST(BspVersions, SectionsOfUnknownNamesAreSkipped) {
     Parts parts = sampleParts();
     parts.add("lightmaps", 7, 33);
     parts.add("twelve bytes", 4, 1);
@@ -146,14 +146,14 @@ TEST(BspVersions, sectionsOfUnknownNamesAreSkipped) {
     expectModel(test::readFrom(parts.file()), sample());
 }
 
-TEST(BspVersions, theOrderOfSectionsIsFree) {
+TEST(BspVersions, TheOrderOfSectionsIsFree) {
     Parts parts = sampleParts();
     std::reverse(parts.contents.begin(), parts.contents.end());
     std::reverse(parts.table.sections.begin(), parts.table.sections.end());
     expectModel(test::readFrom(parts.file()), sample());
 }
 
-TEST(BspVersions, missingSectionsTakeTheirDefault) {
+TEST(BspVersions, MissingSectionsTakeTheirDefault) {
     Parts parts = sampleParts();
     rtcore::ModelBuffers expected = sample();
     for (const char* name : {"parts", "cameras", "lights", "texcoords", "colours", "warnings"})
@@ -171,7 +171,7 @@ TEST(BspVersions, missingSectionsTakeTheirDefault) {
     EXPECT_TRUE(test::refusal(parts.file())) << "triangles name normals";
 }
 
-TEST(BspVersions, aFileWithoutMaterialsAndNamesIsPlain) {
+TEST(BspVersions, AFileWithoutMaterialsAndNamesIsPlain) {
     rtcore::ModelBuffers buffers = sample();
     for (rtcore::ShadingTriangle& s : buffers.shading) s.material = 0;
     buffers.cameras.clear();
@@ -188,7 +188,7 @@ TEST(BspVersions, aFileWithoutMaterialsAndNamesIsPlain) {
     EXPECT_EQ(model.name(0), "");
 }
 
-TEST(BspVersions, longerElementsOfALaterWriterAreReadByTheirBeginning) {
+TEST(BspVersions, LongerElementsOfALaterWriterAreReadByTheirBeginning) {
     for (const rtcore::BspSectionKind& kind : rtcore::kBspSectionKinds) {
         Parts parts = sampleParts();
         parts.resizeElements(std::string(kind.name), kind.elementSize + 4);
@@ -197,7 +197,7 @@ TEST(BspVersions, longerElementsOfALaterWriterAreReadByTheirBeginning) {
     }
 }
 
-TEST(BspVersions, whatShorterElementsLackHasItsDefault) {
+TEST(BspVersions, WhatShorterElementsLackHasItsDefault) {
     Parts parts = sampleParts();
     parts.resizeElements("materials", offsetof(rtcore::Material, metallic));
     parts.resizeElements("textures", offsetof(rtcore::Texture, wrapV));
@@ -216,7 +216,7 @@ TEST(BspVersions, whatShorterElementsLackHasItsDefault) {
     expectModel(test::readFrom(parts.file()), expected);
 }
 
-TEST(BspVersions, elementsShorterThanAnybodyWroteAreRefused) {
+TEST(BspVersions, ElementsShorterThanAnybodyWroteAreRefused) {
     for (const rtcore::BspSectionKind& kind : rtcore::kBspSectionKinds) {
         if (kind.leastSize == 1) continue;
         Parts parts = sampleParts();

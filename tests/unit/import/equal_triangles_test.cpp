@@ -2,7 +2,7 @@
 
 #include "import_support.h"
 
-#include "rtcore/shading/closed_surfaces.h"
+#include "rtcore/scene/closed_surfaces.h"
 
 #include <gtest/gtest.h>
 

@@ -55,7 +55,7 @@ Vec3 flatDirection(test::Random& random) {
 
 } // namespace
 
-TEST(AwkwardRays, withZeroComponents) {
+TEST(AwkwardRays, WithZeroComponents) {
     test::Random random(1);
     for (const bool axisParallel : {true, false}) {
         const TracedMesh scene(axisParallel ? boxes(2) : test::soup(1500, 0.2F, 3));
@@ -68,7 +68,7 @@ TEST(AwkwardRays, withZeroComponents) {
     }
 }
 
-TEST(AwkwardRays, insideSplitPlanesAndFaces) {
+TEST(AwkwardRays, InsideSplitPlanesAndFaces) {
     test::Random random(4);
     for (const bool axisParallel : {true, false}) {
         const TracedMesh scene(axisParallel ? boxes(5) : test::soup(1500, 0.2F, 6));
@@ -92,7 +92,7 @@ TEST(AwkwardRays, insideSplitPlanesAndFaces) {
     }
 }
 
-TEST(AwkwardRays, throughTheLatticeOfAxisParallelBoxes) {
+TEST(AwkwardRays, ThroughTheLatticeOfAxisParallelBoxes) {
     const TracedMesh scene(boxes(7));
     test::Random random(8);
     const auto step = [&](std::size_t count) {
@@ -107,7 +107,7 @@ TEST(AwkwardRays, throughTheLatticeOfAxisParallelBoxes) {
     EXPECT_GT(scene.hits(), 4000);
 }
 
-TEST(AwkwardRays, alongTheFacesOfTheSceneBox) {
+TEST(AwkwardRays, AlongTheFacesOfTheSceneBox) {
     const TracedMesh scene(test::boxGrid(6));
     test::Random random(9);
     for (int i = 0; i < 3000; ++i) {
@@ -123,7 +123,7 @@ TEST(AwkwardRays, alongTheFacesOfTheSceneBox) {
 
 // Where two triangles of one tilted plane overlap, rounding decides which is nearer, and the cell of the one
 // may begin just behind the hit on the other: it must not be passed over.
-TEST(AwkwardRays, whereOneOfTwoTrianglesOfAPlaneBegins) {
+TEST(AwkwardRays, WhereOneOfTwoTrianglesOfAPlaneBegins) {
     test::Random random(21);
     constexpr float kBegin = 0.4371F;
     const auto on = [](float x, float y) { return Vec3{x, y, 0.31F * x + 0.17F * y}; };
@@ -151,7 +151,7 @@ TEST(AwkwardRays, whereOneOfTwoTrianglesOfAPlaneBegins) {
     EXPECT_EQ(wrong, 0);
 }
 
-TEST(AwkwardRays, fromSurfaces) {
+TEST(AwkwardRays, FromSurfaces) {
     test::Random random(10);
     for (const bool axisParallel : {true, false}) {
         const TracedMesh scene(axisParallel ? boxes(11) : test::torus(40, 20).rotate(12));
@@ -172,7 +172,7 @@ TEST(AwkwardRays, fromSurfaces) {
     }
 }
 
-TEST(AwkwardRays, theOffsetLeavesItsOwnSurface) {
+TEST(AwkwardRays, TheOffsetLeavesItsOwnSurface) {
     const TracedMesh scene(test::icosphere(3).rotate(13));
     const rtcore::Mesh& mesh = scene.mesh();
     test::Random random(14);
@@ -190,7 +190,7 @@ TEST(AwkwardRays, theOffsetLeavesItsOwnSurface) {
     }
 }
 
-TEST(AwkwardRays, withDenormalComponents) {
+TEST(AwkwardRays, WithDenormalComponents) {
     test::Random random(15);
     for (const bool axisParallel : {true, false}) {
         const TracedMesh scene(axisParallel ? boxes(16) : test::soup(1500, 0.2F, 17));
@@ -211,7 +211,7 @@ TEST(AwkwardRays, withDenormalComponents) {
     }
 }
 
-TEST(AwkwardRays, fromFarAwayAndOnTheWayOut) {
+TEST(AwkwardRays, FromFarAwayAndOnTheWayOut) {
     const TracedMesh scene(test::soup(1000, 0.2F, 18));
     test::Random random(19);
     for (int i = 0; i < 3000; ++i) {

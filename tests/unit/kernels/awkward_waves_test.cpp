@@ -124,7 +124,7 @@ std::size_t equalTriangles() {
 
 } // namespace
 
-TEST(AwkwardWaves, withNextToNothingInTheDirection) {
+TEST(AwkwardWaves, WithNextToNothingInTheDirection) {
     Random random(1);
     for (const bool axisParallel : {true, false}) {
         const WaveScene scene(axisParallel ? boxes(2) : test::soup(400, 0.3F, 3), deep());
@@ -137,7 +137,7 @@ TEST(AwkwardWaves, withNextToNothingInTheDirection) {
     }
 }
 
-TEST(AwkwardWaves, insideSplitPlanesAndFaces) {
+TEST(AwkwardWaves, InsideSplitPlanesAndFaces) {
     Random random(4);
     for (const bool axisParallel : {true, false}) {
         const WaveScene scene(axisParallel ? boxes(5) : test::soup(400, 0.3F, 6), deep());
@@ -162,7 +162,7 @@ TEST(AwkwardWaves, insideSplitPlanesAndFaces) {
     }
 }
 
-TEST(AwkwardWaves, alongTheFacesOfTheSceneBox) {
+TEST(AwkwardWaves, AlongTheFacesOfTheSceneBox) {
     const WaveScene scene(test::boxGrid(4), deep());
     Random random(7);
     std::size_t hits = 0;
@@ -178,7 +178,7 @@ TEST(AwkwardWaves, alongTheFacesOfTheSceneBox) {
     EXPECT_GT(hits, 300U);
 }
 
-TEST(AwkwardWaves, throughTheLatticeOfBoxes) {
+TEST(AwkwardWaves, ThroughTheLatticeOfBoxes) {
     const WaveScene scene(boxes(8), deep());
     Random random(9);
     const auto point = [&](std::size_t steps) {
@@ -198,7 +198,7 @@ TEST(AwkwardWaves, throughTheLatticeOfBoxes) {
     EXPECT_GT(hits, 1000U);
 }
 
-TEST(AwkwardWaves, fromInsideClosedMeshes) {
+TEST(AwkwardWaves, FromInsideClosedMeshes) {
     Random random(10);
     for (const bool box : {true, false}) {
         const WaveScene scene(box ? test::boxGrid(5) : test::icosphere(2), deep());
@@ -209,7 +209,7 @@ TEST(AwkwardWaves, fromInsideClosedMeshes) {
     }
 }
 
-TEST(AwkwardWaves, fromSurfaces) {
+TEST(AwkwardWaves, FromSurfaces) {
     Random random(11);
     const WaveScene scene(test::torus(16, 8).rotate(12), deep());
     const std::size_t hits = expectBruteForce(scene, random, [&] {
@@ -223,7 +223,7 @@ TEST(AwkwardWaves, fromSurfaces) {
     EXPECT_GT(hits, 500U);
 }
 
-TEST(AwkwardWaves, ontoAFlatSheet) {
+TEST(AwkwardWaves, OntoAFlatSheet) {
     Random random(13);
     for (int axis = 0; axis < 3; ++axis) {
         const WaveScene scene(test::sheet(9, axis, 0.25F), deep());
@@ -252,7 +252,7 @@ TEST(AwkwardWaves, ontoAFlatSheet) {
     }
 }
 
-TEST(AwkwardWaves, ofAwkwardIntervals) {
+TEST(AwkwardWaves, OfAwkwardIntervals) {
     const WaveScene scene(test::soup(400, 0.3F, 14), deep());
     Random random(15);
     std::size_t hits = 0;
@@ -301,7 +301,7 @@ TEST(AwkwardWaves, ofAwkwardIntervals) {
     EXPECT_GT(hits, 1000U);
 }
 
-TEST(AwkwardWaves, throughATreeOfOneLeaf) {
+TEST(AwkwardWaves, ThroughATreeOfOneLeaf) {
     Random random(16);
     for (const std::size_t triangles : {1U, 2U, 5U, 17U, 40U, 200U}) {
         rtcore::BuildOptions options;
@@ -315,7 +315,7 @@ TEST(AwkwardWaves, throughATreeOfOneLeaf) {
     }
 }
 
-TEST(AwkwardWaves, throughNothing) {
+TEST(AwkwardWaves, ThroughNothing) {
     const WaveScene scene(test::SampleMesh{});
     Random random(17);
     EXPECT_EQ(
@@ -323,7 +323,7 @@ TEST(AwkwardWaves, throughNothing) {
         0U);
 }
 
-TEST(AwkwardWaves, throughTrianglesWithoutArea) {
+TEST(AwkwardWaves, ThroughTrianglesWithoutArea) {
     Random random(18);
     test::SampleMesh mesh = test::soup(100, 0.5F, 19);
     for (int i = 0; i < 200; ++i) { // points and lines
@@ -340,7 +340,7 @@ TEST(AwkwardWaves, throughTrianglesWithoutArea) {
     EXPECT_GT(hits, 500U);
 }
 
-TEST(AwkwardWaves, inHugeAndTinyScenes) {
+TEST(AwkwardWaves, InHugeAndTinyScenes) {
     Random random(20);
     for (const float scale : {1e-12F, 1e-6F, 1e6F, 1e12F}) {
         for (const bool axisParallel : {true, false}) {
@@ -356,7 +356,7 @@ TEST(AwkwardWaves, inHugeAndTinyScenes) {
 }
 
 // t counts lengths of the direction.
-TEST(AwkwardWaves, ofAnyLengthOfDirection) {
+TEST(AwkwardWaves, OfAnyLengthOfDirection) {
     Random random(23);
     const WaveScene scene(test::soup(400, 0.3F, 24), deep());
     for (const float length : {1e-30F, 1e-20F, 1e-10F, 1e10F, 1e20F, 1e30F}) {
@@ -367,7 +367,7 @@ TEST(AwkwardWaves, ofAnyLengthOfDirection) {
 }
 
 // Where distances overflow or vanish, answers are still answers.
-TEST(AwkwardWaves, beyondTheRangeOfDistances) {
+TEST(AwkwardWaves, BeyondTheRangeOfDistances) {
     Random random(27);
     for (const float scale : {1.0F, 1e12F}) {
         const WaveScene scene(test::soup(400, 0.3F, 28).scale(scale), deep());
@@ -382,7 +382,7 @@ TEST(AwkwardWaves, beyondTheRangeOfDistances) {
     }
 }
 
-TEST(AwkwardWaves, ontoManyEqualTriangles) {
+TEST(AwkwardWaves, OntoManyEqualTriangles) {
     const std::size_t count = equalTriangles();
     test::SampleMesh mesh = test::soup(50, 0.2F, 25);
     const auto first = static_cast<std::uint32_t>(mesh.triangles.size());

@@ -165,13 +165,13 @@ std::string nameOfMesh(const testing::TestParamInfo<NamedMesh>& mesh) { return m
 
 } // namespace
 
-TEST_P(EveryKernel, tracesStreams) {
+TEST_P(EveryKernel, TracesStreams) {
     expectSingleRays("stream", scattered(kManyGroups * kGroup, random_));
     expectSingleRays("stream of segments", segments(scattered(kManyGroups * kGroup, random_), random_));
     EXPECT_GT(hits_, 10U);
 }
 
-TEST_P(EveryKernel, tracesPacketsOfAnyDirections) {
+TEST_P(EveryKernel, TracesPacketsOfAnyDirections) {
     for (int i = 0; i < 4; ++i) {
         expectSingleRays("few", scattered(kFewGroups * kGroup, random_));
         expectSingleRays("few segments", segments(scattered(kFewGroups * kGroup, random_), random_));
@@ -179,7 +179,7 @@ TEST_P(EveryKernel, tracesPacketsOfAnyDirections) {
     EXPECT_GT(hits_, 10U);
 }
 
-TEST_P(EveryKernel, tracesPacketsOfOneOrigin) {
+TEST_P(EveryKernel, TracesPacketsOfOneOrigin) {
     for (int i = 0; i < 4; ++i) {
         expectSingleRays("camera", camera(8, random_));
         expectSingleRays("camera's segments", segments(camera(8, random_), random_));
@@ -189,7 +189,7 @@ TEST_P(EveryKernel, tracesPacketsOfOneOrigin) {
     EXPECT_GT(hits_, 10U);
 }
 
-TEST_P(EveryKernel, tracesPacketsOfManyOrigins) {
+TEST_P(EveryKernel, TracesPacketsOfManyOrigins) {
     for (int i = 0; i < 4; ++i) {
         expectSingleRays("same way", sameWay(8, random_));
         expectSingleRays("same way, segments", segments(sameWay(8, random_), random_));
@@ -198,13 +198,13 @@ TEST_P(EveryKernel, tracesPacketsOfManyOrigins) {
     EXPECT_GT(hits_, 10U);
 }
 
-TEST_P(EveryKernel, tracesMixedWaves) {
+TEST_P(EveryKernel, TracesMixedWaves) {
     expectSingleRays("packets in between", mixed(kFewGroups, random_));
     expectSingleRays("a stream in between", mixed(kManyGroups / 2, random_));
     EXPECT_GT(hits_, 10U);
 }
 
-TEST_P(EveryKernel, tracesWavesOfAnyLength) {
+TEST_P(EveryKernel, TracesWavesOfAnyLength) {
     for (const std::size_t count :
          {0U, 1U, 3U, 4U, 7U, 8U, 15U, 16U, 17U, 63U, 64U, 65U, 127U, 511U, 512U, 513U}) {
         scene_.expectSingleRays(std::to_string(count) + " rays", scattered(count, random_));
@@ -216,7 +216,7 @@ TEST_P(EveryKernel, tracesWavesOfAnyLength) {
 
 INSTANTIATE_TEST_SUITE_P(Meshes, EveryKernel, testing::ValuesIn(meshes()), nameOfMesh);
 
-TEST(InstructionSets, traceMoreRaysThanOneStreamHolds) {
+TEST(InstructionSets, TraceMoreRaysThanOneStreamHolds) {
     const test::WaveScene scene(test::soup(2000, 0.15F, 8));
     Random random(9);
     RayWave wave = scattered(2 * 16384 + 100, random);
@@ -227,7 +227,7 @@ TEST(InstructionSets, traceMoreRaysThanOneStreamHolds) {
 }
 
 // What a thread keeps from one wave to the next leaves no trace in what the next finds.
-TEST(InstructionSets, doNotRememberOtherScenes) {
+TEST(InstructionSets, DoNotRememberOtherScenes) {
     const test::WaveScene one(test::soup(500, 0.3F, 10));
     const test::WaveScene other(test::icosphere(3));
     Random random(11);

@@ -44,7 +44,7 @@ void expectSingleCalls(const TracedMesh& scene, const RayWave& wave, const HitWa
 
 } // namespace
 
-TEST(RayTracer, wavesOfAnySizeAgreeWithSingleCalls) {
+TEST(RayTracer, WavesOfAnySizeAgreeWithSingleCalls) {
     const TracedMesh scene(test::soup(2000, 0.15F, 1));
     const KdRayTracer tracer(scene.tree(), scene.mesh());
     HitWave hits;
@@ -59,7 +59,7 @@ TEST(RayTracer, wavesOfAnySizeAgreeWithSingleCalls) {
     }
 }
 
-TEST(RayTracer, manyThreadsMayTraceAtOnce) {
+TEST(RayTracer, ManyThreadsMayTraceAtOnce) {
     const TracedMesh scene(test::icosphere(4));
     const KdRayTracer tracer(scene.tree(), scene.mesh());
     std::vector<HitWave> hits(4);
@@ -79,7 +79,7 @@ TEST(RayTracer, manyThreadsMayTraceAtOnce) {
     }
 }
 
-TEST(RayTracer, theEmptySceneIsNeverHit) {
+TEST(RayTracer, TheEmptySceneIsNeverHit) {
     const TracedMesh scene(test::SampleMesh{});
     const KdRayTracer tracer(scene.tree(), scene.mesh());
     const RayWave wave = randomWave(100, 2);
@@ -90,7 +90,7 @@ TEST(RayTracer, theEmptySceneIsNeverHit) {
     expectSingleCalls(scene, wave, hits, occluded);
 }
 
-TEST(RayWave, keepsWhatIsPushed) {
+TEST(RayWave, KeepsWhatIsPushed) {
     RayWave wave;
     EXPECT_TRUE(wave.empty());
     wave.push({{1, 2, 3}, 4, {5, 6, 7}, 8});
@@ -109,7 +109,7 @@ TEST(RayWave, keepsWhatIsPushed) {
     EXPECT_EQ(wave.ox.capacity(), memory);
 }
 
-TEST(RayStatistics, addUpByKind) {
+TEST(RayStatistics, AddUpByKind) {
     rtcore::RayStatistics a;
     a.count(RayKind::Primary, 10);
     a.count(RayKind::Shadow, 3);

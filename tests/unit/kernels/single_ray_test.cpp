@@ -24,7 +24,7 @@ Ray randomRay(const rtcore::Mesh& mesh, test::Random& random, float size = 1) {
 
 } // namespace
 
-TEST(SingleRay, findsInSoupsWhatBruteForceFinds) {
+TEST(SingleRay, FindsInSoupsWhatBruteForceFinds) {
     test::Random random(1);
     for (const float size : {0.02F, 0.2F, 1.0F}) {
         const TracedMesh scene(test::soup(1200, size, 2));
@@ -34,7 +34,7 @@ TEST(SingleRay, findsInSoupsWhatBruteForceFinds) {
     }
 }
 
-TEST(SingleRay, findsInClosedMeshesWhatBruteForceFinds) {
+TEST(SingleRay, FindsInClosedMeshesWhatBruteForceFinds) {
     test::Random random(3);
     for (const bool round : {true, false}) {
         const TracedMesh scene(round ? test::torus(30, 20).rotate(4) : test::boxGrid(9));
@@ -44,7 +44,7 @@ TEST(SingleRay, findsInClosedMeshesWhatBruteForceFinds) {
     }
 }
 
-TEST(SingleRay, findsTheLowestIndexAmongEqualDistances) {
+TEST(SingleRay, FindsTheLowestIndexAmongEqualDistances) {
     // Three layers of the same triangles, shuffled by an odd stride, so that each plane has three owners.
     test::SampleMesh sample = test::sheet(8, 2, 0.25F);
     const test::SampleMesh layer = sample;
@@ -67,7 +67,7 @@ TEST(SingleRay, findsTheLowestIndexAmongEqualDistances) {
     EXPECT_GT(scene.hits(), 2000);
 }
 
-TEST(SingleRay, lengthOfTheDirectionOnlyScalesTheDistance) {
+TEST(SingleRay, LengthOfTheDirectionOnlyScalesTheDistance) {
     const TracedMesh scene(test::soup(800, 0.3F, 6));
     test::Random random(7);
     for (int i = 0; i < 1000; ++i) {
@@ -86,7 +86,7 @@ TEST(SingleRay, lengthOfTheDirectionOnlyScalesTheDistance) {
     }
 }
 
-TEST(SingleRay, limitsAreInclusive) {
+TEST(SingleRay, LimitsAreInclusive) {
     const TracedMesh scene(test::soup(800, 0.3F, 8));
     test::Random random(9);
     for (int i = 0; i < 2000; ++i) {
@@ -106,7 +106,7 @@ TEST(SingleRay, limitsAreInclusive) {
     }
 }
 
-TEST(SingleRay, segmentsFindWhatLiesInside) {
+TEST(SingleRay, SegmentsFindWhatLiesInside) {
     const TracedMesh scene(test::soup(1500, 0.1F, 10));
     test::Random random(11);
     for (int i = 0; i < 4000; ++i) {
@@ -119,7 +119,7 @@ TEST(SingleRay, segmentsFindWhatLiesInside) {
     EXPECT_GT(scene.hits(), 500);
 }
 
-TEST(SingleRay, worksAtAnyScaleAndPlace) {
+TEST(SingleRay, WorksAtAnyScaleAndPlace) {
     test::Random random(12);
     for (const float scale : {1e-6F, 1e-3F, 1e3F, 1e6F}) {
         const TracedMesh scene(test::soup(800, 0.2F, 13).scale(scale));
@@ -141,7 +141,7 @@ TEST(SingleRay, worksAtAnyScaleAndPlace) {
     }
 }
 
-TEST(SingleRay, degenerateTrianglesHideNothing) {
+TEST(SingleRay, DegenerateTrianglesHideNothing) {
     test::Random random(15);
     const test::SampleMesh proper = test::soup(600, 0.3F, 16);
     test::SampleMesh sample = proper;
@@ -167,14 +167,14 @@ TEST(SingleRay, degenerateTrianglesHideNothing) {
     }
 }
 
-TEST(SingleRay, theEmptyTreeIsNeverHit) {
+TEST(SingleRay, TheEmptyTreeIsNeverHit) {
     const TracedMesh scene(test::SampleMesh{});
     test::Random random(17);
     for (int i = 0; i < 100; ++i) scene.expectBruteForce(rayFrom(random.vector(1), random.unitVector()));
     EXPECT_EQ(scene.hits(), 0);
 }
 
-TEST(SingleRay, aMissLeavesTheHitAlone) {
+TEST(SingleRay, AMissLeavesTheHitAlone) {
     const TracedMesh scene(test::sheet(2, 2, 0));
     Hit hit{1.5F, 7, 0.25F, 0.5F};
     const Hit before = hit;

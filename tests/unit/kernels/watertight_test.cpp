@@ -24,7 +24,7 @@ bool hits(const test::SampleMesh& mesh, Vec3 origin, Vec3 direction, Hit& hit) {
 
 } // namespace
 
-TEST(Watertight, barycentricCoordinatesBelongToTheSecondAndThirdCorner) {
+TEST(Watertight, BarycentricCoordinatesBelongToTheSecondAndThirdCorner) {
     const test::SampleMesh mesh = rightTriangle();
     for (const float side : {1.0F, -1.0F}) { // from in front and from behind
         Hit hit;
@@ -36,7 +36,7 @@ TEST(Watertight, barycentricCoordinatesBelongToTheSecondAndThirdCorner) {
     }
 }
 
-TEST(Watertight, edgesAndCornersBelongToTheTriangle) {
+TEST(Watertight, EdgesAndCornersBelongToTheTriangle) {
     const test::SampleMesh mesh = rightTriangle();
     for (const Vec3 p : {Vec3{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}) {
         for (const Vec3 direction : {Vec3{0, 0, -1}, {1, 0, -1}, {-0.25F, 0.5F, -1}}) {
@@ -50,14 +50,14 @@ TEST(Watertight, edgesAndCornersBelongToTheTriangle) {
     EXPECT_FALSE(hits(mesh, {1.000001F, 1, 1}, {0, 0, -1}, hit));
 }
 
-TEST(Watertight, aTriangleSeenEdgeOnIsNotHit) {
+TEST(Watertight, ATriangleSeenEdgeOnIsNotHit) {
     const test::SampleMesh mesh = rightTriangle();
     Hit hit;
     EXPECT_FALSE(hits(mesh, {-1, 0.5F, 0}, {1, 0, 0}, hit));
     EXPECT_FALSE(hits(mesh, {-1, -1, 0}, {1, 1, 0}, hit));
 }
 
-TEST(Watertight, everyAxisMayDominate) {
+TEST(Watertight, EveryAxisMayDominate) {
     for (int axis = 0; axis < 3; ++axis) {
         for (const float sign : {1.0F, -1.0F}) {
             test::SampleMesh mesh = rightTriangle();
@@ -83,7 +83,7 @@ TEST(Watertight, everyAxisMayDominate) {
     }
 }
 
-TEST(Watertight, atEqualDistanceTheLowerIndexStays) {
+TEST(Watertight, AtEqualDistanceTheLowerIndexStays) {
     test::SampleMesh mesh = rightTriangle();
     mesh.triangles.push_back(mesh.triangles[0]);
     const RayShear shear({0, 0, -1});
@@ -97,7 +97,7 @@ TEST(Watertight, atEqualDistanceTheLowerIndexStays) {
     }
 }
 
-TEST(Watertight, nonFiniteDistancesAreNoHits) {
+TEST(Watertight, NonFiniteDistancesAreNoHits) {
     test::SampleMesh mesh;
     mesh.addTriangle({-3e38F, -3e38F, 3e38F}, {3e38F, -3e38F, 3e38F}, {0, 3e38F, 3e38F});
     Hit hit;

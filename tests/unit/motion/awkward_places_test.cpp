@@ -67,7 +67,7 @@ class EyeJerk {
 
 } // namespace
 
-TEST(AwkwardPlaces, doorsThatAreWideEnough) {
+TEST(AwkwardPlaces, DoorsThatAreWideEnough) {
     for (const double width : {0.60, 0.65, 0.70}) {
         for (const double aside : {0.0, 0.2}) {
             for (const double turned : {0.0, 20.0}) {
@@ -97,7 +97,7 @@ TEST(AwkwardPlaces, doorsThatAreWideEnough) {
     EXPECT_GT(walker->state().feet.y, 2.6);
 }
 
-TEST(AwkwardPlaces, wallsThinnerThanTheBody) {
+TEST(AwkwardPlaces, WallsThinnerThanTheBody) {
     for (const double thick : {0.0, 0.001, 0.1}) {
         for (const bool sprints : {false, true}) {
             WalkWorld world;
@@ -120,7 +120,7 @@ TEST(AwkwardPlaces, wallsThinnerThanTheBody) {
     }
 }
 
-TEST(AwkwardPlaces, spiralStairs) {
+TEST(AwkwardPlaces, SpiralStairs) {
     constexpr double kInner = 0.15, kOuter = 1.15, kRise = 0.19;
     WalkWorld world = spiral(kInner, kOuter, kRise, 2);
     const auto walker = world.walker(0, 0.65, 3 * kRise);
@@ -146,7 +146,7 @@ TEST(AwkwardPlaces, spiralStairs) {
     EXPECT_LT(jerk.upright, 0.0095);
 }
 
-TEST(AwkwardPlaces, aSlopeThatEndsAtAWall) {
+TEST(AwkwardPlaces, ASlopeThatEndsAtAWall) {
     WalkWorld world;
     world.floor();
     world.quad(metres(-5, 0, 0), metres(5, 0, 0), metres(5, 3, 3), metres(-5, 3, 3));
@@ -170,7 +170,7 @@ TEST(AwkwardPlaces, aSlopeThatEndsAtAWall) {
     EXPECT_LT(walker->state().feet.y, 0);
 }
 
-TEST(AwkwardPlaces, stairsUnderALowCeiling) {
+TEST(AwkwardPlaces, StairsUnderALowCeiling) {
     for (const double room : {1.9, 1.7}) {
         WalkWorld world;
         world.floor();
@@ -200,7 +200,7 @@ TEST(AwkwardPlaces, stairsUnderALowCeiling) {
     }
 }
 
-TEST(AwkwardPlaces, pressingAgainstWallsDoesNotTremble) {
+TEST(AwkwardPlaces, PressingAgainstWallsDoesNotTremble) {
     WalkWorld world;
     world.floor().box(metres(-5, 1, -1), metres(5, 2, 3)).box(metres(1, -5, -1), metres(2, 5, 3));
     for (const double angle : {0.0, 2.0, 45.0, 60.0}) {
@@ -218,7 +218,7 @@ TEST(AwkwardPlaces, pressingAgainstWallsDoesNotTremble) {
 
 // Walls 0.43 m high on both sides, nearer than the player's skin, and a stair between them: walked askew he
 // comes upon the walls first, and their diagonals are no obstacles.
-TEST(AwkwardPlaces, stairsInANarrowAlley) {
+TEST(AwkwardPlaces, StairsInANarrowAlley) {
     WalkWorld world;
     world.floor(0, 20);
     world.box(metres(-3, -3, -1), metres(-0.2911, 6, 0.43)).box(metres(0.2989, -3, -1), metres(3, 6, 0.43));
@@ -235,7 +235,7 @@ TEST(AwkwardPlaces, stairsInANarrowAlley) {
     }
 }
 
-TEST(AwkwardPlaces, theEyeRidesSmoothlyOverSteps) {
+TEST(AwkwardPlaces, TheEyeRidesSmoothlyOverSteps) {
     WalkWorld world;
     world.floor();
     for (int i = 0; i < 20; ++i) world.box(metres(-3, 0.29 * i, -1), metres(3, 30, 0.17 * (i + 1)));

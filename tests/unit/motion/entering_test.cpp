@@ -6,7 +6,7 @@ using rtcore::Vec3d;
 using test::metres;
 using test::WalkWorld;
 
-TEST(Entering, keepsTheEyeWhereThereIsRoom) {
+TEST(Entering, KeepsTheEyeWhereThereIsRoom) {
     WalkWorld world;
     world.floor();
     rtcore::Walker walker(world.tree(), world.view(), rtcore::WorldFrame({0, 0, 1}, 1), WalkWorld::shape());
@@ -17,7 +17,7 @@ TEST(Entering, keepsTheEyeWhereThereIsRoom) {
     }
 }
 
-TEST(Entering, movesAsideInSight) {
+TEST(Entering, MovesAsideInSight) {
     WalkWorld world;
     world.floor().box(metres(-5, 0, -1), metres(5, 1, 3));
     rtcore::Walker walker(world.tree(), world.view(), rtcore::WorldFrame({0, 0, 1}, 1), WalkWorld::shape());
@@ -25,7 +25,7 @@ TEST(Entering, movesAsideInSight) {
     EXPECT_LE(walker.eye().y, -0.29);
 }
 
-TEST(Entering, refusesWhereThereIsNone) {
+TEST(Entering, RefusesWhereThereIsNone) {
     WalkWorld world;
     world.floor().box(metres(-0.2, -0.2, 1), metres(0.2, 0.2, 1.4));
     rtcore::Walker walker(world.tree(), world.view(), rtcore::WorldFrame({0, 0, 1}, 1), WalkWorld::shape());
@@ -37,7 +37,7 @@ TEST(Entering, refusesWhereThereIsNone) {
     EXPECT_EQ(player->mode(), MotionMode::View);
 }
 
-TEST(Entering, comesBackFromBelowTheWorld) {
+TEST(Entering, ComesBackFromBelowTheWorld) {
     WalkWorld world;
     world.floor(0, 4);
     const auto walker = world.walker(0, 0, 0);
@@ -52,7 +52,7 @@ TEST(Entering, comesBackFromBelowTheWorld) {
     EXPECT_NEAR(walker->state().feet.z, 0, 1e-3);
 }
 
-TEST(Entering, walksOnAnUnseenFloorBesideAModel) {
+TEST(Entering, WalksOnAnUnseenFloorBesideAModel) {
     WalkWorld world;
     world.box(metres(-1, -2, 0.2), metres(1, 2, 1.5)); // a car, say
     const auto player = world.player(30, 0, 1);
@@ -70,7 +70,7 @@ TEST(Entering, walksOnAnUnseenFloorBesideAModel) {
     EXPECT_FALSE(player->onUnseenFloor());
 }
 
-TEST(Entering, runsIntoTheModelOnTheUnseenFloor) {
+TEST(Entering, RunsIntoTheModelOnTheUnseenFloor) {
     WalkWorld world;
     world.box(metres(-5, 3, 0), metres(5, 6, 4));
     const auto walker = world.walker(0, 0, 0);
@@ -81,7 +81,7 @@ TEST(Entering, runsIntoTheModelOnTheUnseenFloor) {
     EXPECT_NEAR(walker->state().feet.z, 0, 0.02);
 }
 
-TEST(Entering, knowsNoUnseenFloorWhereSomethingIsBelow) {
+TEST(Entering, KnowsNoUnseenFloorWhereSomethingIsBelow) {
     WalkWorld world;
     world.floor(0, 4);
     for (const double x : {0.0, 4.2}) { // half of the body is over the edge
@@ -95,7 +95,7 @@ TEST(Entering, knowsNoUnseenFloorWhereSomethingIsBelow) {
 }
 
 // A floor that is too steep to stand on, and nothing behind its lower edge.
-TEST(Entering, bringsBackToWhereHeFlewWhoNeverStood) {
+TEST(Entering, BringsBackToWhereHeFlewWhoNeverStood) {
     WalkWorld world;
     world.quad(metres(-3, 0, 0), metres(3, 0, 0), metres(3, 2, 6), metres(-3, 2, 6));
     const auto player = world.player(0, 1, 3.5);
@@ -109,7 +109,7 @@ TEST(Entering, bringsBackToWhereHeFlewWhoNeverStood) {
     EXPECT_NEAR(length(player->camera().eye - eye), 0, 1e-4);
 }
 
-TEST(Entering, comesBackToWhereItStoodForAMomentOnly) {
+TEST(Entering, ComesBackToWhereItStoodForAMomentOnly) {
     WalkWorld world;
     world.floor(0, 0.6);
     const auto player = world.player(0, 0, 0);
@@ -128,7 +128,7 @@ TEST(Entering, comesBackToWhereItStoodForAMomentOnly) {
     EXPECT_NEAR(player->camera().eye.z, 1.7, 0.02);
 }
 
-TEST(Entering, worksWithoutTriangles) {
+TEST(Entering, WorksWithoutTriangles) {
     test::SampleMesh empty;
     const rtcore::KdTree tree = rtcore::buildKdTree(empty.view(), {});
     rtcore::Player player(tree, empty.view(), {});

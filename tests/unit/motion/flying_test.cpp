@@ -21,7 +21,7 @@ void fly(rtcore::Player& player, int frames) {
 
 } // namespace
 
-TEST(Flying, leavesACameraAsItIs) {
+TEST(Flying, LeavesACameraAsItIs) {
     WalkWorld world = hall();
     const auto player = world.player(0, 0, 0);
     Camera camera;
@@ -46,7 +46,7 @@ TEST(Flying, leavesACameraAsItIs) {
     EXPECT_LT(length(turned - was), 1e-5F);
 }
 
-TEST(Flying, anOrthographicViewGetsNarrowerInPlaceOfNearer) {
+TEST(Flying, AnOrthographicViewGetsNarrowerInPlaceOfNearer) {
     WalkWorld world = hall();
     const auto player = world.player(0, 0, 0);
     Camera camera;
@@ -73,7 +73,7 @@ TEST(Flying, anOrthographicViewGetsNarrowerInPlaceOfNearer) {
     EXPECT_NE(player->camera().eye, camera.eye);
 }
 
-TEST(Flying, movesByTheSizeOfTheScene) {
+TEST(Flying, MovesByTheSizeOfTheScene) {
     WalkWorld world = hall();
     const auto player = world.player(0, 0, 0);
     player->press(Action::Forward);
@@ -88,7 +88,7 @@ TEST(Flying, movesByTheSizeOfTheScene) {
     EXPECT_TRUE(player->atRest());
 }
 
-TEST(Flying, turnsAndLooks) {
+TEST(Flying, TurnsAndLooks) {
     WalkWorld world = hall();
     const auto player = world.player(0, 0, 0);
     player->look(0.5, 0.25);
@@ -113,7 +113,7 @@ TEST(Flying, turnsAndLooks) {
     }
 }
 
-TEST(Flying, tapMovesALittle) {
+TEST(Flying, TapMovesALittle) {
     WalkWorld world = hall();
     const auto player = world.player(0, 0, 0);
     const rtcore::Vec3 from = player->camera().eye;
@@ -124,7 +124,7 @@ TEST(Flying, tapMovesALittle) {
     EXPECT_GT(player->camera().eye.x, from.x);
 }
 
-TEST(Flying, doesNotLeapAfterASleep) {
+TEST(Flying, DoesNotLeapAfterASleep) {
     WalkWorld world = hall();
     const auto player = world.player(0, 0, 0);
     player->press(Action::Forward);

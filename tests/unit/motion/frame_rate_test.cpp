@@ -41,7 +41,7 @@ std::vector<rtcore::Camera> play(WalkWorld& world, MotionMode mode, NextFrame&& 
 
 } // namespace
 
-TEST(FrameRate, doesNotChangeThePath) {
+TEST(FrameRate, DoesNotChangeThePath) {
     WalkWorld world = furnished();
     for (const MotionMode mode : {MotionMode::Walk, MotionMode::View}) {
         const auto expected = play(world, mode, [] { return kSecond / 60; });
@@ -56,7 +56,7 @@ TEST(FrameRate, doesNotChangeThePath) {
     }
 }
 
-TEST(FrameRate, orderOfTrianglesDoesNotMatter) {
+TEST(FrameRate, OrderOfTrianglesDoesNotMatter) {
     WalkWorld world = furnished(), shuffled = furnished();
     test::Random random(3);
     auto& triangles = shuffled.mesh().triangles;

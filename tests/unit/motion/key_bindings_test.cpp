@@ -23,7 +23,7 @@ KeyBindings::Presses presses(std::initializer_list<int> keys) {
 
 } // namespace
 
-TEST(KeyBindings, heldKeysAct) {
+TEST(KeyBindings, HeldKeysAct) {
     const KeyBindings bindings;
     const auto set = bindings.held(down({'W', 'D', rtcore::KeyShift}));
     EXPECT_TRUE(set.has(Action::Forward));
@@ -34,7 +34,7 @@ TEST(KeyBindings, heldKeysAct) {
     EXPECT_TRUE(bindings.held({}).none());
 }
 
-TEST(KeyBindings, aSecondKeyTakesOver) {
+TEST(KeyBindings, ASecondKeyTakesOver) {
     const KeyBindings bindings;
     EXPECT_TRUE(bindings.held(down({rtcore::KeyLeft})).has(Action::Left));
     const auto set = bindings.held(down({rtcore::KeyLeft, rtcore::KeyCapsLock}));
@@ -45,7 +45,7 @@ TEST(KeyBindings, aSecondKeyTakesOver) {
               (std::vector<ActionTap>{{Action::SelectEnvironment, 10}}));
 }
 
-TEST(KeyBindings, noTapIsLost) {
+TEST(KeyBindings, NoTapIsLost) {
     const KeyBindings bindings;
     const std::vector<ActionTap> sky{{Action::SelectEnvironment, 3}};
     EXPECT_EQ(bindings.taps({}, presses({'M', '3'})), sky) << "both within a moment";
@@ -60,7 +60,7 @@ TEST(KeyBindings, noTapIsLost) {
     EXPECT_LT(taps, 100U);
 }
 
-TEST(KeyBindings, othersCanBeGiven) {
+TEST(KeyBindings, OthersCanBeGiven) {
     const rtcore::KeyBinding own[] = {{'Q', Action::Left}, {300, Action::Jump}, {-1, Action::Jump}};
     const KeyBindings bindings(own);
     EXPECT_EQ(bindings.list().size(), 1U);
@@ -68,7 +68,7 @@ TEST(KeyBindings, othersCanBeGiven) {
     EXPECT_TRUE(bindings.held(down({'W'})).none());
 }
 
-TEST(KeyBindings, defaultsAreDistinct) {
+TEST(KeyBindings, DefaultsAreDistinct) {
     const auto all = rtcore::defaultKeyBindings();
     for (std::size_t i = 0; i < all.size(); ++i) {
         EXPECT_NE(all[i].key, rtcore::KeyNone);
@@ -80,7 +80,7 @@ TEST(KeyBindings, defaultsAreDistinct) {
     }
 }
 
-TEST(KeyBindings, namesGoBothWays) {
+TEST(KeyBindings, NamesGoBothWays) {
     int keys = 0;
     for (int key = 0; key < rtcore::kKeyCodes; ++key) {
         const std::string name = rtcore::keyName(key);

@@ -32,7 +32,7 @@ std::string number(double value, int digits) {
 
 const rtcore::WalkShape kUsual;
 
-TEST(Manual, tellsHowHeWalks) {
+TEST(Manual, TellsHowHeWalks) {
     const std::string manual = textOf("manual.md");
     const rtcore::WalkShape& s = kUsual;
     const std::string rows[] = {
@@ -51,7 +51,7 @@ TEST(Manual, tellsHowHeWalks) {
     EXPECT_EQ(s.crawl.jump, 0);
 }
 
-TEST(Manual, namesTheDefaultsOfAScene) {
+TEST(Manual, NamesTheDefaultsOfAScene) {
     const std::string formats = textOf("formats.md");
     const rtcore::WalkParameters walk;
     const std::string text = "height = " + number(double{walk.height}, 1) +

@@ -97,13 +97,13 @@ int walkIn(WalkWorld& world, Vec3d lo, Vec3d hi, int count, bool sealed) {
 
 } // namespace
 
-TEST(RandomWalk, staysInTheRoom) {
+TEST(RandomWalk, StaysInTheRoom) {
     WalkWorld world = room(1);
     const int count = walks(40);
     EXPECT_GT(walkIn(world, {-7.5, -7.5, 0.2}, {7.5, 7.5, 4.7}, count, true), count / 2);
 }
 
-TEST(RandomWalk, survivesASoup) {
+TEST(RandomWalk, SurvivesASoup) {
     WalkWorld world = soup(3);
     const int count = walks(40);
     EXPECT_GT(walkIn(world, {-7.5, -7.5, 0.2}, {7.5, 7.5, 4.7}, count, false), count / 4);

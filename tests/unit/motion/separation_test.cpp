@@ -68,7 +68,7 @@ double sampledDistance(const UprightLine& line, const SolidTriangle& t) {
 
 } // namespace
 
-TEST(Separation, isTheShortest) {
+TEST(Separation, IsTheShortest) {
     test::Random random(1);
     for (int i = 0; i < 1000; ++i) {
         const SolidTriangle t = randomTriangle(random, i % 5);
@@ -81,7 +81,7 @@ TEST(Separation, isTheShortest) {
     }
 }
 
-TEST(Separation, sweepsStopAtTheSurface) {
+TEST(Separation, SweepsStopAtTheSurface) {
     test::Random random(2);
     int hits = 0;
     for (int i = 0; i < 20000; ++i) {

@@ -68,7 +68,7 @@ WalkWorld corridor(double height) {
 
 } // namespace
 
-TEST(Walking, standsStill) {
+TEST(Walking, StandsStill) {
     WalkWorld world;
     world.floor();
     const auto walker = world.walker(0.3, 0.2, 0.05);
@@ -81,7 +81,7 @@ TEST(Walking, standsStill) {
     EXPECT_EQ(walker->state().feet, before.feet);
 }
 
-TEST(Walking, keepsItsSpeed) {
+TEST(Walking, KeepsItsSpeed) {
     WalkWorld world;
     world.floor();
     const auto walker = world.walker(0, 0, 0);
@@ -101,7 +101,7 @@ TEST(Walking, keepsItsSpeed) {
     EXPECT_NEAR(length(walker->state().velocity), 3, 1e-9);
 }
 
-TEST(Walking, jumpsAsHighAsGravityLets) {
+TEST(Walking, JumpsAsHighAsGravityLets) {
     WalkWorld world;
     world.floor();
     const auto walker = world.walker(0, 0, 0);
@@ -117,7 +117,7 @@ TEST(Walking, jumpsAsHighAsGravityLets) {
     EXPECT_TRUE(walker->state().grounded);
 }
 
-TEST(Walking, jumpsLowUnderACeiling) {
+TEST(Walking, JumpsLowUnderACeiling) {
     WalkWorld world;
     world.floor().floor(2.0);
     const auto walker = world.walker(0, 0, 0);
@@ -125,7 +125,7 @@ TEST(Walking, jumpsLowUnderACeiling) {
     EXPECT_NEAR(jump(*walker).apex, 0.2, 0.011);
 }
 
-TEST(Walking, fallsAsFastAsGravityPulls) {
+TEST(Walking, FallsAsFastAsGravityPulls) {
     WalkWorld world;
     world.floor();
     const auto walker = world.walker(0, 0, 10);
@@ -138,7 +138,7 @@ TEST(Walking, fallsAsFastAsGravityPulls) {
     EXPECT_NEAR(walker->state().feet.z, 0, 1e-3);
 }
 
-TEST(Walking, landsFromAnyHeight) {
+TEST(Walking, LandsFromAnyHeight) {
     WalkWorld world;
     world.floor();
     for (const double height : {50.0, 200.0, 701.3, 2000.0}) {
@@ -149,7 +149,7 @@ TEST(Walking, landsFromAnyHeight) {
     }
 }
 
-TEST(Walking, slidesAlongWalls) {
+TEST(Walking, SlidesAlongWalls) {
     for (const double angle : {20.0, 45.0, 70.0}) {
         WalkWorld world;
         world.floor().box(metres(-50, 1, -1), metres(50, 2, 3));
@@ -164,7 +164,7 @@ TEST(Walking, slidesAlongWalls) {
     }
 }
 
-TEST(Walking, climbsSlopesUpToTheLimit) {
+TEST(Walking, ClimbsSlopesUpToTheLimit) {
     for (const double degrees : {10.0, 30.0, 45.0}) {
         WalkWorld world = ramp(degrees);
         const auto walker = world.walker(0, -1, 0);
@@ -190,7 +190,7 @@ TEST(Walking, climbsSlopesUpToTheLimit) {
     EXPECT_LT(walker->state().feet.z, 0.2);
 }
 
-TEST(Walking, slidesDownWhatIsTooSteep) {
+TEST(Walking, SlidesDownWhatIsTooSteep) {
     WalkWorld world = ramp(60);
     const auto walker = world.walker(0, 3, 6);
     walkFor(*walker, {}, 360);
@@ -198,7 +198,7 @@ TEST(Walking, slidesDownWhatIsTooSteep) {
     EXPECT_TRUE(walker->state().grounded);
 }
 
-TEST(Walking, stepsUpToTheLimit) {
+TEST(Walking, StepsUpToTheLimit) {
     for (const double height : {0.05, 0.2, 0.4}) {
         WalkWorld world;
         world.floor().box(metres(-5, 1, -1), metres(5, 8, height));
@@ -216,7 +216,7 @@ TEST(Walking, stepsUpToTheLimit) {
     EXPECT_NEAR(walker->state().feet.z, 0, 1e-3);
 }
 
-TEST(Walking, climbsStairsWithoutShaking) {
+TEST(Walking, ClimbsStairsWithoutShaking) {
     constexpr double kLong = 20 * 0.29;
     for (const double angle : {0.0, 30.0}) {
         WalkWorld world = stairs(20, 0.17, 0.29);
@@ -241,7 +241,7 @@ TEST(Walking, climbsStairsWithoutShaking) {
     }
 }
 
-TEST(Walking, goesThroughSlitsThatFit) {
+TEST(Walking, GoesThroughSlitsThatFit) {
     WalkWorld wide = slit(0.60);
     auto walker = wide.walker(0, 0, 0);
     stand(*walker);
@@ -255,7 +255,7 @@ TEST(Walking, goesThroughSlitsThatFit) {
     EXPECT_LT(walker->state().feet.y, 2.1);
 }
 
-TEST(Walking, standsOnlyWhereThereIsRoom) {
+TEST(Walking, StandsOnlyWhereThereIsRoom) {
     WalkWorld high = corridor(1.80);
     auto walker = high.walker(0, 0, 0);
     stand(*walker);
@@ -270,7 +270,7 @@ TEST(Walking, standsOnlyWhereThereIsRoom) {
     EXPECT_LT(walker->state().feet.y, 2);
 }
 
-TEST(Walking, crawlsWhereNobodyCanStand) {
+TEST(Walking, CrawlsWhereNobodyCanStand) {
     WalkWorld world = corridor(0.70);
     const auto walker = world.walker(0, 0, 0);
     stand(*walker);
@@ -293,7 +293,7 @@ TEST(Walking, crawlsWhereNobodyCanStand) {
     EXPECT_NEAR(walker->state().height, 1.8, 1e-6);
 }
 
-TEST(Walking, climbsLedgesByJumpingAgainstThem) {
+TEST(Walking, ClimbsLedgesByJumpingAgainstThem) {
     for (const double height : {0.5, 0.8, 1.1}) {
         WalkWorld world;
         world.floor().box(metres(-5, 1, -1), metres(5, 8, height));
@@ -317,7 +317,7 @@ TEST(Walking, climbsLedgesByJumpingAgainstThem) {
     EXPECT_NEAR(walker->state().feet.z, 0, 1e-3);
 }
 
-TEST(Walking, comesOutOfWedges) {
+TEST(Walking, ComesOutOfWedges) {
     WalkWorld world;
     const double half = 0.5 * kPi / 180;
     const double end = 60;
@@ -342,7 +342,7 @@ TEST(Walking, comesOutOfWedges) {
     EXPECT_NEAR(from - walker->state().feet.y, 3, 0.01);
 }
 
-TEST(Walking, leavesCrevicesByJumping) {
+TEST(Walking, LeavesCrevicesByJumping) {
     WalkWorld world;
     for (const double side : {-1.0, 1.0}) {
         world.quad(metres(0, -20, 0), metres(side * 2, -20, 5), metres(side * 2, 20, 5), metres(0, 20, 0));
@@ -357,7 +357,7 @@ TEST(Walking, leavesCrevicesByJumping) {
     EXPECT_GT(walker->state().feet.z, from + 0.3);
 }
 
-TEST(Walking, jumpsShortlyAfterTheEdge) {
+TEST(Walking, JumpsShortlyAfterTheEdge) {
     for (const int late : {5, 20}) {
         WalkWorld world;
         world.floor(-5).box(metres(-5, -5, -1), metres(5, 1, 0));

@@ -12,7 +12,7 @@ using rtcore::guessMetresPerUnit;
 using rtcore::Vec3;
 using rtcore::WorldFrame;
 
-TEST(WorldFrame, goesThereAndBack) {
+TEST(WorldFrame, GoesThereAndBack) {
     test::Random random(1);
     for (int i = 0; i < 300; ++i) {
         const Vec3 up = i == 0   ? Vec3{0, 1, 0}
@@ -27,9 +27,9 @@ TEST(WorldFrame, goesThereAndBack) {
     }
 }
 
-TEST(WorldFrame, wrongUpIsReplaced) { EXPECT_EQ(WorldFrame({0, 0, 0}, 1).up(), (Vec3{0, 1, 0})); }
+TEST(WorldFrame, WrongUpIsReplaced) { EXPECT_EQ(WorldFrame({0, 0, 0}, 1).up(), (Vec3{0, 1, 0})); }
 
-TEST(WorldFrame, guessesUnits) {
+TEST(WorldFrame, GuessesUnits) {
     const auto tall = [](float height) { return Box3{{-5, 0, -5}, {5, height, 5}}; };
     EXPECT_EQ(guessMetresPerUnit(tall(15), {0, 1, 0}), 1);
     EXPECT_EQ(guessMetresPerUnit(tall(1500), {0, 1, 0}), 0.01);
@@ -40,7 +40,7 @@ TEST(WorldFrame, guessesUnits) {
     EXPECT_EQ(guessMetresPerUnit({{1, 1, 1}, {1, 1, 1}}, {0, 1, 0}), 1);
 }
 
-TEST(NearbyTriangles, findsAllThatReachIn) {
+TEST(NearbyTriangles, FindsAllThatReachIn) {
     test::WalkWorld world;
     world.add(test::soup(3000, 0.1F, 4));
     const rtcore::Mesh mesh = world.view();

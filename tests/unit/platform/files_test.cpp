@@ -86,7 +86,7 @@ bool endsWith(FailureKind kind, void (*prepare)(), Action action) {
 
 } // namespace
 
-TEST(OpenFileBytes, givesSmallAndMappedFilesAsTheyAre) {
+TEST(OpenFileBytes, GivesSmallAndMappedFilesAsTheyAre) {
     const test::TemporaryFolder folder;
     for (const std::size_t size : {0, 1, 4095, 65535, 65536, 300000}) {
         std::string content(size, '\0');
@@ -96,7 +96,7 @@ TEST(OpenFileBytes, givesSmallAndMappedFilesAsTheyAre) {
     }
 }
 
-TEST(OpenFileBytes, contentLivesAsLongAsItsOwnerThoughTheFileIsReplaced) {
+TEST(OpenFileBytes, ContentLivesAsLongAsItsOwnerThoughTheFileIsReplaced) {
     const test::TemporaryFolder folder;
     const std::string before(100000, 'a');
     put(folder / "f", before);
@@ -106,7 +106,7 @@ TEST(OpenFileBytes, contentLivesAsLongAsItsOwnerThoughTheFileIsReplaced) {
     EXPECT_EQ(textOf(bytes), before);
 }
 
-TEST(OpenFileBytes, contentStaysThoughTheFileIsWrittenOver) {
+TEST(OpenFileBytes, ContentStaysThoughTheFileIsWrittenOver) {
     const test::TemporaryFolder folder;
     const std::string before(300000, 'a');
     put(folder / "f", before);
@@ -117,7 +117,7 @@ TEST(OpenFileBytes, contentStaysThoughTheFileIsWrittenOver) {
     EXPECT_EQ(textOf(bytes), before);
 }
 
-TEST(OpenFileBytes, mapsWhatIsLargerThanAGigabyte) {
+TEST(OpenFileBytes, MapsWhatIsLargerThanAGigabyte) {
     const test::TemporaryFolder folder;
     put(folder / "f", "head");
     constexpr std::uintmax_t size = (std::uintmax_t{1} << 30) + 5000;
@@ -128,7 +128,7 @@ TEST(OpenFileBytes, mapsWhatIsLargerThanAGigabyte) {
     EXPECT_EQ(bytes.bytes.back(), std::byte{0});
 }
 
-TEST(InputFile, isLookedIntoAndReadAsOneFile) {
+TEST(InputFile, IsLookedIntoAndReadAsOneFile) {
     const test::TemporaryFolder folder;
     const std::string content = std::string(100000, 'x') + "end";
     put(folder / "f", content);
@@ -140,7 +140,7 @@ TEST(InputFile, isLookedIntoAndReadAsOneFile) {
     EXPECT_EQ(textOf(file.read()), content);
 }
 
-TEST(InputFile, looksIntoAPipeAndReadsItOnce) {
+TEST(InputFile, LooksIntoAPipeAndReadsItOnce) {
     const test::TemporaryFolder folder;
     ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
     const std::string content(200000, 'p');
@@ -151,7 +151,7 @@ TEST(InputFile, looksIntoAPipeAndReadsItOnce) {
     writer.join();
 }
 
-TEST(LineReader, givesLinesAsTheyCome) {
+TEST(LineReader, GivesLinesAsTheyCome) {
     const test::TemporaryFolder folder;
     const auto linesOf = [&](const std::string& text) {
         put(folder / "f", text);
@@ -182,7 +182,7 @@ TEST(LineReader, givesLinesAsTheyCome) {
     ::close(writer);
 }
 
-TEST(StoredBytes, countsNoHoles) {
+TEST(StoredBytes, CountsNoHoles) {
     const test::TemporaryFolder folder;
     put(folder / "f", std::string(100000, 'x'));
     EXPECT_GE(rtcore::storedBytes(folder / "f"), 100000U);
@@ -195,7 +195,7 @@ TEST(StoredBytes, countsNoHoles) {
     EXPECT_EQ(rtcore::storedBytes(folder / "missing"), 0U);
 }
 
-TEST(FileIdentity, isTheFilesWhateverItsName) {
+TEST(FileIdentity, IsTheFilesWhateverItsName) {
     const test::TemporaryFolder folder;
     put(folder / "f", "x");
     put(folder / "g", "x");
@@ -209,7 +209,7 @@ TEST(FileIdentity, isTheFilesWhateverItsName) {
     EXPECT_FALSE(rtcore::identityOf(folder / "missing"));
 }
 
-TEST(FileWaits, endWhenTheProgramIsAskedToStop) {
+TEST(FileWaits, EndWhenTheProgramIsAskedToStop) {
     const test::TemporaryFolder folder;
     ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
     const auto ask = [] { rtcore::interruptFilesBy(yes); };
@@ -227,7 +227,7 @@ TEST(FileWaits, endWhenTheProgramIsAskedToStop) {
     ::close(partner);
 }
 
-TEST(FileWaits, regularFilesOnlyRefuseTheRestAtOnce) {
+TEST(FileWaits, RegularFilesOnlyRefuseTheRestAtOnce) {
     const test::TemporaryFolder folder;
     ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
     put(folder / "f", "x");
@@ -244,7 +244,7 @@ TEST(FileWaits, regularFilesOnlyRefuseTheRestAtOnce) {
               0);
 }
 
-TEST(RemoveForgottenFiles, takesOldOnesOfItsOwnKindOnly) {
+TEST(RemoveForgottenFiles, TakesOldOnesOfItsOwnKindOnly) {
     const test::TemporaryFolder folder;
     const std::string name = ".rtsuite-0123456789abcdef";
     const std::vector<std::string> foreign{
@@ -271,7 +271,7 @@ TEST(RemoveForgottenFiles, takesOldOnesOfItsOwnKindOnly) {
     rtcore::removeForgottenFiles(folder / "missing", 0);
 }
 
-TEST(OpenFileBytes, readsPipesAndFilesWithoutASize) {
+TEST(OpenFileBytes, ReadsPipesAndFilesWithoutASize) {
     const test::TemporaryFolder folder;
     ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
     const std::string content(200000, 'p');
@@ -283,7 +283,7 @@ TEST(OpenFileBytes, readsPipesAndFilesWithoutASize) {
     }
 }
 
-TEST(OpenFileBytes, namesTheFileThatIsMissingOrAFolder) {
+TEST(OpenFileBytes, NamesTheFileThatIsMissingOrAFolder) {
     const test::TemporaryFolder folder;
     const FileError missing = errorOf([&] { rtcore::openFileBytes(folder / "nothing"); });
     EXPECT_EQ(missing.kind, FailureKind::NoInput);
@@ -298,7 +298,7 @@ TEST(OpenFileBytes, namesTheFileThatIsMissingOrAFolder) {
     EXPECT_EQ(errorOf([&] { rtcore::openFileBytes(folder / "secret"); }).kind, FailureKind::NoInput);
 }
 
-TEST(ReadTextFile, refusesWhatIsLargerThanItsLimit) {
+TEST(ReadTextFile, RefusesWhatIsLargerThanItsLimit) {
     const test::TemporaryFolder folder;
     put(folder / "f", "12345");
     EXPECT_EQ(rtcore::readTextFile(folder / "f", 5), "12345");
@@ -308,7 +308,7 @@ TEST(ReadTextFile, refusesWhatIsLargerThanItsLimit) {
     }
 }
 
-TEST(ReplaceFile, writesPiecesInOrderAndLeavesNothingElse) {
+TEST(ReplaceFile, WritesPiecesInOrderAndLeavesNothingElse) {
     const test::TemporaryFolder folder;
     const std::string a = "one ", b, c(100000, 'c');
     const std::array pieces{bytesOf(a), bytesOf(b), bytesOf(c)};
@@ -319,7 +319,7 @@ TEST(ReplaceFile, writesPiecesInOrderAndLeavesNothingElse) {
     EXPECT_EQ(entries(folder.path()), 1U);
 }
 
-TEST(ReplaceFile, temporaryFileIsEmptyBesideTheTargetAndKeepsItsExtension) {
+TEST(ReplaceFile, TemporaryFileIsEmptyBesideTheTargetAndKeepsItsExtension) {
     const test::TemporaryFolder folder;
     rtcore::replaceFile(folder / "picture.png", [&](const fs::path& temporary) {
         EXPECT_EQ(temporary.parent_path(), folder.path());
@@ -331,7 +331,7 @@ TEST(ReplaceFile, temporaryFileIsEmptyBesideTheTargetAndKeepsItsExtension) {
     EXPECT_EQ(rtcore::readTextFile(folder / "picture.png"), "pixels");
 }
 
-TEST(ReplaceFile, modeFollowsTheUmask) {
+TEST(ReplaceFile, ModeFollowsTheUmask) {
     const test::TemporaryFolder folder;
     for (const mode_t mask : {0022, 0077, 0000}) {
         const fs::path path = folder / std::to_string(mask);
@@ -347,7 +347,7 @@ TEST(ReplaceFile, modeFollowsTheUmask) {
     }
 }
 
-TEST(ReplaceFile, exceptionLeavesTheOldContentAndNoTemporary) {
+TEST(ReplaceFile, ExceptionLeavesTheOldContentAndNoTemporary) {
     const test::TemporaryFolder folder;
     put(folder / "f", "old");
     EXPECT_THROW(rtcore::replaceFile(folder / "f",
@@ -360,7 +360,7 @@ TEST(ReplaceFile, exceptionLeavesTheOldContentAndNoTemporary) {
     EXPECT_EQ(entries(folder.path()), 1U);
 }
 
-TEST(ReplaceFile, followsLinksToTheirEnd) {
+TEST(ReplaceFile, FollowsLinksToTheirEnd) {
     const test::TemporaryFolder folder;
     fs::create_directory(folder / "real");
     put(folder / "real" / "f", "old");
@@ -380,7 +380,7 @@ TEST(ReplaceFile, followsLinksToTheirEnd) {
     EXPECT_EQ(errorOf([&] { replaceBy(folder / "circle", "x"); }).kind, FailureKind::CannotWrite);
 }
 
-TEST(ReplaceFile, relativeNamesBelongToTheCurrentFolder) {
+TEST(ReplaceFile, RelativeNamesBelongToTheCurrentFolder) {
     const test::TemporaryFolder folder;
     EXPECT_EQ(inChild([&] {
                   if (::chdir(folder.path().c_str()) != 0) return 1;
@@ -391,7 +391,7 @@ TEST(ReplaceFile, relativeNamesBelongToTheCurrentFolder) {
     EXPECT_EQ(rtcore::readTextFile(folder / "plain.txt"), "here");
 }
 
-TEST(ReplaceFile, writesPipesDirectly) {
+TEST(ReplaceFile, WritesPipesDirectly) {
     const test::TemporaryFolder folder;
     ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
     std::string received;
@@ -402,7 +402,7 @@ TEST(ReplaceFile, writesPipesDirectly) {
     EXPECT_TRUE(fs::is_fifo(folder / "pipe"));
 }
 
-TEST(ReplaceFile, standardOutputStaysTheSameFile) {
+TEST(ReplaceFile, StandardOutputStaysTheSameFile) {
     if (!fs::exists("/dev/stdout")) GTEST_SKIP() << "no /dev/stdout";
     const test::TemporaryFolder folder;
     put(folder / "out", "");
@@ -421,7 +421,7 @@ TEST(ReplaceFile, standardOutputStaysTheSameFile) {
     EXPECT_EQ(entries(folder.path()), 1U);
 }
 
-TEST(ReplaceFile, saysWhyItCannotWrite) {
+TEST(ReplaceFile, SaysWhyItCannotWrite) {
     const test::TemporaryFolder folder;
     const FileError noFolder = errorOf([&] { replaceBy(folder / "missing" / "f", "x"); });
     EXPECT_EQ(noFolder.kind, FailureKind::CannotWrite);
@@ -434,7 +434,7 @@ TEST(ReplaceFile, saysWhyItCannotWrite) {
     EXPECT_EQ(entries(folder.path()), 0U);
 }
 
-TEST(ReplaceFile, fullDeviceIsAnError) {
+TEST(ReplaceFile, FullDeviceIsAnError) {
     if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
     const FileError full = errorOf([] { replaceBy("/dev/full", "x"); });
     EXPECT_EQ(full.kind, FailureKind::CannotWrite);
@@ -442,7 +442,7 @@ TEST(ReplaceFile, fullDeviceIsAnError) {
     EXPECT_TRUE(fs::is_character_file("/dev/full"));
 }
 
-TEST(ReplaceFile, unwritableFolderIsAnError) {
+TEST(ReplaceFile, UnwritableFolderIsAnError) {
     if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
     const test::TemporaryFolder folder;
     fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec);
@@ -451,7 +451,7 @@ TEST(ReplaceFile, unwritableFolderIsAnError) {
     EXPECT_EQ(denied.kind, FailureKind::CannotWrite);
 }
 
-TEST(ReplaceFile, fileSizeLimitIsAnErrorAndLeavesTheOldFile) {
+TEST(ReplaceFile, FileSizeLimitIsAnErrorAndLeavesTheOldFile) {
     const test::TemporaryFolder folder;
     put(folder / "f", "old");
     const int code = inChild([&] {
@@ -470,7 +470,7 @@ TEST(ReplaceFile, fileSizeLimitIsAnErrorAndLeavesTheOldFile) {
     EXPECT_EQ(entries(folder.path()), 1U);
 }
 
-TEST(ReplaceFile, threadsThatReplaceOneFileEachWriteAllOfIt) {
+TEST(ReplaceFile, ThreadsThatReplaceOneFileEachWriteAllOfIt) {
     const test::TemporaryFolder folder;
     put(folder / "f", std::string(5000, 'a'));
     const auto replaceOften = [&](char letter) {
@@ -486,7 +486,7 @@ TEST(ReplaceFile, threadsThatReplaceOneFileEachWriteAllOfIt) {
     EXPECT_EQ(entries(folder.path()), 1U);
 }
 
-TEST(RemoveTemporaryFiles, handlerOfASignalLeavesOnlyTheOldFile) {
+TEST(RemoveTemporaryFiles, HandlerOfASignalLeavesOnlyTheOldFile) {
     const test::TemporaryFolder folder;
     put(folder / "f", "old");
     const int code = inChild([&] {
@@ -505,7 +505,7 @@ TEST(RemoveTemporaryFiles, handlerOfASignalLeavesOnlyTheOldFile) {
     EXPECT_EQ(entries(folder.path()), 1U);
 }
 
-TEST(RemoveTemporaryFiles, aForkedChildLeavesItsParentsFiles) {
+TEST(RemoveTemporaryFiles, AForkedChildLeavesItsParentsFiles) {
     const test::TemporaryFolder folder;
     rtcore::replaceFile(folder / "f", [](const fs::path& temporary) {
         put(temporary, "whole");
@@ -518,7 +518,7 @@ TEST(RemoveTemporaryFiles, aForkedChildLeavesItsParentsFiles) {
     EXPECT_EQ(rtcore::readTextFile(folder / "f"), "whole");
 }
 
-TEST(RemoveTemporaryFiles, theTableServesAgainAfterwards) {
+TEST(RemoveTemporaryFiles, TheTableServesAgainAfterwards) {
     const test::TemporaryFolder folder;
     for (int i = 0; i < 100; ++i) {
         const auto removeMidway = [](const fs::path& temporary) {
@@ -532,7 +532,7 @@ TEST(RemoveTemporaryFiles, theTableServesAgainAfterwards) {
     EXPECT_EQ(entries(folder.path()), 1U);
 }
 
-TEST(TemporaryFile, isPrivateEmptyAndGoesAway) {
+TEST(TemporaryFile, IsPrivateEmptyAndGoesAway) {
     fs::path path;
     {
         const rtcore::TemporaryFile file("rtsuite-test-");
@@ -547,7 +547,7 @@ TEST(TemporaryFile, isPrivateEmptyAndGoesAway) {
     EXPECT_FALSE(fs::exists(path));
 }
 
-TEST(TemporaryFile, badFolderIsAnError) {
+TEST(TemporaryFile, BadFolderIsAnError) {
     EXPECT_EQ(inChild([] {
                   ::setenv("TMPDIR", "/nonexistent/folder", 1);
                   try {
@@ -560,7 +560,7 @@ TEST(TemporaryFile, badFolderIsAnError) {
               7);
 }
 
-TEST(ProgramFolder, holdsThisProgram) {
+TEST(ProgramFolder, HoldsThisProgram) {
     EXPECT_TRUE(fs::is_directory(rtcore::programFolder()));
     EXPECT_TRUE(fs::exists(rtcore::programFolder() / "test_platform"));
 }

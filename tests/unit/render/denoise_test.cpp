@@ -15,9 +15,9 @@ namespace {
 Frame rendered(const test::TracedScene& traced, const RenderSettings& settings, int threads = 1) {
     Frame frame;
     FrameRenderer renderer;
-    RenderControl control;
-    EXPECT_TRUE(renderer.render(traced.scene, traced.tracer, test::sampleCamera(), settings, threads, control,
-                                frame));
+    RenderControl control{.threads = threads};
+    EXPECT_TRUE(
+        renderer.render({traced.scene, traced.tracer, test::sampleCamera(), settings}, control, frame));
     return frame;
 }
 

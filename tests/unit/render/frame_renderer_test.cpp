@@ -61,10 +61,10 @@ TEST(RenderFrame, WithShadowMapsIsNearlyTheSameAndLeavesNoTrace) {
         settings.fog.shafts = 2;
         const Frame exact = test::render(s, settings, 2);
         FrameRenderer renderer;
-        RenderControl control;
+        RenderControl control{.threads = 2};
         Frame quick, after;
         renderer.takeShadowsFrom(maps.get());
-        renderer.render(s.scene, s.tracer, test::sampleCamera(), settings, 2, control, quick);
+        renderer.render({s.scene, s.tracer, test::sampleCamera(), settings}, control, quick);
         EXPECT_EQ(quick.statistics.rays[static_cast<std::size_t>(RayKind::Shadow)], 0U);
         double sum = 0, exactSum = 0, quickSum = 0;
         for (std::size_t i = 0; i < exact.radiance.pixels.size(); ++i) {
@@ -77,7 +77,7 @@ TEST(RenderFrame, WithShadowMapsIsNearlyTheSameAndLeavesNoTrace) {
         EXPECT_NEAR(quickSum, exactSum, 0.01 * exactSum);
         EXPECT_GT(sum, 0) << "else no map was asked";
         renderer.takeShadowsFrom(nullptr);
-        renderer.render(s.scene, s.tracer, test::sampleCamera(), settings, 2, control, after);
+        renderer.render({s.scene, s.tracer, test::sampleCamera(), settings}, control, after);
         EXPECT_EQ(after.radiance.pixels, exact.radiance.pixels);
     }
 }
@@ -144,12 +144,12 @@ TEST(RenderFrame, APictureIsIndependentOfItsPlaceInTiles) {
     // The middle pixels of two pictures of different size, through which the same rays go.
     const TracedScene s(test::sampleScene());
     Camera camera = test::sampleCamera();
-    RenderControl control;
+    RenderControl control{.threads = 1};
     Frame small, large;
     camera.horizontalFov = 2 * std::atan(0.1F) * 180 / static_cast<float>(test::kPi);
-    ASSERT_TRUE(renderFrame(s.scene, s.tracer, camera, sampleSettings(16, 16), 1, control, small));
+    ASSERT_TRUE(renderFrame({s.scene, s.tracer, camera, sampleSettings(16, 16)}, control, small));
     camera.horizontalFov = 2 * std::atan(0.7F) * 180 / static_cast<float>(test::kPi);
-    ASSERT_TRUE(renderFrame(s.scene, s.tracer, camera, sampleSettings(112, 112), 1, control, large));
+    ASSERT_TRUE(renderFrame({s.scene, s.tracer, camera, sampleSettings(112, 112)}, control, large));
     int different = 0;
     for (int y = 0; y < 16; ++y) {
         for (int x = 0; x < 16; ++x) {
@@ -166,9 +166,9 @@ TEST(RenderFrame, CoveredTellsGeometryFromBackground) {
            b.material(test::matte(1))); // the left half
     const TracedScene s(b.finish());
     Camera camera;
-    RenderControl control;
+    RenderControl control{.threads = 1};
     Frame frame;
-    ASSERT_TRUE(renderFrame(s.scene, s.tracer, camera, sampleSettings(9, 3, 2), 1, control, frame));
+    ASSERT_TRUE(renderFrame({s.scene, s.tracer, camera, sampleSettings(9, 3, 2)}, control, frame));
     for (std::size_t y = 0; y < 3; ++y) {
         for (std::size_t x = 0; x < 9; ++x) {
             EXPECT_EQ(frame.covered[y * 9 + x], x < 4 ? 255 : x == 4 ? 127 : 0) << x;
@@ -188,8 +188,8 @@ TEST(RenderFrame, AnOrthographicViewShowsTheSameSizeNearAndFar) {
     RenderSettings settings = test::sampleSettings(160, 80);
     const auto render = [&] {
         Frame frame;
-        RenderControl control;
-        EXPECT_TRUE(renderFrame(s.scene, s.tracer, camera, settings, 2, control, frame));
+        RenderControl control{.threads = 2};
+        EXPECT_TRUE(renderFrame({s.scene, s.tracer, camera, settings}, control, frame));
         return frame;
     };
     const Frame frame = render();
@@ -206,9 +206,9 @@ TEST(RenderFrame, AnOrthographicViewShowsTheSameSizeNearAndFar) {
 TEST(RenderFrame, CountsItsTiles) {
     const TracedScene s(test::sampleScene());
     Frame frame;
-    RenderControl control;
+    RenderControl control{.threads = 2};
     ASSERT_TRUE(
-        renderFrame(s.scene, s.tracer, test::sampleCamera(), sampleSettings(100, 70), 2, control, frame));
+        renderFrame({s.scene, s.tracer, test::sampleCamera(), sampleSettings(100, 70)}, control, frame));
     EXPECT_EQ(control.tiles, 4U * 3U); // of 32 x 32 pixels
     EXPECT_EQ(control.tilesDone, control.tiles);
 }
@@ -216,11 +216,11 @@ TEST(RenderFrame, CountsItsTiles) {
 TEST(RenderFrame, ReusesAFrameOfAnySize) {
     const TracedScene s(test::sampleScene());
     Frame frame;
-    RenderControl control;
+    RenderControl control{.threads = 1};
     ASSERT_TRUE(
-        renderFrame(s.scene, s.tracer, test::sampleCamera(), sampleSettings(64, 64), 1, control, frame));
+        renderFrame({s.scene, s.tracer, test::sampleCamera(), sampleSettings(64, 64)}, control, frame));
     ASSERT_TRUE(
-        renderFrame(s.scene, s.tracer, test::sampleCamera(), sampleSettings(20, 10), 1, control, frame));
+        renderFrame({s.scene, s.tracer, test::sampleCamera(), sampleSettings(20, 10)}, control, frame));
     const Frame fresh = test::render(s, sampleSettings(20, 10));
     EXPECT_EQ(frame.radiance.pixels, fresh.radiance.pixels);
     EXPECT_EQ(frame.covered, fresh.covered);
@@ -230,23 +230,23 @@ TEST(RenderFrame, ReusesAFrameOfAnySize) {
 TEST(RenderFrame, StopsWhenItIsTold) {
     const TracedScene s(test::sampleScene());
     Frame frame;
-    RenderControl control;
+    RenderControl control{.threads = 1};
     control.cancel = true;
     EXPECT_FALSE(
-        renderFrame(s.scene, s.tracer, test::sampleCamera(), sampleSettings(64, 64), 1, control, frame));
+        renderFrame({s.scene, s.tracer, test::sampleCamera(), sampleSettings(64, 64)}, control, frame));
     EXPECT_EQ(control.tilesDone, 0U);
 }
 
 TEST(RenderFrame, StopsSoonWhenItIsToldWhileItWorks) {
     const TracedScene s(test::sampleScene());
     Frame frame;
-    RenderControl control;
+    RenderControl control{.threads = 2};
     std::thread stopper([&] {
         while (control.tilesDone == 0) std::this_thread::yield();
         control.cancel = true;
     });
     // Minutes of work.
-    EXPECT_FALSE(renderFrame(s.scene, s.tracer, test::sampleCamera(), sampleSettings(4000, 3000, 4), 2,
+    EXPECT_FALSE(renderFrame({s.scene, s.tracer, test::sampleCamera(), sampleSettings(4000, 3000, 4)},
                              control, frame));
     stopper.join();
     EXPECT_LT(control.tilesDone, control.tiles / 10);

@@ -15,9 +15,9 @@ Frame layersOf(const Scene& scene, const Camera& camera, const RenderSettings& s
     const test::TracedScene traced(scene);
     FrameRenderer renderer;
     renderer.collectLayers(true);
-    RenderControl control;
+    RenderControl control{.threads = threads};
     Frame frame;
-    EXPECT_TRUE(renderer.render(traced.scene, traced.tracer, camera, settings, threads, control, frame));
+    EXPECT_TRUE(renderer.render({traced.scene, traced.tracer, camera, settings}, control, frame));
     return frame;
 }
 

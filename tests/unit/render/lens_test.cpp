@@ -183,9 +183,9 @@ Blur blurOfSquare(double distance, float focus, int blades, double side) {
     settings.depthOfField = {.on = true, .fNumber = 4, .focus = focus, .blades = blades};
     Camera camera;
     camera.horizontalFov = 8;
-    RenderControl control;
+    RenderControl control{.threads = 2};
     Frame frame;
-    EXPECT_TRUE(renderFrame(s.scene, s.tracer, camera, settings, 2, control, frame));
+    EXPECT_TRUE(renderFrame({s.scene, s.tracer, camera, settings}, control, frame));
     return blurOf(frame);
 }
 
@@ -230,11 +230,11 @@ TEST(DepthOfField, WithoutFocusWhatIsInTheMiddleIsSharp) {
 
     RenderSettings settings = test::sampleSettings(60, 40, 2);
     settings.depthOfField = {.on = true, .fNumber = .5F};
-    RenderControl control;
+    RenderControl control{.threads = 1};
     Frame found, given;
-    ASSERT_TRUE(renderFrame(s.scene, s.tracer, camera, settings, 1, control, found));
+    ASSERT_TRUE(renderFrame({s.scene, s.tracer, camera, settings}, control, found));
     settings.depthOfField.focus = focus.distance(s.tracer, view, 30, 20);
-    ASSERT_TRUE(renderFrame(s.scene, s.tracer, camera, settings, 1, control, given));
+    ASSERT_TRUE(renderFrame({s.scene, s.tracer, camera, settings}, control, given));
     EXPECT_EQ(found.radiance.pixels, given.radiance.pixels);
 }
 

@@ -64,9 +64,9 @@ TEST(LitSphere, PixelsOfAPicture) {
     RenderSettings settings;
     settings.width = 65;
     settings.height = 49;
-    RenderControl control;
+    RenderControl control{.threads = 2};
     Frame frame;
-    ASSERT_TRUE(renderFrame(s.scene, s.tracer, camera, settings, 2, control, frame));
+    ASSERT_TRUE(renderFrame({s.scene, s.tracer, camera, settings}, control, frame));
     const double pixel = 2 * std::tan(7 * test::kPi / 180) / settings.width;
     int compared = 0;
     for (int y = 0; y < settings.height; ++y) {

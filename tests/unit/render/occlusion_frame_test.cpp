@@ -55,10 +55,10 @@ TEST_P(OcclusionFrame, DoesNotCrawl) {
     const test::TracedScene traced(test::sampleScene());
     const RenderSettings settings = occluded(GetParam());
     FrameRenderer renderer;
-    RenderControl control;
+    RenderControl control{.threads = 2};
     const auto shoot = [&](const Camera& camera) {
         Frame frame;
-        renderer.render(traced.scene, traced.tracer, camera, settings, 2, control, frame);
+        renderer.render({traced.scene, traced.tracer, camera, settings}, control, frame);
         return hashOf(frame);
     };
     Camera elsewhere = test::sampleCamera();

@@ -16,8 +16,9 @@ using test::TracedScene;
 class Refining : public testing::Test {
   protected:
     bool refine(const RenderSettings& settings, int threads, const Refinement::Show& show = nullptr) {
-        return refinement.render(renderer, s.scene, s.tracer, test::sampleCamera(), settings, threads,
-                                 control, frame, [&](const RefinementPass& pass, const Frame& picture) {
+        control.threads = threads;
+        return refinement.render(renderer, {s.scene, s.tracer, test::sampleCamera(), settings}, control,
+                                 frame, [&](const RefinementPass& pass, const Frame& picture) {
                                      passes.push_back(pass);
                                      if (show) show(pass, picture);
                                  });

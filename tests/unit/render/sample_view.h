@@ -89,8 +89,8 @@ inline rtcore::RenderSettings sampleSettings(int width, int height, int antialia
 
 inline rtcore::Frame render(const TracedScene& s, const rtcore::RenderSettings& settings, int threads = 1) {
     rtcore::Frame frame;
-    rtcore::RenderControl control;
-    rtcore::renderFrame(s.scene, s.tracer, sampleCamera(), settings, threads, control, frame);
+    rtcore::RenderControl control{.threads = threads};
+    rtcore::renderFrame({s.scene, s.tracer, sampleCamera(), settings}, control, frame);
     return frame;
 }
 

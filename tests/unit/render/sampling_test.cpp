@@ -37,17 +37,14 @@ std::vector<RenderSettings> manySettings(int width, int height) {
 TEST(Sampling, TheSameBitsForAnyNumberOfThreads) {
     const test::TracedScene s(test::sampleScene());
     FrameRenderer renderer; // keeps what it knows from frame to frame
-    RenderControl control;
+    RenderControl control{.threads = 3};
     Frame frame;
     for (const RenderSettings& settings : manySettings(73, 67)) {
         const Frame expected = test::render(s, settings, 1);
-        for (const int threads : {3}) {
-            ASSERT_TRUE(
-                renderer.render(s.scene, s.tracer, test::sampleCamera(), settings, threads, control, frame));
-            EXPECT_EQ(frame.radiance.pixels, expected.radiance.pixels);
-            EXPECT_EQ(frame.covered, expected.covered);
-            EXPECT_EQ(frame.statistics.rays, expected.statistics.rays);
-        }
+        ASSERT_TRUE(renderer.render({s.scene, s.tracer, test::sampleCamera(), settings}, control, frame));
+        EXPECT_EQ(frame.radiance.pixels, expected.radiance.pixels);
+        EXPECT_EQ(frame.covered, expected.covered);
+        EXPECT_EQ(frame.statistics.rays, expected.statistics.rays);
     }
 }
 
@@ -69,10 +66,10 @@ TEST(Sampling, RefinementEndsWithTheSamePicture) {
     FrameRenderer renderer;
     Refinement refinement;
     for (const RenderSettings& settings : manySettings(33, 18)) {
-        RenderControl control;
+        RenderControl control{.threads = 2};
         Frame frame;
         int pixels = 0;
-        ASSERT_TRUE(refinement.render(renderer, s.scene, s.tracer, test::sampleCamera(), settings, 2, control,
+        ASSERT_TRUE(refinement.render(renderer, {s.scene, s.tracer, test::sampleCamera(), settings}, control,
                                       frame, [](const RefinementPass&, const Frame&) {}));
         EXPECT_EQ(frame.radiance.pixels, test::render(s, settings).radiance.pixels);
         for (const PixelArea& area : refinement.finishedTiles().take()) pixels += area.columns * area.rows;
@@ -212,9 +209,9 @@ TEST(Adaptive, StopsWhenItIsTold) {
     RenderSettings settings = test::sampleSettings(64, 64, 4);
     settings.adaptive = .1F;
     Frame frame;
-    RenderControl control;
+    RenderControl control{.threads = 2};
     control.cancel = true;
-    EXPECT_FALSE(renderFrame(s.scene, s.tracer, test::sampleCamera(), settings, 2, control, frame));
+    EXPECT_FALSE(renderFrame({s.scene, s.tracer, test::sampleCamera(), settings}, control, frame));
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "rtcore/shading/closed_surfaces.h"
+#include "rtcore/scene/closed_surfaces.h"
 
 #include "support/small_scene.h"
 

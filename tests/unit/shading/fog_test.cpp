@@ -1,7 +1,8 @@
 // Fog against numbers written down and against numerical integration in double precision.
-#include "rtcore/shading/fog.h"
-#include "rtcore/shading/fog_shafts.h"
-#include "rtcore/shading/fog_wave.h"
+#include "rtcore/shading/fog/fog.h"
+#include "rtcore/shading/fog/fog_light.h"
+#include "rtcore/shading/fog/fog_shafts.h"
+#include "rtcore/shading/fog/fog_wave.h"
 
 #include "support/random_numbers.h"
 #include "support/small_scene.h"
@@ -93,9 +94,9 @@ double depthByIntegration(const Case& c) {
 }
 
 /// The wave's own light and transmittance of cases with one fog.
-class Wave {
+class FoggedRays {
   public:
-    explicit Wave(const std::vector<Case>& cases) {
+    explicit FoggedRays(const std::vector<Case>& cases) {
         std::vector<std::uint32_t> traits;
         HitWave hits;
         hits.resize(cases.size());
@@ -105,7 +106,7 @@ class Wave {
             traits.push_back(cases[i].distance < kEndless ? 1 : 0);
         }
         fog.begin(cases[0].fog);
-        fog.enter(rays, hits, traits.data(), nullptr);
+        fog.enter(rays, hits, traits.data(), {});
     }
     RayWave rays;
     FogWave fog;
@@ -147,7 +148,9 @@ TEST(Fog, DepthsAreThoseOfTheClosedForm) {
 }
 
 TEST(Fog, AThinFogKeepsItsDigits) {
-    EXPECT_NEAR(Wave({{mediumOf(FogKind::Homogeneous, 1e-7F), {}, {1, 0, 0}, 1, {}}}).fog.scattered().x[0] /
+    EXPECT_NEAR(FoggedRays({{mediumOf(FogKind::Homogeneous, 1e-7F), {}, {1, 0, 0}, 1, {}}})
+                        .fog.rays()
+                        .scattered.x[0] /
                     1e-7,
                 1, 1e-6);
 }
@@ -159,7 +162,7 @@ TEST(Fog, EmissionAndColourAddUp) {
     scene.fog.colour = {};
     scene.fog.emission = {0.02F, 0.02F, 0.02F};
     const FogMedium fog = fogMedium(scene, {});
-    EXPECT_NEAR(Wave({{fog, {}, {1, 0, 0}, 20, {}}}).fog.scattered().x[0], 0.252848, 1e-6);
+    EXPECT_NEAR(FoggedRays({{fog, {}, {1, 0, 0}, 20, {}}}).fog.rays().scattered.x[0], 0.252848, 1e-6);
 
     scene.fog.colour = {0.1F, 0.2F, 0.3F};
     scene.fog.emission = {};
@@ -193,7 +196,7 @@ TEST(Fog, TransmittanceIsTheIntegral) {
                                        std::pow(10.0F, random.number(-1, 2)), random.number(-5, 5));
         std::vector<Case> cases;
         for (int i = 0; i < 100; ++i) cases.push_back(randomCase(random, fog));
-        const Wave wave(cases);
+        const FoggedRays wave(cases);
         for (std::size_t i = 0; i < cases.size(); ++i) {
             const Case& c = cases[i];
             const double depth = depthByIntegration(c);
@@ -201,8 +204,8 @@ TEST(Fog, TransmittanceIsTheIntegral) {
             SCOPED_TRACE(testing::Message() << "depth " << depth << ", slope " << c.slope() << ", distance "
                                             << c.distance << ", z " << c.origin.z);
             ASSERT_NEAR(fogTransmittance(fog, c.origin, c.direction, c.distance), expected, 1e-4);
-            ASSERT_NEAR(wave.fog.transmittance()[i], expected, 1e-4);
-            ASSERT_NEAR(wave.fog.scattered().y[i], 0.5 * opacity, 1e-4);
+            ASSERT_NEAR(wave.fog.rays().transmittance[i], expected, 1e-4);
+            ASSERT_NEAR(wave.fog.rays().scattered.y[i], 0.5 * opacity, 1e-4);
         }
     }
 }
@@ -287,13 +290,13 @@ void expectLampsLight(LightKind lightKind, int fogs, double tolerance) {
         light.cosInner = light.cosOuter + random.number(0.3F, 1) * (1 - light.cosOuter);
         std::vector<Case> cases;
         for (int i = 0; i < 100; ++i) cases.push_back(randomLampCase(random, fog, light));
-        Wave wave(cases);
-        for (float* const array : {wave.fog.scattered().x}) std::fill_n(array, cases.size(), 0.0F);
-        wave.fog.addLight(light);
+        FoggedRays wave(cases);
+        for (float* const array : {wave.fog.rays().scattered.x}) std::fill_n(array, cases.size(), 0.0F);
+        addFogLight(wave.fog, light);
         for (std::size_t i = 0; i < cases.size(); ++i) {
             const Case& c = cases[i];
             const double expected = c.fog.density * lampByIntegration(c);
-            const double got = wave.fog.scattered().x[i];
+            const double got = wave.fog.rays().scattered.x[i];
             ASSERT_NEAR(got, expected, tolerance * std::max(1.0, expected))
                 << i << " density " << fog.density << ", per height " << fog.perHeight << ", slope "
                 << c.slope() << ", distance " << c.distance << ", z " << c.origin.z << ", lamp "
@@ -310,9 +313,9 @@ TEST(FogLamp, HasTheBrightnessOfTheClosedForm) {
     const auto seen = [](float density, float distance) {
         Case c{mediumOf(FogKind::Homogeneous, density), {}, {1, 0, 0}, distance, {}};
         c.fog.source = {};
-        Wave wave({c});
-        wave.fog.addLight(test::pointLight({5, 2, 0}, 100));
-        return wave.fog.scattered().x[0] / 100 * (4 * static_cast<float>(test::kPi)) / density;
+        FoggedRays wave({c});
+        addFogLight(wave.fog, test::pointLight({5, 2, 0}, 100));
+        return wave.fog.rays().scattered.x[0] / 100 * (4 * static_cast<float>(test::kPi)) / density;
     };
     EXPECT_NEAR(seen(0.1F, 10), 0.560279, 2e-6);
     EXPECT_NEAR(seen(0.1F, kEndless), 0.576322, 2e-6);
@@ -332,9 +335,9 @@ TEST(FogLamp, ASunsLightIsTheIntegral) {
         sun.intensity = kWhite * 4 * static_cast<float>(test::kPi);
         std::vector<Case> cases;
         for (int i = 0; i < 100; ++i) cases.push_back(randomCase(random, fog));
-        Wave wave(cases);
-        std::fill_n(wave.fog.scattered().x, cases.size(), 0.0F);
-        wave.fog.addLight(sun);
+        FoggedRays wave(cases);
+        std::fill_n(wave.fog.rays().scattered.x, cases.size(), 0.0F);
+        addFogLight(wave.fog, sun);
         for (std::size_t i = 0; i < cases.size(); ++i) {
             const Case& c = cases[i];
             const double rise = -double{sun.direction.z} * double{fog.perHeight};
@@ -346,7 +349,7 @@ TEST(FogLamp, ASunsLightIsTheIntegral) {
                 return extinction * here *
                        std::exp(-extinction * (back + (fog.exponential ? here / rise : 0)));
             });
-            ASSERT_NEAR(wave.fog.scattered().x[i], expected, 1e-4)
+            ASSERT_NEAR(wave.fog.rays().scattered.x[i], expected, 1e-4)
                 << "slope " << s << ", rise " << rise << ", distance " << c.distance << ", z " << c.origin.z;
         }
     }
@@ -357,10 +360,10 @@ TEST(FogLamp, ASunBelowTheHorizonDoesNotReachExponentialFog) {
     Light sun;
     sun.kind = LightKind::Directional;
     sun.direction = {0, 0, 1};
-    Wave wave({{fog, {}, {1, 0, 0}, 10, sun}});
-    const float before = wave.fog.scattered().x[0];
-    wave.fog.addLight(sun);
-    EXPECT_EQ(wave.fog.scattered().x[0], before);
+    FoggedRays wave({{fog, {}, {1, 0, 0}, 10, sun}});
+    const float before = wave.fog.rays().scattered.x[0];
+    addFogLight(wave.fog, sun);
+    EXPECT_EQ(wave.fog.rays().scattered.x[0], before);
     EXPECT_EQ(fogLightTransmittance(fog, sun, {0, 0, 5}), 0);
     sun.direction = {0, 0, -1};
     EXPECT_NEAR(fogLightTransmittance(fog, sun, {}), std::exp(-1), 1e-6);
@@ -368,21 +371,21 @@ TEST(FogLamp, ASunBelowTheHorizonDoesNotReachExponentialFog) {
 }
 
 /// With every sample counted.
-float shaftsOf(Wave& wave, const Light& light, int samples, float shift) {
-    std::fill_n(wave.fog.scattered().x, wave.fog.size(), 0.0F);
-    const std::vector<float> shifts(wave.fog.size() + kWaveBlock, shift);
+float shaftsOf(FoggedRays& wave, const Light& light, int samples, float shift) {
+    std::fill_n(wave.fog.rays().scattered.x, wave.rays.size(), 0.0F);
+    const std::vector<float> shifts(wave.rays.size() + kWaveBlock, shift);
     FogShafts shafts;
-    shafts.draw(wave.fog, light, 0, wave.fog.size(), samples, shifts.data(), true);
+    shafts.draw(wave.fog, light, {0, wave.rays.size()}, samples, shifts.data(), true);
     shafts.addAll(wave.fog);
-    return wave.fog.scattered().x[0];
+    return wave.fog.rays().scattered.x[0];
 }
 
 TEST(FogShafts, AreEquiAngular) {
     Case c{mediumOf(FogKind::Homogeneous, 1e-9F), {}, {1, 0, 0}, 10, test::pointLight({5, 2, 0}, 1)};
-    Wave wave({c});
+    FoggedRays wave({c});
     const std::vector<float> shifts(kWaveBlock, 0.25F);
     FogShafts shafts;
-    shafts.draw(wave.fog, c.light, 0, 1, 1, shifts.data(), true);
+    shafts.draw(wave.fog, c.light, {0, 1}, 1, shifts.data(), true);
     ASSERT_EQ(shafts.rays().size(), 1U);
     EXPECT_NEAR(shafts.rays().ox[0], 3.645934, 1e-5);
     const Vec3 toLamp = normalize(Vec3{5 - 3.645934F, 2, 0});
@@ -406,10 +409,10 @@ TEST(FogShafts, WithoutShadowsComeToTheClosedForm) {
             Case c = randomLampCase(random, fog, light);
             c.distance = std::min(c.distance, 200.0F);
             c.origin.z = random.number(-20, 20);
-            Wave wave({c});
-            wave.fog.scattered().x[0] = 0;
-            wave.fog.addLight(light);
-            const float expected = wave.fog.scattered().x[0];
+            FoggedRays wave({c});
+            wave.fog.rays().scattered.x[0] = 0;
+            addFogLight(wave.fog, light);
+            const float expected = wave.fog.rays().scattered.x[0];
             const float got = shaftsOf(wave, light, 1024, 0.5F);
             ASSERT_NEAR(got, expected, 2e-3 * std::max(1.0F, expected))
                 << f << ' ' << i << " distance " << c.distance << ", slope " << c.slope();

@@ -1,9 +1,9 @@
 // A square seen from its front; its texture lies so that `right` and `up` are the directions of u and v.
-#include "rtcore/shading/normal_map.h"
+#include "rtcore/shading/surface/normal_map.h"
 
 #include "support/small_scene.h"
 
-#include "rtcore/shading/surface.h"
+#include "rtcore/shading/surface/surface.h"
 
 #include <gtest/gtest.h>
 

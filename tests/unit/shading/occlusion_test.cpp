@@ -1,7 +1,7 @@
 // Ambient occlusion against closed forms: what a point sees of the light from everywhere, by many rays.
+#include "rtcore/lights/ambient_light.h"
 #include "rtcore/sampling/even_shift.h"
 #include "rtcore/sampling/hemisphere_pattern.h"
-#include "rtcore/shading/ambient_light.h"
 #include "support/small_scene.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Shadows that are looked up fall where those by rays do.
-#include "rtcore/shading/shadow_maps.h"
+#include "rtcore/shading/light/shadow_maps.h"
 
 #include "support/small_scene.h"
 

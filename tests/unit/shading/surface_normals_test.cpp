@@ -2,7 +2,7 @@
 #include "support/random_numbers.h"
 #include "support/small_scene.h"
 
-#include "rtcore/shading/surface_wave.h"
+#include "rtcore/shading/surface/surface_wave.h"
 
 #include <gtest/gtest.h>
 

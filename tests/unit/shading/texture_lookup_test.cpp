@@ -1,11 +1,11 @@
-#include "rtcore/shading/texture_lookup.h"
+#include "rtcore/shading/surface/texture_lookup.h"
 
 #include "support/random_numbers.h"
 #include "support/small_scene.h"
 #include "support/steps.h"
 
-#include "rtcore/shading/surface.h"
-#include "rtcore/shading/texture_wave.h"
+#include "rtcore/shading/surface/surface.h"
+#include "rtcore/shading/surface/texture_wave.h"
 
 #include <gtest/gtest.h>
 

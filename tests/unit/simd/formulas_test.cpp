@@ -26,21 +26,31 @@
 #include "rtcore/sampling/disc-inl.h"
 #include "rtcore/scattering/fresnel-inl.h"
 #include "rtcore/scattering/phong-inl.h"
-#include "rtcore/shading/texture-inl.h"
+#include "rtcore/shading/surface/texture-inl.h"
 
 #ifndef RT_TESTS_FORMULAS_
 #define RT_TESTS_FORMULAS_
 namespace rtcore {
 
 /// What the formulas of one kind take and give, at most.
-inline constexpr std::size_t kInputs = 16, kOutputs = 16;
+inline constexpr std::size_t kInputs = 16, kOutputs = 8 * kLightKinds;
 /// Numbers that are worked on at once.
 inline constexpr std::size_t kBlock = 64;
 using Columns = std::array<std::array<float, kBlock>, kInputs>;
 
-enum class Formulas { Scattering, Mirrors, Lights, Spheres, Triangles, Pictures, Shapes, Powers, Textures };
+enum class Formulas {
+    Scattering,
+    Mirrors,
+    Lights,
+    AreaLights,
+    Triangles,
+    Pictures,
+    Shapes,
+    Powers,
+    Textures
+};
 inline constexpr Formulas kFormulas[] = {Formulas::Scattering, Formulas::Mirrors,   Formulas::Lights,
-                                         Formulas::Spheres,    Formulas::Triangles, Formulas::Pictures,
+                                         Formulas::AreaLights, Formulas::Triangles, Formulas::Pictures,
                                          Formulas::Shapes,     Formulas::Powers,    Formulas::Textures};
 
 inline Light lightOf(LightKind kind) {
@@ -85,9 +95,18 @@ struct Results {
     }
 };
 
-template <LightKind kind, typename F>
-HWY_INLINE void addLights(Vec3Of<F> position, const Stratum<F>& stratum, Results<F>& out) {
-    out.add(sampleLight<kind, F>(lightOf(kind), position, stratum));
+/// What each kind of light sends to `position`; of area lights, the stratum with these u, v.
+template <std::size_t i = 0, typename F>
+HWY_INLINE void addLights(bool areaLights, Vec3Of<F> position, F u, F v, Results<F>& out) {
+    if constexpr (i < kLightKinds) {
+        constexpr auto kind = static_cast<LightKind>(i);
+        if constexpr (isAreaLight(kind)) {
+            if (areaLights) out.add(sampleLight<kind, F>(lightOf(kind), position, {u, v, 0.25F, 0.125F}));
+        } else {
+            if (!areaLights) out.add(sampleLight<kind, F>(lightOf(kind), position));
+        }
+        addLights<i + 1, F>(areaLights, position, u, v, out);
+    }
 }
 
 template <typename F>
@@ -115,12 +134,10 @@ HWY_INLINE void calculate(Formulas formulas, const F* x, Results<F>& out) {
         out.add(mirrorDirection<F>(a, b, c));
         break;
     case Formulas::Lights:
-        addLights<LightKind::Point, F>(a, wholeLight<LightKind::Point, F>(), out);
-        addLights<LightKind::Spot, F>(a, wholeLight<LightKind::Spot, F>(), out);
+        addLights<0, F>(false, a, x[14], x[15], out);
         break;
-    case Formulas::Spheres: // and rectangles: u, v in [0, 1)
-        addLights<LightKind::Sphere, F>(a, {x[14], x[15], 0.25F, 0.125F}, out);
-        addLights<LightKind::Rectangle, F>(a, {x[14], x[15], 0.25F, 0.125F}, out);
+    case Formulas::AreaLights: // u, v in [0, 1)
+        addLights<0, F>(true, a, x[14], x[15], out);
         break;
     case Formulas::Triangles: {
         const Corners<F> corners{a, b, c};

@@ -46,7 +46,8 @@ class Pictures {
 
     std::uint64_t make(const RenderSettings& settings, int threads) {
         const std::uint64_t before = allocations;
-        EXPECT_TRUE(renderer_.render(traced_.scene, traced_.tracer, test::sampleCamera(), settings, threads,
+        control_.threads = threads;
+        EXPECT_TRUE(renderer_.render({traced_.scene, traced_.tracer, test::sampleCamera(), settings},
                                      control_, frame_));
         const float exposure = developer_.exposure(frame_, settings.exposure, threads);
         developer_.develop(frame_, settings, exposure, threads, image_);

@@ -1,6 +1,6 @@
 // docs/formats.md shows what the readers take, and all of it.
+#include "rtcore/io/recording/camera_list.h"
 #include "rtcore/io/text/cam.h"
-#include "rtcore/io/text/camera_list.h"
 #include "rtcore/io/text/scn.h"
 #include "rtcore/io/text/set.h"
 #include "rtcore/io/text/toml_guard.h"
@@ -22,6 +22,13 @@ TEST(FormatsDocument, SceneExamplesAreScenes) {
     ASSERT_GE(examples.size(), 4U);
     for (const std::string& example : examples)
         EXPECT_NO_THROW(rtcore::parseSceneFile(example, "x.scn")) << example;
+}
+
+TEST(FormatsDocument, ScenesShowEachKindOfLight) {
+    const std::string& text = document();
+    for (const rtcore::LightTraits& traits : rtcore::kLightTraits)
+        EXPECT_NE(text.find("\nkind = \"" + std::string(traits.name) + '"'), std::string::npos)
+            << traits.name;
 }
 
 TEST(FormatsDocument, CameraExamplesAreCameras) {

@@ -1,7 +1,7 @@
 // Damaged files: each is read, or refused by a FileError. Nothing else may happen (run under sanitizers,
 // too).
+#include "rtcore/io/recording/camera_list.h"
 #include "rtcore/io/text/cam.h"
-#include "rtcore/io/text/camera_list.h"
 #include "rtcore/io/text/scn.h"
 #include "rtcore/io/text/set.h"
 #include "unit/text/text_test_support.h"

@@ -1,6 +1,6 @@
-#include "rtcore/io/text/path_recorder.h"
+#include "rtcore/io/recording/path_recorder.h"
 
-#include "rtcore/io/text/camera_list.h"
+#include "rtcore/io/recording/camera_list.h"
 #include "support/temporary_folder.h"
 #include "unit/text/text_test_support.h"
 

@@ -65,19 +65,19 @@ const char* problemOf(const Texture& t, const Model& model) {
 }
 
 const char* problemOf(const Light& l, const Model& model) {
-    if (l.kind > LightKind::Rectangle) return "it is of no known kind";
+    if (static_cast<std::size_t>(l.kind) >= kLightKinds) return "it is of no known kind";
+    const LightTraits& traits = traitsOf(l);
     if (!isPlace(l.position)) return "position is out of range";
     if (!isPlace(l.direction)) return "direction is out of range";
-    if (l.kind != LightKind::Point && l.kind != LightKind::Sphere && !isUnit(l.direction))
-        return "direction is not of unit length";
+    if (traits.direction && !isUnit(l.direction)) return "direction is not of unit length";
     if (!isPlace(l.right) || !within(l.width, 0, kLargestNumber) || !within(l.height, 0, kLargestNumber))
         return "its sides are out of range";
-    if (l.kind == LightKind::Rectangle && !(isUnit(l.right) && std::fabs(dot(l.right, l.direction)) < 1e-3F))
+    if (traits.sides && !(isUnit(l.right) && std::fabs(dot(l.right, l.direction)) < 1e-3F))
         return "its width is not perpendicular to its direction";
     if (!within(l.intensity, 0, kLargestNumber)) return "intensity is out of range";
     if (!within(l.radius, 0, kLargestNumber)) return "radius is out of range";
     if (!within(l.cosInner, -1, 1) || !within(l.cosOuter, -1, 1)) return "a cosine is not in -1..1";
-    if (l.kind == LightKind::Spot && !(l.cosOuter < l.cosInner))
+    if (traits.beam == Beam::Cone && !(l.cosOuter < l.cosInner))
         return "the outer angle is not wider than the inner";
     if (!isSwitch(l.on)) return "a switch is neither 0 nor 1";
     return l.nameOffset < model.strings.size() ? nullptr : "its name lies outside of the strings";

@@ -3,7 +3,7 @@
 #include "rtcore/io/debug/obj_sketch.h"
 #include "rtcore/platform/files.h"
 #include "rtcore/render/camera_rays.h"
-#include "rtcore/shading/surface.h"
+#include "rtcore/shading/surface/surface.h"
 
 #include <algorithm>
 #include <array>
@@ -84,18 +84,18 @@ std::vector<Cell> heaviestLeaves(const KdTree& tree) {
 
 /// Lights of no place stand above the middle of the scene.
 Vec3 placeOf(const Light& light, const Box3& bounds) {
-    if (light.kind != LightKind::Directional) return light.position;
+    if (traitsOf(light).position) return light.position;
     return bounds.centre() - light.direction * (0.6F * bounds.diagonal());
 }
 
 void sketchLight(const Light& light, const Box3& bounds, ObjSketch& sketch) {
     const float unit = bounds.diagonal();
     const Vec3 place = placeOf(light, bounds);
-    sketch.octahedron(place, light.kind == LightKind::Sphere ? std::max(light.radius, 0.002F * unit)
-                                                             : 0.008F * unit);
-    if (light.kind == LightKind::Point || light.kind == LightKind::Sphere) return;
+    const LightTraits& traits = traitsOf(light);
+    sketch.octahedron(place, traits.radius ? std::max(light.radius, 0.002F * unit) : 0.008F * unit);
+    if (!traits.direction) return;
     sketch.bar(place, place + light.direction * (0.1F * unit), 3 * kThin * unit);
-    if (light.kind != LightKind::Rectangle) return;
+    if (!traits.sides) return;
     const Vec3 right = light.right * (light.width / 2);
     const Vec3 down = cross(light.direction, light.right) * (light.height / 2);
     sketch.triangle(place - right - down, place + right - down, place + right + down);

@@ -1,5 +1,6 @@
 #include "rtcore/io/import/crease_normals.h"
 
+#include "rtcore/math/constants.h"
 #include "rtcore/simd/portable_math.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace {
 float roughAcos(float x) {
     const float a = std::min(std::fabs(x), 1.0F);
     const float r = std::sqrt(1 - a) * (1.5707288F + a * (-0.2121144F + a * (0.0742610F + a * -0.0187293F)));
-    return x < 0 ? 3.14159265F - r : r;
+    return x < 0 ? kPi - r : r;
 }
 
 /// For slivers whose area is lost in float.
@@ -73,7 +74,7 @@ class Smoother {
     static constexpr std::size_t kSearched = 64; ///< entries looked through for one that can be shared
 
     static float cosine(float degrees) {
-        return portableCos(std::clamp(degrees, 0.0F, 180.0F) * (3.14159265F / 180));
+        return portableCos(std::clamp(degrees, 0.0F, 180.0F) * (kPi / 180));
     }
     std::uint32_t& entryOf(std::uint32_t corner) { return model_.shading[corner / 3].v[corner % 3]; }
     const Vec3& facetNormal(std::uint32_t corner) const { return facets_[corner / 3].normal; }

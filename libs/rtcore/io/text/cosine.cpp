@@ -3,6 +3,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 
 namespace rtcore {
 
@@ -32,7 +33,7 @@ double roundedToDigits(double value, int digits) {
 } // namespace
 
 float cosineOfDegrees(double degrees) {
-    constexpr double radians = 3.14159265358979323846 / 180.0;
+    constexpr double radians = std::numbers::pi / 180.0;
     return static_cast<float>(sine((90.0 - degrees) * radians));
 }
 

@@ -57,14 +57,10 @@ struct EnvironmentFile {
 };
 
 /// All paths are absolute or relative to the current folder. Lengths are in scene units.
-struct SceneFile {
+struct SceneFile : SceneLook {
     std::filesystem::path model; ///< a .bsp or a model
     std::optional<std::filesystem::path> settings, output;
-    float metresPerUnit = 1;
-    Vec3 up{0, 1, 0}; ///< one of the six axes
-    Colour background, ambient;
     bool modelLights = true;      ///< use the model's own lights beside `lights`
-    int activeEnvironment = 0;    ///< index into `environments`; 0 when there are none
     float creaseAngle = 40;       ///< degrees, for models without normals
     bool flipTextures = false;    ///< of a model that is imported: turn its textures upside down
     std::optional<Camera> camera; ///< at most one of these two; nameOffset is 0
@@ -72,8 +68,6 @@ struct SceneFile {
     std::vector<LightDescription> lights;
     std::vector<MaterialOverride> materials; ///< in order; later ones win
     std::vector<EnvironmentFile> environments;
-    Fog fog;
-    WalkParameters walk;
     std::vector<SettingAssignment> live, still; ///< as in a .set, which has precedence
 };
 

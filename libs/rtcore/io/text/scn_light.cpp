@@ -8,7 +8,11 @@ namespace rtcore {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> kKinds{"point", "directional", "spot", "sphere", "rectangle"};
+constexpr auto kKinds = [] {
+    std::array<std::string_view, kLightKinds> names;
+    for (std::size_t i = 0; i < kLightKinds; ++i) names[i] = kLightTraits[i].name;
+    return names;
+}();
 constexpr Limits kHalfAngle{.minimum = 0, .maximum = 180};
 
 /// A direction that is of unit length but for rounding stays as it is, so that written directions read back
@@ -30,10 +34,6 @@ void setCone(const StrictTable& table, const Cone& cone, Light& light) {
     if (light.cosOuter < light.cosInner) return;
     const char* const key = cone.inner ? "innerAngle" : "outerAngle";
     table.fail(key, "innerAngle must be below outerAngle, by enough to tell them apart");
-}
-
-bool hasDirection(LightKind kind) {
-    return kind == LightKind::Directional || kind == LightKind::Spot || kind == LightKind::Rectangle;
 }
 
 struct Sides {
@@ -73,33 +73,35 @@ LightDescription readLight(StrictTable& table) {
     Light& light = result.light;
     result.name = name.value_or("");
     light.kind = static_cast<LightKind>(table.require("kind", kind));
-    if (light.kind != LightKind::Directional) light.position = table.require("position", position);
-    if (hasDirection(light.kind)) light.direction = unitDirection(table.require("direction", direction));
+    const LightTraits& traits = traitsOf(light);
+    if (traits.position) light.position = table.require("position", position);
+    if (traits.direction) light.direction = unitDirection(table.require("direction", direction));
     if (light.direction == Vec3{})
         table.fail("direction", "direction is zero; give where the light shines to");
     light.intensity = intensity.value_or(light.intensity);
     light.radius = radius.value_or(light.radius);
-    if (light.kind == LightKind::Sphere && !radius) table.require("radius", radius);
-    if (light.kind == LightKind::Spot) setCone(table, cone, light);
-    if (light.kind == LightKind::Rectangle) setSides(table, sides, light);
+    if (traits.radius && !radius) table.require("radius", radius);
+    if (traits.beam == Beam::Cone) setCone(table, cone, light);
+    if (traits.sides) setSides(table, sides, light);
     light.on = on.value_or(true) ? 1 : 0;
     return result;
 }
 
 void writeLight(TomlWriter& writer, const LightDescription& description) {
     const Light& light = description.light;
+    const LightTraits& traits = traitsOf(light);
     writer.section("[[light]]");
     if (!description.name.empty()) writer.add("name", description.name);
-    writer.add("kind", kKinds.at(static_cast<std::size_t>(light.kind)));
-    if (light.kind != LightKind::Directional) writer.add("position", light.position);
-    if (hasDirection(light.kind)) writer.add("direction", light.direction);
+    writer.add("kind", traits.name);
+    if (traits.position) writer.add("position", light.position);
+    if (traits.direction) writer.add("direction", light.direction);
     writer.add("intensity", light.intensity);
-    if (light.kind != LightKind::Directional) writer.add("radius", light.radius);
-    if (light.kind == LightKind::Spot) {
+    if (traits.position) writer.add("radius", light.radius);
+    if (traits.beam == Beam::Cone) {
         writer.add("innerAngle", degreesOfCosine(light.cosInner));
         writer.add("outerAngle", degreesOfCosine(light.cosOuter));
     }
-    if (light.kind == LightKind::Rectangle) {
+    if (traits.sides) {
         writer.add("right", light.right);
         writer.add("width", light.width);
         writer.add("height", light.height);

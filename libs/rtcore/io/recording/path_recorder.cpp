@@ -1,0 +1,82 @@
+#include "rtcore/io/recording/path_recorder.h"
+
+#include "rtcore/io/recording/camera_list.h"
+#include "rtcore/platform/error.h"
+
+#include <cstdio>
+#include <string>
+#include <system_error>
+
+namespace rtcore {
+
+namespace {
+
+std::filesystem::path makeFolder(const std::filesystem::path& list) {
+    const std::filesystem::path folder = recordedFolder(list);
+    std::error_code error;
+    const bool made = std::filesystem::create_directory(folder, error);
+    if (made) return folder;
+    throw FileError(FailureKind::CannotWrite, list.string(),
+                    error ? "its folder " + folder.string() + " cannot be made: " + error.message()
+                          : "its folder " + folder.string() + " exists already; choose another name");
+}
+
+/// Throws CannotWrite for what could not be read back.
+std::string checkedText(const CameraFile& frame, const std::filesystem::path& path) {
+    std::string text = formatCameraFile(frame);
+    try {
+        parseCameraFile(text, path);
+    } catch (const FileError& error) {
+        throw FileError(FailureKind::CannotWrite, path.string(),
+                        "not written, since it could not be read back: " + std::string(error.what()));
+    }
+    return text;
+}
+
+} // namespace
+
+std::filesystem::path recordedFolder(const std::filesystem::path& list) {
+    std::filesystem::path folder = list;
+    return folder.replace_extension(list.extension() == ".cams" ? ".cams.cams" : ".cams");
+}
+
+PathRecorder::PathRecorder(const std::filesystem::path& list)
+    : list_(std::filesystem::absolute(list)), folder_(recordedFolder(list_)), lines_(list_) {
+    try {
+        makeFolder(list_);
+        // A name that no list can hold shows here, not at the first frame.
+        cameraListLine(list_, folder_ / "000001.cam");
+        lines_.append(std::string(kRecordingMark) + "\n");
+    } catch (const FileError&) {
+        std::error_code ignored;
+        std::filesystem::remove(list_, ignored);
+        throw;
+    }
+}
+
+PathRecorder::~PathRecorder() {
+    try {
+        if (!finished_) finish();
+    } catch (const FileError&) {
+        // The list is valid without its end mark.
+    }
+}
+
+void PathRecorder::add(const CameraFile& frame) {
+    char name[32];
+    std::snprintf(name, sizeof name, "%06d.cam", number_ + 1);
+    const std::filesystem::path path = folder_ / name;
+    const std::string text = checkedText(frame, path);
+    ++number_;
+    AppendFile(path).append(text);
+    lines_.append(cameraListLine(list_, path));
+    ++frames_;
+}
+
+void PathRecorder::finish() {
+    finished_ = true;
+    lines_.append(std::string(kEndMark) + "\n");
+    lines_.flush();
+}
+
+} // namespace rtcore

@@ -1,0 +1,52 @@
+#include "rtcore/lights/ambient_light.h"
+
+#include "rtcore/math/constants.h"
+
+#include <algorithm>
+
+namespace rtcore {
+
+namespace {
+
+/// Of the scene's diagonal.
+constexpr float kUsualReach = 0.15F;
+/// Of the light that a surface scatters which faces all lights: about what comes back from the surfaces
+/// around.
+constexpr float kShareOfLights = 0.25F;
+
+/// What reaches a surface near the middle of the scene that faces the light.
+Colour irradianceNear(const Light& light, Vec3 middle, float diagonal) {
+    if (!traitsOf(light).position) return light.intensity;
+    // A lamp close to the middle does not make the whole scene as bright as the middle.
+    const float distance =
+        std::max({length(light.position - middle), diagonal * 0.25F, light.radius, 1e-18F});
+    const Colour facing = light.intensity / (distance * distance);
+    if (light.kind == LightKind::Point) return facing;
+    return facing * (0.5F - 0.25F * (light.cosInner + light.cosOuter)); // as a point light of its power
+}
+
+Colour lightOf(const Scene& scene, const Box3& bounds) {
+    if (!isBlack(scene.ambient)) return scene.ambient;
+    if (const Environment* const environment = scene.environment()) {
+        const Colour mean = environment->meanRadiance();
+        if (!isBlack(mean)) return mean;
+    }
+    if (!isBlack(scene.background)) return scene.background;
+    const Vec3 middle = bounds.empty() ? Vec3{} : bounds.centre();
+    Colour irradiance;
+    for (const Light& light : scene.lights) {
+        if (light.on != 0) irradiance += irradianceNear(light, middle, bounds.diagonal());
+    }
+    return isBlack(irradiance) ? kWhite : irradiance * (kShareOfLights / kPi);
+}
+
+} // namespace
+
+OccludedLight occludedLight(const Scene& scene, const Box3& bounds,
+                            const AmbientOcclusionSettings& settings) {
+    const float distance = settings.distance > 0 ? settings.distance : kUsualReach * bounds.diagonal();
+    return {settings.light > 0 ? kWhite * settings.light : lightOf(scene, bounds),
+            std::max(distance, 1e-18F)};
+}
+
+} // namespace rtcore

@@ -1,0 +1,19 @@
+/// What is rendered: the scene, from where, how.
+#pragma once
+
+#include "rtcore/kernels/ray_tracer.h"
+#include "rtcore/scene/camera.h"
+#include "rtcore/scene/scene.h"
+#include "rtcore/settings/render_settings.h"
+
+namespace rtcore {
+
+/// Everything must outlive whoever is given the view, and stay as it is while pictures of it are made.
+struct View {
+    const Scene& scene;
+    const RayTracer& tracer; ///< of the scene's mesh
+    const Camera& camera;
+    const RenderSettings& settings;
+};
+
+} // namespace rtcore

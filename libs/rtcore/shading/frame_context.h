@@ -1,0 +1,30 @@
+/// What the waves of one frame share.
+#pragma once
+
+#include "rtcore/kernels/ray_statistics.h"
+#include "rtcore/kernels/ray_tracer.h"
+#include "rtcore/scene/scene.h"
+#include "rtcore/settings/render_settings.h"
+#include "rtcore/shading/light/shadow_maps.h"
+#include "rtcore/shading/stage_times.h"
+#include "rtcore/shading/surface/material_table.h"
+
+#include <atomic>
+
+namespace rtcore {
+
+/// Of one thread. Everything lives as long as the frame.
+struct FrameContext {
+    const Scene* scene = nullptr;
+    const RayTracer* tracer = nullptr; ///< of the scene's mesh
+    const RenderSettings* settings = nullptr;
+    const MaterialTable* materials = nullptr;
+    const ShadowMaps* shadowMaps = nullptr;  ///< shadows are looked up there; null: they are traced
+    const std::atomic<bool>* stop = nullptr; ///< true: return soon, the result is not wanted; may be null
+    RayStatistics* statistics = nullptr;     ///< counts all rays of the frame
+    StageClock* clock = nullptr;
+
+    bool stopped() const { return stop != nullptr && stop->load(std::memory_order_relaxed); }
+};
+
+} // namespace rtcore

@@ -1,0 +1,161 @@
+#include "rtcore/shading/light/light_wave.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "rtcore/shading/light/light_wave.cpp"
+#include "rtcore/simd/foreach_target.h"
+
+#include "rtcore/lights/light_sample-inl.h"
+#include "rtcore/scattering/phong-inl.h"
+#include "rtcore/shading/surface/material_rows-inl.h"
+
+#ifndef RTCORE_SHADING_LIGHT_LIGHT_WAVE_TYPES
+#define RTCORE_SHADING_LIGHT_LIGHT_WAVE_TYPES
+namespace rtcore {
+
+/// Where shadow rays go: arrays with room for every point and a block more.
+struct ShadowArrays {
+    ArraysOf3 origin, direction;
+    float* tMax;
+    std::uint32_t* point;
+};
+
+} // namespace rtcore
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace rtcore {
+namespace HWY_NAMESPACE {
+
+/// The strata that the points from `i` on look at.
+template <LightKind kind>
+HWY_INLINE Stratum<Float> strataOf(const LampPart* part, std::size_t i) {
+    if (part == nullptr) return wholeLight<kind, Float>();
+    const auto unit = [&](const std::uint32_t* bits, std::uint32_t added) {
+        return toFloat(toInt(shiftRight<8>(load(bits + i) + added))) * 0x1p-24F;
+    };
+    return {unit(part->u, part->du), unit(part->v, part->dv), part->share, part->ofAll};
+}
+
+/// The glossy part of the reflected share: k_s times the Phong lobe, zero where there is none.
+template <LightKind kind>
+HWY_INLINE Float3 glossyShare(const MaterialRow* rows, const std::uint32_t* material, Mask glossy,
+                              const LightSample<Float>& arriving, Float3 normal, Float3 toViewer,
+                              Float cosine) {
+    const Float3 mirrored = normal * (2.0F * cosine) - arriving.toLight;
+    const Float lobe = dot(mirrored, toViewer);
+    const Mask seen = glossy & (lobe > 0.0F);
+    if (none(seen)) return {};
+    const Rows ofPoints(rows, material, seen);
+    Float shininess = ofPoints.get(&MaterialRow::shininess);
+    Float scale = ofPoints.get(&MaterialRow::lobeScale);
+    if constexpr (isAreaLight(kind)) widenLobe(arriving.spread, shininess, scale);
+    const Float reflected = phongLobe(select(seen, lobe, 1.0F), shininess, scale);
+    return selectOrZero(seen, ofPoints.get(&MaterialRow::specular) * reflected);
+}
+
+/// The part that the rough lobe reflects; zero where there is none.
+HWY_INLINE Float3 roughShare(const MaterialRow* rows, const std::uint32_t* material, Mask rough,
+                             Float toLight, Float toViewer) {
+    const Rows ofPoints(rows, material, rough);
+    const Float reflected = roughLobe(toLight, toViewer, ofPoints.get(&MaterialRow::roughScale));
+    return selectOrZero(rough, ofPoints.get(&MaterialRow::specular) * reflected);
+}
+
+template <LightKind kind>
+HWY_INLINE std::size_t lightAll(const Light& light, const LampPart* part, const MaterialRow* rows,
+                                const SurfaceWave& s, const ShadowArrays* shadows) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < s.size(); i += lanes()) {
+        const Uint traits = load(s.traits + i);
+        Mask lit = hasTrait(traits, traits::kPoint);
+        if (none(lit)) {
+            storeAt(Float3{}, s.added, i);
+            continue;
+        }
+        const Float3 position = loadAt(s.position, i);
+        const LightSample<Float> arriving = sampleLight<kind>(light, position, strataOf<kind>(part, i));
+        const Float3 geometricNormal = loadAt(s.geometricNormal, i);
+        const Float3 normal = loadAt(s.shadingNormal, i);
+        const Float geometric = dot(geometricNormal, arriving.toLight);
+        const Float cosine = dot(normal, arriving.toLight);
+        lit = lit & ((geometric > 0.0F) & (cosine > 0.0F));
+        if (none(lit)) {
+            storeAt(Float3{}, s.added, i);
+            continue;
+        }
+        Float3 share = loadAt(s.diffuse, i);
+        const Mask glossy = lit & hasTrait(traits, traits::kGlossy);
+        const Mask rough = lit & hasTrait(traits, traits::kRough);
+        if (any(glossy | rough)) {
+            const Float3 toViewer = loadAt(s.toViewer, i);
+            if (any(glossy)) {
+                share += glossyShare<kind>(rows, s.material + i, glossy, arriving, normal, toViewer, cosine);
+            }
+            if (any(rough)) share += roughShare(rows, s.material + i, rough, cosine, dot(normal, toViewer));
+        }
+        share *= cosine * terminatorFactor<Float>(geometricNormal, normal, geometric, cosine);
+        const Float3 added = selectOrZero(lit, loadAt(s.share, i) * share * arriving.irradiance);
+        storeAt(added, s.added, i);
+        if (shadows == nullptr) continue;
+
+        lit = without(lit, isZero(added));
+        const Compressor some(lit);
+        const Float clearance = load(s.clearance + i);
+        storeAt(position + geometricNormal * clearance, some, shadows->origin, count);
+        storeAt(arriving.toLight, some, shadows->direction, count);
+        some.store(max(arriving.free - clearance, 0.0F), shadows->tMax + count);
+        some.store(iota(i), shadows->point + count);
+        count += some.count();
+    }
+    return count;
+}
+
+/// Returns the number of shadow rays.
+std::size_t lightSurfaces(const Light& light, const LampPart* part, const MaterialRow* rows,
+                          const SurfaceWave& surfaces, const ShadowArrays* shadows) {
+    return forKind(light.kind, [&]<LightKind kind>()
+                                   HWY_ATTR { return lightAll<kind>(light, part, rows, surfaces, shadows); });
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace rtcore
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace rtcore {
+
+HWY_EXPORT(lightSurfaces);
+
+namespace {
+
+void addLight(const Light& light, const LampPart* part, const MaterialTable& materials, SurfaceWave& surfaces,
+              ShadowRays* shadows) {
+    if (shadows == nullptr) {
+        HWY_DYNAMIC_DISPATCH(lightSurfaces)(light, part, materials.rows(), surfaces, nullptr);
+        return;
+    }
+    RayWave& rays = shadows->rays;
+    const std::size_t room = surfaces.size() + kWaveBlock;
+    rays.resize(room);
+    if (shadows->point.size() < room) shadows->point.resize(room);
+    const ShadowArrays arrays{{rays.ox.data(), rays.oy.data(), rays.oz.data()},
+                              {rays.dx.data(), rays.dy.data(), rays.dz.data()},
+                              rays.tMax.data(),
+                              shadows->point.data()};
+    rays.resize(HWY_DYNAMIC_DISPATCH(lightSurfaces)(light, part, materials.rows(), surfaces, &arrays));
+}
+
+} // namespace
+
+void addLight(const Light& light, const MaterialTable& materials, SurfaceWave& surfaces,
+              ShadowRays* shadows) {
+    addLight(light, nullptr, materials, surfaces, shadows);
+}
+
+void addLight(const Light& light, const LampPart& part, const MaterialTable& materials, SurfaceWave& surfaces,
+              ShadowRays* shadows) {
+    addLight(light, &part, materials, surfaces, shadows);
+}
+
+} // namespace rtcore
+#endif

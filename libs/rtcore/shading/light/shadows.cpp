@@ -1,0 +1,145 @@
+#include "rtcore/shading/light/shadows.h"
+
+#include "rtcore/scattering/fresnel.h"
+#include "rtcore/shading/surface/medium.h"
+#include "rtcore/shading/surface/surface.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rtcore {
+
+namespace {
+
+/// Light that passed this many surfaces counts as lost; it bounds the work of a hostile model.
+constexpr int kMaxLayers = 256;
+
+} // namespace
+
+void ShadowTracer::begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
+                         bool tinted, const FogMedium* fog) {
+    scene_ = &scene;
+    tracer_ = &tracer;
+    fog_ = fog;
+    textures_ = settings.textures;
+    refractions_ = settings.refractions;
+    tinted_ = tinted;
+}
+
+const std::vector<std::uint8_t>& ShadowTracer::occluded(const RayWave& rays, RayStatistics& statistics) {
+    statistics.count(RayKind::Shadow, rays.size());
+    tracer_->occluded(RayKind::Shadow, rays, occluded_);
+    return occluded_;
+}
+
+const std::vector<Colour>& ShadowTracer::transmittance(const RayWave& rays, const Light& light,
+                                                       RayStatistics& statistics) {
+    transmittance_.assign(rays.size(), kWhite);
+    traceTinted(rays, light, statistics);
+    return transmittance_;
+}
+
+void ShadowTracer::startLayers(const RayWave& rays) {
+    current_ = rays;
+    currentIndex_.resize(rays.size());
+    // As much as the other: the two change places, and steady frames must not allocate whichever is which.
+    next_.reserve(rays.size());
+    nextIndex_.reserve(rays.size());
+    for (std::uint32_t i = 0; i < rays.size(); ++i) currentIndex_[i] = i;
+}
+
+/// What is left of a ray, behind the surface that it hit.
+void ShadowTracer::goOn(std::size_t ray, const Surface& surface, const Hit& hit) {
+    Ray rest = current_.ray(ray);
+    rest.origin = surface.position - surface.geometricNormal * surface.clearance;
+    rest.tMax = rest.tMax - hit.t;
+    if (!(rest.tMax > 0)) return;
+    next_.push(rest);
+    nextIndex_.push_back(currentIndex_[ray]);
+}
+
+const std::vector<LightEnd>& ShadowTracer::ends(const RayWave& rays) {
+    ends_.assign(rays.size(), {});
+    travelled_.assign(rays.size(), 0);
+    startLayers(rays);
+    for (int layer = 0; layer < kMaxLayers && !current_.empty(); ++layer) {
+        tracer_->intersect(RayKind::Shadow, current_, hits_);
+        next_.clear();
+        nextIndex_.clear();
+        for (std::size_t i = 0; i < current_.size(); ++i) {
+            if (!hits_.isHit(i)) continue;
+            const Hit hit = hits_.hit(i);
+            const std::uint32_t index = currentIndex_[i];
+            travelled_[index] += hit.t;
+            if (layer == 0) ends_[index].clear = hit.t;
+            const Surface surface = surfaceAt(*scene_, false, current_.ray(i).direction, hit);
+            const Colour left = ends_[index].tint * throughSurface(surface, hit);
+            if (isBlack(left)) {
+                ends_[index].distance = travelled_[index];
+                continue;
+            }
+            ends_[index].tint = left;
+            goOn(i, surface, hit);
+        }
+        std::swap(current_, next_);
+        std::swap(currentIndex_, nextIndex_);
+    }
+    for (const std::uint32_t lost : currentIndex_) ends_[lost].distance = travelled_[lost];
+    return ends_;
+}
+
+void ShadowTracer::traceTinted(const RayWave& rays, const Light& light, RayStatistics& statistics) {
+    startLayers(rays);
+    for (int layer = 0; layer < kMaxLayers && !current_.empty(); ++layer) {
+        statistics.count(RayKind::Shadow, current_.size());
+        tracer_->intersect(RayKind::Shadow, current_, hits_);
+        next_.clear();
+        nextIndex_.clear();
+        for (std::size_t i = 0; i < current_.size(); ++i) {
+            Colour& arriving = transmittance_[currentIndex_[i]];
+            const Ray ray = current_.ray(i);
+            if (!hits_.isHit(i)) {
+                if (fog_ != nullptr) arriving = arriving * fogLightTransmittance(*fog_, light, ray.origin);
+                continue;
+            }
+            const Hit hit = hits_.hit(i);
+            const Surface surface = surfaceAt(*scene_, false, ray.direction, hit);
+            arriving *= throughSurface(surface, hit);
+            if (fog_ != nullptr) arriving = arriving * throughFog(surface, ray, light, hit);
+            if (isBlack(arriving)) continue;
+            goOn(i, surface, hit);
+        }
+        std::swap(current_, next_);
+        std::swap(currentIndex_, nextIndex_);
+    }
+    for (const std::uint32_t lost : currentIndex_) transmittance_[lost] = {};
+}
+
+/// What the fog between two surfaces leaves of the light.
+float ShadowTracer::throughFog(const Surface& end, const Ray& ray, const Light& light, const Hit& hit) const {
+    if (end.closed && end.fromInside) return 1;
+    if (!traitsOf(light).position && !fog_->exponential) return 1;
+    return fogTransmittance(*fog_, ray.origin, ray.direction, hit.t);
+}
+
+Colour ShadowTracer::throughSurface(const Surface& surface, const Hit& hit) const {
+    const Material& material = *surface.material;
+    const float coverage = coverageAt(*scene_, textures_, hit);
+    Colour through{};
+    if (refractions_ && material.opacity < 1) {
+        // The outer angle on both faces: total reflection inside would make solids opaque to straight rays.
+        const float reflected =
+            fresnelDielectric(dot(surface.toViewer, surface.shadingNormal), material.indexOfRefraction);
+        through = kWhite * (1 - material.opacity);
+        if (surface.closed) {
+            through = through * (1 - reflected);
+            if (!surface.fromInside) through *= tintOnEntering(material);
+            if (surface.fromInside) through *= absorption(extinctionOf(material), hit.t);
+        } else {
+            through = through * (1 - thinWallReflectance(reflected)) * material.transmission;
+        }
+    }
+    return kWhite * (1 - coverage) + through * coverage;
+}
+
+} // namespace rtcore

@@ -1,0 +1,70 @@
+/// Shadows of a whole wave of rays towards one light: black, or tinted by what lets light through.
+#pragma once
+
+#include "rtcore/kernels/ray_statistics.h"
+#include "rtcore/kernels/ray_tracer.h"
+#include "rtcore/scene/scene.h"
+#include "rtcore/settings/render_settings.h"
+#include "rtcore/shading/fog/fog.h"
+#include "rtcore/shading/surface/surface.h"
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace rtcore {
+
+/// How far a ray of light gets.
+struct LightEnd {
+    float clear = std::numeric_limits<float>::max(); ///< distance to the first surface
+    float distance = clear;                          ///< to what lets nothing of it through
+    Colour tint = kWhite;                            ///< what is left of it between the two
+};
+
+/// Reuses its memory from wave to wave and from frame to frame; one for each thread.
+class ShadowTracer {
+  public:
+    /// For the waves of one frame, during which the arguments must live. `tinted`: something lets light
+    /// through (MaterialTable::tintedShadows()). `fog`: null where there is none.
+    void begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings, bool tinted,
+               const FogMedium* fog = nullptr);
+
+    /// Whether transmittance() has to be asked: without transparent surfaces, occluded() says all.
+    bool tinted() const { return tinted_; }
+    /// 1 for each ray (directions of unit length) whose light does not arrive, else 0. Valid until the next
+    /// call.
+    const std::vector<std::uint8_t>& occluded(const RayWave& rays, RayStatistics& statistics);
+
+    /// For each ray the share of the light of `light` that arrives along it: 1 unhindered, 0
+    /// behind anything opaque. Transparent surfaces take (1 - Fresnel) of it and tint it; light goes straight
+    /// on through them, without focusing. Fog weakens it outside of solids. Valid until the next call.
+    const std::vector<Colour>& transmittance(const RayWave& rays, const Light& light,
+                                             RayStatistics& statistics);
+
+    /// The way of light along rays that leave a lamp, in directions of unit length, without fog. Valid until
+    /// the next call.
+    const std::vector<LightEnd>& ends(const RayWave& rays);
+
+  private:
+    void startLayers(const RayWave& rays);
+    void goOn(std::size_t ray, const Surface& surface, const Hit& hit);
+    void traceTinted(const RayWave& rays, const Light& light, RayStatistics& statistics);
+    /// What one surface leaves of the light; the ray came from the surface before it, hit.t away.
+    Colour throughSurface(const Surface& surface, const Hit& hit) const;
+    float throughFog(const Surface& end, const Ray& ray, const Light& light, const Hit& hit) const;
+
+    const Scene* scene_ = nullptr;
+    const RayTracer* tracer_ = nullptr;
+    const FogMedium* fog_ = nullptr;
+    bool textures_ = true, refractions_ = true, tinted_ = false;
+
+    std::vector<Colour> transmittance_;
+    std::vector<LightEnd> ends_;
+    std::vector<float> travelled_; ///< of ends_
+    std::vector<std::uint8_t> occluded_;
+    HitWave hits_;
+    RayWave current_, next_;
+    std::vector<std::uint32_t> currentIndex_, nextIndex_;
+};
+
+} // namespace rtcore

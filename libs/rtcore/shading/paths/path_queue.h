@@ -1,0 +1,51 @@
+/// Rays that wait to be traced, and what each is for.
+#pragma once
+
+#include "rtcore/kernels/ray_wave.h"
+#include "rtcore/kernels/wave_memory.h"
+#include "rtcore/math/colour.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace rtcore {
+
+struct Path {
+    std::uint32_t sample = 0; ///< index of the primary ray it began with
+    Colour weight{1, 1, 1};   ///< share of its radiance that reaches the sample
+    Colour extinction;        ///< of the solid that it is inside of, per scene unit
+    std::uint16_t depth = 0;  ///< mirrored or refracted so often
+    std::uint16_t passes = 0; ///< went straight through thin walls and holes so often; below 2^15
+    bool inside = false;      ///< of a transparent solid
+};
+
+inline constexpr std::uint32_t kInsideBit = 0x80000000U; ///< of PathQueue::bounces
+constexpr bool isInside(std::uint32_t bounces) { return (bounces & kInsideBit) != 0; }
+
+/// One array for each value, as vector code likes it: those of the paths have room for a block more than
+/// there are rays.
+struct PathQueue {
+    RayWave rays;
+    std::vector<std::uint32_t> sample;
+    std::vector<std::uint32_t> bounces; ///< depth in the lower 16 bits, passes in 15, inside in the highest
+    std::vector<float> weight[3], extinction[3];
+
+    std::size_t size() const { return rays.size(); }
+    bool empty() const { return rays.empty(); }
+    void clear() { rays.clear(); }
+    void push(const Ray& ray, const Path& path);
+    Path path(std::size_t i) const;
+
+    /// Appends `count` rays with undefined origins, directions and paths, from 0 to infinity, and returns how
+    /// many there were before.
+    std::size_t grow(std::size_t count);
+    void truncate(std::size_t count) { rays.resize(count); }
+
+    /// Moves the last `count` (or all, when there are fewer) into `taken`, whose content is replaced.
+    void takeLast(std::size_t count, PathQueue& taken);
+    /// Room for `count`, or for as many as the largest of the queues has ever had.
+    void reserve(std::size_t count);
+    std::size_t capacity() const { return rays.ox.capacity(); }
+};
+
+} // namespace rtcore

@@ -1,0 +1,36 @@
+/// The paths of the rays that are being traced.
+#pragma once
+
+#include "rtcore/shading/paths/path_queue.h"
+
+namespace rtcore {
+
+/// Primary rays have no queue: ray i is that of sample i, of weight 1, and has met nothing yet. Other rays
+/// are those of a queue, which must outlive this and is only read here.
+class WavePaths {
+  public:
+    /// Primary rays.
+    WavePaths() = default;
+    explicit WavePaths(PathQueue& queue) : queue_(&queue) {}
+
+    bool primary() const { return queue_ == nullptr; }
+    /// Null for primary rays.
+    PathQueue* queue() const { return queue_; }
+
+    std::uint32_t sample(std::size_t ray) const {
+        return primary() ? static_cast<std::uint32_t>(ray) : queue_->sample[ray];
+    }
+    /// As in PathQueue.
+    std::uint32_t bounces(std::size_t ray) const { return primary() ? 0 : queue_->bounces[ray]; }
+    Path path(std::size_t ray) const {
+        if (!primary()) return queue_->path(ray);
+        Path path;
+        path.sample = static_cast<std::uint32_t>(ray);
+        return path;
+    }
+
+  private:
+    PathQueue* queue_ = nullptr;
+};
+
+} // namespace rtcore

@@ -1,0 +1,90 @@
+#include "rtcore/shading/secondary_rays.h"
+
+#include "rtcore/scattering/fresnel.h"
+#include "rtcore/shading/mirror_wave.h"
+#include "rtcore/shading/surface/medium.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace rtcore {
+
+namespace {
+
+/// Secondary rays traced at once: enough for streams, and a bound on the memory of the queues.
+constexpr std::size_t kWaveSize = 16384;
+/// Thin walls and holes that a path may pass; it bounds the work of a hostile model.
+constexpr std::uint16_t kMaxPasses = 1000;
+
+/// `side` is the normal on the side that the ray leaves to.
+Ray rayFrom(const Surface& s, Vec3 side, Vec3 direction) {
+    return {s.position + side * s.clearance, 0, direction, std::numeric_limits<float>::max()};
+}
+
+bool matters(Colour weight, const RenderSettings& settings) {
+    const float largest = maxComponent(weight);
+    return largest > 0 && largest >= settings.minContribution;
+}
+
+} // namespace
+
+void SecondaryRays::start() {
+    mirrored_.clear();
+    refracted_.clear();
+}
+
+void SecondaryRays::takeNext(Wave& wave) {
+    const bool mirror = mirrored_.size() >= refracted_.size();
+    (mirror ? mirrored_ : refracted_).takeLast(kWaveSize, current_);
+    wave.kind = mirror ? RayKind::Mirror : RayKind::Refracted;
+    wave.rays = &current_.rays;
+    wave.paths = WavePaths(current_);
+}
+
+void SecondaryRays::addHole(const FrameContext& frame, const Surface& surface, Vec3 direction, Path path) {
+    if (!matters(path.weight, *frame.settings) || path.passes >= kMaxPasses) return;
+    ++path.passes;
+    refracted_.push(rayFrom(surface, -surface.geometricNormal, direction), path);
+}
+
+void SecondaryRays::addTransparent(const Surface& surface, Colour transmitted, const Path& path) {
+    transparent_.push_back({surface, path});
+    transparent_.back().path.weight *= transmitted;
+}
+
+void SecondaryRays::spawn(const FrameContext& frame, const Wave& wave) {
+    if (frame.materials->anyOnward())
+        spawnMirrored(wave.surfaces, wave.paths.queue(), *frame.settings, mirrored_);
+    for (const Transparent& point : transparent_) refract(frame, point);
+    transparent_.clear();
+}
+
+void SecondaryRays::refract(const FrameContext& frame, const Transparent& point) {
+    const Surface& s = point.surface;
+    const Material& m = *s.material;
+    Path path = point.path;
+    if (isBlack(path.weight)) return;
+    Vec3 direction = -s.toViewer;
+    if (!s.closed) {
+        path.weight *= m.transmission;
+        if (++path.passes > kMaxPasses) return;
+    } else {
+        if (path.depth >= frame.settings->maxDepth) return;
+        ++path.depth;
+        const float eta = s.fromInside ? 1 / m.indexOfRefraction : m.indexOfRefraction;
+        if (!rtcore::refract(direction, s.shadingNormal, eta, direction)) return;
+        if (dot(direction, s.geometricNormal) >= 0) return; // a smooth normal bent it back out
+        if (!s.fromInside) path.weight *= tintOnEntering(m);
+        path.extinction = s.fromInside ? Colour{} : extinctionOf(m);
+        path.inside = !s.fromInside;
+    }
+    if (!matters(path.weight, *frame.settings)) return;
+    refracted_.push(rayFrom(s, -s.geometricNormal, direction), path);
+}
+
+void SecondaryRays::evenMemory() {
+    const std::size_t most = std::max({current_.capacity(), mirrored_.capacity(), refracted_.capacity()});
+    for (PathQueue* const queue : {&current_, &mirrored_, &refracted_}) queue->reserve(most);
+}
+
+} // namespace rtcore

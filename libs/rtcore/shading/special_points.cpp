@@ -1,0 +1,82 @@
+#include "rtcore/shading/special_points.h"
+
+#include "rtcore/math/constants.h"
+#include "rtcore/shading/surface/surface.h"
+#include "rtcore/shading/surface/surface_split.h"
+#include "rtcore/shading/surface/texture_wave.h"
+
+namespace rtcore {
+
+void SpecialPoints::complete(const FrameContext& frame, Colour ambient, Wave& wave, SampleSums& sums,
+                             SecondaryRays& secondary) {
+    const Task task{frame, ambient, wave, sums, secondary};
+    const std::span<const std::uint32_t> points = wave.surfaces.notPlain();
+    emitted_.resize(points.size());
+    const bool colours = !frame.scene->mesh().colours.empty();
+    for (std::uint32_t k = 0; k < points.size(); ++k) {
+        const std::uint32_t i = points[k];
+        if ((wave.surfaces.traits[i] & traits::kGeneral) != 0) {
+            emitted_[k] = completeGeneral(task, i);
+        } else if (colours) {
+            const Colour albedo = diffuseAt(*frame.scene, frame.settings->textures, wave.hits.hit(i));
+            emitted_[k] = setAlbedo(task, i, albedo);
+        } else {
+            textured_.point[textured_.count] = i;
+            textured_.index[textured_.count++] = k;
+            if (textured_.count == kWaveBlock) completeTextured(task);
+        }
+    }
+    completeTextured(task);
+}
+
+void SpecialPoints::completeTextured(const Task& task) {
+    if (textured_.count == 0) return;
+    Colour albedo[kWaveBlock];
+    texturedAlbedos(*task.frame.scene, task.wave.hits, {textured_.point, textured_.count}, albedo);
+    for (std::size_t i = 0; i < textured_.count; ++i) {
+        emitted_[textured_.index[i]] = setAlbedo(task, textured_.point[i], albedo[i]);
+    }
+    textured_.count = 0;
+}
+
+Colour SpecialPoints::setAlbedo(const Task& task, std::size_t i, Colour albedo) const {
+    const SurfaceWave& surfaces = task.wave.surfaces;
+    surfaces.diffuse.set(i, albedo / kPi);
+    if (!task.frame.materials->anyEmission()) return {};
+    const Material& m = task.frame.scene->materials[surfaces.material[i]];
+    return surfaces.share.colourAt(i) * (m.emission + task.ambient * (albedo + m.specular));
+}
+
+Colour SpecialPoints::completeGeneral(const Task& task, std::size_t i) const {
+    const SurfaceWave& surfaces = task.wave.surfaces;
+    const RenderSettings& settings = *task.frame.settings;
+    Path path = task.wave.paths.path(i);
+    path.weight = surfaces.share.colourAt(i);
+    const Vec3 direction = task.wave.direction(i);
+    const Surface s = surfaceAt(*task.frame.scene, settings.textures, direction, task.wave.hits.hit(i));
+    if (s.coverage < 1) {
+        Path through = path;
+        through.weight = path.weight * (1 - s.coverage);
+        task.secondary.addHole(task.frame, s, direction, through);
+        if (s.coverage == 0) {
+            surfaces.traits[i] = 0;
+            if (task.wave.paths.primary()) task.sums.setHit(i, false);
+            return {};
+        }
+        path.weight = path.weight * s.coverage;
+    }
+    if (path.depth == 0) task.sums.setHit(path.sample, true);
+    const SurfaceSplit split = splitLight(s, settings);
+    surfaces.shadingNormal.set(i, s.shadingNormal);
+    surfaces.diffuse.set(i, s.diffuse / kPi);
+    surfaces.share.set(i, path.weight * split.scattered);
+    if (!isBlack(split.mirrored)) {
+        surfaces.onward.set(i, path.weight * split.mirrored);
+        surfaces.traits[i] |= traits::kOnward;
+    }
+    if (!isBlack(split.transmitted)) task.secondary.addTransparent(s, split.transmitted, path);
+    const Colour ambient = task.ambient * (s.diffuse + s.material->specular) * split.scattered;
+    return path.weight * (s.emission + ambient);
+}
+
+} // namespace rtcore

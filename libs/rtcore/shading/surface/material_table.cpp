@@ -1,0 +1,71 @@
+#include "rtcore/shading/surface/material_table.h"
+
+#include "rtcore/lights/ambient_light.h"
+#include "rtcore/math/constants.h"
+#include "rtcore/scattering/phong.h"
+
+#include <algorithm>
+
+namespace rtcore {
+
+namespace {
+
+std::uint32_t traitsOf(const Material& m, bool colours, const RenderSettings& settings) {
+    const auto used = [&](std::uint32_t texture) { return settings.textures && texture != kNoTexture; };
+    std::uint32_t result = traits::kPoint;
+    if (!isBlack(m.specular)) {
+        if (m.shininess > 0) result |= traits::kGlossy;
+        if (m.shininess < kLeastShininess) result |= traits::kRough;
+    }
+    if (colours || used(m.diffuseTexture)) result |= traits::kColoured;
+    if ((settings.refractions && !(m.opacity >= 1)) || used(m.alphaTexture) || used(m.normalTexture) ||
+        used(m.emissionTexture)) {
+        result |= traits::kGeneral;
+    }
+    if (settings.reflections && !isBlack(m.mirror * m.mirrorScale)) {
+        if ((result & traits::kNotPlain) != 0) return result | traits::kGeneral;
+        result |= traits::kMirror;
+        if (m.fresnel != 0) result |= traits::kFresnel;
+    }
+    return result;
+}
+
+void put(Colour c, float* to) {
+    to[0] = c.r;
+    to[1] = c.g;
+    to[2] = c.b;
+}
+
+} // namespace
+
+void MaterialTable::prepare(const Scene& scene, const RenderSettings& settings) {
+    rows_.resize(scene.materials.size());
+    const Colour everywhere = unoccludedAmbient(scene, settings);
+    traits_ = 0;
+    anyEmission_ = tintedShadows_ = false;
+    const bool colours = !scene.mesh().colours.empty();
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const Material& m = scene.materials[i];
+        MaterialRow& row = rows_[i];
+        row.traits = traitsOf(m, colours, settings);
+        const Colour ambient = everywhere * (m.diffuse + m.specular);
+        const Colour emitted = m.emission + ambient;
+        put(m.diffuse / kPi, row.diffuse);
+        put(m.emission, row.emission);
+        put(ambient, row.ambient);
+        put(emitted, row.emitted);
+        put(m.mirror, row.mirror);
+        row.mirrorScale = m.mirrorScale;
+        put(m.specular, row.specular);
+        const float phong = std::min(m.shininess / kLeastShininess, 1.0F);
+        row.shininess = std::max(m.shininess, kLeastShininess);
+        row.lobeScale = phong * (row.shininess + 2) / (2 * kPi);
+        row.roughScale = (1 - phong) / (2 * kPi);
+        traits_ |= row.traits;
+        anyEmission_ = anyEmission_ || !isBlack(emitted);
+        tintedShadows_ = tintedShadows_ || (settings.refractions && m.opacity < 1) ||
+                         (settings.textures && m.alphaTexture != kNoTexture);
+    }
+}
+
+} // namespace rtcore

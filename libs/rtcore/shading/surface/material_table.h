@@ -1,0 +1,64 @@
+/// What shading needs of each material, worked out once for a frame.
+#pragma once
+
+#include "rtcore/scene/scene.h"
+#include "rtcore/settings/render_settings.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace rtcore {
+
+/// What is asked of a point beyond the diffuse lobe of its material's own colour.
+namespace traits {
+inline constexpr std::uint32_t kPoint = 1;     ///< there is a surface to be lit
+inline constexpr std::uint32_t kGlossy = 2;    ///< it has a Phong lobe
+inline constexpr std::uint32_t kMirror = 4;    ///< opaque, reflects, and is none of those below
+inline constexpr std::uint32_t kFresnel = 8;   ///< a mirror that reflects more at grazing angles
+inline constexpr std::uint32_t kColoured = 16; ///< the albedo varies: texture, colours of vertices
+inline constexpr std::uint32_t kGeneral = 32; ///< transparent, perforated, bump mapped, emitting by a texture
+inline constexpr std::uint32_t kOnward = 64;  ///< of points, not of materials: a mirrored ray follows
+inline constexpr std::uint32_t kRough = 128;  ///< it has a rough lobe (phong.h)
+/// Vector code alone cannot shade such a point.
+inline constexpr std::uint32_t kNotPlain = kColoured | kGeneral;
+} // namespace traits
+
+/// As many floats as index arithmetic by shifts wants.
+struct alignas(64) MaterialRow {
+    float diffuse[3] = {}; ///< albedo / pi
+    std::uint32_t traits = 0;
+    float specular[3] = {};
+    float shininess = 0;  ///< of the Phong lobe, at least kLeastShininess
+    float lobeScale = 0;  ///< of the Phong lobe, (n + 2) / 2 pi times its share
+    float roughScale = 0; ///< of the rough lobe, its share over 2 pi
+    float mirrorScale = 0;
+    float mirror[3] = {};
+    float emission[3] = {};
+    float ambient[3] = {}; ///< radiance of reflected ambient light
+    float emitted[3] = {}; ///< emission + ambient
+    float unused[9] = {};
+};
+inline constexpr int kRowShift = 5; ///< a row has 2^kRowShift floats
+static_assert(sizeof(MaterialRow) == sizeof(float) << kRowShift);
+
+/// Immutable while rays are traced; shared by all threads.
+class MaterialTable {
+  public:
+    /// Keeps its memory from frame to frame.
+    void prepare(const Scene& scene, const RenderSettings& settings);
+
+    const MaterialRow* rows() const { return rows_.data(); }
+    bool anyEmission() const { return anyEmission_; }
+    bool anyMirror() const { return (traits_ & traits::kMirror) != 0; }
+    /// Mirrored rays may follow from points.
+    bool anyOnward() const { return (traits_ & (traits::kMirror | traits::kGeneral)) != 0; }
+    /// Something lets light through, so that shadows may be tinted.
+    bool tintedShadows() const { return tintedShadows_; }
+
+  private:
+    std::vector<MaterialRow> rows_; ///< by index of the material
+    std::uint32_t traits_ = 0;      ///< of any
+    bool anyEmission_ = false, tintedShadows_ = false;
+};
+
+} // namespace rtcore

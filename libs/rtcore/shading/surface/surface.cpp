@@ -1,0 +1,109 @@
+#include "rtcore/shading/surface/surface.h"
+
+#include "rtcore/math/triangle-inl.h"
+#include "rtcore/shading/surface/normal_map.h"
+#include "rtcore/shading/surface/texture_lookup.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rtcore {
+
+namespace {
+
+namespace plain = HWY_NAMESPACE;
+
+/// An attribute of the corners at the hit.
+template <typename Value>
+Value interpolate(std::span<const Value> values, const ShadingTriangle& triangle, const Hit& hit) {
+    const Value& a = values[triangle.v[0]];
+    const Value& b = values[triangle.v[1]];
+    const Value& c = values[triangle.v[2]];
+    return a * (1 - hit.u - hit.v) + b * hit.u + c * hit.v;
+}
+
+Vec2 texcoordAt(const Mesh& mesh, const ShadingTriangle& triangle, const Hit& hit) {
+    if (mesh.texcoords.empty()) return {};
+    const Vec2& a = mesh.texcoords[triangle.v[0]];
+    const Vec2& b = mesh.texcoords[triangle.v[1]];
+    const Vec2& c = mesh.texcoords[triangle.v[2]];
+    const float w = 1 - hit.u - hit.v;
+    return {a.x * w + b.x * hit.u + c.x * hit.v, a.y * w + b.y * hit.u + c.y * hit.v};
+}
+
+float coverageOf(const Scene& scene, const Material& material, Vec2 uv) {
+    if (material.alphaTexture == kNoTexture) return 1;
+    const TextureSample s = sampleTexture(scene.model, scene.model.textures[material.alphaTexture], uv);
+    const float alpha = material.alphaFromAlpha != 0 ? s.alpha : s.stored.x;
+    if (material.alphaCutoff > 0) return alpha < material.alphaCutoff ? 0.0F : 1.0F;
+    return alpha;
+}
+
+Colour textureColour(const Scene& scene, std::uint32_t texture, Vec2 uv) {
+    return sampleColour(scene.model, scene.model.textures[texture], uv);
+}
+
+} // namespace
+
+Surface surfaceAt(const Scene& scene, bool textures, Vec3 direction, const Hit& hit) {
+    const Mesh& mesh = scene.mesh();
+    const ShadingTriangle& shading = mesh.shading[hit.triangle];
+    const Material& material = scene.materials[shading.material];
+
+    Surface s;
+    s.material = &material;
+    // From the corners, not along the ray: the error then is that of the triangle's size, not of the ray's
+    // length.
+    const plain::Corners<float> positions{mesh.position(hit.triangle, 0), mesh.position(hit.triangle, 1),
+                                          mesh.position(hit.triangle, 2)};
+    const plain::Corners<float> normals{mesh.normals[shading.v[0]], mesh.normals[shading.v[1]],
+                                        mesh.normals[shading.v[2]]};
+    s.position = plain::interpolate(positions, hit.u, hit.v);
+    s.toViewer = -direction;
+    s.geometricNormal = normalize(plain::normalOf(positions));
+    s.shadingNormal = normalize(plain::interpolate(normals, hit.u, hit.v));
+    s.clearance = plain::surfaceClearance(positions, s.geometricNormal);
+    s.fromInside = dot(s.geometricNormal, direction) > 0;
+    const bool behind = plain::normalsBehind(normals, s.geometricNormal);
+    if (s.fromInside) s.geometricNormal = -s.geometricNormal;
+    const bool none = s.shadingNormal == Vec3{};
+    if (none) s.shadingNormal = s.geometricNormal;
+    const bool turned = !none && behind != s.fromInside;
+    if (textures && material.normalTexture != kNoTexture) {
+        s.shadingNormal = mapNormal(scene, scene.model.textures[material.normalTexture], hit.triangle,
+                                    texcoordAt(mesh, shading, hit), s.shadingNormal);
+    }
+    if (turned) s.shadingNormal = -s.shadingNormal;
+    s.closed = !scene.closed.empty() && scene.closed[hit.triangle] != 0;
+
+    s.diffuse = diffuseAt(scene, textures, hit);
+    s.emission = material.emission;
+    if (textures && (material.emissionTexture != kNoTexture || material.alphaTexture != kNoTexture)) {
+        const Vec2 uv = texcoordAt(mesh, shading, hit);
+        if (material.emissionTexture != kNoTexture)
+            s.emission *= textureColour(scene, material.emissionTexture, uv);
+        s.coverage = coverageOf(scene, material, uv);
+    }
+    return s;
+}
+
+Colour diffuseAt(const Scene& scene, bool textures, const Hit& hit) {
+    const Mesh& mesh = scene.mesh();
+    const ShadingTriangle& shading = mesh.shading[hit.triangle];
+    const Material& material = scene.materials[shading.material];
+    Colour diffuse = material.diffuse;
+    if (!mesh.colours.empty()) diffuse *= interpolate(mesh.colours, shading, hit);
+    if (textures && material.diffuseTexture != kNoTexture) {
+        diffuse *= textureColour(scene, material.diffuseTexture, texcoordAt(mesh, shading, hit));
+    }
+    return diffuse;
+}
+
+float coverageAt(const Scene& scene, bool textures, const Hit& hit) {
+    const ShadingTriangle& shading = scene.mesh().shading[hit.triangle];
+    const Material& material = scene.materials[shading.material];
+    if (!textures || material.alphaTexture == kNoTexture) return 1;
+    return coverageOf(scene, material, texcoordAt(scene.mesh(), shading, hit));
+}
+
+} // namespace rtcore

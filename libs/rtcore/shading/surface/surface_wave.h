@@ -1,0 +1,61 @@
+/// The surfaces that a wave of rays found, one array for each value, so that vector code lights them.
+#pragma once
+
+#include "rtcore/kernels/ray_wave.h"
+#include "rtcore/kernels/wave_memory.h"
+#include "rtcore/scene/mesh.h"
+#include "rtcore/shading/surface/material_table.h"
+#include "rtcore/shading/surface/surface.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace rtcore {
+
+/// Three arrays that are one array of vectors or colours.
+struct ArraysOf3 {
+    float *x = nullptr, *y = nullptr, *z = nullptr;
+
+    Vec3 at(std::size_t i) const { return {x[i], y[i], z[i]}; }
+    void set(std::size_t i, Vec3 v) const { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
+    Colour colourAt(std::size_t i) const { return {x[i], y[i], z[i]}; }
+    void set(std::size_t i, Colour c) const { x[i] = c.r, y[i] = c.g, z[i] = c.b; }
+};
+
+/// One element for each ray of the wave, and room for whole blocks of kWaveBlock. One for each thread; keeps
+/// its memory.
+class SurfaceWave {
+  public:
+    /// Fills everything down to `diffuse` from the hits of `rays` (directions of unit length). Of points with
+    /// a trait of kNotPlain, `diffuse` and `shadingNormal` are those of the material and mesh without
+    /// textures; `notPlain()` lists them in ascending order.
+    void fill(const Mesh& mesh, const MaterialTable& materials, const RayWave& rays, const HitWave& hits);
+
+    std::size_t size() const { return size_; }
+    std::span<const std::uint32_t> notPlain() const { return {notPlain_.data(), notPlainCount_}; }
+
+    std::uint32_t* traits = nullptr;   ///< material_table.h; 0 where the ray missed
+    std::uint32_t* material = nullptr; ///< index; undefined where the ray missed, as is all that follows
+    ArraysOf3 position;
+    float* clearance = nullptr; ///< as in Surface
+    ArraysOf3 geometricNormal;  ///< unit, on the side of the viewer
+    ArraysOf3 shadingNormal;    ///< unit, as in Surface
+    ArraysOf3 toViewer;         ///< unit
+    ArraysOf3 diffuse;          ///< albedo / pi
+    ArraysOf3 share;            ///< of the light scattered here, what reaches the sample
+    ArraysOf3 onward;           ///< weight of the mirrored ray, where traits have kOnward
+    ArraysOf3 added; ///< radiance that the present light, emission or background adds to the sample
+
+  private:
+    void resize(std::size_t count);
+
+    std::size_t size_ = 0;
+    WaveMemory memory_;
+    std::vector<std::uint32_t> traits_, materials_;
+    std::vector<std::uint32_t> notPlain_; ///< the first notPlainCount_ count
+    std::size_t notPlainCount_ = 0;
+};
+
+} // namespace rtcore

@@ -1,0 +1,128 @@
+#include "rtcore/shading/surface/texture_wave.h"
+
+#include "rtcore/shading/surface/texture_lookup.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "rtcore/shading/surface/texture_wave.cpp"
+#include "rtcore/simd/foreach_target.h"
+
+#include "rtcore/shading/surface/texture-inl.h"
+
+#ifndef RTCORE_SHADING_SURFACE_TEXTURE_WAVE_TYPES
+#define RTCORE_SHADING_SURFACE_TEXTURE_WAVE_TYPES
+namespace rtcore {
+
+/// A block of points on its way from hits to albedos.
+struct TextureBlock {
+    alignas(64) float corner[3][2][kWaveBlock] = {}; ///< texture coordinates of the triangle
+    alignas(64) float u[kWaveBlock] = {}, v[kWaveBlock] = {};
+    alignas(64) std::uint32_t size[2][kWaveBlock] = {};  ///< of the texture: width, height
+    alignas(64) std::uint32_t wrap[2][kWaveBlock] = {};  ///< TextureWrap of u, v
+    bool repeats = true;                                 ///< all of them do
+    alignas(64) std::uint32_t texel[4][kWaveBlock] = {}; ///< which four: upper left, right, lower left, right
+    alignas(64) float share[2][kWaveBlock] = {};         ///< of the right ones, of the lower ones
+    alignas(64) float light[4][3][kWaveBlock] = {};      ///< of the four texels
+    alignas(64) float albedo[3][kWaveBlock] = {};        ///< first the material's own
+};
+
+} // namespace rtcore
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace rtcore {
+namespace HWY_NAMESPACE {
+
+template <bool repeats>
+HWY_INLINE void findTexelsOf(TextureBlock& block) {
+    for (std::size_t i = 0; i < kWaveBlock; i += lanes()) {
+        const Float u = load(block.u + i), v = load(block.v + i);
+        const Float w = 1.0F - u - v;
+        const auto coordinate = [&](std::size_t axis) {
+            return load(block.corner[0][axis] + i) * w + load(block.corner[1][axis] + i) * u +
+                   load(block.corner[2][axis] + i) * v;
+        };
+        const Uint width = load(block.size[0] + i);
+        const Taps<Float> x = tapsAt<repeats, Float>(coordinate(0), width, load(block.wrap[0] + i));
+        const Taps<Float> y =
+            tapsAt<repeats, Float>(1.0F - coordinate(1), load(block.size[1] + i), load(block.wrap[1] + i));
+        const Uint upper = y.first * width, lower = y.second * width;
+        store(upper + x.first, block.texel[0] + i);
+        store(upper + x.second, block.texel[1] + i);
+        store(lower + x.first, block.texel[2] + i);
+        store(lower + x.second, block.texel[3] + i);
+        store(x.share, block.share[0] + i);
+        store(y.share, block.share[1] + i);
+    }
+}
+
+void findTexels(TextureBlock& block) {
+    block.repeats ? findTexelsOf<true>(block) : findTexelsOf<false>(block);
+}
+
+void mixTexels(TextureBlock& block) {
+    for (std::size_t i = 0; i < kWaveBlock; i += lanes()) {
+        const Float x = load(block.share[0] + i), y = load(block.share[1] + i);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto light = [&](std::size_t texel) { return load(block.light[texel][c] + i); };
+            const Float seen = mix(mix(light(0), light(1), x), mix(light(2), light(3), x), y);
+            store(load(block.albedo[c] + i) * seen, block.albedo[c] + i);
+        }
+    }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace rtcore
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace rtcore {
+
+HWY_EXPORT(findTexels);
+HWY_EXPORT(mixTexels);
+
+void texturedAlbedos(const Scene& scene, const HitWave& hits, std::span<const std::uint32_t> points,
+                     Colour* albedo) {
+    const Mesh& mesh = scene.mesh();
+    TextureBlock block;
+    const Rgba8* texels[kWaveBlock];
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::uint32_t hit = points[i];
+        const ShadingTriangle& shading = mesh.shading[hits.triangle[hit]];
+        const Material& material = scene.materials[shading.material];
+        const Texture& texture = scene.model.textures[material.diffuseTexture];
+        texels[i] = scene.model.texels.data() + texture.firstTexel;
+        block.size[0][i] = texture.width;
+        block.size[1][i] = texture.height;
+        block.wrap[0][i] = static_cast<std::uint32_t>(texture.wrapU);
+        block.wrap[1][i] = static_cast<std::uint32_t>(texture.wrapV);
+        if (texture.wrapU != TextureWrap::Repeat || texture.wrapV != TextureWrap::Repeat)
+            block.repeats = false;
+        block.u[i] = hits.u[hit];
+        block.v[i] = hits.v[hit];
+        for (std::size_t corner = 0; corner < 3 && !mesh.texcoords.empty(); ++corner) {
+            const Vec2 uv = mesh.texcoords[shading.v[corner]];
+            block.corner[corner][0][i] = uv.x;
+            block.corner[corner][1][i] = uv.y;
+        }
+        block.albedo[0][i] = material.diffuse.r;
+        block.albedo[1][i] = material.diffuse.g;
+        block.albedo[2][i] = material.diffuse.b;
+    }
+    HWY_DYNAMIC_DISPATCH(findTexels)(block);
+    const float* const linear = linearOfCodes();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        for (std::size_t t = 0; t < 4; ++t) {
+            const Rgba8 texel = texels[i][block.texel[t][i]];
+            block.light[t][0][i] = linear[texel.r];
+            block.light[t][1][i] = linear[texel.g];
+            block.light[t][2][i] = linear[texel.b];
+        }
+    }
+    HWY_DYNAMIC_DISPATCH(mixTexels)(block);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        albedo[i] = {block.albedo[0][i], block.albedo[1][i], block.albedo[2][i]};
+    }
+}
+
+} // namespace rtcore
+#endif

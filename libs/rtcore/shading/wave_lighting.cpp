@@ -1,0 +1,159 @@
+#include "rtcore/shading/wave_lighting.h"
+
+#include "rtcore/shading/fog/fog_light.h"
+
+#include <algorithm>
+
+namespace rtcore {
+
+void WaveLighting::begin(const FrameContext& frame, const FogWave& fog) {
+    fog_ = &fog;
+    shadows_.begin(*frame.scene, *frame.tracer, *frame.settings, frame.materials->tintedShadows(),
+                   fog.on() ? &fog.medium() : nullptr);
+    occlusion_.begin(*frame.scene, *frame.tracer, *frame.settings, *frame.materials);
+}
+
+void WaveLighting::addFog(const FrameContext& frame, const Wave& wave, SampleSums& sums) {
+    const std::vector<Light>& lights = frame.scene->lights;
+    for (std::size_t light = 0; light < lights.size(); ++light) {
+        if (lights[light].on == 0 || frame.stopped()) continue;
+        if (frame.settings->fog.shafts > 0) {
+            addShafts(frame, wave, light);
+        } else {
+            addFogLight(*fog_, lights[light]);
+        }
+    }
+    const ArraysOf3& scattered = fog_->rays().scattered;
+    for (std::size_t i = 0; i < wave.size(); ++i) {
+        const Path path = wave.paths.path(i);
+        sums.add(path.sample, path.weight * scattered.colourAt(i));
+    }
+    frame.clock->lap(Stage::Light);
+}
+
+void WaveLighting::addShafts(const FrameContext& frame, const Wave& wave, std::size_t number) {
+    const Light& light = frame.scene->lights[number];
+    const std::size_t count = wave.size();
+    if (shifts_.size() < count + kWaveBlock) shifts_.resize(count + kWaveBlock);
+    const auto ofLight = 0x9E3779B9U * static_cast<std::uint32_t>(number);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t salt = mixBits(wave.paths.bounces(i) + ofLight) >> 8;
+        shifts_[i] = randomShift(wave.sampleId(i), Draw::Shaft, salt).u;
+    }
+    const int samples = frame.settings->fog.shafts;
+    const std::size_t atOnce = FogShafts::raysAtOnce(samples);
+    const bool tinted = tracesTinted(frame);
+    for (std::size_t first = 0; first < count && !frame.stopped(); first += atOnce) {
+        shafts_.draw(*fog_, light, {first, std::min(atOnce, count - first)}, samples, shifts_.data(),
+                     !tinted);
+        if (!frame.settings->shadows) {
+            shafts_.addAll(*fog_);
+        } else if (frame.shadowMaps != nullptr) {
+            const RayWave& rays = shafts_.rays();
+            arriving_.resize(rays.size());
+            for (std::size_t i = 0; i < arriving_.size(); ++i) {
+                const Vec3 position{rays.ox[i], rays.oy[i], rays.oz[i]};
+                arriving_[i] = frame.shadowMaps->of(number).arriving(position, {});
+            }
+            shafts_.add(*fog_, arriving_);
+        } else if (tinted) {
+            shafts_.add(*fog_, shadows_.transmittance(shafts_.rays(), light, *frame.statistics));
+        } else {
+            shafts_.add(*fog_, shadows_.occluded(shafts_.rays(), *frame.statistics));
+        }
+    }
+}
+
+void WaveLighting::addLight(const FrameContext& frame, Wave& wave, const LightSums& to) {
+    if (occlusion_.on()) addAmbient(frame, wave, to);
+    const std::vector<Light>& lights = frame.scene->lights;
+    for (std::size_t light = 0; light < lights.size(); ++light) {
+        if (lights[light].on == 0 || frame.stopped()) continue;
+        if (isAreaLight(lights[light]) && frame.settings->lampSamples > 0) {
+            addAreaLight(frame, wave, light, to);
+        } else {
+            addPointLight(frame, wave, light, to);
+        }
+    }
+}
+
+void WaveLighting::addAmbient(const FrameContext& frame, Wave& wave, const LightSums& to) {
+    for (std::size_t i = 0; i < wave.size(); ++i) {
+        if (!occlusion_.takes(wave.surfaces, i)) continue;
+        const Path path = wave.paths.path(i);
+        const std::uint32_t bounce = path.depth | std::uint32_t{path.passes} << 12;
+        occlusion_.add(wave.surfaces, i, wave.sampleId(i), bounce);
+    }
+    occlusion_.light(wave.surfaces, *frame.statistics, frame.stop);
+    if (to.firstHits != nullptr) to.firstHits->addAmbient(wave, occlusion_);
+    to.sums.add(wave);
+    frame.clock->lap(Stage::Occlusion);
+}
+
+/// An area light counts as a point in its middle here.
+void WaveLighting::addPointLight(const FrameContext& frame, Wave& wave, std::size_t light,
+                                 const LightSums& to) {
+    rtcore::addLight(frame.scene->lights[light], *frame.materials, wave.surfaces,
+                     frame.settings->shadows ? &shadowRays_ : nullptr);
+    addArriving(frame, wave, light, to);
+}
+
+void WaveLighting::addAreaLight(const FrameContext& frame, Wave& wave, std::size_t light,
+                                const LightSums& to) {
+    const RenderSettings& settings = *frame.settings;
+    lampDraw_.begin(
+        wave.size(), settings.lampSamples, settings.antialiasing * settings.antialiasing,
+        static_cast<std::uint32_t>(light), [&](std::size_t i) { return wave.sampleId(i); },
+        [&](std::size_t i) { return wave.paths.bounces(i); });
+    for (int k = 0; k < settings.lampSamples && !frame.stopped(); ++k) {
+        rtcore::addLight(frame.scene->lights[light], lampDraw_.part(k), *frame.materials, wave.surfaces,
+                         settings.shadows ? &shadowRays_ : nullptr);
+        addArriving(frame, wave, light, to);
+    }
+}
+
+/// Adds what the light would add unshadowed, which surfaces.added holds, as far as it arrives.
+void WaveLighting::addArriving(const FrameContext& frame, Wave& wave, std::size_t number,
+                               const LightSums& to) {
+    const Light& light = frame.scene->lights[number];
+    // Where tinted shadows are traced, fog and glass take turns on the way.
+    if (fog_->on() && !tracesTinted(frame)) fog_->dimLight(light, wave.surfaces);
+    frame.clock->lap(Stage::Light);
+    if (frame.settings->shadows) {
+        if (shadowRays_.rays.empty()) return;
+        takeShadows(frame, wave, number);
+        frame.clock->lap(Stage::Shadows);
+    }
+    if (to.firstHits != nullptr) {
+        to.firstHits->addLight(wave, isAreaLight(light) && frame.settings->lampSamples > 0);
+    }
+    to.sums.add(wave);
+    frame.clock->lap(Stage::Light);
+}
+
+/// Takes from surfaces.added what does not arrive.
+void WaveLighting::takeShadows(const FrameContext& frame, Wave& wave, std::size_t number) {
+    const SurfaceWave& surfaces = wave.surfaces;
+    const std::uint32_t* const point = shadowRays_.point.data();
+    const RayWave& rays = shadowRays_.rays;
+    const auto tint = [&](std::size_t ray, Colour arriving) {
+        surfaces.added.set(point[ray], surfaces.added.colourAt(point[ray]) * arriving);
+    };
+    if (frame.shadowMaps != nullptr) {
+        const ShadowMap& map = frame.shadowMaps->of(number);
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            tint(i, map.arriving(surfaces.position.at(point[i]), surfaces.geometricNormal.at(point[i])));
+        }
+    } else if (shadows_.tinted()) {
+        const Light& light = frame.scene->lights[number];
+        const std::vector<Colour>& arriving = shadows_.transmittance(rays, light, *frame.statistics);
+        for (std::size_t i = 0; i < arriving.size(); ++i) tint(i, arriving[i]);
+    } else {
+        const std::vector<std::uint8_t>& occluded = shadows_.occluded(rays, *frame.statistics);
+        for (std::size_t i = 0; i < occluded.size(); ++i) {
+            if (occluded[i] != 0) surfaces.added.set(point[i], Colour{});
+        }
+    }
+}
+
+} // namespace rtcore

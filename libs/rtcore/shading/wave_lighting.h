@@ -1,0 +1,59 @@
+/// The light that reaches the points of a wave, and the fog on its rays: ambient light, then one light after
+/// another, each with its shadows.
+#pragma once
+
+#include "rtcore/shading/first_hits.h"
+#include "rtcore/shading/fog/fog_shafts.h"
+#include "rtcore/shading/fog/fog_wave.h"
+#include "rtcore/shading/frame_context.h"
+#include "rtcore/shading/light/lamp_draw.h"
+#include "rtcore/shading/light/light_wave.h"
+#include "rtcore/shading/light/occlusion_wave.h"
+#include "rtcore/shading/light/shadows.h"
+#include "rtcore/shading/sample_sums.h"
+#include "rtcore/shading/wave.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace rtcore {
+
+/// Where the light of a wave goes to.
+struct LightSums {
+    SampleSums& sums;
+    FirstHits* firstHits; ///< null where they are not wanted
+};
+
+/// One for each thread; keeps its memory from wave to wave and from frame to frame.
+class WaveLighting {
+  public:
+    /// Starts a frame; `fog` lives as long, and has entered each wave before its light is asked for.
+    void begin(const FrameContext& frame, const FogWave& fog);
+
+    /// Adds the light that the fog on the wave's rays scatters.
+    void addFog(const FrameContext& frame, const Wave& wave, SampleSums& sums);
+    /// Adds the light at the wave's points. Returns soon, with sums undefined, when frame.stopped().
+    void addLight(const FrameContext& frame, Wave& wave, const LightSums& to);
+
+  private:
+    void addShafts(const FrameContext& frame, const Wave& wave, std::size_t light);
+    void addAmbient(const FrameContext& frame, Wave& wave, const LightSums& to);
+    void addPointLight(const FrameContext& frame, Wave& wave, std::size_t light, const LightSums& to);
+    void addAreaLight(const FrameContext& frame, Wave& wave, std::size_t light, const LightSums& to);
+    void addArriving(const FrameContext& frame, Wave& wave, std::size_t light, const LightSums& to);
+    void takeShadows(const FrameContext& frame, Wave& wave, std::size_t light);
+    bool tracesTinted(const FrameContext& frame) const {
+        return frame.settings->shadows && shadows_.tinted() && frame.shadowMaps == nullptr;
+    }
+
+    const FogWave* fog_ = nullptr;
+    FogShafts shafts_;
+    std::vector<float> shifts_; ///< of the rays' samples in the fog
+    OcclusionWave occlusion_;
+    LampDraw lampDraw_;
+    ShadowTracer shadows_;
+    ShadowRays shadowRays_;
+    std::vector<Colour> arriving_; ///< along shadow rays, by the maps
+};
+
+} // namespace rtcore
