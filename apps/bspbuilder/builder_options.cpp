@@ -1,8 +1,8 @@
 #include "bspbuilder/builder_options.h"
 
-#include "common/import_options.h"
-#include "common/parent.h"
-#include "common/threads.h"
+#include "common/cli/import_options.h"
+#include "common/cli/parent_option.h"
+#include "common/process/threads.h"
 
 #include <bit>
 

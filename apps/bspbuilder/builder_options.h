@@ -3,8 +3,8 @@
 
 #include "bspbuilder/builder_spec.h"
 
-#include "common/command_line.h"
-#include "common/progress.h"
+#include "common/cli/command_line.h"
+#include "common/progress/progress.h"
 
 #include "rtcore/accel/build_options.h"
 #include "rtcore/io/import/model_import.h"

@@ -3,12 +3,12 @@
 #include "bspbuilder/build_report.h"
 #include "bspbuilder/builder_options.h"
 
-#include "common/file_notes.h"
-#include "common/input_files.h"
-#include "common/parent.h"
-#include "common/progress.h"
-#include "common/stop.h"
-#include "common/terminal.h"
+#include "common/cli/file_notes.h"
+#include "common/cli/input_files.h"
+#include "common/process/parent.h"
+#include "common/process/stop.h"
+#include "common/process/terminal.h"
+#include "common/progress/progress.h"
 
 #include "rtcore/accel/builder.h"
 #include "rtcore/accel/validation.h"

@@ -1,9 +1,9 @@
 #include "bspbuilder/builder_spec.h"
 
-#include "common/file_notes.h"
-#include "common/import_option_group.h"
-#include "common/parent.h"
-#include "common/progress.h"
+#include "common/cli/file_notes.h"
+#include "common/cli/import_option_group.h"
+#include "common/cli/parent_option.h"
+#include "common/progress/progress.h"
 
 namespace bspbuilder {
 

@@ -1,7 +1,7 @@
 /// BSPBuilder's command line as data; known without the ray tracer.
 #pragma once
 
-#include "common/options.h"
+#include "common/cli/options.h"
 
 namespace bspbuilder {
 

@@ -2,7 +2,7 @@
 #include "bspbuilder/builder_options.h"
 #include "bspbuilder/builder_run.h"
 
-#include "common/run_program.h"
+#include "common/cli/run_program.h"
 
 int main(int argc, char** argv) {
     return app::runProgram(argc, argv, bspbuilder::builderSpec(), bspbuilder::runBuilder);

@@ -1,7 +1,7 @@
 #include "cui/argument_order.h"
 
-#include "common/command_line.h"
-#include "common/completion.h"
+#include "common/cli/command_line.h"
+#include "common/cli/completion.h"
 
 #include <algorithm>
 

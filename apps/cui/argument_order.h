@@ -1,7 +1,7 @@
 /// Commands take numbers, and numbers may be negative.
 #pragma once
 
-#include "common/options.h"
+#include "common/cli/options.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "cui/conversation.h"
 
-#include "common/command_line.h"
-#include "common/stop.h"
+#include "common/cli/command_line.h"
+#include "common/process/stop.h"
 
 #include "ipc/endpoint/instances.h"
 

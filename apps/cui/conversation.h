@@ -1,7 +1,7 @@
 /// Commands to one server, and its answers.
 #pragma once
 
-#include "common/exit_codes.h"
+#include "common/process/exit_codes.h"
 
 #include "ipc/endpoint/client.h"
 

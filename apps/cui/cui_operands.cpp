@@ -1,7 +1,7 @@
 #include "cui/cui_operands.h"
 
-#include "common/file_notes.h"
-#include "common/setting_names.h"
+#include "common/cli/file_notes.h"
+#include "common/settings/setting_suggestions.h"
 
 #include "ipc/endpoint/instances.h"
 

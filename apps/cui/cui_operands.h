@@ -1,7 +1,7 @@
 /// What the words in capitals of CUI's commands stand for, for completion by shells.
 #pragma once
 
-#include "common/options.h"
+#include "common/cli/options.h"
 
 #include <vector>
 

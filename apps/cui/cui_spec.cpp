@@ -2,8 +2,8 @@
 
 #include "cui/cui_operands.h"
 
-#include "common/command_line.h"
-#include "common/file_notes.h"
+#include "common/cli/command_line.h"
+#include "common/cli/file_notes.h"
 
 #include "rtcore/settings/nearest_name.h"
 

@@ -1,7 +1,7 @@
 /// CUI's command line and its commands, as data.
 #pragma once
 
-#include "common/options.h"
+#include "common/cli/options.h"
 
 #include <span>
 #include <string>

@@ -3,7 +3,7 @@
 #include "cui/cui_run.h"
 #include "cui/cui_spec.h"
 
-#include "common/run_program.h"
+#include "common/cli/run_program.h"
 
 #include <vector>
 

@@ -1,9 +1,9 @@
 #include "cui/render_view.h"
 
-#include "common/command_line.h"
-#include "common/input_files.h"
-#include "common/stop.h"
-#include "common/words.h"
+#include "common/cli/command_line.h"
+#include "common/cli/input_files.h"
+#include "common/commands/quoting.h"
+#include "common/process/stop.h"
 
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"

@@ -8,9 +8,9 @@
 #include "gui/view/language.h"
 #include "gui/view/notice_bar.h"
 
-#include "common/run_program.h"
-#include "common/stop.h"
-#include "common/terminal.h"
+#include "common/process/message.h"
+#include "common/process/stop.h"
+#include "common/process/terminal.h"
 
 #include "rtcore/platform/error.h"
 

@@ -1,6 +1,6 @@
 #include "gui/gui_spec.h"
 
-#include "common/file_notes.h"
+#include "common/cli/file_notes.h"
 
 #include "rtcore/platform/error.h"
 

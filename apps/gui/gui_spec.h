@@ -1,8 +1,8 @@
 /// The window's command line, as data. Needs no Qt, so that its manual can be made without.
 #pragma once
 
-#include "common/command_line.h"
-#include "common/options.h"
+#include "common/cli/command_line.h"
+#include "common/cli/options.h"
 
 #include <string>
 

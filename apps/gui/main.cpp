@@ -2,6 +2,6 @@
 #include "gui/gui_run.h"
 #include "gui/gui_spec.h"
 
-#include "common/run_program.h"
+#include "common/cli/run_program.h"
 
 int main(int argc, char** argv) { return app::runProgram(argc, argv, gui::guiSpec(), gui::runGui); }

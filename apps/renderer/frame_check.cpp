@@ -1,7 +1,7 @@
 #include "renderer/frame_check.h"
 
-#include "common/progress.h"
-#include "common/stop.h"
+#include "common/process/stop.h"
+#include "common/progress/progress.h"
 
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/platform/error.h"

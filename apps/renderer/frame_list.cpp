@@ -1,6 +1,6 @@
 #include "renderer/frame_list.h"
 
-#include "common/command_line.h"
+#include "common/cli/command_line.h"
 
 #include <algorithm>
 #include <cstddef>

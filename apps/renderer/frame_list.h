@@ -3,7 +3,7 @@
 
 #include "renderer/output_names.h"
 
-#include "common/input_files.h"
+#include "common/cli/input_files.h"
 
 #include <filesystem>
 #include <span>

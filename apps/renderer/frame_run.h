@@ -6,8 +6,8 @@
 #include "renderer/picture_maker.h"
 #include "renderer/renderer_options.h"
 
-#include "common/exit_codes.h"
-#include "common/progress.h"
+#include "common/process/exit_codes.h"
+#include "common/progress/progress.h"
 
 #include <vector>
 

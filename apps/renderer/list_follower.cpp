@@ -1,7 +1,7 @@
 #include "renderer/list_follower.h"
 
-#include "common/progress.h"
-#include "common/stop.h"
+#include "common/process/stop.h"
+#include "common/progress/progress.h"
 
 #include "rtcore/io/recording/camera_list.h"
 #include "rtcore/platform/error.h"

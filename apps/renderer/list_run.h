@@ -4,9 +4,9 @@
 #include "renderer/picture_maker.h"
 #include "renderer/renderer_options.h"
 
-#include "common/exit_codes.h"
-#include "common/input_files.h"
-#include "common/progress.h"
+#include "common/cli/input_files.h"
+#include "common/process/exit_codes.h"
+#include "common/progress/progress.h"
 
 #include <filesystem>
 #include <optional>

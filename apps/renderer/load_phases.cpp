@@ -1,8 +1,8 @@
 #include "renderer/load_phases.h"
 
-#include "common/settings_merge.h"
+#include "common/settings/settings_merge.h"
 
-#include "common/stop.h"
+#include "common/process/stop.h"
 
 #include "rtcore/platform/error.h"
 

@@ -2,7 +2,7 @@
 
 #include "renderer/film_format.h"
 
-#include "common/command_line.h"
+#include "common/cli/command_line.h"
 
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/platform/error.h"

@@ -2,7 +2,7 @@
 
 #include "renderer/output_names.h"
 
-#include "common/command_line.h"
+#include "common/cli/command_line.h"
 
 #include "rtcore/platform/error.h"
 

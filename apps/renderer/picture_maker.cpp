@@ -1,12 +1,12 @@
 #include "renderer/picture_maker.h"
 
-#include "common/settings_merge.h"
+#include "common/settings/settings_merge.h"
 #include "renderer/layers_file.h"
 #include "renderer/load_phases.h"
 
-#include "common/command_line.h"
-#include "common/stop.h"
-#include "common/terminal.h"
+#include "common/cli/command_line.h"
+#include "common/process/stop.h"
+#include "common/process/terminal.h"
 
 #include "rtcore/io/debug/debug_scene.h"
 #include "rtcore/io/images/image_file.h"

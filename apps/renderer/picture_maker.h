@@ -5,7 +5,7 @@
 #include "renderer/preview.h"
 #include "renderer/renderer_options.h"
 
-#include "common/progress.h"
+#include "common/progress/progress.h"
 
 #include "rtcore/io/scene_loader.h"
 #include "rtcore/io/text/cam.h"

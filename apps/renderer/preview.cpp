@@ -1,6 +1,6 @@
 #include "renderer/preview.h"
 
-#include "common/stop.h"
+#include "common/process/stop.h"
 
 #include "ipc/layout/frame_info.h"
 

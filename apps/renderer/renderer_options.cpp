@@ -1,10 +1,10 @@
 #include "renderer/renderer_options.h"
 
-#include "common/import_options.h"
-#include "common/isa_option.h"
-#include "common/parent.h"
-#include "common/setting_option.h"
-#include "common/threads.h"
+#include "common/cli/import_options.h"
+#include "common/cli/isa_option.h"
+#include "common/cli/parent_option.h"
+#include "common/process/threads.h"
+#include "common/settings/setting_option.h"
 
 #include <algorithm>
 #include <charconv>

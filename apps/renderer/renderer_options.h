@@ -5,8 +5,8 @@
 #include "renderer/preview_options.h"
 #include "renderer/renderer_spec.h"
 
-#include "common/command_line.h"
-#include "common/progress.h"
+#include "common/cli/command_line.h"
+#include "common/progress/progress.h"
 
 #include "rtcore/io/import/model_import.h"
 #include "rtcore/settings/settings_table.h"

@@ -2,12 +2,12 @@
 
 #include "renderer/film_format.h"
 
-#include "common/file_notes.h"
-#include "common/import_option_group.h"
-#include "common/isa_option.h"
-#include "common/parent.h"
-#include "common/progress.h"
-#include "common/setting_option.h"
+#include "common/cli/file_notes.h"
+#include "common/cli/import_option_group.h"
+#include "common/cli/isa_option.h"
+#include "common/cli/parent_option.h"
+#include "common/progress/progress.h"
+#include "common/settings/setting_option.h"
 
 #include <cstdint>
 

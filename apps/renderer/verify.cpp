@@ -4,8 +4,8 @@
 #include "renderer/frame_list.h"
 #include "renderer/output_patterns.h"
 
-#include "common/command_line.h"
-#include "common/terminal.h"
+#include "common/cli/command_line.h"
+#include "common/process/terminal.h"
 
 #include "rtcore/io/recording/camera_list.h"
 #include "rtcore/io/text/scn.h"

@@ -3,8 +3,8 @@
 
 #include "renderer/renderer_options.h"
 
-#include "common/exit_codes.h"
-#include "common/progress.h"
+#include "common/process/exit_codes.h"
+#include "common/progress/progress.h"
 
 namespace renderer {
 

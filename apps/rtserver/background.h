@@ -1,7 +1,7 @@
 /// A program that goes on without the terminal that started it.
 #pragma once
 
-#include "common/exit_codes.h"
+#include "common/process/exit_codes.h"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 // The only file of RTServer that calls the operating system.
 #include "rtserver/background.h"
 
-#include "common/stop.h"
+#include "common/process/stop.h"
 
 #include <array>
 #include <cerrno>

@@ -1,7 +1,7 @@
 // Commands that place the camera.
 #include "rtserver/command_call.h"
 
-#include "common/command_line.h"
+#include "common/cli/command_line.h"
 
 #include "rtcore/render/lens.h"
 #include "rtcore/settings/settings_table.h"

@@ -1,6 +1,6 @@
 #include "rtserver/command_call.h"
 
-#include "common/command_line.h"
+#include "common/cli/command_line.h"
 
 #include "rtcore/motion/key_codes.h"
 #include "rtcore/settings/nearest_name.h"

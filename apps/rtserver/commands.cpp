@@ -2,10 +2,9 @@
 
 #include "rtserver/command_call.h"
 
-#include "common/command_line.h"
-#include "common/ipc_exit_code.h"
-#include "common/run_program.h"
-#include "common/words.h"
+#include "common/cli/command_line.h"
+#include "common/commands/quoting.h"
+#include "common/process/ipc_exit_code.h"
 
 #include "ipc/platform/error.h"
 

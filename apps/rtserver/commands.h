@@ -6,7 +6,7 @@
 #include "rtserver/session.h"
 #include "rtserver/side_work.h"
 
-#include "common/exit_codes.h"
+#include "common/process/exit_codes.h"
 
 #include <cstdint>
 #include <exception>

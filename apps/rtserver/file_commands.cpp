@@ -2,7 +2,7 @@
 #include "rtserver/command_call.h"
 #include "rtserver/exports.h"
 
-#include "common/command_line.h"
+#include "common/cli/command_line.h"
 
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/io/text/set.h"

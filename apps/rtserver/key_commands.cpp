@@ -1,7 +1,7 @@
 // Commands that press keys, and say what keys do.
 #include "rtserver/command_call.h"
 
-#include "common/command_line.h"
+#include "common/cli/command_line.h"
 
 #include "rtcore/motion/key_bindings.h"
 #include "rtcore/motion/key_codes.h"

@@ -2,7 +2,7 @@
 #include "rtserver/server_options.h"
 #include "rtserver/server_run.h"
 
-#include "common/run_program.h"
+#include "common/cli/run_program.h"
 
 int main(int argc, char** argv) {
     rtserver::endProcess(app::runProgram(argc, argv, rtserver::serverSpec(), rtserver::runServer));

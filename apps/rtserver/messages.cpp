@@ -2,8 +2,8 @@
 
 #include "rtserver/server_options.h"
 
-#include "common/run_program.h"
-#include "common/terminal.h"
+#include "common/process/message.h"
+#include "common/process/terminal.h"
 
 #include "rtcore/settings/nearest_name.h"
 

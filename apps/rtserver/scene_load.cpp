@@ -1,6 +1,6 @@
 #include "rtserver/scene_load.h"
 
-#include "common/threads.h"
+#include "common/process/threads.h"
 
 #include "rtcore/platform/error.h"
 

@@ -1,7 +1,7 @@
 // Commands to the server itself.
 #include "rtserver/command_call.h"
 
-#include "common/command_line.h"
+#include "common/cli/command_line.h"
 
 #include <array>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 #include "rtserver/server_loop.h"
 
-#include "common/stop.h"
+#include "common/process/stop.h"
 
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/file_waits.h"

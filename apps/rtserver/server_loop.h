@@ -16,8 +16,8 @@
 #include "rtserver/side_work.h"
 #include "rtserver/tree_refinement.h"
 
-#include "common/exit_codes.h"
-#include "common/process_watch.h"
+#include "common/process/exit_codes.h"
+#include "common/process/process_watch.h"
 
 #include "ipc/endpoint/server.h"
 

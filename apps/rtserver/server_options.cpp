@@ -1,10 +1,10 @@
 #include "rtserver/server_options.h"
 
-#include "common/file_notes.h"
-#include "common/import_options.h"
-#include "common/isa_option.h"
-#include "common/setting_option.h"
-#include "common/threads.h"
+#include "common/cli/file_notes.h"
+#include "common/cli/import_options.h"
+#include "common/cli/isa_option.h"
+#include "common/process/threads.h"
+#include "common/settings/setting_option.h"
 
 #include <limits>
 #include <stdexcept>

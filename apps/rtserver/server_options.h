@@ -1,8 +1,8 @@
 /// RTServer's command line, read.
 #pragma once
 
-#include "common/command_line.h"
-#include "common/options.h"
+#include "common/cli/command_line.h"
+#include "common/cli/options.h"
 
 #include "rtcore/io/import/model_import.h"
 #include "rtcore/settings/settings_table.h"

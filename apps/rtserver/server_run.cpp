@@ -6,9 +6,9 @@
 #include "rtserver/server_loop.h"
 #include "rtserver/server_options.h"
 
-#include "common/ipc_exit_code.h"
-#include "common/run_program.h"
-#include "common/threads.h"
+#include "common/process/ipc_exit_code.h"
+#include "common/process/message.h"
+#include "common/process/threads.h"
 
 #include "rtcore/platform/files.h"
 

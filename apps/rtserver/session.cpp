@@ -1,6 +1,6 @@
 #include "rtserver/session.h"
 
-#include "common/settings_merge.h"
+#include "common/settings/settings_merge.h"
 
 #include "rtcore/io/text/set.h"
 #include "rtcore/motion/player.h"

@@ -3,7 +3,7 @@
 #include "rtserver/messages.h"
 #include "rtserver/session.h"
 
-#include "common/settings_merge.h"
+#include "common/settings/settings_merge.h"
 
 #include "rtcore/motion/player.h"
 #include "rtcore/platform/error.h"

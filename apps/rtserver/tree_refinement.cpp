@@ -1,6 +1,6 @@
 #include "rtserver/tree_refinement.h"
 
-#include "common/threads.h"
+#include "common/process/threads.h"
 
 #include <chrono>
 

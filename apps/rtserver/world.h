@@ -1,7 +1,7 @@
 /// A scene that is loaded and can be traced.
 #pragma once
 
-#include "common/input_files.h"
+#include "common/cli/input_files.h"
 
 #include "rtcore/io/import/model_import.h"
 #include "rtcore/io/scene_loader.h"

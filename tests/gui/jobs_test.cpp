@@ -3,7 +3,7 @@
 
 #include "gui/processes/job_process.h"
 
-#include "common/progress_format.h"
+#include "common/progress/progress_format.h"
 
 #include <QAbstractItemModelTester>
 #include <QImage>

@@ -2,7 +2,7 @@
 
 #include "gui/gui_spec.h"
 
-#include "common/help_text.h"
+#include "common/cli/help_text.h"
 
 #include <QDialogButtonBox>
 #include <QHBoxLayout>

@@ -2,7 +2,7 @@
 
 #include "gui/dialogs/option_fields.h"
 
-#include "common/command_line.h"
+#include "common/cli/command_line.h"
 
 #include <QClipboard>
 #include <QDialogButtonBox>

@@ -4,7 +4,7 @@
 
 #include "gui/processes/job.h"
 
-#include "common/options.h"
+#include "common/cli/options.h"
 
 #include <QDialog>
 

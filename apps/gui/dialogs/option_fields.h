@@ -1,7 +1,7 @@
 /// Fields made from a program's table of options: what the table learns, the dialog has.
 #pragma once
 
-#include "common/options.h"
+#include "common/cli/options.h"
 
 #include <QList>
 #include <QStringList>

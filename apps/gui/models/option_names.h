@@ -2,7 +2,7 @@
 /// texts by itself, in English until translations/tables_cs.ts has them.
 #pragma once
 
-#include "common/options.h"
+#include "common/cli/options.h"
 
 #include <QString>
 #include <QStringList>

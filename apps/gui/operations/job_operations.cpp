@@ -10,7 +10,7 @@
 #include "gui/view/frame_view.h"
 #include "gui/view/notice_bar.h"
 
-#include "common/stop.h"
+#include "common/process/stop.h"
 
 #include <QAction>
 #include <QDesktopServices>

@@ -3,7 +3,7 @@
 #include "gui/processes/job_process.h"
 
 #include "bspbuilder/builder_spec.h"
-#include "common/progress_format.h"
+#include "common/progress/progress_format.h"
 #include "renderer/renderer_spec.h"
 
 #include <QCoreApplication>

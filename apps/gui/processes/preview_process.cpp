@@ -5,7 +5,7 @@
 #include "gui/processes/programs.h"
 #include "gui/session/server_list.h"
 
-#include "common/exit_codes.h"
+#include "common/process/exit_codes.h"
 
 #include <QCoreApplication>
 #include <QDateTime>

@@ -1,7 +1,7 @@
 // What a session sends: commands, keys, turns.
 #include "gui/session/session_link.h"
 
-#include "common/words.h"
+#include "common/commands/quoting.h"
 
 #include <QStringList>
 

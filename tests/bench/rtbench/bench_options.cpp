@@ -1,7 +1,7 @@
 #include "bench/rtbench/bench_options.h"
 
-#include "common/import_options.h"
-#include "common/isa_option.h"
+#include "common/cli/import_options.h"
+#include "common/cli/isa_option.h"
 
 #include "rtcore/settings/nearest_name.h"
 #include "rtcore/simd/instruction_set.h"

@@ -3,9 +3,9 @@
 
 #include "bench/rtbench/ray_test.h"
 
-#include "common/command_line.h"
-#include "common/options.h"
-#include "common/progress.h"
+#include "common/cli/command_line.h"
+#include "common/cli/options.h"
+#include "common/progress/progress.h"
 
 #include "rtcore/io/import/model_import.h"
 

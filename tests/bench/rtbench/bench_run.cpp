@@ -10,9 +10,9 @@
 #include "bench/rtbench/scene_loading.h"
 #include "bench/rtbench/tables.h"
 
-#include "common/progress.h"
-#include "common/stop.h"
-#include "common/terminal.h"
+#include "common/process/stop.h"
+#include "common/process/terminal.h"
+#include "common/progress/progress.h"
 
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"

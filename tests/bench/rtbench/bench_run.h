@@ -1,8 +1,8 @@
 /// What rtbench does, from its command line to its exit code.
 #pragma once
 
-#include "common/command_line.h"
-#include "common/exit_codes.h"
+#include "common/cli/command_line.h"
+#include "common/process/exit_codes.h"
 
 namespace rtbench {
 

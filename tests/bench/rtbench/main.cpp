@@ -2,7 +2,7 @@
 #include "bench/rtbench/bench_options.h"
 #include "bench/rtbench/bench_run.h"
 
-#include "common/run_program.h"
+#include "common/cli/run_program.h"
 
 int main(int argc, char** argv) {
     return app::runProgram(argc, argv, rtbench::benchSpec(), rtbench::runBench);

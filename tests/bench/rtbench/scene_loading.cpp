@@ -1,6 +1,6 @@
 #include "bench/rtbench/scene_loading.h"
 
-#include "common/stop.h"
+#include "common/process/stop.h"
 
 #include "rtcore/platform/error.h"
 

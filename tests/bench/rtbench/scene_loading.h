@@ -3,7 +3,7 @@
 
 #include "bench/rtbench/bench_options.h"
 
-#include "common/progress.h"
+#include "common/progress/progress.h"
 
 #include "rtcore/io/scene_loader.h"
 

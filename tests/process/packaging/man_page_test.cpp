@@ -2,7 +2,7 @@
 #include "process/packaging/program_specs.h"
 #include "process/sample_scene.h"
 
-#include "common/help_text.h"
+#include "common/cli/help_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 /// What the programs answer to Tab, and the tables that it is made of.
-#include "common/command_names.h"
-#include "common/completion.h"
+#include "common/cli/command_names.h"
+#include "common/cli/completion.h"
 #include "cui/cui_operands.h"
 #include "cui/cui_spec.h"
 

@@ -1,4 +1,4 @@
-#include "common/help_text.h"
+#include "common/cli/help_text.h"
 
 #include <gtest/gtest.h>
 

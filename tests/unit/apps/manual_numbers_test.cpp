@@ -1,7 +1,7 @@
 /// The numbers of docs/manual.md, docs/import.md and the help are those of the code.
 #include "bspbuilder/builder_options.h"
-#include "common/help_text.h"
-#include "common/import_option_group.h"
+#include "common/cli/help_text.h"
+#include "common/cli/import_option_group.h"
 #include "ipc/layout/limits.h"
 #include "renderer/film_rate.h"
 #include "renderer/renderer_options.h"

@@ -3,8 +3,8 @@
 #include "renderer/frame_list.h"
 #include "renderer/output_names.h"
 
-#include "common/command_line.h"
-#include "common/progress.h"
+#include "common/cli/command_line.h"
+#include "common/progress/progress.h"
 
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/platform/error.h"

@@ -1,4 +1,4 @@
-#include "common/progress_format.h"
+#include "common/progress/progress_format.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

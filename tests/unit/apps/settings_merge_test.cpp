@@ -1,4 +1,4 @@
-#include "common/settings_merge.h"
+#include "common/settings/settings_merge.h"
 
 #include "rtcore/platform/error.h"
 

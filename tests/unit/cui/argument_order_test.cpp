@@ -1,7 +1,7 @@
 #include "cui/argument_order.h"
 #include "cui/cui_spec.h"
 
-#include "common/command_line.h"
+#include "common/cli/command_line.h"
 
 #include <gtest/gtest.h>
 

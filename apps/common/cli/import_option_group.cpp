@@ -1,0 +1,31 @@
+#include "common/cli/import_option_group.h"
+
+namespace app {
+
+OptionGroup importOptionGroup() {
+    return {
+        "Importing models",
+        {{.name = "crease-angle",
+          .value = ValueKind::Number,
+          .argument = "DEG",
+          .help = "where the file has no normals, edges sharper than this stay sharp [40]",
+          .minimum = 0,
+          .maximum = 180},
+         {.name = "flip-textures", .help = "turn textures upside down: some exporters count from the top"},
+         {.name = "memory-limit",
+          .value = ValueKind::Integer,
+          .argument = "MB",
+          .help = "memory that importing may take [2000, or 40 times the file if that is more, but at most "
+                  "half of the machine's]",
+          .minimum = 16,
+          .maximum = 1e8},
+         {.name = "time-limit",
+          .value = ValueKind::Number,
+          .argument = "S",
+          .help = "seconds that one step of importing may take [15, and 2 more for each MB of the file; 5 "
+                  "for a tiny one]",
+          .minimum = 0.01,
+          .maximum = 1e6}}};
+}
+
+} // namespace app

@@ -1,0 +1,11 @@
+/// The options of programs that import models, without what reads them (import_options.h).
+#pragma once
+
+#include "common/cli/options.h"
+
+namespace app {
+
+/// --crease-angle, --flip-textures, --memory-limit, --time-limit.
+OptionGroup importOptionGroup();
+
+} // namespace app

@@ -1,0 +1,81 @@
+#include "common/settings/settings_merge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+namespace app {
+
+namespace {
+
+void applyCameraFields(const rtcore::CameraFile& camera, rtcore::RenderSettings& settings) {
+    const auto set = [&](const char* name, const auto& value) {
+        if (value) rtcore::setSetting(settings, name, *value);
+    };
+    set("width", camera.width);
+    set("height", camera.height);
+    set("antialiasing", camera.antialiasing);
+    set("bloom", camera.bloom);
+    set("exposure.value", camera.exposure);
+    if (camera.exposure) settings.exposure.mode = rtcore::ExposureMode::Fixed;
+}
+
+bool sets(std::span<const rtcore::SettingAssignment> settings, std::string_view name) {
+    return std::any_of(settings.begin(), settings.end(), [&](const auto& each) { return each.name == name; });
+}
+
+/// `number` in the ratio of `to` and `from`, within the range of a setting that counts pixels.
+int inRatio(int number, int to, int from) {
+    const rtcore::Setting& setting = rtcore::requireSetting("width");
+    const double exact = static_cast<double>(number) * to / from;
+    return static_cast<int>(std::lround(std::clamp(exact, setting.minimum, setting.maximum)));
+}
+
+/// Who names the width or the height alone gets all of the picture, larger or smaller.
+void keepAspect(std::span<const rtcore::SettingAssignment> named, int width, int height,
+                rtcore::RenderSettings& settings) {
+    if (sets(named, "width") == sets(named, "height")) return;
+    if (sets(named, "width")) {
+        settings.height = inRatio(settings.width, height, width);
+    } else {
+        settings.width = inRatio(settings.height, width, height);
+    }
+}
+
+} // namespace
+
+rtcore::RenderSettings mergeSettings(const SettingSources& sources) {
+    rtcore::RenderSettings settings;
+    rtcore::applySettings(settings, sources.scene);
+    rtcore::applySettings(settings, sources.settingsFile);
+    if (sources.camera != nullptr) applyCameraFields(*sources.camera, settings);
+    const int width = settings.width, height = settings.height;
+    rtcore::applySettings(settings, sources.commandLine);
+    keepAspect(sources.commandLine, width, height, settings);
+    return settings;
+}
+
+std::string applyCameraToScene(const rtcore::CameraFile& camera, const std::filesystem::path& file,
+                               rtcore::Scene& scene) {
+    std::string other;
+    if (camera.lights && camera.lights->size() > scene.lights.size()) {
+        other = "switches " + std::to_string(camera.lights->size()) +
+                (camera.lights->size() == 1 ? " light" : " lights") + ", but the scene has " +
+                std::to_string(scene.lights.size());
+    } else if (camera.lights) {
+        for (std::size_t i = 0; i < camera.lights->size(); ++i)
+            scene.lights[i].on = (*camera.lights)[i] ? 1U : 0U;
+    }
+    const auto count = static_cast<int>(scene.environments.size());
+    if (camera.environment && *camera.environment > 0 && *camera.environment >= count) {
+        other += (other.empty() ? "" : " and ") +
+                 ("asks for environment " + std::to_string(*camera.environment)) +
+                 " (counted from 0), but the scene has " + std::to_string(count);
+    } else if (camera.environment) {
+        scene.activeEnvironment = *camera.environment;
+    }
+    return other.empty() ? "" : file.string() + " " + other + "; these stay as they are";
+}
+
+} // namespace app
