@@ -8,6 +8,7 @@ find_package(Boost 1.74 REQUIRED COMPONENTS program_options)
 
 find_package(assimp 5.2 REQUIRED)
 find_package(tomlplusplus REQUIRED)
+find_package(fmt 9 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(hwy 1.0 REQUIRED)
 find_package(ZLIB REQUIRED)

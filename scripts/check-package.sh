@@ -37,7 +37,7 @@ cmake --build build/release --target programs >"$work/build.log" 2>&1 || {
 package=$(ls "$work"/package/*.deb)
 say "$(basename "$package"), $(wc -c <"$package") bytes"
 depends=$(dpkg-deb -f "$package" Depends)
-for library in libc6 libassimp libpng libboost-program-options; do
+for library in libc6 libassimp libfmt libpng libboost-program-options; do
     case $depends in *"$library"*) ;; *) fail "it does not depend on $library: $depends" ;; esac
 done
 for needless in embree gtest libmpi; do

@@ -1,6 +1,6 @@
 #include "bspbuilder/build_report.h"
 
-#include <cstdio>
+#include <fmt/core.h>
 
 namespace bspbuilder {
 
@@ -9,21 +9,16 @@ namespace {
 constexpr int kLabelWidth = 25;
 
 std::string line(const std::string& label, const std::string& value) {
-    std::string text = label + ":";
-    text.resize(kLabelWidth, ' ');
-    return text + value + "\n";
+    return fmt::format("{:<{}}{}\n", label + ":", kLabelWidth, value);
 }
 
 std::string line(const std::string& label, std::uint64_t value) { return line(label, std::to_string(value)); }
 
-std::string decimals(double value, const char* format) {
-    char text[64];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
+std::string decimals(double value, int digits) { return fmt::format("{:.{}f}", value, digits); }
+std::string seconds(double value) { return fmt::format("{:.3f} s", value); }
+std::string megabytes(std::uint64_t bytes) {
+    return fmt::format("{:.2f} MB", static_cast<double>(bytes) / 1e6);
 }
-
-std::string seconds(double value) { return decimals(value, "%.3f s"); }
-std::string megabytes(std::uint64_t bytes) { return decimals(static_cast<double>(bytes) / 1e6, "%.2f MB"); }
 
 std::string describe(const std::optional<std::string>& problem) {
     return problem ? "WRONG: " + *problem : "sound";
@@ -49,10 +44,10 @@ std::string describeTree(const BuildReport& report, const rtcore::KdStatistics& 
            line("nodes", statistics.nodes) + line("leaves", statistics.leaves) +
            line("empty leaves", statistics.emptyLeaves) +
            line("depth", static_cast<std::uint64_t>(statistics.depth)) +
-           line("average leaf depth", decimals(statistics.averageLeafDepth, "%.2f")) +
+           line("average leaf depth", decimals(statistics.averageLeafDepth, 2)) +
            line("references", statistics.references) + line("largest leaf", statistics.largestLeaf) +
-           line("average filled leaf", decimals(statistics.averageFilledLeaf, "%.2f")) +
-           line("expected cost", decimals(statistics.expectedCost, "%.3f")) +
+           line("average filled leaf", decimals(statistics.averageFilledLeaf, 2)) +
+           line("expected cost", decimals(statistics.expectedCost, 3)) +
            line("tree memory", megabytes(statistics.bytes)) +
            line("peak memory", megabytes(report.peakBytes)) +
            line("check: structure", describe(verdict.structure)) +

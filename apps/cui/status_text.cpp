@@ -1,33 +1,36 @@
 #include "cui/status_text.h"
 
-#include <array>
+#include "rtcore/settings/number_text.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
 #include <charconv>
-#include <cmath>
-#include <cstdio>
 
 namespace cui {
 
 namespace {
 
-// The fewest digits that keep every bit, whatever the locale. JSON has no infinity.
-template <typename Number>
-std::string exact(Number value) {
-    std::array<char, 32> digits{};
-    if constexpr (std::is_floating_point_v<Number>) {
-        if (!std::isfinite(value)) return "null";
-    }
-    return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+using Json = nlohmann::ordered_json;
+using rtcore::shortestText;
+
+std::string vectorText(const float (&v)[3]) {
+    return fmt::format("{} {} {}", shortestText(v[0]), shortestText(v[1]), shortestText(v[2]));
 }
 
-std::string fixed(double value, int decimals) {
-    std::array<char, 64> text{};
-    const auto end =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
-    return end.ec == std::errc() ? std::string(text.data(), end.ptr) : "?";
+// The double with the digits of the float: 0.1, not 0.10000000149011612.
+double sameDigits(float value) {
+    const std::string digits = shortestText(value);
+    double result = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), result);
+    return result;
 }
 
-std::string vector(const float (&v)[3], const char* between) {
-    return exact(v[0]) + between + exact(v[1]) + between + exact(v[2]);
+Json vectorJson(const float (&v)[3]) { return {sameDigits(v[0]), sameDigits(v[1]), sameDigits(v[2])}; }
+
+// One line; numbers that are not finite become null.
+std::string lineOf(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 const char* state(const ipc::Status& status) {
@@ -41,8 +44,6 @@ const char* mode(const ipc::Status& status) { return status.mode == 0 ? "fly" : 
 // Where nothing is below.
 const char* floorNote(const ipc::Status& status) { return status.mode == 2 ? " (on an unseen floor)" : ""; }
 
-const char* truth(std::uint32_t value) { return value != 0 ? "true" : "false"; }
-
 } // namespace
 
 std::string statusText(const std::string& instance, std::int64_t process, const ipc::Status& status) {
@@ -51,73 +52,67 @@ std::string statusText(const std::string& instance, std::int64_t process, const 
         text.append(name).append(": ").append(value).append("\n");
     };
     line("instance", instance);
-    line("process", exact(process));
+    line("process", std::to_string(process));
     line("state", state(status));
     if (status.recording != 0) line("recording", "yes");
-    line("resolution", exact(status.width) + " x " + exact(status.height));
-    line("polygons", exact(status.polygons));
-    line("frame time", fixed(status.frameSeconds * 1e3, 2) + " ms");
-    line("frames per second", fixed(status.framesPerSecond, 1));
-    line("rays per second", fixed(status.raysPerSecond * 1e-6, 2) + " million");
+    line("resolution", fmt::format("{} x {}", status.width, status.height));
+    line("polygons", std::to_string(status.polygons));
+    line("frame time", fmt::format("{:.2f} ms", status.frameSeconds * 1e3));
+    line("frames per second", fmt::format("{:.1f}", status.framesPerSecond));
+    line("rays per second", fmt::format("{:.2f} million", status.raysPerSecond * 1e-6));
     line("mode", std::string(mode(status)) + floorNote(status));
-    line("eye", vector(status.eye, " "));
-    line("forward", vector(status.forward, " "));
-    line("up", vector(status.up, " "));
-    line("field of view", exact(status.fieldOfView) + " degrees");
-    line("exposure", exact(status.exposure));
+    line("eye", vectorText(status.eye));
+    line("forward", vectorText(status.forward));
+    line("up", vectorText(status.up));
+    line("field of view", shortestText(status.fieldOfView) + " degrees");
+    line("exposure", shortestText(status.exposure));
     return text;
 }
 
 std::string statusJson(const std::string& instance, std::int64_t process, const ipc::Status& status) {
-    std::string text = "{\"instance\":\"" + instance + "\""; // letters, digits, '_' and '-' only
-    const auto add = [&](const char* name, const std::string& value) {
-        text.append(",\"").append(name).append("\":").append(value);
-    };
-    add("process", exact(process));
-    add("state", "\"" + std::string(state(status)) + "\"");
-    add("width", exact(status.width));
-    add("height", exact(status.height));
-    add("polygons", exact(status.polygons));
-    add("frameSeconds", exact(status.frameSeconds));
-    add("framesPerSecond", exact(status.framesPerSecond));
-    add("raysPerSecond", exact(status.raysPerSecond));
-    add("mode", "\"" + std::string(mode(status)) + "\"");
-    add("eye", "[" + vector(status.eye, ",") + "]");
-    add("forward", "[" + vector(status.forward, ",") + "]");
-    add("up", "[" + vector(status.up, ",") + "]");
-    add("fieldOfView", exact(status.fieldOfView));
-    add("exposure", exact(status.exposure));
-    add("progress", exact(status.progress));
-    add("idle", truth(status.idle));
-    add("paused", truth(status.paused));
-    add("recording", truth(status.recording));
-    return text + "}\n";
+    return lineOf({{"instance", instance},
+                   {"process", process},
+                   {"state", state(status)},
+                   {"width", status.width},
+                   {"height", status.height},
+                   {"polygons", status.polygons},
+                   {"frameSeconds", status.frameSeconds},
+                   {"framesPerSecond", status.framesPerSecond},
+                   {"raysPerSecond", status.raysPerSecond},
+                   {"mode", mode(status)},
+                   {"eye", vectorJson(status.eye)},
+                   {"forward", vectorJson(status.forward)},
+                   {"up", vectorJson(status.up)},
+                   {"fieldOfView", sameDigits(status.fieldOfView)},
+                   {"exposure", sameDigits(status.exposure)},
+                   {"progress", sameDigits(status.progress)},
+                   {"idle", status.idle != 0},
+                   {"paused", status.paused != 0},
+                   {"recording", status.recording != 0}});
 }
 
 std::string statusLine(const ipc::Status& status) {
-    return fixed(status.framesPerSecond, 1) + " frames/s  " + fixed(status.frameSeconds * 1e3, 2) + " ms  " +
-           fixed(status.raysPerSecond * 1e-6, 2) + " Mrays/s  " + exact(status.width) + " x " +
-           exact(status.height) + "  " + state(status) + "\n";
+    return fmt::format("{:.1f} frames/s  {:.2f} ms  {:.2f} Mrays/s  {} x {}  {}\n", status.framesPerSecond,
+                       status.frameSeconds * 1e3, status.raysPerSecond * 1e-6, status.width, status.height,
+                       state(status));
 }
 
 std::string listText(std::span<const ipc::Instance> instances) {
     std::string text;
     for (const ipc::Instance& instance : instances) {
-        text += instance.name;
-        text += instance.running ? "  process " + exact(instance.process) : "  dead; 'CUI free' removes it";
-        text += "\n";
+        text += instance.running ? fmt::format("{}  process {}\n", instance.name, instance.process)
+                                 : fmt::format("{}  dead; 'CUI free' removes it\n", instance.name);
     }
     return text;
 }
 
 std::string listJson(std::span<const ipc::Instance> instances) {
-    std::string text = "[";
+    Json list = Json::array();
     for (const ipc::Instance& instance : instances) {
-        text += text.size() > 1 ? "," : "";
-        text += "{\"instance\":\"" + instance.name + "\",\"running\":" + truth(instance.running ? 1 : 0) +
-                ",\"process\":" + exact(instance.process) + "}";
+        list.push_back(
+            {{"instance", instance.name}, {"running", instance.running}, {"process", instance.process}});
     }
-    return text + "]\n";
+    return lineOf(list);
 }
 
 } // namespace cui

@@ -4,6 +4,8 @@
 
 #include "rtcore/platform/error.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <string>
 #include <system_error>
@@ -24,7 +26,7 @@ std::string lastWords(std::string text) {
     return text;
 }
 
-std::string sizeText(int width, int height) { return std::to_string(width) + " x " + std::to_string(height); }
+std::string sizeText(int width, int height) { return fmt::format("{} x {}", width, height); }
 
 } // namespace
 
@@ -56,11 +58,10 @@ void Film::start(const rtcore::LdrImage& frame) {
 void Film::add(const rtcore::LdrImage& frame, int number) {
     if (!process_) start(frame);
     if (frame.width != frameWidth_ || frame.height != frameHeight_) {
-        throw rtcore::FileError(rtcore::FailureKind::BadData, film_.string(),
-                                "frame " + std::to_string(number) + " has " +
-                                    sizeText(frame.width, frame.height) + " pixels, those before it " +
-                                    sizeText(frameWidth_, frameHeight_) +
-                                    "; give all of them one size by -w and -h");
+        throw rtcore::FileError(
+            rtcore::FailureKind::BadData, film_.string(),
+            fmt::format("frame {} has {} pixels, those before it {}; give all of them one size by -w and -h",
+                        number, sizeText(frame.width, frame.height), sizeText(frameWidth_, frameHeight_)));
     }
     packFrame(frame, shape_.width, shape_.height, bytes_);
     if (!process_->write(bytes_)) fail(process_->finish());
@@ -80,9 +81,9 @@ void Film::finish() {
 void Film::fail(const rtcore::ProcessResult& result) const {
     std::string reason = ffmpeg_.string();
     if (result.end == rtcore::ProcessEnd::Signalled) {
-        reason += " was ended by a signal (" + rtcore::signalName(result.code) + ")";
+        reason += fmt::format(" was ended by a signal ({})", rtcore::signalName(result.code));
     } else if (result.code != 0) {
-        reason += " failed with exit code " + std::to_string(result.code);
+        reason += fmt::format(" failed with exit code {}", result.code);
     } else {
         reason += " ended without making the film";
     }

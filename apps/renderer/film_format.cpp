@@ -1,7 +1,8 @@
 #include "renderer/film_format.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <cstdio>
 #include <iterator>
 #include <sstream>
 #include <string_view>
@@ -54,11 +55,7 @@ const FilmFormat* findFilmFormat(const std::filesystem::path& film) {
     return found == std::end(kFormats) ? nullptr : found;
 }
 
-std::string rateText(double framesPerSecond) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", framesPerSecond);
-    return text;
-}
+std::string rateText(double framesPerSecond) { return fmt::format("{:.6g}", framesPerSecond); }
 
 // As a shell reads it back.
 std::string quoted(const std::string& word) {
@@ -89,10 +86,10 @@ bool needsEvenSize(const std::filesystem::path& film) {
 
 std::vector<std::string> encodeArguments(const std::filesystem::path& film, const FilmShape& shape,
                                          const std::filesystem::path& target) {
-    const std::string size = std::to_string(shape.width) + "x" + std::to_string(shape.height);
     Words words =
-        splitWords("-hide_banner -loglevel error -nostdin -y -f rawvideo -pixel_format rgb24 -video_size " +
-                   size + " -framerate " + rateText(shape.framesPerSecond) + " -i pipe:0 -an");
+        splitWords(fmt::format("-hide_banner -loglevel error -nostdin -y -f rawvideo -pixel_format rgb24 "
+                               "-video_size {}x{} -framerate {} -i pipe:0 -an",
+                               shape.width, shape.height, rateText(shape.framesPerSecond)));
     if (const FilmFormat* format = findFilmFormat(film)) append(words, codingOf(*format, true));
     // Without "file:" a name such as "a:b.mp4" would be an address.
     words.push_back("file:" + target.string());

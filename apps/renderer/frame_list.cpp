@@ -2,6 +2,8 @@
 
 #include "common/cli/command_line.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -39,8 +41,8 @@ std::vector<FrameTask> framesOfList(std::span<const std::filesystem::path> camer
                                     std::span<const std::filesystem::path> patterns) {
     std::vector<FrameTask> frames = pickFrames(cameras, range, patterns);
     if (frames.empty() && !cameras.empty()) {
-        throw app::UsageError("no frame to render: the list has " + std::to_string(cameras.size()) +
-                              ", and --frames picks none of them");
+        throw app::UsageError(fmt::format(
+            "no frame to render: the list has {}, and --frames picks none of them", cameras.size()));
     }
     return frames;
 }

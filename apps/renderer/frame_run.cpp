@@ -5,8 +5,9 @@
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/platform/error.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <cstdio>
 #include <set>
 #include <string>
 
@@ -14,19 +15,10 @@ namespace renderer {
 
 namespace {
 
-std::string seconds(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3f s", value);
-    return text;
-}
-
 std::string savingText(const FrameReport& report) {
     const std::uint64_t taken = report.rays.rays[static_cast<std::size_t>(rtcore::RayKind::Primary)];
     const double saved = 100 - 100 * static_cast<double>(taken) / static_cast<double>(report.samples);
-    char percent[16];
-    std::snprintf(percent, sizeof percent, "%.1f", saved);
-    return "took " + std::to_string(taken) + " of " + std::to_string(report.samples) + " samples, " +
-           percent + " % saved";
+    return fmt::format("took {} of {} samples, {:.1f} % saved", taken, report.samples, saved);
 }
 
 // The file from which a film can take a finished frame as it is shown; null when there is none.
@@ -43,7 +35,7 @@ std::string places(const FrameTask& frame) {
         where +=
             (where.empty() ? "" : ", ") + (isStandardOutput(output) ? "standard output" : output.string());
     }
-    return where.empty() ? "frame " + std::to_string(frame.number) + " of the film" : where;
+    return where.empty() ? fmt::format("frame {} of the film", frame.number) : where;
 }
 
 } // namespace
@@ -68,7 +60,7 @@ void FrameRun::renderList(std::vector<FrameTask> frames) {
 
 app::ExitCode FrameRun::finish() {
     if (failed_ > 0) {
-        progress_.print(std::to_string(failed_) + " of " + std::to_string(asked_) + " frames failed");
+        progress_.print(fmt::format("{} of {} frames failed", failed_, asked_));
     }
     return result_;
 }
@@ -88,8 +80,8 @@ void FrameRun::findFinished(std::vector<FrameTask>& frames) {
         there += frame.finished ? 1 : 0;
     }
     if (there > 0) {
-        progress_.print(std::to_string(there) + " of " + std::to_string(frames.size()) +
-                        " frames are there already (--force renders them again)");
+        progress_.print(fmt::format("{} of {} frames are there already (--force renders them again)", there,
+                                    frames.size()));
     }
 }
 
@@ -116,17 +108,15 @@ void FrameRun::make(const FrameTask& frame, int index, int count) {
 void FrameRun::report(const FrameTask& frame, const FrameReport& report) {
     if (options_.verbose) {
         const double rays = static_cast<double>(report.rays.total());
-        char figures[96];
-        std::snprintf(figures, sizeof figures, "%.0f rays, %.2f Mrays/s", rays,
-                      report.renderSeconds > 0 ? rays / report.renderSeconds * 1e-6 : 0.0);
-        progress_.print("rendered " + std::to_string(report.width) + " x " + std::to_string(report.height) +
-                        " in " + seconds(report.renderSeconds) + ", " + figures);
+        const double speed = report.renderSeconds > 0 ? rays / report.renderSeconds * 1e-6 : 0.0;
+        progress_.print(fmt::format("rendered {} x {} in {:.3f} s, {:.0f} rays, {:.2f} Mrays/s", report.width,
+                                    report.height, report.renderSeconds, rays, speed));
         if (report.samples > 0) progress_.print(savingText(report));
     }
     const bool logged = options_.list && options_.progress == app::ProgressStyle::Plain;
     const bool kept = options_.list || !frame.outputs.empty();
     if ((options_.verbose && kept) || logged) {
-        progress_.print("wrote " + places(frame) + " in " + seconds(report.writeSeconds));
+        progress_.print(fmt::format("wrote {} in {:.3f} s", places(frame), report.writeSeconds));
     }
 }
 

@@ -6,9 +6,10 @@
 
 #include "rtcore/platform/error.h"
 
+#include <fmt/core.h>
+
 #include <atomic>
 #include <chrono>
-#include <cstdio>
 #include <utility>
 
 namespace renderer {
@@ -66,9 +67,7 @@ class PhaseWatch {
         if (current_.empty()) return;
         progress_.end();
         const double seconds = std::chrono::duration<double>(Clock::now() - begun_).count();
-        char text[32];
-        std::snprintf(text, sizeof text, " took %.3f s", seconds);
-        if (verbose_) progress_.print(current_ + text);
+        if (verbose_) progress_.print(fmt::format("{} took {:.3f} s", current_, seconds));
         current_.clear();
     }
 

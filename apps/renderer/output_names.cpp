@@ -7,6 +7,8 @@
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/platform/error.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <optional>
 #include <system_error>
@@ -64,10 +66,8 @@ std::filesystem::path numberedPath(const std::filesystem::path& pattern, int num
     }
     const std::size_t before = name.find_last_not_of('#', last);
     const std::size_t first = before == std::string::npos ? 0 : before + 1;
-    std::string digits = std::to_string(number);
     const std::size_t width = last - first + 1;
-    if (digits.size() < width) digits.insert(0, width - digits.size(), '0');
-    name.replace(first, width, digits);
+    name.replace(first, width, fmt::format("{:0{}}", number, width));
     return pattern.parent_path() / name;
 }
 

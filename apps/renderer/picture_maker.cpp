@@ -13,6 +13,8 @@
 #include "rtcore/platform/error.h"
 #include "rtcore/settings/settings_table.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <chrono>
 #include <optional>
@@ -99,9 +101,8 @@ void PictureMaker::focus(const rtcore::Camera& camera, rtcore::RenderSettings& s
     if (!options_.focusAt) return;
     const auto [x, y] = *options_.focusAt;
     if (x > static_cast<float>(settings.width) || y > static_cast<float>(settings.height)) {
-        throw app::UsageError("--focus-at lies outside of the picture, which has " +
-                              std::to_string(settings.width) + " x " + std::to_string(settings.height) +
-                              " pixels");
+        throw app::UsageError(fmt::format("--focus-at lies outside of the picture, which has {} x {} pixels",
+                                          settings.width, settings.height));
     }
     const rtcore::CameraRays view(camera, settings.width, settings.height);
     settings.depthOfField.on = true;
@@ -117,9 +118,8 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
     app::throwIfStopped();
     if (static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height) >
         rtcore::kMaxImagePixels) {
-        throw app::UsageError("a picture of " + std::to_string(settings.width) + " x " +
-                              std::to_string(settings.height) + " pixels is too large; " +
-                              std::to_string(rtcore::kMaxImagePixels) + " pixels is the most");
+        throw app::UsageError(fmt::format("a picture of {} x {} pixels is too large; {} pixels is the most",
+                                          settings.width, settings.height, rtcore::kMaxImagePixels));
     }
     rtcore::RenderControl control{.threads = options_.threads};
     const auto fraction = [this, &control] {

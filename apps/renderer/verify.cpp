@@ -10,6 +10,8 @@
 #include "rtcore/io/recording/camera_list.h"
 #include "rtcore/io/text/scn.h"
 
+#include <fmt/core.h>
+
 #include <set>
 #include <string>
 #include <vector>
@@ -35,14 +37,13 @@ app::ExitCode verifyFrames(const RendererOptions& options, app::Progress& progre
     std::string lines;
     for (const FileFlaw& flaw : findFlaws(frames, options.threads, progress)) {
         unfinished.insert(flaw.frame);
-        lines += std::to_string(flaw.frame) + "\t" + flaw.file.string() + "\t" +
-                 (flaw.missing ? "missing" : "broken: " + flaw.reason) + "\n";
+        lines += fmt::format("{}\t{}\t{}\n", flaw.frame, flaw.file.string(),
+                             flaw.missing ? "missing" : "broken: " + flaw.reason);
     }
     app::writeLines(lines);
-    const std::string count = std::to_string(frames.size());
-    progress.print(unfinished.empty() ? "all " + count + " frames are there"
-                                      : std::to_string(unfinished.size()) + " of " + count +
-                                            " frames are missing or broken");
+    progress.print(unfinished.empty() ? fmt::format("all {} frames are there", frames.size())
+                                      : fmt::format("{} of {} frames are missing or broken",
+                                                    unfinished.size(), frames.size()));
     return unfinished.empty() ? app::ExitCode::Done : app::ExitCode::Failed;
 }
 

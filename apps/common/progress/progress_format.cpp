@@ -1,7 +1,8 @@
 #include "common/progress/progress_format.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 
@@ -9,24 +10,9 @@ namespace app {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 int percent(double fraction) { return static_cast<int>(std::floor(std::clamp(fraction, 0.0, 1.0) * 100)); }
-
-// With a decimal point in every locale.
-std::string number(double value, int decimals) {
-    char digits[64];
-    const auto result =
-        std::to_chars(std::begin(digits), std::end(digits), value, std::chars_format::fixed, decimals);
-    return result.ec == std::errc() ? std::string(digits, result.ptr) : "null";
-}
-
-std::string quoted(const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') result += '\\';
-        result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-    return result + '"';
-}
 
 std::string twoDigits(long long value) { return (value < 10 ? "0" : "") + std::to_string(value); }
 
@@ -71,13 +57,16 @@ std::string plainText(const ProgressState& state) {
 }
 
 std::string jsonText(const ProgressState& state) {
-    const auto orNull = [](const std::optional<double>& value, int decimals) {
-        return value ? number(*value, decimals) : "null";
+    const auto rounded = [](const std::optional<double>& value, double steps) {
+        return value ? Json(std::round(*value * steps) / steps) : Json();
     };
-    const auto count = [](int value) { return value > 0 ? std::to_string(value) : "null"; };
-    return "{\"phase\":" + quoted(state.phase) + ",\"fraction\":" + orNull(state.fraction, 4) +
-           ",\"frame\":" + count(state.frame) + ",\"frames\":" + count(state.frames) +
-           ",\"secondsLeft\":" + orNull(state.secondsLeft, 1) + "}";
+    const auto count = [](int value) { return value > 0 ? Json(value) : Json(); };
+    const Json json{{"phase", state.phase},
+                    {"fraction", rounded(state.fraction, 1e4)},
+                    {"frame", count(state.frame)},
+                    {"frames", count(state.frames)},
+                    {"secondsLeft", rounded(state.secondsLeft, 10)}};
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 } // namespace app

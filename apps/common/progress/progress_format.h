@@ -22,7 +22,7 @@ std::string barText(const ProgressState& state, int columns);
 std::string plainText(const ProgressState& state);
 
 /// {"phase":"rendering","fraction":0.48,"frame":3,"frames":10,"secondsLeft":67.2}, without a line end. All
-/// five names are always there; what is not known is null.
+/// five names are always there; what is not known, or no number, is null.
 std::string jsonText(const ProgressState& state);
 
 /// "0:07", "12:34", "1:02:03"; rounded up.

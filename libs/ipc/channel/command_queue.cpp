@@ -10,6 +10,8 @@
 #include "ipc/platform/stage.h"
 #include "ipc/platform/system.h"
 
+#include <fmt/core.h>
+
 #include <boost/interprocess/ipc/message_queue.hpp>
 
 namespace ipc {
@@ -92,7 +94,7 @@ QueueResult CommandReceiver::open(const std::string& name, CommandReceiver& rece
     try {
         // Boost believes whatever it opens. What we look at is what it opens: nobody else removes the new
         // name, so nobody puts something else there.
-        const std::string ours = name + "-" + std::to_string(randomTag());
+        const std::string ours = fmt::format("{}-{}", name, randomTag());
         renameSegment(name, ours);
         const NameRemover remover{ours};
         std::optional<Segment> memory = Segment::open(ours, Access::Read, 1);

@@ -4,6 +4,8 @@
 #include "ipc/platform/rules.h"
 #include "ipc/platform/stage.h"
 
+#include <fmt/core.h>
+
 namespace ipc {
 
 int takeSlot(const Names& names, const Link& link) {
@@ -13,8 +15,8 @@ int takeSlot(const Names& names, const Link& link) {
         for (const std::string& queue : segmentNames(names.queuePrefix(slot))) Segment::remove(queue);
         return slot;
     }
-    throw Error(Problem::NoSlot, "server '" + names.instance() + "' has " + std::to_string(kMaxClients) +
-                                     " clients, and takes no more; end one");
+    throw Error(Problem::NoSlot, fmt::format("server '{}' has {} clients, and takes no more; end one",
+                                             names.instance(), kMaxClients));
 }
 
 Attachment::Attachment(const Names& names, const Link& link, int slot, const KeyWriter& keys)

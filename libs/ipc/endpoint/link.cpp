@@ -5,6 +5,8 @@
 #include "ipc/platform/error.h"
 #include "ipc/platform/rules.h"
 
+#include <fmt/core.h>
+
 #include <cstddef>
 #include <thread>
 
@@ -23,14 +25,13 @@ std::uint64_t pulseOf(const ServerPulse& pulse) {
 [[noreturn]] void wrongVersion(const Names& names, const ControlFacts& facts) {
     const Handshake own = ownHandshake();
     const auto describe = [](const Handshake& side) {
-        return "protocol " + std::to_string(side.protocolVersion) + "/" + std::to_string(side.controlBytes) +
-               ", Boost " + std::to_string(side.boostVersion) + ", " + std::to_string(8 * side.pointerBytes) +
-               " bit";
+        return fmt::format("protocol {}/{}, Boost {}, {} bit", side.protocolVersion, side.controlBytes,
+                           side.boostVersion, 8 * side.pointerBytes);
     };
-    throw Error(Problem::WrongVersion, "server '" + names.instance() + "' (process " +
-                                           std::to_string(facts.serverProcess) + ") is of another version (" +
-                                           describe(facts.handshake) + ") than this program (" +
-                                           describe(own) + "); use programs of one version");
+    throw Error(Problem::WrongVersion,
+                fmt::format("server '{}' (process {}) is of another version ({}) than this program ({}); "
+                            "use programs of one version",
+                            names.instance(), facts.serverProcess, describe(facts.handshake), describe(own)));
 }
 
 } // namespace

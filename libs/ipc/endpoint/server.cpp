@@ -8,6 +8,8 @@
 #include "ipc/platform/rules.h"
 #include "ipc/platform/stage.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -26,9 +28,8 @@ constexpr int kCommandsPerTurn = 16;
 std::size_t checkedBytes(std::uint32_t width, std::uint32_t height) {
     const std::size_t bytes = pixelBytes({.width = width, .height = height});
     if (bytes == 0) {
-        throw Error(Problem::TooLarge, "a frame has 1 to " + std::to_string(kMaxFrameSide) +
-                                           " pixels a side, not " + std::to_string(width) + " x " +
-                                           std::to_string(height));
+        throw Error(Problem::TooLarge, fmt::format("a frame has 1 to {} pixels a side, not {} x {}",
+                                                   kMaxFrameSide, width, height));
     }
     return bytes;
 }

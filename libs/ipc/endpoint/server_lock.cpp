@@ -4,6 +4,8 @@
 #include "ipc/layout/control_block.h"
 #include "ipc/platform/error.h"
 
+#include <fmt/core.h>
+
 #include <thread>
 
 namespace ipc {
@@ -11,9 +13,10 @@ namespace ipc {
 namespace {
 
 [[noreturn]] void alreadyRunning(const Names& names, const std::optional<ControlFacts>& facts) {
-    const std::string who = facts ? " (process " + std::to_string(facts->serverProcess) + ")" : "";
-    throw Error(Problem::AlreadyRunning, "server '" + names.instance() + "' is already running" + who +
-                                             "; stop it or name another instance");
+    const std::string who = facts ? fmt::format(" (process {})", facts->serverProcess) : "";
+    throw Error(Problem::AlreadyRunning,
+                fmt::format("server '{}' is already running{}; stop it or name another instance",
+                            names.instance(), who));
 }
 
 std::optional<ControlFacts> factsByName(const Names& names) {

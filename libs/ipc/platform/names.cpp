@@ -4,8 +4,9 @@
 #include "ipc/platform/error.h"
 #include "ipc/platform/system.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <random>
 
@@ -17,15 +18,9 @@ bool allowed(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
 }
 
-std::string hexadecimal(std::uint64_t number) {
-    std::array<char, 16> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), number, 16).ptr;
-    return {text.data(), end};
-}
-
 } // namespace
 
-std::string userPrefix() { return "rts." + std::to_string(userId()) + "."; }
+std::string userPrefix() { return fmt::format("rts.{}.", userId()); }
 
 Names::Names(std::string_view instance) : instance_(instance), prefix_(userPrefix() + instance_ + ".") {
     if (instance.empty() || instance.size() > 32 || !std::all_of(instance.begin(), instance.end(), allowed)) {
@@ -35,10 +30,12 @@ Names::Names(std::string_view instance) : instance_(instance), prefix_(userPrefi
 }
 
 std::string Names::frames(std::uint64_t epoch, std::uint64_t generation) const {
-    return prefix_ + "f" + hexadecimal(epoch) + "-" + std::to_string(generation);
+    return fmt::format("{}f{:x}-{}", prefix_, epoch, generation);
 }
 
-std::string Names::queue(int slot, std::uint64_t tag) const { return queuePrefix(slot) + hexadecimal(tag); }
+std::string Names::queue(int slot, std::uint64_t tag) const {
+    return fmt::format("{}{:x}", queuePrefix(slot), tag);
+}
 
 int Names::slotOfQueue(std::string_view name) const {
     if (!name.starts_with(prefix_)) return -1;

@@ -3,6 +3,8 @@
 #include "ipc/platform/error.h"
 #include "ipc/platform/rules.h"
 
+#include <fmt/core.h>
+
 #include <cerrno>
 #include <climits>
 #include <cstdio>
@@ -27,15 +29,15 @@ std::string reason(int code) { return std::error_code(code, std::generic_categor
 
 std::string megabytes(std::uint64_t bytes) {
     constexpr std::uint64_t kMega = 1000000;
-    return bytes < kMega ? std::to_string((bytes + 999) / 1000) + " kB"
-                         : std::to_string((bytes + kMega - 1) / kMega) + " MB";
+    return bytes < kMega ? fmt::format("{} kB", (bytes + 999) / 1000)
+                         : fmt::format("{} MB", (bytes + kMega - 1) / kMega);
 }
 
 [[noreturn]] void noSpace(std::size_t need, std::uint64_t rest) {
     throw Error(Problem::NoSpace,
-                "shared memory: needs " + megabytes(need) + ", " + kSegmentFolder + " has " +
-                    megabytes(rest) +
-                    " left; free some (in a container: --shm-size) or ask for a lower resolution");
+                fmt::format("shared memory: needs {}, {} has {} left; free some (in a container: --shm-size) "
+                            "or ask for a lower resolution",
+                            megabytes(need), kSegmentFolder, megabytes(rest)));
 }
 
 // No library's semaphore: damaged, it would end the process.

@@ -1,8 +1,9 @@
 #include "rtcore/accel/statistics.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace rtcore {
 
@@ -70,14 +71,10 @@ std::string drawHistogram(const std::string& title, const std::vector<std::uint6
     for (std::size_t i = 0; i < sums.size(); ++i) {
         const std::size_t from = i * width;
         const std::size_t to = std::min(values, from + width) - 1;
-        const std::string range =
-            from == to ? std::to_string(from) : std::to_string(from) + "-" + std::to_string(to);
+        const std::string range = from == to ? std::to_string(from) : fmt::format("{}-{}", from, to);
         const double share = static_cast<double>(sums[i]) / static_cast<double>(largest);
         const auto bar = static_cast<std::size_t>(std::lround(share * kBarLength));
-        char line[64];
-        std::snprintf(line, sizeof line, "%12s %10llu ", range.c_str(),
-                      static_cast<unsigned long long>(sums[i]));
-        text += line + std::string(bar, '#') + "\n";
+        text += fmt::format("{:>12} {:>10} {}\n", range, sums[i], std::string(bar, '#'));
     }
     return text;
 }

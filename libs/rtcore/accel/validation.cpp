@@ -1,5 +1,7 @@
 #include "rtcore/accel/validation.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,9 +25,7 @@ std::pair<Box3, Box3> halves(const Box3& cell, int axis, float split) {
     return both;
 }
 
-std::string atNode(std::size_t node, const char* problem) {
-    return "node " + std::to_string(node) + " " + problem;
-}
+std::string atNode(std::size_t node, const char* problem) { return fmt::format("node {} {}", node, problem); }
 
 /// The walk over all nodes; each step knows which index must come next.
 class StructureCheck {
@@ -49,7 +49,7 @@ class StructureCheck {
         }
         if (nextPair_ != tree_.nodes.size()) return atNode(nextPair_, "is part of no tree");
         if (nextReference_ != tree_.references.size()) {
-            return "reference " + std::to_string(nextReference_) + " is part of no leaf";
+            return fmt::format("reference {} is part of no leaf", nextReference_);
         }
         return {};
     }
@@ -174,7 +174,7 @@ class CoverageCheck {
             pending.push_back({node.lowerChild() + 1, upper, reaching(upper, cell.triangles)});
         }
         for (std::size_t i = 0; i < triangleCount; ++i) {
-            if (!referenced_[i]) return "triangle " + std::to_string(i) + " is in no leaf";
+            if (!referenced_[i]) return fmt::format("triangle {} is in no leaf", i);
         }
         return {};
     }
@@ -221,14 +221,13 @@ class CoverageCheck {
         const auto own = tree_.references.subspan(node.firstReference, node.count());
         for (const std::uint32_t t : own) {
             if (clearlyOutside(cell.box, t)) {
-                return atNode(cell.node, "refers to triangle ") + std::to_string(t) +
-                       ", which lies outside of it";
+                return fmt::format("node {} refers to triangle {}, which lies outside of it", cell.node, t);
             }
             referenced_[t] = true;
         }
         for (const std::uint32_t t : cell.triangles) {
             if (!std::binary_search(own.begin(), own.end(), t)) {
-                return atNode(cell.node, "lacks triangle ") + std::to_string(t) + ", which reaches into it";
+                return fmt::format("node {} lacks triangle {}, which reaches into it", cell.node, t);
             }
         }
         return {};

@@ -3,6 +3,8 @@
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -112,7 +114,7 @@ void readToEnd(const fs::path& path, const Opened& opened, std::size_t limit, By
     }
     bytes.resize(filled);
     if (filled > limit)
-        refuse(path, "holds more than " + std::to_string(limit) + " bytes; no file of this kind is so large",
+        refuse(path, fmt::format("holds more than {} bytes; no file of this kind is so large", limit),
                FailureKind::BadData);
 }
 

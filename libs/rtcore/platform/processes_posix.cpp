@@ -3,6 +3,8 @@
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -166,7 +168,7 @@ struct MemoryUse {
 
 /// All zero when the process is gone.
 MemoryUse memoryOf(pid_t pid) {
-    std::ifstream status("/proc/" + std::to_string(pid) + "/status");
+    std::ifstream status(fmt::format("/proc/{}/status", pid));
     MemoryUse use;
     for (std::string line; std::getline(status, line);) {
         const bool peak = line.starts_with("VmHWM:");
@@ -466,7 +468,7 @@ bool processRuns(std::int64_t process) {
 
 std::string signalName(int signal) {
     const char* const name = ::strsignal(signal);
-    return name != nullptr ? name : "signal " + std::to_string(signal);
+    return name != nullptr ? name : fmt::format("signal {}", signal);
 }
 
 } // namespace rtcore

@@ -3,6 +3,8 @@
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/processes.h"
 
+#include <fmt/core.h>
+
 #include <charconv>
 #include <cstdint>
 #include <cstdlib>
@@ -31,7 +33,7 @@ void sweep(const fs::path& parent, const std::string& prefix) {
 
 fs::path create(const fs::path& parent, const std::string& prefix) {
     sweep(parent, prefix);
-    std::string name = (parent / (prefix + std::to_string(processId()) + "-XXXXXX")).string();
+    std::string name = (parent / fmt::format("{}{}-XXXXXX", prefix, processId())).string();
     if (::mkdtemp(name.data()) != nullptr) return name;
     throw FileError(FailureKind::CannotWrite, parent.string(),
                     "no folder can be made here; free some space or set TMPDIR to another folder");

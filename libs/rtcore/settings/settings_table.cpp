@@ -1,6 +1,7 @@
 #include "rtcore/settings/settings_table.h"
 
 #include "rtcore/settings/nearest_name.h"
+#include "rtcore/settings/number_text.h"
 
 #include <algorithm>
 #include <array>
@@ -298,9 +299,7 @@ std::string settingText(const SettingValue& value) {
     if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
     if (const int* whole = std::get_if<int>(&value)) return std::to_string(*whole);
     if (const std::string* name = std::get_if<std::string>(&value)) return *name;
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), std::get<float>(value)).ptr;
-    return {digits.data(), end};
+    return shortestText(std::get<float>(value));
 }
 
 std::string settingRange(const Setting& setting) {

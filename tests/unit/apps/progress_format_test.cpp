@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <limits>
+
 namespace {
 
 using app::ProgressState;
@@ -39,9 +41,18 @@ TEST(ProgressFormat, JsonAlwaysHasAllNames) {
     EXPECT_EQ(known["frames"], 10);
     EXPECT_EQ(known["secondsLeft"], 66.5);
     const auto unknown = nlohmann::json::parse(app::jsonText({"a \"b\\\n", {}, 0, 0, {}}));
-    EXPECT_EQ(unknown["phase"], "a \"b\\ ");
+    EXPECT_EQ(unknown["phase"], "a \"b\\\n");
     for (const char* name : {"fraction", "frame", "frames", "secondsLeft"})
         EXPECT_TRUE(unknown[name].is_null()) << name;
+}
+
+TEST(ProgressFormat, JsonKeepsItsOrderAndRoundsItsNumbers) {
+    EXPECT_EQ(app::jsonText({"rendering", 0.48504, 3, 10, 66.54}),
+              R"({"phase":"rendering","fraction":0.485,"frame":3,"frames":10,"secondsLeft":66.5})");
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(
+        app::jsonText({"a\xff", 1.0, 0, 0, none}),
+        "{\"phase\":\"a\xef\xbf\xbd\",\"fraction\":1.0,\"frame\":null,\"frames\":null,\"secondsLeft\":null}");
 }
 
 } // namespace

@@ -25,6 +25,21 @@ TEST(StatusText, IsJson) {
     EXPECT_EQ(text.find('\n'), text.size() - 1);
 }
 
+TEST(StatusText, KeepsTheDigitsOfFloats) {
+    ipc::Status status;
+    status.exposure = 0.1F;
+    status.fieldOfView = std::numeric_limits<float>::quiet_NaN();
+    status.eye[0] = 1e-7F;
+    status.eye[1] = -16777216;
+    const std::string text = cui::statusJson("cow", 7, status);
+    EXPECT_NE(text.find("\"exposure\":0.1,"), std::string::npos) << text;
+    EXPECT_NE(text.find("\"fieldOfView\":null,"), std::string::npos) << text;
+    EXPECT_NE(text.find("\"eye\":[1e-07,-16777216.0,0.0],"), std::string::npos) << text;
+    EXPECT_EQ(text.find("{\"instance\":\"cow\",\"process\":7,\"state\":\"loading\",\"width\":0,"), 0U)
+        << text;
+    EXPECT_NE(cui::statusText("cow", 7, status).find("eye: 1e-07 -16777216 0\n"), std::string::npos);
+}
+
 TEST(StatusText, SaysWhatTheServerDoes) {
     ipc::Status status;
     EXPECT_NE(cui::statusText("cow", 7, status).find("state: loading\n"), std::string::npos);
@@ -39,7 +54,8 @@ TEST(StatusText, SaysWhatTheServerDoes) {
 TEST(ListText, NamesLivingAndDead) {
     const std::vector<ipc::Instance> instances{{"cow", true, 12}, {"nave", false, 0}};
     EXPECT_EQ(cui::listText(instances), "cow  process 12\nnave  dead; 'CUI free' removes it\n");
-    EXPECT_EQ(nlohmann::json::parse(cui::listJson(instances))[1]["running"], false);
+    EXPECT_EQ(cui::listJson(instances), "[{\"instance\":\"cow\",\"running\":true,\"process\":12},"
+                                        "{\"instance\":\"nave\",\"running\":false,\"process\":0}]\n");
     EXPECT_EQ(cui::listJson({}), "[]\n");
 }
 

@@ -1,5 +1,7 @@
 #include "rtcore/io/bsp/model_check.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 
 namespace rtcore {
@@ -101,7 +103,7 @@ template <typename Record>
 Finding checkEach(const char* section, std::span<const Record> records, const Model& model) {
     for (std::size_t i = 0; i < records.size(); ++i) {
         if (const char* problem = problemOf(records[i], model)) {
-            return std::string(section) + ": element " + std::to_string(i) + ": " + problem;
+            return fmt::format("{}: element {}: {}", section, i, problem);
         }
     }
     return {};

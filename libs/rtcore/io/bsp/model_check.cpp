@@ -1,5 +1,7 @@
 #include "rtcore/io/bsp/model_check.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -33,15 +35,14 @@ Finding checkNumbers(const char* section, std::span<const float> values, std::si
     const auto bad =
         std::find_if(values.begin(), values.end(), [&](float v) { return !(v >= lo && v <= hi); });
     const auto element = static_cast<std::size_t>(bad - values.begin()) / perElement;
-    return std::string(section) + ": a number of element " + std::to_string(element) +
-           " is not a number or out of range";
+    return fmt::format("{}: a number of element {} is not a number or out of range", section, element);
 }
 
 Finding checkNormals(std::span<const Vec3> normals) {
     for (std::size_t i = 0; i < normals.size(); ++i) {
         const float square = dot(normals[i], normals[i]);
         if (!(std::fabs(square - 1) < 1e-3F) && normals[i] != Vec3{}) {
-            return "normals: element " + std::to_string(i) + " is not of unit length";
+            return fmt::format("normals: element {} is not of unit length", i);
         }
     }
     return {};

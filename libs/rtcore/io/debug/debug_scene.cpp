@@ -5,6 +5,8 @@
 #include "rtcore/render/camera_rays.h"
 #include "rtcore/shading/surface/surface.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <span>
@@ -49,8 +51,7 @@ void sketchCells(const KdTree& tree, float thickness, ObjSketch& sketch) {
     std::vector<Cell> level{{0, tree.bounds}};
     std::size_t drawn = 0;
     for (int depth = 0; !level.empty() && drawn + level.size() <= kCells; ++depth) {
-        const std::string digits = std::to_string(depth);
-        sketch.object("tree_depth_" + std::string(depth < 10 ? "0" : "") + digits, depthColour(depth));
+        sketch.object(fmt::format("tree_depth_{:02}", depth), depthColour(depth));
         std::vector<Cell> next;
         for (const Cell& cell : level) {
             sketch.edges(cell.box, thickness);

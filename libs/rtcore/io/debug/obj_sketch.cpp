@@ -1,18 +1,15 @@
 #include "rtcore/io/debug/obj_sketch.h"
 
+#include "rtcore/settings/number_text.h"
+
 #include <array>
-#include <charconv>
 #include <cmath>
 
 namespace rtcore {
 
 namespace {
 
-void addNumber(std::string& text, float number) {
-    std::array<char, 32> digits{};
-    text += ' ';
-    text.append(digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr);
-}
+void addNumber(std::string& text, float number) { text.append(1, ' ').append(shortestText(number)); }
 
 void addFace(std::string& text, std::initializer_list<std::uint64_t> corners) {
     text += 'f';

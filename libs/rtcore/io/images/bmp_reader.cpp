@@ -1,6 +1,8 @@
 #include "rtcore/io/images/byte_reader.h"
 #include "rtcore/io/images/codecs.h"
 
+#include <fmt/core.h>
+
 #include <bit>
 
 namespace rtcore {
@@ -99,8 +101,8 @@ void checkKind(const Header& h, const std::string& name) {
         break;
     }
     if (!fits) {
-        badImage(name, "BMP of an unknown kind (" + std::to_string(h.bits) + " bits, compression " +
-                           std::to_string(h.compression) + ")");
+        badImage(name,
+                 fmt::format("BMP of an unknown kind ({} bits, compression {})", h.bits, h.compression));
     }
 }
 

@@ -1,5 +1,7 @@
 #include "rtcore/io/images/decoded_image.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -100,21 +102,19 @@ void cannotEncode(const std::string& name, const std::string& message) {
 }
 
 void checkImageSize(const std::string& name, std::int64_t width, std::int64_t height) {
-    const std::string size = std::to_string(width) + " x " + std::to_string(height) + " pixels";
-    if (width < 1 || height < 1) badImage(name, "the picture is empty (" + size + ")");
+    const std::string size = fmt::format("{} x {} pixels", width, height);
+    if (width < 1 || height < 1) badImage(name, fmt::format("the picture is empty ({})", size));
     if (width > kMaxImageSide || height > kMaxImageSide ||
         static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > kMaxImagePixels) {
-        badImage(name, "the picture is too large (" + size + "); the most is " +
-                           std::to_string(kMaxImageSide) + " a side and " +
-                           std::to_string(kMaxImagePixels >> 20U) + " megapixels");
+        badImage(name, fmt::format("the picture is too large ({}); the most is {} a side and {} megapixels",
+                                   size, kMaxImageSide, kMaxImagePixels >> 20U));
     }
 }
 
 void checkPlausible(const std::string& name, std::size_t pixels, std::size_t bytes,
                     std::size_t mostPixelsPerByte) {
     if (pixels / mostPixelsPerByte > bytes) {
-        badImage(name,
-                 "the file is too short for the " + std::to_string(pixels) + " pixels that its header names");
+        badImage(name, fmt::format("the file is too short for the {} pixels that its header names", pixels));
     }
 }
 

@@ -3,6 +3,8 @@
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/platform/error.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -29,8 +31,7 @@ HdrImage readRadiances(const std::filesystem::path& path) {
 [[noreturn]] void wrongShape(const std::filesystem::path& path, const HdrImage& image,
                              const std::string& expected) {
     throw FileError(FailureKind::BadData, path.string(),
-                    "the picture has " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                        " pixels; " + expected);
+                    fmt::format("the picture has {} x {} pixels; {}", image.width, image.height, expected));
 }
 
 bool hasShape(const HdrImage& image, int columns, int rows) {
@@ -86,7 +87,7 @@ Environment loadCubeFaces(const std::array<std::filesystem::path, 6>& paths) {
         const int n = faces[0].width;
         if (faces[i].width != n || faces[i].height != n) {
             wrongShape(paths[i], faces[i],
-                       "the faces of a cube are squares of one size, here " + std::to_string(n) + " a side");
+                       fmt::format("the faces of a cube are squares of one size, here {} a side", n));
         }
     }
     return Environment::fromCube(std::move(faces), paths[0].stem().string());

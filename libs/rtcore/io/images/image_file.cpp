@@ -4,6 +4,8 @@
 #include "rtcore/io/images/image_format.h"
 #include "rtcore/platform/files.h"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <new>
 
@@ -57,8 +59,8 @@ void checkEncodable(const Image<Pixel>& image, const std::string& name) {
                        image.height <= kMaxImageSide && image.pixels.size() <= kMaxImagePixels;
     if (!sized || image.pixels.size() !=
                       static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height)) {
-        cannotEncode(name, "a picture of " + std::to_string(image.width) + " x " +
-                               std::to_string(image.height) + " pixels cannot be written");
+        cannotEncode(name,
+                     fmt::format("a picture of {} x {} pixels cannot be written", image.width, image.height));
     }
 }
 

@@ -3,6 +3,8 @@
 #include "rtcore/io/images/byte_reader.h"
 #include "rtcore/io/images/codecs.h"
 
+#include <fmt/core.h>
+
 #include <bit>
 #include <cstdio>
 
@@ -54,7 +56,7 @@ DecodedImage decodePfm(ByteSpan bytes, const std::string& name) {
 Bytes encodePfm(const HdrImage& image, const std::string& /*name*/) {
     Bytes bytes;
     bytes.reserve(image.pixels.size() * 12 + 64);
-    append(bytes, "PF\n" + std::to_string(image.width) + " " + std::to_string(image.height) + "\n-1.0\n");
+    append(bytes, fmt::format("PF\n{} {}\n-1.0\n", image.width, image.height));
     for (int y = image.height - 1; y >= 0; --y) {
         for (int x = 0; x < image.width; ++x) {
             const Colour c = image.at(x, y);

@@ -3,6 +3,8 @@
 #include "rtcore/io/images/byte_reader.h"
 #include "rtcore/io/images/codecs.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -191,8 +193,8 @@ DecodedImage decodeRadiance(ByteSpan bytes, const std::string& name) {
 
 Bytes encodeRadiance(const HdrImage& image, const std::string& /*name*/) {
     Bytes bytes;
-    append(bytes, "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(image.height) + " +X " +
-                      std::to_string(image.width) + "\n");
+    append(bytes,
+           fmt::format("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y {} +X {}\n", image.height, image.width));
     std::vector<Rgbe> row(static_cast<std::size_t>(image.width));
     for (int y = 0; y < image.height; ++y) {
         std::transform(&image.at(0, y), &image.at(0, y) + image.width, row.begin(), encodePixel);

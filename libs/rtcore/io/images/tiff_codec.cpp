@@ -1,5 +1,6 @@
 #include "rtcore/io/images/codecs.h"
 
+#include <fmt/core.h>
 #include <tiffio.h>
 
 #include <algorithm>
@@ -145,7 +146,7 @@ Image<Pixel> readRows(TIFF* tiff, int samples, int width, int height, const std:
     Image<Pixel> image(width, height);
     for (int y = 0; y < height; ++y) {
         if (TIFFReadScanline(tiff, row.data(), static_cast<std::uint32_t>(y), 0) < 0) {
-            badImage(name, "damaged TIFF: row " + std::to_string(y) + " cannot be decoded");
+            badImage(name, fmt::format("damaged TIFF: row {} cannot be decoded", y));
         }
         for (int x = 0; x < width; ++x) {
             setPixel(image.at(x, y),
@@ -234,7 +235,7 @@ Bytes encodeTiff(const LdrImage& image, const std::string& name) {
     for (int y = 0; y < image.height; ++y) {
         appendRow(row, image, y, alpha);
         if (TIFFWriteScanline(tiff.get(), row.data(), static_cast<std::uint32_t>(y), 0) < 0) {
-            cannotEncode(name, "libtiff cannot write row " + std::to_string(y));
+            cannotEncode(name, fmt::format("libtiff cannot write row {}", y));
         }
     }
     if (TIFFFlush(tiff.get()) == 0) cannotEncode(name, "libtiff cannot write the directory");

@@ -14,14 +14,13 @@
 #include <assimp/config.h>
 #include <assimp/importerdesc.h>
 #include <assimp/scene.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iomanip>
 #include <new>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 namespace rtcore {
@@ -315,20 +314,21 @@ void refuseTooMuch(const aiScene& scene, const NodeWalk& walk, std::uint64_t mem
     }
     const std::uint64_t most = memoryLimit > 0 ? memoryLimit / kBytesPerTriangle : ~std::uint64_t{0};
     if (triangles > most || vertices / 4 > most) {
-        refuse(
-            "with all instances it has " + std::to_string(triangles) +
-            " faces, more than fit into the memory that it may use; raise the limit or simplify the model");
+        refuse(fmt::format(
+            "with all instances it has {} faces, more than fit into the memory that it may use; raise "
+            "the limit or simplify the model",
+            triangles));
     }
     assembler.reserve(vertices, triangles);
 }
 
 void refuseEmpty(const aiScene& scene, const ImportReport& report, ModelBuffers& model) {
     if (!model.triangles.empty()) return;
-    refuse("it holds no triangles (" + std::to_string(report.ignoredPrimitives) + " points and lines, " +
-           std::to_string(report.degenerateTriangles) + " triangles without area, " +
-           std::to_string(report.nonFiniteTriangles) + " with broken coordinates, " +
-           std::to_string(report.unconnectedTriangles) + " with corners that do not exist, " +
-           std::to_string(scene.mNumMeshes) + " meshes); give a model with surfaces");
+    refuse(
+        fmt::format("it holds no triangles ({} points and lines, {} triangles without area, {} with broken "
+                    "coordinates, {} with corners that do not exist, {} meshes); give a model with surfaces",
+                    report.ignoredPrimitives, report.degenerateTriangles, report.nonFiniteTriangles,
+                    report.unconnectedTriangles, scene.mNumMeshes));
 }
 
 /// Smaller models would vanish in the rounding of products of their coordinates.
@@ -338,10 +338,9 @@ void refuseTooSmall(const Box3& bounds) {
     const Vec3 size = bounds.size();
     const float largest = std::max({size.x, size.y, size.z});
     if (largest == 0 || largest >= kLeastSize) return;
-    std::ostringstream text;
-    text << "it is only " << largest << " units large, too small to be traced; scale it up by a factor of "
-         << std::scientific << std::setprecision(0) << 1 / std::max(double{largest}, 1e-45);
-    refuse(text.str());
+    refuse(
+        fmt::format("it is only {:g} units large, too small to be traced; scale it up by a factor of {:.0e}",
+                    largest, 1 / std::max(double{largest}, 1e-45)));
 }
 
 /// Of what Assimp drops without a word, by what the file declares.

@@ -2,6 +2,8 @@
 
 #include "rtcore/math/box.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -11,7 +13,7 @@ namespace rtcore {
 namespace {
 
 std::string counted(std::uint64_t count, const char* one, const char* many) {
-    return std::to_string(count) + " " + (count == 1 ? one : many);
+    return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
 bool isInvisible(const Material& m) {
@@ -43,7 +45,7 @@ std::string firstOf(std::span<const std::string> names) {
     for (std::size_t i = 0; i < std::min(kShown, names.size()); ++i) {
         text += (i == 0 ? "'" : i + 1 == names.size() ? " and '" : ", '") + names[i] + "'";
     }
-    if (names.size() > kShown) text += " and " + std::to_string(names.size() - kShown) + " more";
+    if (names.size() > kShown) text += fmt::format(" and {} more", names.size() - kShown);
     return text;
 }
 
@@ -56,13 +58,14 @@ void warnOfLostTriangles(const ModelBuffers& model, ImportReport& report) {
     if (damaged > 0 || report.degenerateTriangles > all / 2) {
         std::string why;
         const auto add = [&](std::uint64_t count, const char* what) {
-            if (count > 0) why += (why.empty() ? "" : ", ") + std::to_string(count) + what;
+            if (count > 0) why += fmt::format("{}{}{}", why.empty() ? "" : ", ", count, what);
         };
         add(report.nonFiniteTriangles, " with coordinates that are no numbers or beyond 1e12");
         add(report.unconnectedTriangles, " with corners that do not exist");
         add(report.degenerateTriangles, " without area");
-        addWarning(report, std::to_string(lost) + " of " + counted(all, "triangle", "triangles") +
-                               (lost == 1 ? " was" : " were") + " damaged and left out: " + why);
+        addWarning(report,
+                   fmt::format("{} of {} {} damaged and left out: {}", lost,
+                               counted(all, "triangle", "triangles"), lost == 1 ? "was" : "were", why));
     }
     if (report.equalTriangles > 0) {
         addWarning(report, counted(report.equalTriangles, "triangle is", "triangles are") +
@@ -74,8 +77,8 @@ void warnOfMissingTextures(std::span<const std::string> names, ImportReport& rep
     if (names.size() == 1) {
         addWarning(report, "texture '" + names[0] + "' is missing; its material is plain");
     } else if (names.size() > 1) {
-        addWarning(report, std::to_string(names.size()) +
-                               " textures are missing, so their materials are plain: " + firstOf(names));
+        addWarning(report, fmt::format("{} textures are missing, so their materials are plain: {}",
+                                       names.size(), firstOf(names)));
     }
 }
 

@@ -7,9 +7,10 @@
 #include "rtcore/platform/files.h"
 #include "rtcore/platform/processes.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cstdlib>
-#include <sstream>
 #include <system_error>
 
 namespace rtcore {
@@ -60,15 +61,15 @@ std::string lastLine(std::string text) {
 const std::string kRaise = " limit when the model is that large, else the file is damaged: export it again";
 
 [[noreturn]] void refuseForMemory(const fs::path& path, const ProcessLimits& limits) {
-    refuse(path, "reading it takes more than the " + std::to_string(limits.memory / 1'000'000) +
-                     " MB of memory that the importer may use; raise the memory" + kRaise);
+    refuse(path,
+           fmt::format("reading it takes more than the {} MB of memory that the importer may use; raise "
+                       "the memory{}",
+                       limits.memory / 1'000'000, kRaise));
 }
 
 [[noreturn]] void refuseForTime(const fs::path& path, const ProcessLimits& limits) {
-    std::ostringstream seconds;
-    seconds << limits.silence;
-    refuse(path, "the importer got no further for " + seconds.str() +
-                     " seconds and was ended; raise the time" + kRaise);
+    refuse(path, fmt::format("the importer got no further for {:g} seconds and was ended; raise the time{}",
+                             limits.silence, kRaise));
 }
 
 void throwExit(const fs::path& path, const ProcessResult& result, const ProcessLimits& limits) {
@@ -84,8 +85,8 @@ void throwExit(const fs::path& path, const ProcessResult& result, const ProcessL
     case ImporterExit::Usage:
         break;
     }
-    refuse(path, "the importer failed (exit code " + std::to_string(result.code) + ": " +
-                     lastLine(result.errors) + ")" + kRemedy);
+    refuse(path, fmt::format("the importer failed (exit code {}: {}){}", result.code, lastLine(result.errors),
+                             kRemedy));
 }
 
 void throwFailure(const fs::path& path, const ProcessResult& result, const ProcessLimits& limits) {
@@ -94,8 +95,8 @@ void throwFailure(const fs::path& path, const ProcessResult& result, const Proce
         throwExit(path, result, limits);
         return;
     case ProcessEnd::Signalled:
-        refuse(path, "the importer crashed (signal " + std::to_string(result.code) + ", " +
-                         signalName(result.code) + ") while reading it" + kRemedy);
+        refuse(path, fmt::format("the importer crashed (signal {}, {}) while reading it{}", result.code,
+                                 signalName(result.code), kRemedy));
     case ProcessEnd::MemoryLimit:
         refuseForMemory(path, limits);
     case ProcessEnd::SilenceLimit:
@@ -147,7 +148,7 @@ ImportedModel importModel(const fs::path& path, const ImportOptions& options) {
     const ProcessResult result =
         runProcess(importer,
                    {"--parent", std::to_string(processId()), "--memory", std::to_string(limits.memory),
-                    "--crease", std::to_string(options.creaseAngle.value_or(kCreaseAngle)), "--flip",
+                    "--crease", fmt::format("{:f}", options.creaseAngle.value_or(kCreaseAngle)), "--flip",
                     options.flipTextures.value_or(false) ? "1" : "0", "--threads",
                     std::to_string(options.threads), "--", fs::absolute(path).string(), handOver.string()},
                    limits);
@@ -161,8 +162,8 @@ ImportedModel importModel(const fs::path& path, const ImportOptions& options) {
     try {
         imported.model = readBsp(handOver).model;
     } catch (const FileError& damage) {
-        refuse(path, std::string("the importer handed over a model that cannot be used (") + damage.what() +
-                         ")" + kRemedy);
+        refuse(path, fmt::format("the importer handed over a model that cannot be used ({}){}", damage.what(),
+                                 kRemedy));
     }
     if (imported.model.mesh.triangles.empty())
         refuse(path, "it holds no triangles; give a model with surfaces");

@@ -3,7 +3,8 @@
 #include "rtcore/io/recording/camera_list.h"
 #include "rtcore/platform/error.h"
 
-#include <cstdio>
+#include <fmt/core.h>
+
 #include <string>
 #include <system_error>
 
@@ -63,9 +64,7 @@ PathRecorder::~PathRecorder() {
 }
 
 void PathRecorder::add(const CameraFile& frame) {
-    char name[32];
-    std::snprintf(name, sizeof name, "%06d.cam", number_ + 1);
-    const std::filesystem::path path = folder_ / name;
+    const std::filesystem::path path = folder_ / fmt::format("{:06}.cam", number_ + 1);
     const std::string text = checkedText(frame, path);
     ++number_;
     AppendFile(path).append(text);

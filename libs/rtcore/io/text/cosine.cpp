@@ -1,6 +1,7 @@
 #include "rtcore/io/text/cosine.h"
 
-#include <array>
+#include <fmt/core.h>
+
 #include <charconv>
 #include <cmath>
 #include <numbers>
@@ -21,12 +22,9 @@ double sine(double x) {
 }
 
 double roundedToDigits(double value, int digits) {
-    std::array<char, 64> text{};
-    char* const begin = text.data();
-    const auto end =
-        std::to_chars(begin, begin + text.size(), value, std::chars_format::scientific, digits - 1).ptr;
+    const std::string text = fmt::format("{:.{}e}", value, digits - 1);
     double rounded = value;
-    std::from_chars(begin, end, rounded);
+    std::from_chars(text.data(), text.data() + text.size(), rounded);
     return rounded;
 }
 

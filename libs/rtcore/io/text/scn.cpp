@@ -6,6 +6,8 @@
 #include "rtcore/io/text/text_file.h"
 #include "rtcore/io/text/toml_parser.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -91,9 +93,10 @@ class SceneReader {
         const std::size_t count = scene_.environments.size();
         scene_.activeEnvironment = index.value_or(0);
         if (index && static_cast<std::size_t>(*index) >= count)
-            root_.fail("activeEnvironment", "activeEnvironment is " + std::to_string(*index) +
-                                                ", but there are " + std::to_string(count) +
-                                                " [[environment]], counted from 0");
+            root_.fail(
+                "activeEnvironment",
+                fmt::format("activeEnvironment is {}, but there are {} [[environment]], counted from 0",
+                            *index, count));
     }
 
     void readSections() {

@@ -1,6 +1,8 @@
 #include "rtcore/io/text/scn_sections.h"
 #include "rtcore/io/text/text_file.h"
 
+#include <fmt/core.h>
+
 #include <array>
 
 namespace rtcore {
@@ -30,8 +32,8 @@ EnvironmentFile readEnvironment(StrictTable& table, const std::filesystem::path&
         environment.files = *faces;
         ++given;
         if (faces->size() != kFaces)
-            table.fail("faces", "faces has " + std::to_string(faces->size()) +
-                                    " files, but takes six: +x, -x, +y, -y, +z, -z");
+            table.fail("faces", fmt::format("faces has {} files, but takes six: +x, -x, +y, -y, +z, -z",
+                                            faces->size()));
     }
     table.finish();
     if (given != 1)

@@ -4,6 +4,9 @@
 #include "rtcore/io/text/toml_writer.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/settings/nearest_name.h"
+#include "rtcore/settings/number_text.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -21,18 +24,17 @@ namespace {
 
 [[noreturn]] void failType(const std::string& file, std::string_view key, const TextValue& value,
                            std::string_view wanted) {
-    failAt(file, value.position,
-           std::string(key) + " is " + std::string(describeType(value)) + ", but takes " +
-               std::string(wanted));
+    failAt(file, value.position, fmt::format("{} is {}, but takes {}", key, describeType(value), wanted));
 }
 
 std::string describeLimits(const Limits& limits) {
     const bool bounded = limits.maximum < kAnyNumber.maximum;
     if (limits.minimum <= kAnyNumber.minimum) return "a finite number";
-    const std::string low = (limits.minimumExcluded ? "above " : "at least ") + plainNumber(limits.minimum);
+    const std::string low =
+        fmt::format("{} {}", limits.minimumExcluded ? "above" : "at least", shortestText(limits.minimum));
     if (!bounded) return "a finite number " + low;
-    return "a number " + low + " and " + (limits.maximumExcluded ? "below " : "at most ") +
-           plainNumber(limits.maximum);
+    return fmt::format("a number {} and {} {}", low, limits.maximumExcluded ? "below" : "at most",
+                       shortestText(limits.maximum));
 }
 
 template <typename Number>
@@ -66,16 +68,16 @@ Number checkedNumber(const Place& place, const TextValue& value, const Limits& l
     }
     if (within(rounded, limits)) return rounded;
     failAt(place.file, value.position,
-           std::string(place.key) + " is " + plainNumber(number) + ", but takes " + describeLimits(limits));
+           fmt::format("{} is {}, but takes {}", place.key, shortestText(number), describeLimits(limits)));
 }
 
 std::array<float, 3> threeNumbers(const Place& place, const TextValue& value, const Limits& limits) {
     const auto* array = std::get_if<TextArray>(&value.content);
     if (array == nullptr) failType(place.file, place.key, value, "three numbers in brackets");
     if (array->size() != 3)
-        failAt(place.file, value.position,
-               std::string(place.key) + " has " + std::to_string(array->size()) +
-                   " values, but takes three numbers in brackets");
+        failAt(
+            place.file, value.position,
+            fmt::format("{} has {} values, but takes three numbers in brackets", place.key, array->size()));
     std::array<float, 3> numbers{};
     for (std::size_t i = 0; i < 3; ++i) numbers[i] = checkedNumber<float>(place, (*array)[i], limits);
     return numbers;
@@ -87,7 +89,7 @@ std::filesystem::path checkedPath(const Place& place, const TextValue& value,
     if (text == nullptr) failType(place.file, place.key, value, "a path in quotes");
     const bool hasZero = text->find('\0') != std::string::npos;
     if (text->empty() || hasZero)
-        failAt(place.file, value.position, std::string(place.key) + " is no path; give the name of a file");
+        failAt(place.file, value.position, fmt::format("{} is no path; give the name of a file", place.key));
     return folder / pathFromUtf8(*text);
 }
 
@@ -138,12 +140,11 @@ std::optional<bool> StrictTable::boolean(std::string_view key) {
 }
 
 std::optional<int> StrictTable::integer(std::string_view key, int minimum, int maximum) {
-    const std::string range =
-        "a whole number from " + std::to_string(minimum) + " to " + std::to_string(maximum);
+    const std::string range = fmt::format("a whole number from {} to {}", minimum, maximum);
     const auto* whole = typed<std::int64_t>(key, range);
     if (whole == nullptr) return std::nullopt;
     if (*whole < minimum || *whole > maximum)
-        fail(key, std::string(key) + " is " + std::to_string(*whole) + ", but takes " + range);
+        fail(key, fmt::format("{} is {}, but takes {}", key, *whole, range));
     return static_cast<int>(*whole);
 }
 
@@ -247,7 +248,7 @@ void StrictTable::checkVersion() {
     if (version == nullptr)
         failAt(*file_, {1, 1}, "the version is missing; begin the file with: version = 1");
     if (*version != 1)
-        fail("version", "version " + std::to_string(*version) + " is unknown; this program reads version 1");
+        fail("version", fmt::format("version {} is unknown; this program reads version 1", *version));
 }
 
 void StrictTable::finish() const {

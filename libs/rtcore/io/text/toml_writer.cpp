@@ -1,19 +1,15 @@
 #include "rtcore/io/text/toml_writer.h"
 
-#include <array>
+#include "rtcore/settings/number_text.h"
+
+#include <fmt/core.h>
+
 #include <charconv>
 #include <cstdint>
 
 namespace rtcore {
 
 namespace {
-
-template <typename Number>
-std::string shortest(Number value) {
-    std::array<char, 64> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    return {digits.data(), end};
-}
 
 /// Digits alone would be a TOML integer, which has no -0 and ends at 2^63.
 std::string asTomlFloat(const std::string& digits) {
@@ -28,7 +24,7 @@ float readByDouble(const std::string& digits) {
 }
 
 std::string threeNumbers(float a, float b, float c) {
-    return "[" + tomlNumber(a) + ", " + tomlNumber(b) + ", " + tomlNumber(c) + "]";
+    return fmt::format("[{}, {}, {}]", tomlNumber(a), tomlNumber(b), tomlNumber(c));
 }
 
 std::string escaped(char c) {
@@ -54,14 +50,12 @@ std::string escaped(char c) {
 
 } // namespace
 
-std::string plainNumber(double value) { return shortest(value); }
-
-std::string tomlNumber(double value) { return asTomlFloat(shortest(value)); }
+std::string tomlNumber(double value) { return asTomlFloat(shortestText(value)); }
 
 std::string tomlNumber(float value) {
-    const std::string digits = shortest(value);
+    const std::string digits = shortestText(value);
     // Rounding to double and then to float may differ from rounding once; then all digits are needed.
-    return asTomlFloat(readByDouble(digits) == value ? digits : shortest(static_cast<double>(value)));
+    return asTomlFloat(readByDouble(digits) == value ? digits : shortestText(static_cast<double>(value)));
 }
 
 std::string tomlString(std::string_view text) {

@@ -13,9 +13,7 @@
 
 namespace rtcore {
 
-/// The fewest digits that keep every bit, for messages: "70", "0.1", "1e+30".
-std::string plainNumber(double value);
-/// The same as a TOML float: "70.0". Not a number and infinity give text that every reader refuses.
+/// shortestText as a TOML float: "70.0". Not a number and infinity give text that every reader refuses.
 std::string tomlNumber(double value);
 /// The fewest digits that a reader by way of double turns into the same float.
 std::string tomlNumber(float value);
