@@ -1,18 +1,22 @@
 #!/bin/sh
 # The checks that take too long for every run; their output belongs into the note that closes an issue.
-#   scripts/check-long.sh [leaks] [leaving] [trees] [waves] [oracle] [mutations] [kills] [formats] [ipc] [server]
+#   scripts/check-long.sh [formulas] [leaks] [leaving] [trees] [waves] [oracle] [mutations] [kills] [formats] [ipc] [server]
 #                         [reaction] [soak] [preview] [window] [walks] [tutorial] [sanitizers] [mutants]
 # Without arguments: all. RT_ISA chooses the instruction set of the kernels.
 set -eu
 cd "$(dirname "$0")/.."
 scripts/build.sh
 [ $# -gt 0 ] ||
-    set -- leaks leaving trees waves oracle mutations kills formats ipc server reaction soak preview window walks \
+    set -- formulas leaks leaving trees waves oracle mutations kills formats ipc server reaction soak preview window walks \
         tutorial sanitizers mutants
 release=build/release/bin
 for check in "$@"; do
     echo "== $check"
     case $check in
+    formulas)
+        # Each formula for one number and for vectors of them, on so many inputs.
+        RT_FORMULA_INPUTS=${RT_FORMULA_INPUTS:-10000000} $release/test_simd --gtest_filter='Formulas.*'
+        ;;
     leaks)
         # So many rays for each kernel, five times as many in all; RT_ISA chooses the instruction set.
         RT_LEAK_RAYS=${RT_LEAK_RAYS:-100000000} $release/test_leaks

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -36,7 +37,7 @@ namespace rtcore {
 inline constexpr std::size_t kInputs = 16, kOutputs = 8 * kLightKinds;
 /// Numbers that are worked on at once.
 inline constexpr std::size_t kBlock = 64;
-using Columns = std::array<std::array<float, kBlock>, kInputs>;
+using Columns = std::array<std::array<float, kBlock>, std::max(kInputs, kOutputs)>;
 
 enum class Formulas {
     Scattering,
