@@ -11,6 +11,7 @@
 #include "rtcore/io/debug/debug_scene.h"
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/post/effects.h"
 #include "rtcore/settings/settings_table.h"
 
 #include <algorithm>
@@ -42,9 +43,7 @@ PictureMaker::PictureMaker(rtcore::LoadedScene scene, std::vector<rtcore::Settin
                            const RendererOptions& options, app::Progress& progress)
     : loaded_(std::move(scene)), lights_(loaded_.scene.lights), environment_(loaded_.scene.activeEnvironment),
       settingsFile_(std::move(settingsFile)), options_(options), progress_(progress),
-      tracer_(loaded_.tree, loaded_.scene.mesh(), chooseLeafRecords(loaded_.tree, knownRays(options))) {
-    renderer_.collectLayers(options.layers);
-}
+      tracer_(loaded_.tree, loaded_.scene.mesh(), chooseLeafRecords(loaded_.tree, knownRays(options))) {}
 
 FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     rtcore::Camera camera = loaded_.camera;
@@ -129,6 +128,7 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
     };
     const app::ProgressScope scope(progress_, {"rendering", fraction, &control.cancel}, index, count);
     const rtcore::Scene& scene = loaded_.scene;
+    renderer_.collectLayers(options_.layers || rtcore::effectsNeedLayers(settings));
     const bool whole = preview_ == nullptr ? renderer_.render(scene, tracer_, camera, settings,
                                                               options_.threads, control, frame_)
                                            : preview_->render(renderer_, scene, tracer_, camera, settings,

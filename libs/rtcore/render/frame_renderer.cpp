@@ -68,7 +68,7 @@ void FrameRenderer::aim(const Scene& scene, const RayTracer& tracer, const Camer
 }
 
 void FrameRenderer::beginLayers(const Camera& camera, const RenderSettings& settings, Frame& frame) const {
-    if (collectLayers_ || settings.denoise > 0) {
+    if (collectLayers_) {
         frame.layers.begin(camera, settings.width, settings.height);
     } else {
         frame.layers.clear();

@@ -52,7 +52,7 @@ class FrameRenderer {
                       const RenderSettings& settings, int block, int threads, RenderControl& control,
                       Frame& frame);
 
-    /// Whether frames to come get layers; those that are denoised get them anyway.
+    /// Whether frames to come get layers: for who writes them, or for effects (effectsNeedLayers()).
     void collectLayers(bool on) { collectLayers_ = on; }
     /// Whether frames to come measure stageTimes().
     void measureStages(bool on) { measureStages_ = on; }

@@ -49,7 +49,7 @@ void WhittedIntegrator::begin(const Scene& scene, const RayTracer& tracer, const
 
 bool WhittedIntegrator::drawsSamples(const Scene& scene, const RenderSettings& settings) {
     const auto soft = [](const Light& light) { return light.on != 0 && hasSize(light); };
-    const bool lamps = settings.lampSamples > 0 && std::ranges::any_of(scene.lights, soft);
+    const bool lamps = settings.areaLights.samples > 0 && std::ranges::any_of(scene.lights, soft);
     const bool shafts = settings.fog.shafts > 0 && fogMedium(scene, settings).on;
     return settings.ambientOcclusion.on || lamps || shafts;
 }
@@ -313,7 +313,7 @@ void WhittedIntegrator::lightFromEverywhere() {
 }
 
 void WhittedIntegrator::lightBy(const Light& light, std::uint32_t number) {
-    if (hasSize(light) && settings_->lampSamples > 0) {
+    if (hasSize(light) && settings_->areaLights.samples > 0) {
         lit_ = Lit::BySize;
         lightBySamples(light, number);
         return;
@@ -324,7 +324,7 @@ void WhittedIntegrator::lightBy(const Light& light, std::uint32_t number) {
 }
 
 void WhittedIntegrator::lightBySamples(const Light& light, std::uint32_t number) {
-    const int samples = settings_->lampSamples;
+    const int samples = settings_->areaLights.samples;
     lampDraw_.begin(
         surfaces_.size(), samples, settings_->antialiasing * settings_->antialiasing, number,
         [&](std::size_t i) { return sampleId(paths_.sample(i)); },
