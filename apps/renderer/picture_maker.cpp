@@ -11,6 +11,7 @@
 #include "rtcore/io/debug/debug_scene.h"
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/post/effects.h"
 #include "rtcore/settings/settings_table.h"
 
 #include <fmt/core.h>
@@ -44,9 +45,7 @@ PictureMaker::PictureMaker(rtcore::LoadedScene scene, std::vector<rtcore::Settin
                            const RendererOptions& options, app::Progress& progress)
     : loaded_(std::move(scene)), lights_(loaded_.scene.lights), environment_(loaded_.scene.activeEnvironment),
       settingsFile_(std::move(settingsFile)), options_(options), progress_(progress),
-      tracer_(loaded_.tree, loaded_.scene.mesh(), chooseLeafRecords(loaded_.tree, knownRays(options))) {
-    renderer_.collectLayers(options.layers);
-}
+      tracer_(loaded_.tree, loaded_.scene.mesh(), chooseLeafRecords(loaded_.tree, knownRays(options))) {}
 
 FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     rtcore::Camera camera = loaded_.camera;
@@ -128,6 +127,7 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
         return tiles == 0 ? 0.0 : static_cast<double>(control.tilesDone.load()) / static_cast<double>(tiles);
     };
     const app::ProgressScope scope(progress_, {"rendering", fraction, &control.cancel}, index, count);
+    renderer_.collectLayers(options_.layers || rtcore::effectsNeedLayers(settings));
     const rtcore::View view{loaded_.scene, tracer_, camera, settings};
     const bool whole = preview_ == nullptr ? renderer_.render(view, control, frame_)
                                            : preview_->render(renderer_, view, control, frame_);

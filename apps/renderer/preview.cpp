@@ -128,7 +128,8 @@ void Preview::showPass(const rtcore::RefinementPass& pass, const rtcore::Frame& 
     // A small picture is developed sooner than several threads have met: on a busy machine they wait long.
     const int threads = pass.block > 1 ? 1 : work_->control.threads;
     status_.exposure = developer_.exposure(frame, settings.exposure, threads);
-    developer_.roughEffects(frame, pass.block, settings, status_.exposure, threads, effects_);
+    effects_.beginRows(rtcore::EffectStage::Radiance, frame.radiance, pass.block,
+                       {.settings = settings, .threads = threads, .exposure = status_.exposure});
     if (pass.block > 1) {
         developer_.develop(frame, settings, status_.exposure, threads, small_);
         rtcore::enlarge(small_, pass.block, threads, picture_);
@@ -148,8 +149,9 @@ void Preview::showTiles() {
     if (!pace_.due(start)) return;
     const std::vector<rtcore::PixelArea> tiles = refinement_.finishedTiles().take();
     if (tiles.empty()) return;
+    const rtcore::Development how = rtcore::developmentOf(work_->view.settings, status_.exposure);
     for (const rtcore::PixelArea& tile : tiles) {
-        rtcore::developPart(work_->frame, work_->view.settings, status_.exposure, effects_, tile, picture_);
+        rtcore::developPart(work_->frame.radiance, how, effects_, tile, picture_);
     }
     publish(picture_, tagUnderWay());
     pace_.shown(start, Clock::now());

@@ -77,8 +77,8 @@ class Preview {
     ipc::Status status_;
     Work* work_ = nullptr; ///< null: nothing is being rendered
     rtcore::LdrImage picture_;
-    rtcore::RoughEffects effects_; ///< of the last whole pass
-    std::uint32_t samples_ = 0;    ///< that each pixel of picture_ has at least; 0: not even one of its own
+    rtcore::EffectChain effects_; ///< for parts, by the last whole pass
+    std::uint32_t samples_ = 0;   ///< that each pixel of picture_ has at least; 0: not even one of its own
     PreviewPace pace_;
     Clock::time_point begun_;    ///< the rendering
     std::exception_ptr failure_; ///< of the thread

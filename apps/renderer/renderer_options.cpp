@@ -36,7 +36,7 @@ const std::vector<SettingOption>& settingOptions() {
         {"width", {{"width", nullptr}}},
         {"height", {{"height", nullptr}}},
         {"antialiasing", {{"antialiasing", nullptr}}},
-        {"bloom", {{"bloom", nullptr}}},
+        {"bloom", {{"bloom.radius", nullptr}}},
         {"ambient-occlusion", {{"ambientOcclusion.on", "true"}}},
         {"no-ambient-occlusion", {{"ambientOcclusion.on", "false"}}},
         {"ao-samples", {{"ambientOcclusion.samples", nullptr}, {"ambientOcclusion.on", "true"}}},

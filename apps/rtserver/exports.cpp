@@ -26,7 +26,7 @@ rtcore::CameraFile cameraFileOf(const Session& session, float exposure) {
     file.width = settings.width;
     file.height = settings.height;
     file.antialiasing = settings.antialiasing;
-    file.bloom = settings.bloom;
+    file.bloom = settings.bloom.radius;
     file.exposure = exposure;
     file.lights.emplace();
     for (const rtcore::Light& light : scene.lights) file.lights->push_back(light.on != 0);

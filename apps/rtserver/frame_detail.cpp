@@ -24,10 +24,10 @@ void cutSamples(rtcore::RenderSettings& settings, double scale) {
     // Mirrors, but no polished floors.
     settings.minContribution = std::max(settings.minContribution, scale < kCoarse ? 0.3F : 0.1F);
     settings.ambientOcclusion.samples = std::min(settings.ambientOcclusion.samples, scale < kCoarse ? 1 : 4);
-    settings.lampSamples = std::min(settings.lampSamples, 1);
+    settings.areaLights.samples = std::min(settings.areaLights.samples, 1);
     settings.fog.shafts = std::min(settings.fog.shafts, 2);
     settings.depthOfField.on = false;
-    settings.denoise = 0;
+    settings.denoise.passes = 0;
 }
 
 } // namespace
@@ -45,7 +45,7 @@ double workOf(const rtcore::RenderSettings& settings, const rtcore::Scene& scene
     for (const rtcore::Light& light : scene.lights) {
         if (light.on == 0) continue;
         ++lights;
-        parts += rtcore::isAreaLight(light) ? std::max(1, settings.lampSamples) : 1;
+        parts += rtcore::isAreaLight(light) ? std::max(1, settings.areaLights.samples) : 1;
     }
     const double samples = double{static_cast<float>(settings.antialiasing)} * settings.antialiasing;
     double rays = 1;

@@ -1,6 +1,7 @@
 #include "rtserver/frame_maker.h"
 
 #include "rtcore/platform/error.h"
+#include "rtcore/post/effects.h"
 
 #include <algorithm>
 #include <new>
@@ -16,14 +17,15 @@ bool FrameMaker::trace(const Session& session, const FrameDetail& detail, rtcore
     if (detail.whole() == detail_.whole()) seen_ = nullptr; // its memory is written to
     const rtcore::ShadowMaps* const maps = world.shadowMaps.get();
     renderer_->takeShadowsFrom(detail.cut && maps != nullptr && maps->suit(settings) ? maps : nullptr);
+    renderer_->collectLayers(rtcore::effectsNeedLayers(settings));
     control.threads = threads_;
     const rtcore::View view{world.loaded.scene, *world.tracer, session.camera(), settings};
     if (!renderer_->render(view, control, frame)) return false;
     target_ = developer_.exposure(frame, settings.exposure, threads_);
     // Bloom has its width in pixels of the whole frame.
     rtcore::RenderSettings effects = session.shownSettings();
-    effects.denoise = settings.denoise;
-    seen_ = nullptr; // the frame before may be shown from the effects' memory
+    effects.denoise = settings.denoise; // a coarse frame has no layers
+    seen_ = nullptr;                    // the frame before may be shown from the effects' memory
     const rtcore::HdrImage& finished = developer_.finish(frame, effects, threads_, &control.cancel);
     if (control.cancel) return false;
     seen_ = &finished;
@@ -33,14 +35,14 @@ bool FrameMaker::trace(const Session& session, const FrameDetail& detail, rtcore
     return true;
 }
 
-void FrameMaker::requireMemory(const rtcore::RenderSettings& settings) {
-    constexpr std::size_t kRadiance = sizeof(rtcore::Colour), kPicture = 4, kLayers = 72;
-    const bool finished = settings.bloom > 0 || settings.denoise > 0; // as a picture of its own
+std::size_t FrameMaker::bytesOf(const rtcore::RenderSettings& settings) {
     const std::size_t pixel =
-        kRadiance + kPicture + (finished ? kRadiance : 0) + (settings.denoise > 0 ? kLayers : 0);
-    const std::size_t bytes =
-        pixel * static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
-    void* trial = ::operator new(bytes, std::nothrow);
+        sizeof(rtcore::Colour) + sizeof(rtcore::Rgba8) + rtcore::effectBytesPerPixel(settings);
+    return pixel * static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
+}
+
+void FrameMaker::requireMemory(const rtcore::RenderSettings& settings) {
+    void* trial = ::operator new(bytesOf(settings), std::nothrow);
     ::operator delete(trial);
     if (trial != nullptr) return;
     throw rtcore::FileError(rtcore::FailureKind::TryAgain, "",

@@ -9,6 +9,7 @@
 #include "rtcore/render/frame_renderer.h"
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -30,6 +31,8 @@ class FrameMaker {
     void develop(const Session& session);
     /// Whether develop() would give the same picture again.
     bool settled() const { return adaptation_.settled(); }
+    /// What a frame of such settings takes, with its picture and effects.
+    static std::size_t bytesOf(const rtcore::RenderSettings& settings);
     /// Throws rtcore::FileError TryAgain when there is no memory for such frames, as far as one can tell.
     static void requireMemory(const rtcore::RenderSettings& settings);
     /// Gives its memory back; there is no frame then.
@@ -38,7 +41,7 @@ class FrameMaker {
     void forget() { adaptation_ = {}; }
 
     const rtcore::LdrImage& image() const { return image_; } ///< empty before the first one
-    /// As it is shown: denoised, with its glow. Needs hasRadiance().
+    /// As it is shown: denoised, with its bloom. Needs hasRadiance().
     const rtcore::HdrImage& radiance() const { return *seen_; }
     float exposure() const { return adaptation_.value(); }
     double seconds() const { return seconds_; } ///< that the last frame took to trace

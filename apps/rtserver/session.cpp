@@ -121,9 +121,9 @@ rtcore::RenderSettings Session::shownSettings() const {
 }
 
 void Session::switchBloom(bool on) {
-    if ((settings_.bloom != 0) == on) return;
-    if (!on) bloom_ = settings_.bloom;
-    settings_.bloom = on ? bloom_ : 0;
+    if ((settings_.bloom.radius != 0) == on) return;
+    if (!on) bloom_ = settings_.bloom.radius;
+    settings_.bloom.radius = on ? bloom_ : 0;
     touch();
 }
 

@@ -65,8 +65,8 @@ void Session::apply(const rtcore::ActionTap& tap) {
     } else if (tap.action == rtcore::Action::ToggleWalk) {
         toggleWalking();
     } else if (tap.action == rtcore::Action::ToggleBloom) {
-        switchBloom(settings_.bloom == 0);
-        messages_.tell(settings_.bloom == 0 ? "bloom off" : "bloom on");
+        switchBloom(settings_.bloom.radius == 0);
+        messages_.tell(settings_.bloom.radius == 0 ? "bloom off" : "bloom on");
     } else if (tap.action == rtcore::Action::ToggleLight) {
         toggleLight(tap.number - 1);
     } else if (tap.action == rtcore::Action::SelectEnvironment) {

@@ -9,6 +9,7 @@
 // all that a faster tracer cannot save.
 #include "rtcore/io/scene_loader.h"
 #include "rtcore/post/develop.h"
+#include "rtcore/post/effects.h"
 #include "rtcore/render/frame_renderer.h"
 #include "rtcore/settings/settings_table.h"
 #include "rtcore/simd/instruction_set.h"
@@ -176,6 +177,7 @@ class Bench {
                     processSeconds() - start);
     }
     double render(const RayTracer& tracer, int threads) {
+        renderer_.collectLayers(effectsNeedLayers(settings_));
         const double start = processSeconds();
         control_.threads = threads;
         renderer_.render({loaded_.scene, tracer, loaded_.camera, settings_}, control_, frame_);

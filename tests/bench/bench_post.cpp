@@ -1,4 +1,6 @@
 // What is done to a whole picture, and how long it takes: bench_post [WIDTH HEIGHT [THREADS]]
+#include "rtcore/post/bloom.h"
+#include "rtcore/post/denoise.h"
 #include "rtcore/post/develop.h"
 #include "rtcore/sampling/sample_id.h"
 
@@ -35,11 +37,12 @@ void benchBloom(const HdrImage& image, int threads) {
     settings.width = image.width;
     settings.height = image.height;
     for (const BloomKernel kernel : {BloomKernel::Gaussian, BloomKernel::Airy}) {
-        settings.bloomKernel = kernel;
+        settings.bloom.kernel = kernel;
         for (const int sigma : {2, 20, 100}) {
-            settings.bloom = sigma;
+            settings.bloom.radius = sigma;
             Bloom bloom;
-            const double ms = best(7, [&] { bloom.apply(image, settings, threads); });
+            const double ms =
+                best(7, [&] { bloom.apply(image, {}, {.settings = settings, .threads = threads}); });
             std::printf("bloom %s sigma %3d: %7.2f ms\n",
                         kernel == BloomKernel::Airy ? "airy    " : "gaussian", sigma, ms);
         }
@@ -84,9 +87,11 @@ void fillLayers(Frame& frame) {
 void benchDenoise(const Frame& frame, int threads) {
     RenderSettings settings;
     for (const int passes : {1, 3, 5}) {
-        settings.denoise = passes;
+        settings.denoise.passes = passes;
         Denoiser denoiser;
-        const double ms = best(5, [&] { denoiser.apply(frame, settings, threads); });
+        const double ms = best(5, [&] {
+            denoiser.apply(frame.radiance, frame.layers, {.settings = settings, .threads = threads});
+        });
         std::printf("denoise, %d passes: %7.2f ms\n", passes, ms);
     }
 }

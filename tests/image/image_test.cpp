@@ -5,6 +5,7 @@
 #include "rtcore/io/scene_loader.h"
 #include "rtcore/kernels/ray_tracer.h"
 #include "rtcore/post/develop.h"
+#include "rtcore/post/effects.h"
 #include "rtcore/render/frame_renderer.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +28,9 @@ LdrImage render(const rtcore::LoadedScene& loaded, const rtcore::Camera& camera,
     const rtcore::KdRayTracer tracer(loaded.tree, loaded.scene.mesh());
     rtcore::RenderControl control{.threads = 0};
     rtcore::Frame frame;
-    EXPECT_TRUE(rtcore::renderFrame({loaded.scene, tracer, camera, settings}, control, frame));
+    rtcore::FrameRenderer renderer;
+    renderer.collectLayers(rtcore::effectsNeedLayers(settings));
+    EXPECT_TRUE(renderer.render({loaded.scene, tracer, camera, settings}, control, frame));
     return rtcore::develop(frame, settings, rtcore::exposureFor(frame, settings.exposure));
 }
 

@@ -3,6 +3,7 @@
 
 #include "rtcore/kernels/ray_tracer.h"
 #include "rtcore/post/develop.h"
+#include "rtcore/post/effects.h"
 #include "rtcore/render/frame_renderer.h"
 
 #include <array>
@@ -24,7 +25,9 @@ inline Picture pictureOf(const rtcore::Scene& scene, const rtcore::RayTracer& tr
                          const rtcore::Camera& camera, const rtcore::RenderSettings& settings) {
     Picture picture;
     rtcore::RenderControl control{.threads = 0};
-    rtcore::renderFrame({scene, tracer, camera, settings}, control, picture.frame);
+    rtcore::FrameRenderer renderer;
+    renderer.collectLayers(rtcore::effectsNeedLayers(settings));
+    renderer.render({scene, tracer, camera, settings}, control, picture.frame);
     rtcore::PictureDeveloper developer;
     const float exposure = developer.exposure(picture.frame, settings.exposure, 0);
     developer.develop(picture.frame, settings, exposure, 0, picture.developed);

@@ -124,10 +124,10 @@ inline rtcore::RenderSettings everyEffect(int width, int height) {
     settings.ambientOcclusion = {.on = true, .samples = 5};
     settings.depthOfField = {.on = true, .fNumber = 2, .blades = 6};
     settings.fog.shafts = 2;
-    settings.lampSamples = 2;
-    settings.denoise = 3;
-    settings.bloom = 2;
-    settings.bloomKernel = rtcore::BloomKernel::Airy;
+    settings.areaLights.samples = 2;
+    settings.denoise.passes = 3;
+    settings.bloom.radius = 2;
+    settings.bloom.kernel = rtcore::BloomKernel::Airy;
     settings.exposure.local = 0.5F;
     return settings;
 }

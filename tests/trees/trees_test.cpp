@@ -174,9 +174,9 @@ const Effect kEffects[] = {
     {"lens", [](RenderSettings& s) { s.depthOfField.on = false; }},
     {"fog", [](RenderSettings& s) { s.fog.on = false; }},
     {"shafts", [](RenderSettings& s) { s.fog.shafts = 0; }},
-    {"lamps' size", [](RenderSettings& s) { s.lampSamples = 0; }},
-    {"denoise", [](RenderSettings& s) { s.denoise = 0; }},
-    {"bloom", [](RenderSettings& s) { s.bloom = 0; }},
+    {"lamps' size", [](RenderSettings& s) { s.areaLights.samples = 0; }},
+    {"denoise", [](RenderSettings& s) { s.denoise.passes = 0; }},
+    {"bloom", [](RenderSettings& s) { s.bloom.radius = 0; }},
     {"local exposure", [](RenderSettings& s) { s.exposure.local = 0; }},
 };
 

@@ -10,7 +10,8 @@ namespace app {
 rtcore::SettingAssignment settingOf(const std::string& option, const std::string& name,
                                     const std::string& value) {
     try {
-        return {name, rtcore::parseSetting(rtcore::requireSetting(name), value)};
+        const rtcore::Setting& setting = rtcore::requireSetting(name);
+        return {std::string(setting.name), rtcore::parseSetting(setting, value)};
     } catch (const std::invalid_argument& error) {
         throw UsageError("option '--" + option + "': " + error.what());
     }

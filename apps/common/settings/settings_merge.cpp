@@ -16,7 +16,7 @@ void applyCameraFields(const rtcore::CameraFile& camera, rtcore::RenderSettings&
     set("width", camera.width);
     set("height", camera.height);
     set("antialiasing", camera.antialiasing);
-    set("bloom", camera.bloom);
+    set("bloom.radius", camera.bloom);
     set("exposure.value", camera.exposure);
     if (camera.exposure) settings.exposure.mode = rtcore::ExposureMode::Fixed;
 }

@@ -5,25 +5,12 @@
 #include <QCoreApplication>
 #include <QLocale>
 
-#include <algorithm>
-#include <iterator>
-
 namespace gui {
 
 namespace {
 
 using rtcore::Setting;
 using rtcore::SettingType;
-
-/// Where settings without a dot stand that belong together; those that are not here are in the general group.
-struct Place {
-    std::string_view setting, group;
-};
-constexpr Place kPlaces[] = {
-    {"shadows", "rays"},  {"reflections", "rays"},     {"refractions", "rays"}, {"textures", "rays"},
-    {"maxDepth", "rays"}, {"minContribution", "rays"}, {"lampSamples", "rays"}, {"environmentFilter", "rays"},
-    {"bloom", "bloom"},   {"bloomKernel", "bloom"},    {"bloomShare", "bloom"}, {"toneMapping", "exposure"},
-};
 
 QString translated(const QString& text) {
     return QCoreApplication::translate("Settings", text.toUtf8().constData());
@@ -44,9 +31,8 @@ QString words(const QString& name) {
 }
 
 // The texts as they are looked up.
-QString groupText(std::string_view name) {
-    const QString key = settingGroupKey(name);
-    return key.isEmpty() ? QStringLiteral("Picture") : words(key);
+QString groupText(std::string_view group) {
+    return group.empty() ? QStringLiteral("Picture") : words(fromView(group));
 }
 QString labelText(std::string_view name) {
     const std::size_t dot = name.rfind('.');
@@ -69,15 +55,7 @@ QString rangeText(const Setting& setting) {
 
 } // namespace
 
-QString settingGroupKey(std::string_view name) {
-    const std::size_t dot = name.find('.');
-    if (dot != std::string_view::npos) return fromView(name.substr(0, dot));
-    const auto* place = std::find_if(std::begin(kPlaces), std::end(kPlaces),
-                                     [&](const Place& each) { return each.setting == name; });
-    return place == std::end(kPlaces) ? QString() : fromView(place->group);
-}
-
-QString settingGroup(std::string_view name) { return translated(groupText(name)); }
+QString settingGroup(std::string_view group) { return translated(groupText(group)); }
 QString settingLabel(std::string_view name) { return translated(labelText(name)); }
 QString settingUnit(std::string_view unit) { return unit.empty() ? QString() : translated(fromView(unit)); }
 QString settingHelp(std::string_view help) { return translated(fromView(help)); }
@@ -112,7 +90,7 @@ QString settingValueText(const Setting& setting, const QString& value) {
 QStringList settingTexts() {
     QStringList texts;
     for (const Setting& setting : rtcore::settingsTable()) {
-        texts << groupText(setting.name) << labelText(setting.name) << fromView(setting.help);
+        texts << groupText(setting.group) << labelText(setting.name) << fromView(setting.help);
         if (!setting.unit.empty()) texts << fromView(setting.unit);
         for (const std::string_view choice : setting.choices) texts << labelText(choice);
     }

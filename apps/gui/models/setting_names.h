@@ -13,11 +13,9 @@ struct Setting;
 
 namespace gui {
 
-/// "ambientOcclusion.samples" is in the group "ambientOcclusion"; a setting without a dot is where it belongs
-/// by its meaning, or in the general group, which is "".
-QString settingGroupKey(std::string_view name);
-/// That group as it is called: "Ambient occlusion"; the general one: "Picture".
-QString settingGroup(std::string_view name);
+/// A group of the table (Setting::group) as it is called: "Ambient occlusion"; the one without a name:
+/// "Picture".
+QString settingGroup(std::string_view group);
 /// The part behind the dot, or all of it: "maxDepth" is "Max depth". Of choices, too.
 QString settingLabel(std::string_view name);
 QString settingUnit(std::string_view unit);

@@ -52,7 +52,7 @@ Box* tamed(Box* box, const Setting& setting) {
 QString fullName(const Setting& setting) {
     const bool grouped = setting.name.find('.') != std::string_view::npos;
     const QString label = settingLabel(setting.name);
-    return grouped ? settingGroup(setting.name) + QStringLiteral(": ") + label : label;
+    return grouped ? settingGroup(setting.group) + QStringLiteral(": ") + label : label;
 }
 
 // The fields of all groups stand in one column.
@@ -71,9 +71,9 @@ SettingsPanel::SettingsPanel(QWidget* parent) : QWidget(parent), defaults_(new Q
     groups->setSpacing(2);
     QHash<QString, QFormLayout*> forms;
     for (const Setting& setting : rtcore::settingsTable()) {
-        const QString key = settingGroupKey(setting.name);
+        const QString key = text(setting.group);
         QFormLayout*& form = forms[key];
-        if (form == nullptr) form = addGroup(key, settingGroup(setting.name), *column);
+        if (form == nullptr) form = addGroup(key, settingGroup(setting.group), *column);
         addSetting(setting, key, *form);
     }
     alignLabels(*column);

@@ -34,7 +34,7 @@ class SettingsPanel : public QWidget {
     /// The button that leads back to the default; hidden where nothing differs, and for the picture's size,
     /// which follows the window.
     QToolButton* resetButton(const QString& name) const { return rows_.value(name).reset; }
-    /// By settingGroupKey().
+    /// By Setting::group.
     FoldBox* group(const QString& key) const { return groups_.value(key); }
     /// Those that are folded up, by their keys.
     void setFolded(const QStringList& keys);

@@ -236,16 +236,20 @@
         <translation>stínové paprsky ke každému světlu podél paprsku mlhou: kužely světla; 0: žádné</translation>
     </message>
     <message>
-        <source>Lamp samples</source>
-        <translation>Vzorky svítidel</translation>
+        <source>Area lights</source>
+        <translation>Plošná světla</translation>
     </message>
     <message>
-        <source>shadow rays to each lamp that has a size: soft shadows; 0: lamps are points</source>
-        <translation>stínové paprsky ke každému svítidlu, které má velikost: měkké stíny; 0: svítidla jsou body</translation>
+        <source>shadow rays to each area light: soft shadows; 0: area lights are points</source>
+        <translation>stínové paprsky ke každému plošnému světlu: měkké stíny; 0: plošná světla jsou body</translation>
     </message>
     <message>
         <source>Denoise</source>
         <translation>Odšumění</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Průchody</translation>
     </message>
     <message>
         <source>smooths noise, but not edges; 0: none</source>
@@ -260,12 +264,16 @@
         <translation>Záře</translation>
     </message>
     <message>
-        <source>size of the glow around bright spots; 0: none</source>
+        <source>Radius</source>
+        <translation>Poloměr</translation>
+    </message>
+    <message>
+        <source>size of the bloom around bright spots; 0: none</source>
         <translation>velikost záře kolem jasných míst; 0: žádná</translation>
     </message>
     <message>
-        <source>Bloom kernel</source>
-        <translation>Tvar záře</translation>
+        <source>Kernel</source>
+        <translation>Tvar</translation>
     </message>
     <message>
         <source>blur of a plain lens, or the coloured rings of a perfect one</source>
@@ -280,11 +288,11 @@
         <translation>Airyho</translation>
     </message>
     <message>
-        <source>Bloom share</source>
-        <translation>Podíl záře</translation>
+        <source>Share</source>
+        <translation>Podíl</translation>
     </message>
     <message>
-        <source>share of all light that the glow spreads</source>
+        <source>share of all light that bloom spreads</source>
         <translation>jaký podíl všeho světla záře rozptýlí</translation>
     </message>
     <message>

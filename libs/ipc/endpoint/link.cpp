@@ -102,8 +102,7 @@ LinkState Link::check() {
     std::uint64_t epoch = 0;
     copyFromShared(&epoch, &block().header.epoch, sizeof epoch);
     // Another epoch in the same segment: somebody wrote over it, now or when it was read first.
-    const bool replaced = epoch != facts_.epoch && keeps("a link looks at the epoch");
-    if (phase != ServerPhase::Running || replaced) state_ = LinkState::Gone;
+    if (phase != ServerPhase::Running || epoch != facts_.epoch) state_ = LinkState::Gone;
     if (state_ == LinkState::Gone) return state_;
     const Clock::time_point now = Clock::now();
     const std::uint64_t pulse = pulseOf(block().pulse);
@@ -131,7 +130,7 @@ bool Link::replaced() const {
     try {
         const std::optional<Segment> now = Segment::open(names_.control(), Access::Read, 0);
         const std::optional<ControlFacts> facts = now ? readControlFacts(*now) : std::nullopt;
-        return facts && facts->epoch != facts_.epoch;
+        return facts && facts->epoch != facts_.epoch && keeps("a link looks at the epoch");
     } catch (const Error&) {
         return false; // short of descriptors, or not a server's: nothing that tells of a death
     }

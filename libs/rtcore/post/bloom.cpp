@@ -9,33 +9,43 @@ constexpr float kLeastSigma = 0.25F; ///< pixels; less is not seen
 }
 
 float bloomSigma(const RenderSettings& settings, int width) {
-    if (!(settings.bloomShare > 0) || settings.width < 1) return 0;
-    const float sigma =
-        static_cast<float>(settings.bloom) * static_cast<float>(width) / static_cast<float>(settings.width);
+    if (!(settings.bloom.share > 0) || settings.width < 1) return 0;
+    const float sigma = static_cast<float>(settings.bloom.radius) * static_cast<float>(width) /
+                        static_cast<float>(settings.width);
     return sigma >= kLeastSigma ? sigma : 0;
 }
 
-void Bloom::mix(const HdrImage& radiance, const RenderSettings& settings, float share, int threads,
-                HdrImage& result) {
-    const float sigma = bloomSigma(settings, radiance.width);
-    if (settings.bloomKernel == BloomKernel::Airy) {
-        airy_.blur(radiance, sigma, share, threads, result);
+void Bloom::mix(const HdrImage& picture, float share, const EffectRun& run, HdrImage& result) {
+    const float sigma = bloomSigma(run.settings, picture.width);
+    if (run.settings.bloom.kernel == BloomKernel::Airy) {
+        airy_.blur(picture, sigma, share, run.threads, result);
     } else {
-        gaussian_.blur(radiance, sigma, share, threads, result);
+        gaussian_.blur(picture, sigma, share, run.threads, result);
     }
 }
 
-void Bloom::spread(const HdrImage& radiance, const RenderSettings& settings, int threads, HdrImage& glow) {
-    mix(radiance, settings, 1, threads, glow);
-}
-
-const HdrImage& Bloom::apply(const HdrImage& radiance, const RenderSettings& settings, int threads) {
-    if (radiance.empty() || bloomSigma(settings, radiance.width) == 0) return radiance;
-    mix(radiance, settings, settings.bloomShare, threads, result_);
+const HdrImage& Bloom::apply(const HdrImage& picture, const FrameLayers& /*layers*/, const EffectRun& run) {
+    if (picture.empty() || bloomSigma(run.settings, picture.width) == 0) return picture;
+    mix(picture, run.settings.bloom.share, run, result_);
     return result_;
 }
 
-Colour glowAt(const HdrImage& glow, int block, int x, int y) {
+bool Bloom::beginRows(const HdrImage& coarse, int block, const EffectRun& run) {
+    if (coarse.empty() || bloomSigma(run.settings, coarse.width) == 0) return false;
+    mix(coarse, 1, run, spread_);
+    block_ = block;
+    share_ = run.settings.bloom.share;
+    return true;
+}
+
+void Bloom::changeRow(const RowPart& part, const Colour* radiance, Colour* changed) const {
+    for (int x = part.left; x < part.right; ++x) {
+        const Colour spread = spreadAt(spread_, block_, x, part.y);
+        changed[x] = share_ >= 1 ? spread : radiance[x] * (1 - share_) + spread * share_;
+    }
+}
+
+Colour spreadAt(const HdrImage& spread, int block, int x, int y) {
     struct Between {
         int before, after;
         float share;
@@ -46,11 +56,21 @@ Colour glowAt(const HdrImage& glow, int block, int x, int y) {
         return {std::clamp(before, 0, size - 1), std::clamp(before + 1, 0, size - 1),
                 place - static_cast<float>(before)};
     };
-    const Between column = between(x, glow.width), row = between(y, glow.height);
+    const Between column = between(x, spread.width), row = between(y, spread.height);
     const auto mixed = [&](int line) {
-        return glow.at(column.before, line) * (1 - column.share) + glow.at(column.after, line) * column.share;
+        return spread.at(column.before, line) * (1 - column.share) +
+               spread.at(column.after, line) * column.share;
     };
     return mixed(row.before) * (1 - row.share) + mixed(row.after) * row.share;
 }
+
+constinit const EffectRow kBloomEffect{
+    .name = "bloom",
+    .stage = EffectStage::Radiance,
+    .wanted =
+        [](const RenderSettings& settings) { return settings.bloom.radius > 0 && settings.bloom.share > 0; },
+    .bytesPerPixel = sizeof(Colour),
+    .needsLayers = false,
+    .make = &makeEffect<Bloom>};
 
 } // namespace rtcore

@@ -50,12 +50,13 @@ void Denoiser::fillGuides(const FrameLayers& layers, [[maybe_unused]] int thread
 }
 
 /// Returns whether there is any.
-bool Denoiser::fillLight(const Frame& frame, bool all, [[maybe_unused]] int threads) {
+bool Denoiser::fillLight(const HdrImage& picture, const FrameLayers& layers, bool all,
+                         [[maybe_unused]] int threads) {
     bool any = false;
 #pragma omp parallel for schedule(static) reduction(|| : any) num_threads(threadsFor(threads))
     for (int y = 0; y < height_; ++y) {
         for (std::size_t i = row(y); i < row(y + 1); ++i) {
-            const Colour c = all ? frame.radiance.pixels[i] : frame.layers.pixels()[i].soft;
+            const Colour c = all ? picture.pixels[i] : layers.pixels()[i].soft;
             const bool usable = isFinite(c);
             any = any || (usable && !isBlack(c));
             light_[0][i] = usable ? c.r / albedo_[0][i] : 0;
@@ -216,35 +217,45 @@ void Denoiser::filter(int pass, int threads) {
     }
 }
 
-const HdrImage& Denoiser::apply(const Frame& frame, const RenderSettings& settings, int threads,
-                                const std::atomic<bool>* stop) {
-    const HdrImage& radiance = frame.radiance;
-    const FrameLayers& layers = frame.layers;
-    if (settings.denoise <= 0 || layers.empty() || layers.width() != radiance.width ||
-        layers.height() != radiance.height) {
-        return radiance;
-    }
-    stop_ = stop;
-    const bool all = settings.depthOfField.on;
-    resize(radiance.width, radiance.height);
-    fillGuides(layers, threads);
-    if (!fillLight(frame, all, threads)) return radiance;
-    if (!stopped()) fillSlopes(threads);
-    if (!stopped()) measureGrain(threads);
-    for (int pass = 0; pass < settings.denoise && !stopped(); ++pass) filter(pass, threads);
-    if (stopped()) return radiance;
+/// What was not filtered, and the filtered light as the surfaces show it.
+void Denoiser::fillImage(const HdrImage& picture, const FrameLayers& layers, bool all,
+                         [[maybe_unused]] int threads) {
 #pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
     for (int y = 0; y < height_; ++y) {
         for (std::size_t i = row(y); i < row(y + 1); ++i) {
             const Colour smooth{light_[0][i] * albedo_[0][i], light_[1][i] * albedo_[1][i],
                                 light_[2][i] * albedo_[2][i]};
-            const Colour grainy = all ? radiance.pixels[i] : layers.pixels()[i].soft;
+            const Colour grainy = all ? picture.pixels[i] : layers.pixels()[i].soft;
             // What is no number stays as it is.
-            const Colour rest = isFinite(grainy) ? radiance.pixels[i] - grainy : radiance.pixels[i];
+            const Colour rest = isFinite(grainy) ? picture.pixels[i] - grainy : picture.pixels[i];
             image_.pixels[i] = rest + smooth;
         }
     }
+}
+
+const HdrImage& Denoiser::apply(const HdrImage& picture, const FrameLayers& layers, const EffectRun& run) {
+    const int passes = run.settings.denoise.passes;
+    const bool whole = layers.width() == picture.width && layers.height() == picture.height;
+    if (passes <= 0 || layers.empty() || !whole) return picture;
+    stop_ = run.stop;
+    const bool all = run.settings.depthOfField.on;
+    resize(picture.width, picture.height);
+    fillGuides(layers, run.threads);
+    if (!fillLight(picture, layers, all, run.threads)) return picture;
+    if (!stopped()) fillSlopes(run.threads);
+    if (!stopped()) measureGrain(run.threads);
+    for (int pass = 0; pass < passes && !stopped(); ++pass) filter(pass, run.threads);
+    if (stopped()) return picture;
+    fillImage(picture, layers, all, run.threads);
     return image_;
 }
+
+constinit const EffectRow kDenoiseEffect{
+    .name = "denoise",
+    .stage = EffectStage::Radiance,
+    .wanted = [](const RenderSettings& settings) { return settings.denoise.passes > 0; },
+    .bytesPerPixel = Denoiser::bytesPerPixel(),
+    .needsLayers = true,
+    .make = &makeEffect<Denoiser>};
 
 } // namespace rtcore

@@ -1,7 +1,8 @@
 /// Takes the grain out of light that was sampled with few rays.
 #pragma once
 
-#include "rtcore/render/frame.h"
+#include "rtcore/post/effect.h"
+#include "rtcore/render/layers.h"
 #include "rtcore/scene/image.h"
 #include "rtcore/settings/render_settings.h"
 
@@ -14,22 +15,24 @@ namespace rtcore {
 /// lamps with a size and from everywhere; all of it through a lens - divided by the albedo, so that textures,
 /// mirrored pictures and hard shadows stay as they are. Neighbours count as far as their normals agree, they
 /// lie in one plane, and their light differs no more than its grain does, which is measured in blocks of 16 x
-/// 16 pixels: where there is no grain, nothing changes. Keeps its memory; not for several threads at once.
-class Denoiser {
+/// 16 pixels: where there is no grain, nothing changes.
+class Denoiser final : public Effect {
   public:
-    /// The frame's radiance after settings.denoise passes, valid until the next call; frame.radiance itself
-    /// when there are none, or nothing was sampled, or the frame has no layers. `threads` = 0: all cores; the
-    /// bits are the same for any number. Returns soon, with a picture that is undefined, when `stop` (may be
-    /// null) becomes true.
-    const HdrImage& apply(const Frame& frame, const RenderSettings& settings, int threads,
-                          const std::atomic<bool>* stop = nullptr);
+    /// `picture` after settings.denoise.passes; itself when nothing was sampled, or there are no layers of
+    /// its size. Parts of a preview keep their grain.
+    const HdrImage& apply(const HdrImage& picture, const FrameLayers& layers, const EffectRun& run) override;
+
+    /// What it keeps for each pixel.
+    static constexpr std::size_t bytesPerPixel() { return kPlanes * sizeof(float) + sizeof(Colour); }
 
   private:
     using Plane = std::vector<float>;
+    static constexpr std::size_t kPlanes = 17; ///< members below
 
     void resize(int width, int height);
     void fillGuides(const FrameLayers& layers, int threads);
-    bool fillLight(const Frame& frame, bool all, int threads);
+    bool fillLight(const HdrImage& picture, const FrameLayers& layers, bool all, int threads);
+    void fillImage(const HdrImage& picture, const FrameLayers& layers, bool all, int threads);
     void fillSlopes(int threads);
     void measureGrain(int threads);
     void filter(int pass, int threads);
@@ -52,5 +55,7 @@ class Denoiser {
     std::vector<std::vector<float>> rows_; ///< by thread
     HdrImage image_;
 };
+
+extern const EffectRow kDenoiseEffect;
 
 } // namespace rtcore

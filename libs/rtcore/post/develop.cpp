@@ -1,7 +1,6 @@
 #include "rtcore/post/develop.h"
 
 #include "rtcore/platform/threads.h"
-#include "rtcore/post/tone_map_block.h"
 
 #include <algorithm>
 
@@ -16,17 +15,17 @@ constexpr float kDarkness = 1;
 constexpr float kLeast = 1e-30F;
 constexpr float kMost = 1e30F;
 
-/// The pixels from column `left` to before `right` of a row, of which the last block may be short.
-void developRow(const Development& how, const Colour* radiance, int left, int right, int y, Rgba8* pixels) {
+/// The part of a row, of which the last block may be short. `radiance` and `pixels` begin at column 0.
+void developRow(const Development& how, const RowPart& part, const Colour* radiance, Rgba8* pixels) {
     constexpr int kBlock = static_cast<int>(kToneBlock);
-    int x = left;
-    for (; x + kBlock <= right; x += kBlock) developBlock(how, radiance + x, x, y, pixels + x);
-    if (x == right) return;
+    int x = part.left;
+    for (; x + kBlock <= part.right; x += kBlock) developBlock(how, radiance + x, x, part.y, pixels + x);
+    if (x == part.right) return;
     Colour last[kToneBlock];
     Rgba8 developed[kToneBlock];
-    std::copy(radiance + x, radiance + right, last);
-    developBlock(how, last, x, y, developed);
-    std::copy(developed, developed + (right - x), pixels + x);
+    std::copy(radiance + x, radiance + part.right, last);
+    developBlock(how, last, x, part.y, developed);
+    std::copy(developed, developed + (part.right - x), pixels + x);
 }
 
 } // namespace
@@ -63,8 +62,7 @@ float PictureDeveloper::exposure(const Frame& frame, const ExposureSettings& set
 
 const HdrImage& PictureDeveloper::finish(const Frame& frame, const RenderSettings& settings, int threads,
                                          const std::atomic<bool>* stop) {
-    const HdrImage& denoised = denoiser_.apply(frame, settings, threads, stop);
-    return stop != nullptr && *stop ? frame.radiance : bloom_.apply(denoised, settings, threads);
+    return effects_.apply(frame, {.settings = settings, .threads = threads, .stop = stop});
 }
 
 void PictureDeveloper::develop(const Frame& frame, const RenderSettings& settings, float exposure,
@@ -77,61 +75,31 @@ void PictureDeveloper::develop(const HdrImage& radiance, const RenderSettings& s
     if (image.width != radiance.width || image.height != radiance.height) {
         image = LdrImage(radiance.width, radiance.height);
     }
-    const Development how{settings.toneMapping, settings.dithering, exposure};
-    const int team = threadsFor(threads);
-    const float strength = settings.exposure.local;
-    if (strength > 0) {
-        local_.measure(radiance, exposure * settings.exposure.key, threads);
-        rows_.resize(std::max(rows_.size(), static_cast<std::size_t>(team)));
-        for (std::vector<Colour>& row : rows_) row.resize(static_cast<std::size_t>(radiance.width));
+    const Development how = developmentOf(settings, exposure);
+    const auto team = static_cast<std::size_t>(threadsFor(threads));
+    const auto width = static_cast<std::size_t>(radiance.width);
+    effects_.beginRows(EffectStage::Display, radiance, 1,
+                       {.settings = settings, .threads = threads, .exposure = exposure});
+    if (effects_.changesRows()) {
+        rows_.resize(std::max(rows_.size(), team));
+        for (std::vector<Colour>& row : rows_) row.resize(width);
     }
-#pragma omp parallel for schedule(static) num_threads(team)
+#pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
     for (int y = 0; y < radiance.height; ++y) {
-        const Colour* row = &radiance.at(0, y);
-        if (strength > 0) {
-            Colour* const adjusted = rows_[static_cast<std::size_t>(threadNumber())].data();
-            local_.adjust(row, 0, radiance.width, y, radiance.width, radiance.height, strength, adjusted);
-            row = adjusted;
-        }
-        developRow(how, row, 0, radiance.width, y, &image.at(0, y));
+        Colour* const changed =
+            effects_.changesRows() ? rows_[static_cast<std::size_t>(threadNumber())].data() : nullptr;
+        const RowPart part{y, 0, radiance.width, radiance.width, radiance.height};
+        developRow(how, part, effects_.changeRow(part, &radiance.at(0, y), changed), &image.at(0, y));
     }
 }
 
-void PictureDeveloper::roughEffects(const Frame& coarse, int block, const RenderSettings& settings,
-                                    float exposure, int threads, RoughEffects& effects) {
-    effects.block = block;
-    effects.glow = {};
-    if (bloomSigma(settings, coarse.radiance.width) > 0) {
-        bloom_.spread(coarse.radiance, settings, threads, effects.glow);
-    }
-    if (settings.exposure.local > 0) {
-        effects.local.measure(coarse.radiance, exposure * settings.exposure.key, threads);
-    }
-}
-
-void developPart(const Frame& frame, const RenderSettings& settings, float exposure,
-                 const RoughEffects& effects, const PixelArea& part, LdrImage& image) {
-    const Development how{settings.toneMapping, settings.dithering, exposure};
-    const HdrImage& radiance = frame.radiance;
+void developPart(const HdrImage& radiance, const Development& how, const EffectChain& effects,
+                 const PixelArea& part, LdrImage& image) {
     const int right = part.left + part.columns;
-    const bool glows = !effects.glow.empty();
-    const bool local = settings.exposure.local > 0 && effects.local.measured();
-    std::vector<Colour> changed(glows || local ? static_cast<std::size_t>(right) : 0);
+    std::vector<Colour> changed(effects.changesRows() ? static_cast<std::size_t>(right) : 0);
     for (int y = part.top; y < part.top + part.rows; ++y) {
-        const Colour* row = &radiance.at(0, y);
-        if (glows) {
-            for (int x = part.left; x < right; ++x) {
-                changed[static_cast<std::size_t>(x)] =
-                    withGlow(row[x], glowAt(effects.glow, effects.block, x, y), settings.bloomShare);
-            }
-            row = changed.data();
-        }
-        if (local) {
-            effects.local.adjust(row, part.left, right, y, radiance.width, radiance.height,
-                                 settings.exposure.local, changed.data());
-            row = changed.data();
-        }
-        developRow(how, row, part.left, right, y, &image.at(0, y));
+        const RowPart row{y, part.left, right, radiance.width, radiance.height};
+        developRow(how, row, effects.changeRow(row, &radiance.at(0, y), changed.data()), &image.at(0, y));
     }
 }
 

@@ -81,11 +81,18 @@ void LocalExposure::average(std::vector<float>& values) {
     for (int x = 0; x < columns_; ++x) slide(&sums_[at(x, 0)], rows_, stride, radius, &values[at(x, 0)]);
 }
 
-void LocalExposure::measure(const HdrImage& picture, float average, [[maybe_unused]] int threads) {
+bool LocalExposure::beginRows(const HdrImage& coarse, int /*block*/, const EffectRun& run) {
+    const ExposureSettings& exposure = run.settings.exposure;
+    scale_ = 1 / std::max(run.exposure * exposure.key, 1e-30F);
+    strength_ = exposure.local;
+    measure(coarse, run.threads);
+    return columns_ > 0;
+}
+
+void LocalExposure::measure(const HdrImage& picture, [[maybe_unused]] int threads) {
     const int block = std::max(1, picture.width / kColumns);
     columns_ = (picture.width + block - 1) / block;
     rows_ = (picture.height + block - 1) / block;
-    scale_ = 1 / std::max(average, 1e-30F);
     const auto count = static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
     slope_.resize(count);
     offset_.resize(count);
@@ -104,20 +111,19 @@ void LocalExposure::measure(const HdrImage& picture, float average, [[maybe_unus
         }
     }
     for (std::size_t i = 0; i < count; ++i) squares_[i] = offset_[i] * offset_[i];
-    this->average(offset_);
-    this->average(squares_);
+    average(offset_);
+    average(squares_);
     for (std::size_t i = 0; i < count; ++i) {
         const float variance = std::max(squares_[i] - offset_[i] * offset_[i], 0.0F);
         slope_[i] = variance / (variance + kContrast);
         offset_[i] *= 1 - slope_[i];
     }
-    this->average(slope_);
-    this->average(offset_);
+    average(slope_);
+    average(offset_);
 }
 
-void LocalExposure::adjust(const Colour* radiance, int left, int right, int y, int width, int height,
-                           float strength, Colour* adjusted) const {
-    const Place row = placeOf(y, height, rows_);
+void LocalExposure::changeRow(const RowPart& part, const Colour* radiance, Colour* changed) const {
+    const Place row = placeOf(part.y, part.height, rows_);
     const auto mixed = [&](const std::vector<float>& values, const Place& column) {
         const float upper = values[at(column.before, row.before)] * (1 - column.share) +
                             values[at(column.after, row.before)] * column.share;
@@ -125,11 +131,19 @@ void LocalExposure::adjust(const Colour* radiance, int left, int right, int y, i
                             values[at(column.after, row.after)] * column.share;
         return upper * (1 - row.share) + lower * row.share;
     };
-    for (int x = left; x < right; ++x) {
-        const Place column = placeOf(x, width, columns_);
+    for (int x = part.left; x < part.right; ++x) {
+        const Place column = placeOf(x, part.width, columns_);
         const float around = mixed(slope_, column) * brightness(radiance[x], scale_) + mixed(offset_, column);
-        adjusted[x] = radiance[x] * quickExp2(-strength * around);
+        changed[x] = radiance[x] * quickExp2(-strength_ * around);
     }
 }
+
+constinit const EffectRow kLocalExposureEffect{
+    .name = "local exposure",
+    .stage = EffectStage::Display,
+    .wanted = [](const RenderSettings& settings) { return settings.exposure.local > 0; },
+    .bytesPerPixel = 0, // a row for each thread, and a small picture
+    .needsLayers = false,
+    .make = &makeEffect<LocalExposure>};
 
 } // namespace rtcore

@@ -13,8 +13,11 @@ inline constexpr std::size_t kToneBlock = 64;
 struct Development {
     ToneMapping toneMapping = ToneMapping::Luminance;
     bool dithering = true;
-    float exposure = 1;
+    float exposure = 1; ///< the constant c of L = Y / (Y + c)
 };
+inline Development developmentOf(const RenderSettings& settings, float exposure) {
+    return {settings.toneMapping, settings.dithering, exposure};
+}
 
 /// kToneBlock pixels of row `y` from column `x` on.
 void developBlock(const Development& how, const Colour* radiance, int x, int y, Rgba8* pixels);

@@ -63,7 +63,7 @@ void FrameRenderer::aim(const View& view) {
 
 void FrameRenderer::beginLayers(const View& view, Frame& frame) const {
     const RenderSettings& settings = view.settings;
-    if (collectLayers_ || settings.denoise > 0) {
+    if (collectLayers_) {
         frame.layers.begin(view.camera, settings.width, settings.height);
     } else {
         frame.layers.clear();

@@ -48,7 +48,7 @@ class FrameRenderer {
     /// its middle. `frame` gets a pixel for each square, also for those that the right or lower edge cuts.
     bool renderCoarse(const View& view, int block, RenderControl& control, Frame& frame);
 
-    /// Whether frames to come get layers; those that are denoised get them anyway.
+    /// Whether frames to come get layers: for who writes them, or for effects (effectsNeedLayers()).
     void collectLayers(bool on) { collectLayers_ = on; }
     /// Whether frames to come measure stageTimes().
     void measureStages(bool on) { measureStages_ = on; }

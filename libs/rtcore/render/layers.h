@@ -41,6 +41,8 @@ class FrameLayers {
 
     int width() const { return width_; }
     int height() const { return height_; }
+    /// Bytes that they take.
+    static constexpr std::size_t bytesPerPixel() { return sizeof(LayerPixel) + sizeof(Sums); }
     /// Row by row from the top.
     const std::vector<LayerPixel>& pixels() const { return pixels_; }
 

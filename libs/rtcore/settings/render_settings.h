@@ -38,6 +38,23 @@ struct FogSettings {
     int shafts = 0; ///< shadow rays along each ray to each light; 0 = light in the fog is not shadowed
 };
 
+/// Lights with a size, which throw soft shadows.
+struct AreaLightSettings {
+    int samples = 4; ///< shadow rays to each; 0 = they are points
+};
+
+/// Smooths noise, but not edges.
+struct DenoiseSettings {
+    int passes = 0; ///< of the filter; 0 = off
+};
+
+/// Light that is spread around bright spots.
+struct BloomSettings {
+    int radius = 0; ///< standard deviation of the blur in pixels; 0 = off
+    BloomKernel kernel = BloomKernel::Gaussian;
+    float share = 0.15F; ///< of the light that is spread
+};
+
 struct ExposureSettings {
     ExposureMode mode = ExposureMode::Automatic;
     float value = 1;   ///< Fixed: the constant c of L = Y / (Y + c), in units of radiance
@@ -64,11 +81,9 @@ struct RenderSettings {
     AmbientOcclusionSettings ambientOcclusion;
     DepthOfFieldSettings depthOfField;
     FogSettings fog;
-    int lampSamples = 4; ///< shadow rays to a lamp that has a size; 0 = lamps are points
-    int denoise = 0;     ///< passes of the filter; 0 = off
-    int bloom = 0;       ///< standard deviation of the blur in pixels; 0 = off
-    BloomKernel bloomKernel = BloomKernel::Gaussian;
-    float bloomShare = 0.15F; ///< of the light that is spread
+    AreaLightSettings areaLights;
+    DenoiseSettings denoise;
+    BloomSettings bloom;
     ExposureSettings exposure;
     ToneMapping toneMapping = ToneMapping::Luminance;
     bool dithering = true;

@@ -21,6 +21,12 @@ constexpr std::array<std::string_view, 5> kSamplingPatterns{"grid", "random", "j
 constexpr std::array<std::string_view, 3> kOcclusionPatterns{"rotated", "regular", "random"};
 constexpr std::array<std::string_view, 2> kBloomKernels{"gaussian", "airy"};
 
+constexpr std::array<FormerName, 5> kFormerNames{{{"lampSamples", "areaLights.samples"},
+                                                  {"denoise", "denoise.passes"},
+                                                  {"bloom", "bloom.radius"},
+                                                  {"bloomKernel", "bloom.kernel"},
+                                                  {"bloomShare", "bloom.share"}}};
+
 using Choices = std::span<const std::string_view>;
 
 /// The names of an enumeration, in its order.
@@ -81,7 +87,9 @@ struct Range {
 template <auto... Path>
 Setting row(std::string_view name, Range range, std::string_view unit, std::string_view help) {
     using Type = MemberType<Path...>;
+    const std::size_t dot = name.find('.');
     return {name,
+            dot == std::string_view::npos ? std::string_view() : name.substr(0, dot),
             settingType<Type>(),
             getMember<Path...>(RenderSettings{}),
             range.minimum,
@@ -96,10 +104,16 @@ template <auto... Path>
 Setting row(std::string_view name, std::string_view help) {
     return row<Path...>(name, Range{}, "", help);
 }
+/// A setting without a dot that belongs to others.
+Setting with(std::string_view group, Setting setting) {
+    setting.group = group;
+    return setting;
+}
 
 std::vector<Setting> makeTable() {
     using S = RenderSettings;
     using Occlusion = AmbientOcclusionSettings;
+    using Bloom = BloomSettings;
     using Exposure = ExposureSettings;
     using Lens = DepthOfFieldSettings;
     return {
@@ -112,13 +126,15 @@ std::vector<Setting> makeTable() {
             "adaptive", {0, 1}, "",
             "pixels that differ less from their neighbours get a quarter of the samples; 0: all get "
             "all, 0.05: hard to see"),
-        row<&S::shadows>("shadows", "lights cast shadows"),
-        row<&S::reflections>("reflections", "mirrors reflect"),
-        row<&S::refractions>("refractions", "transparent surfaces let light through"),
-        row<&S::textures>("textures", "textures are shown"),
-        row<&S::maxDepth>("maxDepth", {0, 1000}, "bounces", "most bounces by mirrors and glass"),
-        row<&S::minContribution>("minContribution", {0, 1}, "",
-                                 "a ray that adds less than this share to its pixel is not traced"),
+        with("rays", row<&S::shadows>("shadows", "lights cast shadows")),
+        with("rays", row<&S::reflections>("reflections", "mirrors reflect")),
+        with("rays", row<&S::refractions>("refractions", "transparent surfaces let light through")),
+        with("rays", row<&S::textures>("textures", "textures are shown")),
+        with("rays",
+             row<&S::maxDepth>("maxDepth", {0, 1000}, "bounces", "most bounces by mirrors and glass")),
+        with("rays",
+             row<&S::minContribution>("minContribution", {0, 1}, "",
+                                      "a ray that adds less than this share to its pixel is not traced")),
         row<&S::ambientOcclusion, &Occlusion::on>("ambientOcclusion.on",
                                                   "corners are darker than open surfaces"),
         row<&S::ambientOcclusion, &Occlusion::samples>("ambientOcclusion.samples", {1, 4096}, "rays",
@@ -144,12 +160,16 @@ std::vector<Setting> makeTable() {
         row<&S::fog, &FogSettings::shafts>("fog.shafts", {0, 1024}, "rays",
                                            "shadow rays to each light along a ray through fog: shafts of "
                                            "light; 0: none"),
-        row<&S::lampSamples>("lampSamples", {0, 4096}, "rays",
-                             "shadow rays to each lamp that has a size: soft shadows; 0: lamps are points"),
-        row<&S::denoise>("denoise", {0, 8}, "passes", "smooths noise, but not edges; 0: none"),
-        row<&S::bloom>("bloom", {0, 4096}, "pixels", "size of the glow around bright spots; 0: none"),
-        row<&S::bloomKernel>("bloomKernel", "blur of a plain lens, or the coloured rings of a perfect one"),
-        row<&S::bloomShare>("bloomShare", {0, 1}, "", "share of all light that the glow spreads"),
+        row<&S::areaLights, &AreaLightSettings::samples>(
+            "areaLights.samples", {0, 4096}, "rays",
+            "shadow rays to each area light: soft shadows; 0: area lights are points"),
+        row<&S::denoise, &DenoiseSettings::passes>("denoise.passes", {0, 8}, "passes",
+                                                   "smooths noise, but not edges; 0: none"),
+        row<&S::bloom, &Bloom::radius>("bloom.radius", {0, 4096}, "pixels",
+                                       "size of the bloom around bright spots; 0: none"),
+        row<&S::bloom, &Bloom::kernel>("bloom.kernel",
+                                       "blur of a plain lens, or the coloured rings of a perfect one"),
+        row<&S::bloom, &Bloom::share>("bloom.share", {0, 1}, "", "share of all light that bloom spreads"),
         row<&S::exposure, &Exposure::mode>("exposure.mode", "automatic follows the picture's brightness"),
         row<&S::exposure, &Exposure::value>("exposure.value", {1e-30, 1e30}, "radiance",
                                             "fixed exposure: radiance that is shown as half of white"),
@@ -161,10 +181,11 @@ std::vector<Setting> makeTable() {
                                                     "time to get used to less light, in real time"),
         row<&S::exposure, &Exposure::local>("exposure.local", {0, 1}, "",
                                             "how much the exposure of a place follows its own brightness"),
-        row<&S::toneMapping>("toneMapping",
-                             "luminance keeps hues, channels lets bright colours fade to white"),
+        with("exposure",
+             row<&S::toneMapping>("toneMapping",
+                                  "luminance keeps hues, channels lets bright colours fade to white")),
         row<&S::dithering>("dithering", "noise of less than one step hides bands in smooth gradients"),
-        row<&S::environmentFilter>("environmentFilter", "lookup in environment maps"),
+        with("rays", row<&S::environmentFilter>("environmentFilter", "lookup in environment maps")),
     };
 }
 
@@ -228,7 +249,12 @@ bool parseBoolean(const Setting& setting, std::string_view text) {
 
 std::span<const Setting> settingsTable() { return table(); }
 
+std::span<const FormerName> formerSettingNames() { return kFormerNames; }
+
 const Setting* findSetting(std::string_view name) {
+    const auto* const former = std::find_if(kFormerNames.begin(), kFormerNames.end(),
+                                            [&](const FormerName& each) { return each.former == name; });
+    if (former != kFormerNames.end()) name = former->name;
     const auto found = std::find_if(table().begin(), table().end(),
                                     [&](const Setting& setting) { return setting.name == name; });
     return found == table().end() ? nullptr : &*found;

@@ -19,7 +19,10 @@ enum class SettingType { Boolean, Integer, Number, Choice };
 
 /// One row. The views are valid for the whole run of the program.
 struct Setting {
-    std::string_view name; ///< "width"; with dots where the struct is nested: "ambientOcclusion.samples"
+    std::string_view name; ///< "width"; with a dot where the struct is nested: "ambientOcclusion.samples"
+    /// What it is shown with: the part of the name before the dot, else what the table says; "" = the picture
+    /// as a whole.
+    std::string_view group;
     SettingType type;
     SettingValue defaultValue; ///< what a default RenderSettings holds
     double minimum, maximum;   ///< Integer and Number: inclusive; a maximum of kUnlimited is none
@@ -36,10 +39,16 @@ inline constexpr double kUnlimited = 3.4028234663852886e38; ///< the largest flo
 /// All rows, in the order in which they are shown. Safe from many threads.
 std::span<const Setting> settingsTable();
 
-/// The row of that name, or null.
+/// A name that a setting had before: still read wherever a setting is named, never written.
+struct FormerName {
+    std::string_view former, name;
+};
+std::span<const FormerName> formerSettingNames();
+
+/// The row of that name, or of the one that had it before; or null.
 const Setting* findSetting(std::string_view name);
 
-/// The row of that name. Throws std::invalid_argument that tells the nearest known name.
+/// The same. Throws std::invalid_argument that tells the nearest known name.
 const Setting& requireSetting(std::string_view name);
 
 /// `value` as the setting's own type (a whole number is taken where a Number is wanted).
@@ -58,7 +67,7 @@ SettingValue getSetting(const RenderSettings& settings, std::string_view name);
 
 /// A setting and the value that a file or a command line gives it.
 struct SettingAssignment {
-    std::string name;
+    std::string name; ///< as in the table, where readers made it
     SettingValue value;
     friend bool operator==(const SettingAssignment&, const SettingAssignment&) = default;
 };

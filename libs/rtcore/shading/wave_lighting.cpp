@@ -69,7 +69,7 @@ void WaveLighting::addLight(const FrameContext& frame, Wave& wave, const LightSu
     const std::vector<Light>& lights = frame.scene->lights;
     for (std::size_t light = 0; light < lights.size(); ++light) {
         if (lights[light].on == 0 || frame.stopped()) continue;
-        if (isAreaLight(lights[light]) && frame.settings->lampSamples > 0) {
+        if (isAreaLight(lights[light]) && frame.settings->areaLights.samples > 0) {
             addAreaLight(frame, wave, light, to);
         } else {
             addPointLight(frame, wave, light, to);
@@ -102,10 +102,10 @@ void WaveLighting::addAreaLight(const FrameContext& frame, Wave& wave, std::size
                                 const LightSums& to) {
     const RenderSettings& settings = *frame.settings;
     lampDraw_.begin(
-        wave.size(), settings.lampSamples, settings.antialiasing * settings.antialiasing,
+        wave.size(), settings.areaLights.samples, settings.antialiasing * settings.antialiasing,
         static_cast<std::uint32_t>(light), [&](std::size_t i) { return wave.sampleId(i); },
         [&](std::size_t i) { return wave.paths.bounces(i); });
-    for (int k = 0; k < settings.lampSamples && !frame.stopped(); ++k) {
+    for (int k = 0; k < settings.areaLights.samples && !frame.stopped(); ++k) {
         rtcore::addLight(frame.scene->lights[light], lampDraw_.part(k), *frame.materials, wave.surfaces,
                          settings.shadows ? &shadowRays_ : nullptr);
         addArriving(frame, wave, light, to);
@@ -125,7 +125,7 @@ void WaveLighting::addArriving(const FrameContext& frame, Wave& wave, std::size_
         frame.clock->lap(Stage::Shadows);
     }
     if (to.firstHits != nullptr) {
-        to.firstHits->addLight(wave, isAreaLight(light) && frame.settings->lampSamples > 0);
+        to.firstHits->addLight(wave, isAreaLight(light) && frame.settings->areaLights.samples > 0);
     }
     to.sums.add(wave);
     frame.clock->lap(Stage::Light);

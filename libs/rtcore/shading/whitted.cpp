@@ -30,7 +30,7 @@ void WhittedIntegrator::begin(const Scene& scene, const RayTracer& tracer, const
 
 bool WhittedIntegrator::drawsSamples(const Scene& scene, const RenderSettings& settings) {
     const auto soft = [](const Light& light) { return light.on != 0 && isAreaLight(light); };
-    const bool areaLights = settings.lampSamples > 0 && std::ranges::any_of(scene.lights, soft);
+    const bool areaLights = settings.areaLights.samples > 0 && std::ranges::any_of(scene.lights, soft);
     const bool shafts = settings.fog.shafts > 0 && fogMedium(scene, settings).on;
     return settings.ambientOcclusion.on || areaLights || shafts;
 }

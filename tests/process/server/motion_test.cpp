@@ -88,6 +88,7 @@ TEST_F(Motions, KeysCanBeBoundAnew) {
 TEST_F(Motions, TheBloomKeySwitchesIt) {
     start();
     ask({"set", "bloom", "7"});
+    EXPECT_EQ(ask({"get", "bloom.radius"}), "7\n");
     ask({"bloom", "off"});
     EXPECT_EQ(ask({"get", "bloom"}), "0\n");
     ask({"key", "tap", "b"});

@@ -61,12 +61,21 @@ TEST(RendererOptions, TakesTheThesisCommandLine) {
     rtcore::RenderSettings settings;
     rtcore::applySettings(settings, options.settings);
     EXPECT_EQ(settings.antialiasing, 3);
-    EXPECT_EQ(settings.bloom, 2);
+    EXPECT_EQ(settings.bloom.radius, 2);
     EXPECT_EQ(settings.width, 320);
     EXPECT_EQ(settings.height, 240);
     EXPECT_TRUE(settings.ambientOcclusion.on);
     EXPECT_EQ(settings.ambientOcclusion.samples, 16);
     EXPECT_EQ(settings.ambientOcclusion.distance, 0.5F);
+}
+
+TEST(RendererOptions, TakesFormerNamesOfSettings) {
+    const renderer::RendererOptions options = renderer::readRendererOptions(
+        parse(renderer::rendererSpec(), {"a.scn", "--setting", "denoise=2", "--setting", "bloomKernel=airy",
+                                         "--setting", "lampSamples=9"}));
+    const std::vector<rtcore::SettingAssignment> expected{
+        {"denoise.passes", 2}, {"bloom.kernel", std::string("airy")}, {"areaLights.samples", 9}};
+    EXPECT_EQ(options.settings, expected);
 }
 
 TEST(RendererOptions, TheLastOneWinsAcrossSpellings) {

@@ -50,14 +50,14 @@ RenderSettings bloomOf(const HdrImage& image, int sigma, BloomKernel kernel, flo
     RenderSettings settings;
     settings.width = image.width;
     settings.height = image.height;
-    settings.bloom = sigma;
-    settings.bloomKernel = kernel;
-    settings.bloomShare = share;
+    settings.bloom.radius = sigma;
+    settings.bloom.kernel = kernel;
+    settings.bloom.share = share;
     return settings;
 }
 
 HdrImage withBloom(const HdrImage& image, int sigma, BloomKernel kernel, float share = 1) {
-    return Bloom().apply(image, bloomOf(image, sigma, kernel, share), 1);
+    return Bloom().apply(image, {}, {.settings = bloomOf(image, sigma, kernel, share), .threads = 1});
 }
 
 constexpr std::array kKernels{BloomKernel::Gaussian, BloomKernel::Airy};
@@ -70,8 +70,8 @@ bool sameBits(const HdrImage& a, const HdrImage& b) {
 TEST(Bloom, OffIsThePictureItself) {
     const HdrImage image = randomImage(20, 10);
     Bloom bloom;
-    EXPECT_EQ(&bloom.apply(image, bloomOf(image, 0, BloomKernel::Gaussian), 0), &image);
-    EXPECT_EQ(&bloom.apply(image, bloomOf(image, 9, BloomKernel::Gaussian, 0), 0), &image);
+    EXPECT_EQ(&bloom.apply(image, {}, {bloomOf(image, 0, BloomKernel::Gaussian)}), &image);
+    EXPECT_EQ(&bloom.apply(image, {}, {bloomOf(image, 9, BloomKernel::Gaussian, 0)}), &image);
 }
 
 // (thesis: the picture's light is spread, none comes or goes)
@@ -245,16 +245,16 @@ TEST(Bloom, HasTheSameBitsForAnyThreads) {
     const HdrImage image = randomImage(203, 117);
     for (const BloomKernel kernel : kKernels) {
         const RenderSettings settings = bloomOf(image, 6, kernel, 0.3F);
-        const HdrImage one = Bloom().apply(image, settings, 1);
+        const HdrImage one = Bloom().apply(image, {}, {.settings = settings, .threads = 1});
         for (const int threads : {2, 3, 5})
-            EXPECT_TRUE(sameBits(Bloom().apply(image, settings, threads), one));
+            EXPECT_TRUE(sameBits(Bloom().apply(image, {}, {.settings = settings, .threads = threads}), one));
     }
 }
 
 TEST(Bloom, GrowsWithThePicture) {
     RenderSettings settings;
     settings.width = 640;
-    settings.bloom = 20;
+    settings.bloom.radius = 20;
     EXPECT_EQ(bloomSigma(settings, 640), 20);
     EXPECT_EQ(bloomSigma(settings, 80), 2.5F);
     EXPECT_EQ(bloomSigma(settings, 2), 0);
@@ -266,11 +266,12 @@ TEST(Bloom, PartsGetTheGlowOfAWholePass) {
     frame.radiance = randomImage(150, 70);
     frame.covered.assign(frame.radiance.pixels.size(), 255);
     const RenderSettings settings = bloomOf(frame.radiance, 5, BloomKernel::Gaussian, 0.4F);
-    RoughEffects effects;
-    PictureDeveloper().roughEffects(frame, 1, settings, 3, 1, effects);
+    EffectChain effects;
+    effects.beginRows(EffectStage::Radiance, frame.radiance, 1, {.settings = settings, .threads = 1});
     LdrImage parts(150, 70);
     for (int x = 0; x < 150; x += 32) {
-        developPart(frame, settings, 3, effects, {x, 0, std::min(32, 150 - x), 70}, parts);
+        developPart(frame.radiance, developmentOf(settings, 3), effects, {x, 0, std::min(32, 150 - x), 70},
+                    parts);
     }
     EXPECT_EQ(parts.pixels, develop(frame, settings, 3).pixels);
 }
@@ -282,13 +283,13 @@ TEST(Bloom, CoarseGlowIsInterpolated) {
     }
     for (int y = 4; y < 20; ++y) {
         for (int x = 4; x < 36; ++x) {
-            const Colour c = glowAt(glow, 8, x, y);
+            const Colour c = spreadAt(glow, 8, x, y);
             EXPECT_NEAR(c.r, (static_cast<float>(x) + 0.5F) / 8 - 0.5F, 1e-5F);
             EXPECT_NEAR(c.g, (static_cast<float>(y) + 0.5F) / 8 - 0.5F, 1e-5F);
         }
     }
-    EXPECT_EQ(glowAt(glow, 8, 0, 0), (Colour{0, 0, 1}));
-    EXPECT_EQ(glowAt(glow, 8, 39, 23), (Colour{4, 2, 1}));
+    EXPECT_EQ(spreadAt(glow, 8, 0, 0), (Colour{0, 0, 1}));
+    EXPECT_EQ(spreadAt(glow, 8, 39, 23), (Colour{4, 2, 1}));
 }
 
 TEST(Bloom, ExposureIsThatOfThePictureWithoutGlow) {

@@ -72,13 +72,13 @@ TEST(DevelopPart, IsThePartOfTheWhole) {
     LdrImage parts(203, 101, {1, 2, 3, 4});
     for (int y = 0; y < 101; y += 21) {
         for (int x = 0; x < 203; x += 67)
-            developPart(frame, settings, 0.7F, {}, {x, y, std::min(67, 203 - x), std::min(21, 101 - y)},
-                        parts);
+            developPart(frame.radiance, developmentOf(settings, 0.7F), {},
+                        {x, y, std::min(67, 203 - x), std::min(21, 101 - y)}, parts);
     }
     EXPECT_TRUE(parts.pixels == whole.pixels);
 
     LdrImage one(203, 101, {1, 2, 3, 4});
-    developPart(frame, settings, 0.7F, {}, {10, 20, 5, 6}, one);
+    developPart(frame.radiance, developmentOf(settings, 0.7F), {}, {10, 20, 5, 6}, one);
     const auto untouched = std::count(one.pixels.begin(), one.pixels.end(), Rgba8{1, 2, 3, 4});
     EXPECT_EQ(untouched, 203 * 101 - 5 * 6);
 }

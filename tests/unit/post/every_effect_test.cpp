@@ -22,10 +22,10 @@ RenderSettings everything() {
     settings.ambientOcclusion = {.on = true, .samples = 5};
     settings.depthOfField = {.on = true, .fNumber = 0.2F, .blades = 6};
     settings.fog.shafts = 3;
-    settings.lampSamples = 3;
-    settings.denoise = 3;
-    settings.bloom = 4;
-    settings.bloomKernel = BloomKernel::Airy;
+    settings.areaLights.samples = 3;
+    settings.denoise.passes = 3;
+    settings.bloom.radius = 4;
+    settings.bloom.kernel = BloomKernel::Airy;
     settings.exposure.local = 0.5F;
     return settings;
 }
@@ -66,10 +66,10 @@ TEST(EveryEffect, ShowsInThePicture) {
              Change([](RenderSettings& s) { s.depthOfField.on = false; }),
              Change([](RenderSettings& s) { s.fog.on = false; }),
              Change([](RenderSettings& s) { s.fog.shafts = 0; }),
-             Change([](RenderSettings& s) { s.lampSamples = 0; }),
-             Change([](RenderSettings& s) { s.denoise = 0; }),
-             Change([](RenderSettings& s) { s.bloom = 0; }),
-             Change([](RenderSettings& s) { s.bloomKernel = BloomKernel::Gaussian; }),
+             Change([](RenderSettings& s) { s.areaLights.samples = 0; }),
+             Change([](RenderSettings& s) { s.denoise.passes = 0; }),
+             Change([](RenderSettings& s) { s.bloom.radius = 0; }),
+             Change([](RenderSettings& s) { s.bloom.kernel = BloomKernel::Gaussian; }),
              Change([](RenderSettings& s) { s.exposure.local = 0; }),
          }) {
         RenderSettings settings = everything();

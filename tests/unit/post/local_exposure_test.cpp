@@ -24,12 +24,14 @@ HdrImage twoHalves(int width, int height, float left, float right) {
 }
 
 HdrImage adjusted(const HdrImage& image, float average, float strength, int threads = 1) {
+    RenderSettings settings;
+    settings.exposure.key = 1;
+    settings.exposure.local = strength;
     LocalExposure local;
-    local.measure(image, average, threads);
+    EXPECT_TRUE(local.beginRows(image, 1, {.settings = settings, .threads = threads, .exposure = average}));
     HdrImage result(image.width, image.height);
     for (int y = 0; y < image.height; ++y) {
-        local.adjust(&image.at(0, y), 0, image.width, y, image.width, image.height, strength,
-                     &result.at(0, y));
+        local.changeRow({y, 0, image.width, image.width, image.height}, &image.at(0, y), &result.at(0, y));
     }
     return result;
 }
@@ -96,7 +98,7 @@ TEST(LocalExposure, HasTheSameBitsForAnyThreads) {
     frame.covered.assign(frame.radiance.pixels.size(), 255);
     RenderSettings settings;
     settings.width = 333;
-    settings.bloom = 4;
+    settings.bloom.radius = 4;
     settings.exposure.local = 0.7F;
     PictureDeveloper developer;
     LdrImage one, many;
@@ -106,11 +108,13 @@ TEST(LocalExposure, HasTheSameBitsForAnyThreads) {
         EXPECT_EQ(many.pixels, one.pixels);
     }
     // Parts of it, with what a pass of the same picture tells.
-    RoughEffects effects;
-    developer.roughEffects(frame, 1, settings, 2, 1, effects);
+    EffectChain effects;
+    effects.beginRows(EffectStage::Radiance, frame.radiance, 1,
+                      {.settings = settings, .threads = 1, .exposure = 2});
     LdrImage parts(333, 111);
     for (int x = 0; x < 333; x += 100) {
-        developPart(frame, settings, 2, effects, {x, 0, std::min(100, 333 - x), 111}, parts);
+        developPart(frame.radiance, developmentOf(settings, 2), effects, {x, 0, std::min(100, 333 - x), 111},
+                    parts);
     }
     // The pass's brightness is that before the glow: a little off.
     for (std::size_t i = 0; i < one.pixels.size(); ++i)

@@ -1,6 +1,7 @@
 // Grain goes, everything else stays.
 #include "rtcore/post/denoise.h"
 #include "rtcore/post/develop.h"
+#include "rtcore/post/effects.h"
 
 #include "sample_view.h"
 
@@ -15,10 +16,15 @@ namespace {
 Frame rendered(const test::TracedScene& traced, const RenderSettings& settings, int threads = 1) {
     Frame frame;
     FrameRenderer renderer;
+    renderer.collectLayers(effectsNeedLayers(settings));
     RenderControl control{.threads = threads};
     EXPECT_TRUE(
         renderer.render({traced.scene, traced.tracer, test::sampleCamera(), settings}, control, frame));
     return frame;
+}
+
+HdrImage denoised(const Frame& frame, const RenderSettings& settings) {
+    return Denoiser().apply(frame.radiance, frame.layers, {.settings = settings, .threads = 1});
 }
 
 double rmse(const HdrImage& a, const HdrImage& b) {
@@ -50,10 +56,10 @@ Scene corners() {
 
 RenderSettings occluded(int samples, int denoise) {
     RenderSettings settings = test::sampleSettings(160, 120);
-    settings.lampSamples = 0;
+    settings.areaLights.samples = 0;
     settings.ambientOcclusion.on = true;
     settings.ambientOcclusion.samples = samples;
-    settings.denoise = denoise;
+    settings.denoise.passes = denoise;
     return settings;
 }
 
@@ -63,8 +69,13 @@ TEST(Denoise, CanBeLeft) {
     const Frame frame = rendered(traced, settings);
     Denoiser denoiser;
     const std::atomic<bool> stop{true}, goOn{false};
-    EXPECT_EQ(&denoiser.apply(frame, settings, 2, &stop), &frame.radiance);
-    EXPECT_EQ(denoiser.apply(frame, settings, 2, &goOn).pixels, Denoiser().apply(frame, settings, 1).pixels);
+    EXPECT_EQ(
+        &denoiser.apply(frame.radiance, frame.layers, {.settings = settings, .threads = 2, .stop = &stop}),
+        &frame.radiance);
+    EXPECT_EQ(
+        denoiser.apply(frame.radiance, frame.layers, {.settings = settings, .threads = 2, .stop = &goOn})
+            .pixels,
+        denoised(frame, settings).pixels);
 }
 
 TEST(Denoise, HalvesTheGrainOfAmbientOcclusion) {
@@ -74,7 +85,7 @@ TEST(Denoise, HalvesTheGrainOfAmbientOcclusion) {
         const RenderSettings settings = occluded(samples, 3);
         const Frame frame = rendered(traced, settings);
         const double before = rmse(frame.radiance, reference);
-        const double after = rmse(Denoiser().apply(frame, settings, 1), reference);
+        const double after = rmse(denoised(frame, settings), reference);
         EXPECT_LT(after, 0.6 * before) << samples;
     }
 }
@@ -82,23 +93,23 @@ TEST(Denoise, HalvesTheGrainOfAmbientOcclusion) {
 TEST(Denoise, HalvesTheGrainOfSoftShadows) {
     const test::TracedScene traced(corners());
     RenderSettings settings = test::sampleSettings(160, 120);
-    settings.lampSamples = 256;
+    settings.areaLights.samples = 256;
     const HdrImage reference = rendered(traced, settings, 2).radiance;
-    settings.lampSamples = 4;
-    settings.denoise = 3;
+    settings.areaLights.samples = 4;
+    settings.denoise.passes = 3;
     const Frame frame = rendered(traced, settings);
     const double before = rmse(frame.radiance, reference);
-    EXPECT_LT(rmse(Denoiser().apply(frame, settings, 1), reference), 0.7 * before);
+    EXPECT_LT(rmse(denoised(frame, settings), reference), 0.7 * before);
 }
 
 TEST(Denoise, LeavesAPictureAloneThatSamplesNothing) {
     const test::TracedScene traced(test::sampleScene());
     RenderSettings settings = test::sampleSettings(160, 120);
-    settings.denoise = 4;
+    settings.denoise.passes = 4;
     const Frame frame = rendered(traced, settings);
-    EXPECT_EQ(&Denoiser().apply(frame, settings, 1), &frame.radiance);
-    settings.denoise = 0;
-    EXPECT_EQ(&Denoiser().apply(frame, settings, 1), &frame.radiance);
+    EXPECT_EQ(&Denoiser().apply(frame.radiance, frame.layers, {settings}), &frame.radiance);
+    settings.denoise.passes = 0;
+    EXPECT_EQ(&Denoiser().apply(frame.radiance, frame.layers, {settings}), &frame.radiance);
 }
 
 // Through a lens all light is filtered; with an aperture of next to nothing there is no grain, but textures,
@@ -108,24 +119,24 @@ TEST(Denoise, DoesLittleHarmWithoutGrain) {
     RenderSettings settings = test::sampleSettings(320, 240);
     settings.depthOfField.on = true;
     settings.depthOfField.fNumber = 1000;
-    settings.denoise = 3;
+    settings.denoise.passes = 3;
     const Frame frame = rendered(traced, settings);
     double mean = 0;
     for (const Colour c : frame.radiance.pixels) mean += static_cast<double>(luminance(c));
     mean /= static_cast<double>(frame.radiance.pixels.size());
-    EXPECT_LT(rmse(Denoiser().apply(frame, settings, 1), frame.radiance), 0.05 * mean);
+    EXPECT_LT(rmse(denoised(frame, settings), frame.radiance), 0.05 * mean);
 }
 
 TEST(Denoise, HardlyTouchesSoftLightThatHasNoGrain) {
     const test::TracedScene traced(test::softlyLitScene());
     RenderSettings settings = test::sampleSettings(160, 120);
-    settings.lampSamples = 256;
-    settings.denoise = 3;
+    settings.areaLights.samples = 256;
+    settings.denoise.passes = 3;
     const Frame frame = rendered(traced, settings);
     double mean = 0;
     for (const Colour c : frame.radiance.pixels) mean += static_cast<double>(luminance(c));
     mean /= static_cast<double>(frame.radiance.pixels.size());
-    EXPECT_LT(rmse(Denoiser().apply(frame, settings, 1), frame.radiance), 0.02 * mean);
+    EXPECT_LT(rmse(denoised(frame, settings), frame.radiance), 0.02 * mean);
 }
 
 // Every effect on.
@@ -136,10 +147,10 @@ TEST(Denoise, WithAllEffectsHasTheSameBitsForAnyThreads) {
         settings.antialiasing = 2;
         settings.sampling = SamplingPattern::Rotated;
         settings.adaptive = 0.05F;
-        settings.lampSamples = 3;
+        settings.areaLights.samples = 3;
         settings.depthOfField.on = true;
-        settings.bloom = 4;
-        settings.bloomKernel = kernel;
+        settings.bloom.radius = 4;
+        settings.bloom.kernel = kernel;
         settings.exposure.local = 0.5F;
         const auto picture = [&](int threads, HdrImage& seen) {
             const Frame frame = rendered(traced, settings, threads);

@@ -1,4 +1,6 @@
 // Every instruction set that this processor has gives the same bits.
+#include "rtcore/post/bloom.h"
+#include "rtcore/post/denoise.h"
 #include "rtcore/post/develop.h"
 #include "rtcore/render/camera_rays.h"
 #include "rtcore/sampling/sample_id.h"
@@ -150,29 +152,33 @@ TEST_F(InstructionSets, GlowAlike) {
     }
     RenderSettings settings;
     settings.width = image.width;
-    settings.bloom = 4;
+    settings.bloom.radius = 4;
     for (const BloomKernel kernel : {BloomKernel::Gaussian, BloomKernel::Airy}) {
-        settings.bloomKernel = kernel;
+        settings.bloom.kernel = kernel;
         ASSERT_TRUE(useInstructionSet("scalar"));
-        const HdrImage expected = Bloom().apply(image, settings, 1);
+        const HdrImage expected = Bloom().apply(image, {}, {.settings = settings, .threads = 1});
         for (const std::string& name : instructionSets()) {
             ASSERT_TRUE(useInstructionSet(name));
-            EXPECT_EQ(Bloom().apply(image, settings, 1).pixels, expected.pixels) << name;
+            EXPECT_EQ(Bloom().apply(image, {}, {.settings = settings, .threads = 1}).pixels, expected.pixels)
+                << name;
         }
     }
 }
 
 TEST_F(InstructionSets, DenoiseAlike) {
     RenderSettings settings = test::sampleSettings(101, 67);
-    settings.lampSamples = 2;
-    settings.denoise = 3;
+    settings.areaLights.samples = 2;
+    settings.denoise.passes = 3;
     const Frame frame = test::render(test::TracedScene(test::softlyLitScene()), settings);
     ASSERT_TRUE(useInstructionSet("scalar"));
-    const HdrImage expected = Denoiser().apply(frame, settings, 1);
+    const HdrImage expected =
+        Denoiser().apply(frame.radiance, frame.layers, {.settings = settings, .threads = 1});
     EXPECT_NE(expected.pixels, frame.radiance.pixels);
     for (const std::string& name : instructionSets()) {
         ASSERT_TRUE(useInstructionSet(name));
-        EXPECT_EQ(Denoiser().apply(frame, settings, 1).pixels, expected.pixels) << name;
+        EXPECT_EQ(Denoiser().apply(frame.radiance, frame.layers, {.settings = settings, .threads = 1}).pixels,
+                  expected.pixels)
+            << name;
     }
 }
 

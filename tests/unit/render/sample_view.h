@@ -90,7 +90,9 @@ inline rtcore::RenderSettings sampleSettings(int width, int height, int antialia
 inline rtcore::Frame render(const TracedScene& s, const rtcore::RenderSettings& settings, int threads = 1) {
     rtcore::Frame frame;
     rtcore::RenderControl control{.threads = threads};
-    rtcore::renderFrame({s.scene, s.tracer, sampleCamera(), settings}, control, frame);
+    rtcore::FrameRenderer renderer;
+    renderer.collectLayers(settings.denoise.passes > 0);
+    renderer.render({s.scene, s.tracer, sampleCamera(), settings}, control, frame);
     return frame;
 }
 

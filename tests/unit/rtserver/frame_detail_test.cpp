@@ -19,10 +19,10 @@ rtcore::RenderSettings dear() {
     settings.ambientOcclusion.on = true;
     settings.ambientOcclusion.samples = 4096;
     settings.depthOfField.on = true;
-    settings.lampSamples = 64;
+    settings.areaLights.samples = 64;
     settings.fog.shafts = 100;
-    settings.denoise = 5;
-    settings.bloom = 20;
+    settings.denoise.passes = 5;
+    settings.bloom.radius = 20;
     return settings;
 }
 
@@ -43,12 +43,12 @@ TEST(FrameDetail, TheCoarsestIsCheapWhateverTheSettings) {
     EXPECT_GE(coarse.height * 8, 963);
     EXPECT_LT(workOf(coarse, scene), 60.0 * coarse.width * coarse.height);
     EXPECT_EQ(coarse.antialiasing, 1);
-    EXPECT_EQ(coarse.denoise, 0);
+    EXPECT_EQ(coarse.denoise.passes, 0);
     EXPECT_FALSE(coarse.depthOfField.on);
     EXPECT_EQ(coarse.ambientOcclusion.samples, 1);
     EXPECT_GT(settingsAt(dear(), {0.5, true}).ambientOcclusion.samples, 1);
     EXPECT_TRUE(coarse.ambientOcclusion.on) << "what it shows is there, with grain";
-    EXPECT_EQ(coarse.bloom, 20);
+    EXPECT_EQ(coarse.bloom.radius, 20);
 }
 
 TEST(FrameDetail, LookingShadowsUpCostsLess) {

@@ -78,11 +78,11 @@ TEST(SettingsTable, HasEveryMemberOfTheStructOnce) {
                                               "depthOfField.blades",
                                               "fog.on",
                                               "fog.shafts",
-                                              "lampSamples",
-                                              "denoise",
-                                              "bloom",
-                                              "bloomKernel",
-                                              "bloomShare",
+                                              "areaLights.samples",
+                                              "denoise.passes",
+                                              "bloom.radius",
+                                              "bloom.kernel",
+                                              "bloom.share",
                                               "exposure.mode",
                                               "exposure.value",
                                               "exposure.key",
@@ -132,6 +132,45 @@ TEST(SettingsTable, ReachesTheMembersOfTheirNames) {
     EXPECT_FALSE(s.dithering);
 }
 
+TEST(SettingsTable, FormerNamesReachTheSameMembers) {
+    RenderSettings s;
+    rtcore::setSettingFromText(s, "lampSamples", "7");
+    rtcore::setSettingFromText(s, "denoise", "2");
+    rtcore::setSetting(s, "bloom", 10);
+    rtcore::setSettingFromText(s, "bloomKernel", "airy");
+    rtcore::setSettingFromText(s, "bloomShare", "0.5");
+    EXPECT_EQ(s.areaLights.samples, 7);
+    EXPECT_EQ(s.denoise.passes, 2);
+    EXPECT_EQ(s.bloom.radius, 10);
+    EXPECT_EQ(s.bloom.kernel, rtcore::BloomKernel::Airy);
+    EXPECT_EQ(s.bloom.share, 0.5F);
+    EXPECT_EQ(rtcore::getSetting(s, "bloom"), SettingValue(10));
+    for (const auto& [name, value] : rtcore::settingAssignments(s, false))
+        EXPECT_EQ(name, rtcore::requireSetting(name).name) << "written by a former name";
+    EXPECT_EQ(textRefusal("bloom", "much"),
+              "bloom.radius is 'much', but takes a whole number, 0 to 4096 pixels");
+}
+
+TEST(SettingsTable, FormerNamesAreNoneOfToday) {
+    std::set<std::string_view> names;
+    for (const Setting& setting : rtcore::settingsTable()) names.insert(setting.name);
+    for (const rtcore::FormerName& each : rtcore::formerSettingNames()) {
+        EXPECT_TRUE(names.contains(each.name)) << each.name;
+        EXPECT_TRUE(names.insert(each.former).second) << each.former;
+    }
+}
+
+TEST(SettingsTable, TheGroupIsThePartBeforeTheDot) {
+    for (const Setting& setting : rtcore::settingsTable()) {
+        const std::size_t dot = setting.name.find('.');
+        if (dot == std::string_view::npos) continue;
+        EXPECT_EQ(setting.group, setting.name.substr(0, dot));
+    }
+    EXPECT_EQ(rtcore::requireSetting("shadows").group, "rays");
+    EXPECT_EQ(rtcore::requireSetting("toneMapping").group, "exposure");
+    EXPECT_EQ(rtcore::requireSetting("width").group, "");
+}
+
 TEST(SettingsTable, LimitsAreTakenAndWhatLiesBeyondIsRefused) {
     for (const Setting& setting : rtcore::settingsTable()) {
         if (setting.type == SettingType::Integer) {
@@ -163,7 +202,8 @@ TEST(SettingsTable, RefusalsTellTheRangeOrTheChoices) {
     EXPECT_EQ(refusal("exposure.mode", std::string("auto")),
               "exposure.mode is 'auto', but takes automatic or fixed");
     EXPECT_EQ(refusal("toneMapping", true), "toneMapping is true, but takes luminance or channels");
-    EXPECT_EQ(textRefusal("bloom", "much"), "bloom is 'much', but takes a whole number, 0 to 4096 pixels");
+    EXPECT_EQ(textRefusal("bloom.radius", "much"),
+              "bloom.radius is 'much', but takes a whole number, 0 to 4096 pixels");
 }
 
 TEST(SettingsTable, UnknownNamesGetTheNearest) {
@@ -213,10 +253,10 @@ TEST(SettingsTable, FailureLeavesEverythingAsItWas) {
 
 TEST(SettingsTable, LaterAssignmentsWin) {
     RenderSettings settings;
-    const std::vector<rtcore::SettingAssignment> assignments{{"width", 7}, {"bloom", 3}, {"width", 8}};
+    const std::vector<rtcore::SettingAssignment> assignments{{"width", 7}, {"bloom.radius", 3}, {"width", 8}};
     rtcore::applySettings(settings, assignments);
     EXPECT_EQ(settings.width, 8);
-    EXPECT_EQ(settings.bloom, 3);
+    EXPECT_EQ(settings.bloom.radius, 3);
 }
 
 TEST(SettingsTable, AllAssignmentsMakeTheSameSettingsAgain) {

@@ -44,7 +44,7 @@ double irradiance(const Light& light, int samples) {
     b.scene.lights.push_back(light);
     const TracedScene s(b.finish());
     RenderSettings settings = test::exactSettings();
-    settings.lampSamples = samples;
+    settings.areaLights.samples = samples;
     return s.see({0.001F, 1, 0.002F}, {}, settings) * kPi;
 }
 
@@ -104,7 +104,7 @@ struct Penumbra {
         b.scene.lights.push_back(lamp);
         const TracedScene s(b.finish());
         RenderSettings settings = test::exactSettings();
-        settings.lampSamples = samples;
+        settings.areaLights.samples = samples;
         const double shadowed = s.see({x, 0.5F, 0}, {x, 0, 0}, settings);
         settings.shadows = false;
         return shadowed / s.see({x, 0.5F, 0}, {x, 0, 0}, settings);
@@ -121,7 +121,7 @@ TEST(RectangleLamp, ThrowsAPenumbraAsWideAsItself) {
 /// A wave of samples of the pixels around (40, 30), all at the same place under a lamp.
 std::vector<float> seenBy(const TracedScene& s, int lampSamples, int side) {
     RenderSettings settings = test::exactSettings();
-    settings.lampSamples = lampSamples;
+    settings.areaLights.samples = lampSamples;
     RayWave wave;
     std::vector<SampleId> names;
     for (int i = 0; i < side * side; ++i) {
@@ -176,7 +176,7 @@ TEST(Lamps, SamplesOfOnePixelShareItsPattern) {
     const TracedScene s(b.finish());
     RenderSettings settings = test::exactSettings();
     const auto mean = [&](int lampSamples, std::uint32_t subs) {
-        settings.lampSamples = lampSamples;
+        settings.areaLights.samples = lampSamples;
         RayWave wave;
         std::vector<SampleId> names;
         for (std::uint32_t sub = 0; sub < subs; ++sub) {

@@ -141,9 +141,9 @@ TEST(SteadyFrame, OfOpaqueSurfacesAllocatesNothing) {
 TEST(SteadyFrame, WithGlowAllocatesNothing) {
     Pictures pictures(test::sampleScene());
     RenderSettings settings = settingsWith(1, true, 5);
-    settings.bloom = 5;
+    settings.bloom.radius = 5;
     for (const BloomKernel kernel : {BloomKernel::Gaussian, BloomKernel::Airy}) {
-        settings.bloomKernel = kernel;
+        settings.bloom.kernel = kernel;
         pictures.make(settings, 1);
         pictures.make(settings, 1);
         EXPECT_EQ(pictures.make(settings, 1), 0U);

@@ -62,6 +62,15 @@ TEST(FormatsDocument, RecordingExamplesAreWholeRecordings) {
     }
 }
 
+TEST(FormatsDocument, TheFormerNamesAreThoseThatAreRead) {
+    std::string table = "| Name | Former name |\n|---|---|\n";
+    for (const rtcore::FormerName& each : rtcore::formerSettingNames())
+        table += "| `" + std::string(each.name) + "` | `" + std::string(each.former) + "` |\n";
+    EXPECT_NE(document().find(table + "\n"), std::string::npos)
+        << "replace the table in docs/formats.md by:\n"
+        << table;
+}
+
 TEST(FormatsDocument, TheTableOfSettingsIsTheOneOfTheProgram) {
     std::ostringstream table;
     for (const rtcore::Setting& setting : rtcore::settingsTable())

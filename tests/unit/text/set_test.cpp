@@ -58,6 +58,31 @@ TEST(Set, ErrorsNameTheirPlace) {
     EXPECT_EQ(problem("[live]").substr(0, 23), "x.set:1:1: the version ");
 }
 
+TEST(Set, ASettingByBothOfItsNamesIsRefused) {
+    EXPECT_EQ(
+        problem("version = 1\n[live]\nlampSamples = 4\nareaLights.samples = 8"),
+        "x.set:3:1: lampSamples is the former name of areaLights.samples, which stands here, too; remove "
+        "lampSamples");
+    EXPECT_EQ(problem("version = 1\n[still.bloom]\nkernel = \"airy\"\n[still]\nbloomKernel = \"airy\""),
+              "x.set:5:1: bloomKernel is the former name of bloom.kernel, which stands here, too; remove "
+              "bloomKernel");
+    for (const char* both : {"bloom = 10\nbloom.radius = 10", "bloom = 10\n[live.bloom]\nradius = 10",
+                             "denoise.passes = 1\ndenoise = 1"})
+        EXPECT_EQ(problem("version = 1\n[live]\n" + std::string(both)).substr(0, 8), "x.set:4:") << both;
+    // Different settings, or in different tables.
+    const SettingsFile file = parseSettingsFile(
+        "version = 1\n[live]\nbloom = 10\nbloomShare = 0.5\n[still]\nbloomShare = 0.5\nbloom.radius = 10",
+        "x");
+    const std::vector<SettingAssignment> live{{"bloom.radius", 10}, {"bloom.share", 0.5F}};
+    const std::vector<SettingAssignment> still{{"bloom.share", 0.5F}, {"bloom.radius", 10}};
+    EXPECT_EQ(file.live, live);
+    EXPECT_EQ(file.still, still);
+}
+
+TEST(Set, IsWrittenWithTheNamesOfToday) {
+    EXPECT_EQ(rtcore::formatSettingsFile({{{"bloom", 3}}, {}}), "version = 1\n\n[live]\nbloom.radius = 3\n");
+}
+
 TEST(Set, NumbersBeyondAllRangesAreRefused) {
     for (const char* number :
          {"nan", "inf", "-inf", "1e300", "9223372036854775807", "-9223372036854775808"}) {

@@ -11,9 +11,9 @@ namespace {
 
 constexpr int kMaxEnvironment = 65535;
 
-/// A key of a .cam with the range of a setting.
-std::optional<int> readInteger(StrictTable& table, std::string_view key) {
-    const Setting& setting = requireSetting(key);
+/// A key of a .cam with the range of the setting `name`.
+std::optional<int> readInteger(StrictTable& table, std::string_view key, std::string_view name) {
+    const Setting& setting = requireSetting(name);
     return table.integer(key, static_cast<int>(setting.minimum), static_cast<int>(setting.maximum));
 }
 
@@ -26,10 +26,10 @@ CameraFile parseCameraFile(std::string_view text, const std::filesystem::path& p
     root.checkVersion();
     const Setting& exposure = requireSetting("exposure.value");
     CameraFile file;
-    file.width = readInteger(root, "width");
-    file.height = readInteger(root, "height");
-    file.antialiasing = readInteger(root, "antialiasing");
-    file.bloom = readInteger(root, "bloom");
+    file.width = readInteger(root, "width", "width");
+    file.height = readInteger(root, "height", "height");
+    file.antialiasing = readInteger(root, "antialiasing", "antialiasing");
+    file.bloom = readInteger(root, "bloom", "bloom.radius");
     file.exposure = root.number("exposure", {.minimum = exposure.minimum, .maximum = exposure.maximum});
     file.lights = root.booleans("lights");
     file.environment = root.integer("environment", 0, kMaxEnvironment);

@@ -15,7 +15,7 @@ namespace rtcore {
 struct CameraFile {
     Camera camera;                           ///< nameOffset is 0
     std::optional<int> width, height;        ///< pixels
-    std::optional<int> antialiasing, bloom;  ///< as the settings of these names
+    std::optional<int> antialiasing, bloom;  ///< as the settings `antialiasing` and `bloom.radius`
     std::optional<float> exposure;           ///< the fixed constant c; absent: automatic
     std::optional<std::vector<bool>> lights; ///< which are on, in the scene's order
     std::optional<int> environment;          ///< index into the scene's environments

@@ -30,6 +30,12 @@ class SectionReader {
     std::vector<SettingAssignment> assignments;
 
   private:
+    struct Given {
+        const Setting* setting;
+        std::string name; ///< as the file has it
+        TextPosition position;
+    };
+
     static bool isGroup(const std::string& name) {
         const auto table = settingsTable();
         return std::any_of(table.begin(), table.end(),
@@ -38,8 +44,23 @@ class SectionReader {
 
     void assign(const std::string& name, const TextEntry& entry) {
         const Setting& setting = at(entry.position, [&]() -> const Setting& { return requireSetting(name); });
-        assignments.push_back({name, at(entry.value.position,
-                                        [&] { return checkSetting(setting, convert(name, entry.value)); })});
+        refuseTwice({&setting, name, entry.position});
+        assignments.push_back({std::string(setting.name), at(entry.value.position, [&] {
+                                   return checkSetting(setting, convert(name, entry.value));
+                               })});
+    }
+
+    /// A name stands once in TOML, so a setting that is given twice is so by its former name as well.
+    void refuseTwice(const Given& given) {
+        for (const Given& before : given_) {
+            if (before.setting != given.setting) continue;
+            const Given& former = before.name == given.setting->name ? given : before;
+            throw FileError(FailureKind::BadData, file_,
+                            former.name + " is the former name of " + std::string(given.setting->name) +
+                                ", which stands here, too; remove " + former.name,
+                            former.position.line, former.position.column);
+        }
+        given_.push_back(given);
     }
 
     /// What the settings table refuses becomes an error at its place in the file.
@@ -69,6 +90,7 @@ class SectionReader {
     }
 
     const std::string& file_;
+    std::vector<Given> given_;
 };
 
 } // namespace
@@ -89,7 +111,10 @@ void writeSettingsSection(TomlWriter& writer, std::string_view key,
                           std::span<const SettingAssignment> assignments) {
     if (assignments.empty()) return;
     writer.section("[" + std::string(key) + "]");
-    for (const SettingAssignment& assignment : assignments) writer.add(assignment.name, assignment.value);
+    for (const SettingAssignment& assignment : assignments) {
+        const Setting* setting = findSetting(assignment.name);
+        writer.add(setting != nullptr ? setting->name : assignment.name, assignment.value);
+    }
 }
 
 } // namespace rtcore

@@ -11,12 +11,12 @@
 
 namespace rtcore {
 
-/// The assignments of the table `key` in the order of the file; tables within are parts of dotted names.
-/// Empty when absent. Throws FileError BadData at unknown names and at values that the settings table
-/// refuses.
+/// The assignments of the table `key` in the order of the file; tables within are parts of dotted names, and
+/// former names become those of today. Empty when absent. Throws FileError BadData at unknown names, at
+/// values that the settings table refuses, and where a setting stands by its former name as well.
 std::vector<SettingAssignment> readSettingsSection(StrictTable& parent, std::string_view key);
 
-/// Nothing when there are no assignments. Does not check them.
+/// Nothing when there are no assignments. By the names of today; does not check them.
 void writeSettingsSection(TomlWriter& writer, std::string_view key,
                           std::span<const SettingAssignment> assignments);
 

@@ -1,0 +1,70 @@
+/// A step between the light that was traced and tone mapping. An effect is a pair of files with a class and a
+/// row like these, its settings, and the name of the row in effects.cpp.
+#pragma once
+
+#include "rtcore/math/colour.h"
+#include "rtcore/scene/image.h"
+#include "rtcore/settings/render_settings.h"
+
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <string_view>
+
+namespace rtcore {
+
+class FrameLayers;
+
+/// What all effects of a picture are told.
+struct EffectRun {
+    const RenderSettings& settings; ///< of the whole picture, which may be smaller or larger than they say
+    int threads = 0;                ///< 0 = all cores
+    float exposure = 1;             ///< the constant c of L = Y / (Y + c); for EffectStage::Display
+    const std::atomic<bool>* stop = nullptr; ///< null: never; true: return soon, with an undefined picture
+};
+
+/// The pixels from column `left` to before `right` of row `y` of a picture of `width` x `height`.
+struct RowPart {
+    int y, left, right, width, height;
+};
+
+/// Keeps its memory, so that a picture of the size of the one before allocates nothing. Not for several
+/// threads at once, except changeRow(): it uses `run.threads` itself, and gives the same bits for any number
+/// of them.
+class Effect {
+  public:
+    virtual ~Effect() = default;
+
+    /// A whole picture with the effect, valid until the next call; `picture` itself where nothing changes.
+    /// `layers` are the frame's, or empty.
+    virtual const HdrImage& apply(const HdrImage& picture, const FrameLayers& layers, const EffectRun& run);
+
+    /// Learns from a whole picture what parts of it need to know. `coarse` has a pixel for each `block` x
+    /// `block` of the picture whose rows are changed. False: rows stay as they are.
+    virtual bool beginRows(const HdrImage& coarse, int block, const EffectRun& run);
+
+    /// A part of a row, after beginRows(). `radiance` and `changed` begin at column 0 and may be the same.
+    virtual void changeRow(const RowPart& part, const Colour* radiance, Colour* changed) const;
+};
+
+enum class EffectStage {
+    Radiance, ///< whole frames by apply(), which HDR pictures show, too; parts of a preview by rows
+    Display   ///< by rows everywhere, with the exposure; again whenever the exposure changes
+};
+
+/// One row of the list.
+struct EffectRow {
+    std::string_view name;
+    EffectStage stage;
+    bool (*wanted)(const RenderSettings&);
+    std::size_t bytesPerPixel; ///< that apply() keeps, beside the frame and its layers
+    bool needsLayers;          ///< FrameLayers of the frame
+    std::unique_ptr<Effect> (*make)();
+};
+
+template <typename Made>
+std::unique_ptr<Effect> makeEffect() {
+    return std::make_unique<Made>();
+}
+
+} // namespace rtcore

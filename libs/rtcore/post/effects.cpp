@@ -1,0 +1,32 @@
+#include "rtcore/post/effects.h"
+
+#include "rtcore/post/bloom.h"
+#include "rtcore/post/denoise.h"
+#include "rtcore/post/local_exposure.h"
+#include "rtcore/render/layers.h"
+
+#include <algorithm>
+#include <array>
+
+namespace rtcore {
+
+namespace {
+
+constexpr std::array<const EffectRow*, 3> kEffects{&kDenoiseEffect, &kBloomEffect, &kLocalExposureEffect};
+
+} // namespace
+
+std::span<const EffectRow* const> effects() { return kEffects; }
+
+std::size_t effectBytesPerPixel(const RenderSettings& settings) {
+    std::size_t bytes = effectsNeedLayers(settings) ? FrameLayers::bytesPerPixel() : 0;
+    for (const EffectRow* row : kEffects) bytes += row->wanted(settings) ? row->bytesPerPixel : 0;
+    return bytes;
+}
+
+bool effectsNeedLayers(const RenderSettings& settings) {
+    return std::ranges::any_of(
+        kEffects, [&](const EffectRow* row) { return row->needsLayers && row->wanted(settings); });
+}
+
+} // namespace rtcore

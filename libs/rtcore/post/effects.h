@@ -1,0 +1,21 @@
+/// THE list of effects, in their order. Frames, previews, the check of memory and who asks for layers walk
+/// it.
+#pragma once
+
+#include "rtcore/post/effect.h"
+
+#include <cstddef>
+#include <span>
+
+namespace rtcore {
+
+/// All of EffectStage::Radiance before those of EffectStage::Display. Safe from many threads.
+std::span<const EffectRow* const> effects();
+
+/// Bytes for each pixel that the wanted effects take beside the frame's radiance, layers included.
+std::size_t effectBytesPerPixel(const RenderSettings& settings);
+
+/// Whether a wanted effect reads the frame's layers: for FrameRenderer::collectLayers().
+bool effectsNeedLayers(const RenderSettings& settings);
+
+} // namespace rtcore
