@@ -1,6 +1,5 @@
 #include "cui/conversation.h"
 
-#include "common/cli/command_line.h"
 #include "common/process/stop.h"
 
 #include "ipc/endpoint/instances.h"
@@ -16,15 +15,6 @@ using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
 constexpr auto kSlice = 100ms; ///< after which a signal is heeded
-
-// A server's failure begins with the exit code that suits it.
-[[noreturn]] void throwFailure(const std::string& answer) {
-    const std::size_t blank = answer.find(' ');
-    const auto code = app::parseInteger(std::string_view(answer).substr(0, blank));
-    if (!code || *code < 1 || *code > 125 || blank == std::string::npos)
-        throw CommandFailure(app::ExitCode::Failed, answer);
-    throw CommandFailure(static_cast<app::ExitCode>(*code), answer.substr(blank + 1));
-}
 
 } // namespace
 
@@ -59,7 +49,7 @@ std::string Conversation::request(std::string_view command, std::chrono::nanosec
     case ipc::ReplyStatus::Done:
         return reply.text;
     case ipc::ReplyStatus::Failed:
-        throwFailure(reply.text);
+        throw CommandFailure(static_cast<app::ExitCode>(reply.code), reply.text);
     case ipc::ReplyStatus::Lost:
         throw CommandFailure(app::ExitCode::TryAgain, server + "ended before it answered");
     case ipc::ReplyStatus::TimedOut:

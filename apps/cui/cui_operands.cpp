@@ -1,6 +1,6 @@
 #include "cui/cui_operands.h"
 
-#include "common/cli/file_notes.h"
+#include "common/commands/command_table.h"
 #include "common/settings/setting_suggestions.h"
 
 #include "ipc/endpoint/instances.h"
@@ -15,6 +15,21 @@ std::vector<std::string> suggestSettings(Words /*words*/) { return app::settingN
 
 std::vector<std::string> suggestValues(Words words) {
     return words.size() < 2 ? std::vector<std::string>() : app::settingValues(words[words.size() - 2]);
+}
+
+app::Suggest suggestionsOf(app::ArgumentType type) {
+    switch (type) {
+    case app::ArgumentType::Setting:
+        return suggestSettings;
+    case app::ArgumentType::SettingValue:
+        return suggestValues;
+    case app::ArgumentType::Key:
+        return suggestKeys;
+    case app::ArgumentType::Action:
+        return suggestActions;
+    default:
+        return nullptr;
+    }
 }
 
 } // namespace
@@ -40,19 +55,18 @@ std::vector<std::string> suggestActions(Words /*words*/) {
 }
 
 std::vector<app::Operand> operands() {
-    return {{.command = "set", .name = "NAME", .suggest = suggestSettings},
-            {.command = "set", .name = "VALUE", .suggest = suggestValues},
-            {.command = "get", .name = "NAME", .suggest = suggestSettings},
-            {.command = "load camera", .name = "FILE", .files = {"cam"}},
-            {.command = "load scene", .name = "FILE", .files = app::sceneExtensions()},
-            {.command = "load set", .name = "FILE", .files = {"set"}},
-            {.command = "export camera", .name = "FILE", .files = {"cam"}},
-            {.command = "export scene", .name = "FILE", .files = {"scn"}},
-            {.command = "export video start", .name = "FILE", .files = {"lst", "txt"}},
-            {.command = "play", .name = "FILE", .files = {"lst", "txt"}},
-            {.command = "bind", .name = "ACTION", .suggest = suggestActions},
-            {.command = "render", .name = "OPTION", .program = "Renderer"},
-            {.command = "", .name = "KEY", .suggest = suggestKeys}};
+    std::vector<app::Operand> all;
+    for (const app::CommandSpec& command : app::commandTable()) {
+        for (const app::CommandArgument& argument : command.arguments) {
+            const bool path = argument.type == app::ArgumentType::Path;
+            const app::Suggest suggest = suggestionsOf(argument.type);
+            if (path || suggest != nullptr)
+                all.push_back(
+                    {std::string(command.name), std::string(argument.name), argument.files, suggest});
+        }
+    }
+    all.push_back({.command = "render", .name = "OPTION", .program = "Renderer"});
+    return all;
 }
 
 } // namespace cui

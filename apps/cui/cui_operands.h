@@ -1,4 +1,4 @@
-/// What the words in capitals of CUI's commands stand for, for completion by shells.
+/// What the words in capitals of the commands stand for, for completion by shells.
 #pragma once
 
 #include "common/cli/options.h"

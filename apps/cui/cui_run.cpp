@@ -7,6 +7,7 @@
 
 #include "common/cli/command_line.h"
 #include "common/cli/help_text.h"
+#include "common/commands/command_lookup.h"
 #include "common/commands/quoting.h"
 #include "common/process/ipc_exit_code.h"
 #include "common/process/message.h"
@@ -25,6 +26,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 
@@ -33,6 +35,7 @@ namespace cui {
 namespace {
 
 using namespace std::chrono_literals;
+using app::CommandId;
 using Words = std::span<const std::string>;
 
 class Run {
@@ -46,17 +49,18 @@ class Run {
           count_(arguments.integer("count").value_or(0)) {}
 
     void command(Words words) {
-        const FoundCommand found = findCommand(words);
-        const Words arguments = words.subspan(found.words);
-        if (found.spec->doer == Doer::Local) return local(*found.spec, arguments);
+        const auto [spec, used] = app::findCommand(words);
+        if (spec->runner == app::Runner::Shell) return runHere(*spec, words.subspan(used));
         std::vector<std::string> line(words.begin(), words.end());
         std::chrono::milliseconds work(0);
-        if (found.spec->name == "key press") work = readPressTime(line);
+        if (spec->id == CommandId::KeyPress) work = readPressTime(line);
         if (pressTime_ && work == 0ms) throw app::UsageError("--for belongs to 'key press'");
-        if (found.spec->path && !arguments.empty())
-            line[found.words] = std::filesystem::absolute(line[found.words]).string();
+        for (std::size_t i = used; i < line.size() && i - used < spec->arguments.size(); ++i) {
+            if (spec->arguments[i - used].type == app::ArgumentType::Path)
+                line[i] = std::filesystem::absolute(line[i]).string();
+        }
         const std::string text = app::joinWords(line);
-        if (found.spec->name == "exit" || found.spec->name == "quit") return conversation_.quit(text);
+        if (spec->id == CommandId::Exit || spec->id == CommandId::Quit) return conversation_.quit(text);
         const std::string answer = conversation_.request(text, work);
         if (!answer.empty()) app::writeLines(answer + "\n");
     }
@@ -76,19 +80,28 @@ class Run {
             std::max<std::int64_t>(app::parseInteger(line[kTime]).value_or(1), 1));
     }
 
-    void local(const CommandSpec& spec, Words arguments) {
-        if (spec.name == "script") {
-            if (arguments.size() != 1) throw app::UsageError("script takes FILE, or - for standard input");
+    void runHere(const app::CommandSpec& spec, Words arguments) {
+        app::checkArguments(spec, arguments);
+        switch (spec.id) {
+        case CommandId::Script:
             return script(arguments[0]);
+        case CommandId::Render:
+            return renderView(conversation_, arguments);
+        case CommandId::Status:
+            return status();
+        case CommandId::Fps:
+            return fps();
+        case CommandId::Watch:
+            return watch();
+        case CommandId::List:
+            return list();
+        case CommandId::Free:
+            return free();
+        case CommandId::About:
+            return app::writeOutput(app::versionText(cuiSpec()));
+        default:
+            throw std::logic_error(std::string(spec.name) + " is in the table, but CUI does not do it");
         }
-        if (spec.name == "render") return renderView(conversation_, arguments);
-        if (!arguments.empty()) throw app::UsageError(std::string(spec.name) + " takes no arguments");
-        if (spec.name == "status") return status();
-        if (spec.name == "fps") return fps();
-        if (spec.name == "watch") return watch();
-        if (spec.name == "list") return list();
-        if (spec.name == "free") return free();
-        app::writeOutput(app::versionText(cuiSpec()));
     }
 
     void status() {

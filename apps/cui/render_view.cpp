@@ -2,7 +2,7 @@
 
 #include "common/cli/command_line.h"
 #include "common/cli/input_files.h"
-#include "common/commands/quoting.h"
+#include "common/commands/command_lines.h"
 #include "common/process/stop.h"
 
 #include "rtcore/platform/error.h"
@@ -33,10 +33,6 @@ fs::path rendererProgram() {
                             "the Renderer is missing; install it beside CUI or name it in RT_RENDERER");
 }
 
-void requestExport(Conversation& conversation, const std::string& what, const fs::path& file) {
-    conversation.request(app::joinWords(Words{"export", what, file.string()}));
-}
-
 } // namespace
 
 void renderView(Conversation& conversation, std::span<const std::string> arguments) {
@@ -47,13 +43,13 @@ void renderView(Conversation& conversation, std::span<const std::string> argumen
     if (!arguments.empty() && arguments[0] == "--") arguments = arguments.subspan(1);
 
     app::InputFiles inputs;
-    inputs.add(conversation.request("scene"));
+    inputs.add(conversation.request(app::command::scene()));
     inputs.refuse(output);
     const fs::path renderer = rendererProgram();
     rtcore::TemporaryFolder folder("rtsuite-view-");
     const fs::path camera = folder.file("view.cam"), scene = folder.file("view.scn");
-    requestExport(conversation, "camera", camera);
-    requestExport(conversation, "scene", scene);
+    conversation.request(app::command::exportCamera(camera.string()));
+    conversation.request(app::command::exportScene(scene.string()));
     conversation.hangUp();
 
     Words words{scene.string(), "--camera=" + camera.string(), "--output=" + output, "--force"};

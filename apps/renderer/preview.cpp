@@ -188,7 +188,7 @@ void Preview::run(const std::stop_token& stop) {
 
 void Preview::serve() {
     for (const ipc::Command& command : server_->takeCommands()) {
-        server_->answer(command, ipc::AnswerStatus::Failed,
+        server_->refuse(command, static_cast<int>(app::ExitCode::Failed),
                         "this is a preview of a picture that is being rendered; it takes no commands");
     }
     if (work_ == nullptr) return;

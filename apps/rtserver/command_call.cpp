@@ -5,31 +5,13 @@
 #include "rtcore/motion/key_codes.h"
 #include "rtcore/settings/nearest_name.h"
 
-#include <cmath>
 #include <optional>
 
 namespace rtserver {
 
-float number(const std::string& text) {
-    constexpr double kMost = 1e30;
-    const std::optional<double> value = app::parseNumber(text);
-    if (!value || std::fabs(*value) > kMost) throw app::UsageError(rtcore::quoted(text) + " is no number");
-    return static_cast<float>(*value);
-}
-
-int integer(const std::string& text) {
-    const std::optional<std::int64_t> value = app::parseInteger(text);
-    constexpr std::int64_t kMost = 1'000'000'000;
-    if (!value || *value < -kMost || *value > kMost)
-        throw app::UsageError(rtcore::quoted(text) + " is no whole number");
-    return static_cast<int>(*value);
-}
-
-bool flag(const std::string& text) {
-    if (text == "on") return true;
-    if (text != "off") throw app::UsageError(rtcore::quoted(text) + " is neither on nor off");
-    return false;
-}
+float number(const std::string& text) { return static_cast<float>(app::parseNumber(text).value()); }
+int integer(const std::string& text) { return static_cast<int>(app::parseInteger(text).value()); }
+bool flag(const std::string& text) { return text == "on"; }
 
 int keyOf(const std::string& name) {
     const std::optional<int> code = rtcore::keyNamed(name);

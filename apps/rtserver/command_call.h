@@ -1,4 +1,5 @@
-/// What a command of a client is made of: its words, read and checked, and a function that does it.
+/// A command of a client as the function that does it gets it: its arguments, which suit the table of
+/// commands.
 #pragma once
 
 #include "rtserver/commands.h"
@@ -20,26 +21,22 @@ struct Call {
     std::size_t size() const { return arguments.size(); }
 };
 
-struct Command {
-    std::string_view name;      ///< one word to three
-    std::size_t least, most;    ///< arguments
-    std::string_view arguments; ///< for messages
-    bool needsScene;
+struct CommandFunction {
+    app::CommandId id;
     Result (*run)(const Call&);
-    Effect effect = Effect::Acts;
 };
 
-std::span<const Command> serverCommands();
-std::span<const Command> settingCommands();
-std::span<const Command> cameraCommands();
-std::span<const Command> fileCommands();
-std::span<const Command> keyCommands();
+std::span<const CommandFunction> serverFunctions();
+std::span<const CommandFunction> settingFunctions();
+std::span<const CommandFunction> cameraFunctions();
+std::span<const CommandFunction> fileFunctions();
+std::span<const CommandFunction> keyFunctions();
 
-// Arguments, read. All throw app::UsageError.
+// Arguments, read. They throw app::UsageError where the table could not tell.
 
 float number(const std::string& text);
-int integer(const std::string& text); ///< within a billion
-bool flag(const std::string& text);   ///< on, off
+int integer(const std::string& text);
+bool flag(const std::string& text); ///< on, off
 int keyOf(const std::string& name);
 /// The server's own folder says nothing to a client: absolute paths only.
 std::filesystem::path pathOf(const std::string& text);

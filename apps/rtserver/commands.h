@@ -1,4 +1,4 @@
-/// The commands that clients send, as a table of what each does.
+/// What the server does for each command of the table (common/commands/command_table.h).
 #pragma once
 
 #include "rtserver/frame_maker.h"
@@ -6,7 +6,7 @@
 #include "rtserver/session.h"
 #include "rtserver/side_work.h"
 
-#include "common/process/exit_codes.h"
+#include "common/commands/command_table.h"
 
 #include <cstdint>
 #include <exception>
@@ -47,20 +47,23 @@ struct Result {
     Work work = {};          ///< for Beside; what it returns gives the answer
 };
 
-/// What becomes of a command that comes while a long frame is drawn.
-enum class Effect {
-    Acts,  ///< the frame is left for it
-    Waits, ///< the frame is no hindrance: the command waits for it, or for its turn
-    Tells, ///< it only reads the session: runCommand() answers it at once, in another thread
-};
-/// Of a wrong command: Tells, which is what is wrong with it.
-Effect effectOf(std::string_view text);
+/// What becomes of a command that comes while a long frame is drawn: what Tells only reads the session, so
+/// that runCommand() answers it at once, in another thread; what Waits waits for the frame, or for its turn;
+/// for all others the frame is left. A wrong command Tells what is wrong with it.
+app::CommandEffect effectOf(std::string_view text);
 
 /// Throws app::UsageError (no such command, wrong arguments), rtcore::FileError, ipc::Error, and other
 /// exceptions with a text for the user. Commands that need a scene give Again until there is one.
 Result runCommand(std::string_view text, Session& session, Host& host);
 
-/// How a failure is told to clients: the exit code that suits it, a blank, and what happened.
-std::string failureText(const std::exception& error);
+/// Whether runCommand() has a function for it: all that are the server's.
+bool hasFunction(app::CommandId id);
+
+/// How a failure is told to clients.
+struct Failure {
+    int code; ///< the exit code that suits it
+    std::string text;
+};
+Failure failureOf(const std::exception& error);
 
 } // namespace rtserver

@@ -2,8 +2,6 @@
 #include "rtserver/command_call.h"
 #include "rtserver/exports.h"
 
-#include "common/cli/command_line.h"
-
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/io/text/set.h"
 
@@ -84,7 +82,6 @@ Result exportScene(const Call& call) {
 
 Result startVideo(const Call& call) {
     const float rate = call.size() > 1 ? number(call[1]) : 30;
-    if (!(rate >= 1 && rate <= 240)) throw app::UsageError("a recording takes 1 to 240 frames a second");
     call.session.refuseSecondRecording();
     return {.turn = Turn::Beside,
             .work = [path = pathOf(call[0]), rate, &session = call.session]() -> Finish {
@@ -142,23 +139,22 @@ Result screenshot(const Call& call) {
     return writeBeside(call, "", [path, picture] { rtcore::writeImage(path, *picture); });
 }
 
-constexpr std::array kCommands{
-    Command{"load camera", 1, 1, "FILE", true, loadCamera},
-    Command{"load scene", 1, 2, "FILE [BUILT-MODEL]", true, loadScene},
-    Command{"load set", 1, 1, "FILE", true, loadSet},
-    Command{"export camera", 1, 5, "FILE [WIDTH HEIGHT ANTIALIASING BLOOM]", true, exportCamera,
-            Effect::Waits},
-    Command{"export scene", 1, 1, "FILE", true, exportScene, Effect::Waits},
-    Command{"export video start", 1, 2, "FILE [FRAMES-PER-SECOND]", true, startVideo},
-    Command{"export video", 0, 0, "", true, video, Effect::Tells},
-    Command{"export video stop", 0, 1, "[FILE]", true, stopVideo},
-    Command{"play", 1, 1, "FILE", true, play},
-    Command{"play stop", 0, 0, "", true, stopPlaying},
-    Command{"screenshot", 1, 1, "FILE", true, screenshot, Effect::Waits},
+constexpr std::array kFunctions{
+    CommandFunction{app::CommandId::LoadCamera, loadCamera},
+    CommandFunction{app::CommandId::LoadScene, loadScene},
+    CommandFunction{app::CommandId::LoadSet, loadSet},
+    CommandFunction{app::CommandId::ExportCamera, exportCamera},
+    CommandFunction{app::CommandId::ExportScene, exportScene},
+    CommandFunction{app::CommandId::ExportVideoStart, startVideo},
+    CommandFunction{app::CommandId::ExportVideo, video},
+    CommandFunction{app::CommandId::ExportVideoStop, stopVideo},
+    CommandFunction{app::CommandId::Play, play},
+    CommandFunction{app::CommandId::PlayStop, stopPlaying},
+    CommandFunction{app::CommandId::Screenshot, screenshot},
 };
 
 } // namespace
 
-std::span<const Command> fileCommands() { return kCommands; }
+std::span<const CommandFunction> fileFunctions() { return kFunctions; }
 
 } // namespace rtserver

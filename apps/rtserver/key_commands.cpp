@@ -23,12 +23,8 @@ Result press(const Call& call) {
         call.session.keyboard().press(key);
         return {};
     }
-    const int milliseconds = integer(call[1]);
-    constexpr int kMost = 3'600'000;
-    if (milliseconds < 1 || milliseconds > kMost)
-        throw app::UsageError("a key is pressed for 1 to 3600000 milliseconds");
     const std::uint64_t press =
-        call.session.keyboard().pressFor(key, std::chrono::milliseconds(milliseconds));
+        call.session.keyboard().pressFor(key, std::chrono::milliseconds(integer(call[1])));
     return {.turn = Turn::WhenReleased, .press = press};
 }
 
@@ -102,8 +98,6 @@ Result bind(const Call& call) {
         throw app::UsageError(call[1] + (call.size() == 3 ? " takes no number" : " takes a number, from 1"));
     }
     if (call.size() == 3) binding.number = integer(call[2]);
-    if (binding.number < 0 || (call.size() == 3 && binding.number < 1))
-        throw app::UsageError("lights and environments are counted from 1 here, as on the keys");
     std::vector<rtcore::KeyBinding> list = without(call.session, keys);
     list.push_back(binding);
     call.session.setBindings(rtcore::KeyBindings(list));
@@ -118,18 +112,18 @@ Result unbind(const Call& call) {
     return {};
 }
 
-constexpr std::array kCommands{
-    Command{"key press", 1, 2, "KEY [MILLISECONDS]", true, press},
-    Command{"key release", 1, 1, "KEY|all", true, release},
-    Command{"key tap", 1, 1, "KEY", true, tap},
-    Command{"bindings", 0, 0, "", true, bindings, Effect::Tells},
-    Command{"bindings default", 0, 0, "", true, defaultBindings},
-    Command{"bind", 2, 3, "KEY|KEY+KEY ACTION [NUMBER]", true, bind},
-    Command{"unbind", 1, 1, "KEY|KEY+KEY", true, unbind},
+constexpr std::array kFunctions{
+    CommandFunction{app::CommandId::KeyPress, press},
+    CommandFunction{app::CommandId::KeyRelease, release},
+    CommandFunction{app::CommandId::KeyTap, tap},
+    CommandFunction{app::CommandId::Bindings, bindings},
+    CommandFunction{app::CommandId::BindingsDefault, defaultBindings},
+    CommandFunction{app::CommandId::Bind, bind},
+    CommandFunction{app::CommandId::Unbind, unbind},
 };
 
 } // namespace
 
-std::span<const Command> keyCommands() { return kCommands; }
+std::span<const CommandFunction> keyFunctions() { return kFunctions; }
 
 } // namespace rtserver

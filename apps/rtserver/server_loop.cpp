@@ -138,12 +138,12 @@ void ServerLoop::takeLoadedScene() {
     } catch (const std::exception& error) {
         if (!session_.ready()) throw;
         messages_.complain(error.what());
-        if (loader) server_.answer(*loader, ipc::AnswerStatus::Failed, failureText(error));
+        if (loader) refuse(*loader, error);
         return;
     }
     if (!loader) return;
     tellStatus();
-    server_.answer(*loader, ipc::AnswerStatus::Done);
+    server_.answer(*loader);
 }
 
 // The frames are the same with either tree; they only come faster.
@@ -235,11 +235,21 @@ void ServerLoop::answer(const ipc::Command& command, const std::function<std::op
         const std::optional<std::string> text = act();
         if (!text) return;
         tellStatus(); // before the answer, so that who has it sees no idle flag of the time before
-        server_.answer(command, ipc::AnswerStatus::Done, *text);
+        server_.answer(command, *text);
     } catch (const std::exception& error) {
-        server_.answer(command, ipc::AnswerStatus::Failed, failureText(error));
+        refuse(command, error);
         if (!command.wantsAnswer) messages_.complain(rtcore::quoted(command.text) + ": " + error.what());
     }
+}
+
+void ServerLoop::refuse(const ipc::Command& command, const std::exception& error) {
+    const Failure failure = failureOf(error);
+    server_.refuse(command, failure.code, failure.text);
+}
+
+void ServerLoop::refuseAll(const std::vector<ipc::Command>& commands, app::ExitCode code,
+                           const std::string& text) {
+    for (const ipc::Command& command : commands) server_.refuse(command, static_cast<int>(code), text);
 }
 
 void ServerLoop::finishSideWork() {
@@ -251,14 +261,12 @@ void ServerLoop::finishSideWork() {
 
 void ServerLoop::answerWhoWaitsForIdle() {
     if (session_.paused || !session_.idles) {
-        const std::string reason = session_.paused ? "1 the server was paused" : "1 idling was turned off";
-        for (const ipc::Command& command : idleWaiters_)
-            server_.answer(command, ipc::AnswerStatus::Failed, reason);
-        idleWaiters_.clear();
+        refuseAll(std::exchange(idleWaiters_, {}), app::ExitCode::Failed,
+                  session_.paused ? "the server was paused" : "idling was turned off");
     }
     if (!idle() || idleWaiters_.empty()) return;
     tellStatus();
-    for (const ipc::Command& command : idleWaiters_) server_.answer(command, ipc::AnswerStatus::Done);
+    for (const ipc::Command& command : idleWaiters_) server_.answer(command);
     idleWaiters_.clear();
 }
 
@@ -272,7 +280,7 @@ void ServerLoop::answerWhoWaitsForKeys() {
             return true;
         }
         if (session_.keyboard().isDown(waiter.press)) return false;
-        server_.answer(waiter.command, ipc::AnswerStatus::Done);
+        server_.answer(waiter.command);
         return true;
     });
 }
@@ -340,11 +348,8 @@ void ServerLoop::goBack() {
     // Even those may need more than there is now. The last frame stands, and memory may come back.
     if (std::exchange(wentBack_, true)) pacer_.pauseUntil(Clock::now() + kMemoryPause);
     messages_.complain(text);
-    const std::string answer = std::to_string(static_cast<int>(app::ExitCode::TryAgain)) + " " + text;
-    for (const ipc::Command& command : std::exchange(idleWaiters_, {}))
-        server_.answer(command, ipc::AnswerStatus::Failed, answer);
-    for (const ipc::Command& command : commands_.takeWaiting())
-        server_.answer(command, ipc::AnswerStatus::Failed, answer);
+    refuseAll(std::exchange(idleWaiters_, {}), app::ExitCode::TryAgain, text);
+    refuseAll(commands_.takeWaiting(), app::ExitCode::TryAgain, text);
 }
 
 void ServerLoop::drawFrame() {
@@ -386,11 +391,8 @@ bool ServerLoop::traceFrame() {
 
 // Who has set what no frame comes to an end with must be able to take it back.
 void ServerLoop::clearTheWay() {
-    const std::string text =
-        std::to_string(static_cast<int>(app::ExitCode::TryAgain)) +
-        " given up: the frame that it needs takes too long for the commands behind it; send them later";
-    for (const ipc::Command& command : commands_.takeObstructing())
-        server_.answer(command, ipc::AnswerStatus::Failed, text);
+    refuseAll(commands_.takeObstructing(), app::ExitCode::TryAgain,
+              "given up: the frame that it needs takes too long for the commands behind it; send them later");
 }
 
 void ServerLoop::publish() {
@@ -449,21 +451,22 @@ bool ServerLoop::guardFrame() {
 // The status stays as it is: it tells of the frame that is drawn, too.
 void ServerLoop::tell(const ipc::Command& command) {
     try {
-        server_.answer(command, ipc::AnswerStatus::Done, runCommand(command.text, session_, *this).answer);
+        server_.answer(command, runCommand(command.text, session_, *this).answer);
     } catch (const std::exception& error) {
-        server_.answer(command, ipc::AnswerStatus::Failed, failureText(error));
+        refuse(command, error);
     }
 }
 
 void ServerLoop::pollDuringFrame() {
     for (ipc::Command& command : takeCommands()) {
-        const Effect effect = effectOf(command.text);
-        if (effect == Effect::Tells && !commands_.hasMore(command.client)) {
+        const app::CommandEffect effect = effectOf(command.text);
+        const bool tells = effect == app::CommandEffect::Tells, waits = effect == app::CommandEffect::Waits;
+        if (tells && !commands_.hasMore(command.client)) {
             tell(command);
             continue;
         }
         endWaits_ = endWaits_ || isEnd(command);
-        changeWaits_ = changeWaits_ || (effect == Effect::Acts && !commands_.hasMore(command.client));
+        changeWaits_ = changeWaits_ || (!tells && !waits && !commands_.hasMore(command.client));
         commands_.add(std::move(command));
     }
     if (sideWork_.anyDone()) changeWaits_ = true;

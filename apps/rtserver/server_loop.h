@@ -27,6 +27,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace rtserver {
@@ -58,6 +59,8 @@ class ServerLoop : private Host {
     void serve();
     Served serveOne(const ipc::Command& command);
     void answer(const ipc::Command& command, const std::function<std::optional<std::string>()>& act);
+    void refuse(const ipc::Command& command, const std::exception& error);
+    void refuseAll(const std::vector<ipc::Command>& commands, app::ExitCode code, const std::string& text);
     void finishSideWork();
     void move();
     void draw();

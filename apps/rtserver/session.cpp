@@ -93,6 +93,8 @@ void Session::setCamera(const rtcore::Camera& camera) {
     const bool finite = isFinite(camera.eye) && isFinite(camera.forward) && isFinite(camera.up);
     if (!finite || normalize(camera.forward) == rtcore::Vec3{})
         throw std::invalid_argument("the camera needs a direction to look in");
+    if (normalize(camera.up) == rtcore::Vec3{} || rtcore::areParallel(camera.forward, camera.up))
+        throw std::invalid_argument("the direction that is up must be another one than that to look in");
     if (!(camera.horizontalFov > 0 && camera.horizontalFov < 180))
         throw std::invalid_argument("the field of view is more than 0 and less than 180 degrees");
     stopPlaying();

@@ -1,14 +1,17 @@
 // Commands for what is rendered and how well: settings, lights, environments.
 #include "rtserver/command_call.h"
+#include "rtserver/state_of.h"
+
+#include "ipc/layout/limits.h"
 
 #include "rtcore/settings/settings_table.h"
 
 #include <array>
 #include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace rtserver {
 
@@ -48,10 +51,7 @@ Result bloom(const Call& call) {
 }
 
 // Counted from 1, as on the keys.
-int indexOf(const std::string& number) {
-    const int counted = integer(number);
-    return counted > 0 ? counted - 1 : -1;
-}
+int indexOf(const std::string& number) { return integer(number) - 1; }
 
 Result light(const Call& call) {
     const bool toggle = call[1] == "toggle";
@@ -73,53 +73,41 @@ Result withoutLastEnd(std::string text) {
     return {.answer = std::move(text)};
 }
 
-Result lights(const Call& call) {
-    const rtcore::Scene& scene = call.session.world().loaded.scene;
+std::string list(const std::vector<app::NamedSwitch>& switches, const char* on, const char* off) {
     std::string text;
-    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        const std::string name = i < scene.lightNames.size() ? scene.lightNames[i] : std::string();
-        text += numbered(i, scene.lights[i].on != 0 ? "on" : "off", name);
-    }
-    return withoutLastEnd(std::move(text));
+    for (std::size_t i = 0; i < switches.size(); ++i)
+        text += numbered(i, switches[i].on ? on : off, switches[i].name);
+    return text;
 }
 
-// One without a name goes by its file.
-std::string nameOf(const rtcore::EnvironmentFile& environment) {
-    const bool named = !environment.name.empty() || environment.files.empty();
-    return named ? environment.name : environment.files.front().stem().string();
-}
+Result lights(const Call& call) { return withoutLastEnd(list(lightsOf(call.session), "on", "off")); }
 
 Result environments(const Call& call) {
-    const rtcore::LoadedScene& loaded = call.session.world().loaded;
-    std::string text;
-    for (std::size_t i = 0; i < loaded.scene.environments.size(); ++i) {
-        const bool described = loaded.sceneFile && i < loaded.sceneFile->environments.size();
-        const std::string name = described ? nameOf(loaded.sceneFile->environments[i]) : std::string();
-        const bool active = std::cmp_equal(loaded.scene.activeEnvironment, i);
-        text += numbered(i, active ? "active" : "-", name);
-    }
-    return withoutLastEnd(std::move(text));
+    return withoutLastEnd(list(environmentsOf(call.session), "active", "-"));
 }
 
-Result scene(const Call& call) {
-    return {.answer = std::filesystem::absolute(call.session.world().source).lexically_normal().string()};
+Result scene(const Call& call) { return {.answer = scenePathOf(call.session)}; }
+
+Result state(const Call& call) {
+    return {.answer = app::formatServerState(serverStateOf(call.session), ipc::kMaxAnswerText)};
 }
 
-constexpr std::array kCommands{
-    Command{"set", 2, 2, "NAME VALUE", true, set},
-    Command{"get", 1, 1, "NAME", true, get, Effect::Tells},
-    Command{"settings", 0, 0, "", true, settings, Effect::Tells},
-    Command{"resolution", 2, 2, "WIDTH HEIGHT", true, resolution},
-    Command{"bloom", 1, 1, "on|off", true, bloom},
-    Command{"light", 2, 2, "N on|off|toggle", true, light},
-    Command{"environment", 1, 1, "N", true, environment},
-    Command{"lights", 0, 0, "", true, lights, Effect::Tells},
-    Command{"environments", 0, 0, "", true, environments, Effect::Tells},
-    Command{"scene", 0, 0, "", true, scene, Effect::Tells},
+constexpr std::array kFunctions{
+    CommandFunction{app::CommandId::Set, set},
+    CommandFunction{app::CommandId::Get, get},
+    CommandFunction{app::CommandId::Settings, settings},
+    CommandFunction{app::CommandId::State, state},
+    CommandFunction{app::CommandId::Resolution, resolution},
+    CommandFunction{app::CommandId::Bloom, bloom},
+    CommandFunction{app::CommandId::Light, light},
+    CommandFunction{app::CommandId::Environment, environment},
+    CommandFunction{app::CommandId::Lights, lights},
+    CommandFunction{app::CommandId::Environments, environments},
+    CommandFunction{app::CommandId::Scene, scene},
 };
 
 } // namespace
 
-std::span<const Command> settingCommands() { return kCommands; }
+std::span<const CommandFunction> settingFunctions() { return kFunctions; }
 
 } // namespace rtserver

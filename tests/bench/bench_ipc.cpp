@@ -45,8 +45,7 @@ double roundTrips() {
         ipc::Server server({.instance = instance.name(), .width = 64, .height = 64});
         while (true) {
             server.wait(1s);
-            for (const ipc::Command& command : server.takeCommands())
-                server.answer(command, ipc::AnswerStatus::Done);
+            for (const ipc::Command& command : server.takeCommands()) server.answer(command);
         }
     });
     ipc::Client client(instance.name());
@@ -119,8 +118,7 @@ double serverCost(ipc::Server& server, int count) {
     for (int i = 0; i < count; ++i) {
         std::this_thread::sleep_for(9ms);
         const double start = cpuMicroseconds();
-        for (const ipc::Command& command : server.takeCommands())
-            server.answer(command, ipc::AnswerStatus::Done);
+        for (const ipc::Command& command : server.takeCommands()) server.answer(command);
         server.keys();
         server.publishFrame({.width = kWidth, .height = kHeight}, pixels);
         server.setStatus({});

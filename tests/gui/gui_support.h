@@ -57,9 +57,12 @@ class GuiTest : public testing::Test {
     }
     /// The answer to a command, waited for.
     static gui::Answer ask(gui::Session& session, const QString& command) {
+        return ask(session, command.toStdString());
+    }
+    static gui::Answer ask(gui::Session& session, const std::string& command) {
         std::optional<gui::Answer> answer;
         session.send(command, &session, [&](const gui::Answer& given) { answer = given; });
-        EXPECT_TRUE(comes([&] { return answer.has_value(); })) << command.toStdString();
+        EXPECT_TRUE(comes([&] { return answer.has_value(); })) << command;
         return answer.value_or(gui::Answer());
     }
 

@@ -39,11 +39,9 @@ class ModelCacheTest : public GuiTest {
         Session session;
         session.connectTo(name());
         EXPECT_TRUE(shows(session));
-        const QStringList picture{QStringLiteral("screenshot"), file("shown.png")};
-        const QStringList scn{QStringLiteral("export"), QStringLiteral("scene"), file("shown.scn")};
-        for (const QString& command :
-             {QStringLiteral("wait-idle"), Session::line(picture), Session::line(scn)})
-            EXPECT_TRUE(ask(session, command).done) << command.toStdString();
+        EXPECT_TRUE(ask(session, QStringLiteral("wait-idle")).done);
+        EXPECT_TRUE(ask(session, command::screenshot(file("shown.png").toStdString())).done);
+        EXPECT_TRUE(ask(session, command::exportScene(file("shown.scn").toStdString())).done);
         program.send(SIGTERM);
         EXPECT_EQ(program.wait().exitCode, 143);
         return {readBytes(folder() / "shown.png"), readBytes(folder() / "shown.scn")};

@@ -58,7 +58,7 @@ TEST(Bindings, AreReadAsTheyAreWritten) {
     ASSERT_EQ(read.size(), 2);
     EXPECT_EQ(read[0], (Binding{QStringLiteral("W"), QStringLiteral("forward"), 0}));
     EXPECT_EQ(read[1], (Binding{QStringLiteral("M+3"), QStringLiteral("selectEnvironment"), 3}));
-    EXPECT_EQ(bindCommand(read[1]), QStringLiteral("bind M+3 selectEnvironment 3"));
+    EXPECT_EQ(bindCommand(read[1]), "bind M+3 selectEnvironment 3");
 }
 
 TEST(Bindings, KeysAreSpeltAsTheServerDoes) {
@@ -71,13 +71,14 @@ TEST(Bindings, KeysAreSpeltAsTheServerDoes) {
 
 TEST(Bindings, ChangesAreTheDifference) {
     const QList<Binding> before = defaultBindings();
-    EXPECT_TRUE(bindingChanges(before, before).isEmpty());
+    EXPECT_TRUE(bindingChanges(before, before).empty());
     QList<Binding> after = before;
     after[0].action = QStringLiteral("jump");
     after.removeLast();
     after.append({QStringLiteral("Z"), QStringLiteral("forward"), 0});
-    EXPECT_EQ(bindingChanges(before, after), (QStringList{unbindCommand(before.last().keys),
-                                                          bindCommand(after[0]), bindCommand(after.last())}));
+    EXPECT_EQ(bindingChanges(before, after),
+              (std::vector<std::string>{unbindCommand(before.last().keys), bindCommand(after[0]),
+                                        bindCommand(after.last())}));
 }
 
 TEST(Bindings, EveryActionHasATitle) {

@@ -270,9 +270,7 @@ TEST_F(PanelsTest, ABookmarkGoesBackToTheSameCamera) {
     open();
     ASSERT_TRUE(ask(window->session(), QStringLiteral("camera set 0.1 1.7 5.3 0.3 -0.2 -1 51.3")).done);
     (void)picture();
-    ASSERT_TRUE(ask(window->session(),
-                    Session::line({QStringLiteral("export"), QStringLiteral("camera"), file("a.cam")}))
-                    .done);
+    ASSERT_TRUE(ask(window->session(), command::exportCamera(file("a.cam").toStdString())).done);
     const QString kept = camera();
     action(ActionId::AddBookmark)->trigger();
     ASSERT_TRUE(comes([&] { return bookmarks().list().count() == 1; }));
@@ -282,9 +280,7 @@ TEST_F(PanelsTest, ABookmarkGoesBackToTheSameCamera) {
     QTest::keyClick(&*window, Qt::Key_1, Qt::AltModifier);
     EXPECT_TRUE(comes([&] { return camera() == kept; }));
     (void)picture();
-    ASSERT_TRUE(ask(window->session(),
-                    Session::line({QStringLiteral("export"), QStringLiteral("camera"), file("b.cam")}))
-                    .done);
+    ASSERT_TRUE(ask(window->session(), command::exportCamera(file("b.cam").toStdString())).done);
     EXPECT_EQ(readBytes(folder() / "b.cam"), readBytes(folder() / "a.cam"));
     ASSERT_TRUE(comes([&] { return action(ActionId::Undo)->isEnabled(); }));
     action(ActionId::Undo)->trigger();
@@ -318,9 +314,7 @@ TEST_F(PanelsTest, PlacementsAreTakenBackWithAllThatTheFileBrought) {
     open();
     const QString before = camera();
     writeCamera(folder() / "view.cam", 1.5, "antialiasing = 2\nexposure = 0.75\nlights = [false, true]\n");
-    window->editor().place(
-        Session::line({QStringLiteral("load"), QStringLiteral("camera"), file("view.cam")}),
-        QStringLiteral("import"));
+    window->editor().place(command::loadCamera(file("view.cam").toStdString()), QStringLiteral("import"));
     ASSERT_TRUE(comes([&] { return action(ActionId::Undo)->isEnabled(); }));
     EXPECT_EQ(served("antialiasing"), QStringLiteral("2"));
     action(ActionId::Undo)->trigger();
@@ -328,6 +322,30 @@ TEST_F(PanelsTest, PlacementsAreTakenBackWithAllThatTheFileBrought) {
     EXPECT_EQ(served("exposure.value"), QStringLiteral("2"));
     EXPECT_EQ(camera(), before);
     EXPECT_TRUE(ask(window->session(), QStringLiteral("lights")).text.startsWith(QStringLiteral("1 on")));
+}
+
+TEST_F(PanelsTest, APastedCameraBringsWhatItsTextNamesAndIsTakenBack) {
+    open();
+    const QString before = camera();
+    QGuiApplication::clipboard()->setText(QStringLiteral(
+        "version = 1\neye = [0.5, 1.5, 7.0]\nforward = [0.1, 0.0, -1.0]\nup = [0.1, 1.0, 0.0]\n"
+        "orthographicWidth = 5.5\nantialiasing = 2\nlights = [true, false]\nenvironment = 1\n"));
+    action(ActionId::PasteCamera)->trigger();
+    ASSERT_TRUE(comes([&] { return action(ActionId::Undo)->isEnabled(); }));
+    EXPECT_TRUE(camera().contains(QStringLiteral("orthographicWidth = 5.5"))) << camera().toStdString();
+    EXPECT_TRUE(camera().contains(QStringLiteral("up = [0.1, 1.0, 0.0]"))) << camera().toStdString();
+    EXPECT_EQ(served("antialiasing"), QStringLiteral("2"));
+    EXPECT_TRUE(
+        comes([&] { return !lights().light(1)->isChecked() && lights().environment(1)->isChecked(); }));
+    action(ActionId::Undo)->trigger();
+    EXPECT_TRUE(becomes("antialiasing", "1"));
+    EXPECT_TRUE(comes([&] { return camera() == before; })) << camera().toStdString();
+    EXPECT_TRUE(
+        comes([&] { return lights().light(1)->isChecked() && lights().environment(0)->isChecked(); }));
+    QGuiApplication::clipboard()->setText(QStringLiteral("eye = 3"));
+    action(ActionId::PasteCamera)->trigger();
+    EXPECT_EQ(camera(), before);
+    EXPECT_FALSE(action(ActionId::Undo)->isEnabled());
 }
 
 TEST_F(PanelsTest, ResetShowsTheScenesOwnView) {
@@ -388,20 +406,43 @@ TEST(LookTest, TheDirectionThroughACornerHasTheAngleOfTheField) {
 }
 
 TEST(SceneStateTest, AnswersAreReadAndDifferencesAreCommands) {
-    SceneState from;
-    from.settings = readSettings(QStringLiteral("bloom = 0\nexposure.key = 0.18"));
-    from.lights = readSwitches(QStringLiteral("1 on sun and moon\n2 off"));
-    from.environments = readSwitches(QStringLiteral("1 active day\n2 - night"));
+    const QString answer = QStringLiteral("version = 1\nscene = \"/a/b.scn\"\n"
+                                          "[lights]\non = [true, false]\nnames = [\"sun and moon\", \"\"]\n"
+                                          "[environments]\non = [true, false]\nnames = [\"day\", \"night\"]\n"
+                                          "[camera]\neye = [1.0, 2.0, 3.0]\nforward = [0.0, 0.0, -1.0]\n"
+                                          "[settings]\nbloom = 0\nexposure.key = 0.18\n");
+    const std::optional<Placement> read = readPlacement(answer);
+    ASSERT_TRUE(read);
+    EXPECT_FALSE(readPlacement(QStringLiteral("version = 1\n")));
+    EXPECT_EQ(read->scene, QStringLiteral("/a/b.scn"));
+    EXPECT_EQ(read->camera.eye, (rtcore::Vec3{1, 2, 3}));
+    const SceneState from = read->state;
+    EXPECT_EQ(from.settings.value(QStringLiteral("exposure.key")), QStringLiteral("0.18"));
     EXPECT_EQ(from.lights, (QList<NamedSwitch>{{true, QStringLiteral("sun and moon")}, {false, {}}}));
+    EXPECT_EQ(from.environments,
+              (QList<NamedSwitch>{{true, QStringLiteral("day")}, {false, QStringLiteral("night")}}));
     SceneState to = from;
-    EXPECT_TRUE(commandsBetween(from, to).isEmpty());
+    EXPECT_TRUE(commandsBetween(from, to).empty());
     to.settings[QStringLiteral("bloom")] = QStringLiteral("16");
     to.lights[1].on = true;
     to.environments[0].on = false;
     to.environments[1].on = true;
     EXPECT_EQ(commandsBetween(from, to),
-              (QStringList{QStringLiteral("set bloom 16"), QStringLiteral("light 2 on"),
-                           QStringLiteral("environment 2")}));
+              (std::vector<std::string>{"set bloom 16", "light 2 on", "environment 2"}));
+}
+
+TEST(SceneStateTest, ACameraFileBringsWhatItNames) {
+    SceneState state;
+    state.settings[QStringLiteral("antialiasing")] = QStringLiteral("1");
+    state.lights = {{true, {}}, {true, {}}};
+    const auto file = readCameraText(QStringLiteral(
+        "version = 1\neye = [0, 0, 0]\nforward = [0, 0, -1]\nantialiasing = 2\nexposure = 0.75\n"
+        "lights = [false]\nenvironment = 3\n"));
+    ASSERT_TRUE(file);
+    EXPECT_FALSE(readCameraText(QStringLiteral("eye = [0, 0, 0]")));
+    EXPECT_EQ(commandsBetween(state, withCameraFile(state, *file)),
+              (std::vector<std::string>{"set antialiasing 2", "set exposure.mode fixed",
+                                        "set exposure.value 0.75", "light 1 off"}));
 }
 
 } // namespace

@@ -77,13 +77,9 @@ class ProgressiveTest : public GuiTest {
     /// What the Renderer makes of the view by itself.
     QImage rendered(int antialiasing) {
         const QSize size = window->session().status().resolution;
-        EXPECT_TRUE(ask(window->session(),
-                        Session::line({QStringLiteral("export"), QStringLiteral("scene"), file("own.scn")}))
-                        .done);
-        EXPECT_TRUE(ask(window->session(),
-                        Session::line({QStringLiteral("export"), QStringLiteral("camera"), file("own.cam"),
-                                       QString::number(size.width()), QString::number(size.height()),
-                                       QString::number(antialiasing), QStringLiteral("0")}))
+        EXPECT_TRUE(ask(window->session(), command::exportScene(file("own.scn").toStdString())).done);
+        EXPECT_TRUE(ask(window->session(), command::exportCamera(file("own.cam").toStdString(), size.width(),
+                                                                 size.height(), antialiasing, 0))
                         .done);
         const ProgramResult result =
             renderer({"own.scn", "--camera=own.cam", "-o", "own.png"}, {.folder = folder().path()});
@@ -231,7 +227,7 @@ TEST_F(ProgressiveTest, InterruptedAtAnyMomentItShowsNoOldPicture) {
         if (round == 10) memory = residentKilobytes();
         const std::size_t there = 1 - here;
         bool arrived = false;
-        window->session().send(QStringLiteral("camera set ") + places[there], &*window,
+        window->session().send("camera set " + places[there].toStdString(), &*window,
                                [&](const Answer&) { arrived = true; });
         ASSERT_TRUE(comes([&] { return arrived; }));
         // The status of the new view comes with its frame.

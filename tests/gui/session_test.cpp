@@ -57,7 +57,7 @@ TEST_F(SessionTest, AFrameIsTheServersPicture) {
     startServer();
     connect();
     ASSERT_TRUE(ask(session, QStringLiteral("wait-idle")).done);
-    ASSERT_TRUE(ask(session, Session::line({QStringLiteral("screenshot"), file("a b.png")})).done);
+    ASSERT_TRUE(ask(session, command::screenshot(file("a b.png").toStdString())).done);
     QTest::qWait(50);
     const QImage saved = QImage(file("a b.png")).convertToFormat(QImage::Format_RGB32);
     EXPECT_EQ(session.frame().convertToFormat(QImage::Format_RGB32), saved);
@@ -101,7 +101,7 @@ TEST_F(SessionTest, FailuresComeWithTheirReasonAndWithoutTheExitCode) {
     EXPECT_FALSE(answer.text.isEmpty());
     EXPECT_FALSE(answer.text.front().isDigit()) << answer.text.toStdString();
     QSignalSpy failures(&session, &Session::commandFailed);
-    session.send(QStringLiteral("nonsense"));
+    session.send("nonsense");
     EXPECT_TRUE(comes([&] { return failures.count() == 1; }));
 }
 
@@ -111,7 +111,7 @@ TEST_F(SessionTest, NobodyIsCalledWhoIsGone) {
     bool called = false;
     {
         const QObject context;
-        session.send(QStringLiteral("ping"), &context, [&](const Answer&) { called = true; });
+        session.send(command::ping(), &context, [&](const Answer&) { called = true; });
     }
     EXPECT_TRUE(ask(session, QStringLiteral("ping")).done);
     EXPECT_FALSE(called);
@@ -122,8 +122,7 @@ TEST_F(SessionTest, MoreCommandsThanTheQueueTakesAreAllAnswered) {
     connect();
     int done = 0;
     for (int i = 0; i < 200; ++i)
-        session.send(QStringLiteral("ping"), &session,
-                     [&](const Answer& answer) { done += answer.done ? 1 : 0; });
+        session.send(command::ping(), &session, [&](const Answer& answer) { done += answer.done ? 1 : 0; });
     EXPECT_TRUE(comes([&] { return done == 200; })) << done;
 }
 
@@ -132,7 +131,7 @@ TEST_F(SessionTest, AKilledServerIsLostWithinASecondAndItsLastFrameStays) {
     connect();
     bool told = false;
     server->send(SIGSTOP); // so that the command is still open
-    session.send(QStringLiteral("ping"), &session, [&](const Answer& answer) { told = !answer.done; });
+    session.send(command::ping(), &session, [&](const Answer& answer) { told = !answer.done; });
     QTest::qWait(20);
     QElapsedTimer clock;
     clock.start();

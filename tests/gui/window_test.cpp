@@ -109,7 +109,7 @@ TEST_F(WindowTest, PauseIsShownWhoeverPaused) {
     open();
     action(ActionId::PauseServer)->trigger();
     EXPECT_TRUE(comes([&] { return window->session().status().paused; }));
-    window->session().send(QStringLiteral("resume"));
+    window->session().send(command::resume());
     EXPECT_TRUE(comes([&] { return !action(ActionId::PauseServer)->isChecked(); }));
 }
 

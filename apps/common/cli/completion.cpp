@@ -141,7 +141,7 @@ class Completer {
             for (const std::size_t i : typed_) given.push_back(words_[i]);
             given.push_back(words_.back());
             for (const std::string& each : operand->suggest(given)) add(each);
-        } else if (text == "FILE") {
+        } else if (text == "FILE" || operand != nullptr) {
             files(0, operand != nullptr ? operand->files : std::vector<std::string>());
         }
     }

@@ -9,18 +9,6 @@ namespace app {
 
 namespace {
 
-void applyCameraFields(const rtcore::CameraFile& camera, rtcore::RenderSettings& settings) {
-    const auto set = [&](const char* name, const auto& value) {
-        if (value) rtcore::setSetting(settings, name, *value);
-    };
-    set("width", camera.width);
-    set("height", camera.height);
-    set("antialiasing", camera.antialiasing);
-    set("bloom.radius", camera.bloom);
-    set("exposure.value", camera.exposure);
-    if (camera.exposure) settings.exposure.mode = rtcore::ExposureMode::Fixed;
-}
-
 bool sets(std::span<const rtcore::SettingAssignment> settings, std::string_view name) {
     return std::any_of(settings.begin(), settings.end(), [&](const auto& each) { return each.name == name; });
 }
@@ -45,11 +33,25 @@ void keepAspect(std::span<const rtcore::SettingAssignment> named, int width, int
 
 } // namespace
 
+std::vector<rtcore::SettingAssignment> settingsOf(const rtcore::CameraFile& camera) {
+    std::vector<rtcore::SettingAssignment> all;
+    const auto add = [&](const char* name, const auto& value) {
+        if (value) all.push_back({name, *value});
+    };
+    add("width", camera.width);
+    add("height", camera.height);
+    add("antialiasing", camera.antialiasing);
+    add("bloom.radius", camera.bloom);
+    add("exposure.value", camera.exposure);
+    if (camera.exposure) all.push_back({"exposure.mode", "fixed"});
+    return all;
+}
+
 rtcore::RenderSettings mergeSettings(const SettingSources& sources) {
     rtcore::RenderSettings settings;
     rtcore::applySettings(settings, sources.scene);
     rtcore::applySettings(settings, sources.settingsFile);
-    if (sources.camera != nullptr) applyCameraFields(*sources.camera, settings);
+    if (sources.camera != nullptr) rtcore::applySettings(settings, settingsOf(*sources.camera));
     const int width = settings.width, height = settings.height;
     rtcore::applySettings(settings, sources.commandLine);
     keepAspect(sources.commandLine, width, height, settings);

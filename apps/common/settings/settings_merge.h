@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 namespace app {
 
@@ -24,6 +26,9 @@ struct SettingSources {
 /// aspect that the other places give it. Throws std::invalid_argument for a value that the table of settings
 /// refuses.
 rtcore::RenderSettings mergeSettings(const SettingSources& sources);
+
+/// The settings that a .cam file's own fields assign.
+std::vector<rtcore::SettingAssignment> settingsOf(const rtcore::CameraFile& camera);
 
 /// Switches the lights and picks the environment that a .cam file asks for. Where the scene has fewer of them
 /// the .cam was made for another scene: they stay as they are, and a warning that names `file` is returned,

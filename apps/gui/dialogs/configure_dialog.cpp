@@ -175,7 +175,7 @@ void ConfigureDialog::askForBindings() {
     present_ = chosen.isEmpty() ? defaultBindings() : chosen;
     keys_->setBindings(present_);
     if (!session_.live()) return;
-    session_.send(QStringLiteral("bindings"), this, [this](const Answer& answer) {
+    session_.send(command::bindings(), this, [this](const Answer& answer) {
         const QList<Binding> bindings = answer.done ? readBindings(answer.text) : QList<Binding>();
         if (bindings.isEmpty()) return;
         present_ = bindings;
@@ -188,7 +188,7 @@ void ConfigureDialog::applyBindings() {
     if (wanted == present_) return;
     preferences_.set(pref::bindings, wanted == defaultBindings() ? QString() : asText(wanted));
     if (!session_.live()) return;
-    for (const QString& command : bindingChanges(present_, wanted)) session_.send(command);
+    for (const std::string& line : bindingChanges(present_, wanted)) session_.send(line);
 }
 
 void ConfigureDialog::finish() {

@@ -78,7 +78,7 @@ KeysDialog::KeysDialog(Session& session, QWidget* parent) : QDialog(parent), pag
     constexpr QSize kSize(760, 640);
     resize(kSize);
     if (!session.live()) return;
-    session.send(QStringLiteral("bindings"), this, [this](const Answer& answer) {
+    session.send(command::bindings(), this, [this](const Answer& answer) {
         const QList<Binding> bindings = answer.done ? readBindings(answer.text) : QList<Binding>();
         if (!bindings.isEmpty()) page_->setHtml(keysPage(bindings));
     });

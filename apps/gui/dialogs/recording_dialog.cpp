@@ -52,15 +52,13 @@ RecordingDialog::RecordingDialog(Session& session, const QString& folder, QWidge
 
 void RecordingDialog::toggle() {
     if (recording_) {
-        session_.send(QStringLiteral("export video stop"), this,
-                      [this](const Answer& answer) { tell(answer); });
+        session_.send(command::exportVideoStop(), this, [this](const Answer& answer) { tell(answer); });
         return;
     }
     // What has been recorded stays.
     if (QFileInfo::exists(path_->path())) path_->setPath(freeList(path_->path()));
-    session_.send(Session::line({QStringLiteral("export"), QStringLiteral("video"), QStringLiteral("start"),
-                                 path_->path()}),
-                  this, [this](const Answer& answer) { tell(answer); });
+    session_.send(command::exportVideoStart(path_->path().toStdString()), this,
+                  [this](const Answer& answer) { tell(answer); });
 }
 
 // walk-0002.lst for walk-0001.lst.
@@ -71,7 +69,7 @@ QString RecordingDialog::freeList(const QString& like) const {
 }
 
 void RecordingDialog::play() {
-    session_.send(Session::line({QStringLiteral("play"), path_->path()}), this,
+    session_.send(command::play(path_->path().toStdString()), this,
                   [this](const Answer& answer) { tell(answer); });
 }
 
@@ -89,7 +87,7 @@ void RecordingDialog::onStatus() {
 }
 
 void RecordingDialog::ask() {
-    session_.send(QStringLiteral("export video"), this, [this](const Answer& answer) {
+    session_.send(command::exportVideo(), this, [this](const Answer& answer) {
         if (answer.done) take(answer.text);
     });
 }

@@ -1,5 +1,7 @@
 #include "gui/models/bindings.h"
 
+#include "common/commands/command_lines.h"
+
 #include "rtcore/motion/key_bindings.h"
 
 #include <QCoreApplication>
@@ -101,23 +103,23 @@ bool takesNumber(const QString& action) {
     return known && rtcore::hasNumber(*known);
 }
 
-QString bindCommand(const Binding& binding) {
-    const QString number =
-        takesNumber(binding.action) ? QStringLiteral(" %1").arg(binding.number) : QString();
-    return QStringLiteral("bind %1 %2").arg(binding.keys, binding.action) + number;
+std::string bindCommand(const Binding& binding) {
+    const std::string keys = binding.keys.toStdString(), action = binding.action.toStdString();
+    return takesNumber(binding.action) ? app::command::bind(keys, action, binding.number)
+                                       : app::command::bind(keys, action);
 }
 
-QString unbindCommand(const QString& keys) { return QStringLiteral("unbind ") + keys; }
+std::string unbindCommand(const QString& keys) { return app::command::unbind(keys.toStdString()); }
 
-QStringList bindingChanges(const QList<Binding>& present, const QList<Binding>& wanted) {
-    QStringList commands;
+std::vector<std::string> bindingChanges(const QList<Binding>& present, const QList<Binding>& wanted) {
+    std::vector<std::string> commands;
     for (const Binding& each : present) {
         const bool kept = std::any_of(wanted.begin(), wanted.end(),
                                       [&](const Binding& other) { return other.keys == each.keys; });
-        if (!kept) commands.append(unbindCommand(each.keys));
+        if (!kept) commands.push_back(unbindCommand(each.keys));
     }
     for (const Binding& each : wanted) {
-        if (!present.contains(each)) commands.append(bindCommand(each));
+        if (!present.contains(each)) commands.push_back(bindCommand(each));
     }
     return commands;
 }

@@ -5,6 +5,8 @@
 #include <QString>
 
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace gui {
 
@@ -32,9 +34,9 @@ QString actionTitle(const QString& action);
 bool takesNumber(const QString& action);
 
 /// Commands for the server.
-QString bindCommand(const Binding& binding);
-QString unbindCommand(const QString& keys);
+std::string bindCommand(const Binding& binding);
+std::string unbindCommand(const QString& keys);
 /// The commands that make `wanted` of `present`.
-QStringList bindingChanges(const QList<Binding>& present, const QList<Binding>& wanted);
+std::vector<std::string> bindingChanges(const QList<Binding>& present, const QList<Binding>& wanted);
 
 } // namespace gui

@@ -1,49 +1,97 @@
 #include "gui/models/scene_state.h"
 
-#include <QStringList>
+#include "common/commands/command_lines.h"
+#include "common/commands/server_state.h"
+#include "common/settings/settings_merge.h"
+
+#include "rtcore/platform/error.h"
+#include "rtcore/settings/settings_table.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 
 namespace gui {
+
+namespace {
+
+void assign(SceneState& state, const std::vector<rtcore::SettingAssignment>& assignments) {
+    for (const rtcore::SettingAssignment& each : assignments)
+        state.settings[QString::fromStdString(each.name)] =
+            QString::fromStdString(rtcore::settingText(each.value));
+}
+
+QList<NamedSwitch> switchesOf(const std::vector<app::NamedSwitch>& switches) {
+    QList<NamedSwitch> list;
+    for (const app::NamedSwitch& each : switches) list.append({each.on, QString::fromStdString(each.name)});
+    return list;
+}
+
+} // namespace
 
 bool isPictureSize(const QString& setting) {
     return setting == QLatin1String("width") || setting == QLatin1String("height");
 }
 
-QMap<QString, QString> readSettings(const QString& answer) {
-    QMap<QString, QString> settings;
-    for (const QString& line : answer.split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
-        const qsizetype sign = line.indexOf(QLatin1String(" = "));
-        if (sign > 0) settings.insert(line.left(sign), line.mid(sign + 3));
+std::optional<Placement> readPlacement(const QString& answer) {
+    try {
+        const app::ServerState state = app::parseServerState(answer.toStdString());
+        Placement placement{
+            .scene = QString::fromStdString(state.scene), .camera = state.camera, .state = {}};
+        assign(placement.state, state.settings);
+        placement.state.lights = switchesOf(state.lights);
+        placement.state.environments = switchesOf(state.environments);
+        return placement;
+    } catch (const rtcore::FileError&) {
+        return std::nullopt;
     }
-    return settings;
 }
 
-QList<NamedSwitch> readSwitches(const QString& answer) {
-    QList<NamedSwitch> switches;
-    for (const QString& line : answer.split(QLatin1Char('\n'), Qt::SkipEmptyParts)) {
-        const QString state = line.section(QLatin1Char(' '), 1, 1);
-        const bool on = state == QLatin1String("on") || state == QLatin1String("active");
-        switches.append({on, line.section(QLatin1Char(' '), 2)});
+std::optional<rtcore::CameraFile> readCameraText(const QString& text) {
+    try {
+        return rtcore::parseCameraFile(text.toStdString(), "text");
+    } catch (const rtcore::FileError&) {
+        return std::nullopt;
     }
-    return switches;
 }
 
-QStringList commandsBetween(const SceneState& from, const SceneState& to) {
-    QStringList commands;
+SceneState withCameraFile(SceneState state, const rtcore::CameraFile& file) {
+    assign(state, app::settingsOf(file));
+    if (file.lights && std::ssize(*file.lights) <= state.lights.size()) {
+        for (qsizetype i = 0; i < std::ssize(*file.lights); ++i)
+            state.lights[i].on = (*file.lights)[static_cast<std::size_t>(i)];
+    }
+    if (file.environment && *file.environment < state.environments.size()) {
+        for (qsizetype i = 0; i < state.environments.size(); ++i)
+            state.environments[i].on = i == *file.environment;
+    }
+    return state;
+}
+
+std::string cameraCommand(const rtcore::Camera& camera) {
+    const auto numbers = [](rtcore::Vec3 v) { return std::array{v.x, v.y, v.z}; };
+    const bool orthographic = camera.kind == rtcore::CameraKind::Orthographic;
+    return app::command::camera({.eye = numbers(camera.eye),
+                                 .forward = numbers(camera.forward),
+                                 .width = orthographic ? camera.orthographicWidth : camera.horizontalFov,
+                                 .orthographic = orthographic,
+                                 .up = numbers(camera.up),
+                                 .aspect = camera.aspect});
+}
+
+std::vector<std::string> commandsBetween(const SceneState& from, const SceneState& to) {
+    std::vector<std::string> commands;
     for (auto setting = to.settings.begin(); setting != to.settings.end(); ++setting) {
         if (from.settings.value(setting.key()) != setting.value())
-            commands.append(QStringLiteral("set %1 %2").arg(setting.key(), setting.value()));
+            commands.push_back(app::command::set(setting.key().toStdString(), setting.value().toStdString()));
     }
     for (qsizetype i = 0; i < std::min(from.lights.size(), to.lights.size()); ++i) {
         if (from.lights[i].on != to.lights[i].on)
-            commands.append(QStringLiteral("light %1 %2")
-                                .arg(i + 1)
-                                .arg(to.lights[i].on ? QLatin1String("on") : QLatin1String("off")));
+            commands.push_back(app::command::light(static_cast<int>(i) + 1, to.lights[i].on));
     }
     for (qsizetype i = 0; i < std::min(from.environments.size(), to.environments.size()); ++i) {
         if (to.environments[i].on && !from.environments[i].on)
-            commands.append(QStringLiteral("environment %1").arg(i + 1));
+            commands.push_back(app::command::environment(static_cast<int>(i) + 1));
     }
     return commands;
 }

@@ -73,10 +73,10 @@ void BookmarkOperations::refill() {
 
 void BookmarkOperations::addBookmark() {
     if (!desk_.session.live()) return;
-    desk_.session.send(QStringLiteral("scene"), this, [this](const Answer& answer) {
+    desk_.session.send(command::scene(), this, [this](const Answer& answer) {
         if (answer.done) store_.setScene(answer.text);
     });
-    desk_.session.send(QStringLiteral("camera get"), this, [this](const Answer& answer) {
+    desk_.session.send(command::cameraGet(), this, [this](const Answer& answer) {
         answer.done ? keepWithPicture(answer.text.toUtf8() + '\n') : tellTrouble(answer.text);
     });
 }
@@ -120,8 +120,7 @@ void BookmarkOperations::go(int row) {
     if (!desk_.session.live()) return;
     if (row < 0 || row >= all.size()) return desk_.view.tell(tr("There is no bookmark %1.").arg(row + 1));
     const Bookmark bookmark = all[row];
-    const QString line =
-        Session::line({QStringLiteral("load"), QStringLiteral("camera"), store_.cameraPath(bookmark)});
+    const std::string line = command::loadCamera(store_.cameraPath(bookmark).toStdString());
     desk_.editor.place(line, bookmark.name, [this, bookmark](const Answer& answer) {
         if (answer.done) return desk_.view.tell(bookmark.name);
         tellTrouble(answer.text);

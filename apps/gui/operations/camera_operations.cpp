@@ -58,13 +58,12 @@ void CameraOperations::exportAtOnce(bool highQuality) {
 }
 
 void CameraOperations::exportCamera(const CameraExport& camera) {
-    QStringList words{QStringLiteral("export"), QStringLiteral("camera"), camera.path};
-    if (!camera.size.isEmpty()) {
-        for (const int number :
-             {camera.size.width(), camera.size.height(), camera.antialiasing, camera.bloom})
-            words.append(QString::number(number));
-    }
-    desk_.session.send(Session::line(words), this, [this, path = camera.path](const Answer& answer) {
+    const std::string path = camera.path.toStdString();
+    const std::string line = camera.size.isEmpty()
+                                 ? command::exportCamera(path)
+                                 : command::exportCamera(path, camera.size.width(), camera.size.height(),
+                                                         camera.antialiasing, camera.bloom);
+    desk_.session.send(line, this, [this, path = camera.path](const Answer& answer) {
         answer.done ? desk_.view.tell(tr("The camera was written to %1.").arg(path))
                     : desk_.notice.explain(answer.text, {});
     });
@@ -77,7 +76,7 @@ void CameraOperations::importCamera() {
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         desk_.preferences.set(pref::cameraFolder, QFileInfo(path).absolutePath());
-        desk_.editor.place(Session::line({QStringLiteral("load"), QStringLiteral("camera"), path}),
+        desk_.editor.place(command::loadCamera(path.toStdString()),
                            tr("import %1").arg(QFileInfo(path).fileName()), [this](const Answer& answer) {
                                if (!answer.done) desk_.notice.explain(answer.text, {});
                            });
@@ -105,12 +104,12 @@ void CameraOperations::takeScreenshot() {
     // A better picture than the server's is ours to write.
     if (!desk_.view.showsLive())
         return tell(desk_.view.picture().save(path), tr("%1 cannot be written.").arg(path));
-    desk_.session.send(Session::line({QStringLiteral("screenshot"), path}), this,
+    desk_.session.send(command::screenshot(path.toStdString()), this,
                        [tell](const Answer& answer) { tell(answer.done, answer.text); });
 }
 
 void CameraOperations::copy() {
-    desk_.session.send(QStringLiteral("camera get"), this, [this](const Answer& answer) {
+    desk_.session.send(command::cameraGet(), this, [this](const Answer& answer) {
         if (answer.done) QGuiApplication::clipboard()->setText(answer.text);
         desk_.view.tell(answer.done ? tr("The camera was copied.") : answer.text);
     });

@@ -51,9 +51,8 @@ void ConnectionOperations::connectActions() {
         desk_.notice.hide();
         desk_.keeper.restart();
     });
-    actions.onToggle(ActionId::PauseServer, [this](bool on) {
-        desk_.session.send(on ? QStringLiteral("pause") : QStringLiteral("resume"));
-    });
+    actions.onToggle(ActionId::PauseServer,
+                     [this](bool on) { desk_.session.send(on ? command::pause() : command::resume()); });
 }
 
 void ConnectionOperations::chooseFile() {
@@ -68,13 +67,14 @@ void ConnectionOperations::chooseFile() {
 void ConnectionOperations::open(const QString& path) {
     const QFileInfo file(path);
     const QString suffix = file.suffix().toLower();
-    QStringList words;
-    if (suffix == QLatin1String("cam")) words = {QStringLiteral("load"), QStringLiteral("camera")};
-    if (suffix == QLatin1String("set")) words = {QStringLiteral("load"), QStringLiteral("set")};
-    if (suffix == QLatin1String("lst")) words = {QStringLiteral("play")};
-    if (words.isEmpty()) return showScene(file.absoluteFilePath());
+    const std::string absolute = file.absoluteFilePath().toStdString();
+    std::string line;
+    if (suffix == QLatin1String("cam")) line = command::loadCamera(absolute);
+    if (suffix == QLatin1String("set")) line = command::loadSet(absolute);
+    if (suffix == QLatin1String("lst")) line = command::play(absolute);
+    if (line.empty()) return showScene(file.absoluteFilePath());
     if (!desk_.session.live()) return desk_.view.tell(tr("Open a scene first."));
-    desk_.session.send(Session::line(words << file.absoluteFilePath()));
+    desk_.session.send(line);
 }
 
 QString ConnectionOperations::instanceName() const {
@@ -96,15 +96,14 @@ void ConnectionOperations::showScene(const QString& path) {
     }
     desk_.notice.hide();
     desk_.view.tell(tr("Loading %1…").arg(QFileInfo(path).fileName()));
-    QStringList words{QStringLiteral("load"), QStringLiteral("scene"), path};
     const QString built = desk_.keeper.models().find(path);
-    if (!built.isEmpty()) words.append(built);
-    desk_.session.send(Session::line(words), this, [this, path](const Answer& answer) {
-        desk_.view.tell({}); // it loads no more
-        if (!answer.done) return desk_.notice.explain(answer.text, {});
-        desk_.keeper.sceneLoaded(path);
-        desk_.preferences.addRecentFile(path);
-    });
+    desk_.session.send(command::loadScene(path.toStdString(), built.toStdString()), this,
+                       [this, path](const Answer& answer) {
+                           desk_.view.tell({}); // it loads no more
+                           if (!answer.done) return desk_.notice.explain(answer.text, {});
+                           desk_.keeper.sceneLoaded(path);
+                           desk_.preferences.addRecentFile(path);
+                       });
 }
 
 void ConnectionOperations::start(const ServerRequest& request) {
@@ -148,7 +147,7 @@ void ConnectionOperations::askToStop() {
 void ConnectionOperations::ping() {
     auto clock = std::make_shared<QElapsedTimer>();
     clock->start();
-    desk_.session.send(QStringLiteral("ping"), this, [this, clock](const Answer& answer) {
+    desk_.session.send(command::ping(), this, [this, clock](const Answer& answer) {
         constexpr double kMilliseconds = 1e6;
         const double taken = static_cast<double>(clock->nsecsElapsed()) / kMilliseconds;
         desk_.view.tell(answer.done ? tr("The server “%1” answered after %2 ms.")
@@ -177,8 +176,8 @@ void ConnectionOperations::onState() {
 void ConnectionOperations::sendBindings() {
     const QString chosen = desk_.preferences.get(pref::bindings);
     if (chosen.isEmpty()) return;
-    for (const QString& command : bindingChanges(defaultBindings(), readBindings(chosen)))
-        desk_.session.send(command);
+    for (const std::string& line : bindingChanges(defaultBindings(), readBindings(chosen)))
+        desk_.session.send(line);
 }
 
 } // namespace gui

@@ -59,7 +59,7 @@ void DisplayOperations::askForResolution(const QSize& devicePixels) {
     if (!desk_.session.live() || !desk_.preferences.get(pref::followWindowSize)) return;
     const QSize wanted = devicePixels * desk_.preferences.get(pref::pictureScale) / 100;
     if (wanted.isEmpty() || wanted == desk_.session.status().resolution) return;
-    desk_.session.send(QStringLiteral("resolution %1 %2").arg(wanted.width()).arg(wanted.height()));
+    desk_.session.send(command::resolution(wanted.width(), wanted.height()));
 }
 
 void DisplayOperations::configure() {
@@ -70,8 +70,7 @@ void DisplayOperations::configure() {
         if (desk_.preferences.get(pref::pictureScale) != scale) askForResolution(desk_.view.devicePixels());
         const int now = desk_.preferences.get(pref::frameTime);
         if (now == time || !desk_.keeper.ours()) return;
-        desk_.session.send(QStringLiteral("frame-time ") +
-                           (now > 0 ? QString::number(now) : QStringLiteral("off")));
+        desk_.session.send(command::frameTime(now));
     });
     dialog->open();
 }

@@ -89,8 +89,8 @@ void JobOperations::openBuildDialog() {
 
 void JobOperations::prepare(const RenderWish& wish) {
     if (wish.sceneFile.isEmpty()) return enqueue(wish.job);
-    desk_.session.send(Session::line({QStringLiteral("export"), QStringLiteral("scene"), wish.sceneFile}),
-                       this, [this, wish](const Answer& answer) {
+    desk_.session.send(command::exportScene(wish.sceneFile.toStdString()), this,
+                       [this, wish](const Answer& answer) {
                            if (!answer.done) return desk_.notice.explain(answer.text, {});
                            if (wish.cameraFile.isEmpty()) enqueue(wish.job);
                        });
@@ -99,8 +99,8 @@ void JobOperations::prepare(const RenderWish& wish) {
 }
 
 void JobOperations::prepareCamera(const RenderWish& wish) {
-    desk_.session.send(Session::line({QStringLiteral("export"), QStringLiteral("camera"), wish.cameraFile}),
-                       this, [this, wish](const Answer& answer) {
+    desk_.session.send(command::exportCamera(wish.cameraFile.toStdString()), this,
+                       [this, wish](const Answer& answer) {
                            if (!answer.done) return desk_.notice.explain(answer.text, {});
                            if (QFileInfo::exists(wish.sceneFile)) enqueue(wish.job);
                        });

@@ -10,6 +10,7 @@
 #include <QPointF>
 #include <QtMath>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -54,7 +55,7 @@ LookOperations::LookOperations(const Desk& desk, QObject* parent) : QObject(pare
 void LookOperations::reset() {
     turn_.stop();
     desk_.view.showLive();
-    desk_.editor.place(QStringLiteral("camera reset"), tr("reset camera"));
+    desk_.editor.place(command::cameraReset(), tr("reset camera"));
 }
 
 void LookOperations::lookAt(const QPointF& place) {
@@ -76,9 +77,9 @@ void LookOperations::focusAt(const QPointF& place) {
     const std::optional<QPointF> point = desk_.view.inPicture(place);
     if (!point || !desk_.session.live()) return;
     desk_.view.showLive();
-    const auto share = [](double value) { return QString::number((1 + value) / 2, 'f', 6); };
-    desk_.editor.place(Session::line({QStringLiteral("focus"), share(point->x()), share(-point->y())}),
-                       tr("focus there"), [this](const Answer& answer) {
+    const auto share = [](double value) { return std::clamp((1 + value) / 2, 0.0, 1.0); };
+    desk_.editor.place(command::focus(share(point->x()), share(-point->y())), tr("focus there"),
+                       [this](const Answer& answer) {
                            if (answer.done) return;
                            const bool nothing = answer.text.contains(QLatin1String("nothing"));
                            desk_.view.tell(nothing ? tr("There is nothing there to focus on.") : answer.text);
@@ -94,18 +95,13 @@ void LookOperations::step(double share) {
 
 void LookOperations::send(const QVector3D& direction, bool last) {
     const QVector3D eye = desk_.session.status().view.eye;
-    QStringList words{QStringLiteral("camera"), QStringLiteral("set")};
-    constexpr int kAllDigits = 9;
-    for (const QVector3D& vector : {eye, direction}) {
-        for (int i = 0; i < 3; ++i)
-            words.append(QString::number(static_cast<double>(vector[i]), 'g', kAllDigits));
-    }
     underWay_ = true;
-    desk_.session.send(Session::line(words), this, [this, last](const Answer& answer) {
-        underWay_ = false;
-        if (!answer.done && last) desk_.notice.explain(answer.text, {});
-        if (last && finish_) std::exchange(finish_, {})();
-    });
+    desk_.session.send(command::cameraSet(numbersOf(eye), numbersOf(direction)), this,
+                       [this, last](const Answer& answer) {
+                           underWay_ = false;
+                           if (!answer.done && last) desk_.notice.explain(answer.text, {});
+                           if (last && finish_) std::exchange(finish_, {})();
+                       });
 }
 
 } // namespace gui

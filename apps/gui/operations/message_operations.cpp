@@ -32,12 +32,13 @@ void MessageOperations::onState() {
 void MessageOperations::onStatus() {
     if (!live_ || asking_ || desk_.session.status().messages <= known_) return;
     asking_ = true;
-    desk_.session.send(QStringLiteral("messages %1").arg(known_), this, [this](const Answer& answer) {
-        asking_ = false;
-        if (!answer.done) return;
-        take(readMessages(answer.text));
-        onStatus();
-    });
+    desk_.session.send(command::messages(static_cast<std::uint32_t>(known_)), this,
+                       [this](const Answer& answer) {
+                           asking_ = false;
+                           if (!answer.done) return;
+                           take(readMessages(answer.text));
+                           onStatus();
+                       });
 }
 
 // What keys did before we came is over; the warnings still hold.

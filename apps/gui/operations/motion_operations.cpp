@@ -41,7 +41,7 @@ MotionOperations::MotionOperations(const Desk& desk, QObject* parent) : QObject(
 
 // Any program may change them.
 void MotionOperations::askForBindings() {
-    desk_.session.send(QStringLiteral("bindings"), this, [this](const Answer& answer) {
+    desk_.session.send(command::bindings(), this, [this](const Answer& answer) {
         if (answer.done) desk_.view.input().setBindings(readBindings(answer.text));
     });
 }
@@ -50,7 +50,7 @@ void MotionOperations::changeSpeed(double steps) {
     if (!desk_.session.live()) return;
     steps_ = std::clamp(steps_ + steps, -kMostSteps, kMostSteps);
     const double factor = std::exp2(steps_ / kStepsPerDoubling);
-    desk_.session.send(QStringLiteral("speed %1").arg(factor, 0, 'g', 6));
+    desk_.session.send(command::speed(factor));
     const QString text = desk_.session.status().view.walking ? tr("Flying speed × %1; walking keeps its own")
                                                              : tr("Flying speed × %1");
     desk_.view.tell(text.arg(QLocale().toString(factor, 'g', 2)));

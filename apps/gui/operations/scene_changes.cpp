@@ -12,8 +12,8 @@ namespace {
 
 constexpr qint64 kOneGesture = 1000; ///< milliseconds
 
-QString setCommand(const QString& name, const QString& value) {
-    return QStringLiteral("set %1 %2").arg(name, value);
+std::string setCommand(const QString& name, const QString& value) {
+    return command::set(name.toStdString(), value.toStdString());
 }
 
 } // namespace

@@ -4,9 +4,6 @@
 
 #include "rtcore/settings/settings_table.h"
 
-#include <QDir>
-#include <QTemporaryFile>
-
 #include <utility>
 
 namespace gui {
@@ -71,16 +68,11 @@ void SceneEditor::ask() {
     asking_ = true;
     sinceAsked_.restart();
     askedAt_ = session_.frameNumber();
-    const quint64 changes = changes_;
-    auto scene = std::make_shared<QString>();
-    session_.send(QStringLiteral("scene"), this,
-                  [scene](const Answer& answer) { *scene = answer.done ? answer.text : QString(); });
-    auto known = std::make_shared<std::shared_ptr<Placement>>();
-    *known = askPlacement([this, changes, scene, known] {
+    askPlacement([this, changes = changes_](const std::optional<Placement>& now) {
         asking_ = false;
         // What was asked before a change of ours would take the change back in the panels.
         if (changes != changes_) return refresh();
-        if (!scene->isEmpty() && !(*known)->state.settings.isEmpty()) take((*known)->state, *scene);
+        if (now) take(now->state, now->scene);
         if (std::exchange(askAgain_, false)) refresh();
     });
 }
@@ -95,23 +87,16 @@ void SceneEditor::take(const SceneState& state, QString scene) {
     if (changed || another) emit stateChanged();
 }
 
-std::shared_ptr<Placement> SceneEditor::askPlacement(std::function<void()> known) {
-    auto placement = std::make_shared<Placement>();
-    session_.send(QStringLiteral("camera get"), this, [placement](const Answer& answer) {
-        if (answer.done) placement->camera = answer.text;
+void SceneEditor::askPlacement(std::function<void(const std::optional<Placement>&)> use) {
+    session_.send(command::state(), this, [use = std::move(use)](const Answer& answer) {
+        use(answer.done ? readPlacement(answer.text) : std::nullopt);
     });
-    session_.send(QStringLiteral("settings"), this, [placement](const Answer& answer) {
-        if (answer.done) placement->state.settings = readSettings(answer.text);
-    });
-    session_.send(QStringLiteral("lights"), this, [placement](const Answer& answer) {
-        if (answer.done) placement->state.lights = readSwitches(answer.text);
-    });
-    session_.send(QStringLiteral("environments"), this,
-                  [placement, known = std::move(known)](const Answer& answer) {
-                      if (answer.done) placement->state.environments = readSwitches(answer.text);
-                      if (known) known();
-                  });
-    return placement;
+}
+
+SceneEditor::Before SceneEditor::askPlacement() {
+    const auto before = std::make_shared<std::optional<Placement>>();
+    askPlacement([before](const std::optional<Placement>& now) { *before = now; });
+    return before;
 }
 
 // --- Settings, lights, environment ---
@@ -128,7 +113,7 @@ void SceneEditor::sendSetting(const QString& name) {
     Sending& sending = sending_[name];
     const QString value = *std::exchange(sending.next, std::nullopt);
     sending.underWay = true;
-    session_.send(Session::line({QStringLiteral("set"), name, value}), this,
+    session_.send(command::set(name.toStdString(), value.toStdString()), this,
                   [this, name, before = state_.settings.value(name), value](const Answer& answer) {
                       onSetting(name, before, value, answer);
                   });
@@ -186,73 +171,64 @@ void SceneEditor::chooseEnvironment(int environment) {
     change(to, tr("environment"));
 }
 
-void SceneEditor::apply(const QStringList& commands) {
+void SceneEditor::apply(const std::vector<std::string>& lines) {
     ++changes_;
-    for (const QString& command : commands)
-        session_.send(command, this, [this](const Answer& answer) { onRefusal(answer); });
+    for (const std::string& line : lines)
+        session_.send(line, this, [this](const Answer& answer) { onRefusal(answer); });
     refresh();
 }
 
 // --- The camera ---
 
 // Before, command, after: the server keeps their order.
-void SceneEditor::place(const QString& command, const QString& label,
+void SceneEditor::place(const std::string& line, const QString& label,
                         std::function<void(const Answer&)> done) {
-    const std::shared_ptr<Placement> before = askPlacement();
+    const Before before = askPlacement();
     ++changes_;
-    session_.send(command, this, [this, before, label, done = std::move(done)](const Answer& answer) {
+    session_.send(line, this, [this, before, label, done = std::move(done)](const Answer& answer) {
         if (answer.done) finishPlacement(before, label);
-        if (done)
-            done(answer);
-        else
-            onRefusal(answer);
+        done ? done(answer) : onRefusal(answer);
     });
 }
 
 void SceneEditor::placeByText(const QString& camera, const QString& label,
                               std::function<void(const Answer&)> done) {
-    const std::shared_ptr<Placement> before = askPlacement();
-    ++changes_;
-    loadCamera(camera, [this, before, label, done = std::move(done)](const Answer& answer) {
-        if (answer.done) finishPlacement(before, label);
-        if (done)
+    const std::optional<rtcore::CameraFile> file = readCameraText(camera);
+    if (!file) return done({});
+    askPlacement([this, file, label, done = std::move(done)](const std::optional<Placement>& before) {
+        if (!before) return done({});
+        applyCameraFile(*file, *before, [this, before, label, done](const Answer& answer) {
+            if (answer.done) finishPlacement(std::make_shared<std::optional<Placement>>(before), label);
             done(answer);
-        else
-            onRefusal(answer);
+        });
     });
+}
+
+// What it brings beside the camera is sent at once, so that all stands when the camera is answered for.
+void SceneEditor::applyCameraFile(const rtcore::CameraFile& file, const Placement& before,
+                                  std::function<void(const Answer&)> done) {
+    apply(commandsBetween(before.state, withCameraFile(before.state, file)));
+    session_.send(cameraCommand(file.camera), this, std::move(done));
 }
 
 std::function<void()> SceneEditor::beginPlacement(const QString& label) {
     return [this, before = askPlacement(), label] { finishPlacement(before, label); };
 }
 
-void SceneEditor::finishPlacement(const std::shared_ptr<Placement>& before, const QString& label) {
-    const quint64 stage = changes_;
-    auto after = std::make_shared<std::shared_ptr<Placement>>();
-    *after = askPlacement([this, before, after, label, stage] {
-        const Placement& now = **after;
-        const bool known = !before->camera.isEmpty() && !now.camera.isEmpty();
-        const bool changed = now.camera != before->camera || now.state != before->state;
-        if (known && changed) undo_.push(new PlacementChange(*this, label, *before, now));
-        if (stage == changes_) take(now.state, scene_);
+void SceneEditor::finishPlacement(const Before& before, const QString& label) {
+    askPlacement([this, before, label, stage = changes_](const std::optional<Placement>& now) {
+        if (!now) return;
+        const Placement then = before->value_or(*now);
+        if (now->camera != then.camera || now->state != then.state)
+            undo_.push(new PlacementChange(*this, label, then, *now));
+        if (stage == changes_) take(now->state, now->scene);
     });
-}
-
-// The server reads cameras from files.
-void SceneEditor::loadCamera(const QString& camera, std::function<void(const Answer&)> done) {
-    auto file = std::make_shared<QTemporaryFile>(QDir::tempPath() + QStringLiteral("/camera-XXXXXX.cam"));
-    const QByteArray text = camera.toUtf8();
-    if (!file->open() || file->write(text) != text.size() || !file->flush()) {
-        done({false, file->errorString()});
-        return;
-    }
-    session_.send(Session::line({QStringLiteral("load"), QStringLiteral("camera"), file->fileName()}), this,
-                  [file, done = std::move(done)](const Answer& answer) { done(answer); });
 }
 
 void SceneEditor::apply(const Placement& from, const Placement& to) {
     ++changes_;
-    if (from.camera != to.camera) loadCamera(to.camera, [this](const Answer& answer) { onRefusal(answer); });
+    if (from.camera != to.camera)
+        session_.send(cameraCommand(to.camera), this, [this](const Answer& answer) { onRefusal(answer); });
     apply(commandsBetween(from.state, to.state));
 }
 

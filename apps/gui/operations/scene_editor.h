@@ -9,21 +9,16 @@
 #include <QHash>
 #include <QObject>
 #include <QSet>
-#include <QStringList>
 #include <QTimer>
 #include <QUndoStack>
 
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace gui {
-
-/// The scene's state and where the camera is, both at one moment.
-struct Placement {
-    QString camera; ///< as a .cam file has it
-    SceneState state;
-};
 
 class SceneEditor : public QObject {
     Q_OBJECT
@@ -47,8 +42,8 @@ class SceneEditor : public QObject {
     void switchLight(int light, bool on);
     void chooseEnvironment(int environment);
     /// Sends a command that places the camera; `label` for the menu, `done` with the server's answer.
-    void place(const QString& command, const QString& label, std::function<void(const Answer&)> done = {});
-    /// The same by a .cam file's text.
+    void place(const std::string& line, const QString& label, std::function<void(const Answer&)> done = {});
+    /// The same by a .cam file's text. Fails, with nothing sent, when it is none.
     void placeByText(const QString& camera, const QString& label,
                      std::function<void(const Answer&)> done = {});
     /// Around changes that somebody else sends, such as one movement of many steps: call the result after the
@@ -56,7 +51,7 @@ class SceneEditor : public QObject {
     std::function<void()> beginPlacement(const QString& label);
 
     // For the undo stack: nothing new comes onto it.
-    void apply(const QStringList& commands);
+    void apply(const std::vector<std::string>& lines);
     void apply(const Placement& from, const Placement& to);
 
   signals:
@@ -73,9 +68,13 @@ class SceneEditor : public QObject {
     void sendSetting(const QString& name);
     void onSetting(const QString& name, const QString& before, const QString& value, const Answer& answer);
     void change(const SceneState& to, const QString& label);
-    std::shared_ptr<Placement> askPlacement(std::function<void()> known = {});
-    void finishPlacement(const std::shared_ptr<Placement>& before, const QString& label);
-    void loadCamera(const QString& camera, std::function<void(const Answer&)> done);
+    /// What there was before a change; filled when the answer comes, before that to what is sent later.
+    using Before = std::shared_ptr<std::optional<Placement>>;
+    Before askPlacement();
+    void askPlacement(std::function<void(const std::optional<Placement>&)> use);
+    void finishPlacement(const Before& before, const QString& label);
+    void applyCameraFile(const rtcore::CameraFile& file, const Placement& before,
+                         std::function<void(const Answer&)> done);
     void onRefusal(const Answer& answer);
 
     struct Sending {

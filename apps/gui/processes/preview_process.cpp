@@ -89,17 +89,15 @@ void PreviewProcess::render(const StillQuality& quality) {
 // Answers that come after cancel() are another run's.
 void PreviewProcess::exportScene() {
     const auto wanted = [this, run = run_] { return active_ && run == run_; };
-    session_.send(
-        Session::line({QStringLiteral("export"), QStringLiteral("scene"), file(QStringLiteral("scn"))}), this,
-        [this, wanted](const Answer& answer) {
-            if (wanted() && !answer.done) fail(answer.text);
-        });
-    session_.send(
-        Session::line({QStringLiteral("export"), QStringLiteral("camera"), file(QStringLiteral("cam"))}),
-        this, [this, wanted](const Answer& answer) {
-            if (!wanted()) return;
-            answer.done ? launch() : fail(answer.text);
-        });
+    session_.send(command::exportScene(file(QStringLiteral("scn")).toStdString()), this,
+                  [this, wanted](const Answer& answer) {
+                      if (wanted() && !answer.done) fail(answer.text);
+                  });
+    session_.send(command::exportCamera(file(QStringLiteral("cam")).toStdString()), this,
+                  [this, wanted](const Answer& answer) {
+                      if (!wanted()) return;
+                      answer.done ? launch() : fail(answer.text);
+                  });
 }
 
 void PreviewProcess::launch() {

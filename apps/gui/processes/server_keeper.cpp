@@ -15,14 +15,6 @@ namespace {
 
 constexpr auto kPatience = std::chrono::seconds(20); ///< for a server's shared memory, not for its scene
 
-QString cameraCommand(const View& view) {
-    const auto text = [](float value) { return QString::number(static_cast<double>(value), 'g', 9); };
-    QStringList words{QStringLiteral("camera"), QStringLiteral("set")};
-    for (const QVector3D& v : {view.eye, view.forward}) words << text(v.x()) << text(v.y()) << text(v.z());
-    words << text(view.fieldOfView);
-    return Session::line(words);
-}
-
 // Such a model is another one.
 bool importsByOptions(const ServerRequest& request) {
     for (const QString& option : request.options) {
@@ -93,7 +85,7 @@ void ServerKeeper::leaveOurs() {
 
 void ServerKeeper::stop() {
     asked_ = true;
-    session_.send(QStringLiteral("exit"), this, [](const Answer&) {});
+    session_.send(command::exit(), this, [](const Answer&) {});
     // One that hangs does not listen.
     constexpr int kPatienceMilliseconds = 5000;
     QTimer::singleShot(kPatienceMilliseconds, this, [this, process = server_.process()] {
@@ -107,8 +99,8 @@ void ServerKeeper::restart() {
     removeLeftovers(last_.instance);
     launch(ServerRequest(last_));
     if (view_.fieldOfView <= 0) return; // it never showed anything
-    session_.send(cameraCommand(view_));
-    if (view_.walking) session_.send(QStringLiteral("walk"));
+    session_.send(command::cameraSet(numbersOf(view_.eye), numbersOf(view_.forward), view_.fieldOfView));
+    if (view_.walking) session_.send(command::walk());
 }
 
 bool ServerKeeper::ours() const {
@@ -118,8 +110,7 @@ bool ServerKeeper::ours() const {
 
 void ServerKeeper::keepServers(bool keep) {
     if (std::exchange(keep_, keep) == keep || !ours()) return;
-    session_.send(keep ? QStringLiteral("parent none")
-                       : QStringLiteral("parent %1").arg(QCoreApplication::applicationPid()));
+    session_.send(keep ? command::noParent() : command::parent(QCoreApplication::applicationPid()));
 }
 
 void ServerKeeper::close() {

@@ -4,6 +4,8 @@
 #include <QSize>
 #include <QVector3D>
 
+#include <array>
+
 namespace gui {
 
 /// From where and into which direction the server looks; scene units, degrees.
@@ -13,6 +15,9 @@ struct View {
     bool walking = false;
     friend bool operator==(const View&, const View&) = default;
 };
+
+/// As commands take it.
+inline std::array<float, 3> numbersOf(const QVector3D& v) { return {v.x(), v.y(), v.z()}; }
 
 struct ServerStatus {
     double framesPerSecond = 0;

@@ -3,6 +3,8 @@
 
 #include "gui/session/server_status.h"
 
+#include "common/commands/command_lines.h"
+
 #include <QImage>
 #include <QObject>
 #include <QString>
@@ -10,8 +12,11 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <string>
 
 namespace gui {
+
+namespace command = app::command;
 
 enum class SessionState {
     Disconnected, ///< nothing is wanted
@@ -25,7 +30,7 @@ enum class SessionState {
 /// The server's answer to a command.
 struct Answer {
     bool done = false;
-    QString text; ///< of a failure: what went wrong, without the exit code
+    QString text; ///< of a failure: what went wrong
 };
 
 /// One thread, that of its event loop; nothing waits. Frames and answers are looked for every few
@@ -59,11 +64,10 @@ class Session : public QObject {
     /// Where the camera was when it was last heard of, since connectTo(); a field of view of 0: never.
     const View& lastView() const { return lastView_; }
 
-    /// Sends a line of words (app::joinWords puts one together). `done` is called once, later, unless
+    /// Sends a line (common/commands/command_lines.h makes them). `done` is called once, later, unless
     /// `context` is gone by then. Commands that a full queue does not take wait here.
-    void send(const QString& command);
-    void send(const QString& command, const QObject* context, std::function<void(const Answer&)> done);
-    static QString line(const QStringList& words);
+    void send(const std::string& command);
+    void send(const std::string& command, const QObject* context, std::function<void(const Answer&)> done);
 
     /// Key codes of rtcore/motion/key_codes.h.
     void pressKey(int key);

@@ -1,10 +1,6 @@
 // What a session sends: commands, keys, turns.
 #include "gui/session/session_link.h"
 
-#include "common/commands/quoting.h"
-
-#include <QStringList>
-
 #include <algorithm>
 #include <cmath>
 
@@ -17,31 +13,18 @@ using namespace std::chrono_literals;
 constexpr std::size_t kMostWaiting = 1000;
 constexpr double kLeastTurn = 1e-4; ///< degrees
 
-// A server's failure begins with an exit code for shells.
-QString withoutCode(const QString& text) {
-    qsizetype digits = 0;
-    while (digits < text.size() && text[digits].isDigit()) ++digits;
-    return digits > 0 && digits < text.size() && text[digits] == QLatin1Char(' ') ? text.mid(digits + 1)
-                                                                                  : text;
-}
-
 } // namespace
 
 // --- Commands ---
 
-QString Session::line(const QStringList& words) {
-    std::vector<std::string> plain;
-    for (const QString& word : words) plain.push_back(word.toStdString());
-    return QString::fromStdString(app::joinWords(plain));
-}
+void Session::send(const std::string& command) { send(command, this, {}); }
 
-void Session::send(const QString& command) { send(command, this, {}); }
-
-void Session::send(const QString& command, const QObject* context, std::function<void(const Answer&)> done) {
+void Session::send(const std::string& command, const QObject* context,
+                   std::function<void(const Answer&)> done) {
     const bool wanted = state_ != SessionState::Disconnected && state_ != SessionState::Refused;
     if (!wanted || link_->waiting.size() >= kMostWaiting) {
         const QString text = wanted ? tr("the server takes no commands") : tr("there is no server");
-        if (!done) return emit commandFailed(command, text);
+        if (!done) return emit commandFailed(QString::fromStdString(command), text);
         QMetaObject::invokeMethod(
             const_cast<QObject*>(context),
             [done, text] {
@@ -57,7 +40,7 @@ void Session::send(const QString& command, const QObject* context, std::function
 void Session::sendWaiting() {
     while (!link_->waiting.empty()) {
         Order& order = link_->waiting.front();
-        if (link_->client->send(order.command.toStdString(), &order.ticket) != ipc::SendStatus::Sent) return;
+        if (link_->client->send(order.command, &order.ticket) != ipc::SendStatus::Sent) return;
         link_->open.push_back(std::move(order));
         link_->waiting.pop_front();
     }
@@ -69,10 +52,9 @@ void Session::sendTurn() {
         link_->turning.reset();
     }
     if (std::abs(link_->right) + std::abs(link_->upwards) < kLeastTurn) return;
-    const QString command =
-        QStringLiteral("camera turn %1 %2").arg(link_->right, 0, 'f', 5).arg(link_->upwards, 0, 'f', 5);
     ipc::Ticket ticket = 0;
-    if (link_->client->send(command.toStdString(), &ticket) != ipc::SendStatus::Sent) return;
+    const std::string line = command::cameraTurn(link_->right, link_->upwards);
+    if (link_->client->send(line, &ticket) != ipc::SendStatus::Sent) return;
     link_->turning = ticket;
     link_->right = link_->upwards = 0;
 }
@@ -85,14 +67,14 @@ void Session::collectAnswers() {
         if (reply.status == ipc::ReplyStatus::TimedOut) return false;
         const bool done = reply.status == ipc::ReplyStatus::Done;
         const QString text = QString::fromStdString(reply.text);
-        ready.emplace_back(std::move(order), Answer{done, done ? text : withoutCode(text)});
+        ready.emplace_back(std::move(order), Answer{done, text});
         return true;
     });
     for (const auto& [order, answer] : ready) {
         if (order.done) {
             if (order.context) order.done(answer);
         } else if (!answer.done) {
-            emit commandFailed(order.command, answer.text);
+            emit commandFailed(QString::fromStdString(order.command), answer.text);
         }
     }
 }

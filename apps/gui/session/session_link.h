@@ -11,6 +11,7 @@
 #include <chrono>
 #include <deque>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace gui {
@@ -19,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 
 /// A command and who waits for its answer.
 struct Order {
-    QString command;
+    std::string command;
     QPointer<const QObject> context;
     std::function<void(const Answer&)> done; ///< empty: nobody waits
     ipc::Ticket ticket = 0;                  ///< 0: not sent yet

@@ -34,13 +34,13 @@ void ReplyWriter::reset(ReplyRing& ring) {
     ring.tail.store(0, std::memory_order_relaxed);
 }
 
-RingResult ReplyWriter::write(ReplyRing& ring, std::uint64_t sequence, std::uint32_t status,
+RingResult ReplyWriter::write(ReplyRing& ring, std::uint64_t sequence, std::uint32_t code,
                               std::string_view text) {
     const std::uint64_t used = head_ - ring.tail.load(std::memory_order_acquire);
     if (used > kReplyBytes) return RingResult::Broken;
     const std::size_t need = sizeof(ReplyHeader) + roundUp(text.size());
     if (need > kReplyBytes - used) return RingResult::Nothing;
-    const ReplyHeader header{sequence, status, static_cast<std::uint32_t>(text.size())};
+    const ReplyHeader header{sequence, code, static_cast<std::uint32_t>(text.size())};
     put(ring, head_, &header, sizeof(header));
     put(ring, head_ + sizeof(header), text.data(), text.size());
     stage("reply written");
@@ -58,7 +58,7 @@ RingResult ReplyReader::read(ReplyRing& ring, ReplyRecord& reply) {
     const std::size_t bytes = sizeof(header) + roundUp(header.textBytes);
     if (header.textBytes > kMaxAnswerText || bytes > used) return RingResult::Broken;
     reply.sequence = header.sequence;
-    reply.status = header.status;
+    reply.code = header.code;
     reply.text.resize(header.textBytes);
     get(ring, tail_ + sizeof(header), reply.text.data(), reply.text.size());
     tail_ += bytes;

@@ -12,7 +12,7 @@ namespace ipc {
 
 struct ReplyRecord {
     std::uint64_t sequence = 0;
-    std::uint32_t status = 0;
+    std::uint32_t code = 0; ///< as ReplyHeader has it
     std::string text;
 };
 
@@ -28,7 +28,7 @@ class ReplyWriter {
     /// Empties the ring for a new client.
     void reset(ReplyRing& ring);
     /// `text` has at most kMaxAnswerText bytes.
-    RingResult write(ReplyRing& ring, std::uint64_t sequence, std::uint32_t status, std::string_view text);
+    RingResult write(ReplyRing& ring, std::uint64_t sequence, std::uint32_t code, std::string_view text);
 
   private:
     std::uint64_t head_ = 0;

@@ -119,8 +119,10 @@ void Client::State::collectAnswers() {
         if (result == RingResult::Broken) return attachAgain();
         if (attachment->slot().repliesWait.load(std::memory_order_relaxed) != 0) ring(link.block().bell);
         if (open.erase(record.sequence) == 0) continue;
-        const ReplyStatus given = record.status == 0 ? ReplyStatus::Done : ReplyStatus::Failed;
-        keep(record.sequence, {given, std::move(record.text)});
+        const ReplyStatus given = record.code == 0 ? ReplyStatus::Done : ReplyStatus::Failed;
+        constexpr std::uint32_t kMost = 255;
+        keep(record.sequence,
+             {given, std::move(record.text), static_cast<int>(std::min(record.code, kMost))});
     }
 }
 

@@ -29,6 +29,7 @@ enum class ReplyStatus {
 struct Reply {
     ReplyStatus status = ReplyStatus::NotSent;
     std::string text; ///< up to 65,520 bytes, as the server gave it
+    int code = 0;     ///< of Failed: the exit code that suits it, 1..255, as the server gave it
 };
 
 /// A command that was sent; 0 = none.

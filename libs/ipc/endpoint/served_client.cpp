@@ -113,12 +113,12 @@ bool ServedClient::tooManyMalformed() {
     return ++inWindow_ > kMaxMalformedPerSecond;
 }
 
-void ServedClient::answer(ClientSlot& slot, const Command& command, AnswerStatus status,
+void ServedClient::answer(ClientSlot& slot, const Command& command, std::uint32_t code,
                           std::string_view text) {
     if (!command.wantsAnswer || command.client != tag_ || unanswered_ == 0) return;
     --unanswered_;
-    waiting_.push_back({command.sequence, static_cast<std::uint32_t>(status),
-                        std::string(text.substr(0, std::min(text.size(), kMaxAnswerText)))});
+    waiting_.push_back(
+        {command.sequence, code, std::string(text.substr(0, std::min(text.size(), kMaxAnswerText)))});
     sendWaiting(slot);
 }
 
@@ -127,7 +127,7 @@ bool ServedClient::sendWaiting(ClientSlot& slot) {
     bool sent = false;
     while (!waiting_.empty()) {
         const ReplyRecord& reply = waiting_.front();
-        const RingResult result = replies_.write(slot.replies, reply.sequence, reply.status, reply.text);
+        const RingResult result = replies_.write(slot.replies, reply.sequence, reply.code, reply.text);
         if (result == RingResult::Broken) {
             drop(slot, DropReason::BadReplies);
             return false;

@@ -30,7 +30,8 @@ class ServedClient {
 
     /// Sends replies that wait for room, then takes up to `limit` commands.
     void serve(ClientSlot& slot, std::uint64_t epoch, int limit, std::vector<Command>& commands);
-    void answer(ClientSlot& slot, const Command& command, AnswerStatus status, std::string_view text);
+    /// `code`: 0 done, else failed.
+    void answer(ClientSlot& slot, const Command& command, std::uint32_t code, std::string_view text);
     void collectKeys(const ClientSlot& slot, KeyState& state) { keys_.collect(slot.keys, state); }
     /// The queue is drained, the client served no more.
     void leave(ClientSlot& slot, std::uint64_t epoch, std::vector<Command>& commands);

@@ -195,11 +195,18 @@ std::vector<Command> Server::takeCommands(const ClientSet& later) {
     return std::exchange(state.backlog, {});
 }
 
-void Server::answer(const Command& command, AnswerStatus status, std::string_view text) {
+void Server::answer(const Command& command, std::string_view text) { reply(command, 0, text); }
+
+void Server::refuse(const Command& command, int code, std::string_view text) {
+    constexpr int kMost = 255;
+    reply(command, static_cast<std::uint32_t>(std::clamp(code, 1, kMost)), text);
+}
+
+void Server::reply(const Command& command, std::uint32_t code, std::string_view text) {
     if (command.slot < 0 || command.slot >= kMaxClients) return;
     stage("before answer");
     ClientSlot& slot = state_->block().slots[command.slot];
-    state_->clients[static_cast<std::size_t>(command.slot)].answer(slot, command, status, text);
+    state_->clients[static_cast<std::size_t>(command.slot)].answer(slot, command, code, text);
 }
 
 bool Server::isConnected(const Command& command) const {

@@ -39,8 +39,6 @@ struct Command {
 
 using ClientSet = std::bitset<kMaxClients>; ///< by slot
 
-enum class AnswerStatus : std::uint32_t { Done = 0, Failed = 1 };
-
 /// One thread at a time, apart from the memory that beginFrame returns. Create it after fork and daemon, in
 /// the process that serves. No function waits for a client, whatever that does, apart from wait().
 class Server {
@@ -66,10 +64,12 @@ class Server {
     /// file.
     /// The commands of the clients in `later` stay in their queues: nobody has to keep what he cannot do yet.
     std::vector<Command> takeCommands(const ClientSet& later = {});
-    /// To be given once to each command that wants one, now or later; others and those of dead clients are
-    /// ignored. Text beyond 65,520 bytes is cut off. A client with 64 open answers is not served until some
-    /// are given.
-    void answer(const Command& command, AnswerStatus status, std::string_view text = {});
+    /// The command is done. An answer is to be given once to each command that wants one, now or later;
+    /// others and those of dead clients are ignored. Text beyond 65,520 bytes is cut off. A client with 64
+    /// open answers is not served until some are given.
+    void answer(const Command& command, std::string_view text = {});
+    /// The same of a command that failed: the exit code, 1..255, that suits it, and why.
+    void refuse(const Command& command, int code, std::string_view text);
     /// Whether the client that sent it is still connected, as of the last takeCommands() or wait().
     bool isConnected(const Command& command) const;
     /// The keys that any client holds down, and how often each was pressed since the last call.
@@ -93,6 +93,8 @@ class Server {
     void setStatus(const Status& status);
 
   private:
+    void reply(const Command& command, std::uint32_t code, std::string_view text);
+
     struct State;
     std::unique_ptr<State> state_;
 };

@@ -26,7 +26,7 @@ inline constexpr std::size_t kMaxMessageBytes = sizeof(MessageHeader) + kMaxComm
 /// Followed by the text and by zeros up to a multiple of 16.
 struct ReplyHeader {
     std::uint64_t sequence; ///< of the command
-    std::uint32_t status;   ///< 0 done, 1 failed
+    std::uint32_t code;     ///< 0 done, else failed, with the exit code that suits it: 1..255
     std::uint32_t textBytes;
 };
 static_assert(sizeof(ReplyHeader) == 16 && sizeof(ReplyHeader) + kMaxAnswerText == kReplyBytes);

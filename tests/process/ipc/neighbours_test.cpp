@@ -118,8 +118,7 @@ TEST_F(Squatted, WhileItsServerRuns) {
                       client.send("x", &ticket);
                       for (const auto end = Clock::now() + 1500ms; Clock::now() < end;) {
                           server.wait(2ms);
-                          for (const ipc::Command& command : server.takeCommands())
-                              server.answer(command, ipc::AnswerStatus::Done);
+                          for (const ipc::Command& command : server.takeCommands()) server.answer(command);
                       }
                       return client.wait(ticket, 0ms).status == ipc::ReplyStatus::Done;
                   };

@@ -68,7 +68,7 @@ bool obey(ipc::Server& server, const ipc::Command& command) {
     const std::string& text = command.text;
     if (text.starts_with("stall "))
         std::this_thread::sleep_for(std::chrono::milliseconds(std::atoi(text.c_str() + 6)));
-    server.answer(command, ipc::AnswerStatus::Done, text);
+    server.answer(command, text);
     return text != "exit";
 }
 

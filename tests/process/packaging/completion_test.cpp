@@ -1,4 +1,5 @@
 /// Tab in bash: the script that is installed, and what the programs answer it.
+#include "common/commands/command_table.h"
 #include "process/packaging/program_specs.h"
 #include "process/server/live_server.h"
 
@@ -82,7 +83,7 @@ TEST_F(Completion, OffersEachOptionOfTheHelp) {
 
 TEST_F(Completion, OffersEachCommandOfTheHelp) {
     std::map<std::string, Replies> replies;
-    for (const cui::CommandSpec& command : cui::commands()) {
+    for (const app::CommandSpec& command : app::commandTable()) {
         std::istringstream words{std::string(command.name)};
         std::string typed = "CUI ";
         for (std::string word; words >> word; typed += word + " ") {

@@ -1,7 +1,12 @@
 /// RTServer and programs that speak to it by the library: commands under way at once, keys of a client's own.
 #include "process/server/live_server.h"
 
+#include "common/commands/command_lines.h"
+#include "common/commands/server_state.h"
+
 #include "ipc/endpoint/client.h"
+
+#include "rtcore/io/text/cam.h"
 
 #include <chrono>
 
@@ -37,10 +42,11 @@ TEST_F(Clients, AnswersThatComeLateAreEachGivenOnce) {
         ASSERT_EQ(client.send("load scene " + path(scene), &load), ipc::SendStatus::Sent);
         ASSERT_EQ(client.send("load scene " + path(scene), &second), ipc::SendStatus::Sent);
         ASSERT_EQ(client.send("wait-idle", &idle), ipc::SendStatus::Sent);
-        const std::string refusal = client.wait(second, 20s).text;
+        const ipc::Reply refusal = client.wait(second, 20s);
         // What is missing may be refused before the second is looked at: then it is refused for that, too.
-        if (status == ipc::ReplyStatus::Done || !refusal.starts_with("66 ")) {
-            EXPECT_EQ(refusal, "1 another scene is being loaded");
+        if (status == ipc::ReplyStatus::Done || refusal.code != 66) {
+            EXPECT_EQ(refusal.text, "another scene is being loaded");
+            EXPECT_EQ(refusal.code, 1);
         }
         EXPECT_EQ(client.wait(load, 20s).status, status) << scene;
         EXPECT_EQ(client.wait(idle, 20s).status, ipc::ReplyStatus::Done) << scene;
@@ -57,7 +63,7 @@ TEST_F(Clients, WhoWaitsForIdleIsToldThatItWillNotBe) {
         ASSERT_EQ(client.request(command).status, ipc::ReplyStatus::Done);
         const ipc::Reply reply = client.wait(idle, 10s);
         EXPECT_EQ(reply.status, ipc::ReplyStatus::Failed) << command;
-        EXPECT_EQ(reply.text.substr(0, 2), "1 ");
+        EXPECT_EQ(reply.code, 1);
         client.request("resume");
     }
 }
@@ -86,24 +92,83 @@ TEST_F(Clients, NobodyWaitsForTheCommandsOfAnother) {
     EXPECT_EQ(slow.wait(picture, 10s).status, ipc::ReplyStatus::Done);
 }
 
-TEST_F(Clients, FailuresBeginWithTheExitCode) {
+TEST_F(Clients, FailuresSayWhatIsWrongAndTheExitCode) {
     start();
     ipc::Client client(instance.name());
     const auto failure = [&](const std::string& command) {
-        const ipc::Reply reply = client.request(command);
+        ipc::Reply reply = client.request(command);
         EXPECT_EQ(reply.status, ipc::ReplyStatus::Failed) << command;
-        return reply.text;
+        return std::pair(reply.code, std::move(reply.text));
     };
-    EXPECT_EQ(failure("screenshot a.png"), "2 the path 'a.png' is not absolute");
-    EXPECT_EQ(failure(""), "2 the command is empty");
-    EXPECT_EQ(failure("set \"bloom"), "2 a quotation mark is not closed");
-    EXPECT_EQ(failure("set bloom"), "2 set takes NAME VALUE");
-    EXPECT_EQ(failure("camera set nan 0 0 0 0 1").substr(0, 2), "2 ");
-    EXPECT_EQ(failure("camera turn 1e99 0").substr(0, 2), "2 ");
-    EXPECT_EQ(failure("light 99999999999999999999 on").substr(0, 2), "2 ");
-    EXPECT_EQ(failure("load camera " + path("none.cam")).substr(0, 3), "66 ");
-    EXPECT_EQ(failure(std::string(8000, 'x')).substr(0, 2), "2 ");
+    using Failure = std::pair<int, std::string>;
+    EXPECT_EQ(failure("screenshot a.png"), Failure(2, "the path 'a.png' is not absolute"));
+    EXPECT_EQ(failure(""), Failure(2, "the command is empty"));
+    EXPECT_EQ(failure("set \"bloom"), Failure(2, "a quotation mark is not closed"));
+    EXPECT_EQ(failure("set bloom"), Failure(2, "set takes NAME VALUE"));
+    EXPECT_EQ(failure("camera turn 400 0"),
+              Failure(2, "camera turn takes a number from -360 to 360 for RIGHT, not '400'"));
+    EXPECT_EQ(failure("render a.png"), Failure(2, "render is what CUI does itself, not the server"));
+    for (const std::string& wrong :
+         {std::string("camera set nan 0 0 0 0 1"), std::string("camera turn 1e99 0"),
+          std::string("light 99999999999999999999 on"), std::string("light 99 on"),
+          std::string("camera set 0 0 0 0 0 1 60 0 0 1"), std::string(8000, 'x')})
+        EXPECT_EQ(failure(wrong).first, 2) << wrong;
+    EXPECT_EQ(failure("load camera " + path("none.cam")).first, 66);
     EXPECT_EQ(client.request("ping").text, "pong");
+}
+
+TEST_F(Clients, OneStateTellsWhatTheSingleCommandsTell) {
+    writeText(folder() / "lamps.scn",
+              "version = 1\nmodel = \"room.obj\"\nmodelLights = false\n"
+              "[[light]]\nname = \"tall lamp\"\nkind = \"point\"\nposition = [0.0, 3.0, 0.0]\n"
+              "intensity = [9.0, 9.0, 9.0]\n"
+              "[[light]]\nkind = \"point\"\nposition = [1.0, 3.0, 0.0]\nintensity = [9.0, 9.0, 9.0]\n");
+    start({}, "lamps.scn");
+    ipc::Client client(instance.name());
+    ASSERT_EQ(client.request("light 2 off").status, ipc::ReplyStatus::Done);
+    const app::ServerState state = app::parseServerState(client.request("state").text);
+    EXPECT_EQ(state.scene, client.request("scene").text);
+    rtcore::CameraFile camera;
+    camera.camera = state.camera;
+    EXPECT_EQ(rtcore::formatCameraFile(camera), client.request("camera get").text + "\n");
+    std::string settings, lights, environments;
+    for (const auto& [name, value] : state.settings)
+        settings += (settings.empty() ? "" : "\n") + name + " = " + rtcore::settingText(value);
+    EXPECT_EQ(settings, client.request("settings").text);
+    ASSERT_EQ(state.lights.size(), 2U);
+    EXPECT_TRUE(state.lights[0].on);
+    EXPECT_FALSE(state.lights[1].on);
+    EXPECT_EQ(client.request("lights").text, "1 on " + state.lights[0].name + "\n2 off");
+    EXPECT_EQ(client.request("environments").text, "");
+    EXPECT_TRUE(state.environments.empty());
+}
+
+TEST_F(Clients, ACameraIsSetByNumbersToTheBit) {
+    start();
+    ipc::Client client(instance.name());
+    const auto camera = [&] { return app::parseServerState(client.request("state").text).camera; };
+    app::command::View view{.eye = {0.1F, 1.0F / 3, -2.7e-5F},
+                            .forward = {0.3F, -0.2F, -1},
+                            .width = 51.3F,
+                            .up = {0.05F, 0.9F, 0.1F},
+                            .aspect = 1.6F};
+    for (const bool orthographic : {false, true}) {
+        view.orthographic = orthographic;
+        ASSERT_EQ(client.request(app::command::camera(view)).status, ipc::ReplyStatus::Done);
+        const rtcore::Camera set = camera();
+        EXPECT_EQ(set.eye, (rtcore::Vec3{0.1F, 1.0F / 3, -2.7e-5F}));
+        EXPECT_EQ(set.forward, (rtcore::Vec3{0.3F, -0.2F, -1}));
+        EXPECT_EQ(set.up, (rtcore::Vec3{0.05F, 0.9F, 0.1F}));
+        EXPECT_EQ(set.aspect, 1.6F);
+        EXPECT_EQ(orthographic ? set.orthographicWidth : set.horizontalFov, 51.3F);
+        EXPECT_EQ(set.kind == rtcore::CameraKind::Orthographic, orthographic);
+    }
+    // The short form keeps what it does not name.
+    ASSERT_EQ(client.request("camera set 1 2 3 0 0 -1 70").status, ipc::ReplyStatus::Done);
+    ASSERT_EQ(client.request("camera set 4 5 6 1 0 0").status, ipc::ReplyStatus::Done);
+    EXPECT_EQ(camera().horizontalFov, 70.0F);
+    EXPECT_EQ(camera().kind, rtcore::CameraKind::Perspective);
+    EXPECT_EQ(camera().aspect, 0.0F);
 }
 
 TEST_F(Clients, TheKeysOfOneThatLeavesAreReleased) {

@@ -94,7 +94,9 @@ TEST_F(Reaction, AClientThatStandsInItsOwnWayIsHelped) {
     ipc::Ticket picture = 0, lighter = 0;
     ASSERT_EQ(client.send("screenshot " + (folder() / "a.png").string(), &picture), ipc::SendStatus::Sent);
     ASSERT_EQ(client.send("set antialiasing 1", &lighter), ipc::SendStatus::Sent);
-    EXPECT_EQ(client.wait(picture, 30s).text.rfind("75 given up", 0), 0U);
+    const ipc::Reply given = client.wait(picture, 30s);
+    EXPECT_EQ(given.code, 75);
+    EXPECT_TRUE(given.text.starts_with("given up")) << given.text;
     EXPECT_EQ(client.wait(lighter, 5s).status, ipc::ReplyStatus::Done);
 }
 

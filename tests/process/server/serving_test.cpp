@@ -297,7 +297,7 @@ TEST_F(Serving, ErrorsReachTheShell) {
     refused({"environment", "1"}, 2, "there is no environment 1");
     refused({"camera", "look-at", "1", "1", "1", "1", "1", "1"}, 2, "direction");
     refused({"camera", "set", "1", "1"}, 2, "EX EY EZ");
-    refused({"focus", "320", "240"}, 2, "0 to 1 from the left");
+    refused({"focus", "320", "240"}, 2, "a number from 0 to 1 for X");
     refused({"resolutoin", "3", "4"}, 2, "resolution");
     refused({"free"}, 75, instance.name());
     EXPECT_EQ(ask({"ping"}), "pong\n");

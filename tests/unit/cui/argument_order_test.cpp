@@ -32,12 +32,4 @@ TEST(ArgumentOrder, AloneADashIsAnArgument) {
     EXPECT_EQ(ordered({"script", "-"}), (Words{"--", "script", "-"}));
 }
 
-TEST(Commands, AreFoundByOneWordOrTwo) {
-    const Words camera{"camera", "get"}, ping{"ping", "x"};
-    EXPECT_EQ(cui::findCommand(camera).words, 2U);
-    EXPECT_EQ(cui::findCommand(ping).words, 1U);
-    for (const Words& words : {Words{"camera"}, Words{"pong"}, Words{}})
-        EXPECT_THROW(cui::findCommand(words), app::UsageError);
-}
-
 } // namespace

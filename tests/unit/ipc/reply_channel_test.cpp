@@ -25,7 +25,7 @@ TEST(Replies, ComeInOrderAndWrapAround) {
         ASSERT_EQ(r.writer.write(*r.ring, i, i % 2, text), RingResult::Done);
         ASSERT_EQ(r.reader.read(*r.ring, reply), RingResult::Done);
         EXPECT_EQ(reply.sequence, i);
-        EXPECT_EQ(reply.status, i % 2);
+        EXPECT_EQ(reply.code, i % 2);
         EXPECT_EQ(reply.text, text);
         EXPECT_EQ(r.reader.read(*r.ring, reply), RingResult::Nothing);
     }

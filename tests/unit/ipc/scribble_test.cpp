@@ -56,8 +56,7 @@ class Serving {
             server_.wait(2ms);
             server_.beginFrame(16, 16);
             server_.publishFrame();
-            for (const Command& command : server_.takeCommands())
-                server_.answer(command, AnswerStatus::Done, command.text);
+            for (const Command& command : server_.takeCommands()) server_.answer(command, command.text);
             server_.keys();
         }
     }

@@ -37,7 +37,7 @@ class ServerClient : public testing::Test {
         const auto deadline = Clock::now() + 1s;
         while (all.size() < count && Clock::now() < deadline) {
             for (Command& command : server.takeCommands()) {
-                server.answer(command, AnswerStatus::Done, "did " + command.text);
+                server.answer(command, "did " + command.text);
                 all.push_back(std::move(command));
             }
         }
@@ -76,11 +76,14 @@ TEST_F(ServerClient, AnswersMayComeLateAndInAnyOrder) {
     while (commands.size() < 2) {
         for (auto& command : server->takeCommands()) commands.push_back(command);
     }
-    server->answer(commands[1], AnswerStatus::Failed, "no");
+    server->refuse(commands[1], 66, "no");
     EXPECT_EQ(client.wait(slow, 20ms).status, ReplyStatus::TimedOut);
-    EXPECT_EQ(client.wait(quick, 1s).status, ReplyStatus::Failed);
-    server->answer(commands[0], AnswerStatus::Done);
-    server->answer(commands[0], AnswerStatus::Failed, "twice");
+    const Reply refused = client.wait(quick, 1s);
+    EXPECT_EQ(refused.status, ReplyStatus::Failed);
+    EXPECT_EQ(refused.code, 66);
+    EXPECT_EQ(refused.text, "no");
+    server->answer(commands[0]);
+    server->refuse(commands[0], 1, "twice");
     EXPECT_EQ(client.wait(slow, 1s).status, ReplyStatus::Done);
 }
 
@@ -94,8 +97,7 @@ TEST_F(ServerClient, LongAnswersAreDeliveredOneAfterTheOther) {
         while (!stop) {
             server->wait(5ms);
             for (const Command& command : server->takeCommands()) {
-                server->answer(command, AnswerStatus::Done,
-                               std::string(70000, static_cast<char>('a' + command.sequence)));
+                server->answer(command, std::string(70000, static_cast<char>('a' + command.sequence)));
             }
         }
     });

@@ -36,8 +36,7 @@ class Shortage : public testing::Test {
     void serve(Clock::duration time) {
         for (const auto end = Clock::now() + time; Clock::now() < end;) {
             server->wait(2ms);
-            for (const Command& command : server->takeCommands())
-                server->answer(command, AnswerStatus::Done, command.text);
+            for (const Command& command : server->takeCommands()) server->answer(command, command.text);
         }
     }
     // The server serves in a thread of its own meanwhile.

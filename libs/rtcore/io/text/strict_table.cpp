@@ -208,6 +208,18 @@ std::optional<std::vector<bool>> StrictTable::booleans(std::string_view key) {
     return flags;
 }
 
+std::optional<std::vector<std::string>> StrictTable::texts(std::string_view key) {
+    const auto* array = typed<TextArray>(key, "texts in brackets");
+    if (array == nullptr) return std::nullopt;
+    std::vector<std::string> result;
+    for (const TextValue& item : *array) {
+        const auto* text = std::get_if<std::string>(&item.content);
+        if (text == nullptr) failType(*file_, key, item, "only texts in quotes");
+        result.push_back(*text);
+    }
+    return result;
+}
+
 std::optional<std::filesystem::path> StrictTable::path(std::string_view key,
                                                        const std::filesystem::path& folder) {
     const TextValue* found = value(key);

@@ -46,6 +46,7 @@ class StrictTable {
     /// A number means grey.
     std::optional<Colour> colourOrNumber(std::string_view key, const Limits& limits);
     std::optional<std::vector<bool>> booleans(std::string_view key);
+    std::optional<std::vector<std::string>> texts(std::string_view key);
     /// Joined to `folder`; an absolute path stays.
     std::optional<std::filesystem::path> path(std::string_view key, const std::filesystem::path& folder);
     std::optional<std::vector<std::filesystem::path>> paths(std::string_view key,

@@ -1,0 +1,121 @@
+#include "common/commands/command_lines.h"
+
+#include "common/commands/command_table.h"
+#include "common/commands/quoting.h"
+
+#include <charconv>
+#include <concepts>
+#include <string_view>
+#include <vector>
+
+namespace app::command {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+void add(Words& words, const std::string& text) { words.push_back(text); }
+void add(Words& words, const char* text) { words.emplace_back(text); }
+
+// The fewest digits that keep every bit of a number that is read as a double.
+template <typename Number>
+requires std::same_as<Number, double> || std::integral<Number>
+void add(Words& words, Number value) {
+    std::array<char, 40> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+    words.emplace_back(text.data(), end);
+}
+
+void add(Words& words, float value) { add(words, static_cast<double>(value)); }
+
+void add(Words& words, const std::array<float, 3>& vector) {
+    for (const float value : vector) add(words, value);
+}
+
+template <typename... Arguments>
+std::string line(CommandId id, const Arguments&... arguments) {
+    Words words;
+    (add(words, arguments), ...);
+    const std::string text = joinWords(words);
+    return std::string(commandOf(id).name) + (text.empty() ? "" : " ") + text;
+}
+
+} // namespace
+
+std::string ping() { return line(CommandId::Ping); }
+std::string exit() { return line(CommandId::Exit); }
+std::string parent(std::int64_t process) { return line(CommandId::Parent, process); }
+std::string noParent() { return line(CommandId::Parent, "none"); }
+std::string pause() { return line(CommandId::Pause); }
+std::string resume() { return line(CommandId::Resume); }
+
+std::string frameTime(int milliseconds) {
+    return milliseconds > 0 ? line(CommandId::FrameTime, milliseconds) : line(CommandId::FrameTime, "off");
+}
+
+std::string messages(std::uint32_t known) { return line(CommandId::Messages, known); }
+
+std::string resolution(int width, int height) { return line(CommandId::Resolution, width, height); }
+
+std::string set(const std::string& name, const std::string& value) {
+    return line(CommandId::Set, name, value);
+}
+
+std::string state() { return line(CommandId::State); }
+std::string light(int number, bool on) { return line(CommandId::Light, number, on ? "on" : "off"); }
+std::string environment(int number) { return line(CommandId::Environment, number); }
+
+std::string camera(const View& view) {
+    const CommandId id = view.orthographic ? CommandId::CameraOrthographic : CommandId::CameraSet;
+    if (view.aspect > 0) return line(id, view.eye, view.forward, view.width, view.up, view.aspect);
+    return line(id, view.eye, view.forward, view.width, view.up);
+}
+
+std::string cameraSet(const std::array<float, 3>& eye, const std::array<float, 3>& forward,
+                      std::optional<float> fieldOfView) {
+    return fieldOfView ? line(CommandId::CameraSet, eye, forward, *fieldOfView)
+                       : line(CommandId::CameraSet, eye, forward);
+}
+
+std::string cameraTurn(double right, double up) { return line(CommandId::CameraTurn, right, up); }
+std::string cameraReset() { return line(CommandId::CameraReset); }
+std::string focus(double right, double down) { return line(CommandId::Focus, right, down); }
+std::string speed(double factor) { return line(CommandId::Speed, factor); }
+std::string walk() { return line(CommandId::Walk); }
+
+std::string loadCamera(const std::string& path) { return line(CommandId::LoadCamera, path); }
+
+std::string loadScene(const std::string& path, const std::string& builtModel) {
+    return builtModel.empty() ? line(CommandId::LoadScene, path)
+                              : line(CommandId::LoadScene, path, builtModel);
+}
+
+std::string loadSet(const std::string& path) { return line(CommandId::LoadSet, path); }
+std::string exportCamera(const std::string& path) { return line(CommandId::ExportCamera, path); }
+
+std::string exportCamera(const std::string& path, int width, int height, int antialiasing, int bloom) {
+    return line(CommandId::ExportCamera, path, width, height, antialiasing, bloom);
+}
+
+std::string exportScene(const std::string& path) { return line(CommandId::ExportScene, path); }
+std::string screenshot(const std::string& path) { return line(CommandId::Screenshot, path); }
+std::string play(const std::string& path) { return line(CommandId::Play, path); }
+std::string exportVideo() { return line(CommandId::ExportVideo); }
+std::string exportVideoStart(const std::string& path) { return line(CommandId::ExportVideoStart, path); }
+std::string exportVideoStop() { return line(CommandId::ExportVideoStop); }
+
+std::string cameraGet() { return line(CommandId::CameraGet); }
+std::string scene() { return line(CommandId::Scene); }
+std::string bindings() { return line(CommandId::Bindings); }
+
+std::string bind(const std::string& keys, const std::string& action) {
+    return line(CommandId::Bind, keys, action);
+}
+
+std::string bind(const std::string& keys, const std::string& action, int number) {
+    return line(CommandId::Bind, keys, action, number);
+}
+
+std::string unbind(const std::string& keys) { return line(CommandId::Unbind, keys); }
+
+} // namespace app::command

@@ -1,0 +1,67 @@
+/// The lines that a client sends, made from the table of commands: one function for each command that our
+/// programs send, with arguments that the compiler checks. Paths are absolute.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace app::command {
+
+/// What `camera set` and `camera orthographic` take.
+struct View {
+    std::array<float, 3> eye{};     ///< scene units
+    std::array<float, 3> forward{}; ///< not zero
+    float width = 0;                ///< degrees, or, without perspective, scene units
+    bool orthographic = false;
+    std::array<float, 3> up{};
+    float aspect = 0; ///< that `width` is for; 0: any
+};
+
+std::string ping();
+std::string exit();
+std::string parent(std::int64_t process);
+std::string noParent();
+std::string pause();
+std::string resume();
+std::string frameTime(int milliseconds); ///< 0: any
+std::string messages(std::uint32_t known);
+
+std::string resolution(int width, int height);
+std::string set(const std::string& name, const std::string& value);
+std::string state();
+std::string light(int number, bool on); ///< from 1
+std::string environment(int number);    ///< from 1
+
+/// All of the camera.
+std::string camera(const View& view);
+/// Where it is and looks to; what is up, as the scene has it. Without a field of view that stays as it is.
+std::string cameraSet(const std::array<float, 3>& eye, const std::array<float, 3>& forward,
+                      std::optional<float> fieldOfView = {});
+std::string cameraTurn(double right, double up); ///< degrees
+std::string cameraReset();
+std::string focus(double right, double down); ///< 0..1
+std::string speed(double factor);
+std::string walk();
+
+std::string loadCamera(const std::string& path);
+std::string loadScene(const std::string& path, const std::string& builtModel = {}); ///< "": none
+std::string loadSet(const std::string& path);
+std::string exportCamera(const std::string& path);
+std::string exportCamera(const std::string& path, int width, int height, int antialiasing, int bloom);
+std::string exportScene(const std::string& path);
+std::string screenshot(const std::string& path);
+std::string play(const std::string& path);
+std::string exportVideo();
+std::string exportVideoStart(const std::string& path);
+std::string exportVideoStop();
+
+std::string cameraGet();
+std::string scene();
+std::string bindings();
+std::string bind(const std::string& keys, const std::string& action);
+std::string bind(const std::string& keys, const std::string& action, int number);
+std::string unbind(const std::string& keys);
+
+} // namespace app::command

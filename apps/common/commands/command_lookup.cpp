@@ -1,0 +1,115 @@
+#include "common/commands/command_lookup.h"
+
+#include "common/cli/command_line.h"
+
+#include "rtcore/settings/nearest_name.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+
+namespace app {
+
+namespace {
+
+constexpr std::size_t kMostWords = 3; ///< of a name
+
+std::string shortNumber(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.9g", value);
+    return text;
+}
+
+// "a number from 0 to 1", "a whole number, at least 1".
+std::string kindOf(const CommandArgument& argument) {
+    const bool whole = argument.type == ArgumentType::Integer;
+    const std::string kind = whole ? "a whole number" : "a number";
+    const double most = whole ? 1e9 : 1e30;
+    const std::string least = shortNumber(argument.minimum), greatest = shortNumber(argument.maximum);
+    if (argument.open) return kind + " above " + least + " and below " + greatest;
+    if (argument.maximum < most) return kind + " from " + least + " to " + greatest;
+    return argument.minimum > -most ? kind + ", at least " + least : kind;
+}
+
+std::string rangeOf(const CommandArgument& argument) {
+    const bool numeric = argument.type == ArgumentType::Integer || argument.type == ArgumentType::Number;
+    std::string text = numeric ? kindOf(argument) : "";
+    for (const std::string_view word : wordsOf(argument))
+        text.append(text.empty() ? "" : " or ").append(word);
+    return text;
+}
+
+bool holds(const CommandArgument& argument, double value) {
+    return argument.open ? value > argument.minimum && value < argument.maximum
+                         : value >= argument.minimum && value <= argument.maximum;
+}
+
+bool takes(const CommandArgument& argument, const std::string& text) {
+    const std::vector<std::string_view> words = wordsOf(argument);
+    if (std::find(words.begin(), words.end(), text) != words.end()) return true;
+    switch (argument.type) {
+    case ArgumentType::Choice:
+        return false;
+    case ArgumentType::Integer: {
+        const std::optional<std::int64_t> value = parseInteger(text);
+        return value && holds(argument, static_cast<double>(*value));
+    }
+    case ArgumentType::Number: {
+        const std::optional<double> value = parseNumber(text);
+        return value && holds(argument, *value);
+    }
+    default:
+        return true;
+    }
+}
+
+bool mayCount(const CommandSpec& command, std::size_t count) {
+    const std::vector<CommandArgument>& all = command.arguments;
+    if (!all.empty() && all.back().repeats && count + 1 >= all.size()) return true;
+    return count == all.size() || (count < all.size() && all[count].optional);
+}
+
+[[noreturn]] void refuseName(std::span<const std::string> words) {
+    std::vector<std::string_view> names;
+    std::string longer;
+    for (const CommandSpec& command : commandTable()) {
+        names.push_back(command.name);
+        if (command.name.starts_with(words[0] + " "))
+            longer.append(longer.empty() ? "" : ", ").append(command.name);
+    }
+    const std::string two = words.size() > 1 ? words[0] + " " + words[1] : words[0];
+    const bool near = words.size() > 1 && !rtcore::nearestName(two, names).empty();
+    if (!longer.empty() && !near)
+        throw UsageError(rtcore::quoted(words[0]) + " is the beginning of several commands: " + longer);
+    throw UsageError(rtcore::unknownNameMessage("command", two, names));
+}
+
+} // namespace
+
+FoundCommand findCommand(std::span<const std::string> words) {
+    if (words.empty()) throw UsageError("the command is empty");
+    for (std::size_t used = std::min(words.size(), kMostWords); used > 0; --used) {
+        std::string name = words[0];
+        for (std::size_t i = 1; i < used; ++i) name += " " + words[i];
+        for (const CommandSpec& command : commandTable()) {
+            if (command.name == name) return {&command, used};
+        }
+    }
+    refuseName(words);
+}
+
+void checkArguments(const CommandSpec& command, std::span<const std::string> arguments) {
+    if (!mayCount(command, arguments.size())) {
+        const std::string label = argumentsLabel(command);
+        throw UsageError(std::string(command.name) + " takes " + (label.empty() ? "no arguments" : label));
+    }
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const CommandArgument& argument = command.arguments[std::min(i, command.arguments.size() - 1)];
+        if (takes(argument, arguments[i])) continue;
+        throw UsageError(std::string(command.name) + " takes " + rangeOf(argument) +
+                         (argument.name.empty() ? "" : " for " + std::string(argument.name)) + ", not " +
+                         rtcore::quoted(arguments[i]));
+    }
+}
+
+} // namespace app

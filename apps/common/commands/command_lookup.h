@@ -1,0 +1,26 @@
+/// A line of words, looked up in the table of commands and held against it.
+#pragma once
+
+#include "common/commands/command_table.h"
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+namespace app {
+
+/// The row for a line of words, and how many of them are its name.
+struct FoundCommand {
+    const CommandSpec* command;
+    std::size_t words;
+};
+
+/// The longest name that the line begins with. Throws UsageError, which names the nearest command, or the
+/// words that may follow.
+FoundCommand findCommand(std::span<const std::string> words);
+
+/// Number, type and range of what stands behind the name. Throws UsageError, which names the argument and
+/// what it takes. What only a server can know - keys, settings, files - it does not look at.
+void checkArguments(const CommandSpec& command, std::span<const std::string> arguments);
+
+} // namespace app

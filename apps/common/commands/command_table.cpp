@@ -1,0 +1,388 @@
+#include "common/commands/command_table.h"
+
+#include "common/cli/file_notes.h"
+
+#include <array>
+#include <utility>
+
+namespace app {
+
+namespace {
+
+using enum ArgumentType;
+using enum CommandEffect;
+using enum Runner;
+using Arguments = std::vector<CommandArgument>;
+
+constexpr double kMostWhole = 1e9, kMostNumber = 1e30;
+constexpr double kMostAspect = 32768; ///< a picture of so many pixels by one
+
+CommandArgument whole(std::string_view name, double minimum = -kMostWhole, double maximum = kMostWhole) {
+    return {.name = name, .type = Integer, .minimum = minimum, .maximum = maximum};
+}
+
+CommandArgument number(std::string_view name, double minimum = -kMostNumber, double maximum = kMostNumber) {
+    return {.name = name, .type = Number, .minimum = minimum, .maximum = maximum};
+}
+
+CommandArgument between(std::string_view name, double minimum, double maximum) {
+    return {.name = name, .type = Number, .minimum = minimum, .maximum = maximum, .open = true};
+}
+
+CommandArgument choice(std::string_view words) { return {.type = Choice, .words = words}; }
+
+CommandArgument path(std::vector<std::string> files = {}) {
+    return {.name = "FILE", .type = Path, .files = std::move(files)};
+}
+
+CommandArgument text(std::string_view name, ArgumentType type = Text) { return {.name = name, .type = type}; }
+
+CommandArgument orElse(CommandArgument argument, std::string_view words) {
+    argument.words = words;
+    return argument;
+}
+
+CommandArgument maybe(CommandArgument argument) {
+    argument.optional = true;
+    return argument;
+}
+
+CommandArgument manyOf(CommandArgument argument) {
+    argument.repeats = true;
+    return argument;
+}
+
+Arguments numbers(std::initializer_list<std::string_view> names) {
+    Arguments all;
+    for (const std::string_view name : names) all.push_back(number(name));
+    return all;
+}
+
+Arguments operator+(Arguments first, const Arguments& second) {
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+}
+
+CommandArgument fieldOfView() { return maybe(between("FOV", 0, 180)); }
+
+Arguments upright() {
+    return {maybe(number("UX")), number("UY"), number("UZ"),
+            maybe(number("ASPECT", 1 / kMostAspect, kMostAspect))};
+}
+
+std::vector<CommandSpec> shellCommands() {
+    return {
+        {.id = CommandId::Status,
+         .name = "status",
+         .runner = Shell,
+         .help = "what the server shows and how fast; --json for programs"},
+        {.id = CommandId::Fps, .name = "fps", .runner = Shell, .help = "frames a second"},
+        {.id = CommandId::Watch,
+         .name = "watch",
+         .runner = Shell,
+         .help = "a line of figures each second, until Ctrl-C"},
+        {.id = CommandId::List,
+         .name = "list",
+         .runner = Shell,
+         .help = "all servers of this user, and what dead ones left"},
+        {.id = CommandId::Free,
+         .name = "free",
+         .runner = Shell,
+         .help = "remove the shared memory that a dead server left"},
+        {.id = CommandId::About, .name = "about", .runner = Shell, .help = "what this program is"},
+        {.id = CommandId::Script,
+         .name = "script",
+         .arguments = {orElse(path(), "-")},
+         .runner = Shell,
+         .help = "run the commands of a file, or of standard input, line by line",
+         .more = "`#` begins a comment. The first error ends it, with its line"},
+        {.id = CommandId::Render,
+         .name = "render",
+         .arguments = {path(), maybe(text("--")), manyOf(text("OPTION"))},
+         .runner = Shell,
+         .help = "render what the server shows by the Renderer, which takes the options behind --",
+         .more = "Its progress and its exit code are the Renderer's"},
+    };
+}
+
+std::vector<CommandSpec> serverCommands() {
+    return {
+        {.id = CommandId::Ping, .name = "ping", .needsScene = false, .help = "does it answer?"},
+        {.id = CommandId::Exit,
+         .name = "exit",
+         .effect = Steers,
+         .needsScene = false,
+         .help = "end the server, and wait until it has ended; also: quit"},
+        {.id = CommandId::Quit, .name = "quit", .effect = Steers, .needsScene = false, .help = "the same"},
+        {.id = CommandId::Parent,
+         .name = "parent",
+         .arguments = {orElse(whole("PID", 1), "none")},
+         .effect = Steers,
+         .needsScene = false,
+         .help = "end once this process is gone and no client is connected; none: go on in any case",
+         .more = "As the option of RTServer"},
+        {.id = CommandId::Pause,
+         .name = "pause",
+         .effect = Steers,
+         .needsScene = false,
+         .help = "no more frames for now"},
+        {.id = CommandId::Resume,
+         .name = "resume",
+         .effect = Steers,
+         .needsScene = false,
+         .help = "frames again"},
+        {.id = CommandId::Idle,
+         .name = "idle",
+         .arguments = {choice("on|off")},
+         .effect = Steers,
+         .needsScene = false,
+         .help = "off: draw every frame, though it equals the last",
+         .more = "For measurements"},
+        {.id = CommandId::FrameTime,
+         .name = "frame-time",
+         .arguments = {orElse(number("MS", 0, 10000), "off")},
+         .effect = Steers,
+         .needsScene = false,
+         .help = "after a change, draw a coarser frame at first where the whole one would take longer",
+         .more = "As the option of RTServer"},
+        {.id = CommandId::Messages,
+         .name = "messages",
+         .arguments = {maybe(whole("KNOWN", 0))},
+         .needsScene = false,
+         .help = "print the warnings and what keys did since the scene was loaded; KNOWN: after that number",
+         .more = "A line each: `3 warning room.obj: the texture wall.png is missing`, `4 event light 2 off`"},
+        {.id = CommandId::WaitIdle,
+         .name = "wait-idle",
+         .effect = Waits,
+         .help = "until the next frame would equal the last"},
+    };
+}
+
+std::vector<CommandSpec> settingCommands() {
+    return {
+        {.id = CommandId::Resolution,
+         .name = "resolution",
+         .arguments = {text("WIDTH"), text("HEIGHT")},
+         .effect = Changes,
+         .help = "pixels of a frame"},
+        {.id = CommandId::Set,
+         .name = "set",
+         .arguments = {text("NAME", Setting), text("VALUE", SettingValue)},
+         .effect = Changes,
+         .help = "change a setting",
+         .more = "`Renderer --settings` lists them"},
+        {.id = CommandId::Get,
+         .name = "get",
+         .arguments = {text("NAME", Setting)},
+         .help = "print a setting"},
+        {.id = CommandId::Settings, .name = "settings", .help = "print all settings"},
+        {.id = CommandId::State,
+         .name = "state",
+         .help = "print scene, camera, settings, lights and environment maps at once, for programs",
+         .more = "As TOML, see [protocol.md](protocol.md)"},
+    };
+}
+
+std::vector<CommandSpec> cameraCommands() {
+    return {
+        {.id = CommandId::CameraGet, .name = "camera get", .help = "print the camera, as a .cam file has it"},
+        {.id = CommandId::CameraSet,
+         .name = "camera set",
+         .arguments = numbers({"EX", "EY", "EZ", "FX", "FY", "FZ"}) + Arguments{fieldOfView()} + upright(),
+         .effect = Changes,
+         .help = "look from E into the direction F, with U upwards",
+         .more = "FOV, in degrees, is that of a picture of that ASPECT, or of any picture; with perspective. "
+                 "Without FOV that stays as it is"},
+        {.id = CommandId::CameraOrthographic,
+         .name = "camera orthographic",
+         .arguments =
+             numbers({"EX", "EY", "EZ", "FX", "FY", "FZ"}) + Arguments{between("WIDTH", 0, 1e18)} + upright(),
+         .effect = Changes,
+         .help = "the same without perspective; WIDTH of the scene from the left edge to the right one"},
+        {.id = CommandId::CameraLookAt,
+         .name = "camera look-at",
+         .arguments = numbers({"EX", "EY", "EZ", "TX", "TY", "TZ"}) + Arguments{fieldOfView()},
+         .effect = Changes,
+         .help = "look from E to the point T"},
+        {.id = CommandId::CameraTurn,
+         .name = "camera turn",
+         .arguments = {number("RIGHT", -360, 360), number("UP", -360, 360)},
+         .effect = Changes,
+         .help = "turn by these angles, degrees"},
+        {.id = CommandId::CameraReset,
+         .name = "camera reset",
+         .effect = Changes,
+         .help = "look as the scene itself says"},
+        {.id = CommandId::Focus,
+         .name = "focus",
+         .arguments = {number("X", 0, 1), number("Y", 0, 1)},
+         .effect = Changes,
+         .help = "focus a lens on what is there, 0..1 from the left and from the top, and print its distance",
+         .more = "That is the setting `depthOfField.focus` then. Fails where nothing is seen"},
+        {.id = CommandId::Speed,
+         .name = "speed",
+         .arguments = {number("FACTOR", 0.001, 1000)},
+         .effect = Changes,
+         .help = "fly so many times as fast as usual",
+         .more = "0.001 to 1000, until another scene is shown"},
+        {.id = CommandId::Walk,
+         .name = "walk",
+         .effect = Changes,
+         .help = "with a body, on the ground",
+         .more = "Fails where there is no room to stand, and no floor below"},
+        {.id = CommandId::Fly, .name = "fly", .effect = Changes, .help = "freely"},
+    };
+}
+
+std::vector<CommandSpec> fileCommands() {
+    return {
+        {.id = CommandId::LoadCamera,
+         .name = "load camera",
+         .arguments = {path({"cam"})},
+         .effect = Changes,
+         .help = "look through a .cam file"},
+        {.id = CommandId::LoadScene,
+         .name = "load scene",
+         .arguments = {path(sceneExtensions()),
+                       {.name = "BUILT-MODEL", .type = Path, .files = {"bsp"}, .optional = true}},
+         .effect = Changes,
+         .help = "show another scene or model",
+         .more = "A model is imported each time, which takes longer than a `.bsp` made of it by BSPBuilder; "
+                 "BUILT-MODEL is such a one, to be read in the model's place"},
+        {.id = CommandId::LoadSet,
+         .name = "load set",
+         .arguments = {path({"set"})},
+         .effect = Changes,
+         .help = "take the table [live] of a .set file over"},
+        {.id = CommandId::ExportCamera,
+         .name = "export camera",
+         .arguments = {path({"cam"}), maybe(whole("WIDTH")), maybe(whole("HEIGHT")),
+                       maybe(whole("ANTIALIASING")), maybe(whole("BLOOM"))},
+         .effect = Waits,
+         .help = "write the camera as a .cam file",
+         .more = "It has the exposure of this moment"},
+        {.id = CommandId::ExportScene,
+         .name = "export scene",
+         .arguments = {path({"scn"})},
+         .effect = Waits,
+         .help = "write a .scn file that shows the same again",
+         .more = "It names the same model and spells out lights, camera and all settings. Like `screenshot` "
+                 "it is refused where it would be written over a file that the scene was read from, but a "
+                 "`.scn` may take the place of the scene's, a `.cam` that of the scene's camera"},
+        {.id = CommandId::ExportVideoStart,
+         .name = "export video start",
+         .arguments = {path({"lst", "txt"}), maybe(number("FPS", 1, 240))},
+         .effect = Steers,
+         .help = "record the camera, 30 times a second, for 'play' and 'Renderer -l'"},
+        {.id = CommandId::ExportVideo,
+         .name = "export video",
+         .help = "print whether a recording is under way, its seconds, and the last list",
+         .more = "`on 12.3 /home/me/walk.lst`: for so many seconds; or `off`, with the last list"},
+        {.id = CommandId::ExportVideoStop,
+         .name = "export video stop",
+         .arguments = {maybe(text("FILE"))},
+         .effect = Steers,
+         .help = "end the recording, and print its number of frames"},
+        {.id = CommandId::Play,
+         .name = "play",
+         .arguments = {path({"lst", "txt"})},
+         .effect = Changes,
+         .help = "show a recorded path"},
+        {.id = CommandId::PlayStop, .name = "play stop", .effect = Changes, .help = "no more of it"},
+        {.id = CommandId::Screenshot,
+         .name = "screenshot",
+         .arguments = {path()},
+         .effect = Waits,
+         .help = "write the frame; the extension says the format",
+         .more = "`.exr`, `.hdr` and `.pfm` hold linear radiance"},
+    };
+}
+
+std::vector<CommandSpec> lightCommands() {
+    return {
+        {.id = CommandId::Bloom,
+         .name = "bloom",
+         .arguments = {choice("on|off")},
+         .effect = Changes,
+         .help = "the glow around bright spots",
+         .more = "As strong as it was"},
+        {.id = CommandId::Light,
+         .name = "light",
+         .arguments = {whole("N", 1), choice("on|off|toggle")},
+         .effect = Changes,
+         .help = "switch a light; the first one is 1, as on the keys"},
+        {.id = CommandId::Environment,
+         .name = "environment",
+         .arguments = {whole("N", 1)},
+         .effect = Changes,
+         .help = "choose an environment map; the first one is 1"},
+        {.id = CommandId::Lights,
+         .name = "lights",
+         .help = "print the lights: number, on or off, name",
+         .more = "A line each: `2 on chandelier`; the name may be missing"},
+        {.id = CommandId::Environments,
+         .name = "environments",
+         .help = "print the environment maps: number, active or -, name",
+         .more = "A line each: `1 active sunset`"},
+        {.id = CommandId::Scene, .name = "scene", .help = "print the path of the scene"},
+    };
+}
+
+std::vector<CommandSpec> keyCommands() {
+    return {
+        {.id = CommandId::KeyPress,
+         .name = "key press",
+         .arguments = {text("KEY", Key), maybe(whole("MS", 1, 3'600'000))},
+         .effect = Changes,
+         .help = "hold a key down until it is released; with MS, or --for=MS, wait so long and release it",
+         .more = "So many milliseconds of the server's motion, to the step of 1/120 s, whatever the rate of "
+                 "frames. Keys of the server's own: `w`, `7`, `space`, `left`, `right`, `up`, `down`, "
+                 "`pageup`, `pagedown`, `shift`, `control`, `capslock` and others"},
+        {.id = CommandId::KeyRelease,
+         .name = "key release",
+         .arguments = {orElse(text("KEY", Key), "all")},
+         .effect = Changes,
+         .help = "release it"},
+        {.id = CommandId::KeyTap,
+         .name = "key tap",
+         .arguments = {text("KEY", Key)},
+         .effect = Changes,
+         .help = "press and release it"},
+        {.id = CommandId::Bindings,
+         .name = "bindings",
+         .help = "what the keys do",
+         .more = "A line each: `W forward`, `M+3 selectEnvironment 3`"},
+        {.id = CommandId::BindingsDefault,
+         .name = "bindings default",
+         .effect = Steers,
+         .help = "what they do by default again"},
+        {.id = CommandId::Bind,
+         .name = "bind",
+         .arguments = {orElse(text("KEY", Key), "KEY+KEY"), text("ACTION", Action), maybe(whole("N", 1))},
+         .effect = Steers,
+         .help = "let a key do something else; 'bindings' shows the actions",
+         .more = "`bind k jump`, `bind M+k toggleLight 2`"},
+        {.id = CommandId::Unbind,
+         .name = "unbind",
+         .arguments = {orElse(text("KEY", Key), "KEY+KEY")},
+         .effect = Steers,
+         .help = "let it do nothing"},
+    };
+}
+
+} // namespace
+
+std::span<const CommandSpec> commandTable() {
+    static const std::vector<CommandSpec> table = [] {
+        std::vector<CommandSpec> all;
+        for (const auto& group : {shellCommands(), serverCommands(), settingCommands(), cameraCommands(),
+                                  fileCommands(), lightCommands(), keyCommands()})
+            all.insert(all.end(), group.begin(), group.end());
+        return all;
+    }();
+    return table;
+}
+
+const CommandSpec& commandOf(CommandId id) { return commandTable()[static_cast<std::size_t>(id)]; }
+
+} // namespace app

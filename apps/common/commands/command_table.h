@@ -1,0 +1,138 @@
+/// THE table of commands: what a user of CUI types and what a client sends to a server. CUI, its completion,
+/// its manual page, docs/manual.md, the server and the window read it. It knows neither rays nor sockets.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace app {
+
+/// In the order of the table.
+enum class CommandId {
+    Status,
+    Fps,
+    Watch,
+    List,
+    Free,
+    About,
+    Script,
+    Render,
+    Ping,
+    Exit,
+    Quit,
+    Parent,
+    Pause,
+    Resume,
+    Idle,
+    FrameTime,
+    Messages,
+    WaitIdle,
+    Resolution,
+    Set,
+    Get,
+    Settings,
+    State,
+    CameraGet,
+    CameraSet,
+    CameraOrthographic,
+    CameraLookAt,
+    CameraTurn,
+    CameraReset,
+    Focus,
+    Speed,
+    Walk,
+    Fly,
+    LoadCamera,
+    LoadScene,
+    LoadSet,
+    ExportCamera,
+    ExportScene,
+    ExportVideoStart,
+    ExportVideo,
+    ExportVideoStop,
+    Play,
+    PlayStop,
+    Screenshot,
+    Bloom,
+    Light,
+    Environment,
+    Lights,
+    Environments,
+    Scene,
+    KeyPress,
+    KeyRelease,
+    KeyTap,
+    Bindings,
+    BindingsDefault,
+    Bind,
+    Unbind,
+};
+inline constexpr std::size_t kCommands = static_cast<std::size_t>(CommandId::Unbind) + 1;
+
+enum class ArgumentType {
+    Integer,      ///< decimal, in [minimum, maximum]
+    Number,       ///< finite, in the range
+    Choice,       ///< one of `words`
+    Path,         ///< absolute, once it is sent to a server
+    Text,         ///< anything; so are those below, which only the server can check
+    Setting,      ///< the name of a setting
+    SettingValue, ///< of the setting before it
+    Key,          ///< the name of a key
+    Action,       ///< what a key can be bound to
+};
+
+struct CommandArgument {
+    std::string_view name = {}; ///< in capitals, as help shows it; none of a Choice
+    ArgumentType type = ArgumentType::Text;
+    double minimum = 0, maximum = 0;     ///< Integer and Number
+    bool open = false;                   ///< a Number's range is without its two ends
+    std::string_view words = {};         ///< what may stand in its place, parted by '|'
+    std::vector<std::string> files = {}; ///< of a Path: usual extensions; none = any
+    bool optional = false;               ///< may be missing, and then all that follow are
+    bool repeats = false;                ///< stands for any number of words; the last one only
+};
+
+enum class Runner {
+    Server, ///< the line is sent to the server
+    Shell,  ///< CUI does it itself
+};
+
+/// What a command does to the server.
+enum class CommandEffect {
+    Tells,   ///< only says something
+    Waits,   ///< needs what is shown, and leaves it as it is: a file of it, or its standing still
+    Steers,  ///< changes how the server works, or records, but not what is shown
+    Changes, ///< changes what is shown
+};
+
+struct CommandSpec {
+    CommandId id;
+    std::string_view name; ///< one word to three, a blank between them
+    std::vector<CommandArgument> arguments = {};
+    CommandEffect effect = CommandEffect::Tells;
+    Runner runner = Runner::Server;
+    bool needsScene = true;     ///< waits until there is one; of the server's
+    std::string_view help;      ///< sentence without a full stop, for --help
+    std::string_view more = {}; ///< further sentences for the manual, which has code in backquotes
+};
+
+/// All rows, by CommandId. Safe from many threads.
+std::span<const CommandSpec> commandTable();
+
+const CommandSpec& commandOf(CommandId id);
+
+/// "X Y", "N on|off|toggle", "FILE [FPS]"; empty without arguments.
+std::string argumentsLabel(const CommandSpec& command);
+/// The name, and that.
+std::string commandLabel(const CommandSpec& command);
+
+/// Whether an argument is a path.
+bool takesPath(const CommandSpec& command);
+
+/// The words of an argument, apart.
+std::vector<std::string_view> wordsOf(const CommandArgument& argument);
+
+} // namespace app

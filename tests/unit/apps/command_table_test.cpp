@@ -1,0 +1,226 @@
+/// The table of commands: sound in itself, and known to all who read it. RT_RENEW_DOCS=1 in the environment
+/// writes the table of docs/manual.md anew.
+#include "common/cli/command_line.h"
+#include "common/cli/command_names.h"
+#include "common/cli/completion.h"
+#include "common/cli/help_text.h"
+#include "common/cli/man_page.h"
+#include "common/commands/command_lines.h"
+#include "common/commands/command_lookup.h"
+#include "common/commands/quoting.h"
+#include "cui/cui_spec.h"
+#include "rtserver/commands.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+Words wordsOf(std::string_view text) { return app::splitWords(text); }
+
+const app::CommandSpec& found(const std::string& line) { return *app::findCommand(wordsOf(line)).command; }
+
+void check(const std::string& line) {
+    const Words words = wordsOf(line);
+    const app::FoundCommand command = app::findCommand(words);
+    app::checkArguments(*command.command, std::span(words).subspan(command.words));
+}
+
+std::string refusal(const std::string& line) {
+    try {
+        check(line);
+    } catch (const app::UsageError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(CommandTable, HasARowForEachIdInItsPlace) {
+    ASSERT_EQ(app::commandTable().size(), app::kCommands);
+    std::set<std::string_view> names;
+    for (std::size_t i = 0; i < app::kCommands; ++i) {
+        const app::CommandSpec& command = app::commandTable()[i];
+        EXPECT_EQ(static_cast<std::size_t>(command.id), i) << command.name;
+        EXPECT_TRUE(names.insert(command.name).second) << command.name << " stands twice";
+        EXPECT_FALSE(command.help.empty()) << command.name;
+        EXPECT_FALSE(command.help.ends_with('.') || command.more.ends_with('.')) << command.name;
+        EXPECT_EQ(app::parseCommandLabel(app::commandLabel(command)).command(), command.name);
+    }
+}
+
+TEST(CommandTable, EachOfTheServersHasAFunctionThere) {
+    for (const app::CommandSpec& command : app::commandTable())
+        EXPECT_EQ(rtserver::hasFunction(command.id), command.runner == app::Runner::Server) << command.name;
+}
+
+TEST(CommandTable, EachIsInHelpManualPageAndCompletion) {
+    const std::string help = app::helpText(cui::cuiSpec()), page = app::manPage(cui::cuiSpec());
+    for (const app::CommandSpec& command : app::commandTable()) {
+        EXPECT_NE(help.find("\n  " + app::commandLabel(command)), std::string::npos) << command.name;
+        std::string dashed;
+        for (const char c : command.name) dashed += c == '-' ? std::string("\\-") : std::string(1, c);
+        EXPECT_NE(page.find("\\fB" + dashed.substr(0, dashed.find(' '))), std::string::npos) << command.name;
+        Words typed = wordsOf(command.name);
+        const std::string last = typed.back();
+        typed.back() = "";
+        const Words offered = app::completeWords(cui::cuiSpec(), typed).words;
+        EXPECT_NE(std::find(offered.begin(), offered.end(), last), offered.end()) << command.name;
+    }
+}
+
+TEST(CommandTable, FilesAreCompletedWhereAPathStands) {
+    for (const app::CommandSpec& command : app::commandTable()) {
+        Words typed = wordsOf(command.name);
+        for (const app::CommandArgument& argument : command.arguments) {
+            typed.emplace_back("x");
+            if (argument.type != app::ArgumentType::Path) continue;
+            const app::Completion completion = app::completeWords(cui::cuiSpec(), typed);
+            EXPECT_TRUE(completion.files) << command.name;
+            EXPECT_EQ(completion.extensions, argument.files) << command.name;
+        }
+    }
+}
+
+TEST(CommandLookup, TakesTheLongestName) {
+    EXPECT_EQ(found("export video stop a.lst").id, app::CommandId::ExportVideoStop);
+    EXPECT_EQ(found("export video").id, app::CommandId::ExportVideo);
+    EXPECT_EQ(found("play stop").id, app::CommandId::PlayStop);
+    EXPECT_EQ(found("play stop.lst").id, app::CommandId::Play);
+    EXPECT_EQ(app::findCommand(wordsOf("camera get x")).words, 2U);
+}
+
+TEST(CommandLookup, NamesTheNearest) {
+    EXPECT_EQ(refusal("camera"), "'camera' is the beginning of several commands: camera get, camera set, "
+                                 "camera orthographic, camera look-at, camera turn, camera reset");
+    EXPECT_EQ(refusal("camera trun 1 2"), "unknown command 'camera trun'; did you mean 'camera turn'?");
+    EXPECT_EQ(refusal("pong"), "unknown command 'pong'; did you mean 'ping'?");
+    EXPECT_EQ(refusal(""), "the command is empty");
+}
+
+TEST(CommandArguments, AreCounted) {
+    EXPECT_EQ(refusal("ping 1"), "ping takes no arguments");
+    EXPECT_EQ(refusal("set bloom"), "set takes NAME VALUE");
+    EXPECT_EQ(refusal("focus 1"), "focus takes X Y");
+    EXPECT_EQ(refusal("camera set 1 2 3"), "camera set takes EX EY EZ FX FY FZ [FOV [UX UY UZ [ASPECT]]]");
+    for (const char* line :
+         {"camera set 1 2 3 0 0 1", "camera set 1 2 3 0 0 1 60", "camera set 1 2 3 0 0 1 60 0 1 0",
+          "camera set 1 2 3 0 0 1 60 0 1 0 1.5", "export camera /a.cam 640", "script -", "render a.png",
+          "render a.png -- -a 4", "render a.png -a", "key press w", "key press w 100"})
+        EXPECT_EQ(refusal(line), "") << line;
+    EXPECT_NE(refusal("camera set 1 2 3 0 0 1 60 0 1"), "");
+}
+
+TEST(CommandArguments, HaveTypesAndRanges) {
+    EXPECT_EQ(refusal("speed 5000"), "speed takes a number from 0.001 to 1000 for FACTOR, not '5000'");
+    EXPECT_EQ(refusal("light x on"), "light takes a whole number, at least 1 for N, not 'x'");
+    EXPECT_EQ(refusal("light 1 maybe"), "light takes on or off or toggle, not 'maybe'");
+    EXPECT_EQ(refusal("parent me"), "parent takes a whole number, at least 1 or none for PID, not 'me'");
+    EXPECT_EQ(refusal("camera set 0 0 0 0 0 1 180"),
+              "camera set takes a number above 0 and below 180 for FOV, not '180'");
+    EXPECT_EQ(refusal("camera set inf 0 0 0 0 1"), "camera set takes a number for EX, not 'inf'");
+    for (const char* line : {"parent none", "frame-time off", "frame-time 0", "light 1 toggle", "speed 0.001",
+                             "focus 0 1", "camera turn -360 360"})
+        EXPECT_EQ(refusal(line), "") << line;
+}
+
+TEST(CommandLines, SuitTheTable) {
+    using namespace app;
+    const std::string path = "/a b/c\"d.cam";
+    const std::pair<CommandId, std::string> lines[] = {
+        {CommandId::Ping, command::ping()},
+        {CommandId::Exit, command::exit()},
+        {CommandId::Parent, command::parent(77)},
+        {CommandId::Parent, command::noParent()},
+        {CommandId::Pause, command::pause()},
+        {CommandId::Resume, command::resume()},
+        {CommandId::FrameTime, command::frameTime(0)},
+        {CommandId::FrameTime, command::frameTime(30)},
+        {CommandId::Messages, command::messages(4)},
+        {CommandId::Resolution, command::resolution(640, 480)},
+        {CommandId::Set, command::set("bloom", "3")},
+        {CommandId::State, command::state()},
+        {CommandId::Light, command::light(2, true)},
+        {CommandId::Environment, command::environment(1)},
+        {CommandId::CameraSet, command::camera({.forward = {0, 0, 1}, .width = 60, .up = {0, 1, 0}})},
+        {CommandId::CameraSet,
+         command::camera({.forward = {0, 0, 1}, .width = 60, .up = {0, 1, 0}, .aspect = 2})},
+        {CommandId::CameraOrthographic,
+         command::camera({.forward = {0, 0, 1}, .width = 500, .orthographic = true, .up = {0, 1, 0}})},
+        {CommandId::CameraSet, command::cameraSet({1, 2, 3}, {0, 0, 1})},
+        {CommandId::CameraSet, command::cameraSet({1, 2, 3}, {0, 0, 1}, 70.0F)},
+        {CommandId::CameraTurn, command::cameraTurn(-1.5, 1e-4)},
+        {CommandId::CameraReset, command::cameraReset()},
+        {CommandId::CameraGet, command::cameraGet()},
+        {CommandId::Focus, command::focus(0.5, 1)},
+        {CommandId::Speed, command::speed(2.5)},
+        {CommandId::Walk, command::walk()},
+        {CommandId::LoadCamera, command::loadCamera(path)},
+        {CommandId::LoadScene, command::loadScene(path)},
+        {CommandId::LoadScene, command::loadScene(path, "/b.bsp")},
+        {CommandId::LoadSet, command::loadSet(path)},
+        {CommandId::ExportCamera, command::exportCamera(path)},
+        {CommandId::ExportCamera, command::exportCamera(path, 640, 480, 2, 0)},
+        {CommandId::ExportScene, command::exportScene(path)},
+        {CommandId::Screenshot, command::screenshot(path)},
+        {CommandId::Play, command::play(path)},
+        {CommandId::ExportVideo, command::exportVideo()},
+        {CommandId::ExportVideoStart, command::exportVideoStart(path)},
+        {CommandId::ExportVideoStop, command::exportVideoStop()},
+        {CommandId::Scene, command::scene()},
+        {CommandId::Bindings, command::bindings()},
+        {CommandId::Bind, command::bind("M+3", "toggleLight", 3)},
+        {CommandId::Bind, command::bind("k", "jump")},
+        {CommandId::Unbind, command::unbind("k")},
+    };
+    for (const auto& [id, line] : lines) {
+        EXPECT_EQ(found(line).id, id) << line;
+        EXPECT_EQ(refusal(line), "") << line;
+    }
+    EXPECT_EQ(wordsOf(command::screenshot(path)).back(), path);
+}
+
+// --- docs/manual.md ---
+
+std::string escapedBars(std::string text) {
+    for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, "\\");
+    return text;
+}
+
+std::string manualTable() {
+    std::string table = "| command | |\n|---|---|\n";
+    for (const app::CommandSpec& command : app::commandTable()) {
+        table +=
+            "| `" + escapedBars(app::commandLabel(command)) + "` | " + escapedBars(std::string(command.help));
+        if (!command.more.empty())
+            table += (command.help.ends_with('?') ? " " : ". ") + std::string(command.more);
+        table += " |\n";
+    }
+    return table;
+}
+
+TEST(CommandTable, IsThatOfTheManual) {
+    const std::string name = RT_DOCUMENTS "/manual.md", mark = "<!-- commands -->\n";
+    std::ifstream file(name, std::ios::binary);
+    const std::string page{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    const std::size_t mine = page.find(mark);
+    ASSERT_NE(mine, std::string::npos);
+    const std::size_t begin = mine + mark.size(), end = page.find("<!-- end -->", begin);
+    ASSERT_NE(end, std::string::npos);
+    const std::string wanted = page.substr(0, begin) + manualTable() + page.substr(end);
+    if (std::getenv("RT_RENEW_DOCS") != nullptr) {
+        std::ofstream(name, std::ios::binary) << wanted;
+        return;
+    }
+    EXPECT_EQ(page, wanted) << "RT_RENEW_DOCS=1 test_apps --gtest_filter=CommandTable.* writes the table of "
+                               "docs/manual.md anew";
+}
+
+} // namespace
