@@ -1,4 +1,4 @@
-// A whole client of RTServer: sends a command, holds a key down for a while, and saves the picture as a PPM
+// A whole client of RTServer: sends a command, holds a key down for a while, and saves the image as a PPM
 // file. Needs the headers of libs/ipc and the library ipc_endpoint; no ray tracer source.
 //   example_client [instance]
 #include "ipc/endpoint/client.h"

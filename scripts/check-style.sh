@@ -1,5 +1,6 @@
 #!/bin/sh
-# The layout of the code by clang-format 14 and the syntax of the scripts; with --tidy also clang-tidy over the release build (takes a while).
+# The layout of the code by clang-format 14, the words of docs/style.md and the syntax of the scripts; with --tidy also clang-tidy
+# over the release build (takes a while).
 #   scripts/check-style.sh [--tidy]
 set -eu
 cd "$(dirname "$0")/.."
@@ -9,6 +10,8 @@ if clang-format --version 2>/dev/null | grep -q "version 14\."; then
 else
     echo "check-style: skipped clang-format: version 14 is not installed" >&2
 fi
+scripts/check_words.py
+echo "check-style: the words are those of docs/style.md"
 # Each by the shell that its first line names.
 git ls-files '*.sh' .ci/run | while read -r script; do
     shell=$(sed -n '1s/^#![^ ]*[/ ]\([a-z]*\)$/\1/p' "$script")

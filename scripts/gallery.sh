@@ -3,7 +3,7 @@
 #   scripts/gallery.sh [--quick] [--output FOLDER] [NAME...]
 #   scripts/gallery.sh --list | --commands
 # NAME: the number of a figure (8.6), the name of a picture (cube-bloom), or the beginning of one (cube); all without it.
-# --quick: a quarter of the size, one sample a pixel, into output/gallery unless told where.
+# --quick: a quarter of the size, one sample per pixel, into output/gallery unless told where.
 # --list: figures and pictures. --commands: the Renderer's command for each.
 # RT_BIN names a folder of programs to be used as they are; without it scripts/build.sh is run first.
 set -euo pipefail

@@ -6,6 +6,7 @@
 #include "common/cli/file_notes.h"
 #include "common/cli/input_files.h"
 #include "common/process/parent.h"
+#include "common/process/seconds_since.h"
 #include "common/process/stop.h"
 #include "common/process/terminal.h"
 #include "common/progress/progress.h"
@@ -36,10 +37,6 @@ namespace bspbuilder {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 // A .bsp of another format's ending would be taken for a damaged file of that format.
 void refuseForeignEnding(const std::filesystem::path& output) {
@@ -113,7 +110,7 @@ class Builder {
         import.stop = &stop;
         const app::ProgressScope scope(progress_, {"importing", {}, &stop});
         rtcore::ImportedModel imported = rtcore::importModel(options_.input, import);
-        report_.importSeconds = secondsSince(start);
+        report_.importSeconds = app::secondsSince(start);
         for (const std::string& warning : imported.report.warnings) {
             progress_.print("warning: " + options_.input.string() + ": " + warning);
         }
@@ -147,7 +144,7 @@ class Builder {
         const auto start = Clock::now();
         const app::ProgressScope scope(progress_, {"writing", {}, nullptr});
         rtcore::writeBsp(options_.output, model_, &tree_, identity, warnings_);
-        report_.writeSeconds = secondsSince(start);
+        report_.writeSeconds = app::secondsSince(start);
     }
 
     app::ExitCode tell() {
@@ -194,7 +191,7 @@ class Builder {
         TreeVerdict verdict;
         verdict.structure = rtcore::validateKdTree(tree_, model_.mesh.triangles.size());
         if (!verdict.structure) verdict.coverage = rtcore::validateCoverage(tree_, model_.mesh);
-        verdict.seconds = secondsSince(start);
+        verdict.seconds = app::secondsSince(start);
         return verdict;
     }
 

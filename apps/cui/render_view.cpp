@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
 fs::path rendererProgram() {
-    // Nobody changes the environment meanwhile.
+    // The environment does not change meanwhile.
     const char* const chosen = std::getenv("RT_RENDERER"); // NOLINT(concurrency-mt-unsafe)
     const fs::path program =
         chosen != nullptr && *chosen != '\0' ? fs::path(chosen) : rtcore::programFolder() / "Renderer";
@@ -54,7 +54,7 @@ void renderView(Conversation& conversation, std::span<const std::string> argumen
 
     Words words{scene.string(), "--camera=" + camera.string(), "--output=" + output, "--force"};
     words.insert(words.end(), arguments.begin(), arguments.end());
-    const rtcore::ProcessResult result = rtcore::runAttached(renderer, words, app::stopSignal);
+    const rtcore::ProcessResult result = rtcore::runForeground(renderer, words, app::stopSignal);
     app::throwIfStopped();
     if (result.end == rtcore::ProcessEnd::Signalled) {
         throw CommandFailure(app::ExitCode::Failed,

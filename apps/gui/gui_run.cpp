@@ -35,8 +35,8 @@ void onQtMessage(QtMsgType type, const QMessageLogContext&, const QString& text)
     std::_Exit(static_cast<int>(app::ExitCode::Failed));
 }
 
-// What is wrong with the file; empty when nothing is. Who starts the program by an icon sees no stderr: then
-// the window tells it.
+// What is wrong with the file; empty when nothing is. A user who starts the program by an icon sees no
+// stderr: then the window tells it.
 QString troubleWith(const Options& options) {
     try {
         requireFile(options);

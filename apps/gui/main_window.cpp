@@ -34,19 +34,19 @@ MainWindow::MainWindow(const QString& instance, QWidget* parent)
     loadResources();
     setWindowIcon(QIcon(QStringLiteral(":/gui.png")));
     layOut();
-    const Desk desk{*this,  session_,     keeper_,  preferences_, *actions_,
-                    *view_, *fullScreen_, *notice_, editor_};
-    connection_ = new ConnectionOperations(desk, this);
+    const GuiContext context{*this,  session_,     keeper_,  preferences_, *actions_,
+                             *view_, *fullScreen_, *notice_, editor_};
+    connection_ = new ConnectionOperations(context, this);
     connection_->setInstance(instance);
-    auto* camera = new CameraOperations(desk, this);
-    new DisplayOperations(desk, this);
-    new MotionOperations(desk, this);
-    new MessageOperations(desk, this);
-    new RenderOperations(desk, this);
-    new LookOperations(desk, this);
-    new PanelOperations(desk, this);
-    new BookmarkOperations(desk, this);
-    jobs_ = new JobOperations(desk, this);
+    auto* camera = new CameraOperations(context, this);
+    new DisplayOperations(context, this);
+    new MotionOperations(context, this);
+    new MessageOperations(context, this);
+    new RenderOperations(context, this);
+    new LookOperations(context, this);
+    new PanelOperations(context, this);
+    new BookmarkOperations(context, this);
+    jobs_ = new JobOperations(context, this);
     connect(jobs_, &JobOperations::openWanted, this, &MainWindow::open);
     connect(camera, &CameraOperations::filmWanted, jobs_, &JobOperations::renderList);
     connect(&session_, &Session::stateChanged, this, &MainWindow::showTitle);
@@ -79,7 +79,7 @@ void MainWindow::restoreGeometryAndState() {
 }
 
 void MainWindow::showTitle() {
-    const QString name = tr("Ray tracing");
+    const QString name = tr("rtsuite");
     const QString shown = session_.live() && !editor_.scene().isEmpty() ? editor_.scene() : keeper_.scene();
     const QString scene = QFileInfo(shown).fileName();
     const QString what = scene.isEmpty() && session_.live() ? session_.instance() : scene;

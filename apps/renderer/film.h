@@ -36,7 +36,7 @@ class Film {
     std::filesystem::path ffmpeg_, film_, target_;
     FilmShape shape_;
     int frameWidth_ = 0, frameHeight_ = 0; ///< before the padding to even sizes
-    std::optional<rtcore::FedProcess> process_;
+    std::optional<rtcore::PipedProcess> process_;
     std::vector<std::byte> bytes_;
 };
 

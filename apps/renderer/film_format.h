@@ -27,7 +27,7 @@ bool needsEvenSize(const std::filesystem::path& film);
 std::vector<std::string> encodeArguments(const std::filesystem::path& film, const FilmShape& shape,
                                          const std::filesystem::path& target);
 
-/// The command by which somebody makes the film from frames in files with numbers of four digits.
+/// The command that makes the film from frames in files with numbers of four digits.
 std::string encodeCommand(const std::filesystem::path& film, double framesPerSecond);
 
 } // namespace renderer

@@ -23,7 +23,7 @@ struct FileFlaw {
 
 /// The files that are missing or broken, in the order of the frames. A file is whole when it can be decoded
 /// to its last pixel; whether it shows what the frame would show now is not looked at. Reads on `threads`
-/// threads (0 = all cores), each with one picture in memory. Throws rtcore::FileError: Stopped, TryAgain when
+/// threads (0 = all cores), each with one image in memory. Throws rtcore::FileError: Stopped, TryAgain when
 /// memory is short.
 std::vector<FileFlaw> findFlaws(std::span<const FrameTask> frames, int threads, app::Progress& progress);
 

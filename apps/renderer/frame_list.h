@@ -15,7 +15,7 @@ struct FrameTask {
     int number = 1;
     std::filesystem::path camera; ///< .cam file; empty = the scene's own view
     std::vector<std::filesystem::path> outputs;
-    bool filmed = false;   ///< its picture as it is shown is wanted beside the files
+    bool filmed = false;   ///< its image as it is shown is wanted beside the files
     bool finished = false; ///< its files are there and whole
 };
 

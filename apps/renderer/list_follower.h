@@ -1,4 +1,4 @@
-/// A list that is rendered while somebody still writes it.
+/// A list that is rendered while it is still written.
 #pragma once
 
 #include <filesystem>
@@ -16,8 +16,8 @@ class ListFollower {
     ListFollower(std::filesystem::path list, double timeoutSeconds);
 
     /// Waits until the list names more than `known` cameras, has its end mark, or the time is up; the time in
-    /// which nobody waits does not count. All cameras so far; a line without its end is not one yet. Throws
-    /// rtcore::FileError: BadData, also when the list names fewer than before; NoInput; Stopped.
+    /// which no reader waits does not count. All cameras so far; a line without its end is not one yet.
+    /// Throws rtcore::FileError: BadData, also when the list names fewer than before; NoInput; Stopped.
     std::vector<std::filesystem::path> waitBeyond(std::size_t known, app::Progress& progress);
 
     bool ended() const { return ended_; } ///< the end mark was seen

@@ -15,7 +15,7 @@ namespace renderer {
 /// phase with --verbose. Throws rtcore::FileError.
 rtcore::LoadedScene loadWithProgress(const RendererOptions& options, app::Progress& progress);
 
-/// The primary rays of a single picture whose size no file can change; else 0.
+/// The primary rays of a single image whose size no file can change; else 0.
 std::uint64_t knownRays(const RendererOptions& options);
 
 } // namespace renderer

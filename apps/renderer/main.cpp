@@ -1,4 +1,4 @@
-/// Renderer: pictures of a scene.
+/// Renderer: images of a scene.
 #include "renderer/renderer_options.h"
 #include "renderer/renderer_run.h"
 

@@ -89,10 +89,10 @@ bool makeFolder(const std::filesystem::path& folder) {
     return made;
 }
 
-void checkLayers(std::span<const std::filesystem::path> patterns) {
+void checkAovs(std::span<const std::filesystem::path> patterns) {
     const auto holds = [](const std::filesystem::path& path) { return rtcore::isExr(path); };
     if (std::none_of(patterns.begin(), patterns.end(), holds)) {
-        throw app::UsageError("--layers needs an output with the extension .exr, which can hold them");
+        throw app::UsageError("--aovs needs an output with the extension .exr, which can hold them");
     }
 }
 

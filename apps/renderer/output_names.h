@@ -1,4 +1,4 @@
-/// Where pictures go: the names of the files, by pattern and frame number.
+/// Where images go: the names of the files, by pattern and frame number.
 #pragma once
 
 #include <climits>
@@ -43,7 +43,7 @@ enum class MissingFolder {
     Make, ///< before the first frame, by makeFolder(): where a list is rendered into a folder of its own
 };
 
-/// Throws before hours are spent on a picture that cannot be written: app::UsageError when no image format
+/// Throws before hours are spent on an image that cannot be written: app::UsageError when no image format
 /// goes by the name's extension, rtcore::FileError CannotWrite when it is a folder, or its own folder does
 /// not exist - and, if that is made, when the folder around that does not.
 void checkOutput(const std::filesystem::path& path, MissingFolder missing = MissingFolder::Refuse);
@@ -51,8 +51,8 @@ void checkOutput(const std::filesystem::path& path, MissingFolder missing = Miss
 /// Whether there was no such folder, and it was made. Throws rtcore::FileError CannotWrite.
 bool makeFolder(const std::filesystem::path& folder);
 
-/// Throws app::UsageError when none of the patterns names a file that can hold layers.
-void checkLayers(std::span<const std::filesystem::path> patterns);
+/// Throws app::UsageError when none of the patterns names a file that can hold AOVs.
+void checkAovs(std::span<const std::filesystem::path> patterns);
 
 /// The same for a film: app::UsageError when no kind of film goes by the extension.
 void checkFilm(const std::filesystem::path& film);

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
     throw rtcore::FileError(rtcore::FailureKind::BadData, options.scene.string(), reason);
 }
 
-/// Who renders a scene of somebody else's does not expect that it writes anywhere but beside itself.
+/// A user who renders a foreign scene does not expect it to write anywhere but beside itself.
 void checkInsideFolder(const RendererOptions& options, const fs::path& output) {
     std::error_code unknown;
     const fs::path folder = fs::weakly_canonical(fs::absolute(options.scene).parent_path(), unknown);

@@ -1,4 +1,4 @@
-/// Where the pictures of a run go when the command line does not say.
+/// Where the images of a run go when the command line does not say.
 #pragma once
 
 #include "renderer/renderer_options.h"

@@ -1,10 +1,11 @@
 #include "renderer/picture_maker.h"
 
 #include "common/settings/settings_merge.h"
-#include "renderer/layers_file.h"
+#include "renderer/aov_file.h"
 #include "renderer/load_phases.h"
 
 #include "common/cli/command_line.h"
+#include "common/process/seconds_since.h"
 #include "common/process/stop.h"
 #include "common/process/terminal.h"
 
@@ -24,10 +25,6 @@
 namespace renderer {
 
 namespace {
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 std::uint64_t allSamples(const rtcore::RenderSettings& settings) {
     const auto size = [](int number) { return static_cast<std::uint64_t>(number); };
@@ -55,17 +52,17 @@ FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     FrameReport report{.width = settings.width, .height = settings.height, .rays = {}};
     auto start = std::chrono::steady_clock::now();
     render(camera, settings, index, count);
-    report.renderSeconds = secondsSince(start);
+    report.renderSeconds = app::secondsSince(start);
     report.rays = frame_.statistics;
-    if (rtcore::choosesSamples(settings)) report.samples = allSamples(settings);
+    if (rtcore::samplesAdaptively(settings)) report.samples = allSamples(settings);
 
     start = std::chrono::steady_clock::now();
     const rtcore::HdrImage& radiance = developer_.finish(frame_, settings, options_.threads);
     const float exposure = develop(task, radiance, settings);
     write(task, radiance);
-    // The last: who has seen it may end this process.
+    // This must come last: a viewer that has seen it may end this process.
     if (preview_ != nullptr) preview_->finish(developed_, exposure);
-    report.writeSeconds = secondsSince(start);
+    report.writeSeconds = app::secondsSince(start);
     return report;
 }
 
@@ -100,7 +97,7 @@ void PictureMaker::focus(const rtcore::Camera& camera, rtcore::RenderSettings& s
     if (!options_.focusAt) return;
     const auto [x, y] = *options_.focusAt;
     if (x > static_cast<float>(settings.width) || y > static_cast<float>(settings.height)) {
-        throw app::UsageError(fmt::format("--focus-at lies outside of the picture, which has {} x {} pixels",
+        throw app::UsageError(fmt::format("--focus-at lies outside of the image, which has {} x {} pixels",
                                           settings.width, settings.height));
     }
     const rtcore::CameraRays view(camera, settings.width, settings.height);
@@ -117,7 +114,7 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
     app::throwIfStopped();
     if (static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height) >
         rtcore::kMaxImagePixels) {
-        throw app::UsageError(fmt::format("a picture of {} x {} pixels is too large; {} pixels is the most",
+        throw app::UsageError(fmt::format("an image of {} x {} pixels is too large; {} pixels is the most",
                                           settings.width, settings.height, rtcore::kMaxImagePixels));
     }
     rtcore::RenderControl control{.threads = options_.threads};
@@ -127,7 +124,7 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
         return tiles == 0 ? 0.0 : static_cast<double>(control.tilesDone.load()) / static_cast<double>(tiles);
     };
     const app::ProgressScope scope(progress_, {"rendering", fraction, &control.cancel}, index, count);
-    renderer_.collectLayers(options_.layers || rtcore::effectsNeedLayers(settings));
+    renderer_.collectAovs(options_.aovs || rtcore::effectsNeedLayers(settings));
     const rtcore::View view{loaded_.scene, tracer_, camera, settings};
     const bool whole = preview_ == nullptr ? renderer_.render(view, control, frame_)
                                            : preview_->render(renderer_, view, control, frame_);
@@ -153,8 +150,8 @@ void PictureMaker::write(const FrameTask& task, const rtcore::HdrImage& radiance
         app::throwIfStopped();
         if (isStandardOutput(output)) {
             app::writeOutput(asText(rtcore::encodeImage(developed_, options_.standardOutputFormat)));
-        } else if (options_.layers && rtcore::isExr(output)) {
-            writeLayers(output, radiance, frame_.layers);
+        } else if (options_.aovs && rtcore::isExr(output)) {
+            writeAovs(output, radiance, frame_.aovs);
         } else if (rtcore::isHdrFormat(output)) {
             rtcore::writeHdrImage(output, radiance);
         } else {

@@ -1,4 +1,4 @@
-/// One loaded scene, and the pictures that are made of it.
+/// One loaded scene, and the images that are made of it.
 #pragma once
 
 #include "renderer/frame_list.h"
@@ -19,7 +19,7 @@ namespace renderer {
 
 struct FrameReport {
     int width = 0, height = 0;
-    std::uint64_t samples = 0; ///< of a picture that does without some of them: all that it could take
+    std::uint64_t samples = 0; ///< of an image that does without some of them: all that it could take
     double renderSeconds = 0, writeSeconds = 0;
     rtcore::RayStatistics rays;
 };
@@ -41,7 +41,7 @@ class PictureMaker {
     /// rtcore::writeDebugScene() of the view of a .cam file; "": the scene's camera.
     void writeDebugScene(const std::filesystem::path& camera, const std::filesystem::path& path);
 
-    /// The last frame as it is shown, if it was filmed or written into a file that holds such pictures.
+    /// The last frame as it is shown, if it was filmed or written into a file that holds such images.
     const rtcore::LdrImage& developed() const { return developed_; }
 
   private:
@@ -49,7 +49,7 @@ class PictureMaker {
     /// On what --focus-at names, if it does.
     void focus(const rtcore::Camera& camera, rtcore::RenderSettings& settings);
     void render(const rtcore::Camera& camera, const rtcore::RenderSettings& settings, int index, int count);
-    /// The exposure; nothing is done when nobody wants to see the picture.
+    /// The exposure; nothing is done when no output is wanted.
     float develop(const FrameTask& task, const rtcore::HdrImage& radiance,
                   const rtcore::RenderSettings& settings);
     void write(const FrameTask& task, const rtcore::HdrImage& radiance);

@@ -1,10 +1,11 @@
 #include "renderer/preview.h"
 
+#include "common/process/seconds_since.h"
 #include "common/process/stop.h"
 
 #include "ipc/layout/frame_info.h"
 
-#include "rtcore/post/enlarge.h"
+#include "rtcore/post/upsample.h"
 
 #include <algorithm>
 #include <span>
@@ -17,10 +18,6 @@ using namespace std::chrono_literals;
 
 constexpr auto kTurn = 5ms;
 constexpr auto kPatience = 2s; // for a predecessor that is just dying
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 void copy(rtcore::Vec3 from, float* to) {
     to[0] = from.x;
@@ -104,7 +101,7 @@ void Preview::finish(const rtcore::LdrImage& picture, float exposure) {
     const std::lock_guard lock(mutex_);
     throwIfFailed();
     samples_ = static_cast<std::uint32_t>(antialiasing_ * antialiasing_);
-    status_.frameSeconds = secondsSince(begun_);
+    status_.frameSeconds = app::secondsSince(begun_);
     status_.exposure = exposure;
     publish(picture, ipc::kPreviewDone);
     status_.progress = 1;
@@ -125,14 +122,14 @@ void Preview::showPass(const rtcore::RefinementPass& pass, const rtcore::Frame& 
     const std::lock_guard lock(mutex_);
     throwIfFailed();
     const rtcore::RenderSettings& settings = work_->view.settings;
-    // A small picture is developed sooner than several threads have met: on a busy machine they wait long.
+    // A small image is developed sooner than several threads have met: on a busy machine they wait long.
     const int threads = pass.block > 1 ? 1 : work_->control.threads;
     status_.exposure = developer_.exposure(frame, settings.exposure, threads);
     effects_.beginRows(rtcore::EffectStage::Radiance, frame.radiance, pass.block,
                        {.settings = settings, .threads = threads, .exposure = status_.exposure});
     if (pass.block > 1) {
         developer_.develop(frame, settings, status_.exposure, threads, small_);
-        rtcore::enlarge(small_, pass.block, threads, picture_);
+        rtcore::upsample(small_, pass.block, threads, picture_);
         for (rtcore::Rgba8& pixel : picture_.pixels) pixel.a = 0; // until it has a sample of its own
     } else {
         developer_.develop(frame, settings, status_.exposure, threads, picture_);
@@ -189,13 +186,13 @@ void Preview::run(const std::stop_token& stop) {
 void Preview::serve() {
     for (const ipc::Command& command : server_->takeCommands()) {
         server_->refuse(command, static_cast<int>(app::ExitCode::Failed),
-                        "this is a preview of a picture that is being rendered; it takes no commands");
+                        "this is a preview of an image that is being rendered; it takes no commands");
     }
     if (work_ == nullptr) return;
     server_->reserveFrame(status_.width, status_.height); // now, while the first pass is rendered
     showTiles();
     status_.progress = static_cast<float>(std::min(fraction(work_->control), 0.999999));
-    status_.frameSeconds = secondsSince(begun_);
+    status_.frameSeconds = app::secondsSince(begun_);
     server_->setStatus(status_);
 }
 

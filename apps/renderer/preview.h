@@ -1,4 +1,4 @@
-/// The picture of a run while it refines, for other programs to look at: a server of frames that takes no
+/// The image of a run while it refines, for other programs to look at: a server of frames that takes no
 /// commands. docs/protocol.md, "A preview".
 #pragma once
 
@@ -21,7 +21,7 @@
 namespace renderer {
 
 /// One thread calls it; a thread of its own answers clients, shows tiles as they are finished, and tells how
-/// far the picture is.
+/// far the image is.
 class Preview {
   public:
     /// Takes the instance over, so that viewers find it from now on. Throws ipc::Error; rtcore::FileError
@@ -39,7 +39,7 @@ class Preview {
     /// Of render(). Any thread.
     double fraction(const rtcore::RenderControl& control) const { return refinement_.fraction(control); }
 
-    /// Shows the picture that render() gave, developed with `exposure`: the last one of the run, when its
+    /// Shows the image that render() gave, developed with `exposure`: the last one of the run, when its
     /// files stand.
     void finish(const rtcore::LdrImage& picture, float exposure);
     /// Until viewers had time to find the last frame, or a signal asks to stop.

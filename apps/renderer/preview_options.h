@@ -1,4 +1,4 @@
-/// Under which name a run shows its picture while it refines.
+/// Under which name a run shows its image while it refines.
 #pragma once
 
 #include <cstdint>

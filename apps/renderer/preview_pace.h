@@ -1,4 +1,4 @@
-/// How often a picture that grows is shown.
+/// How often an image that grows is shown.
 #pragma once
 
 #include <algorithm>

@@ -103,7 +103,7 @@ void checkCombinations(const RendererOptions& options, const app::Arguments& arg
         throw app::UsageError("--verify renders nothing; leave out --video, --follow and --force");
     }
     if (options.preview && options.list) {
-        throw app::UsageError("--preview and --list exclude each other: a preview shows one picture");
+        throw app::UsageError("--preview and --list exclude each other: a preview shows one image");
     }
     for (const char* ofPreview : {"run-id", "linger"}) {
         if (!options.preview && arguments.has(ofPreview)) {
@@ -152,7 +152,7 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     app::useIsa(arguments);
     options.import = app::readImportOptions(arguments);
     options.import.threads = options.threads;
-    options.layers = arguments.has("layers");
+    options.aovs = arguments.has("aovs");
     options.verbose = arguments.has("verbose");
     options.debugScene = readPath(arguments, "debug-scene");
     checkCombinations(options, arguments);

@@ -32,14 +32,14 @@ struct RendererOptions {
     double followTimeout = 60;                       ///< seconds
     std::optional<std::filesystem::path> video;      ///< the film to make of the list
     std::optional<double> framesPerSecond;           ///< of the film
-    std::optional<PreviewOptions> preview;           ///< show the picture while it refines
+    std::optional<PreviewOptions> preview;           ///< show the image while it refines
     std::optional<std::int64_t> parent;              ///< stop with this process; 0 = the parent
     bool requeue = false;                            ///< exit with TryAgain when SIGTERM stops the run
     std::optional<rtcore::Vec2> focusAt;             ///< pixels of what a lens is focused at
     std::vector<rtcore::SettingAssignment> settings; ///< in the order of the command line
     int threads = 0;                                 ///< 0 = all cores
     rtcore::ImportOptions import;
-    bool layers = false; ///< .exr outputs hold what is known of surfaces as well
+    bool aovs = false; ///< .exr outputs hold what is known of surfaces as well
     bool verbose = false;
     std::optional<std::filesystem::path> debugScene; ///< draw it there and render nothing
     app::ProgressStyle progress = app::ProgressStyle::None;

@@ -71,7 +71,7 @@ app::ExitCode renderAll(const RendererOptions& options, app::Progress& progress)
 
     rtcore::LoadedScene loaded = loadWithProgress(options, progress);
     const Paths patterns = outputPatterns(options, loaded.sceneFile ? &*loaded.sceneFile : nullptr);
-    if (options.layers) checkLayers(patterns);
+    if (options.aovs) checkAovs(patterns);
     const auto ofScene = loaded.sceneFile ? loaded.sceneFile->cameraFile : std::nullopt;
     const std::filesystem::path camera = options.camera.value_or(ofScene.value_or(""));
     const app::InputFiles inputs = inputsOf(options, loaded, cameras);

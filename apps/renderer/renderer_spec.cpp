@@ -19,33 +19,33 @@ using app::OptionGroup;
 using app::ValueKind;
 
 OptionGroup outputOptions() {
-    return {
-        "Output",
-        {{.name = "output",
-          .letter = 'o',
-          .value = ValueKind::Text,
-          .argument = "FILE",
-          .help = "write the picture there; the extension says the format; .exr, .hdr and .pfm hold linear "
-                  "radiance, not tone mapped; '-' is standard output; may be given several times [the "
-                  "scene's output, else its name with .png in the current folder]"},
-         {.name = "format",
-          .value = ValueKind::Choice,
-          .argument = "NAME",
-          .help = "format of the picture on standard output: png or ppm [png]",
-          .choices = {"png", "ppm"}},
-         {.name = "layers",
-          .help = "outputs with the extension .exr also hold depth, normal, albedo, direct light and ambient "
-                  "occlusion of the surfaces, as layers"},
-         {.name = "width",
-          .letter = 'w',
-          .value = ValueKind::Text,
-          .argument = "N",
-          .help = "pixels from left to right; alone it keeps the aspect"},
-         {.name = "height",
-          .letter = 'h',
-          .value = ValueKind::Text,
-          .argument = "N",
-          .help = "pixels from top to bottom; alone it keeps the aspect"}}};
+    return {"Output",
+            {{.name = "output",
+              .letter = 'o',
+              .value = ValueKind::Text,
+              .argument = "FILE",
+              .help = "write the image there; the extension says the format; .exr, .hdr and .pfm hold linear "
+                      "radiance, not tone mapped; '-' is standard output; may be given several times [the "
+                      "scene's output, else its name with .png in the current folder]"},
+             {.name = "format",
+              .value = ValueKind::Choice,
+              .argument = "NAME",
+              .help = "format of the image on standard output: png or ppm [png]",
+              .choices = {"png", "ppm"}},
+             {.name = "aovs",
+              .formerly = {"layers"},
+              .help = "outputs with the extension .exr also hold AOVs: depth, normal, albedo, direct light "
+                      "and ambient occlusion of the surfaces"},
+             {.name = "width",
+              .letter = 'w',
+              .value = ValueKind::Text,
+              .argument = "N",
+              .help = "pixels from left to right; alone it keeps the aspect"},
+             {.name = "height",
+              .letter = 'h',
+              .value = ValueKind::Text,
+              .argument = "N",
+              .help = "pixels from top to bottom; alone it keeps the aspect"}}};
 }
 
 OptionGroup sequenceOptions() {
@@ -109,12 +109,12 @@ OptionGroup qualityOptions() {
               .letter = 'a',
               .value = ValueKind::Text,
               .argument = "N",
-              .help = "N x N samples a pixel"},
+              .help = "N x N samples per pixel"},
              {.name = "bloom",
               .letter = 'b',
               .value = ValueKind::Text,
               .argument = "N",
-              .help = "glow around what is bright: blur of N pixels (standard deviation); 0 is none"},
+              .help = "bloom around bright spots: a blur of N pixels (standard deviation); 0 is none"},
              {.name = "ambient-occlusion",
               .thesis = {"-ao"},
               .help = "switch ambient occlusion on: corners are darker than open surfaces"},
@@ -123,7 +123,7 @@ OptionGroup qualityOptions() {
               .thesis = {"-aon"},
               .value = ValueKind::Text,
               .argument = "N",
-              .help = "switch ambient occlusion on, with N rays a point"},
+              .help = "switch ambient occlusion on, with N rays per point"},
              {.name = "ao-distance",
               .thesis = {"-aok"},
               .value = ValueKind::Text,
@@ -155,7 +155,7 @@ OptionGroup previewOptions() {
             {{.name = "preview",
               .value = ValueKind::Text,
               .argument = "NAME",
-              .help = "show the picture while it is rendered, from coarse to fine, to programs that look for "
+              .help = "show the image while it is rendered, from coarse to fine, to programs that look for "
                       "an instance of this name; without --output no file is written; stops with the process "
                       "that started it"},
              {.name = "run-id",
@@ -178,7 +178,7 @@ OptionGroup runOptions() {
         {{.name = "threads",
           .value = ValueKind::Integer,
           .argument = "N",
-          .help = "use N threads; 0 is all cores; the picture is the same for every number [0]",
+          .help = "use N threads; 0 is all cores; the image is the same for every number [0]",
           .minimum = 0,
           .maximum = 1024},
          app::isaOption(),
@@ -203,7 +203,7 @@ const app::ProgramSpec& rendererSpec() {
     static const app::ProgramSpec spec{
         .name = "Renderer",
         .purpose =
-            "Renders pictures of a scene by ray tracing. Values on the command line beat those of the .cam "
+            "Renders images of a scene by ray tracing. Values on the command line beat those of the .cam "
             "file, these the .set file, and these the .scn file.",
         .positionals = {{.name = "SCENE",
                          .help = "scene description (.scn), kd-tree (.bsp) or any model file",
@@ -211,7 +211,7 @@ const app::ProgramSpec& rendererSpec() {
         .groups = {outputOptions(), sequenceOptions(), qualityOptions(), previewOptions(), runOptions(),
                    app::importOptionGroup()},
         .examples = {{"Renderer nave.scn -o nave.png -w 1280 -h 720 -a 3",
-                      "one picture, 3 x 3 samples a pixel"},
+                      "one image, 3 x 3 samples per pixel"},
                      {"Renderer cow.obj -o cow.png -o cow.exr",
                       "a model by itself, as it is shown and as linear radiance"},
                      {"Renderer nave.scn -l flight.lst -o out/frame_####.png --frames 1-100",

@@ -1,4 +1,4 @@
-/// How the exposure follows the picture's brightness in time, as an eye does. (thesis 3.2)
+/// How the exposure follows the image's brightness in time, as an eye does. (thesis 3.2)
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@ namespace rtserver {
 
 /// Seconds in which the distance that is left falls to 1/e; 0: at once.
 struct AdaptationSpeed {
-    double brighter = 0; ///< where the picture became brighter: the exposure grows
+    double brighter = 0; ///< where the image became brighter: the exposure grows
     double darker = 0;
 };
 

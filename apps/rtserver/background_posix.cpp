@@ -67,7 +67,7 @@ void detach() {
         if (nothing >= 0) ::dup2(nothing, stream);
     }
     if (nothing > STDERR_FILENO) ::close(nothing);
-    // A folder that nobody will want to unmount. The paths of the command line are absolute.
+    // A folder that is never unmounted. The paths of the command line are absolute.
     if (::chdir("/") != 0) errno = 0;
     const char byte = 1;
     while (::write(readyPipe, &byte, 1) < 0 && errno == EINTR) {

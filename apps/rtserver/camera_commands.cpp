@@ -17,7 +17,7 @@ rtcore::Vec3 vectorAt(const Call& call, std::size_t i) {
 
 Result get(const Call& call) {
     rtcore::CameraFile file;
-    file.camera = call.session.camera();
+    file.camera = call.state.camera();
     std::string text = rtcore::formatCameraFile(file);
     if (text.ends_with('\n')) text.pop_back();
     return {.answer = text};
@@ -31,14 +31,14 @@ Result setCamera(const Call& call, rtcore::Camera camera, rtcore::Vec3 forward) 
     camera.eye = vectorAt(call, kEye);
     camera.forward = forward;
     camera.up = call.size() > kUp ? vectorAt(call, kUp)
-                                  : rtcore::upwardsOf(forward, call.session.world().loaded.scene.up);
+                                  : rtcore::upwardsOf(forward, call.state.world().loaded.scene.up);
     if (call.size() > kWidth) camera.aspect = call.size() > kAspect ? number(call[kAspect]) : 0;
-    call.session.setCamera(camera);
+    call.state.setCamera(camera);
     return {};
 }
 
 rtcore::Camera perspective(const Call& call) {
-    rtcore::Camera camera = call.session.camera();
+    rtcore::Camera camera = call.state.camera();
     if (call.size() <= kWidth) return camera;
     camera.kind = rtcore::CameraKind::Perspective;
     camera.horizontalFov = number(call[kWidth]);
@@ -60,42 +60,42 @@ Result orthographic(const Call& call) {
 }
 
 Result turn(const Call& call) {
-    call.session.turn(number(call[0]), number(call[1]));
+    call.state.turn(number(call[0]), number(call[1]));
     return {};
 }
 
 Result reset(const Call& call) {
-    call.session.setCamera(call.session.world().loaded.camera);
+    call.state.setCamera(call.state.world().loaded.camera);
     return {};
 }
 
 Result walk(const Call& call) {
-    call.session.setWalking(true);
-    return {.answer = call.session.onUnseenFloor() ? kUnseenFloor : ""};
+    call.state.setWalking(true);
+    return {.answer = call.state.onUnseenFloor() ? kUnseenFloor : ""};
 }
 
 Result fly(const Call& call) {
-    call.session.setWalking(false);
+    call.state.setWalking(false);
     return {};
 }
 
 Result speed(const Call& call) {
-    call.session.setSpeed(static_cast<double>(number(call[0])));
+    call.state.setSpeed(static_cast<double>(number(call[0])));
     return {};
 }
 
 Result focus(const Call& call) {
     const float right = number(call[0]), down = number(call[1]);
-    rtcore::RenderSettings settings = call.session.settings();
-    const rtcore::CameraRays view(call.session.camera(), settings.width, settings.height);
-    const float distance = rtcore::FocusFinder().distance(*call.session.world().tracer, view,
+    rtcore::RenderSettings settings = call.state.settings();
+    const rtcore::CameraRays view(call.state.camera(), settings.width, settings.height);
+    const float distance = rtcore::FocusFinder().distance(*call.state.world().tracer, view,
                                                           right * static_cast<float>(settings.width),
                                                           down * static_cast<float>(settings.height));
     if (!(distance < rtcore::kInfiniteFocus))
         throw std::runtime_error("there is nothing to focus on; the focus stays as it was");
     settings.depthOfField.on = true;
     settings.depthOfField.focus = distance;
-    call.session.setSettings(settings);
+    call.state.setSettings(settings);
     return {.answer = rtcore::settingText(settings.depthOfField.focus)};
 }
 

@@ -19,8 +19,8 @@ enum class Served {
     Beside, ///< it is at work beside the server: what the same client sends waits for resume()
 };
 
-/// Each client's are run in their order; nobody waits for the commands of another, nor for those of who had
-/// its slot before. One thread at a time.
+/// Commands of one client run in their order; no client waits for the commands of another, nor for those of a
+/// client that had its slot before. One thread at a time.
 class CommandBook {
   public:
     using Run = std::function<Served(const ipc::Command&)>;

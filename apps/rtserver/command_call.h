@@ -13,7 +13,7 @@
 namespace rtserver {
 
 struct Call {
-    Session& session;
+    ServerState& state;
     Host& host;
     std::span<const std::string> arguments;
 

@@ -49,7 +49,7 @@ app::ExitCode exitCodeOf(const std::exception& error) {
 
 bool hasFunction(app::CommandId id) { return functions()[static_cast<std::size_t>(id)] != nullptr; }
 
-Result runCommand(std::string_view text, Session& session, Host& host) {
+Result runCommand(std::string_view text, ServerState& state, Host& host) {
     const std::vector<std::string> words = app::splitWords(text);
     const app::FoundCommand found = app::findCommand(words);
     const app::CommandSpec& command = *found.command;
@@ -57,8 +57,8 @@ Result runCommand(std::string_view text, Session& session, Host& host) {
         throw app::UsageError(std::string(command.name) + " is what CUI does itself, not the server");
     const std::span<const std::string> arguments = std::span(words).subspan(found.words);
     app::checkArguments(command, arguments);
-    if (command.needsScene && !session.ready()) return {.turn = Turn::Again};
-    return functions()[static_cast<std::size_t>(command.id)]({session, host, arguments});
+    if (command.needsScene && !state.ready()) return {.when = ReplyWhen::Again};
+    return functions()[static_cast<std::size_t>(command.id)]({state, host, arguments});
 }
 
 app::CommandEffect effectOf(std::string_view text) {

@@ -3,7 +3,7 @@
 
 #include "rtserver/frame_maker.h"
 #include "rtserver/messages.h"
-#include "rtserver/session.h"
+#include "rtserver/server_state.h"
 #include "rtserver/side_work.h"
 
 #include "common/commands/command_table.h"
@@ -16,13 +16,14 @@
 
 namespace rtserver {
 
-/// What a command can ask of the server beside its session.
+/// What a command can ask of the server beside its state.
 class Host {
   public:
     virtual ~Host() = default;
     /// Begins to load another scene. Throws std::runtime_error when one is being loaded.
-    /// `built`: as in rtcore::LoadOptions.
-    virtual void load(const std::filesystem::path& path, std::optional<std::filesystem::path> built) = 0;
+    /// `cachedModel`: as in rtcore::LoadOptions.
+    virtual void load(const std::filesystem::path& path,
+                      std::optional<std::filesystem::path> cachedModel) = 0;
     virtual void quit() = 0;
     /// When this process is no more, the server ends as soon as no client is connected. Nothing: it goes on.
     virtual void setParent(std::optional<std::int64_t> process) = 0;
@@ -31,9 +32,9 @@ class Host {
 };
 
 /// When the answer is due.
-enum class Turn {
+enum class ReplyWhen {
     Done,         ///< now
-    Again,        ///< the command needs the frame of what the session shows: run it again when that is there
+    Again,        ///< the command needs the frame of what the state shows: run it again when that is there
     WhenIdle,     ///< as soon as the next frame would equal the last
     WhenLoaded,   ///< when the scene stands
     WhenReleased, ///< when the key is up again
@@ -41,20 +42,20 @@ enum class Turn {
 };
 
 struct Result {
-    Turn turn = Turn::Done;
+    ReplyWhen when = ReplyWhen::Done;
     std::string answer = {};
     std::uint64_t press = 0; ///< of Keyboard::pressFor(), for WhenReleased
     Work work = {};          ///< for Beside; what it returns gives the answer
 };
 
-/// What becomes of a command that comes while a long frame is drawn: what Tells only reads the session, so
+/// What becomes of a command that comes while a long frame is drawn: what Tells only reads the state, so
 /// that runCommand() answers it at once, in another thread; what Waits waits for the frame, or for its turn;
 /// for all others the frame is left. A wrong command Tells what is wrong with it.
 app::CommandEffect effectOf(std::string_view text);
 
 /// Throws app::UsageError (no such command, wrong arguments), rtcore::FileError, ipc::Error, and other
 /// exceptions with a text for the user. Commands that need a scene give Again until there is one.
-Result runCommand(std::string_view text, Session& session, Host& host);
+Result runCommand(std::string_view text, ServerState& state, Host& host);
 
 /// Whether runCommand() has a function for it: all that are the server's.
 bool hasFunction(app::CommandId id);

@@ -1,4 +1,4 @@
-/// Work that nobody has to wait for: a file may lie where reading it takes for ever.
+/// Work that no thread has to wait for: reading a file may take for ever.
 #pragma once
 
 #include <chrono>
@@ -18,7 +18,7 @@ namespace rtserver {
 int tasksAtWork() noexcept;
 void countTask(int change) noexcept;
 
-/// A thread of its own does `work`, which therefore owns all that it uses. Who destroys the task drops the
+/// A thread of its own does `work`, which therefore owns all that it uses. Destroying the task drops the
 /// result; the thread goes on. All functions are for one thread.
 template <typename Result>
 class DetachedTask {

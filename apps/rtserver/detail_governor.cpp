@@ -8,7 +8,7 @@ namespace rtserver {
 namespace {
 
 constexpr double kSteps = 16;
-constexpr double kBack = 0.15;   ///< share of the way up that is taken after each frame
+constexpr double kBack = 0.15;   ///< fraction of the way up that is taken after each frame
 constexpr double kSpared = 0.65; ///< of the time: frames are not all alike
 constexpr double kFine = 0.5;    ///< rather this scale with all samples than a finer one with few
 

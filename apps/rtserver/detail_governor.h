@@ -28,7 +28,7 @@ class DetailGovernor {
   private:
     double& paceOf(const FrameDetail& detail) { return detail.whole() ? wholePace_ : pace_; }
 
-    // Roots of work a second: they grow with the sides of a picture. 0: not known.
+    // Roots of work a second: they grow with the sides of an image. 0: not known.
     double wholePace_ = 0;
     double pace_ = 0;
 };

@@ -17,11 +17,11 @@ rtcore::SceneFile descriptionOf(const World& world) {
 
 } // namespace
 
-rtcore::CameraFile cameraFileOf(const Session& session, float exposure) {
-    const rtcore::Scene& scene = session.world().loaded.scene;
-    const rtcore::RenderSettings& settings = session.settings();
+rtcore::CameraFile cameraFileOf(const ServerState& state, float exposure) {
+    const rtcore::Scene& scene = state.world().loaded.scene;
+    const rtcore::RenderSettings& settings = state.settings();
     rtcore::CameraFile file;
-    file.camera = session.camera();
+    file.camera = state.camera();
     file.camera.nameOffset = 0;
     file.width = settings.width;
     file.height = settings.height;
@@ -34,18 +34,18 @@ rtcore::CameraFile cameraFileOf(const Session& session, float exposure) {
     return file;
 }
 
-rtcore::SceneFile sceneFileOf(const Session& session) {
-    const World& world = session.world();
+rtcore::SceneFile sceneFileOf(const ServerState& state) {
+    const World& world = state.world();
     const rtcore::Scene& scene = world.loaded.scene;
     rtcore::SceneFile file = descriptionOf(world);
     file.model = world.loaded.modelPath;
     static_cast<rtcore::SceneLook&>(file) = scene;
     if (scene.environments.empty()) file.activeEnvironment = 0;
-    file.metresPerUnit = static_cast<float>(session.metresPerUnit()); // guessed, where nobody said
+    file.metresPerUnit = static_cast<float>(state.metresPerUnit()); // guessed where the scene does not say
     if (world.import.creaseAngle) file.creaseAngle = *world.import.creaseAngle;
     if (world.import.flipTextures) file.flipTextures = *world.import.flipTextures;
     file.settings.reset();
-    file.output.reset(); // a copy of a scene does not overwrite the picture of the first
+    file.output.reset(); // a copy of a scene does not overwrite the image of the first
     file.modelLights = false;
     file.lights.clear();
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
@@ -55,9 +55,9 @@ rtcore::SceneFile sceneFileOf(const Session& session) {
         file.lights.push_back(std::move(light));
     }
     file.cameraFile.reset();
-    file.camera = session.camera();
+    file.camera = state.camera();
     file.camera->nameOffset = 0;
-    file.live = rtcore::settingAssignments(session.settings(), true);
+    file.live = rtcore::settingAssignments(state.settings(), true);
     file.still = file.live;
     return file;
 }

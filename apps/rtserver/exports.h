@@ -1,7 +1,7 @@
 /// What is shown now, as files that show it again.
 #pragma once
 
-#include "rtserver/session.h"
+#include "rtserver/server_state.h"
 
 #include "rtcore/io/text/cam.h"
 #include "rtcore/io/text/scn.h"
@@ -11,10 +11,10 @@
 namespace rtserver {
 
 /// Camera, size, anti-aliasing, bloom, lights, environment, and `exposure` as a fixed one.
-rtcore::CameraFile cameraFileOf(const Session& session, float exposure);
+rtcore::CameraFile cameraFileOf(const ServerState& state, float exposure);
 
 /// The scene with its lights and settings as they are now, all of them spelt out. The model is named, not
 /// copied.
-rtcore::SceneFile sceneFileOf(const Session& session);
+rtcore::SceneFile sceneFileOf(const ServerState& state);
 
 } // namespace rtserver

@@ -20,28 +20,28 @@ namespace rtserver {
 
 namespace {
 
-// Whether the frame that is there can stand for what the session shows.
+// Whether the frame that is there can stand for what the state shows.
 bool frameSuits(const Call& call) {
     const FrameMaker& frames = call.host.frames();
     const bool drawn = !frames.image().empty();
-    if (call.session.paused && !drawn)
+    if (call.state.paused && !drawn)
         throw std::runtime_error("there is no frame yet, and the server is paused");
-    return drawn && frames.whole() && (call.session.paused || !call.session.stale());
+    return drawn && frames.whole() && (call.state.paused || !call.state.stale());
 }
 
 Result loadCamera(const Call& call) {
-    return {.turn = Turn::Beside, .work = [path = pathOf(call[0]), &session = call.session]() -> Finish {
-                return [path, &session, file = rtcore::readCameraFile(path)] {
-                    const std::string warning = session.applyCameraFile(file, path);
+    return {.when = ReplyWhen::Beside, .work = [path = pathOf(call[0]), &state = call.state]() -> Finish {
+                return [path, &state, file = rtcore::readCameraFile(path)] {
+                    const std::string warning = state.applyCameraFile(file, path);
                     return warning.empty() ? warning : "warning: " + warning;
                 };
             }};
 }
 
 Result loadSet(const Call& call) {
-    return {.turn = Turn::Beside, .work = [path = pathOf(call[0]), &session = call.session]() -> Finish {
-                return [&session, live = rtcore::readSettingsFile(path).live] {
-                    session.assign(live);
+    return {.when = ReplyWhen::Beside, .work = [path = pathOf(call[0]), &state = call.state]() -> Finish {
+                return [&state, live = rtcore::readSettingsFile(path).live] {
+                    state.assign(live);
                     return std::string();
                 };
             }};
@@ -49,14 +49,14 @@ Result loadSet(const Call& call) {
 
 Result loadScene(const Call& call) {
     call.host.load(pathOf(call[0]), call.size() > 1 ? std::optional(pathOf(call[1])) : std::nullopt);
-    return {.turn = Turn::WhenLoaded};
+    return {.when = ReplyWhen::WhenLoaded};
 }
 
 // Writes what was true when the command was run. What is shown was read from files: none of them is written
 // over, but a description by another of its kind.
 Result writeBeside(const Call& call, std::string_view replaces, std::function<void()> write) {
-    return {.turn = Turn::Beside,
-            .work = [path = pathOf(call[0]), replaces, inputs = call.session.world().inputs,
+    return {.when = ReplyWhen::Beside,
+            .work = [path = pathOf(call[0]), replaces, inputs = call.state.world().inputs,
                      write = std::move(write)]() -> Finish {
                 const auto input = inputs.find(path);
                 if (input && (replaces.empty() || input->extension() != replaces)) inputs.refuse(path);
@@ -66,8 +66,8 @@ Result writeBeside(const Call& call, std::string_view replaces, std::function<vo
 }
 
 Result exportCamera(const Call& call) {
-    if (!frameSuits(call)) return {.turn = Turn::Again};
-    rtcore::CameraFile file = cameraFileOf(call.session, call.host.frames().exposure());
+    if (!frameSuits(call)) return {.when = ReplyWhen::Again};
+    rtcore::CameraFile file = cameraFileOf(call.state, call.host.frames().exposure());
     const std::array<std::optional<int>*, 4> fields{&file.width, &file.height, &file.antialiasing,
                                                     &file.bloom};
     for (std::size_t i = 0; i + 1 < call.size(); ++i) *fields[i] = integer(call[i + 1]);
@@ -75,20 +75,20 @@ Result exportCamera(const Call& call) {
 }
 
 Result exportScene(const Call& call) {
-    return writeBeside(call, ".scn", [path = pathOf(call[0]), file = sceneFileOf(call.session)] {
+    return writeBeside(call, ".scn", [path = pathOf(call[0]), file = sceneFileOf(call.state)] {
         rtcore::writeSceneFile(path, file);
     });
 }
 
 Result startVideo(const Call& call) {
     const float rate = call.size() > 1 ? number(call[1]) : 30;
-    call.session.refuseSecondRecording();
-    return {.turn = Turn::Beside,
-            .work = [path = pathOf(call[0]), rate, &session = call.session]() -> Finish {
+    call.state.refuseSecondRecording();
+    return {.when = ReplyWhen::Beside,
+            .work = [path = pathOf(call[0]), rate, &state = call.state]() -> Finish {
                 auto recording = std::make_shared<std::unique_ptr<Recording>>(
                     std::make_unique<Recording>(path, static_cast<double>(rate)));
-                return [recording, &session] {
-                    session.startRecording(std::move(*recording));
+                return [recording, &state] {
+                    state.startRecording(std::move(*recording));
                     return std::string();
                 };
             }};
@@ -96,38 +96,38 @@ Result startVideo(const Call& call) {
 
 // The thesis' spelling names the file here, too.
 Result stopVideo(const Call& call) {
-    const int frames = call.session.stopRecording(call.host.frames().exposure());
+    const int frames = call.state.stopRecording(call.host.frames().exposure());
     return {.answer = std::to_string(frames) + (frames == 1 ? " frame" : " frames")};
 }
 
-// The list outlives its recording here, for who looks later.
+// The list is remembered after the recording, for later requests.
 Result video(const Call& call) {
-    const std::string list = call.session.recordedList().string();
-    if (!call.session.recording()) return {.answer = list.empty() ? "off" : "off " + list};
+    const std::string list = call.state.recordedList().string();
+    if (!call.state.recording()) return {.answer = list.empty() ? "off" : "off " + list};
     char seconds[32];
     std::snprintf(seconds, sizeof seconds, "%.1f",
-                  std::chrono::duration<double>(call.session.recordedTime()).count());
+                  std::chrono::duration<double>(call.state.recordedTime()).count());
     return {.answer = std::string("on ") + seconds + ' ' + list};
 }
 
 Result play(const Call& call) {
-    return {.turn = Turn::Beside, .work = [path = pathOf(call[0]), &session = call.session]() -> Finish {
+    return {.when = ReplyWhen::Beside, .work = [path = pathOf(call[0]), &state = call.state]() -> Finish {
                 auto playback = std::make_shared<std::unique_ptr<Playback>>(std::make_unique<Playback>(path));
-                return [playback, &session] {
-                    session.play(std::move(*playback));
+                return [playback, &state] {
+                    state.play(std::move(*playback));
                     return std::string();
                 };
             }};
 }
 
 Result stopPlaying(const Call& call) {
-    call.session.stopPlaying();
+    call.state.stopPlaying();
     return {};
 }
 
 Result screenshot(const Call& call) {
     const std::filesystem::path path = pathOf(call[0]);
-    if (!frameSuits(call)) return {.turn = Turn::Again};
+    if (!frameSuits(call)) return {.when = ReplyWhen::Again};
     const FrameMaker& frames = call.host.frames();
     if (rtcore::isHdrFormat(path)) {
         if (!frames.hasRadiance())

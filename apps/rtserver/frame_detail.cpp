@@ -8,7 +8,7 @@ namespace rtserver {
 namespace {
 
 constexpr double kLookUp = 0.3;  ///< of the time of a shadow ray
-constexpr double kCoarse = 0.25; ///< below, pixels are too large for grain and gloss to be seen as such
+constexpr double kCoarse = 0.25; ///< below, pixels are too large for noise and gloss to be seen as such
 
 int scaled(int pixels, double scale) {
     return std::max(1, static_cast<int>(std::ceil(static_cast<double>(pixels) * scale)));

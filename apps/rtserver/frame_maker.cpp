@@ -9,21 +9,21 @@
 
 namespace rtserver {
 
-bool FrameMaker::trace(const Session& session, const FrameDetail& detail, rtcore::RenderControl& control) {
+bool FrameMaker::trace(const ServerState& state, const FrameDetail& detail, rtcore::RenderControl& control) {
     const Clock::time_point start = Clock::now();
-    const World& world = session.world();
-    const rtcore::RenderSettings settings = settingsAt(session.shownSettings(), detail);
+    const World& world = state.world();
+    const rtcore::RenderSettings settings = settingsAt(state.shownSettings(), detail);
     rtcore::Frame& frame = detail.whole() ? whole_ : coarse_;
     if (detail.whole() == detail_.whole()) seen_ = nullptr; // its memory is written to
     const rtcore::ShadowMaps* const maps = world.shadowMaps.get();
     renderer_->takeShadowsFrom(detail.cut && maps != nullptr && maps->suit(settings) ? maps : nullptr);
-    renderer_->collectLayers(rtcore::effectsNeedLayers(settings));
+    renderer_->collectAovs(rtcore::effectsNeedLayers(settings));
     control.threads = threads_;
-    const rtcore::View view{world.loaded.scene, *world.tracer, session.camera(), settings};
+    const rtcore::View view{world.loaded.scene, *world.tracer, state.camera(), settings};
     if (!renderer_->render(view, control, frame)) return false;
     target_ = developer_.exposure(frame, settings.exposure, threads_);
     // Bloom has its width in pixels of the whole frame.
-    rtcore::RenderSettings effects = session.shownSettings();
+    rtcore::RenderSettings effects = state.shownSettings();
     effects.denoise = settings.denoise; // a coarse frame has no layers
     seen_ = nullptr;                    // the frame before may be shown from the effects' memory
     const rtcore::HdrImage& finished = developer_.finish(frame, effects, threads_, &control.cancel);
@@ -59,13 +59,13 @@ void FrameMaker::drop() {
     image_ = {};
 }
 
-void FrameMaker::develop(const Session& session) {
+void FrameMaker::develop(const ServerState& state) {
     constexpr double kLongest = 0.25; // a pause is no time in which the eye saw anything
     constexpr double kFirst = 0.033;  // but of a change something is to be seen at once
     const Clock::time_point now = Clock::now();
     const double passed = std::chrono::duration<double>(now - developed_).count();
     developed_ = now;
-    const rtcore::RenderSettings settings = session.shownSettings();
+    const rtcore::RenderSettings settings = state.shownSettings();
     if (settings.exposure.mode == rtcore::ExposureMode::Fixed) {
         adaptation_.jump(target_);
     } else {

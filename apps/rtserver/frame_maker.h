@@ -1,9 +1,9 @@
-/// Frames of a session: traced, exposed as an eye gets used to them, developed.
+/// Frames of a state: traced, exposed as an eye gets used to them, developed.
 #pragma once
 
 #include "rtserver/adaptation.h"
 #include "rtserver/frame_detail.h"
-#include "rtserver/session.h"
+#include "rtserver/server_state.h"
 
 #include "rtcore/post/develop.h"
 #include "rtcore/render/frame_renderer.h"
@@ -21,17 +21,17 @@ class FrameMaker {
   public:
     explicit FrameMaker(int threads) : threads_(threads) {}
 
-    /// The radiance of what the session shows, in such detail. False when control.cancel was set; then there
-    /// may be no radiance, while the picture stays.
-    bool trace(const Session& session, const FrameDetail& detail, rtcore::RenderControl& control);
+    /// The radiance of what the state shows, in such detail. False when control.cancel was set; then there
+    /// may be no radiance, while the image stays.
+    bool trace(const ServerState& state, const FrameDetail& detail, rtcore::RenderControl& control);
     bool hasRadiance() const { return seen_ != nullptr; }
-    /// Whether the last frame has all the pixels and samples that the session asks for.
+    /// Whether the last frame has all the pixels and samples that the state asks for.
     bool whole() const { return detail_.whole(); }
-    /// The picture of the frame that was traced last, at the exposure of this moment. Needs hasRadiance().
-    void develop(const Session& session);
-    /// Whether develop() would give the same picture again.
+    /// The image of the frame that was traced last, at the exposure of this moment. Needs hasRadiance().
+    void develop(const ServerState& state);
+    /// Whether develop() would give the same image again.
     bool settled() const { return adaptation_.settled(); }
-    /// What a frame of such settings takes, with its picture and effects.
+    /// What a frame of such settings takes, with its image and effects.
     static std::size_t bytesOf(const rtcore::RenderSettings& settings);
     /// Throws rtcore::FileError TryAgain when there is no memory for such frames, as far as one can tell.
     static void requireMemory(const rtcore::RenderSettings& settings);

@@ -11,7 +11,7 @@ class FramePacer {
   public:
     using Clock = std::chrono::steady_clock;
 
-    /// At most so many frames a second; 0: as many as there are.
+    /// At most so many frames per second; 0: as many as there are.
     explicit FramePacer(double framesPerSecond) : framesPerSecond_(framesPerSecond) {}
 
     /// No frame before that.

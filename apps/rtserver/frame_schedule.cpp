@@ -9,7 +9,7 @@ namespace {
 constexpr auto kLongFrame = std::chrono::seconds(1);
 constexpr double kNotDrawing = 0.4; ///< frame times in which a change is noticed and a frame is left
 constexpr double kLeast = 0.25;     ///< frame times; in less no other frame than the coarsest is tried
-constexpr double kForget = 0.05;    ///< share of the way down that is taken after each coarsest frame
+constexpr double kForget = 0.05;    ///< fraction of the way down that is taken after each coarsest frame
 
 double seconds(FrameSchedule::Duration time) { return std::chrono::duration<double>(time).count(); }
 

@@ -20,25 +20,25 @@ namespace {
 Result press(const Call& call) {
     const int key = keyOf(call[0]);
     if (call.size() == 1) {
-        call.session.keyboard().press(key);
+        call.state.keyboard().press(key);
         return {};
     }
     const std::uint64_t press =
-        call.session.keyboard().pressFor(key, std::chrono::milliseconds(integer(call[1])));
-    return {.turn = Turn::WhenReleased, .press = press};
+        call.state.keyboard().pressFor(key, std::chrono::milliseconds(integer(call[1])));
+    return {.when = ReplyWhen::WhenReleased, .press = press};
 }
 
 Result release(const Call& call) {
     if (call[0] == "all") {
-        call.session.keyboard().releaseAll();
+        call.state.keyboard().releaseAll();
     } else {
-        call.session.keyboard().release(keyOf(call[0]));
+        call.state.keyboard().release(keyOf(call[0]));
     }
     return {};
 }
 
 Result tap(const Call& call) {
-    call.session.keyboard().tap(keyOf(call[0]));
+    call.state.keyboard().tap(keyOf(call[0]));
     return {};
 }
 
@@ -71,8 +71,8 @@ std::string textOf(const rtcore::KeyBinding& binding) {
     return text;
 }
 
-std::vector<rtcore::KeyBinding> without(const Session& session, const Keys& keys) {
-    const std::span<const rtcore::KeyBinding> list = session.bindings().list();
+std::vector<rtcore::KeyBinding> without(const ServerState& state, const Keys& keys) {
+    const std::span<const rtcore::KeyBinding> list = state.bindings().list();
     std::vector<rtcore::KeyBinding> result(list.begin(), list.end());
     std::erase_if(result,
                   [&](const rtcore::KeyBinding& b) { return b.key == keys.key && b.with == keys.with; });
@@ -81,13 +81,13 @@ std::vector<rtcore::KeyBinding> without(const Session& session, const Keys& keys
 
 Result bindings(const Call& call) {
     std::string text;
-    for (const rtcore::KeyBinding& binding : call.session.bindings().list())
+    for (const rtcore::KeyBinding& binding : call.state.bindings().list())
         text += (text.empty() ? "" : "\n") + textOf(binding);
     return {.answer = text};
 }
 
 Result defaultBindings(const Call& call) {
-    call.session.setBindings(rtcore::KeyBindings());
+    call.state.setBindings(rtcore::KeyBindings());
     return {};
 }
 
@@ -98,17 +98,17 @@ Result bind(const Call& call) {
         throw app::UsageError(call[1] + (call.size() == 3 ? " takes no number" : " takes a number, from 1"));
     }
     if (call.size() == 3) binding.number = integer(call[2]);
-    std::vector<rtcore::KeyBinding> list = without(call.session, keys);
+    std::vector<rtcore::KeyBinding> list = without(call.state, keys);
     list.push_back(binding);
-    call.session.setBindings(rtcore::KeyBindings(list));
+    call.state.setBindings(rtcore::KeyBindings(list));
     return {};
 }
 
 Result unbind(const Call& call) {
-    const std::vector<rtcore::KeyBinding> list = without(call.session, keysOf(call[0]));
-    if (list.size() == call.session.bindings().list().size())
+    const std::vector<rtcore::KeyBinding> list = without(call.state, keysOf(call[0]));
+    if (list.size() == call.state.bindings().list().size())
         throw app::UsageError(rtcore::quoted(call[0]) + " is not bound");
-    call.session.setBindings(rtcore::KeyBindings(list));
+    call.state.setBindings(rtcore::KeyBindings(list));
     return {};
 }
 

@@ -1,4 +1,4 @@
-/// The keys of all clients between two looks of the session.
+/// The keys of all clients between two updates of the state.
 #pragma once
 
 #include "ipc/layout/key_state.h"
@@ -8,7 +8,7 @@ namespace rtserver {
 /// One thread at a time.
 class KeyInbox {
   public:
-    /// What ipc::Server::keys() gave. True when the session does not know it yet.
+    /// What ipc::Server::keys() gave. True when the state does not know it yet.
     bool add(const ipc::KeyState& keys);
     /// What is down, and the presses since the last call.
     ipc::KeyState take();

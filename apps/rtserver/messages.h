@@ -1,5 +1,5 @@
-/// What the server has to say: on stderr, for who started it, and by the command `messages` for whoever looks
-/// on. Never waits, however much there is to say and whoever does not read it.
+/// Messages of the server: on stderr, and by the command `messages` for clients. Never waits, even when
+/// stderr is not read.
 #pragma once
 
 #include <chrono>
@@ -15,12 +15,12 @@ class Messages {
     /// On stderr alone, with the program's name. Left out when stderr takes no more; cut off after some 4000
     /// bytes.
     static void print(const std::string& text);
-    /// A warning: on stderr, and kept for those who look on.
+    /// A warning: on stderr, and kept for clients.
     void warn(const std::string& text);
     /// The same for what clients can bring about as often as they like: one a second, and how many there were
     /// beside it.
     void complain(const std::string& text);
-    /// What a key did. Kept for those who look on, not printed.
+    /// What a key did. Kept for clients, not printed.
     void tell(const std::string& text);
 
     /// How many were kept so far: grows with each, and never falls.
@@ -28,7 +28,7 @@ class Messages {
     /// Those after the first `known` ones, as far as they are still there (the last 100 are), a line each:
     /// its number, "warning" or "event", the text.
     std::string since(std::uint32_t known) const;
-    /// Another scene is shown: what was kept of the last one is no news to who comes now.
+    /// Another scene is shown: messages of the last one are dropped.
     void forget() { kept_.clear(); }
 
   private:

@@ -7,10 +7,10 @@ namespace rtserver {
 
 namespace {
 
-float between(float from, float to, double share) {
+float between(float from, float to, double fraction) {
     if (from == to) return to;
     const double a = std::log(static_cast<double>(from)), b = std::log(static_cast<double>(to));
-    return static_cast<float>(std::exp(a + (b - a) * share));
+    return static_cast<float>(std::exp(a + (b - a) * fraction));
 }
 
 } // namespace
@@ -31,8 +31,8 @@ void Recording::settle(float exposure) {
     exposure_ = exposure;
     for (std::size_t i = 0; i < cameras.size(); ++i) {
         rtcore::CameraFile camera = cameras[i];
-        const double share = static_cast<double>(i + 1) / static_cast<double>(cameras.size());
-        camera.exposure = between(before, exposure, share);
+        const double fraction = static_cast<double>(i + 1) / static_cast<double>(cameras.size());
+        camera.exposure = between(before, exposure, fraction);
         recorder_.add(camera);
     }
 }

@@ -14,10 +14,12 @@ namespace {
 constexpr auto kPatience = std::chrono::seconds(1);
 } // namespace
 
-SceneLoad::SceneLoad(const std::filesystem::path& path, const std::optional<std::filesystem::path>& built,
+SceneLoad::SceneLoad(const std::filesystem::path& path,
+                     const std::optional<std::filesystem::path>& cachedModel,
                      const rtcore::ImportOptions& import, int threads)
-    : progress_(std::make_shared<Progress>()), task_([progress = progress_, path, built, import, threads] {
-          return load(*progress, path, built, import, threads);
+    : progress_(std::make_shared<Progress>()),
+      task_([progress = progress_, path, cachedModel, import, threads] {
+          return load(*progress, path, cachedModel, import, threads);
       }) {}
 
 SceneLoad::~SceneLoad() {
@@ -33,14 +35,14 @@ float SceneLoad::fraction() const {
 }
 
 std::unique_ptr<World> SceneLoad::load(Progress& progress, const std::filesystem::path& path,
-                                       const std::optional<std::filesystem::path>& built,
+                                       const std::optional<std::filesystem::path>& cachedModel,
                                        const rtcore::ImportOptions& import, int threads) {
     app::useThreads(threads);
     rtcore::LoadOptions options;
     options.build.threads = threads;
     options.buildProgress = &progress.build;
     options.primaryRays = 1; // the first frame is waited for; the exact tree comes after it
-    options.built = built;
+    options.cachedModel = cachedModel;
     options.import = import;
     options.import.stop = &progress.stop;
     options.onPhase = [&progress](rtcore::LoadPhase) {

@@ -17,8 +17,8 @@ namespace rtserver {
 /// the load up, and waits a little for its end, but not for a file that does not answer.
 class SceneLoad {
   public:
-    /// `built`: as in rtcore::LoadOptions.
-    SceneLoad(const std::filesystem::path& path, const std::optional<std::filesystem::path>& built,
+    /// `cachedModel`: as in rtcore::LoadOptions.
+    SceneLoad(const std::filesystem::path& path, const std::optional<std::filesystem::path>& cachedModel,
               const rtcore::ImportOptions& import, int threads);
     ~SceneLoad();
     SceneLoad(const SceneLoad&) = delete;
@@ -36,7 +36,7 @@ class SceneLoad {
         rtcore::BuildProgress build;
     };
     static std::unique_ptr<World> load(Progress& progress, const std::filesystem::path& path,
-                                       const std::optional<std::filesystem::path>& built,
+                                       const std::optional<std::filesystem::path>& cachedModel,
                                        const rtcore::ImportOptions& import, int threads);
 
     std::shared_ptr<Progress> progress_;

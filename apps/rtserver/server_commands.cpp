@@ -11,12 +11,12 @@ namespace {
 Result ping(const Call&) { return {.answer = "pong"}; }
 
 Result pause(const Call& call) {
-    call.session.paused = true;
+    call.state.paused = true;
     return {};
 }
 
 Result resume(const Call& call) {
-    call.session.paused = false;
+    call.state.paused = false;
     return {};
 }
 
@@ -35,20 +35,20 @@ Result parent(const Call& call) {
 }
 
 Result idle(const Call& call) {
-    call.session.idles = flag(call[0]);
+    call.state.idles = flag(call[0]);
     return {};
 }
 
 Result frameTime(const Call& call) {
     const float milliseconds = call[0] == "off" ? 0 : number(call[0]);
-    call.session.frameSeconds = static_cast<double>(milliseconds) * 1e-3;
+    call.state.frameSeconds = static_cast<double>(milliseconds) * 1e-3;
     return {};
 }
 
 Result waitIdle(const Call& call) {
-    if (!call.session.idles) throw std::runtime_error("the server never idles; 'idle on' lets it");
-    if (call.session.paused) throw std::runtime_error("the server is paused; resume it first");
-    return {.turn = Turn::WhenIdle};
+    if (!call.state.idles) throw std::runtime_error("the server never idles; 'idle on' lets it");
+    if (call.state.paused) throw std::runtime_error("the server is paused; resume it first");
+    return {.when = ReplyWhen::WhenIdle};
 }
 
 Result messages(const Call& call) {

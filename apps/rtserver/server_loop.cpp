@@ -21,11 +21,11 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-constexpr Clock::duration kSleep = 200ms; ///< less than a turn of Session::move() may last
+constexpr Clock::duration kSleep = 200ms; ///< less than a step of ServerState::move() may last
 constexpr Clock::duration kSleepWhileLoading = 20ms;
-constexpr auto kMotionStep = 2ms;        ///< until who is not at rest has moved
+constexpr auto kMotionStep = 2ms;        ///< until a moving camera has moved
 constexpr auto kSideWorkStep = 2ms;      ///< until a file that is written is asked for again
-constexpr auto kObstruction = 10s;       ///< for a frame that somebody waits for who has sent more
+constexpr auto kObstruction = 10s;       ///< for a frame that a client waits for that has sent more commands
 constexpr auto kMemoryPause = 1s;        ///< between frames for which there is no memory
 constexpr auto kPatience = 1s;           ///< for files that are being written when the server ends
 constexpr std::size_t kMostPending = 64; ///< of a client; then its further commands stay in its queue
@@ -53,7 +53,7 @@ std::string shortNumber(double value) {
 
 ServerLoop::ServerLoop(const Options& options, std::function<void()> onReady)
     : options_(options), onReady_(std::move(onReady)), server_(serverOptions(options)),
-      session_(
+      state_(
           options,
           [this](const rtcore::RenderSettings& settings) {
               FrameMaker::requireMemory(settings);
@@ -70,20 +70,22 @@ void ServerLoop::setParent(std::optional<std::int64_t> process) {
     if (process) parent_.emplace(*process);
 }
 
-bool ServerLoop::forsaken() {
+bool ServerLoop::orphaned() {
     if (!parent_ || !parent_->ended()) return false;
-    // So that who came before the parent's end is counted.
+    // So that a client that came before the parent's end is counted.
     for (ipc::Command& command : takeCommands()) commands_.add(std::move(command));
     return server_.clients() == 0;
 }
 
 app::ExitCode ServerLoop::run() {
     setParent(options_.parent);
-    load_ = std::make_unique<SceneLoad>(options_.scene, options_.built, options_.import, options_.threads);
+    load_ =
+        std::make_unique<SceneLoad>(options_.scene, options_.cachedModel, options_.import, options_.threads);
     while (!quit_) {
         if (app::stopRequested()) return app::stopExitCode();
-        if (forsaken()) {
-            Messages::print("who started this server is gone, and no client is connected: it ends");
+        if (orphaned()) {
+            Messages::print(
+                "the process that started this server is gone, and no client is connected: it ends");
             break;
         }
         takeLoadedScene();
@@ -92,17 +94,17 @@ app::ExitCode ServerLoop::run() {
         finishSideWork();
         serve();
         if (quit_) break;
-        // Who wants the frame for a file gets the whole one of what is shown.
-        const bool holdsStill = commands_.waits() && !changeWaits_ && !session_.stale() && !frames_.whole();
+        // A command that writes the frame to a file gets the whole frame of what is shown.
+        const bool holdsStill = commands_.waits() && !changeWaits_ && !state_.stale() && !frames_.whole();
         changeWaits_ = false;
         if (!holdsStill) move();
         shown_ = false;
-        keepsPicture_ = session_.paused && (keepsPicture_ || !wantsFrame());
+        keepsPicture_ = state_.paused && (keepsPicture_ || !wantsFrame());
         if (wantsFrame() && Clock::now() >= pacer_.due()) draw();
         if (shown_ || !wantsFrame()) record();
-        answerWhoWaitsForKeys();
-        answerWhoWaitsForIdle();
-        tellStatus();
+        answerKeyWaiters();
+        answerIdleWaiters();
+        publishStatus();
         sleep();
     }
     return app::ExitCode::Done;
@@ -110,9 +112,9 @@ app::ExitCode ServerLoop::run() {
 
 // --- Scenes ---
 
-void ServerLoop::load(const std::filesystem::path& path, std::optional<std::filesystem::path> built) {
+void ServerLoop::load(const std::filesystem::path& path, std::optional<std::filesystem::path> cachedModel) {
     if (load_ != nullptr) throw std::runtime_error("another scene is being loaded");
-    load_ = std::make_unique<SceneLoad>(path, std::move(built), options_.import, options_.threads);
+    load_ = std::make_unique<SceneLoad>(path, std::move(cachedModel), options_.import, options_.threads);
 }
 
 void ServerLoop::takeLoadedScene() {
@@ -123,61 +125,61 @@ void ServerLoop::takeLoadedScene() {
         refinement_.reset();
         mapping_.reset();
         mapless_ = false;
-        session_.show(load->take());
+        state_.show(load->take());
         messages_.forget();
         frames_.forget();
         schedule_.forget();
         rtcore::allowRegularFilesOnly(); // from here on paths come from clients
         moved_ = Clock::now();
-        if (!session_.world().loaded.sceneFile) {
-            Messages::print("one unit of " + session_.title() + " is taken for " +
-                            shortNumber(session_.metresPerUnit()) +
+        if (!state_.world().loaded.sceneFile) {
+            Messages::print("one unit of " + state_.title() + " is taken for " +
+                            shortNumber(state_.metresPerUnit()) +
                             " m; a .scn file with 'metresPerUnit' says it");
         }
-        for (const std::string& warning : session_.world().loaded.warnings) messages_.warn(warning);
+        for (const std::string& warning : state_.world().loaded.warnings) messages_.warn(warning);
     } catch (const std::exception& error) {
-        if (!session_.ready()) throw;
+        if (!state_.ready()) throw;
         messages_.complain(error.what());
         if (loader) refuse(*loader, error);
         return;
     }
     if (!loader) return;
-    tellStatus();
+    publishStatus();
     server_.answer(*loader);
 }
 
 // The frames are the same with either tree; they only come faster.
 void ServerLoop::takeRefinedTree() {
-    if (!session_.ready()) return;
+    if (!state_.ready()) return;
     if (refinement_ == nullptr) {
         // After the first frame, which nothing should slow down.
-        if (!session_.world().loaded.fastTree || session_.stale() || !frames_.whole()) return;
-        refinement_ = std::make_unique<TreeRefinement>(session_.world(), options_.threads);
+        if (!state_.world().loaded.fastTree || state_.stale() || !frames_.whole()) return;
+        refinement_ = std::make_unique<TreeRefinement>(state_.world(), options_.threads);
     }
     if (!refinement_->done()) return;
     const std::unique_ptr<TreeRefinement> refinement = std::move(refinement_);
     TreeRefinement::Result result = refinement->take();
-    session_.useTree(std::move(result.tree), std::move(result.tracer));
+    state_.useTree(std::move(result.tree), std::move(result.tracer));
     Messages::print("the exact kd-tree is in use; it took " + shortNumber(result.seconds) + " s");
 }
 
 // Where whole frames are not quick enough to be seen at once: while nothing else is to do; or soon, where not
 // even the coarsest are.
 void ServerLoop::takeShadowMaps() {
-    if (!session_.ready() || session_.world().shadowMaps != nullptr) return;
+    if (!state_.ready() || state_.world().shadowMaps != nullptr) return;
     if (mapping_ == nullptr) {
-        const double quick = session_.frameSeconds;
+        const double quick = state_.frameSeconds;
         const bool needed =
             quick > 0 && (schedule_.coarsest() > quick || (idle() && frames_.seconds() > quick));
-        if (mapless_ || !needed || session_.world().loaded.fastTree) return;
-        mapping_ = std::make_unique<ShadowMapping>(session_.world());
+        if (mapless_ || !needed || state_.world().loaded.fastTree) return;
+        mapping_ = std::make_unique<ShadowMapping>(state_.world());
     }
     if (!mapping_->done()) return;
     try {
-        session_.useShadowMaps(std::exchange(mapping_, nullptr)->take());
+        state_.useShadowMaps(std::exchange(mapping_, nullptr)->take());
     } catch (const std::bad_alloc&) { // then without
     }
-    mapless_ = session_.world().shadowMaps == nullptr;
+    mapless_ = state_.world().shadowMaps == nullptr;
 }
 
 // --- Commands ---
@@ -203,25 +205,25 @@ void ServerLoop::serve() {
 Served ServerLoop::serveOne(const ipc::Command& command) {
     Served served = Served::Done;
     answer(command, [&] {
-        Result result = runCommand(command.text, session_, *this);
-        switch (result.turn) {
-        case Turn::Again:
+        Result result = runCommand(command.text, state_, *this);
+        switch (result.when) {
+        case ReplyWhen::Again:
             served = Served::Again;
             break;
-        case Turn::Beside:
+        case ReplyWhen::Beside:
             sideWork_.start(command, std::move(result.work));
             served = Served::Beside;
             break;
-        case Turn::WhenIdle:
+        case ReplyWhen::WhenIdle:
             if (command.wantsAnswer) idleWaiters_.push_back(command);
             break;
-        case Turn::WhenLoaded:
+        case ReplyWhen::WhenLoaded:
             loader_ = command;
             break;
-        case Turn::WhenReleased:
+        case ReplyWhen::WhenReleased:
             if (command.wantsAnswer) keyWaiters_.push_back({command, result.press});
             break;
-        case Turn::Done:
+        case ReplyWhen::Done:
             return std::optional(std::move(result.answer));
         }
         return std::optional<std::string>();
@@ -234,7 +236,7 @@ void ServerLoop::answer(const ipc::Command& command, const std::function<std::op
     try {
         const std::optional<std::string> text = act();
         if (!text) return;
-        tellStatus(); // before the answer, so that who has it sees no idle flag of the time before
+        publishStatus(); // before the answer, so that its receiver sees no outdated idle flag
         server_.answer(command, *text);
     } catch (const std::exception& error) {
         refuse(command, error);
@@ -259,27 +261,27 @@ void ServerLoop::finishSideWork() {
     }
 }
 
-void ServerLoop::answerWhoWaitsForIdle() {
-    if (session_.paused || !session_.idles) {
+void ServerLoop::answerIdleWaiters() {
+    if (state_.paused || !state_.idles) {
         refuseAll(std::exchange(idleWaiters_, {}), app::ExitCode::Failed,
-                  session_.paused ? "the server was paused" : "idling was turned off");
+                  state_.paused ? "the server was paused" : "idling was turned off");
     }
     if (!idle() || idleWaiters_.empty()) return;
-    tellStatus();
+    publishStatus();
     for (const ipc::Command& command : idleWaiters_) server_.answer(command);
     idleWaiters_.clear();
 }
 
-void ServerLoop::answerWhoWaitsForKeys() {
+void ServerLoop::answerKeyWaiters() {
     if (keyWaiters_.empty()) return;
-    tellStatus();
+    publishStatus();
     std::erase_if(keyWaiters_, [this](const KeyWaiter& waiter) {
-        // Who was stopped, or killed, holds no key down any more.
+        // Keys of a stopped or killed client count as released.
         if (!server_.isConnected(waiter.command)) {
-            session_.keyboard().endPress(waiter.press);
+            state_.keyboard().endPress(waiter.press);
             return true;
         }
-        if (session_.keyboard().isDown(waiter.press)) return false;
+        if (state_.keyboard().isDown(waiter.press)) return false;
         server_.answer(waiter.command);
         return true;
     });
@@ -291,40 +293,40 @@ void ServerLoop::move() {
     keys_.add(server_.keys());
     const Clock::time_point now = Clock::now();
     const Clock::duration passed = now - std::exchange(moved_, now);
-    // Who looks at a picture that stands still does not move about.
-    if (!session_.ready() || session_.paused) return;
+    // While the image is paused, keys do not move the camera.
+    if (!state_.ready() || state_.paused) return;
     try {
-        session_.move(passed, keys_.take());
+        state_.move(passed, keys_.take());
     } catch (const rtcore::FileError& error) {
-        session_.stopPlaying();
+        state_.stopPlaying();
         messages_.complain(std::string("playing ended: ") + error.what());
     }
 }
 
 // The exposure of what was recorded is known once there is a frame of it.
 void ServerLoop::record() {
-    if (!session_.recording()) return;
+    if (!state_.recording()) return;
     try {
-        session_.settleRecording(frames_.exposure());
+        state_.settleRecording(frames_.exposure());
     } catch (const rtcore::FileError& error) {
         messages_.complain(std::string("recording ended: ") + error.what());
     }
 }
 
 bool ServerLoop::wantsFrame() const {
-    if (!session_.ready() || keepsPicture_) return false;
-    if (session_.stale() || wantsWholeFrame()) return true;
-    return !session_.paused && (!frames_.settled() || !session_.idles);
+    if (!state_.ready() || keepsPicture_) return false;
+    if (state_.stale() || wantsWholeFrame()) return true;
+    return !state_.paused && (!frames_.settled() || !state_.idles);
 }
 
-bool ServerLoop::standsStill() const { return session_.paused || session_.atRest(); }
+bool ServerLoop::standsStill() const { return state_.paused || state_.atRest(); }
 
-// All there is for what stays, and for who wants the frame for a file.
+// All pixels for an unchanged view, and for commands that write the frame to a file.
 bool ServerLoop::wantsWholeFrame() const { return !frames_.whole() && (standsStill() || commands_.waits()); }
 
 bool ServerLoop::idle() const {
-    return session_.ready() && session_.idles && !session_.stale() && frames_.settled() && frames_.whole() &&
-           session_.atRest() && load_ == nullptr;
+    return state_.ready() && state_.idles && !state_.stale() && frames_.settled() && frames_.whole() &&
+           state_.atRest() && load_ == nullptr;
 }
 
 void ServerLoop::draw() {
@@ -336,15 +338,15 @@ void ServerLoop::draw() {
     }
 }
 
-// Who waits for the frame that there is no memory for is told so.
+// Commands that wait for a frame are refused when there is no memory for it.
 void ServerLoop::goBack() {
     const auto size = [](const rtcore::RenderSettings& settings) {
         return std::to_string(settings.width) + " x " + std::to_string(settings.height);
     };
-    const std::string text = "not enough memory for frames of " + size(session_.settings()) +
+    const std::string text = "not enough memory for frames of " + size(state_.settings()) +
                              " at these settings; " + "back to those of the last frame, " + size(drawn_);
     frames_.drop();
-    session_.goBackTo(drawn_);
+    state_.goBackTo(drawn_);
     // Even those may need more than there is now. The last frame stands, and memory may come back.
     if (std::exchange(wentBack_, true)) pacer_.pauseUntil(Clock::now() + kMemoryPause);
     messages_.complain(text);
@@ -353,23 +355,23 @@ void ServerLoop::goBack() {
 }
 
 void ServerLoop::drawFrame() {
-    const bool trace = session_.stale() || wantsWholeFrame() || !session_.idles || !frames_.hasRadiance();
+    const bool trace = state_.stale() || wantsWholeFrame() || !state_.idles || !frames_.hasRadiance();
     if (trace && !traceFrame()) return;
-    frames_.develop(session_);
+    frames_.develop(state_);
     publish();
     if (trace) schedule_.shown(Clock::now() - begun_);
 }
 
 // False: it was left.
 bool ServerLoop::traceFrame() {
-    const rtcore::Scene& scene = session_.world().loaded.scene;
-    const rtcore::RenderSettings& settings = session_.settings();
-    const rtcore::ShadowMaps* const maps = session_.world().shadowMaps.get();
+    const rtcore::Scene& scene = state_.world().loaded.scene;
+    const rtcore::RenderSettings& settings = state_.settings();
+    const rtcore::ShadowMaps* const maps = state_.world().shadowMaps.get();
     const bool mapped = maps != nullptr && maps->suit(settings);
     const FrameDetail detail = schedule_.begin(
-        {.changed = session_.stale() || (!standsStill() && !commands_.waits()),
+        {.changed = state_.stale() || (!standsStill() && !commands_.waits()),
          .waitedFor = commands_.waits(),
-         .frameSeconds = session_.frameSeconds,
+         .frameSeconds = state_.frameSeconds,
          .work = {workOf(settings, scene), workOf(settingsAt(settings, {1, true}), scene, mapped)}});
     begun_ = Clock::now();
     changeWaits_ = endWaits_ = obstructed_ = false;
@@ -377,11 +379,11 @@ bool ServerLoop::traceFrame() {
     bool whole = false;
     {
         const FrameGuard::Watch watch(guard_, control.cancel);
-        whole = frames_.trace(session_, detail, control);
+        whole = frames_.trace(state_, detail, control);
     }
     if (guardError_) std::rethrow_exception(std::exchange(guardError_, nullptr));
     if (whole) {
-        session_.drawn();
+        state_.drawn();
         return true;
     }
     schedule_.left(Clock::now() - begun_);
@@ -389,7 +391,7 @@ bool ServerLoop::traceFrame() {
     return false;
 }
 
-// Who has set what no frame comes to an end with must be able to take it back.
+// A setting with which no frame is ever finished must remain changeable.
 void ServerLoop::clearTheWay() {
     refuseAll(commands_.takeObstructing(), app::ExitCode::TryAgain,
               "given up: the frame that it needs takes too long for the commands behind it; send them later");
@@ -400,36 +402,36 @@ void ServerLoop::publish() {
     ipc::FrameInfo info;
     info.width = static_cast<std::uint32_t>(image.width);
     info.height = static_cast<std::uint32_t>(image.height);
-    const auto side = static_cast<std::uint32_t>(session_.settings().antialiasing);
+    const auto side = static_cast<std::uint32_t>(state_.settings().antialiasing);
     info.samples = frames_.whole() ? side * side : 0;
     server_.publishFrame(info, std::as_bytes(std::span(image.pixels)));
 
     shown_ = true;
     if (frames_.whole()) {
-        drawn_ = session_.settings();
+        drawn_ = state_.settings();
         wentBack_ = false;
         ++wholeFrames_;
     }
-    pacer_.published(begun_, Clock::now(), !session_.stale() && !frames_.settled());
+    pacer_.published(begun_, Clock::now(), !state_.stale() && !frames_.settled());
     if (publishedFrames_++ > 0) return;
-    tellStatus();
-    Messages::print("ready: instance '" + options_.instance + "', " + session_.title() + ", " +
+    publishStatus();
+    Messages::print("ready: instance '" + options_.instance + "', " + state_.title() + ", " +
                     std::to_string(info.width) + " x " + std::to_string(info.height));
     onReady_();
 }
 
 void ServerLoop::sleep() {
     const Clock::time_point now = Clock::now();
-    const bool ready = session_.ready() && !session_.paused;
+    const bool ready = state_.ready() && !state_.paused;
     const bool draws = wantsFrame();
     if (changeWaits_ || commands_.hasNew() || (draws && pacer_.due() <= now)) return;
-    if (commands_.waits() && session_.ready() && !draws) return; // their frame is there
+    if (commands_.waits() && state_.ready() && !draws) return; // their frame is there
     const bool works = load_ != nullptr || refinement_ != nullptr || mapping_ != nullptr;
     Clock::duration time = works ? kSleepWhileLoading : kSleep;
-    if (ready && !session_.atRest() && !session_.stale()) time = std::min<Clock::duration>(time, kMotionStep);
+    if (ready && !state_.atRest() && !state_.stale()) time = std::min<Clock::duration>(time, kMotionStep);
     if (sideWork_.underWay()) time = std::min<Clock::duration>(time, kSideWorkStep);
     if (draws) time = std::min(time, pacer_.due() - now);
-    if (ready) time = std::min<Clock::duration>(time, std::max<Clock::duration>(session_.untilEvent(), 0ns));
+    if (ready) time = std::min<Clock::duration>(time, std::max<Clock::duration>(state_.untilEvent(), 0ns));
     server_.wait(time);
 }
 
@@ -440,7 +442,7 @@ bool ServerLoop::guardFrame() {
     try {
         pollDuringFrame();
         obstructed_ = commands_.obstructs() && Clock::now() - begun_ > kObstruction;
-        return endWaits_ || obstructed_ || app::stopRequested() || forsaken() ||
+        return endWaits_ || obstructed_ || app::stopRequested() || orphaned() ||
                schedule_.leaves(Clock::now() - begun_, changeWaits_);
     } catch (...) {
         guardError_ = std::current_exception();
@@ -451,7 +453,7 @@ bool ServerLoop::guardFrame() {
 // The status stays as it is: it tells of the frame that is drawn, too.
 void ServerLoop::tell(const ipc::Command& command) {
     try {
-        server_.answer(command, runCommand(command.text, session_, *this).answer);
+        server_.answer(command, runCommand(command.text, state_, *this).answer);
     } catch (const std::exception& error) {
         refuse(command, error);
     }
@@ -475,27 +477,26 @@ void ServerLoop::pollDuringFrame() {
 
 // --- Status ---
 
-void ServerLoop::tellStatus() {
+void ServerLoop::publishStatus() {
     ipc::Status status;
     status.progress = load_ != nullptr ? load_->fraction() : 1;
-    status.paused = session_.paused ? 1 : 0;
-    status.recording = session_.recording() ? 1 : 0;
+    status.paused = state_.paused ? 1 : 0;
+    status.recording = state_.recording() ? 1 : 0;
     status.messages = messages_.count();
     status.framesPerSecond = pacer_.framesPerSecond(Clock::now());
-    if (session_.ready()) {
-        const rtcore::Camera& camera = session_.camera();
+    if (state_.ready()) {
+        const rtcore::Camera& camera = state_.camera();
         status.frameSeconds = frames_.seconds();
         status.raysPerSecond =
             frames_.seconds() > 0 ? static_cast<double>(frames_.rays()) / frames_.seconds() : 0;
-        status.polygons = session_.world().loaded.scene.mesh().triangles.size();
-        status.width = static_cast<std::uint32_t>(session_.settings().width);
-        status.height = static_cast<std::uint32_t>(session_.settings().height);
+        status.polygons = state_.world().loaded.scene.mesh().triangles.size();
+        status.width = static_cast<std::uint32_t>(state_.settings().width);
+        status.height = static_cast<std::uint32_t>(state_.settings().height);
         copy(camera.eye, status.eye);
         copy(normalize(camera.forward), status.forward);
         copy(normalize(camera.up), status.up);
-        status.fieldOfView =
-            rtcore::fieldOfView(camera, session_.settings().width, session_.settings().height);
-        status.mode = session_.onUnseenFloor() ? 2 : session_.walking() ? 1 : 0;
+        status.fieldOfView = rtcore::fieldOfView(camera, state_.settings().width, state_.settings().height);
+        status.mode = state_.onUnseenFloor() ? 2 : state_.walking() ? 1 : 0;
         status.exposure = frames_.exposure();
         status.idle = idle() ? 1 : 0;
     }

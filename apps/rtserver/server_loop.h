@@ -11,7 +11,7 @@
 #include "rtserver/messages.h"
 #include "rtserver/scene_load.h"
 #include "rtserver/server_options.h"
-#include "rtserver/session.h"
+#include "rtserver/server_state.h"
 #include "rtserver/shadow_mapping.h"
 #include "rtserver/side_work.h"
 #include "rtserver/tree_refinement.h"
@@ -46,7 +46,7 @@ class ServerLoop : private Host {
   private:
     using Clock = std::chrono::steady_clock;
 
-    void load(const std::filesystem::path& path, std::optional<std::filesystem::path> built) override;
+    void load(const std::filesystem::path& path, std::optional<std::filesystem::path> cachedModel) override;
     void quit() override { quit_ = true; }
     void setParent(std::optional<std::int64_t> process) override;
     const FrameMaker& frames() const override { return frames_; }
@@ -70,11 +70,11 @@ class ServerLoop : private Host {
     void goBack();
     void publish();
     void record();
-    void answerWhoWaitsForIdle();
-    void answerWhoWaitsForKeys();
+    void answerIdleWaiters();
+    void answerKeyWaiters();
     void sleep();
 
-    bool forsaken();
+    bool orphaned();
     bool guardFrame();
     void pollDuringFrame();
     void tell(const ipc::Command& command);
@@ -83,13 +83,13 @@ class ServerLoop : private Host {
     bool standsStill() const;
     bool wantsWholeFrame() const;
     bool idle() const;
-    void tellStatus();
+    void publishStatus();
 
     const Options& options_;
     std::function<void()> onReady_;
     ipc::Server server_;
     Messages messages_;
-    Session session_;
+    ServerState state_;
     FrameMaker frames_;
     FrameSchedule schedule_;
     FramePacer pacer_;
@@ -97,7 +97,7 @@ class ServerLoop : private Host {
     std::unique_ptr<TreeRefinement> refinement_; ///< of the scene that is shown
     std::unique_ptr<ShadowMapping> mapping_;     ///< of that scene
     bool mapless_ = false;                       ///< this scene goes without
-    std::optional<ipc::Command> loader_;         ///< who wants to know of the load; nobody: the command line
+    std::optional<ipc::Command> loader_; ///< the command that asked for the load; none: the command line
     CommandBook commands_;
     SideWork sideWork_;
     KeyInbox keys_;
@@ -111,16 +111,16 @@ class ServerLoop : private Host {
     std::optional<app::ProcessWatch> parent_;
     rtcore::RenderSettings drawn_; ///< of the last whole frame that was published
     bool wentBack_ = false;        ///< to those, for lack of memory, and none is there yet
-    bool keepsPicture_ = false;    ///< paused, with all of the last picture there
+    bool keepsPicture_ = false;    ///< paused, with all of the last image there
     bool shown_ = false;           ///< in this turn a frame was published
     Clock::time_point moved_;      ///< when keys acted last
     std::uint64_t publishedFrames_ = 0, wholeFrames_ = 0;
 
     // Of the frame that is drawn. The guard's thread has them then, and server_, commands_ and keys_ too.
     Clock::time_point begun_;
-    bool changeWaits_ = false; ///< something came that the session does not know yet
-    bool endWaits_ = false;    ///< somebody wants the server to end
-    bool obstructed_ = false;  ///< somebody waits for too long with other commands behind
+    bool changeWaits_ = false; ///< something came that the state does not know yet
+    bool endWaits_ = false;    ///< the server was asked to end
+    bool obstructed_ = false;  ///< a client has waited for too long with other commands behind
     std::exception_ptr guardError_;
     FrameGuard guard_;
 };

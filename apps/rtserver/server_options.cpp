@@ -33,11 +33,12 @@ OptionGroup viewOptions() {
               .argument = "LIST",
               .help = "show this recorded path first",
               .files = {"lst", "txt"}},
-             {.name = "built-model",
+             {.name = "cached-model",
+              .formerly = {"built-model"},
               .value = ValueKind::Text,
               .argument = "FILE",
-              .help = "a .bsp that BSPBuilder made of the model: loaded in its place, which is quicker; the "
-                      "model's own name stays",
+              .help = "a .bsp that BSPBuilder made of the model: loaded instead of it, which is quicker; the "
+                      "model keeps its name",
               .files = {"bsp"}},
              {.name = "set",
               .value = ValueKind::Text,
@@ -68,7 +69,7 @@ OptionGroup runOptions() {
          {.name = "fps-limit",
           .value = ValueKind::Number,
           .argument = "X",
-          .help = "at most X frames a second; 0 is no limit [0]",
+          .help = "at most X frames per second; 0 is no limit [0]",
           .minimum = 0,
           .maximum = 10000},
          {.name = "frame-time",
@@ -130,7 +131,7 @@ Options readOptions(const app::Arguments& arguments) {
     options.camera = readPath(arguments, "camera");
     options.settingsFile = readPath(arguments, "set");
     options.path = readPath(arguments, "play");
-    options.built = readPath(arguments, "built-model");
+    options.cachedModel = readPath(arguments, "cached-model");
     for (const app::Occurrence& given : arguments.options()) {
         if (given.name == "resolution") readResolution(given.value, options.settings);
         if (given.name == "setting") options.settings.push_back(app::settingOf(given.value));

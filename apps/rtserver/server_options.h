@@ -18,7 +18,7 @@ namespace rtserver {
 struct Options {
     std::filesystem::path scene; ///< absolute, as all paths here
     std::string instance = "default";
-    std::optional<std::filesystem::path> camera, settingsFile, path, built;
+    std::optional<std::filesystem::path> camera, settingsFile, path, cachedModel;
     std::vector<rtcore::SettingAssignment> settings; ///< in the order of the command line
     int threads = 0;                                 ///< 0 = all cores
     double framesPerSecond = 0;                      ///< at most; 0 = as many as there can be

@@ -38,7 +38,7 @@ app::ExitCode runServer(const app::Arguments& arguments) {
 }
 
 void endProcess(int exitCode) {
-    // Static objects go only when nobody uses them any more.
+    // Static objects must outlive all threads that use them.
     if (tasksAtWork() == 0) std::exit(exitCode);
     rtcore::removeTemporaryFiles();
     std::_Exit(exitCode);

@@ -1,6 +1,6 @@
 // Commands for what is rendered and how well: settings, lights, environments.
 #include "rtserver/command_call.h"
-#include "rtserver/state_of.h"
+#include "rtserver/state_report_of.h"
 
 #include "ipc/layout/limits.h"
 
@@ -18,9 +18,9 @@ namespace rtserver {
 namespace {
 
 void assign(const Call& call, std::span<const std::pair<std::string, std::string>> assignments) {
-    rtcore::RenderSettings settings = call.session.settings();
+    rtcore::RenderSettings settings = call.state.settings();
     for (const auto& [name, value] : assignments) rtcore::setSettingFromText(settings, name, value);
-    call.session.setSettings(settings);
+    call.state.setSettings(settings);
 }
 
 Result set(const Call& call) {
@@ -35,18 +35,18 @@ Result resolution(const Call& call) {
 }
 
 Result get(const Call& call) {
-    return {.answer = rtcore::settingText(rtcore::getSetting(call.session.settings(), call[0]))};
+    return {.answer = rtcore::settingText(rtcore::getSetting(call.state.settings(), call[0]))};
 }
 
 Result settings(const Call& call) {
     std::string text;
-    for (const auto& [name, value] : rtcore::settingAssignments(call.session.settings(), true))
+    for (const auto& [name, value] : rtcore::settingAssignments(call.state.settings(), true))
         text += (text.empty() ? "" : "\n") + name + " = " + rtcore::settingText(value);
     return {.answer = text};
 }
 
 Result bloom(const Call& call) {
-    call.session.switchBloom(flag(call[0]));
+    call.state.switchBloom(flag(call[0]));
     return {};
 }
 
@@ -55,12 +55,12 @@ int indexOf(const std::string& number) { return integer(number) - 1; }
 
 Result light(const Call& call) {
     const bool toggle = call[1] == "toggle";
-    call.session.switchLight(indexOf(call[0]), toggle ? std::nullopt : std::optional(flag(call[1])));
+    call.state.switchLight(indexOf(call[0]), toggle ? std::nullopt : std::optional(flag(call[1])));
     return {};
 }
 
 Result environment(const Call& call) {
-    call.session.setEnvironment(indexOf(call[0]));
+    call.state.setEnvironment(indexOf(call[0]));
     return {};
 }
 
@@ -80,16 +80,16 @@ std::string list(const std::vector<app::NamedSwitch>& switches, const char* on, 
     return text;
 }
 
-Result lights(const Call& call) { return withoutLastEnd(list(lightsOf(call.session), "on", "off")); }
+Result lights(const Call& call) { return withoutLastEnd(list(lightsOf(call.state), "on", "off")); }
 
 Result environments(const Call& call) {
-    return withoutLastEnd(list(environmentsOf(call.session), "active", "-"));
+    return withoutLastEnd(list(environmentsOf(call.state), "active", "-"));
 }
 
-Result scene(const Call& call) { return {.answer = scenePathOf(call.session)}; }
+Result scene(const Call& call) { return {.answer = scenePathOf(call.state)}; }
 
 Result state(const Call& call) {
-    return {.answer = app::formatServerState(serverStateOf(call.session), ipc::kMaxAnswerText)};
+    return {.answer = app::formatStateReport(stateReportOf(call.state), ipc::kMaxAnswerText)};
 }
 
 constexpr std::array kFunctions{

@@ -75,7 +75,7 @@ def turned_box(centre, half, degrees):
 
 
 def room():
-    """Matte boxes in a matte room, two lamps, a mirror on the wall, a mirrored block."""
+    """Matte boxes in a matte room, two lights, a mirror on the wall, a mirrored block."""
     white, red, green = Material((0.75, 0.75, 0.7)), Material((0.7, 0.15, 0.1)), Material((0.15, 0.55, 0.2))
     blue, ochre, mirror = Material((0.1, 0.2, 0.65)), Material((0.7, 0.5, 0.2)), Material((0.2, 0.2, 0.2), mirror=0.8)
     x, y, z = 3.0, 3.0, 3.0

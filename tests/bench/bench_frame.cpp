@@ -138,7 +138,7 @@ void applyView(const Options& o, LoadedScene& loaded) {
     }
 }
 
-/// FNV-1a, to see whether two builds make the same picture.
+/// FNV-1a, to see whether two builds make the same image.
 template <typename Pixel>
 unsigned long long hashOf(const std::vector<Pixel>& pixels) {
     std::uint64_t hash = 0xCBF29CE484222325U;
@@ -173,11 +173,11 @@ class Bench {
         const double start = processSeconds();
         maps_ = ShadowMaps::make(loaded_.scene, tracer_, control_.cancel);
         renderer_.takeShadowsFrom(maps_.get());
-        std::printf("shadow maps of %zu lamps: %.2f s\n", loaded_.scene.lights.size(),
+        std::printf("shadow maps of %zu lights: %.2f s\n", loaded_.scene.lights.size(),
                     processSeconds() - start);
     }
     double render(const RayTracer& tracer, int threads) {
-        renderer_.collectLayers(effectsNeedLayers(settings_));
+        renderer_.collectAovs(effectsNeedLayers(settings_));
         const double start = processSeconds();
         control_.threads = threads;
         renderer_.render({loaded_.scene, tracer, loaded_.camera, settings_}, control_, frame_);
@@ -212,7 +212,7 @@ class Bench {
                     "%.2f, store %.2f\n",
                     what, t.of(Stage::Rays) * 1e3, t.of(Stage::Trace) * 1e3, t.of(Stage::Surfaces) * 1e3,
                     t.of(Stage::Occlusion) * 1e3, t.of(Stage::Light) * 1e3, t.of(Stage::Shadows) * 1e3,
-                    t.of(Stage::Spawn) * 1e3, t.of(Stage::Store) * 1e3);
+                    t.of(Stage::Secondary) * 1e3, t.of(Stage::Store) * 1e3);
     }
 
     void measureFrames() {
@@ -240,7 +240,7 @@ class Bench {
         std::printf("  frame %.2f, exposure %.2f, develop %.2f\n", best * 1e3, bestExposure * 1e3,
                     bestDevelop * 1e3);
         const auto rays = frame_.statistics.rays;
-        std::printf("  hashes: radiance %016llx, picture %016llx\n", hashOf(frame_.radiance.pixels),
+        std::printf("  hashes: radiance %016llx, image %016llx\n", hashOf(frame_.radiance.pixels),
                     hashOf(image_.pixels));
         std::printf("  rays: primary %llu, shadow %llu, mirror %llu, refracted %llu, occlusion %llu\n",
                     static_cast<unsigned long long>(rays[0]), static_cast<unsigned long long>(rays[1]),

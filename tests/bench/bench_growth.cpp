@@ -1,5 +1,5 @@
 // How the cost of a ray grows with the model: the same hills in ever finer triangles, the same coherent rays.
-//   bench_growth [SIDE]     pixels of a side of the picture (1024)
+//   bench_growth [SIDE]     pixels of a side of the image (1024)
 // One thread, the best of five, in processor time.
 #include "rtcore/accel/builder.h"
 #include "rtcore/kernels/ray_tracer.h"

@@ -87,7 +87,7 @@ void frames() {
         quantile(reading, 0.5) / plain);
 }
 
-// In another process, 60 frames a second, drawn in place.
+// In another process, 60 frames per second, drawn in place.
 double frameLatency() {
     const test::IpcInstance instance;
     const ChildProcess serving([&] {

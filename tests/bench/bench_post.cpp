@@ -1,4 +1,4 @@
-// What is done to a whole picture, and how long it takes: bench_post [WIDTH HEIGHT [THREADS]]
+// What is done to a whole image, and how long it takes: bench_post [WIDTH HEIGHT [THREADS]]
 #include "rtcore/post/bloom.h"
 #include "rtcore/post/denoise.h"
 #include "rtcore/post/develop.h"
@@ -25,7 +25,7 @@ double best(int turns, auto&& work) {
     return least;
 }
 
-HdrImage grain(int width, int height) {
+HdrImage noise(int width, int height) {
     HdrImage image(width, height);
     std::uint32_t i = 0;
     for (Colour& c : image.pixels) c = Colour{1, 0.5F, 0.2F} * unitFloat(mixBits(i++));
@@ -62,26 +62,26 @@ void benchLocalExposure(const Frame& frame, int threads) {
     }
 }
 
-/// A wavy floor under grainy light.
-void fillLayers(Frame& frame) {
+/// A wavy floor under noisy light.
+void fillAovs(Frame& frame) {
     const int width = frame.radiance.width, height = frame.radiance.height;
     Camera camera;
-    frame.layers.begin(camera, width, height);
+    frame.aovs.begin(camera, width, height);
     std::vector<SampleId> samples(static_cast<std::size_t>(width));
-    std::vector<FirstHit> hits(samples.size());
+    std::vector<PrimaryHit> hits(samples.size());
     for (int y = 0; y < height; ++y) {
         for (std::size_t x = 0; x < samples.size(); ++x) {
             samples[x] = {static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), 0};
-            FirstHit& hit = hits[x];
+            PrimaryHit& hit = hits[x];
             hit.position = {static_cast<float>(x), -1, -1 - static_cast<float>(height - y)};
             hit.normal = {0, 1, 0};
             hit.albedo = {0.5F, 0.5F, 0.5F};
             hit.soft = frame.radiance.at(static_cast<int>(x), y);
             hit.wave = 1;
         }
-        frame.layers.add(hits, samples);
+        frame.aovs.add(hits, samples);
     }
-    frame.layers.finish(1);
+    frame.aovs.finish(1);
 }
 
 void benchDenoise(const Frame& frame, int threads) {
@@ -90,7 +90,7 @@ void benchDenoise(const Frame& frame, int threads) {
         settings.denoise.passes = passes;
         Denoiser denoiser;
         const double ms = best(5, [&] {
-            denoiser.apply(frame.radiance, frame.layers, {.settings = settings, .threads = threads});
+            denoiser.apply(frame.radiance, frame.aovs, {.settings = settings, .threads = threads});
         });
         std::printf("denoise, %d passes: %7.2f ms\n", passes, ms);
     }
@@ -104,8 +104,8 @@ int main(int count, char** arguments) {
     const int threads = count > 3 ? std::atoi(arguments[3]) : 1;
     if (width < 1 || height < 1) return 2;
     Frame frame;
-    frame.radiance = grain(width, height);
-    fillLayers(frame);
+    frame.radiance = noise(width, height);
+    fillAovs(frame);
     benchBloom(frame.radiance, threads);
     benchLocalExposure(frame, threads);
     benchDenoise(frame, threads);

@@ -33,7 +33,7 @@ using ipc::Clock;
 using test::quantile;
 
 constexpr double kFrameTime = 33; ///< ms
-constexpr auto kLongest = 5s;     ///< a picture that does not come in this time counts as this long
+constexpr auto kLongest = 5s;     ///< an image that does not come in this time counts as this long
 constexpr int kOneTurn = 20;      ///< measurements of one server, then it is the next one's turn
 
 struct Wishes {
@@ -140,9 +140,9 @@ class Measured {
 
     void report() const {
         std::printf("%s\n", program_.c_str());
-        tell("key to the first changed picture", keys_);
-        tell("setting to the first changed picture", settings_);
-        tell("end of loading to the first picture", loads_);
+        tell("key to the first changed image", keys_);
+        tell("setting to the first changed image", settings_);
+        tell("end of loading to the first image", loads_);
     }
 
   private:

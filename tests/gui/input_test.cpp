@@ -1,4 +1,4 @@
-/// Keys and mouse of the picture, without a server.
+/// Keys and mouse of the image, without a server.
 #include "gui/view/input_capture.h"
 
 #include "rtcore/motion/key_codes.h"

@@ -77,7 +77,7 @@ TEST_F(JobsWindowTest, ARecordingBecomesFrames) {
     EXPECT_EQ(dialog->source(), RenderDialog::Source::List);
     EXPECT_TRUE(dialog->arguments().contains(QStringLiteral("--list=") + file("walk-0001.lst")));
     EXPECT_TRUE(dialog->arguments().contains(QStringLiteral("--video=") + file("walk-0001.mp4")));
-    // Pictures, since a machine for tests may be without ffmpeg.
+    // Images, since a machine for tests may be without ffmpeg.
     field<QLineEdit>(*dialog, "Film")->clear();
     field<QLineEdit>(*dialog, "Output file")->setText(file("frame_####.png"));
     field<QLineEdit>(*dialog, "Frames")->setText(QStringLiteral("1"));
@@ -94,7 +94,7 @@ TEST_F(JobsWindowTest, ClosingAsksWhileJobsRun) {
     EXPECT_TRUE(window->isVisible());
     auto* question = window->findChild<QMessageBox*>();
     ASSERT_NE(question, nullptr);
-    EXPECT_EQ(question->defaultButton()->text(), QStringLiteral("&Go on"));
+    EXPECT_EQ(question->defaultButton()->text(), QStringLiteral("&Keep running"));
     question->defaultButton()->click();
     EXPECT_TRUE(window->isVisible());
     ASSERT_TRUE(comes([&] { return window->findChild<QMessageBox*>() == nullptr; }));

@@ -56,7 +56,7 @@ TEST_F(MessagesTest, MissingTexturesAreCountedInANotice) {
     other.close();
 }
 
-// A kept model is not imported again.
+// A cached model is not imported again.
 TEST_F(MessagesTest, AKeptModelStillLacksItsTextures) {
     writeBareModel();
     open("bare.obj");
@@ -141,14 +141,14 @@ TEST(Figures, SayThatACoarsePictureIsRefined) {
     const auto figures = [&](const QSize& frame, bool still) {
         return text(figuresText(status, frame, still));
     };
-    EXPECT_NE(figures({100, 75}, true).find("(12 %)  ·  flying  ·  refining"), std::string::npos);
+    EXPECT_NE(figures({100, 75}, true).find("(12 %)  ·  Fly  ·  refining"), std::string::npos);
     EXPECT_NE(figures({100, 75}, false).find("drawing"), std::string::npos) << "while it moves";
     EXPECT_NE(figures({800, 600}, true).find("drawing"), std::string::npos);
     EXPECT_EQ(figures({800, 600}, true).find("fps"), std::string::npos) << "0 fps tells nothing";
     status.framesPerSecond = 25;
     EXPECT_EQ(figures({800, 600}, true).rfind("25 fps", 0), 0U);
     status.idle = true;
-    EXPECT_NE(figures({800, 600}, true).find("at rest"), std::string::npos);
+    EXPECT_NE(figures({800, 600}, true).find("idle"), std::string::npos);
 }
 
 } // namespace

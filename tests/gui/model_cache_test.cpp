@@ -1,4 +1,4 @@
-/// Models that are kept with their trees: quicker, and nothing else.
+/// The model cache: quicker, and otherwise without effect.
 #include "gui/gui_support.h"
 
 #include "gui/main_window.h"
@@ -29,7 +29,7 @@ class ModelCacheTest : public GuiTest {
         models.keep(scene);
         ASSERT_TRUE(comes([&] { return !kept.isEmpty(); }));
     }
-    /// The first live picture, and what the server says of its scene.
+    /// The first live frame, and what the server says of its scene.
     std::pair<std::string, std::string> shown(const QString& scene, const std::vector<std::string>& options) {
         std::vector<std::string> words{scene.toStdString(), "--instance=" + instance.name(),
                                        "--resolution=120x90"};
@@ -57,7 +57,7 @@ TEST_F(ModelCacheTest, ThePictureAndTheScenesDescriptionStayTheSameToTheBit) {
         const QString bsp = models.find(file(scene));
         ASSERT_FALSE(bsp.isEmpty());
         const auto plain = shown(file(scene), {});
-        const auto quick = shown(file(scene), {"--built-model=" + bsp.toStdString()});
+        const auto quick = shown(file(scene), {"--cached-model=" + bsp.toStdString()});
         EXPECT_TRUE(plain.first == quick.first) << scene;
         EXPECT_EQ(plain.second, quick.second) << "the model keeps its name";
         EXPECT_NE(plain.second.find("room.obj"), std::string::npos) << plain.second;
@@ -118,7 +118,7 @@ TEST_F(ModelCacheTest, AWindowThatOpensAModelKeepsIt) {
     window.open(file("room.obj"));
     ASSERT_TRUE(shows(window.session()));
     EXPECT_TRUE(
-        window.keeper().server().request().options.last().startsWith(QStringLiteral("--built-model=")));
+        window.keeper().server().request().options.last().startsWith(QStringLiteral("--cached-model=")));
     window.close();
 }
 

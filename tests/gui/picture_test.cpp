@@ -1,4 +1,4 @@
-/// The window of a result: all of the picture, its own pixels, copies of it.
+/// The window of a result: all of the image, its own pixels, copies of it.
 #include "gui/dialogs/picture_dialog.h"
 #include "gui/view/picture_view.h"
 
@@ -107,7 +107,7 @@ TEST_F(PictureTest, WhatCannotBeWrittenIsToldAndNothingIsThere) {
 }
 
 TEST_F(PictureTest, AFileOfAnotherKindIsNotReadable) {
-    test::writeText(folder / "film.mp4", "no picture");
+    test::writeText(folder / "film.mp4", "no image");
     PictureDialog dialog(path("film.mp4"));
     EXPECT_FALSE(dialog.readable());
 }

@@ -204,7 +204,7 @@ TEST_F(ProgressiveTest, APreviewIsNoServerToConnectTo) {
     EXPECT_FALSE(found);
 }
 
-// An old picture would be nearer to what was seen before.
+// An old image would be nearer to what was seen before.
 TEST_F(ProgressiveTest, InterruptedAtAnyMomentItShowsNoOldPicture) {
     const char* const asked = std::getenv("RT_INTERRUPTIONS");
     const int rounds = asked == nullptr ? 20 : std::atoi(asked);

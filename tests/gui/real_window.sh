@@ -58,7 +58,7 @@ export DISPLAY
 "$programs/GUI" "$model" --instance="$name" 2>"$work/out" &
 window=$!
 comes "the model" idle
-main=$(xdotool search --onlyvisible --name "Ray tracing" | tail -1)
+main=$(xdotool search --onlyvisible --name "rtsuite" | tail -1)
 xdotool windowfocus --sync "$main"
 settle "the model"
 shot start
@@ -133,7 +133,7 @@ xdotool key Escape
 # A second window looks on. It stays when the first one is killed, and the server with it; then nobody does.
 "$programs/GUI" --connect --instance="$name" 2>>"$work/out" &
 second=$!
-two() { [ "$(xdotool search --onlyvisible --name "Ray tracing" | wc -l)" = 2 ]; }
+two() { [ "$(xdotool search --onlyvisible --name "rtsuite" | wc -l)" = 2 ]; }
 comes "a second window, titled by the scene" two
 sleep 0.5
 kill -KILL "$window"

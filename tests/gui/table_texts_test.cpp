@@ -1,7 +1,7 @@
 /// The texts that the window takes from the tables of settings and options are in translations/tables_cs.ts.
 /// RT_RENEW_DOCS=1 in the environment brings that file up to date: new ones come in as unfinished.
 #include "gui/models/option_names.h"
-#include "gui/models/setting_names.h"
+#include "gui/models/setting_labels.h"
 
 #include "gui/translation_file.h"
 
@@ -104,7 +104,7 @@ TEST(TableTexts, SettingsStandInGroups) {
     EXPECT_EQ(group("ambientOcclusion.samples"), QStringLiteral("Ambient occlusion"));
     EXPECT_EQ(group("shadows"), QStringLiteral("Rays"));
     EXPECT_EQ(group("toneMapping"), group("exposure.mode"));
-    EXPECT_EQ(group("width"), QStringLiteral("Picture"));
+    EXPECT_EQ(group("width"), QStringLiteral("Image"));
 }
 
 TEST(TableTexts, TipsTellNameRangeAndDefault) {

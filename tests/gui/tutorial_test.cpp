@@ -77,7 +77,7 @@ class Tutorial : public WithJobs<WindowFixture> {
         }));
         return dialog;
     }
-    /// By Esc; the picture has the keyboard again.
+    /// By Esc; the image has the keyboard again.
     void leave(QDialog* dialog) {
         ASSERT_NE(dialog, nullptr);
         QTest::keyClick(dialog, Qt::Key_Escape);
@@ -180,7 +180,7 @@ void Tutorial::look() {
     says("F1 shows all keys");
     type(QStringLiteral("F1"));
     leave(opened<KeysDialog>());
-    choose("Settings > Configure");
+    choose("Settings > Preferences");
     leave(opened<ConfigureDialog>());
     choose("Action > Statistics");
     leave(opened<StatisticsDialog>());
@@ -203,7 +203,7 @@ void Tutorial::look() {
     ASSERT_TRUE(rests());
     choose("Action > Quick render");
     EXPECT_TRUE(comes([&] { return !window->view().showsLive(); })) << text(window->notice().text());
-    says("the next movement shows the live picture again");
+    says("the next movement shows the live frame again");
     EXPECT_TRUE(moves(Qt::Key_W));
     EXPECT_TRUE(window->view().showsLive());
     says("F12 keeps what you see");
@@ -231,7 +231,7 @@ void Tutorial::keepAView() {
     EXPECT_TRUE(moves(Qt::Key_S) && rests());
     window->open(file("camera-0001.cam")); // dropped
     EXPECT_TRUE(isBack());
-    QTest::mouseClick(&window->view(), Qt::LeftButton); // who walks need not leave the picture
+    QTest::mouseClick(&window->view(), Qt::LeftButton); // who walks need not leave the image
     ASSERT_TRUE(rests());
     choose("Action > Add bookmark");
     EXPECT_TRUE(told("Alt+1"));
@@ -285,7 +285,7 @@ void Tutorial::record() {
     ASSERT_NE(film, nullptr);
     EXPECT_TRUE(film->arguments().contains(QStringLiteral("--list=") + file("walk-0001.lst")));
     EXPECT_TRUE(film->arguments().contains(QStringLiteral("--video=") + file("walk-0001.mp4")));
-    // Pictures, since a machine for tests may be without ffmpeg.
+    // Images, since a machine for tests may be without ffmpeg.
     field<QLineEdit>(*film, "Film")->clear();
     field<QLineEdit>(*film, "Output file")->setText(file("walk_####.png"));
     field<QLineEdit>(*film, "Frames")->setText(QStringLiteral("1-2"));

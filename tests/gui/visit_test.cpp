@@ -49,8 +49,8 @@ TEST_F(VisitTest, TheStatisticsMoveWithTheWalker) {
     ASSERT_NE(dialog, nullptr);
     const auto* eye = field<QLabel>(*dialog, "Eye");
     const auto* state = field<QLabel>(*dialog, "State");
-    const auto* frames = field<QLabel>(*dialog, "Shown here");
-    ASSERT_TRUE(comes([&] { return state->text() == QStringLiteral("at rest"); }));
+    const auto* frames = field<QLabel>(*dialog, "Displayed");
+    ASSERT_TRUE(comes([&] { return state->text() == QStringLiteral("idle"); }));
     ASSERT_TRUE(comes([&] { return frames->text().startsWith(QStringLiteral("0.0")); }));
     const QString before = eye->text();
     press(Qt::Key_W);
@@ -59,7 +59,7 @@ TEST_F(VisitTest, TheStatisticsMoveWithTheWalker) {
                !frames->text().startsWith(QStringLiteral("0.0"));
     })) << eye->text().toStdString();
     release(Qt::Key_W);
-    EXPECT_TRUE(comes([&] { return state->text() == QStringLiteral("at rest"); }));
+    EXPECT_TRUE(comes([&] { return state->text() == QStringLiteral("idle"); }));
 }
 
 TEST_F(VisitTest, CapsLockAndArrowsRotate) {
@@ -108,12 +108,12 @@ TEST_F(VisitTest, RRendersAsItIsAndWithLBetter) {
     openAndRest();
     window->preferences().set(pref::stillAntialiasing, 4);
     const auto rendered = [&] {
-        return comes([&] { return window->view().activity() == QStringLiteral("rendered"); });
+        return comes([&] { return window->view().activity() == QStringLiteral("refined"); });
     };
     click(Qt::Key_R);
     ASSERT_TRUE(rendered()) << window->notice().text().toStdString();
     const QImage once = window->view().picture();
-    EXPECT_EQ(once, window->session().frame()) << "one sample a pixel, as the live picture";
+    EXPECT_EQ(once, window->session().frame()) << "one sample per pixel, as the live frame";
     press(Qt::Key_R);
     press(Qt::Key_L);
     release(Qt::Key_L);

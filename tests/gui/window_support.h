@@ -13,7 +13,7 @@
 
 namespace test {
 
-/// Fixture: a small window, seen and active, whose pictures go to the folder.
+/// Fixture: a small window, seen and active, whose images go to the folder.
 class WindowFixture : public GuiTest {
   protected:
     void SetUp() override {
@@ -30,7 +30,7 @@ class WindowFixture : public GuiTest {
         if (window) window->close();
         window.reset();
     }
-    /// Until the first picture is there.
+    /// Until the first image is there.
     void open(const std::string& scene = "room.obj") {
         window->open(file(scene));
         ASSERT_TRUE(shows(window->session())) << window->notice().text().toStdString();

@@ -1,4 +1,4 @@
-// Scenes against pictures that were looked at (README.md), and one model in nine formats against itself.
+// Scenes against images that were looked at (README.md), and one model in nine formats against itself.
 #include "image/picture_compare.h"
 
 #include "rtcore/io/images/image_file.h"
@@ -29,7 +29,7 @@ LdrImage render(const rtcore::LoadedScene& loaded, const rtcore::Camera& camera,
     rtcore::RenderControl control{.threads = 0};
     rtcore::Frame frame;
     rtcore::FrameRenderer renderer;
-    renderer.collectLayers(rtcore::effectsNeedLayers(settings));
+    renderer.collectAovs(rtcore::effectsNeedLayers(settings));
     EXPECT_TRUE(renderer.render({loaded.scene, tracer, camera, settings}, control, frame));
     return rtcore::develop(frame, settings, rtcore::exposureFor(frame, settings.exposure));
 }

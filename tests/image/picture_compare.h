@@ -1,4 +1,4 @@
-/// How much two pictures differ to an eye: by the means of small blocks, so that single pixels at edges do
+/// How much two images differ to an eye: by the means of small blocks, so that single pixels at edges do
 /// not count.
 #pragma once
 
@@ -40,16 +40,16 @@ inline PictureDifference comparePictures(const rtcore::LdrImage& a, const rtcore
     return result;
 }
 
-/// |a - b| eight times enlarged.
+/// |a - b| times eight.
 inline rtcore::LdrImage differencePicture(const rtcore::LdrImage& a, const rtcore::LdrImage& b) {
     rtcore::LdrImage result(a.width, a.height);
-    const auto enlarge = [](int x, int y) {
+    const auto amplify = [](int x, int y) {
         return static_cast<std::uint8_t>(std::min(255, 8 * std::abs(x - y)));
     };
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
         const rtcore::Rgba8 p = a.pixels[i];
         const rtcore::Rgba8 q = b.pixels[i];
-        result.pixels[i] = {enlarge(p.r, q.r), enlarge(p.g, q.g), enlarge(p.b, q.b), 255};
+        result.pixels[i] = {amplify(p.r, q.r), amplify(p.g, q.g), amplify(p.b, q.b), 255};
     }
     return result;
 }

@@ -47,7 +47,7 @@ inline ClosedMesh makeSolid(Solid solid, float offset) {
 struct StartPlace {
     bool onSurface;
     std::uint32_t index; ///< of the triangle or the vertex
-    float depth;         ///< the share of the way from the vertex to the point inside
+    float depth;         ///< the fraction of the way from the vertex to the point inside
 };
 
 class LeakAim {

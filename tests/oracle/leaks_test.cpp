@@ -183,7 +183,7 @@ TEST_P(Leaks, NoneInTheExactNorInTheFastTree) {
             const Count count = subject.trace(kernel, raysOfKernel() / (kCases * kTreesOfCase) + 1);
             const double seconds =
                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-            std::printf("%zu triangles, %s tree, %s: %llu rays, %.2f million a second, %llu leaks\n",
+            std::printf("%zu triangles, %s tree, %s: %llu rays, %.2f million per second, %llu leaks\n",
                         aim.mesh().triangles.size(), method == rtcore::BuildMethod::Exact ? "exact" : "fast",
                         nameOf(kernel), static_cast<unsigned long long>(count.rays),
                         static_cast<double>(count.rays) / seconds * 1e-6,

@@ -123,7 +123,7 @@ TEST_F(Failures, OutputsThatCannotBeWritten) {
 
 TEST_F(Failures, AFileThatMayNotGrow) {
     test::writeRoom(folder / "room.obj");
-    // Blocks of 512 bytes: too few for the model that the importer hands over, for the picture.
+    // Blocks of 512 bytes: too few for the model that the importer hands over, for the image.
     for (const char* blocks : {"2", "128"}) {
         const std::string command = std::string("ulimit -f ") + blocks + "; '" +
                                     test::programPath("Renderer").string() +
@@ -147,7 +147,7 @@ TEST_F(Failures, AFullDiskUnderAPicture) {
 
 TEST_F(Failures, AClosedPipeIsAnErrorLikeAnyOther) {
     test::writeRoom(folder / "room.obj");
-    // The reader is gone before the picture comes: the subshell waits until it has ended.
+    // The reader is gone before the image comes: the subshell waits until it has ended.
     const std::string command = "( sleep 0.3; '" + test::programPath("Renderer").string() +
                                 "' room.obj -o - -w 16 -h 16 --progress=none; echo $? > code ) | true";
     const test::ProgramResult result =

@@ -1,4 +1,4 @@
-/// scripts/gallery.sh and its page: every figure has its pictures, its row and its command.
+/// scripts/gallery.sh and its page: every figure has its images, its row and its command.
 #include "process/sample_scene.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ bool isJpeg(const fs::path& path) {
     return bytes.size() > 1000 && bytes.starts_with("\xFF\xD8\xFF") && bytes.ends_with("\xFF\xD9");
 }
 
-/// "8.6 cube" of each picture, as --list has them.
+/// "8.6 cube" of each image, as --list has them.
 std::vector<std::pair<std::string, std::string>> listed() {
     std::vector<std::pair<std::string, std::string>> pairs;
     for (const std::string& line : linesOf(gallery({"--list"}).output)) {

@@ -1,4 +1,4 @@
-/// Where pictures go: files of several formats, standard output, names that need care.
+/// Where images go: files of several formats, standard output, names that need care.
 #include "process/sample_scene.h"
 
 #include "rtcore/io/images/image_file.h"

@@ -1,4 +1,4 @@
-/// Which of several places a setting comes from, seen by the size of the picture.
+/// Which of several places a setting comes from, seen by the size of the image.
 #include "process/sample_scene.h"
 
 #include <gtest/gtest.h>

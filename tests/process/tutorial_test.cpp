@@ -1,4 +1,4 @@
-/// docs/tutorial.md, played: its commands as they stand there, in a new folder of a new user. Pictures are
+/// docs/tutorial.md, played: its commands as they stand there, in a new folder of a new user. Images are
 /// small unless RT_TUTORIAL_FULL is set. What the window is told to do, others try.
 #include "process/sample_scene.h"
 #include "support/ipc_instance.h"

@@ -1,4 +1,4 @@
-/// How far pictures by few rays of ambient occlusion are from one by very many.
+/// How far images by few rays of ambient occlusion are from one by very many.
 #pragma once
 
 #include "rtcore/render/frame_renderer.h"

@@ -29,7 +29,7 @@ inline rtcore::Material matte(float albedo) {
     m.diffuse = {albedo, albedo, albedo};
     return m;
 }
-inline rtcore::Material lamp(rtcore::Colour radiance) {
+inline rtcore::Material emitter(rtcore::Colour radiance) {
     rtcore::Material m = matte(0);
     m.emission = radiance;
     return m;
@@ -99,7 +99,7 @@ class SceneBuilder {
         const std::uint32_t slices = 2 * rings;
         std::vector<Vec3> points{{0, 1, 0}};
         for (std::uint32_t r = 1; r < rings; ++r) {
-            // Portable, so that pictures of it have the same bits everywhere.
+            // Portable, so that images of it have the same bits everywhere.
             const auto polar = static_cast<float>(kPi * r / rings);
             for (std::uint32_t s = 0; s < slices; ++s) {
                 const auto azimuth = static_cast<float>(2 * kPi * s / slices);

@@ -1,4 +1,4 @@
-/// One code of the sRGB curve, as pictures get them in blocks.
+/// One code of the sRGB curve, as images get them in blocks.
 #pragma once
 
 #include "rtcore/post/tone_map-inl.h"

@@ -1,4 +1,4 @@
-/// Rays of a picture as a renderer makes them - primary, shadow, diffuse bounce - for the models of the
+/// Rays of an image as a renderer makes them - primary, shadow, diffuse bounce - for the models of the
 /// tests.
 #pragma once
 

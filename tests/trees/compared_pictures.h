@@ -1,4 +1,4 @@
-/// Pictures of one scene by several trees, compared to the bit.
+/// Images of one scene by several trees, compared to the bit.
 #pragma once
 
 #include "rtcore/kernels/ray_tracer.h"
@@ -26,7 +26,7 @@ inline Picture pictureOf(const rtcore::Scene& scene, const rtcore::RayTracer& tr
     Picture picture;
     rtcore::RenderControl control{.threads = 0};
     rtcore::FrameRenderer renderer;
-    renderer.collectLayers(rtcore::effectsNeedLayers(settings));
+    renderer.collectAovs(rtcore::effectsNeedLayers(settings));
     renderer.render({scene, tracer, camera, settings}, control, picture.frame);
     rtcore::PictureDeveloper developer;
     const float exposure = developer.exposure(picture.frame, settings.exposure, 0);
@@ -34,7 +34,7 @@ inline Picture pictureOf(const rtcore::Scene& scene, const rtcore::RayTracer& tr
     return picture;
 }
 
-/// 0..1: of the picture that shows surfaces.
+/// 0..1: of the image that shows surfaces.
 inline double coveredShare(const rtcore::Frame& frame) {
     double sum = 0;
     for (const std::uint8_t covered : frame.covered) sum += covered;
@@ -44,14 +44,14 @@ inline double coveredShare(const rtcore::Frame& frame) {
 /// In all that a frame holds of a pixel.
 inline std::vector<std::size_t> differingPixels(const rtcore::Frame& a, const rtcore::Frame& b) {
     using Radiance = std::array<std::uint32_t, 3>;
-    using Layer = std::array<std::uint32_t, sizeof(rtcore::LayerPixel) / sizeof(std::uint32_t)>;
+    using Aov = std::array<std::uint32_t, sizeof(rtcore::AovPixel) / sizeof(std::uint32_t)>;
     std::vector<std::size_t> differing;
     for (std::size_t i = 0; i < a.covered.size(); ++i) {
         const bool same =
             a.covered[i] == b.covered[i] &&
             std::bit_cast<Radiance>(a.radiance.pixels[i]) == std::bit_cast<Radiance>(b.radiance.pixels[i]) &&
-            (a.layers.empty() ||
-             std::bit_cast<Layer>(a.layers.pixels()[i]) == std::bit_cast<Layer>(b.layers.pixels()[i]));
+            (a.aovs.empty() ||
+             std::bit_cast<Aov>(a.aovs.pixels()[i]) == std::bit_cast<Aov>(b.aovs.pixels()[i]));
         if (!same) differing.push_back(i);
     }
     return differing;

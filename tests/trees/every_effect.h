@@ -1,4 +1,4 @@
-/// Puts every effect into a scene: mirrors, glass, lamps of each kind, fog and an environment, in proportion
+/// Puts every effect into a scene: mirrors, glass, lights of each kind, fog and an environment, in proportion
 /// to its size; and the settings that show them.
 #pragma once
 
@@ -48,7 +48,7 @@ inline void varyMaterials(rtcore::Scene& scene) {
 }
 
 /// In place of the scene's own.
-inline void addLamps(rtcore::Scene& scene, const rtcore::Box3& bounds) {
+inline void addLights(rtcore::Scene& scene, const rtcore::Box3& bounds) {
     using rtcore::Vec3;
     const Vec3 size = bounds.size();
     const auto at = [&](float x, float y, float z) {
@@ -103,7 +103,7 @@ inline void addEveryEffect(rtcore::Scene& scene) {
     const rtcore::Box3 bounds = scene.mesh().bounds();
     const float diagonal = bounds.diagonal();
     varyMaterials(scene);
-    addLamps(scene, bounds);
+    addLights(scene, bounds);
     scene.ambient = {0.1F, 0.1F, 0.12F};
     scene.environments = {std::make_shared<rtcore::Environment>(sampleSky())};
     scene.activeEnvironment = 0;

@@ -36,7 +36,7 @@ class SlatRoom {
 
     static constexpr float kHeight = 0.35F, kDepth = 0.5F; ///< of the room, for a length of 1
 
-    /// Of shares of the length.
+    /// Of fractions of the length.
     Vec3 at(float x, float y, float z) const { return options_.corner + Vec3{x, y, z} * options_.length; }
     float anywhere(float lo, float hi) { return random_.number(lo, hi); }
 

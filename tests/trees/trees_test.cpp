@@ -1,4 +1,4 @@
-// The bits of pictures do not depend on the tree: the exact one and fast ones of several qualities, with
+// The bits of images do not depend on the tree: the exact one and fast ones of several qualities, with
 // every effect on. RT_TREE_CAMERAS sets from how many places each scene is looked at (3 unless told; 50 in
 // the long check). With it, real scenes join the rooms of slats: our own, and those of the folder
 // RT_TEST_SCENES.
@@ -39,7 +39,7 @@ int wantedCameras() {
     return text != nullptr ? std::max(std::atoi(text), 0) : 0;
 }
 
-/// Smaller pictures in every run.
+/// Smaller images in every run.
 RenderSettings pictureSettings() {
     return wantedCameras() > 0 ? test::everyEffect(160, 120) : test::everyEffect(112, 84);
 }
@@ -75,7 +75,7 @@ struct Traced {
 struct Totals {
     int pictures = 0, differingPictures = 0; ///< by fast trees
     std::size_t pixels = 0, differingPixels = 0;
-    double covered = 0;         ///< shares of the exact tree's pictures
+    double covered = 0;         ///< fractions of the exact tree's images
     rtcore::RayStatistics rays; ///< of the exact tree
 };
 
@@ -109,7 +109,7 @@ class Trees : public testing::TestWithParam<Place> {
 
     static int cameras() { return std::max(wantedCameras(), 3); }
 
-    /// Pictures by all trees. Prints where they differ, and by which rays.
+    /// Images by all trees. Prints where they differ, and by which rays.
     void compare(const Traced& exact, const std::deque<Traced>& fast, const rtcore::Camera& camera,
                  int number, Totals& totals) const {
         constexpr std::size_t kShown = 3;
@@ -174,7 +174,7 @@ const Effect kEffects[] = {
     {"lens", [](RenderSettings& s) { s.depthOfField.on = false; }},
     {"fog", [](RenderSettings& s) { s.fog.on = false; }},
     {"shafts", [](RenderSettings& s) { s.fog.shafts = 0; }},
-    {"lamps' size", [](RenderSettings& s) { s.areaLights.samples = 0; }},
+    {"area lights", [](RenderSettings& s) { s.areaLights.samples = 0; }},
     {"denoise", [](RenderSettings& s) { s.denoise.passes = 0; }},
     {"bloom", [](RenderSettings& s) { s.bloom.radius = 0; }},
     {"local exposure", [](RenderSettings& s) { s.exposure.local = 0; }},
@@ -199,11 +199,11 @@ TEST_P(Trees, PicturesHaveTheSameBits) {
         progress.tell(i + 1);
     }
     const double covered = totals.covered / cameras();
-    std::printf(
-        "%s: %d pictures, %d differ; %zu pixels, %zu differ; %.0f %% show surfaces; %.0f million rays "
-        "in each tree; %.0f s\n",
-        GetParam().name, totals.pictures, totals.differingPictures, totals.pixels, totals.differingPixels,
-        100 * covered, static_cast<double>(totals.rays.total()) * 1e-6, progress.seconds());
+    std::printf("%s: %d images, %d differ; %zu pixels, %zu differ; %.0f %% show surfaces; %.0f million rays "
+                "in each tree; %.0f s\n",
+                GetParam().name, totals.pictures, totals.differingPictures, totals.pixels,
+                totals.differingPixels, 100 * covered, static_cast<double>(totals.rays.total()) * 1e-6,
+                progress.seconds());
     EXPECT_EQ(totals.differingPictures, 0);
     EXPECT_GT(covered, 0.5);
     for (const RayKind kind : {RayKind::Shadow, RayKind::Mirror, RayKind::Refracted, RayKind::Occlusion})

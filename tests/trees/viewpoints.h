@@ -1,4 +1,4 @@
-/// Cameras in any scene: off its surfaces, with surfaces in most of their pictures.
+/// Cameras in any scene: off its surfaces, with surfaces in most of their images.
 #pragma once
 
 #include "rtcore/kernels/single_ray.h"

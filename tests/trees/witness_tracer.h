@@ -1,4 +1,4 @@
-/// Names the rays that make pictures by two trees differ.
+/// Names the rays that make images by two trees differ.
 #pragma once
 
 #include "rtcore/kernels/ray_tracer.h"

@@ -19,20 +19,23 @@ namespace po = boost::program_options;
 
 namespace {
 
-// "-ao" would be "-a o" to Boost, so the thesis' spellings are turned into long ones first. (Its own way,
-// allow_long_disguise, breaks "-a" as soon as "-ao" exists.)
-std::vector<std::string> replaceThesisSpellings(const ProgramSpec& spec,
-                                                std::span<const std::string> arguments) {
+// "-ao" would be "-a o" to Boost, so the thesis' spellings are turned into long ones first, and old names
+// into present ones. (Its own way, allow_long_disguise, breaks "-a" as soon as "-ao" exists.)
+std::vector<std::string> replaceOldSpellings(const ProgramSpec& spec,
+                                             std::span<const std::string> arguments) {
     std::map<std::string, std::string> spellings;
     for (const OptionGroup& group : spec.groups) {
         for (const Option& option : group.options) {
             for (const std::string& spelling : option.thesis) spellings[spelling] = "--" + option.name;
+            for (const std::string& name : option.formerly) spellings["--" + name] = "--" + option.name;
         }
     }
     std::vector<std::string> result(arguments.begin(), arguments.end());
     for (std::string& argument : result) {
         if (argument == "--") break;
-        if (const auto found = spellings.find(argument); found != spellings.end()) argument = found->second;
+        const std::size_t end = argument.starts_with("--") ? argument.find('=') : std::string::npos;
+        if (const auto found = spellings.find(argument.substr(0, end)); found != spellings.end())
+            argument.replace(0, end, found->second);
     }
     return result;
 }
@@ -208,7 +211,7 @@ std::vector<std::string> Arguments::all(std::string_view name) const {
 
 Arguments parseCommandLine(const ProgramSpec& spec, std::span<const std::string> arguments) {
     const po::options_description description = describe(spec);
-    const po::parsed_options parsed = runBoost(spec, description, replaceThesisSpellings(spec, arguments));
+    const po::parsed_options parsed = runBoost(spec, description, replaceOldSpellings(spec, arguments));
 
     std::vector<Occurrence> options;
     std::vector<std::string> positionals;

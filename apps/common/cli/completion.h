@@ -1,4 +1,4 @@
-/// What a shell may complete: asked by the script packaging/completion.bash when somebody presses Tab.
+/// What a shell may complete: asked by the script packaging/completion.bash when Tab is pressed.
 #pragma once
 
 #include "common/cli/options.h"

@@ -5,7 +5,7 @@ namespace app {
 std::vector<HelpWord> sceneFileNotes() {
     return {{"*.scn", "a scene: its model, camera, lights, materials and environment maps, as text (TOML)"},
             {"*.bsp", "a model with its kd-tree, as BSPBuilder writes it"},
-            {"*.cam", "a camera, the size of the picture and its exposure, as text (TOML)"},
+            {"*.cam", "a camera, the size of the image and its exposure, as text (TOML)"},
             {"*.set", "settings for live frames and for stills, as text (TOML)"},
             {"../share/rtsuite/scenes", "scenes to begin with, as seen from the folder of the programs"}};
 }

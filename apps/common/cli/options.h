@@ -26,6 +26,7 @@ struct Option {
     char letter = 0;  ///< short spelling; 0 = none
     std::vector<std::string> thesis =
         {}; ///< spellings of one dash and several letters, with the dash: "-aon"
+    std::vector<std::string> formerly = {}; ///< long names that it had before: taken, but told nowhere
     ValueKind value = ValueKind::None;
     std::string argument = {}; ///< how the help calls the value
     std::string help = {};     ///< sentence without a full stop

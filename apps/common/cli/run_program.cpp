@@ -72,7 +72,7 @@ int runProgram(int argc, const char* const* argv, const ProgramSpec& spec,
         code = exitCodeOf(error.kind);
     } catch (const std::bad_alloc&) {
         printMessage(spec.name,
-                     "not enough memory; make the picture or the model smaller, or use a machine with more");
+                     "not enough memory; make the image or the model smaller, or use a machine with more");
     } catch (const std::length_error& error) {
         printMessage(spec.name, std::string("the input is too large: ") + error.what());
     } catch (const std::exception& error) {

@@ -15,7 +15,7 @@ using enum Runner;
 using Arguments = std::vector<CommandArgument>;
 
 constexpr double kMostWhole = 1e9, kMostNumber = 1e30;
-constexpr double kMostAspect = 32768; ///< a picture of so many pixels by one
+constexpr double kMostAspect = 32768; ///< an image of so many pixels by one
 
 CommandArgument whole(std::string_view name, double minimum = -kMostWhole, double maximum = kMostWhole) {
     return {.name = name, .type = Integer, .minimum = minimum, .maximum = maximum};
@@ -76,11 +76,11 @@ std::vector<CommandSpec> shellCommands() {
          .name = "status",
          .runner = Shell,
          .help = "what the server shows and how fast; --json for programs"},
-        {.id = CommandId::Fps, .name = "fps", .runner = Shell, .help = "frames a second"},
+        {.id = CommandId::Fps, .name = "fps", .runner = Shell, .help = "frames per second"},
         {.id = CommandId::Watch,
          .name = "watch",
          .runner = Shell,
-         .help = "a line of figures each second, until Ctrl-C"},
+         .help = "a line of statistics each second, until Ctrl-C"},
         {.id = CommandId::List,
          .name = "list",
          .runner = Shell,
@@ -119,7 +119,7 @@ std::vector<CommandSpec> serverCommands() {
          .arguments = {orElse(whole("PID", 1), "none")},
          .effect = Steers,
          .needsScene = false,
-         .help = "end once this process is gone and no client is connected; none: go on in any case",
+         .help = "end once this process is gone and no client is connected; none: keep running in any case",
          .more = "As the option of RTServer"},
         {.id = CommandId::Pause,
          .name = "pause",
@@ -191,7 +191,7 @@ std::vector<CommandSpec> cameraCommands() {
          .arguments = numbers({"EX", "EY", "EZ", "FX", "FY", "FZ"}) + Arguments{fieldOfView()} + upright(),
          .effect = Changes,
          .help = "look from E into the direction F, with U upwards",
-         .more = "FOV, in degrees, is that of a picture of that ASPECT, or of any picture; with perspective. "
+         .more = "FOV, in degrees, is that of an image of that ASPECT, or of any image; with perspective. "
                  "Without FOV that stays as it is"},
         {.id = CommandId::CameraOrthographic,
          .name = "camera orthographic",
@@ -244,11 +244,11 @@ std::vector<CommandSpec> fileCommands() {
         {.id = CommandId::LoadScene,
          .name = "load scene",
          .arguments = {path(sceneExtensions()),
-                       {.name = "BUILT-MODEL", .type = Path, .files = {"bsp"}, .optional = true}},
+                       {.name = "CACHED-MODEL", .type = Path, .files = {"bsp"}, .optional = true}},
          .effect = Changes,
          .help = "show another scene or model",
          .more = "A model is imported each time, which takes longer than a `.bsp` made of it by BSPBuilder; "
-                 "BUILT-MODEL is such a one, to be read in the model's place"},
+                 "CACHED-MODEL is such a one, to be read in the model's place"},
         {.id = CommandId::LoadSet,
          .name = "load set",
          .arguments = {path({"set"})},
@@ -304,7 +304,7 @@ std::vector<CommandSpec> lightCommands() {
          .name = "bloom",
          .arguments = {choice("on|off")},
          .effect = Changes,
-         .help = "the glow around bright spots",
+         .help = "bloom around bright spots",
          .more = "As strong as it was"},
         {.id = CommandId::Light,
          .name = "light",

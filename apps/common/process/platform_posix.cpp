@@ -73,7 +73,7 @@ void handle(int signal, void (*handler)(int)) {
 }
 
 // Bytes that a stream which is ready takes without waiting: all that a pipe can hold when it is empty, so
-// that a reader who wants the first lines only has got all of a short text.
+// that a reader of the first lines only has got all of a short text.
 std::size_t roomOf(int stream) noexcept {
 #ifdef F_GETPIPE_SZ
     int held = 0;
@@ -96,7 +96,7 @@ void fillStandardStreams() noexcept {
     }
 }
 
-// Returns 0, or errno: EINTR when a signal asked to stop while nobody takes the bytes.
+// Returns 0, or errno: EINTR when a signal asked to stop while the bytes are not taken.
 int writeAll(int stream, std::string_view bytes) noexcept {
     constexpr int kLook = 20; // milliseconds
     while (!bytes.empty()) {

@@ -11,15 +11,15 @@ namespace app {
 std::optional<int> terminalColumns();
 
 /// Writes all of it to the stream at once, unbuffered. writeOutput throws rtcore::FileError: CannotWrite (a
-/// full disk, a closed pipe), Stopped when a signal comes while nobody reads; writeError ignores failures,
-/// there is no place left to report them.
+/// full disk, a closed pipe), Stopped when a signal comes while the output is not read; writeError ignores
+/// failures, there is no place left to report them.
 void writeOutput(std::string_view bytes);
 /// The same for lines that hold names from files: where a terminal would obey control characters in them, it
 /// gets `\xNN`, all but tabs and line ends. Programs get the text as it is.
 void writeLines(std::string_view lines);
 void writeError(std::string_view text) noexcept;
 
-/// Whether a message of up to 4096 bytes would be written without waiting: false while whoever reads stderr
+/// Whether a message of up to 4096 bytes would be written without waiting: false while the reader of stderr
 /// does not, and a pipe is full or a terminal stopped.
 bool errorTakesMore() noexcept;
 

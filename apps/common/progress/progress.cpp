@@ -14,7 +14,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kLook = 5ms;           // for a signal that asks to stop
-constexpr auto kTick = 100ms;         // between two pictures of the bar
+constexpr auto kTick = 100ms;         // between two images of the bar
 constexpr auto kQuiet = 200ms;        // a shorter job draws no bar
 constexpr auto kPlainInterval = 2s;   // between two lines of a log
 constexpr auto kPlainHeartbeat = 30s; // a log shows life even when little moves

@@ -20,7 +20,7 @@ int inRatio(int number, int to, int from) {
     return static_cast<int>(std::lround(std::clamp(exact, setting.minimum, setting.maximum)));
 }
 
-/// Who names the width or the height alone gets all of the picture, larger or smaller.
+/// With only the width or the height given, the image is scaled and keeps its aspect.
 void keepAspect(std::span<const rtcore::SettingAssignment> named, int width, int height,
                 rtcore::RenderSettings& settings) {
     if (sets(named, "width") == sets(named, "height")) return;

@@ -22,7 +22,7 @@ struct SettingSources {
     std::span<const rtcore::SettingAssignment> commandLine = {};
 };
 
-/// Where the command line names the width or the height alone, the other one follows: the picture keeps the
+/// Where the command line names the width or the height alone, the other one follows: the image keeps the
 /// aspect that the other places give it. Throws std::invalid_argument for a value that the table of settings
 /// refuses.
 rtcore::RenderSettings mergeSettings(const SettingSources& sources);

@@ -19,10 +19,10 @@ AboutDialog::AboutDialog(QWidget* parent) : QDialog(parent) {
     auto* icon = new QLabel;
     icon->setPixmap(QIcon(QStringLiteral(":/gui.png")).pixmap(kIcon));
     icon->setAlignment(Qt::AlignTop);
-    auto* what =
-        new QLabel(tr("<h3>Interactive ray tracing</h3><p>Open a scene or a model and walk in it, with "
-                      "shadows, mirrors and glass traced ray by ray by the processor alone.</p>"
-                      "<p>After <i>Ray Tracing Algorithm For Interactive Applications</i>.</p>"));
+    auto* what = new QLabel(
+        tr("<h3>rtsuite</h3><p>Interactive ray tracing.</p><p>Open a scene or a model and walk in it, with "
+           "shadows, mirrors and glass traced ray by ray by the processor alone.</p>"
+           "<p>After <i>Ray Tracing Algorithm For Interactive Applications</i>.</p>"));
     what->setWordWrap(true);
     auto* version = new QLabel(QString::fromStdString(app::versionText(guiSpec())).trimmed() +
                                tr("\nQt %1").arg(QString::fromLatin1(qVersion())));

@@ -32,10 +32,10 @@ QString asText(const QList<Binding>& bindings) {
 ConfigureDialog::ConfigureDialog(Preferences& preferences, Session& session, QWidget* parent)
     : QDialog(parent), preferences_(preferences), session_(session), keys_(new KeyBindingsPage) {
     setAttribute(Qt::WA_DeleteOnClose);
-    setWindowTitle(tr("Configure"));
+    setWindowTitle(tr("Preferences"));
     auto* tabs = new QTabWidget;
     tabs->addTab(generalPage(), tr("&General"));
-    tabs->addTab(picturePage(), tr("Pict&ure"));
+    tabs->addTab(picturePage(), tr("&Image"));
     tabs->addTab(inputPage(), tr("&Mouse"));
     tabs->addTab(keys_, tr("K&eys"));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
@@ -56,12 +56,12 @@ QWidget* ConfigureDialog::generalPage() {
     auto* form = new QFormLayout(page);
     addTheme(*form);
     addLanguage(*form);
-    auto* folder = new FileField(FileField::Kind::Folder, tr("Folder for pictures"), QString());
+    auto* folder = new FileField(FileField::Kind::Folder, tr("Folder for images"), QString());
     folder->setPath(preferences_.picturesFolder());
-    form->addRow(tr("&Folder for pictures:"), folder);
+    form->addRow(tr("&Folder for images:"), folder);
     stores_.append([this, folder] { preferences_.set(pref::pictureFolder, folder->path()); });
     constexpr int kMostMegabytes = 1000000;
-    addNumber(*form, tr("Keep mo&dels for the next time:"), pref::keptModels, 0, kMostMegabytes, tr(" MB"),
+    addNumber(*form, tr("Mo&del cache:"), pref::modelCacheMegabytes, 0, kMostMegabytes, tr(" MB"),
               tr("none"));
     addSwitch(*form, tr("&Keep servers running when the window closes"), pref::keepServers);
     addSwitch(*form, tr("&Progressive rendering when the camera rests"), pref::progressiveRendering);
@@ -71,7 +71,7 @@ QWidget* ConfigureDialog::generalPage() {
 QWidget* ConfigureDialog::picturePage() {
     auto* page = new QWidget;
     auto* form = new QFormLayout(page);
-    addSwitch(*form, tr("The &live picture follows the window's size"), pref::followWindowSize);
+    addSwitch(*form, tr("Viewport fo&llows the window's size"), pref::followWindowSize);
     addScale(*form);
     constexpr int kMostMilliseconds = 1000;
     addNumber(*form, tr("Frame &time in motion:"), pref::frameTime, 0, kMostMilliseconds, tr(" ms"),
@@ -88,7 +88,7 @@ QWidget* ConfigureDialog::inputPage() {
     auto* page = new QWidget;
     auto* form = new QFormLayout(page);
     addSensitivity(*form);
-    addSwitch(*form, tr("&Invert up and down"), pref::invertMouse);
+    addSwitch(*form, tr("In&vert up and down"), pref::invertMouse);
     return page;
 }
 
@@ -136,15 +136,15 @@ void ConfigureDialog::addScale(QFormLayout& form) {
     for (const int percent : {100, 75, 50, 33, 25})
         box->addItem(tr("%1 % of the window").arg(percent), percent);
     box->setCurrentIndex(qMax(0, box->findData(preferences_.get(pref::pictureScale))));
-    box->setToolTip(tr("Smaller pictures are drawn faster"));
-    form.addRow(tr("&Size of the live picture:"), box);
+    box->setToolTip(tr("Smaller images are drawn faster"));
+    form.addRow(tr("&Size of the viewport:"), box);
     stores_.append([this, box] { preferences_.set(pref::pictureScale, box->currentData().toInt()); });
 }
 
-// What progressive rendering and quick render do better than the live picture.
+// What progressive rendering and quick render do better than the live frame.
 void ConfigureDialog::addStillQuality(QFormLayout& form) {
     constexpr int kMostSamples = 16, kMostBloom = 4096, kMostRays = 4096;
-    const QString asLive = tr("as the live picture");
+    const QString asLive = tr("same as viewport");
     addNumber(form, tr("&Quick render, anti-aliasing:"), pref::stillAntialiasing, 1, kMostSamples, {}, {});
     auto* occlusion = new QComboBox;
     occlusion->addItem(asLive, QStringLiteral("live"));
@@ -165,7 +165,7 @@ void ConfigureDialog::addSensitivity(QFormLayout& form) {
     box->setRange(kLeast, kMost);
     box->setSingleStep(kStep);
     box->setValue(preferences_.get(pref::mouseSensitivity));
-    box->setSuffix(tr("° a pixel"));
+    box->setSuffix(tr("° per pixel"));
     form.addRow(tr("&Sensitivity:"), box);
     stores_.append([this, box] { preferences_.set(pref::mouseSensitivity, box->value()); });
 }

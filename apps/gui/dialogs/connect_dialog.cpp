@@ -34,7 +34,7 @@ ConnectDialog::ConnectDialog(const QString& present, QWidget* parent)
     : QDialog(parent), wanted_(present), list_(new QTreeWidget) {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Connect"));
-    list_->setHeaderLabels({tr("Name"), tr("Process"), tr("Picture"), tr("Triangles"), tr("Clients")});
+    list_->setHeaderLabels({tr("Name"), tr("Process"), tr("Image"), tr("Triangles"), tr("Clients")});
     list_->setRootIsDecorated(false);
     list_->setAlternatingRowColors(true);
     list_->setAccessibleName(tr("Servers"));

@@ -24,7 +24,7 @@ ExportCameraDialog::ExportCameraDialog(const QString& path, const QSize& size, P
     height_ = numberField(1, kMostPixels, proposed.height(), tr("Height"));
     antialiasing_ =
         numberField(1, kMostSamples, preferences.get(pref::exportAntialiasing), tr("Anti-aliasing"));
-    antialiasing_->setToolTip(tr("N × N samples a pixel"));
+    antialiasing_->setToolTip(tr("N × N samples per pixel"));
     bloom_ = numberField(0, kMostBloom, preferences.get(pref::exportBloom), tr("Bloom"));
     bloom_->setSpecialValueText(tr("none"));
     bloom_->setSuffix(tr(" pixels"));

@@ -14,7 +14,7 @@ class FileField;
 
 struct CameraExport {
     QString path;
-    QSize size; ///< of the picture; empty: as it is now, and with the rest of it
+    QSize size; ///< of the image; empty: as it is now, and with the rest of it
     int antialiasing = 1;
     int bloom = 0;
 };

@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kPictureWide = 200, kPictureHigh = 120;
 
-// As large as it is needed: a picture of many megapixels is not unpacked as a whole where its format allows.
+// As large as it is needed: an image of many megapixels is not unpacked as a whole where its format allows.
 QPixmap readSmall(const QString& file, const QSize& room, double ratio) {
     QImageReader reader(file);
     const QSize size = reader.size();
@@ -201,7 +201,7 @@ void JobsPanel::showDetails() {
     const Job job = at < 0 ? Job() : queue_.job(at);
     message_->setText(job.message);
     message_->setVisible(!job.message.isEmpty());
-    log_->setPlaceholderText(at < 0 ? tr("No job is chosen.") : tr("Nothing printed."));
+    log_->setPlaceholderText(at < 0 ? tr("No job is selected.") : tr("Nothing printed."));
     if (log_->toPlainText() != job.log) {
         log_->setPlainText(job.log);
         log_->verticalScrollBar()->setValue(log_->verticalScrollBar()->maximum());

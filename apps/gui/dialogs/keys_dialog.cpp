@@ -61,7 +61,7 @@ QString keysPage(const QList<Binding>& bindings) {
                             row(QStringLiteral("R"), tr("Render in higher quality")) +
                             row(QStringLiteral("R+L"), tr("The same with anti-aliasing"));
     return QStringLiteral("<table cellspacing=12 width=\"100%\"><tr><td>%1%2</td><td>%3</td></tr></table>")
-        .arg(table(tr("Moving"), bindingRows(bindings)), table(tr("Picture"), picture),
+        .arg(table(tr("Moving"), bindingRows(bindings)), table(tr("Image"), picture),
              table(tr("Menus"), shortcutRows()));
 }
 

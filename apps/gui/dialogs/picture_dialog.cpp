@@ -34,7 +34,7 @@ PictureDialog::PictureDialog(const QString& file, QWidget* parent)
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowFlag(Qt::WindowMaximizeButtonHint);
     setWindowTitle(QFileInfo(file).fileName());
-    view_->setAccessibleName(tr("Picture %1").arg(QFileInfo(file).fileName()));
+    view_->setAccessibleName(tr("Image %1").arg(QFileInfo(file).fileName()));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -46,7 +46,7 @@ PictureDialog::PictureDialog(const QString& file, QWidget* parent)
     view_->setFocus();
 }
 
-// As large as the picture, as far as the screen has room.
+// As large as the image, as far as the screen has room.
 void PictureDialog::chooseSize() {
     const QScreen* screen =
         parentWidget() != nullptr ? parentWidget()->screen() : QGuiApplication::primaryScreen();
@@ -80,17 +80,17 @@ QWidget* PictureDialog::makeButtons() {
     const auto zoomBy = [this](double factor) {
         return [this, factor] { view_->setZoom(view_->zoom() * factor); };
     };
-    addButton(*row, tr("Fit"), tr("All of the picture"), {Qt::Key_0}, [this] { view_->fit(); });
+    addButton(*row, tr("Fit"), tr("All of the image"), {Qt::Key_0}, [this] { view_->fit(); });
     addButton(*row, tr("1:1"), tr("A pixel for a pixel"), {Qt::Key_1}, [this] { view_->setZoom(1); });
     addButton(*row, QStringLiteral("−"), tr("Smaller"), {Qt::Key_Minus}, zoomBy(1 / kZoomStep));
     addButton(*row, QStringLiteral("+"), tr("Larger"), {Qt::Key_Plus, Qt::Key_Equal}, zoomBy(kZoomStep));
     row->addSpacing(6);
     row->addWidget(state_, 1);
-    addButton(*row, tr("Copy"), tr("Copy the picture"), {QKeySequence::Copy},
+    addButton(*row, tr("Copy"), tr("Copy the image"), {QKeySequence::Copy},
               [this] { QGuiApplication::clipboard()->setImage(picture_); });
-    addButton(*row, tr("Save as…"), tr("Save a copy of the picture"), {QKeySequence::Save},
+    addButton(*row, tr("Save as…"), tr("Save a copy of the image"), {QKeySequence::Save},
               [this] { saveAs(); });
-    addButton(*row, tr("Open folder"), tr("Open the folder of the picture"), {},
+    addButton(*row, tr("Open folder"), tr("Open the folder of the image"), {},
               [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(file_).absolutePath())); });
     return foot;
 }
@@ -119,14 +119,14 @@ QString PictureDialog::saveTo(const QString& path) const {
 }
 
 void PictureDialog::saveAs() {
-    auto* dialog = new QFileDialog(this, tr("Save picture"), file_, tr("Pictures (*.png *.jpg *.bmp *.ppm)"));
+    auto* dialog = new QFileDialog(this, tr("Save image"), file_, tr("Images (*.png *.jpg *.bmp *.ppm)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->selectFile(file_);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         const QString trouble = saveTo(path);
         if (trouble.isEmpty()) return;
-        auto* box = new QMessageBox(QMessageBox::Warning, tr("Save picture"),
+        auto* box = new QMessageBox(QMessageBox::Warning, tr("Save image"),
                                     tr("%1 was not written: %2").arg(path, trouble), QMessageBox::Ok, this);
         box->setAttribute(Qt::WA_DeleteOnClose);
         box->open();

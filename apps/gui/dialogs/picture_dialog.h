@@ -1,4 +1,4 @@
-/// A picture from a file in a window of its own, to look at, to copy, and to save elsewhere.
+/// An image from a file in a window of its own, to look at, to copy, and to save elsewhere.
 #pragma once
 
 #include <QDialog>

@@ -61,7 +61,7 @@ QString filmFilter() {
 }
 
 QString pictureFilter() {
-    return RenderDialog::tr("Pictures (%1)")
+    return RenderDialog::tr("Images (%1)")
                .arg(QStringLiteral("*.png *.jpg *.bmp *.ppm *.tga *.tiff *.exr *.hdr *.pfm")) +
            QStringLiteral(";;") + RenderDialog::tr("All files (*)");
 }
@@ -84,14 +84,14 @@ RenderDialog::RenderDialog(const RenderContext& context, QWidget* parent)
 void RenderDialog::makeFields(const RenderContext& context) {
     const QString all = QStringLiteral(";;") + tr("All files (*)");
     source_ = new QComboBox;
-    if (live_) source_->addItem(tr("the present view"), static_cast<int>(Source::View));
+    if (live_) source_->addItem(tr("current view"), static_cast<int>(Source::View));
     source_->addItem(tr("a scene or a model"), static_cast<int>(Source::Scene));
     source_->addItem(tr("a recorded list of cameras"), static_cast<int>(Source::List));
     scene_ = new FileField(FileField::Kind::Open, tr("Scene or model"), sceneFilter());
     scene_->setPath(context.scene);
     if (live_) scene_->edit()->setPlaceholderText(tr("as the server has it now"));
     camera_ = new FileField(FileField::Kind::Open, tr("Camera"), tr("Cameras (*.cam)") + all);
-    camera_->edit()->setPlaceholderText(tr("as the scene says"));
+    camera_->edit()->setPlaceholderText(tr("from scene"));
     list_ = new FileField(FileField::Kind::Open, tr("List of cameras"), tr("Lists (*.lst *.txt)") + all);
     frames_ = new QLineEdit;
     frames_->setPlaceholderText(tr("all; or such as 1-100"));
@@ -100,29 +100,29 @@ void RenderDialog::makeFields(const RenderContext& context) {
     film_ = new FileField(FileField::Kind::Save, tr("Film"), filmFilter());
     film_->edit()->setPlaceholderText(tr("no film"));
     settings_ = new FileField(FileField::Kind::Open, tr("Settings"), tr("Settings (*.set)") + all);
-    settings_->edit()->setPlaceholderText(tr("as the scene says"));
+    settings_->edit()->setPlaceholderText(tr("from scene"));
 
     constexpr int kMostPixels = 32768, kMostSamples = 16, kMostBloom = 4096, kMostRays = 4096;
     constexpr QSize kUsual(1920, 1080);
     const QSize size = context.size.isEmpty() ? kUsual : context.size;
     size_ = new QComboBox;
-    size_->addItems({tr("as the scene says"), tr("fixed")});
+    size_->addItems({tr("from scene"), tr("fixed")});
     size_->setAccessibleName(tr("Resolution"));
     size_->setSizeAdjustPolicy(QComboBox::AdjustToContents); // its words change
     width_ = numberField(1, kMostPixels, size.width(), tr("Width"));
     height_ = numberField(1, kMostPixels, size.height(), tr("Height"));
     sizeRow_ = rowOfFields({size_, width_, sign(QStringLiteral("×")), height_});
     antialiasing_ = numberField(0, kMostSamples, context.antialiasing, tr("Anti-aliasing"));
-    antialiasing_->setSpecialValueText(tr("as the scene says"));
+    antialiasing_->setSpecialValueText(tr("from scene"));
     occlusion_ = new QComboBox;
-    occlusion_->addItems({tr("as the scene says"), tr("on"), tr("off")});
+    occlusion_->addItems({tr("from scene"), tr("on"), tr("off")});
     occlusion_->setAccessibleName(tr("Ambient occlusion"));
     occlusionRays_ = numberField(0, kMostRays, 0, tr("Rays of the ambient occlusion"));
-    occlusionRays_->setSpecialValueText(tr("as the scene says"));
-    occlusionRays_->setSuffix(tr(" rays a point"));
+    occlusionRays_->setSpecialValueText(tr("from scene"));
+    occlusionRays_->setSuffix(tr(" rays per point"));
     occlusionRow_ = rowOfFields({occlusion_, occlusionRays_});
     bloom_ = numberField(-1, kMostBloom, -1, tr("Bloom"));
-    bloom_->setSpecialValueText(tr("as the scene says"));
+    bloom_->setSpecialValueText(tr("from scene"));
     bloom_->setSuffix(tr(" pixels"));
 }
 
@@ -188,11 +188,11 @@ void RenderDialog::onSource() {
     form().setRowVisible(camera_, now == Source::Scene);
     for (QWidget* field : std::initializer_list<QWidget*>{list_, frames_, film_})
         form().setRowVisible(field, now == Source::List);
-    size_->setItemText(AsTheScene, now == Source::View    ? tr("as the live picture")
-                                   : now == Source::Scene ? tr("as the scene says")
+    size_->setItemText(AsTheScene, now == Source::View    ? tr("same as viewport")
+                                   : now == Source::Scene ? tr("from scene")
                                                           : tr("as the cameras say"));
     size_->setMinimumWidth(size_->sizeHint().width()); // its least width is that of the words before
-    output_->edit()->setPlaceholderText(now == Source::List ? tr("no pictures; or such as frame_####.png")
+    output_->edit()->setPlaceholderText(now == Source::List ? tr("no images; or such as frame_####.png")
                                                             : QString());
     output_->setPath(now == Source::List ? QString() : proposedOutput_);
     proposeFilm();
@@ -201,7 +201,7 @@ void RenderDialog::onSource() {
 }
 
 void RenderDialog::proposeFilm() {
-    if (film_->path() != proposedFilm_) return; // somebody has chosen another
+    if (film_->path() != proposedFilm_) return; // the user has chosen another
     const QFileInfo list(list_->path());
     const QString name = list.isDir() ? QString() : list.completeBaseName();
     film_->setPath(name.isEmpty() ? QString() : list.dir().filePath(name + QStringLiteral(".mp4")));
@@ -263,8 +263,7 @@ QString RenderDialog::missing() const {
     if (gone(settings_)) return tr("The file of settings is not there.");
     if (source() == Source::List) {
         if (!QFileInfo(list_->path()).isFile()) return tr("Choose a list of cameras.");
-        if (film_->path().isEmpty() && output_->path().isEmpty())
-            return tr("Name a film, pictures, or both.");
+        if (film_->path().isEmpty() && output_->path().isEmpty()) return tr("Name a film, images, or both.");
     } else if (output_->path().isEmpty()) {
         return tr("Name the file to write.");
     }
@@ -272,7 +271,7 @@ QString RenderDialog::missing() const {
     return {};
 }
 
-// A film before its pictures.
+// A film before its images.
 QString RenderDialog::result() const {
     return source() == Source::List && !film_->path().isEmpty() ? film_->path() : output_->path();
 }

@@ -22,7 +22,7 @@ struct RenderContext {
     QSize size;        ///< of a live frame
     QString scene;     ///< proposed; may be empty
     QString list;      ///< a recorded list to begin with; may be empty
-    QString output;    ///< proposed for a picture
+    QString output;    ///< proposed for an image
     int antialiasing = 3;
 };
 

@@ -61,7 +61,7 @@ void StartServerDialog::build(const QString& name) {
     instance_->setText(freeInstanceName(name));
     smooth_->setChecked(preferences_.get(pref::frameTime) > 0);
     further_->setPlaceholderText(QStringLiteral("--setting shadows=off --flip-textures"));
-    size_->addItems({tr("as large as the window"), tr("as the scene says"), tr("fixed")});
+    size_->addItems({tr("as large as the window"), tr("from scene"), tr("fixed")});
     QWidget* sizes = rowOfFields({size_, width_, sign(QStringLiteral("×")), height_});
     auto* form = new QFormLayout;
     form->addRow(tr("&Scene or model:"), scene_);

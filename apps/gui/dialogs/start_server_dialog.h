@@ -22,7 +22,7 @@ class StartServerDialog : public QDialog {
     Q_OBJECT
 
   public:
-    /// `instance` is proposed, with a number if it is taken. `window`: pixels of the picture when it is to
+    /// `instance` is proposed, with a number if it is taken. `window`: pixels of the image when it is to
     /// fill the window.
     StartServerDialog(Preferences& preferences, const QString& instance, const QSize& window,
                       QWidget* parent = nullptr);

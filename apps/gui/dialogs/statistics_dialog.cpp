@@ -23,11 +23,11 @@ StatisticsDialog::StatisticsDialog(Session& session, std::function<double()> del
     auto* form = new QFormLayout(this);
     addRow(*form, tr("Server"), server_);
     addRow(*form, tr("State"), state_);
-    addRow(*form, tr("Frames a second"), frames_);
+    addRow(*form, tr("Frames/s"), frames_);
     addRow(*form, tr("Frame time"), frameTime_);
-    addRow(*form, tr("Shown here"), shown_);
-    addRow(*form, tr("Delay to the screen"), delayed_);
-    addRow(*form, tr("Rays a second"), rays_);
+    addRow(*form, tr("Displayed"), shown_);
+    addRow(*form, tr("Display latency"), delayed_);
+    addRow(*form, tr("Rays/s"), rays_);
     addRow(*form, tr("Resolution"), resolution_);
     addRow(*form, tr("Triangles"), polygons_);
     addRow(*form, tr("Mode"), mode_);
@@ -58,7 +58,7 @@ QString StatisticsDialog::stateName() const {
     const ServerStatus& status = session_.status();
     if (status.progress < 1) return tr("loading");
     if (status.paused) return tr("paused");
-    return status.idle ? tr("at rest") : tr("drawing");
+    return status.idle ? tr("idle") : tr("drawing");
 }
 
 void StatisticsDialog::refresh() {
@@ -78,7 +78,7 @@ void StatisticsDialog::refresh() {
     resolution_->setText(
         QStringLiteral("%1 × %2").arg(status.resolution.width()).arg(status.resolution.height()));
     polygons_->setText(QLocale().toString(status.polygons));
-    mode_->setText(status.view.walking ? tr("walking") : tr("flying"));
+    mode_->setText(status.view.walking ? tr("Walk") : tr("Fly"));
     const QVector3D eye = status.view.eye;
     eye_->setText(
         QStringLiteral("%1  %2  %3").arg(number(eye.x(), 2), number(eye.y(), 2), number(eye.z(), 2)));

@@ -17,7 +17,7 @@ namespace {
 constexpr qsizetype kLongestName = 60;
 constexpr int kHashDigits = 12;
 
-// "03 Altar": 3. A file that somebody put there without a number comes last.
+// "03 Altar": 3. A file without a number, put there by hand, comes last.
 int numberOf(const QString& file) {
     bool good = false;
     const int number = file.section(QLatin1Char(' '), 0, 0).toInt(&good);
@@ -116,7 +116,7 @@ QString BookmarkStore::add(const QString& name, const QByteArray& camera, const 
     return write(files);
 }
 
-// The picture first: a camera without one would stay so.
+// The image first: a camera without one would stay so.
 QString BookmarkStore::write(const BookmarkFiles& files) {
     if (folder_.isEmpty()) return tr("No scene is shown.");
     if (!QDir().mkpath(folder_)) return tr("%1 cannot be written: %2").arg(folder_, tr("no such folder"));

@@ -1,5 +1,5 @@
 /// Places that the user keeps, for each scene a folder of its own: a .cam file each, which every program of
-/// the suite reads, with a small picture beside it. "03 By the altar.cam": the number gives the order.
+/// the suite reads, with a small image beside it. "03 By the altar.cam": the number gives the order.
 #pragma once
 
 #include <QByteArray>
@@ -19,7 +19,7 @@ struct Bookmark {
 /// What the files of one hold, to bring it back.
 struct BookmarkFiles {
     QString file;
-    QByteArray camera, picture; ///< .cam, .png; the picture may be missing
+    QByteArray camera, picture; ///< .cam, .png; the image may be missing
 };
 
 /// One thread. Files are written whole or not at all. Functions that change something return what went wrong,

@@ -27,6 +27,7 @@ QString words(const std::string& name) {
         const bool letters = std::any_of(std::begin(kAbbreviations), std::end(kAbbreviations),
                                          [&](const char* each) { return word == QLatin1String(each); });
         if (letters) word = word.toUpper();
+        if (word == QLatin1String("aovs")) word = QStringLiteral("AOVs");
     }
     return capitalised(all.join(QLatin1Char(' ')));
 }

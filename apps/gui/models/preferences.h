@@ -24,7 +24,7 @@ inline const Preference<QString> theme{"display/theme", QStringLiteral("system")
 inline const Preference<QString> language{"display/language", QStringLiteral("system")}; ///< system, en, cs
 inline const Preference<bool> progressiveRendering{"render/progressive", true};
 inline const Preference<int> stillAntialiasing{"render/stillAntialiasing", 3};
-inline const Preference<int> stillBloom{"render/stillGlow", -1}; ///< -1 = as the live picture
+inline const Preference<int> stillBloom{"render/stillGlow", -1}; ///< -1 = as the live frame
 inline const Preference<QString> stillOcclusion{"render/stillOcclusion", QStringLiteral("live")}; ///< on, off
 inline const Preference<int> stillOcclusionSamples{"render/stillOcclusionSamples", 0}; ///< 0 = as live
 inline const Preference<bool> followWindowSize{"server/followWindowSize", true};
@@ -38,7 +38,8 @@ inline const Preference<QString> bindings{"input/bindings", QString()}; ///< as 
 inline const Preference<QString> pictureFolder{"files/pictureFolder", QString()};
 inline const Preference<QString> sceneFolder{"files/sceneFolder", QString()};
 inline const Preference<QString> cameraFolder{"files/cameraFolder", QString()};
-inline const Preference<int> keptModels{"files/keptModels", 2048}; ///< megabytes of trees of models; 0 = none
+inline const Preference<int> modelCacheMegabytes{"files/keptModels",
+                                                 2048}; ///< size of the model cache; 0 = none
 inline const Preference<QStringList> recentFiles{"files/recent", QStringList()};
 inline const Preference<QSize> exportSize{"export/size", QSize()};
 inline const Preference<int> exportAntialiasing{"export/antialiasing", 1};
@@ -75,7 +76,7 @@ class Preferences : public QObject {
     void addRecentFile(const QString& path);
     void clearRecentFiles() { set(pref::recentFiles, QStringList()); }
 
-    /// The folder for pictures and cameras when none is chosen yet.
+    /// The folder for images and cameras when none is chosen yet.
     QString picturesFolder() const;
 
   signals:

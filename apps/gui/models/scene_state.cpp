@@ -1,7 +1,7 @@
 #include "gui/models/scene_state.h"
 
 #include "common/commands/command_lines.h"
-#include "common/commands/server_state.h"
+#include "common/commands/state_report.h"
 #include "common/settings/settings_merge.h"
 
 #include "rtcore/platform/error.h"
@@ -35,7 +35,7 @@ bool isPictureSize(const QString& setting) {
 
 std::optional<Placement> readPlacement(const QString& answer) {
     try {
-        const app::ServerState state = app::parseServerState(answer.toStdString());
+        const app::StateReport state = app::parseStateReport(answer.toStdString());
         Placement placement{
             .scene = QString::fromStdString(state.scene), .camera = state.camera, .state = {}};
         assign(placement.state, state.settings);

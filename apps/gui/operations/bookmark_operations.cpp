@@ -36,33 +36,34 @@ class Deletion : public QUndoCommand {
 
 } // namespace
 
-BookmarkOperations::BookmarkOperations(const Desk& desk, QObject* parent)
-    : QObject(parent), desk_(desk), panel_(new BookmarksPanel) {
-    addPanel(desk_, panel_, tr("Bookmarks"), QStringLiteral("bookmarks"), ActionId::BookmarksPanel);
-    desk_.actions.on(ActionId::AddBookmark, [this] { addBookmark(); });
+BookmarkOperations::BookmarkOperations(const GuiContext& context, QObject* parent)
+    : QObject(parent), context_(context), panel_(new BookmarksPanel) {
+    addPanel(context_, panel_, tr("Bookmarks"), QStringLiteral("bookmarks"), ActionId::BookmarksPanel);
+    context_.actions.on(ActionId::AddBookmark, [this] { addBookmark(); });
     connect(panel_, &BookmarksPanel::addWanted, this, &BookmarkOperations::addBookmark);
     connect(panel_, &BookmarksPanel::goWanted, this, &BookmarkOperations::go);
     // Not while the list is still busy with its editor.
     connect(panel_, &BookmarksPanel::renameWanted, this, &BookmarkOperations::rename, Qt::QueuedConnection);
     connect(panel_, &BookmarksPanel::deleteWanted, this, &BookmarkOperations::remove);
-    connect(&desk_.editor, &SceneEditor::sceneChanged, this, [this] {
-        store_.setScene(desk_.editor.scene());
+    connect(&context_.editor, &SceneEditor::sceneChanged, this, [this] {
+        store_.setScene(context_.editor.scene());
         refill();
     });
-    connect(&desk_.session, &Session::stateChanged, panel_,
-            [this] { panel_->setServerThere(desk_.session.live()); });
+    connect(&context_.session, &Session::stateChanged, panel_,
+            [this] { panel_->setServerThere(context_.session.live()); });
     addKeys();
 }
 
 void BookmarkOperations::addKeys() {
     for (int i = 0; i < kKeys; ++i) {
-        auto* key = new QShortcut(QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_1 + i)), &desk_.window);
+        auto* key =
+            new QShortcut(QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_1 + i)), &context_.window);
         connect(key, &QShortcut::activated, this, [this, i] { go(i); });
     }
 }
 
 void BookmarkOperations::tellTrouble(const QString& text) {
-    if (!text.isEmpty()) desk_.notice.explain(text, {});
+    if (!text.isEmpty()) context_.notice.explain(text, {});
 }
 
 void BookmarkOperations::refill() {
@@ -72,11 +73,11 @@ void BookmarkOperations::refill() {
 }
 
 void BookmarkOperations::addBookmark() {
-    if (!desk_.session.live()) return;
-    desk_.session.send(command::scene(), this, [this](const Answer& answer) {
+    if (!context_.session.live()) return;
+    context_.session.send(command::scene(), this, [this](const Answer& answer) {
         if (answer.done) store_.setScene(answer.text);
     });
-    desk_.session.send(command::cameraGet(), this, [this](const Answer& answer) {
+    context_.session.send(command::cameraGet(), this, [this](const Answer& answer) {
         answer.done ? keepWithPicture(answer.text.toUtf8() + '\n') : tellTrouble(answer.text);
     });
 }
@@ -85,23 +86,23 @@ void BookmarkOperations::addBookmark() {
 // not. None comes where a key is down that moves nothing, such as the Control of Ctrl+B in flight.
 void BookmarkOperations::keepWithPicture(const QByteArray& camera) {
     const auto keepNow = [this, camera] {
-        const QImage seen = desk_.view.showsLive() ? desk_.session.frame() : desk_.view.picture();
+        const QImage seen = context_.view.showsLive() ? context_.session.frame() : context_.view.picture();
         keep(camera,
              seen.isNull() ? seen : seen.scaled(kPicture, Qt::KeepAspectRatio, Qt::SmoothTransformation));
     };
-    const ServerStatus& status = desk_.session.status();
-    if (status.idle || status.paused || !desk_.view.showsLive()) return keepNow();
+    const ServerStatus& status = context_.session.status();
+    if (status.idle || status.paused || !context_.view.showsLive()) return keepNow();
     auto* once = new QObject(this);
     const auto keepOnce = [this, once, keepNow] {
-        desk_.session.disconnect(once);
+        context_.session.disconnect(once);
         once->deleteLater();
         keepNow();
     };
-    connect(&desk_.session, &Session::frameChanged, once, keepOnce);
-    connect(&desk_.session, &Session::statusChanged, once, [this, keepOnce] {
-        if (desk_.session.status().idle) keepOnce();
+    connect(&context_.session, &Session::frameChanged, once, keepOnce);
+    connect(&context_.session, &Session::statusChanged, once, [this, keepOnce] {
+        if (context_.session.status().idle) keepOnce();
     });
-    connect(&desk_.session, &Session::stateChanged, once, keepOnce);
+    connect(&context_.session, &Session::stateChanged, once, keepOnce);
 }
 
 void BookmarkOperations::keep(const QByteArray& camera, const QImage& picture) {
@@ -111,20 +112,20 @@ void BookmarkOperations::keep(const QByteArray& camera, const QImage& picture) {
     refill();
     const int last = static_cast<int>(store_.list().size()) - 1;
     panel_->list().setCurrentRow(last);
-    desk_.view.tell(last < kKeys ? tr("%1 was kept. Alt+%2 goes there.").arg(name).arg(last + 1)
-                                 : tr("%1 was kept.").arg(name));
+    context_.view.tell(last < kKeys ? tr("Bookmark “%1” added. Alt+%2 goes there.").arg(name).arg(last + 1)
+                                    : tr("Bookmark “%1” added.").arg(name));
 }
 
 void BookmarkOperations::go(int row) {
     const QList<Bookmark> all = store_.list();
-    if (!desk_.session.live()) return;
-    if (row < 0 || row >= all.size()) return desk_.view.tell(tr("There is no bookmark %1.").arg(row + 1));
+    if (!context_.session.live()) return;
+    if (row < 0 || row >= all.size()) return context_.view.tell(tr("There is no bookmark %1.").arg(row + 1));
     const Bookmark bookmark = all[row];
     const std::string line = command::loadCamera(store_.cameraPath(bookmark).toStdString());
-    desk_.editor.place(line, bookmark.name, [this, bookmark](const Answer& answer) {
-        if (answer.done) return desk_.view.tell(bookmark.name);
+    context_.editor.place(line, bookmark.name, [this, bookmark](const Answer& answer) {
+        if (answer.done) return context_.view.tell(bookmark.name);
         tellTrouble(answer.text);
-        refill(); // somebody may have taken the file away
+        refill(); // the file may have been removed
     });
 }
 
@@ -137,7 +138,7 @@ void BookmarkOperations::rename(int row, const QString& name) {
 void BookmarkOperations::remove(int row) {
     const QList<Bookmark> all = store_.list();
     if (row < 0 || row >= all.size()) return;
-    desk_.editor.undoStack().push(new Deletion(store_, all[row], [this](const QString& trouble) {
+    context_.editor.undoStack().push(new Deletion(store_, all[row], [this](const QString& trouble) {
         tellTrouble(trouble);
         refill();
     }));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gui/models/bookmark_store.h"
-#include "gui/operations/desk.h"
+#include "gui/operations/gui_context.h"
 
 #include <QObject>
 
@@ -16,7 +16,7 @@ class BookmarkOperations : public QObject {
     Q_OBJECT
 
   public:
-    BookmarkOperations(const Desk& desk, QObject* parent);
+    BookmarkOperations(const GuiContext& context, QObject* parent);
 
   private:
     void addKeys();
@@ -29,7 +29,7 @@ class BookmarkOperations : public QObject {
     void refill();
     void tellTrouble(const QString& text);
 
-    Desk desk_;
+    GuiContext context_;
     BookmarkStore store_;
     BookmarksPanel* panel_;
 };

@@ -1,7 +1,7 @@
-/// Cameras and pictures as files: export, import, recording, screenshot, clipboard.
+/// Cameras and images as files: export, import, recording, screenshot, clipboard.
 #pragma once
 
-#include "gui/operations/desk.h"
+#include "gui/operations/gui_context.h"
 
 #include <QObject>
 #include <QPointer>
@@ -16,7 +16,7 @@ class CameraOperations : public QObject {
     Q_OBJECT
 
   public:
-    CameraOperations(const Desk& desk, QObject* parent);
+    CameraOperations(const GuiContext& context, QObject* parent);
 
   signals:
     /// This recorded list is to become a film.
@@ -33,7 +33,7 @@ class CameraOperations : public QObject {
     void paste();
     QString cameraFolder() const;
 
-    Desk desk_;
+    GuiContext context_;
     QPointer<RecordingDialog> recording_;
 };
 

@@ -1,7 +1,7 @@
 /// Opening files, and what concerns the server: connect, start, stop, pause, ping, restart, its death.
 #pragma once
 
-#include "gui/operations/desk.h"
+#include "gui/operations/gui_context.h"
 
 #include <QObject>
 #include <QPointer>
@@ -17,7 +17,7 @@ class ConnectionOperations : public QObject {
     Q_OBJECT
 
   public:
-    ConnectionOperations(const Desk& desk, QObject* parent);
+    ConnectionOperations(const GuiContext& context, QObject* parent);
 
     /// A camera or a file of settings is loaded by the server; anything else is shown, by a server of our
     /// own.
@@ -40,7 +40,7 @@ class ConnectionOperations : public QObject {
     void onState();
     void sendBindings();
 
-    Desk desk_;
+    GuiContext context_;
     QString instance_; ///< empty: the preference
     QPointer<QMessageBox> question_;
 };

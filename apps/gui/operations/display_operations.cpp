@@ -27,63 +27,65 @@ void present(QDialog& dialog) {
 
 } // namespace
 
-DisplayOperations::DisplayOperations(const Desk& desk, QObject* parent) : QObject(parent), desk_(desk) {
-    Actions& actions = desk_.actions;
+DisplayOperations::DisplayOperations(const GuiContext& context, QObject* parent)
+    : QObject(parent), context_(context) {
+    Actions& actions = context_.actions;
     actions.bind(ActionId::IgnoreAspectRatio, pref::ignoreAspectRatio);
     actions.bind(ActionId::SmoothTransformation, pref::smoothTransformation);
     actions.bind(ActionId::ShowOverlay, pref::showOverlay);
-    actions.onToggle(ActionId::FullScreen, [this](bool on) { desk_.fullScreen.set(on); });
-    connect(&desk_.fullScreen, &FullScreen::changed, actions[ActionId::FullScreen], &QAction::setChecked);
+    actions.onToggle(ActionId::FullScreen, [this](bool on) { context_.fullScreen.set(on); });
+    connect(&context_.fullScreen, &FullScreen::changed, actions[ActionId::FullScreen], &QAction::setChecked);
     actions.on(ActionId::Configure, [this] { configure(); });
     actions.on(ActionId::Keys, [this] { showKeys(); });
-    actions.on(ActionId::About, [this] { (new AboutDialog(&desk_.window))->open(); });
+    actions.on(ActionId::About, [this] { (new AboutDialog(&context_.window))->open(); });
     actions.on(ActionId::Statistics, [this] { showStatistics(); });
-    connect(&desk_.preferences, &Preferences::changed, this, &DisplayOperations::applyPreferences);
-    connect(&desk_.view, &FrameView::resolutionWanted, this, &DisplayOperations::askForResolution);
+    connect(&context_.preferences, &Preferences::changed, this, &DisplayOperations::applyPreferences);
+    connect(&context_.view, &FrameView::resolutionWanted, this, &DisplayOperations::askForResolution);
     applyPreferences();
 }
 
 void DisplayOperations::applyPreferences() {
-    const Preferences& preferences = desk_.preferences;
-    desk_.view.setIgnoreAspectRatio(preferences.get(pref::ignoreAspectRatio));
-    desk_.view.setSmoothTransformation(preferences.get(pref::smoothTransformation));
-    desk_.view.setShowFigures(preferences.get(pref::showOverlay));
-    desk_.view.input().setMouseSensitivity(preferences.get(pref::mouseSensitivity),
-                                           preferences.get(pref::invertMouse));
+    const Preferences& preferences = context_.preferences;
+    context_.view.setIgnoreAspectRatio(preferences.get(pref::ignoreAspectRatio));
+    context_.view.setSmoothTransformation(preferences.get(pref::smoothTransformation));
+    context_.view.setShowFigures(preferences.get(pref::showOverlay));
+    context_.view.input().setMouseSensitivity(preferences.get(pref::mouseSensitivity),
+                                              preferences.get(pref::invertMouse));
     if (theme_ == preferences.get(pref::theme)) return;
     theme_ = preferences.get(pref::theme);
     useTheme(theme_);
 }
 
 void DisplayOperations::askForResolution(const QSize& devicePixels) {
-    if (!desk_.session.live() || !desk_.preferences.get(pref::followWindowSize)) return;
-    const QSize wanted = devicePixels * desk_.preferences.get(pref::pictureScale) / 100;
-    if (wanted.isEmpty() || wanted == desk_.session.status().resolution) return;
-    desk_.session.send(command::resolution(wanted.width(), wanted.height()));
+    if (!context_.session.live() || !context_.preferences.get(pref::followWindowSize)) return;
+    const QSize wanted = devicePixels * context_.preferences.get(pref::pictureScale) / 100;
+    if (wanted.isEmpty() || wanted == context_.session.status().resolution) return;
+    context_.session.send(command::resolution(wanted.width(), wanted.height()));
 }
 
 void DisplayOperations::configure() {
-    const int scale = desk_.preferences.get(pref::pictureScale);
-    const int time = desk_.preferences.get(pref::frameTime);
-    auto* dialog = new ConfigureDialog(desk_.preferences, desk_.session, &desk_.window);
+    const int scale = context_.preferences.get(pref::pictureScale);
+    const int time = context_.preferences.get(pref::frameTime);
+    auto* dialog = new ConfigureDialog(context_.preferences, context_.session, &context_.window);
     connect(dialog, &QDialog::accepted, this, [this, scale, time] {
-        if (desk_.preferences.get(pref::pictureScale) != scale) askForResolution(desk_.view.devicePixels());
-        const int now = desk_.preferences.get(pref::frameTime);
-        if (now == time || !desk_.keeper.ours()) return;
-        desk_.session.send(command::frameTime(now));
+        if (context_.preferences.get(pref::pictureScale) != scale)
+            askForResolution(context_.view.devicePixels());
+        const int now = context_.preferences.get(pref::frameTime);
+        if (now == time || !context_.keeper.ours()) return;
+        context_.session.send(command::frameTime(now));
     });
     dialog->open();
 }
 
 void DisplayOperations::showKeys() {
-    if (keys_ == nullptr) keys_ = new KeysDialog(desk_.session, &desk_.window);
+    if (keys_ == nullptr) keys_ = new KeysDialog(context_.session, &context_.window);
     present(*keys_);
 }
 
 void DisplayOperations::showStatistics() {
     if (statistics_ == nullptr)
         statistics_ = new StatisticsDialog(
-            desk_.session, [this] { return desk_.view.paintDelay(); }, &desk_.window);
+            context_.session, [this] { return context_.view.paintDelay(); }, &context_.window);
     present(*statistics_);
 }
 

@@ -1,7 +1,7 @@
-/// How the window looks, the picture's size, preferences, help, statistics.
+/// How the window looks, the image's size, preferences, help, statistics.
 #pragma once
 
-#include "gui/operations/desk.h"
+#include "gui/operations/gui_context.h"
 
 #include <QObject>
 #include <QPointer>
@@ -15,7 +15,7 @@ class DisplayOperations : public QObject {
     Q_OBJECT
 
   public:
-    DisplayOperations(const Desk& desk, QObject* parent);
+    DisplayOperations(const GuiContext& context, QObject* parent);
 
   private:
     void applyPreferences();
@@ -24,7 +24,7 @@ class DisplayOperations : public QObject {
     void showKeys();
     void showStatistics();
 
-    Desk desk_;
+    GuiContext context_;
     QPointer<QDialog> statistics_, keys_;
     QString theme_;
 };

@@ -25,29 +25,29 @@
 
 namespace gui {
 
-JobOperations::JobOperations(const Desk& desk, QObject* parent)
-    : QObject(parent), desk_(desk), panel_(new JobsPanel(queue_)) {
+JobOperations::JobOperations(const GuiContext& context, QObject* parent)
+    : QObject(parent), context_(context), panel_(new JobsPanel(queue_)) {
     makeDock();
-    desk_.actions.on(ActionId::Render, [this] { openRenderDialog({}); });
-    desk_.actions.on(ActionId::BuildTree, [this] { openBuildDialog(); });
+    context_.actions.on(ActionId::Render, [this] { openRenderDialog({}); });
+    context_.actions.on(ActionId::BuildTree, [this] { openBuildDialog(); });
     connect(&queue_, &JobQueue::finished, this, &JobOperations::onFinished);
     connect(panel_, &JobsPanel::showWanted, this, &JobOperations::showResult);
 }
 
 void JobOperations::makeDock() {
-    auto* window = qobject_cast<QMainWindow*>(&desk_.window);
-    dock_ = new QDockWidget(tr("Jobs"), &desk_.window);
+    auto* window = qobject_cast<QMainWindow*>(&context_.window);
+    dock_ = new QDockWidget(tr("Jobs"), &context_.window);
     dock_->setObjectName(QStringLiteral("jobs"));
     dock_->setWidget(panel_);
     dock_->hide();
     if (window != nullptr) window->addDockWidget(Qt::BottomDockWidgetArea, dock_);
-    QAction* action = desk_.actions[ActionId::Jobs];
-    desk_.actions.onToggle(ActionId::Jobs, [this](bool on) {
+    QAction* action = context_.actions[ActionId::Jobs];
+    context_.actions.onToggle(ActionId::Jobs, [this](bool on) {
         dock_->setVisible(on);
         if (on) panel_->setFocus(Qt::ShortcutFocusReason);
     });
     auto* back = new QShortcut(Qt::Key_Escape, dock_, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
-    connect(back, &QShortcut::activated, &desk_.view, qOverload<>(&QWidget::setFocus));
+    connect(back, &QShortcut::activated, &context_.view, qOverload<>(&QWidget::setFocus));
     connect(dock_, &QDockWidget::visibilityChanged, action,
             [this, action] { action->setChecked(!dock_->isHidden()); });
 }
@@ -56,21 +56,21 @@ void JobOperations::renderList(const QString& list) { openRenderDialog(list); }
 
 void JobOperations::openRenderDialog(const QString& list) {
     RenderContext context;
-    context.live = desk_.session.live() && !desk_.session.status().resolution.isEmpty();
-    context.size = desk_.session.status().resolution;
+    context.live = context_.session.live() && !context_.session.status().resolution.isEmpty();
+    context.size = context_.session.status().resolution;
     // What the server shows is more than its file: lights, settings.
-    context.scene = context.live ? QString() : desk_.preferences.recentFiles().value(0);
+    context.scene = context.live ? QString() : context_.preferences.recentFiles().value(0);
     context.list = list;
     context.output = freeOutput();
-    context.antialiasing = desk_.preferences.get(pref::stillAntialiasing);
-    auto* dialog = new RenderDialog(context, &desk_.window);
+    context.antialiasing = context_.preferences.get(pref::stillAntialiasing);
+    auto* dialog = new RenderDialog(context, &context_.window);
     connect(dialog, &RenderDialog::wanted, this, &JobOperations::prepare);
     dialog->open();
 }
 
 // Neither a file nor the result of a job that has not written it yet.
 QString JobOperations::freeOutput() const {
-    const QDir folder(desk_.preferences.picturesFolder());
+    const QDir folder(context_.preferences.picturesFolder());
     for (int number = 1;; ++number) {
         const QString path =
             folder.filePath(QStringLiteral("render-%1.png").arg(number, 4, 10, QLatin1Char('0')));
@@ -79,31 +79,31 @@ QString JobOperations::freeOutput() const {
 }
 
 void JobOperations::openBuildDialog() {
-    const QString scene = desk_.keeper.scene();
+    const QString scene = context_.keeper.scene();
     const QString suffix = QFileInfo(scene).suffix().toLower();
     const bool model = suffix != QLatin1String("scn") && suffix != QLatin1String("bsp");
-    auto* dialog = new BuildDialog(model ? scene : QString(), &desk_.window);
+    auto* dialog = new BuildDialog(model ? scene : QString(), &context_.window);
     connect(dialog, &BuildDialog::wanted, this, &JobOperations::enqueue);
     dialog->open();
 }
 
 void JobOperations::prepare(const RenderWish& wish) {
     if (wish.sceneFile.isEmpty()) return enqueue(wish.job);
-    desk_.session.send(command::exportScene(wish.sceneFile.toStdString()), this,
-                       [this, wish](const Answer& answer) {
-                           if (!answer.done) return desk_.notice.explain(answer.text, {});
-                           if (wish.cameraFile.isEmpty()) enqueue(wish.job);
-                       });
+    context_.session.send(command::exportScene(wish.sceneFile.toStdString()), this,
+                          [this, wish](const Answer& answer) {
+                              if (!answer.done) return context_.notice.explain(answer.text, {});
+                              if (wish.cameraFile.isEmpty()) enqueue(wish.job);
+                          });
     // Sent at once, so that the camera is that of the same moment.
     if (!wish.cameraFile.isEmpty()) prepareCamera(wish);
 }
 
 void JobOperations::prepareCamera(const RenderWish& wish) {
-    desk_.session.send(command::exportCamera(wish.cameraFile.toStdString()), this,
-                       [this, wish](const Answer& answer) {
-                           if (!answer.done) return desk_.notice.explain(answer.text, {});
-                           if (QFileInfo::exists(wish.sceneFile)) enqueue(wish.job);
-                       });
+    context_.session.send(command::exportCamera(wish.cameraFile.toStdString()), this,
+                          [this, wish](const Answer& answer) {
+                              if (!answer.done) return context_.notice.explain(answer.text, {});
+                              if (QFileInfo::exists(wish.sceneFile)) enqueue(wish.job);
+                          });
 }
 
 void JobOperations::enqueue(const JobRequest& request) {
@@ -115,20 +115,20 @@ void JobOperations::enqueue(const JobRequest& request) {
 void JobOperations::onFinished(quint64 id) {
     const Job& job = queue_.job(queue_.rowOf(id));
     if (job.state == JobState::Done) {
-        desk_.view.tell(tr("%1: done.").arg(job.request.title));
+        context_.view.tell(tr("%1: done.").arg(job.request.title));
     } else if (job.state == JobState::Failed) {
-        desk_.view.tell(tr("%1 failed: %2").arg(job.request.title, job.message));
+        context_.view.tell(tr("%1 failed: %2").arg(job.request.title, job.message));
     }
 }
 
 void JobOperations::showResult(const QString& file) {
     if (file.endsWith(QLatin1String(".bsp"), Qt::CaseInsensitive)) return emit openWanted(file);
-    auto* dialog = new PictureDialog(file, &desk_.window);
+    auto* dialog = new PictureDialog(file, &context_.window);
     if (dialog->readable()) return dialog->show();
     delete dialog;
-    // Films, and kinds of pictures that Qt does not know.
+    // Films, and kinds of images that Qt does not know.
     if (!QDesktopServices::openUrl(QUrl::fromLocalFile(file)))
-        desk_.notice.explain(tr("There is no program that shows %1.").arg(file), {});
+        context_.notice.explain(tr("There is no program that shows %1.").arg(file), {});
 }
 
 bool JobOperations::mayClose() {
@@ -137,17 +137,16 @@ bool JobOperations::mayClose() {
         question_->raise();
         return false;
     }
-    question_ = new QMessageBox(
-        QMessageBox::Question, tr("Jobs are not finished"),
-        tr("%n job(s) run or wait. Stop them and close the window?", nullptr, queue_.unfinished()),
-        QMessageBox::NoButton, &desk_.window);
+    question_ = new QMessageBox(QMessageBox::Question, tr("Jobs are not finished"),
+                                tr("Unfinished jobs: %n. Stop and close?", nullptr, queue_.unfinished()),
+                                QMessageBox::NoButton, &context_.window);
     question_->setAttribute(Qt::WA_DeleteOnClose);
     QPushButton* stop = question_->addButton(tr("&Stop and close"), QMessageBox::AcceptRole);
-    question_->setDefaultButton(question_->addButton(tr("&Go on"), QMessageBox::RejectRole));
+    question_->setDefaultButton(question_->addButton(tr("&Keep running"), QMessageBox::RejectRole));
     connect(stop, &QPushButton::clicked, this, [this] {
         closing_ = true;
         queue_.cancelAll();
-        desk_.window.close();
+        context_.window.close();
     });
     question_->open();
     return false;

@@ -1,7 +1,7 @@
 /// The Renderer and BSPBuilder, run from the window: their dialogs, the queue and its dock.
 #pragma once
 
-#include "gui/operations/desk.h"
+#include "gui/operations/gui_context.h"
 #include "gui/processes/job_queue.h"
 
 #include <QObject>
@@ -19,7 +19,7 @@ class JobOperations : public QObject {
     Q_OBJECT
 
   public:
-    JobOperations(const Desk& desk, QObject* parent);
+    JobOperations(const GuiContext& context, QObject* parent);
 
     JobQueue& queue() { return queue_; }
     /// The dialog, with this recorded list.
@@ -43,7 +43,7 @@ class JobOperations : public QObject {
     void onFinished(quint64 id);
     void showResult(const QString& file);
 
-    Desk desk_;
+    GuiContext context_;
     JobQueue queue_;
     QDockWidget* dock_ = nullptr;
     JobsPanel* panel_;

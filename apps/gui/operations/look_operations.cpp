@@ -31,9 +31,10 @@ QVector3D directionThrough(const View& view, const QPointF& inPicture, double as
     return (view.forward.normalized() + x * right + y * up).normalized();
 }
 
-LookOperations::LookOperations(const Desk& desk, QObject* parent) : QObject(parent), desk_(desk) {
-    desk_.actions.on(ActionId::ResetCamera, [this] { reset(); });
-    InputCapture& input = desk_.view.input();
+LookOperations::LookOperations(const GuiContext& context, QObject* parent)
+    : QObject(parent), context_(context) {
+    context_.actions.on(ActionId::ResetCamera, [this] { reset(); });
+    InputCapture& input = context_.view.input();
     connect(&input, &InputCapture::pointed, this, &LookOperations::lookAt);
     connect(&input, &InputCapture::focused, this, &LookOperations::focusAt);
     turn_.setStartValue(0.0);
@@ -41,7 +42,7 @@ LookOperations::LookOperations(const Desk& desk, QObject* parent) : QObject(pare
     turn_.setDuration(kMilliseconds);
     turn_.setEasingCurve(QEasingCurve::InOutQuad);
     connect(&turn_, &QVariantAnimation::valueChanged, this,
-            [this](const QVariant& share) { step(share.toDouble()); });
+            [this](const QVariant& fraction) { step(fraction.toDouble()); });
     // The user's own movement has precedence.
     const auto stop = [this] {
         if (turn_.state() != QAbstractAnimation::Running) return;
@@ -54,54 +55,57 @@ LookOperations::LookOperations(const Desk& desk, QObject* parent) : QObject(pare
 
 void LookOperations::reset() {
     turn_.stop();
-    desk_.view.showLive();
-    desk_.editor.place(command::cameraReset(), tr("reset camera"));
+    context_.view.showLive();
+    context_.editor.place(command::cameraReset(), tr("reset camera"));
 }
 
 void LookOperations::lookAt(const QPointF& place) {
-    const std::optional<QPointF> point = desk_.view.inPicture(place);
-    const View& view = desk_.session.status().view;
-    if (!point || !desk_.session.live() || view.fieldOfView <= 0) return;
-    const QSize size = desk_.view.showsLive() ? desk_.session.frame().size() : desk_.view.picture().size();
+    const std::optional<QPointF> point = context_.view.inPicture(place);
+    const View& view = context_.session.status().view;
+    if (!point || !context_.session.live() || view.fieldOfView <= 0) return;
+    const QSize size =
+        context_.view.showsLive() ? context_.session.frame().size() : context_.view.picture().size();
     from_ = view.forward;
     to_ = directionThrough(view, *point, static_cast<double>(size.width()) / size.height());
     if (turn_.state() == QAbstractAnimation::Running)
         turn_.stop();
     else
-        finish_ = desk_.editor.beginPlacement(tr("look there"));
-    desk_.view.showLive();
+        finish_ = context_.editor.beginPlacement(tr("look there"));
+    context_.view.showLive();
     turn_.start();
 }
 
 void LookOperations::focusAt(const QPointF& place) {
-    const std::optional<QPointF> point = desk_.view.inPicture(place);
-    if (!point || !desk_.session.live()) return;
-    desk_.view.showLive();
-    const auto share = [](double value) { return std::clamp((1 + value) / 2, 0.0, 1.0); };
-    desk_.editor.place(command::focus(share(point->x()), share(-point->y())), tr("focus there"),
-                       [this](const Answer& answer) {
-                           if (answer.done) return;
-                           const bool nothing = answer.text.contains(QLatin1String("nothing"));
-                           desk_.view.tell(nothing ? tr("There is nothing there to focus on.") : answer.text);
-                       });
+    const std::optional<QPointF> point = context_.view.inPicture(place);
+    if (!point || !context_.session.live()) return;
+    context_.view.showLive();
+    const auto fraction = [](double value) { return std::clamp((1 + value) / 2, 0.0, 1.0); };
+    context_.editor.place(command::focus(fraction(point->x()), fraction(-point->y())), tr("focus there"),
+                          [this](const Answer& answer) {
+                              if (answer.done) return;
+                              const bool nothing = answer.text.contains(QLatin1String("nothing"));
+                              context_.view.tell(nothing ? tr("There is nothing there to focus on.")
+                                                         : answer.text);
+                          });
 }
 
 // Steps that the server is too slow for are left out; the last one never is.
-void LookOperations::step(double share) {
-    const bool last = share >= 1;
+void LookOperations::step(double fraction) {
+    const bool last = fraction >= 1;
     if (underWay_ && !last) return;
-    send(((1 - static_cast<float>(share)) * from_ + static_cast<float>(share) * to_).normalized(), last);
+    send(((1 - static_cast<float>(fraction)) * from_ + static_cast<float>(fraction) * to_).normalized(),
+         last);
 }
 
 void LookOperations::send(const QVector3D& direction, bool last) {
-    const QVector3D eye = desk_.session.status().view.eye;
+    const QVector3D eye = context_.session.status().view.eye;
     underWay_ = true;
-    desk_.session.send(command::cameraSet(numbersOf(eye), numbersOf(direction)), this,
-                       [this, last](const Answer& answer) {
-                           underWay_ = false;
-                           if (!answer.done && last) desk_.notice.explain(answer.text, {});
-                           if (last && finish_) std::exchange(finish_, {})();
-                       });
+    context_.session.send(command::cameraSet(numbersOf(eye), numbersOf(direction)), this,
+                          [this, last](const Answer& answer) {
+                              underWay_ = false;
+                              if (!answer.done && last) context_.notice.explain(answer.text, {});
+                              if (last && finish_) std::exchange(finish_, {})();
+                          });
 }
 
 } // namespace gui

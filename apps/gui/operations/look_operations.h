@@ -1,7 +1,7 @@
 /// The camera's direction by a double click, what it is focused at, and the scene's own view.
 #pragma once
 
-#include "gui/operations/desk.h"
+#include "gui/operations/gui_context.h"
 
 #include <QObject>
 #include <QVariantAnimation>
@@ -15,24 +15,24 @@ namespace gui {
 
 struct View;
 
-/// The direction from the eye through a point of the picture, each coordinate from -1 (left, bottom) to 1;
-/// `aspect`: width by height of the picture. Unit length.
+/// The direction from the eye through a point of the image, each coordinate from -1 (left, bottom) to 1;
+/// `aspect`: width by height of the image. Unit length.
 QVector3D directionThrough(const View& view, const QPointF& inPicture, double aspect);
 
 class LookOperations : public QObject {
     Q_OBJECT
 
   public:
-    LookOperations(const Desk& desk, QObject* parent);
+    LookOperations(const GuiContext& context, QObject* parent);
 
   private:
     void reset();
     void lookAt(const QPointF& place);
     void focusAt(const QPointF& place);
-    void step(double share);
+    void step(double fraction);
     void send(const QVector3D& direction, bool last);
 
-    Desk desk_;
+    GuiContext context_;
     QVariantAnimation turn_;
     QVector3D from_, to_;
     bool underWay_ = false;

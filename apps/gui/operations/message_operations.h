@@ -1,9 +1,9 @@
-/// Shows what the server has to say: warnings in the notice bar, what keys did below the picture, all of it
+/// Shows what the server has to say: warnings in the notice bar, what keys did below the image, all of it
 /// in the log.
 #pragma once
 
 #include "gui/models/messages.h"
-#include "gui/operations/desk.h"
+#include "gui/operations/gui_context.h"
 
 #include <QObject>
 #include <QStringList>
@@ -14,7 +14,7 @@ class MessageOperations : public QObject {
     Q_OBJECT
 
   public:
-    MessageOperations(const Desk& desk, QObject* parent);
+    MessageOperations(const GuiContext& context, QObject* parent);
 
   private:
     void onState();
@@ -24,7 +24,7 @@ class MessageOperations : public QObject {
     void warn(const QStringList& warnings);
     void showLog();
 
-    Desk desk_;
+    GuiContext context_;
     bool live_ = false;
     bool asking_ = false;
     quint64 known_ = 0;    ///< number of the last one that was shown

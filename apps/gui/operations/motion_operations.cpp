@@ -21,9 +21,10 @@ constexpr double kMostSteps = 12;
 
 } // namespace
 
-MotionOperations::MotionOperations(const Desk& desk, QObject* parent) : QObject(parent), desk_(desk) {
-    InputCapture& input = desk_.view.input();
-    Session& session = desk_.session;
+MotionOperations::MotionOperations(const GuiContext& context, QObject* parent)
+    : QObject(parent), context_(context) {
+    InputCapture& input = context_.view.input();
+    Session& session = context_.session;
     connect(&input, &InputCapture::keyPressed, &session, &Session::pressKey);
     connect(&input, &InputCapture::keyReleased, &session, &Session::releaseKey);
     connect(&input, &InputCapture::allKeysReleased, &session, &Session::releaseAllKeys);
@@ -31,29 +32,30 @@ MotionOperations::MotionOperations(const Desk& desk, QObject* parent) : QObject(
     connect(&input, &InputCapture::wheelTurned, this, &MotionOperations::changeSpeed);
     connect(&session, &Session::stateChanged, this, [this](SessionState state) {
         if (state == SessionState::Connecting) steps_ = 0;
-        if (!desk_.session.live()) desk_.view.input().release();
-        if (!std::exchange(live_, desk_.session.live()) && live_) askForBindings();
+        if (!context_.session.live()) context_.view.input().release();
+        if (!std::exchange(live_, context_.session.live()) && live_) askForBindings();
     });
     connect(&input, &InputCapture::capturedChanged, this, [this](bool captured) {
-        if (captured && desk_.session.live()) askForBindings();
+        if (captured && context_.session.live()) askForBindings();
     });
 }
 
 // Any program may change them.
 void MotionOperations::askForBindings() {
-    desk_.session.send(command::bindings(), this, [this](const Answer& answer) {
-        if (answer.done) desk_.view.input().setBindings(readBindings(answer.text));
+    context_.session.send(command::bindings(), this, [this](const Answer& answer) {
+        if (answer.done) context_.view.input().setBindings(readBindings(answer.text));
     });
 }
 
 void MotionOperations::changeSpeed(double steps) {
-    if (!desk_.session.live()) return;
+    if (!context_.session.live()) return;
     steps_ = std::clamp(steps_ + steps, -kMostSteps, kMostSteps);
     const double factor = std::exp2(steps_ / kStepsPerDoubling);
-    desk_.session.send(command::speed(factor));
-    const QString text = desk_.session.status().view.walking ? tr("Flying speed × %1; walking keeps its own")
-                                                             : tr("Flying speed × %1");
-    desk_.view.tell(text.arg(QLocale().toString(factor, 'g', 2)));
+    context_.session.send(command::speed(factor));
+    const QString text = context_.session.status().view.walking
+                             ? tr("Flying speed × %1; walking keeps its own")
+                             : tr("Flying speed × %1");
+    context_.view.tell(text.arg(QLocale().toString(factor, 'g', 2)));
 }
 
 } // namespace gui

@@ -1,7 +1,7 @@
-/// Keys and mouse of the picture, handed to the server; what the server's keys do; the wheel's speed.
+/// Keys and mouse of the image, handed to the server; what the server's keys do; the wheel's speed.
 #pragma once
 
-#include "gui/operations/desk.h"
+#include "gui/operations/gui_context.h"
 
 #include <QObject>
 
@@ -11,13 +11,13 @@ class MotionOperations : public QObject {
     Q_OBJECT
 
   public:
-    MotionOperations(const Desk& desk, QObject* parent);
+    MotionOperations(const GuiContext& context, QObject* parent);
 
   private:
     void changeSpeed(double steps);
     void askForBindings();
 
-    Desk desk_;
+    GuiContext context_;
     bool live_ = false;
     double steps_ = 0; ///< of the wheel, from the usual speed
 };

@@ -26,9 +26,9 @@ void focusFirst(const QWidget& panel) {
 
 } // namespace
 
-QDockWidget* addPanel(const Desk& desk, QWidget* panel, const QString& title, const QString& name,
+QDockWidget* addPanel(const GuiContext& context, QWidget* panel, const QString& title, const QString& name,
                       ActionId action) {
-    auto* window = qobject_cast<QMainWindow*>(&desk.window);
+    auto* window = qobject_cast<QMainWindow*>(&context.window);
     auto* dock = new QDockWidget(title, window);
     dock->setObjectName(name); // restoreState() knows it by this
     dock->setWidget(panel);
@@ -41,7 +41,7 @@ QDockWidget* addPanel(const Desk& desk, QWidget* panel, const QString& title, co
         break;
     }
     dock->hide();
-    QAction* toggle = desk.actions[action];
+    QAction* toggle = context.actions[action];
     // A panel behind another one comes to the front first.
     QObject::connect(toggle, &QAction::triggered, dock, [dock, panel](bool on) {
         dock->setVisible(on);
@@ -50,39 +50,40 @@ QDockWidget* addPanel(const Desk& desk, QWidget* panel, const QString& title, co
         focusFirst(*panel);
     });
     auto* back = new QShortcut(Qt::Key_Escape, dock, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
-    QObject::connect(back, &QShortcut::activated, &desk.view, qOverload<>(&QWidget::setFocus));
+    QObject::connect(back, &QShortcut::activated, &context.view, qOverload<>(&QWidget::setFocus));
     QObject::connect(dock->toggleViewAction(), &QAction::toggled, toggle, &QAction::setChecked);
-    SceneEditor* editor = &desk.editor;
+    SceneEditor* editor = &context.editor;
     QObject::connect(dock, &QDockWidget::visibilityChanged, editor,
                      [editor, panel](bool visible) { editor->watch(panel, visible); });
     return dock;
 }
 
-PanelOperations::PanelOperations(const Desk& desk, QObject* parent) : QObject(parent), desk_(desk) {
+PanelOperations::PanelOperations(const GuiContext& context, QObject* parent)
+    : QObject(parent), context_(context) {
     addSettings();
     addLights();
     addUndo();
-    connect(&desk_.editor, &SceneEditor::refused, this,
-            [this](const QString& text) { desk_.notice.explain(text, {}); });
+    connect(&context_.editor, &SceneEditor::refused, this,
+            [this](const QString& text) { context_.notice.explain(text, {}); });
 }
 
 void PanelOperations::addSettings() {
     auto* panel = new SettingsPanel;
-    addPanel(desk_, panel, tr("Settings"), QStringLiteral("settings"), ActionId::SettingsPanel);
-    SceneEditor& editor = desk_.editor;
+    addPanel(context_, panel, tr("Settings"), QStringLiteral("settings"), ActionId::SettingsPanel);
+    SceneEditor& editor = context_.editor;
     connect(&editor, &SceneEditor::stateChanged, panel,
             [panel, &editor] { panel->show(editor.state().settings); });
     connect(panel, &SettingsPanel::edited, &editor, &SceneEditor::setSetting);
     connect(panel, &SettingsPanel::defaultsWanted, &editor, &SceneEditor::setDefaults);
-    panel->setFolded(desk_.preferences.get(pref::foldedSettings));
+    panel->setFolded(context_.preferences.get(pref::foldedSettings));
     connect(panel, &SettingsPanel::foldedChanged, this,
-            [this](const QStringList& folded) { desk_.preferences.set(pref::foldedSettings, folded); });
+            [this](const QStringList& folded) { context_.preferences.set(pref::foldedSettings, folded); });
 }
 
 void PanelOperations::addLights() {
     auto* panel = new LightsPanel;
-    addPanel(desk_, panel, tr("Lights"), QStringLiteral("lights"), ActionId::LightsPanel);
-    SceneEditor& editor = desk_.editor;
+    addPanel(context_, panel, tr("Lights"), QStringLiteral("lights"), ActionId::LightsPanel);
+    SceneEditor& editor = context_.editor;
     connect(&editor, &SceneEditor::stateChanged, panel,
             [panel, &editor] { panel->show(editor.state().lights, editor.state().environments); });
     connect(panel, &LightsPanel::lightSwitched, &editor, &SceneEditor::switchLight);
@@ -90,17 +91,17 @@ void PanelOperations::addLights() {
 }
 
 void PanelOperations::addUndo() {
-    QUndoStack& stack = desk_.editor.undoStack();
-    desk_.actions.on(ActionId::Undo, [&stack] { stack.undo(); });
-    desk_.actions.on(ActionId::Redo, [&stack] { stack.redo(); });
+    QUndoStack& stack = context_.editor.undoStack();
+    context_.actions.on(ActionId::Undo, [&stack] { stack.undo(); });
+    context_.actions.on(ActionId::Redo, [&stack] { stack.redo(); });
     connect(&stack, &QUndoStack::indexChanged, this, &PanelOperations::showUndo);
     showUndo();
 }
 
 void PanelOperations::showUndo() {
-    const QUndoStack& stack = desk_.editor.undoStack();
+    const QUndoStack& stack = context_.editor.undoStack();
     const auto show = [&](ActionId id, bool can, const QString& what) {
-        QAction* action = desk_.actions[id];
+        QAction* action = context_.actions[id];
         action->setEnabled(can);
         const QString text = actionText(actionRow(id));
         action->setText(what.isEmpty() ? text : tr("%1: %2").arg(text, what));

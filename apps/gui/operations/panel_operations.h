@@ -1,7 +1,7 @@
 /// The panels for settings and lights, and what takes changes back.
 #pragma once
 
-#include "gui/operations/desk.h"
+#include "gui/operations/gui_context.h"
 
 #include <QObject>
 
@@ -13,15 +13,15 @@ namespace gui {
 enum class ActionId;
 
 /// A panel at the right of the window, hidden at first, shown and hidden by a checkable action; Esc leads
-/// from it back to the picture.
-QDockWidget* addPanel(const Desk& desk, QWidget* panel, const QString& title, const QString& name,
+/// from it back to the image.
+QDockWidget* addPanel(const GuiContext& context, QWidget* panel, const QString& title, const QString& name,
                       ActionId action);
 
 class PanelOperations : public QObject {
     Q_OBJECT
 
   public:
-    PanelOperations(const Desk& desk, QObject* parent);
+    PanelOperations(const GuiContext& context, QObject* parent);
 
   private:
     void addSettings();
@@ -29,7 +29,7 @@ class PanelOperations : public QObject {
     void addUndo();
     void showUndo();
 
-    Desk desk_;
+    GuiContext context_;
 };
 
 } // namespace gui

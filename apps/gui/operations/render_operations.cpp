@@ -19,30 +19,30 @@ constexpr auto kRest = 250ms; ///< between two taps of a key nothing is started
 
 } // namespace
 
-RenderOperations::RenderOperations(const Desk& desk, QObject* parent)
-    : QObject(parent), desk_(desk), preview_(desk.session, desk.keeper.models()) {
-    desk_.actions.on(ActionId::QuickRender,
-                     [this] { quickRender(desk_.preferences.get(pref::stillAntialiasing)); });
-    desk_.actions.bind(ActionId::ProgressiveRendering, pref::progressiveRendering);
+RenderOperations::RenderOperations(const GuiContext& context, QObject* parent)
+    : QObject(parent), context_(context), preview_(context.session, context.keeper.models()) {
+    context_.actions.on(ActionId::QuickRender,
+                        [this] { quickRender(context_.preferences.get(pref::stillAntialiasing)); });
+    context_.actions.bind(ActionId::ProgressiveRendering, pref::progressiveRendering);
     rest_.setSingleShot(true);
     rest_.setInterval(kRest);
     listen();
 }
 
 void RenderOperations::listen() {
-    InputCapture& input = desk_.view.input();
+    InputCapture& input = context_.view.input();
     connect(&input, &InputCapture::commandKey, this, [this](int code, bool withL) {
-        if (code == 'R' && desk_.session.live())
-            quickRender(withL ? desk_.preferences.get(pref::stillAntialiasing) : 1);
+        if (code == 'R' && context_.session.live())
+            quickRender(withL ? context_.preferences.get(pref::stillAntialiasing) : 1);
     });
     connect(&input, &InputCapture::keyPressed, this, &RenderOperations::interrupt);
     connect(&input, &InputCapture::turned, this, &RenderOperations::interrupt);
-    connect(&desk_.session, &Session::stateChanged, this, [this] {
-        if (!desk_.session.live()) interrupt();
+    connect(&context_.session, &Session::stateChanged, this, [this] {
+        if (!context_.session.live()) interrupt();
     });
-    connect(&desk_.session, &Session::statusChanged, this, &RenderOperations::onStatus);
-    connect(&desk_.session, &Session::frameChanged, this, &RenderOperations::onFrame);
-    connect(&desk_.preferences, &Preferences::changed, this, &RenderOperations::onPreferences);
+    connect(&context_.session, &Session::statusChanged, this, &RenderOperations::onStatus);
+    connect(&context_.session, &Session::frameChanged, this, &RenderOperations::onFrame);
+    connect(&context_.preferences, &Preferences::changed, this, &RenderOperations::onPreferences);
     connect(&rest_, &QTimer::timeout, this, &RenderOperations::renderProgressively);
     connect(&preview_, &PreviewProcess::refined, this, &RenderOperations::onRefined);
     connect(&preview_, &PreviewProcess::failed, this, &RenderOperations::onFailed);
@@ -52,22 +52,22 @@ void RenderOperations::listen() {
 // --- When ---
 
 bool RenderOperations::mayRenderProgressively() const {
-    const ServerStatus& status = desk_.session.status();
-    return desk_.preferences.get(pref::progressiveRendering) && desk_.session.live() && status.idle &&
-           !status.paused && status.progress >= 1 && !desk_.session.frame().isNull() &&
-           desk_.view.isVisible() && !desk_.window.isMinimized();
+    const ServerStatus& status = context_.session.status();
+    return context_.preferences.get(pref::progressiveRendering) && context_.session.live() && status.idle &&
+           !status.paused && status.progress >= 1 && !context_.session.frame().isNull() &&
+           context_.view.isVisible() && !context_.window.isMinimized();
 }
 
 void RenderOperations::renderProgressively() {
     if (settled_ || !mayRenderProgressively()) return;
     quick_ = false;
-    render(stillQuality(desk_.preferences));
+    render(stillQuality(context_.preferences));
 }
 
 void RenderOperations::quickRender(int antialiasing) {
-    desk_.view.showLive();
+    context_.view.showLive();
     quick_ = true;
-    StillQuality quality = stillQuality(desk_.preferences);
+    StillQuality quality = stillQuality(context_.preferences);
     quality.antialiasing = antialiasing;
     render(quality);
 }
@@ -75,21 +75,21 @@ void RenderOperations::quickRender(int antialiasing) {
 void RenderOperations::render(const StillQuality& quality) {
     rest_.stop();
     settled_ = true;
-    const ServerStatus& status = desk_.session.status();
-    moment_ = {status.view, desk_.session.frameNumber(), status.idle};
+    const ServerStatus& status = context_.session.status();
+    moment_ = {status.view, context_.session.frameNumber(), status.idle};
     preview_.render(quality);
 }
 
 void RenderOperations::interrupt() {
     preview_.cancel();
-    desk_.view.showLive();
+    context_.view.showLive();
     settled_ = false;
     rest_.start();
     showActivity();
 }
 
 void RenderOperations::onStatus() {
-    const ServerStatus& status = desk_.session.status();
+    const ServerStatus& status = context_.session.status();
     const bool left = status.view != moment_.view || (moment_.idle && !status.idle);
     if (settled_ && left) return interrupt();
     if (!settled_ && mayRenderProgressively() && !rest_.isActive()) rest_.start();
@@ -97,35 +97,36 @@ void RenderOperations::onStatus() {
 
 // A server at rest publishes nothing unless something has changed, be it for less time than it takes to see.
 void RenderOperations::onFrame() {
-    if (settled_ && moment_.idle && desk_.session.frameNumber() != moment_.frame) interrupt();
+    if (settled_ && moment_.idle && context_.session.frameNumber() != moment_.frame) interrupt();
 }
 
 void RenderOperations::onPreferences() {
     const bool progressive = settled_ && !quick_;
-    if (progressive && !desk_.preferences.get(pref::progressiveRendering)) return interrupt();
+    if (progressive && !context_.preferences.get(pref::progressiveRendering)) return interrupt();
     if (!settled_ && mayRenderProgressively()) rest_.start();
 }
 
 // --- What ---
 
 void RenderOperations::onRefined(const QImage& picture, bool last) {
-    desk_.view.showPicture(picture);
-    if (last && quick_) desk_.view.tell(tr("Rendered. The next movement shows the live picture again."));
+    context_.view.showPicture(picture);
+    if (last && quick_) context_.view.tell(tr("Refined. The next movement shows the live frame again."));
     showActivity();
 }
 
 void RenderOperations::onFailed(const QString& text) {
-    quick_ ? desk_.notice.explain(text, {}) : desk_.view.tell(tr("No progressive rendering: %1").arg(text));
+    quick_ ? context_.notice.explain(text, {})
+           : context_.view.tell(tr("No progressive rendering: %1").arg(text));
 }
 
 void RenderOperations::showActivity() {
     constexpr double kHundred = 100;
     if (preview_.active()) {
-        if (preview_.progress() <= 0) return desk_.view.setActivity(tr("rendering…"));
+        if (preview_.progress() <= 0) return context_.view.setActivity(tr("rendering…"));
         const QString percent = QLocale().toString(kHundred * preview_.progress(), 'f', 0);
-        return desk_.view.setActivity(tr("rendering %1 %").arg(percent));
+        return context_.view.setActivity(tr("rendering %1 %").arg(percent));
     }
-    desk_.view.setActivity(desk_.view.showsLive() ? QString() : tr("rendered"));
+    context_.view.setActivity(context_.view.showsLive() ? QString() : tr("refined"));
 }
 
 } // namespace gui

@@ -1,7 +1,7 @@
-/// Better pictures than the live ones: progressive rendering when nothing moves, and quick render.
+/// Better images than the live ones: progressive rendering when nothing moves, and quick render.
 #pragma once
 
-#include "gui/operations/desk.h"
+#include "gui/operations/gui_context.h"
 #include "gui/processes/preview_process.h"
 
 #include <QObject>
@@ -13,7 +13,7 @@ class RenderOperations : public QObject {
     Q_OBJECT
 
   public:
-    RenderOperations(const Desk& desk, QObject* parent);
+    RenderOperations(const GuiContext& context, QObject* parent);
 
   private:
     void listen();
@@ -21,7 +21,7 @@ class RenderOperations : public QObject {
     void quickRender(int antialiasing);
     void renderProgressively();
     bool mayRenderProgressively() const;
-    /// The picture is, or will be, out of date: back to the live frames, in this very moment.
+    /// The image is, or will be, out of date: back to the live frames, in this very moment.
     void interrupt();
     void onStatus();
     void onFrame();
@@ -30,17 +30,17 @@ class RenderOperations : public QObject {
     void onFailed(const QString& text);
     void showActivity();
 
-    /// What a picture is a picture of.
+    /// What an image is an image of.
     struct Moment {
         View view;
         quint64 frame = 0;
         bool idle = false; ///< else the server draws the same frame again and again
     };
 
-    Desk desk_;
+    GuiContext context_;
     PreviewProcess preview_;
     QTimer rest_;          ///< how long nothing has moved
-    bool quick_ = false;   ///< the picture was asked for; else it is a progressive one
+    bool quick_ = false;   ///< the image was asked for; else it is a progressive one
     bool settled_ = false; ///< this moment is rendered, is being rendered, or cannot be
     Moment moment_;
 };

@@ -1,6 +1,6 @@
 #include "gui/operations/scene_changes.h"
 
-#include "gui/models/setting_names.h"
+#include "gui/models/setting_labels.h"
 
 #include <QDateTime>
 

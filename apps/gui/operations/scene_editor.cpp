@@ -23,7 +23,7 @@ SceneEditor::SceneEditor(Session& session, QObject* parent) : QObject(parent), s
     connect(&session_, &Session::stateChanged, this, &SceneEditor::onSession);
     connect(&session_, &Session::statusChanged, this, [this] {
         const bool loads = session_.status().progress < 1;
-        if (std::exchange(loading_, loads) && !loads) refresh(); // whoever had it loaded
+        if (std::exchange(loading_, loads) && !loads) refresh(); // whichever client had it loaded
     });
     connect(&timer_, &QTimer::timeout, this, &SceneEditor::look);
     sinceAsked_.start();
@@ -146,7 +146,7 @@ void SceneEditor::change(const SceneState& to, const QString& label) {
     undo_.push(new StateChange(*this, label, state_, to));
 }
 
-// The picture's size is the window's, not a matter of taste.
+// The image's size is the window's, not a matter of taste.
 void SceneEditor::setDefaults() {
     SceneState to = state_;
     for (const rtcore::Setting& setting : rtcore::settingsTable()) {

@@ -31,7 +31,7 @@ class SceneEditor : public QObject {
     /// Absolute path of what the server shows; empty while it is not known.
     const QString& scene() const { return scene_; }
     QUndoStack& undoStack() { return undo_; }
-    /// Asks the server after new frames while somebody looks; each user says yes or no for itself.
+    /// Asks the server after new frames while at least one panel is visible; each panel says so for itself.
     void watch(const QObject* user, bool looks);
     void refresh();
 
@@ -46,7 +46,7 @@ class SceneEditor : public QObject {
     /// The same by a .cam file's text. Fails, with nothing sent, when it is none.
     void placeByText(const QString& camera, const QString& label,
                      std::function<void(const Answer&)> done = {});
-    /// Around changes that somebody else sends, such as one movement of many steps: call the result after the
+    /// Around changes that are sent elsewhere, such as one movement of many steps: call the result after the
     /// last one.
     std::function<void()> beginPlacement(const QString& label);
 

@@ -54,8 +54,8 @@ BookmarksPanel::BookmarksPanel(QWidget* parent)
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     list_->setSpacing(2);
-    add_->setToolTip(tr("Keep the present view"));
-    go_->setToolTip(tr("Look from there; Enter or a double click, too"));
+    add_->setToolTip(tr("Keep the current view"));
+    go_->setToolTip(tr("Go to this view; also Enter or a double click"));
     rename_->setToolTip(tr("Also by F2"));
     delete_->setToolTip(tr("Can be undone"));
     auto* buttons = new QGridLayout;

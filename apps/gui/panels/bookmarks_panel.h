@@ -1,4 +1,4 @@
-/// The bookmarks of the scene with their pictures. Knows neither files nor servers.
+/// The bookmarks of the scene with their images. Knows neither files nor servers.
 #pragma once
 
 #include <QImage>

@@ -1,7 +1,7 @@
 #include "gui/panels/settings_panel.h"
 
 #include "gui/models/scene_state.h"
-#include "gui/models/setting_names.h"
+#include "gui/models/setting_labels.h"
 #include "gui/panels/fold_box.h"
 #include "gui/panels/value_box.h"
 

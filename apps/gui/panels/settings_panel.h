@@ -31,7 +31,7 @@ class SettingsPanel : public QWidget {
     using QWidget::show;
     /// The field of a setting, by name; null when there is none.
     QWidget* editor(const QString& name) const { return rows_.value(name).editor; }
-    /// The button that leads back to the default; hidden where nothing differs, and for the picture's size,
+    /// The button that leads back to the default; hidden where nothing differs, and for the image's size,
     /// which follows the window.
     QToolButton* resetButton(const QString& name) const { return rows_.value(name).reset; }
     /// By Setting::group.

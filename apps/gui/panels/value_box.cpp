@@ -54,7 +54,7 @@ QValidator::State ValueBox::validate(QString& text, int&) const {
 void ValueBox::stepBy(int steps) {
     const double size = std::abs(value());
     const double step = size > 0 ? std::pow(10.0, std::floor(std::log10(size)) - 1) : kFirstStep;
-    // To a multiple of the step: no digits that nobody asked for.
+    // To a multiple of the step: no spurious digits.
     const double wanted = (std::round(value() / step) + steps) * step;
     setValue(QLocale::c().toDouble(QLocale::c().toString(wanted, 'g', 6)));
     selectAll();

@@ -1,4 +1,4 @@
-/// A run of the Renderer or of BSPBuilder that somebody asked for, and how far it is.
+/// A run of the Renderer or of BSPBuilder, and its progress.
 #pragma once
 
 #include <QString>

@@ -29,7 +29,7 @@ struct Source {
     bool flipTextures = false;
 };
 
-// Nothing for what is no model, or cannot be read: that is told by who loads it.
+// Nothing for a file that is no model or cannot be read: the loader reports it.
 std::optional<Source> sourceOf(const QString& scene) {
     Source source{QFileInfo(scene).absoluteFilePath()};
     if (source.path.endsWith(QLatin1String(".scn"))) {

@@ -24,7 +24,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kPace = 15ms;
-constexpr int kLingerSeconds = 60; ///< it is ended as soon as its last picture is seen, however late that is
+constexpr int kLingerSeconds = 60; ///< it is ended as soon as its last image is seen, however late that is
 constexpr int kMostTries = 5;      ///< while the predecessor, on a busy machine, takes its time to die
 constexpr auto kPatience = 1s;     ///< with a Renderer that does not end when it is asked to
 
@@ -140,7 +140,7 @@ void PreviewProcess::look() {
     emit refined(picture->image, picture->last);
 }
 
-// Its last picture can be read even now, by who was there before.
+// Its last image can be read even now, by viewers that were attached before.
 void PreviewProcess::finish(int exitCode, bool crashed) {
     if (!crashed && exitCode == 0) look();
     if (!active_) return;

@@ -1,4 +1,4 @@
-/// The present view, rendered in higher quality by the Renderer, shown while it refines.
+/// The current view, rendered in higher quality by the Renderer, shown while it refines.
 #pragma once
 
 #include "gui/models/still_quality.h"
@@ -19,7 +19,7 @@ namespace gui {
 
 class ModelCache;
 
-/// One picture at a time. Nothing waits but the destructor.
+/// One image at a time. Nothing waits but the destructor.
 class PreviewProcess : public QObject {
     Q_OBJECT
 
@@ -29,9 +29,9 @@ class PreviewProcess : public QObject {
     /// Renderers that run are ended, and waited for.
     ~PreviewProcess() override;
 
-    /// Of the size of a live frame. A picture still under way is given up.
+    /// Of the size of a live frame. An image still under way is given up.
     void render(const StillQuality& quality);
-    /// Nothing more is heard of the picture under way; its Renderer is told to end at once.
+    /// Nothing more is heard of the image under way; its Renderer is told to end at once.
     void cancel();
     bool active() const { return active_; }
     double progress() const { return progress_; } ///< 0..1
@@ -39,7 +39,7 @@ class PreviewProcess : public QObject {
     const QString& instance() const { return instance_; }
 
   signals:
-    /// A better picture than the one before; after the last one the Renderer is gone.
+    /// A better image than the one before; after the last one the Renderer is gone.
     void refined(const QImage& picture, bool last);
     void failed(const QString& text);
     void progressed(); ///< also when it begins and ends
@@ -57,10 +57,10 @@ class PreviewProcess : public QObject {
     Session& session_;
     const ModelCache& models_;
     QString instance_;
-    quint64 run_; ///< of the picture under way, or of the next
+    quint64 run_; ///< of the image under way, or of the next
     StillQuality quality_;
     bool active_ = false;
-    int tries_ = 0; ///< of the picture under way
+    int tries_ = 0; ///< of the image under way
     double progress_ = 0;
     std::unique_ptr<QTemporaryDir> folder_;
     QProcess* process_ = nullptr;

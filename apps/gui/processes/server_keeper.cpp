@@ -52,7 +52,7 @@ void ServerKeeper::launch(const ServerRequest& request) {
     ServerRequest extended = request;
     extended.keep = keep_;
     const QString built = importsByOptions(request) ? QString() : models_.find(request.scene);
-    if (!built.isEmpty()) extended.options.append(QStringLiteral("--built-model=") + built);
+    if (!built.isEmpty()) extended.options.append(QStringLiteral("--cached-model=") + built);
     server_.start(extended);
     session_.connectTo(request.instance, kPatience);
     emit started(request.scene);
@@ -68,7 +68,7 @@ void ServerKeeper::connectTo(const QString& instance) {
     session_.connectTo(instance);
 }
 
-// Our own server is not left alone, unless somebody else looks at it.
+// Our own server is ended, unless other clients are connected to it.
 void ServerKeeper::leaveOurs() {
     if (!server_.running()) return;
     const bool shared = clientsOf(server_.request().instance) > (ours() ? 1 : 0);

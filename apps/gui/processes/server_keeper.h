@@ -22,7 +22,7 @@ class ServerKeeper : public QObject {
     void start(ServerRequest request);
     /// Connects to a server that runs.
     void connectTo(const QString& instance);
-    /// Stops the server that the session is connected to, whoever started it.
+    /// Stops the server that the session is connected to, even one that another program started.
     void stop();
     /// True when restart() knows what to start: the last server was ours.
     bool canRestart() const { return !last_.scene.isEmpty(); }

@@ -42,7 +42,7 @@ class ServerProcess : public QObject {
 
     /// Asks it to end, and kills it when it has not done so within `patience`. ended() follows.
     void stop(int patienceMilliseconds = 3000);
-    /// From now on it is nobody's: it goes on when this program ends.
+    /// From now on it is detached: it keeps running when this program ends.
     void release();
 
   signals:

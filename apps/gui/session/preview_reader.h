@@ -1,4 +1,4 @@
-/// The pictures of a Renderer that shows what it renders (docs/protocol.md, "A preview").
+/// The images of a Renderer that shows what it renders (docs/protocol.md, "A preview").
 #pragma once
 
 #include <QImage>
@@ -17,16 +17,16 @@ struct PreviewPicture {
 /// One thread. Nothing waits: read() is called every few milliseconds.
 class PreviewReader {
   public:
-    /// Looks for the instance until it is there. Other runs' pictures are passed over.
+    /// Looks for the instance until it is there. Other runs' images are passed over.
     PreviewReader(const QString& instance, quint64 run);
     ~PreviewReader();
     PreviewReader(const PreviewReader&) = delete;
     PreviewReader& operator=(const PreviewReader&) = delete;
 
-    /// A newer picture, where there is one that is better than `live`. What the Renderer has interpolated is
-    /// worse: there `live` is seen, or, where that is null or has another size, there is no picture yet.
+    /// A newer image, where there is one that is better than `live`. What the Renderer has interpolated is
+    /// worse: there `live` is seen, or, where that is null or has another size, there is no image yet.
     std::optional<PreviewPicture> read(const QImage& live);
-    double progress() const { return progress_; }       ///< share of the work that is done; 0 while it loads
+    double progress() const { return progress_; } ///< fraction of the work that is done; 0 while it loads
     const QString& trouble() const { return trouble_; } ///< why nothing will come; empty while all is well
 
   private:

@@ -117,7 +117,7 @@ void Session::look() {
         process_ = link_->client->serverProcess();
     }
     collectAnswers();
-    if (!link_->client) return; // who was called left the server; so below
+    if (!link_->client) return; // a called function has left the server; so below
     if (gone) {
         failAll(tr("the server ended before it answered"));
         if (state_ != SessionState::Connecting) become(SessionState::Lost);

@@ -80,7 +80,7 @@ class Session : public QObject {
     void stateChanged(gui::SessionState state);
     void frameChanged();
     void statusChanged();
-    /// A command that nobody waits for failed.
+    /// A command without a waiting caller failed.
     void commandFailed(const QString& command, const QString& text);
 
   private:

@@ -18,11 +18,11 @@ namespace gui {
 
 using Clock = std::chrono::steady_clock;
 
-/// A command and who waits for its answer.
+/// A command and the receiver of its answer.
 struct Order {
     std::string command;
     QPointer<const QObject> context;
-    std::function<void(const Answer&)> done; ///< empty: nobody waits
+    std::function<void(const Answer&)> done; ///< empty: the answer is not wanted
     ipc::Ticket ticket = 0;                  ///< 0: not sent yet
 };
 

@@ -150,7 +150,7 @@
         <translation>Pohyb</translation>
     </message>
     <message>
-        <source>Picture</source>
+        <source>Image</source>
         <translation>Obraz</translation>
     </message>
     <message>
@@ -162,8 +162,8 @@
         <translation>pozastaven</translation>
     </message>
     <message>
-        <source>at rest</source>
-        <translation>v klidu</translation>
+        <source>idle</source>
+        <translation>nečinný</translation>
     </message>
     <message>
         <source>drawing</source>
@@ -174,12 +174,12 @@
         <translation> (%1 %)</translation>
     </message>
     <message>
-        <source>walking</source>
+        <source>Walk</source>
         <translation>chůze</translation>
     </message>
     <message>
-        <source>flying</source>
-        <translation>let</translation>
+        <source>Fly</source>
+        <translation>létání</translation>
     </message>
     <message>
         <source>%1 fps</source>
@@ -212,8 +212,8 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
         <translation>Načítání… %1 %</translation>
     </message>
     <message>
-        <source>The first picture is on its way…</source>
-        <translation>První snímek se připravuje…</translation>
+        <source>Rendering first frame…</source>
+        <translation>Vykresluje se první snímek…</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
@@ -284,15 +284,15 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
         <translation>&amp;Rychlé vykreslení</translation>
     </message>
     <message>
-        <source>Show the present view in higher quality</source>
-        <translation>Zobrazit současný pohled ve vyšší kvalitě</translation>
+        <source>Show the current view in higher quality</source>
+        <translation>Zobrazit aktuální pohled ve vyšší kvalitě</translation>
     </message>
     <message>
         <source>S&amp;creenshot</source>
         <translation>Uložit &amp;snímek</translation>
     </message>
     <message>
-        <source>Save the picture under the next free name</source>
+        <source>Save the image under the next free name</source>
         <translation>Uložit obraz pod dalším volným názvem</translation>
     </message>
     <message>
@@ -316,7 +316,7 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
         <translation>S&amp;tatistika</translation>
     </message>
     <message>
-        <source>Frames a second, rays a second, resolution, polygons</source>
+        <source>Frames/s, rays/s, resolution, polygons</source>
         <translation>Snímky za sekundu, paprsky za sekundu, rozlišení, trojúhelníky</translation>
     </message>
     <message>
@@ -332,7 +332,7 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
         <translation>&amp;Pozastavit server</translation>
     </message>
     <message>
-        <source>Finish the picture, then draw no more until this is off again</source>
+        <source>Finish the image, then draw no more until this is off again</source>
         <translation>Dokončit obraz a další nekreslit, dokud se volba nevypne</translation>
     </message>
     <message>
@@ -340,7 +340,7 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
         <translation>&amp;Odezva serveru</translation>
     </message>
     <message>
-        <source>Does it answer?</source>
+        <source>Test whether it answers</source>
         <translation>Odpovídá server?</translation>
     </message>
     <message>
@@ -352,27 +352,27 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
         <translation>Znovu spustit server se stejnou scénou a kamerou</translation>
     </message>
     <message>
-        <source>&amp;Ignore aspect ratio</source>
-        <translation>&amp;Nezachovávat poměr stran</translation>
+        <source>Stretch to &amp;window</source>
+        <translation>&amp;Roztáhnout na okno</translation>
     </message>
     <message>
-        <source>Stretch the picture over the whole window</source>
-        <translation>Roztáhnout obraz přes celé okno</translation>
+        <source>Fill the whole window, whatever the aspect ratio</source>
+        <translation>Vyplnit celé okno bez ohledu na poměr stran</translation>
     </message>
     <message>
-        <source>&amp;Smooth transformation</source>
-        <translation>&amp;Vyhlazovat obraz</translation>
+        <source>&amp;Smooth scaling</source>
+        <translation>&amp;Vyhlazovat zvětšení</translation>
     </message>
     <message>
-        <source>Filter the picture where it does not have the window&apos;s size</source>
+        <source>Filter the image where it does not have the window&apos;s size</source>
         <translation>Filtrovat obraz, který nemá velikost okna</translation>
     </message>
     <message>
-        <source>Show &amp;figures</source>
+        <source>Show &amp;overlay</source>
         <translation>Zobrazit ú&amp;daje</translation>
     </message>
     <message>
-        <source>Frames a second, resolution, mode and state in the corner</source>
+        <source>Frames/s, resolution, mode and state in the corner</source>
         <translation>Snímky za sekundu, rozlišení, režim a stav v rohu</translation>
     </message>
     <message>
@@ -392,12 +392,12 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
         <translation>Když kamera stojí, vykreslit pohled ve vyšší kvalitě</translation>
     </message>
     <message>
-        <source>&amp;Configure…</source>
+        <source>P&amp;references…</source>
         <translation>Př&amp;edvolby…</translation>
     </message>
     <message>
-        <source>Preferences and keys</source>
-        <translation>Předvolby a klávesy</translation>
+        <source>Behaviour, image and keys</source>
+        <translation>Chování, obraz a klávesy</translation>
     </message>
     <message>
         <source>&amp;Keys</source>
@@ -412,8 +412,8 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
         <translation>&amp;O programu</translation>
     </message>
     <message>
-        <source>What this program is</source>
-        <translation>Co je to za program</translation>
+        <source>About this program</source>
+        <translation>O tomto programu</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -480,15 +480,15 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
         <translation>Úlo&amp;hy</translation>
     </message>
     <message>
-        <source>What is rendered and built, and what waits</source>
-        <translation>Co se vykresluje a staví a co čeká</translation>
+        <source>Running and queued jobs</source>
+        <translation>Běžící a čekající úlohy</translation>
     </message>
     <message>
         <source>Reset ca&amp;mera</source>
         <translation>Výchozí ka&amp;mera</translation>
     </message>
     <message>
-        <source>Look as the scene itself says</source>
+        <source>The view that the scene names</source>
         <translation>Pohled podle samotné scény</translation>
     </message>
     <message>
@@ -496,8 +496,8 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
         <translation>Přidat zá&amp;ložku</translation>
     </message>
     <message>
-        <source>Keep the present view; Alt and a digit go back to it</source>
-        <translation>Uchovat současný pohled; Alt a číslice se k němu vrátí</translation>
+        <source>Keep the current view; Alt and a digit go back to it</source>
+        <translation>Uchovat aktuální pohled; Alt a číslice se k němu vrátí</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
@@ -520,7 +520,7 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
         <translation>Panel na&amp;stavení</translation>
     </message>
     <message>
-        <source>All settings of the live picture</source>
+        <source>All settings of the viewport</source>
         <translation>Všechna nastavení živého obrazu</translation>
     </message>
     <message>
@@ -572,8 +572,8 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
         <translation>Uvolnit je</translation>
     </message>
     <message>
-        <source>What the server has to say</source>
-        <translation>Co server hlásí</translation>
+        <source>Messages of the server</source>
+        <translation>Zprávy serveru</translation>
     </message>
     <message>
         <source>%1 (and others like this: %2)</source>
@@ -643,8 +643,8 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
         <translation>O programu</translation>
     </message>
     <message>
-        <source>&lt;h3&gt;Interactive ray tracing&lt;/h3&gt;&lt;p&gt;Open a scene or a model and walk in it, with shadows, mirrors and glass traced ray by ray by the processor alone.&lt;/p&gt;&lt;p&gt;After &lt;i&gt;Ray Tracing Algorithm For Interactive Applications&lt;/i&gt;.&lt;/p&gt;</source>
-        <translation>&lt;h3&gt;Interaktivní sledování paprsků&lt;/h3&gt;&lt;p&gt;Otevřete scénu nebo model a projděte se v něm. Stíny, zrcadla i sklo počítá paprsek po paprsku samotný procesor.&lt;/p&gt;&lt;p&gt;Podle práce &lt;i&gt;Ray Tracing Algorithm For Interactive Applications&lt;/i&gt;.&lt;/p&gt;</translation>
+        <source>&lt;h3&gt;rtsuite&lt;/h3&gt;&lt;p&gt;Interactive ray tracing.&lt;/p&gt;&lt;p&gt;Open a scene or a model and walk in it, with shadows, mirrors and glass traced ray by ray by the processor alone.&lt;/p&gt;&lt;p&gt;After &lt;i&gt;Ray Tracing Algorithm For Interactive Applications&lt;/i&gt;.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;rtsuite&lt;/h3&gt;&lt;p&gt;Interaktivní sledování paprsků.&lt;/p&gt;&lt;p&gt;Otevřete scénu nebo model a projděte se v něm. Stíny, zrcadla i sklo počítá paprsek po paprsku samotný procesor.&lt;/p&gt;&lt;p&gt;Podle práce &lt;i&gt;Ray Tracing Algorithm For Interactive Applications&lt;/i&gt;.&lt;/p&gt;</translation>
     </message>
     <message>
         <source>
@@ -675,12 +675,12 @@ Qt %1</translation>
         <translation>Záložky</translation>
     </message>
     <message>
-        <source>%1 was kept. Alt+%2 goes there.</source>
-        <translation>Záložka %1 uložena. Vrátí vás Alt+%2.</translation>
+        <source>Bookmark “%1” added. Alt+%2 goes there.</source>
+        <translation>Záložka „%1“ přidána. Vrátí vás Alt+%2.</translation>
     </message>
     <message>
-        <source>%1 was kept.</source>
-        <translation>Záložka %1 uložena.</translation>
+        <source>Bookmark “%1” added.</source>
+        <translation>Záložka „%1“ přidána.</translation>
     </message>
     <message>
         <source>There is no bookmark %1.</source>
@@ -729,12 +729,12 @@ Qt %1</translation>
         <translation>Záložky</translation>
     </message>
     <message>
-        <source>Keep the present view</source>
-        <translation>Uchovat současný pohled</translation>
+        <source>Keep the current view</source>
+        <translation>Uchovat aktuální pohled</translation>
     </message>
     <message>
-        <source>Look from there; Enter or a double click, too</source>
-        <translation>Pohled odtud; také Enter nebo dvojité kliknutí</translation>
+        <source>Go to this view; also Enter or a double click</source>
+        <translation>Přejít na tento pohled; také Enter nebo dvojité kliknutí</translation>
     </message>
     <message>
         <source>Also by F2</source>
@@ -841,7 +841,7 @@ Alt+%2</translation>
         <translation>Kamery (*.cam);;Všechny soubory (*)</translation>
     </message>
     <message>
-        <source>The picture was written to %1.</source>
+        <source>The image was written to %1.</source>
         <translation>Obraz byl zapsán do %1.</translation>
     </message>
     <message>
@@ -872,7 +872,7 @@ Alt+%2</translation>
 <context>
     <name>gui::ConfigureDialog</name>
     <message>
-        <source>Configure</source>
+        <source>Preferences</source>
         <translation>Předvolby</translation>
     </message>
     <message>
@@ -884,11 +884,11 @@ Alt+%2</translation>
         <translation>&amp;Myš</translation>
     </message>
     <message>
-        <source>Folder for pictures</source>
+        <source>Folder for images</source>
         <translation>Složka pro obrázky</translation>
     </message>
     <message>
-        <source>&amp;Folder for pictures:</source>
+        <source>&amp;Folder for images:</source>
         <translation>&amp;Složka pro obrázky:</translation>
     </message>
     <message>
@@ -900,7 +900,7 @@ Alt+%2</translation>
         <translation>&amp;Postupně vykreslovat, když kamera stojí</translation>
     </message>
     <message>
-        <source>The &amp;live picture follows the window&apos;s size</source>
+        <source>Viewport fo&amp;llows the window&apos;s size</source>
         <translation>Ž&amp;ivý obraz má velikost okna</translation>
     </message>
     <message>
@@ -932,7 +932,7 @@ Alt+%2</translation>
         <translation>H &amp;exportuje záři:</translation>
     </message>
     <message>
-        <source>&amp;Invert up and down</source>
+        <source>In&amp;vert up and down</source>
         <translation>&amp;Převrátit nahoru a dolů</translation>
     </message>
     <message>
@@ -968,15 +968,15 @@ Alt+%2</translation>
         <translation>%1 % okna</translation>
     </message>
     <message>
-        <source>Smaller pictures are drawn faster</source>
+        <source>Smaller images are drawn faster</source>
         <translation>Menší obraz se kreslí rychleji</translation>
     </message>
     <message>
-        <source>&amp;Size of the live picture:</source>
+        <source>&amp;Size of the viewport:</source>
         <translation>&amp;Velikost živého obrazu:</translation>
     </message>
     <message>
-        <source>° a pixel</source>
+        <source>° per pixel</source>
         <translation>° na bod</translation>
     </message>
     <message>
@@ -984,7 +984,7 @@ Alt+%2</translation>
         <translation>&amp;Citlivost:</translation>
     </message>
     <message>
-        <source>Pict&amp;ure</source>
+        <source>&amp;Image</source>
         <translation>O&amp;braz</translation>
     </message>
     <message>
@@ -996,11 +996,11 @@ Alt+%2</translation>
         <translation> MB</translation>
     </message>
     <message>
-        <source>Keep mo&amp;dels for the next time:</source>
-        <translation>U&amp;chovat modely pro příště:</translation>
+        <source>Mo&amp;del cache:</source>
+        <translation>&amp;Cache modelů:</translation>
     </message>
     <message>
-        <source>as the live picture</source>
+        <source>same as viewport</source>
         <translation>jako živý obraz</translation>
     </message>
     <message>
@@ -1043,7 +1043,7 @@ Alt+%2</translation>
         <translation>Proces</translation>
     </message>
     <message>
-        <source>Picture</source>
+        <source>Image</source>
         <translation>Obraz</translation>
     </message>
     <message>
@@ -1098,7 +1098,7 @@ Alt+%2</translation>
         <translation>Zastavit server</translation>
     </message>
     <message>
-        <source>End the server “%1”? Whoever looks at it loses it.</source>
+        <source>End the server “%1”? All windows connected to it lose it.</source>
         <translation>Ukončit server „%1“? Přijdou o něj všichni, kdo jej sledují.</translation>
     </message>
     <message>
@@ -1133,7 +1133,7 @@ Alt+%2</translation>
         <translation>Vyhlazování hran</translation>
     </message>
     <message>
-        <source>N × N samples a pixel</source>
+        <source>N × N samples per pixel</source>
         <translation>N × N vzorků na bod</translation>
     </message>
     <message>
@@ -1198,11 +1198,11 @@ Alt+%2</translation>
 <context>
     <name>gui::FrameView</name>
     <message>
-        <source>Picture</source>
+        <source>Image</source>
         <translation>Obraz</translation>
     </message>
     <message>
-        <source>The live picture. Keys move; Enter or a click captures mouse and keyboard, Esc releases them.</source>
+        <source>The viewport. Keys move; Enter or a click captures mouse and keyboard, Esc releases them.</source>
         <translation>Živý obraz. Klávesami se pohybujete; Enter nebo kliknutí zachytí myš a klávesnici, Esc je uvolní.</translation>
     </message>
     <message>
@@ -1256,7 +1256,7 @@ Alt+%2</translation>
         <translation>Úlohy nejsou dokončeny</translation>
     </message>
     <message numerus="yes">
-        <source>%n job(s) run or wait. Stop them and close the window?</source>
+        <source>Unfinished jobs: %n. Stop and close?</source>
         <translation>
             <numerusform>%n úloha běží nebo čeká. Zastavit ji a zavřít okno?</numerusform>
             <numerusform>%n úlohy běží nebo čekají. Zastavit je a zavřít okno?</numerusform>
@@ -1268,8 +1268,8 @@ Alt+%2</translation>
         <translation>&amp;Zastavit a zavřít</translation>
     </message>
     <message>
-        <source>&amp;Go on</source>
-        <translation>&amp;Pokračovat</translation>
+        <source>&amp;Keep running</source>
+        <translation>&amp;Nechat běžet</translation>
     </message>
 </context>
 <context>
@@ -1421,7 +1421,7 @@ Alt+%2</translation>
         <translation>Ukončit násilím</translation>
     </message>
     <message>
-        <source>No job is chosen.</source>
+        <source>No job is selected.</source>
         <translation>Není vybrána žádná úloha.</translation>
     </message>
     <message>
@@ -1555,8 +1555,8 @@ Alt+%2</translation>
 <context>
     <name>gui::MainWindow</name>
     <message>
-        <source>Ray tracing</source>
-        <translation>Sledování paprsků</translation>
+        <source>rtsuite</source>
+        <translation>rtsuite</translation>
     </message>
 </context>
 <context>
@@ -1618,7 +1618,7 @@ Alt+%2</translation>
 <context>
     <name>gui::PictureDialog</name>
     <message>
-        <source>Picture %1</source>
+        <source>Image %1</source>
         <translation>Obraz %1</translation>
     </message>
     <message>
@@ -1626,7 +1626,7 @@ Alt+%2</translation>
         <translation>Přizpůsobit</translation>
     </message>
     <message>
-        <source>All of the picture</source>
+        <source>All of the image</source>
         <translation>Celý obraz</translation>
     </message>
     <message>
@@ -1650,7 +1650,7 @@ Alt+%2</translation>
         <translation>Kopírovat</translation>
     </message>
     <message>
-        <source>Copy the picture</source>
+        <source>Copy the image</source>
         <translation>Kopírovat obraz</translation>
     </message>
     <message>
@@ -1658,7 +1658,7 @@ Alt+%2</translation>
         <translation>Uložit jako…</translation>
     </message>
     <message>
-        <source>Save a copy of the picture</source>
+        <source>Save a copy of the image</source>
         <translation>Uložit kopii obrazu</translation>
     </message>
     <message>
@@ -1666,7 +1666,7 @@ Alt+%2</translation>
         <translation>Otevřít složku</translation>
     </message>
     <message>
-        <source>Open the folder of the picture</source>
+        <source>Open the folder of the image</source>
         <translation>Otevřít složku s obrazem</translation>
     </message>
     <message>
@@ -1674,11 +1674,11 @@ Alt+%2</translation>
         <translation>%1 × %2, ukázáno na %3 %</translation>
     </message>
     <message>
-        <source>Save picture</source>
+        <source>Save image</source>
         <translation>Uložit obraz</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.bmp *.ppm)</source>
+        <source>Images (*.png *.jpg *.bmp *.ppm)</source>
         <translation>Obrazy (*.png *.jpg *.bmp *.ppm)</translation>
     </message>
     <message>
@@ -1755,7 +1755,7 @@ Alt+%2</translation>
         <translation>Všechny soubory (*)</translation>
     </message>
     <message>
-        <source>Pictures (%1)</source>
+        <source>Images (%1)</source>
         <translation>Obrázky (%1)</translation>
     </message>
     <message>
@@ -1763,8 +1763,8 @@ Alt+%2</translation>
         <translation>Vykreslit</translation>
     </message>
     <message>
-        <source>the present view</source>
-        <translation>současný pohled</translation>
+        <source>current view</source>
+        <translation>aktuální pohled</translation>
     </message>
     <message>
         <source>a scene or a model</source>
@@ -1791,8 +1791,8 @@ Alt+%2</translation>
         <translation>Kamery (*.cam)</translation>
     </message>
     <message>
-        <source>as the scene says</source>
-        <translation>podle scény</translation>
+        <source>from scene</source>
+        <translation>ze scény</translation>
     </message>
     <message>
         <source>List of cameras</source>
@@ -1867,7 +1867,7 @@ Alt+%2</translation>
         <translation>Paprsky zastínění okolím</translation>
     </message>
     <message>
-        <source> rays a point</source>
+        <source> rays per point</source>
         <translation> paprsků na bod</translation>
     </message>
     <message>
@@ -1927,7 +1927,7 @@ Alt+%2</translation>
         <translation>N&amp;astavení:</translation>
     </message>
     <message>
-        <source>as the live picture</source>
+        <source>same as viewport</source>
         <translation>jako živý obraz</translation>
     </message>
     <message>
@@ -1935,7 +1935,7 @@ Alt+%2</translation>
         <translation>podle kamer</translation>
     </message>
     <message>
-        <source>no pictures; or such as frame_####.png</source>
+        <source>no images; or such as frame_####.png</source>
         <translation>bez obrázků; nebo třeba frame_####.png</translation>
     </message>
     <message>
@@ -1955,7 +1955,7 @@ Alt+%2</translation>
         <translation>Vyberte seznam kamer.</translation>
     </message>
     <message>
-        <source>Name a film, pictures, or both.</source>
+        <source>Name a film, images, or both.</source>
         <translation>Zadejte film, obrázky nebo obojí.</translation>
     </message>
     <message>
@@ -1966,8 +1966,8 @@ Alt+%2</translation>
 <context>
     <name>gui::RenderOperations</name>
     <message>
-        <source>Rendered. The next movement shows the live picture again.</source>
-        <translation>Vykresleno. Při dalším pohybu se vrátí živý obraz.</translation>
+        <source>Refined. The next movement shows the live frame again.</source>
+        <translation>Zpřesněno. Při dalším pohybu se vrátí živý obraz.</translation>
     </message>
     <message>
         <source>rendering…</source>
@@ -1982,8 +1982,8 @@ Alt+%2</translation>
         <translation>vykresluje se %1 %</translation>
     </message>
     <message>
-        <source>rendered</source>
-        <translation>vykresleno</translation>
+        <source>refined</source>
+        <translation>zpřesněno</translation>
     </message>
 </context>
 <context>
@@ -2132,8 +2132,8 @@ Alt+%2</translation>
         <translation>podle okna</translation>
     </message>
     <message>
-        <source>as the scene says</source>
-        <translation>podle scény</translation>
+        <source>from scene</source>
+        <translation>ze scény</translation>
     </message>
     <message>
         <source>fixed</source>
@@ -2207,24 +2207,24 @@ Alt+%2</translation>
         <translation>Stav</translation>
     </message>
     <message>
-        <source>Frames a second</source>
-        <translation>Snímky za sekundu</translation>
+        <source>Frames/s</source>
+        <translation>Snímků/s</translation>
     </message>
     <message>
         <source>Frame time</source>
         <translation>Doba snímku</translation>
     </message>
     <message>
-        <source>Shown here</source>
-        <translation>Zobrazeno zde</translation>
+        <source>Displayed</source>
+        <translation>Zobrazeno</translation>
     </message>
     <message>
-        <source>Delay to the screen</source>
-        <translation>Zpoždění na obrazovku</translation>
+        <source>Display latency</source>
+        <translation>Zpoždění zobrazení</translation>
     </message>
     <message>
-        <source>Rays a second</source>
-        <translation>Paprsky za sekundu</translation>
+        <source>Rays/s</source>
+        <translation>Paprsků/s</translation>
     </message>
     <message>
         <source>Resolution</source>
@@ -2263,8 +2263,8 @@ Alt+%2</translation>
         <translation>pozastaven</translation>
     </message>
     <message>
-        <source>at rest</source>
-        <translation>v klidu</translation>
+        <source>idle</source>
+        <translation>nečinný</translation>
     </message>
     <message>
         <source>drawing</source>
@@ -2287,12 +2287,12 @@ Alt+%2</translation>
         <translation>%1 milionů</translation>
     </message>
     <message>
-        <source>walking</source>
+        <source>Walk</source>
         <translation>chůze</translation>
     </message>
     <message>
-        <source>flying</source>
-        <translation>let</translation>
+        <source>Fly</source>
+        <translation>létání</translation>
     </message>
 </context>
 </TS>

@@ -4,7 +4,7 @@
 <context>
     <name>Settings</name>
     <message>
-        <source>Picture</source>
+        <source>Image</source>
         <translation>Obraz</translation>
     </message>
     <message>
@@ -12,7 +12,7 @@
         <translation>Šířka</translation>
     </message>
     <message>
-        <source>width of the picture</source>
+        <source>width of the image</source>
         <translation>šířka obrazu</translation>
     </message>
     <message>
@@ -24,7 +24,7 @@
         <translation>Výška</translation>
     </message>
     <message>
-        <source>height of the picture</source>
+        <source>height of the image</source>
         <translation>výška obrazu</translation>
     </message>
     <message>
@@ -32,7 +32,7 @@
         <translation>Vyhlazování hran</translation>
     </message>
     <message>
-        <source>N x N samples a pixel, averaged</source>
+        <source>N x N samples per pixel, averaged</source>
         <translation>průměr z N × N vzorků na bod</translation>
     </message>
     <message>
@@ -40,7 +40,7 @@
         <translation>Rozmístění vzorků</translation>
     </message>
     <message>
-        <source>where the samples of a pixel lie: rotated is best at edges, grid is fastest</source>
+        <source>positions of the samples in a pixel: rotated is best at edges, grid is fastest</source>
         <translation>kde v pixelu leží vzorky: rotated je nejlepší na hranách, grid je nejrychlejší</translation>
     </message>
     <message>
@@ -108,8 +108,8 @@
         <translation>textury jsou vidět</translation>
     </message>
     <message>
-        <source>Max depth</source>
-        <translation>Největší hloubka</translation>
+        <source>Max. bounces</source>
+        <translation>Nejvíce odrazů</translation>
     </message>
     <message>
         <source>most bounces by mirrors and glass</source>
@@ -124,7 +124,7 @@
         <translation>Nejmenší příspěvek</translation>
     </message>
     <message>
-        <source>a ray that adds less than this share to its pixel is not traced</source>
+        <source>a ray that adds less than this fraction to its pixel is not traced</source>
         <translation>paprsek, který k bodu přidá menší podíl, se nesleduje</translation>
     </message>
     <message>
@@ -144,7 +144,7 @@
         <translation>Vzorky</translation>
     </message>
     <message>
-        <source>rays a point for ambient occlusion</source>
+        <source>rays per point for ambient occlusion</source>
         <translation>počet paprsků na jeden bod povrchu</translation>
     </message>
     <message>
@@ -176,16 +176,16 @@
         <translation>Pravidelné</translation>
     </message>
     <message>
-        <source>Light</source>
-        <translation>Světlo</translation>
+        <source>Ambient light</source>
+        <translation>Okolní světlo</translation>
     </message>
     <message>
-        <source>light from everywhere; 0: the scene's, or what suits it when it has none</source>
+        <source>ambient light; 0: the scene's, or one that suits it when it has none</source>
         <translation>světlo odevšad; 0: podle scény, nebo co se k ní hodí, když žádné nemá</translation>
     </message>
     <message>
         <source>radiance</source>
-        <translation>zář</translation>
+        <translation>zář (radiance)</translation>
     </message>
     <message>
         <source>Depth of field</source>
@@ -292,7 +292,7 @@
         <translation>Podíl</translation>
     </message>
     <message>
-        <source>share of all light that bloom spreads</source>
+        <source>fraction of all light that bloom spreads</source>
         <translation>jaký podíl všeho světla záře rozptýlí</translation>
     </message>
     <message>
@@ -304,7 +304,7 @@
         <translation>Režim</translation>
     </message>
     <message>
-        <source>automatic follows the picture's brightness</source>
+        <source>automatic follows the image's brightness</source>
         <translation>automatický se řídí jasem obrazu</translation>
     </message>
     <message>
@@ -356,7 +356,7 @@
         <translation>Místní</translation>
     </message>
     <message>
-        <source>how much the exposure of a place follows its own brightness</source>
+        <source>how much the exposure of a region follows its own brightness</source>
         <translation>jak moc se expozice místa řídí jeho vlastním jasem</translation>
     </message>
     <message>
@@ -407,7 +407,7 @@
         <translation>Výstup</translation>
     </message>
     <message>
-        <source>write the picture there; the extension says the format; .exr, .hdr and .pfm hold linear radiance, not tone mapped; '-' is standard output; may be given several times [the scene's output, else its name with .png in the current folder]</source>
+        <source>write the image there; the extension says the format; .exr, .hdr and .pfm hold linear radiance, not tone mapped; '-' is standard output; may be given several times [the scene's output, else its name with .png in the current folder]</source>
         <translation>sem se obraz zapíše; přípona určuje formát; .exr, .hdr a .pfm obsahují lineární zář bez mapování tónů; '-' je standardní výstup; lze zadat vícekrát [výstup podle scény, jinak její jméno s .png v aktuální složce]</translation>
     </message>
     <message>
@@ -415,16 +415,16 @@
         <translation>Formát</translation>
     </message>
     <message>
-        <source>format of the picture on standard output: png or ppm [png]</source>
+        <source>format of the image on standard output: png or ppm [png]</source>
         <translation>formát obrazu na standardním výstupu: png nebo ppm [png]</translation>
     </message>
     <message>
-        <source>Layers</source>
-        <translation>Vrstvy</translation>
+        <source>AOVs</source>
+        <translation>Vrstvy AOV</translation>
     </message>
     <message>
-        <source>outputs with the extension .exr also hold depth, normal, albedo, direct light and ambient occlusion of the surfaces, as layers</source>
-        <translation>výstupy s příponou .exr obsahují jako vrstvy také hloubku, normálu, odrazivost, přímé světlo a zastínění povrchů okolím</translation>
+        <source>outputs with the extension .exr also hold AOVs: depth, normal, albedo, direct light and ambient occlusion of the surfaces</source>
+        <translation>výstupy s příponou .exr obsahují také vrstvy AOV: hloubku, normálu, odrazivost, přímé světlo a zastínění povrchů okolím</translation>
     </message>
     <message>
         <source>Width</source>
@@ -543,7 +543,7 @@
         <translation>Vyhlazování hran</translation>
     </message>
     <message>
-        <source>N x N samples a pixel</source>
+        <source>N x N samples per pixel</source>
         <translation>N × N vzorků na bod</translation>
     </message>
     <message>
@@ -551,7 +551,7 @@
         <translation>Záře</translation>
     </message>
     <message>
-        <source>glow around what is bright: blur of N pixels (standard deviation); 0 is none</source>
+        <source>bloom around bright spots: a blur of N pixels (standard deviation); 0 is none</source>
         <translation>záře kolem jasných míst: rozostření o N pixelech (směrodatná odchylka); 0 je žádná</translation>
     </message>
     <message>
@@ -575,7 +575,7 @@
         <translation>Paprsky zastínění</translation>
     </message>
     <message>
-        <source>switch ambient occlusion on, with N rays a point</source>
+        <source>switch ambient occlusion on, with N rays per point</source>
         <translation>zapnout zastínění okolím s N paprsky na bod povrchu</translation>
     </message>
     <message>
@@ -623,7 +623,7 @@
         <translation>Náhled</translation>
     </message>
     <message>
-        <source>show the picture while it is rendered, from coarse to fine, to programs that look for an instance of this name; without --output no file is written; stops with the process that started it</source>
+        <source>show the image while it is rendered, from coarse to fine, to programs that look for an instance of this name; without --output no file is written; stops with the process that started it</source>
         <translation>ukazovat obraz během vykreslování, od hrubého k jemnému, programům, které hledají instanci tohoto jména; bez --output se nezapíše žádný soubor; skončí s procesem, který jej spustil</translation>
     </message>
     <message>
@@ -651,7 +651,7 @@
         <translation>Vlákna</translation>
     </message>
     <message>
-        <source>use N threads; 0 is all cores; the picture is the same for every number [0]</source>
+        <source>use N threads; 0 is all cores; the image is the same for every number [0]</source>
         <translation>použít N vláken; 0 jsou všechna jádra; obraz je pro každý počet stejný [0]</translation>
     </message>
     <message>

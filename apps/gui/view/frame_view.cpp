@@ -26,9 +26,9 @@ FrameView::FrameView(Session& session, QWidget* parent)
     setAttribute(Qt::WA_OpaquePaintEvent); // every pixel is painted: no background below
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(160, 120);
-    setAccessibleName(tr("Picture"));
+    setAccessibleName(tr("Image"));
     setAccessibleDescription(
-        tr("The live picture. Keys move; Enter or a click captures mouse and keyboard, Esc releases them."));
+        tr("The viewport. Keys move; Enter or a click captures mouse and keyboard, Esc releases them."));
     tellTimer_.setSingleShot(true);
     resizeTimer_.setSingleShot(true);
     connect(&tellTimer_, &QTimer::timeout, this, [this] { tell({}); });
@@ -46,7 +46,7 @@ FrameView::FrameView(Session& session, QWidget* parent)
     });
 }
 
-// With every frame comes a status: the picture is not painted for each of them.
+// With every frame comes a status: the image is not painted for each of them.
 void FrameView::onStatus() {
     if (stateText(session_) != words_) return update();
     if (figures_) update(0, 0, width(), figuresHeight(fontMetrics()));

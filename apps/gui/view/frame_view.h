@@ -1,4 +1,4 @@
-/// The picture: the server's newest frame, or a better one that somebody else rendered.
+/// The viewport: the server's newest frame, or a better image rendered by another program.
 #pragma once
 
 #include "gui/session/session.h"
@@ -25,9 +25,9 @@ class FrameView : public QWidget {
     void setIgnoreAspectRatio(bool on);
     void setSmoothTransformation(bool on);
     void setShowFigures(bool on);
-    /// A short line at the bottom of the picture, for some seconds.
+    /// A short line at the bottom of the image, for some seconds.
     void tell(const QString& text);
-    /// Behind the figures: what else goes on, such as rendering; empty = nothing.
+    /// Appended to the overlay: other activity, such as rendering; empty = nothing.
     void setActivity(const QString& text);
 
     /// Shows this one instead of the live frames, until showLive().
@@ -38,7 +38,7 @@ class FrameView : public QWidget {
     const QString& told() const { return told_; }         ///< by tell(), as long as it is seen
     const QImage& picture() const { return picture_; }    ///< null while it shows live frames
 
-    /// Where a point of the widget is in the picture: from -1 (left, bottom) to 1; nothing beside it.
+    /// Where a point of the widget is in the image: from -1 (left, bottom) to 1; nothing beside it.
     std::optional<QPointF> inPicture(const QPointF& place) const;
 
     /// What the view could show at most, in the screen's own pixels.

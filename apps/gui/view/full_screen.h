@@ -1,4 +1,4 @@
-/// The picture alone on the screen: while the window fills it, menus and panels are hidden.
+/// The image alone on the screen: while the window fills it, menus and panels are hidden.
 #pragma once
 
 #include <QByteArray>

@@ -1,4 +1,4 @@
-/// A bar above the picture that explains what went wrong and offers what to do.
+/// A bar above the image that explains what went wrong and offers what to do.
 #pragma once
 
 #include <QFrame>

@@ -16,7 +16,7 @@ QString tr(const char* text) { return QCoreApplication::translate("gui", text); 
 
 QString activity(const ServerStatus& status, bool refining) {
     if (status.paused) return tr("paused");
-    if (status.idle) return tr("at rest");
+    if (status.idle) return tr("idle");
     return refining ? tr("refining") : tr("drawing");
 }
 
@@ -34,10 +34,10 @@ QString figuresText(const ServerStatus& status, const QSize& frame, bool still) 
     if (status.resolution.isEmpty()) return {};
     QString size = QStringLiteral("%1 × %2").arg(status.resolution.width()).arg(status.resolution.height());
     constexpr int kPercent = 100;
-    const int share = kPercent * frame.width() / status.resolution.width();
-    const bool coarse = share > 0 && share < kPercent;
-    if (coarse) size += tr(" (%1 %)").arg(share);
-    const QString mode = status.view.walking ? tr("walking") : tr("flying");
+    const int fraction = kPercent * frame.width() / status.resolution.width();
+    const bool coarse = fraction > 0 && fraction < kPercent;
+    if (coarse) size += tr(" (%1 %)").arg(fraction);
+    const QString mode = status.view.walking ? tr("Walk") : tr("Fly");
     QStringList parts{size, mode, activity(status, coarse && still)};
     const bool counts = !status.idle && !status.paused && status.framesPerSecond >= 1;
     if (counts) parts.prepend(tr("%1 fps").arg(QLocale().toString(status.framesPerSecond, 'f', 0)));
@@ -65,7 +65,7 @@ QString stateText(const Session& session) {
         constexpr double kHundred = 100;
         return tr("Loading… %1 %").arg(QLocale().toString(session.status().progress * kHundred, 'f', 0));
     }
-    return session.frame().isNull() ? tr("The first picture is on its way…") : QString();
+    return session.frame().isNull() ? tr("Rendering first frame…") : QString();
 }
 
 int figuresHeight(const QFontMetrics& metrics) { return 2 * kMargin + kPadding + metrics.height(); }

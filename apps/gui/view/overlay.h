@@ -1,4 +1,4 @@
-/// The figures in the corner of the picture, and the words in its middle.
+/// The overlay in the corner of the viewport, and the text in its middle.
 #pragma once
 
 #include "gui/session/session.h"
@@ -14,10 +14,10 @@ namespace gui {
 /// "29 fps · 1280 × 720 (62 %) · walking · drawing": `frame` is smaller while the server saves pixels. Does
 /// the camera stand still, more pixels follow: "refining".
 QString figuresText(const ServerStatus& status, const QSize& frame, bool still);
-/// What stands in the middle while there is no live picture; empty when there is.
+/// What stands in the middle while there is no live frame; empty when there is.
 QString stateText(const Session& session);
 
-/// From the top of the picture down to below the figures.
+/// From the top of the viewport to below the overlay.
 int figuresHeight(const QFontMetrics& metrics);
 void drawFigures(QPainter& painter, const QRect& area, const QString& text);
 void drawWords(QPainter& painter, const QRect& area, const QString& text);

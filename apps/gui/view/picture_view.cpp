@@ -22,7 +22,7 @@ PictureView::PictureView(QWidget* parent) : QGraphicsView(parent), item_(new QGr
     setDragMode(ScrollHandDrag);
     setFrameShape(NoFrame);
     setTransformationAnchor(AnchorUnderMouse);
-    setBackgroundBrush(QColor(30, 32, 35)); // a picture looks the same in each theme
+    setBackgroundBrush(QColor(30, 32, 35)); // an image looks the same in each theme
 }
 
 void PictureView::setPicture(const QImage& picture) {

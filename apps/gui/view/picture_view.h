@@ -1,5 +1,5 @@
-/// A picture that can be looked at closely: fitted into the widget, or at any scale, and moved by the mouse
-/// or the arrow keys. The wheel zooms; a double click leads from the fitted picture to its own pixels and
+/// An image that can be looked at closely: fitted into the widget, or at any scale, and moved by the mouse
+/// or the arrow keys. The wheel zooms; a double click leads from the fitted image to its own pixels and
 /// back.
 #pragma once
 
@@ -17,10 +17,10 @@ class PictureView : public QGraphicsView {
     explicit PictureView(QWidget* parent = nullptr);
 
     void setPicture(const QImage& picture);
-    /// All of the picture, as large as it gets, but never more than a pixel for a pixel; stays so when the
+    /// All of the image, as large as it gets, but never more than a pixel for a pixel; stays so when the
     /// widget is resized.
     void fit();
-    /// Pixels of the screen for one of the picture, within 1/32 and 32, about the middle.
+    /// Pixels of the screen for one of the image, within 1/32 and 32, about the middle.
     void setZoom(double zoom);
     double zoom() const;
     bool fitted() const { return fitted_; }

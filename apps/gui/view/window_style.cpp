@@ -59,7 +59,7 @@ WindowStyle::WindowStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
 
 void WindowStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                                 const QWidget* widget) const {
-    // A marked row needs no frame, which would part it between picture and name.
+    // A marked row needs no frame, which would part it between image and name.
     const bool row = qobject_cast<const QAbstractItemView*>(widget) != nullptr;
     if (element == PE_FrameFocusRect && row && (option->state & State_Selected) != 0) return;
     QProxyStyle::drawPrimitive(element, option, painter, widget);

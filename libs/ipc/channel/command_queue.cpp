@@ -4,10 +4,10 @@
 #include "ipc/layout/message.h"
 #include "ipc/platform/boost_interprocess.h"
 #include "ipc/platform/error.h"
+#include "ipc/platform/fault_point.h"
 #include "ipc/platform/names.h"
 #include "ipc/platform/rules.h"
 #include "ipc/platform/segment.h"
-#include "ipc/platform/stage.h"
 #include "ipc/platform/system.h"
 
 #include <fmt/core.h>
@@ -66,7 +66,7 @@ CommandSender& CommandSender::operator=(CommandSender&&) noexcept = default;
 
 QueueResult CommandSender::trySend(std::span<const std::byte> message) {
     try {
-        if (!keeps("nobody waits to send")) {
+        if (!keeps("sending does not wait")) {
             state_->queue.send(message.data(), message.size(), 0);
             return QueueResult::Done;
         }
@@ -92,15 +92,15 @@ CommandReceiver& CommandReceiver::operator=(CommandReceiver&&) noexcept = defaul
 
 QueueResult CommandReceiver::open(const std::string& name, CommandReceiver& receiver) {
     try {
-        // Boost believes whatever it opens. What we look at is what it opens: nobody else removes the new
-        // name, so nobody puts something else there.
+        // Boost does not validate what it opens, so it is checked here first. It is the same segment: no
+        // other process removes the new name, so no other segment can take it.
         const std::string ours = fmt::format("{}-{}", name, randomTag());
         renameSegment(name, ours);
         const NameRemover remover{ours};
         std::optional<Segment> memory = Segment::open(ours, Access::Read, 1);
         if (!memory || !isSound(*memory)) return QueueResult::Broken;
         auto state = std::make_unique<State>(std::move(*memory), ours);
-        stage("queue opened");
+        faultPoint("queue opened");
         receiver.state_ = std::move(state);
         return QueueResult::Done;
     } catch (const bi::interprocess_exception&) {
@@ -116,7 +116,7 @@ QueueResult CommandReceiver::tryReceive(std::vector<std::byte>& message) {
         bi::message_queue::size_type bytes = 0;
         unsigned priority = 0;
         std::vector<std::byte>& buffer = state_->buffer;
-        if (!keeps("nobody waits to receive")) {
+        if (!keeps("receiving does not wait")) {
             state_->queue.receive(buffer.data(), buffer.size(), bytes, priority);
         } else if (!state_->queue.try_receive(buffer.data(), buffer.size(), bytes, priority)) {
             return QueueResult::Nothing;

@@ -1,6 +1,5 @@
-/// The queue of one client's commands: Boost's message queue, used only in ways that no death of the other
-/// side can turn into waiting. Nobody ever waits on the queue itself: a process killed there would block the
-/// next one for good.
+/// The queue of one client's commands: Boost's message queue, used without ever waiting on it: a process
+/// killed while it waits inside a queue would block the next one for good.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +13,7 @@ namespace ipc {
 enum class QueueResult {
     Done,
     Nothing, ///< the queue is full (send) or empty (receive)
-    Broken,  ///< somebody died inside, or it was tampered with: throw it away
+    Broken,  ///< a process died inside, or it was tampered with: discard it
 };
 
 /// The client's end: makes the queue, and removes its name unless the server has done so. One thread.

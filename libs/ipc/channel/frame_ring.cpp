@@ -1,8 +1,8 @@
 #include "ipc/channel/frame_ring.h"
 
 #include "ipc/channel/shared_copy.h"
+#include "ipc/platform/fault_point.h"
 #include "ipc/platform/rules.h"
-#include "ipc/platform/stage.h"
 
 namespace ipc {
 
@@ -34,7 +34,7 @@ FrameRingWriter::FrameRingWriter(void* memory, std::size_t frameBytes, std::uint
     segment_->generation = generation;
     segment_->slotBytes = slotBytes_;
     segment_->slots = slots;
-    stage("frames laid out");
+    faultPoint("frames laid out");
     segment_->magic.store(kFramesMagic, std::memory_order_release);
 }
 
@@ -63,9 +63,9 @@ std::span<std::byte> FrameRingWriter::begin() {
 void FrameRingWriter::publish(FrameInfo info) {
     info.number = next_;
     copyToShared(&slot(next_).info, &info, sizeof(info));
-    stage("frame drawn");
+    faultPoint("frame drawn");
     slot(next_).sequence.store(whole(next_), std::memory_order_release);
-    stage("frame whole");
+    faultPoint("frame whole");
     segment_->latest.store(next_, std::memory_order_release);
     last_ = info;
     ++next_;

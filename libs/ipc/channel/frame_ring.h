@@ -1,4 +1,4 @@
-/// Whole frames from one writer to any number of readers; nobody waits for anybody.
+/// Whole frames from one writer to any number of readers, without waiting on either side.
 #pragma once
 
 #include "ipc/layout/frame_segment.h"
@@ -29,14 +29,15 @@ class FrameRingWriter {
     std::span<std::byte> begin();
     /// The frame that was begun is whole. Sets `info.number`; the rest is the caller's.
     void publish(FrameInfo info);
-    /// Writes again, where somebody else wrote over it, all that readers look at but the pixels.
+    /// Restores everything that readers use but the pixels, where another process overwrote it.
     void repair();
 
   private:
     FrameSlot& slot(std::uint64_t number) { return segment_->slot[number % slots_]; }
 
     FrameSegment* segment_;
-    std::size_t capacity_, slotBytes_; ///< own copies: the segment is written by nobody else, but who knows
+    std::size_t capacity_,
+        slotBytes_; ///< own copies: another process should not write to the segment, but might
     std::uint32_t slots_;
     std::uint64_t epoch_, generation_, next_;
     FrameInfo last_; ///< number 0: none yet
@@ -46,7 +47,7 @@ enum class FrameRead {
     New,    ///< `info` and `pixels` hold a newer frame
     Old,    ///< nothing newer
     Missed, ///< the writer came in between each time; try again later
-    Broken, ///< the segment makes no sense
+    Broken, ///< the segment is invalid
 };
 
 /// One reader. Trusts nothing in the segment: values are copied once, checked, then used.

@@ -44,7 +44,8 @@ void KeyWriter::repair(KeyBoard& board) const {
 void KeyReader::collect(const KeyBoard& board, KeyState& state) {
     for (int key = 0; key < kMaxKeys; ++key) {
         const auto index = static_cast<std::size_t>(key);
-        // The bit first: who sees the key down has seen its press, too.
+        // The press is counted before the bit is set, so that a reader that sees the key down sees its press,
+        // too.
         if ((board.down[key / 64].load(std::memory_order_acquire) & bit(key)) != 0) state.down.set(index);
         const std::uint32_t count = board.presses[key].load(std::memory_order_relaxed);
         state.presses[index] += count - seen_[index];

@@ -17,7 +17,7 @@ class KeyWriter {
     void releaseAll(KeyBoard* board);
     /// Makes a new board hold what is down now, with all counters 0.
     void restore(KeyBoard& board) const;
-    /// The same for what is down, where somebody else wrote over it.
+    /// Restores the keys that are down, where another process overwrote them.
     void repair(KeyBoard& board) const;
 
   private:

@@ -24,7 +24,7 @@ constexpr std::size_t kHeaderOffset =
 constexpr std::uint32_t kInitialised = 2;
 
 bool soundCounts(const Header& header) {
-    // Nobody ever waits inside a queue. A count may be at its end for a moment while the other side changes
+    // No process waits inside a queue. A count may be at its limit for a moment while the other side changes
     // it.
     return header.m_max_num_msg == kCommandQueueLength && header.m_max_msg_size == kMaxMessageBytes &&
            header.m_cur_num_msg <= kCommandQueueLength && header.m_cur_first_msg <= kCommandQueueLength &&

@@ -1,5 +1,5 @@
-/// Whether the memory of a command queue makes sense. Boost believes whatever it finds there: pointers,
-/// counts, and that somebody waits who must be woken.
+/// Whether the memory of a command queue is valid. Boost does not check it: pointers, counts, and whether a
+/// process waits that must be woken.
 #pragma once
 
 #include "ipc/platform/segment.h"
@@ -7,7 +7,7 @@
 namespace ipc {
 
 /// True for a queue of the agreed dimensions that its maker has finished, whatever messages are in it. Finds
-/// accidents; who writes between this look and the use of the queue is not found.
+/// accidents; a write between this check and the use of the queue is not found.
 bool isSoundQueue(const Segment& memory);
 
 } // namespace ipc

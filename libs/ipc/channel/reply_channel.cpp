@@ -1,7 +1,7 @@
 #include "ipc/channel/reply_channel.h"
 
 #include "ipc/channel/shared_copy.h"
-#include "ipc/platform/stage.h"
+#include "ipc/platform/fault_point.h"
 
 #include <algorithm>
 
@@ -43,7 +43,7 @@ RingResult ReplyWriter::write(ReplyRing& ring, std::uint64_t sequence, std::uint
     const ReplyHeader header{sequence, code, static_cast<std::uint32_t>(text.size())};
     put(ring, head_, &header, sizeof(header));
     put(ring, head_ + sizeof(header), text.data(), text.size());
-    stage("reply written");
+    faultPoint("reply written");
     head_ += need;
     ring.head.store(head_, std::memory_order_release);
     return RingResult::Done;

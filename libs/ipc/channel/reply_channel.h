@@ -1,4 +1,4 @@
-/// Answers from the server to one client, through the ring in the client's slot. Nobody waits.
+/// Answers from the server to one client, through the ring in the client's slot. Never waits.
 #pragma once
 
 #include "ipc/layout/control_block.h"
@@ -19,10 +19,10 @@ struct ReplyRecord {
 enum class RingResult {
     Done,
     Nothing, ///< no room (write) or no reply (read)
-    Broken,  ///< the other side's counter makes no sense
+    Broken,  ///< the other side's counter is invalid
 };
 
-/// The server's end. Its counter is its own: what the ring says of it is not believed.
+/// The server's end. It keeps its own counter and does not trust that in the ring.
 class ReplyWriter {
   public:
     /// Empties the ring for a new client.

@@ -14,7 +14,8 @@ namespace ipc {
 
 #if defined(__SANITIZE_THREAD__)
 
-// The thread sanitizer knows no fences and counts a plain copy as a race. Word by word, as slow as that is.
+// The thread sanitizer does not know fences and reports a plain copy as a race; so it copies word by word,
+// which is slow.
 inline void copyToShared(void* to, const void* from, std::size_t bytes) {
     auto* target = static_cast<std::uint8_t*>(to);
     const auto* source = static_cast<const std::uint8_t*>(from);
@@ -47,7 +48,7 @@ inline void copyToShared(void* to, const void* from, std::size_t bytes) {
 }
 inline void copyFromShared(void* to, const void* from, std::size_t bytes) {
     if (bytes != 0) std::memcpy(to, from, bytes);
-    // The compiler shall not look at `from` a second time: what is checked is what is used.
+    // The compiler must not read `from` a second time: the value that is checked is the one that is used.
     std::atomic_signal_fence(std::memory_order_seq_cst);
 }
 inline void fenceBeforeWriting() { std::atomic_thread_fence(std::memory_order_release); }
@@ -55,8 +56,8 @@ inline void fenceAfterReading() { std::atomic_thread_fence(std::memory_order_acq
 
 #endif
 
-/// A field of our own that should have this value. It is looked at often, and written only when somebody else
-/// wrote over it.
+/// A field of our own that should have this value: checked often, written only when another process overwrote
+/// it.
 template <class T>
 void keep(std::atomic<T>& field, T value) {
     if (field.load(std::memory_order_relaxed) != value) field.store(value, std::memory_order_release);

@@ -1,8 +1,8 @@
 #include "ipc/endpoint/attachment.h"
 
 #include "ipc/platform/error.h"
+#include "ipc/platform/fault_point.h"
 #include "ipc/platform/rules.h"
-#include "ipc/platform/stage.h"
 
 #include <fmt/core.h>
 
@@ -11,7 +11,7 @@ namespace ipc {
 int takeSlot(const Names& names, const Link& link) {
     for (int slot = 0; slot < kMaxClients; ++slot) {
         if (!link.tryLockSlot(slot)) continue;
-        // Whoever made these had the lock, and is dead.
+        // The process that made these had the lock, and is dead.
         for (const std::string& queue : segmentNames(names.queuePrefix(slot))) Segment::remove(queue);
         return slot;
     }
@@ -22,20 +22,20 @@ int takeSlot(const Names& names, const Link& link) {
 Attachment::Attachment(const Names& names, const Link& link, int slot, const KeyWriter& keys)
     : block_(&link.block()), slot_(&block_->slots[slot]), tag_(randomTag()),
       sender_(names.queue(slot, tag_)) {
-    stage("queue made");
+    faultPoint("queue made");
     slot_->clientProcess.store(processId(), std::memory_order_relaxed);
     slot_->wantsFrames.store(0, std::memory_order_relaxed);
     if (keeps("keys stay held")) keys.restore(slot_->keys);
-    stage("slot filled");
+    faultPoint("slot filled");
     slot_->clientTag.store(tag_, std::memory_order_release);
-    stage("slot claimed");
+    faultPoint("slot claimed");
     ring(block_->bell);
 }
 
 Attachment::~Attachment() {
     std::uint64_t own = tag_;
     slot_->clientTag.compare_exchange_strong(own, 0, std::memory_order_release, std::memory_order_relaxed);
-    stage("slot left");
+    faultPoint("slot left");
     ring(block_->bell);
 }
 
@@ -47,7 +47,7 @@ bool Attachment::accepted() const {
 
 QueueResult Attachment::trySend(const std::vector<std::byte>& message) {
     const QueueResult result = sender_.trySend(message);
-    stage("command sent");
+    faultPoint("command sent");
     if (result == QueueResult::Done) ring(block_->bell);
     return result;
 }

@@ -8,7 +8,7 @@
 
 namespace ipc {
 
-/// Locks the first slot that nobody has, until `link` is gone. Throws Error NoSlot.
+/// Locks the first free slot, until `link` is gone. Throws Error NoSlot.
 int takeSlot(const Names& names, const Link& link);
 
 /// One thread. `link` must outlive it.
@@ -22,7 +22,7 @@ class Attachment {
     Attachment& operator=(const Attachment&) = delete;
 
     ClientSlot& slot() const { return *slot_; }
-    /// False when the server will have no more of us, or took us for dead, or when somebody wrote over our
+    /// False when the server dropped this client or took it for dead, or when another process overwrote its
     /// tag: attach again.
     bool accepted() const;
     QueueResult trySend(const std::vector<std::byte>& message);

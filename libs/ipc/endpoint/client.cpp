@@ -17,7 +17,7 @@ namespace ipc {
 
 namespace {
 
-// A death that nobody announced is noticed after such a slice at the latest.
+// The end of a killed server is noticed after such a slice at the latest.
 constexpr auto kSlice = std::chrono::milliseconds(10);
 constexpr auto kRetry = std::chrono::milliseconds(1);
 constexpr std::size_t kKeptAnswers = 1024;

@@ -64,7 +64,7 @@ class Client {
     /// Sends a command of up to 8192 bytes without NUL (else Error TooLarge). Never waits. `ticket` is for
     /// wait(); null: no answer is wanted.
     SendStatus send(std::string_view command, Ticket* ticket = nullptr);
-    /// The answer to a command; each is given once. At most 1024 answers that nobody asked for are kept.
+    /// The answer to a command; each is given once. At most 1024 answers that were not collected are kept.
     Reply wait(Ticket ticket, std::chrono::nanoseconds timeout);
     /// Sends, again and again while the queue is full or no server there, and waits for the answer.
     Reply request(std::string_view command, std::chrono::nanoseconds timeout = std::chrono::seconds(2));

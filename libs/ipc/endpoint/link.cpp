@@ -101,7 +101,7 @@ LinkState Link::check() {
     const ServerPhase phase = block().pulse.phase.load(std::memory_order_acquire);
     std::uint64_t epoch = 0;
     copyFromShared(&epoch, &block().header.epoch, sizeof epoch);
-    // Another epoch in the same segment: somebody wrote over it, now or when it was read first.
+    // Another epoch in the same segment: it was overwritten, now or when it was first read.
     if (phase != ServerPhase::Running || epoch != facts_.epoch) state_ = LinkState::Gone;
     if (state_ == LinkState::Gone) return state_;
     const Clock::time_point now = Clock::now();

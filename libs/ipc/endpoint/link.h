@@ -23,8 +23,8 @@ struct ControlFacts {
 };
 std::optional<ControlFacts> readControlFacts(const Segment& segment);
 
-/// Whether the server of a control segment lives: somebody else has the lock. A server of another version may
-/// lock something else; it lives when its pulse moves, which is watched for up to 50 ms.
+/// Whether the server of a control segment lives: another process has the lock. A server of another version
+/// may lock something else; it lives when its pulse moves, which is watched for up to 50 ms.
 bool serverLives(const Segment& segment);
 
 /// One epoch of one server. One thread.
@@ -39,7 +39,7 @@ class Link {
     /// Takes the slot of a client, until this object is gone. False when another client has it.
     bool tryLockSlot(int slot) const { return segment_.tryLock(clientLock(slot)); }
 
-    /// The server's next epoch; or this one again, when it turns out to live (somebody wrote over its phase).
+    /// The server's next epoch; or this one again, when it turns out to live (its phase was overwritten).
     /// Nothing, too, while the system is short of something. Otherwise as open. For a link that is Gone.
     std::optional<Link> successor(Access access) const;
 

@@ -3,8 +3,8 @@
 #include "ipc/channel/shared_copy.h"
 #include "ipc/endpoint/link.h"
 #include "ipc/platform/error.h"
+#include "ipc/platform/fault_point.h"
 #include "ipc/platform/rules.h"
-#include "ipc/platform/stage.h"
 #include "ipc/platform/system.h"
 
 #include <algorithm>
@@ -17,19 +17,19 @@ Publication::Publication(const Names& names, Segment control, std::size_t frameB
                          std::uint64_t firstFrame)
     : names_(names), epoch_(randomTag()), slots_(slots), control_(std::move(control)) {
     try {
-        stage("control made");
+        faultPoint("control made");
         ControlBlock& block = *new (control_.data()) ControlBlock;
         ControlHeader& header = block.header;
         if (!keeps("the magic number comes last")) header.magic.store(kControlMagic);
         header.handshake = ownHandshake();
         header.epoch = epoch_;
         header.serverProcess = processId();
-        stage("header written");
+        faultPoint("header written");
         frames_ = makeFrames(1, frameBytes, firstFrame);
         block.pulse.frameGeneration.store(1, std::memory_order_relaxed);
-        stage("before magic");
+        faultPoint("before magic");
         header.magic.store(kControlMagic, std::memory_order_release);
-        stage("after magic");
+        faultPoint("after magic");
     } catch (...) {
         Segment::remove(names_.control());
         throw;
@@ -61,7 +61,7 @@ void Publication::replaceFrames(std::size_t frameBytes) {
     const std::uint64_t last = std::max<std::uint64_t>(1, frames_->ring.nextNumber() - 1);
     std::unique_ptr<Frames> next = makeFrames(frames_->generation + 1, frameBytes, last);
     carryLastFrame(frames_->segment, next->ring);
-    stage("frames replaced");
+    faultPoint("frames replaced");
     block().pulse.frameGeneration.store(next->generation, std::memory_order_release);
     Segment::remove(names_.frames(epoch_, frames_->generation));
     frames_ = std::move(next);
@@ -81,7 +81,7 @@ void Publication::repair() {
 void Publication::end(ServerPhase last) {
     ended_ = true;
     block().pulse.phase.store(last, std::memory_order_release);
-    // A name that we lost may stand for somebody else's segment.
+    // A name that we lost may now belong to another process's segment.
     if (control_.named()) Segment::remove(names_.control());
     Segment::remove(names_.frames(epoch_, frames_->generation));
     control_.unlock(kServerLock);

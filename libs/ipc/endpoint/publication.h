@@ -35,14 +35,14 @@ class Publication {
     /// Another frame segment takes the place of this one, with the last frame in it. On failure (Error
     /// NoSpace) this one stays.
     void replaceFrames(std::size_t frameBytes);
-    /// False once somebody removed the name of the control segment; of the frame segment.
+    /// False once the name of the control segment was removed; of the frame segment.
     bool named() const { return control_.named(); }
     bool framesNamed() const { return frames_->segment.named(); }
     /// Whether the client that claimed the slot lives.
     bool slotLocked(int slot) const { return control_.locked(clientLock(slot)); }
-    /// Writes again what only we write and nobody may change, where somebody did.
+    /// Restores the fields that only the server writes, where another process changed them.
     void repair();
-    /// Tells who is attached that this is over, and removes the names.
+    /// Tells attached clients that this server ends, and removes the names.
     void end(ServerPhase last);
 
   private:

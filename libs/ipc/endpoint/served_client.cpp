@@ -2,7 +2,7 @@
 
 #include "ipc/channel/message.h"
 #include "ipc/channel/shared_copy.h"
-#include "ipc/platform/stage.h"
+#include "ipc/platform/fault_point.h"
 
 #include <algorithm>
 
@@ -31,7 +31,7 @@ void ServedClient::repair(ClientSlot& slot) const {
 }
 
 void ServedClient::declareDead(ClientSlot& slot, std::uint64_t tag) {
-    stage("client found dead");
+    faultPoint("client found dead");
     // A successor may have put its own tag there meanwhile.
     slot.clientTag.compare_exchange_strong(tag, 0, std::memory_order_acq_rel, std::memory_order_relaxed);
 }
@@ -51,7 +51,7 @@ void ServedClient::adopt(int index, ClientSlot& slot, const Names& names, std::u
     if (CommandReceiver::open(names.queue(index, tag), queue_) != QueueResult::Done) {
         return drop(slot, DropReason::NoQueue);
     }
-    stage("client adopted");
+    faultPoint("client adopted");
     slot.servedTag.store(tag, std::memory_order_release);
     ring(slot.bell);
 }
@@ -96,7 +96,7 @@ QueueResult ServedClient::takeOne(ClientSlot& slot, std::uint64_t epoch, std::ve
         if (tooManyMalformed()) drop(slot, DropReason::Malformed);
         return result;
     }
-    stage("command taken");
+    faultPoint("command taken");
     lastSequence_ = message.sequence;
     if (message.wantsAnswer) ++unanswered_;
     slot.taken.store(message.sequence, std::memory_order_release);

@@ -19,10 +19,11 @@ class ServedClient {
   public:
     bool active() const { return tag_ != 0; }
 
-    /// Sees whether the slot changed hands. The last commands of who left go to `commands`. True when it did.
+    /// Sees whether the slot changed hands. The last commands of a client that left go to `commands`. True
+    /// when it did.
     bool look(int index, ClientSlot& slot, const Names& names, std::uint64_t epoch,
               std::vector<Command>& commands);
-    /// Writes again what only the server writes, where somebody else wrote over it.
+    /// Restores what only the server writes, where another process overwrote it.
     void repair(ClientSlot& slot) const;
     /// To be called when the slot's lock was free while `tag` was in it: its owner is dead.
     static void declareDead(ClientSlot& slot, std::uint64_t tag);

@@ -5,8 +5,8 @@
 #include "ipc/endpoint/publication.h"
 #include "ipc/endpoint/served_client.h"
 #include "ipc/endpoint/server_lock.h"
+#include "ipc/platform/fault_point.h"
 #include "ipc/platform/rules.h"
-#include "ipc/platform/stage.h"
 
 #include <fmt/core.h>
 
@@ -43,9 +43,9 @@ struct Server::State {
         : names(options.instance), slots(checkedSlots(options.frameSlots)), process(processId()) {
         const std::size_t frameBytes = checkedBytes(options.width, options.height);
         Segment control = claimControl(names, sizeof(ControlBlock), Clock::now() + options.patience);
-        stage("server locked");
+        faultPoint("server locked");
         if (keeps("a new server removes what was left")) removeSegments(names);
-        stage("names cleared");
+        faultPoint("names cleared");
         publication = std::make_unique<Publication>(names, std::move(control), frameBytes, slots, 1);
     }
 
@@ -122,7 +122,8 @@ void Server::State::housekeep() {
     }
 }
 
-// A queue is made by who has locked the slot. Seen before the lock was found free, it has no owner.
+// A queue is made by the client that has locked the slot. One seen before the lock was found free has no
+// owner.
 void Server::State::removeLeftQueues() const {
     for (const std::string& name : segmentNames(names.prefix() + "q")) {
         const int slot = names.slotOfQueue(name);
@@ -204,7 +205,7 @@ void Server::refuse(const Command& command, int code, std::string_view text) {
 
 void Server::reply(const Command& command, std::uint32_t code, std::string_view text) {
     if (command.slot < 0 || command.slot >= kMaxClients) return;
-    stage("before answer");
+    faultPoint("before answer");
     ClientSlot& slot = state_->block().slots[command.slot];
     state_->clients[static_cast<std::size_t>(command.slot)].answer(slot, command, code, text);
 }

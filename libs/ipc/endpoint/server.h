@@ -59,10 +59,11 @@ class Server {
     /// signal ends the sleep early. Costs well under 1% of a core.
     bool wait(std::chrono::nanoseconds timeout);
     /// What the clients sent, up to 16 commands of each, each client's in order. Call it at least once per
-    /// frame; it also notices dead clients, and publishes everything anew when somebody removed our names.
+    /// frame; it also notices dead clients, and publishes everything anew when its names were removed.
     /// Throws Error AlreadyRunning when another server took the instance over, which takes a removed lock
     /// file.
-    /// The commands of the clients in `later` stay in their queues: nobody has to keep what he cannot do yet.
+    /// The commands of the clients in `later` stay in their queues, so that the caller need not store
+    /// commands that it cannot run yet.
     std::vector<Command> takeCommands(const ClientSet& later = {});
     /// The command is done. An answer is to be given once to each command that wants one, now or later;
     /// others and those of dead clients are ignored. Text beyond 65,520 bytes is cut off. A client with 64

@@ -24,7 +24,8 @@ std::optional<ControlFacts> factsByName(const Names& names) {
     return segment ? readControlFacts(*segment) : std::nullopt;
 }
 
-// Only who has the lock removes the name, and only while it stands for what is locked: so no two can.
+// Only the holder of the lock removes the name, and only while it names the locked segment: so no two
+// processes can.
 void removeDead(const Names& names) {
     try {
         const std::optional<Segment> found = Segment::open(names.control(), Access::Write, 0);

@@ -18,11 +18,11 @@ std::optional<Segment> tryClaimControl(const Names& names, std::size_t bytes);
 /// AlreadyRunning, too.
 Segment claimControl(const Names& names, std::size_t bytes, Clock::time_point deadline);
 
-/// Throws Error AlreadyRunning when the control segment of that name is complete: it is not somebody's who is
-/// just starting, or just removes the names of a dead server.
+/// Throws Error AlreadyRunning when the control segment of that name is complete: then its owner is not just
+/// starting, nor just removing the names of a dead server.
 void refuseRival(const Names& names);
 
-/// All names of the instance but the control segment's. Only for who has the lock.
+/// All names of the instance but the control segment's. Only for the holder of the lock.
 void removeSegments(const Names& names);
 
 } // namespace ipc

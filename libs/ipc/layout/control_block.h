@@ -1,6 +1,6 @@
-/// The control segment: who the server is, how it does, and a slot for each client that commands.
+/// The control segment: identity and state of the server, and a slot for each commanding client.
 /// Everything is zero when the segment is made. Each field names its only writer. No pointers: the two sides
-/// map it at different addresses. docs/protocol.md tells the story.
+/// map it at different addresses. docs/protocol.md describes the protocol.
 #pragma once
 
 #include "ipc/layout/doorbell.h"
@@ -44,7 +44,7 @@ enum class ServerPhase : std::uint32_t {
 
 /// It and the pulse stay where they are in all versions, so that each can tell of the others.
 struct alignas(64) ControlHeader {
-    std::atomic<std::uint64_t> magic; ///< server, stored last: what it vouches for is complete
+    std::atomic<std::uint64_t> magic; ///< server, stored last: the fields are complete from then on
     Handshake handshake;
     std::uint64_t epoch; ///< random: another start of the server has another one
     std::int64_t serverProcess;
@@ -76,12 +76,12 @@ enum class DropReason : std::uint32_t {
     NoQueue = 1,     ///< the queue could not be opened or has other dimensions
     BrokenQueue = 2, ///< a process died inside the queue
     Malformed = 3,   ///< too many malformed messages within a second
-    BadReplies = 4,  ///< the reply ring makes no sense
+    BadReplies = 4,  ///< the reply ring is invalid
 };
 
 /// Slot k belongs to the process that holds the lock of byte clientLock(k).
 struct alignas(64) ClientSlot {
-    std::atomic<std::uint64_t> clientTag;    ///< client, stored last: random, names its queue; 0 = nobody
+    std::atomic<std::uint64_t> clientTag;    ///< client, stored last: random, names its queue; 0 = no client
     std::atomic<std::int64_t> clientProcess; ///< client
     std::atomic<std::uint32_t> wantsFrames;  ///< client: 1 = ring my bell when a frame is published
     alignas(64) std::atomic<std::uint64_t> servedTag; ///< server: the tag that it serves

@@ -23,7 +23,7 @@ struct Status {
     std::uint32_t idle = 0;        ///< 1: the next frame would equal the last
     std::uint32_t paused = 0;      ///< 1: no frame comes until the server is told to resume
     std::uint32_t recording = 0;   ///< 1: frames are being recorded
-    std::uint32_t messages = 0;    ///< how many the server has had for those who look on; grows
+    std::uint32_t messages = 0;    ///< number of messages so far; grows
     std::uint32_t unused = 0;      ///< always 0
     friend bool operator==(const Status&, const Status&) = default;
 };

@@ -21,10 +21,11 @@
 
 namespace ipc {
 
-// In the place of the wait that Boost does with that time, but by the wall clock: setting that back would
-// stretch it. Somebody is in a queue for 50 ns, unless he is stopped there.
+// Replaces the timed wait of Boost, which uses the wall clock: setting that back would stretch it. A process
+// is inside a queue for 50 ns, unless it is stopped there.
 inline int lockWithin(pthread_mutex_t* mutex, const timespec* wallClock) {
-    if (!keeps("waits for a queue go by that clock")) return ::pthread_mutex_timedlock(mutex, wallClock);
+    if (!keeps("waits for a queue go by the steady clock"))
+        return ::pthread_mutex_timedlock(mutex, wallClock);
     const auto deadline = std::chrono::steady_clock::now() +
                           std::chrono::milliseconds(BOOST_INTERPROCESS_TIMEOUT_WHEN_LOCKING_DURATION_MS);
     while (true) {

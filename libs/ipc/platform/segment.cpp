@@ -2,8 +2,8 @@
 
 #include "ipc/platform/boost_interprocess.h"
 #include "ipc/platform/error.h"
+#include "ipc/platform/fault_point.h"
 #include "ipc/platform/rules.h"
-#include "ipc/platform/stage.h"
 #include "ipc/platform/system.h"
 
 #include <boost/interprocess/mapped_region.hpp>
@@ -23,10 +23,10 @@ struct Segment::State {
     bi::mapping_handle_t get_mapping_handle() const { return {descriptor(), false}; }
     void fill(const std::string& name, std::size_t bytes) {
         try {
-            stage("segment made");
+            faultPoint("segment made");
             if (bytes == 0) return;
             reserveSpace(descriptor(), bytes, name);
-            stage("segment reserved");
+            faultPoint("segment reserved");
             map = bi::mapped_region(*this, bi::read_write, 0, bytes);
         } catch (...) {
             remove(name);
@@ -76,8 +76,8 @@ Segment Segment::create(const std::string& name, std::size_t bytes) {
 std::optional<Segment> Segment::createLocked(const std::string& name, std::size_t bytes, std::uint64_t byte) {
     std::unique_ptr<State> state = make(name);
     if (!state) return std::nullopt;
-    stage("segment unlocked");
-    // From now on nobody removes the name: that is for who has the lock.
+    faultPoint("segment unlocked");
+    // From now on the name stays: only the holder of the lock may remove it.
     if (!tryLockByte(state->descriptor(), byte) || !factsOf(state->descriptor()).named) return std::nullopt;
     state->fill(name, bytes);
     return Segment(std::move(state));

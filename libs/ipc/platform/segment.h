@@ -1,4 +1,4 @@
-/// A named piece of shared memory. Only this user can open it. Whoever makes it removes it; maps are closed
+/// A named piece of shared memory. Only this user can open it. Its maker removes it; maps are closed
 /// by the destructor, names are not.
 #pragma once
 
@@ -18,7 +18,7 @@ class Segment {
     /// System.
     static Segment create(const std::string& name, std::size_t bytes);
     /// The same with a byte of it locked by us as soon as it is there. Nothing when the name is taken, or
-    /// when somebody found it before it was locked, and removed it. Throws Error: NoSpace, System.
+    /// when another process found it before it was locked, and removed it. Throws Error: NoSpace, System.
     static std::optional<Segment> createLocked(const std::string& name, std::size_t bytes,
                                                std::uint64_t byte);
     /// Nothing when there is no such segment, or when it has less than `atLeast` bytes (its maker is not
@@ -27,7 +27,7 @@ class Segment {
     static std::optional<Segment> open(const std::string& name, Access access, std::size_t atLeast);
     /// Reserves the memory of a segment that another library made. Throws Error NoSpace, System.
     static void reserve(const std::string& name);
-    /// No error when there is none, or when it belongs to somebody else.
+    /// No error when there is none, or when it belongs to another user.
     static void remove(const std::string& name) noexcept;
 
     Segment(Segment&&) noexcept;

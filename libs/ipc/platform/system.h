@@ -12,10 +12,10 @@
 
 namespace ipc {
 
-/// Nobody sets it.
+/// Unlike the wall clock it is never set.
 struct Clock : std::chrono::steady_clock {
     static time_point now() noexcept {
-        if (keeps("waits go by a clock that nobody sets")) return steady_clock::now();
+        if (keeps("waits go by the steady clock")) return steady_clock::now();
         return time_point(std::chrono::system_clock::now().time_since_epoch());
     }
 };
@@ -37,14 +37,14 @@ void renameSegment(const std::string& from, const std::string& to);
 /// it. Throws Error System.
 bool tryLockByte(int segment, std::uint64_t byte);
 void unlockByte(int segment, std::uint64_t byte);
-/// Whether another descriptor has it; true, too, when the system cannot tell: nobody is taken for dead
+/// Whether another descriptor has it; true, too, when the system cannot tell: no process is taken for dead
 /// because of an error.
 bool isByteLocked(int segment, std::uint64_t byte);
 
 /// What an open segment is.
 struct SegmentFacts {
     bool regular = false; ///< a segment, not a folder or a pipe of that name
-    bool ours = false;    ///< belongs to this user, and nobody else may read or write it
+    bool ours = false;    ///< belongs to this user, and no other may read or write it
     std::uint64_t bytes = 0;
     bool named = false; ///< its name still stands
 };
@@ -58,8 +58,8 @@ void requireSpace(std::size_t bytes);
 /// Names of all segments of this user that begin with `prefix`.
 std::vector<std::string> segmentNames(const std::string& prefix);
 
-/// A process may be killed at any point in these functions without harm to the others, and whatever somebody
-/// writes into a bell is a ring that nobody did, or one that is noticed at the deadline.
+/// A process may be killed at any point in these functions without harm to the others. A foreign write to a
+/// bell causes a spurious wake-up, or a ring that is noticed at the deadline only.
 void ring(Doorbell& bell);
 /// True when it was rung since the last call (any number of times counts as one), or as soon as it is; false
 /// at `deadline` or when a signal arrived.

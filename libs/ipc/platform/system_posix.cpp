@@ -47,7 +47,7 @@ long futex(Doorbell& bell, int operation, const timespec* deadline) {
                      nullptr, FUTEX_BITSET_MATCH_ANY);
 }
 
-// Of an open descriptor, not of a process: whoever closes another one drops nothing.
+// Locks belong to an open descriptor, not to a process: closing another descriptor drops nothing.
 int lockCall(int segment, int operation, short type, std::uint64_t byte, struct flock* found = nullptr) {
     struct flock lock {};
     lock.l_type = type;
@@ -66,7 +66,7 @@ std::int64_t processId() { return ::getpid(); }
 
 int openSegment(const std::string& name, bool writing) {
     const std::string path = std::string(kSegmentFolder) + "/" + name;
-    // A pipe that somebody put there would have us wait for its other end.
+    // Opening a foreign pipe would wait for its other end.
     const int patience = keeps("pipes are not waited for") ? O_NONBLOCK : 0;
     const int mode = patience | O_NOFOLLOW | O_CLOEXEC | (writing ? O_RDWR : O_RDONLY);
     const int segment = ::open(path.c_str(), mode);

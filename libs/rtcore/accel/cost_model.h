@@ -14,7 +14,7 @@ struct CostModel {
     float emptyFactor = 0.8F; ///< 1 - bonus for a split that leaves one side empty
 
     float leaf(std::uint32_t triangles) const { return intersection * static_cast<float>(triangles); }
-    /// The areas are shares of the parent's.
+    /// The areas are fractions of the parent's.
     float split(float lowerArea, float upperArea, std::uint32_t lower, std::uint32_t upper) const {
         const float cost = traversal + intersection * (lowerArea * static_cast<float>(lower) +
                                                        upperArea * static_cast<float>(upper));
@@ -47,7 +47,7 @@ struct AreaOfParts {
     float upper(float position) const { return face + (hi - position) * rim; }
 
     float lo, hi;
-    float face; ///< of the plane itself, as a share of the cell's half area
+    float face; ///< of the plane itself, as a fraction of the cell's half area
     float rim;  ///< per unit of length along the axis
 };
 

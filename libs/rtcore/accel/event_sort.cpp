@@ -112,14 +112,14 @@ class MeshEvents {
     }
 
     void assignPlaces(std::size_t a) {
-        std::size_t place = 0;
+        std::size_t offset = 0;
         for (std::size_t slice = 0; slice < sliceCount_; ++slice) {
-            sliceFirst_[a][slice] = place;
-            for (Counters& chunk : counters_) place += std::exchange(chunk[a][slice], place);
+            sliceFirst_[a][slice] = offset;
+            for (Counters& chunk : counters_) offset += std::exchange(chunk[a][slice], offset);
         }
-        sliceFirst_[a][sliceCount_] = place;
-        lists_[a] = EventList(place);
-        lists_[a].setSize(place);
+        sliceFirst_[a][sliceCount_] = offset;
+        lists_[a] = EventList(offset);
+        lists_[a].setSize(offset);
     }
 
     void placeEvents(std::size_t chunk) {

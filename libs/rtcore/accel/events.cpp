@@ -25,7 +25,8 @@ AlongSplit divideAlong(Event* events, std::size_t count, const Split& split, Sid
     const EventKind firstUpper = split.planarLower ? EventKind::Start : EventKind::Planar;
     Event* const end = events + count;
     Event* const border = std::lower_bound(events, end, makeEvent(split.position, firstUpper, 0));
-    // Whoever ends above is there, unless it begins below: then its start finds it on both sides.
+    // A triangle that ends above is on the upper side, unless it begins below: then its start event puts it
+    // on both sides.
     for (const Event* e = border; e != end; ++e) sides[eventTriangle(*e)] = Side::Upper;
     for (const Event* e = events; e != border; ++e) {
         sides[eventTriangle(*e)] = eventKind(*e) == EventKind::Start ? Side::Both : Side::Lower;

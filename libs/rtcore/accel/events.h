@@ -3,7 +3,7 @@
 #pragma once
 
 #include "rtcore/accel/cost_model.h"
-#include "rtcore/accel/raw_list.h"
+#include "rtcore/accel/uninitialized_array.h"
 #include "rtcore/math/box.h"
 
 #include <bit>
@@ -52,7 +52,7 @@ inline Event* writeEvents(const Box3& box, int axis, std::uint32_t triangle, Eve
     return writeEvents(box.lo[axis], box.hi[axis], triangle, out);
 }
 
-using EventList = RawList<Event>;
+using EventList = UninitializedArray<Event>;
 
 /// The cheapest plane across `axis` strictly inside `cell`; `triangles` is how many the node holds.
 Split cheapestSplit(const Event* events, std::size_t count, std::uint32_t triangles, const Box3& cell,

@@ -65,8 +65,9 @@ std::uint32_t clipEvents(const BuildContext& context, const std::vector<std::uin
 }
 
 /// How many references the tree below a node may hold. Splits that cut triangles in two share it out by the
-/// numbers of triangles on both sides; a node with more triangles than its share becomes a leaf. So a model
-/// of long slivers, each of which every split would duplicate, takes memory in proportion to its size.
+/// numbers of triangles on both sides; a node with more triangles than its part of the budget becomes a leaf.
+/// So a model of long slivers, each of which every split would duplicate, takes memory in proportion to its
+/// size.
 struct ReferenceBudget {
     static ReferenceBudget ofScene(std::size_t triangles) { return {16 * triangles + 4096}; }
     bool allows(std::size_t triangles) const { return triangles <= references; }
@@ -117,8 +118,8 @@ class ExactSubtreeBuilder {
     void makeLeaf(std::uint32_t index, const NodeEvents& events);
     void undo(std::uint32_t index, std::size_t firstReference);
     void makeRoom(std::size_t events);
-    Event* at(std::size_t place) { return arena_.data() + place; }
-    const Event* at(std::size_t place) const { return arena_.data() + place; }
+    Event* at(std::size_t offset) { return arena_.data() + offset; }
+    const Event* at(std::size_t offset) const { return arena_.data() + offset; }
 
     const BuildContext& context_;
     Subtree* tree_ = nullptr;

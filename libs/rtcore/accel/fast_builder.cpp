@@ -16,7 +16,7 @@ namespace rtcore {
 namespace {
 
 using Item = BoundedTriangle;
-using ItemList = RawList<Item>;
+using ItemList = UninitializedArray<Item>;
 
 /// A large node's triangles are counted by several threads, so many each.
 constexpr std::size_t kChunk = 16'384;

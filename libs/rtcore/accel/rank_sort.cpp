@@ -12,7 +12,7 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The place of each event is how many are less.
+/// The position of each event is the number of smaller ones.
 void rankSort(Event* events, std::size_t count) {
     // Signed numbers, which older instruction sets compare faster, in the same order.
     const hn::CappedTag<std::int64_t, 8> d;

@@ -72,8 +72,8 @@ std::string drawHistogram(const std::string& title, const std::vector<std::uint6
         const std::size_t from = i * width;
         const std::size_t to = std::min(values, from + width) - 1;
         const std::string range = from == to ? std::to_string(from) : fmt::format("{}-{}", from, to);
-        const double share = static_cast<double>(sums[i]) / static_cast<double>(largest);
-        const auto bar = static_cast<std::size_t>(std::lround(share * kBarLength));
+        const double fraction = static_cast<double>(sums[i]) / static_cast<double>(largest);
+        const auto bar = static_cast<std::size_t>(std::lround(fraction * kBarLength));
         text += fmt::format("{:>12} {:>10} {}\n", range, sums[i], std::string(bar, '#'));
     }
     return text;

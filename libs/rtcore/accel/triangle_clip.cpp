@@ -37,9 +37,9 @@ Polygon* clipAgainst(Polygon* in, std::size_t axis, double limit, double sign, P
         if (da <= 0) out->add(a);
         if ((da < 0 && db > 0) || (da > 0 && db < 0)) {
             const Point& b = in->points[next];
-            const double share = da / (da - db);
+            const double fraction = da / (da - db);
             Point p;
-            for (std::size_t k = 0; k < 3; ++k) p[k] = a[k] + share * (b[k] - a[k]);
+            for (std::size_t k = 0; k < 3; ++k) p[k] = a[k] + fraction * (b[k] - a[k]);
             p[axis] = limit;
             out->add(p);
         }

@@ -148,10 +148,10 @@ class Loader {
     }
 
     bool loadBuilt() {
-        if (!options_.built) return false;
+        if (!options_.cachedModel) return false;
         try {
-            take(readBsp(openFileBytes(*options_.built), options_.built->string()));
-            out_.files.push_back(*options_.built);
+            take(readBsp(openFileBytes(*options_.cachedModel), options_.cachedModel->string()));
+            out_.files.push_back(*options_.cachedModel);
             return true;
         } catch (const FileError& error) {
             out_.warnings.emplace_back(error.what());
@@ -267,10 +267,10 @@ class Loader {
         Scene& scene = out_.scene;
         if (!hasCamera_) out_.camera = defaultCamera(out_.tree, scene.mesh(), scene.up);
         // A scene lit by its surroundings alone is a choice; one without any light is an oversight.
-        const bool glows = std::any_of(scene.materials.begin(), scene.materials.end(),
+        const bool emits = std::any_of(scene.materials.begin(), scene.materials.end(),
                                        [](const Material& m) { return !isBlack(m.emission); });
         if (scene.lights.empty() && (isBlack(scene.ambient) || !out_.sceneFile) &&
-            !(glows && out_.sceneFile)) {
+            !(emits && out_.sceneFile)) {
             scene.lights.push_back(defaultLight(out_.camera, out_.tree.bounds));
             scene.lightNames.emplace_back("default");
         }

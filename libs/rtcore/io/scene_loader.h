@@ -29,9 +29,9 @@ struct LoadOptions {
     ImportOptions import;
     std::optional<std::filesystem::path> model; ///< in place of the one that a .scn names; ignored for others
     /// A .bsp that was made of the model: read in its place, which goes on to be named, where it can be read.
-    std::optional<std::filesystem::path> built;
+    std::optional<std::filesystem::path> cachedModel;
     /// Primary rays that the scene is loaded for, when they are known and few: a large model then gets a fast
-    /// tree, whose pictures are the same. 0 = many.
+    /// tree, whose images are the same. 0 = many.
     std::uint64_t primaryRays = 0;
     std::function<void(LoadPhase)> onPhase; ///< called at the start of each phase, in the calling thread
     BuildProgress* buildProgress = nullptr;

@@ -1,4 +1,4 @@
-// Chosen lanes of vectors side by side. Included once for each target.
+// Compaction: selected lanes of vectors side by side. Included once for each target.
 #if defined(RTCORE_KERNELS_COMPACTION_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RTCORE_KERNELS_COMPACTION_INL_H_
 #undef RTCORE_KERNELS_COMPACTION_INL_H_
@@ -19,9 +19,9 @@ namespace HWY_NAMESPACE {
 /// each use, which takes most of the time of a stream: so a table of our own, looked up once for all columns.
 class Compaction {
   public:
-    HWY_INLINE explicit Compaction(Lanes which) : lanes_(lanesOf(which)) {}
+    HWY_INLINE explicit Compaction(Mask which) : lanes_(lanesOf(which)) {}
 
-    /// Writes the chosen lanes to `to`; a whole vector is written.
+    /// Writes the selected lanes to `to`; a whole vector is written.
     HWY_INLINE void store(Floats values, float* to) const {
         hn::StoreU(hn::TableLookupLanes(values, lanes_), FloatTag(), to);
     }
@@ -29,7 +29,7 @@ class Compaction {
   private:
     using Indices = decltype(hn::IndicesFromVec(FloatTag(), Ints()));
 
-    HWY_INLINE static Indices lanesOf(Lanes which) {
+    HWY_INLINE static Indices lanesOf(Mask which) {
         const hn::Rebind<std::uint8_t, FloatTag> bytes;
         std::uint8_t set[8] = {};
         hn::StoreMaskBits(FloatTag(), which, set);
@@ -45,15 +45,15 @@ class Compaction {
 
 class Compaction {
   public:
-    HWY_INLINE explicit Compaction(Lanes which) : which_(which) {}
+    HWY_INLINE explicit Compaction(Mask which) : which_(which) {}
 
-    /// Writes the chosen lanes to `to`; a whole vector is written.
+    /// Writes the selected lanes to `to`; a whole vector is written.
     HWY_INLINE void store(Floats values, float* to) const {
         hn::StoreU(hn::Compress(values, which_), FloatTag(), to);
     }
 
   private:
-    Lanes which_;
+    Mask which_;
 };
 
 #endif

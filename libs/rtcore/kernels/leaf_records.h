@@ -1,5 +1,5 @@
 /// Copies of the triangles' corners in the order in which leaves refer to them: more memory than fetching
-/// them through the mesh (40 bytes a reference), and no waiting for three places in turn.
+/// them through the mesh (40 bytes a reference), and no three dependent memory accesses.
 #pragma once
 
 #include "rtcore/accel/kd_tree.h"

@@ -26,7 +26,7 @@ using ByteTag = hn::ScalableTag<std::uint8_t>;
 using Floats = hn::Vec<FloatTag>;
 using Ints = hn::Vec<IntTag>;
 using Bytes = hn::Vec<ByteTag>;
-using Lanes = hn::Mask<FloatTag>; ///< which lanes something holds for
+using Mask = hn::Mask<FloatTag>; ///< which lanes something holds for
 constexpr std::size_t kLanes = hn::MaxLanes(FloatTag());
 
 /// While a kernel works, "no triangle" is the largest index, so that comparisons of signed numbers order it.
@@ -75,7 +75,7 @@ HWY_INLINE Corners cornersOf(const KernelScene& scene, const Leaf& leaf, std::ui
 /// z, -) into the order (kx, ky, kz).
 struct AxisOrder {
     Bytes x, y, z; ///< for TableLookupBytes
-    Lanes isX, isY;
+    Mask isX, isY;
 
     HWY_INLINE AxisOrder(Floats dx, Floats dy, Floats dz) {
         const IntTag di;
@@ -167,8 +167,8 @@ struct AlongEach {
 
 /// What the test of one triangle says of each lane.
 struct Outcome {
-    Lanes inside; ///< the ray's line meets the triangle
-    Floats t;     ///< where; NaN or any other number outside
+    Mask inside; ///< the ray's line meets the triangle
+    Floats t;    ///< where; NaN or any other number outside
     Floats v, w, det;
     Floats sum; ///< of the corners' distances, weighted by the edge functions
 };
@@ -185,10 +185,10 @@ HWY_INLINE Outcome edgeTest(Offset a, Offset b, Offset c, const ShearedRays& ray
     const Floats v = hn::Sub(hn::Mul(ax, cy), hn::Mul(ay, cx));
     const Floats w = hn::Sub(hn::Mul(bx, ay), hn::Mul(by, ax));
     const Floats zero = hn::Zero(d);
-    const Lanes front = hn::Ge(hn::Min(hn::Min(u, v), w), zero);
-    const Lanes back = hn::Le(hn::Max(hn::Max(u, v), w), zero);
+    const Mask front = hn::Ge(hn::Min(hn::Min(u, v), w), zero);
+    const Mask back = hn::Le(hn::Max(hn::Max(u, v), w), zero);
     const Floats det = hn::Add(hn::Add(u, v), w);
-    const Lanes seen = hn::Ge(hn::Abs(det), hn::Set(d, std::numeric_limits<float>::min()));
+    const Mask seen = hn::Ge(hn::Abs(det), hn::Set(d, std::numeric_limits<float>::min()));
     const Floats sum = hn::Add(hn::Add(hn::Mul(u, a.z), hn::Mul(v, b.z)), hn::Mul(w, c.z));
     return {hn::And(hn::Or(front, back), seen), hn::Div(hn::Mul(sum, rays.minusSz), det), v, w, det, sum};
 }
@@ -198,7 +198,7 @@ struct Found {
     Floats best; ///< distance of the closest hit; for any hit tMax, or -1 once hit
     Ints triangle;
     Floats v, w, det; ///< only of the lanes in `changed`
-    Lanes changed;    ///< by the leaf
+    Mask changed;     ///< by the leaf
 };
 
 template <typename Along>
@@ -208,21 +208,21 @@ HWY_INLINE Outcome edgeTest(const Corners& corners, const Along& along, const Sh
                     along.offset(corners.c, corners.stride, rays), rays);
 }
 
-/// Keeps what the test of `triangle` says of the rays in `inCell`, from `tMin` on. Returns who hit it (for
-/// any hit `triangle`, v, w, det are left alone).
+/// Keeps what the test of `triangle` says of the rays in `inCell`, from `tMin` on. Returns the rays that hit
+/// it (for any hit `triangle`, v, w, det are left alone).
 template <bool kAny>
-HWY_INLINE Lanes keepHits(const Outcome& outcome, std::int32_t triangle, Floats tMin, Lanes inCell,
-                          Found& found) {
+HWY_INLINE Mask keepHits(const Outcome& outcome, std::int32_t triangle, Floats tMin, Mask inCell,
+                         Found& found) {
     const FloatTag d;
     const IntTag di;
-    const Lanes open = hn::And(hn::And(outcome.inside, inCell), hn::Ge(outcome.t, tMin));
-    Lanes hit = open;
+    const Mask open = hn::And(hn::And(outcome.inside, inCell), hn::Ge(outcome.t, tMin));
+    Mask hit = open;
     if constexpr (kAny) {
         hit = hn::And(open, hn::Le(outcome.t, found.best));
         found.best = hn::IfThenElse(hit, hn::Set(d, -1.0F), found.best);
     } else {
         const Ints index = hn::Set(di, triangle);
-        const Lanes lower = hn::RebindMask(d, hn::Lt(index, found.triangle));
+        const Mask lower = hn::RebindMask(d, hn::Lt(index, found.triangle));
         hit = hn::And(open,
                       hn::Or(hn::Lt(outcome.t, found.best), hn::And(hn::Eq(outcome.t, found.best), lower)));
         found.best = hn::IfThenElse(hit, outcome.t, found.best);
@@ -237,8 +237,8 @@ HWY_INLINE Lanes keepHits(const Outcome& outcome, std::int32_t triangle, Floats 
 
 /// Tests one triangle, which must not be narrow, against a vector of rays.
 template <bool kAny, typename Along>
-HWY_INLINE Lanes testTriangle(const Corners& corners, const Along& along, const ShearedRays& rays,
-                              Floats tMin, Lanes inCell, Found& found) {
+HWY_INLINE Mask testTriangle(const Corners& corners, const Along& along, const ShearedRays& rays, Floats tMin,
+                             Mask inCell, Found& found) {
     return keepHits<kAny>(edgeTest(corners, along, rays), corners.triangle, tMin, inCell, found);
 }
 
@@ -247,11 +247,11 @@ HWY_INLINE AlongAxis alongAxis(int kz) { return {(kz + 1) % 3, (kz + 2) % 3, kz}
 /// Tests the common triangles of a leaf. For any hit `onHit` gets the corners of each that was hit.
 template <bool kAny, typename Along, typename OnHit>
 HWY_INLINE void testTriangles(const KernelScene& scene, const Leaf& leaf, const Along& along,
-                              const ShearedRays& rays, Floats tMin, Lanes inCell, Found& found,
+                              const ShearedRays& rays, Floats tMin, Mask inCell, Found& found,
                               const OnHit& onHit) {
     for (std::uint32_t i = 0; i < leaf.common; ++i) {
         const Corners corners = cornersOf(scene, leaf, i);
-        const Lanes hit = testTriangle<kAny>(corners, along, rays, tMin, inCell, found);
+        const Mask hit = testTriangle<kAny>(corners, along, rays, tMin, inCell, found);
         if constexpr (kAny) {
             if (!hn::AllFalse(FloatTag(), hit)) onHit(corners);
         }
@@ -260,15 +260,15 @@ HWY_INLINE void testTriangles(const KernelScene& scene, const Leaf& leaf, const 
 
 /// Calls `work` with the number of each lane that `lanes` holds.
 template <typename Work>
-HWY_INLINE void forEachLane(Lanes lanes, Work&& work) {
+HWY_INLINE void forEachLane(Mask lanes, Work&& work) {
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(FloatTag(), lanes, bytes);
     std::uint32_t bits = std::uint32_t{bytes[0]} | std::uint32_t{bytes[1]} << 8U;
     for (; bits != 0; bits &= bits - 1) work(static_cast<std::size_t>(std::countr_zero(bits)));
 }
 
-/// The smaller of both; the second where either is not a number.
-HWY_INLINE Floats smaller(Floats a, Floats b) {
+/// The minimum; the second where either is NaN.
+HWY_INLINE Floats min(Floats a, Floats b) {
 #if HWY_ARCH_X86
     return hn::Min(a, b);
 #else
@@ -276,8 +276,8 @@ HWY_INLINE Floats smaller(Floats a, Floats b) {
 #endif
 }
 
-/// The larger of both; the second where either is not a number.
-HWY_INLINE Floats larger(Floats a, Floats b) {
+/// The maximum; the second where either is NaN.
+HWY_INLINE Floats max(Floats a, Floats b) {
 #if HWY_ARCH_X86
     return hn::Max(a, b);
 #else

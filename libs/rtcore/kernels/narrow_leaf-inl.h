@@ -32,10 +32,10 @@ struct PreciseTest {
         for (std::size_t i = 0; i < kRay; ++i) hn::Store(ray[i], d, column[i]);
         const float* const corner[] = {corners.a, corners.b, corners.c};
         for (std::size_t i = 0; i < 3; ++i) {
-            const Offset place = along.offset(corner[i], corners.stride, atZero);
-            hn::Store(hn::Neg(place.x), d, column[kRay + 3 * i]);
-            hn::Store(hn::Neg(place.y), d, column[kRay + 3 * i + 1]);
-            hn::Store(hn::Neg(place.z), d, column[kRay + 3 * i + 2]);
+            const Offset fromRay = along.offset(corner[i], corners.stride, atZero);
+            hn::Store(hn::Neg(fromRay.x), d, column[kRay + 3 * i]);
+            hn::Store(hn::Neg(fromRay.y), d, column[kRay + 3 * i + 1]);
+            hn::Store(hn::Neg(fromRay.z), d, column[kRay + 3 * i + 2]);
         }
     }
 
@@ -83,18 +83,18 @@ struct PreciseTest {
 };
 
 /// isDoubtful() of those inside.
-HWY_INLINE Lanes areDoubtful(const Outcome& outcome, float noise) {
+HWY_INLINE Mask areDoubtful(const Outcome& outcome, float noise) {
     return hn::AndNot(hn::Ge(hn::Abs(outcome.sum), hn::Set(FloatTag(), noise)), outcome.inside);
 }
 
 /// Puts preciseHit() into what the test of a narrow triangle says of the lanes `which`.
 template <bool kAny, typename Along>
-HWY_INLINE void makePrecise(const Corners& corners, const Along& along, const ShearedRays& rays, Lanes which,
+HWY_INLINE void makePrecise(const Corners& corners, const Along& along, const ShearedRays& rays, Mask which,
                             Outcome& outcome) {
     const FloatTag d;
     PreciseTest test(corners, along, rays);
     test.template run<kAny>();
-    const Lanes beside = hn::AndNot(hn::Ne(hn::Load(d, test.inside), hn::Zero(d)), which);
+    const Mask beside = hn::AndNot(hn::Ne(hn::Load(d, test.inside), hn::Zero(d)), which);
     if (HWY_UNLIKELY(!hn::AllFalse(d, beside))) {
         forEachLane(beside, [&](std::size_t i) {
             const auto of = [&](std::size_t column) { return test.column[column][i]; };
@@ -111,7 +111,7 @@ HWY_INLINE void makePrecise(const Corners& corners, const Along& along, const Sh
         });
     }
     const Floats t = hn::Load(d, test.t);
-    const Lanes tooFar = hn::Not(hn::Le(hn::Abs(t), hn::Set(d, std::numeric_limits<float>::max())));
+    const Mask tooFar = hn::Not(hn::Le(hn::Abs(t), hn::Set(d, std::numeric_limits<float>::max())));
     outcome.inside = hn::AndNot(hn::And(which, tooFar), outcome.inside);
     outcome.t = hn::IfThenElse(which, t, outcome.t);
     if constexpr (kAny) return;
@@ -123,14 +123,14 @@ HWY_INLINE void makePrecise(const Corners& corners, const Along& along, const Sh
 /// Tests the narrow triangles of a leaf.
 template <bool kAny, typename Along>
 HWY_NOINLINE void testNarrowTriangles(const KernelScene& scene, const Leaf& leaf, const Along& along,
-                                      const ShearedRays& rays, Floats tMin, Lanes inCell, Found& found) {
+                                      const ShearedRays& rays, Floats tMin, Mask inCell, Found& found) {
     const FloatTag d;
     for (std::uint32_t i = leaf.common; i < leaf.count; ++i) {
         const Corners corners = cornersOf(scene, leaf, i);
         Outcome outcome = edgeTest(corners, along, rays);
         outcome.inside = hn::And(outcome.inside, inCell);
         const float noise = scene.noise[static_cast<std::size_t>(corners.triangle)];
-        const Lanes doubtful = areDoubtful(outcome, noise);
+        const Mask doubtful = areDoubtful(outcome, noise);
         if (!hn::AllFalse(d, doubtful)) makePrecise<kAny>(corners, along, rays, doubtful, outcome);
         keepHits<kAny>(outcome, corners.triangle, tMin, inCell, found);
     }

@@ -33,7 +33,7 @@ double spanOf(const Corners& p, int axis) {
 /// x, y, z the sizes of the box, z along the ray's dominant axis: a corner moves across the ray by at most
 /// 2 x + 2 z, along it by z, and sums of distances weighted by the edge functions by 3 z. The corners' shares
 /// halve that, and only its part along the normal counts.
-double placesNoise(const Point& sizes, const Point& normal) {
+double positionsNoise(const Point& sizes, const Point& normal) {
     double noise = 0;
     const double longest = std::max({sizes[0], sizes[1], sizes[2]});
     for (int axis = 0; axis < 3; ++axis) noise += std::fabs(normal[axis]) * (sizes[axis] + 2.5 * longest);
@@ -111,10 +111,10 @@ float narrowNoise(Vec3 a, Vec3 b, Vec3 c) {
     const Point normal = normalOf(p);
     const double twiceArea = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
     const Point sizes{spanOf(p, 0), spanOf(p, 1), spanOf(p, 2)};
-    const double places = placesNoise(sizes, normal);
+    const double positions = positionsNoise(sizes, normal);
     const double clear = surelyClear(p, a, b, c, normal, twiceArea);
-    if ((places + mostOfProducts(sizes)) * kRounding <= clear) return 0;
-    const double noise = (places + productsNoise(p)) * kRounding;
+    if ((positions + mostOfProducts(sizes)) * kRounding <= clear) return 0;
+    const double noise = (positions + productsNoise(p)) * kRounding;
     if (noise <= clear) return 0;
     // Written so that NaN, of a triangle without area, is the narrowest.
     const bool matters = !(noise <= kMuch * (sizes[0] + sizes[1] + sizes[2]) * twiceArea);

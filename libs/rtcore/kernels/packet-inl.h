@@ -139,7 +139,7 @@ class PacketWalk {
         Floats hi = hn::Neg(none);
         RTCORE_EACH_VECTOR
         for (std::size_t i = 0; i < kVectors; ++i) {
-            const Lanes alive = hn::Le(t0[i], t1[i]);
+            const Mask alive = hn::Le(t0[i], t1[i]);
             lo = hn::Min(lo, hn::IfThenElse(alive, t0[i], none));
             hi = hn::Max(hi, hn::IfThenElse(alive, t1[i], hn::Neg(none)));
         }
@@ -165,13 +165,13 @@ class PacketWalk {
         const FloatTag d;
         Floats nearEnd[kVectors];
         Floats farBegin[kVectors];
-        Lanes entersNear = hn::FirstN(d, 0);
-        Lanes entersFar = hn::FirstN(d, 0);
+        Mask entersNear = hn::FirstN(d, 0);
+        Mask entersFar = hn::FirstN(d, 0);
         RTCORE_EACH_VECTOR
         for (std::size_t i = 0; i < kVectors; ++i) {
             const Floats t = planeDistance(axis, node.split, culling, i);
-            nearEnd[i] = smaller(hn::Mul(t, hn::Set(d, kUp)), t1[i]);
-            farBegin[i] = larger(hn::Mul(t, hn::Set(d, kDown)), t0[i]);
+            nearEnd[i] = min(hn::Mul(t, hn::Set(d, kUp)), t1[i]);
+            farBegin[i] = max(hn::Mul(t, hn::Set(d, kDown)), t0[i]);
             entersNear = hn::Or(entersNear, hn::Le(t0[i], nearEnd[i]));
             entersFar = hn::Or(entersFar, hn::Le(farBegin[i], t1[i]));
         }
@@ -208,8 +208,8 @@ class PacketWalk {
                                             Range& interval, std::size_t& waiting) {
         const FloatTag d;
         const int axis = node.axis();
-        Lanes entersLower = hn::FirstN(d, 0);
-        Lanes entersUpper = hn::FirstN(d, 0);
+        Mask entersLower = hn::FirstN(d, 0);
+        Mask entersUpper = hn::FirstN(d, 0);
         WaitingPacket<kVectors>& entry = stack_[waiting];
         Floats lower0[kVectors];
         Floats lower1[kVectors];
@@ -218,9 +218,9 @@ class PacketWalk {
             const Floats inverse = hn::Load(d, packet_.inverse[axis] + i * kLanes);
             const Floats origin = hn::Load(d, packet_.origin[axis] + i * kLanes);
             const Floats t = hn::Mul(hn::Sub(hn::Set(d, node.split), origin), inverse);
-            const Floats nearEnd = smaller(hn::Mul(t, hn::Set(d, kUp)), t1[i]);
-            const Floats farBegin = larger(hn::Mul(t, hn::Set(d, kDown)), t0[i]);
-            const Lanes downwards = hn::Lt(inverse, hn::Zero(d));
+            const Floats nearEnd = min(hn::Mul(t, hn::Set(d, kUp)), t1[i]);
+            const Floats farBegin = max(hn::Mul(t, hn::Set(d, kDown)), t0[i]);
+            const Mask downwards = hn::Lt(inverse, hn::Zero(d));
             lower0[i] = hn::IfThenElse(downwards, farBegin, t0[i]);
             lower1[i] = hn::IfThenElse(downwards, t1[i], nearEnd);
             const Floats upper0 = hn::IfThenElse(downwards, t0[i], farBegin);
@@ -247,7 +247,7 @@ class PacketWalk {
     HWY_INLINE bool take(const WaitingPacket<kVectors>& entry, Floats slack, Floats (&t0)[kVectors],
                          Floats (&t1)[kVectors]) const {
         const FloatTag d;
-        Lanes alive = hn::FirstN(d, 0);
+        Mask alive = hn::FirstN(d, 0);
         RTCORE_EACH_VECTOR
         for (std::size_t i = 0; i < kVectors; ++i) {
             const Floats best = hn::Load(d, packet_.best + i * kLanes);
@@ -326,7 +326,7 @@ class PacketWalk {
             return testRayByRay(leaf, t0, t1) || (HWY_UNLIKELY(hasNarrow) && testNarrow(leaf, t0, t1));
         }
         const auto remember = [&](const Corners& corners) HWY_ATTR { occluder = corners; };
-        const auto test = [&](std::size_t at, Lanes inCell, Found& found) HWY_ATTR {
+        const auto test = [&](std::size_t at, Mask inCell, Found& found) HWY_ATTR {
             const Floats tMin = hn::Load(d, packet_.tMin + at);
             const ShearedRays rays = shearedRays(at);
             withAlong(at, [&](const auto& along) HWY_ATTR {
@@ -343,7 +343,7 @@ class PacketWalk {
     /// Tests the narrow triangles of a leaf.
     HWY_NOINLINE bool testNarrow(const Leaf& leaf, const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
         const FloatTag d;
-        const auto test = [&](std::size_t at, Lanes inCell, Found& found) HWY_ATTR {
+        const auto test = [&](std::size_t at, Mask inCell, Found& found) HWY_ATTR {
             const Floats tMin = hn::Load(d, packet_.tMin + at);
             const ShearedRays rays = shearedRays(at);
             withAlong(at, [&](const auto& along) HWY_ATTR {
@@ -357,7 +357,7 @@ class PacketWalk {
     HWY_NOINLINE bool testOccluder(const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
         const FloatTag d;
         if (!leavesReady_) prepareLeaves();
-        const auto test = [&](std::size_t at, Lanes inCell, Found& found) HWY_ATTR {
+        const auto test = [&](std::size_t at, Mask inCell, Found& found) HWY_ATTR {
             const Floats tMin = hn::Load(d, packet_.tMin + at);
             const ShearedRays rays = shearedRays(at);
             withAlong(at, [&](const auto& along)
@@ -374,7 +374,7 @@ class PacketWalk {
         bool any = false;
         RTCORE_EACH_VECTOR
         for (std::size_t k = 0; k < kVectors; ++k) {
-            const Lanes inCell = hn::Le(t0[k], t1[k]);
+            const Mask inCell = hn::Le(t0[k], t1[k]);
             if (hn::AllFalse(d, inCell)) continue;
             const std::size_t at = k * kLanes;
             Found found{hn::Load(d, packet_.best + at),
@@ -416,7 +416,7 @@ class PacketWalk {
 
     HWY_NOINLINE bool testRayByRay(const Leaf& leaf, const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
         const FloatTag d;
-        Lanes inCell[kVectors];
+        Mask inCell[kVectors];
         for (std::size_t k = 0; k < kVectors; ++k) inCell[k] = hn::Le(t0[k], t1[k]);
         bool hit = false;
         TriangleBlock block(scene_, leaf);
@@ -465,7 +465,7 @@ class PacketWalk {
 
     HWY_INLINE bool allDone() const {
         const FloatTag d;
-        Lanes open = hn::FirstN(d, 0);
+        Mask open = hn::FirstN(d, 0);
         RTCORE_EACH_VECTOR
         for (std::size_t i = 0; i < kVectors; ++i) {
             open = hn::Or(open, hn::Ge(hn::Load(d, packet_.best + i * kLanes), hn::Zero(d)));

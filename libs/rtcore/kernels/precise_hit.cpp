@@ -35,15 +35,15 @@ Weights nearestOfEdges(const Place (&p)[3]) {
         const double y = p[j].y - p[i].y;
         const double squared = x * x + y * y;
         const double along = -(p[i].x * x + p[i].y * y);
-        const double share = squared > 0 ? std::clamp(along / squared, 0.0, 1.0) : 0;
-        const double apartX = p[i].x + share * x;
-        const double apartY = p[i].y + share * y;
+        const double fraction = squared > 0 ? std::clamp(along / squared, 0.0, 1.0) : 0;
+        const double apartX = p[i].x + fraction * x;
+        const double apartY = p[i].y + fraction * y;
         const double apart = apartX * apartX + apartY * apartY;
         if (!(apart < least)) continue;
         least = apart;
         nearest = {{0, 0, 0}, 1};
-        nearest.of[i] = 1 - share;
-        nearest.of[j] = share;
+        nearest.of[i] = 1 - fraction;
+        nearest.of[j] = fraction;
     }
     return nearest;
 }

@@ -27,7 +27,7 @@ HWY_INLINE RayVector loadRays(const RaySpan& rays, std::size_t at) {
     const FloatTag d;
     const Floats tMin = hn::LoadU(d, rays.tMin + at);
     const Floats tMax = hn::LoadU(d, rays.tMax + at);
-    const Lanes isEmpty = hn::Lt(tMax, hn::Zero(d));
+    const Mask isEmpty = hn::Lt(tMax, hn::Zero(d));
     return {hn::LoadU(d, rays.origin[0] + at),
             hn::LoadU(d, rays.origin[1] + at),
             hn::LoadU(d, rays.origin[2] + at),
@@ -60,11 +60,11 @@ HWY_INLINE IntervalVector clipToBox(const KernelScene& scene, const RayVector& r
         const Floats inverse = hn::Div(hn::Set(d, 1.0F), direction);
         const Floats a = hn::Mul(hn::Sub(hn::Set(d, scene.lo[axis]), o), inverse);
         const Floats b = hn::Mul(hn::Sub(hn::Set(d, scene.hi[axis]), o), inverse);
-        const Lanes downwards = hn::Lt(inverse, hn::Zero(d));
+        const Mask downwards = hn::Lt(inverse, hn::Zero(d));
         const Floats enter = hn::IfThenElse(downwards, b, a);
         const Floats leave = hn::IfThenElse(downwards, a, b);
-        interval.t0 = larger(hn::Mul(enter, hn::Set(d, kPlaneDown)), interval.t0);
-        interval.t1 = smaller(hn::Mul(leave, hn::Set(d, kPlaneUp)), interval.t1);
+        interval.t0 = max(hn::Mul(enter, hn::Set(d, kPlaneDown)), interval.t0);
+        interval.t1 = min(hn::Mul(leave, hn::Set(d, kPlaneUp)), interval.t1);
     };
     clip(0, ray.ox, ray.dx);
     clip(1, ray.oy, ray.dy);

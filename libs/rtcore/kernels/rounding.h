@@ -9,7 +9,7 @@ namespace rtcore {
 inline constexpr float kPlaneDown = 1 - 6 * 0x1p-24F;
 inline constexpr float kPlaneUp = 1 + 6 * 0x1p-24F;
 
-/// What rounding may do to the leaf test's distance, as a share of that of the farthest corner.
+/// What rounding may do to the leaf test's distance, as a fraction of that of the farthest corner.
 inline constexpr float kDistanceError = 0x1p-17F;
 
 } // namespace rtcore

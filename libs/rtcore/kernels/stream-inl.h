@@ -81,7 +81,7 @@ class StreamWalk {
                 };
                 const Ints code = hn::Or(
                     sign(ray.dx), hn::Or(hn::ShiftLeft<1>(sign(ray.dy)), hn::ShiftLeft<2>(sign(ray.dz))));
-                const Lanes enters = hn::Le(inside.t0, inside.t1);
+                const Mask enters = hn::Le(inside.t0, inside.t1);
                 hn::Store(hn::IfThenElse(hn::RebindMask(di, enters), code, hn::Set(di, kOutside)), di,
                           scratch_.octant + slot);
                 octants |= octantsOf(code, enters);
@@ -99,12 +99,12 @@ class StreamWalk {
         return octants;
     }
 
-    HWY_INLINE static std::uint32_t octantsOf(Ints code, Lanes enters) {
+    HWY_INLINE static std::uint32_t octantsOf(Ints code, Mask enters) {
         const FloatTag d;
         const IntTag di;
         std::uint32_t octants = 0;
         for (int octant = 0; octant < 8; ++octant) {
-            const Lanes here = hn::RebindMask(d, hn::Eq(code, hn::Set(di, octant)));
+            const Mask here = hn::RebindMask(d, hn::Eq(code, hn::Set(di, octant)));
             if (!hn::AllFalse(d, hn::And(here, enters))) octants |= 1U << octant;
         }
         return octants;
@@ -119,8 +119,8 @@ class StreamWalk {
             for (std::size_t lane = 0; lane < StreamScratch::kGroup; lane += kLanes) {
                 const std::size_t from = scratch_.groups[group] + lane;
                 const std::size_t slot = group * StreamScratch::kGroup + lane;
-                const Lanes here = hn::RebindMask(d, hn::Eq(hn::Load(di, scratch_.octant + slot),
-                                                            hn::Set(di, static_cast<std::int32_t>(octant))));
+                const Mask here = hn::RebindMask(d, hn::Eq(hn::Load(di, scratch_.octant + slot),
+                                                           hn::Set(di, static_cast<std::int32_t>(octant))));
                 if (hn::AllFalse(d, here)) continue;
                 const RayVector ray = loadRays(rays, from);
                 const Ints slots = hn::Iota(di, static_cast<std::int32_t>(slot));
@@ -227,8 +227,8 @@ class StreamWalk {
             const Floats t = hn::Mul(hn::Sub(plane, hn::Load(d, origin + i)), inverse);
             const Floats t0 = hn::Load(d, begin + i);
             const Floats t1 = hn::Load(d, end + i);
-            const Floats nearEnd = smaller(hn::Mul(t, hn::Set(d, kPlaneUp)), t1);
-            const Floats farBegin = larger(hn::Mul(t, hn::Set(d, kPlaneDown)), t0);
+            const Floats nearEnd = min(hn::Mul(t, hn::Set(d, kPlaneUp)), t1);
+            const Floats farBegin = max(hn::Mul(t, hn::Set(d, kPlaneDown)), t0);
             hn::Store(nearEnd, d, scratch_.nearEnd + i);
             hn::Store(farBegin, d, scratch_.farBegin + i);
             entersNear += hn::CountTrue(d, hn::Le(t0, nearEnd));
@@ -273,7 +273,7 @@ class StreamWalk {
         for (std::size_t i = 0; i < list.size; i += kLanes) {
             const Floats t0 = hn::Load(d, begin + i);
             const Floats t1 = hn::Load(d, end + i);
-            const Lanes which = hn::Le(t0, t1);
+            const Mask which = hn::Le(t0, t1);
             const std::size_t count = hn::CountTrue(d, which);
             if (count == 0) continue;
             const Compaction some(which);
@@ -306,7 +306,7 @@ class StreamWalk {
     /// Lanes that are not active may hold no slot at all: they read the first.
     HWY_INLINE Ints slotsAt(const List& list, std::size_t i) const {
         const IntTag di;
-        const Lanes used = hn::Le(get(T0, list.intervals + i), get(T1, list.intervals + i));
+        const Mask used = hn::Le(get(T0, list.intervals + i), get(T1, list.intervals + i));
         return hn::IfThenElseZero(hn::RebindMask(di, used), hn::BitCast(di, get(Slot, list.rays + i)));
     }
 
@@ -326,7 +326,7 @@ class StreamWalk {
     HWY_INLINE void testLeafVector(const Leaf& leaf, const List& list, std::size_t i) {
         const FloatTag d;
         const IntTag di;
-        const Lanes inCell = hn::Le(get(T0, list.intervals + i), get(T1, list.intervals + i));
+        const Mask inCell = hn::Le(get(T0, list.intervals + i), get(T1, list.intervals + i));
         if (hn::AllFalse(d, inCell)) return;
         const Ints slot = slotsAt(list, i);
         const std::size_t at = list.rays + i;
@@ -389,7 +389,7 @@ class StreamWalk {
         for (std::size_t i = 0; i < list.size; i += kLanes) {
             const Floats t0 = get(T0, list.intervals + i);
             const Floats t1 = get(T1, list.intervals + i);
-            const Lanes which = hn::Le(t0, t1);
+            const Mask which = hn::Le(t0, t1);
             const std::size_t count = hn::CountTrue(d, which);
             if (count == 0) continue;
             const Compaction some(which);
@@ -409,7 +409,7 @@ class StreamWalk {
             hn::Store(hn::Set(d, -1.0F), d, short_.t1 + i);
         }
         for (std::size_t i = 0; i < to; i += kLanes) {
-            const Lanes used = hn::Le(hn::Load(d, short_.t0 + i), hn::Load(d, short_.t1 + i));
+            const Mask used = hn::Le(hn::Load(d, short_.t0 + i), hn::Load(d, short_.t1 + i));
             const Ints slot =
                 hn::IfThenElseZero(hn::RebindMask(di, used), hn::BitCast(di, hn::Load(d, shortSlot_ + i)));
             for (std::size_t axis = 0; axis < 3; ++axis) {

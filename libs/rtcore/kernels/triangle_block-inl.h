@@ -55,8 +55,8 @@ class TriangleBlock {
         const Outcome outcome =
             edgeTest(offset(0, ray, rays), offset(1, ray, rays), offset(2, ray, rays), rays);
         const Floats best = hn::Set(d, found.best);
-        const Lanes open = hn::And(hn::And(outcome.inside, hn::FirstN(d, count_)),
-                                   hn::And(hn::Ge(outcome.t, hn::Set(d, tMin)), hn::Le(outcome.t, best)));
+        const Mask open = hn::And(hn::And(outcome.inside, hn::FirstN(d, count_)),
+                                  hn::And(hn::Ge(outcome.t, hn::Set(d, tMin)), hn::Le(outcome.t, best)));
         if (hn::AllFalse(d, open)) return false;
         if constexpr (kAny) {
             found.best = -1;
@@ -106,7 +106,7 @@ class TriangleBlock {
                 hn::Sub(rays.y, hn::LoadU(d, coordinates_[3 * corner + ray.ky])),
                 hn::Sub(rays.z, hn::LoadU(d, coordinates_[3 * corner + ray.kz]))};
     }
-    HWY_INLINE static std::size_t firstOf(Lanes lanes) {
+    HWY_INLINE static std::size_t firstOf(Mask lanes) {
         return static_cast<std::size_t>(hn::FindFirstTrue(FloatTag(), lanes));
     }
     HWY_INLINE static float laneOf(Floats values, std::size_t lane) {

@@ -74,9 +74,9 @@ HWY_INLINE GroupShape shapeOf(const RaySpan& rays, std::size_t first) {
 /// 0, 1, 2 where that is the dominant axis of all; else 3.
 HWY_INLINE int commonAxis(const RaySpan& rays, std::size_t first) {
     const FloatTag d;
-    Lanes allX = hn::Eq(hn::Zero(d), hn::Zero(d));
-    Lanes allY = allX;
-    Lanes anyXY = hn::FirstN(d, 0);
+    Mask allX = hn::Eq(hn::Zero(d), hn::Zero(d));
+    Mask allY = allX;
+    Mask anyXY = hn::FirstN(d, 0);
     for (std::size_t i = first; i < first + kGroup; i += kLanes) {
         const AxisOrder order(hn::LoadU(d, rays.direction[0] + i), hn::LoadU(d, rays.direction[1] + i),
                               hn::LoadU(d, rays.direction[2] + i));
@@ -195,8 +195,8 @@ struct LastGroup {
 
 /// `Output` stores what a packet or a stream's slots hold.
 template <bool kAny, typename Output>
-HWY_INLINE void traceWave(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch,
-                          Output&& output) {
+HWY_INLINE void traverseWave(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch,
+                             Output&& output) {
     constexpr std::size_t kFewest = 512 / kGroup; // below, packets are faster whatever the directions
     PacketTracer<kAny> packets(scene, rays);
     const auto asPacket = [&](std::size_t first) HWY_ATTR {
@@ -261,7 +261,7 @@ struct ClosestOutput {
                 hn::StoreU(share2, d, hits.v + first + i);
                 hn::StoreU(index, di, out);
             } else {
-                const Lanes some = hn::FirstN(d, count - i);
+                const Mask some = hn::FirstN(d, count - i);
                 hn::BlendedStore(t, some, d, hits.t + first + i);
                 hn::BlendedStore(share1, some, d, hits.u + first + i);
                 hn::BlendedStore(share2, some, d, hits.v + first + i);

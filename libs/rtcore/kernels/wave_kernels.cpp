@@ -85,11 +85,11 @@ void any(const KernelScene& scene, const RaySpan& rays, StreamScratch& /*scratch
 #else
 
 void closest(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch, const HitSpan& hits) {
-    traceWave<false>(scene, rays, scratch, ClosestOutput{hits});
+    traverseWave<false>(scene, rays, scratch, ClosestOutput{hits});
 }
 
 void any(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch, std::uint8_t* occluded) {
-    traceWave<true>(scene, rays, scratch, AnyOutput{occluded});
+    traverseWave<true>(scene, rays, scratch, AnyOutput{occluded});
 }
 
 #endif

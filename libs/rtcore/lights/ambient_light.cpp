@@ -17,7 +17,7 @@ constexpr float kShareOfLights = 0.25F;
 /// What reaches a surface near the middle of the scene that faces the light.
 Colour irradianceNear(const Light& light, Vec3 middle, float diagonal) {
     if (!traitsOf(light).position) return light.intensity;
-    // A lamp close to the middle does not make the whole scene as bright as the middle.
+    // A light close to the middle must not count as if it lit the whole scene that brightly.
     const float distance =
         std::max({length(light.position - middle), diagonal * 0.25F, light.radius, 1e-18F});
     const Colour facing = light.intensity / (distance * distance);

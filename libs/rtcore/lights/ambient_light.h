@@ -1,4 +1,4 @@
-/// The light from everywhere that ambient occlusion takes away from corners.
+/// The ambient light that ambient occlusion darkens in corners.
 #pragma once
 
 #include "rtcore/math/box.h"

@@ -20,14 +20,14 @@ namespace HWY_NAMESPACE {
 
 /// From a point to a light that has a position.
 template <typename F>
-struct WayToLight {
-    Vec3Of<F> direction; ///< unit; up where there is no way
+struct PathToLight {
+    Vec3Of<F> direction; ///< unit; up where the distance is 0
     F distance;
-    F free; ///< how far a shadow ray has to go: almost to the light, so that one that lies in a ceiling
-            ///< shines whichever way its distance is rounded
+    F free; ///< length of the shadow ray: a little less than the distance, so that rounding does not let a
+            ///< light be occluded by the surface that it lies in
 };
 template <typename F>
-HWY_INLINE WayToLight<F> wayToLight(const Light& light, Vec3Of<F> offset) {
+HWY_INLINE PathToLight<F> pathToLight(const Light& light, Vec3Of<F> offset) {
     const F distance = sqrt(dot(offset, offset));
     const Vec3Of<F> direction = select(distance > 0.0F, offset / distance, broadcast<F>(Vec3{0, 1, 0}));
     return {direction, distance, max(distance * 0.9999F - light.radius, F(0))};
@@ -36,17 +36,17 @@ HWY_INLINE WayToLight<F> wayToLight(const Light& light, Vec3Of<F> offset) {
 template <typename F>
 struct LightSample {
     Vec3Of<F> toLight;    ///< unit
-    F free;               ///< how far a shadow ray has to go
+    F free;               ///< length of the shadow ray
     Vec3Of<F> irradiance; ///< on a surface that faces the light, before shadows
     F spread;             ///< of a stratum of an area light: its solid angle over pi
 };
 
-/// Which part of an area light is looked at.
+/// Which stratum of an area light is sampled.
 template <typename F>
 struct Stratum {
-    F u, v;      ///< where on the light, 0..1, without 1
-    float share; ///< of the light that comes from such a part
-    float ofAll; ///< of all strata that a pixel looks at: highlights are no narrower than one of them
+    F u, v;       ///< where on the light, 0..1, without 1
+    float weight; ///< of this stratum in the whole light
+    float ofAll;  ///< of one of all strata that a pixel samples: highlights are widened to it
 };
 /// All of it, from its middle.
 template <LightKind kind, typename F>
@@ -78,7 +78,7 @@ HWY_INLINE LightSample<F> sampleSphere(const Light& light, Vec3Of<F> offset, con
     const F aside = distance * distance * squareSine;
     const F depth = sqrt(max(radius * radius - aside, F(0)));
     const F near = distance * (1.0F - bent) - depth;
-    const F scale = 2 * stratum.share / (counted * counted * whole);
+    const F scale = 2 * stratum.weight / (counted * counted * whole);
     return {toLight, max(near * 0.9999F, F(0)), broadcast<F>(light.intensity) * scale,
             sine * sine * stratum.ofAll};
 }
@@ -96,7 +96,7 @@ HWY_INLINE float areaOfFlat(const Light& light) {
     return light.width * light.height;
 }
 
-/// What `light` sends to `position`; of an area light, what the stratum sends.
+/// The sample of `light` seen from `position`; of an area light, of the given stratum.
 template <LightKind kind, typename F>
 HWY_INLINE LightSample<F> sampleLight(const Light& light, Vec3Of<F> position,
                                       const Stratum<F>& stratum = wholeLight<kind, F>()) {
@@ -109,24 +109,24 @@ HWY_INLINE LightSample<F> sampleLight(const Light& light, Vec3Of<F> position,
     if constexpr (kind == LightKind::Sphere) return sampleSphere<F>(light, offset, stratum);
     constexpr bool flat = isAreaLight(kind) && traits.beam == Beam::Cosine;
     if constexpr (flat) offset = offset + pointOnFlat<kind, F>(light, stratum.u, stratum.v);
-    const WayToLight<F> way = wayToLight<F>(light, offset);
-    const F counted = max(max(way.distance, F(light.radius)), F(1e-18F));
+    const PathToLight<F> path = pathToLight<F>(light, offset);
+    const F counted = max(max(path.distance, F(light.radius)), F(1e-18F));
     const F square = counted * counted;
     Vec3Of<F> irradiance;
     irradiance.x = light.intensity.r / square;
-    // Most lights are white: a division less for each of the others.
+    // Most lights are white: this saves two divisions for them.
     irradiance.y = light.intensity.g == light.intensity.r ? irradiance.x : light.intensity.g / square;
     irradiance.z = light.intensity.b == light.intensity.r ? irradiance.x : light.intensity.b / square;
     if constexpr (traits.beam == Beam::Cone)
-        irradiance = irradiance * spotFactor<F>(light, -dot(way.direction, broadcast<F>(light.direction)));
+        irradiance = irradiance * spotFactor<F>(light, -dot(path.direction, broadcast<F>(light.direction)));
     F spread = F(0);
     if constexpr (flat) {
         const float area = areaOfFlat<kind>(light) * stratum.ofAll / kPi;
-        const F front = max(-dot(way.direction, broadcast<F>(light.direction)), F(0));
-        irradiance = irradiance * (front * stratum.share);
+        const F front = max(-dot(path.direction, broadcast<F>(light.direction)), F(0));
+        irradiance = irradiance * (front * stratum.weight);
         spread = area * front / square;
     }
-    return {way.direction, way.free, irradiance, spread};
+    return {path.direction, path.free, irradiance, spread};
 }
 
 } // namespace HWY_NAMESPACE

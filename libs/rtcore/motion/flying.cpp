@@ -14,7 +14,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kInertia = 0.88; ///< what a step leaves of the difference: e^(-tick / 0.065 s)
 constexpr double kTurnSpeed = 1.6;
-constexpr double kStopped = 1e-3; ///< share of full speed that counts as rest
+constexpr double kStopped = 1e-3; ///< fraction of full speed that counts as rest
 
 double sine(double x) { return double{portableSin(static_cast<float>(x))}; }
 double cosine(double x) { return double{portableCos(static_cast<float>(x))}; }
@@ -52,7 +52,7 @@ Heading headingOf(Vec3d forward, Vec3d up) {
     const Vec3d f = normalize(forward);
     const double across = length(horizontal(f));
     constexpr double kUpright = 1e-4;
-    // Looking straight up or down, the top of the picture tells the heading.
+    // Looking straight up or down, the top of the image tells the heading.
     const Vec3d ahead = across > kUpright ? f : f.z < 0 ? up : -up;
     const auto yaw = portableAtan2(static_cast<float>(-ahead.x), static_cast<float>(ahead.y));
     const auto pitch = portableAtan2(static_cast<float>(f.z), static_cast<float>(across));

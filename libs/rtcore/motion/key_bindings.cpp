@@ -79,7 +79,7 @@ std::vector<ActionTap> KeyBindings::taps(const Down& down, const Presses& presse
     for (const KeyBinding& b : bindings_) {
         const std::uint32_t count = presses[static_cast<std::size_t>(b.key)];
         if (count == 0 || !fits(b, since)) continue;
-        // An even number of presses of a switch is none; nobody presses one thousands of times between two
+        // An even number of presses of a switch is none; no key is pressed thousands of times between two
         // looks.
         const std::uint32_t times =
             isHeld(b.action) ? (isDown(down, b.key) ? 0U : 1U) : std::min(count, 64U + count % 2);

@@ -21,7 +21,7 @@ double flyingSpeedIn(const Box3& bounds, double metresPerUnit) {
     return speed > 0 && std::isfinite(speed) ? speed : 1;
 }
 
-double between(double a, double b, double share) { return a + (b - a) * share; }
+double between(double a, double b, double fraction) { return a + (b - a) * fraction; }
 
 } // namespace
 
@@ -49,15 +49,16 @@ void Player::setCamera(const Camera& camera) {
 
 Camera Player::camera() const {
     Camera camera = given_;
-    const double share = static_cast<double>(clock_) / kSecond;
-    if (moved_) camera.eye = frame_.toScene(before_.eye + (now_.eye - before_.eye) * share);
+    const double fraction = static_cast<double>(clock_) / kSecond;
+    if (moved_) camera.eye = frame_.toScene(before_.eye + (now_.eye - before_.eye) * fraction);
     if (turned_) {
-        const Heading heading{between(before_.heading.yaw, now_.heading.yaw, share),
-                              between(before_.heading.pitch, now_.heading.pitch, share)};
+        const Heading heading{between(before_.heading.yaw, now_.heading.yaw, fraction),
+                              between(before_.heading.pitch, now_.heading.pitch, fraction)};
         camera.forward = frame_.turnBack(lookDirection(heading));
         camera.up = frame_.up();
     }
-    if (narrowed_) camera.orthographicWidth = static_cast<float>(between(before_.width, now_.width, share));
+    if (narrowed_)
+        camera.orthographicWidth = static_cast<float>(between(before_.width, now_.width, fraction));
     return camera;
 }
 

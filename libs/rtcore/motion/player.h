@@ -47,8 +47,8 @@ class Player {
 
     MotionMode mode() const { return mode_; }
     /// False, and nothing changed, where there is no room for a body within a metre of the eye, or where the
-    /// eye is below all that could carry. Who falls out of the world and never stood is put back to where he
-    /// was before, and flies.
+    /// eye is below all that could carry. A walker that falls out of the world and never stood is put back to
+    /// where it was before, and flies.
     bool setMode(MotionMode mode);
     /// Walks beside the model, where nothing is below: on a floor at its lowest point that is not seen.
     bool onUnseenFloor() const { return mode_ == MotionMode::Walk && walker_.onUnseenFloor(); }

@@ -28,17 +28,17 @@ struct Nearest {
     Vec3d point, difference;
 };
 
-double share(double part, double whole) { return whole > 0 ? std::clamp(part / whole, 0.0, 1.0) : 0.0; }
+double fraction(double part, double whole) { return whole > 0 ? std::clamp(part / whole, 0.0, 1.0) : 0.0; }
 
 void offerEdge(Nearest& nearest, Vec3d from, Vec3d to) {
     const Vec3d along = to - from;
     nearest.offer(from);
     // Beside the line, then at its two ends.
-    nearest.offer(
-        from + along * share(-(from.x * along.x + from.y * along.y), along.x * along.x + along.y * along.y));
+    nearest.offer(from + along * fraction(-(from.x * along.x + from.y * along.y),
+                                          along.x * along.x + along.y * along.y));
     const double whole = dot(along, along);
     for (const Vec3d end : {Vec3d{}, Vec3d{0, 0, nearest.height}}) {
-        nearest.offer(from + along * share(dot(end - from, along), whole), end);
+        nearest.offer(from + along * fraction(dot(end - from, along), whole), end);
     }
 }
 

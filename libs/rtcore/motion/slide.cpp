@@ -19,7 +19,7 @@ Vec3d alongFloor(Vec3d move, const FloorPlane& floor) {
     return whole > 0 ? path * (length(move) / whole) : Vec3d{};
 }
 
-/// One straight part of a slide. Returns the share of `path` that is left.
+/// One straight part of a slide. Returns the fraction of `path` that is left.
 double advance(const Body& body, Vec3d path, Slide& slide, Sweep& sweep, MotionTrail* trail) {
     const double whole = length(path);
     const Vec3d direction = path * (1 / whole);
@@ -69,9 +69,9 @@ Slide slideOnGround(const Body& body, Vec3d feet, Vec3d move, FloorPlane floor, 
     for (int i = 0; i < kSweeps && length(left) > kNothing; ++i) {
         Sweep sweep;
         slide.rolled = slide.rolled || floor.edge;
-        const double share = advance(body, alongFloor(left, floor), slide, sweep, trail);
+        const double fraction = advance(body, alongFloor(left, floor), slide, sweep, trail);
         if (!sweep.hit) break;
-        left = left * share;
+        left = left * fraction;
         if (sweep.normal.z >= body.shape().walkable) {
             floor = {sweep.normal, !sweep.onFace};
             continue;
@@ -93,9 +93,9 @@ Slide slideInAir(const Body& body, Vec3d feet, Vec3d move, MotionTrail* trail) {
     Vec3d left = move;
     for (int i = 0; i < kSweeps && length(left) > kNothing; ++i) {
         Sweep sweep;
-        const double share = advance(body, left, slide, sweep, trail);
+        const double fraction = advance(body, left, slide, sweep, trail);
         if (!sweep.hit) break;
-        left = left * share;
+        left = left * fraction;
         slide.met.add(sweep.normal);
         if (sweep.normal.z >= body.shape().walkable) {
             slide.landed = true;

@@ -421,7 +421,7 @@ void Walker::savePose() {
 }
 
 bool Walker::restorePose() {
-    // Who falls again at once gets an older place, since each is used up.
+    // After another fall at once an older position is used, since each is used only once.
     if (savedCount_ == 0) return false;
     savedNext_ = (savedNext_ + static_cast<int>(saved_.size()) - 1) % static_cast<int>(saved_.size());
     --savedCount_;

@@ -4,7 +4,7 @@
 namespace rtcore {
 
 /// While one of the functions of files.h waits for such a file, `stopped` is asked every 20 ms; once it says
-/// true, that function throws FileError Stopped. Null, the default: nobody is asked. Safe from any thread,
+/// true, that function throws FileError Stopped. Null, the default: never. Safe from any thread,
 /// and `stopped` is called from any.
 void interruptFilesBy(bool (*stopped)() noexcept);
 

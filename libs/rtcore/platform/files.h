@@ -22,7 +22,7 @@ struct FileBytes {
     std::span<const std::byte> bytes;
     std::shared_ptr<const void> owner;
 };
-/// Throws FileError: NoInput when the file is missing, a folder or unreadable, or a pipe that nobody opens
+/// Throws FileError: NoInput when the file is missing, a folder or unreadable, or a pipe without a writer
 /// for writing within 10 s; Stopped (file_waits.h).
 FileBytes openFileBytes(const std::filesystem::path& path);
 
@@ -95,8 +95,8 @@ void writeFileAtomically(const std::filesystem::path& path,
 void removeTemporaryFiles() noexcept;
 
 /// Removes the temporary files of this user that replaceFile left in `folder` (empty: the current one) when a
-/// process was killed: those of its own kind of name that are older than so many seconds and that nobody is
-/// writing, on this machine. Does not throw; what cannot be removed stays.
+/// process was killed: files with such a name that are older than so many seconds and that no process on this
+/// machine is writing. Does not throw; what cannot be removed stays.
 void removeForgottenFiles(const std::filesystem::path& folder, std::int64_t seconds = 3600);
 
 /// A new empty file of this process' own (mode 0600) in the folder for temporary files.

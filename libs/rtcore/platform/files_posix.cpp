@@ -38,7 +38,7 @@ std::string reason(int error) { return std::generic_category().message(error); }
     throw FileError(FailureKind::CannotWrite, path.string(), "cannot be written: " + reason(error) + advice);
 }
 
-/// A name beside `target` that nobody has, with its extension (writers of pictures go by it).
+/// An unused name beside `target`, with its extension (writers of images go by it).
 fs::path freshName(const fs::path& target) {
     thread_local std::random_device device;
     std::string name(kTemporaryPrefix);
@@ -87,8 +87,8 @@ void flushFolder(const fs::path& file) {
     if (opened.valid()) ::fsync(opened.get());
 }
 
-/// A file that is created here and removed again unless it has been renamed. Its lock tells others that
-/// somebody still writes it.
+/// A file that is created here and removed again unless it has been renamed. Its lock tells other processes
+/// that it is still being written.
 class SiblingFile {
   public:
     SiblingFile(const fs::path& shown, const fs::path& target)
@@ -124,8 +124,8 @@ bool isTemporaryName(std::string_view name) {
     return digits == kTemporaryDigits && (name.size() == digits || name[digits] == '.');
 }
 
-/// A file of this user that nobody has written for so long, nor holds the lock of. A file system without
-/// locks gives none, so that nothing is forgotten there.
+/// A file of this user that has not been written for so long and whose lock is free. On a file system without
+/// locks none is free, so that no file counts as forgotten there.
 bool isForgotten(const fs::path& path, std::int64_t seconds) {
     struct stat status {};
     if (::lstat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return false;

@@ -84,7 +84,7 @@ struct Opened {
 };
 
 Opened openForReading(const fs::path& path) {
-    // Opening must not wait: a pipe that nobody writes to would hold the program for ever.
+    // Opening must not wait: a pipe without a writer would block the program for ever.
     Descriptor file(openRetrying(path, O_RDONLY | O_NONBLOCK));
     if (!file.valid()) failReading(path, errno);
     struct stat status {};
@@ -94,7 +94,7 @@ Opened openForReading(const fs::path& path) {
     if (!regular && regularFilesOnly()) refuse(path, "it is no regular file; give a file");
     constexpr int kMilliseconds = 10'000;
     if (S_ISFIFO(status.st_mode) && !waitUntilReady(file.get(), POLLIN, kMilliseconds))
-        refuse(path, "it is a pipe, and nobody writes to it; give a file");
+        refuse(path, "it is a pipe without a writer; give a file");
     return {std::move(file), regular, regular ? static_cast<std::size_t>(status.st_size) : 0};
 }
 

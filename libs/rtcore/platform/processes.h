@@ -42,15 +42,15 @@ ProcessResult runProcess(const std::filesystem::path& program, const std::vector
 
 /// A program that runs while we feed its standard input: started as runProcess starts one, but with an input,
 /// and without limits. For one thread. The destructor kills the program if it still runs.
-class FedProcess {
+class PipedProcess {
   public:
     /// `stopped` is asked every 20 ms while we wait for the program; once it says true, the program is killed
     /// and the waiting function throws FileError Stopped. Throws as runProcess does.
-    FedProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
-               std::function<bool()> stopped);
-    ~FedProcess();
-    FedProcess(const FedProcess&) = delete;
-    FedProcess& operator=(const FedProcess&) = delete;
+    PipedProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                 std::function<bool()> stopped);
+    ~PipedProcess();
+    PipedProcess(const PipedProcess&) = delete;
+    PipedProcess& operator=(const PipedProcess&) = delete;
 
     /// Waits until the program has taken all of it. False when it has ended or closed its input; finish()
     /// then tells why.
@@ -68,8 +68,8 @@ class FedProcess {
 /// (0 = none), the program gets that signal unless it ends by itself within a quarter of a second, and is
 /// killed after ten. Nothing but the end and the code is filled in. Call it in a process of one thread.
 /// Throws as runProcess does.
-ProcessResult runAttached(const std::filesystem::path& program, const std::vector<std::string>& arguments,
-                          const std::function<int()>& stopSignal);
+ProcessResult runForeground(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                            const std::function<int()>& stopSignal);
 
 /// The first executable file of that name in the folders of PATH.
 std::optional<std::filesystem::path> findProgram(const std::string& name);

@@ -287,7 +287,7 @@ ProcessResult runProcess(const std::filesystem::path& program, const std::vector
     return watch.finish();
 }
 
-struct FedProcess::Parts {
+struct PipedProcess::Parts {
     pid_t pid = -1; ///< -1 once it is reaped
     Descriptor input;
     Capture output, errors;
@@ -310,8 +310,8 @@ struct FedProcess::Parts {
     }
 };
 
-FedProcess::FedProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
-                       std::function<bool()> stopped) {
+PipedProcess::PipedProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                           std::function<bool()> stopped) {
     Pipe input = makeSocketPair(program.string());
     Pipe output = makePipe(program.string());
     Pipe errors = makePipe(program.string());
@@ -324,11 +324,11 @@ FedProcess::FedProcess(const std::filesystem::path& program, const std::vector<s
                       .start(program.string(), arguments);
 }
 
-FedProcess::~FedProcess() {
+PipedProcess::~PipedProcess() {
     if (parts_->pid > 0) parts_->reap();
 }
 
-bool FedProcess::write(std::span<const std::byte> bytes) {
+bool PipedProcess::write(std::span<const std::byte> bytes) {
     Descriptor& input = parts_->input;
     while (!bytes.empty() && input.get() >= 0) {
         parts_->look(true);
@@ -341,7 +341,7 @@ bool FedProcess::write(std::span<const std::byte> bytes) {
     return bytes.empty();
 }
 
-ProcessResult FedProcess::finish() {
+ProcessResult PipedProcess::finish() {
     parts_->input.close();
     while (!hasEnded(parts_->pid)) parts_->look(false);
     ProcessResult result;
@@ -395,8 +395,8 @@ pid_t startAttached(const std::filesystem::path& program, const std::vector<std:
 
 } // namespace
 
-ProcessResult runAttached(const std::filesystem::path& program, const std::vector<std::string>& arguments,
-                          const std::function<int()>& stopSignal) {
+ProcessResult runForeground(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                            const std::function<int()>& stopSignal) {
     using namespace std::chrono_literals;
     const pid_t pid = startAttached(program, arguments);
     const Descriptor handle(static_cast<int>(::syscall(SYS_pidfd_open, pid, 0)));

@@ -1,5 +1,5 @@
-/// Exceptions must not leave an OpenMP region: the first is kept and thrown again by whoever waits for the
-/// threads.
+/// Exceptions must not leave an OpenMP region: the first is kept and thrown again by the thread that waits
+/// for the threads.
 #pragma once
 
 #include <atomic>

@@ -26,7 +26,7 @@ void sweep(const fs::path& parent, const std::string& prefix) {
         const char* const last = name.data() + name.size();
         const auto number = std::from_chars(name.data() + prefix.size(), last, maker);
         if (number.ec != std::errc() || number.ptr == last || *number.ptr != '-' || maker <= 0) continue;
-        std::error_code ignored; // it is somebody else's
+        std::error_code ignored; // it belongs to another user
         if (!processRuns(maker)) fs::remove_all(entry->path(), ignored);
     }
 }

@@ -2,7 +2,7 @@
 
 #include "rtcore/math/constants.h"
 #include "rtcore/platform/threads.h"
-#include "rtcore/post/usable_radiance.h"
+#include "rtcore/post/sanitize.h"
 #include "rtcore/simd/portable_math.h"
 
 #include <algorithm>
@@ -31,9 +31,9 @@ class Overlap {
     }
     float operator()(float v) const {
         if (!(v < 1)) return 0;
-        const float place = v * kSteps;
-        const auto i = static_cast<std::size_t>(place);
-        return values_[i] + (values_[i + 1] - values_[i]) * (place - static_cast<float>(i));
+        const float position = v * kSteps;
+        const auto i = static_cast<std::size_t>(position);
+        return values_[i] + (values_[i + 1] - values_[i]) * (position - static_cast<float>(i));
     }
 
   private:
@@ -55,18 +55,18 @@ float pixelAverage(float f) {
 void loadRow(const Colour* pixels, int width, std::vector<float>& lines, std::size_t line) {
     float* to = &lines[line];
     for (int x = 0; x < width; ++x, to += kTransformLines) {
-        to[0] = usableRadiance(pixels[x].r);
-        to[1] = usableRadiance(pixels[x].g);
-        to[2] = usableRadiance(pixels[x].b);
+        to[0] = sanitizeRadiance(pixels[x].r);
+        to[1] = sanitizeRadiance(pixels[x].g);
+        to[2] = sanitizeRadiance(pixels[x].b);
     }
 }
 
-void mixRow(const std::vector<float>& lines, std::size_t line, float share, const Colour* source, int width,
-            Colour* pixels) {
+void mixRow(const std::vector<float>& lines, std::size_t line, float fraction, const Colour* source,
+            int width, Colour* pixels) {
     const float* from = &lines[line];
     for (int x = 0; x < width; ++x, from += kTransformLines) {
-        pixels[x] = {mixedWith(source[x].r, from[0], share), mixedWith(source[x].g, from[1], share),
-                     mixedWith(source[x].b, from[2], share)};
+        pixels[x] = {mixedWith(source[x].r, from[0], fraction), mixedWith(source[x].g, from[1], fraction),
+                     mixedWith(source[x].b, from[2], fraction)};
     }
 }
 
@@ -135,7 +135,7 @@ float airyResponse(float x, float y, float cutoff) {
     return sum;
 }
 
-void AiryBlur::blur(const HdrImage& image, float sigma, float share, int threads, HdrImage& result) {
+void AiryBlur::blur(const HdrImage& image, float sigma, float fraction, int threads, HdrImage& result) {
     const int width = image.width, height = image.height;
     if (result.width != width || result.height != height) result = HdrImage(width, height);
     if (image.empty()) return;
@@ -211,7 +211,7 @@ void AiryBlur::blur(const HdrImage& image, float sigma, float share, int threads
         });
         across_->inverse(scratch);
         forRows(scratch, first, height, [&](int y, std::vector<float>& lines, std::size_t line) {
-            mixRow(lines, line, share, &image.at(0, y), width, &result.at(0, y));
+            mixRow(lines, line, fraction, &image.at(0, y), width, &result.at(0, y));
         });
     }
 }

@@ -1,4 +1,4 @@
-/// A picture as a lens without flaws shows it: each point becomes a disc with rings, by diffraction at its
+/// An image as a lens without flaws shows it: each point becomes a disc with rings, by diffraction at its
 /// round aperture. Red has larger ones than blue.
 #pragma once
 
@@ -14,13 +14,13 @@ namespace rtcore {
 /// area of each pixel. It is applied as a product of spectra, where it is known in closed form - the overlap
 /// of two apertures (Goodman, Introduction to Fourier Optics, 6.3), with those frequencies folded back that
 /// the pixels cannot hold - so that none of its wide rings is cut off. Borders are mirrors as in
-/// GaussianBlur. Keeps its memory from picture to picture; not for several threads at once.
+/// GaussianBlur. Keeps its memory from image to image; not for several threads at once.
 class AiryBlur {
   public:
     /// `sigma` >= 0.25 in pixels: that of the Gaussian which has the peak and the volume of the green
     /// pattern. The first dark ring of green has the radius 2.7096 sigma, of red 3.3106, of blue 2.2920.
     /// The rest as in GaussianBlur::blur.
-    void blur(const HdrImage& image, float sigma, float share, int threads, HdrImage& result);
+    void blur(const HdrImage& image, float sigma, float fraction, int threads, HdrImage& result);
 
   private:
     std::optional<CosineTransform> across_, down_;

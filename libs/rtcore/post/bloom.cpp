@@ -15,16 +15,16 @@ float bloomSigma(const RenderSettings& settings, int width) {
     return sigma >= kLeastSigma ? sigma : 0;
 }
 
-void Bloom::mix(const HdrImage& picture, float share, const EffectRun& run, HdrImage& result) {
+void Bloom::mix(const HdrImage& picture, float fraction, const EffectRun& run, HdrImage& result) {
     const float sigma = bloomSigma(run.settings, picture.width);
     if (run.settings.bloom.kernel == BloomKernel::Airy) {
-        airy_.blur(picture, sigma, share, run.threads, result);
+        airy_.blur(picture, sigma, fraction, run.threads, result);
     } else {
-        gaussian_.blur(picture, sigma, share, run.threads, result);
+        gaussian_.blur(picture, sigma, fraction, run.threads, result);
     }
 }
 
-const HdrImage& Bloom::apply(const HdrImage& picture, const FrameLayers& /*layers*/, const EffectRun& run) {
+const HdrImage& Bloom::apply(const HdrImage& picture, const Aovs& /*layers*/, const EffectRun& run) {
     if (picture.empty() || bloomSigma(run.settings, picture.width) == 0) return picture;
     mix(picture, run.settings.bloom.share, run, result_);
     return result_;
@@ -34,34 +34,34 @@ bool Bloom::beginRows(const HdrImage& coarse, int block, const EffectRun& run) {
     if (coarse.empty() || bloomSigma(run.settings, coarse.width) == 0) return false;
     mix(coarse, 1, run, spread_);
     block_ = block;
-    share_ = run.settings.bloom.share;
+    fraction_ = run.settings.bloom.share;
     return true;
 }
 
 void Bloom::changeRow(const RowPart& part, const Colour* radiance, Colour* changed) const {
     for (int x = part.left; x < part.right; ++x) {
         const Colour spread = spreadAt(spread_, block_, x, part.y);
-        changed[x] = share_ >= 1 ? spread : radiance[x] * (1 - share_) + spread * share_;
+        changed[x] = fraction_ >= 1 ? spread : radiance[x] * (1 - fraction_) + spread * fraction_;
     }
 }
 
 Colour spreadAt(const HdrImage& spread, int block, int x, int y) {
     struct Between {
         int before, after;
-        float share;
+        float fraction;
     };
     const auto between = [block](int pixel, int size) -> Between {
-        const float place = (static_cast<float>(pixel) + 0.5F) / static_cast<float>(block) - 0.5F;
-        const auto before = static_cast<int>(place + 1) - 1; // place > -1
+        const float position = (static_cast<float>(pixel) + 0.5F) / static_cast<float>(block) - 0.5F;
+        const auto before = static_cast<int>(position + 1) - 1; // place > -1
         return {std::clamp(before, 0, size - 1), std::clamp(before + 1, 0, size - 1),
-                place - static_cast<float>(before)};
+                position - static_cast<float>(before)};
     };
     const Between column = between(x, spread.width), row = between(y, spread.height);
     const auto mixed = [&](int line) {
-        return spread.at(column.before, line) * (1 - column.share) +
-               spread.at(column.after, line) * column.share;
+        return spread.at(column.before, line) * (1 - column.fraction) +
+               spread.at(column.after, line) * column.fraction;
     };
-    return mixed(row.before) * (1 - row.share) + mixed(row.after) * row.share;
+    return mixed(row.before) * (1 - row.fraction) + mixed(row.after) * row.fraction;
 }
 
 constinit const EffectRow kBloomEffect{

@@ -9,32 +9,32 @@
 
 namespace rtcore {
 
-/// The standard deviation of the bloom, in pixels of a picture that is `width` wide, when the settings ask
-/// for another width: bloom has its size by the whole picture. 0: none.
+/// The standard deviation of the bloom, in pixels of an image that is `width` wide, when the settings ask
+/// for another width: bloom has its size by the whole image. 0: none.
 float bloomSigma(const RenderSettings& settings, int width);
 
-/// (1 - share) picture + share (kernel * picture), of unbounded linear radiance. The light is spread, none
-/// comes or goes. No threshold: what is dark blooms as well, but nobody sees it.
+/// (1 - share) image + share (kernel * image), of unbounded linear radiance. The light is spread, none
+/// comes or goes. No threshold: what is dark blooms as well, invisibly.
 class Bloom final : public Effect {
   public:
-    const HdrImage& apply(const HdrImage& picture, const FrameLayers& layers, const EffectRun& run) override;
+    const HdrImage& apply(const HdrImage& picture, const Aovs& aovs, const EffectRun& run) override;
     bool beginRows(const HdrImage& coarse, int block, const EffectRun& run) override;
     void changeRow(const RowPart& part, const Colour* radiance, Colour* changed) const override;
 
   private:
-    void mix(const HdrImage& picture, float share, const EffectRun& run, HdrImage& result);
+    void mix(const HdrImage& picture, float fraction, const EffectRun& run, HdrImage& result);
 
     GaussianBlur gaussian_;
     AiryBlur airy_;
     HdrImage result_;
-    HdrImage spread_; ///< for rows: kernel * picture
-    int block_ = 1;   ///< pixels of a row's picture for each of spread_
-    float share_ = 0;
+    HdrImage spread_; ///< for rows: kernel * image
+    int block_ = 1;   ///< pixels of a row's image for each of spread_
+    float fraction_ = 0;
 };
 
 extern const EffectRow kBloomEffect;
 
-/// The light that is spread to a pixel of a picture that has `block` x `block` pixels for each of `spread`,
+/// The light that is spread to a pixel of an image that has `block` x `block` pixels for each of `spread`,
 /// interpolated.
 Colour spreadAt(const HdrImage& spread, int block, int x, int y);
 

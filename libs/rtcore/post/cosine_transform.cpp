@@ -25,7 +25,7 @@ struct Lines {
 };
 
 /// One step of Stockham's transform: `parts` = product of the factors before it.
-struct Stage {
+struct FftStage {
     std::size_t length, factor, parts;
     const CosineTransform::Root* roots; ///< of `length`
 };
@@ -50,7 +50,7 @@ HWY_INLINE void storeComplex(ComplexFloats a, Lines to, std::size_t at) {
 }
 
 /// The transform of `factor` values, from `in` to `out`.
-HWY_INLINE void butterfly(const Stage& stage, const ComplexFloats* in, ComplexFloats* out) {
+HWY_INLINE void butterfly(const FftStage& stage, const ComplexFloats* in, ComplexFloats* out) {
     if (stage.factor == 2) {
         out[0] = in[0] + in[1];
         out[1] = in[0] - in[1];
@@ -76,7 +76,7 @@ HWY_INLINE void butterfly(const Stage& stage, const ComplexFloats* in, ComplexFl
 
 /// With l = parts, r = factor, m = length / (l r): out[j + (i + k l) m] from in[j + (i r + p) m], where i < l
 /// runs over the transforms that are done and j < m over those that are left.
-void runStage(const Stage& stage, ConstLines from, Lines to) {
+void runStage(const FftStage& stage, ConstLines from, Lines to) {
     const std::size_t r = stage.factor, left = stage.length / (stage.parts * r);
     ComplexFloats in[kLargestFactor], out[kLargestFactor];
     for (std::size_t i = 0; i < stage.parts; ++i) {

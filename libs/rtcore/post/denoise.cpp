@@ -12,10 +12,10 @@ namespace rtcore {
 namespace {
 
 constexpr float kLeastAlbedo = 0.01F;
-constexpr float kPlane = 0.01F; ///< share of the distance within which points lie in one plane
-constexpr float kGrains = 6;    ///< standard deviations of the grain within which light is alike
-constexpr int kBlock = 8;       ///< pixels a side, for the grain
-/// A pixel less the mean of its four neighbours varies so much more than the pixel.
+constexpr float kPlane = 0.01F;  ///< fraction of the distance within which points lie in one plane
+constexpr float kDeviations = 6; ///< standard deviations of the noise within which light is alike
+constexpr int kBlock = 8;        ///< pixels a side, for the noise
+/// The standard deviation of a pixel minus the mean of its four neighbours, relative to that of the pixel.
 constexpr float kWithNeighbours = 1.1180F;
 
 } // namespace
@@ -24,18 +24,18 @@ void Denoiser::resize(int width, int height) {
     width_ = width;
     height_ = height;
     const std::size_t count = row(height);
-    for (Plane* const plane : {&nearness_, &across_, &down_, &bright_, &grain_}) plane->resize(count);
+    for (Plane* const plane : {&nearness_, &across_, &down_, &bright_, &noise_}) plane->resize(count);
     for (std::size_t i = 0; i < 3; ++i) {
         for (Plane* const plane : {&normal_[i], &albedo_[i], &light_[i], &result_[i]}) plane->resize(count);
     }
     if (image_.width != width || image_.height != height) image_ = HdrImage(width, height);
 }
 
-void Denoiser::fillGuides(const FrameLayers& layers, [[maybe_unused]] int threads) {
+void Denoiser::fillGuides(const Aovs& aovs, [[maybe_unused]] int threads) {
 #pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
     for (int y = 0; y < height_; ++y) {
         for (std::size_t i = row(y); i < row(y + 1); ++i) {
-            const LayerPixel& pixel = layers.pixels()[i];
+            const AovPixel& pixel = aovs.pixels()[i];
             const Vec3 normal = normalize(pixel.normal);
             const bool there = pixel.covered > 0 && pixel.depth > 0;
             for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -50,13 +50,12 @@ void Denoiser::fillGuides(const FrameLayers& layers, [[maybe_unused]] int thread
 }
 
 /// Returns whether there is any.
-bool Denoiser::fillLight(const HdrImage& picture, const FrameLayers& layers, bool all,
-                         [[maybe_unused]] int threads) {
+bool Denoiser::fillLight(const HdrImage& picture, const Aovs& aovs, bool all, [[maybe_unused]] int threads) {
     bool any = false;
 #pragma omp parallel for schedule(static) reduction(|| : any) num_threads(threadsFor(threads))
     for (int y = 0; y < height_; ++y) {
         for (std::size_t i = row(y); i < row(y + 1); ++i) {
-            const Colour c = all ? picture.pixels[i] : layers.pixels()[i].soft;
+            const Colour c = all ? picture.pixels[i] : aovs.pixels()[i].soft;
             const bool usable = isFinite(c);
             any = any || (usable && !isBlack(c));
             light_[0][i] = usable ? c.r / albedo_[0][i] : 0;
@@ -93,7 +92,7 @@ void Denoiser::fillSlopes([[maybe_unused]] int threads) {
     }
 }
 
-void Denoiser::measureGrain([[maybe_unused]] int threads) {
+void Denoiser::measureNoise([[maybe_unused]] int threads) {
     const int columns = (width_ + kBlock - 1) / kBlock, rows = (height_ + kBlock - 1) / kBlock;
     blocks_.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
     const auto alike = [this](std::size_t a, std::size_t b) {
@@ -123,12 +122,12 @@ void Denoiser::measureGrain([[maybe_unused]] int threads) {
     }
 
     const auto between = [](int pixel, int size) {
-        const float place = (static_cast<float>(pixel) + 0.5F) / kBlock - 0.5F;
-        const int before = static_cast<int>(place + 1) - 1; // place > -1
+        const float position = (static_cast<float>(pixel) + 0.5F) / kBlock - 0.5F;
+        const int before = static_cast<int>(position + 1) - 1; // place > -1
         struct {
             int before, after;
-            float share;
-        } found{std::max(before, 0), std::min(before + 1, size - 1), place - static_cast<float>(before)};
+            float fraction;
+        } found{std::max(before, 0), std::min(before + 1, size - 1), position - static_cast<float>(before)};
         return found;
     };
 #pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
@@ -138,11 +137,11 @@ void Denoiser::measureGrain([[maybe_unused]] int threads) {
             const auto across = between(x, columns);
             const auto mixed = [&](int line) {
                 return blocks_[static_cast<std::size_t>(line * columns + across.before)] *
-                           (1 - across.share) +
-                       blocks_[static_cast<std::size_t>(line * columns + across.after)] * across.share;
+                           (1 - across.fraction) +
+                       blocks_[static_cast<std::size_t>(line * columns + across.after)] * across.fraction;
             };
-            grain_[row(y) + static_cast<std::size_t>(x)] =
-                mixed(down.before) * (1 - down.share) + mixed(down.after) * down.share;
+            noise_[row(y) + static_cast<std::size_t>(x)] =
+                mixed(down.before) * (1 - down.fraction) + mixed(down.after) * down.fraction;
         }
     }
 }
@@ -153,7 +152,7 @@ void Denoiser::takeTap(int y, int dx, int dy, float kernel, float planeTolerance
     const int begin = std::max(0, -dx), end = std::min(width_, width_ - dx);
     if (begin >= end) return;
     const auto width = static_cast<std::size_t>(width_), x = static_cast<std::size_t>(begin);
-    const auto rowFrom = [this](std::size_t i) -> GrainyRow {
+    const auto rowFrom = [this](std::size_t i) -> NoisyRow {
         return {&normal_[0][i], &normal_[1][i], &normal_[2][i], &nearness_[i],
                 &bright_[i],    &light_[0][i],  &light_[1][i],  &light_[2][i]};
     };
@@ -180,12 +179,13 @@ void Denoiser::filterRow(int pass, int y, float* sums) {
     const auto width = static_cast<std::size_t>(width_);
     const std::size_t first = row(y);
     const float middle = kSpline[2] * kSpline[2];
-    // Each pass leaves less than half of the grain.
-    const float grains = kGrains / static_cast<float>(step);
+    // Each pass leaves less than half of the noise.
+    const float deviations = kDeviations / static_cast<float>(step);
     for (std::size_t x = 0; x < width; ++x) {
         sums[x] = middle;
         for (std::size_t c = 0; c < 3; ++c) sums[(c + 1) * width + x] = middle * light_[c][first + x];
-        sums[4 * width + x] = 1 / std::max(grains * grain_[first + x], 1e-6F * bright_[first + x] + 1e-30F);
+        sums[4 * width + x] =
+            1 / std::max(deviations * noise_[first + x], 1e-6F * bright_[first + x] + 1e-30F);
     }
     const float tolerance = kPlane * static_cast<float>(pass + 1);
     for (int j = -2; j <= 2; ++j) {
@@ -218,35 +218,34 @@ void Denoiser::filter(int pass, int threads) {
 }
 
 /// What was not filtered, and the filtered light as the surfaces show it.
-void Denoiser::fillImage(const HdrImage& picture, const FrameLayers& layers, bool all,
-                         [[maybe_unused]] int threads) {
+void Denoiser::fillImage(const HdrImage& picture, const Aovs& aovs, bool all, [[maybe_unused]] int threads) {
 #pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
     for (int y = 0; y < height_; ++y) {
         for (std::size_t i = row(y); i < row(y + 1); ++i) {
             const Colour smooth{light_[0][i] * albedo_[0][i], light_[1][i] * albedo_[1][i],
                                 light_[2][i] * albedo_[2][i]};
-            const Colour grainy = all ? picture.pixels[i] : layers.pixels()[i].soft;
-            // What is no number stays as it is.
-            const Colour rest = isFinite(grainy) ? picture.pixels[i] - grainy : picture.pixels[i];
+            const Colour noisy = all ? picture.pixels[i] : aovs.pixels()[i].soft;
+            // NaN stays as it is.
+            const Colour rest = isFinite(noisy) ? picture.pixels[i] - noisy : picture.pixels[i];
             image_.pixels[i] = rest + smooth;
         }
     }
 }
 
-const HdrImage& Denoiser::apply(const HdrImage& picture, const FrameLayers& layers, const EffectRun& run) {
+const HdrImage& Denoiser::apply(const HdrImage& picture, const Aovs& aovs, const EffectRun& run) {
     const int passes = run.settings.denoise.passes;
-    const bool whole = layers.width() == picture.width && layers.height() == picture.height;
-    if (passes <= 0 || layers.empty() || !whole) return picture;
+    const bool whole = aovs.width() == picture.width && aovs.height() == picture.height;
+    if (passes <= 0 || aovs.empty() || !whole) return picture;
     stop_ = run.stop;
     const bool all = run.settings.depthOfField.on;
     resize(picture.width, picture.height);
-    fillGuides(layers, run.threads);
-    if (!fillLight(picture, layers, all, run.threads)) return picture;
+    fillGuides(aovs, run.threads);
+    if (!fillLight(picture, aovs, all, run.threads)) return picture;
     if (!stopped()) fillSlopes(run.threads);
-    if (!stopped()) measureGrain(run.threads);
+    if (!stopped()) measureNoise(run.threads);
     for (int pass = 0; pass < passes && !stopped(); ++pass) filter(pass, run.threads);
     if (stopped()) return picture;
-    fillImage(picture, layers, all, run.threads);
+    fillImage(picture, aovs, all, run.threads);
     return image_;
 }
 

@@ -1,8 +1,8 @@
-/// Takes the grain out of light that was sampled with few rays.
+/// Removes the noise of light that was sampled with few rays.
 #pragma once
 
 #include "rtcore/post/effect.h"
-#include "rtcore/render/layers.h"
+#include "rtcore/render/aovs.h"
 #include "rtcore/scene/image.h"
 #include "rtcore/settings/render_settings.h"
 
@@ -11,16 +11,16 @@
 
 namespace rtcore {
 
-/// Wavelets with holes (Dammertz, Sewtz, Hanika and Lensch 2010) over the sampled part of the light - of
-/// lamps with a size and from everywhere; all of it through a lens - divided by the albedo, so that textures,
-/// mirrored pictures and hard shadows stay as they are. Neighbours count as far as their normals agree, they
-/// lie in one plane, and their light differs no more than its grain does, which is measured in blocks of 16 x
-/// 16 pixels: where there is no grain, nothing changes.
+/// Wavelets with holes (Dammertz, Sewtz, Hanika and Lensch 2010) over the sampled light - area lights and
+/// ambient light; all light through a lens - divided by the albedo, so that textures, mirrored images and
+/// hard shadows stay as they are. Neighbours are weighted by how far normals agree, by whether they lie in
+/// one plane, and by whether their light differs by no more than the noise, which is measured in blocks of 16
+/// x 16 pixels: where there is no noise, nothing changes.
 class Denoiser final : public Effect {
   public:
     /// `picture` after settings.denoise.passes; itself when nothing was sampled, or there are no layers of
-    /// its size. Parts of a preview keep their grain.
-    const HdrImage& apply(const HdrImage& picture, const FrameLayers& layers, const EffectRun& run) override;
+    /// its size. Parts of a preview keep their noise.
+    const HdrImage& apply(const HdrImage& picture, const Aovs& aovs, const EffectRun& run) override;
 
     /// What it keeps for each pixel.
     static constexpr std::size_t bytesPerPixel() { return kPlanes * sizeof(float) + sizeof(Colour); }
@@ -30,11 +30,11 @@ class Denoiser final : public Effect {
     static constexpr std::size_t kPlanes = 17; ///< members below
 
     void resize(int width, int height);
-    void fillGuides(const FrameLayers& layers, int threads);
-    bool fillLight(const HdrImage& picture, const FrameLayers& layers, bool all, int threads);
-    void fillImage(const HdrImage& picture, const FrameLayers& layers, bool all, int threads);
+    void fillGuides(const Aovs& aovs, int threads);
+    bool fillLight(const HdrImage& picture, const Aovs& aovs, bool all, int threads);
+    void fillImage(const HdrImage& picture, const Aovs& aovs, bool all, int threads);
     void fillSlopes(int threads);
-    void measureGrain(int threads);
+    void measureNoise(int threads);
     void filter(int pass, int threads);
     void filterRow(int pass, int y, float* sums);
     void takeTap(int y, int dx, int dy, float kernel, float planeTolerance, float* sums) const;
@@ -45,12 +45,12 @@ class Denoiser final : public Effect {
     const std::atomic<bool>* stop_ = nullptr;
     int width_ = 0, height_ = 0;
     Plane normal_[3];         ///< unit; zero for the background
-    Plane nearness_;          ///< 1 / depth, which is linear over a plane's picture
+    Plane nearness_;          ///< 1 / depth, which is linear over a plane's image
     Plane across_, down_;     ///< its slope, per pixel
     Plane albedo_[3];         ///< that light is divided by
     Plane light_[3], bright_; ///< and its luminance
     Plane result_[3];
-    Plane grain_;                          ///< standard deviation of the luminance's grain
+    Plane noise_;                          ///< standard deviation of the luminance's noise
     std::vector<float> blocks_;            ///< the same for blocks
     std::vector<std::vector<float>> rows_; ///< by thread
     HdrImage image_;

@@ -27,8 +27,8 @@ HWY_INLINE void addPixels(const DenoiseTap& tap, std::size_t x) {
         loadAs(value, row + x);
         return value;
     };
-    const GrainyRow& p = tap.pixels;
-    const GrainyRow& q = tap.neighbours;
+    const NoisyRow& p = tap.pixels;
+    const NoisyRow& q = tap.neighbours;
     const F c1 = notNegative(load(p.normalX) * load(q.normalX) + load(p.normalY) * load(q.normalY) +
                              load(p.normalZ) * load(q.normalZ));
     const F c2 = c1 * c1, c4 = c2 * c2, c8 = c4 * c4, c16 = c8 * c8;
@@ -39,7 +39,7 @@ HWY_INLINE void addPixels(const DenoiseTap& tap, std::size_t x) {
     const F within = tap.tolerance * nearness;
     const F square = within * within;
     const F inPlane = notNegative(square - off * off);
-    // What is so far off is background.
+    // Anything that far away is background.
     const F plane = selectOrZero(square > 1e-30F, inPlane / square);
 
     const F unlike = (load(q.bright) - load(p.bright)) * load(tap.alike);

@@ -1,4 +1,4 @@
-/// One neighbour of each pixel of a row, for the filter that takes grain out.
+/// One neighbour of each pixel of a row, for the denoising filter.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +6,7 @@
 namespace rtcore {
 
 /// Rows of pixels, one array for each value.
-struct GrainyRow {
+struct NoisyRow {
     const float *normalX, *normalY, *normalZ; ///< unit; zero for the background
     const float* nearness;                    ///< 1 / depth, 0 for the background
     const float* bright;                      ///< luminance of the light
@@ -14,12 +14,12 @@ struct GrainyRow {
 };
 
 struct DenoiseTap {
-    GrainyRow pixels, neighbours;
+    NoisyRow pixels, neighbours;
     const float *across, *down; ///< slope of the pixels' nearness, per pixel
     const float* alike;         ///< 1 / the difference of luminance from which on neighbours do not count
     float stepX, stepY;         ///< pixels to the neighbour
-    float kernel;               ///< its weight were it all alike
-    float tolerance;            ///< share of the nearness within which points lie in one plane
+    float kernel;               ///< its weight if both pixels were alike
+    float tolerance;            ///< fraction of the nearness within which points lie in one plane
     float *weights, *red, *green, *blue; ///< sums, added to
 };
 

@@ -8,7 +8,7 @@ namespace rtcore {
 
 namespace {
 
-/// The exposure of a picture that is black all over.
+/// The exposure of an image that is black all over.
 constexpr float kDarkness = 1;
 /// What a fixed exposure may be (settings_table.cpp), so that any automatic one can be written down and
 /// replayed.
@@ -55,7 +55,7 @@ std::optional<float> PictureDeveloper::average(const Frame& frame, bool backgrou
 float PictureDeveloper::exposure(const Frame& frame, const ExposureSettings& settings, int threads) {
     if (settings.mode == ExposureMode::Fixed) return settings.value;
     auto found = average(frame, false, threads);
-    // Nothing but background: then that is what the eye adapts to.
+    // Only background is visible: adapt to it.
     if (!found) found = average(frame, true, threads);
     return std::clamp(found.value_or(kDarkness) / settings.key, kLeast, kMost);
 }

@@ -26,7 +26,7 @@ class PictureDeveloper {
 
     /// The frame with the effects of EffectStage::Radiance. frame.radiance itself when there are none; else
     /// valid until the next call. A frame that is larger or smaller than the settings say gets effects in
-    /// proportion. Returns soon, with a picture that is undefined, when `stop` (may be null) becomes true.
+    /// proportion. Returns soon, with an image that is undefined, when `stop` (may be null) becomes true.
     const HdrImage& finish(const Frame& frame, const RenderSettings& settings, int threads,
                            const std::atomic<bool>* stop = nullptr);
 
@@ -47,7 +47,7 @@ class PictureDeveloper {
 };
 
 /// A part of what develop() makes of a frame's radiance, into an image of its size, by one thread. `effects`
-/// know the picture from afar, by EffectChain::beginRows(EffectStage::Radiance, ...) of a coarser one of the
+/// know the image from afar, by EffectChain::beginRows(EffectStage::Radiance, ...) of a coarser one of the
 /// same view; before that there are none. Reads no other pixels of `radiance`, so others may still be
 /// rendered.
 void developPart(const HdrImage& radiance, const Development& how, const EffectChain& effects,

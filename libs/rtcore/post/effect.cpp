@@ -4,8 +4,7 @@
 
 namespace rtcore {
 
-const HdrImage& Effect::apply(const HdrImage& picture, const FrameLayers& /*layers*/,
-                              const EffectRun& /*run*/) {
+const HdrImage& Effect::apply(const HdrImage& picture, const Aovs& /*layers*/, const EffectRun& /*run*/) {
     return picture;
 }
 

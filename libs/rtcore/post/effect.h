@@ -13,34 +13,34 @@
 
 namespace rtcore {
 
-class FrameLayers;
+class Aovs;
 
-/// What all effects of a picture are told.
+/// What all effects of an image are told.
 struct EffectRun {
-    const RenderSettings& settings; ///< of the whole picture, which may be smaller or larger than they say
+    const RenderSettings& settings; ///< of the whole image, which may be smaller or larger than they say
     int threads = 0;                ///< 0 = all cores
     float exposure = 1;             ///< the constant c of L = Y / (Y + c); for EffectStage::Display
-    const std::atomic<bool>* stop = nullptr; ///< null: never; true: return soon, with an undefined picture
+    const std::atomic<bool>* stop = nullptr; ///< null: never; true: return soon, with an undefined image
 };
 
-/// The pixels from column `left` to before `right` of row `y` of a picture of `width` x `height`.
+/// The pixels from column `left` to before `right` of row `y` of an image of `width` x `height`.
 struct RowPart {
     int y, left, right, width, height;
 };
 
-/// Keeps its memory, so that a picture of the size of the one before allocates nothing. Not for several
+/// Keeps its memory, so that an image of the size of the one before allocates nothing. Not for several
 /// threads at once, except changeRow(): it uses `run.threads` itself, and gives the same bits for any number
 /// of them.
 class Effect {
   public:
     virtual ~Effect() = default;
 
-    /// A whole picture with the effect, valid until the next call; `picture` itself where nothing changes.
-    /// `layers` are the frame's, or empty.
-    virtual const HdrImage& apply(const HdrImage& picture, const FrameLayers& layers, const EffectRun& run);
+    /// A whole image with the effect, valid until the next call; `picture` itself where nothing changes.
+    /// `aovs` are the frame's, or empty.
+    virtual const HdrImage& apply(const HdrImage& picture, const Aovs& aovs, const EffectRun& run);
 
-    /// Learns from a whole picture what parts of it need to know. `coarse` has a pixel for each `block` x
-    /// `block` of the picture whose rows are changed. False: rows stay as they are.
+    /// Learns from a whole image what parts of it need to know. `coarse` has a pixel for each `block` x
+    /// `block` of the image whose rows are changed. False: rows stay as they are.
     virtual bool beginRows(const HdrImage& coarse, int block, const EffectRun& run);
 
     /// A part of a row, after beginRows(). `radiance` and `changed` begin at column 0 and may be the same.
@@ -48,7 +48,7 @@ class Effect {
 };
 
 enum class EffectStage {
-    Radiance, ///< whole frames by apply(), which HDR pictures show, too; parts of a preview by rows
+    Radiance, ///< whole frames by apply(), which HDR images show, too; parts of a preview by rows
     Display   ///< by rows everywhere, with the exposure; again whenever the exposure changes
 };
 
@@ -58,7 +58,7 @@ struct EffectRow {
     EffectStage stage;
     bool (*wanted)(const RenderSettings&);
     std::size_t bytesPerPixel; ///< that apply() keeps, beside the frame and its layers
-    bool needsLayers;          ///< FrameLayers of the frame
+    bool needsLayers;          ///< Aovs of the frame
     std::unique_ptr<Effect> (*make)();
 };
 

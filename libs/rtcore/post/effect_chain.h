@@ -1,4 +1,4 @@
-/// The effects of pictures, one after another in the order of the list.
+/// The effects of images, one after another in the order of the list.
 #pragma once
 
 #include "rtcore/post/effect.h"

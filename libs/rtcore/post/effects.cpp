@@ -3,7 +3,7 @@
 #include "rtcore/post/bloom.h"
 #include "rtcore/post/denoise.h"
 #include "rtcore/post/local_exposure.h"
-#include "rtcore/render/layers.h"
+#include "rtcore/render/aovs.h"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@ constexpr std::array<const EffectRow*, 3> kEffects{&kDenoiseEffect, &kBloomEffec
 std::span<const EffectRow* const> effects() { return kEffects; }
 
 std::size_t effectBytesPerPixel(const RenderSettings& settings) {
-    std::size_t bytes = effectsNeedLayers(settings) ? FrameLayers::bytesPerPixel() : 0;
+    std::size_t bytes = effectsNeedLayers(settings) ? Aovs::bytesPerPixel() : 0;
     for (const EffectRow* row : kEffects) bytes += row->wanted(settings) ? row->bytesPerPixel : 0;
     return bytes;
 }

@@ -15,7 +15,7 @@ std::span<const EffectRow* const> effects();
 /// Bytes for each pixel that the wanted effects take beside the frame's radiance, layers included.
 std::size_t effectBytesPerPixel(const RenderSettings& settings);
 
-/// Whether a wanted effect reads the frame's layers: for FrameRenderer::collectLayers().
+/// Whether a wanted effect reads the frame's layers: for FrameRenderer::collectAovs().
 bool effectsNeedLayers(const RenderSettings& settings);
 
 } // namespace rtcore

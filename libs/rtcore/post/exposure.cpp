@@ -48,7 +48,7 @@ HWY_EXPORT(binsOf);
 
 namespace {
 
-constexpr double kDropped = 0.1; ///< share of the weight at each end
+constexpr double kDropped = 0.1; ///< fraction of the weight at each end
 
 float middleOfBin(std::size_t bin) {
     return std::bit_cast<float>(

@@ -1,4 +1,4 @@
-/// Exposure that suits a picture, as an eye would choose it.
+/// Exposure that suits an image, as an eye would choose it.
 #pragma once
 
 #include "rtcore/math/colour.h"
@@ -10,8 +10,8 @@
 
 namespace rtcore {
 
-/// How much weight pixels of each luminance have, 256 bins in each power of two. Integers, so that parts of a
-/// picture may be counted apart and added in any order.
+/// How much weight pixels of each luminance have, 256 bins in each power of two. Integers, so that parts of
+/// an image may be counted apart and added in any order.
 class LuminanceHistogram {
   public:
     /// Forgets all; keeps the memory, half a megabyte.
@@ -32,7 +32,7 @@ class LuminanceHistogram {
     std::uint64_t possible_ = 0;
 };
 
-/// The robust log-average luminance of a whole picture, each pixel weighted by `weights` (255: geometry
+/// The robust log-average luminance of a whole image, each pixel weighted by `weights` (255: geometry
 /// counts, 0: background does not).
 std::optional<float> logAverageLuminance(std::span<const Colour> pixels,
                                          std::span<const std::uint8_t> weights);

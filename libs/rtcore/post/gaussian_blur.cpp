@@ -1,7 +1,7 @@
 #include "rtcore/post/gaussian_blur.h"
 
 #include "rtcore/platform/threads.h"
-#include "rtcore/post/usable_radiance.h"
+#include "rtcore/post/sanitize.h"
 #include "rtcore/simd/portable_math.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ struct ComplexFloat {
 struct RecursiveTerm {
     ComplexFloat pole, factor;
     ComplexFloat toEnd;      ///< pole^length, 0 where it does not matter
-    ComplexFloat mirrorGain; ///< 1 / (1 - pole^(2 length)): the mirrored picture repeats
+    ComplexFloat mirrorGain; ///< 1 / (1 - pole^(2 length)): the mirrored image repeats
 };
 
 struct RecursiveFilter {
@@ -67,7 +67,7 @@ HWY_INLINE void filterVector(const RecursiveFilter& filter, const float* HWY_RES
     const ComplexFloats gain1 = splat(filter.terms[1].mirrorGain);
     const ComplexFloats none{0.0F, 0.0F};
 
-    // What the mirrored picture before the first pixel has left.
+    // What the mirrored image before the first pixel has left.
     ComplexFloats state0 = none, state1 = none;
     for (std::size_t i = filter.reach; i-- > 0;) {
         const Float x = load(values + i * kLines);
@@ -92,7 +92,7 @@ HWY_INLINE void filterVector(const RecursiveFilter& filter, const float* HWY_RES
         store(realOfProduct(factor0, state0) + realOfProduct(factor1, state1), filtered + i * kLines);
     }
 
-    // The mirrored picture behind the last pixel begins with that pixel: it leaves what all before it left.
+    // The mirrored image behind the last pixel begins with that pixel: it leaves what all before it left.
     const Float gain = filter.gain;
     for (std::size_t i = n; i-- > 0;) {
         const Float x = load(values + i * kLines);
@@ -179,9 +179,9 @@ void loadRows(const HdrImage& image, int first, int rows, float* lines) {
         const Colour* const pixels = &image.at(0, first + row);
         float* to = lines + 3 * row;
         for (int x = 0; x < image.width; ++x, to += kLines) {
-            to[0] = usableRadiance(pixels[x].r);
-            to[1] = usableRadiance(pixels[x].g);
-            to[2] = usableRadiance(pixels[x].b);
+            to[0] = sanitizeRadiance(pixels[x].r);
+            to[1] = sanitizeRadiance(pixels[x].g);
+            to[2] = sanitizeRadiance(pixels[x].b);
         }
     }
 }
@@ -196,7 +196,7 @@ void storeRows(const float* lines, int first, int rows, HdrImage& image) {
 
 } // namespace
 
-void GaussianBlur::blur(const HdrImage& image, float sigma, float share, int threads, HdrImage& result) {
+void GaussianBlur::blur(const HdrImage& image, float sigma, float fraction, int threads, HdrImage& result) {
     const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
     if (result.width != image.width || result.height != image.height) {
         result = HdrImage(image.width, image.height);
@@ -238,7 +238,7 @@ void GaussianBlur::blur(const HdrImage& image, float sigma, float share, int thr
             const float* const from = &lines.filtered[y * kLines];
             const float* const source = sources + y * stride + first;
             float* const to = floats + y * stride + first;
-            for (std::size_t i = 0; i < count; ++i) to[i] = mixedWith(source[i], from[i], share);
+            for (std::size_t i = 0; i < count; ++i) to[i] = mixedWith(source[i], from[i], fraction);
         }
     }
 }

@@ -11,7 +11,7 @@ namespace rtcore {
 
 namespace {
 
-constexpr int kColumns = 200;     ///< of the small picture, about
+constexpr int kColumns = 200;     ///< of the small image, about
 constexpr int kWindows = 16;      ///< windows of the average, in its width
 constexpr float kContrast = 0.5F; ///< variance of log2 luminance above which there is an edge
 constexpr float kFarthest = 8;    ///< from the average, in powers of two, that is told apart
@@ -58,17 +58,17 @@ void slide(const float* values, int count, std::size_t step, int radius, float* 
     }
 }
 
-/// Where the middle of pixel `i` of `size` lies between those of a small picture.
+/// Where the middle of pixel `i` of `size` lies between those of a small image.
 struct Place {
     int before, after;
-    float share;
+    float fraction;
 };
 Place placeOf(int i, int size, int smallSize) {
-    const float place =
+    const float position =
         (static_cast<float>(i) + 0.5F) * static_cast<float>(smallSize) / static_cast<float>(size) - 0.5F;
-    const auto before = static_cast<int>(place + 1) - 1; // place > -1
+    const auto before = static_cast<int>(position + 1) - 1; // place > -1
     return {std::clamp(before, 0, smallSize - 1), std::clamp(before + 1, 0, smallSize - 1),
-            place - static_cast<float>(before)};
+            position - static_cast<float>(before)};
 }
 
 } // namespace
@@ -125,11 +125,11 @@ void LocalExposure::measure(const HdrImage& picture, [[maybe_unused]] int thread
 void LocalExposure::changeRow(const RowPart& part, const Colour* radiance, Colour* changed) const {
     const Place row = placeOf(part.y, part.height, rows_);
     const auto mixed = [&](const std::vector<float>& values, const Place& column) {
-        const float upper = values[at(column.before, row.before)] * (1 - column.share) +
-                            values[at(column.after, row.before)] * column.share;
-        const float lower = values[at(column.before, row.after)] * (1 - column.share) +
-                            values[at(column.after, row.after)] * column.share;
-        return upper * (1 - row.share) + lower * row.share;
+        const float upper = values[at(column.before, row.before)] * (1 - column.fraction) +
+                            values[at(column.after, row.before)] * column.fraction;
+        const float lower = values[at(column.before, row.after)] * (1 - column.fraction) +
+                            values[at(column.after, row.after)] * column.fraction;
+        return upper * (1 - row.fraction) + lower * row.fraction;
     };
     for (int x = part.left; x < part.right; ++x) {
         const Place column = placeOf(x, part.width, columns_);
@@ -142,7 +142,7 @@ constinit const EffectRow kLocalExposureEffect{
     .name = "local exposure",
     .stage = EffectStage::Display,
     .wanted = [](const RenderSettings& settings) { return settings.exposure.local > 0; },
-    .bytesPerPixel = 0, // a row for each thread, and a small picture
+    .bytesPerPixel = 0, // a row for each thread, and a small image
     .needsLayers = false,
     .make = &makeEffect<LocalExposure>};
 

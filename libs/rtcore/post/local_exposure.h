@@ -11,10 +11,10 @@
 namespace rtcore {
 
 /// The brightness around each pixel is the average of the logarithm of luminance, up to edges: a guided
-/// filter (He, Sun and Tang 2013) with the picture as its own guide, worked out on a picture of some 200
+/// filter (He, Sun and Tang 2013) with the image as its own guide, worked out on an image of some 200
 /// columns (He and Sun 2015). So a dark room beside a bright window gets brighter up to the window's frame,
 /// without a halo. Radiance is multiplied by (average / brightness around the pixel)^exposure.local, where
-/// `average` is the luminance that the exposure of the whole picture suits: with it, that exposure suits each
+/// `average` is the luminance that the exposure of the whole image suits: with it, that exposure suits each
 /// place.
 class LocalExposure final : public Effect {
   public:

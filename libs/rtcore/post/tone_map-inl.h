@@ -67,7 +67,7 @@ HWY_INLINE F srgbCode(F x, F code, F rise) {
 }
 
 /// A threshold in [0, 1) for each pixel, the same in every frame: neighbouring thresholds differ much, so
-/// that the error of rounding spreads as fine grain (Jimenez 2014, interleaved gradient noise).
+/// that the error of rounding spreads as fine noise (Jimenez 2014, interleaved gradient noise).
 template <typename F>
 HWY_INLINE F ditherThreshold(F column, float row) {
     const F inner = 0.06711056F * column + 0.00583715F * row;

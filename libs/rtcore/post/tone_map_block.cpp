@@ -14,7 +14,7 @@
 #define RTCORE_POST_TONE_MAP_TYPES
 namespace rtcore {
 
-/// A block of pixels between the two halves of its way.
+/// A block of pixels between the two halves of its processing.
 struct ToneBlock {
     alignas(64) float shown[3][kToneBlock];
     alignas(64) std::uint32_t index[3][kToneBlock];

@@ -18,15 +18,15 @@ void blockDirections(const CameraRays::Plane& plane, const CameraRays::Block& bl
                      float* dz) {
     const Float3 corner = broadcast(plane.corner), right = broadcast(plane.right),
                  down = broadcast(plane.down);
-    const auto place = [&](int first, Uint offset, float from) {
+    const auto position = [&](int first, Uint offset, float from) {
         return from + (toFloat(first + toInt(offset)) + 0.5F) * block.step;
     };
     for (std::uint32_t i = 0; i < kCameraBlock * kCameraBlock; i += static_cast<std::uint32_t>(lanes())) {
         const Uint index = iota(i);
         const Uint column = (index & 3U) | (shiftRight<2>(index) & 4U);
         const Uint row = (shiftRight<2>(index) & 3U) | (shiftRight<3>(index) & 4U);
-        const Float x = place(block.column, column, block.left);
-        const Float y = place(block.row, row, block.top);
+        const Float x = position(block.column, column, block.left);
+        const Float y = position(block.row, row, block.top);
         store(normalize(corner + right * x + down * y), dx + i, dy + i, dz + i);
     }
 }

@@ -1,4 +1,4 @@
-/// Rays of a camera with a flat picture.
+/// Rays of a camera with a flat image.
 #pragma once
 
 #include "rtcore/kernels/ray_wave.h"
@@ -18,7 +18,7 @@ constexpr int indexInBlock(int column, int row) {
 constexpr int columnInBlock(int index) { return (index & 3) | (index >> 2 & 4); }
 constexpr int rowInBlock(int index) { return (index >> 2 & 3) | (index >> 3 & 4); }
 
-/// Directions for a picture of `width` x `height` pixels; pixels are square, so the vertical field of view
+/// Directions for an image of `width` x `height` pixels; pixels are square, so the vertical field of view
 /// follows.
 class CameraRays {
   public:
@@ -30,7 +30,7 @@ class CameraRays {
     /// The tangent of half the field of view is this many times that of the camera's own (scene/camera.h).
     float widened() const { return widened_; }
 
-    /// The ray through the point (x, y) of the picture, in pixels from its upper left corner; unit length,
+    /// The ray through the point (x, y) of the image, in pixels from its upper left corner; unit length,
     /// from 0 to infinity.
     Ray at(float x, float y) const;
     Vec3 eye() const { return eye_; }
@@ -52,7 +52,7 @@ class CameraRays {
 
     /// What directions are made of.
     struct Plane {
-        Vec3 corner; ///< towards the upper left corner of the picture at distance 1 (parallel: at the eye)
+        Vec3 corner;      ///< towards the upper left corner of the image at distance 1 (parallel: at the eye)
         Vec3 right, down; ///< one pixel, there
     };
 
@@ -65,7 +65,7 @@ class CameraRays {
     float widened_ = 1;
 };
 
-/// Degrees between the left and right edge of a picture of this size; 0 for an orthographic camera.
+/// Degrees between the left and right edge of an image of this size; 0 for an orthographic camera.
 float fieldOfView(const Camera& camera, int width, int height);
 
 } // namespace rtcore

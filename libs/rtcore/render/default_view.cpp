@@ -50,9 +50,9 @@ float distanceToBorder(const Box3& box, Vec3 from, Vec3 direction) {
 /// A place to stand on, and what can be seen from it.
 struct Stand {
     Vec3 eye;
-    float enclosed = 0; ///< share of horizontal directions that end at a surface
-    float walled = 0;   ///< share of horizontal directions that end at the front of one
-    float reach = 0;    ///< mean share of the way to the border of the model that is free
+    float enclosed = 0; ///< fraction of horizontal directions that end at a surface
+    float walled = 0;   ///< fraction of horizontal directions that end at the front of one
+    float reach = 0;    ///< mean fraction of the distance to the border of the model that is free
     float view = 0;     ///< mean distance to what is seen
     Vec3 longestView;
     Vec3 openSide; ///< sum of the directions that end nowhere
@@ -139,7 +139,7 @@ Survey survey(const KdTree& tree, const Mesh& mesh, const Axes& axes) {
     return result;
 }
 
-/// Looks along `forward` from so far that everything is in the picture, also in one of 16:9.
+/// Looks along `forward` from so far that everything is in the image, also in one of 16:9.
 Camera frameAll(const Mesh& mesh, const Box3& bounds, Vec3 forward, Vec3 upwards) {
     Camera camera;
     camera.horizontalFov = kExteriorFov;

@@ -10,7 +10,7 @@ namespace rtcore {
 
 /// Inside at eye height, looking along the longest view, when walls surround the middle of the model on all
 /// sides; into it through the open side when it is a stage; else from the front and a little above, so that
-/// all of it is in the picture. `up` is a unit vector.
+/// all of it is in the image. `up` is a unit vector.
 Camera defaultCamera(const KdTree& tree, const Mesh& mesh, Vec3 up);
 
 /// A point light above the viewer's right shoulder, of a strength that suits the size of the model.

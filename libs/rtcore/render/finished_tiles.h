@@ -1,4 +1,4 @@
-/// Tells another thread which parts of a frame are done while the rest is still rendered.
+/// Finished areas of a frame, for another thread to read while the rest is rendered.
 #pragma once
 
 #include "rtcore/render/pixel_area.h"
@@ -9,7 +9,8 @@
 
 namespace rtcore {
 
-/// Any threads. Who takes an area may read its pixels: they are written before it is added, and not again.
+/// Any threads. A thread that takes an area may read its pixels: they are written before it is added, and not
+/// again.
 class FinishedTiles {
   public:
     void add(const PixelArea& area) {

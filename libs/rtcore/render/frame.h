@@ -1,8 +1,8 @@
-/// What rendering leaves behind.
+/// The result of rendering.
 #pragma once
 
 #include "rtcore/kernels/ray_statistics.h"
-#include "rtcore/render/layers.h"
+#include "rtcore/render/aovs.h"
 #include "rtcore/scene/image.h"
 
 #include <cstdint>
@@ -13,8 +13,8 @@ namespace rtcore {
 struct Frame {
     HdrImage radiance; ///< settings.width x settings.height, averaged over the samples of each pixel
     std::vector<std::uint8_t>
-        covered;        ///< per pixel: 255 where all samples hit geometry, 0 where all saw the background
-    FrameLayers layers; ///< empty unless they were asked for
+        covered; ///< per pixel: 255 where all samples hit geometry, 0 where all saw the background
+    Aovs aovs;   ///< empty unless they were asked for
     RayStatistics statistics;
 };
 

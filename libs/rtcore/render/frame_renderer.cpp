@@ -46,7 +46,7 @@ bool FrameRenderer::renderCoarse(const View& view, int block, RenderControl& con
     return renderAimed({view.scene, view.tracer, view.camera, coarse}, control, frame);
 }
 
-/// The camera and its lens; what is in the middle is that of the whole picture.
+/// The camera and its lens; what is in the middle is that of the whole image.
 void FrameRenderer::aim(const View& view) {
     const auto width = static_cast<float>(view.settings.width);
     const auto height = static_cast<float>(view.settings.height);
@@ -61,54 +61,54 @@ void FrameRenderer::aim(const View& view) {
     samples_.aperture.prepare(lens.blades);
 }
 
-void FrameRenderer::beginLayers(const View& view, Frame& frame) const {
+void FrameRenderer::beginAovs(const View& view, Frame& frame) const {
     const RenderSettings& settings = view.settings;
-    if (collectLayers_) {
-        frame.layers.begin(view.camera, settings.width, settings.height);
+    if (collectAovs_) {
+        frame.aovs.begin(view.camera, settings.width, settings.height);
     } else {
-        frame.layers.clear();
+        frame.aovs.clear();
     }
 }
 
 bool FrameRenderer::renderAimed(const View& view, RenderControl& control, Frame& frame) {
     const RenderSettings& settings = view.settings;
-    beginLayers(view, frame);
+    beginAovs(view, frame);
     prepare(frame, settings);
     materials_.prepare(view.scene, settings);
     samples_.pattern.prepare(settings.sampling, settings.antialiasing);
     samples_.lensPattern.prepare(settings.antialiasing);
     stageTimes_ = {};
-    const TileGrid grid(settings, materials_.anyOnward());
-    const bool chosen = choosesSamples(settings);
+    const TileGrid grid(settings, materials_.anySecondary());
+    const bool refined = samplesAdaptively(settings);
     control.tilesDone = 0;
-    control.tiles = static_cast<std::uint64_t>(grid.count()) * (chosen ? 2 : 1);
+    control.tiles = static_cast<std::uint64_t>(grid.count()) * (refined ? 2 : 1);
     const Work work{view, threadsFor(control.threads), control, frame};
     const auto team = static_cast<std::size_t>(work.team);
     if (renderers_.size() < team) renderers_.resize(team);
-    if (chosen) {
-        renderChosen(work, grid);
+    if (refined) {
+        renderAdaptively(work, grid);
     } else {
         renderTiles(work, grid, [&](TileRenderer& renderer, const PixelArea& tile) {
             renderer.render(tile, frame);
             finish(work, tile);
         });
     }
-    if (!frame.layers.empty()) frame.layers.finish(work.team);
+    if (!frame.aovs.empty()) frame.aovs.finish(work.team);
     return !control.cancel;
 }
 
-void FrameRenderer::renderChosen(const Work& work, const TileGrid& grid) {
+void FrameRenderer::renderAdaptively(const Work& work, const TileGrid& grid) {
     Frame& frame = work.frame;
-    choice_.begin(work.view.settings);
+    adaptive_.begin(work.view.settings);
     renderTiles(work, grid, [&](TileRenderer& renderer, const PixelArea& tile) {
-        renderer.renderFirst(tile, choice_, frame);
+        renderer.renderFirst(tile, adaptive_, frame);
     });
     if (work.control.cancel) return;
-    choice_.measure(frame.radiance);
+    adaptive_.measure(frame.radiance);
 #pragma omp parallel for num_threads(work.team) schedule(static)
-    for (int tile = 0; tile < grid.count(); ++tile) choice_.choose(grid.area(tile), frame.radiance);
+    for (int tile = 0; tile < grid.count(); ++tile) adaptive_.choose(grid.area(tile), frame.radiance);
     renderTiles(work, grid, [&](TileRenderer& renderer, const PixelArea& tile) {
-        renderer.renderRest(tile, choice_, frame);
+        renderer.renderRest(tile, adaptive_, frame);
         finish(work, tile);
     });
 }
@@ -127,8 +127,8 @@ void FrameRenderer::renderTiles(const Work& work, const TileGrid& grid, Render&&
                         .shadowMaps = maps_,
                         .cancel = cancel,
                         .measureStages = measureStages_,
-                        .layers = work.frame.layers.empty() ? nullptr : &work.frame.layers});
-        // In the order of the picture: its last row of tiles is the one that its lower edge cuts.
+                        .aovs = work.frame.aovs.empty() ? nullptr : &work.frame.aovs});
+        // In the order of the image: its last row of tiles is the one that its lower edge cuts.
 #pragma omp for schedule(dynamic, 1) nowait
         for (int tile = 0; tile < grid.count(); ++tile) {
             if (cancel.load(std::memory_order_relaxed) || errors.any()) continue;

@@ -1,10 +1,10 @@
-/// From a scene and a camera to a picture of unbounded linear radiance.
+/// From a scene and a camera to an image of unbounded linear radiance.
 #pragma once
 
+#include "rtcore/render/adaptive_sampler.h"
 #include "rtcore/render/finished_tiles.h"
 #include "rtcore/render/frame.h"
 #include "rtcore/render/lens.h"
-#include "rtcore/render/sample_choice.h"
 #include "rtcore/render/sample_rays.h"
 #include "rtcore/render/view.h"
 #include "rtcore/shading/light/shadow_maps.h"
@@ -39,27 +39,27 @@ class FrameRenderer {
     FrameRenderer(const FrameRenderer&) = delete;
     FrameRenderer& operator=(const FrameRenderer&) = delete;
 
-    /// Renders into `frame`, whose memory is reused when the size fits. The picture has the same bits for
+    /// Renders into `frame`, whose memory is reused when the size fits. The image has the same bits for
     /// every number of threads. The view may differ in every frame, but not change during one. Returns false
     /// when control.cancel was set, with `frame` undefined.
     bool render(const View& view, RenderControl& control, Frame& frame);
 
-    /// The picture of those settings from afar: one sample for each square of `block` x `block` pixels, in
+    /// A coarse image of those settings: one sample for each square of `block` x `block` pixels, in
     /// its middle. `frame` gets a pixel for each square, also for those that the right or lower edge cuts.
     bool renderCoarse(const View& view, int block, RenderControl& control, Frame& frame);
 
-    /// Whether frames to come get layers: for who writes them, or for effects (effectsNeedLayers()).
-    void collectLayers(bool on) { collectLayers_ = on; }
+    /// Whether frames to come get AOVs: to be written, or for effects (effectsNeedLayers()).
+    void collectAovs(bool on) { collectAovs_ = on; }
     /// Whether frames to come measure stageTimes().
     void measureStages(bool on) { measureStages_ = on; }
-    /// Where the shadows of frames to come are looked up, quicker and less exact than by rays; null: by rays.
+    /// Shadow maps for the next frames, quicker and less exact than rays; null: rays.
     /// The maps are the scene's, suit the settings, and must outlive the frames.
     void takeShadowsFrom(const ShadowMaps* maps) { maps_ = maps; }
     /// Of the last frame, all threads together.
     const StageTimes& stageTimes() const { return stageTimes_; }
 
   private:
-    /// What goes through all steps of a frame.
+    /// Arguments of all steps of a frame.
     struct Work {
         const View& view;
         int team; ///< threads
@@ -68,19 +68,19 @@ class FrameRenderer {
     };
     void aim(const View& view);
     bool renderAimed(const View& view, RenderControl& control, Frame& frame);
-    void beginLayers(const View& view, Frame& frame) const;
+    void beginAovs(const View& view, Frame& frame) const;
     template <typename Render>
     void renderTiles(const Work& work, const TileGrid& grid, Render&& render);
-    void renderChosen(const Work& work, const TileGrid& grid);
+    void renderAdaptively(const Work& work, const TileGrid& grid);
     void finish(const Work& work, const PixelArea& tile);
     TileRenderer& rendererOfThread(int thread);
 
     SampleView samples_; ///< of the frame being rendered
     FocusFinder focus_;
-    SampleChoice choice_;
+    AdaptiveSampler adaptive_;
     MaterialTable materials_;
     std::vector<std::unique_ptr<TileRenderer>> renderers_; ///< by thread
-    bool collectLayers_ = false;
+    bool collectAovs_ = false;
     bool measureStages_ = false;
     const ShadowMaps* maps_ = nullptr;
     StageTimes stageTimes_;

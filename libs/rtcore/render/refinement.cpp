@@ -5,11 +5,11 @@ namespace rtcore {
 namespace {
 
 constexpr int kCoarsest = 8;
-/// Of the time of the picture itself, for the passes before it.
+/// Of the time of the image itself, for the passes before it.
 constexpr double kShare = 0.095;
 
-/// About the time for each pixel, in that of a picture with one sample a pixel. Rays that are further apart
-/// share less of their way, and each picture is shown; measured on the inside of a church.
+/// About the time for each pixel, in that of an image with one sample per pixel. Rays that are further apart
+/// share less of their way, and each image is shown; measured on the inside of a church.
 double cost(const RefinementPass& pass) {
     constexpr double kShown = 0.06;
     switch (pass.block) {
@@ -49,7 +49,7 @@ bool Refinement::render(FrameRenderer& renderer, const View& view, RenderControl
     const std::vector<RefinementPass> plan = planRefinement(view.settings);
     double all = 0;
     for (const RefinementPass& pass : plan) all += cost(pass);
-    before_ = share_ = 0;
+    before_ = fraction_ = 0;
     (void)finished_.take();
     for (const RefinementPass& pass : plan) {
         const bool last = &pass == &plan.back();
@@ -68,11 +68,11 @@ bool Refinement::render(FrameRenderer& renderer, const View& view, RenderControl
     return true;
 }
 
-void Refinement::enter(double share, RenderControl& control) {
+void Refinement::enter(double fraction, RenderControl& control) {
     const std::lock_guard lock(mutex_);
     control.tiles = 0;
-    before_ += share_;
-    share_ = share;
+    before_ += fraction_;
+    fraction_ = fraction;
 }
 
 double Refinement::fraction(const RenderControl& control) const {
@@ -80,7 +80,7 @@ double Refinement::fraction(const RenderControl& control) const {
     const std::uint64_t tiles = control.tiles.load();
     const double done =
         tiles == 0 ? 0.0 : static_cast<double>(control.tilesDone.load()) / static_cast<double>(tiles);
-    return before_ + done * share_;
+    return before_ + done * fraction_;
 }
 
 } // namespace rtcore

@@ -13,7 +13,7 @@
 #ifndef RTCORE_RENDER_SAMPLE_BLOCK_
 #define RTCORE_RENDER_SAMPLE_BLOCK_
 namespace rtcore {
-/// Of 64 samples: places in pixels, on the lens (its radius is 1), and what becomes of them.
+/// Of 64 samples: positions in pixels and on the lens (its radius is 1), and their rays.
 struct SampleBlock {
     static constexpr std::size_t kSize = 64;
     float x[kSize], y[kSize], u[kSize], v[kSize];

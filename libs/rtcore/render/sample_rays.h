@@ -1,4 +1,4 @@
-/// From the names of samples to their rays.
+/// Rays of samples, from their ids.
 #pragma once
 
 #include "rtcore/kernels/ray_wave.h"
@@ -12,7 +12,7 @@
 
 namespace rtcore {
 
-/// All that decides on the rays of a frame's samples.
+/// Everything that determines the rays of a frame's samples.
 struct SampleView {
     CameraRays camera;
     Lens lens;

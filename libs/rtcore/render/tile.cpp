@@ -29,7 +29,7 @@ void forEachBlock(int width, int height, Work&& work) {
     }
 }
 
-/// Calls `work` with the column and the row of each sample of a block that lies inside the picture, in the
+/// Calls `work` with the column and the row of each sample of a block that lies inside the image, in the
 /// order of the rays.
 template <typename Work>
 void forEachSample(int width, int height, Work&& work) {
@@ -40,7 +40,7 @@ void forEachSample(int width, int height, Work&& work) {
     }
 }
 
-/// The part of a block's values that lies inside the picture.
+/// The part of a block's values that lies inside the image.
 void copyPart(const float* block, int width, int height, float* to) {
     forEachSample(width, height, [&](int column, int row) { *to++ = block[indexInBlock(column, row)]; });
 }
@@ -61,7 +61,7 @@ struct SampleAxis {
     }
 };
 
-/// Calls `work` with the place of each pixel in the picture, and its index there, row by row.
+/// Calls `work` with the place of each pixel in the image, and its index there, row by row.
 template <typename Work>
 void forEachPixel(const PixelArea& area, int width, Work&& work) {
     for (int y = area.top; y < area.top + area.rows; ++y) {
@@ -81,7 +81,7 @@ TileGrid::TileGrid(const RenderSettings& settings, bool secondaryRays)
     // all threads.
     constexpr std::int64_t kManyPixels = 1 << 18;
     const bool large = secondaryRays && std::int64_t{settings.width} * settings.height >= kManyPixels;
-    const int samples = choosesSamples(settings) ? kMostSamples : kSamples;
+    const int samples = samplesAdaptively(settings) ? kMostSamples : kSamples;
     side_ = settings.antialiasing == 1 ? (large ? kSamples : kSamples / 2)
                                        : std::max(4, samples / settings.antialiasing);
     columns_ = (width_ + side_ - 1) / side_;
@@ -98,13 +98,13 @@ void TileRenderer::begin(const FrameTask& task) {
     settings_ = &view.settings;
     view_ = &task.samples;
     sameOrigin_ = false;
-    drawsSamples_ = WhittedIntegrator::drawsSamples(view.scene, view.settings);
+    needsSampleIds_ = WhittedIntegrator::needsSampleIds(view.scene, view.settings);
     samples_.clear();
     integrator_.begin(view.scene, view.tracer, view.settings, task.materials, task.measureStages);
     integrator_.takeShadowsFrom(task.shadowMaps);
     integrator_.stopWhen(&task.cancel);
-    integrator_.collectFirstHits(task.layers != nullptr);
-    layers_ = task.layers;
+    integrator_.collectPrimaryHits(task.aovs != nullptr);
+    aovs_ = task.aovs;
 }
 
 void TileRenderer::render(const PixelArea& area, Frame& frame) {
@@ -120,7 +120,7 @@ void TileRenderer::render(const PixelArea& area, Frame& frame) {
     }
     collectRays(area);
     integrator_.clock().lap(Stage::Rays);
-    if (drawsSamples_ || layers_ != nullptr) nameSamples(area, all);
+    if (needsSampleIds_ || aovs_ != nullptr) nameSamples(area, all);
     traceRays();
     if (settings_->antialiasing == 1) {
         storePixels(area, frame);
@@ -138,7 +138,7 @@ void TileRenderer::traceSamples() {
 
 void TileRenderer::traceRays() {
     integrator_.trace(rays_, samples_);
-    if (layers_ != nullptr) layers_->add(integrator_.firstHits(), samples_);
+    if (aovs_ != nullptr) aovs_->add(integrator_.primaryHits(), samples_);
 }
 
 /// `count`: how many samples the pixel (x, y) has.
@@ -154,7 +154,7 @@ void TileRenderer::storeMeans(const PixelArea& area, Frame& frame, Count&& count
     integrator_.clock().lap(Stage::Store);
 }
 
-void TileRenderer::renderFirst(const PixelArea& area, SampleChoice& choice, Frame& frame) {
+void TileRenderer::renderFirst(const PixelArea& area, AdaptiveSampler& sampler, Frame& frame) {
     const int n = settings_->antialiasing;
     nameSamples(area, [n](const SampleId& id) { return isFirstSample(id.sub, n); });
     traceSamples();
@@ -168,15 +168,15 @@ void TileRenderer::renderFirst(const PixelArea& area, SampleChoice& choice, Fram
     });
     const ArraysOf3& radiance = integrator_.radiance();
     for (std::size_t i = 0; i < samples_.size(); ++i) {
-        choice.add(samples_[i].x, samples_[i].y, radiance.colourAt(i));
+        sampler.add(samples_[i].x, samples_[i].y, radiance.colourAt(i));
     }
     integrator_.clock().lap(Stage::Store);
 }
 
-void TileRenderer::renderRest(const PixelArea& area, const SampleChoice& choice, Frame& frame) {
+void TileRenderer::renderRest(const PixelArea& area, const AdaptiveSampler& sampler, Frame& frame) {
     const int n = settings_->antialiasing;
     nameSamples(area,
-                [&](const SampleId& id) { return choice.chosen(id.x, id.y) && !isFirstSample(id.sub, n); });
+                [&](const SampleId& id) { return sampler.refined(id.x, id.y) && !isFirstSample(id.sub, n); });
     sums_.clear();
     forEachPixel(area, frame.radiance.width, [&](int, int, std::size_t pixel) {
         sums_.push_back({frame.radiance.pixels[pixel], frame.covered[pixel]});
@@ -185,7 +185,7 @@ void TileRenderer::renderRest(const PixelArea& area, const SampleChoice& choice,
         traceSamples();
         addToSums(area);
     }
-    storeMeans(area, frame, [&](int x, int y) { return choice.chosen(x, y) ? n * n : firstSamples(n); });
+    storeMeans(area, frame, [&](int x, int y) { return sampler.refined(x, y) ? n * n : firstSamples(n); });
 }
 
 void TileRenderer::collectRays(const PixelArea& area) {

@@ -1,10 +1,10 @@
-/// One tile of the picture: its rays are traced as one wave.
+/// One tile of the image: its rays are traced as one wave.
 #pragma once
 
+#include "rtcore/render/adaptive_sampler.h"
 #include "rtcore/render/camera_rays.h"
 #include "rtcore/render/frame.h"
 #include "rtcore/render/pixel_area.h"
-#include "rtcore/render/sample_choice.h"
 #include "rtcore/render/sample_rays.h"
 #include "rtcore/render/view.h"
 #include "rtcore/shading/whitted.h"
@@ -14,14 +14,14 @@
 
 namespace rtcore {
 
-/// How a picture is cut into square tiles, in pixels. Depends on the picture alone, never on threads.
+/// How an image is cut into square tiles, in pixels. Depends on the image alone, never on threads.
 class TileGrid {
   public:
     /// `secondaryRays`: mirrors or transparent surfaces may send rays on.
     TileGrid(const RenderSettings& settings, bool secondaryRays);
 
     int count() const { return columns_ * rows_; }
-    /// At the right and lower edge of the picture smaller than elsewhere.
+    /// At the right and lower edge of the image smaller than elsewhere.
     PixelArea area(int tile) const;
 
   private:
@@ -40,7 +40,7 @@ class TileRenderer {
         const ShadowMaps* shadowMaps;   ///< as WhittedIntegrator takes them; may be null
         const std::atomic<bool>& cancel;
         bool measureStages;
-        FrameLayers* layers; ///< gets what samples see first; may be null
+        Aovs* aovs; ///< gets what samples see first; may be null
     };
     /// Starts a frame, or a pass of it.
     void begin(const FrameTask& task);
@@ -48,8 +48,8 @@ class TileRenderer {
     /// Writes the pixels of one tile into `frame`; soon returns, with them undefined, when `cancel` is set.
     void render(const PixelArea& area, Frame& frame);
     /// The same in two steps. The first leaves sums in frame.radiance and numbers of hits in frame.covered.
-    void renderFirst(const PixelArea& area, SampleChoice& choice, Frame& frame);
-    void renderRest(const PixelArea& area, const SampleChoice& choice, Frame& frame);
+    void renderFirst(const PixelArea& area, AdaptiveSampler& sampler, Frame& frame);
+    void renderRest(const PixelArea& area, const AdaptiveSampler& sampler, Frame& frame);
     const RayStatistics& statistics() const { return integrator_.statistics(); }
     const StageTimes& stageTimes() { return integrator_.clock().times(); }
 
@@ -71,9 +71,9 @@ class TileRenderer {
     const SampleView* view_ = nullptr; ///< of samples
     WhittedIntegrator integrator_;
     RayWave rays_;
-    bool drawsSamples_ = false;
-    FrameLayers* layers_ = nullptr; ///< that samples are added to; null: not asked for
-    std::vector<SampleId> samples_; ///< of rays_, where anything wants their names
+    bool needsSampleIds_ = false;
+    Aovs* aovs_ = nullptr;          ///< that samples are added to; null: not asked for
+    std::vector<SampleId> samples_; ///< of rays_, where sample ids are needed
     bool sameOrigin_ = false;       ///< all of rays_ begin at the eye already
     /// Of the samples of one pixel.
     struct PixelSum {

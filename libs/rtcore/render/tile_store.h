@@ -9,7 +9,7 @@
 namespace rtcore {
 
 /// Writes an 8 x 8 block: r, g, b and hit hold its samples by indexInBlock(); `pixels` and `covered` (255
-/// where hit is 1, 0 where it is 0) are its upper left pixel in a picture with rows of `width`.
+/// where hit is 1, 0 where it is 0) are its upper left pixel in an image with rows of `width`.
 void storeBlock(const float* r, const float* g, const float* b, const std::uint8_t* hit, std::size_t width,
                 Colour* pixels, std::uint8_t* covered);
 

@@ -8,7 +8,7 @@
 
 namespace rtcore {
 
-/// Everything must outlive whoever is given the view, and stay as it is while pictures of it are made.
+/// Everything must outlive the user of the view, and stay as it is while images of it are made.
 struct View {
     const Scene& scene;
     const RayTracer& tracer; ///< of the scene's mesh

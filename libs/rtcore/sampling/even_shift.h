@@ -1,4 +1,4 @@
-/// Shifts for the patterns of a picture's samples: each as random as randomShift(), but neighbours differ, so
+/// Shifts for the patterns of an image's samples: each as random as randomShift(), but neighbours differ, so
 /// that noise is fine and evens out over a few pixels.
 #pragma once
 
@@ -36,8 +36,8 @@ constexpr std::uint32_t gradientNoise(std::uint32_t x, std::uint32_t y) {
 /// Where the sample's pattern for `draw` is shifted to on the unit torus: v by gradient noise, u by the
 /// golden ratio along Hilbert's curve, the samples of a pixel along the R2 sequence (Roberts 2018). Patterns
 /// shifted so had the least error on average over 5 x 5 pixels (docs/shading.md).
-constexpr SquarePoint evenShift(SampleId id, Draw draw, std::uint32_t salt = 0) {
-    const std::uint32_t use = mixBits(static_cast<std::uint32_t>(draw) << 24 | salt);
+constexpr SquarePoint evenShift(SampleId id, SampleDimension dimension, std::uint32_t salt = 0) {
+    const std::uint32_t use = mixBits(static_cast<std::uint32_t>(dimension) << 24 | salt);
     const std::uint32_t u = hilbertIndex(id.x & 63U, id.y & 63U) * 2654435769U;
     const std::uint32_t v = gradientNoise(id.x, id.y);
     return {unitFloat(u + id.sub * 3242174889U + use), unitFloat(v + id.sub * 2447445414U + mixBits(use))};

@@ -44,7 +44,7 @@ void LensPattern::prepare(int n) {
 
 LensPattern::Pixel LensPattern::pixel(std::uint16_t x, std::uint16_t y) {
     return {mixBits(mixBits(x | static_cast<std::uint32_t>(y) << 16) ^ 0x4C454E53U),
-            randomShift({x, y, 0}, Draw::Lens)};
+            randomShift({x, y, 0}, SampleDimension::Lens)};
 }
 
 SquarePoint LensPattern::at(const Pixel& pixel, std::uint32_t sub) const {

@@ -64,11 +64,11 @@ SquarePoint PixelPattern::at(SampleId id) const {
     case SamplingPattern::Rotated:
         return points_[id.sub];
     case SamplingPattern::Random:
-        return randomShift(id, Draw::Position);
+        return randomShift(id, SampleDimension::Position);
     case SamplingPattern::Jittered:
-        return gridPoint(sub % n_, sub / n_, n_, randomShift(id, Draw::Position));
+        return gridPoint(sub % n_, sub / n_, n_, randomShift(id, SampleDimension::Position));
     case SamplingPattern::Poisson: {
-        const SquarePoint shift = randomShift({id.x, id.y, 0}, Draw::Position);
+        const SquarePoint shift = randomShift({id.x, id.y, 0}, SampleDimension::Position);
         return {wrapped(points_[id.sub].u, shift.u), wrapped(points_[id.sub].v, shift.v)};
     }
     }

@@ -9,7 +9,7 @@
 namespace rtcore {
 
 /// n x n points for each pixel. The sample number row * n + column lies in or near that cell of a grid of n x
-/// n, apart from those at random: what is near in number is near in the picture. A sample is where it was in
+/// n, apart from those at random: what is near in number is near in the image. A sample is where it was in
 /// the last frame.
 ///
 /// Grid: the middles of the cells; Rotated: each in a row and a column of its own, as if the grid were turned

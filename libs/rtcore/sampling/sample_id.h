@@ -1,5 +1,5 @@
-/// Names for the samples of a picture, and the numbers that a sample draws by its name: the same in every
-/// frame, for every number of threads and order of tiles.
+/// Ids of the samples of an image, and random numbers derived from an id: the same in every frame, for every
+/// number of threads and order of tiles.
 #pragma once
 
 #include "rtcore/math/vec.h"
@@ -8,17 +8,17 @@
 
 namespace rtcore {
 
-/// Which of the picture's samples a ray began with.
+/// Which of the image's samples a ray began with.
 struct SampleId {
     std::uint16_t x = 0, y = 0; ///< its pixel
     std::uint32_t sub = 0;      ///< which of the pixel's samples
 };
 
-/// What a sample draws numbers for. Each purpose has numbers of its own; add `salt` for what comes several
-/// times on one path: the bounce, the number of a light.
-enum class Draw : std::uint32_t { Position, Lens, Occlusion, Lamp, Shaft };
+/// What random numbers of a sample are for; each dimension is independent of the others. Use `salt` where a
+/// path needs several of one dimension: the bounce, the number of a light.
+enum class SampleDimension : std::uint32_t { Position, Lens, Occlusion, AreaLight, Shaft };
 
-/// Well mixed bits of 32 others (Wellons' lowbias32, 2018): another number for each.
+/// Well mixed bits of 32 others (Wellons' lowbias32, 2018): a bijection.
 constexpr std::uint32_t mixBits(std::uint32_t x) {
     x ^= x >> 16;
     x *= 0x7FEB352DU;
@@ -35,15 +35,17 @@ struct SquarePoint {
     float u = 0, v = 0; ///< 0..1, without 1
 };
 
-/// Bits that have nothing to do with those of any other sample or purpose.
-constexpr std::uint32_t randomBits(SampleId id, Draw draw, std::uint32_t salt = 0) {
+/// Random bits, independent of those of any other sample or dimension.
+constexpr std::uint32_t randomBits(SampleId id, SampleDimension dimension, std::uint32_t salt = 0) {
     const std::uint32_t pixel = mixBits(id.x | static_cast<std::uint32_t>(id.y) << 16);
-    return mixBits(mixBits(pixel + 0x9E3779B9U * id.sub) ^ (static_cast<std::uint32_t>(draw) << 24 | salt));
+    return mixBits(mixBits(pixel + 0x9E3779B9U * id.sub) ^
+                   (static_cast<std::uint32_t>(dimension) << 24 | salt));
 }
 
-/// Where the sample's pattern for `draw` is shifted to on the unit torus: independent of its neighbours'.
-constexpr SquarePoint randomShift(SampleId id, Draw draw, std::uint32_t salt = 0) {
-    const std::uint32_t u = randomBits(id, draw, salt);
+/// Where the sample's pattern for `dimension` is shifted to on the unit torus: independent of its
+/// neighbours'.
+constexpr SquarePoint randomShift(SampleId id, SampleDimension dimension, std::uint32_t salt = 0) {
+    const std::uint32_t u = randomBits(id, dimension, salt);
     return {unitFloat(u), unitFloat(mixBits(u + 0x85EBCA6BU))};
 }
 

@@ -17,7 +17,7 @@ namespace rtcore {
 namespace HWY_NAMESPACE {
 
 /// f_r of the Phong lobe where the mirrored light is within 90 degrees of the viewer, (n + 2) / 2 pi cos^n.
-/// `cosine`: of the angle between them, > 0; `scale`: (n + 2) / 2 pi, times its share of the surface.
+/// `cosine`: of the angle between them, > 0; `scale`: (n + 2) / 2 pi, times its fraction of the surface.
 template <typename F>
 HWY_INLINE F phongLobe(F cosine, F shininess, F scale) {
     return scale * pow(cosine, shininess);
@@ -33,8 +33,8 @@ HWY_INLINE void widenLobe(F spread, F& shininess, F& scale) {
 }
 
 /// f_r of a metal of roughness 1: GGX with alpha = 1 and the height-correlated masking of Smith, which comes
-/// to 1 / 2 pi (cos i + cos o). `scale`: 1 / 2 pi, times its share; the cosines are those of light (>= 0) and
-/// viewer with the normal.
+/// to 1 / 2 pi (cos i + cos o). `scale`: 1 / 2 pi, times its fraction; the cosines are those of light (>= 0)
+/// and viewer with the normal.
 template <typename F>
 HWY_INLINE F roughLobe(F toLight, F toViewer, F scale) {
     return scale / max(toLight + max(toViewer, F(0)), F(kLeastCosines));

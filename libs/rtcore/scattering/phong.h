@@ -5,7 +5,7 @@
 
 namespace rtcore {
 
-/// Below this exponent cos^n ends in a step, at right angles to the mirrored light: a share 1 - n of the
+/// Below this exponent cos^n ends in a step, at right angles to the mirrored light: a fraction 1 - n of the
 /// glossy light is then scattered by the rough lobe, the rest by the lobe of this exponent.
 inline constexpr float kLeastShininess = 1;
 

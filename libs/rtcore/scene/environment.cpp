@@ -19,7 +19,7 @@ struct FacePoint {
 };
 
 // Cube maps are left-handed: z points ahead in them where x points to the right. Here ahead is -z, so that a
-// face is seen as its picture shows it, and as it lies in an equirectangular picture.
+// face is seen as its image shows it, and as it lies in an equirectangular image.
 // In double: the centre of a border texel lies 1/(n+1) of a texel from its neighbour's edge, less than a
 // float resolves on large faces.
 FacePoint facePoint(double x, double y, double behind) {
@@ -78,7 +78,7 @@ Colour neighbour(const std::array<HdrImage, 6>& faces, int face, int x, int y) {
     return faces[static_cast<std::size_t>(p.face)].at(texelOf(p.s, n), texelOf(p.t, n));
 }
 
-/// `image` in the middle of a picture that is one texel larger on each side.
+/// `image` in the middle of an image that is one texel larger on each side.
 HdrImage withRoomForBorder(const HdrImage& image) {
     HdrImage padded(image.width + 2, image.height + 2);
     for (int y = 0; y < image.height; ++y) {
@@ -137,7 +137,7 @@ HdrImage borderedEquirectangular(const HdrImage& image) {
     return padded;
 }
 
-/// x and y in texels of the picture without its border, whose first texel has its centre at 0.5.
+/// x and y in texels of the image without its border, whose first texel has its centre at 0.5.
 Colour bilinear(const HdrImage& padded, float x, float y) {
     const float left = std::clamp(x + 0.5F, 0.0F, static_cast<float>(padded.width - 1));
     const float top = std::clamp(y + 0.5F, 0.0F, static_cast<float>(padded.height - 1));
@@ -249,7 +249,7 @@ Environment Environment::fromCube(std::array<HdrImage, 6> faces, std::string nam
 }
 
 Environment Environment::fromEquirectangular(const HdrImage& image, std::string name) {
-    require(!image.empty(), "an equirectangular picture must not be empty");
+    require(!image.empty(), "an equirectangular image must not be empty");
     Environment environment;
     environment.name_ = std::move(name);
     environment.mean_ = meanOfSphere(image);

@@ -1,4 +1,4 @@
-/// What is seen where a ray leaves the scene: a cube map or an equirectangular picture at infinite distance.
+/// What is seen where a ray leaves the scene: a cube map or an equirectangular image at infinite distance.
 #pragma once
 
 #include "rtcore/math/colour.h"
@@ -32,7 +32,7 @@ class Environment {
     const std::string& name() const { return name_; }
     float intensity = 1; ///< factor on every texel
     bool isCube() const { return cube_; }
-    /// Side of a face, or width of the equirectangular picture, in texels.
+    /// Side of a face, or width of the equirectangular image, in texels.
     int resolution() const;
 
   private:
@@ -41,7 +41,7 @@ class Environment {
     std::string name_;
     bool cube_ = false;
     Colour mean_;                  ///< without the intensity
-    std::vector<HdrImage> images_; ///< six faces with a border of one texel, or one picture
+    std::vector<HdrImage> images_; ///< six faces with a border of one texel, or one image
 };
 
 /// Direction -> face (0..5 in the order above) and s, t in [0, 1] on it, t down: OpenGL 4.6, table 8.19,

@@ -1,4 +1,4 @@
-/// Pictures in memory: rows from the top, pixels from the left, no padding.
+/// Images in memory: rows from the top, pixels from the left, no padding.
 #pragma once
 
 #include "rtcore/math/colour.h"

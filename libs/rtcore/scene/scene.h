@@ -23,7 +23,7 @@ struct Fog {
     float scaleHeight = 1;           ///< exponential: height over which the density falls to 1/e
     float groundHeight = 0;          ///< exponential: height along the up axis where `density` holds
     Colour colour{0.5F, 0.5F, 0.5F}; ///< radiance that a ray tends to inside the fog, without lights
-    Colour albedo{1, 1, 1};          ///< 0..1: share of the extinction that scatters the light of lamps
+    Colour albedo{1, 1, 1};          ///< 0..1: fraction of the extinction that scatters light
     float surroundings = 0;          ///< factor on what it scatters of the environment, beside `colour`
     Colour emission;                 ///< radiance emitted per scene unit (at `groundHeight`)
 };
@@ -40,7 +40,7 @@ struct WalkParameters {
 /// What surrounds the surfaces, and how one walks between them: what a scene file says beside the model.
 struct SceneLook {
     Colour background; ///< radiance where there is no environment
-    Colour ambient;    ///< radiance that reaches every surface from everywhere, unshadowed
+    Colour ambient;    ///< radiance that reaches every surface from all directions, unshadowed
     Fog fog;
     WalkParameters walk;
     Vec3 up{0, 1, 0}; ///< one of the six axes

@@ -21,7 +21,7 @@ struct AmbientOcclusionSettings {
     int samples = 9;    ///< rays per point
     float distance = 0; ///< scene units; 0 = 15 % of the scene's diagonal
     OcclusionPattern pattern = OcclusionPattern::Rotated;
-    float light = 0; ///< radiance from everywhere; 0 = the scene's, or what suits it when it has none
+    float light = 0; ///< radiance of ambient light; 0 = the scene's, or one that suits it when it has none
 };
 
 /// A thin lens on a film 36 mm wide.
@@ -57,8 +57,8 @@ struct BloomSettings {
 
 struct ExposureSettings {
     ExposureMode mode = ExposureMode::Automatic;
-    float value = 1;   ///< Fixed: the constant c of L = Y / (Y + c), in units of radiance
-    float key = 0.18F; ///< Automatic: c = average / key, so a larger key makes the picture brighter
+    float value = 1;              ///< Fixed: the constant c of L = Y / (Y + c), in units of radiance
+    float key = 0.18F;            ///< Automatic: c = average / key, so a larger key makes the image brighter
     float brighterSeconds = 0.1F; ///< Automatic: time in which an eye gets used to 63 % of more light
     float darkerSeconds = 0.4F;   ///< and of less
     float local = 0;              ///< 0..1: how much of the exposure follows a pixel's own surroundings
@@ -67,7 +67,7 @@ struct ExposureSettings {
 struct RenderSettings {
     int width = 640;      ///< pixels
     int height = 480;     ///< pixels
-    int antialiasing = 1; ///< N: N x N samples a pixel
+    int antialiasing = 1; ///< N: N x N samples per pixel
     SamplingPattern sampling = SamplingPattern::Grid;
     /// 0..1 of the display's range: a pixel whose samples and neighbours differ less gets a quarter of its
     /// samples; 0 = all alike.
@@ -77,7 +77,7 @@ struct RenderSettings {
     bool refractions = true;
     bool textures = true;
     int maxDepth = 5;               ///< bounces by mirrors and glass
-    float minContribution = 0.004F; ///< a ray that adds less than this share to its pixel is not traced
+    float minContribution = 0.004F; ///< a ray that adds less than this fraction to its pixel is not traced
     AmbientOcclusionSettings ambientOcclusion;
     DepthOfFieldSettings depthOfField;
     FogSettings fog;

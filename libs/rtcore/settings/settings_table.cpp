@@ -117,11 +117,11 @@ std::vector<Setting> makeTable() {
     using Exposure = ExposureSettings;
     using Lens = DepthOfFieldSettings;
     return {
-        row<&S::width>("width", {1, 32768}, "pixels", "width of the picture"),
-        row<&S::height>("height", {1, 32768}, "pixels", "height of the picture"),
-        row<&S::antialiasing>("antialiasing", {1, 16}, "", "N x N samples a pixel, averaged"),
+        row<&S::width>("width", {1, 32768}, "pixels", "width of the image"),
+        row<&S::height>("height", {1, 32768}, "pixels", "height of the image"),
+        row<&S::antialiasing>("antialiasing", {1, 16}, "", "N x N samples per pixel, averaged"),
         row<&S::sampling>("sampling",
-                          "where the samples of a pixel lie: rotated is best at edges, grid is fastest"),
+                          "positions of the samples in a pixel: rotated is best at edges, grid is fastest"),
         row<&S::adaptive>(
             "adaptive", {0, 1}, "",
             "pixels that differ less from their neighbours get a quarter of the samples; 0: all get "
@@ -134,11 +134,11 @@ std::vector<Setting> makeTable() {
              row<&S::maxDepth>("maxDepth", {0, 1000}, "bounces", "most bounces by mirrors and glass")),
         with("rays",
              row<&S::minContribution>("minContribution", {0, 1}, "",
-                                      "a ray that adds less than this share to its pixel is not traced")),
+                                      "a ray that adds less than this fraction to its pixel is not traced")),
         row<&S::ambientOcclusion, &Occlusion::on>("ambientOcclusion.on",
                                                   "corners are darker than open surfaces"),
         row<&S::ambientOcclusion, &Occlusion::samples>("ambientOcclusion.samples", {1, 4096}, "rays",
-                                                       "rays a point for ambient occlusion"),
+                                                       "rays per point for ambient occlusion"),
         row<&S::ambientOcclusion, &Occlusion::distance>(
             "ambientOcclusion.distance", {0, kUnlimited}, "scene units",
             "how far off a surface occludes; 0: 15 % of the scene's diagonal"),
@@ -147,7 +147,7 @@ std::vector<Setting> makeTable() {
                                                        "same for all, or any"),
         row<&S::ambientOcclusion, &Occlusion::light>(
             "ambientOcclusion.light", {0, kUnlimited}, "radiance",
-            "light from everywhere; 0: the scene's, or what suits it when it has none"),
+            "ambient light; 0: the scene's, or one that suits it when it has none"),
         row<&S::depthOfField, &Lens::on>("depthOfField.on", "only what is in focus is sharp"),
         row<&S::depthOfField, &Lens::fNumber>("depthOfField.fNumber", {0.1, 1000}, "",
                                               "focal length over the lens's diameter, of a film 36 mm wide: "
@@ -169,8 +169,8 @@ std::vector<Setting> makeTable() {
                                        "size of the bloom around bright spots; 0: none"),
         row<&S::bloom, &Bloom::kernel>("bloom.kernel",
                                        "blur of a plain lens, or the coloured rings of a perfect one"),
-        row<&S::bloom, &Bloom::share>("bloom.share", {0, 1}, "", "share of all light that bloom spreads"),
-        row<&S::exposure, &Exposure::mode>("exposure.mode", "automatic follows the picture's brightness"),
+        row<&S::bloom, &Bloom::share>("bloom.share", {0, 1}, "", "fraction of all light that bloom spreads"),
+        row<&S::exposure, &Exposure::mode>("exposure.mode", "automatic follows the image's brightness"),
         row<&S::exposure, &Exposure::value>("exposure.value", {1e-30, 1e30}, "radiance",
                                             "fixed exposure: radiance that is shown as half of white"),
         row<&S::exposure, &Exposure::key>("exposure.key", {1e-4, 100}, "",
@@ -180,7 +180,7 @@ std::vector<Setting> makeTable() {
         row<&S::exposure, &Exposure::darkerSeconds>("exposure.darkerSeconds", {0, 1000}, "seconds",
                                                     "time to get used to less light, in real time"),
         row<&S::exposure, &Exposure::local>("exposure.local", {0, 1}, "",
-                                            "how much the exposure of a place follows its own brightness"),
+                                            "how much the exposure of a region follows its own brightness"),
         with("exposure",
              row<&S::toneMapping>("toneMapping",
                                   "luminance keeps hues, channels lets bright colours fade to white")),

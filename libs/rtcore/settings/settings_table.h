@@ -20,7 +20,7 @@ enum class SettingType { Boolean, Integer, Number, Choice };
 /// One row. The views are valid for the whole run of the program.
 struct Setting {
     std::string_view name; ///< "width"; with a dot where the struct is nested: "ambientOcclusion.samples"
-    /// What it is shown with: the part of the name before the dot, else what the table says; "" = the picture
+    /// What it is shown with: the part of the name before the dot, else what the table says; "" = the image
     /// as a whole.
     std::string_view group;
     SettingType type;

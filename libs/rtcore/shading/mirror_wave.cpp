@@ -47,10 +47,10 @@ void splitAll(const MaterialRow* rows, const SurfaceWave& s, const ArraysOf3* em
         }
         mirrored *= row.get(&MaterialRow::mirrorScale);
         const Float3 scattered = white - mirrored;
-        const Float3 weight = loadAt(s.share, i);
-        storeAt(select(mirrors, weight * mirrored, loadAt(s.onward, i)), s.onward, i);
-        storeAt(select(mirrors, weight * scattered, weight), s.share, i);
-        store(select(mirrors, traits | traits::kOnward, traits), s.traits + i);
+        const Float3 weight = loadAt(s.weight, i);
+        storeAt(select(mirrors, weight * mirrored, loadAt(s.specular, i)), s.specular, i);
+        storeAt(select(mirrors, weight * scattered, weight), s.weight, i);
+        store(select(mirrors, traits | traits::kSpecular, traits), s.traits + i);
         if (emitted == nullptr) continue;
         const Float3 own =
             weight * (row.get(&MaterialRow::emission) + row.get(&MaterialRow::ambient) * scattered);
@@ -59,26 +59,26 @@ void splitAll(const MaterialRow* rows, const SurfaceWave& s, const ArraysOf3* em
 }
 
 /// Returns how many rays were appended. `paths`: of the points, null for primary rays.
-std::size_t spawnAll(const SurfaceWave& s, const PathArrays* paths, MirrorLimits limits,
-                     const RayArrays& rays, const PathArrays& queue) {
+std::size_t mirrorAll(const SurfaceWave& s, const PathArrays* paths, MirrorLimits limits,
+                      const RayArrays& rays, const PathArrays& queue) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < s.size(); i += lanes()) {
-        Mask onward = hasTrait(load(s.traits + i), traits::kOnward);
-        if (none(onward)) continue;
-        const Float3 weight = loadAt(s.onward, i);
+        Mask specular = hasTrait(load(s.traits + i), traits::kSpecular);
+        if (none(specular)) continue;
+        const Float3 weight = loadAt(s.specular, i);
         const Float largest = maxComponent(weight);
-        onward = onward & ((largest > 0.0F) & (largest >= limits.minContribution));
+        specular = specular & ((largest > 0.0F) & (largest >= limits.minContribution));
         Uint bounces = 0U;
         if (paths != nullptr) bounces = load(paths->bounces + i);
-        onward = onward & (toInt(bounces & 0xFFFFU) < static_cast<std::int32_t>(limits.maxDepth));
-        if (none(onward)) continue;
+        specular = specular & (toInt(bounces & 0xFFFFU) < static_cast<std::int32_t>(limits.maxDepth));
+        if (none(specular)) continue;
 
-        const Compressor some(onward);
+        const Compressor some(specular);
         const Float3 normal = loadAt(s.geometricNormal, i);
         const Float3 mirrored =
             mirrorDirection<Float>(loadAt(s.toViewer, i), loadAt(s.shadingNormal, i), normal);
         storeAt(loadAt(s.position, i) + normal * load(s.clearance + i), some, rays.origin, count);
-        storeAt(normalize(mirrored, onward), some, rays.direction, count);
+        storeAt(normalize(mirrored, specular), some, rays.direction, count);
         storeAt(weight, some, queue.weight, count);
         Uint sample = iota(i);
         Float3 extinction{};
@@ -102,7 +102,7 @@ HWY_AFTER_NAMESPACE();
 namespace rtcore {
 
 HWY_EXPORT(splitAll);
-HWY_EXPORT(spawnAll);
+HWY_EXPORT(mirrorAll);
 
 namespace {
 
@@ -120,8 +120,8 @@ void splitAtMirrors(const MaterialTable& materials, const SurfaceWave& surfaces,
     HWY_DYNAMIC_DISPATCH(splitAll)(materials.rows(), surfaces, emitted);
 }
 
-void spawnMirrored(const SurfaceWave& surfaces, PathQueue* paths, const RenderSettings& settings,
-                   PathQueue& queue) {
+void addMirroredRays(const SurfaceWave& surfaces, PathQueue* paths, const RenderSettings& settings,
+                     PathQueue& queue) {
     const std::size_t before = queue.grow(surfaces.size() + kWaveBlock);
     RayWave& rays = queue.rays;
     const RayArrays to{{&rays.ox[before], &rays.oy[before], &rays.oz[before]},
@@ -131,7 +131,7 @@ void spawnMirrored(const SurfaceWave& surfaces, PathQueue* paths, const RenderSe
     PathArrays old{};
     if (paths != nullptr) old = pathsFrom(*paths, 0);
     const std::size_t count =
-        HWY_DYNAMIC_DISPATCH(spawnAll)(surfaces, paths != nullptr ? &old : nullptr, limits, to, newPaths);
+        HWY_DYNAMIC_DISPATCH(mirrorAll)(surfaces, paths != nullptr ? &old : nullptr, limits, to, newPaths);
     queue.truncate(before + count);
 }
 

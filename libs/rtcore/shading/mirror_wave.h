@@ -8,15 +8,15 @@
 
 namespace rtcore {
 
-/// Divides the light at points with the trait kMirror, whose `share` is what it would be were all scattered:
-/// sets `onward` and the trait kOnward, and lowers `share`. Sets `emitted` of these points, unless it is
+/// Divides the light at points with the trait kMirror, whose `weight` is what it would be were all scattered:
+/// sets `specular` and the trait kSpecular, and lowers `weight`. Sets `emitted` of these points, unless it is
 /// null.
 void splitAtMirrors(const MaterialTable& materials, const SurfaceWave& surfaces, const ArraysOf3* emitted);
 
-/// Appends a mirrored ray to `queue` for each point with the trait kOnward whose ray was mirrored or
+/// Appends a mirrored ray to `queue` for each point with the trait kSpecular whose ray was mirrored or
 /// refracted less than settings.maxDepth times and matters (minContribution). `paths` are those of the wave;
 /// null: primary rays. The direction is bent back where a smooth normal would send it below the real surface.
-void spawnMirrored(const SurfaceWave& surfaces, PathQueue* paths, const RenderSettings& settings,
-                   PathQueue& queue);
+void addMirroredRays(const SurfaceWave& surfaces, PathQueue* paths, const RenderSettings& settings,
+                     PathQueue& queue);
 
 } // namespace rtcore

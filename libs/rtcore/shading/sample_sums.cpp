@@ -18,7 +18,7 @@ void startAll(Colour background, const SurfaceWave& s, const ArraysOf3& radiance
         const Uint point = load(s.traits + i) & traits::kPoint;
         hn::StoreU(hn::U8FromU32(point.raw), d8, hit + i);
         storeAt(selectOrZero(!hasTrait(point, traits::kPoint), missed), radiance, i);
-        storeAt(broadcast(kWhite), s.share, i);
+        storeAt(broadcast(kWhite), s.weight, i);
     }
 }
 

@@ -10,12 +10,12 @@
 
 namespace rtcore {
 
-/// Sample i is that of primary ray i. One for each thread; keeps its memory from wave to wave. Each sample's
-/// sum grows in the order of the rays.
+/// Sample i is that of primary ray i. One for each thread; keeps its memory from wave to wave. The order of
+/// the sums is that of the rays, so that the bits do not depend on anything else.
 class SampleSums {
   public:
     /// Begins the sums of a wave of primary rays: `background` where the ray missed, else zero. Sets the
-    /// samples' hits, and surfaces.share to 1.
+    /// samples' hits, and surfaces.weight to 1.
     void start(Colour background, Wave& wave);
 
     /// Adds surfaces.added.

@@ -52,9 +52,9 @@ void SecondaryRays::addTransparent(const Surface& surface, Colour transmitted, c
     transparent_.back().path.weight *= transmitted;
 }
 
-void SecondaryRays::spawn(const FrameContext& frame, const Wave& wave) {
-    if (frame.materials->anyOnward())
-        spawnMirrored(wave.surfaces, wave.paths.queue(), *frame.settings, mirrored_);
+void SecondaryRays::makeSecondaryRays(const FrameContext& frame, const Wave& wave) {
+    if (frame.materials->anySecondary())
+        addMirroredRays(wave.surfaces, wave.paths.queue(), *frame.settings, mirrored_);
     for (const Transparent& point : transparent_) refract(frame, point);
     transparent_.clear();
 }

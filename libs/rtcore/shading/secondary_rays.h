@@ -24,7 +24,7 @@ class SecondaryRays {
     /// Takes a point of the wave that lets light through; its ray follows with spawn().
     void addTransparent(const Surface& surface, Colour transmitted, const Path& path);
     /// Adds the mirrored and the refracted rays of the wave.
-    void spawn(const FrameContext& frame, const Wave& wave);
+    void makeSecondaryRays(const FrameContext& frame, const Wave& wave);
 
     /// The queues change places as they are emptied: makes room in each for the rays of the fullest, so that
     /// steady frames do not allocate.

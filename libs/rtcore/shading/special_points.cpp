@@ -44,14 +44,14 @@ Colour SpecialPoints::setAlbedo(const Task& task, std::size_t i, Colour albedo) 
     surfaces.diffuse.set(i, albedo / kPi);
     if (!task.frame.materials->anyEmission()) return {};
     const Material& m = task.frame.scene->materials[surfaces.material[i]];
-    return surfaces.share.colourAt(i) * (m.emission + task.ambient * (albedo + m.specular));
+    return surfaces.weight.colourAt(i) * (m.emission + task.ambient * (albedo + m.specular));
 }
 
 Colour SpecialPoints::completeGeneral(const Task& task, std::size_t i) const {
     const SurfaceWave& surfaces = task.wave.surfaces;
     const RenderSettings& settings = *task.frame.settings;
     Path path = task.wave.paths.path(i);
-    path.weight = surfaces.share.colourAt(i);
+    path.weight = surfaces.weight.colourAt(i);
     const Vec3 direction = task.wave.direction(i);
     const Surface s = surfaceAt(*task.frame.scene, settings.textures, direction, task.wave.hits.hit(i));
     if (s.coverage < 1) {
@@ -69,10 +69,10 @@ Colour SpecialPoints::completeGeneral(const Task& task, std::size_t i) const {
     const SurfaceSplit split = splitLight(s, settings);
     surfaces.shadingNormal.set(i, s.shadingNormal);
     surfaces.diffuse.set(i, s.diffuse / kPi);
-    surfaces.share.set(i, path.weight * split.scattered);
+    surfaces.weight.set(i, path.weight * split.scattered);
     if (!isBlack(split.mirrored)) {
-        surfaces.onward.set(i, path.weight * split.mirrored);
-        surfaces.traits[i] |= traits::kOnward;
+        surfaces.specular.set(i, path.weight * split.mirrored);
+        surfaces.traits[i] |= traits::kSpecular;
     }
     if (!isBlack(split.transmitted)) task.secondary.addTransparent(s, split.transmitted, path);
     const Colour ambient = task.ambient * (s.diffuse + s.material->specular) * split.scattered;

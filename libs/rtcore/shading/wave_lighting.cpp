@@ -38,7 +38,7 @@ void WaveLighting::addShafts(const FrameContext& frame, const Wave& wave, std::s
     const auto ofLight = 0x9E3779B9U * static_cast<std::uint32_t>(number);
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t salt = mixBits(wave.paths.bounces(i) + ofLight) >> 8;
-        shifts_[i] = randomShift(wave.sampleId(i), Draw::Shaft, salt).u;
+        shifts_[i] = randomShift(wave.sampleId(i), SampleDimension::Shaft, salt).u;
     }
     const int samples = frame.settings->fog.shafts;
     const std::size_t atOnce = FogShafts::raysAtOnce(samples);
@@ -85,7 +85,7 @@ void WaveLighting::addAmbient(const FrameContext& frame, Wave& wave, const Light
         occlusion_.add(wave.surfaces, i, wave.sampleId(i), bounce);
     }
     occlusion_.light(wave.surfaces, *frame.statistics, frame.stop);
-    if (to.firstHits != nullptr) to.firstHits->addAmbient(wave, occlusion_);
+    if (to.primaryHits != nullptr) to.primaryHits->addAmbient(wave, occlusion_);
     to.sums.add(wave);
     frame.clock->lap(Stage::Occlusion);
 }
@@ -101,13 +101,13 @@ void WaveLighting::addPointLight(const FrameContext& frame, Wave& wave, std::siz
 void WaveLighting::addAreaLight(const FrameContext& frame, Wave& wave, std::size_t light,
                                 const LightSums& to) {
     const RenderSettings& settings = *frame.settings;
-    lampDraw_.begin(
+    areaLightSampler_.begin(
         wave.size(), settings.areaLights.samples, settings.antialiasing * settings.antialiasing,
         static_cast<std::uint32_t>(light), [&](std::size_t i) { return wave.sampleId(i); },
         [&](std::size_t i) { return wave.paths.bounces(i); });
     for (int k = 0; k < settings.areaLights.samples && !frame.stopped(); ++k) {
-        rtcore::addLight(frame.scene->lights[light], lampDraw_.part(k), *frame.materials, wave.surfaces,
-                         settings.shadows ? &shadowRays_ : nullptr);
+        rtcore::addLight(frame.scene->lights[light], areaLightSampler_.strata(k), *frame.materials,
+                         wave.surfaces, settings.shadows ? &shadowRays_ : nullptr);
         addArriving(frame, wave, light, to);
     }
 }
@@ -116,7 +116,7 @@ void WaveLighting::addAreaLight(const FrameContext& frame, Wave& wave, std::size
 void WaveLighting::addArriving(const FrameContext& frame, Wave& wave, std::size_t number,
                                const LightSums& to) {
     const Light& light = frame.scene->lights[number];
-    // Where tinted shadows are traced, fog and glass take turns on the way.
+    // Tinted shadow rays attenuate by fog themselves, segment by segment between panes.
     if (fog_->on() && !tracesTinted(frame)) fog_->dimLight(light, wave.surfaces);
     frame.clock->lap(Stage::Light);
     if (frame.settings->shadows) {
@@ -124,8 +124,8 @@ void WaveLighting::addArriving(const FrameContext& frame, Wave& wave, std::size_
         takeShadows(frame, wave, number);
         frame.clock->lap(Stage::Shadows);
     }
-    if (to.firstHits != nullptr) {
-        to.firstHits->addLight(wave, isAreaLight(light) && frame.settings->areaLights.samples > 0);
+    if (to.primaryHits != nullptr) {
+        to.primaryHits->addLight(wave, isAreaLight(light) && frame.settings->areaLights.samples > 0);
     }
     to.sums.add(wave);
     frame.clock->lap(Stage::Light);

@@ -2,14 +2,14 @@
 /// another, each with its shadows.
 #pragma once
 
-#include "rtcore/shading/first_hits.h"
 #include "rtcore/shading/fog/fog_shafts.h"
 #include "rtcore/shading/fog/fog_wave.h"
 #include "rtcore/shading/frame_context.h"
-#include "rtcore/shading/light/lamp_draw.h"
+#include "rtcore/shading/light/area_light_sampler.h"
 #include "rtcore/shading/light/light_wave.h"
 #include "rtcore/shading/light/occlusion_wave.h"
 #include "rtcore/shading/light/shadows.h"
+#include "rtcore/shading/primary_hits.h"
 #include "rtcore/shading/sample_sums.h"
 #include "rtcore/shading/wave.h"
 
@@ -21,7 +21,7 @@ namespace rtcore {
 /// Where the light of a wave goes to.
 struct LightSums {
     SampleSums& sums;
-    FirstHits* firstHits; ///< null where they are not wanted
+    PrimaryHits* primaryHits; ///< null where they are not wanted
 };
 
 /// One for each thread; keeps its memory from wave to wave and from frame to frame.
@@ -50,7 +50,7 @@ class WaveLighting {
     FogShafts shafts_;
     std::vector<float> shifts_; ///< of the rays' samples in the fog
     OcclusionWave occlusion_;
-    LampDraw lampDraw_;
+    AreaLightSampler areaLightSampler_;
     ShadowTracer shadows_;
     ShadowRays shadowRays_;
     std::vector<Colour> arriving_; ///< along shadow rays, by the maps

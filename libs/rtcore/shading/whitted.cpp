@@ -28,7 +28,7 @@ void WhittedIntegrator::begin(const Scene& scene, const RayTracer& tracer, const
     clock_.start(measureStages);
 }
 
-bool WhittedIntegrator::drawsSamples(const Scene& scene, const RenderSettings& settings) {
+bool WhittedIntegrator::needsSampleIds(const Scene& scene, const RenderSettings& settings) {
     const auto soft = [](const Light& light) { return light.on != 0 && isAreaLight(light); };
     const bool areaLights = settings.areaLights.samples > 0 && std::ranges::any_of(scene.lights, soft);
     const bool shafts = settings.fog.shafts > 0 && fogMedium(scene, settings).on;
@@ -39,7 +39,7 @@ void WhittedIntegrator::trace(const RayWave& primary, std::span<const SampleId> 
     frame_.statistics = &statistics_;
     frame_.clock = &clock_;
     secondary_.start();
-    if (collectFirstHits_) firstHits_.start(primary.size());
+    if (collectPrimaryHits_) primaryHits_.start(primary.size());
     wave_.kind = RayKind::Primary;
     wave_.rays = &primary;
     wave_.paths = WavePaths();
@@ -68,21 +68,21 @@ void WhittedIntegrator::traceWave() {
     setWeights();
     if (fog_.on()) {
         fog_.enter(*wave_.rays, wave_.hits, wave_.surfaces.traits, wave_.paths);
-        fog_.dimShares(wave_.surfaces);
+        fog_.dimWeights(wave_.surfaces);
     }
     addBackground();
     special_.complete(frame_, ambient_, wave_, sums_, secondary_);
     addEmission();
-    if (collectFirstHits_) firstHits_.take(wave_);
+    if (collectPrimaryHits_) primaryHits_.take(wave_);
     clock_.lap(Stage::Surfaces);
     if (fog_.on()) lighting_.addFog(frame_, wave_, sums_);
-    lighting_.addLight(frame_, wave_, {sums_, collectFirstHits_ ? &firstHits_ : nullptr});
-    secondary_.spawn(frame_, wave_);
-    clock_.lap(Stage::Spawn);
+    lighting_.addLight(frame_, wave_, {sums_, collectPrimaryHits_ ? &primaryHits_ : nullptr});
+    secondary_.makeSecondaryRays(frame_, wave_);
+    clock_.lap(Stage::Secondary);
 }
 
-/// What reaches the samples from each hit, were it all scattered; and which samples hit something. Starts the
-/// sums of the samples.
+/// The weight of each hit in its sample if all light were scattered; and which samples hit something. Starts
+/// the sums of the samples.
 void WhittedIntegrator::setWeights() {
     SurfaceWave& surfaces = wave_.surfaces;
     if (wave_.paths.primary()) {
@@ -92,15 +92,15 @@ void WhittedIntegrator::setWeights() {
     }
     const PathQueue& queue = *wave_.paths.queue();
     const std::size_t count = surfaces.size();
-    std::copy_n(queue.weight[0].data(), count, surfaces.share.x);
-    std::copy_n(queue.weight[1].data(), count, surfaces.share.y);
-    std::copy_n(queue.weight[2].data(), count, surfaces.share.z);
+    std::copy_n(queue.weight[0].data(), count, surfaces.weight.x);
+    std::copy_n(queue.weight[1].data(), count, surfaces.weight.y);
+    std::copy_n(queue.weight[2].data(), count, surfaces.weight.z);
     // Only where something is transparent, rays are inside of it, or have passed it before they hit.
     if (wave_.kind == RayKind::Mirror && !frame_.materials->tintedShadows()) return;
     for (std::size_t i = 0; i < count; ++i) {
         if (surfaces.traits[i] == 0) continue;
         const Path path = queue.path(i);
-        surfaces.share.set(i, path.weight * absorption(path.extinction, wave_.hits.t[i]));
+        surfaces.weight.set(i, path.weight * absorption(path.extinction, wave_.hits.t[i]));
         if (path.depth == 0 && (surfaces.traits[i] & traits::kGeneral) == 0) sums_.setHit(path.sample, true);
     }
 }

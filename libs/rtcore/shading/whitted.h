@@ -7,9 +7,9 @@
 #include "rtcore/sampling/sample_id.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
-#include "rtcore/shading/first_hits.h"
 #include "rtcore/shading/fog/fog_wave.h"
 #include "rtcore/shading/frame_context.h"
+#include "rtcore/shading/primary_hits.h"
 #include "rtcore/shading/sample_sums.h"
 #include "rtcore/shading/secondary_rays.h"
 #include "rtcore/shading/special_points.h"
@@ -36,21 +36,21 @@ class WhittedIntegrator {
     void begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
                const MaterialTable& materials, bool measureStages = false);
 
-    /// Whether trace() needs the names of the samples: something is drawn for each of them.
-    static bool drawsSamples(const Scene& scene, const RenderSettings& settings);
+    /// Whether trace() needs sample ids: random numbers are derived from them.
+    static bool needsSampleIds(const Scene& scene, const RenderSettings& settings);
     /// Traces primary rays (directions of unit length) and all that follow from them. `samples` names each of
-    /// them; may be empty unless drawsSamples().
+    /// them; may be empty unless needsSampleIds().
     void trace(const RayWave& primary, std::span<const SampleId> samples = {});
     /// Of the last wave: radiance along each primary ray, and 1 where it hit something, else 0; both with
     /// room for whole blocks of kWaveBlock.
     const ArraysOf3& radiance() const { return sums_.radiance(); }
     const std::vector<std::uint8_t>& hit() const { return sums_.hit(); }
 
-    /// Whether waves to come tell firstHits(): what the last one's samples saw, sample i at i.
-    void collectFirstHits(bool on) { collectFirstHits_ = on; }
-    std::span<const FirstHit> firstHits() const { return firstHits_.hits(); }
+    /// Whether the next waves record primaryHits(): those of the last wave, of sample i at i.
+    void collectPrimaryHits(bool on) { collectPrimaryHits_ = on; }
+    std::span<const PrimaryHit> primaryHits() const { return primaryHits_.hits(); }
 
-    /// Where the shadows of waves to come are looked up in place of being traced; null: they are traced.
+    /// Shadow maps to look shadows up in instead of tracing rays; null: shadows are traced.
     void takeShadowsFrom(const ShadowMaps* maps) { frame_.shadowMaps = maps; }
 
     /// trace(), with the results copied to spans of the size of the wave.
@@ -81,8 +81,8 @@ class WhittedIntegrator {
     SpecialPoints special_;
     WaveLighting lighting_;
     SecondaryRays secondary_;
-    bool collectFirstHits_ = false;
-    FirstHits firstHits_;
+    bool collectPrimaryHits_ = false;
+    PrimaryHits primaryHits_;
 };
 
 } // namespace rtcore

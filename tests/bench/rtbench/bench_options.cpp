@@ -34,7 +34,7 @@ OptionGroup rayOptions() {
              {.name = "size",
               .value = ValueKind::Integer,
               .argument = "N",
-              .help = "rays of a picture of N x N pixels [1024]",
+              .help = "rays of an image of N x N pixels [1024]",
               .minimum = 8,
               .maximum = kMaxSide},
              {.name = "fast", .help = "build fast trees, not exact ones"},
@@ -120,8 +120,9 @@ void readFrameSize(const std::string& text, BenchOptions& options) {
 const app::ProgramSpec& benchSpec() {
     static const app::ProgramSpec spec{
         .name = "rtbench",
-        .purpose = "Measures how many rays a second are traced, beside Embree (when it was built with it) on "
-                   "the same rays in the same run, and checks that both hit the same.",
+        .purpose =
+            "Measures how many rays per second are traced, beside Embree (when it was built with it) on "
+            "the same rays in the same run, and checks that both hit the same.",
         .positionals = {{.name = "MODEL", .help = "model, .bsp or .scn", .repeats = true}},
         .groups = {rayOptions(), measuringOptions(), app::importOptionGroup(), outputOptions()},
         .examples = {{"rtbench sibenik.ply dragon.ply --views views.toml", "all kinds of rays, one thread"},

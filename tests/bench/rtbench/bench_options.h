@@ -19,7 +19,7 @@ struct BenchOptions {
     std::vector<std::filesystem::path> scenes;
     std::optional<std::filesystem::path> views;
     std::vector<const RayTest*> tests; ///< in the order of kRayTests
-    int size = 1024;                   ///< pixels of a side of the square picture whose rays are traced
+    int size = 1024;                   ///< pixels of a side of the square image whose rays are traced
     int threads = 1;                   ///< that trace; trees are built with all cores
     int rounds = 12;                   ///< at most
     bool embree = true;

@@ -18,7 +18,7 @@ struct BenchView {
     float fov = 60; ///< vertical, degrees
     rtcore::Vec3 light;
 
-    /// For pictures that are `aspect` times as wide as high.
+    /// For images that are `aspect` times as wide as high.
     rtcore::Camera camera(float aspect) const;
 };
 

@@ -45,7 +45,7 @@ rtcore::RenderSettings settingsOf(const FrameOptions& options, bool mirrors) {
     return settings;
 }
 
-/// One picture of one contender, again and again.
+/// One image of one contender, again and again.
 class FrameRunner {
   public:
     FrameRunner(const rtcore::Scene& scene, const rtcore::Camera& camera, const Contender& contender,
@@ -89,7 +89,7 @@ std::size_t differentPixels(const rtcore::Frame& a, const rtcore::Frame& b) {
     return count;
 }
 
-/// The same pictures by all contenders, in turns.
+/// The same images by all contenders, in turns.
 FrameFigures raceFrame(std::deque<FrameRunner>& runners, int rounds,
                        const std::function<void(double)>& onProgress) {
     for (int round = 0; round <= rounds; ++round) {

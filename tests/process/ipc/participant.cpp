@@ -191,7 +191,7 @@ std::map<std::string, int> options(int count, char** words) {
 
 namespace ipc {
 
-void stage(const char* name) {
+void faultPoint(const char* name) {
     static const std::string wish = std::getenv("RT_DIE_AT") == nullptr ? "" : std::getenv("RT_DIE_AT");
     static const std::size_t colon = wish.find(':');
     static int left = colon == std::string::npos ? 0 : std::atoi(wish.c_str() + colon + 1);

@@ -33,7 +33,7 @@ class Interrupted : public LivePreview {
             }
             if (viewer->readFrame(frame_)) {
                 ASSERT_LE(frame_.info.run, run);
-                ASSERT_TRUE(!mine || frame_.info.run == run) << "an old picture";
+                ASSERT_TRUE(!mine || frame_.info.run == run) << "an old image";
                 mine = frame_.info.run == run;
                 ++frames_;
             }

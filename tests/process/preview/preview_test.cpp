@@ -71,7 +71,7 @@ TEST_F(Previewing, BecomesFinerUpToThePictureItself) {
     EXPECT_LT(frames.front().info.samples, 256U);
     for (std::size_t i = 1; i < frames.size(); ++i)
         EXPECT_GE(ownSamples(frames[i]), ownSamples(frames[i - 1]));
-    // The first picture is gone when we come late.
+    // The first image is gone when we come late.
     if (frames.front().info.samples == 0) {
         EXPECT_EQ(ownSamples(frames.front()), 0) << "all are interpolated";
     }

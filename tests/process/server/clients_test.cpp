@@ -2,7 +2,7 @@
 #include "process/server/live_server.h"
 
 #include "common/commands/command_lines.h"
-#include "common/commands/server_state.h"
+#include "common/commands/state_report.h"
 
 #include "ipc/endpoint/client.h"
 
@@ -118,15 +118,15 @@ TEST_F(Clients, FailuresSayWhatIsWrongAndTheExitCode) {
 }
 
 TEST_F(Clients, OneStateTellsWhatTheSingleCommandsTell) {
-    writeText(folder() / "lamps.scn",
+    writeText(folder() / "lights.scn",
               "version = 1\nmodel = \"room.obj\"\nmodelLights = false\n"
-              "[[light]]\nname = \"tall lamp\"\nkind = \"point\"\nposition = [0.0, 3.0, 0.0]\n"
+              "[[light]]\nname = \"tall light\"\nkind = \"point\"\nposition = [0.0, 3.0, 0.0]\n"
               "intensity = [9.0, 9.0, 9.0]\n"
               "[[light]]\nkind = \"point\"\nposition = [1.0, 3.0, 0.0]\nintensity = [9.0, 9.0, 9.0]\n");
-    start({}, "lamps.scn");
+    start({}, "lights.scn");
     ipc::Client client(instance.name());
     ASSERT_EQ(client.request("light 2 off").status, ipc::ReplyStatus::Done);
-    const app::ServerState state = app::parseServerState(client.request("state").text);
+    const app::StateReport state = app::parseStateReport(client.request("state").text);
     EXPECT_EQ(state.scene, client.request("scene").text);
     rtcore::CameraFile camera;
     camera.camera = state.camera;
@@ -146,7 +146,7 @@ TEST_F(Clients, OneStateTellsWhatTheSingleCommandsTell) {
 TEST_F(Clients, ACameraIsSetByNumbersToTheBit) {
     start();
     ipc::Client client(instance.name());
-    const auto camera = [&] { return app::parseServerState(client.request("state").text).camera; };
+    const auto camera = [&] { return app::parseStateReport(client.request("state").text).camera; };
     app::command::View view{.eye = {0.1F, 1.0F / 3, -2.7e-5F},
                             .forward = {0.3F, -0.2F, -1},
                             .width = 51.3F,

@@ -10,7 +10,7 @@ using namespace test;
 
 class Flooded : public Besieged {
   protected:
-    static constexpr double kRate = 50; ///< frames a second
+    static constexpr double kRate = 50; ///< frames per second
     const std::vector<std::string> kLimited = {"--fps-limit=50"};
 
     // Draws all the time, and answers everybody else at once. What processes take by running at all is no
@@ -41,7 +41,7 @@ class Flooded : public Besieged {
             EXPECT_EQ(cui({"ping"}).output, "pong\n");
         }
         std::sort(waits.begin(), waits.end());
-        std::printf("%.1f frames a second, %.1f without; answers after %.2f ms median, %.1f max\n", drawn,
+        std::printf("%.1f frames per second, %.1f without; answers after %.2f ms median, %.1f max\n", drawn,
                     usual, waits[waits.size() / 2], waits.back());
         EXPECT_GT(drawn, 0.2 * kRate);
         if (kSanitized) return;

@@ -96,8 +96,9 @@ TEST_F(Hardship, TooLittleMemoryForLargerFramesIsAnError) {
     EXPECT_EQ(client.send("wait-idle", &idle), ipc::SendStatus::Sent);
     troupe[0].send(SIGCONT);
     EXPECT_EQ(client.wait(resolution, 10s).status, ipc::ReplyStatus::Done);
-    const std::string answer = client.wait(idle, 10s).text;
-    EXPECT_EQ(answer.rfind("75 not enough memory for frames of 6000 x 6000", 0), 0U) << answer;
+    const ipc::Reply reply = client.wait(idle, 10s);
+    EXPECT_EQ(reply.code, 75);
+    EXPECT_EQ(reply.text.rfind("not enough memory for frames of 6000 x 6000", 0), 0U) << reply.text;
     EXPECT_EQ(cui({"get", "width"}).output, "64\n");
     EXPECT_EQ(cui({"wait-idle"}).exitCode, 0);
     expectGoodEnd();

@@ -89,7 +89,7 @@ TEST_F(Recordings, ArePlayed) {
     EXPECT_EQ(ask({"get", "exposure.mode"}), "automatic\n") << "a played exposure is no setting";
 
     ask({"play", "walk.lst"});
-    ask({"key", "tap", "i"}); // who moves takes over
+    ask({"key", "tap", "i"}); // a movement ends the playback
     ask({"wait-idle"});
     ask({"export", "camera", "mine.cam"});
     EXPECT_NE(rtcore::readCameraFile(folder() / "mine.cam").camera.eye, path.back().camera.eye);

@@ -254,15 +254,15 @@ TEST_F(Serving, LightsAndEnvironmentsAreTold) {
     writeText(folder() / "lit.scn",
               "version = 1\nmodel = \"room.obj\"\nactiveEnvironment = 1\nmodelLights = false\n"
               "[camera]\neye = [0.0, 1.0, 5.0]\nlookAt = [0.0, 1.0, 0.0]\n"
-              "[[light]]\nname = \"tall lamp\"\nkind = \"point\"\nposition = [0.0, 3.0, 0.0]\n"
+              "[[light]]\nname = \"tall light\"\nkind = \"point\"\nposition = [0.0, 3.0, 0.0]\n"
               "intensity = [9.0, 9.0, 9.0]\n"
               "[[light]]\nkind = \"point\"\nposition = [1.0, 3.0, 0.0]\nintensity = [9.0, 9.0, 9.0]\n"
               "[[environment]]\nequirectangular = \"sky.ppm\"\n"
               "[[environment]]\nname = \"late evening\"\nequirectangular = \"sky.ppm\"\n");
     start({}, "lit.scn");
-    EXPECT_EQ(ask({"lights"}), "1 on tall lamp\n2 on\n");
+    EXPECT_EQ(ask({"lights"}), "1 on tall light\n2 on\n");
     ask({"light", "1", "off"});
-    EXPECT_EQ(ask({"lights"}), "1 off tall lamp\n2 on\n");
+    EXPECT_EQ(ask({"lights"}), "1 off tall light\n2 on\n");
     EXPECT_EQ(ask({"environments"}), "1 - sky\n2 active late evening\n");
     ask({"environment", "1"});
     EXPECT_EQ(ask({"environments"}), "1 active sky\n2 - late evening\n");

@@ -21,7 +21,11 @@ app::ProgramSpec sampleSpec() {
           {.name = "ao-samples", .thesis = {"-aon"}, .value = ValueKind::Integer, .argument = "N"},
           {.name = "key", .value = ValueKind::Number, .argument = "X", .minimum = 0, .maximum = 1},
           {.name = "style", .value = ValueKind::Choice, .argument = "S", .choices = {"bar", "none"}},
-          {.name = "output", .letter = 'o', .value = ValueKind::Text, .argument = "FILE"},
+          {.name = "output",
+           .letter = 'o',
+           .formerly = {"write", "store"},
+           .value = ValueKind::Text,
+           .argument = "FILE"},
           {.name = "list-all", .answers = true}}}};
     return app::withStandardOptions(std::move(spec));
 }
@@ -47,6 +51,14 @@ TEST(CommandLine, TakesEverySpelling) {
         EXPECT_EQ(arguments.integer("width"), 640);
         EXPECT_EQ(arguments.positionals(), std::vector<std::string>{"s"});
     }
+}
+
+TEST(CommandLine, TakesNamesThatOptionsHadBefore) {
+    EXPECT_EQ(parse({"s", "--write", "a"}).text("output"), "a");
+    EXPECT_EQ(parse({"s", "--store=a=b"}).text("output"), "a=b");
+    EXPECT_EQ(parse({"s", "--output=--write"}).text("output"), "--write");
+    EXPECT_EQ(errorOf({"s", "--writ=a"}), "unknown option '--writ=a'")
+        << "what is proposed has the present name";
 }
 
 TEST(CommandLine, TellsThesisSpellingsFromShortOnes) {

@@ -18,7 +18,7 @@ app::ProgramSpec sampleSpec() {
            .value = app::ValueKind::Text,
            .argument = "FILE",
            .help =
-               "write the picture there, with a help text that is long enough to need a second line or more"},
+               "write the image there, with a help text that is long enough to need a second line or more"},
           {.name = "ambient-occlusion", .thesis = {"-ao"}, .help = "switch it on"}}}};
     return spec;
 }

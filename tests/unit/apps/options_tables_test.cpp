@@ -25,6 +25,7 @@ TEST_P(OptionsTable, EachSpellingStandsOnce) {
             claim("--" + option.name);
             if (option.letter != 0) claim(std::string("-") + option.letter);
             for (const std::string& spelling : option.thesis) claim(spelling);
+            for (const std::string& name : option.formerly) claim("--" + name);
         }
     }
 }
@@ -76,6 +77,13 @@ TEST(RendererOptions, TakesFormerNamesOfSettings) {
     const std::vector<rtcore::SettingAssignment> expected{
         {"denoise.passes", 2}, {"bloom.kernel", std::string("airy")}, {"areaLights.samples", 9}};
     EXPECT_EQ(options.settings, expected);
+}
+
+TEST(Options, AreTakenByTheNamesOfEarlierVersions) {
+    EXPECT_TRUE(
+        renderer::readRendererOptions(parse(renderer::rendererSpec(), {"a.scn", "-o", "a.exr", "--layers"}))
+            .aovs);
+    EXPECT_EQ(parse(rtserver::serverSpec(), {"a.scn", "--built-model=a.bsp"}).text("cached-model"), "a.bsp");
 }
 
 TEST(RendererOptions, TheLastOneWinsAcrossSpellings) {

@@ -1,4 +1,4 @@
-/// Whatever the bytes, reading ends with a sound picture or with a FileError.
+/// Whatever the bytes, reading ends with a sound image or with a FileError.
 #include "test_images.h"
 
 #include <gtest/gtest.h>
@@ -77,7 +77,7 @@ const Seed kSeeds[] = {
     {"dds", [] { return encoded<16, 8>("dds"); }},
 };
 
-/// True when a picture came out.
+/// True when an image came out.
 bool readSafely(const Bytes& bytes) {
     try {
         const LdrImage image = decodeLdrImage(bytes, "damaged");

@@ -28,7 +28,7 @@ struct Place {
     bool turned = false;
 };
 
-/// A picture of squares, each showing a face of the sky.
+/// An image of squares, each showing a face of the sky.
 HdrImage layOut(int columns, int rows, const std::vector<Place>& places) {
     HdrImage image(columns * kSide, rows * kSide, {-5, -5, -5});
     for (const Place& p : places) {

@@ -118,7 +118,7 @@ TEST(ExrFiles, GreyIsReadAndOtherChannelsAreNamed) {
     EXPECT_EQ(grey.pixels, (std::vector<Colour>{{1.5F, 1.5F, 1.5F}, {7, 7, 7}}));
     try {
         decodeHdrImage(exrWith("depth.Z", folder), "depth.exr");
-        ADD_FAILURE() << "a picture of depths is no picture";
+        ADD_FAILURE() << "an image of depths is no image";
     } catch (const FileError& error) {
         EXPECT_NE(std::string(error.what()).find("depth.Z"), std::string::npos) << error.what();
     }

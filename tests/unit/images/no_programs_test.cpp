@@ -51,7 +51,7 @@ TEST(Programs, AreNeverStarted) {
     plantPrograms(folder);
     const InsideFolder inside(folder.path());
     const test::Bytes nonsense =
-        test::FileMaker().text("this is no picture at all, whatever its name says").bytes;
+        test::FileMaker().text("this is no image at all, whatever its name says").bytes;
     for (const char* extension :
          {"png", "jpg", "bmp", "ppm", "tga", "tif", "hdr", "exr", "webp", "gif", "dcm",
           "cr2", "mp4", "avi", "svg", "mvg", "msl", "ps",  "pdf", "gz",   "xyz", "heic"}) {
@@ -59,7 +59,7 @@ TEST(Programs, AreNeverStarted) {
         test::saveBytes(path, nonsense);
         readQuietly(path);
     }
-    // What looks like a picture at first, and a name that means a program to ImageMagick.
+    // What looks like an image at first, and a name that means a program to ImageMagick.
     const auto start = [](const char* text) {
         return test::FileMaker().text(text).add(test::Bytes(60)).bytes;
     };

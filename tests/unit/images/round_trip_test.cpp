@@ -167,7 +167,7 @@ TEST(Conversion, EightBitsBecomeLinearAndComeBack) {
     for (int i = 0; i < 256; ++i) EXPECT_EQ(linear.at(i, 0).g, srgbDecode(static_cast<float>(i) / 255.0F));
     writeHdrImage(folder / "ramp.pfm", linear);
     EXPECT_EQ(readLdrImage(folder / "ramp.pfm").pixels, ramp.pixels);
-    writeImage(folder / "again.pfm", ramp); // a linear format takes a picture of eight bits, too
+    writeImage(folder / "again.pfm", ramp); // a linear format takes an image of eight bits, too
     EXPECT_EQ(readHdrImage(folder / "again.pfm").pixels, linear.pixels);
 }
 

@@ -25,7 +25,7 @@ constexpr int kSide = 8;
 constexpr std::array<std::string_view, kSide> kLetter{"........", ".#####..", ".#......", ".####...",
                                                       ".#......", ".#......", ".#......", "........"};
 
-/// Who looks that way, with `up` at the top of his picture, reads the letter.
+/// Who looks that way, with `up` at the top of his image, reads the letter.
 struct Side {
     Vec3 ahead, up;
 };
@@ -104,7 +104,7 @@ HdrImage panorama() {
     return image;
 }
 
-/// Every side fills a picture of 90 degrees.
+/// Every side fills an image of 90 degrees.
 void expectReadable(const Environment& map, const char* layout) {
     for (std::size_t i = 0; i < kSides.size(); ++i) {
         Camera camera;

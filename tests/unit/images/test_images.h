@@ -1,4 +1,4 @@
-/// Pictures and hand-made files for the tests of this room.
+/// Images and hand-made files for the tests of this room.
 #pragma once
 
 #include "rtcore/io/images/image_file.h"

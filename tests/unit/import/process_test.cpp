@@ -96,9 +96,9 @@ TEST_F(FakeImporter, Stop) {
 TEST_F(FakeImporter, LeavesNoFolderBehind) {
     const FileError error = failure("for last; do :; done; touch \"$last\"; echo \"$last\" >&2; exit 65");
     const std::string text = error.what();
-    const std::filesystem::path handOver = text.substr(text.find(": ") + 2);
-    EXPECT_TRUE(handOver.is_absolute()) << handOver;
-    EXPECT_FALSE(std::filesystem::exists(handOver.parent_path()));
+    const std::filesystem::path exchanged = text.substr(text.find(": ") + 2);
+    EXPECT_TRUE(exchanged.is_absolute()) << exchanged;
+    EXPECT_FALSE(std::filesystem::exists(exchanged.parent_path()));
 }
 
 FileError refusal(const std::filesystem::path& path) {

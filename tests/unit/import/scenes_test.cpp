@@ -86,7 +86,7 @@ TEST_F(Scenes, CornellBoxesHaveTheirMirrorsGlassAndLights) {
     EXPECT_TRUE(near(test::materialNamed(box.model, "light").emission, {17, 12, 4}));
 }
 
-/// A copy under another name would not find its pictures: the textured library is named as the plain one
+/// A copy under another name would not find its images: the textured library is named as the plain one
 /// here.
 TEST_F(Scenes, SponzaHasItsTextures) {
     const test::TemporaryFolder folder;

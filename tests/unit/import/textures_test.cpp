@@ -47,7 +47,7 @@ TEST_F(Textures, AreReadOnceWhoeverNamesThem) {
 }
 
 TEST_F(Textures, MissingAndBrokenOnesAreWarnings) {
-    test::writeText(folder_ / "broken.png", "no picture");
+    test::writeText(folder_ / "broken.png", "no image");
     for (const char* name : {"none.png", "broken.png"}) {
         const ImportedModel m = ofMtl(std::string("Kd 0.5 0.25 0.5\nmap_Kd ") + name + "\n", 2);
         EXPECT_EQ(m.model.materials[0].diffuseTexture, kNoTexture);
@@ -76,9 +76,9 @@ TEST_F(Textures, AnUnsetColourDoesNotDarkenThem) {
     EXPECT_EQ(ofMtl("map_Kd a.png\n").model.materials[0].diffuse, kWhite);
     EXPECT_EQ(ofMtl("Kd 0 0 0\nmap_Kd a.png\n").model.materials[0].diffuse, kWhite);
     EXPECT_EQ(ofMtl("Kd 0.5 0.5 0.5\nmap_Kd a.png\n").model.materials[0].diffuse.r, 0.5F);
-    const Material glow = ofMtl("map_Ke a.png\n").model.materials[0];
-    EXPECT_EQ(glow.emissionTexture, 0U);
-    EXPECT_EQ(glow.emission, kWhite);
+    const Material emissive = ofMtl("map_Ke a.png\n").model.materials[0];
+    EXPECT_EQ(emissive.emissionTexture, 0U);
+    EXPECT_EQ(emissive.emission, kWhite);
 }
 
 TEST_F(Textures, AlphaMaps) {

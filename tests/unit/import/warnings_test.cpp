@@ -124,7 +124,7 @@ TEST(ImportWarnings, TexturesThatLieInDifferentWaysAreNamed) {
     expectWarning(importText("t.gltf", scene.text()).report,
                   "the textures of material 'sign' lie on it in different");
     scene.material.replace(scene.material.find(R"(,"texCoord":1)"), 13, "");
-    EXPECT_EQ(importText("t.gltf", scene.text()).report.warnings.size(), 1U) << "only the missing picture";
+    EXPECT_EQ(importText("t.gltf", scene.text()).report.warnings.size(), 1U) << "only the missing image";
 }
 
 TEST(ImportWarnings, ExtensionsThatMatterAreNamed) {

@@ -45,7 +45,7 @@ TEST(Manual, TellsHowHeWalks) {
         "| jump (Space) | " + number(s.stand.jump, 1) + " m | " + number(s.crouch.jump, 1) + " m | |\n",
         "- Shift: " + number(s.sprint * s.stand.speed, 1) + " m/s forwards, when standing.\n",
         "capsule " + number(2 * (s.radius + s.skin), 1) + " m thick",
-        "at most " + number(s.ledge, 1) + " m higher than the floor"};
+        "at most " + number(s.ledge, 1) + " m higher than the last floor"};
     for (const std::string& row : rows)
         EXPECT_NE(manual.find(row), std::string::npos) << "docs/manual.md should say: " << row;
     EXPECT_EQ(s.crawl.jump, 0);

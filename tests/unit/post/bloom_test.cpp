@@ -46,18 +46,18 @@ Sums sumOf(const HdrImage& image) {
     return sum;
 }
 
-RenderSettings bloomOf(const HdrImage& image, int sigma, BloomKernel kernel, float share = 1) {
+RenderSettings bloomOf(const HdrImage& image, int sigma, BloomKernel kernel, float fraction = 1) {
     RenderSettings settings;
     settings.width = image.width;
     settings.height = image.height;
     settings.bloom.radius = sigma;
     settings.bloom.kernel = kernel;
-    settings.bloom.share = share;
+    settings.bloom.share = fraction;
     return settings;
 }
 
-HdrImage withBloom(const HdrImage& image, int sigma, BloomKernel kernel, float share = 1) {
-    return Bloom().apply(image, {}, {.settings = bloomOf(image, sigma, kernel, share), .threads = 1});
+HdrImage withBloom(const HdrImage& image, int sigma, BloomKernel kernel, float fraction = 1) {
+    return Bloom().apply(image, {}, {.settings = bloomOf(image, sigma, kernel, fraction), .threads = 1});
 }
 
 constexpr std::array kKernels{BloomKernel::Gaussian, BloomKernel::Airy};
@@ -74,7 +74,7 @@ TEST(Bloom, OffIsThePictureItself) {
     EXPECT_EQ(&bloom.apply(image, {}, {bloomOf(image, 9, BloomKernel::Gaussian, 0)}), &image);
 }
 
-// (thesis: the picture's light is spread, none comes or goes)
+// (thesis: the image's light is spread, none comes or goes)
 TEST(Bloom, KeepsTheSumOfLightAtBordersToo) {
     for (const BloomKernel kernel : kKernels) {
         for (const auto& [width, height] : {std::pair{120, 90}, {97, 61}, {1, 1}, {2, 300}, {151, 1}}) {
@@ -107,7 +107,7 @@ TEST(Bloom, LeavesAnEvenPictureAlone) {
 TEST(Bloom, GaussianIsTheSampledOne) {
     for (const int sigma : {1, 2, 5, 20}) {
         const int middle = 7 * sigma, size = 2 * middle + 1;
-        const HdrImage glow =
+        const HdrImage bloom =
             withBloom(pointOfLight(size, size, middle, middle), sigma, BloomKernel::Gaussian);
         double norm = 0;
         const auto bell = [&](int i) { return std::exp(-0.5 * i * i / (1.0 * sigma * sigma)); };
@@ -116,10 +116,10 @@ TEST(Bloom, GaussianIsTheSampledOne) {
         for (int y = 0; y < size; ++y) {
             for (int x = 0; x < size; ++x) {
                 const double expected = bell(x - middle) * bell(y - middle) / (norm * norm);
-                const double error = std::fabs(static_cast<double>(glow.at(x, y).g) - expected);
+                const double error = std::fabs(static_cast<double>(bloom.at(x, y).g) - expected);
                 largest = std::max(largest, error * norm * norm);
                 apart += error;
-                ASSERT_GE(glow.at(x, y).g, 0);
+                ASSERT_GE(bloom.at(x, y).g, 0);
             }
         }
         EXPECT_LT(largest, 0.0012) << sigma; // of the peak
@@ -129,7 +129,7 @@ TEST(Bloom, GaussianIsTheSampledOne) {
 
 TEST(Bloom, GaussianIsMirroredAtBorders) {
     const int sigma = 9, size = 40;
-    const HdrImage glow = withBloom(pointOfLight(size, 1, 3, 0), sigma, BloomKernel::Gaussian);
+    const HdrImage bloom = withBloom(pointOfLight(size, 1, 3, 0), sigma, BloomKernel::Gaussian);
     double norm = 0;
     const auto bell = [&](int i) { return std::exp(-0.5 * i * i / (1.0 * sigma * sigma)); };
     for (int i = -200; i <= 200; ++i) norm += bell(i);
@@ -138,38 +138,38 @@ TEST(Bloom, GaussianIsMirroredAtBorders) {
         for (int turn = -4; turn <= 4; ++turn) {
             expected += (bell(x - 3 + 2 * size * turn) + bell(x + 4 + 2 * size * turn)) / norm;
         }
-        EXPECT_NEAR(glow.at(x, 0).g, expected, 0.0015 / norm) << x;
+        EXPECT_NEAR(bloom.at(x, 0).g, expected, 0.0015 / norm) << x;
     }
 }
 
 /// Where the row through the light first gets darker and then brighter again.
-double firstMinimum(const HdrImage& glow, int middle, float Colour::*channel) {
+double firstMinimum(const HdrImage& bloom, int middle, float Colour::*channel) {
     int x = middle + 1;
-    while (glow.at(x + 1, middle).*channel < glow.at(x, middle).*channel) ++x;
+    while (bloom.at(x + 1, middle).*channel < bloom.at(x, middle).*channel) ++x;
     // The vertex of the parabola through three points.
-    const auto at = [&](int i) { return static_cast<double>(glow.at(i, middle).*channel); };
+    const auto at = [&](int i) { return static_cast<double>(bloom.at(i, middle).*channel); };
     const double slope = (at(x + 1) - at(x - 1)) / 2, bend = at(x + 1) - 2 * at(x) + at(x - 1);
     return x - slope / bend - middle;
 }
 
 TEST(Bloom, AiryHasItsDarkRingsByColour) {
     const int sigma = 12, middle = 300, size = 601;
-    const HdrImage glow = withBloom(pointOfLight(size, size, middle, middle), sigma, BloomKernel::Airy);
+    const HdrImage bloom = withBloom(pointOfLight(size, size, middle, middle), sigma, BloomKernel::Airy);
     // lambda N of green is pi sigma / sqrt(2) pixels.
     const double green = 3.14159265358979 * sigma / std::sqrt(2.0);
-    EXPECT_NEAR(firstMinimum(glow, middle, &Colour::g), 1.219670 * green, 0.15);
-    EXPECT_NEAR(firstMinimum(glow, middle, &Colour::r), 1.219670 * green * 650 / 532, 0.15);
-    EXPECT_NEAR(firstMinimum(glow, middle, &Colour::b), 1.219670 * green * 450 / 532, 0.15);
+    EXPECT_NEAR(firstMinimum(bloom, middle, &Colour::g), 1.219670 * green, 0.15);
+    EXPECT_NEAR(firstMinimum(bloom, middle, &Colour::r), 1.219670 * green * 650 / 532, 0.15);
+    EXPECT_NEAR(firstMinimum(bloom, middle, &Colour::b), 1.219670 * green * 450 / 532, 0.15);
     // In the first dark ring of green, red is still bright; in that of red, green is in its first bright one.
-    const Colour ring = glow.at(middle + static_cast<int>(1.21967 * green + 0.5), middle);
+    const Colour ring = bloom.at(middle + static_cast<int>(1.21967 * green + 0.5), middle);
     EXPECT_GT(ring.r, 20 * ring.g);
-    const Colour outer = glow.at(middle + static_cast<int>(1.21967 * green * 650 / 532 + 0.5), middle);
+    const Colour outer = bloom.at(middle + static_cast<int>(1.21967 * green * 650 / 532 + 0.5), middle);
     EXPECT_GT(outer.g, 10 * outer.r);
 }
 
 TEST(Bloom, AiryIsThePatternOfDiffraction) {
     const int sigma = 12, middle = 300, size = 601;
-    const HdrImage glow = withBloom(pointOfLight(size, size, middle, middle), sigma, BloomKernel::Airy);
+    const HdrImage bloom = withBloom(pointOfLight(size, size, middle, middle), sigma, BloomKernel::Airy);
     const double cutoff = std::sqrt(2.0) / (3.14159265358979 * sigma);
     const double peak = 3.14159265358979 / 4 * cutoff * cutoff; // 1 / the pattern's volume
     double inside[3] = {};
@@ -177,7 +177,7 @@ TEST(Bloom, AiryIsThePatternOfDiffraction) {
     for (int y = 0; y < size; ++y) {
         for (int x = 0; x < size; ++x) {
             const double r = std::hypot(x - middle, y - middle);
-            const double value = static_cast<double>(glow.at(x, y).g);
+            const double value = static_cast<double>(bloom.at(x, y).g);
             for (int i = 0; i < 3; ++i) {
                 if (r * cutoff < radii[i]) inside[i] += value;
             }
@@ -195,9 +195,9 @@ TEST(Bloom, AiryIsThePatternOfDiffraction) {
 TEST(Bloom, AiryOfAFewPixelsHasNoNegativeLight) {
     const int middle = 40;
     for (const int sigma : {1, 2}) {
-        const HdrImage glow =
+        const HdrImage bloom =
             withBloom(pointOfLight(81, 81, middle, middle, {1000, 1000, 1000}), sigma, BloomKernel::Airy);
-        const Sums sum = sumOf(glow); // what was cut off below zero would be missing
+        const Sums sum = sumOf(bloom); // what was cut off below zero would be missing
         EXPECT_NEAR(sum.g, 1000, 0.2) << sigma;
         EXPECT_NEAR(sum.b, 1000, 0.2) << sigma;
     }
@@ -215,12 +215,12 @@ TEST(Bloom, AiryResponseFoldsBackWhatPixelsCannotHold) {
 TEST(Bloom, AiryOfAwkwardSizesIsSymmetric) {
     for (const int size : {1, 2, 3, 17, 61, 127, 169, 211}) {
         const int middle = size / 2;
-        const HdrImage glow = withBloom(pointOfLight(size, size, middle, middle), 3, BloomKernel::Airy);
+        const HdrImage bloom = withBloom(pointOfLight(size, size, middle, middle), 3, BloomKernel::Airy);
         for (int y = 0; y < size; ++y) {
-            for (int x = 0; x < size; ++x) ASSERT_NEAR(glow.at(x, y).g, glow.at(y, x).g, 3e-7) << size;
+            for (int x = 0; x < size; ++x) ASSERT_NEAR(bloom.at(x, y).g, bloom.at(y, x).g, 3e-7) << size;
         }
         if (size % 2 == 1) {
-            ASSERT_NEAR(glow.at(0, middle).r, glow.at(size - 1, middle).r, 3e-7) << size;
+            ASSERT_NEAR(bloom.at(0, middle).r, bloom.at(size - 1, middle).r, 3e-7) << size;
         }
     }
 }
@@ -260,8 +260,8 @@ TEST(Bloom, GrowsWithThePicture) {
     EXPECT_EQ(bloomSigma(settings, 2), 0);
 }
 
-// While tiles come in, their glow is that of a coarser picture: at its own size it is the same.
-TEST(Bloom, PartsGetTheGlowOfAWholePass) {
+// While tiles come in, their bloom is that of a coarser image: at its own size it is the same.
+TEST(Bloom, PartsGetTheBloomOfAWholePass) {
     Frame frame;
     frame.radiance = randomImage(150, 70);
     frame.covered.assign(frame.radiance.pixels.size(), 255);
@@ -276,33 +276,33 @@ TEST(Bloom, PartsGetTheGlowOfAWholePass) {
     EXPECT_EQ(parts.pixels, develop(frame, settings, 3).pixels);
 }
 
-TEST(Bloom, CoarseGlowIsInterpolated) {
-    HdrImage glow(5, 3);
+TEST(Bloom, CoarseBloomIsInterpolated) {
+    HdrImage bloom(5, 3);
     for (int y = 0; y < 3; ++y) {
-        for (int x = 0; x < 5; ++x) glow.at(x, y) = Colour{static_cast<float>(x), static_cast<float>(y), 1};
+        for (int x = 0; x < 5; ++x) bloom.at(x, y) = Colour{static_cast<float>(x), static_cast<float>(y), 1};
     }
     for (int y = 4; y < 20; ++y) {
         for (int x = 4; x < 36; ++x) {
-            const Colour c = spreadAt(glow, 8, x, y);
+            const Colour c = spreadAt(bloom, 8, x, y);
             EXPECT_NEAR(c.r, (static_cast<float>(x) + 0.5F) / 8 - 0.5F, 1e-5F);
             EXPECT_NEAR(c.g, (static_cast<float>(y) + 0.5F) / 8 - 0.5F, 1e-5F);
         }
     }
-    EXPECT_EQ(spreadAt(glow, 8, 0, 0), (Colour{0, 0, 1}));
-    EXPECT_EQ(spreadAt(glow, 8, 39, 23), (Colour{4, 2, 1}));
+    EXPECT_EQ(spreadAt(bloom, 8, 0, 0), (Colour{0, 0, 1}));
+    EXPECT_EQ(spreadAt(bloom, 8, 39, 23), (Colour{4, 2, 1}));
 }
 
-TEST(Bloom, ExposureIsThatOfThePictureWithoutGlow) {
+TEST(Bloom, ExposureIsThatOfTheImageWithoutBloom) {
     Frame frame;
     frame.radiance = randomImage(64, 64);
     frame.radiance.at(5, 5) = {1e6F, 1e6F, 1e6F};
     frame.covered.assign(frame.radiance.pixels.size(), 255);
     RenderSettings plain = bloomOf(frame.radiance, 0, BloomKernel::Gaussian);
-    RenderSettings glowing = bloomOf(frame.radiance, 10, BloomKernel::Gaussian, 0.5F);
+    RenderSettings blooming = bloomOf(frame.radiance, 10, BloomKernel::Gaussian, 0.5F);
     PictureDeveloper developer;
     const float exposure = developer.exposure(frame, plain.exposure, 0);
-    EXPECT_EQ(developer.exposure(frame, glowing.exposure, 0), exposure);
-    EXPECT_NE(develop(frame, glowing, exposure).pixels, develop(frame, plain, exposure).pixels);
+    EXPECT_EQ(developer.exposure(frame, blooming.exposure, 0), exposure);
+    EXPECT_NE(develop(frame, blooming, exposure).pixels, develop(frame, plain, exposure).pixels);
     EXPECT_EQ(&developer.finish(frame, plain, 0), &frame.radiance);
 }
 

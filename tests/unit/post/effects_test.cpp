@@ -32,7 +32,7 @@ Frame twoShades() {
     return frame;
 }
 
-// The light of a lens is spread when its grain is gone, and an eye adapts to what the lens lets through.
+// The light of a lens is spread when its noise is gone, and an eye adapts to what the lens lets through.
 TEST(Effects, StandInTheirOrder) {
     std::vector<std::string_view> names;
     for (const EffectRow* row : effects()) names.push_back(row->name);
@@ -53,12 +53,12 @@ TEST(Effects, AreWantedByTheirSettings) {
 
 TEST(Effects, TakeTheMemoryOfThoseThatAreWanted) {
     EXPECT_EQ(effectBytesPerPixel({}), 0U);
-    std::size_t sum = FrameLayers::bytesPerPixel();
+    std::size_t sum = Aovs::bytesPerPixel();
     for (const EffectRow* row : effects()) sum += row->bytesPerPixel;
     EXPECT_EQ(effectBytesPerPixel(everything()), sum);
     RenderSettings bloom;
     bloom.bloom.radius = 3;
-    EXPECT_EQ(effectBytesPerPixel(bloom), sizeof(Colour)) << "a picture of its own";
+    EXPECT_EQ(effectBytesPerPixel(bloom), sizeof(Colour)) << "an image of its own";
 }
 
 TEST(Effects, NeedLayersWhereOneOfThemReadsThem) {
@@ -77,7 +77,7 @@ TEST(Effects, ThatAreNotWantedChangeNothing) {
     EXPECT_FALSE(chain.changesRows());
 }
 
-// Once they are not wanted any more, what they knew of a picture before does not count.
+// Once they are not wanted any more, what they knew of an image before does not count.
 TEST(Effects, OfRowsAreThoseOfTheLastBegin) {
     const Frame frame = twoShades();
     const RenderSettings all = everything(), none;
@@ -94,7 +94,7 @@ TEST(Effects, OfDisplaysAloneLeaveTheLightWhereItWas) {
     bloom.exposure.local = 0;
     EffectChain chain;
     chain.beginRows(EffectStage::Display, frame.radiance, 1, {bloom});
-    EXPECT_FALSE(chain.changesRows()) << "bloom is in the picture already";
+    EXPECT_FALSE(chain.changesRows()) << "bloom is in the image already";
     EXPECT_NE(&chain.apply(frame, {bloom}), &frame.radiance);
     RenderSettings local = everything();
     local.bloom.radius = 0;

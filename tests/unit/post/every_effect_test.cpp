@@ -1,4 +1,4 @@
-// All effects at once: the picture is the same for every number of threads, in every frame, on every
+// All effects at once: the image is the same for every number of threads, in every frame, on every
 // instruction set.
 #include "rtcore/post/develop.h"
 #include "rtcore/simd/instruction_set.h"

@@ -17,7 +17,7 @@ constexpr double kBin = 1.0 / 256; ///< relative width of the histogram's bins: 
 
 Colour grey(float y) { return {y, y, y}; }
 
-/// A picture by luminances and weights.
+/// An image by luminances and weights.
 struct Pixels {
     std::vector<Colour> colours;
     std::vector<std::uint8_t> weights;

@@ -107,7 +107,7 @@ TEST(LocalExposure, HasTheSameBitsForAnyThreads) {
         developer.develop(frame, settings, 2, threads, many);
         EXPECT_EQ(many.pixels, one.pixels);
     }
-    // Parts of it, with what a pass of the same picture tells.
+    // Parts of it, with what a pass of the same image tells.
     EffectChain effects;
     effects.beginRows(EffectStage::Radiance, frame.radiance, 1,
                       {.settings = settings, .threads = 1, .exposure = 2});
@@ -116,7 +116,7 @@ TEST(LocalExposure, HasTheSameBitsForAnyThreads) {
         developPart(frame.radiance, developmentOf(settings, 2), effects, {x, 0, std::min(100, 333 - x), 111},
                     parts);
     }
-    // The pass's brightness is that before the glow: a little off.
+    // The pass's brightness is that before bloom: a little off.
     for (std::size_t i = 0; i < one.pixels.size(); ++i)
         ASSERT_NEAR(parts.pixels[i].g, one.pixels[i].g, 12) << i;
 }

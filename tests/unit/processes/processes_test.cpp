@@ -141,9 +141,9 @@ TEST(Processes, NoticesTheEndAtOnce) {
 
 std::span<const std::byte> bytesOf(const std::string& text) { return std::as_bytes(std::span(text)); }
 
-TEST(FedProcesses, GetAllThatIsWritten) {
+TEST(PipedProcesses, GetAllThatIsWritten) {
     const std::string much(3'000'000, 'x');
-    FedProcess process("/bin/sh", {"-c", "sleep 0.1; wc -c; echo err >&2; exit 5"}, {});
+    PipedProcess process("/bin/sh", {"-c", "sleep 0.1; wc -c; echo err >&2; exit 5"}, {});
     EXPECT_TRUE(process.write(bytesOf(much)));
     EXPECT_TRUE(process.write(bytesOf("end")));
     const ProcessResult result = process.finish();
@@ -153,29 +153,29 @@ TEST(FedProcesses, GetAllThatIsWritten) {
     EXPECT_EQ(result.errors, "err\n");
 }
 
-TEST(FedProcesses, ThatEndEarlyEndTheWriting) {
+TEST(PipedProcesses, ThatEndEarlyEndTheWriting) {
     const std::string much(3'000'000, 'x');
     // The second leaves a child behind that holds the input open.
     for (const char* script :
          {"exec 0<&-; exit 4", "exec 3<&0; sleep 1000 & exit 4", "head -c 9 >/dev/null; exit 4"}) {
-        FedProcess process("/bin/sh", {"-c", script}, {});
+        PipedProcess process("/bin/sh", {"-c", script}, {});
         EXPECT_FALSE(process.write(bytesOf(much))) << script;
         EXPECT_EQ(process.finish().code, 4) << script;
     }
 }
 
-TEST(FedProcesses, ThatTalkMuchDoNotBlock) {
+TEST(PipedProcesses, ThatTalkMuchDoNotBlock) {
     const std::string much(1'000'000, 'x');
-    FedProcess process("/bin/sh", {"-c", "head -c 2000000 /dev/zero >&2; cat"}, {});
+    PipedProcess process("/bin/sh", {"-c", "head -c 2000000 /dev/zero >&2; cat"}, {});
     EXPECT_TRUE(process.write(bytesOf(much)));
     EXPECT_EQ(process.finish().errors.size(), ProcessLimits{}.kept);
 }
 
-TEST(FedProcesses, CanBeStopped) {
+TEST(PipedProcesses, CanBeStopped) {
     const std::string much(3'000'000, 'x');
-    FedProcess writing("/bin/sh", {"-c", "exec sleep 1000"}, [] { return true; });
+    PipedProcess writing("/bin/sh", {"-c", "exec sleep 1000"}, [] { return true; });
     EXPECT_THROW(writing.write(bytesOf(much)), FileError);
-    FedProcess ending("/bin/sh", {"-c", "exec sleep 1000"}, [] { return true; });
+    PipedProcess ending("/bin/sh", {"-c", "exec sleep 1000"}, [] { return true; });
     EXPECT_THROW(ending.finish(), FileError);
 }
 
@@ -186,12 +186,12 @@ TEST(Programs, AreFoundOnThePath) {
 }
 
 TEST(AttachedProcess, ReportsItsEnd) {
-    EXPECT_EQ(runAttached("/bin/sh", {"-c", "exit 7"}, nullptr).code, 7);
-    const ProcessResult killed = runAttached("/bin/sh", {"-c", "kill -9 $$"}, nullptr);
+    EXPECT_EQ(runForeground("/bin/sh", {"-c", "exit 7"}, nullptr).code, 7);
+    const ProcessResult killed = runForeground("/bin/sh", {"-c", "kill -9 $$"}, nullptr);
     EXPECT_EQ(killed.end, ProcessEnd::Signalled);
     EXPECT_EQ(killed.code, SIGKILL);
     try {
-        runAttached("/nonexistent/program", {}, nullptr);
+        runForeground("/nonexistent/program", {}, nullptr);
         FAIL() << "it does not exist";
     } catch (const FileError& error) {
         EXPECT_EQ(error.kind, FailureKind::NoInput);
@@ -200,7 +200,7 @@ TEST(AttachedProcess, ReportsItsEnd) {
 
 TEST(AttachedProcess, GetsTheSignalThatStopsUs) {
     const std::string script = "trap 'exit 5' TERM; while :; do sleep 0.01; done";
-    EXPECT_EQ(runAttached("/bin/sh", {"-c", script}, [] { return SIGTERM; }).code, 5);
+    EXPECT_EQ(runForeground("/bin/sh", {"-c", script}, [] { return SIGTERM; }).code, 5);
 }
 
 } // namespace

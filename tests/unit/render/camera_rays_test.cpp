@@ -148,7 +148,7 @@ TEST(CameraRays, ForwardAndUpOfAnyLength) {
     }
 }
 
-/// How far the picture is from a picture: angles between its axes and of its width, in degrees.
+/// How far the image is from an image: angles between its axes and of its width, in degrees.
 void expectSound(const Camera& camera) {
     const CameraRays rays(camera, 100, 100);
     const Vec3 forward = normalize(camera.forward);

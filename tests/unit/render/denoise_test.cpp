@@ -1,4 +1,4 @@
-// Grain goes, everything else stays.
+// Noise goes, everything else stays.
 #include "rtcore/post/denoise.h"
 #include "rtcore/post/develop.h"
 #include "rtcore/post/effects.h"
@@ -16,7 +16,7 @@ namespace {
 Frame rendered(const test::TracedScene& traced, const RenderSettings& settings, int threads = 1) {
     Frame frame;
     FrameRenderer renderer;
-    renderer.collectLayers(effectsNeedLayers(settings));
+    renderer.collectAovs(effectsNeedLayers(settings));
     RenderControl control{.threads = threads};
     EXPECT_TRUE(
         renderer.render({traced.scene, traced.tracer, test::sampleCamera(), settings}, control, frame));
@@ -24,7 +24,7 @@ Frame rendered(const test::TracedScene& traced, const RenderSettings& settings, 
 }
 
 HdrImage denoised(const Frame& frame, const RenderSettings& settings) {
-    return Denoiser().apply(frame.radiance, frame.layers, {.settings = settings, .threads = 1});
+    return Denoiser().apply(frame.radiance, frame.aovs, {.settings = settings, .threads = 1});
 }
 
 double rmse(const HdrImage& a, const HdrImage& b) {
@@ -36,7 +36,7 @@ double rmse(const HdrImage& a, const HdrImage& b) {
     return std::sqrt(sum / static_cast<double>(3 * a.pixels.size()));
 }
 
-/// A box and a ball on a chequered floor, under a lamp with a size.
+/// A box and a ball on a chequered floor, under an area light.
 Scene corners() {
     test::SceneBuilder b;
     Material floor = test::matte(0.8F);
@@ -46,10 +46,10 @@ Scene corners() {
     b.square({0, 0, -3}, {0, 0, 1}, 8, b.material(test::matte(0.6F)));
     b.sphere({-1.2F, 0, 0}, 1, 24, b.material(test::matte(0.7F)));
     b.box({0.4F, -1, -1}, {1.8F, 0.8F, 0.4F}, b.material(test::matte(0.5F)));
-    Light lamp = test::pointLight({1, 4, 3}, 40);
-    lamp.kind = LightKind::Sphere;
-    lamp.radius = 1;
-    b.scene.lights = {lamp};
+    Light light = test::pointLight({1, 4, 3}, 40);
+    light.kind = LightKind::Sphere;
+    light.radius = 1;
+    b.scene.lights = {light};
     b.scene.background = {0.2F, 0.3F, 0.5F};
     return b.finish();
 }
@@ -70,15 +70,14 @@ TEST(Denoise, CanBeLeft) {
     Denoiser denoiser;
     const std::atomic<bool> stop{true}, goOn{false};
     EXPECT_EQ(
-        &denoiser.apply(frame.radiance, frame.layers, {.settings = settings, .threads = 2, .stop = &stop}),
+        &denoiser.apply(frame.radiance, frame.aovs, {.settings = settings, .threads = 2, .stop = &stop}),
         &frame.radiance);
-    EXPECT_EQ(
-        denoiser.apply(frame.radiance, frame.layers, {.settings = settings, .threads = 2, .stop = &goOn})
-            .pixels,
-        denoised(frame, settings).pixels);
+    EXPECT_EQ(denoiser.apply(frame.radiance, frame.aovs, {.settings = settings, .threads = 2, .stop = &goOn})
+                  .pixels,
+              denoised(frame, settings).pixels);
 }
 
-TEST(Denoise, HalvesTheGrainOfAmbientOcclusion) {
+TEST(Denoise, HalvesTheNoiseOfAmbientOcclusion) {
     const test::TracedScene traced(corners());
     const HdrImage reference = rendered(traced, occluded(400, 0), 2).radiance;
     for (const int samples : {4, 9}) {
@@ -90,7 +89,7 @@ TEST(Denoise, HalvesTheGrainOfAmbientOcclusion) {
     }
 }
 
-TEST(Denoise, HalvesTheGrainOfSoftShadows) {
+TEST(Denoise, HalvesTheNoiseOfSoftShadows) {
     const test::TracedScene traced(corners());
     RenderSettings settings = test::sampleSettings(160, 120);
     settings.areaLights.samples = 256;
@@ -107,14 +106,14 @@ TEST(Denoise, LeavesAPictureAloneThatSamplesNothing) {
     RenderSettings settings = test::sampleSettings(160, 120);
     settings.denoise.passes = 4;
     const Frame frame = rendered(traced, settings);
-    EXPECT_EQ(&Denoiser().apply(frame.radiance, frame.layers, {settings}), &frame.radiance);
+    EXPECT_EQ(&Denoiser().apply(frame.radiance, frame.aovs, {settings}), &frame.radiance);
     settings.denoise.passes = 0;
-    EXPECT_EQ(&Denoiser().apply(frame.radiance, frame.layers, {settings}), &frame.radiance);
+    EXPECT_EQ(&Denoiser().apply(frame.radiance, frame.aovs, {settings}), &frame.radiance);
 }
 
-// Through a lens all light is filtered; with an aperture of next to nothing there is no grain, but textures,
+// Through a lens all light is filtered; with an aperture of next to nothing there is no noise, but textures,
 // hard shadows, mirrors and glass.
-TEST(Denoise, DoesLittleHarmWithoutGrain) {
+TEST(Denoise, DoesLittleHarmWithoutNoise) {
     const test::TracedScene traced(test::sampleScene());
     RenderSettings settings = test::sampleSettings(320, 240);
     settings.depthOfField.on = true;
@@ -127,7 +126,7 @@ TEST(Denoise, DoesLittleHarmWithoutGrain) {
     EXPECT_LT(rmse(denoised(frame, settings), frame.radiance), 0.05 * mean);
 }
 
-TEST(Denoise, HardlyTouchesSoftLightThatHasNoGrain) {
+TEST(Denoise, HardlyTouchesSoftLightThatHasNoNoise) {
     const test::TracedScene traced(test::softlyLitScene());
     RenderSettings settings = test::sampleSettings(160, 120);
     settings.areaLights.samples = 256;

@@ -92,7 +92,8 @@ TEST(RenderFrame, TheSameBitsForAnyTree) {
 TEST(RenderFrame, SurfacesInOnePlaceShowTheFirst) {
     test::SceneBuilder b;
     for (int i = 0; i < 20; ++i) {
-        b.square({0.1F, 0.2F, -3}, {0, 0, 1}, 5, b.material(test::lamp({static_cast<float>(i + 1), 0, 0})));
+        b.square({0.1F, 0.2F, -3}, {0, 0, 1}, 5,
+                 b.material(test::emitter({static_cast<float>(i + 1), 0, 0})));
     }
     const Scene scene = b.finish();
     const TracedScene exact(scene, BuildMethod::Exact), fast(scene, BuildMethod::Fast);
@@ -141,7 +142,7 @@ TEST(RenderFrame, OddSizes) {
 }
 
 TEST(RenderFrame, APictureIsIndependentOfItsPlaceInTiles) {
-    // The middle pixels of two pictures of different size, through which the same rays go.
+    // The middle pixels of two images of different size, through which the same rays go.
     const TracedScene s(test::sampleScene());
     Camera camera = test::sampleCamera();
     RenderControl control{.threads = 1};
@@ -178,7 +179,7 @@ TEST(RenderFrame, CoveredTellsGeometryFromBackground) {
 
 TEST(RenderFrame, AnOrthographicViewShowsTheSameSizeNearAndFar) {
     test::SceneBuilder b;
-    const std::uint32_t white = b.material(test::lamp({1, 1, 1}));
+    const std::uint32_t white = b.material(test::emitter({1, 1, 1}));
     b.square({-2, 0, -1}, {0, 0, 1}, 0.5F, white);
     b.square({2, 0, -100}, {0, 0, 1}, 0.5F, white);
     const test::TracedScene s(b.finish());

@@ -1,4 +1,4 @@
-// One picture's bits, written down: the same with and without OpenMP, with any compiler's optimisation, on
+// One image's bits, written down: the same with and without OpenMP, with any compiler's optimisation, on
 // any processor. When shading or the kernels change on purpose, the numbers change with it.
 #include "rtcore/post/develop.h"
 

@@ -144,7 +144,7 @@ TEST_F(InstructionSets, DevelopAlike) {
     }
 }
 
-TEST_F(InstructionSets, GlowAlike) {
+TEST_F(InstructionSets, BloomAlike) {
     HdrImage image(133, 74);
     for (std::size_t i = 0; i < image.pixels.size(); ++i) {
         image.pixels[i] = {unitFloat(mixBits(static_cast<std::uint32_t>(3 * i))), i % 97 == 0 ? 1e5F : 0.0F,
@@ -172,11 +172,11 @@ TEST_F(InstructionSets, DenoiseAlike) {
     const Frame frame = test::render(test::TracedScene(test::softlyLitScene()), settings);
     ASSERT_TRUE(useInstructionSet("scalar"));
     const HdrImage expected =
-        Denoiser().apply(frame.radiance, frame.layers, {.settings = settings, .threads = 1});
+        Denoiser().apply(frame.radiance, frame.aovs, {.settings = settings, .threads = 1});
     EXPECT_NE(expected.pixels, frame.radiance.pixels);
     for (const std::string& name : instructionSets()) {
         ASSERT_TRUE(useInstructionSet(name));
-        EXPECT_EQ(Denoiser().apply(frame.radiance, frame.layers, {.settings = settings, .threads = 1}).pixels,
+        EXPECT_EQ(Denoiser().apply(frame.radiance, frame.aovs, {.settings = settings, .threads = 1}).pixels,
                   expected.pixels)
             << name;
     }

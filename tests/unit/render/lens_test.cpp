@@ -148,7 +148,7 @@ TEST(SampleRays, StartWhereTheApertureSays) {
     }
 }
 
-/// Mean of the squares of the distances in pixels of the light in the picture from its centre, and all light.
+/// Mean of the squares of the distances in pixels of the light in the image from its centre, and all light.
 struct Blur {
     double light = 0, x = 0, y = 0, meanSquare = 0;
 };
@@ -176,7 +176,7 @@ Blur blurOf(const Frame& frame) {
 Blur blurOfSquare(double distance, float focus, int blades, double side) {
     test::SceneBuilder b;
     b.square({0, 0, static_cast<float>(-distance)}, {0, 0, 1}, static_cast<float>(side / 2),
-             b.material(test::lamp({100, 100, 100})));
+             b.material(test::emitter({100, 100, 100})));
     const test::TracedScene s(b.finish());
     RenderSettings settings = test::sampleSettings(80, 80, 12);
     settings.sampling = SamplingPattern::Jittered;
@@ -214,7 +214,7 @@ TEST(DepthOfField, TheCircleOfConfusionIsThatOfAThinLens) {
 
 TEST(DepthOfField, WithoutFocusWhatIsInTheMiddleIsSharp) {
     test::SceneBuilder b;
-    b.square({0, 0, -3}, {0, 0.5F, 0.8660254F}, .5F, b.material(test::lamp({1, 1, 1})));
+    b.square({0, 0, -3}, {0, 0.5F, 0.8660254F}, .5F, b.material(test::emitter({1, 1, 1})));
     const test::TracedScene s(b.finish());
     Camera camera;
     camera.eye = {0, 0, 1};

@@ -1,4 +1,4 @@
-// Ambient occlusion in whole pictures: the same bits whoever renders them, and little error.
+// Ambient occlusion in whole images: the same bits whoever renders them, and little error.
 #include "rtcore/simd/instruction_set.h"
 
 #include "sample_view.h"
@@ -49,7 +49,7 @@ TEST_P(OcclusionFrame, HasTheSameBitsOnEveryInstructionSet) {
     }
 }
 
-// While the camera stands still nothing crawls: the second picture of the same renderer, after another one,
+// While the camera stands still nothing crawls: the second image of the same renderer, after another one,
 // is the first.
 TEST_P(OcclusionFrame, DoesNotCrawl) {
     const test::TracedScene traced(test::sampleScene());

@@ -60,7 +60,7 @@ TEST_F(Refining, EndsWithTheBitsOfTheFrameRenderer) {
             ASSERT_TRUE(refine(settings, threads));
             EXPECT_EQ(frame.radiance.pixels, expected.radiance.pixels) << antialiasing << " " << threads;
             EXPECT_EQ(frame.covered, expected.covered);
-            EXPECT_EQ(frame.statistics.rays, expected.statistics.rays) << "of the picture alone";
+            EXPECT_EQ(frame.statistics.rays, expected.statistics.rays) << "of the image alone";
         }
     }
 }
@@ -77,7 +77,7 @@ TEST_F(Refining, ShowsEachPassButTheLast) {
 }
 
 TEST_F(Refining, CoarsePassesSeeTheMiddlesOfTheirSquares) {
-    // Of a picture in which each pixel stands for one square, if the squares fit.
+    // Of an image in which each pixel stands for one square, if the squares fit.
     const RenderSettings settings = sampleSettings(96, 64);
     ASSERT_TRUE(refine(settings, 1, [&](const RefinementPass& pass, const Frame& picture) {
         if (pass.block == 1) return;

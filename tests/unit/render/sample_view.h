@@ -46,7 +46,7 @@ inline rtcore::Scene sampleScene() {
     return b.finish();
 }
 
-/// The same under lamps that have a size.
+/// The same under area lights.
 inline rtcore::Scene softlyLitScene() {
     rtcore::Scene scene = sampleScene();
     rtcore::Light& sphere = scene.lights[2];
@@ -91,7 +91,7 @@ inline rtcore::Frame render(const TracedScene& s, const rtcore::RenderSettings& 
     rtcore::Frame frame;
     rtcore::RenderControl control{.threads = threads};
     rtcore::FrameRenderer renderer;
-    renderer.collectLayers(settings.denoise.passes > 0);
+    renderer.collectAovs(settings.denoise.passes > 0);
     renderer.render({s.scene, s.tracer, sampleCamera(), settings}, control, frame);
     return frame;
 }

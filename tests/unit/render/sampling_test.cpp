@@ -1,6 +1,6 @@
-// What patterns, lenses and the choice of samples have in common: the same picture in any order of work.
+// What patterns, lenses and the choice of samples have in common: the same image in any order of work.
+#include "rtcore/render/adaptive_sampler.h"
 #include "rtcore/render/refinement.h"
-#include "rtcore/render/sample_choice.h"
 #include "rtcore/simd/instruction_set.h"
 
 #include "sample_view.h"
@@ -120,7 +120,7 @@ TEST(Sampling, AllPatternsComeToTheSamePicture) {
     }
 }
 
-TEST(SampleChoice, TheFirstSamplesAreSpreadEvenly) {
+TEST(AdaptiveSampler, TheFirstSamplesAreSpreadEvenly) {
     for (int n = 1; n <= 16; ++n) {
         int count = 0;
         std::set<std::uint32_t> squares;
@@ -152,12 +152,12 @@ TEST(Adaptive, SavesSamplesAndKeepsTheEdges) {
     const Frame quarter = test::render(s, settings, 2);
     settings.antialiasing = 4;
     settings.adaptive = .05F;
-    const Frame chosen = test::render(s, settings, 2);
-    const double samples = static_cast<double>(chosen.statistics.rays[0]) / (120 * 90 * 16);
+    const Frame refined = test::render(s, settings, 2);
+    const double samples = static_cast<double>(refined.statistics.rays[0]) / (120 * 90 * 16);
     EXPECT_LT(samples, .6);
     EXPECT_GT(samples, .25);
-    EXPECT_LT(errorOf(chosen, reference), 1.2 * errorOf(all, reference));
-    EXPECT_LT(errorOf(chosen, reference), .6 * errorOf(quarter, reference));
+    EXPECT_LT(errorOf(refined, reference), 1.2 * errorOf(all, reference));
+    EXPECT_LT(errorOf(refined, reference), .6 * errorOf(quarter, reference));
 }
 
 TEST(Adaptive, ASmallEnoughErrorTakesAllSamples) {
@@ -189,7 +189,7 @@ TEST(Adaptive, ChoosesTheSameWhateverTheExposure) {
     // A .cam fixes the exposure that the live view had reached.
     test::SceneBuilder b;
     b.quad({-100, -100, -1}, {0.01F, -100, -1}, {0.01F, 100, -1}, {-100, 100, -1},
-           b.material(test::lamp({1e-4F, 1e-4F, 1e-4F})));
+           b.material(test::emitter({1e-4F, 1e-4F, 1e-4F})));
     const test::TracedScene s(b.finish());
     RenderSettings settings = test::sampleSettings(40, 30, 4);
     settings.adaptive = .05F;

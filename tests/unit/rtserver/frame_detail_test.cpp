@@ -47,7 +47,7 @@ TEST(FrameDetail, TheCoarsestIsCheapWhateverTheSettings) {
     EXPECT_FALSE(coarse.depthOfField.on);
     EXPECT_EQ(coarse.ambientOcclusion.samples, 1);
     EXPECT_GT(settingsAt(dear(), {0.5, true}).ambientOcclusion.samples, 1);
-    EXPECT_TRUE(coarse.ambientOcclusion.on) << "what it shows is there, with grain";
+    EXPECT_TRUE(coarse.ambientOcclusion.on) << "what it shows is there, with noise";
     EXPECT_EQ(coarse.bloom.radius, 20);
 }
 
@@ -59,7 +59,7 @@ TEST(FrameDetail, LookingShadowsUpCostsLess) {
     rtcore::RenderSettings settings;
     const double soft = workOf(settings, scene);
     scene.lights.assign(9, {});
-    EXPECT_LT(workOf(settings, scene), soft) << "one ray to a lamp without a size";
+    EXPECT_LT(workOf(settings, scene), soft) << "one ray to a point light";
 }
 
 TEST(FrameDetail, OfOnePixelIsOnePixel) {

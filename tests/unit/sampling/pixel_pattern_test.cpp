@@ -199,8 +199,8 @@ TEST(LensPattern, IsSpreadEvenlyAndApartFromThePixel) {
             const SampleId id{first.x, first.y, sub};
             const SquarePoint p = lens.at(id);
             ASSERT_TRUE(p.u >= 0 && p.u < 1 && p.v >= 0 && p.v < 1);
-            columns.insert(static_cast<int>(
-                std::floor(wrapped(p.u, 1 - randomShift(first, Draw::Lens).u) * (n * n)))); // shifted back
+            columns.insert(static_cast<int>(std::floor(
+                wrapped(p.u, 1 - randomShift(first, SampleDimension::Lens).u) * (n * n)))); // shifted back
             mean += static_cast<double>(p.u) / (n * n);
             correlation += (static_cast<double>(p.u) - .5) * (static_cast<double>(pixels.at(id).u) - .5);
         }

@@ -193,7 +193,7 @@ TEST(CubeMap, RefusesOddFaces) {
     EXPECT_THROW(Environment::fromEquirectangular({}, ""), std::invalid_argument);
 }
 
-/// u and v as they are seen in a picture whose red grows with u and whose green grows with v.
+/// u and v as they are seen in an image whose red grows with u and whose green grows with v.
 TEST(Equirectangular, KnownDirections) {
     const int w = 2000, h = 1000;
     HdrImage ramp(w, h);

@@ -14,12 +14,12 @@ using test::TracedScene;
 class Leaf {
   public:
     Leaf(Rgba8 left, Rgba8 right, bool fromAlpha = false, float cutoff = 0) {
-        Material m = test::lamp({10, 10, 10});
+        Material m = test::emitter({10, 10, 10});
         m.alphaTexture = b_.texture(2, 1, {left, right});
         m.alphaFromAlpha = fromAlpha ? 1 : 0;
         m.alphaCutoff = cutoff;
         b_.quad({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, b_.material(m));
-        b_.square({0.5F, 0.5F, -1}, {0, 0, 1}, 1, b_.material(test::lamp({1, 1, 1})));
+        b_.square({0.5F, 0.5F, -1}, {0, 0, 1}, 1, b_.material(test::emitter({1, 1, 1})));
     }
     TracedScene::Result at(float x, const RenderSettings& settings = test::exactSettings()) {
         return TracedScene(SceneBuilder(b_).finish()).trace({x, 0.3F, 2}, {0, 0, -1}, settings);

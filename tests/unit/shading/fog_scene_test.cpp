@@ -1,4 +1,4 @@
-// Fog in whole pictures: what is known in closed form of surfaces, mirrors, glass and shadows in it.
+// Fog in whole images: what is known in closed form of surfaces, mirrors, glass and shadows in it.
 #include "support/small_scene.h"
 
 #include <gtest/gtest.h>
@@ -22,15 +22,15 @@ double through(double light, double depth) {
     return light * std::exp(-depth) + (1 - std::exp(-depth)) * kSource;
 }
 
-/// A wall that glows, 20 away from the origin along +x.
-SceneBuilder glowingWall(float radiance) {
+/// An emissive wall, 20 away from the origin along +x.
+SceneBuilder emissiveWall(float radiance) {
     SceneBuilder b;
-    b.square({20, 0, 0}, {-1, 0, 0}, 50, b.material(test::lamp({radiance, radiance, radiance})));
+    b.square({20, 0, 0}, {-1, 0, 0}, 50, b.material(test::emitter({radiance, radiance, radiance})));
     return b;
 }
 
 TEST(FogScene, AWallAtAKnownDistance) {
-    SceneBuilder b = glowingWall(2);
+    SceneBuilder b = emissiveWall(2);
     addFog(b.scene, 0.05F);
     const TracedScene traced(b.finish());
     EXPECT_NEAR(traced.see({}, {1, 0, 0}), 1.051819, 1e-5);
@@ -40,12 +40,12 @@ TEST(FogScene, AWallAtAKnownDistance) {
 }
 
 TEST(FogScene, HidesTheSkyWhereItHasNoEnd) {
-    SceneBuilder b = glowingWall(2);
+    SceneBuilder b = emissiveWall(2);
     b.scene.background = {3, 3, 3};
     addFog(b.scene, 0.05F);
     EXPECT_NEAR(TracedScene(b.finish()).see({}, {-1, 0, 0}), kSource, 1e-6);
 
-    SceneBuilder e = glowingWall(2);
+    SceneBuilder e = emissiveWall(2);
     e.scene.background = {3, 3, 3};
     addFog(e.scene, 0.1F, FogKind::Exponential);
     e.scene.fog.scaleHeight = 10;
@@ -56,7 +56,7 @@ TEST(FogScene, HidesTheSkyWhereItHasNoEnd) {
 }
 
 TEST(FogScene, IsSeenThroughEnvironmentMapsUpwardsOnly) {
-    SceneBuilder b = glowingWall(2);
+    SceneBuilder b = emissiveWall(2);
     HdrImage image(8, 4);
     for (Colour& pixel : image.pixels) pixel = {3, 3, 3};
     b.scene.environments.push_back(
@@ -71,7 +71,7 @@ TEST(FogScene, IsSeenThroughEnvironmentMapsUpwardsOnly) {
 }
 
 TEST(FogScene, GoesOnBehindAMirror) {
-    SceneBuilder b = glowingWall(2);
+    SceneBuilder b = emissiveWall(2);
     b.square({-10, 0, 0}, {1, 0, 0}, 50, b.material(test::mirror(0.5F)));
     addFog(b.scene, 0.05F);
     const TracedScene traced(b.finish());
@@ -80,11 +80,11 @@ TEST(FogScene, GoesOnBehindAMirror) {
 
 TEST(FogScene, ThereIsNoneInsideOfSolids) {
     const auto seen = [](float thickness, bool thing) {
-        SceneBuilder b = glowingWall(2);
+        SceneBuilder b = emissiveWall(2);
         Material clear = test::glass(1);
         clear.indexOfRefraction = 1.0001F;
         b.box({5, -3, -3}, {5 + thickness, 3, 3}, b.material(clear));
-        if (thing) b.square({7, 0, 0}, {-1, 0, 0}, 1, b.material(test::lamp({2, 2, 2})));
+        if (thing) b.square({7, 0, 0}, {-1, 0, 0}, 1, b.material(test::emitter({2, 2, 2})));
         addFog(b.scene, 0.05F);
         return TracedScene(b.finish()).see({}, {1, 0, 0});
     };
@@ -93,7 +93,7 @@ TEST(FogScene, ThereIsNoneInsideOfSolids) {
     EXPECT_NEAR(seen(10, true), through(2, 5 * 0.05), 1e-4); // what is cast into it
 }
 
-/// A floor under a lamp 4 above it, seen from 3 above it: where it reflects all.
+/// A floor under a light 4 above it, seen from 3 above it: where it reflects all.
 double litFloor(FogKind kind, bool pane, const Light& light) {
     SceneBuilder b;
     b.square({0, 0, 0}, {0, 1, 0}, 30, b.material(test::matte(1)));
@@ -107,15 +107,15 @@ double litFloor(FogKind kind, bool pane, const Light& light) {
     return TracedScene(b.finish()).see({0, 3, 0}, {});
 }
 
-TEST(FogScene, WeakensTheLightOfLamps) {
-    const Light lamp = test::pointLight({0, 4, 0}, 16);
+TEST(FogScene, WeakensLights) {
+    const Light light = test::pointLight({0, 4, 0}, 16);
     const double pi = test::kPi;
-    EXPECT_NEAR(litFloor(FogKind::Homogeneous, false, lamp), std::exp(-0.35) / pi, 1e-5);
-    EXPECT_NEAR(litFloor(FogKind::Homogeneous, true, lamp), std::exp(-0.25) / pi, 1e-4);
+    EXPECT_NEAR(litFloor(FogKind::Homogeneous, false, light), std::exp(-0.35) / pi, 1e-5);
+    EXPECT_NEAR(litFloor(FogKind::Homogeneous, true, light), std::exp(-0.25) / pi, 1e-4);
     const auto depth = [](double d) { return 0.05 * 4 * (1 - std::exp(-d / 4)); };
-    EXPECT_NEAR(litFloor(FogKind::Exponential, false, lamp), std::exp(-depth(4) - depth(3)) / pi, 1e-5);
+    EXPECT_NEAR(litFloor(FogKind::Exponential, false, light), std::exp(-depth(4) - depth(3)) / pi, 1e-5);
     const double glass = depth(2) - depth(1);
-    EXPECT_NEAR(litFloor(FogKind::Exponential, true, lamp), std::exp(-depth(4) - depth(3) + 2 * glass) / pi,
+    EXPECT_NEAR(litFloor(FogKind::Exponential, true, light), std::exp(-depth(4) - depth(3) + 2 * glass) / pi,
                 1e-4);
     Light sun;
     sun.kind = LightKind::Directional;
@@ -125,10 +125,10 @@ TEST(FogScene, WeakensTheLightOfLamps) {
     EXPECT_NEAR(litFloor(FogKind::Exponential, true, sun), std::exp(-0.2 - depth(3) + 2 * glass) / pi, 1e-4);
 }
 
-TEST(FogScene, AWallHidesALampFromHalfOfTheRay) {
+TEST(FogScene, AWallHidesALightFromHalfOfTheRay) {
     const auto seen = [](bool wall, int shafts, bool shadows = true) {
-        SceneBuilder b = glowingWall(0);
-        // The lamp stands at x = 10, beside the ray; the wall shades all beyond.
+        SceneBuilder b = emissiveWall(0);
+        // The light stands at x = 10, beside the ray; the wall shades all beyond.
         if (wall) b.square({10.01F, 1.5F, 0}, {-1, 0, 0}, 1.4F, b.material(test::matte(0)));
         b.scene.lights = {test::pointLight({10, 2, 0}, 100)};
         addFog(b.scene, 1e-4F);
@@ -148,7 +148,7 @@ TEST(FogScene, AWallHidesALampFromHalfOfTheRay) {
 
 TEST(FogScene, ShaftsAreTintedByGlass) {
     const auto seen = [](bool pane) {
-        SceneBuilder b = glowingWall(0);
+        SceneBuilder b = emissiveWall(0);
         Material red = test::glass(1.0001F);
         red.transmission = {0.5F, 0.25F, 0};
         if (pane) b.square({10, 1, 0}, {0, 1, 0}, 50, b.material(red));

@@ -31,7 +31,7 @@ FogMedium mediumOf(FogKind kind, float density, float scaleHeight = 1, float gro
     return fogMedium(scene, {});
 }
 
-/// A ray, its fog, and maybe a lamp, in double precision.
+/// A ray, its fog, and maybe a light, in double precision.
 struct Case {
     FogMedium fog;
     Vec3 origin, direction;
@@ -210,18 +210,18 @@ TEST(Fog, TransmittanceIsTheIntegral) {
     }
 }
 
-/// Of a lamp with a place: the integral of density e^-tau / r^2, tau both ways.
-double lampByIntegration(const Case& c) {
+/// Of a local light: the integral of density e^-tau / r^2, tau both ways.
+double lightByIntegration(const Case& c) {
     const auto point = [&](double t, int axis) {
         const float o[] = {c.origin.x, c.origin.y, c.origin.z};
         const float d[] = {c.direction.x, c.direction.y, c.direction.z};
         return o[axis] + t * d[axis];
     };
-    const double lamp[] = {c.light.position.x, c.light.position.y, c.light.position.z};
+    const double light[] = {c.light.position.x, c.light.position.y, c.light.position.z};
     const double axis[] = {c.light.direction.x, c.light.direction.y, c.light.direction.z};
     double foot = 0, offset = 0;
-    for (int k = 0; k < 3; ++k) foot += (lamp[k] - point(0, k)) * (point(1, k) - point(0, k));
-    for (int k = 0; k < 3; ++k) offset += std::pow(lamp[k] - point(foot, k), 2);
+    for (int k = 0; k < 3; ++k) foot += (light[k] - point(0, k)) * (point(1, k) - point(0, k));
+    for (int k = 0; k < 3; ++k) offset += std::pow(light[k] - point(foot, k), 2);
     offset = std::sqrt(offset);
     const double perHeight = c.fog.exponential ? double{c.fog.perHeight} : 0;
     const auto length = [&](double a, double b, double distance) { // between two heights
@@ -231,10 +231,10 @@ double lampByIntegration(const Case& c) {
     };
     const auto f = [&](double t) {
         double square = 0, along = 0;
-        for (int k = 0; k < 3; ++k) square += std::pow(point(t, k) - lamp[k], 2);
-        for (int k = 0; k < 3; ++k) along += (point(t, k) - lamp[k]) * axis[k];
+        for (int k = 0; k < 3; ++k) square += std::pow(point(t, k) - light[k], 2);
+        for (int k = 0; k < 3; ++k) along += (point(t, k) - light[k]) * axis[k];
         const double r = std::sqrt(square), z = point(t, 2);
-        const double both = length(point(0, 2), z, t) + length(z, lamp[2], r);
+        const double both = length(point(0, 2), z, t) + length(z, light[2], r);
         double spot = 1;
         if (c.light.kind == LightKind::Spot) {
             const double range = double{c.light.cosInner} - double{c.light.cosOuter};
@@ -252,7 +252,7 @@ double lampByIntegration(const Case& c) {
     add(foot);
     if (c.light.kind == LightKind::Rectangle) { // where the ray goes through its plane
         double above = 0, rate = 0;
-        for (int k = 0; k < 3; ++k) above += (point(0, k) - lamp[k]) * axis[k];
+        for (int k = 0; k < 3; ++k) above += (point(0, k) - light[k]) * axis[k];
         for (int k = 0; k < 3; ++k) rate += (point(1, k) - point(0, k)) * axis[k];
         add(-above / rate);
     }
@@ -261,8 +261,8 @@ double lampByIntegration(const Case& c) {
     return integrate(edges, f);
 }
 
-/// A fog and a lamp in it, as often as not beside the lamp.
-Case randomLampCase(test::Random& random, const FogMedium& fog, const Light& light) {
+/// A fog and a light in it, as often as not beside the light.
+Case randomLightCase(test::Random& random, const FogMedium& fog, const Light& light) {
     Case c = randomCase(random, fog);
     if (c.origin.z > 6 / std::max(fog.perHeight, 0.01F)) c.origin.z *= 0.2F;
     if (random.coin()) {
@@ -270,14 +270,14 @@ Case randomLampCase(test::Random& random, const FogMedium& fog, const Light& lig
         c.direction = normalize(beside - c.origin);
     }
     c.light = light;
-    // Past the lamp the result hangs on the last digits of the direction.
+    // Past the light the result hangs on the last digits of the direction.
     const Vec3 offset = light.position - c.origin;
     const bool near = length(cross(offset, c.direction)) < 2e-3F * length(offset);
-    return near ? randomLampCase(random, fog, light) : c;
+    return near ? randomLightCase(random, fog, light) : c;
 }
 
-/// Error of a lamp's light in units of the larger of it and 1; the lamp sends 4 pi / albedo.
-void expectLampsLight(LightKind lightKind, int fogs, double tolerance) {
+/// Error of a light's contribution in units of the larger of it and 1; the light sends 4 pi / albedo.
+void expectLightOf(LightKind lightKind, int fogs, double tolerance) {
     test::Random random(11);
     for (int f = 0; f < fogs; ++f) {
         const FogKind kind = f % 2 == 0 ? FogKind::Homogeneous : FogKind::Exponential;
@@ -289,27 +289,27 @@ void expectLampsLight(LightKind lightKind, int fogs, double tolerance) {
         light.cosOuter = random.number(0, 0.9F);
         light.cosInner = light.cosOuter + random.number(0.3F, 1) * (1 - light.cosOuter);
         std::vector<Case> cases;
-        for (int i = 0; i < 100; ++i) cases.push_back(randomLampCase(random, fog, light));
+        for (int i = 0; i < 100; ++i) cases.push_back(randomLightCase(random, fog, light));
         FoggedRays wave(cases);
         for (float* const array : {wave.fog.rays().scattered.x}) std::fill_n(array, cases.size(), 0.0F);
         addFogLight(wave.fog, light);
         for (std::size_t i = 0; i < cases.size(); ++i) {
             const Case& c = cases[i];
-            const double expected = c.fog.density * lampByIntegration(c);
+            const double expected = c.fog.density * lightByIntegration(c);
             const double got = wave.fog.rays().scattered.x[i];
             ASSERT_NEAR(got, expected, tolerance * std::max(1.0, expected))
                 << i << " density " << fog.density << ", per height " << fog.perHeight << ", slope "
-                << c.slope() << ", distance " << c.distance << ", z " << c.origin.z << ", lamp "
+                << c.slope() << ", distance " << c.distance << ", z " << c.origin.z << ", light "
                 << light.position.z;
         }
     }
 }
 
-TEST(FogLamp, APointLampsLightIsTheIntegral) { expectLampsLight(LightKind::Point, 100, 1e-4); }
-TEST(FogLamp, APanelsLightIsTheIntegral) { expectLampsLight(LightKind::Rectangle, 20, 1e-4); }
-TEST(FogLamp, ASpotsLightIsTheIntegral) { expectLampsLight(LightKind::Spot, 10, 3e-3); }
+TEST(FogLight, APointLightIsTheIntegral) { expectLightOf(LightKind::Point, 100, 1e-4); }
+TEST(FogLight, APanelsLightIsTheIntegral) { expectLightOf(LightKind::Rectangle, 20, 1e-4); }
+TEST(FogLight, ASpotsLightIsTheIntegral) { expectLightOf(LightKind::Spot, 10, 3e-3); }
 
-TEST(FogLamp, HasTheBrightnessOfTheClosedForm) {
+TEST(FogLight, HasTheBrightnessOfTheClosedForm) {
     const auto seen = [](float density, float distance) {
         Case c{mediumOf(FogKind::Homogeneous, density), {}, {1, 0, 0}, distance, {}};
         c.fog.source = {};
@@ -322,7 +322,7 @@ TEST(FogLamp, HasTheBrightnessOfTheClosedForm) {
     EXPECT_NEAR(seen(1e-6F, 10), 1.190290, 3e-5);
 }
 
-TEST(FogLamp, ASunsLightIsTheIntegral) {
+TEST(FogLight, ASunsLightIsTheIntegral) {
     test::Random random(13);
     for (int f = 0; f < 50; ++f) {
         const FogKind kind = f % 5 == 0 ? FogKind::Homogeneous : FogKind::Exponential;
@@ -355,7 +355,7 @@ TEST(FogLamp, ASunsLightIsTheIntegral) {
     }
 }
 
-TEST(FogLamp, ASunBelowTheHorizonDoesNotReachExponentialFog) {
+TEST(FogLight, ASunBelowTheHorizonDoesNotReachExponentialFog) {
     const FogMedium fog = mediumOf(FogKind::Exponential, 0.1F, 10);
     Light sun;
     sun.kind = LightKind::Directional;
@@ -388,9 +388,9 @@ TEST(FogShafts, AreEquiAngular) {
     shafts.draw(wave.fog, c.light, {0, 1}, 1, shifts.data(), true);
     ASSERT_EQ(shafts.rays().size(), 1U);
     EXPECT_NEAR(shafts.rays().ox[0], 3.645934, 1e-5);
-    const Vec3 toLamp = normalize(Vec3{5 - 3.645934F, 2, 0});
-    EXPECT_NEAR(shafts.rays().dx[0], toLamp.x, 1e-5);
-    EXPECT_NEAR(shafts.rays().dy[0], toLamp.y, 1e-5);
+    const Vec3 toLight = normalize(Vec3{5 - 3.645934F, 2, 0});
+    EXPECT_NEAR(shafts.rays().dx[0], toLight.x, 1e-5);
+    EXPECT_NEAR(shafts.rays().dy[0], toLight.y, 1e-5);
 }
 
 TEST(FogShafts, WithoutShadowsComeToTheClosedForm) {
@@ -406,7 +406,7 @@ TEST(FogShafts, WithoutShadowsComeToTheClosedForm) {
         light.cosOuter = random.number(0, 0.9F);
         light.cosInner = 1;
         for (int i = 0; i < 10; ++i) {
-            Case c = randomLampCase(random, fog, light);
+            Case c = randomLightCase(random, fog, light);
             c.distance = std::min(c.distance, 200.0F);
             c.origin.z = random.number(-20, 20);
             FoggedRays wave({c});

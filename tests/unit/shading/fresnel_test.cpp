@@ -19,7 +19,7 @@ float schlickAt(double degrees) {
     return HWY_NAMESPACE::fresnelSchlick<float>({0.04F, 0.04F, 0.04F}, cosineOf(degrees)).x;
 }
 
-/// Reflectance of light that comes evenly from everywhere: 2 integral F(c) c dc.
+/// Reflectance of light that comes evenly from all directions: 2 integral F(c) c dc.
 double cosineAverage(float eta) {
     double sum = 0;
     constexpr int kSteps = 200000;

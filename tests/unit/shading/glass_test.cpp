@@ -19,7 +19,7 @@ constexpr double kR = 0.04; ///< of glass, straight on
 TracedScene slab(const Material& material, float sky = 0, float floor = 1) {
     SceneBuilder b;
     b.box({-5, -1, -5}, {5, 0, 5}, b.material(material));
-    b.square({0, -2, 0}, {0, 1, 0}, 1000, b.material(test::lamp({floor, floor, floor})));
+    b.square({0, -2, 0}, {0, 1, 0}, 1000, b.material(test::emitter({floor, floor, floor})));
     b.scene.background = {sky, sky, sky};
     return TracedScene(b.finish());
 }
@@ -66,7 +66,7 @@ TEST(GlassSlab, ShiftsWhatIsSeenAside) {
     const auto centre = static_cast<float>(exit + 1);
     SceneBuilder b;
     b.box({-5, -1, -5}, {5, 0, 5}, b.material(test::glass()));
-    b.square({centre, -2, 0}, {0, 1, 0}, 0.01F, b.material(test::lamp({1, 1, 1})));
+    b.square({centre, -2, 0}, {0, 1, 0}, 0.01F, b.material(test::emitter({1, 1, 1})));
     const TracedScene s(b.finish());
     const auto seen = [&](float shift) { return s.see(atAngle(-45) * 2 + Vec3{shift, 0, 0}, {shift, 0, 0}); };
     EXPECT_NEAR(seen(0), (1 - 0.050240) * (1 - 0.050240), 1e-5);
@@ -81,7 +81,7 @@ TEST(GlassSlab, PartOfItScattersWhenItIsHalfOpaque) {
     m.diffuse = {1, 1, 1};
     SceneBuilder b;
     b.square({0, 0, 0}, {0, 1, 0}, 50, b.material(m)); // thin
-    b.square({0, -2, 0}, {0, 1, 0}, 1000, b.material(test::lamp({1, 1, 1})));
+    b.square({0, -2, 0}, {0, 1, 0}, 1000, b.material(test::emitter({1, 1, 1})));
     b.scene.ambient = {10, 10, 10};
     const double rest = (1 - kR) / (1 + kR);
     EXPECT_NEAR(TracedScene(b.finish()).trace(kAbove, kDown).radiance.r, rest * 0.75 + rest * 0.25 * 10,
@@ -93,7 +93,7 @@ TEST(ThinGlass, LetsPassUnbentAndTints) {
     Material m = test::glass();
     m.transmission = {0.5F, 1, 1};
     b.square({0, 0, 0}, {0, 1, 0}, 50, b.material(m));
-    b.square({2, -2, 0}, {0, 1, 0}, 0.01F, b.material(test::lamp({1, 1, 1})));
+    b.square({2, -2, 0}, {0, 1, 0}, 0.01F, b.material(test::emitter({1, 1, 1})));
     const TracedScene s(b.finish());
     const double r = 0.050240;
     const Colour seen = s.trace(atAngle(-45) * 2, -atAngle(-45)).radiance;
@@ -106,7 +106,7 @@ TEST(ThinGlass, CostsNoDepth) {
     SceneBuilder b;
     const auto glass = b.material(test::glass());
     for (int i = 0; i < 20; ++i) b.square({0, -0.1F * static_cast<float>(i), 0}, {0, 1, 0}, 50, glass);
-    b.square({0, -5, 0}, {0, 1, 0}, 50, b.material(test::lamp({1, 1, 1})));
+    b.square({0, -5, 0}, {0, 1, 0}, 50, b.material(test::emitter({1, 1, 1})));
     const double seen = TracedScene(b.finish()).trace(kAbove, kDown, test::exactSettings(0)).radiance.r;
     EXPECT_NEAR(seen, std::pow((1 - kR) / (1 + kR), 20), 1e-5);
 }
@@ -122,7 +122,7 @@ TEST(InsideGlass, LightLeavesUnderSnellsLaw) {
     SceneBuilder b = block();
     // Up at 40 degrees through (0,1,0), on at 74.618568 degrees.
     const Vec3 outside = Vec3{0, 1, 0} + atAngle(74.618568) * 2;
-    b.square(outside, -atAngle(74.618568), 0.01F, b.material(test::lamp({1, 1, 1})));
+    b.square(outside, -atAngle(74.618568), 0.01F, b.material(test::emitter({1, 1, 1})));
     const TracedScene s(b.finish());
     const Vec3 eye = Vec3{0, 1, 0} - atAngle(40);
     EXPECT_NEAR(s.see(eye, {0, 1, 0}), 1 - 0.245291, 1e-5);

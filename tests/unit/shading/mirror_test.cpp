@@ -15,7 +15,7 @@ using test::TracedScene;
 TEST(Mirror, ShowsTheImageWhereItBelongs) {
     SceneBuilder b;
     b.square({0.3F, 0, 0.1F}, {0, 1, 0}, 10, b.material(test::mirror(0.8F)));
-    b.square({2, 1, 0}, {-1, 0, 0}, 0.1F, b.material(test::lamp({10, 5, 1})));
+    b.square({2, 1, 0}, {-1, 0, 0}, 0.1F, b.material(test::emitter({10, 5, 1})));
     const TracedScene s(b.finish());
     const Vec3 eye{-2, 1, 0};
     const auto image = [&](float y, float z) { return s.trace(eye, Vec3{2, -1 + y, z} - eye).radiance; };
@@ -85,7 +85,7 @@ TEST(Mirror, SmoothNormalsNeverSendRaysThroughTheSurface) {
     SceneBuilder b;
     b.square({0, 0, 0}, {0, 1, 0}, 10, b.material(test::mirror(1)));
     for (Vec3& n : b.buffers.normals) n = atAngle(-40);
-    b.square({0, -1, 0}, {0, 1, 0}, 1000, b.material(test::lamp({100, 100, 100})));
+    b.square({0, -1, 0}, {0, 1, 0}, 1000, b.material(test::emitter({100, 100, 100})));
     b.scene.background = {1, 1, 1};
     const TracedScene s(b.finish());
     for (const double degrees : test::steps(-85.0, 40.0, 5.0)) {

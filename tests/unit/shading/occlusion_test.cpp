@@ -1,4 +1,4 @@
-// Ambient occlusion against closed forms: what a point sees of the light from everywhere, by many rays.
+// Ambient occlusion against closed forms: what a point sees of the ambient light, by many rays.
 #include "rtcore/lights/ambient_light.h"
 #include "rtcore/sampling/even_shift.h"
 #include "rtcore/sampling/hemisphere_pattern.h"
@@ -257,22 +257,22 @@ TEST(AmbientLight, ComesFromWhatTheSceneHas) {
     Scene scene;
     const auto red = [&] { return occludedLight(scene, bounds, settings).radiance.r; };
     EXPECT_EQ(red(), 1); // nothing at all
-    Light lamp = test::pointLight({10, 0, 0}, 100);
-    scene.lights = {lamp};
+    Light light = test::pointLight({10, 0, 0}, 100);
+    scene.lights = {light};
     EXPECT_NEAR(red(), 0.25 / test::kPi, 1e-6);
     scene.lights[0].position = {0, 0, 0}; // counts as a quarter of the diagonal away
     EXPECT_NEAR(red(), 0.25 / test::kPi * 100 / 0.75, 1e-4);
     scene.lights[0].on = 0;
     EXPECT_EQ(red(), 1);
-    lamp.kind = LightKind::Directional;
-    lamp.intensity = {4, 4, 4};
-    scene.lights.push_back(lamp);
+    light.kind = LightKind::Directional;
+    light.intensity = {4, 4, 4};
+    scene.lights.push_back(light);
     EXPECT_NEAR(red(), 1 / test::kPi, 1e-6);
-    lamp.kind = LightKind::Spot; // of half a sphere
-    lamp.position = {10, 0, 0};
-    lamp.cosInner = lamp.cosOuter = 0;
-    lamp.intensity = {200, 200, 200};
-    scene.lights = {lamp};
+    light.kind = LightKind::Spot; // of half a sphere
+    light.position = {10, 0, 0};
+    light.cosInner = light.cosOuter = 0;
+    light.intensity = {200, 200, 200};
+    scene.lights = {light};
     EXPECT_NEAR(red(), 0.25 / test::kPi, 1e-6);
     scene.background = {0.5F, 0, 0};
     EXPECT_EQ(red(), 0.5F);
@@ -296,7 +296,7 @@ TEST(OcclusionPatterns, ShiftedPatternsAreUnbiased) {
         for (int i = 0; i < kSide * kSide; ++i) {
             const SampleId id{static_cast<std::uint16_t>(i % kSide), static_cast<std::uint16_t>(i / kSide),
                               0};
-            const SquarePoint shift = evenShift(id, Draw::Occlusion);
+            const SquarePoint shift = evenShift(id, SampleDimension::Occlusion);
             const HemispherePoint turn = hemispherePoint(shift);
             for (const HemispherePoint& p : pattern) {
                 const double u = static_cast<double>(p.u + shift.u / static_cast<float>(count));
@@ -332,7 +332,7 @@ TEST(OcclusionPatterns, TheSamplesOfAPixelAndBouncesAreShiftedApart) {
     std::set<float> seen;
     for (std::uint32_t sub = 0; sub < 16; ++sub) {
         for (std::uint32_t bounce = 0; bounce < 4; ++bounce) {
-            seen.insert(evenShift({100, 200, sub}, Draw::Occlusion, bounce).v);
+            seen.insert(evenShift({100, 200, sub}, SampleDimension::Occlusion, bounce).v);
         }
     }
     EXPECT_EQ(seen.size(), 64U);

@@ -26,7 +26,7 @@ Vec3 inPlane(double degrees) {
     return {static_cast<float>(std::sin(a)), static_cast<float>(std::cos(a)), 0};
 }
 
-/// Share of the light from `degrees` off the normal that the lobe gives off: its integral over the
+/// Fraction of the light from `degrees` off the normal that the lobe gives off: its integral over the
 /// hemisphere.
 double lobeAlbedo(float shininess, double degrees) {
     const Vec3 mirrored = inPlane(degrees);

@@ -10,8 +10,8 @@ namespace {
 using test::SceneBuilder;
 using test::TracedScene;
 
-/// Share of 41 x 41 points around `place`, over a width of 2 * `half`, on which the light of a lamp does not
-/// arrive.
+/// Fraction of 41 x 41 points around `place`, over a width of 2 * `half`, on which the light of a light does
+/// not arrive.
 double darkShare(const TracedScene& s, Vec3 place, Vec3 normal, float half) {
     const auto [t, b] = basisAround(normal);
     int dark = 0, all = 0;

@@ -51,7 +51,7 @@ TEST(ShadowMaps, OfTheSunHaveTheEdgesOfWhatThrowsThem) {
     }
 }
 
-TEST(ShadowMaps, OfALampGrowWithTheDistance) {
+TEST(ShadowMaps, OfALightGrowWithTheDistance) {
     const TracedScene s = boardAboveFloor(test::pointLight({0, 2, 0}, 10), test::matte(0.5F));
     const auto maps = mapsOf(s);
     // The board lies half way down: its shadow is twice as far and twice as wide, from 2 to 6.
@@ -105,7 +105,7 @@ TEST(ShadowMaps, OfAnOpaqueSceneSuitAnySettings) {
     EXPECT_TRUE(mapsOf(s)->suit(settings));
 }
 
-TEST(ShadowMaps, ALampShinesOutOfItsFitting) {
+TEST(ShadowMaps, ALightShinesOutOfItsFitting) {
     SceneBuilder b;
     b.square({0, 0, 0}, kUp, 6, b.material(test::matte(0.5F)));
     b.sphere({0, 3, 0}, 0.2F, 8, b.material(test::matte(0.5F)));

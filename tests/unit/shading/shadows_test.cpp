@@ -12,8 +12,8 @@ using test::atAngle;
 using test::SceneBuilder;
 using test::TracedScene;
 
-/// Share of the light from `degrees` off the zenith that arrives on a floor at y = -3 below what `add` puts
-/// between them.
+/// Fraction of the light from `degrees` off the zenith that arrives on a floor at y = -3 below what `add`
+/// puts between them.
 template <typename Add>
 Colour arriving(double degrees, Add&& add, const RenderSettings& settings = test::exactSettings()) {
     SceneBuilder b;
@@ -68,7 +68,7 @@ TEST(Shadow, OnlyWhatIsBetweenCasts) {
     EXPECT_EQ(all, kWhite);
 }
 
-TEST(Shadow, ALampInTheCeilingShines) {
+TEST(Shadow, ALightInTheCeilingShines) {
     // Exactly in its plane: which side of it rounding puts the end of a ray on must not matter.
     SceneBuilder b;
     b.square({0.3F, 0, 0.1F}, {0, 1, 0}, 20, b.material(test::matte(1)));

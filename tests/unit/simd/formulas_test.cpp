@@ -114,7 +114,7 @@ template <typename F>
 HWY_INLINE void addTaps(const Taps<F>& taps, Results<F>& out) {
     out.add(asNumber(taps.first));
     out.add(asNumber(taps.second));
-    out.add(taps.share);
+    out.add(taps.fraction);
 }
 
 template <typename F>

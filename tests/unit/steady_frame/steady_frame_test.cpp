@@ -90,7 +90,7 @@ TEST(SteadyFrame, OfOneThreadAllocatesNothing) {
     }
 }
 
-TEST(SteadyFrame, WithALensAndChosenSamplesAllocatesNothing) {
+TEST(SteadyFrame, WithALensAndAdaptiveSamplesAllocatesNothing) {
     RenderSettings settings = settingsWith(3, true, 5);
     settings.sampling = SamplingPattern::Poisson;
     settings.depthOfField = {.on = true, .blades = 6};
@@ -138,7 +138,7 @@ TEST(SteadyFrame, OfOpaqueSurfacesAllocatesNothing) {
     EXPECT_EQ(pictures.make(settingsWith(1, true, 5), 1), 0U);
 }
 
-TEST(SteadyFrame, WithGlowAllocatesNothing) {
+TEST(SteadyFrame, WithBloomAllocatesNothing) {
     Pictures pictures(test::sampleScene());
     RenderSettings settings = settingsWith(1, true, 5);
     settings.bloom.radius = 5;

@@ -98,7 +98,7 @@ TEST(Cam, DirectionsThatMakeNoViewAreRefused) {
     EXPECT_EQ(problem("version=1\neye=[0,0,0]\nforward=[0,0,0]"),
               "x.cam:3:9: forward is zero; the camera needs a direction");
     EXPECT_EQ(problemWith("up = [0, 0.0, 0]"),
-              "x.cam:4:6: up is zero; give the direction that is up in the picture");
+              "x.cam:4:6: up is zero; give the direction that is up in the image");
     EXPECT_EQ(problemWith("up = [0, 0, 1e-30]"),
               "x.cam:4:6: up is parallel to the view direction; give another up");
     EXPECT_EQ(problemWith("up = [0, 1e-3, 1]"), "no error");

@@ -156,7 +156,7 @@ TEST(FormatsDocument, NamesTheDefaultsOfCamerasAndLights) {
     EXPECT_EQ(scene.background, rtcore::Colour{});
     EXPECT_EQ(scene.ambient, rtcore::Colour{});
     says("where there is no environment; default black");
-    says("without shadows; default black");
+    says("unshadowed; default black");
 }
 
 } // namespace

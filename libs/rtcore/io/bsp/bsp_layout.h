@@ -39,7 +39,7 @@ enum class BspSection : std::uint32_t {
 struct BspSectionKind {
     std::string_view name;     ///< at most 12 bytes
     std::uint32_t elementSize; ///< as it is written
-    std::uint32_t leastSize;   ///< as the first file with this section had it; nobody wrote a smaller one
+    std::uint32_t leastSize;   ///< as the first file with this section had it; there are no smaller ones
 };
 
 /// In the order of BspSection.

@@ -13,7 +13,7 @@ using Finding = std::optional<std::string>;
 /// What sums of albedos may exceed 1 by, and lengths of directions differ from it.
 constexpr float kRounding = 1e-3F;
 
-/// Of pictures of one pixel by as many as there may be.
+/// Of images of one pixel by as many as there may be.
 constexpr float kLeastAspect = 1.0F / kMaxImageSide;
 
 bool within(float value, float lo, float hi) { return value >= lo && value <= hi; } // false for NaN

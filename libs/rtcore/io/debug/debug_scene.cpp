@@ -113,7 +113,7 @@ void sketchLights(const Scene& scene, const Box3& bounds, ObjSketch& sketch) {
     }
 }
 
-/// As far as the middle of the picture sees, or a third of the scene.
+/// As far as the middle of the image sees, or a third of the scene.
 float viewDistance(const RayTracer& tracer, const CameraRays& rays, float unit, int width, int height) {
     RayWave wave;
     wave.push(rays.at(static_cast<float>(width) / 2, static_cast<float>(height) / 2));

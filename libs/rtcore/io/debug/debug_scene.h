@@ -15,11 +15,11 @@ namespace rtcore {
 /// down to the depth at which there are a thousand; `tree_heaviest_leaves`, those with the most triangles;
 /// `lights_on` and `lights_off`, octahedra, with a bar where they shine to and the sides of rectangles;
 /// `camera`, the edges of what it sees and a bar for its upper side; `normals_shading` and
-/// `normals_geometric`, pins on what rays through a grid of the picture hit.
+/// `normals_geometric`, pins on what rays through a grid of the image hit.
 struct DebugScene {
     std::string obj, mtl;
 };
-/// `materials`: how the file of `mtl` will be named. The picture is `width` x `height` pixels.
+/// `materials`: how the file of `mtl` will be named. The image is `width` x `height` pixels.
 DebugScene sketchScene(const Scene& scene, const KdTree& tree, const RayTracer& tracer, const Camera& camera,
                        int width, int height, std::string_view materials);
 

@@ -219,7 +219,7 @@ DecodedImage decodeBmp(ByteSpan bytes, const std::string& name) {
     const Header h = readHeader(in);
     in.seek(h.pixelOffset);
     const bool runs = h.compression == kRle8 || h.compression == kRle4;
-    // A run of 255 takes two bytes; jumps may leave most of a picture out, but nobody draws so little.
+    // A run of 255 takes two bytes; jumps may leave most of an image out, but no real image does so.
     const std::size_t pixels = static_cast<std::size_t>(h.width) * static_cast<std::size_t>(h.height);
     checkPlausible(name, pixels, bytes.size(), runs ? 4096 : 8);
     LdrImage image(h.width, h.height, h.palette.empty() ? Rgba8{} : h.palette[0]);

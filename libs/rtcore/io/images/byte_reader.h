@@ -1,4 +1,4 @@
-/// Numbers from bytes that nobody has checked: reading past the end is a FileError, never an access.
+/// Numbers from unchecked bytes: reading past the end is a FileError, never an invalid access.
 #pragma once
 
 #include "rtcore/io/images/decoded_image.h"

@@ -10,7 +10,7 @@ namespace rtcore {
 
 DecodedImage decodePng(ByteSpan bytes, const std::string& name);  // libpng
 DecodedImage decodeJpeg(ByteSpan bytes, const std::string& name); // libjpeg; damaged data is an error
-DecodedImage decodeTiff(ByteSpan bytes, const std::string& name); // libtiff; first picture of the file
+DecodedImage decodeTiff(ByteSpan bytes, const std::string& name); // libtiff; first image of the file
 DecodedImage decodeBmp(ByteSpan bytes, const std::string& name);  // all but embedded PNG and JPEG
 DecodedImage decodePnm(ByteSpan bytes, const std::string& name);  // P1 to P6
 DecodedImage decodeTga(ByteSpan bytes, const std::string& name);  // all types, with and without run lengths

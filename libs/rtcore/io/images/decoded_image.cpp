@@ -103,10 +103,10 @@ void cannotEncode(const std::string& name, const std::string& message) {
 
 void checkImageSize(const std::string& name, std::int64_t width, std::int64_t height) {
     const std::string size = fmt::format("{} x {} pixels", width, height);
-    if (width < 1 || height < 1) badImage(name, fmt::format("the picture is empty ({})", size));
+    if (width < 1 || height < 1) badImage(name, fmt::format("the image is empty ({})", size));
     if (width > kMaxImageSide || height > kMaxImageSide ||
         static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > kMaxImagePixels) {
-        badImage(name, fmt::format("the picture is too large ({}); the most is {} a side and {} megapixels",
+        badImage(name, fmt::format("the image is too large ({}); the most is {} a side and {} megapixels",
                                    size, kMaxImageSide, kMaxImagePixels >> 20U));
     }
 }

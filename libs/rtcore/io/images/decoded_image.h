@@ -30,14 +30,14 @@ HdrImage toHdr(DecodedImage image);
 
 /// True when a pixel is not opaque, so that alpha is worth writing.
 bool hasAlpha(const LdrImage& image);
-/// Some programs leave the fourth byte 0 throughout: such a picture is opaque.
+/// Some programs leave the fourth byte 0 throughout: such an image is opaque.
 void makeOpaqueIfAllClear(LdrImage& image);
 
 /// Throws FileError BadData.
 [[noreturn]] void badImage(const std::string& name, const std::string& message);
 /// Throws FileError CannotWrite.
 [[noreturn]] void cannotEncode(const std::string& name, const std::string& message);
-/// Throws FileError BadData unless a picture of that size is acceptable.
+/// Throws FileError BadData unless an image of that size is acceptable.
 void checkImageSize(const std::string& name, std::int64_t width, std::int64_t height);
 /// Throws FileError BadData when `pixels` cannot come out of `bytes`: a header that lies.
 void checkPlausible(const std::string& name, std::size_t pixels, std::size_t bytes,

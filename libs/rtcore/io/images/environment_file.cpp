@@ -31,7 +31,7 @@ HdrImage readRadiances(const std::filesystem::path& path) {
 [[noreturn]] void wrongShape(const std::filesystem::path& path, const HdrImage& image,
                              const std::string& expected) {
     throw FileError(FailureKind::BadData, path.string(),
-                    fmt::format("the picture has {} x {} pixels; {}", image.width, image.height, expected));
+                    fmt::format("the image has {} x {} pixels; {}", image.width, image.height, expected));
 }
 
 bool hasShape(const HdrImage& image, int columns, int rows) {

@@ -1,4 +1,4 @@
-/// Environment maps from picture files of any format that image_file.h reads; 8- and 16-bit ones are decoded
+/// Environment maps from image files of any format that image_file.h reads; 8- and 16-bit ones are decoded
 /// from sRGB. Negative values become 0. The name of the result is the (first) file's name without folder and
 /// extension. All throw FileError: NoInput, or BadData when the content is damaged or its shape is not the
 /// expected one.

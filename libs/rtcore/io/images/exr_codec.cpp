@@ -69,7 +69,7 @@ void limitSizes() {
     });
 }
 
-/// A grey picture has only Y; files of luminance and two chroma channels of lower resolution are not read.
+/// A grey image has only Y; files of luminance and two chroma channels of lower resolution are not read.
 bool isGrey(const Imf::ChannelList& channels, const std::string& name) {
     const bool colour = channels.findChannel("R") != nullptr && channels.findChannel("G") != nullptr &&
                         channels.findChannel("B") != nullptr;

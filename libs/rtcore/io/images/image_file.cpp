@@ -45,11 +45,11 @@ Decoder decoderFor(ImageFormat format) {
 DecodedImage decode(ByteSpan bytes, const std::string& name) {
     if (bytes.empty()) badImage(name, "the file is empty");
     const Decoder decoder = decoderFor(sniffImageFormat(bytes));
-    if (decoder == nullptr) badImage(name, "not a picture of a known format; convert it to PNG, JPEG or EXR");
+    if (decoder == nullptr) badImage(name, "not an image of a known format; convert it to PNG, JPEG or EXR");
     try {
         return decoder(bytes, name);
     } catch (const std::bad_alloc&) {
-        throw FileError(FailureKind::TryAgain, name, "not enough memory for this picture");
+        throw FileError(FailureKind::TryAgain, name, "not enough memory for this image");
     }
 }
 
@@ -60,7 +60,7 @@ void checkEncodable(const Image<Pixel>& image, const std::string& name) {
     if (!sized || image.pixels.size() !=
                       static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height)) {
         cannotEncode(name,
-                     fmt::format("a picture of {} x {} pixels cannot be written", image.width, image.height));
+                     fmt::format("an image of {} x {} pixels cannot be written", image.width, image.height));
     }
 }
 
@@ -79,7 +79,7 @@ Bytes encodeHdr(const HdrImage& image, ImageFormat format, const std::string& na
 }
 
 Bytes encodeLdr(const LdrImage& image, const FormatName* target, const std::string& name) {
-    if (target == nullptr) cannotEncode(name, "unknown picture format; known are " + writableFormats());
+    if (target == nullptr) cannotEncode(name, "unknown image format; known are " + writableFormats());
     checkEncodable(image, name);
     switch (target->format) {
     case ImageFormat::Png:

@@ -1,4 +1,4 @@
-/// Pictures in files. What a file is follows from its first bytes, never from its name; what is written
+/// Images in files. What a file is follows from its first bytes, never from its name; what is written
 /// follows from the extension. Sizes are checked against kMaxImageSide and kMaxImagePixels before pixels are
 /// allocated. No other program is ever started. Every function may be called from many threads at once.
 #pragma once

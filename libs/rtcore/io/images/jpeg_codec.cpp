@@ -31,7 +31,7 @@ JpegErrors& errorsOf(j_common_ptr info) { return *reinterpret_cast<JpegErrors*>(
     std::longjmp(errorsOf(info).leave, 1);
 }
 
-/// Warnings that mean that a part of the picture is missing are errors here.
+/// Warnings that mean that a part of the image is missing are errors here.
 void onMessage(j_common_ptr info, int level) {
     const int code = info->err->msg_code;
     const bool damaged = code == JWRN_JPEG_EOF || code == JWRN_HIT_MARKER || code == JWRN_HUFF_BAD_CODE;

@@ -44,7 +44,7 @@ DecodedImage decodeRare(ByteSpan bytes, const std::string& name) {
     try {
         const Magick::Blob blob(bytes.data(), bytes.size());
         Magick::Image picture;
-        picture.quiet(true); // warnings are no reason to refuse a picture
+        picture.quiet(true); // warnings are no reason to refuse an image
         picture.magick(coder);
         picture.ping(blob);
         checkImageSize(name, static_cast<std::int64_t>(picture.columns()),

@@ -50,7 +50,7 @@ struct Header {
 
 void readSetting(const std::string& line, Header& h, const std::string& name) {
     if (line.rfind("FORMAT=", 0) == 0 && line.find("32-bit_rle_rgbe") == std::string::npos) {
-        badImage(name, "Radiance picture of an unknown kind (" + line + "); only 32-bit_rle_rgbe is read");
+        badImage(name, "Radiance image of an unknown kind (" + line + "); only 32-bit_rle_rgbe is read");
     }
     if (line.rfind("EXPOSURE=", 0) == 0) {
         float exposure = 0;
@@ -64,7 +64,7 @@ void readResolution(const std::string& line, Header& h, const std::string& name)
     char signY = 0, signX = 0;
     if (std::sscanf(line.c_str(), "%cY %9d %cX %9d", &signY, &h.height, &signX, &h.width) != 4 ||
         (signY != '-' && signY != '+') || (signX != '-' && signX != '+')) {
-        badImage(name, "Radiance picture without a line such as \"-Y 512 +X 1024\"");
+        badImage(name, "Radiance image without a line such as \"-Y 512 +X 1024\"");
     }
     h.bottomUp = signY == '+';
     h.rightToLeft = signX == '-';
@@ -76,7 +76,7 @@ Header readHeader(ByteReader& in) {
     for (std::string line = in.line(); !line.empty() && line != "\r"; line = in.line()) {
         readSetting(line, h, in.name());
     }
-    if (!std::isfinite(h.scale)) badImage(in.name(), "Radiance picture with an exposure out of all range");
+    if (!std::isfinite(h.scale)) badImage(in.name(), "Radiance image with an exposure out of all range");
     readResolution(in.line(), h, in.name());
     return h;
 }
@@ -94,7 +94,7 @@ void readNewRuns(ByteReader& in, std::vector<Rgbe>& row) {
             const unsigned code = in.u8();
             const std::size_t count = code > 128 ? code - 128 : code;
             if (count == 0 || count > row.size() - x)
-                badImage(in.name(), "damaged Radiance picture: a run too long");
+                badImage(in.name(), "damaged Radiance image: a run too long");
             const ByteSpan values = in.take(code > 128 ? 1 : count);
             for (std::size_t i = 0; i < count; ++i) {
                 row[x++][channel] = std::to_integer<std::uint8_t>(values[code > 128 ? 0 : i]);
@@ -110,7 +110,7 @@ void readOldRuns(ByteReader& in, std::vector<Rgbe>& row, Rgbe first) {
     for (std::size_t x = 0;;) {
         if (pixel[0] == 1 && pixel[1] == 1 && pixel[2] == 1 && x > 0) {
             const std::size_t count = static_cast<std::size_t>(pixel[3]) << shift;
-            if (count > row.size() - x) badImage(in.name(), "damaged Radiance picture: a run too long");
+            if (count > row.size() - x) badImage(in.name(), "damaged Radiance image: a run too long");
             std::fill_n(row.begin() + static_cast<std::ptrdiff_t>(x), count, row[x - 1]);
             x += count;
             shift = std::min(shift + 8, 24U);
@@ -129,7 +129,7 @@ void readRow(ByteReader& in, std::vector<Rgbe>& row) {
     const bool runs = first[0] == 2 && first[1] == 2 && first[2] < 128 && row.size() >= kFewestForRuns &&
                       row.size() <= kMostForRuns;
     if (!runs) return readOldRuns(in, row, first);
-    if (named != row.size()) badImage(in.name(), "damaged Radiance picture: a row of another width");
+    if (named != row.size()) badImage(in.name(), "damaged Radiance image: a row of another width");
     readNewRuns(in, row);
 }
 

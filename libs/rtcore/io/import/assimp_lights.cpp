@@ -103,7 +103,7 @@ bool convert(const aiLight& light, const Affine& place, const FormatQuirks& quir
     return i.r >= 0 && i.g >= 0 && i.b >= 0 && maxComponent(i) <= kLargest && !isBlack(i);
 }
 
-/// Of the picture that was framed. Without one in the file the vertical angle is meant for pictures of any
+/// Of the image that was framed. Without one in the file the vertical angle is meant for images of any
 /// shape: 4:3 is ours.
 float aspectOf(const aiCamera& camera) {
     constexpr float kMost = 1000;

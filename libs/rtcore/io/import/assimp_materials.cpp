@@ -44,7 +44,7 @@ class Properties {
         aiString value;
         return material_.Get(key, type, index, value) == aiReturn_SUCCESS ? value.C_Str() : "";
     }
-    /// The first picture of these kinds.
+    /// The first image of these kinds.
     SourceMap picture(std::initializer_list<aiTextureType> kinds) const {
         for (const aiTextureType kind : kinds) {
             std::string name = text(AI_MATKEY_TEXTURE(kind, 0));
@@ -192,7 +192,7 @@ bool SceneEmbeddedPictures::has(const std::string& name) const {
 LdrImage SceneEmbeddedPictures::decode(const std::string& name) const {
     const aiTexture* const texture = scene_.GetEmbeddedTexture(name.c_str());
     if (texture == nullptr || texture->pcData == nullptr) {
-        throw FileError(FailureKind::BadData, name, "the picture inside the model is empty");
+        throw FileError(FailureKind::BadData, name, "the image inside the model is empty");
     }
     if (texture->mHeight == 0) {
         const auto* const bytes = reinterpret_cast<const std::byte*>(texture->pcData);
@@ -201,7 +201,7 @@ LdrImage SceneEmbeddedPictures::decode(const std::string& name) const {
     const std::uint64_t texels = std::uint64_t{texture->mWidth} * texture->mHeight;
     if (texture->mWidth > static_cast<unsigned>(kMaxImageSide) ||
         texture->mHeight > static_cast<unsigned>(kMaxImageSide) || texels > kMaxImagePixels) {
-        throw FileError(FailureKind::BadData, name, "the picture inside the model is too large");
+        throw FileError(FailureKind::BadData, name, "the image inside the model is too large");
     }
     LdrImage image(static_cast<int>(texture->mWidth), static_cast<int>(texture->mHeight));
     for (std::size_t i = 0; i < texels; ++i) {

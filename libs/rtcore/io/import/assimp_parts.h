@@ -25,8 +25,8 @@ struct TexcoordUse {
 };
 
 SourceMaterial sourceMaterialOf(const aiMaterial& material, const FormatQuirks& quirks);
-/// Of the first picture, the diffuse one if there is one: one record has one set of coordinates for all of
-/// its pictures.
+/// Of the first image, the diffuse one if there is one: one record has one set of coordinates for all of
+/// its images.
 TexcoordUse texcoordUseOf(const aiMaterial& material, ImportReport& report);
 
 class SceneEmbeddedPictures : public EmbeddedPictures {

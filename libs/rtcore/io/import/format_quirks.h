@@ -8,7 +8,7 @@ namespace rtcore {
 struct FormatQuirks {
     bool linearVertexColours = false; ///< else encoded as sRGB, as colours of one byte are
     bool facetNormals = false;        ///< the file's normals are those of triangles, not of vertices
-    bool physicalLights = false;      ///< candela and lux; else brightness of the picture
+    bool physicalLights = false;      ///< candela and lux; else brightness of the image
     bool halfSpotAngles = false;      ///< else the angle is that of the whole cone
     bool oneSpotAngle = false;        ///< the outer angle is made up, the inner one is the cone
     bool lightsInRoot = false;        ///< lights and cameras stand relative to the root, not to their node
@@ -16,7 +16,7 @@ struct FormatQuirks {
     bool cameraBackwards = false;     ///< cameras look along -z whatever is said
     bool fovTimesAspect = false;      ///< the camera's angle is the vertical one times the aspect ratio
     bool framedAspect = false;        ///< a camera has the aspect that its author framed; else a made up one
-    bool mapReplacesDiffuse = false;  ///< a diffuse picture stands in place of the diffuse colour
+    bool mapReplacesDiffuse = false;  ///< a diffuse image stands in place of the diffuse colour
 };
 
 /// By Assimp's name for its importer.

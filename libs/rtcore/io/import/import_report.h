@@ -16,7 +16,7 @@ struct ImportReport {
     std::uint64_t unconnectedTriangles = 0; ///< name vertices that do not exist: dropped
     std::uint64_t equalTriangles = 0;       ///< the third and further of equal ones: dropped
     std::vector<std::string> warnings;      ///< sentences for the user, without a file name
-    std::vector<std::string> files;         ///< all that was read, absolute: the model, buffers, pictures
+    std::vector<std::string> files;         ///< all that was read, absolute: the model, buffers, images
 
     friend bool operator==(const ImportReport&, const ImportReport&) = default;
 };

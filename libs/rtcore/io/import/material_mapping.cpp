@@ -134,7 +134,7 @@ void mapSpecularGlossiness(const SourceMaterial& s, Material& m, TextureStore& t
     mapTransparency(s, m, 1 - glossiness, m.diffuse);
 }
 
-/// Black, or the grey that Assimp gives where a file says nothing: a picture is meant to be seen.
+/// Black, or the grey that Assimp gives where a file says nothing: an image is meant to be seen.
 bool diffuseIsUnset(Colour c) { return isBlack(c) || c == Colour{0.6F, 0.6F, 0.6F}; }
 
 void setPictures(const SourceMaterial& s, Material& m, TextureStore& textures) {
@@ -143,7 +143,7 @@ void setPictures(const SourceMaterial& s, Material& m, TextureStore& textures) {
     m.emissionTexture = textures.texture(s.emissionMap);
     const bool inDiffuse = s.alphaInDiffuseMap && s.alphaMap.empty();
     const SourceMap& alphaMap = inDiffuse ? s.diffuseMap : s.alphaMap;
-    // A picture that hides nothing would make every ray ask for nothing.
+    // An image that hides nothing would make every ray ask for nothing.
     const auto summary = textures.summary(alphaMap);
     if (!summary || !(inDiffuse ? summary->transparent : summary->transparent || summary->dark)) return;
     m.alphaTexture = textures.texture(alphaMap);

@@ -42,10 +42,10 @@ struct SourceMaterial {
     SourceMap metallicRoughnessMap;  ///< roughness in green, metal in blue; only its mean is used
     SourceMap specularGlossinessMap; ///< glossiness in alpha; only its mean is used
     bool alphaInDiffuseMap = false;
-    bool mapReplacesDiffuse = false; ///< `diffuse` counts only without a picture
+    bool mapReplacesDiffuse = false; ///< `diffuse` counts only without an image
 };
 
-/// Maps numbers and pictures; `textures` gets the pictures. Every number of the result is in the range that
+/// Maps numbers and images; `textures` gets the images. Every number of the result is in the range that
 /// material.h states, and k_d + k_s <= 1. The name is not set. Formulas: docs/import.md.
 Material mapMaterial(const SourceMaterial& source, TextureStore& textures);
 

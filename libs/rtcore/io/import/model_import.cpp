@@ -1,7 +1,7 @@
 #include "rtcore/io/import/model_import.h"
 
 #include "rtcore/io/bsp/bsp_file.h"
-#include "rtcore/io/import/hand_over_folder.h"
+#include "rtcore/io/import/exchange_folder.h"
 #include "rtcore/io/import/importer_exit.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
@@ -40,7 +40,7 @@ void refuseNoModel(const fs::path& path) {
 }
 
 fs::path importerProgram() {
-    // Nobody changes the environment while models are loaded.
+    // The environment does not change while models are loaded.
     const char* const chosen = std::getenv("RT_IMPORTER"); // NOLINT(concurrency-mt-unsafe)
     return chosen != nullptr && *chosen != '\0' ? fs::path(chosen) : helperProgram("rtimport");
 }
@@ -142,15 +142,15 @@ ImportedModel importModel(const fs::path& path, const ImportOptions& options) {
                "the importer program is missing; install it beside this program or name it in RT_IMPORTER",
                FailureKind::NoInput);
     }
-    // Triangles take about four times their room in a compact file; pictures are unpacked.
-    const HandOverFolder folder(kGigabyte + 6 * storedBytes(path));
-    const fs::path handOver = folder.path() / "model.bsp";
+    // Triangles take about four times their room in a compact file; images are unpacked.
+    const ExchangeFolder folder(kGigabyte + 6 * storedBytes(path));
+    const fs::path exchanged = folder.path() / "model.bsp";
     const ProcessResult result =
         runProcess(importer,
                    {"--parent", std::to_string(processId()), "--memory", std::to_string(limits.memory),
                     "--crease", fmt::format("{:f}", options.creaseAngle.value_or(kCreaseAngle)), "--flip",
                     options.flipTextures.value_or(false) ? "1" : "0", "--threads",
-                    std::to_string(options.threads), "--", fs::absolute(path).string(), handOver.string()},
+                    std::to_string(options.threads), "--", fs::absolute(path).string(), exchanged.string()},
                    limits);
     try {
         throwFailure(path, result, limits);
@@ -160,7 +160,7 @@ ImportedModel importModel(const fs::path& path, const ImportOptions& options) {
     }
     ImportedModel imported;
     try {
-        imported.model = readBsp(handOver).model;
+        imported.model = readBsp(exchanged).model;
     } catch (const FileError& damage) {
         refuse(path, fmt::format("the importer handed over a model that cannot be used ({}){}", damage.what(),
                                  kRemedy));

@@ -25,7 +25,7 @@ struct ImportOptions {
                                       ///< absent: kCreaseAngle
     std::optional<bool> flipTextures; ///< turn all textures upside down: some exporters count v from the top
     std::uint64_t memoryLimit = 0;    ///< bytes the importer may use; 0 = importLimits()
-    double timeLimit = 0; ///< seconds the importer may take for one step (parsing, one picture, one mesh);
+    double timeLimit = 0; ///< seconds the importer may take for one step (parsing, one image, one mesh);
                           ///< 0 = importLimits()
     int threads = 0;      ///< 0 = all cores; the model does not depend on it
     const std::atomic<bool>* stop = nullptr; ///< becomes true: give up with FailureKind::Stopped
@@ -49,10 +49,10 @@ struct ImportedModel {
 /// Imports a model in a program of its own (`rtimport`, a helperProgram(), or what the environment variable
 /// RT_IMPORTER names), so that a file that crashes, hangs or starves Assimp gives an error and nothing worse.
 /// The program hands over a .bsp without a tree, which is checked like any other. Beside the model's file
-/// Assimp and this function read what it names: material libraries, buffers, pictures.
+/// Assimp and this function read what it names: material libraries, buffers, images.
 ///
 /// The model has at least one triangle; its vertices are welded where positions are equal, its normals
-/// complete, its materials within their ranges. What was left out or is missing - a picture, say - is in the
+/// complete, its materials within their ranges. What was left out or is missing - an image, say - is in the
 /// report. Safe from many threads. Throws FileError: NoInput (no file), BadData (cannot be imported),
 /// CannotWrite or TryAgain (no room to hand over), Stopped.
 ImportedModel importModel(const std::filesystem::path& path, const ImportOptions& options = {});

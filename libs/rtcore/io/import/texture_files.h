@@ -1,4 +1,4 @@
-/// Where the picture is that a model names.
+/// Where the image is that a model names.
 #pragma once
 
 #include <filesystem>

@@ -25,9 +25,9 @@ ImageSummary summarise(const LdrImage& image) {
     for (std::size_t v = 0; v < 256; ++v) {
         const float encoded = static_cast<float>(v) / 255;
         for (std::size_t c = 0; c < 4; ++c) {
-            const double share = static_cast<double>(count[c][v]) / total;
-            linear[c] += share * srgbDecode(encoded);
-            code[c] += share * encoded;
+            const double fraction = static_cast<double>(count[c][v]) / total;
+            linear[c] += fraction * srgbDecode(encoded);
+            code[c] += fraction * encoded;
         }
     }
     ImageSummary s;

@@ -1,4 +1,4 @@
-/// The pictures of a model's materials, each read and kept once.
+/// The images of a model's materials, each read and kept once.
 #pragma once
 
 #include "rtcore/io/import/import_report.h"
@@ -14,7 +14,7 @@
 
 namespace rtcore {
 
-/// What a whole picture is like, for what is not looked up texel by texel.
+/// What a whole image is like, for what is not looked up texel by texel.
 struct ImageSummary {
     Colour meanColour{1, 1, 1};                   ///< linear
     std::array<float, 4> meanChannel{1, 1, 1, 1}; ///< of the codes as they stand, 0..1
@@ -22,7 +22,7 @@ struct ImageSummary {
     bool dark = false;                            ///< a red under 1 is there
 };
 
-/// A picture as a material uses it.
+/// An image as a material uses it.
 struct SourceMap {
     std::string name; ///< as it stands in the file; "" = none
     TextureWrap wrapU = TextureWrap::Repeat, wrapV = TextureWrap::Repeat;
@@ -30,7 +30,7 @@ struct SourceMap {
     bool empty() const { return name.empty(); }
 };
 
-/// The pictures inside a model's file.
+/// The images inside a model's file.
 class EmbeddedPictures {
   public:
     EmbeddedPictures() = default;
@@ -44,17 +44,17 @@ class EmbeddedPictures {
 
 class TextureStore {
   public:
-    /// `model` gets textures and texels; `report` a warning for each picture that is broken. `alive` is
-    /// called before each picture is read.
+    /// `model` gets textures and texels; `report` a warning for each image that is broken. `alive` is
+    /// called before each image is read.
     TextureStore(ModelBuffers& model, ImportReport& report, std::filesystem::path folder,
                  const EmbeddedPictures& embedded, std::function<void()> alive);
 
-    /// The number of the texture, or kNoTexture when there is no such picture. One picture that wraps in
+    /// The number of the texture, or kNoTexture when there is no such image. One image that wraps in
     /// several ways is several textures, whose texels are stored once.
     std::uint32_t texture(const SourceMap& map);
-    /// Of the picture; nothing when it cannot be had. Does not add a texture.
+    /// Of the image; nothing when it cannot be had. Does not add a texture.
     std::optional<ImageSummary> summary(const SourceMap& map);
-    /// Names of pictures that were asked for and are not there.
+    /// Names of images that were asked for and are not there.
     const std::vector<std::string>& missing() const { return missing_; }
 
   private:
@@ -78,7 +78,7 @@ class TextureStore {
     std::map<std::string, std::string>
         keys_; ///< by name: the path that it means, "<name" inside the file, or ""
     std::map<std::string, Picture> pictures_; ///< by key
-    LdrImage last_; ///< the picture read last: often asked for its summary first, then kept
+    LdrImage last_; ///< the image read last: often asked for its summary first, then kept
     std::string lastKey_;
     std::vector<std::string> missing_;
 };

@@ -91,7 +91,7 @@ std::string cameraListLine(const std::filesystem::path& list, const std::filesys
 
 std::vector<std::filesystem::path> parseCameraList(std::string_view text, const std::filesystem::path& path) {
     const bool whole = text.empty() || text.ends_with('\n') || isRecording(text);
-    // Where somebody types a list, the last line may lack its end.
+    // In a list that was typed, the last line may lack its end.
     return parseGrowingCameraList(whole ? text : std::string(text) + "\n", path).cameras;
 }
 

@@ -22,7 +22,7 @@ std::vector<std::filesystem::path> readCameraList(const std::filesystem::path& p
 /// The same from memory; `path` gives the folder and is named in errors.
 std::vector<std::filesystem::path> parseCameraList(std::string_view text, const std::filesystem::path& path);
 
-/// A list that may still be written: lines without their line end do not count yet, whoever writes them.
+/// A list that may still be written: lines without their line end do not count yet.
 struct GrowingCameraList {
     std::vector<std::filesystem::path> cameras;
     bool ended = false; ///< its last line that is not blank is the end mark

@@ -25,8 +25,8 @@ class PathRecorder {
     /// The next frame; `frame.time` says when it was. Throws FileError CannotWrite (a full disk, a value that
     /// no .cam may hold); the frame is then not part of the list, and the recording may go on.
     void add(const CameraFile& frame);
-    /// Writes the end mark, for those who follow the list. Nothing may be added any more. Throws FileError
-    /// CannotWrite.
+    /// Writes the end mark, for programs that follow the list. Nothing may be added any more. Throws
+    /// FileError CannotWrite.
     void finish();
 
     int frames() const { return frames_; } ///< that the list names

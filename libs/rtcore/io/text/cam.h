@@ -1,4 +1,4 @@
-/// .cam: one camera, and what else makes one picture the same again (docs/formats.md).
+/// .cam: one camera, and what else makes one image the same again (docs/formats.md).
 #pragma once
 
 #include "rtcore/scene/camera.h"

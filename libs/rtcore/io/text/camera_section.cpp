@@ -39,7 +39,7 @@ Camera readCamera(StrictTable& table, Vec3 up, bool lookAtAllowed) {
     if (lookAt && isZero(camera.forward))
         table.fail("lookAt", "lookAt is where eye is; the camera needs a direction");
     if (isZero(camera.forward)) table.fail("forward", "forward is zero; the camera needs a direction");
-    if (isZero(camera.up)) table.fail("up", "up is zero; give the direction that is up in the picture");
+    if (isZero(camera.up)) table.fail("up", "up is zero; give the direction that is up in the image");
     if (areParallel(camera.forward, camera.up))
         table.fail("up", "up is parallel to the view direction; give another up");
     return camera;

@@ -1,4 +1,4 @@
-/// .scn: a scene in text - which model, and what else it takes to make pictures of it (docs/formats.md).
+/// .scn: a scene in text - which model, and what else it takes to make images of it (docs/formats.md).
 #pragma once
 
 #include "rtcore/io/text/pattern.h"
@@ -32,7 +32,7 @@ struct MaterialOverride {
     std::optional<Colour> reflectivity; ///< the material's `mirror`, with a mirrorScale of 1
     std::optional<float> shininess, opacity, attenuationDistance, indexOfRefraction;
     std::optional<bool> fresnel;
-    std::optional<std::filesystem::path> diffuseTexture; ///< loaded by who loads the scene
+    std::optional<std::filesystem::path> diffuseTexture; ///< loaded by the scene loader
 
     /// All but the texture. Where the sum of diffuse and specular would exceed 1, the one that is not
     /// overridden gives way.

@@ -49,7 +49,7 @@ void setSides(const StrictTable& table, const Sides& sides, Light& light) {
     const float slant = dot(right, light.direction);
     light.right = std::fabs(slant) < 1e-6F ? right : normalize(right - light.direction * slant);
     if (right == Vec3{} || std::fabs(slant) > 0.999F)
-        table.fail("right", "right is zero or along direction; give where the width of the lamp points to");
+        table.fail("right", "right is zero or along direction; give where the width of the light points to");
 }
 
 } // namespace

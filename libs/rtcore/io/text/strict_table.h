@@ -1,5 +1,5 @@
 /// A table of a text file as its reader asks for it: by key, type and range. What does not fit is an error
-/// with file, line and column, and so is every key that nobody asked for.
+/// with file, line and column, and so is every unknown key.
 #pragma once
 
 #include "rtcore/io/text/text_value.h"

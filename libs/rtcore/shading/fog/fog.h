@@ -3,7 +3,7 @@
 /// The optical depth of a stretch is tau = density * length, where `length` counts thin fog less and thick
 /// fog more than its distance (the integral of the density relative to `Fog::density`). Light loses all but
 /// e^-tau on it, and the fog adds (1 - e^-tau) * source, its own radiance: what it scatters of its
-/// surroundings and emits. The light of lamps comes on top (fog_wave.h).
+/// surroundings and emits. Light scattered from lights is added by fog_wave.h.
 ///
 /// Pure functions, safe from many threads; the same bits on every processor. Directions of unit length;
 /// distances in scene units, kEndless for a ray that meets nothing. Never NaN, whatever the ray.
@@ -26,8 +26,8 @@ struct FogMedium {
     float perHeight = 0; ///< exponential: 1 / scale height, per scene unit
     Vec3 up;             ///< unit; of exponential fog
     float ground = 0;    ///< height 0 along `up`, scene units
-    Colour source;       ///< radiance that an endless ray tends to, without lamps
-    Colour scattered;    ///< of a lamp's irradiance, to each direction: albedo / 4 pi, per steradian
+    Colour source;       ///< radiance that an endless ray tends to, without lights
+    Colour scattered;    ///< of a light's irradiance, to each direction: albedo / 4 pi, per steradian
 
     static constexpr float kLowest = -60; ///< scale heights: the density stays the same below
 };
@@ -42,9 +42,9 @@ float fogLength(const FogMedium& fog, Vec3 origin, Vec3 direction, float distanc
 /// What is left of the light after the stretch: e^-tau.
 float fogTransmittance(const FogMedium& fog, Vec3 origin, Vec3 direction, float distance);
 
-/// What is left of a lamp's light at `position`. Of a directional lamp in homogeneous fog everything: its
-/// intensity is what arrives in the scene, and fog without an end would leave nothing of it. In exponential
-/// fog it comes from above the fog; from below the horizon nothing arrives.
+/// Transmittance from a light to `position`. 1 for a directional light in homogeneous fog: its intensity is
+/// that which arrives in the scene, since endless fog would absorb it all. In exponential fog it comes from
+/// above the fog; from below the horizon nothing arrives.
 float fogLightTransmittance(const FogMedium& fog, const Light& light, Vec3 position);
 
 } // namespace rtcore

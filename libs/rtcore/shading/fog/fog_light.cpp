@@ -35,7 +35,7 @@ inline const GaussRule& ruleFor(float width, bool changes) {
     return kRules[changes ? (rule < 2 ? rule + 1 : 3) : rule];
 }
 
-/// The q of a block of rays where their stretches begin, pass the lamp, get thick and end.
+/// The q of a block of rays where their stretches begin, pass the light, get thick and end.
 struct Panels {
     static constexpr std::size_t kEdges = 4;
     float edge[kEdges][kWaveBlock];
@@ -72,7 +72,7 @@ HWY_INLINE Float panel(const Path& path, const GaussRule& rule, Float a, Float b
     const Float middle = fastExp((a + b) * 0.5F);
     const Float half = (b - a) * 0.5F;
     const Float halfApart = path.apart * 0.5F;
-    // e^q and e^-q, times half the lamp's distance from the ray.
+    // e^q and e^-q, times half the light's distance from the ray.
     const Float rising = halfApart * middle, falling = halfApart / middle;
     const auto at = [&](Float up, Float down) {
         const Float r = up + down;
@@ -94,10 +94,10 @@ template <typename Path>
 HWY_INLINE void layPanels(const Path& path, Float from, Float to, Panels& panels, std::size_t i) {
     path.clip(from, to);
     const Mask used = from < to;
-    const auto place = [&](Float t) { return fastAsinh((t - path.foot) / path.apart); };
-    const Float a = selectOrZero(used, place(from)), b = selectOrZero(used, place(to));
+    const auto qAt = [&](Float t) { return fastAsinh((t - path.foot) / path.apart); };
+    const Float a = selectOrZero(used, qAt(from)), b = selectOrZero(used, qAt(to));
     const Float middle = min(max(Float(0), a), b);
-    const Float thick = min(max(place(path.thickFrom(to)), middle), b);
+    const Float thick = min(max(qAt(path.thickFrom(to)), middle), b);
     const Float edges[] = {a, middle, selectOrZero(used, thick), b};
     for (std::size_t k = 0; k < Panels::kEdges; ++k) store(edges[k], panels.edge[k] + i);
     store(selectOrZero(used, path.change(from, to)), panels.change + i);
@@ -133,7 +133,7 @@ HWY_INLINE void addLocalAll(const FogMedium& medium, const Light& light, const F
 }
 
 /// With s the length of fog up to a point of the ray (fogLength()), the depth of both ways is
-/// deepest + extinction * s * (1 - dz / lz): dz and lz are what the ray and the way to the lamp rise.
+/// deepest + extinction * s * (1 - dz / lz): dz and lz are what the ray and the way to the light rise.
 template <bool exponential>
 HWY_INLINE void addSunAll(const FogMedium& medium, const Light& light, const FogRays& a) {
     const Float3 scale = broadcast(light.intensity * medium.scattered);
@@ -141,25 +141,25 @@ HWY_INLINE void addSunAll(const FogMedium& medium, const Light& light, const Fog
     if (exponential && !(rise > 1e-6F)) return;
     for (std::size_t i = 0; i < a.count; i += lanes()) {
         const Float distance = load(a.distance + i);
-        Float share;
+        Float weight;
         if constexpr (exponential) {
             const Float height = fogHeight<Float>(medium, loadAt(a.origin, i));
             const Float own = dot(broadcast(medium.up), loadAt(a.direction, i));
             const Float tau =
                 medium.density * exponentialLength<Float>(height, own * medium.perHeight, distance);
-            const Float toLamp = medium.density * fastExp(-height) / (rise * medium.perHeight);
+            const Float toLight = medium.density * fastExp(-height) / (rise * medium.perHeight);
             const Float factor = 1.0F - own / rise;
-            // tau (1 - e^-x) / x e^-toLamp, x = tau factor; by the end that is less deep where x < 0
+            // tau (1 - e^-x) / x e^-toLight, x = tau factor; by the end that is less deep where x < 0
             const Float x = tau * factor;
-            const Float depth = toLamp + min(x, 0.0F);
+            const Float depth = toLight + min(x, 0.0F);
             const Float size = abs(x);
             const Float spread = select(size < 0.25F, tau * meanDecaySeries(min(size, 0.25F)),
                                         (1.0F - fastExp(-size)) / abs(factor));
-            share = spread * fastExp(-max(depth, 0.0F));
+            weight = spread * fastExp(-max(depth, 0.0F));
         } else {
-            share = fogOpacity(medium.density * distance);
+            weight = fogOpacity(medium.density * distance);
         }
-        storeAt(loadAt(a.scattered, i) + scale * share, a.scattered, i);
+        storeAt(loadAt(a.scattered, i) + scale * weight, a.scattered, i);
     }
 }
 

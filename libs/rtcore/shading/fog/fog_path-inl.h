@@ -1,4 +1,4 @@
-// The way of a lamp's light to a ray through fog and along it to the ray's beginning, in vectors of rays.
+// The path of light through fog from a light to a ray and along it to the ray's origin, in vectors of rays.
 // Included once for each instruction set, inside foreach_target.h's loop.
 #include "rtcore/lights/light_sample-inl.h"
 #include "rtcore/shading/fog/fog_math-inl.h"
@@ -51,8 +51,8 @@ struct LightPath {
             height = fogHeight<Float>(medium, origin);
             density = fastExp(-height);
             slope = fogSlope<Float>(medium, direction);
-            lampHeight = fogHeight<float>(medium, light.position);
-            lampDensity = fastExp(-lampHeight);
+            lightHeight = fogHeight<float>(medium, light.position);
+            lightDensity = fastExp(-lightHeight);
         }
         if constexpr (beam != Beam::Even) {
             const Float3 axis = broadcast(light.direction);
@@ -62,15 +62,15 @@ struct LightPath {
         }
     }
 
-    /// Relative density at t times what is left of the light that comes there over r and goes back over t,
-    /// times what it shines there of its intensity. `counted`: whether the fog between the lamp and t counts.
+    /// Relative density at t, times transmittance over r to the light and back over t, times the light's
+    /// relative intensity in that direction. `counted`: whether the fog between the light and t counts.
     HWY_INLINE Float light(Float t, Float r, bool counted = true) const {
         Float result;
         if constexpr (exponential) {
             const Float z = max(height + slope * t, FogMedium::kLowest);
             const Float here = fastExp(-z);
             Float length = lengthBetween(height, density, z, here, t);
-            if (counted) length += lengthBetween(lampHeight, lampDensity, z, here, r);
+            if (counted) length += lengthBetween(lightHeight, lightDensity, z, here, r);
             result = here * fastExp(-(extinction * length));
         } else {
             result = fastExp(-(extinction * (counted ? t + r : t)));
@@ -82,7 +82,7 @@ struct LightPath {
     }
 
     /// From where on the fog of a ray that falls up to `to` is within some scale heights of its thickest;
-    /// else a place that is not ahead.
+    /// else a t that is not ahead.
     HWY_INLINE Float thickFrom(Float to) const {
         if constexpr (!exponential) return -1e30F;
         const Float from = to + 4.0F / min(slope, -1e-20F);
@@ -94,7 +94,7 @@ struct LightPath {
         const Float distance = to - from;
         if constexpr (!exponential) return (extinction + extinction) * distance;
         const Float lowest = height + min(slope * from, slope * to);
-        const Float densest = max(fastExp(-lowest), lampDensity);
+        const Float densest = max(fastExp(-lowest), lightDensity);
         const Float depth = extinction * densest * distance;
         return abs(slope) * distance + (depth + depth);
     }
@@ -112,10 +112,10 @@ struct LightPath {
     }
 
     Float extinction; ///< per scene unit, where the relative density is 1
-    Float foot;       ///< t where the ray passes the lamp
+    Float foot;       ///< t where the ray passes the light
     Float apart;      ///< and how far from it
-    Float height, density, slope, lampHeight, lampDensity; ///< where the fog is exponential
-    Float axial, perAxial, offsetSquare;                   ///< where the beam is not even
+    Float height, density, slope, lightHeight, lightDensity; ///< where the fog is exponential
+    Float axial, perAxial, offsetSquare;                     ///< where the beam is not even
     float cosOuter, perCosine;
 
   private:

@@ -75,8 +75,8 @@ HWY_INLINE void drawLocal(const FogMedium& medium, const Light& light, const Fog
     // The light over r^2 and the density of the samples, apart / (angle r^2).
     const Float value = path.light(t, r, order.counted) * (angle * perSample / path.apart);
     const Float3 position = origin + direction * t;
-    const WayToLight<Float> way = wayToLight<Float>(light, broadcast(light.position) - position);
-    append(out, i, selectOrZero(used, value), position, way.direction, way.free);
+    const PathToLight<Float> toLight = pathToLight<Float>(light, broadcast(light.position) - position);
+    append(out, i, selectOrZero(used, value), position, toLight.direction, toLight.free);
 }
 
 /// Where on the ray the length of fog (fogLength()) is `length`; `height` and `slope` in scale heights.
@@ -103,8 +103,8 @@ HWY_INLINE void drawSun(const FogMedium& medium, const Light& light, const FogRa
     const float perSample = 1 / static_cast<float>(order.samples);
     const Float opacity =
         fogOpacity(medium.density * fogLength<Float>(exponential, medium, origin, direction, distance));
-    const Float share = opacity * stratum(order.shift + i, j, perSample);
-    const Float length = fastMinusLogOfRest(min(share, 0.999999F)) / medium.density;
+    const Float weight = opacity * stratum(order.shift + i, j, perSample);
+    const Float length = fastMinusLogOfRest(min(weight, 0.999999F)) / medium.density;
     Float value = opacity * perSample;
     Float t = length;
     if constexpr (exponential) {
@@ -124,7 +124,7 @@ template <bool exponential>
 HWY_INLINE void drawAll(const FogMedium& medium, const Light& light, const FogRays& a,
                         const ShaftOrder& order, ShaftSamples& out) {
     const LightTraits& traits = traitsOf(light);
-    // Neighbours' samples of one stratum side by side: their shadow rays go the same way.
+    // Samples of neighbours in one stratum are stored side by side: their shadow rays are coherent.
     for (std::size_t block = order.first; block < order.last; block += kWaveBlock) {
         const std::size_t end = HWY_MIN(block + kWaveBlock, order.last);
         for (int j = 0; j < order.samples; ++j) {

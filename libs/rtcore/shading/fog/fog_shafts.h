@@ -1,5 +1,4 @@
-/// Shafts of light: what a lamp's light, with its shadows, adds to rays through fog, by samples along each
-/// ray.
+/// Shafts of light: shadowed in-scattering of a light along rays through fog, by samples on each ray.
 #pragma once
 
 #include "rtcore/kernels/ray_wave.h"
@@ -13,7 +12,7 @@
 
 namespace rtcore {
 
-/// Samples of one lamp on some rays of a wave, each with the shadow ray that says whether it counts. One for
+/// Samples of one light on some rays of a wave, each with its shadow ray. One for
 /// each thread; keeps its memory.
 class FogShafts {
   public:
@@ -25,14 +24,14 @@ class FogShafts {
     struct Rays {
         std::size_t first, count; ///< first: a multiple of kWaveBlock
     };
-    /// Draws `samples` stratified samples on each of the `rays` of `fog`. `shift` of each ray, 0..1, says
-    /// where in its strata they lie. Point and spot lamps: equi-angular (Kulla and Fajardo 2012); directional
-    /// ones: by what is left of light on the way back. `counted`: the fog on the way from the lamp is
-    /// counted; else who traces the rays does it.
+    /// Takes `samples` stratified samples on each of the `rays` of `fog`. `shift` of each ray, 0..1, says
+    /// where in its strata they lie. Point and spot lights: equi-angular (Kulla and Fajardo 2012);
+    /// directional ones: by the transmittance back to the ray's origin. `counted`: the fog between light and
+    /// sample is included; else the caller that traces the rays includes it.
     void draw(const FogWave& fog, const Light& light, Rays rays, int samples, const float* shift,
               bool counted);
 
-    /// Towards the lamp, from the samples that matter; directions of unit length.
+    /// Towards the light, from the samples that matter; directions of unit length.
     const RayWave& rays() const { return rays_; }
     /// Adds the samples whose ray is not `occluded`, or as much of each as arrives, to fog.rays().scattered.
     void add(const FogWave& fog, const std::vector<std::uint8_t>& occluded) const;

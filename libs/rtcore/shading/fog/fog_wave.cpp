@@ -12,7 +12,7 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// What lies beyond this optical depth, or this many scale heights above the thickest of a ray, is not seen.
+/// Fog beyond this optical depth, or this many scale heights above the thickest point of a ray, is neglected.
 constexpr float kDeepest = 16;
 
 struct Stretches {
@@ -63,7 +63,7 @@ void enterFog(const FogMedium& medium, const FogRays& a, std::size_t room) {
 
 void dimAll(const float* transmittance, const SurfaceWave& s) {
     for (std::size_t i = 0; i < s.size(); i += lanes())
-        storeAt(loadAt(s.share, i) * load(transmittance + i), s.share, i);
+        storeAt(loadAt(s.weight, i) * load(transmittance + i), s.weight, i);
 }
 
 void dimLightOf(const FogMedium& medium, const Light& light, const SurfaceWave& s) {
@@ -125,7 +125,7 @@ void FogWave::enter(const RayWave& rays, const HitWave& hits, const std::uint32_
     HWY_DYNAMIC_DISPATCH(enterFog)(medium_, rays_, room);
 }
 
-void FogWave::dimShares(SurfaceWave& surfaces) const {
+void FogWave::dimWeights(SurfaceWave& surfaces) const {
     HWY_DYNAMIC_DISPATCH(dimAll)(rays_.transmittance, surfaces);
 }
 

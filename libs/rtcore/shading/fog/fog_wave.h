@@ -1,5 +1,5 @@
-/// Fog along a whole wave of rays: what it leaves of the light that they meet, what it adds to them, and what
-/// it leaves of the light of lamps. Vector code; the formulas are those of fog.h.
+/// Fog along a whole wave of rays: its transmittance, its in-scattering, and its transmittance towards
+/// lights. Vector code; the formulas are those of fog.h.
 #pragma once
 
 #include "rtcore/kernels/ray_wave.h"
@@ -19,7 +19,7 @@ struct FogRays {
     std::size_t count = 0;
     ArraysOf3 origin, direction;
     float* distance = nullptr; ///< how far it goes through fog, scene units; 0 inside of solids
-    float* from = nullptr;     ///< the stretch of the ray outside of which fog adds nothing that counts
+    float* from = nullptr;     ///< the stretch of the ray outside of which fog adds nothing noticeable
     float* to = nullptr;
     float* transmittance = nullptr; ///< 0..1
     ArraysOf3 scattered; ///< radiance that reaches the beginning of the ray from the fog on its way
@@ -41,9 +41,9 @@ class FogWave {
 
     const FogRays& rays() const { return rays_; }
 
-    /// share *= transmittance, where there is a point.
-    void dimShares(SurfaceWave& surfaces) const;
-    /// added *= what is left of the lamp's light at each point.
+    /// weight *= transmittance, where there is a point.
+    void dimWeights(SurfaceWave& surfaces) const;
+    /// added *= what is left of one stratum in the whole light at each point.
     void dimLight(const Light& light, SurfaceWave& surfaces) const;
 
   private:

@@ -26,21 +26,21 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// The strata that the points from `i` on look at.
+/// The strata sampled for the points from `i` on.
 template <LightKind kind>
-HWY_INLINE Stratum<Float> strataOf(const LampPart* part, std::size_t i) {
-    if (part == nullptr) return wholeLight<kind, Float>();
+HWY_INLINE Stratum<Float> strataOf(const LightStrata* strata, std::size_t i) {
+    if (strata == nullptr) return wholeLight<kind, Float>();
     const auto unit = [&](const std::uint32_t* bits, std::uint32_t added) {
         return toFloat(toInt(shiftRight<8>(load(bits + i) + added))) * 0x1p-24F;
     };
-    return {unit(part->u, part->du), unit(part->v, part->dv), part->share, part->ofAll};
+    return {unit(strata->u, strata->du), unit(strata->v, strata->dv), strata->weight, strata->ofAll};
 }
 
-/// The glossy part of the reflected share: k_s times the Phong lobe, zero where there is none.
+/// Glossy reflectance: k_s times the Phong lobe, zero where there is none.
 template <LightKind kind>
-HWY_INLINE Float3 glossyShare(const MaterialRow* rows, const std::uint32_t* material, Mask glossy,
-                              const LightSample<Float>& arriving, Float3 normal, Float3 toViewer,
-                              Float cosine) {
+HWY_INLINE Float3 glossyReflectance(const MaterialRow* rows, const std::uint32_t* material, Mask glossy,
+                                    const LightSample<Float>& arriving, Float3 normal, Float3 toViewer,
+                                    Float cosine) {
     const Float3 mirrored = normal * (2.0F * cosine) - arriving.toLight;
     const Float lobe = dot(mirrored, toViewer);
     const Mask seen = glossy & (lobe > 0.0F);
@@ -53,16 +53,16 @@ HWY_INLINE Float3 glossyShare(const MaterialRow* rows, const std::uint32_t* mate
     return selectOrZero(seen, ofPoints.get(&MaterialRow::specular) * reflected);
 }
 
-/// The part that the rough lobe reflects; zero where there is none.
-HWY_INLINE Float3 roughShare(const MaterialRow* rows, const std::uint32_t* material, Mask rough,
-                             Float toLight, Float toViewer) {
+/// Reflectance of the rough lobe; zero where there is none.
+HWY_INLINE Float3 roughReflectance(const MaterialRow* rows, const std::uint32_t* material, Mask rough,
+                                   Float toLight, Float toViewer) {
     const Rows ofPoints(rows, material, rough);
     const Float reflected = roughLobe(toLight, toViewer, ofPoints.get(&MaterialRow::roughScale));
     return selectOrZero(rough, ofPoints.get(&MaterialRow::specular) * reflected);
 }
 
 template <LightKind kind>
-HWY_INLINE std::size_t lightAll(const Light& light, const LampPart* part, const MaterialRow* rows,
+HWY_INLINE std::size_t lightAll(const Light& light, const LightStrata* strata, const MaterialRow* rows,
                                 const SurfaceWave& s, const ShadowArrays* shadows) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < s.size(); i += lanes()) {
@@ -73,7 +73,7 @@ HWY_INLINE std::size_t lightAll(const Light& light, const LampPart* part, const 
             continue;
         }
         const Float3 position = loadAt(s.position, i);
-        const LightSample<Float> arriving = sampleLight<kind>(light, position, strataOf<kind>(part, i));
+        const LightSample<Float> arriving = sampleLight<kind>(light, position, strataOf<kind>(strata, i));
         const Float3 geometricNormal = loadAt(s.geometricNormal, i);
         const Float3 normal = loadAt(s.shadingNormal, i);
         const Float geometric = dot(geometricNormal, arriving.toLight);
@@ -83,18 +83,20 @@ HWY_INLINE std::size_t lightAll(const Light& light, const LampPart* part, const 
             storeAt(Float3{}, s.added, i);
             continue;
         }
-        Float3 share = loadAt(s.diffuse, i);
+        Float3 weight = loadAt(s.diffuse, i);
         const Mask glossy = lit & hasTrait(traits, traits::kGlossy);
         const Mask rough = lit & hasTrait(traits, traits::kRough);
         if (any(glossy | rough)) {
             const Float3 toViewer = loadAt(s.toViewer, i);
             if (any(glossy)) {
-                share += glossyShare<kind>(rows, s.material + i, glossy, arriving, normal, toViewer, cosine);
+                weight +=
+                    glossyReflectance<kind>(rows, s.material + i, glossy, arriving, normal, toViewer, cosine);
             }
-            if (any(rough)) share += roughShare(rows, s.material + i, rough, cosine, dot(normal, toViewer));
+            if (any(rough))
+                weight += roughReflectance(rows, s.material + i, rough, cosine, dot(normal, toViewer));
         }
-        share *= cosine * terminatorFactor<Float>(geometricNormal, normal, geometric, cosine);
-        const Float3 added = selectOrZero(lit, loadAt(s.share, i) * share * arriving.irradiance);
+        weight *= cosine * terminatorFactor<Float>(geometricNormal, normal, geometric, cosine);
+        const Float3 added = selectOrZero(lit, loadAt(s.weight, i) * weight * arriving.irradiance);
         storeAt(added, s.added, i);
         if (shadows == nullptr) continue;
 
@@ -111,10 +113,11 @@ HWY_INLINE std::size_t lightAll(const Light& light, const LampPart* part, const 
 }
 
 /// Returns the number of shadow rays.
-std::size_t lightSurfaces(const Light& light, const LampPart* part, const MaterialRow* rows,
+std::size_t lightSurfaces(const Light& light, const LightStrata* strata, const MaterialRow* rows,
                           const SurfaceWave& surfaces, const ShadowArrays* shadows) {
-    return forKind(light.kind, [&]<LightKind kind>()
-                                   HWY_ATTR { return lightAll<kind>(light, part, rows, surfaces, shadows); });
+    return forKind(light.kind, [&]<LightKind kind>() HWY_ATTR {
+        return lightAll<kind>(light, strata, rows, surfaces, shadows);
+    });
 }
 
 } // namespace HWY_NAMESPACE
@@ -128,10 +131,10 @@ HWY_EXPORT(lightSurfaces);
 
 namespace {
 
-void addLight(const Light& light, const LampPart* part, const MaterialTable& materials, SurfaceWave& surfaces,
-              ShadowRays* shadows) {
+void addLight(const Light& light, const LightStrata* strata, const MaterialTable& materials,
+              SurfaceWave& surfaces, ShadowRays* shadows) {
     if (shadows == nullptr) {
-        HWY_DYNAMIC_DISPATCH(lightSurfaces)(light, part, materials.rows(), surfaces, nullptr);
+        HWY_DYNAMIC_DISPATCH(lightSurfaces)(light, strata, materials.rows(), surfaces, nullptr);
         return;
     }
     RayWave& rays = shadows->rays;
@@ -142,7 +145,7 @@ void addLight(const Light& light, const LampPart* part, const MaterialTable& mat
                               {rays.dx.data(), rays.dy.data(), rays.dz.data()},
                               rays.tMax.data(),
                               shadows->point.data()};
-    rays.resize(HWY_DYNAMIC_DISPATCH(lightSurfaces)(light, part, materials.rows(), surfaces, &arrays));
+    rays.resize(HWY_DYNAMIC_DISPATCH(lightSurfaces)(light, strata, materials.rows(), surfaces, &arrays));
 }
 
 } // namespace
@@ -152,9 +155,9 @@ void addLight(const Light& light, const MaterialTable& materials, SurfaceWave& s
     addLight(light, nullptr, materials, surfaces, shadows);
 }
 
-void addLight(const Light& light, const LampPart& part, const MaterialTable& materials, SurfaceWave& surfaces,
-              ShadowRays* shadows) {
-    addLight(light, &part, materials, surfaces, shadows);
+void addLight(const Light& light, const LightStrata& strata, const MaterialTable& materials,
+              SurfaceWave& surfaces, ShadowRays* shadows) {
+    addLight(light, &strata, materials, surfaces, shadows);
 }
 
 } // namespace rtcore

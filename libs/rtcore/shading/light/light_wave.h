@@ -1,4 +1,4 @@
-/// What one light adds to all points of a wave, and the shadow rays that decide whether it does.
+/// Unshadowed direct light of one light at all points of a wave, and the shadow rays to it.
 #pragma once
 
 #include "rtcore/kernels/ray_wave.h"
@@ -16,23 +16,23 @@ struct ShadowRays {
     std::vector<std::uint32_t> point; ///< of the surface wave; may be longer than the rays
 };
 
-/// Which part of a lamp with a size each point looks at.
-struct LampPart {
+/// Which stratum of an area light is sampled for each point.
+struct LightStrata {
     const std::uint32_t *u = nullptr, *v = nullptr; ///< of each point of the wave, and for whole blocks of
-                                                    ///< kWaveBlock: a place in the unit square, times 2^32
+                                                    ///< kWaveBlock: a position in the unit square, times 2^32
     std::uint32_t du = 0, dv = 0;                   ///< added to all of them; wraps around
-    float share = 1;                                ///< of the lamp's light
-    float ofAll = 1; ///< of all parts that a pixel looks at: highlights are no narrower than one of them
+    float weight = 1;                               ///< of one stratum in the whole light
+    float ofAll = 1; ///< of one of all strata that a pixel samples: highlights are widened to it
 };
 
 /// Sets surfaces.added to what `light` adds unshadowed to each point, zero where it adds nothing, and
 /// `shadows` to one ray for each point where it adds something, unless it is null. Keeps the memory of
 /// `shadows`.
 void addLight(const Light& light, const MaterialTable& materials, SurfaceWave& surfaces, ShadowRays* shadows);
-/// The same for a part of a lamp with a size (hasSize()): the mean over uniformly distributed parts is its
-/// light. Spheres are drawn by the cone that they fill (Shirley, Wang and Zimmerman 1996), rectangles by
-/// area.
-void addLight(const Light& light, const LampPart& part, const MaterialTable& materials, SurfaceWave& surfaces,
-              ShadowRays* shadows);
+/// The same for one stratum of an area light (isAreaLight()): the mean over uniformly distributed strata is
+/// its light. Spheres are sampled uniformly in the cone that they fill (Shirley, Wang and Zimmerman 1996),
+/// rectangles by area.
+void addLight(const Light& light, const LightStrata& strata, const MaterialTable& materials,
+              SurfaceWave& surfaces, ShadowRays* shadows);
 
 } // namespace rtcore

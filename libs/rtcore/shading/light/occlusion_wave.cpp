@@ -18,9 +18,9 @@ constexpr std::size_t kMostAtOnce = 256;
 /// A ray that passed so many holes and panes goes on to infinity.
 constexpr int kMaxLayers = 4;
 
-/// Points that add more than this share of their light to their sample get all rays, half of them more than
+/// Points whose weight in their sample is above this get all rays, half of them more than
 /// half of it, and so on.
-constexpr float kFullShare = 0.5F;
+constexpr float kFullWeight = 0.5F;
 
 } // namespace
 
@@ -44,11 +44,11 @@ void OcclusionWave::begin(const Scene& scene, const RayTracer& tracer, const Ren
     }
 }
 
-/// What of the light from everywhere reaches the point's sample.
+/// The fraction of the ambient light at the point that reaches its sample.
 Colour OcclusionWave::scattered(const SurfaceWave& surfaces, std::size_t point) const {
     const MaterialRow& row = materials_->rows()[surfaces.material[point]];
     const Colour specular{row.specular[0], row.specular[1], row.specular[2]};
-    return surfaces.share.colourAt(point) * (surfaces.diffuse.colourAt(point) * kPi + specular);
+    return surfaces.weight.colourAt(point) * (surfaces.diffuse.colourAt(point) * kPi + specular);
 }
 
 bool OcclusionWave::takes(const SurfaceWave& surfaces, std::size_t point) const {
@@ -57,11 +57,13 @@ bool OcclusionWave::takes(const SurfaceWave& surfaces, std::size_t point) const 
 
 void OcclusionWave::add(const SurfaceWave& surfaces, std::size_t point, SampleId sample,
                         std::uint32_t bounce) {
-    const float share = maxComponent(surfaces.share.colourAt(point));
-    const std::size_t fewer = share > kFullShare ? 0 : share > kFullShare / 2 ? 1 : 2;
+    const float weight = maxComponent(surfaces.weight.colourAt(point));
+    const std::size_t fewer = weight > kFullWeight ? 0 : weight > kFullWeight / 2 ? 1 : 2;
     Point named{static_cast<std::uint32_t>(point), {0.5F, 0}, 0}; // Regular: the middle of each ring
-    if (kind_ == OcclusionPattern::Rotated) named.shift = evenShift(sample, Draw::Occlusion, bounce);
-    if (kind_ == OcclusionPattern::Random) named.name = randomBits(sample, Draw::Occlusion, bounce);
+    if (kind_ == OcclusionPattern::Rotated)
+        named.shift = evenShift(sample, SampleDimension::Occlusion, bounce);
+    if (kind_ == OcclusionPattern::Random)
+        named.name = randomBits(sample, SampleDimension::Occlusion, bounce);
     points_[fewer].push_back(named);
 }
 
@@ -176,15 +178,15 @@ void OcclusionWave::sumSeeThrough(RayStatistics& statistics) {
         tracer_->intersect(RayKind::Occlusion, current_.rays, hits_);
     }
     for (std::size_t i = 0; i < current_.size(); ++i) {
-        frames_.visible[current_.point[i]] += current_.share[i];
+        frames_.visible[current_.point[i]] += current_.weight[i];
     }
 }
 
 void OcclusionWave::sumHit(const RayWave& rays, std::size_t i) {
     float& visible = frames_.visible[current_.point[i]];
-    const float share = current_.share[i];
+    const float weight = current_.weight[i];
     if (!hits_.isHit(i)) {
-        visible += share;
+        visible += weight;
         return;
     }
     const Ray ray = rays.ray(i);
@@ -193,9 +195,9 @@ void OcclusionWave::sumHit(const RayWave& rays, std::size_t i) {
     const Material& material = scene_->materials[scene_->mesh().shading[hit.triangle].material];
     float solid = coverageAt(*scene_, textures_, hit);
     if (refractions_) solid *= material.opacity;
-    visible += share * solid * std::min(travelled / light_.distance, 1.0F);
+    visible += weight * solid * std::min(travelled / light_.distance, 1.0F);
     if (solid >= 1) return;
-    const float passing = share * (1 - solid);
+    const float passing = weight * (1 - solid);
     const Surface surface = surfaceAt(*scene_, false, ray.direction, hit);
     const Ray rest{surface.position - surface.geometricNormal * surface.clearance, 0, ray.direction,
                    light_.distance - travelled};
@@ -210,21 +212,21 @@ void OcclusionWave::SeeingRays::start(std::size_t count, std::size_t points) {
     rays.clear();
     point.resize(count);
     for (std::size_t i = 0; i < count; ++i) point[i] = static_cast<std::uint32_t>(i % points);
-    share.assign(count, 1);
+    weight.assign(count, 1);
     travelled.assign(count, 0);
 }
 
 void OcclusionWave::SeeingRays::clear() {
     rays.clear();
     point.clear();
-    share.clear();
+    weight.clear();
     travelled.clear();
 }
 
-void OcclusionWave::SeeingRays::push(const Ray& ray, std::uint32_t ofPoint, float itsShare, float soFar) {
+void OcclusionWave::SeeingRays::push(const Ray& ray, std::uint32_t ofPoint, float itsWeight, float soFar) {
     rays.push(ray);
     point.push_back(ofPoint);
-    share.push_back(itsShare);
+    weight.push_back(itsWeight);
     travelled.push_back(soFar);
 }
 

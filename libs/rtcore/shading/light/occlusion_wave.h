@@ -1,5 +1,5 @@
-/// Ambient occlusion (thesis 7.1.5): the light from everywhere at the points of a wave, as far as what is
-/// near lets it pass.
+/// Ambient occlusion (thesis 7.1.5): the ambient light at the points of a wave, as far as what is near lets
+/// it pass.
 #pragma once
 
 #include "rtcore/kernels/ray_statistics.h"
@@ -29,15 +29,15 @@ class OcclusionWave {
                const MaterialTable& materials);
     bool on() const { return on_; }
 
-    /// Whether light from everywhere can add anything at a point.
+    /// Whether ambient light can contribute at a point.
     bool takes(const SurfaceWave& surfaces, std::size_t point) const;
-    /// What the light from everywhere would add to the sample if nothing were near the point.
+    /// The ambient light of the point in its sample without occlusion.
     Colour unoccluded(const SurfaceWave& surfaces, std::size_t point) const {
         return scattered(surfaces, point) * light_.radiance;
     }
     /// Has a point lit by the next light(). `bounce` differs where a path meets points one after another.
     void add(const SurfaceWave& surfaces, std::size_t point, SampleId sample, std::uint32_t bounce);
-    /// Sets surfaces.added to what reaches the samples of the light from everywhere: zero at points that were
+    /// Sets surfaces.added to the contribution of ambient light to the samples: zero at points that were
     /// not added. Forgets the points. Returns soon, with `added` undefined, when `stop` (may be null) becomes
     /// true.
     void light(SurfaceWave& surfaces, RayStatistics& statistics, const std::atomic<bool>* stop);
@@ -52,16 +52,17 @@ class OcclusionWave {
     /// Rays that go on behind holes and glass.
     struct SeeingRays {
         RayWave rays; ///< empty for those that leave the points: the others' are all of them
-        std::vector<std::uint32_t> point;    ///< of the frames
-        std::vector<float> share, travelled; ///< what is left of the ray; how far it has come
+        std::vector<std::uint32_t> point; ///< of the frames
+        std::vector<float> weight,
+            travelled; ///< of the ray, after what it has passed; the distance that it has come
 
         std::size_t size() const { return point.size(); }
         bool empty() const { return point.empty(); }
         void start(std::size_t count, std::size_t points);
         void clear();
-        void push(const Ray& ray, std::uint32_t ofPoint, float itsShare, float soFar);
+        void push(const Ray& ray, std::uint32_t ofPoint, float itsWeight, float soFar);
     };
-    /// Points whose share of the picture is alike get equally many rays.
+    /// Points of similar weight in the image get the same number of rays.
     static constexpr int kClasses = 3;
 
     void trace(const std::vector<Point>& points, const std::vector<HemispherePoint>& pattern,

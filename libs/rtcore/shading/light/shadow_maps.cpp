@@ -11,9 +11,9 @@ namespace rtcore {
 
 namespace {
 
-constexpr std::size_t kTexels = 3 << 17;                 ///< of a lamp, at most: 256 x 256 for each side
-constexpr std::size_t kAllTexels = std::size_t{1} << 22; ///< of all lamps, 12 bytes each
-constexpr std::size_t kMostLamps = 1000;
+constexpr std::size_t kTexels = 3 << 17;                 ///< of a light, at most: 256 x 256 for each side
+constexpr std::size_t kAllTexels = std::size_t{1} << 22; ///< of all lights, 12 bytes each
+constexpr std::size_t kMostLights = 1000;
 constexpr int kBlock = 8;            ///< rays of neighbours are traced together
 constexpr float kOffSurface = 0.75F; ///< texels: the middle of one is no further away than 0.71
 constexpr float kRounding = 1.0001F;
@@ -24,8 +24,9 @@ Vec3 anyAcross(Vec3 axis) {
     return normalize(cross(axis, other));
 }
 
-int texelAt(float place, int side) {
-    return static_cast<int>(std::clamp(place * static_cast<float>(side), 0.0F, static_cast<float>(side - 1)));
+int texelAt(float coordinate, int side) {
+    return static_cast<int>(
+        std::clamp(coordinate * static_cast<float>(side), 0.0F, static_cast<float>(side - 1)));
 }
 
 } // namespace
@@ -53,7 +54,7 @@ float ShadowMap::texelWidth(Vec3 position) const {
     return std::max({std::fabs(offset.x), std::fabs(offset.y), std::fabs(offset.z)}) * texel;
 }
 
-ShadowMap::Place ShadowMap::place(Vec3 position) const {
+ShadowMap::Lookup ShadowMap::lookUp(Vec3 position) const {
     if (sides_ == 1) {
         const Vec3 offset = position - start_;
         const float scale = 0.5F / half_;
@@ -74,24 +75,25 @@ ShadowMap::Place ShadowMap::place(Vec3 position) const {
 
 /// The way back.
 Ray ShadowMap::rayThrough(int face, int column, int row) const {
-    const auto place = [this](int i) {
+    const auto coordinate = [this](int i) {
         return (static_cast<float>(i) + 0.5F) * 2 / static_cast<float>(side_) - 1;
     };
     const float infinity = std::numeric_limits<float>::max();
     if (sides_ == 1) {
-        const Vec3 origin = start_ + across_ * (place(column) * half_) + along_ * (place(row) * half_);
+        const Vec3 origin =
+            start_ + across_ * (coordinate(column) * half_) + along_ * (coordinate(row) * half_);
         return {origin, 0, light_.direction, infinity};
     }
     const int axis = face / 2;
     Vec3 direction;
     direction[axis] = face % 2 == 0 ? 1.0F : -1.0F;
-    direction[(axis + 1) % 3] = place(column);
-    direction[(axis + 2) % 3] = place(row);
+    direction[(axis + 1) % 3] = coordinate(column);
+    direction[(axis + 2) % 3] = coordinate(row);
     return {light_.position, nearest_, normalize(direction), infinity};
 }
 
 Colour ShadowMap::arriving(Vec3 position, Vec3 normal) const {
-    const Place at = place(position + normal * (texelWidth(position) * kOffSurface));
+    const Lookup at = lookUp(position + normal * (texelWidth(position) * kOffSurface));
     const Texel& texel = texels_[at.texel];
     if (at.squareDistance <= texel.squareClear) return kWhite;
     if (at.squareDistance > texel.squareReach) return {};
@@ -105,8 +107,8 @@ void ShadowMap::set(std::size_t texel, const LightEnd& end) {
     Texel& to = texels_[texel];
     to.squareClear = end.clear * end.clear * kRounding;
     to.squareReach = end.distance * end.distance * kRounding;
-    const auto byte = [](float share) {
-        return static_cast<std::uint8_t>(std::clamp(share, 0.0F, 1.0F) * 255 + 0.5F);
+    const auto byte = [](float weight) {
+        return static_cast<std::uint8_t>(std::clamp(weight, 0.0F, 1.0F) * 255 + 0.5F);
     };
     to.tint[0] = byte(end.tint.r);
     to.tint[1] = byte(end.tint.g);
@@ -135,7 +137,7 @@ bool ShadowMap::fill(ShadowTracer& shadows, const std::atomic<bool>& cancel) {
 
 std::unique_ptr<const ShadowMaps> ShadowMaps::make(const Scene& scene, const RayTracer& tracer,
                                                    const std::atomic<bool>& cancel) {
-    if (scene.lights.size() > kMostLamps) return nullptr;
+    if (scene.lights.size() > kMostLights) return nullptr;
     auto maps = std::make_unique<ShadowMaps>();
     const RenderSettings settings;
     MaterialTable materials;

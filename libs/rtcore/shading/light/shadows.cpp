@@ -42,7 +42,7 @@ const std::vector<Colour>& ShadowTracer::transmittance(const RayWave& rays, cons
 void ShadowTracer::startLayers(const RayWave& rays) {
     current_ = rays;
     currentIndex_.resize(rays.size());
-    // As much as the other: the two change places, and steady frames must not allocate whichever is which.
+    // As much as the other: the two are swapped, and steady frames must not allocate.
     next_.reserve(rays.size());
     nextIndex_.reserve(rays.size());
     for (std::uint32_t i = 0; i < rays.size(); ++i) currentIndex_[i] = i;

@@ -35,13 +35,13 @@ class ShadowTracer {
     /// call.
     const std::vector<std::uint8_t>& occluded(const RayWave& rays, RayStatistics& statistics);
 
-    /// For each ray the share of the light of `light` that arrives along it: 1 unhindered, 0
+    /// For each ray the fraction of the light of `light` that arrives along it: 1 unhindered, 0
     /// behind anything opaque. Transparent surfaces take (1 - Fresnel) of it and tint it; light goes straight
     /// on through them, without focusing. Fog weakens it outside of solids. Valid until the next call.
     const std::vector<Colour>& transmittance(const RayWave& rays, const Light& light,
                                              RayStatistics& statistics);
 
-    /// The way of light along rays that leave a lamp, in directions of unit length, without fog. Valid until
+    /// The way of light along rays that leave a light, in directions of unit length, without fog. Valid until
     /// the next call.
     const std::vector<LightEnd>& ends(const RayWave& rays);
 

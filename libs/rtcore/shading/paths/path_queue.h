@@ -12,7 +12,7 @@ namespace rtcore {
 
 struct Path {
     std::uint32_t sample = 0; ///< index of the primary ray it began with
-    Colour weight{1, 1, 1};   ///< share of its radiance that reaches the sample
+    Colour weight{1, 1, 1};   ///< throughput: the fraction of its radiance that reaches the sample
     Colour extinction;        ///< of the solid that it is inside of, per scene unit
     std::uint16_t depth = 0;  ///< mirrored or refracted so often
     std::uint16_t passes = 0; ///< went straight through thin walls and holes so often; below 2^15

@@ -15,7 +15,7 @@ void emissionAll(const MaterialRow* rows, const SurfaceWave& s, const ArraysOf3&
         const Mask used = hasTrait(load(s.traits + i), traits::kPoint);
         if (none(used)) continue;
         const Float3 own = Rows(rows, s.material + i, used).get(&MaterialRow::emitted);
-        storeAt(select(used, loadAt(s.share, i) * own, loadAt(emitted, i)), emitted, i);
+        storeAt(select(used, loadAt(s.weight, i) * own, loadAt(emitted, i)), emitted, i);
     }
 }
 

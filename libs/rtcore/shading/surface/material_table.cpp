@@ -40,7 +40,7 @@ void put(Colour c, float* to) {
 
 void MaterialTable::prepare(const Scene& scene, const RenderSettings& settings) {
     rows_.resize(scene.materials.size());
-    const Colour everywhere = unoccludedAmbient(scene, settings);
+    const Colour ambientLight = unoccludedAmbient(scene, settings);
     traits_ = 0;
     anyEmission_ = tintedShadows_ = false;
     const bool colours = !scene.mesh().colours.empty();
@@ -48,7 +48,7 @@ void MaterialTable::prepare(const Scene& scene, const RenderSettings& settings) 
         const Material& m = scene.materials[i];
         MaterialRow& row = rows_[i];
         row.traits = traitsOf(m, colours, settings);
-        const Colour ambient = everywhere * (m.diffuse + m.specular);
+        const Colour ambient = ambientLight * (m.diffuse + m.specular);
         const Colour emitted = m.emission + ambient;
         put(m.diffuse / kPi, row.diffuse);
         put(m.emission, row.emission);

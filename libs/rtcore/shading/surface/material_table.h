@@ -17,8 +17,8 @@ inline constexpr std::uint32_t kMirror = 4;    ///< opaque, reflects, and is non
 inline constexpr std::uint32_t kFresnel = 8;   ///< a mirror that reflects more at grazing angles
 inline constexpr std::uint32_t kColoured = 16; ///< the albedo varies: texture, colours of vertices
 inline constexpr std::uint32_t kGeneral = 32; ///< transparent, perforated, bump mapped, emitting by a texture
-inline constexpr std::uint32_t kOnward = 64;  ///< of points, not of materials: a mirrored ray follows
-inline constexpr std::uint32_t kRough = 128;  ///< it has a rough lobe (phong.h)
+inline constexpr std::uint32_t kSpecular = 64; ///< of points, not of materials: a mirrored ray follows
+inline constexpr std::uint32_t kRough = 128;   ///< it has a rough lobe (phong.h)
 /// Vector code alone cannot shade such a point.
 inline constexpr std::uint32_t kNotPlain = kColoured | kGeneral;
 } // namespace traits
@@ -29,8 +29,8 @@ struct alignas(64) MaterialRow {
     std::uint32_t traits = 0;
     float specular[3] = {};
     float shininess = 0;  ///< of the Phong lobe, at least kLeastShininess
-    float lobeScale = 0;  ///< of the Phong lobe, (n + 2) / 2 pi times its share
-    float roughScale = 0; ///< of the rough lobe, its share over 2 pi
+    float lobeScale = 0;  ///< of the Phong lobe, (n + 2) / 2 pi times its fraction
+    float roughScale = 0; ///< of the rough lobe, its fraction over 2 pi
     float mirrorScale = 0;
     float mirror[3] = {};
     float emission[3] = {};
@@ -51,7 +51,7 @@ class MaterialTable {
     bool anyEmission() const { return anyEmission_; }
     bool anyMirror() const { return (traits_ & traits::kMirror) != 0; }
     /// Mirrored rays may follow from points.
-    bool anyOnward() const { return (traits_ & (traits::kMirror | traits::kGeneral)) != 0; }
+    bool anySecondary() const { return (traits_ & (traits::kMirror | traits::kGeneral)) != 0; }
     /// Something lets light through, so that shadows may be tinted.
     bool tintedShadows() const { return tintedShadows_; }
 

@@ -14,8 +14,8 @@ inline Colour extinctionOf(const Material& m) {
     if (!(m.attenuationDistance > 0)) return {};
     constexpr float kLn2 = 0.69314718F;
     constexpr float kDarkest = 1e-6F; // black glass still has a finite extinction
-    const auto component = [&](float share) {
-        return -portableLog2(std::clamp(share, kDarkest, 1.0F)) * kLn2 / m.attenuationDistance;
+    const auto component = [&](float weight) {
+        return -portableLog2(std::clamp(weight, kDarkest, 1.0F)) * kLn2 / m.attenuationDistance;
     };
     return {component(m.transmission.r), component(m.transmission.g), component(m.transmission.b)};
 }

@@ -1,4 +1,4 @@
-/// Normal maps in tangent space: red to the right of the picture, green up, blue out of the surface (OpenGL,
+/// Normal maps in tangent space: red to the right of the image, green up, blue out of the surface (OpenGL,
 /// glTF).
 #pragma once
 

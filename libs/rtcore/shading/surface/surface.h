@@ -27,7 +27,7 @@ Surface surfaceAt(const Scene& scene, bool textures, Vec3 direction, const Hit& 
 /// The albedo alone, with texture and vertex colour.
 Colour diffuseAt(const Scene& scene, bool textures, const Hit& hit);
 
-/// Only what a shadow ray needs to know: the share of it that an alpha texture lets pass.
+/// Only what a shadow ray needs to know: the fraction of it that an alpha texture lets pass.
 float coverageAt(const Scene& scene, bool textures, const Hit& hit);
 
 } // namespace rtcore

@@ -159,7 +159,7 @@ class LastRays {
 void SurfaceWave::resize(std::size_t count) {
     size_ = count;
     ArraysOf3* const vectors[] = {&position, &geometricNormal, &shadingNormal, &toViewer,
-                                  &diffuse,  &share,           &onward,        &added};
+                                  &diffuse,  &weight,          &specular,      &added};
     memory_.resize(3 * std::size(vectors) + 1, count);
     std::size_t next = 0;
     for (ArraysOf3* const v : vectors) {

@@ -44,9 +44,10 @@ class SurfaceWave {
     ArraysOf3 shadingNormal;    ///< unit, as in Surface
     ArraysOf3 toViewer;         ///< unit
     ArraysOf3 diffuse;          ///< albedo / pi
-    ArraysOf3 share;            ///< of the light scattered here, what reaches the sample
-    ArraysOf3 onward;           ///< weight of the mirrored ray, where traits have kOnward
-    ArraysOf3 added; ///< radiance that the present light, emission or background adds to the sample
+    ArraysOf3 weight; ///< throughput of the path up to here: the fraction of scattered light that reaches the
+                      ///< sample
+    ArraysOf3 specular; ///< weight of the mirrored ray, where traits have kSpecular
+    ArraysOf3 added;    ///< radiance that the present light, emission or background adds to the sample
 
   private:
     void resize(std::size_t count);

@@ -18,10 +18,10 @@ namespace HWY_NAMESPACE {
 template <typename F>
 struct Taps {
     UintOf<F> first, second;
-    F share;
+    F fraction;
 };
 
-/// `coordinate` counts whole pictures, `size` is in texels, `wrap` a TextureWrap; `repeats`: it is Repeat.
+/// `coordinate` counts whole images, `size` is in texels, `wrap` a TextureWrap; `repeats`: it is Repeat.
 /// What is not a number counts as the first texel.
 template <bool repeats, typename F>
 HWY_INLINE Taps<F> tapsAt(F coordinate, UintOf<F> size, UintOf<F> wrap) {
@@ -51,8 +51,8 @@ HWY_INLINE Taps<F> tapsAt(F coordinate, UintOf<F> size, UintOf<F> wrap) {
 
 /// Exact where both are equal, so that what is solid all over has no hole.
 template <typename V, typename F>
-HWY_INLINE V mix(V a, V b, F share) {
-    return a + (b - a) * share;
+HWY_INLINE V mix(V a, V b, F fraction) {
+    return a + (b - a) * fraction;
 }
 
 } // namespace HWY_NAMESPACE

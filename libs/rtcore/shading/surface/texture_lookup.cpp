@@ -31,10 +31,10 @@ TextureSample sampleOf(Rgba8 p) {
             {static_cast<float>(p.r) / 255, static_cast<float>(p.g) / 255, static_cast<float>(p.b) / 255}};
 }
 
-Colour mix(Colour a, Colour b, float share) { return plain::mix(a, b, share); }
-TextureSample mix(const TextureSample& a, const TextureSample& b, float share) {
-    return {mix(a.colour, b.colour, share), plain::mix(a.alpha, b.alpha, share),
-            plain::mix(a.stored, b.stored, share)};
+Colour mix(Colour a, Colour b, float fraction) { return plain::mix(a, b, fraction); }
+TextureSample mix(const TextureSample& a, const TextureSample& b, float fraction) {
+    return {mix(a.colour, b.colour, fraction), plain::mix(a.alpha, b.alpha, fraction),
+            plain::mix(a.stored, b.stored, fraction)};
 }
 
 /// `valueOf` a texel, bilinear.
@@ -45,9 +45,9 @@ auto lookUp(const Model& model, const Texture& texture, Vec2 uv, ValueOf&& value
     const Rgba8* const texels = model.texels.data() + texture.firstTexel;
     const Rgba8* const upperRow = texels + std::uint64_t{y.first} * texture.width;
     const Rgba8* const lowerRow = texels + std::uint64_t{y.second} * texture.width;
-    const auto upper = mix(valueOf(upperRow[x.first]), valueOf(upperRow[x.second]), x.share);
-    const auto lower = mix(valueOf(lowerRow[x.first]), valueOf(lowerRow[x.second]), x.share);
-    return mix(upper, lower, y.share);
+    const auto upper = mix(valueOf(upperRow[x.first]), valueOf(upperRow[x.second]), x.fraction);
+    const auto lower = mix(valueOf(lowerRow[x.first]), valueOf(lowerRow[x.second]), x.fraction);
+    return mix(upper, lower, y.fraction);
 }
 
 } // namespace

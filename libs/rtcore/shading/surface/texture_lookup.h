@@ -11,7 +11,7 @@ struct TextureSample {
     Vec3 stored; ///< red, green, blue as they are stored, 0..1: masks and normals are numbers, not light
 };
 
-/// `uv` of any size; (0,0) is the lower left corner of the picture, which goes on beyond 0..1 as
+/// `uv` of any size; (0,0) is the lower left corner of the image, which goes on beyond 0..1 as
 /// Texture::wrapU and wrapV say. Safe from many threads.
 TextureSample sampleTexture(const Model& model, const Texture& texture, Vec2 uv);
 

@@ -20,7 +20,7 @@ struct TextureBlock {
     alignas(64) std::uint32_t wrap[2][kWaveBlock] = {};  ///< TextureWrap of u, v
     bool repeats = true;                                 ///< all of them do
     alignas(64) std::uint32_t texel[4][kWaveBlock] = {}; ///< which four: upper left, right, lower left, right
-    alignas(64) float share[2][kWaveBlock] = {};         ///< of the right ones, of the lower ones
+    alignas(64) float fraction[2][kWaveBlock] = {};      ///< of the right ones, of the lower ones
     alignas(64) float light[4][3][kWaveBlock] = {};      ///< of the four texels
     alignas(64) float albedo[3][kWaveBlock] = {};        ///< first the material's own
 };
@@ -50,8 +50,8 @@ HWY_INLINE void findTexelsOf(TextureBlock& block) {
         store(upper + x.second, block.texel[1] + i);
         store(lower + x.first, block.texel[2] + i);
         store(lower + x.second, block.texel[3] + i);
-        store(x.share, block.share[0] + i);
-        store(y.share, block.share[1] + i);
+        store(x.fraction, block.fraction[0] + i);
+        store(y.fraction, block.fraction[1] + i);
     }
 }
 
@@ -61,7 +61,7 @@ void findTexels(TextureBlock& block) {
 
 void mixTexels(TextureBlock& block) {
     for (std::size_t i = 0; i < kWaveBlock; i += lanes()) {
-        const Float x = load(block.share[0] + i), y = load(block.share[1] + i);
+        const Float x = load(block.fraction[0] + i), y = load(block.fraction[1] + i);
         for (std::size_t c = 0; c < 3; ++c) {
             const auto light = [&](std::size_t texel) { return load(block.light[texel][c] + i); };
             const Float seen = mix(mix(light(0), light(1), x), mix(light(2), light(3), x), y);

@@ -1,0 +1,81 @@
+#include "common/commands/state_report.h"
+
+#include "rtcore/io/text/camera_section.h"
+#include "rtcore/io/text/settings_section.h"
+#include "rtcore/io/text/strict_table.h"
+#include "rtcore/io/text/toml_parser.h"
+#include "rtcore/io/text/toml_writer.h"
+#include "rtcore/settings/nearest_name.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace app {
+
+namespace {
+
+const std::string kName = "the server's state"; // in errors
+
+void write(rtcore::TomlWriter& writer, const std::string& key, const std::vector<NamedSwitch>& switches,
+           bool names) {
+    std::vector<bool> on;
+    std::vector<std::string> named;
+    for (const NamedSwitch& each : switches) {
+        on.push_back(each.on);
+        named.push_back(rtcore::printable(each.name));
+    }
+    writer.section("[" + key + "]");
+    writer.add("on", on);
+    if (names) writer.add("names", named);
+}
+
+std::string format(const StateReport& state, bool names) {
+    rtcore::TomlWriter writer;
+    writer.add("version", 1);
+    writer.add("scene", rtcore::printable(state.scene));
+    write(writer, "lights", state.lights, names);
+    write(writer, "environments", state.environments, names);
+    writer.section("[camera]");
+    rtcore::writeCamera(writer, state.camera);
+    rtcore::writeSettingsSection(writer, "settings", state.settings);
+    return writer.text();
+}
+
+std::vector<NamedSwitch> read(rtcore::StrictTable& root, std::string_view key) {
+    rtcore::StrictTable table = root.require(key, root.table(key));
+    const std::vector<bool> on = table.require("on", table.booleans("on"));
+    const std::vector<std::string> names = table.texts("names").value_or(std::vector<std::string>());
+    table.finish();
+    std::vector<NamedSwitch> switches;
+    for (std::size_t i = 0; i < on.size(); ++i)
+        switches.push_back({on[i], i < names.size() ? names[i] : std::string()});
+    return switches;
+}
+
+} // namespace
+
+std::string formatStateReport(const StateReport& state, std::size_t most) {
+    for (const bool names : {true, false}) {
+        std::string text = format(state, names);
+        if (text.ends_with('\n')) text.pop_back();
+        if (text.size() <= most) return text;
+    }
+    throw std::runtime_error("the scene has too many lights to tell of them at once");
+}
+
+StateReport parseStateReport(std::string_view text) {
+    const rtcore::TextValue content = rtcore::parseToml(text, kName);
+    rtcore::StrictTable root(content, kName);
+    root.checkVersion();
+    StateReport state;
+    state.scene = root.require("scene", root.text("scene"));
+    state.lights = read(root, "lights");
+    state.environments = read(root, "environments");
+    rtcore::StrictTable camera = root.require("camera", root.table("camera"));
+    state.camera = rtcore::readCamera(camera, rtcore::Vec3{0, 1, 0}, false);
+    state.settings = rtcore::readSettingsSection(root, "settings");
+    root.finish();
+    return state;
+}
+
+} // namespace app

@@ -1,0 +1,36 @@
+/// The answer to the command `state`: all that a panel shows, of one moment, as TOML (docs/protocol.md).
+#pragma once
+
+#include "rtcore/scene/camera.h"
+#include "rtcore/settings/settings_table.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace app {
+
+struct NamedSwitch {
+    bool on = false;
+    std::string name; ///< may be empty
+    friend bool operator==(const NamedSwitch&, const NamedSwitch&) = default;
+};
+
+struct StateReport {
+    std::string scene;                               ///< absolute path of the scene or model
+    std::vector<NamedSwitch> lights;                 ///< in the scene's order
+    std::vector<NamedSwitch> environments;           ///< at most one is on
+    rtcore::Camera camera;                           ///< nameOffset is 0
+    std::vector<rtcore::SettingAssignment> settings; ///< all of them
+    friend bool operator==(const StateReport&, const StateReport&) = default;
+};
+
+/// What is no UTF-8 in names is shown as `\xNN`. At most `most` bytes: where that is too little the names are
+/// left out. Throws std::runtime_error where even that does not do.
+std::string formatStateReport(const StateReport& state, std::size_t most);
+
+/// Throws rtcore::FileError BadData.
+StateReport parseStateReport(std::string_view text);
+
+} // namespace app

@@ -1,0 +1,109 @@
+#include "gui/models/setting_labels.h"
+
+#include "rtcore/settings/settings_table.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+namespace gui {
+
+namespace {
+
+using rtcore::Setting;
+using rtcore::SettingType;
+
+/// Labels of settings whose name alone says too little.
+struct Label {
+    std::string_view setting, text;
+};
+constexpr Label kLabels[] = {{"maxDepth", "Max. bounces"}, {"ambientOcclusion.light", "Ambient light"}};
+
+QString translated(const QString& text) {
+    return QCoreApplication::translate("Settings", text.toUtf8().constData());
+}
+
+QString fromView(std::string_view text) {
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+// "minContribution": "Min contribution".
+QString words(const QString& name) {
+    QString text;
+    for (const QChar letter : name) {
+        if (letter.isUpper() && !text.isEmpty()) text += QLatin1Char(' ');
+        text += text.isEmpty() ? letter.toUpper() : letter.toLower();
+    }
+    return text;
+}
+
+// The texts as they are looked up.
+QString groupText(std::string_view group) {
+    return group.empty() ? QStringLiteral("Image") : words(fromView(group));
+}
+QString labelText(std::string_view name) {
+    for (const Label& label : kLabels)
+        if (label.setting == name) return fromView(label.text);
+    const std::size_t dot = name.rfind('.');
+    return words(fromView(dot == std::string_view::npos ? name : name.substr(dot + 1)));
+}
+
+QString number(double value) {
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale.toString(value, 'g', QLocale::FloatingPointShortest);
+}
+
+QString rangeText(const Setting& setting) {
+    if (setting.type != SettingType::Integer && setting.type != SettingType::Number) return {};
+    const QString least = number(setting.minimum);
+    if (setting.maximum >= rtcore::kUnlimited)
+        return QCoreApplication::translate("gui", "at least %1").arg(least);
+    return QCoreApplication::translate("gui", "%1 to %2").arg(least, number(setting.maximum));
+}
+
+} // namespace
+
+QString settingGroup(std::string_view group) { return translated(groupText(group)); }
+QString settingLabel(std::string_view name) { return translated(labelText(name)); }
+QString settingUnit(std::string_view unit) { return unit.empty() ? QString() : translated(fromView(unit)); }
+QString settingHelp(std::string_view help) { return translated(fromView(help)); }
+
+QString settingTip(const Setting& setting) {
+    QString help = settingHelp(setting.help);
+    if (!help.isEmpty()) help[0] = help[0].toUpper();
+    const QString range = rangeText(setting);
+    const QString usual = QString::fromStdString(rtcore::settingText(setting.defaultValue));
+    const QString facts =
+        QCoreApplication::translate("gui", "default: %1").arg(settingValueText(setting, usual));
+    return QStringLiteral("<qt>%1.<br><code>%2</code>; %3</qt>")
+        .arg(help.toHtmlEscaped(), fromView(setting.name),
+             range.isEmpty() ? facts : range + QStringLiteral("; ") + facts);
+}
+
+QString settingValueText(const Setting& setting, const QString& value) {
+    switch (setting.type) {
+    case SettingType::Boolean:
+        return value == QLatin1String("true") ? QCoreApplication::translate("gui", "on")
+                                              : QCoreApplication::translate("gui", "off");
+    case SettingType::Choice:
+        return settingLabel(value.toStdString());
+    case SettingType::Integer:
+    case SettingType::Number:
+        break;
+    }
+    const QString shown = number(value.toDouble());
+    return setting.unit.empty() ? shown : shown + QLatin1Char(' ') + settingUnit(setting.unit);
+}
+
+QStringList settingTexts() {
+    QStringList texts;
+    for (const Setting& setting : rtcore::settingsTable()) {
+        texts << groupText(setting.group) << labelText(setting.name) << fromView(setting.help);
+        if (!setting.unit.empty()) texts << fromView(setting.unit);
+        for (const std::string_view choice : setting.choices) texts << labelText(choice);
+    }
+    texts.removeDuplicates();
+    return texts;
+}
+
+} // namespace gui

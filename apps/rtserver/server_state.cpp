@@ -1,0 +1,204 @@
+#include "rtserver/server_state.h"
+
+#include "common/settings/settings_merge.h"
+
+#include "rtcore/io/text/set.h"
+#include "rtcore/motion/player.h"
+#include "rtcore/settings/settings_table.h"
+
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+namespace rtserver {
+
+namespace {
+
+constexpr int kBloom = 16; ///< radius in pixels, where none was set
+
+// For users they are counted from 1.
+[[noreturn]] void refuseNumber(const std::string& what, int index, std::size_t count) {
+    const std::string has = count == 0   ? "none"
+                            : count == 1 ? "only number 1"
+                                         : "numbers 1 to " + std::to_string(count);
+    throw std::invalid_argument("there is no " + what + " " + std::to_string(index + 1) + "; the scene has " +
+                                has);
+}
+
+} // namespace
+
+ServerState::ServerState(const Options& options, Reserve reserve, Messages& messages)
+    : frameSeconds(options.frameSeconds), options_(options), reserve_(std::move(reserve)),
+      messages_(messages), bloom_(kBloom) {}
+
+ServerState::~ServerState() = default;
+
+std::string ServerState::title() const { return world_->source.filename().string(); }
+
+rtcore::RenderSettings ServerState::settingsOf(const World& world, const rtcore::CameraFile* camera) const {
+    std::vector<rtcore::SettingAssignment> file;
+    if (options_.settingsFile) file = rtcore::readSettingsFile(*options_.settingsFile).live;
+    rtcore::RenderSettings settings = app::mergeSettings({.scene = world.loaded.live,
+                                                          .settingsFile = file,
+                                                          .camera = camera,
+                                                          .commandLine = options_.settings});
+    if (world_ != nullptr) {
+        settings.width = settings_.width;
+        settings.height = settings_.height;
+    }
+    return settings;
+}
+
+void ServerState::show(std::unique_ptr<World> world) {
+    const bool first = world_ == nullptr;
+    rtcore::LoadedScene& loaded = world->loaded;
+    std::optional<rtcore::CameraFile> camera;
+    std::filesystem::path path;
+    if (first && options_.camera) path = *options_.camera;
+    if (path.empty() && loaded.sceneFile && loaded.sceneFile->cameraFile)
+        path = *loaded.sceneFile->cameraFile;
+    if (!path.empty()) {
+        camera = rtcore::readCameraFile(path);
+        const std::string warning = app::applyCameraToScene(*camera, path, loaded.scene);
+        if (!warning.empty()) loaded.warnings.push_back(warning);
+        loaded.camera = camera->camera;
+    }
+    const rtcore::RenderSettings settings = settingsOf(*world, camera ? &*camera : nullptr);
+    reserve_(settings);
+    settings_ = settings;
+    stopPlaying();
+    if (recording_) endRecording("another scene was shown");
+    player_.reset();
+    world_ = std::move(world);
+    // A model file does not tell its unit.
+    const rtcore::Scene& scene = loaded.scene;
+    player_ = std::make_unique<rtcore::Player>(
+        loaded.tree, scene.mesh(),
+        rtcore::PlayerOptions{
+            .up = scene.up, .metresPerUnit = loaded.sceneFile ? scene.metresPerUnit : 0, .walk = scene.walk});
+    player_->setCamera(loaded.camera);
+    camera_ = player_->camera();
+    touch();
+    if (first && options_.path) play(std::make_unique<Playback>(*options_.path));
+}
+
+void ServerState::useTree(rtcore::KdTree tree, std::unique_ptr<rtcore::KdRayTracer> tracer) {
+    player_->useTree(tree);
+    world_->loaded.tree = std::move(tree);
+    world_->loaded.fastTree = false;
+    world_->tracer = std::move(tracer);
+}
+
+void ServerState::setCamera(const rtcore::Camera& camera) {
+    const bool finite = isFinite(camera.eye) && isFinite(camera.forward) && isFinite(camera.up);
+    if (!finite || normalize(camera.forward) == rtcore::Vec3{})
+        throw std::invalid_argument("the camera needs a direction to look in");
+    if (normalize(camera.up) == rtcore::Vec3{} || rtcore::areParallel(camera.forward, camera.up))
+        throw std::invalid_argument("the direction that is up must be another one than that to look in");
+    if (!(camera.horizontalFov > 0 && camera.horizontalFov < 180))
+        throw std::invalid_argument("the field of view is more than 0 and less than 180 degrees");
+    stopPlaying();
+    player_->setCamera(camera);
+    takeCamera();
+}
+
+void ServerState::setSettings(const rtcore::RenderSettings& settings) {
+    if (settings.width != settings_.width || settings.height != settings_.height) reserve_(settings);
+    settings_ = settings;
+    touch();
+}
+
+void ServerState::goBackTo(const rtcore::RenderSettings& settings) {
+    settings_ = settings;
+    touch();
+}
+
+rtcore::RenderSettings ServerState::shownSettings() const {
+    rtcore::RenderSettings settings = settings_;
+    if (shown_ && shown_->exposure) {
+        settings.exposure.mode = rtcore::ExposureMode::Fixed;
+        settings.exposure.value = *shown_->exposure;
+    }
+    return settings;
+}
+
+void ServerState::switchBloom(bool on) {
+    if ((settings_.bloom.radius != 0) == on) return;
+    if (!on) bloom_ = settings_.bloom.radius;
+    settings_.bloom.radius = on ? bloom_ : 0;
+    touch();
+}
+
+std::string ServerState::applyCameraFile(const rtcore::CameraFile& file, const std::filesystem::path& path) {
+    std::string warning;
+    const std::vector<rtcore::SettingAssignment> now = rtcore::settingAssignments(settings_, true);
+    rtcore::Scene& scene = world_->loaded.scene;
+    const std::vector<rtcore::Light> lights = scene.lights;
+    const int environment = scene.activeEnvironment;
+    try {
+        warning = app::applyCameraToScene(file, path, scene);
+        setSettings(app::mergeSettings({.scene = now, .camera = &file}));
+    } catch (...) {
+        scene.lights = lights;
+        scene.activeEnvironment = environment;
+        throw;
+    }
+    stopPlaying();
+    player_->setCamera(file.camera);
+    takeCamera();
+    return warning;
+}
+
+void ServerState::assign(const std::vector<rtcore::SettingAssignment>& assignments) {
+    rtcore::RenderSettings settings = settings_;
+    rtcore::applySettings(settings, assignments);
+    setSettings(settings);
+}
+
+void ServerState::switchLight(int light, std::optional<bool> on) {
+    std::vector<rtcore::Light>& lights = world_->loaded.scene.lights;
+    if (light < 0 || static_cast<std::size_t>(light) >= lights.size())
+        refuseNumber("light", light, lights.size());
+    std::uint32_t& state = lights[static_cast<std::size_t>(light)].on;
+    const std::uint32_t wanted = on.value_or(state == 0) ? 1 : 0;
+    if (state != wanted) touch();
+    state = wanted;
+}
+
+void ServerState::setEnvironment(int environment) {
+    rtcore::Scene& scene = world_->loaded.scene;
+    if (environment < 0 || static_cast<std::size_t>(environment) >= scene.environments.size())
+        refuseNumber("environment", environment, scene.environments.size());
+    if (scene.activeEnvironment != environment) touch();
+    scene.activeEnvironment = environment;
+}
+
+void ServerState::turn(double right, double upwards) {
+    constexpr double kRadians = std::numbers::pi / 180;
+    stopPlaying();
+    player_->look(right * kRadians, upwards * kRadians);
+    takeCamera();
+}
+
+void ServerState::setWalking(bool walking) {
+    stopPlaying();
+    if (!player_->setMode(walking ? rtcore::MotionMode::Walk : rtcore::MotionMode::View))
+        throw std::runtime_error("there is no room to stand here, or no floor below; move elsewhere first");
+    takeCamera();
+}
+
+bool ServerState::onUnseenFloor() const { return player_->onUnseenFloor(); }
+
+void ServerState::setSpeed(double factor) { player_->setSpeedFactor(factor); }
+
+bool ServerState::walking() const { return player_->mode() == rtcore::MotionMode::Walk; }
+
+double ServerState::metresPerUnit() const { return player_->metresPerUnit(); }
+
+void ServerState::takeCamera() {
+    const rtcore::Camera camera = player_->camera();
+    if (camera != camera_) touch();
+    camera_ = camera;
+}
+
+} // namespace rtserver

@@ -1,0 +1,167 @@
+/// The state that the server shows: scene, camera, settings, lights. Knows nothing of clients and frames.
+#pragma once
+
+#include "rtserver/keyboard.h"
+#include "rtserver/messages.h"
+#include "rtserver/playback.h"
+#include "rtserver/recording.h"
+#include "rtserver/server_options.h"
+#include "rtserver/world.h"
+
+#include "rtcore/io/text/cam.h"
+#include "rtcore/motion/key_bindings.h"
+#include "rtcore/settings/render_settings.h"
+
+#include <bitset>
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rtcore {
+class Player;
+}
+
+namespace rtserver {
+
+/// Of ServerState::onUnseenFloor().
+inline constexpr const char* kUnseenFloor =
+    "nothing is below: walking on a floor at the model's lowest point that is not seen";
+
+/// One thread. What changes the next frame makes it stale().
+class ServerState {
+  public:
+    using Reserve = std::function<void(const rtcore::RenderSettings&)>;
+    /// `reserve` throws when frames of such settings cannot be made and published. `messages` are told what
+    /// keys did. `options` and `messages` must outlive it.
+    ServerState(const Options& options, Reserve reserve, Messages& messages);
+
+    ~ServerState();
+
+    /// Shows another scene: its camera and its settings, but the frames keep their size. The first one gets
+    /// what the command line says of camera, settings and size. Throws FileError, with the old scene still
+    /// there.
+    void show(std::unique_ptr<World> world);
+    bool ready() const { return world_ != nullptr; }
+    const World& world() const { return *world_; }
+    /// The exact tree of the same scene, with its tracer. The frames stay the same.
+    void useTree(rtcore::KdTree tree, std::unique_ptr<rtcore::KdRayTracer> tracer);
+    /// For frames that have to be quick.
+    void useShadowMaps(std::unique_ptr<const rtcore::ShadowMaps> maps) {
+        world_->shadowMaps = std::move(maps);
+    }
+    std::string title() const; ///< for messages
+
+    const rtcore::Camera& camera() const { return camera_; }
+    /// Throws std::invalid_argument for one that cannot be looked through.
+    void setCamera(const rtcore::Camera& camera);
+    /// To the right and upwards, degrees.
+    void turn(double right, double upwards);
+    /// Throws std::runtime_error where there is no room for a body, or no floor below.
+    void setWalking(bool walking);
+    /// Beside the model, where only a floor that is not seen carries.
+    bool onUnseenFloor() const;
+    /// Of flying, in times the usual speed of the scene; until another scene is shown.
+    void setSpeed(double factor);
+    bool walking() const;
+
+    const rtcore::RenderSettings& settings() const { return settings_; }
+    /// Throws what `reserve` throws, with nothing changed.
+    void setSettings(const rtcore::RenderSettings& settings);
+    /// Those of a frame that was published: there is room for it.
+    void goBackTo(const rtcore::RenderSettings& settings);
+    /// The settings, with the exposure of the path that is being played.
+    rtcore::RenderSettings shownSettings() const;
+    void switchBloom(bool on); ///< as strong as it was
+
+    /// Looks through a .cam and takes over what else it says; `path` is for messages. Returns a warning of
+    /// what does not suit the scene, or "". Throws FileError, with nothing changed.
+    std::string applyCameraFile(const rtcore::CameraFile& file, const std::filesystem::path& path);
+    /// Settings of a file that was checked.
+    void assign(const std::vector<rtcore::SettingAssignment>& assignments);
+    /// Counted from 0. They throw std::invalid_argument when the scene has fewer.
+    void switchLight(int light, std::optional<bool> on); ///< nothing: the other way round
+    void setEnvironment(int environment);
+
+    /// Lets what was pressed act for the time since the last call, and then hands in what is pressed now.
+    /// Throws FileError when the path that is played cannot be read.
+    void move(std::chrono::nanoseconds time, const ipc::KeyState& clientKeys);
+    /// Nothing moves until something is pressed.
+    bool atRest() const;
+    /// How long move() may wait for its next call while no key is pressed.
+    std::chrono::nanoseconds untilEvent() const;
+    Keyboard& keyboard() { return keyboard_; }
+    const rtcore::KeyBindings& bindings() const { return bindings_; }
+    void setBindings(rtcore::KeyBindings bindings) { bindings_ = std::move(bindings); }
+    double metresPerUnit() const;
+
+    /// Records the camera in the time that move() is told of. Throws std::runtime_error when a recording is
+    /// under way.
+    void startRecording(std::unique_ptr<Recording> recording);
+    void refuseSecondRecording() const;
+    /// The number of cameras. Throws std::runtime_error when there is no recording, with the reason why the
+    /// last one ended by itself, and FileError.
+    int stopRecording(float exposure);
+    bool recording() const { return recording_ != nullptr; }
+    /// How much time is recorded; 0 when nothing is being recorded.
+    std::chrono::nanoseconds recordedTime() const {
+        return recording_ ? recording_->time() : std::chrono::nanoseconds(0);
+    }
+    /// The list of the last startRecording(), absolute; empty before it.
+    const std::filesystem::path& recordedList() const { return recordedList_; }
+    /// The exposure of the frame that is shown: what was recorded since the last call is written. Throws
+    /// FileError, with the recording ended.
+    void settleRecording(float exposure);
+
+    /// Shows a recorded path, from its first camera on; the frames keep their size and quality. Ends with its
+    /// last camera, or when a key moves the camera.
+    void play(std::unique_ptr<Playback> playback);
+    void stopPlaying();
+
+    bool paused = false;
+    double frameSeconds = 0; ///< what a frame may take while something moves: fewer pixels then; 0: any time
+    bool idles = true;       ///< false: every frame is drawn, though it equals the last
+    bool stale() const { return stale_; }
+    void touch() { stale_ = true; }
+    void drawn() { stale_ = false; }
+
+  private:
+    rtcore::RenderSettings settingsOf(const World& world, const rtcore::CameraFile* camera) const;
+    void takeCamera();
+
+    void advance(std::chrono::nanoseconds step);
+    void press(const ipc::KeyState& clientKeys);
+    void hold();
+    void apply(const rtcore::ActionTap& tap);
+    void toggleWalking();
+    void toggleLight(int light);
+    void chooseEnvironment(int environment);
+    void takeRecordedView();
+    void endRecording(const std::string& reason);
+    void show(const Playback::Shot& shot);
+
+    const Options& options_;
+    Reserve reserve_;
+    Messages& messages_;
+    std::unique_ptr<World> world_;
+    std::unique_ptr<rtcore::Player> player_; ///< refers to *world_
+    rtcore::Camera camera_;
+    rtcore::KeyBindings bindings_;
+    rtcore::RenderSettings settings_;
+    int bloom_; ///< its radius when it is switched on
+    Keyboard keyboard_;
+    std::bitset<ipc::kMaxKeys> clientKeys_;
+    std::bitset<ipc::kMaxKeys> lastDown_; ///< and those of commands, at the last look
+    std::unique_ptr<Recording> recording_;
+    std::string recordingFailure_; ///< why the last one ended by itself; "" = it did not
+    std::filesystem::path recordedList_;
+    std::unique_ptr<Playback> playback_;
+    std::optional<rtcore::CameraFile> shown_; ///< of the path that is played, without its time
+    bool stale_ = true;
+};
+
+} // namespace rtserver

@@ -1,0 +1,191 @@
+// What moves by itself: the player, keys that are pressed for a time, a path that is recorded or played.
+#include "rtserver/exports.h"
+#include "rtserver/messages.h"
+#include "rtserver/server_state.h"
+
+#include "common/settings/settings_merge.h"
+
+#include "rtcore/motion/player.h"
+#include "rtcore/platform/error.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace rtserver {
+
+using namespace std::chrono_literals;
+using std::chrono::nanoseconds;
+
+namespace {
+constexpr nanoseconds kLongestTurn = 250ms; ///< longest step, so that a stall causes no leap
+} // namespace
+
+void ServerState::move(nanoseconds time, const ipc::KeyState& clientKeys) {
+    nanoseconds left = std::clamp<nanoseconds>(time, 0ns, kLongestTurn);
+    while (true) {
+        takeRecordedView();
+        if (left == 0ns) break;
+        const nanoseconds step = std::clamp<nanoseconds>(untilEvent(), 1ns, left);
+        advance(step);
+        left -= step;
+    }
+    press(clientKeys);
+    takeCamera();
+}
+
+void ServerState::advance(nanoseconds step) {
+    player_->advance(step);
+    if (keyboard_.advance(step)) hold();
+    if (recording_) recording_->advance(step);
+    if (!playback_) return;
+    if (const std::optional<Playback::Shot> shot = playback_->advance(step)) show(*shot);
+    if (playback_ && playback_->ended()) stopPlaying();
+}
+
+void ServerState::press(const ipc::KeyState& clientKeys) {
+    clientKeys_ = clientKeys.down;
+    ipc::KeyState keys = clientKeys;
+    keyboard_.collect(keys);
+    const auto before = std::exchange(lastDown_, keys.down);
+    for (const rtcore::ActionTap& tap : bindings_.taps(keys.down, keys.presses, before)) apply(tap);
+    hold();
+}
+
+void ServerState::hold() {
+    const rtcore::ActionSet actions = bindings_.held(clientKeys_ | keyboard_.down());
+    if (!actions.none()) stopPlaying(); // a movement ends the playback
+    player_->hold(actions);
+}
+
+void ServerState::apply(const rtcore::ActionTap& tap) {
+    if (rtcore::isHeld(tap.action)) {
+        stopPlaying();
+        player_->tap(tap.action);
+    } else if (tap.action == rtcore::Action::ToggleWalk) {
+        toggleWalking();
+    } else if (tap.action == rtcore::Action::ToggleBloom) {
+        switchBloom(settings_.bloom.radius == 0);
+        messages_.tell(settings_.bloom.radius == 0 ? "bloom off" : "bloom on");
+    } else if (tap.action == rtcore::Action::ToggleLight) {
+        toggleLight(tap.number - 1);
+    } else if (tap.action == rtcore::Action::SelectEnvironment) {
+        chooseEnvironment(tap.number - 1);
+    }
+}
+
+void ServerState::toggleWalking() {
+    try {
+        setWalking(!walking());
+        messages_.tell(onUnseenFloor() ? kUnseenFloor : walking() ? "walking" : "flying");
+    } catch (const std::runtime_error& error) {
+        messages_.tell(error.what());
+    }
+}
+
+// A key for a light that the scene lacks is a message, not an error.
+void ServerState::toggleLight(int light) {
+    const std::vector<rtcore::Light>& lights = world_->loaded.scene.lights;
+    const std::string name = "light " + std::to_string(light + 1);
+    if (light < 0 || std::cmp_greater_equal(light, lights.size()))
+        return messages_.tell("there is no " + name);
+    switchLight(light, std::nullopt);
+    messages_.tell(name + (lights[static_cast<std::size_t>(light)].on != 0 ? " on" : " off"));
+}
+
+void ServerState::chooseEnvironment(int environment) {
+    const std::string name = "environment " + std::to_string(environment + 1);
+    if (environment < 0 || std::cmp_greater_equal(environment, world_->loaded.scene.environments.size()))
+        return messages_.tell("there is no " + name);
+    setEnvironment(environment);
+    messages_.tell(name);
+}
+
+nanoseconds ServerState::untilEvent() const {
+    nanoseconds until = keyboard_.untilRelease();
+    if (recording_) until = std::min(until, recording_->untilNext());
+    if (playback_) until = std::min(until, playback_->untilNext());
+    return until;
+}
+
+bool ServerState::atRest() const { return player_->atRest() && !playback_; }
+
+// --- Recording ---
+
+void ServerState::refuseSecondRecording() const {
+    if (recording_) {
+        throw std::runtime_error("a recording is under way: " + recording_->list().string() +
+                                 "; 'export video stop' ends it");
+    }
+}
+
+void ServerState::startRecording(std::unique_ptr<Recording> recording) {
+    refuseSecondRecording();
+    recordingFailure_.clear();
+    recording_ = std::move(recording);
+    recordedList_ = recording_->list();
+}
+
+int ServerState::stopRecording(float exposure) {
+    if (!recording_) {
+        throw std::runtime_error("nothing is being recorded" +
+                                 (recordingFailure_.empty() ? "" : "; " + recordingFailure_));
+    }
+    const std::unique_ptr<Recording> recording = std::move(recording_);
+    recording->settle(exposure);
+    recording->finish();
+    return recording->frames();
+}
+
+void ServerState::settleRecording(float exposure) {
+    if (!recording_) return;
+    try {
+        recording_->settle(exposure);
+    } catch (const rtcore::FileError& error) {
+        endRecording(error.what());
+        throw;
+    }
+}
+
+void ServerState::endRecording(const std::string& reason) {
+    recordingFailure_ = "the recording " + recording_->list().string() + " ended after " +
+                        std::to_string(recording_->frames()) + " frames: " + reason;
+    recording_.reset();
+}
+
+void ServerState::takeRecordedView() {
+    if (!recording_ || recording_->untilNext() > 0ns) return;
+    takeCamera();
+    recording_->add(cameraFileOf(*this, 1));
+}
+
+// --- Playing ---
+
+void ServerState::play(std::unique_ptr<Playback> playback) {
+    stopPlaying();
+    if (walking()) player_->setMode(rtcore::MotionMode::View);
+    playback_ = std::move(playback);
+}
+
+void ServerState::show(const Playback::Shot& shot) {
+    rtcore::Scene& scene = world_->loaded.scene;
+    rtcore::CameraFile camera = shot.camera;
+    camera.time.reset();
+    if (camera == shown_) return;
+    const std::string warning = app::applyCameraToScene(camera, shot.path, scene);
+    // Once: the other cameras of the path say the same.
+    if (!warning.empty() && !shown_) Messages::print("warning: " + warning);
+    player_->setCamera(camera.camera);
+    camera_ = player_->camera();
+    shown_ = std::move(camera);
+    touch();
+}
+
+void ServerState::stopPlaying() {
+    if (!playback_) return;
+    playback_.reset();
+    if (shown_ && shown_->exposure) touch(); // the eye gets used to what it sees again
+    shown_.reset();
+}
+
+} // namespace rtserver

@@ -1,0 +1,20 @@
+/// What is shown now, for clients that ask: the command `state`, and those that tell a part of it.
+#pragma once
+
+#include "rtserver/server_state.h"
+
+#include "common/commands/state_report.h"
+
+#include <string>
+#include <vector>
+
+namespace rtserver {
+
+std::string scenePathOf(const ServerState& state); ///< absolute
+std::vector<app::NamedSwitch> lightsOf(const ServerState& state);
+/// One without a name goes by its file.
+std::vector<app::NamedSwitch> environmentsOf(const ServerState& state);
+
+app::StateReport stateReportOf(const ServerState& state);
+
+} // namespace rtserver

@@ -1,0 +1,51 @@
+/// The primary hits of a wave's samples, before mirrors and glass.
+#pragma once
+
+#include "rtcore/math/colour.h"
+#include "rtcore/math/vec.h"
+#include "rtcore/shading/light/occlusion_wave.h"
+#include "rtcore/shading/wave.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace rtcore {
+
+struct PrimaryHit {
+    Vec3 position;
+    Vec3 normal;   ///< the shading normal, unit, on the side of the viewer
+    Colour albedo; ///< fraction of light that the surface scatters, mirrors or transmits
+    Colour direct; ///< radiance due to direct light, once scattered
+    Colour soft;   ///< radiance by sampled, and so noisy, light: of area lights and ambient light
+    float arriving = 0, whole = 0; ///< ambient light, and what there would be without occlusion
+    std::uint32_t wave = 0;        ///< of the sample, in which it was hit; 0: nothing was
+
+    bool any() const { return wave != 0; }
+};
+
+/// One for each thread; keeps its memory.
+class PrimaryHits {
+  public:
+    /// Forgets the hits; the waves of so many samples are to come.
+    void start(std::size_t samples);
+    /// Takes from a wave the hits of samples that had none so far: what their rays see first, holes passed.
+    void take(const Wave& wave);
+    /// Adds surfaces.added, the light of one light, at the hits that the wave taken last found.
+    void addLight(const Wave& wave, bool areaLight);
+    /// The same of the ambient light that `occlusion` let pass.
+    void addAmbient(const Wave& wave, const OcclusionWave& occlusion);
+
+    /// By sample.
+    std::span<const PrimaryHit> hits() const { return hits_; }
+
+  private:
+    template <typename Use>
+    void forEachPresent(const Wave& wave, Use&& use);
+
+    std::vector<PrimaryHit> hits_;
+    std::uint32_t wave_ = 0;
+};
+
+} // namespace rtcore

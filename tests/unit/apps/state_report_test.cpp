@@ -1,0 +1,57 @@
+/// The answer to `state`: what is written is read back.
+#include "common/commands/state_report.h"
+
+#include "rtcore/platform/error.h"
+#include "rtcore/settings/render_settings.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+app::StateReport sample() {
+    app::StateReport state{.scene = "/scenes/a \"b\".scn",
+                           .lights = {{true, "sun"}, {false, ""}},
+                           .environments = {{false, "day"}, {true, "night"}},
+                           .camera = {},
+                           .settings = rtcore::settingAssignments(rtcore::RenderSettings(), true)};
+    state.camera.eye = {0.1F, 2, 1.0F / 3};
+    state.camera.aspect = 1.5F;
+    return state;
+}
+
+TEST(StateReport, SurvivesTheRoundTrip) {
+    const app::StateReport state = sample();
+    EXPECT_EQ(app::parseStateReport(app::formatStateReport(state, 60000)), state);
+    app::StateReport other = state;
+    other.lights.clear();
+    other.environments.clear();
+    other.camera.kind = rtcore::CameraKind::Orthographic;
+    other.camera.orthographicWidth = 12.5F;
+    EXPECT_EQ(app::parseStateReport(app::formatStateReport(other, 60000)), other);
+}
+
+TEST(StateReport, LeavesNamesOutWhereThereIsNoRoom) {
+    app::StateReport state = sample();
+    state.lights.assign(1000, {true, "a light with a rather long name"});
+    const std::string text = app::formatStateReport(state, 20000);
+    EXPECT_LE(text.size(), 20000U);
+    const app::StateReport read = app::parseStateReport(text);
+    ASSERT_EQ(read.lights.size(), 1000U);
+    EXPECT_TRUE(read.lights.back().on);
+    EXPECT_EQ(read.lights.back().name, "");
+    EXPECT_THROW(app::formatStateReport(state, 1000), std::runtime_error);
+}
+
+TEST(StateReport, WhatIsNoUtf8IsShownAsBytes) {
+    app::StateReport state = sample();
+    state.lights[0].name = "l\xE4mp";
+    EXPECT_EQ(app::parseStateReport(app::formatStateReport(state, 60000)).lights[0].name, "l\\xe4mp");
+}
+
+TEST(StateReport, OtherTextIsRefused) {
+    for (const char* text :
+         {"", "pong", "version = 1", "version = 2\nscene = \"a\"", "version = 1\nscene = 3"})
+        EXPECT_THROW(app::parseStateReport(text), rtcore::FileError) << text;
+}
+
+} // namespace
