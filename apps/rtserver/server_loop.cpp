@@ -102,8 +102,7 @@ app::ExitCode ServerLoop::run() {
         keepsPicture_ = state_.paused && (keepsPicture_ || !wantsFrame());
         if (wantsFrame() && Clock::now() >= pacer_.due()) draw();
         if (shown_ || !wantsFrame()) record();
-        answerKeyWaiters();
-        answerIdleWaiters();
+        answerRequests();
         publishStatus();
         sleep();
     }
@@ -120,7 +119,6 @@ void ServerLoop::load(const std::filesystem::path& path, std::optional<std::file
 void ServerLoop::takeLoadedScene() {
     if (load_ == nullptr || !load_->done()) return;
     const std::unique_ptr<SceneLoad> load = std::move(load_);
-    const std::optional<ipc::Command> loader = std::exchange(loader_, std::nullopt);
     try {
         refinement_.reset();
         mapping_.reset();
@@ -140,12 +138,12 @@ void ServerLoop::takeLoadedScene() {
     } catch (const std::exception& error) {
         if (!state_.ready()) throw;
         messages_.complain(error.what());
-        if (loader) refuse(*loader, error);
+        const Failure failure = failureOf(error);
+        requests_.loadFailed(failure.code, failure.text);
         return;
     }
-    if (!loader) return;
-    publishStatus();
-    server_.answer(*loader);
+    if (requests_.waitsForLoad()) publishStatus();
+    requests_.loaded();
 }
 
 // The frames are the same with either tree; they only come faster.
@@ -204,7 +202,7 @@ void ServerLoop::serve() {
 
 Served ServerLoop::serveOne(const ipc::Command& command) {
     Served served = Served::Done;
-    answer(command, [&] {
+    answerBy(command, [&] {
         Result result = runCommand(command.text, state_, *this);
         switch (result.when) {
         case ReplyWhen::Again:
@@ -215,13 +213,13 @@ Served ServerLoop::serveOne(const ipc::Command& command) {
             served = Served::Beside;
             break;
         case ReplyWhen::WhenIdle:
-            if (command.wantsAnswer) idleWaiters_.push_back(command);
+            requests_.addForIdle(command);
             break;
         case ReplyWhen::WhenLoaded:
-            loader_ = command;
+            requests_.addForLoad(command);
             break;
         case ReplyWhen::WhenReleased:
-            if (command.wantsAnswer) keyWaiters_.push_back({command, result.press});
+            requests_.addForKey(command, result.press);
             break;
         case ReplyWhen::Done:
             return std::optional(std::move(result.answer));
@@ -232,19 +230,20 @@ Served ServerLoop::serveOne(const ipc::Command& command) {
 }
 
 // Nothing: the answer comes later.
-void ServerLoop::answer(const ipc::Command& command, const std::function<std::optional<std::string>()>& act) {
+void ServerLoop::answerBy(const ipc::Command& command,
+                          const std::function<std::optional<std::string>()>& act) {
     try {
         const std::optional<std::string> text = act();
         if (!text) return;
         publishStatus(); // before the answer, so that its receiver sees no outdated idle flag
         server_.answer(command, *text);
     } catch (const std::exception& error) {
-        refuse(command, error);
+        refuseFor(command, error);
         if (!command.wantsAnswer) messages_.complain(rtcore::quoted(command.text) + ": " + error.what());
     }
 }
 
-void ServerLoop::refuse(const ipc::Command& command, const std::exception& error) {
+void ServerLoop::refuseFor(const ipc::Command& command, const std::exception& error) {
     const Failure failure = failureOf(error);
     server_.refuse(command, failure.code, failure.text);
 }
@@ -256,35 +255,24 @@ void ServerLoop::refuseAll(const std::vector<ipc::Command>& commands, app::ExitC
 
 void ServerLoop::finishSideWork() {
     for (const SideWork::Done& done : sideWork_.takeDone()) {
-        answer(done.command, [&] { return std::optional(done.finish()); });
+        answerBy(done.command, [&] { return std::optional(done.finish()); });
         commands_.resume(done.command.client);
     }
 }
 
-void ServerLoop::answerIdleWaiters() {
-    if (state_.paused || !state_.idles) {
-        refuseAll(std::exchange(idleWaiters_, {}), app::ExitCode::Failed,
-                  state_.paused ? "the server was paused" : "idling was turned off");
+void ServerLoop::answerRequests() {
+    if (requests_.waitForKeys()) {
+        publishStatus();
+        requests_.answerReleased([this](std::uint64_t press) { return state_.keyboard().isDown(press); },
+                                 [this](std::uint64_t press) { state_.keyboard().endPress(press); });
     }
-    if (!idle() || idleWaiters_.empty()) return;
+    if (state_.paused || !state_.idles) {
+        requests_.refuseIdle(app::ExitCode::Failed,
+                             state_.paused ? "the server was paused" : "idling was turned off");
+    }
+    if (!idle() || !requests_.waitForIdle()) return;
     publishStatus();
-    for (const ipc::Command& command : idleWaiters_) server_.answer(command);
-    idleWaiters_.clear();
-}
-
-void ServerLoop::answerKeyWaiters() {
-    if (keyWaiters_.empty()) return;
-    publishStatus();
-    std::erase_if(keyWaiters_, [this](const KeyWaiter& waiter) {
-        // Keys of a stopped or killed client count as released.
-        if (!server_.isConnected(waiter.command)) {
-            state_.keyboard().endPress(waiter.press);
-            return true;
-        }
-        if (state_.keyboard().isDown(waiter.press)) return false;
-        server_.answer(waiter.command);
-        return true;
-    });
+    requests_.idle();
 }
 
 // --- Frames ---
@@ -350,7 +338,7 @@ void ServerLoop::goBack() {
     // Even those may need more than there is now. The last frame stands, and memory may come back.
     if (std::exchange(wentBack_, true)) pacer_.pauseUntil(Clock::now() + kMemoryPause);
     messages_.complain(text);
-    refuseAll(std::exchange(idleWaiters_, {}), app::ExitCode::TryAgain, text);
+    requests_.refuseIdle(app::ExitCode::TryAgain, text);
     refuseAll(commands_.takeWaiting(), app::ExitCode::TryAgain, text);
 }
 
@@ -455,7 +443,7 @@ void ServerLoop::tell(const ipc::Command& command) {
     try {
         server_.answer(command, runCommand(command.text, state_, *this).answer);
     } catch (const std::exception& error) {
-        refuse(command, error);
+        refuseFor(command, error);
     }
 }
 

@@ -9,6 +9,7 @@
 #include "rtserver/frame_schedule.h"
 #include "rtserver/key_inbox.h"
 #include "rtserver/messages.h"
+#include "rtserver/requests.h"
 #include "rtserver/scene_load.h"
 #include "rtserver/server_options.h"
 #include "rtserver/server_state.h"
@@ -33,7 +34,7 @@
 namespace rtserver {
 
 /// One thread, beside which a scene is loaded and long frames are guarded.
-class ServerLoop : private Host {
+class ServerLoop : private Host, private Replies {
   public:
     /// Takes the instance over. `onReady` is called when the first frame is published. Throws ipc::Error.
     ServerLoop(const Options& options, std::function<void()> onReady);
@@ -52,14 +53,22 @@ class ServerLoop : private Host {
     const FrameMaker& frames() const override { return frames_; }
     const Messages& messages() const override { return messages_; }
 
+    void answer(const ipc::Command& command, const std::string& text) override {
+        server_.answer(command, text);
+    }
+    void refuse(const ipc::Command& command, int code, const std::string& text) override {
+        server_.refuse(command, code, text);
+    }
+    bool isConnected(const ipc::Command& command) const override { return server_.isConnected(command); }
+
     void takeLoadedScene();
     void takeRefinedTree();
     void takeShadowMaps();
     std::vector<ipc::Command> takeCommands();
     void serve();
     Served serveOne(const ipc::Command& command);
-    void answer(const ipc::Command& command, const std::function<std::optional<std::string>()>& act);
-    void refuse(const ipc::Command& command, const std::exception& error);
+    void answerBy(const ipc::Command& command, const std::function<std::optional<std::string>()>& act);
+    void refuseFor(const ipc::Command& command, const std::exception& error);
     void refuseAll(const std::vector<ipc::Command>& commands, app::ExitCode code, const std::string& text);
     void finishSideWork();
     void move();
@@ -70,8 +79,7 @@ class ServerLoop : private Host {
     void goBack();
     void publish();
     void record();
-    void answerIdleWaiters();
-    void answerKeyWaiters();
+    void answerRequests();
     void sleep();
 
     bool orphaned();
@@ -97,16 +105,10 @@ class ServerLoop : private Host {
     std::unique_ptr<TreeRefinement> refinement_; ///< of the scene that is shown
     std::unique_ptr<ShadowMapping> mapping_;     ///< of that scene
     bool mapless_ = false;                       ///< this scene goes without
-    std::optional<ipc::Command> loader_; ///< the command that asked for the load; none: the command line
+    Requests requests_{*this};
     CommandBook commands_;
     SideWork sideWork_;
     KeyInbox keys_;
-    std::vector<ipc::Command> idleWaiters_;
-    struct KeyWaiter {
-        ipc::Command command;
-        std::uint64_t press;
-    };
-    std::vector<KeyWaiter> keyWaiters_;
     bool quit_ = false;
     std::optional<app::ProcessWatch> parent_;
     rtcore::RenderSettings drawn_; ///< of the last whole frame that was published
