@@ -1,5 +1,6 @@
 #include "renderer/preview.h"
 
+#include "common/frames/frame_status.h"
 #include "common/process/seconds_since.h"
 #include "common/process/stop.h"
 
@@ -18,12 +19,6 @@ using namespace std::chrono_literals;
 
 constexpr auto kTurn = 5ms;
 constexpr auto kPatience = 2s; // for a predecessor that is just dying
-
-void copy(rtcore::Vec3 from, float* to) {
-    to[0] = from.x;
-    to[1] = from.y;
-    to[2] = from.z;
-}
 
 // The size of frames is not known yet: their memory comes with the first of them.
 std::unique_ptr<ipc::Server> takeInstance(const std::string& instance) {
@@ -74,7 +69,6 @@ void Preview::begin(Work& work) {
     const std::lock_guard lock(mutex_);
     throwIfFailed();
     const rtcore::RenderSettings& settings = work.view.settings;
-    const rtcore::Camera& camera = work.view.camera;
     begun_ = Clock::now();
     picture_ = rtcore::LdrImage(settings.width, settings.height);
     effects_ = {};
@@ -82,12 +76,7 @@ void Preview::begin(Work& work) {
     antialiasing_ = settings.antialiasing;
     status_ = {};
     status_.polygons = work.view.scene.mesh().triangles.size();
-    status_.width = static_cast<std::uint32_t>(settings.width);
-    status_.height = static_cast<std::uint32_t>(settings.height);
-    copy(camera.eye, status_.eye);
-    copy(normalize(camera.forward), status_.forward);
-    copy(normalize(camera.up), status_.up);
-    status_.fieldOfView = fieldOfView(camera, settings.width, settings.height);
+    app::setView(work.view.camera, settings.width, settings.height, status_);
     work_ = &work;
 }
 

@@ -1,5 +1,6 @@
 #include "rtserver/server_loop.h"
 
+#include "common/frames/frame_status.h"
 #include "common/process/stop.h"
 
 #include "rtcore/platform/error.h"
@@ -37,11 +38,6 @@ ipc::ServerOptions serverOptions(const Options& options) {
 }
 
 bool isEnd(const ipc::Command& command) { return command.text == "quit" || command.text == "exit"; }
-
-template <typename Vector>
-void copy(const Vector& from, float (&to)[3]) {
-    for (int i = 0; i < 3; ++i) to[i] = from[i];
-}
 
 std::string shortNumber(double value) {
     char text[32];
@@ -473,17 +469,11 @@ void ServerLoop::publishStatus() {
     status.messages = messages_.count();
     status.framesPerSecond = pacer_.framesPerSecond(Clock::now());
     if (state_.ready()) {
-        const rtcore::Camera& camera = state_.camera();
         status.frameSeconds = frames_.seconds();
         status.raysPerSecond =
             frames_.seconds() > 0 ? static_cast<double>(frames_.rays()) / frames_.seconds() : 0;
         status.polygons = state_.world().loaded.scene.mesh().triangles.size();
-        status.width = static_cast<std::uint32_t>(state_.settings().width);
-        status.height = static_cast<std::uint32_t>(state_.settings().height);
-        copy(camera.eye, status.eye);
-        copy(normalize(camera.forward), status.forward);
-        copy(normalize(camera.up), status.up);
-        status.fieldOfView = rtcore::fieldOfView(camera, state_.settings().width, state_.settings().height);
+        app::setView(state_.camera(), state_.settings().width, state_.settings().height, status);
         status.mode = state_.onUnseenFloor() ? 2 : state_.walking() ? 1 : 0;
         status.exposure = frames_.exposure();
         status.idle = idle() ? 1 : 0;

@@ -1,0 +1,13 @@
+/// What servers of frames tell their clients about them.
+#pragma once
+
+#include "ipc/layout/status.h"
+
+#include "rtcore/scene/camera.h"
+
+namespace app {
+
+/// The part of a status that tells of the size of frames and of the camera that they are seen by.
+void setView(const rtcore::Camera& camera, int width, int height, ipc::Status& status);
+
+} // namespace app
