@@ -6,6 +6,7 @@ function(rt_room library room)
     set(target ${library}_${room})
     if(ARG_SOURCES)
         add_library(${target} STATIC ${ARG_SOURCES})
+        rt_calm_sanitizers(${ARG_SOURCES})
         set(scope PUBLIC)
         target_link_libraries(${target} PRIVATE rt_compile_options ${ARG_LINK})
     else()
@@ -17,19 +18,65 @@ function(rt_room library room)
     target_link_libraries(${target} ${scope} ${ARG_DEPENDS})
 endfunction()
 
+# Vector code is one large function for each instruction set; watching where each of its values goes out of scope makes
+# compiling it five times as long.
+function(rt_calm_sanitizers)
+    if(NOT RT_SANITIZE MATCHES address)
+        return()
+    endif()
+    foreach(source ${ARGN})
+        file(STRINGS ${source} vectors REGEX "simd/foreach_target" LIMIT_COUNT 1)
+        if(vectors)
+            set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS -fno-sanitize-address-use-after-scope)
+        endif()
+    endforeach()
+endfunction()
+
+# Headers that nearly all sources of a target include, compiled once; not with a compiler cache, which does not know
+# when two such compilations are equal.
+function(rt_precompile_headers target)
+    if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
+        target_precompile_headers(${target} PRIVATE ${ARGN})
+    endif()
+endfunction()
+
+# Those of the tests, once for all of them.
+function(rt_precompile_test_headers target)
+    if(CMAKE_CXX_COMPILER_LAUNCHER)
+        return()
+    endif()
+    if(NOT TARGET test_headers)
+        file(WRITE ${CMAKE_BINARY_DIR}/test_headers.cpp "")
+        add_library(test_headers OBJECT ${CMAKE_BINARY_DIR}/test_headers.cpp)
+        target_link_libraries(test_headers PRIVATE rt_compile_options GTest::gtest)
+        target_precompile_headers(test_headers PRIVATE <gtest/gtest.h> <algorithm> <chrono> <filesystem>
+            <fstream> <functional> <memory> <optional> <random> <sstream> <string> <thread> <vector>)
+        rt_optimise_little(test_headers)
+    endif()
+    target_precompile_headers(${target} REUSE_FROM test_headers)
+endfunction()
+
+# The own code of tests is compiled in two thirds of the time so; what renders is in the libraries.
+function(rt_optimise_little target)
+    target_compile_options(${target} PRIVATE $<IF:$<BOOL:${RT_SANITIZE}>,-O0,-O1>)
+endfunction()
+
 # A test program, its tests found by name. Without LABELS it is a unit test: the target `unit_tests` builds all of
 # these, and they run under sanitizers too. `ctest -L unit` runs them, `ctest -L quick` all but the THOROUGH ones, in
 # less than a minute on two cores.
-#   rt_test(accel SOURCES a_test.cpp LINK rtcore_accel [THOROUGH] [LABELS slow])
+# QT: its flags differ from those of the other tests.
+#   rt_test(accel SOURCES a_test.cpp LINK rtcore_accel [THOROUGH] [QT] [LABELS slow])
 add_custom_target(unit_tests)
 function(rt_test name)
-    cmake_parse_arguments(ARG "THOROUGH" "" "SOURCES;LINK;LABELS" ${ARGN})
+    cmake_parse_arguments(ARG "THOROUGH;QT" "" "SOURCES;LINK;LABELS" ${ARGN})
     add_executable(test_${name} ${ARG_SOURCES})
     target_link_libraries(test_${name} PRIVATE rt_compile_options ${ARG_LINK} GTest::gtest GTest::gtest_main)
     target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
-    # The tests' own code takes half as long to compile with sanitizers when it is not optimised.
-    if(RT_SANITIZE)
-        target_compile_options(test_${name} PRIVATE -O0)
+    rt_optimise_little(test_${name})
+    if(ARG_QT)
+        rt_precompile_headers(test_${name} <gtest/gtest.h> <QtTest> <QtWidgets>)
+    else()
+        rt_precompile_test_headers(test_${name})
     endif()
     if(NOT ARG_LABELS)
         # One label for both, since labels are searched for a pattern.
