@@ -28,7 +28,7 @@
         <translation>výška obrazu</translation>
     </message>
     <message>
-        <source>Antialiasing</source>
+        <source>Anti-aliasing</source>
         <translation>Vyhlazování hran</translation>
     </message>
     <message>
@@ -120,7 +120,7 @@
         <translation>odrazů</translation>
     </message>
     <message>
-        <source>Min contribution</source>
+        <source>Min. contribution</source>
         <translation>Nejmenší příspěvek</translation>
     </message>
     <message>
