@@ -635,6 +635,14 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
         <source>There is no room to stand here, or no floor below; move elsewhere first.</source>
         <translation>Není tu místo k stání nebo pod vámi není podlaha; přesuňte se jinam.</translation>
     </message>
+    <message>
+        <source>Ctrl+double click</source>
+        <translation>Ctrl+dvojité kliknutí</translation>
+    </message>
+    <message>
+        <source>Focus the lens there</source>
+        <translation>Zaostřit na místo</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>
