@@ -162,8 +162,8 @@
         <translation>pozastaven</translation>
     </message>
     <message>
-        <source>idle</source>
-        <translation>nečinný</translation>
+        <source>complete</source>
+        <translation>hotovo</translation>
     </message>
     <message>
         <source>drawing</source>
@@ -2271,8 +2271,8 @@ Alt+%2</translation>
         <translation>pozastaven</translation>
     </message>
     <message>
-        <source>idle</source>
-        <translation>nečinný</translation>
+        <source>complete</source>
+        <translation>hotovo</translation>
     </message>
     <message>
         <source>drawing</source>
