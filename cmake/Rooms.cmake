@@ -62,13 +62,12 @@ function(rt_optimise_little target)
 endfunction()
 
 # A test program, its tests found by name. Without LABELS it is a unit test: the target `unit_tests` builds all of
-# these, and they run under sanitizers too. `ctest -L unit` runs them, `ctest -L quick` all but the THOROUGH ones, in
-# less than a minute on two cores.
-# QT: its flags differ from those of the other tests.
-#   rt_test(accel SOURCES a_test.cpp LINK rtcore_accel [THOROUGH] [QT] [LABELS slow])
+# these, and they run under sanitizers too. `ctest -L unit` runs them, `ctest -L quick` all but those that the pattern
+# THOROUGH names, in less than a minute on two cores. QT: its flags differ from those of the other tests.
+#   rt_test(accel SOURCES a_test.cpp LINK rtcore_accel [THOROUGH "Slow.*:Other.OneTest"] [QT] [LABELS slow])
 add_custom_target(unit_tests)
 function(rt_test name)
-    cmake_parse_arguments(ARG "THOROUGH;QT" "" "SOURCES;LINK;LABELS" ${ARGN})
+    cmake_parse_arguments(ARG "QT" "THOROUGH" "SOURCES;LINK;LABELS" ${ARGN})
     add_executable(test_${name} ${ARG_SOURCES})
     target_link_libraries(test_${name} PRIVATE rt_compile_options ${ARG_LINK} GTest::gtest GTest::gtest_main)
     target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
@@ -78,13 +77,16 @@ function(rt_test name)
     else()
         rt_precompile_test_headers(test_${name})
     endif()
+    set(others "*")
     if(NOT ARG_LABELS)
-        # One label for both, since labels are searched for a pattern.
-        set(ARG_LABELS unit.quick)
-        if(ARG_THOROUGH)
-            set(ARG_LABELS unit)
-        endif()
         add_dependencies(unit_tests test_${name})
+        set(ARG_LABELS unit.quick) # one label for both, since labels are searched for a pattern
+        if(ARG_THOROUGH)
+            gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST TEST_FILTER "${ARG_THOROUGH}"
+                PROPERTIES TIMEOUT 3600 LABELS unit)
+            set(others "-${ARG_THOROUGH}")
+        endif()
     endif()
-    gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 3600 LABELS "${ARG_LABELS}")
+    gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST TEST_FILTER "${others}"
+        PROPERTIES TIMEOUT 3600 LABELS "${ARG_LABELS}")
 endfunction()

@@ -170,7 +170,7 @@ look() {
     if [ "$docs" = yes ] && [ "$suffix" = light-en-1 ]; then still; fi
     job_dialogs
     panels
-    pkill -KILL -f "^$bin/RTServer .*--instance=$name" || true
+    kill -KILL "$(cui status | sed -n 's/^process: //p')"
     sleep 2
     whole_window died
     kill "$window"

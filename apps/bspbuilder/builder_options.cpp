@@ -2,7 +2,7 @@
 
 #include "common/cli/import_options.h"
 #include "common/cli/parent_option.h"
-#include "common/process/threads.h"
+#include "common/cli/threads_option.h"
 
 #include <bit>
 
@@ -15,7 +15,7 @@ BuilderOptions readBuilderOptions(const app::Arguments& arguments) {
     if (arguments.has("fast")) options.build.method = rtcore::BuildMethod::Fast;
     if (const auto quality = arguments.integer("quality"))
         options.build.fastQuality = static_cast<int>(*quality);
-    options.build.threads = app::threadCount(arguments.integer("threads"));
+    options.build.threads = app::threadsOf(arguments);
     options.import = app::readImportOptions(arguments);
     options.import.threads = options.build.threads;
     if (arguments.has("verbose")) options.verbosity = Verbosity::Verbose;

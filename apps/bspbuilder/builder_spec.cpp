@@ -3,6 +3,7 @@
 #include "common/cli/file_notes.h"
 #include "common/cli/import_option_group.h"
 #include "common/cli/parent_option.h"
+#include "common/cli/threads_option.h"
 #include "common/progress/progress.h"
 
 namespace bspbuilder {
@@ -27,27 +28,23 @@ OptionGroup treeOptions() {
 }
 
 OptionGroup runOptions() {
-    return {
-        "Running",
-        {{.name = "verbose", .letter = 'v', .help = "report the model and times on standard output"},
-         {.name = "very-verbose",
-          .thesis = {"-vv"},
-          .help = "report also the tree, the time of each phase, and whether the tree passes every check"},
-         {.name = "histogram",
-          .thesis = {"-hist"},
-          .value = ValueKind::Integer,
-          .argument = "N",
-          .help = "draw histograms of the leaves' size and depth in N bands",
-          .minimum = 1,
-          .maximum = 1000},
-         {.name = "threads",
-          .value = ValueKind::Integer,
-          .argument = "N",
-          .help = "use N threads; 0 is all cores; the tree is the same for every number [0]",
-          .minimum = 0,
-          .maximum = 1024},
-         app::progressOption(),
-         app::parentOption()}};
+    return {"Running",
+            {{.name = "verbose", .letter = 'v', .help = "report the model and times on standard output"},
+             {.name = "very-verbose",
+              .thesis = {"-vv"},
+              .help = "report also the tree, the time of each phase, and whether the tree passes every check",
+              .more = "Of the tree: nodes, leaves, depth, references, expected cost of a ray, memory"},
+             {.name = "histogram",
+              .thesis = {"-hist"},
+              .value = ValueKind::Integer,
+              .argument = "N",
+              .help = "draw histograms of the leaves' size and depth in N bands",
+              .more = "The size is the number of triangles",
+              .minimum = 1,
+              .maximum = 1000},
+             app::threadsOption(),
+             app::progressOption(),
+             app::parentOption()}};
 }
 
 } // namespace

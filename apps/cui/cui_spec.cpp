@@ -26,7 +26,7 @@ app::OptionGroup options() {
               .help = "how long to wait for the answer to a command [60]",
               .minimum = 0,
               .maximum = 1e6},
-             {.name = "json", .help = "print status and list for programs"},
+             {.name = "json", .help = "status, watch and list: print JSON, an object or an array a line"},
              {.name = "for",
               .value = ValueKind::Integer,
               .argument = "MS",

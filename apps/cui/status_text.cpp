@@ -33,11 +33,14 @@ std::string lineOf(const Json& json) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-const char* state(const ipc::Status& status) {
+// `idle` is the word for a frame that needs no more drawing: programs know the flag, people see an image.
+const char* state(const ipc::Status& status, const char* idle) {
     if (status.progress < 1) return "loading";
     if (status.paused != 0) return "paused";
-    return status.idle != 0 ? "idle" : "drawing";
+    return status.idle != 0 ? idle : "drawing";
 }
+const char* stateForPeople(const ipc::Status& status) { return state(status, "complete"); }
+const char* stateForPrograms(const ipc::Status& status) { return state(status, "idle"); }
 
 const char* mode(const ipc::Status& status) { return status.mode == 0 ? "fly" : "walk"; }
 
@@ -53,7 +56,7 @@ std::string statusText(const std::string& instance, std::int64_t process, const 
     };
     line("instance", instance);
     line("process", std::to_string(process));
-    line("state", state(status));
+    line("state", stateForPeople(status));
     if (status.recording != 0) line("recording", "yes");
     line("resolution", fmt::format("{} x {}", status.width, status.height));
     line("polygons", std::to_string(status.polygons));
@@ -72,7 +75,7 @@ std::string statusText(const std::string& instance, std::int64_t process, const 
 std::string statusJson(const std::string& instance, std::int64_t process, const ipc::Status& status) {
     return lineOf({{"instance", instance},
                    {"process", process},
-                   {"state", state(status)},
+                   {"state", stateForPrograms(status)},
                    {"width", status.width},
                    {"height", status.height},
                    {"polygons", status.polygons},
@@ -94,7 +97,7 @@ std::string statusJson(const std::string& instance, std::int64_t process, const 
 std::string statusLine(const ipc::Status& status) {
     return fmt::format("{:.1f} frames/s  {:.2f} ms  {:.2f} Mrays/s  {} x {}  {}\n", status.framesPerSecond,
                        status.frameSeconds * 1e3, status.raysPerSecond * 1e-6, status.width, status.height,
-                       state(status));
+                       stateForPeople(status));
 }
 
 std::string listText(std::span<const ipc::Instance> instances) {

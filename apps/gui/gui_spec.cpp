@@ -22,7 +22,7 @@ const app::ProgramSpec& guiSpec() {
                       .letter = 'i',
                       .value = ValueKind::Text,
                       .argument = "NAME",
-                      .help = "the server's name [default]"},
+                      .help = "the server's name [that of the preferences]"},
                      {.name = "connect", .letter = 'c', .help = "connect to the server that runs"}}}},
         .examples = {{"GUI nave.scn", "start a server with this scene and walk in it"},
                      {"GUI --connect --instance=cow", "look at what the server 'cow' shows"}},

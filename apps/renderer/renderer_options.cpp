@@ -3,7 +3,7 @@
 #include "common/cli/import_options.h"
 #include "common/cli/isa_option.h"
 #include "common/cli/parent_option.h"
-#include "common/process/threads.h"
+#include "common/cli/threads_option.h"
 #include "common/settings/setting_option.h"
 
 #include <algorithm>
@@ -148,7 +148,7 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     options.requeue = arguments.has("requeue");
     options.focusAt = readPlace(arguments, "focus-at");
     options.settings = readSettings(arguments);
-    options.threads = app::threadCount(arguments.integer("threads"));
+    options.threads = app::threadsOf(arguments);
     app::useIsa(arguments);
     options.import = app::readImportOptions(arguments);
     options.import.threads = options.threads;

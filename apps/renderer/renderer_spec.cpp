@@ -6,6 +6,7 @@
 #include "common/cli/import_option_group.h"
 #include "common/cli/isa_option.h"
 #include "common/cli/parent_option.h"
+#include "common/cli/threads_option.h"
 #include "common/progress/progress.h"
 #include "common/settings/setting_option.h"
 
@@ -26,7 +27,8 @@ OptionGroup outputOptions() {
               .argument = "FILE",
               .help = "write the image there; the extension says the format; .exr, .hdr and .pfm hold linear "
                       "radiance, not tone mapped; '-' is standard output; may be given several times [the "
-                      "scene's output, else its name with .png in the current folder]"},
+                      "scene's output, else its name with .png in the current folder]",
+              .more = "The scene's output counts if it lies in the folder of the `.scn` or below"},
              {.name = "format",
               .value = ValueKind::Choice,
               .argument = "NAME",
@@ -35,12 +37,14 @@ OptionGroup outputOptions() {
              {.name = "aovs",
               .formerly = {"layers"},
               .help = "outputs with the extension .exr also hold AOVs: depth, normal, albedo, direct light "
-                      "and ambient occlusion of the surfaces"},
+                      "and ambient occlusion of the surfaces",
+              .more = "See [post.md](post.md#aovs)"},
              {.name = "width",
               .letter = 'w',
               .value = ValueKind::Text,
               .argument = "N",
-              .help = "pixels from left to right; alone it keeps the aspect"},
+              .help = "pixels from left to right; alone it keeps the aspect",
+              .more = "That is the aspect of the `.cam`, the settings or the scene, else 4:3"},
              {.name = "height",
               .letter = 'h',
               .value = ValueKind::Text,
@@ -55,6 +59,7 @@ OptionGroup sequenceOptions() {
           .value = ValueKind::Text,
           .argument = "FILE",
           .help = "look through this .cam file",
+          .more = "Its size, anti-aliasing, exposure, lights and environment count, too, where it names them",
           .files = {"cam"}},
          {.name = "model",
           .value = ValueKind::Text,
@@ -67,6 +72,7 @@ OptionGroup sequenceOptions() {
           .argument = "FILE",
           .help = "render a frame for each .cam file that this text file lists; #### in the output's name "
                   "becomes the number of the frame, from 0001",
+          .more = "The scene is loaded once",
           .files = {"lst", "txt"}},
          {.name = "frames",
           .value = ValueKind::Text,
@@ -75,7 +81,8 @@ OptionGroup sequenceOptions() {
          {.name = "chunk",
           .value = ValueKind::Text,
           .argument = "I/N",
-          .help = "render the I-th of N equal parts of the list, or of --frames"},
+          .help = "render the I-th of N equal parts of the list, or of --frames",
+          .more = "All parts together hold each frame once, each part in a row"},
          {.name = "force",
           .help = "render frames again whose files are there already and whole; they are skipped otherwise"},
          {.name = "verify",
@@ -99,6 +106,8 @@ OptionGroup sequenceOptions() {
           .value = ValueKind::Number,
           .argument = "X",
           .help = "frames per second of the film [as the .cam files were recorded, else 25]",
+          .more = "The rate was recorded if the first and the last name their `time`. With `--follow` it is "
+                  "always 25",
           .minimum = 0.1,
           .maximum = 1000}}};
 }
@@ -114,7 +123,8 @@ OptionGroup qualityOptions() {
               .letter = 'b',
               .value = ValueKind::Text,
               .argument = "N",
-              .help = "bloom around bright spots: a blur of N pixels (standard deviation); 0 is none"},
+              .help = "bloom around bright spots: a blur of N pixels (standard deviation); 0 is none",
+              .more = "See [post.md](post.md)"},
              {.name = "ambient-occlusion",
               .thesis = {"-ao"},
               .help = "switch ambient occlusion on: corners are darker than open surfaces"},
@@ -132,7 +142,9 @@ OptionGroup qualityOptions() {
              {.name = "focus-at",
               .value = ValueKind::Text,
               .argument = "X,Y",
-              .help = "switch depth of field on, focused on what is seen at this pixel"},
+              .help = "switch depth of field on, focused on what is seen at this pixel",
+              .more = "The pixel is counted from the upper left corner; `--setting depthOfField.fNumber=F` "
+                      "says how strong the effect is"},
              {.name = "exposure",
               .value = ValueKind::Text,
               .argument = "C",
@@ -147,7 +159,10 @@ OptionGroup qualityOptions() {
               .argument = "NAME=VALUE",
               .help = "any setting by its name; may be given several times",
               .suggest = app::suggestAssignments},
-             {.name = "settings", .help = "list all settings and exit", .answers = true}}};
+             {.name = "settings",
+              .help = "list all settings and exit",
+              .more = "With range, default and meaning",
+              .answers = true}}};
 }
 
 OptionGroup previewOptions() {
@@ -157,7 +172,9 @@ OptionGroup previewOptions() {
               .argument = "NAME",
               .help = "show the image while it is rendered, from coarse to fine, to programs that look for "
                       "an instance of this name; without --output no file is written; stops with the process "
-                      "that started it"},
+                      "that started it",
+              .more = "The name has 1 to 32 letters, digits, `_` or `-`. Only one image is rendered; "
+                      "[protocol.md](protocol.md) has what viewers see"},
              {.name = "run-id",
               .value = ValueKind::Integer,
               .argument = "N",
@@ -168,6 +185,7 @@ OptionGroup previewOptions() {
               .value = ValueKind::Number,
               .argument = "S",
               .help = "seconds for which the last frame of the preview can be found [2]",
+              .more = "A signal ends the waiting, with exit code 0",
               .minimum = 0,
               .maximum = 1e6}}};
 }
@@ -175,12 +193,7 @@ OptionGroup previewOptions() {
 OptionGroup runOptions() {
     return {
         "Running",
-        {{.name = "threads",
-          .value = ValueKind::Integer,
-          .argument = "N",
-          .help = "use N threads; 0 is all cores; the image is the same for every number [0]",
-          .minimum = 0,
-          .maximum = 1024},
+        {app::threadsOption(),
          app::isaOption(),
          app::progressOption(),
          app::parentOption(),
@@ -194,6 +207,8 @@ OptionGroup runOptions() {
           .argument = "FILE",
           .help = "write what the renderer works with - cells of the kd-tree, lights, camera, normals - as "
                   "an .obj model, and exit",
+          .more = "With a `.mtl` beside it, in the coordinates of the scene: cells of the kd-tree by depth "
+                  "and the heaviest leaves, lights, what the camera sees, normals where its rays hit",
           .files = {"obj"}}}};
 }
 

@@ -3,7 +3,7 @@
 #include "common/cli/file_notes.h"
 #include "common/cli/import_options.h"
 #include "common/cli/isa_option.h"
-#include "common/process/threads.h"
+#include "common/cli/threads_option.h"
 #include "common/settings/setting_option.h"
 
 #include <limits>
@@ -21,13 +21,14 @@ OptionGroup viewOptions() {
             {{.name = "camera",
               .value = ValueKind::Text,
               .argument = "FILE",
-              .help = "begin with this .cam file, its size, exposure, lights and environment",
+              .help = "begin with this .cam file, its size, anti-aliasing, exposure, lights and environment",
               .files = {"cam"}},
              {.name = "resolution",
               .letter = 'r',
               .value = ValueKind::Text,
               .argument = "WxH",
-              .help = "pixels of a frame"},
+              .help = "pixels of a frame",
+              .more = "Up to 16384 each way"},
              {.name = "play",
               .value = ValueKind::Text,
               .argument = "LIST",
@@ -39,6 +40,7 @@ OptionGroup viewOptions() {
               .argument = "FILE",
               .help = "a .bsp that BSPBuilder made of the model: loaded instead of it, which is quicker; the "
                       "model keeps its name",
+              .more = "The model is imported, with a warning, when the `.bsp` cannot be read",
               .files = {"bsp"}},
              {.name = "set",
               .value = ValueKind::Text,
@@ -59,13 +61,10 @@ OptionGroup runOptions() {
           .letter = 'i',
           .value = ValueKind::Text,
           .argument = "NAME",
-          .help = "the name by which clients find this server [default]"},
-         {.name = "threads",
-          .value = ValueKind::Integer,
-          .argument = "N",
-          .help = "use N threads; 0 is all cores; the frames are the same for every number [0]",
-          .minimum = 0,
-          .maximum = 1024},
+          .help = "the name by which clients find this server [default]",
+          .more =
+              "1 to 32 letters, digits, `_` or `-`. Of two servers with one name the second ends with 75"},
+         app::threadsOption(),
          {.name = "fps-limit",
           .value = ValueKind::Number,
           .argument = "X",
@@ -83,9 +82,14 @@ OptionGroup runOptions() {
           .value = ValueKind::Integer,
           .argument = "PID",
           .help = "once this process is no more, end as soon as no client is connected",
+          .more = "The window names itself, so that a server of its own does not outlive it, whatever ends "
+                  "it. Programs that only look are no clients",
           .minimum = 1,
           .maximum = std::numeric_limits<std::int32_t>::max()},
-         {.name = "daemon", .letter = 'd', .help = "go on in the background once the first frame is there"},
+         {.name = "daemon",
+          .letter = 'd',
+          .help = "go on in the background once the first frame is there",
+          .more = "The command returns then, with 0, or with the exit code of what went wrong"},
          app::isaOption()}};
 }
 
@@ -136,7 +140,7 @@ Options readOptions(const app::Arguments& arguments) {
         if (given.name == "resolution") readResolution(given.value, options.settings);
         if (given.name == "setting") options.settings.push_back(app::settingOf(given.value));
     }
-    options.threads = app::threadCount(arguments.integer("threads"));
+    options.threads = app::threadsOf(arguments);
     options.framesPerSecond = arguments.number("fps-limit").value_or(0);
     options.parent = arguments.integer("parent");
     options.daemon = arguments.has("daemon");

@@ -45,7 +45,7 @@ changed() { [ "$(answer $asked)" != "$before" ]; }
 is() { [ "$(answer $asked)" = "$before" ]; }
 written() { [ -s "$work/$1" ]; }
 eye() { status | grep -E "^(eye|forward):"; }
-idle() { status | grep -q "state: idle"; }
+idle() { status | grep -q "state: complete"; }
 moved() { [ "$(eye)" != "$before" ]; }
 shot() { import -window root "$work/$1.png"; }
 differ() { ! compare -metric AE "$work/$1.png" "$work/$2.png" null: 2>/dev/null; }

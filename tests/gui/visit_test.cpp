@@ -50,7 +50,7 @@ TEST_F(VisitTest, TheStatisticsMoveWithTheWalker) {
     const auto* eye = field<QLabel>(*dialog, "Eye");
     const auto* state = field<QLabel>(*dialog, "State");
     const auto* frames = field<QLabel>(*dialog, "Displayed");
-    ASSERT_TRUE(comes([&] { return state->text() == QStringLiteral("idle"); }));
+    ASSERT_TRUE(comes([&] { return state->text() == QStringLiteral("complete"); }));
     ASSERT_TRUE(comes([&] { return frames->text().startsWith(QStringLiteral("0.0")); }));
     const QString before = eye->text();
     press(Qt::Key_W);
@@ -59,7 +59,7 @@ TEST_F(VisitTest, TheStatisticsMoveWithTheWalker) {
                !frames->text().startsWith(QStringLiteral("0.0"));
     })) << eye->text().toStdString();
     release(Qt::Key_W);
-    EXPECT_TRUE(comes([&] { return state->text() == QStringLiteral("idle"); }));
+    EXPECT_TRUE(comes([&] { return state->text() == QStringLiteral("complete"); }));
 }
 
 TEST_F(VisitTest, CapsLockAndArrowsRotate) {

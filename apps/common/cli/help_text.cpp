@@ -58,7 +58,7 @@ std::span<const HelpWord> exitCodeNotes() {
         {"2", "the command line is wrong"},
         {"65", "the content of a file is wrong"},
         {"66", "an input is missing or cannot be read"},
-        {"73", "an output cannot be written"},
+        {"73", "an output cannot be written, or the shared name is another user's"},
         {"75", "a resource is short for the moment, try again"},
         {"129", "stopped by SIGHUP"},
         {"130", "stopped by SIGINT (Ctrl-C)"},
@@ -88,8 +88,11 @@ ProgramSpec withStandardOptions(ProgramSpec spec) {
     }
     Option help{.name = "help", .thesis = {"-help"}, .help = "display this help and exit", .answers = true};
     if (!taken) help.letter = 'h';
-    Option version{
-        .name = "version", .help = "display version and build features, and exit", .answers = true};
+    Option version{.name = "version",
+                   .help = "display version and build features, and exit",
+                   .more =
+                       "The features are OpenMP, ImageMagick, OpenEXR and the vector code of this processor",
+                   .answers = true};
     spec.groups.push_back({"About", {std::move(help), std::move(version)}});
     return spec;
 }

@@ -24,6 +24,8 @@ OptionGroup importOptionGroup() {
           .argument = "S",
           .help = "seconds that one step of importing may take [15, and 2 more for each MB of the file; 5 "
                   "for a tiny one]",
+          .more = "A step is the parsing of the file, an image or a mesh. Tiny is a file below 64 kB that is "
+                  "no `.gltf`",
           .minimum = 0.01,
           .maximum = 1e6}}};
 }

@@ -22,6 +22,8 @@ Option isaOption() {
             .help =
                 "use the vector code of one instruction set, of those that --version lists; the results are "
                 "the same [auto]",
+            .more = "`avx512`, `avx2`, `sse4`, `neon` or `scalar`; `auto` is the fastest. The environment "
+                    "variable `RT_ISA` does the same for every program",
             .suggest = suggestIsa};
 }
 

@@ -29,7 +29,8 @@ struct Option {
     std::vector<std::string> formerly = {}; ///< long names that it had before: taken, but told nowhere
     ValueKind value = ValueKind::None;
     std::string argument = {}; ///< how the help calls the value
-    std::string help = {};     ///< sentence without a full stop
+    std::string help = {};     ///< sentence without a full stop; [] at its end hold the default
+    std::string more = {};     ///< further sentences for docs/manual.md, which has code in backquotes
     double minimum = std::numeric_limits<double>::lowest();
     double maximum = std::numeric_limits<double>::max();
     std::vector<std::string> choices = {};

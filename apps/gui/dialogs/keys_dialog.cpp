@@ -1,6 +1,7 @@
 #include "gui/dialogs/keys_dialog.h"
 
 #include "gui/models/action_table.h"
+#include "gui/models/view_keys.h"
 #include "gui/session/session.h"
 
 #include <QCoreApplication>
@@ -52,16 +53,10 @@ QString shortcutRows() {
 
 QString keysPage(const QList<Binding>& bindings) {
     const auto tr = [](const char* text) { return QCoreApplication::translate("gui", text); };
-    const QString picture = row(tr("Click, Enter"), tr("Capture mouse and keyboard")) +
-                            row(tr("Esc"), tr("Release them")) + row(tr("Mouse"), tr("Look around")) +
-                            row(tr("Double click"), tr("Look there")) +
-                            row(tr("Alt+digit"), tr("Go to a bookmark")) + row(tr("Wheel"), tr("Speed")) +
-                            row(QStringLiteral("E"), tr("Export the camera")) +
-                            row(QStringLiteral("H"), tr("Export the camera for high quality")) +
-                            row(QStringLiteral("R"), tr("Render in higher quality")) +
-                            row(QStringLiteral("R+L"), tr("The same with anti-aliasing"));
+    QString view;
+    for (const ViewKey& each : viewKeys()) view += row(each.keys, each.meaning);
     return QStringLiteral("<table cellspacing=12 width=\"100%\"><tr><td>%1%2</td><td>%3</td></tr></table>")
-        .arg(table(tr("Moving"), bindingRows(bindings)), table(tr("Image"), picture),
+        .arg(table(tr("Moving"), bindingRows(bindings)), table(tr("Image"), view),
              table(tr("Menus"), shortcutRows()));
 }
 

@@ -58,7 +58,7 @@ QString StatisticsDialog::stateName() const {
     const ServerStatus& status = session_.status();
     if (status.progress < 1) return tr("loading");
     if (status.paused) return tr("paused");
-    return status.idle ? tr("idle") : tr("drawing");
+    return status.idle ? tr("complete") : tr("drawing");
 }
 
 void StatisticsDialog::refresh() {

@@ -16,7 +16,10 @@ using rtcore::SettingType;
 struct Label {
     std::string_view setting, text;
 };
-constexpr Label kLabels[] = {{"maxDepth", "Max. bounces"}, {"ambientOcclusion.light", "Ambient light"}};
+constexpr Label kLabels[] = {{"antialiasing", "Anti-aliasing"},
+                             {"maxDepth", "Max. bounces"},
+                             {"minContribution", "Min. contribution"},
+                             {"ambientOcclusion.light", "Ambient light"}};
 
 QString translated(const QString& text) {
     return QCoreApplication::translate("Settings", text.toUtf8().constData());
@@ -26,7 +29,7 @@ QString fromView(std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
-// "minContribution": "Min contribution".
+// "brighterSeconds": "Brighter seconds".
 QString words(const QString& name) {
     QString text;
     for (const QChar letter : name) {

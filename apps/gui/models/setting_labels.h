@@ -16,7 +16,7 @@ namespace gui {
 /// A group of the table (Setting::group) as it is called: "Ambient occlusion"; the one without a name:
 /// "Image".
 QString settingGroup(std::string_view group);
-/// The part behind the dot, or all of it: "minContribution" is "Min contribution". Of choices, too.
+/// The part behind the dot, or all of it: "brighterSeconds" is "Brighter seconds". Of choices, too.
 QString settingLabel(std::string_view name);
 QString settingUnit(std::string_view unit);
 QString settingHelp(std::string_view help);

@@ -162,8 +162,8 @@
         <translation>pozastaven</translation>
     </message>
     <message>
-        <source>idle</source>
-        <translation>nečinný</translation>
+        <source>complete</source>
+        <translation>hotovo</translation>
     </message>
     <message>
         <source>drawing</source>
@@ -634,6 +634,14 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
     <message>
         <source>There is no room to stand here, or no floor below; move elsewhere first.</source>
         <translation>Není tu místo k stání nebo pod vámi není podlaha; přesuňte se jinam.</translation>
+    </message>
+    <message>
+        <source>Ctrl+double click</source>
+        <translation>Ctrl+dvojité kliknutí</translation>
+    </message>
+    <message>
+        <source>Focus the lens there</source>
+        <translation>Zaostřit na místo</translation>
     </message>
 </context>
 <context>
@@ -2263,8 +2271,8 @@ Alt+%2</translation>
         <translation>pozastaven</translation>
     </message>
     <message>
-        <source>idle</source>
-        <translation>nečinný</translation>
+        <source>complete</source>
+        <translation>hotovo</translation>
     </message>
     <message>
         <source>drawing</source>

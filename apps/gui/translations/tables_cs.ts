@@ -28,7 +28,7 @@
         <translation>výška obrazu</translation>
     </message>
     <message>
-        <source>Antialiasing</source>
+        <source>Anti-aliasing</source>
         <translation>Vyhlazování hran</translation>
     </message>
     <message>
@@ -120,7 +120,7 @@
         <translation>odrazů</translation>
     </message>
     <message>
-        <source>Min contribution</source>
+        <source>Min. contribution</source>
         <translation>Nejmenší příspěvek</translation>
     </message>
     <message>
@@ -651,8 +651,8 @@
         <translation>Vlákna</translation>
     </message>
     <message>
-        <source>use N threads; 0 is all cores; the image is the same for every number [0]</source>
-        <translation>použít N vláken; 0 jsou všechna jádra; obraz je pro každý počet stejný [0]</translation>
+        <source>use N threads; 0 is all cores; the results are the same for every number [0]</source>
+        <translation>použít N vláken; 0 jsou všechna jádra; výsledky jsou pro každý počet stejné [0]</translation>
     </message>
     <message>
         <source>ISA</source>
@@ -773,10 +773,6 @@
     <message>
         <source>draw histograms of the leaves' size and depth in N bands</source>
         <translation>nakreslit histogramy velikosti a hloubky listů v N pásmech</translation>
-    </message>
-    <message>
-        <source>use N threads; 0 is all cores; the tree is the same for every number [0]</source>
-        <translation>použít N vláken; 0 jsou všechna jádra; strom je pro každý počet stejný [0]</translation>
     </message>
 </context>
 </TS>

@@ -143,11 +143,8 @@ void FrameView::paintEvent(QPaintEvent* event) {
     words_ = stateText(session_);
     if (!words_.isEmpty() && !picture.isNull()) painter.fillRect(rect(), QColor(0, 0, 0, 90));
     drawWords(painter, rect(), words_);
-    if (figures_ && session_.live()) {
-        const QString figures = figuresText(session_.status(), picture.size(), still_);
-        drawFigures(painter, rect(),
-                    activity_.isEmpty() ? figures : figures + QStringLiteral("  ·  ") + activity_);
-    }
+    if (figures_ && session_.live())
+        drawFigures(painter, rect(), figuresText(session_.status(), picture.size(), still_, activity_));
     if (told_.isEmpty()) return;
     const int line = 4 * painter.fontMetrics().height();
     drawWords(painter, QRect(0, height() - line, width(), line), told_);

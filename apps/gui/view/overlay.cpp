@@ -16,7 +16,7 @@ QString tr(const char* text) { return QCoreApplication::translate("gui", text); 
 
 QString activity(const ServerStatus& status, bool refining) {
     if (status.paused) return tr("paused");
-    if (status.idle) return tr("idle");
+    if (status.idle) return tr("complete");
     return refining ? tr("refining") : tr("drawing");
 }
 
@@ -30,7 +30,7 @@ void drawBox(QPainter& painter, const QRect& box) {
 
 } // namespace
 
-QString figuresText(const ServerStatus& status, const QSize& frame, bool still) {
+QString figuresText(const ServerStatus& status, const QSize& frame, bool still, const QString& rendering) {
     if (status.resolution.isEmpty()) return {};
     QString size = QStringLiteral("%1 × %2").arg(status.resolution.width()).arg(status.resolution.height());
     constexpr int kPercent = 100;
@@ -38,10 +38,13 @@ QString figuresText(const ServerStatus& status, const QSize& frame, bool still) 
     const bool coarse = fraction > 0 && fraction < kPercent;
     if (coarse) size += tr(" (%1 %)").arg(fraction);
     const QString mode = status.view.walking ? tr("Walk") : tr("Fly");
-    QStringList parts{size, mode, activity(status, coarse && still)};
+    QStringList parts{size, mode};
+    const bool complete = status.idle && !status.paused;
+    if (!complete || rendering.isEmpty()) parts.append(activity(status, coarse && still));
     const bool counts = !status.idle && !status.paused && status.framesPerSecond >= 1;
     if (counts) parts.prepend(tr("%1 fps").arg(QLocale().toString(status.framesPerSecond, 'f', 0)));
     if (status.recording) parts.append(tr("● recording"));
+    if (!rendering.isEmpty()) parts.append(rendering);
     return parts.join(QStringLiteral("  ·  "));
 }
 

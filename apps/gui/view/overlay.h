@@ -12,8 +12,9 @@ class QRect;
 namespace gui {
 
 /// "29 fps · 1280 × 720 (62 %) · walking · drawing": `frame` is smaller while the server saves pixels. Does
-/// the camera stand still, more pixels follow: "refining".
-QString figuresText(const ServerStatus& status, const QSize& frame, bool still);
+/// the camera stand still, more pixels follow: "refining". `rendering`: what the Renderer does with the view,
+/// such as "refined"; empty = nothing. It takes the place of "complete".
+QString figuresText(const ServerStatus& status, const QSize& frame, bool still, const QString& rendering);
 /// What stands in the middle while there is no live frame; empty when there is.
 QString stateText(const Session& session);
 

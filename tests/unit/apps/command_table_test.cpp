@@ -10,15 +10,12 @@
 #include "common/commands/quoting.h"
 #include "cui/cui_spec.h"
 #include "rtserver/commands.h"
+#include "support/document_section.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <set>
-#include <sstream>
 
 namespace {
 
@@ -187,40 +184,14 @@ TEST(CommandLines, SuitTheTable) {
     EXPECT_EQ(wordsOf(command::screenshot(path)).back(), path);
 }
 
-// --- docs/manual.md ---
-
-std::string escapedBars(std::string text) {
-    for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, "\\");
-    return text;
-}
-
-std::string manualTable() {
-    std::string table = "| command | |\n|---|---|\n";
-    for (const app::CommandSpec& command : app::commandTable()) {
-        table +=
-            "| `" + escapedBars(app::commandLabel(command)) + "` | " + escapedBars(std::string(command.help));
-        if (!command.more.empty())
-            table += (command.help.ends_with('?') ? " " : ". ") + std::string(command.more);
-        table += " |\n";
-    }
-    return table;
-}
-
 TEST(CommandTable, IsThatOfTheManual) {
-    const std::string name = RT_DOCUMENTS "/manual.md", mark = "<!-- commands -->\n";
-    std::ifstream file(name, std::ios::binary);
-    const std::string page{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    const std::size_t mine = page.find(mark);
-    ASSERT_NE(mine, std::string::npos);
-    const std::size_t begin = mine + mark.size(), end = page.find("<!-- end -->", begin);
-    ASSERT_NE(end, std::string::npos);
-    const std::string wanted = page.substr(0, begin) + manualTable() + page.substr(end);
-    if (std::getenv("RT_RENEW_DOCS") != nullptr) {
-        std::ofstream(name, std::ios::binary) << wanted;
-        return;
+    std::string table = test::tableRow({"command", ""}) + "|---|---|\n";
+    for (const app::CommandSpec& command : app::commandTable()) {
+        std::string text(command.help);
+        if (!command.more.empty()) text += (text.ends_with('?') ? " " : ". ") + std::string(command.more);
+        table += test::tableRow({"`" + app::commandLabel(command) + "`", text});
     }
-    EXPECT_EQ(page, wanted) << "RT_RENEW_DOCS=1 test_apps --gtest_filter=CommandTable.* writes the table of "
-                               "docs/manual.md anew";
+    test::expectSection(RT_DOCUMENTS "/manual.md", "commands", table);
 }
 
 } // namespace

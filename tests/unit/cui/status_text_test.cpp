@@ -46,7 +46,7 @@ TEST(StatusText, SaysWhatTheServerDoes) {
     status.progress = 1;
     EXPECT_NE(cui::statusText("cow", 7, status).find("state: drawing\n"), std::string::npos);
     status.idle = 1;
-    EXPECT_NE(cui::statusText("cow", 7, status).find("state: idle\n"), std::string::npos);
+    EXPECT_NE(cui::statusText("cow", 7, status).find("state: complete\n"), std::string::npos);
     status.paused = 1;
     EXPECT_NE(cui::statusText("cow", 7, status).find("state: paused\n"), std::string::npos);
 }

@@ -4,11 +4,10 @@
 #include "rtcore/io/text/scn.h"
 #include "rtcore/io/text/set.h"
 #include "rtcore/io/text/toml_guard.h"
+#include "support/document_section.h"
 #include "unit/text/text_test_support.h"
 
 #include <gtest/gtest.h>
-
-#include <sstream>
 
 namespace {
 
@@ -16,6 +15,8 @@ const std::string& document() {
     static const std::string text = test::fileContent(RT_FORMATS_DOCUMENT);
     return text;
 }
+
+std::string code(std::string_view text) { return "`" + std::string(text) + "`"; }
 
 TEST(FormatsDocument, SceneExamplesAreScenes) {
     const auto examples = test::documentedExamples("toml scn");
@@ -63,23 +64,34 @@ TEST(FormatsDocument, RecordingExamplesAreWholeRecordings) {
 }
 
 TEST(FormatsDocument, TheFormerNamesAreThoseThatAreRead) {
-    std::string table = "| Name | Former name |\n|---|---|\n";
+    std::string table = test::tableRow({"Name", "Former name"}) + "|---|---|\n";
     for (const rtcore::FormerName& each : rtcore::formerSettingNames())
-        table += "| `" + std::string(each.name) + "` | `" + std::string(each.former) + "` |\n";
-    EXPECT_NE(document().find(table + "\n"), std::string::npos)
-        << "replace the table in docs/formats.md by:\n"
-        << table;
+        table += test::tableRow({code(each.name), code(each.former)});
+    test::expectSection(RT_FORMATS_DOCUMENT, "former names", table);
+}
+
+std::string_view typeName(rtcore::SettingType type) {
+    switch (type) {
+    case rtcore::SettingType::Boolean:
+        return "boolean";
+    case rtcore::SettingType::Integer:
+        return "integer";
+    case rtcore::SettingType::Number:
+        return "number";
+    case rtcore::SettingType::Choice:
+        break;
+    }
+    return "word";
 }
 
 TEST(FormatsDocument, TheTableOfSettingsIsTheOneOfTheProgram) {
-    std::ostringstream table;
+    std::string table = test::tableRow({"Name", "Default", "Type", "Takes", "Unit", "Meaning"}) +
+                        "|---|---|---|---|---|---|\n";
     for (const rtcore::Setting& setting : rtcore::settingsTable())
-        table << "| `" << setting.name << "` | `" << rtcore::settingText(setting.defaultValue) << "` | "
-              << rtcore::settingRange(setting) << " | " << setting.unit << " | " << setting.help << " |\n";
-    const std::string rows = table.str();
-    EXPECT_NE(document().find("|---|---|---|---|---|\n" + rows + "\n"), std::string::npos)
-        << "replace the table in docs/formats.md by:\n"
-        << rows;
+        table += test::tableRow({code(setting.name), code(rtcore::settingText(setting.defaultValue)),
+                                 typeName(setting.type), rtcore::settingRange(setting), setting.unit,
+                                 setting.help});
+    test::expectSection(RT_FORMATS_DOCUMENT, "settings", table);
 }
 
 /// The keys that a reader knows: those that its message about an unknown key lists.

@@ -1,0 +1,27 @@
+#include "gui/models/view_keys.h"
+
+#include <QCoreApplication>
+
+namespace gui {
+
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("gui", text); }
+
+} // namespace
+
+QList<ViewKey> viewKeys() {
+    return {{tr("Click, Enter"), tr("Capture mouse and keyboard")},
+            {tr("Esc"), tr("Release them")},
+            {tr("Mouse"), tr("Look around")},
+            {tr("Double click"), tr("Look there")},
+            {tr("Ctrl+double click"), tr("Focus the lens there")},
+            {tr("Alt+digit"), tr("Go to a bookmark")},
+            {tr("Wheel"), tr("Speed")},
+            {QStringLiteral("E"), tr("Export the camera")},
+            {QStringLiteral("H"), tr("Export the camera for high quality")},
+            {QStringLiteral("R"), tr("Render in higher quality")},
+            {QStringLiteral("R+L"), tr("The same with anti-aliasing")}};
+}
+
+} // namespace gui

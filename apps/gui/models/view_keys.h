@@ -1,0 +1,15 @@
+/// What keys and the mouse do in the image beside the bindings of keys: for F1 and docs/window.md.
+#pragma once
+
+#include <QList>
+#include <QString>
+
+namespace gui {
+
+struct ViewKey {
+    QString keys, meaning; ///< in the window's language
+};
+
+QList<ViewKey> viewKeys();
+
+} // namespace gui
