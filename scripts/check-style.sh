@@ -1,6 +1,6 @@
 #!/bin/sh
-# The layout of the code by clang-format 14, the words of docs/style.md and the syntax of the scripts; with --tidy also clang-tidy
-# over the release build (takes a while).
+# The layout of the code by clang-format 14, the words of docs/style.md, the rooms that may call the system and the syntax
+# of the scripts; with --tidy also clang-tidy over the release build (takes a while).
 #   scripts/check-style.sh [--tidy]
 set -eu
 cd "$(dirname "$0")/.."
@@ -12,6 +12,8 @@ else
 fi
 scripts/check_words.py
 echo "check-style: the words are those of docs/style.md"
+scripts/check_system_headers.py
+echo "check-style: system headers are included in their rooms only"
 # Each by the shell that its first line names.
 git ls-files '*.sh' .ci/run | while read -r script; do
     shell=$(sed -n '1s/^#![^ ]*[/ ]\([a-z]*\)$/\1/p' "$script")

@@ -8,11 +8,10 @@ namespace {
 
 constexpr int kLabelWidth = 25;
 
-std::string line(const std::string& label, const std::string& value) {
+template <typename Value>
+std::string line(const std::string& label, const Value& value) {
     return fmt::format("{:<{}}{}\n", label + ":", kLabelWidth, value);
 }
-
-std::string line(const std::string& label, std::uint64_t value) { return line(label, std::to_string(value)); }
 
 std::string decimals(double value, int digits) { return fmt::format("{:.{}f}", value, digits); }
 std::string seconds(double value) { return fmt::format("{:.3f} s", value); }
@@ -42,8 +41,7 @@ std::string describeTree(const BuildReport& report, const rtcore::KdStatistics& 
     return line("tree: prepare", seconds(report.build.prepare)) +
            line("tree: split", seconds(report.build.split)) + line("tree: emit", seconds(report.build.emit)) +
            line("nodes", statistics.nodes) + line("leaves", statistics.leaves) +
-           line("empty leaves", statistics.emptyLeaves) +
-           line("depth", static_cast<std::uint64_t>(statistics.depth)) +
+           line("empty leaves", statistics.emptyLeaves) + line("depth", statistics.depth) +
            line("average leaf depth", decimals(statistics.averageLeafDepth, 2)) +
            line("references", statistics.references) + line("largest leaf", statistics.largestLeaf) +
            line("average filled leaf", decimals(statistics.averageFilledLeaf, 2)) +

@@ -19,6 +19,8 @@
 
 #include "rtcore/platform/files.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -74,7 +76,7 @@ class Run {
             if (word.starts_with(kOption)) word.erase(0, kOption.size());
         }
         constexpr std::size_t kTime = 3;
-        if (pressTime_) line.push_back(std::to_string(*pressTime_));
+        if (pressTime_) line.push_back(fmt::format("{}", *pressTime_));
         if (line.size() <= kTime) return 0ms;
         return std::chrono::milliseconds(
             std::max<std::int64_t>(app::parseInteger(line[kTime]).value_or(1), 1));
@@ -114,9 +116,7 @@ class Run {
 
     void fps() {
         ipc::Viewer viewer(instance_);
-        char text[32];
-        std::snprintf(text, sizeof text, "%.1f\n", viewer.status().framesPerSecond);
-        app::writeOutput(text);
+        app::writeOutput(fmt::format("{:.1f}\n", viewer.status().framesPerSecond));
     }
 
     void watch() {
@@ -145,8 +145,7 @@ class Run {
 
     void free() const {
         const int names = ipc::freeInstance(instance_);
-        app::writeOutput(std::to_string(names) + (names == 1 ? " name" : " names") + " of '" + instance_ +
-                         "' removed\n");
+        app::writeOutput(fmt::format("{} name{} of '{}' removed\n", names, names == 1 ? "" : "s", instance_));
     }
 
     void script(const std::string& name) {
@@ -156,7 +155,7 @@ class Run {
         int number = 0;
         while (const std::optional<std::string> line = lines.next()) {
             app::throwIfStopped();
-            runLine(*line, (name == "-" ? "standard input" : name) + ":" + std::to_string(++number) + ": ");
+            runLine(*line, fmt::format("{}:{}: ", name == "-" ? "standard input" : name, ++number));
         }
         inScript_ = false;
     }

@@ -10,6 +10,8 @@
 #include "rtcore/platform/processes.h"
 #include "rtcore/platform/temporary_folder.h"
 
+#include <fmt/core.h>
+
 #include <cstdlib>
 #include <filesystem>
 #include <system_error>
@@ -62,7 +64,7 @@ void renderView(Conversation& conversation, std::span<const std::string> argumen
     }
     if (result.code != 0) {
         throw CommandFailure(static_cast<app::ExitCode>(result.code),
-                             "the Renderer failed with exit code " + std::to_string(result.code));
+                             fmt::format("the Renderer failed with exit code {}", result.code));
     }
 }
 

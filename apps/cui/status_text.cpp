@@ -55,11 +55,11 @@ std::string statusText(const std::string& instance, std::int64_t process, const 
         text.append(name).append(": ").append(value).append("\n");
     };
     line("instance", instance);
-    line("process", std::to_string(process));
+    line("process", fmt::format("{}", process));
     line("state", stateForPeople(status));
     if (status.recording != 0) line("recording", "yes");
     line("resolution", fmt::format("{} x {}", status.width, status.height));
-    line("polygons", std::to_string(status.polygons));
+    line("polygons", fmt::format("{}", status.polygons));
     line("frame time", fmt::format("{:.2f} ms", status.frameSeconds * 1e3));
     line("frames per second", fmt::format("{:.1f}", status.framesPerSecond));
     line("rays per second", fmt::format("{:.2f} million", status.raysPerSecond * 1e-6));

@@ -19,7 +19,7 @@ struct FrameTask {
     bool finished = false; ///< its files are there and whole
 };
 
-/// The frames of a list that lie in `range`, numbered by their place in the list from 1; may be none.
+/// The frames of a list that lie in `range`, numbered by their position in the list from 1; may be none.
 /// Throws app::UsageError when two outputs of a frame have the same name.
 std::vector<FrameTask> pickFrames(std::span<const std::filesystem::path> cameras, const FrameRange& range,
                                   std::span<const std::filesystem::path> patterns);

@@ -1,5 +1,6 @@
 /// rtimport: reads a model with Assimp and writes it as a .bsp without a tree. It is started by importModel,
 /// which watches its memory and its time; whatever a damaged file does to Assimp ends with this process.
+#include "common/process/stop.h"
 #include "common/process/threads.h"
 
 #include "rtcore/io/bsp/bsp_file.h"
@@ -8,7 +9,6 @@
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/processes.h"
 
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -123,7 +123,7 @@ ImporterExit run(const Arguments& arguments) {
 } // namespace
 
 int main(int argc, char** argv) {
-    std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error of writing like any other
+    app::ignoreWritingSignals();
     Arguments arguments;
     if (!parse(argc, argv, arguments)) {
         std::fputs(kUsage, stderr);

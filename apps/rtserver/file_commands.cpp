@@ -5,9 +5,10 @@
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/io/text/set.h"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <chrono>
-#include <cstdio>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -97,17 +98,15 @@ Result startVideo(const Call& call) {
 // The thesis' spelling names the file here, too.
 Result stopVideo(const Call& call) {
     const int frames = call.state.stopRecording(call.host.frames().exposure());
-    return {.answer = std::to_string(frames) + (frames == 1 ? " frame" : " frames")};
+    return {.answer = fmt::format("{} frame{}", frames, frames == 1 ? "" : "s")};
 }
 
 // The list is remembered after the recording, for later requests.
 Result video(const Call& call) {
     const std::string list = call.state.recordedList().string();
     if (!call.state.recording()) return {.answer = list.empty() ? "off" : "off " + list};
-    char seconds[32];
-    std::snprintf(seconds, sizeof seconds, "%.1f",
-                  std::chrono::duration<double>(call.state.recordedTime()).count());
-    return {.answer = std::string("on ") + seconds + ' ' + list};
+    const double seconds = std::chrono::duration<double>(call.state.recordedTime()).count();
+    return {.answer = fmt::format("on {:.1f} {}", seconds, list)};
 }
 
 Result play(const Call& call) {

@@ -3,6 +3,8 @@
 #include "rtcore/platform/error.h"
 #include "rtcore/post/effects.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <new>
 #include <string>
@@ -46,8 +48,8 @@ void FrameMaker::requireMemory(const rtcore::RenderSettings& settings) {
     ::operator delete(trial);
     if (trial != nullptr) return;
     throw rtcore::FileError(rtcore::FailureKind::TryAgain, "",
-                            "not enough memory for frames of " + std::to_string(settings.width) + " x " +
-                                std::to_string(settings.height) + "; ask for a lower resolution");
+                            fmt::format("not enough memory for frames of {} x {}; ask for a lower resolution",
+                                        settings.width, settings.height));
 }
 
 void FrameMaker::drop() {

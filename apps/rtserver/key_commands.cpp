@@ -7,6 +7,8 @@
 #include "rtcore/motion/key_codes.h"
 #include "rtcore/settings/nearest_name.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -67,7 +69,7 @@ std::string textOf(const rtcore::KeyBinding& binding) {
     std::string text;
     if (binding.with != rtcore::KeyNone) text = rtcore::keyName(binding.with) + "+";
     text.append(rtcore::keyName(binding.key)).append(" ").append(rtcore::actionName(binding.action));
-    if (rtcore::hasNumber(binding.action)) text.append(" ").append(std::to_string(binding.number));
+    if (rtcore::hasNumber(binding.action)) text += fmt::format(" {}", binding.number);
     return text;
 }
 

@@ -7,6 +7,8 @@
 
 #include "rtcore/settings/nearest_name.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace rtserver {
@@ -36,8 +38,7 @@ void Messages::complain(const std::string& text) {
         return;
     }
     last_ = now;
-    const std::string others =
-        others_ == 0 ? "" : " (and " + std::to_string(others_) + " other failures before)";
+    const std::string others = others_ == 0 ? "" : fmt::format(" (and {} other failures before)", others_);
     others_ = 0;
     print(text + others);
     keep("warning", text + others);
@@ -46,8 +47,8 @@ void Messages::complain(const std::string& text) {
 void Messages::tell(const std::string& text) { keep("event", text); }
 
 void Messages::keep(const char* kind, const std::string& text) {
-    kept_.push_back(std::to_string(++count_) + ' ' + kind + ' ' +
-                    rtcore::printable(rtcore::printable(text), kLongestKept));
+    kept_.push_back(
+        fmt::format("{} {} {}", ++count_, kind, rtcore::printable(rtcore::printable(text), kLongestKept)));
     if (kept_.size() > kMostKept) kept_.pop_front();
 }
 

@@ -1,11 +1,11 @@
 #include "rtserver/server_run.h"
 
-#include "rtserver/background.h"
 #include "rtserver/detached_task.h"
 #include "rtserver/playback.h"
 #include "rtserver/server_loop.h"
 #include "rtserver/server_options.h"
 
+#include "common/process/background.h"
 #include "common/process/ipc_exit_code.h"
 #include "common/process/message.h"
 #include "common/process/threads.h"
@@ -23,12 +23,12 @@ app::ExitCode runServer(const app::Arguments& arguments) {
     if (options.path) const Playback check(*options.path);
     // Before the first thread, and before the lock that the server holds.
     if (options.daemon) {
-        if (const std::optional<app::ExitCode> parent = goToBackground()) return *parent;
+        if (const std::optional<app::ExitCode> parent = app::goToBackground()) return *parent;
     }
     app::useThreads(options.threads);
     try {
         ServerLoop loop(options, [&] {
-            if (options.daemon) detach();
+            if (options.daemon) app::detach();
         });
         return loop.run();
     } catch (const ipc::Error& error) {

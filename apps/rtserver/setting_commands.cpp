@@ -6,6 +6,8 @@
 
 #include "rtcore/settings/settings_table.h"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -65,7 +67,7 @@ Result environment(const Call& call) {
 }
 
 std::string numbered(std::size_t index, const std::string& state, const std::string& name) {
-    return std::to_string(index + 1) + ' ' + state + (name.empty() ? "" : ' ' + name) + '\n';
+    return fmt::format("{} {}{}{}\n", index + 1, state, name.empty() ? "" : " ", name);
 }
 
 Result withoutLastEnd(std::string text) {

@@ -1,11 +1,13 @@
 #include "common/cli/command_line.h"
 
 #include "rtcore/settings/nearest_name.h"
+#include "rtcore/settings/number_text.h"
 
 #include <boost/program_options/errors.hpp>
 #include <boost/program_options/options_description.hpp>
 #include <boost/program_options/parsers.hpp>
 #include <boost/program_options/value_semantic.hpp>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <charconv>
@@ -95,18 +97,14 @@ po::parsed_options runBoost(const ProgramSpec& spec, const po::options_descripti
     }
 }
 
-std::string plain(double value) {
-    char digits[32];
-    const auto end = std::to_chars(std::begin(digits), std::end(digits), value).ptr;
-    return {digits, end};
-}
-
 std::string rangeText(const Option& option) {
     const bool low = option.minimum > std::numeric_limits<double>::lowest();
     const bool high = option.maximum < std::numeric_limits<double>::max();
-    if (low && high) return " from " + plain(option.minimum) + " to " + plain(option.maximum);
-    if (low) return " of at least " + plain(option.minimum);
-    if (high) return " of at most " + plain(option.maximum);
+    const std::string least = rtcore::shortestText(option.minimum);
+    const std::string most = rtcore::shortestText(option.maximum);
+    if (low && high) return fmt::format(" from {} to {}", least, most);
+    if (low) return " of at least " + least;
+    if (high) return " of at most " + most;
     return "";
 }
 

@@ -2,6 +2,8 @@
 
 #include "common/cli/command_names.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace app {
@@ -181,12 +183,12 @@ std::string completionText(const Completion& completion) {
     std::string text;
     for (const std::string& word : completion.words) text += "word " + word + "\n";
     if (completion.files) {
-        text += "files " + std::to_string(completion.prefix);
+        text += fmt::format("files {}", completion.prefix);
         for (const std::string& extension : completion.extensions) text += " " + extension;
         text += "\n";
     }
     if (!completion.program.empty())
-        text += "program " + completion.program + " " + std::to_string(completion.first) + "\n";
+        text += fmt::format("program {} {}\n", completion.program, completion.first);
     return text;
 }
 

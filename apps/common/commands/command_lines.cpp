@@ -3,7 +3,10 @@
 #include "common/commands/command_table.h"
 #include "common/commands/quoting.h"
 
-#include <charconv>
+#include "rtcore/settings/number_text.h"
+
+#include <fmt/core.h>
+
 #include <concepts>
 #include <string_view>
 #include <vector>
@@ -17,15 +20,13 @@ using Words = std::vector<std::string>;
 void add(Words& words, const std::string& text) { words.push_back(text); }
 void add(Words& words, const char* text) { words.emplace_back(text); }
 
-// The fewest digits that keep every bit of a number that is read as a double.
-template <typename Number>
-requires std::same_as<Number, double> || std::integral<Number>
+template <std::integral Number>
 void add(Words& words, Number value) {
-    std::array<char, 40> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-    words.emplace_back(text.data(), end);
+    words.push_back(fmt::format("{}", value));
 }
 
+// Numbers are read as doubles, floats too.
+void add(Words& words, double value) { words.push_back(rtcore::shortestText(value)); }
 void add(Words& words, float value) { add(words, static_cast<double>(value)); }
 
 void add(Words& words, const std::array<float, 3>& vector) {

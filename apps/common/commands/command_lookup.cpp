@@ -4,8 +4,9 @@
 
 #include "rtcore/settings/nearest_name.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <cstdio>
 #include <optional>
 
 namespace app {
@@ -14,11 +15,7 @@ namespace {
 
 constexpr std::size_t kMostWords = 3; ///< of a name
 
-std::string shortNumber(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.9g", value);
-    return text;
-}
+std::string shortNumber(double value) { return fmt::format("{:.9g}", value); }
 
 // "a number from 0 to 1", "a whole number, at least 1".
 std::string kindOf(const CommandArgument& argument) {

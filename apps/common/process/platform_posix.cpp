@@ -1,13 +1,15 @@
-// The only file of the programs that calls the operating system.
+// Signals, streams and processes; background_posix.cpp has the rest of what the programs ask of the system.
 #include "common/process/parent.h"
 #include "common/process/process_watch.h"
 #include "common/process/stop.h"
 #include "common/process/terminal.h"
 #include "common/process/threads.h"
 
+#include "rtcore/platform/descriptor_posix.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/file_waits.h"
 #include "rtcore/platform/files.h"
+#include "rtcore/platform/processes.h"
 #include "rtcore/settings/nearest_name.h"
 
 #include <algorithm>
@@ -27,7 +29,6 @@
 #include <sys/ioctl.h>
 #ifdef __linux__
 #include <sys/prctl.h>
-#include <sys/syscall.h>
 #endif
 #include <sys/resource.h>
 #include <unistd.h>
@@ -118,9 +119,12 @@ int writeAll(int stream, std::string_view bytes) noexcept {
 void installSignalHandlers() {
     fillStandardStreams();
     for (const int signal : {SIGINT, SIGTERM, SIGHUP}) handle(signal, onStopSignal);
-    // Both are errors of writing like any other.
-    for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
+    ignoreWritingSignals();
     rtcore::interruptFilesBy(stopRequested);
+}
+
+void ignoreWritingSignals() noexcept {
+    for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
 }
 
 void shareMemoryAmongThreads() noexcept {
@@ -139,11 +143,8 @@ void stopWithParent(std::int64_t parent) {
     if (orphaned()) parentEnded = true;
 }
 
-ProcessWatch::ProcessWatch(std::int64_t process) noexcept : process_(process) {
-#ifdef SYS_pidfd_open
-    handle_ = static_cast<int>(::syscall(SYS_pidfd_open, static_cast<pid_t>(process), 0));
-#endif
-}
+ProcessWatch::ProcessWatch(std::int64_t process) noexcept
+    : process_(process), handle_(rtcore::openProcessHandle(static_cast<pid_t>(process)).release()) {}
 
 ProcessWatch::~ProcessWatch() {
     if (handle_ >= 0) ::close(handle_);
@@ -166,7 +167,7 @@ bool ProcessWatch::ended() noexcept {
         pollfd end{handle_, POLLIN, 0};
         ended_ = ::poll(&end, 1, 0) == 1;
     } else {
-        ended_ = ::kill(static_cast<pid_t>(process_), 0) != 0 && errno == ESRCH;
+        ended_ = !rtcore::processRuns(process_);
     }
     return ended_;
 }

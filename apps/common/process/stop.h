@@ -9,10 +9,13 @@ namespace app {
 
 /// From now on the first such signal sets the flag; a second one removes the temporary files
 /// (platform/files.h) and ends the process at once. Signals that the parent ignores (nohup) stay ignored.
-/// SIGPIPE and SIGXFSZ are ignored: writing to a closed pipe, or beyond the limit of a file's size, is an
-/// error like any other. Standard streams that the parent has closed are filled, so that no file gets their
-/// numbers. Waits for pipes and devices end by the flag, too.
+/// Calls ignoreWritingSignals(). Standard streams that the parent has closed are filled, so that no file gets
+/// their numbers. Waits for pipes and devices end by the flag, too.
 void installSignalHandlers();
+
+/// From now on writing to a closed pipe, or beyond the limit of a file's size, is an error like any other:
+/// SIGPIPE and SIGXFSZ are ignored.
+void ignoreWritingSignals() noexcept;
 
 /// The number of the signal that asked to stop, 0 when none did; SIGTERM also stands for the end of the
 /// parent (parent.h). Safe from any thread.

@@ -1,10 +1,10 @@
 #include "common/progress/progress_format.h"
 
+#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace app {
 
@@ -14,26 +14,20 @@ using Json = nlohmann::ordered_json;
 
 int percent(double fraction) { return static_cast<int>(std::floor(std::clamp(fraction, 0.0, 1.0) * 100)); }
 
-std::string twoDigits(long long value) { return (value < 10 ? "0" : "") + std::to_string(value); }
-
 } // namespace
 
 std::string durationText(double seconds) {
     const auto whole = static_cast<long long>(std::ceil(std::clamp(seconds, 0.0, 1e9)));
     const long long hours = whole / 3600, minutes = whole / 60 % 60;
-    if (hours > 0) return std::to_string(hours) + ":" + twoDigits(minutes) + ":" + twoDigits(whole % 60);
-    return std::to_string(minutes) + ":" + twoDigits(whole % 60);
+    if (hours > 0) return fmt::format("{}:{:02}:{:02}", hours, minutes, whole % 60);
+    return fmt::format("{}:{:02}", minutes, whole % 60);
 }
 
 std::string barText(const ProgressState& state, int columns) {
     std::string head = state.phase, tail;
-    if (state.frames > 1) head += " " + std::to_string(state.frame) + "/" + std::to_string(state.frames);
-    if (state.fraction) {
-        char digits[8];
-        std::snprintf(digits, sizeof digits, " %3d%%", percent(*state.fraction));
-        tail = digits;
-    }
-    if (state.secondsLeft) tail += " " + durationText(*state.secondsLeft) + " left";
+    if (state.frames > 1) head += fmt::format(" {}/{}", state.frame, state.frames);
+    if (state.fraction) tail = fmt::format(" {:3}%", percent(*state.fraction));
+    if (state.secondsLeft) tail += fmt::format(" {} left", durationText(*state.secondsLeft));
 
     const auto room = static_cast<std::size_t>(std::max(1, columns - 1));
     const std::size_t used = head.size() + tail.size() + 3;
@@ -48,11 +42,9 @@ std::string barText(const ProgressState& state, int columns) {
 
 std::string plainText(const ProgressState& state) {
     std::string text = state.phase;
-    if (state.frames > 1) {
-        text += " frame " + std::to_string(state.frame) + " of " + std::to_string(state.frames);
-    }
-    if (state.fraction) text += ": " + std::to_string(percent(*state.fraction)) + "%";
-    if (state.secondsLeft) text += ", " + durationText(*state.secondsLeft) + " left";
+    if (state.frames > 1) text += fmt::format(" frame {} of {}", state.frame, state.frames);
+    if (state.fraction) text += fmt::format(": {}%", percent(*state.fraction));
+    if (state.secondsLeft) text += fmt::format(", {} left", durationText(*state.secondsLeft));
     return text;
 }
 

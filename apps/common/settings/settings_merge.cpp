@@ -1,5 +1,7 @@
 #include "common/settings/settings_merge.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -62,22 +64,21 @@ std::string applyCameraToScene(const rtcore::CameraFile& camera, const std::file
                                rtcore::Scene& scene) {
     std::string other;
     if (camera.lights && camera.lights->size() > scene.lights.size()) {
-        other = "switches " + std::to_string(camera.lights->size()) +
-                (camera.lights->size() == 1 ? " light" : " lights") + ", but the scene has " +
-                std::to_string(scene.lights.size());
+        const std::size_t lights = camera.lights->size();
+        other = fmt::format("switches {} light{}, but the scene has {}", lights, lights == 1 ? "" : "s",
+                            scene.lights.size());
     } else if (camera.lights) {
         for (std::size_t i = 0; i < camera.lights->size(); ++i)
             scene.lights[i].on = (*camera.lights)[i] ? 1U : 0U;
     }
     const auto count = static_cast<int>(scene.environments.size());
     if (camera.environment && *camera.environment > 0 && *camera.environment >= count) {
-        other += (other.empty() ? "" : " and ") +
-                 ("asks for environment " + std::to_string(*camera.environment)) +
-                 " (counted from 0), but the scene has " + std::to_string(count);
+        other += fmt::format("{}asks for environment {} (counted from 0), but the scene has {}",
+                             other.empty() ? "" : " and ", *camera.environment, count);
     } else if (camera.environment) {
         scene.activeEnvironment = *camera.environment;
     }
-    return other.empty() ? "" : file.string() + " " + other + "; these stay as they are";
+    return other.empty() ? "" : fmt::format("{} {}; these stay as they are", file.string(), other);
 }
 
 } // namespace app

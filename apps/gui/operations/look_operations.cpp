@@ -59,8 +59,8 @@ void LookOperations::reset() {
     context_.editor.place(command::cameraReset(), tr("reset camera"));
 }
 
-void LookOperations::lookAt(const QPointF& place) {
-    const std::optional<QPointF> point = context_.view.inPicture(place);
+void LookOperations::lookAt(const QPointF& position) {
+    const std::optional<QPointF> point = context_.view.inPicture(position);
     const View& view = context_.session.status().view;
     if (!point || !context_.session.live() || view.fieldOfView <= 0) return;
     const QSize size =
@@ -75,8 +75,8 @@ void LookOperations::lookAt(const QPointF& place) {
     turn_.start();
 }
 
-void LookOperations::focusAt(const QPointF& place) {
-    const std::optional<QPointF> point = context_.view.inPicture(place);
+void LookOperations::focusAt(const QPointF& position) {
+    const std::optional<QPointF> point = context_.view.inPicture(position);
     if (!point || !context_.session.live()) return;
     context_.view.showLive();
     const auto fraction = [](double value) { return std::clamp((1 + value) / 2, 0.0, 1.0); };

@@ -27,8 +27,8 @@ class LookOperations : public QObject {
 
   private:
     void reset();
-    void lookAt(const QPointF& place);
-    void focusAt(const QPointF& place);
+    void lookAt(const QPointF& position);
+    void focusAt(const QPointF& position);
     void step(double fraction);
     void send(const QVector3D& direction, bool last);
 

@@ -104,11 +104,11 @@ QRectF FrameView::target(const QSize& picture) const {
     return area;
 }
 
-std::optional<QPointF> FrameView::inPicture(const QPointF& place) const {
+std::optional<QPointF> FrameView::inPicture(const QPointF& position) const {
     const QSize size = showsLive() ? session_.frame().size() : picture_.size();
     const QRectF area = size.isEmpty() ? QRectF() : target(size);
-    if (!area.contains(place)) return std::nullopt;
-    const QPointF off = place - area.center();
+    if (!area.contains(position)) return std::nullopt;
+    const QPointF off = position - area.center();
     return QPointF(2 * off.x() / area.width(), -2 * off.y() / area.height());
 }
 

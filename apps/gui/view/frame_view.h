@@ -39,7 +39,7 @@ class FrameView : public QWidget {
     const QImage& picture() const { return picture_; }    ///< null while it shows live frames
 
     /// Where a point of the widget is in the image: from -1 (left, bottom) to 1; nothing beside it.
-    std::optional<QPointF> inPicture(const QPointF& place) const;
+    std::optional<QPointF> inPicture(const QPointF& position) const;
 
     /// What the view could show at most, in the screen's own pixels.
     QSize devicePixels() const;

@@ -42,8 +42,8 @@ class InputCapture : public QObject {
     /// it.
     void commandKey(int code, bool withL);
     /// A double click that took the keyboard and the mouse, and gave them back; widget pixels.
-    void pointed(const QPointF& place);
-    void focused(const QPointF& place); ///< the same with Ctrl
+    void pointed(const QPointF& position);
+    void focused(const QPointF& position); ///< the same with Ctrl
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -1,7 +1,7 @@
 #include "ipc/channel/command_queue.h"
 
 #include "ipc/channel/queue_check.h"
-#include "ipc/layout/message.h"
+#include "ipc/layout/message_headers.h"
 #include "ipc/platform/boost_interprocess.h"
 #include "ipc/platform/error.h"
 #include "ipc/platform/fault_point.h"

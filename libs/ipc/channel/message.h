@@ -1,7 +1,7 @@
 /// Commands as bytes in a queue. What comes out of a queue is checked to the last field before it is used.
 #pragma once
 
-#include "ipc/layout/message.h"
+#include "ipc/layout/message_headers.h"
 
 #include <cstdint>
 #include <span>

@@ -1,6 +1,6 @@
 #include "ipc/channel/queue_check.h"
 
-#include "ipc/layout/message.h"
+#include "ipc/layout/message_headers.h"
 #include "ipc/platform/boost_interprocess.h"
 
 #include <boost/interprocess/ipc/message_queue.hpp>

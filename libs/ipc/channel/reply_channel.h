@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ipc/layout/control_block.h"
-#include "ipc/layout/message.h"
+#include "ipc/layout/message_headers.h"
 
 #include <cstdint>
 #include <string>

@@ -33,6 +33,8 @@ std::string Names::frames(std::uint64_t epoch, std::uint64_t generation) const {
     return fmt::format("{}f{:x}-{}", prefix_, epoch, generation);
 }
 
+std::string Names::queuePrefix(int slot) const { return fmt::format("{}q{}-", prefix_, slot); }
+
 std::string Names::queue(int slot, std::uint64_t tag) const {
     return fmt::format("{}{:x}", queuePrefix(slot), tag);
 }

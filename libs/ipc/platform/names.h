@@ -18,7 +18,7 @@ class Names {
     const std::string& prefix() const { return prefix_; }
     std::string control() const { return prefix_ + "ctl"; }
     std::string frames(std::uint64_t epoch, std::uint64_t generation) const;
-    std::string queuePrefix(int slot) const { return prefix_ + "q" + std::to_string(slot) + "-"; }
+    std::string queuePrefix(int slot) const;
     std::string queue(int slot, std::uint64_t tag) const;
     /// The slot of a queue's name; -1 when it is not one.
     int slotOfQueue(std::string_view name) const;

@@ -21,6 +21,7 @@ struct Clock : std::chrono::steady_clock {
 };
 
 std::uint32_t userId();
+/// As that of rtcore/platform: neither library knows the other.
 std::int64_t processId();
 
 /// Opens a segment without ever waiting for anybody, whatever lies at its name: -1 when there is none. Throws

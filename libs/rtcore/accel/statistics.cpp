@@ -71,7 +71,7 @@ std::string drawHistogram(const std::string& title, const std::vector<std::uint6
     for (std::size_t i = 0; i < sums.size(); ++i) {
         const std::size_t from = i * width;
         const std::size_t to = std::min(values, from + width) - 1;
-        const std::string range = from == to ? std::to_string(from) : fmt::format("{}-{}", from, to);
+        const std::string range = from == to ? fmt::format("{}", from) : fmt::format("{}-{}", from, to);
         const double fraction = static_cast<double>(sums[i]) / static_cast<double>(largest);
         const auto bar = static_cast<std::size_t>(std::lround(fraction * kBarLength));
         text += fmt::format("{:>12} {:>10} {}\n", range, sums[i], std::string(bar, '#'));

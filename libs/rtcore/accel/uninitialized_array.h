@@ -1,16 +1,13 @@
 /// A list in memory that is not cleared first.
 #pragma once
 
+#include "rtcore/platform/raw_memory.h"
+
 #include <cstddef>
 #include <memory>
 #include <type_traits>
 
 namespace rtcore {
-
-/// Memory for `bytes`, in large pages where the system has them and it is worth it: a long list is then read
-/// without misses of the translation buffer, and is ready after fewer page faults. Throws std::bad_alloc.
-void* allocateRaw(std::size_t bytes);
-void freeRaw(void* memory);
 
 /// Pages that are never written cost nothing, so that a capacity may be a rough upper bound.
 template <typename T>

@@ -1,9 +1,9 @@
 /// Triangles so long and narrow that single precision cannot tell where a ray meets them.
 ///
 /// The leaf test (watertight.h) takes the mean of the corners' distances, weighted by the edge functions u,
-/// v, w. These are differences of products of the corners' places across the ray; divided by their small sum
-/// det, their roundings grow by the length of a triangle over its width. So a long narrow one would be hit by
-/// rays that leave it, and be found or not as the cells of a tree happen to lie. Whether a ray meets a
+/// v, w. These are differences of products of the corners' positions across the ray; divided by their small
+/// sum det, their roundings grow by the length of a triangle over its width. So a long narrow one would be
+/// hit by rays that leave it, and be found or not as the cells of a tree happen to lie. Whether a ray meets a
 /// triangle is decided by the leaf test alone; where it meets a narrow one, double says if in doubt.
 #pragma once
 

@@ -9,11 +9,7 @@ namespace rtcore {
 namespace {
 
 /// A corner as the ray sees it: x and y across the ray, z along the dominant axis; origin minus corner.
-struct Place {
-    double x, y, z;
-};
-
-Place placeOf(const ShearedRay& ray, Vec3 corner) {
+Vec3d shearedCorner(const ShearedRay& ray, Vec3 corner) {
     const auto offset = [&](float origin, int axis) { return double{origin} - corner[axis]; };
     const double z = offset(ray.z, ray.kz);
     return {offset(ray.x, ray.kx) - ray.sx * z, offset(ray.y, ray.ky) - ray.sy * z, z};
@@ -26,7 +22,7 @@ struct Weights {
 };
 
 /// The point of the three edges that is nearest to the ray, seen along it.
-Weights nearestOfEdges(const Place (&p)[3]) {
+Weights nearestOfEdges(const Vec3d (&p)[3]) {
     Weights nearest{};
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 3; ++i) {
@@ -48,8 +44,8 @@ Weights nearestOfEdges(const Place (&p)[3]) {
     return nearest;
 }
 
-Weights weightsOf(const Place (&p)[3]) {
-    const auto edge = [](const Place& from, const Place& to) { return from.x * to.y - from.y * to.x; };
+Weights weightsOf(const Vec3d (&p)[3]) {
+    const auto edge = [](Vec3d from, Vec3d to) { return from.x * to.y - from.y * to.x; };
     const double u = edge(p[2], p[1]);
     const double v = edge(p[0], p[2]);
     const double w = edge(p[1], p[0]);
@@ -61,7 +57,7 @@ Weights weightsOf(const Place (&p)[3]) {
 } // namespace
 
 PreciseHit preciseHit(const ShearedRay& ray, Vec3 a, Vec3 b, Vec3 c) {
-    const Place p[3] = {placeOf(ray, a), placeOf(ray, b), placeOf(ray, c)};
+    const Vec3d p[3] = {shearedCorner(ray, a), shearedCorner(ray, b), shearedCorner(ray, c)};
     const Weights weights = weightsOf(p);
     const double z = weights.of[0] * p[0].z + weights.of[1] * p[1].z + weights.of[2] * p[2].z;
     const auto t = static_cast<float>(z / weights.sum * ray.minusSz);

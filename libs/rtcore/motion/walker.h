@@ -35,7 +35,7 @@ struct WalkState {
     Stance stance = Stance::Stand;
     bool grounded = false;
     FloorPlane floor;       ///< to follow while grounded
-    double eyeOffset = 0;   ///< of the eye from its place in the body: smooths steps
+    double eyeOffset = 0;   ///< of the eye from its position in the body: smooths steps
     double eyeSpeed = 0;    ///< by which that changes
     double debt = 0;        ///< metres gone too far on an edge
     double takeOff = 0;     ///< height of the floor that was jumped from
@@ -70,8 +70,8 @@ class Walker {
     /// Since the last enter() there is an unseen floor.
     bool onUnseenFloor() const { return unseenFloor_; }
 
-    /// One step of kTickSeconds. False when he fell out of the world and there is no place to put him back
-    /// to: the state is the last good one then.
+    /// One step of kTickSeconds. False when the walker fell out of the world and there is nowhere to put
+    /// it back to: the state is the last good one then.
     bool tick(const WalkInput& input, MotionTrail* trail = nullptr);
 
     const WalkState& state() const { return state_; }

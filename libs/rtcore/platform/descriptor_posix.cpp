@@ -8,6 +8,9 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#ifdef __linux__
+#include <sys/syscall.h>
+#endif
 
 namespace rtcore {
 
@@ -74,6 +77,14 @@ ssize_t writeWaiting(int fd, std::span<const std::byte> bytes) {
         if (put >= 0 || (errno != EINTR && errno != EAGAIN)) return put;
         waitUntilReady(fd, POLLOUT);
     }
+}
+
+Descriptor openProcessHandle([[maybe_unused]] pid_t process) noexcept {
+#ifdef SYS_pidfd_open
+    return Descriptor(static_cast<int>(::syscall(SYS_pidfd_open, process, 0)));
+#else
+    return Descriptor();
+#endif
 }
 
 } // namespace rtcore

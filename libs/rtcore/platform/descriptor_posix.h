@@ -1,5 +1,5 @@
-/// Open files, for the POSIX sources of this folder: descriptors that close themselves and never wait
-/// unheard.
+/// Open files, for POSIX sources that call the system (here and in apps/common/process): descriptors that
+/// close themselves and never wait unheard.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace rtcore {
 
 class Descriptor {
   public:
-    explicit Descriptor(int fd) : fd_(fd) {}
+    explicit Descriptor(int fd = -1) : fd_(fd) {}
     ~Descriptor() {
         if (fd_ >= 0) ::close(fd_);
     }
@@ -25,10 +25,12 @@ class Descriptor {
         std::swap(fd_, other.fd_);
         return *this;
     }
+    /// The caller closes it from now on.
+    int release() { return std::exchange(fd_, -1); }
     int get() const { return fd_; }
     bool valid() const { return fd_ >= 0; }
-    /// Closes now; false, with errno set, when the system reports a late write error.
-    bool close() { return ::close(std::exchange(fd_, -1)) == 0 || errno == EINTR; }
+    /// Closes now, unless that is done; false, with errno set, when the system reports a late write error.
+    bool close() { return !valid() || ::close(release()) == 0 || errno == EINTR; }
 
   private:
     int fd_;
@@ -52,5 +54,9 @@ int openForWriting(const std::filesystem::path& path);
 /// Like read(2) and write(2) for descriptors that do not block: they wait as waitUntilReady() does.
 ssize_t readWaiting(int fd, std::span<std::byte> bytes);
 ssize_t writeWaiting(int fd, std::span<const std::byte> bytes);
+
+/// Ready to be read (poll(2)) once that process has ended; a zombie has. Not valid when there is no such
+/// process, or the system has no such handle (Linux before 5.3).
+Descriptor openProcessHandle(pid_t process) noexcept;
 
 } // namespace rtcore

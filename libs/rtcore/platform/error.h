@@ -19,19 +19,9 @@ enum class FailureKind {
 class FileError : public std::runtime_error {
   public:
     FileError(FailureKind failure, const std::string& file, const std::string& message, int line = 0,
-              int column = 0)
-        : std::runtime_error(format(file, message, line, column)), kind(failure) {}
+              int column = 0);
 
     FailureKind kind;
-
-  private:
-    static std::string format(const std::string& file, const std::string& message, int line, int column) {
-        std::string text = file;
-        for (const int number : {line, line > 0 ? column : 0}) {
-            if (number > 0) text.append(":").append(std::to_string(number));
-        }
-        return text.empty() ? message : text + ": " + message;
-    }
 };
 
 } // namespace rtcore

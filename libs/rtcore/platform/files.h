@@ -1,4 +1,4 @@
-/// Files as the operating system gives them. The only place (with processes.h) of this library that calls it.
+/// Files as the operating system gives them.
 #pragma once
 
 #include <compare>

@@ -1,4 +1,4 @@
-/// Other programs, started and watched. Beside files.h the only place of this library that calls the system.
+/// Other programs, started and watched.
 #pragma once
 
 #include <atomic>

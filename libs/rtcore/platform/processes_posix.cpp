@@ -1,5 +1,6 @@
 #include "rtcore/platform/processes.h"
 
+#include "rtcore/platform/descriptor_posix.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
 
@@ -23,7 +24,6 @@
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -34,28 +34,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kWatchMilliseconds = 20;
-
-class Descriptor {
-  public:
-    explicit Descriptor(int fd = -1) : fd_(fd) {}
-    Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
-    Descriptor& operator=(Descriptor&& other) noexcept {
-        if (this != &other) {
-            close();
-            fd_ = std::exchange(other.fd_, -1);
-        }
-        return *this;
-    }
-    ~Descriptor() { close(); }
-    int get() const { return fd_; }
-    void close() {
-        if (fd_ >= 0) ::close(fd_);
-        fd_ = -1;
-    }
-
-  private:
-    int fd_;
-};
 
 struct Pipe {
     Descriptor read, write;
@@ -139,7 +117,7 @@ class Capture {
     bool drain() {
         bool any = false;
         std::array<char, 16384> chunk{};
-        while (end_.get() >= 0) {
+        while (end_.valid()) {
             const ssize_t n = ::read(end_.get(), chunk.data(), chunk.size());
             if (n > 0) {
                 any = true;
@@ -202,8 +180,8 @@ void setEnd(ProcessResult& result, int status) {
 class Watch {
   public:
     Watch(pid_t pid, Capture output, Capture errors, const ProcessLimits& limits)
-        : pid_(pid), handle_(static_cast<int>(::syscall(SYS_pidfd_open, pid, 0))), output_(std::move(output)),
-          errors_(std::move(errors)), limits_(limits) {}
+        : pid_(pid), handle_(openProcessHandle(pid)), output_(std::move(output)), errors_(std::move(errors)),
+          limits_(limits) {}
 
     ProcessResult finish() {
         const Clock::time_point start = Clock::now();
@@ -231,7 +209,7 @@ class Watch {
         std::array<pollfd, 3> news{pollfd{handle_.get(), POLLIN, 0}, pollfd{output_.descriptor(), POLLIN, 0},
                                    pollfd{errors_.descriptor(), POLLIN, 0}};
         // Without a handle (Linux before 5.3) the end is noticed by looking.
-        ::poll(news.data(), news.size(), handle_.get() >= 0 ? kWatchMilliseconds : 1);
+        ::poll(news.data(), news.size(), handle_.valid() ? kWatchMilliseconds : 1);
         if (output_.drain()) lastWord_ = Clock::now();
         errors_.drain();
     }
@@ -330,7 +308,7 @@ PipedProcess::~PipedProcess() {
 
 bool PipedProcess::write(std::span<const std::byte> bytes) {
     Descriptor& input = parts_->input;
-    while (!bytes.empty() && input.get() >= 0) {
+    while (!bytes.empty() && input.valid()) {
         parts_->look(true);
         const ssize_t put = ::send(input.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
         const bool full = put < 0 && (errno == EAGAIN || errno == EINTR);
@@ -399,7 +377,7 @@ ProcessResult runForeground(const std::filesystem::path& program, const std::vec
                             const std::function<int()>& stopSignal) {
     using namespace std::chrono_literals;
     const pid_t pid = startAttached(program, arguments);
-    const Descriptor handle(static_cast<int>(::syscall(SYS_pidfd_open, pid, 0)));
+    const Descriptor handle = openProcessHandle(pid);
     Clock::time_point asked{};
     bool sent = false;
     while (!hasEnded(pid)) {

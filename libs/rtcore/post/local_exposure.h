@@ -1,4 +1,4 @@
-/// Exposure that follows the surroundings of each place, as an eye adapts to the part of a view that it looks
+/// Exposure that follows the surroundings of each pixel, as an eye adapts to the part of a view that it looks
 /// at.
 #pragma once
 
@@ -15,7 +15,7 @@ namespace rtcore {
 /// columns (He and Sun 2015). So a dark room beside a bright window gets brighter up to the window's frame,
 /// without a halo. Radiance is multiplied by (average / brightness around the pixel)^exposure.local, where
 /// `average` is the luminance that the exposure of the whole image suits: with it, that exposure suits each
-/// place.
+/// pixel.
 class LocalExposure final : public Effect {
   public:
     bool beginRows(const HdrImage& coarse, int block, const EffectRun& run) override;

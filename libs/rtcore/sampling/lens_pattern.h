@@ -12,7 +12,7 @@ namespace rtcore {
 std::uint32_t permuted(std::uint32_t i, std::uint32_t count, std::uint32_t key);
 
 /// n x n points of the unit square for each pixel, spread evenly, in an order of its own: which half of the
-/// lens a sample passes tells nothing about its place in the pixel. The same in every frame.
+/// lens a sample passes tells nothing about its position in the pixel. The same in every frame.
 class LensPattern {
   public:
     /// Comes before all else. n: 1..16.

@@ -46,11 +46,7 @@ FacePoint facePoint(double x, double y, double behind) {
     return {face, 0.5 * (sc / major + 1), 0.5 * (tc / major + 1)};
 }
 
-struct Direction {
-    double x, y, z;
-};
-
-Direction faceDirection(int face, double s, double t) {
+Vec3d faceDirection(int face, double s, double t) {
     const double sc = 2 * s - 1, tc = 2 * t - 1;
     switch (face) {
     case 0:
@@ -73,7 +69,7 @@ int texelOf(double coordinate, int n) { return std::clamp(static_cast<int>(coord
 /// What the texel outside of the face shows: the nearest texel of the face that its centre's direction meets.
 Colour neighbour(const std::array<HdrImage, 6>& faces, int face, int x, int y) {
     const int n = faces[0].width;
-    const Direction d = faceDirection(face, (x + 0.5) / n, (y + 0.5) / n);
+    const Vec3d d = faceDirection(face, (x + 0.5) / n, (y + 0.5) / n);
     const FacePoint p = facePoint(d.x, d.y, d.z);
     return faces[static_cast<std::size_t>(p.face)].at(texelOf(p.s, n), texelOf(p.t, n));
 }
@@ -222,7 +218,7 @@ CubeCoordinate cubeCoordinate(Vec3 direction) {
 }
 
 Vec3 cubeDirection(int face, float s, float t) {
-    const Direction d = faceDirection(face, s, t);
+    const Vec3d d = faceDirection(face, s, t);
     return {static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)};
 }
 

@@ -3,6 +3,8 @@
 #include "rtcore/settings/nearest_name.h"
 #include "rtcore/settings/number_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -323,7 +325,7 @@ std::vector<SettingAssignment> settingAssignments(const RenderSettings& settings
 
 std::string settingText(const SettingValue& value) {
     if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
-    if (const int* whole = std::get_if<int>(&value)) return std::to_string(*whole);
+    if (const int* whole = std::get_if<int>(&value)) return fmt::format("{}", *whole);
     if (const std::string* name = std::get_if<std::string>(&value)) return *name;
     return shortestText(std::get<float>(value));
 }

@@ -1,6 +1,6 @@
 /// Command queues that are not what they should be: looked at before Boost, which believes them, does.
 #include "ipc/channel/command_queue.h"
-#include "ipc/layout/message.h"
+#include "ipc/layout/message_headers.h"
 #include "ipc/platform/boost_interprocess.h"
 #include "ipc/platform/segment.h"
 #include "ipc/platform/system.h"

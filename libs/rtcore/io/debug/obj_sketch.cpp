@@ -2,6 +2,8 @@
 
 #include "rtcore/settings/number_text.h"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <cmath>
 
@@ -13,7 +15,7 @@ void addNumber(std::string& text, float number) { text.append(1, ' ').append(sho
 
 void addFace(std::string& text, std::initializer_list<std::uint64_t> corners) {
     text += 'f';
-    for (const std::uint64_t corner : corners) text.append(1, ' ').append(std::to_string(corner));
+    for (const std::uint64_t corner : corners) text += fmt::format(" {}", corner);
     text += '\n';
 }
 

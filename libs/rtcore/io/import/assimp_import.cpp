@@ -40,14 +40,14 @@ Affine affineOf(const aiMatrix4x4& m) {
 /// A mesh under a node.
 struct Instance {
     unsigned mesh;
-    Affine place;
+    Affine toWorld;
     const aiNode* node;
 };
 
 /// All that the node graph says.
 struct NodeWalk {
     std::vector<Instance> instances; ///< depth first, in the order of the file
-    NodePlaces places;
+    NodeTransforms transforms;
 };
 
 bool hasMesh(const aiScene& scene, unsigned number) {
@@ -65,13 +65,14 @@ NodeWalk walkNodes(const aiScene& scene) {
         const auto [node, parent] = open.back();
         open.pop_back();
         if (++visited > kMostNodes) refuse("its node graph has no end; repair the file");
-        const Affine place = parent * affineOf(node->mTransformation);
-        if (scene.mNumLights + scene.mNumCameras > 0) walk.places.try_emplace(node->mName.C_Str(), place);
+        const Affine toWorld = parent * affineOf(node->mTransformation);
+        if (scene.mNumLights + scene.mNumCameras > 0)
+            walk.transforms.try_emplace(node->mName.C_Str(), toWorld);
         for (unsigned i = 0; i < node->mNumMeshes; ++i) {
-            if (hasMesh(scene, node->mMeshes[i])) walk.instances.push_back({node->mMeshes[i], place, node});
+            if (hasMesh(scene, node->mMeshes[i])) walk.instances.push_back({node->mMeshes[i], toWorld, node});
         }
         for (unsigned i = node->mNumChildren; i-- > 0;) {
-            if (node->mChildren[i] != nullptr) open.emplace_back(node->mChildren[i], place);
+            if (node->mChildren[i] != nullptr) open.emplace_back(node->mChildren[i], toWorld);
         }
     }
     return walk;
@@ -103,14 +104,14 @@ class MeshReader {
         : quirks_(quirks), report_(report), decode_(quirks.linearVertexColours) {}
 
     /// Valid until the next call.
-    SourceMesh read(const aiMesh& mesh, const Affine& place, const TexcoordUse& use) {
+    SourceMesh read(const aiMesh& mesh, const Affine& toWorld, const TexcoordUse& use) {
         SourceMesh out;
-        readTriangles(mesh, place.determinant() < 0);
+        readTriangles(mesh, toWorld.determinant() < 0);
         out.triangles = triangles_;
         if (triangles_.empty()) return out;
-        readPositions(mesh, place);
+        readPositions(mesh, toWorld);
         out.positions = positions_;
-        if (mesh.mNormals != nullptr && !quirks_.facetNormals) out.normals = readNormals(mesh, place);
+        if (mesh.mNormals != nullptr && !quirks_.facetNormals) out.normals = readNormals(mesh, toWorld);
         out.texcoords = readTexcoords(mesh, use);
         if (mesh.mColors[0] != nullptr) out.colours = readColours(mesh);
         return out;
@@ -156,25 +157,25 @@ class MeshReader {
         for (const Triangle& t : cutter_.cut(corners_)) addTriangle(face, t.v[0], t.v[1], t.v[2], mirrored);
     }
 
-    void readPositions(const aiMesh& mesh, const Affine& place) {
+    void readPositions(const aiMesh& mesh, const Affine& toWorld) {
         positions_.clear();
         positions_.reserve(mesh.mNumVertices);
-        const bool unmoved = place.identity();
+        const bool unmoved = toWorld.identity();
         for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
             const aiVector3D& v = mesh.mVertices[i];
             const Vec3 p{v.x, v.y, v.z};
-            positions_.push_back(unmoved ? p : place.point(p));
+            positions_.push_back(unmoved ? p : toWorld.point(p));
         }
     }
 
-    std::span<const Vec3> readNormals(const aiMesh& mesh, const Affine& place) {
+    std::span<const Vec3> readNormals(const aiMesh& mesh, const Affine& toWorld) {
         normals_.clear();
         normals_.reserve(mesh.mNumVertices);
-        const bool unmoved = place.identity();
+        const bool unmoved = toWorld.identity();
         for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
             const aiVector3D& v = mesh.mNormals[i];
             const Vec3 n{v.x, v.y, v.z};
-            normals_.push_back(unmoved ? n : place.normal(n));
+            normals_.push_back(unmoved ? n : toWorld.normal(n));
         }
         return normals_;
     }
@@ -395,7 +396,7 @@ AssimpResult importWithAssimp(const std::filesystem::path& path, const AssimpOpt
     MeshReader reader(quirks, result.report);
     for (const Instance& instance : walk.instances) {
         const aiMesh& mesh = *scene.mMeshes[instance.mesh];
-        SourceMesh source = reader.read(mesh, instance.place, materials.texcoordUse(mesh.mMaterialIndex));
+        SourceMesh source = reader.read(mesh, instance.toWorld, materials.texcoordUse(mesh.mMaterialIndex));
         if (source.triangles.empty()) continue;
         source.material = materials.numberOf(mesh.mMaterialIndex);
         const std::uint32_t first = assembler.triangleCount();
@@ -419,8 +420,8 @@ AssimpResult importWithAssimp(const std::filesystem::path& path, const AssimpOpt
     warnOfOutliers(result.model, result.report);
     Box3 bounds;
     for (const Vertex& v : result.model.vertices) bounds.extend(v.position());
-    addLights(scene, walk.places, quirks, bounds, result.model, result.report);
-    addCameras(scene, walk.places, quirks, result.model, result.report);
+    addLights(scene, walk.transforms, quirks, bounds, result.model, result.report);
+    addCameras(scene, walk.transforms, quirks, result.model, result.report);
     return result;
 }
 

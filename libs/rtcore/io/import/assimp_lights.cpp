@@ -24,10 +24,11 @@ bool within(Vec3 v, float limit) {
 }
 
 /// Where the light or camera of this name stands.
-Affine placeOf(const aiScene& scene, const NodePlaces& places, const FormatQuirks& quirks, const char* name) {
+Affine transformOf(const aiScene& scene, const NodeTransforms& transforms, const FormatQuirks& quirks,
+                   const char* name) {
     const auto& root = scene.mRootNode;
-    const auto at = places.find(quirks.lightsInRoot && root != nullptr ? root->mName.C_Str() : name);
-    return at != places.end() ? at->second : Affine{};
+    const auto at = transforms.find(quirks.lightsInRoot && root != nullptr ? root->mName.C_Str() : name);
+    return at != transforms.end() ? at->second : Affine{};
 }
 
 /// The intensity of a light whose file knows colours and falloff only: so that a white surface in the middle
@@ -61,17 +62,17 @@ void setCone(const aiLight& light, const FormatQuirks& quirks, Light& out) {
 }
 
 /// False where it has no area.
-bool setSides(const aiLight& light, const Affine& place, Light& out) {
+bool setSides(const aiLight& light, const Affine& toWorld, Light& out) {
     const Vec3 up = vec(light.mUp), ahead = vec(light.mDirection);
-    const Vec3 right = place.vector(cross(ahead, up) * light.mSize.x);
+    const Vec3 right = toWorld.vector(cross(ahead, up) * light.mSize.x);
     out.right = normalize(right - out.direction * dot(right, out.direction));
     if (out.right == Vec3{}) return false;
     out.width = length(right);
-    out.height = length(place.vector(normalize(up) * light.mSize.y));
+    out.height = length(toWorld.vector(normalize(up) * light.mSize.y));
     return out.width > 0 && out.height > 0 && out.width <= kLargest && out.height <= kLargest;
 }
 
-bool convert(const aiLight& light, const Affine& place, const FormatQuirks& quirks, const Box3& bounds,
+bool convert(const aiLight& light, const Affine& toWorld, const FormatQuirks& quirks, const Box3& bounds,
              Light& out) {
     switch (light.mType) {
     case aiLightSource_POINT:
@@ -89,13 +90,13 @@ bool convert(const aiLight& light, const Affine& place, const FormatQuirks& quir
     default:
         return false;
     }
-    out.position = place.point(vec(light.mPosition));
+    out.position = toWorld.point(vec(light.mPosition));
     if (out.kind != LightKind::Point) {
-        out.direction = normalize(place.vector(vec(light.mDirection)));
+        out.direction = normalize(toWorld.vector(vec(light.mDirection)));
         if (out.direction == Vec3{}) return false;
     }
     if (out.kind == LightKind::Spot) setCone(light, quirks, out);
-    if (out.kind == LightKind::Rectangle && !setSides(light, place, out)) return false;
+    if (out.kind == LightKind::Rectangle && !setSides(light, toWorld, out)) return false;
     if (!within(out.position, kLargest)) return false;
     const Colour colour{light.mColorDiffuse.r, light.mColorDiffuse.g, light.mColorDiffuse.b};
     out.intensity = colour * intensityScale(light, out, quirks, bounds);
@@ -128,11 +129,11 @@ float horizontalFov(const aiCamera& camera, const FormatQuirks& quirks) {
     return std::clamp(horizontal * (180 / kPi), 0.1F, 175.0F);
 }
 
-bool convert(const aiCamera& camera, const Affine& place, const FormatQuirks& quirks, Camera& out) {
-    out.eye = place.point(quirks.cameraAtNode ? Vec3{} : vec(camera.mPosition));
+bool convert(const aiCamera& camera, const Affine& toWorld, const FormatQuirks& quirks, Camera& out) {
+    out.eye = toWorld.point(quirks.cameraAtNode ? Vec3{} : vec(camera.mPosition));
     const Vec3 forward = quirks.cameraBackwards ? Vec3{0, 0, -1} : vec(camera.mLookAt);
-    out.forward = normalize(place.vector(forward));
-    out.up = normalize(place.vector(vec(camera.mUp)));
+    out.forward = normalize(toWorld.vector(forward));
+    out.up = normalize(toWorld.vector(vec(camera.mUp)));
     if (!within(out.eye, kLargest) || out.forward == Vec3{}) return false;
     if (!(length(cross(out.forward, out.up)) > 1e-3F)) {
         out.up = std::fabs(out.forward.y) < 0.9F ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
@@ -149,13 +150,14 @@ bool convert(const aiCamera& camera, const Affine& place, const FormatQuirks& qu
 
 } // namespace
 
-void addLights(const aiScene& scene, const NodePlaces& places, const FormatQuirks& quirks, const Box3& bounds,
-               ModelBuffers& model, ImportReport& report) {
+void addLights(const aiScene& scene, const NodeTransforms& transforms, const FormatQuirks& quirks,
+               const Box3& bounds, ModelBuffers& model, ImportReport& report) {
     for (unsigned i = 0; i < scene.mNumLights && scene.mLights != nullptr; ++i) {
         const aiLight* const light = scene.mLights[i];
         if (light == nullptr) continue;
         Light out;
-        if (convert(*light, placeOf(scene, places, quirks, light->mName.C_Str()), quirks, bounds, out)) {
+        if (convert(*light, transformOf(scene, transforms, quirks, light->mName.C_Str()), quirks, bounds,
+                    out)) {
             out.nameOffset = model.addName(light->mName.C_Str());
             model.lights.push_back(out);
         } else {
@@ -166,13 +168,13 @@ void addLights(const aiScene& scene, const NodePlaces& places, const FormatQuirk
     }
 }
 
-void addCameras(const aiScene& scene, const NodePlaces& places, const FormatQuirks& quirks,
+void addCameras(const aiScene& scene, const NodeTransforms& transforms, const FormatQuirks& quirks,
                 ModelBuffers& model, ImportReport& report) {
     for (unsigned i = 0; i < scene.mNumCameras && scene.mCameras != nullptr; ++i) {
         const aiCamera* const camera = scene.mCameras[i];
         if (camera == nullptr) continue;
         Camera out;
-        if (convert(*camera, placeOf(scene, places, quirks, camera->mName.C_Str()), quirks, out)) {
+        if (convert(*camera, transformOf(scene, transforms, quirks, camera->mName.C_Str()), quirks, out)) {
             out.nameOffset = model.addName(camera->mName.C_Str());
             model.cameras.push_back(out);
         } else {

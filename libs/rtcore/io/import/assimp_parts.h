@@ -40,12 +40,12 @@ class SceneEmbeddedPictures : public EmbeddedPictures {
 };
 
 /// World transforms of the nodes that lights and cameras are named after.
-using NodePlaces = std::map<std::string, Affine>;
+using NodeTransforms = std::map<std::string, Affine>;
 
 /// Appends the scene's lights and cameras. `bounds` of the model sets the scale of lights without units.
-void addLights(const aiScene& scene, const NodePlaces& places, const FormatQuirks& quirks, const Box3& bounds,
-               ModelBuffers& model, ImportReport& report);
-void addCameras(const aiScene& scene, const NodePlaces& places, const FormatQuirks& quirks,
+void addLights(const aiScene& scene, const NodeTransforms& transforms, const FormatQuirks& quirks,
+               const Box3& bounds, ModelBuffers& model, ImportReport& report);
+void addCameras(const aiScene& scene, const NodeTransforms& transforms, const FormatQuirks& quirks,
                 ModelBuffers& model, ImportReport& report);
 
 } // namespace rtcore

@@ -145,13 +145,13 @@ ImportedModel importModel(const fs::path& path, const ImportOptions& options) {
     // Triangles take about four times their room in a compact file; images are unpacked.
     const ExchangeFolder folder(kGigabyte + 6 * storedBytes(path));
     const fs::path exchanged = folder.path() / "model.bsp";
-    const ProcessResult result =
-        runProcess(importer,
-                   {"--parent", std::to_string(processId()), "--memory", std::to_string(limits.memory),
-                    "--crease", fmt::format("{:f}", options.creaseAngle.value_or(kCreaseAngle)), "--flip",
-                    options.flipTextures.value_or(false) ? "1" : "0", "--threads",
-                    std::to_string(options.threads), "--", fs::absolute(path).string(), exchanged.string()},
-                   limits);
+    const ProcessResult result = runProcess(
+        importer,
+        {"--parent", fmt::format("{}", processId()), "--memory", fmt::format("{}", limits.memory), "--crease",
+         fmt::format("{:f}", options.creaseAngle.value_or(kCreaseAngle)), "--flip",
+         options.flipTextures.value_or(false) ? "1" : "0", "--threads", fmt::format("{}", options.threads),
+         "--", fs::absolute(path).string(), exchanged.string()},
+        limits);
     try {
         throwFailure(path, result, limits);
     } catch (const FileError& failure) {

@@ -1,4 +1,4 @@
-/// What a text file says, before anybody asks what it means: a tree of values with their places.
+/// What a text file says, before it is interpreted: a tree of values with their positions.
 #pragma once
 
 #include <cstdint>

@@ -74,7 +74,7 @@ void TomlWriter::line(std::string_view key, std::string_view value) {
 }
 
 void TomlWriter::add(std::string_view key, bool value) { line(key, value ? "true" : "false"); }
-void TomlWriter::add(std::string_view key, int value) { line(key, std::to_string(value)); }
+void TomlWriter::add(std::string_view key, int value) { line(key, fmt::format("{}", value)); }
 void TomlWriter::add(std::string_view key, float value) { line(key, tomlNumber(value)); }
 void TomlWriter::add(std::string_view key, double value) { line(key, tomlNumber(value)); }
 void TomlWriter::add(std::string_view key, std::string_view value) { line(key, tomlString(value)); }

@@ -41,8 +41,8 @@ class ShadowTracer {
     const std::vector<Colour>& transmittance(const RayWave& rays, const Light& light,
                                              RayStatistics& statistics);
 
-    /// The way of light along rays that leave a light, in directions of unit length, without fog. Valid until
-    /// the next call.
+    /// The paths of light along rays that leave a light, in directions of unit length, without fog. Valid
+    /// until the next call.
     const std::vector<LightEnd>& ends(const RayWave& rays);
 
   private:

@@ -1,4 +1,4 @@
-#include "rtcore/accel/uninitialized_array.h"
+#include "rtcore/platform/raw_memory.h"
 
 #include <cstdlib>
 #include <new>

@@ -1,5 +1,4 @@
-// The only file of RTServer that calls the operating system.
-#include "rtserver/background.h"
+#include "common/process/background.h"
 
 #include "common/process/stop.h"
 
@@ -13,40 +12,40 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace rtserver {
+namespace app {
 
 namespace {
 
 int readyPipe = -1; ///< the child's end
 
-app::ExitCode endOf(pid_t child) {
+ExitCode endOf(pid_t child) {
     int status = 0;
     while (::waitpid(child, &status, 0) < 0) {
-        if (errno != EINTR) return app::ExitCode::Failed;
+        if (errno != EINTR) return ExitCode::Failed;
     }
-    return WIFEXITED(status) ? static_cast<app::ExitCode>(WEXITSTATUS(status)) : app::ExitCode::Failed;
+    return WIFEXITED(status) ? static_cast<ExitCode>(WEXITSTATUS(status)) : ExitCode::Failed;
 }
 
-app::ExitCode waitFor(pid_t child, int pipe) {
+ExitCode waitFor(pid_t child, int pipe) {
     bool told = false;
     while (true) {
         constexpr int kMilliseconds = 50;
         pollfd stream{pipe, POLLIN, 0};
         const int ready = ::poll(&stream, 1, kMilliseconds);
-        if (app::stopRequested() && !told) {
-            ::kill(child, app::stopSignal());
+        if (stopRequested() && !told) {
+            ::kill(child, stopSignal());
             told = true;
         }
         if (ready <= 0) continue;
         char byte = 0;
         const bool detached = ::read(pipe, &byte, 1) == 1;
-        return detached ? app::ExitCode::Done : endOf(child);
+        return detached ? ExitCode::Done : endOf(child);
     }
 }
 
 } // namespace
 
-std::optional<app::ExitCode> goToBackground() {
+std::optional<ExitCode> goToBackground() {
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe to the background process");
     const pid_t child = ::fork();
@@ -57,7 +56,7 @@ std::optional<app::ExitCode> goToBackground() {
     }
     ::close(ends[0]);
     readyPipe = ends[1];
-    ::setsid();
+    startSession();
     return std::nullopt;
 }
 
@@ -76,4 +75,11 @@ void detach() {
     readyPipe = -1;
 }
 
-} // namespace rtserver
+void startSession() noexcept { ::setsid(); }
+
+void lowerPriority() noexcept {
+    constexpr int kStep = 10;
+    static_cast<void>(!::nice(kStep));
+}
+
+} // namespace app

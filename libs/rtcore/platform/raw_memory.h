@@ -1,0 +1,15 @@
+/// Memory for long lists, which is not cleared first.
+#pragma once
+
+#include <cstddef>
+
+namespace rtcore {
+
+/// Memory for `bytes`, aligned to 16 bytes at least, in large pages where the system has them and it is worth
+/// it: a long list is then read without misses of the translation buffer, and is ready after fewer page
+/// faults. Pages that are never written cost nothing. Safe from any thread. Throws std::bad_alloc.
+void* allocateRaw(std::size_t bytes);
+/// Null does nothing.
+void freeRaw(void* memory);
+
+} // namespace rtcore
