@@ -30,8 +30,7 @@ constexpr std::size_t kEye = 0, kForward = 3, kWidth = 6, kUp = 7, kAspect = 10;
 Result setCamera(const Call& call, rtcore::Camera camera, rtcore::Vec3 forward) {
     camera.eye = vectorAt(call, kEye);
     camera.forward = forward;
-    camera.up = call.size() > kUp ? vectorAt(call, kUp)
-                                  : rtcore::upwardsOf(forward, call.state.world().loaded.scene.up);
+    camera.up = call.size() > kUp ? vectorAt(call, kUp) : rtcore::upwardsOf(forward, call.state.scene()->up);
     if (call.size() > kWidth) camera.aspect = call.size() > kAspect ? number(call[kAspect]) : 0;
     call.state.setCamera(camera);
     return {};

@@ -5,17 +5,9 @@
 #include "common/cli/command_line.h"
 #include "common/commands/command_lookup.h"
 #include "common/commands/quoting.h"
-#include "common/process/exit_codes.h"
-#include "common/process/ipc_exit_code.h"
-
-#include "ipc/platform/error.h"
-
-#include "rtcore/platform/error.h"
 
 #include <array>
 #include <cstddef>
-#include <new>
-#include <stdexcept>
 #include <vector>
 
 namespace rtserver {
@@ -34,15 +26,6 @@ const Functions& functions() {
         return table;
     }();
     return all;
-}
-
-app::ExitCode exitCodeOf(const std::exception& error) {
-    if (const auto* file = dynamic_cast<const rtcore::FileError*>(&error)) return app::exitCodeOf(file->kind);
-    if (dynamic_cast<const std::invalid_argument*>(&error) != nullptr) return app::ExitCode::Usage;
-    if (dynamic_cast<const app::UsageError*>(&error) != nullptr) return app::ExitCode::Usage;
-    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return app::ExitCode::TryAgain;
-    if (const auto* link = dynamic_cast<const ipc::Error*>(&error)) return app::exitCodeOf(link->problem);
-    return app::ExitCode::Failed;
 }
 
 } // namespace
@@ -67,11 +50,6 @@ app::CommandEffect effectOf(std::string_view text) {
     } catch (const app::UsageError&) {
         return app::CommandEffect::Tells;
     }
-}
-
-Failure failureOf(const std::exception& error) {
-    const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
-    return {static_cast<int>(exitCodeOf(error)), memory ? "not enough memory" : error.what()};
 }
 
 } // namespace rtserver

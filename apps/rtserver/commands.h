@@ -9,7 +9,6 @@
 #include "common/commands/command_table.h"
 
 #include <cstdint>
-#include <exception>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -25,6 +24,7 @@ class Host {
     virtual void load(const std::filesystem::path& path,
                       std::optional<std::filesystem::path> cachedModel) = 0;
     virtual void quit() = 0;
+    virtual bool quits() const = 0; ///< quit() was called
     /// When this process is no more, the server ends as soon as no client is connected. Nothing: it goes on.
     virtual void setParent(std::optional<std::int64_t> process) = 0;
     virtual const FrameMaker& frames() const = 0;
@@ -59,12 +59,5 @@ Result runCommand(std::string_view text, ServerState& state, Host& host);
 
 /// Whether runCommand() has a function for it: all that are the server's.
 bool hasFunction(app::CommandId id);
-
-/// How a failure is told to clients.
-struct Failure {
-    int code; ///< the exit code that suits it
-    std::string text;
-};
-Failure failureOf(const std::exception& error);
 
 } // namespace rtserver

@@ -18,7 +18,7 @@ rtcore::SceneFile descriptionOf(const World& world) {
 } // namespace
 
 rtcore::CameraFile cameraFileOf(const ServerState& state, float exposure) {
-    const rtcore::Scene& scene = state.world().loaded.scene;
+    const rtcore::Scene& scene = *state.scene();
     const rtcore::RenderSettings& settings = state.settings();
     rtcore::CameraFile file;
     file.camera = state.camera();
@@ -36,7 +36,7 @@ rtcore::CameraFile cameraFileOf(const ServerState& state, float exposure) {
 
 rtcore::SceneFile sceneFileOf(const ServerState& state) {
     const World& world = state.world();
-    const rtcore::Scene& scene = world.loaded.scene;
+    const rtcore::Scene& scene = *state.scene();
     rtcore::SceneFile file = descriptionOf(world);
     file.model = world.loaded.modelPath;
     static_cast<rtcore::SceneLook&>(file) = scene;

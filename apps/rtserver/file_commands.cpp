@@ -27,7 +27,7 @@ bool frameSuits(const Call& call) {
     const bool drawn = !frames.image().empty();
     if (call.state.paused && !drawn)
         throw std::runtime_error("there is no frame yet, and the server is paused");
-    return drawn && frames.whole() && (call.state.paused || !call.state.stale());
+    return drawn && frames.whole() && (call.state.paused || !frames.stale(call.state));
 }
 
 Result loadCamera(const Call& call) {

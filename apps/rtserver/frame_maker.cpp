@@ -11,17 +11,18 @@
 
 namespace rtserver {
 
-bool FrameMaker::trace(const ServerState& state, const FrameDetail& detail, rtcore::RenderControl& control) {
+bool FrameMaker::trace(const ServerState& state, const FrameDetail& detail, const rtcore::ShadowMaps* maps,
+                       rtcore::RenderControl& control) {
     const Clock::time_point start = Clock::now();
-    const World& world = state.world();
+    const std::uint64_t revision = state.revisions().revision();
+    const std::shared_ptr<const rtcore::Scene> scene = state.scene();
     const rtcore::RenderSettings settings = settingsAt(state.shownSettings(), detail);
     rtcore::Frame& frame = detail.whole() ? whole_ : coarse_;
     if (detail.whole() == detail_.whole()) seen_ = nullptr; // its memory is written to
-    const rtcore::ShadowMaps* const maps = world.shadowMaps.get();
     renderer_->takeShadowsFrom(detail.cut && maps != nullptr && maps->suit(settings) ? maps : nullptr);
     renderer_->collectAovs(rtcore::effectsNeedLayers(settings));
     control.threads = threads_;
-    const rtcore::View view{world.loaded.scene, *world.tracer, state.camera(), settings};
+    const rtcore::View view{*scene, *state.world().tracer, state.camera(), settings};
     if (!renderer_->render(view, control, frame)) return false;
     target_ = developer_.exposure(frame, settings.exposure, threads_);
     // Bloom has its width in pixels of the whole frame.
@@ -31,6 +32,9 @@ bool FrameMaker::trace(const ServerState& state, const FrameDetail& detail, rtco
     const rtcore::HdrImage& finished = developer_.finish(frame, effects, threads_, &control.cancel);
     if (control.cancel) return false;
     seen_ = &finished;
+    // Of another scene the exposure is found at once.
+    if (adapted_.take(state.revisions()).has(rtcore::Change::Scene)) adaptation_ = {};
+    revision_ = revision;
     detail_ = detail;
     rays_ = frame.statistics.total();
     seconds_ = std::chrono::duration<double>(Clock::now() - start).count();
@@ -56,6 +60,7 @@ void FrameMaker::drop() {
     whole_ = {};
     coarse_ = {};
     seen_ = nullptr;
+    revision_ = 0;
     renderer_.emplace();
     developer_ = {};
     image_ = {};

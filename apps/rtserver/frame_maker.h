@@ -21,9 +21,17 @@ class FrameMaker {
   public:
     explicit FrameMaker(int threads) : threads_(threads) {}
 
-    /// The radiance of what the state shows, in such detail. False when control.cancel was set; then there
-    /// may be no radiance, while the image stays.
-    bool trace(const ServerState& state, const FrameDetail& detail, rtcore::RenderControl& control);
+    /// The radiance of what the state shows, in such detail; a cut frame takes its shadows from `maps`,
+    /// unless that is null. False when control.cancel was set; then there may be no radiance, while the image
+    /// stays.
+    bool trace(const ServerState& state, const FrameDetail& detail, const rtcore::ShadowMaps* maps,
+               rtcore::RenderControl& control);
+    /// The revision of the state that the last frame shows; 0: there is no frame.
+    std::uint64_t revision() const { return revision_; }
+    /// Whether the state changed since, or there is no frame.
+    bool stale(const ServerState& state) const {
+        return revision_ == 0 || revision_ != state.revisions().revision();
+    }
     bool hasRadiance() const { return seen_ != nullptr; }
     /// Whether the last frame has all the pixels and samples that the state asks for.
     bool whole() const { return detail_.whole(); }
@@ -37,8 +45,6 @@ class FrameMaker {
     static void requireMemory(const rtcore::RenderSettings& settings);
     /// Gives its memory back; there is no frame then.
     void drop();
-    /// The next frame is of another scene: its exposure is found at once.
-    void forget() { adaptation_ = {}; }
 
     const rtcore::LdrImage& image() const { return image_; } ///< empty before the first one
     /// As it is shown: denoised, with its bloom. Needs hasRadiance().
@@ -56,8 +62,10 @@ class FrameMaker {
     rtcore::Frame whole_, coarse_;           ///< apart, so that one keeps its memory beside the other
     const rtcore::HdrImage* seen_ = nullptr; ///< the last frame with its effects; null: no frame
     rtcore::LdrImage image_;
+    std::uint64_t revision_ = 0;
     Adaptation adaptation_;
-    float target_ = 1; ///< the exposure that suits the frame
+    rtcore::Subscription adapted_; ///< what the adaptation knows of the state
+    float target_ = 1;             ///< the exposure that suits the frame
     Clock::time_point developed_;
     double seconds_ = 0;
     std::uint64_t rays_ = 0;

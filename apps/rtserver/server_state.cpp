@@ -52,6 +52,7 @@ rtcore::RenderSettings ServerState::settingsOf(const World& world, const rtcore:
 void ServerState::show(std::unique_ptr<World> world) {
     const bool first = world_ == nullptr;
     rtcore::LoadedScene& loaded = world->loaded;
+    rtcore::Scene scene = loaded.scene;
     std::optional<rtcore::CameraFile> camera;
     std::filesystem::path path;
     if (first && options_.camera) path = *options_.camera;
@@ -59,7 +60,7 @@ void ServerState::show(std::unique_ptr<World> world) {
         path = *loaded.sceneFile->cameraFile;
     if (!path.empty()) {
         camera = rtcore::readCameraFile(path);
-        const std::string warning = app::applyCameraToScene(*camera, path, loaded.scene);
+        const std::string warning = app::applyCameraToScene(*camera, path, scene);
         if (!warning.empty()) loaded.warnings.push_back(warning);
         loaded.camera = camera->camera;
     }
@@ -71,18 +72,18 @@ void ServerState::show(std::unique_ptr<World> world) {
     player_.reset();
     world_ = std::move(world);
     // A model file does not tell its unit.
-    const rtcore::Scene& scene = loaded.scene;
     player_ = std::make_unique<rtcore::Player>(
-        loaded.tree, scene.mesh(),
+        loaded.tree, loaded.scene.mesh(),
         rtcore::PlayerOptions{
             .up = scene.up, .metresPerUnit = loaded.sceneFile ? scene.metresPerUnit : 0, .walk = scene.walk});
     player_->setCamera(loaded.camera);
     camera_ = player_->camera();
-    touch();
+    scene_ = std::make_shared<const rtcore::Scene>(std::move(scene));
+    revisions_.note(rtcore::Changes::all());
     if (first && options_.path) play(std::make_unique<Playback>(*options_.path));
 }
 
-void ServerState::useTree(rtcore::KdTree tree, std::unique_ptr<rtcore::KdRayTracer> tracer) {
+void ServerState::useTree(rtcore::KdTree tree, std::shared_ptr<const rtcore::KdRayTracer> tracer) {
     player_->useTree(tree);
     world_->loaded.tree = std::move(tree);
     world_->loaded.fastTree = false;
@@ -104,13 +105,15 @@ void ServerState::setCamera(const rtcore::Camera& camera) {
 
 void ServerState::setSettings(const rtcore::RenderSettings& settings) {
     if (settings.width != settings_.width || settings.height != settings_.height) reserve_(settings);
-    settings_ = settings;
-    touch();
+    takeSettings(settings);
 }
 
-void ServerState::goBackTo(const rtcore::RenderSettings& settings) {
+void ServerState::goBackTo(const rtcore::RenderSettings& settings) { takeSettings(settings); }
+
+void ServerState::takeSettings(const rtcore::RenderSettings& settings) {
+    if (rtcore::settingAssignments(settings, true) != rtcore::settingAssignments(settings_, true))
+        revisions_.note({rtcore::Change::Setting});
     settings_ = settings;
-    touch();
 }
 
 rtcore::RenderSettings ServerState::shownSettings() const {
@@ -125,24 +128,27 @@ rtcore::RenderSettings ServerState::shownSettings() const {
 void ServerState::switchBloom(bool on) {
     if ((settings_.bloom.radius != 0) == on) return;
     if (!on) bloom_ = settings_.bloom.radius;
-    settings_.bloom.radius = on ? bloom_ : 0;
-    touch();
+    rtcore::RenderSettings settings = settings_;
+    settings.bloom.radius = on ? bloom_ : 0;
+    takeSettings(settings);
+}
+
+// Of what there is, commands and .cam files change lights and the environment.
+void ServerState::publish(rtcore::Scene edited) {
+    rtcore::Changes changes;
+    changes.set(rtcore::Change::Light, edited.lights != scene_->lights);
+    changes.set(rtcore::Change::Sky, edited.activeEnvironment != scene_->activeEnvironment);
+    if (!changes.any()) return;
+    scene_ = std::make_shared<const rtcore::Scene>(std::move(edited));
+    revisions_.note(changes);
 }
 
 std::string ServerState::applyCameraFile(const rtcore::CameraFile& file, const std::filesystem::path& path) {
-    std::string warning;
     const std::vector<rtcore::SettingAssignment> now = rtcore::settingAssignments(settings_, true);
-    rtcore::Scene& scene = world_->loaded.scene;
-    const std::vector<rtcore::Light> lights = scene.lights;
-    const int environment = scene.activeEnvironment;
-    try {
-        warning = app::applyCameraToScene(file, path, scene);
-        setSettings(app::mergeSettings({.scene = now, .camera = &file}));
-    } catch (...) {
-        scene.lights = lights;
-        scene.activeEnvironment = environment;
-        throw;
-    }
+    rtcore::Scene edited = *scene_;
+    std::string warning = app::applyCameraToScene(file, path, edited);
+    setSettings(app::mergeSettings({.scene = now, .camera = &file}));
+    publish(std::move(edited));
     stopPlaying();
     player_->setCamera(file.camera);
     takeCamera();
@@ -156,21 +162,20 @@ void ServerState::assign(const std::vector<rtcore::SettingAssignment>& assignmen
 }
 
 void ServerState::switchLight(int light, std::optional<bool> on) {
-    std::vector<rtcore::Light>& lights = world_->loaded.scene.lights;
-    if (light < 0 || static_cast<std::size_t>(light) >= lights.size())
-        refuseNumber("light", light, lights.size());
-    std::uint32_t& state = lights[static_cast<std::size_t>(light)].on;
-    const std::uint32_t wanted = on.value_or(state == 0) ? 1 : 0;
-    if (state != wanted) touch();
-    state = wanted;
+    rtcore::Scene edited = *scene_;
+    if (light < 0 || static_cast<std::size_t>(light) >= edited.lights.size())
+        refuseNumber("light", light, edited.lights.size());
+    std::uint32_t& state = edited.lights[static_cast<std::size_t>(light)].on;
+    state = on.value_or(state == 0) ? 1 : 0;
+    publish(std::move(edited));
 }
 
 void ServerState::setEnvironment(int environment) {
-    rtcore::Scene& scene = world_->loaded.scene;
-    if (environment < 0 || static_cast<std::size_t>(environment) >= scene.environments.size())
-        refuseNumber("environment", environment, scene.environments.size());
-    if (scene.activeEnvironment != environment) touch();
-    scene.activeEnvironment = environment;
+    rtcore::Scene edited = *scene_;
+    if (environment < 0 || static_cast<std::size_t>(environment) >= edited.environments.size())
+        refuseNumber("environment", environment, edited.environments.size());
+    edited.activeEnvironment = environment;
+    publish(std::move(edited));
 }
 
 void ServerState::turn(double right, double upwards) {
@@ -197,7 +202,7 @@ double ServerState::metresPerUnit() const { return player_->metresPerUnit(); }
 
 void ServerState::takeCamera() {
     const rtcore::Camera camera = player_->camera();
-    if (camera != camera_) touch();
+    if (camera != camera_) revisions_.note({rtcore::Change::View});
     camera_ = camera;
 }
 

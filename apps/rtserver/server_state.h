@@ -10,6 +10,7 @@
 
 #include "rtcore/io/text/cam.h"
 #include "rtcore/motion/key_bindings.h"
+#include "rtcore/scene/revisions.h"
 #include "rtcore/settings/render_settings.h"
 
 #include <bitset>
@@ -32,7 +33,11 @@ namespace rtserver {
 inline constexpr const char* kUnseenFloor =
     "nothing is below: walking on a floor at the model's lowest point that is not seen";
 
-/// One thread. What changes the next frame makes it stale().
+/// Every edit of what is shown is noted by its kind in revisions(), by which frames and caches tell whether
+/// they still hold; an edit after which all is as before is none.
+///
+/// One thread edits; others may read while it does not, such as the guard's while a frame is drawn. The scene
+/// is immutable: an edit puts another one in its place, and a thread that took the last one keeps it.
 class ServerState {
   public:
     using Reserve = std::function<void(const rtcore::RenderSettings&)>;
@@ -47,13 +52,15 @@ class ServerState {
     /// there.
     void show(std::unique_ptr<World> world);
     bool ready() const { return world_ != nullptr; }
+    /// What follows but revisions() needs ready().
     const World& world() const { return *world_; }
+    /// As it is shown, with its lights and its environment. To be copied where it has to last: the next edit
+    /// puts another one here.
+    const std::shared_ptr<const rtcore::Scene>& scene() const { return scene_; }
+    /// Of all that is shown: scene, camera, settings.
+    const rtcore::Revisions& revisions() const { return revisions_; }
     /// The exact tree of the same scene, with its tracer. The frames stay the same.
-    void useTree(rtcore::KdTree tree, std::unique_ptr<rtcore::KdRayTracer> tracer);
-    /// For frames that have to be quick.
-    void useShadowMaps(std::unique_ptr<const rtcore::ShadowMaps> maps) {
-        world_->shadowMaps = std::move(maps);
-    }
+    void useTree(rtcore::KdTree tree, std::shared_ptr<const rtcore::KdRayTracer> tracer);
     std::string title() const; ///< for messages
 
     const rtcore::Camera& camera() const { return camera_; }
@@ -125,12 +132,11 @@ class ServerState {
     bool paused = false;
     double frameSeconds = 0; ///< what a frame may take while something moves: fewer pixels then; 0: any time
     bool idles = true;       ///< false: every frame is drawn, though it equals the last
-    bool stale() const { return stale_; }
-    void touch() { stale_ = true; }
-    void drawn() { stale_ = false; }
 
   private:
     rtcore::RenderSettings settingsOf(const World& world, const rtcore::CameraFile* camera) const;
+    void publish(rtcore::Scene edited);
+    void takeSettings(const rtcore::RenderSettings& settings);
     void takeCamera();
 
     void advance(std::chrono::nanoseconds step);
@@ -148,6 +154,8 @@ class ServerState {
     Reserve reserve_;
     Messages& messages_;
     std::unique_ptr<World> world_;
+    std::shared_ptr<const rtcore::Scene> scene_;
+    rtcore::Revisions revisions_;
     std::unique_ptr<rtcore::Player> player_; ///< refers to *world_
     rtcore::Camera camera_;
     rtcore::KeyBindings bindings_;
@@ -161,7 +169,6 @@ class ServerState {
     std::filesystem::path recordedList_;
     std::unique_ptr<Playback> playback_;
     std::optional<rtcore::CameraFile> shown_; ///< of the path that is played, without its time
-    bool stale_ = true;
 };
 
 } // namespace rtserver

@@ -85,17 +85,16 @@ void ServerState::toggleWalking() {
 
 // A key for a light that the scene lacks is a message, not an error.
 void ServerState::toggleLight(int light) {
-    const std::vector<rtcore::Light>& lights = world_->loaded.scene.lights;
     const std::string name = "light " + std::to_string(light + 1);
-    if (light < 0 || std::cmp_greater_equal(light, lights.size()))
+    if (light < 0 || std::cmp_greater_equal(light, scene_->lights.size()))
         return messages_.tell("there is no " + name);
     switchLight(light, std::nullopt);
-    messages_.tell(name + (lights[static_cast<std::size_t>(light)].on != 0 ? " on" : " off"));
+    messages_.tell(name + (scene_->lights[static_cast<std::size_t>(light)].on != 0 ? " on" : " off"));
 }
 
 void ServerState::chooseEnvironment(int environment) {
     const std::string name = "environment " + std::to_string(environment + 1);
-    if (environment < 0 || std::cmp_greater_equal(environment, world_->loaded.scene.environments.size()))
+    if (environment < 0 || std::cmp_greater_equal(environment, scene_->environments.size()))
         return messages_.tell("there is no " + name);
     setEnvironment(environment);
     messages_.tell(name);
@@ -168,23 +167,26 @@ void ServerState::play(std::unique_ptr<Playback> playback) {
 }
 
 void ServerState::show(const Playback::Shot& shot) {
-    rtcore::Scene& scene = world_->loaded.scene;
     rtcore::CameraFile camera = shot.camera;
     camera.time.reset();
     if (camera == shown_) return;
-    const std::string warning = app::applyCameraToScene(camera, shot.path, scene);
+    rtcore::Scene edited = *scene_;
+    const std::string warning = app::applyCameraToScene(camera, shot.path, edited);
+    publish(std::move(edited));
     // Once: the other cameras of the path say the same.
     if (!warning.empty() && !shown_) Messages::print("warning: " + warning);
     player_->setCamera(camera.camera);
-    camera_ = player_->camera();
+    takeCamera();
+    if (camera.exposure != (shown_ ? shown_->exposure : std::nullopt))
+        revisions_.note({rtcore::Change::Setting});
     shown_ = std::move(camera);
-    touch();
 }
 
 void ServerState::stopPlaying() {
     if (!playback_) return;
     playback_.reset();
-    if (shown_ && shown_->exposure) touch(); // the eye gets used to what it sees again
+    // The eye gets used to what it sees again.
+    if (shown_ && shown_->exposure) revisions_.note({rtcore::Change::Setting});
     shown_.reset();
 }
 

@@ -1,13 +1,15 @@
 #include "rtserver/shadow_mapping.h"
 
+#include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace rtserver {
 
-// With a scene of its own: lights are switched meanwhile.
-ShadowMapping::ShadowMapping(const World& world)
-    : maps_(std::async(std::launch::async, [this, scene = world.loaded.scene, &tracer = *world.tracer] {
-          return rtcore::ShadowMaps::make(scene, tracer, cancel_);
+ShadowMapping::ShadowMapping(std::shared_ptr<const rtcore::Scene> scene,
+                             std::shared_ptr<const rtcore::RayTracer> tracer)
+    : maps_(std::async(std::launch::async, [this, scene = std::move(scene), tracer = std::move(tracer)] {
+          return rtcore::ShadowMaps::make(*scene, *tracer, cancel_);
       })) {}
 
 ShadowMapping::~ShadowMapping() {
@@ -17,6 +19,14 @@ ShadowMapping::~ShadowMapping() {
 
 bool ShadowMapping::done() const {
     return maps_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+bool castAlike(std::span<const rtcore::Light> before, std::span<const rtcore::Light> now) {
+    return std::ranges::equal(before, now, [](rtcore::Light a, const rtcore::Light& b) {
+        a.on = b.on;
+        a.intensity = b.intensity;
+        return a == b;
+    });
 }
 
 } // namespace rtserver

@@ -1,19 +1,24 @@
 /// The shadow maps of a scene that is shown, made beside it.
 #pragma once
 
-#include "rtserver/world.h"
+#include "rtcore/kernels/ray_tracer.h"
+#include "rtcore/scene/scene.h"
+#include "rtcore/shading/light/shadow_maps.h"
 
 #include <atomic>
 #include <future>
 #include <memory>
+#include <span>
 
 namespace rtserver {
 
-/// A thread of its own works; all functions are for the one thread that has the object. The destructor gives
-/// the work up. The world's tracer must outlive it.
+/// A thread of its own works, and keeps the scene and the tracer; all functions are for the one thread that
+/// has the object. The destructor gives the work up.
 class ShadowMapping {
   public:
-    explicit ShadowMapping(const World& world);
+    /// `tracer`: of that scene.
+    ShadowMapping(std::shared_ptr<const rtcore::Scene> scene,
+                  std::shared_ptr<const rtcore::RayTracer> tracer);
     ~ShadowMapping();
     ShadowMapping(const ShadowMapping&) = delete;
     ShadowMapping& operator=(const ShadowMapping&) = delete;
@@ -26,5 +31,9 @@ class ShadowMapping {
     std::atomic<bool> cancel_{false};
     std::future<std::unique_ptr<const rtcore::ShadowMaps>> maps_; ///< last: its thread uses the others
 };
+
+/// Whether shadow maps that were made for the lights `before` hold for `now`: each light may have been
+/// switched or changed its colour, but stands as it did.
+bool castAlike(std::span<const rtcore::Light> before, std::span<const rtcore::Light> now);
 
 } // namespace rtserver

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <utility>
 
 namespace rtserver {
@@ -20,7 +21,7 @@ std::string scenePathOf(const ServerState& state) {
 }
 
 std::vector<app::NamedSwitch> lightsOf(const ServerState& state) {
-    const rtcore::Scene& scene = state.world().loaded.scene;
+    const rtcore::Scene& scene = *state.scene();
     std::vector<app::NamedSwitch> all;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const std::string name = i < scene.lightNames.size() ? scene.lightNames[i] : std::string();
@@ -30,12 +31,13 @@ std::vector<app::NamedSwitch> lightsOf(const ServerState& state) {
 }
 
 std::vector<app::NamedSwitch> environmentsOf(const ServerState& state) {
-    const rtcore::LoadedScene& loaded = state.world().loaded;
+    const rtcore::Scene& scene = *state.scene();
+    const std::optional<rtcore::SceneFile>& file = state.world().loaded.sceneFile;
     std::vector<app::NamedSwitch> all;
-    for (std::size_t i = 0; i < loaded.scene.environments.size(); ++i) {
-        const bool described = loaded.sceneFile && i < loaded.sceneFile->environments.size();
-        const std::string name = described ? nameOf(loaded.sceneFile->environments[i]) : std::string();
-        all.push_back({std::cmp_equal(loaded.scene.activeEnvironment, i), name});
+    for (std::size_t i = 0; i < scene.environments.size(); ++i) {
+        const bool described = file && i < file->environments.size();
+        const std::string name = described ? nameOf(file->environments[i]) : std::string();
+        all.push_back({std::cmp_equal(scene.activeEnvironment, i), name});
     }
     return all;
 }

@@ -6,8 +6,8 @@
 
 namespace rtserver {
 
-TreeRefinement::TreeRefinement(const World& world, int threads)
-    : result_(std::async(std::launch::async, [this, model = world.loaded.scene.model, threads] {
+TreeRefinement::TreeRefinement(const rtcore::Model& model, int threads)
+    : result_(std::async(std::launch::async, [this, model, threads] {
           using Clock = std::chrono::steady_clock;
           const Clock::time_point begun = Clock::now();
           app::useThreads(threads);
@@ -15,8 +15,8 @@ TreeRefinement::TreeRefinement(const World& world, int threads)
           options.threads = threads;
           Result result;
           result.tree = buildKdTree(model.mesh, options, nullptr, &progress_);
-          result.tracer = std::make_unique<rtcore::KdRayTracer>(result.tree, model.mesh,
-                                                                chooseLeafRecords(result.tree, 0));
+          result.tracer = std::make_shared<const rtcore::KdRayTracer>(result.tree, model.mesh,
+                                                                      chooseLeafRecords(result.tree, 0));
           result.seconds = std::chrono::duration<double>(Clock::now() - begun).count();
           return result;
       })) {}

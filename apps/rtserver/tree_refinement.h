@@ -1,9 +1,10 @@
 /// The exact kd-tree of a scene that is shown from a fast one meanwhile.
 #pragma once
 
-#include "rtserver/world.h"
-
 #include "rtcore/accel/builder.h"
+#include "rtcore/accel/kd_tree.h"
+#include "rtcore/kernels/ray_tracer.h"
+#include "rtcore/scene/model.h"
 
 #include <future>
 #include <memory>
@@ -14,7 +15,7 @@ namespace rtserver {
 /// the work up.
 class TreeRefinement {
   public:
-    TreeRefinement(const World& world, int threads);
+    TreeRefinement(const rtcore::Model& model, int threads);
     ~TreeRefinement();
     TreeRefinement(const TreeRefinement&) = delete;
     TreeRefinement& operator=(const TreeRefinement&) = delete;
@@ -23,7 +24,7 @@ class TreeRefinement {
 
     struct Result {
         rtcore::KdTree tree;
-        std::unique_ptr<rtcore::KdRayTracer> tracer; ///< of that tree
+        std::shared_ptr<const rtcore::KdRayTracer> tracer; ///< of that tree
         double seconds = 0;
     };
     /// Once, when done(). Throws std::bad_alloc: the fast tree has to do then.

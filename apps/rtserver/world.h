@@ -1,4 +1,4 @@
-/// A scene that is loaded and can be traced.
+/// A scene as it was loaded, and what traces it.
 #pragma once
 
 #include "common/cli/input_files.h"
@@ -6,18 +6,17 @@
 #include "rtcore/io/import/model_import.h"
 #include "rtcore/io/scene_loader.h"
 #include "rtcore/kernels/ray_tracer.h"
-#include "rtcore/shading/light/shadow_maps.h"
 
 #include <filesystem>
 #include <memory>
 
 namespace rtserver {
 
-/// Stays where it is: the tracer refers to the scene.
+/// Stays where it is: the player refers to its tree and its mesh.
 class World {
   public:
     World(rtcore::LoadedScene scene, std::filesystem::path path, const rtcore::ImportOptions& options)
-        : loaded(std::move(scene)), tracer(std::make_unique<rtcore::KdRayTracer>(
+        : loaded(std::move(scene)), tracer(std::make_shared<const rtcore::KdRayTracer>(
                                         loaded.tree, loaded.scene.mesh(), chooseLeafRecords(loaded.tree, 0))),
           source(std::move(path)), import(options) {
         inputs.add(loaded.files);
@@ -25,12 +24,12 @@ class World {
     World(const World&) = delete;
     World& operator=(const World&) = delete;
 
-    rtcore::LoadedScene loaded;
-    std::unique_ptr<rtcore::KdRayTracer> tracer;
-    std::unique_ptr<const rtcore::ShadowMaps> shadowMaps; ///< null until they are made, where they are needed
-    std::filesystem::path source;                         ///< what the user named
-    rtcore::ImportOptions import;                         ///< as far as the user gave them
-    app::InputFiles inputs;                               ///< what was read
+    rtcore::LoadedScene loaded; ///< its scene as the files say; ServerState::scene() is what edits made of it
+    /// A thread of its own that traces keeps it, together with a scene: that owns the triangles.
+    std::shared_ptr<const rtcore::KdRayTracer> tracer;
+    std::filesystem::path source; ///< what the user named
+    rtcore::ImportOptions import; ///< as far as the user gave them
+    app::InputFiles inputs;       ///< what was read
 };
 
 } // namespace rtserver

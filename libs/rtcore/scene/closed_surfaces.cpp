@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace rtcore {
 
@@ -49,12 +50,12 @@ std::vector<HalfEdge> halfEdges(const Mesh& mesh, const std::vector<std::uint32_
 
 } // namespace
 
-std::vector<std::uint8_t> findClosedSurfaces(const Mesh& mesh, std::span<const Material> materials) {
+ClosedSurfaces findClosedSurfaces(const Mesh& mesh, std::span<const Material> materials) {
     std::vector<std::uint32_t> transparent;
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
         if (isTransparent(materials[mesh.shading[i].material])) transparent.push_back(i);
     }
-    if (transparent.empty()) return {};
+    if (transparent.empty()) return nullptr;
 
     const std::vector<HalfEdge> edges = halfEdges(mesh, transparent);
     Parts parts(transparent.size());
@@ -77,7 +78,7 @@ std::vector<std::uint8_t> findClosedSurfaces(const Mesh& mesh, std::span<const M
     for (std::uint32_t i = 0; i < transparent.size(); ++i) {
         closed[transparent[i]] = openPart[parts.find(i)] == 0 ? 1 : 0;
     }
-    return closed;
+    return std::make_shared<const std::vector<std::uint8_t>>(std::move(closed));
 }
 
 } // namespace rtcore

@@ -1,7 +1,10 @@
-/// A scene ready to be rendered, apart from its kd-tree. Immutable while rays are traced.
+/// A scene ready to be rendered, apart from its kd-tree. Immutable while rays are traced: an edit copies it,
+/// changes the copy and puts that in its place, which revisions.h counts. Copies are cheap: they share the
+/// model's arrays, environments and closed surfaces; only materials and lights are copied.
 #pragma once
 
 #include "rtcore/scene/camera.h"
+#include "rtcore/scene/closed_surfaces.h"
 #include "rtcore/scene/environment.h"
 #include "rtcore/scene/light.h"
 #include "rtcore/scene/material.h"
@@ -55,11 +58,11 @@ struct Scene : SceneLook {
     std::vector<Light> lights;
     std::vector<std::string> lightNames; ///< one per light, may be ""
     std::vector<std::shared_ptr<const Environment>> environments;
-    /// One per triangle, or empty when nothing is transparent: 1 where the triangle's surface is closed, so
-    /// that it bounds a solid (scene/closed_surfaces.h).
-    std::vector<std::uint8_t> closed;
+    ClosedSurfaces closed; ///< findClosedSurfaces() of the mesh with these materials
 
     const Mesh& mesh() const { return model.mesh; }
+    /// Whether the triangle's surface bounds a solid.
+    bool isClosed(std::uint32_t triangle) const { return closed != nullptr && (*closed)[triangle] != 0; }
     const Environment* environment() const {
         const auto i = static_cast<std::size_t>(activeEnvironment);
         return activeEnvironment >= 0 && i < environments.size() ? environments[i].get() : nullptr;

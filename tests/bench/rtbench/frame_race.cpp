@@ -27,7 +27,7 @@ rtcore::Scene litScene(const rtcore::Scene& scene, const BenchView& view, float 
         material.mirrorScale = 1;
         material.fresnel = 0;
     }
-    lit.closed.clear();
+    lit.closed.reset();
     rtcore::Light light = rtcore::defaultLight(view.camera(1), scene.mesh().bounds());
     light.position = view.light;
     lit.lights = {light};

@@ -78,7 +78,7 @@ TEST(EqualTriangles, WhatIsClosedStaysSo) {
             const Kept kept = keptOf(b);
             const Model after = makeModel(std::move(b));
             const auto isClosed = findClosedSurfaces(after.mesh, after.materials);
-            for (std::size_t i = 0; i < kept.size(); ++i) EXPECT_EQ(isClosed[i], wasClosed[kept[i]]);
+            for (std::size_t i = 0; i < kept.size(); ++i) EXPECT_EQ(isClosed->at(i), wasClosed->at(kept[i]));
         }
     }
 }

@@ -1,5 +1,7 @@
 #include "rtserver/frame_maker.h"
 
+#include "shown_room.h"
+
 #include "rtcore/post/effects.h"
 
 #include <gtest/gtest.h>
@@ -30,6 +32,55 @@ TEST(FrameMaker, CountsTheMemoryOfTheListOfEffects) {
 
 TEST(FrameMaker, HasMemoryForASmallFrame) {
     EXPECT_NO_THROW(rtserver::FrameMaker::requireMemory(hundredPixels()));
+}
+
+class FramesOfAState : public test::ShownRoom {
+  protected:
+    rtserver::FrameMaker frames{1};
+};
+
+TEST_F(FramesOfAState, SayWhichRevisionTheyShow) {
+    EXPECT_EQ(frames.revision(), 0U);
+    EXPECT_TRUE(frames.stale(state));
+    test::draw(frames, state);
+    EXPECT_EQ(frames.revision(), state.revisions().revision());
+    EXPECT_FALSE(frames.stale(state));
+    const std::uint64_t drawn = frames.revision();
+    state.switchLight(0, false);
+    EXPECT_TRUE(frames.stale(state));
+    EXPECT_EQ(frames.revision(), drawn);
+    test::draw(frames, state, rtserver::kCoarsest);
+    EXPECT_FALSE(frames.stale(state)) << "coarse as it is";
+    EXPECT_FALSE(frames.whole());
+    frames.drop();
+    EXPECT_TRUE(frames.stale(state));
+    EXPECT_EQ(frames.revision(), 0U);
+}
+
+TEST_F(FramesOfAState, ThatAreLeftShowNothingNew) {
+    test::draw(frames, state);
+    const std::uint64_t drawn = frames.revision();
+    state.turn(10, 0);
+    rtcore::RenderControl control;
+    control.cancel = true;
+    EXPECT_FALSE(frames.trace(state, {}, nullptr, control));
+    EXPECT_EQ(frames.revision(), drawn);
+    EXPECT_TRUE(frames.stale(state));
+    EXPECT_FALSE(frames.image().empty()) << "the last one";
+}
+
+TEST_F(FramesOfAState, AdaptToAChangeButNotToAnotherScene) {
+    state.assign({{"exposure.brighterSeconds", 1000.0F}, {"exposure.darkerSeconds", 1000.0F}});
+    test::draw(frames, state);
+    EXPECT_TRUE(frames.settled());
+    const float bright = frames.exposure();
+    state.switchLight(0, false);
+    test::draw(frames, state);
+    EXPECT_FALSE(frames.settled());
+    state.show(test::worldOf(test::makeRoom(0.05F)));
+    test::draw(frames, state);
+    EXPECT_TRUE(frames.settled());
+    EXPECT_NE(frames.exposure(), bright);
 }
 
 } // namespace

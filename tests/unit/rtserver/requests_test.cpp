@@ -1,5 +1,7 @@
 #include "rtserver/requests.h"
 
+#include "told_clients.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,46 +11,25 @@
 namespace rtserver {
 namespace {
 
-/// Writes down what each client is told.
-class Told final : public Replies {
-  public:
-    void answer(const ipc::Command& command, const std::string& text) override {
-        lines.push_back(command.text + ": " + text);
-    }
-    void refuse(const ipc::Command& command, int code, const std::string& text) override {
-        lines.push_back(command.text + ": " + std::to_string(code) + " " + text);
-    }
-    bool isConnected(const ipc::Command& command) const override { return command.client != gone; }
-
-    std::vector<std::string> lines;
-    std::uint64_t gone = 0;
-};
-
 using Lines = std::vector<std::string>;
 
-ipc::Command command(const std::string& text, std::uint64_t client = 1, bool wantsAnswer = true) {
-    ipc::Command command;
-    command.text = text;
-    command.client = client;
-    command.wantsAnswer = wantsAnswer;
-    return command;
-}
+using test::commandOf;
 
 class RequestsTest : public testing::Test {
   protected:
-    Told told;
+    test::ToldClients told;
     Requests requests{told};
 };
 
 TEST_F(RequestsTest, EachLoadIsAnsweredOnce) {
     requests.loaded(); // by the command line
     EXPECT_EQ(told.lines, Lines{});
-    requests.addForLoad(command("load a"));
+    requests.addForLoad(commandOf("load a"));
     EXPECT_TRUE(requests.waitsForLoad());
     requests.loaded();
     requests.loaded();
     EXPECT_EQ(told.lines, Lines{"load a: "});
-    requests.addForLoad(command("load b"));
+    requests.addForLoad(commandOf("load b"));
     requests.loadFailed(66, "no b");
     requests.loadFailed(66, "no b");
     EXPECT_EQ(told.lines, (Lines{"load a: ", "load b: 66 no b"}));
@@ -56,29 +37,29 @@ TEST_F(RequestsTest, EachLoadIsAnsweredOnce) {
 }
 
 TEST_F(RequestsTest, AllThatWaitForIdleAreAnsweredOnce) {
-    requests.addForIdle(command("x", 1));
-    requests.addForIdle(command("y", 2));
+    requests.addForIdle(commandOf("x", 1));
+    requests.addForIdle(commandOf("y", 2));
     EXPECT_TRUE(requests.waitForIdle());
     requests.idle();
     requests.idle();
     EXPECT_EQ(told.lines, (Lines{"x: ", "y: "}));
     EXPECT_FALSE(requests.waitForIdle());
-    requests.addForIdle(command("z", 3));
+    requests.addForIdle(commandOf("z", 3));
     requests.refuseIdle(app::ExitCode::TryAgain, "no memory");
     requests.idle();
     EXPECT_EQ(told.lines, (Lines{"x: ", "y: ", "z: 75 no memory"}));
 }
 
 TEST_F(RequestsTest, NothingWaitsThatWantsNoAnswer) {
-    requests.addForIdle(command("x", 1, false));
-    requests.addForKey(command("y", 1, false), 7);
+    requests.addForIdle(commandOf("x", 1, false));
+    requests.addForKey(commandOf("y", 1, false), 7);
     EXPECT_FALSE(requests.waitForIdle() || requests.waitForKeys());
 }
 
 TEST_F(RequestsTest, KeysAreAnsweredWhenTheyAreUpAndReleasedWithTheirClient) {
-    requests.addForKey(command("a", 1), 10);
-    requests.addForKey(command("b", 2), 20);
-    requests.addForKey(command("c", 3), 30);
+    requests.addForKey(commandOf("a", 1), 10);
+    requests.addForKey(commandOf("b", 2), 20);
+    requests.addForKey(commandOf("c", 3), 30);
     std::vector<std::uint64_t> down{10, 20, 30}, released;
     const auto answer = [&] {
         requests.answerReleased([&](std::uint64_t press) { return std::ranges::count(down, press) > 0; },

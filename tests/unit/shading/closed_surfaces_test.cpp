@@ -13,13 +13,13 @@ namespace {
 using test::SceneBuilder;
 
 std::size_t countClosed(const Scene& scene) {
-    return static_cast<std::size_t>(std::count(scene.closed.begin(), scene.closed.end(), 1));
+    return static_cast<std::size_t>(std::count(scene.closed->begin(), scene.closed->end(), 1));
 }
 
 TEST(ClosedSurfaces, NothingWithoutTransparentMaterials) {
     SceneBuilder b;
     b.box({0, 0, 0}, {1, 1, 1}, b.material(test::matte(0.5F)));
-    EXPECT_TRUE(b.finish().closed.empty());
+    EXPECT_EQ(b.finish().closed, nullptr);
 }
 
 TEST(ClosedSurfaces, ABoxAndASphereAreClosed) {
@@ -37,9 +37,9 @@ TEST(ClosedSurfaces, ABoxWithoutOneFaceIsOpenAndDoesNotOpenItsNeighbour) {
     b.box({0, 0, 0}, {1, 1, 1}, glass, 5);
     b.box({2, 0, 0}, {3, 1, 1}, glass);
     const Scene scene = b.finish();
-    ASSERT_EQ(scene.closed.size(), 22U);
-    EXPECT_EQ(std::count(scene.closed.begin(), scene.closed.begin() + 10, 0), 10);
-    EXPECT_EQ(std::count(scene.closed.begin() + 10, scene.closed.end(), 1), 12);
+    ASSERT_EQ(scene.closed->size(), 22U);
+    EXPECT_EQ(std::count(scene.closed->begin(), scene.closed->begin() + 10, 0), 10);
+    EXPECT_EQ(std::count(scene.closed->begin() + 10, scene.closed->end(), 1), 12);
 }
 
 TEST(ClosedSurfaces, TwoBoxesJoinedAlongAnEdgeAreNot) {
@@ -104,7 +104,7 @@ TEST(ClosedSurfaces, DegenerateTrianglesAreSafe) {
     b.buffers.triangles[13].v[1] = b.buffers.triangles[13].v[0];
     const Scene scene = b.finish();
     EXPECT_EQ(countClosed(scene), 12U);
-    EXPECT_EQ(scene.closed[13], 0);
+    EXPECT_FALSE(scene.isClosed(13));
 }
 
 } // namespace

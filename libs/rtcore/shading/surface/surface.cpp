@@ -74,7 +74,7 @@ Surface surfaceAt(const Scene& scene, bool textures, Vec3 direction, const Hit& 
                                     texcoordAt(mesh, shading, hit), s.shadingNormal);
     }
     if (turned) s.shadingNormal = -s.shadingNormal;
-    s.closed = !scene.closed.empty() && scene.closed[hit.triangle] != 0;
+    s.closed = scene.isClosed(hit.triangle);
 
     s.diffuse = diffuseAt(scene, textures, hit);
     s.emission = material.emission;

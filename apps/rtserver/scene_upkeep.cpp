@@ -1,0 +1,123 @@
+#include "rtserver/scene_upkeep.h"
+
+#include "rtcore/platform/file_waits.h"
+
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace rtserver {
+
+namespace {
+
+std::string shortNumber(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+}
+
+} // namespace
+
+// --- Loading ---
+
+void SceneUpkeep::load(const std::filesystem::path& path, std::optional<std::filesystem::path> cachedModel) {
+    if (load_ != nullptr) throw std::runtime_error("another scene is being loaded");
+    load_ = std::make_unique<SceneLoad>(path, std::move(cachedModel), options_.import, options_.threads);
+}
+
+std::optional<SceneUpkeep::Loaded> SceneUpkeep::takeLoaded() {
+    if (load_ == nullptr || !load_->done()) return std::nullopt;
+    const std::unique_ptr<SceneLoad> load = std::move(load_);
+    try {
+        show(load->take());
+    } catch (const std::exception& error) {
+        if (!state_.ready()) throw;
+        messages_.complain(error.what());
+        return Loaded{failureOf(error)};
+    }
+    return Loaded{};
+}
+
+void SceneUpkeep::show(std::unique_ptr<World> world) {
+    state_.show(std::move(world));
+    messages_.forget();
+    rtcore::allowRegularFilesOnly(); // from here on paths come from clients
+    if (!state_.world().loaded.sceneFile) {
+        Messages::print("one unit of " + state_.title() + " is taken for " +
+                        shortNumber(state_.metresPerUnit()) + " m; a .scn file with 'metresPerUnit' says it");
+    }
+    for (const std::string& warning : state_.world().loaded.warnings) messages_.warn(warning);
+}
+
+// --- What is kept of the scene ---
+
+void SceneUpkeep::noticeChanges() {
+    using rtcore::Change;
+    const rtcore::Changes changes = changes_.take(state_.revisions());
+    if (changes.has(Change::Scene)) {
+        refinement_.reset();
+        treeless_ = false;
+    }
+    // Maps hold what stands where, and what light passes through it.
+    const bool solid = changes.hasAny({Change::Scene, Change::Material, Change::Visibility, Change::Section});
+    const bool lights = changes.has(Change::Light) && mapped_ != nullptr &&
+                        !castAlike(mapped_->lights, state_.scene()->lights);
+    if (!solid && !lights) return;
+    mapping_.reset();
+    maps_.reset();
+    mapped_.reset();
+    mapless_ = false;
+}
+
+const rtcore::ShadowMaps* SceneUpkeep::shadowMaps() {
+    noticeChanges();
+    return maps_.get();
+}
+
+void SceneUpkeep::advance(const Pace& pace) {
+    if (!state_.ready()) return;
+    noticeChanges();
+    refineTree(pace);
+    mapShadows(pace);
+}
+
+void SceneUpkeep::refineTree(const Pace& pace) {
+    if (refinement_ == nullptr) {
+        // After the first frame, which nothing should slow down.
+        if (!state_.world().loaded.fastTree || treeless_ || !pace.complete) return;
+        refinement_ = std::make_unique<TreeRefinement>(state_.world().loaded.scene.model, options_.threads);
+    }
+    if (!refinement_->done()) return;
+    const std::unique_ptr<TreeRefinement> refinement = std::move(refinement_);
+    try {
+        TreeRefinement::Result result = refinement->take();
+        state_.useTree(std::move(result.tree), std::move(result.tracer));
+        Messages::print("the exact kd-tree is in use; it took " + shortNumber(result.seconds) + " s");
+    } catch (const std::bad_alloc&) { // then the fast one has to do
+        treeless_ = true;
+    }
+}
+
+// Where whole frames are not quick enough to be seen at once: while nothing else is to do; or soon, where not
+// even the coarsest are.
+void SceneUpkeep::mapShadows(const Pace& pace) {
+    if (maps_ != nullptr) return;
+    if (mapping_ == nullptr) {
+        const double quick = state_.frameSeconds;
+        const bool needed = quick > 0 && (pace.coarsest > quick || (pace.idle && pace.seconds > quick));
+        if (mapless_ || !needed || state_.world().loaded.fastTree) return;
+        mapped_ = state_.scene();
+        mapping_ = std::make_unique<ShadowMapping>(mapped_, state_.world().tracer);
+    }
+    if (!mapping_->done()) return;
+    try {
+        maps_ = std::exchange(mapping_, nullptr)->take();
+    } catch (const std::bad_alloc&) { // then without
+    }
+    mapless_ = maps_ == nullptr;
+}
+
+} // namespace rtserver

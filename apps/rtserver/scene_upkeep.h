@@ -1,0 +1,79 @@
+/// What is done beside the frames for the scene that is shown: loading another one, building the exact tree
+/// of a large one, making its shadow maps.
+#pragma once
+
+#include "rtserver/failure.h"
+#include "rtserver/messages.h"
+#include "rtserver/scene_load.h"
+#include "rtserver/server_options.h"
+#include "rtserver/server_state.h"
+#include "rtserver/shadow_mapping.h"
+#include "rtserver/tree_refinement.h"
+
+#include "rtcore/scene/revisions.h"
+#include "rtcore/scene/scene.h"
+#include "rtcore/shading/light/shadow_maps.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace rtserver {
+
+/// One thread, which never waits for the work: threads of its own do that.
+class SceneUpkeep {
+  public:
+    /// All must outlive it.
+    SceneUpkeep(const Options& options, ServerState& state, Messages& messages)
+        : options_(options), state_(state), messages_(messages) {}
+
+    /// Begins to load another scene. Throws std::runtime_error when one is being loaded. `cachedModel`: as in
+    /// rtcore::LoadOptions.
+    void load(const std::filesystem::path& path, std::optional<std::filesystem::path> cachedModel);
+    bool loads() const { return load_ != nullptr; }
+    /// Of the scene that is being loaded, 0..1; 1 when there is none.
+    float progress() const { return load_ ? load_->fraction() : 1; }
+
+    /// How a load ended.
+    struct Loaded {
+        std::optional<Failure> failure; ///< nothing: the scene is shown
+    };
+    /// Once for each load, when it is over; the state shows the scene then. Throws what went wrong when there
+    /// is no other scene to go on with.
+    std::optional<Loaded> takeLoaded();
+
+    /// How the frames of the scene come.
+    struct Pace {
+        bool complete = false; ///< the last one shows all of the current state
+        bool idle = false;     ///< nothing else is to be done
+        double seconds = 0;    ///< that it took
+        double coarsest = 0;   ///< seconds of the coarsest ones; 0 = not known
+    };
+    /// Takes over what is done, and begins what helps. The frames stay the same: they only come faster.
+    void advance(const Pace& pace);
+
+    /// Whether anything is under way.
+    bool works() const { return load_ || refinement_ || mapping_; }
+    /// Those of the scene as it is now; null where there are none. Until the next call of any function.
+    const rtcore::ShadowMaps* shadowMaps();
+
+  private:
+    void show(std::unique_ptr<World> world);
+    void noticeChanges();
+    void refineTree(const Pace& pace);
+    void mapShadows(const Pace& pace);
+
+    const Options& options_;
+    ServerState& state_;
+    Messages& messages_;
+    rtcore::Subscription changes_;
+    std::unique_ptr<SceneLoad> load_;
+    std::unique_ptr<TreeRefinement> refinement_;
+    bool treeless_ = false; ///< there was no memory for the exact tree
+    std::unique_ptr<ShadowMapping> mapping_;
+    std::unique_ptr<const rtcore::ShadowMaps> maps_;
+    std::shared_ptr<const rtcore::Scene> mapped_; ///< what these two are of
+    bool mapless_ = false;                        ///< this scene goes without
+};
+
+} // namespace rtserver

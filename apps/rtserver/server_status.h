@@ -1,0 +1,25 @@
+/// What clients read of a server without asking it.
+#pragma once
+
+#include "rtserver/frame_maker.h"
+#include "rtserver/server_state.h"
+
+#include "ipc/layout/status.h"
+
+#include <cstdint>
+
+namespace rtserver {
+
+/// What the state and its last frame do not tell.
+struct Activity {
+    float progress = 1; ///< of a scene that is being loaded, 0..1; 1 when there is none
+    double framesPerSecond = 0;
+    std::uint32_t messages = 0; ///< so far
+    bool idle = false;          ///< see FrameDrawing::idle()
+};
+
+/// The camera is that of the state, which the last frame may not show yet; what a frame took and its exposure
+/// are the last frame's. Before there is a scene: what is known without one.
+ipc::Status statusOf(const ServerState& state, const FrameMaker& frames, const Activity& activity);
+
+} // namespace rtserver

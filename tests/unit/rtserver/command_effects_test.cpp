@@ -1,0 +1,199 @@
+/// What commands do to the state and ask of the host, one after the other.
+#include "command_room.h"
+
+#include "rtcore/io/text/scn.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+namespace rtserver {
+namespace {
+
+using namespace std::chrono_literals;
+using rtcore::Change;
+using rtcore::Changes;
+using Commands = test::CommandRoom;
+
+TEST_F(Commands, AskTheHost) {
+    answer("parent 17");
+    EXPECT_EQ(host.parent, 17);
+    answer("parent none");
+    EXPECT_EQ(host.parent, std::nullopt);
+    answer("load scene /a.scn");
+    answer("load scene /a.obj /a.bsp");
+    ASSERT_EQ(host.loads.size(), 2U);
+    EXPECT_EQ(host.loads[0].first, "/a.scn");
+    EXPECT_EQ(host.loads[0].second, std::nullopt);
+    EXPECT_EQ(host.loads[1].second, "/a.bsp");
+    host.loading = true;
+    EXPECT_EQ(refusal("load scene /b.scn").code, 1);
+    host.told.tell("bloom on");
+    host.told.warn("a texture is missing");
+    EXPECT_EQ(answer("messages"), "1 event bloom on\n2 warning a texture is missing");
+    EXPECT_EQ(answer("messages 1"), "2 warning a texture is missing");
+    EXPECT_FALSE(host.quitted);
+    answer("quit");
+    EXPECT_TRUE(host.quitted);
+}
+
+TEST_F(Commands, SteerHowTheServerWorks) {
+    answer("pause");
+    EXPECT_TRUE(state.paused);
+    EXPECT_EQ(refusal("wait-idle").text, "the server is paused; resume it first");
+    answer("resume");
+    EXPECT_FALSE(state.paused);
+    answer("idle off");
+    EXPECT_FALSE(state.idles);
+    EXPECT_EQ(refusal("wait-idle").text, "the server never idles; 'idle on' lets it");
+    answer("idle on");
+    EXPECT_TRUE(state.idles);
+    answer("frame-time 20");
+    EXPECT_NEAR(state.frameSeconds, 0.02, 1e-9);
+    answer("frame-time off");
+    EXPECT_EQ(state.frameSeconds, 0);
+}
+
+TEST_F(Commands, WhoseFramesFindNoRoomAreRefused) {
+    full = true;
+    const Failure failure = refusal("resolution 64 48");
+    EXPECT_EQ(failure.code, 75);
+    EXPECT_EQ(failure.text, "no room for that");
+    EXPECT_EQ(state.settings().width, 32);
+    EXPECT_EQ(changes(), Changes{});
+}
+
+TEST_F(Commands, PlaceTheCamera) {
+    answer("camera set 1 2 3 0 0 -2 40");
+    EXPECT_EQ(state.camera().eye, (rtcore::Vec3{1, 2, 3}));
+    EXPECT_EQ(state.camera().horizontalFov, 40);
+    answer("camera look-at 0 2 3 0 2 0");
+    EXPECT_EQ(normalize(state.camera().forward), (rtcore::Vec3{0, 0, -1}));
+    EXPECT_EQ(state.camera().horizontalFov, 40) << "stays";
+    answer("camera orthographic 0 2 3 0 0 -1 4");
+    EXPECT_EQ(state.camera().kind, rtcore::CameraKind::Orthographic);
+    EXPECT_EQ(state.camera().orthographicWidth, 4);
+    answer("camera reset");
+    EXPECT_EQ(state.camera(), test::makeRoom().camera);
+    answer("walk");
+    EXPECT_TRUE(state.walking());
+    answer("fly");
+    EXPECT_FALSE(state.walking());
+    answer("camera set 0 -50 0 0 0 -1");
+    EXPECT_EQ(refusal("walk").code, 1);
+}
+
+TEST_F(Commands, FocusOnWhatIsSeen) {
+    answer("camera look-at 0 2 0 0 0 0.001");
+    EXPECT_NEAR(std::stod(answer("focus 0.5 0.5")), 2, 0.01);
+    EXPECT_TRUE(state.settings().depthOfField.on);
+    EXPECT_NEAR(state.settings().depthOfField.focus, 2, 0.01);
+}
+
+TEST_F(Commands, PressKeys) {
+    const Result timed = run("key press w 50");
+    EXPECT_TRUE(state.keyboard().isDown(timed.press));
+    state.move(0ms, {});
+    state.move(60ms, {});
+    EXPECT_FALSE(state.keyboard().isDown(timed.press));
+    EXPECT_EQ(changes(), Changes{Change::View});
+    answer("key tap 1");
+    state.move(0ms, {});
+    EXPECT_FALSE(lightIsOn(0));
+    answer("bind k toggleLight 2");
+    answer("key tap k");
+    state.move(0ms, {});
+    EXPECT_FALSE(lightIsOn(1));
+    answer("unbind k");
+    answer("key tap k");
+    state.move(0ms, {});
+    EXPECT_FALSE(lightIsOn(1));
+    answer("bindings default");
+    EXPECT_EQ(answer("bindings").find("K "), std::string::npos);
+}
+
+TEST_F(Commands, ThatNeedAFrameWaitForIt) {
+    for (const char* line : {"screenshot DIR/b.png", "export camera DIR/b.cam"}) {
+        EXPECT_EQ(run(line).when, ReplyWhen::Again) << line << ": there is no frame yet";
+        drawFrame();
+        EXPECT_EQ(run(line).when, ReplyWhen::Beside) << line;
+        answer("light 1 toggle");
+        EXPECT_EQ(run(line).when, ReplyWhen::Again) << line << ": the frame is outdated";
+        test::draw(host.maker, state, kCoarsest);
+        EXPECT_EQ(run(line).when, ReplyWhen::Again) << line << ": it is a coarse one";
+        drawFrame();
+        answer("camera turn 1 1");
+        state.paused = true;
+        EXPECT_EQ(run(line).when, ReplyWhen::Beside) << line << ": the frame stands while paused";
+        state.paused = false;
+        host.maker.drop();
+    }
+    state.paused = true;
+    EXPECT_EQ(refusal("screenshot DIR/b.png").text, "there is no frame yet, and the server is paused");
+}
+
+TEST_F(Commands, WriteWhatWasShownWhenTheyRan) {
+    drawFrame();
+    const Result camera = run("export camera DIR/b.cam 640"), scene = run("export scene DIR/b.scn");
+    answer("light 1 off");
+    answer("camera turn 90 0");
+    answer("environment 2");
+    camera.work()();
+    scene.work()();
+    const rtcore::CameraFile cam = rtcore::readCameraFile(folder / "b.cam");
+    EXPECT_EQ(cam.camera.eye, state.camera().eye);
+    EXPECT_NEAR(cam.camera.forward.z, -1, 1e-5);
+    EXPECT_EQ(cam.width, 640);
+    EXPECT_EQ(cam.height, 24);
+    EXPECT_EQ(cam.lights, (std::vector{true, true}));
+    EXPECT_EQ(cam.environment, 0);
+    EXPECT_EQ(cam.exposure, host.maker.exposure());
+    const rtcore::SceneFile scn = rtcore::readSceneFile(folder / "b.scn");
+    EXPECT_EQ(scn.model, "/rooms/room.obj");
+    ASSERT_EQ(scn.lights.size(), 2U);
+    EXPECT_EQ(scn.lights[0].name, "left");
+    EXPECT_EQ(scn.lights[0].light.on, 1U);
+}
+
+TEST_F(Commands, WriteOverNoFileThatTheSceneWasReadFrom) {
+    rtcore::LoadedScene room = test::makeRoom();
+    room.files = {folder / "a.cam", folder / "a.set"};
+    state.show(test::worldOf(std::move(room)));
+    drawFrame();
+    EXPECT_NE(refusal("screenshot DIR/a.set").code, 0);
+    EXPECT_NE(refusal("export scene DIR/a.cam").code, 0);
+    EXPECT_EQ(refusal("export camera DIR/a.cam").code, 0) << "a description of the same kind may go";
+    EXPECT_EQ(refusal("screenshot DIR/b.png").code, 0);
+    EXPECT_TRUE(exists("b.png"));
+}
+
+TEST_F(Commands, RecordAndPlay) {
+    answer("export video start DIR/r.lst 10");
+    EXPECT_EQ(answer("export video"), inFolder("on 0.0 DIR/r.lst"));
+    const Failure second = refusal("export video start DIR/s.lst");
+    EXPECT_EQ(second.code, 1);
+    EXPECT_NE(second.text.find("a recording is under way"), std::string::npos);
+    state.move(0ms, {});
+    state.move(100ms, {});
+    EXPECT_EQ(answer("export video stop"), "2 frames");
+    EXPECT_EQ(answer("export video"), inFolder("off DIR/r.lst"));
+    changes();
+    answer("play DIR/a.lst");
+    state.move(1ms, {});
+    EXPECT_EQ(changes(), (Changes{Change::View, Change::Light}));
+    EXPECT_FALSE(state.atRest());
+    answer("play stop");
+    EXPECT_TRUE(state.atRest());
+}
+
+TEST_F(Commands, SayWhatTheyDoToALongFrame) {
+    using app::CommandEffect;
+    EXPECT_EQ(effectOf("lights"), CommandEffect::Tells);
+    EXPECT_EQ(effectOf("light 1 off"), CommandEffect::Changes);
+    EXPECT_EQ(effectOf("screenshot /a.png"), CommandEffect::Waits);
+    EXPECT_EQ(effectOf("pause"), CommandEffect::Steers);
+    EXPECT_EQ(effectOf("nonsense"), CommandEffect::Tells) << "what is wrong with it";
+}
+
+} // namespace
+} // namespace rtserver

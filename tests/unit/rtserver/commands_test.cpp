@@ -1,0 +1,229 @@
+/// Every command of the table by itself: its answer and what it changes, or how it is refused. What several
+/// do together: command_effects_test.cpp.
+#include "command_room.h"
+
+#include "common/commands/command_lookup.h"
+#include "common/commands/quoting.h"
+
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <set>
+#include <vector>
+
+namespace rtserver {
+namespace {
+
+using rtcore::Change;
+using rtcore::Changes;
+
+struct Case {
+    std::string line;
+    Changes changes = {};
+    std::string answer = ""; ///< a part of it
+    ReplyWhen when = ReplyWhen::Done;
+};
+
+void PrintTo(const Case& each, std::ostream* out) { *out << each.line; }
+
+constexpr auto kBeside = ReplyWhen::Beside;
+
+const std::vector<Case> kCases = {
+    {"ping", {}, "pong"},
+    {"exit"},
+    {"quit"},
+    {"parent 17"},
+    {"parent none"},
+    {"pause"},
+    {"resume"},
+    {"idle off"},
+    {"frame-time 20"},
+    {"frame-time off"},
+    {"messages"},
+    {"messages 3"},
+    {"wait-idle", {}, "", ReplyWhen::WhenIdle},
+    {"resolution 64 48", {Change::Setting}},
+    {"resolution 32 24"},
+    {"set antialiasing 2", {Change::Setting}},
+    {"set antialiasing 1"},
+    {"get antialiasing", {}, "1"},
+    {"settings", {}, "antialiasing = 1\n"},
+    {"state", {}, "scene = \"/rooms/room.scn\""},
+    {"camera get", {}, "eye = [0.0, 1.8, 3.0]"},
+    {"camera set 1 2 3 0 0 -1", {Change::View}},
+    {"camera set 0 1.8 3 0 0 -1"},
+    {"camera orthographic 0 2 3 0 0 -1 4", {Change::View}},
+    {"camera look-at 0 2 3 0 0 0", {Change::View}},
+    {"camera turn 10 5", {Change::View}},
+    {"camera reset"},
+    {"focus 0.5 0.9", {Change::Setting}, "5"},
+    {"speed 2"},
+    {"walk"},
+    {"fly"},
+    {"load camera DIR/a.cam", {Change::View, Change::Light}, "", kBeside},
+    {"load scene /rooms/other.scn", {}, "", ReplyWhen::WhenLoaded},
+    {"load set DIR/a.set", {Change::Setting}, "", kBeside},
+    {"export camera DIR/b.cam", {}, "", kBeside},
+    {"export camera DIR/b.cam 640 480 4 2", {}, "", kBeside},
+    {"export scene DIR/b.scn", {}, "", kBeside},
+    {"export video start DIR/b.lst 25", {}, "", kBeside},
+    {"export video", {}, "off"},
+    {"play DIR/a.lst", {}, "", kBeside},
+    {"play stop"},
+    {"screenshot DIR/b.png", {}, "", kBeside},
+    {"screenshot DIR/b.exr", {}, "", kBeside},
+    {"bloom on", {Change::Setting}},
+    {"bloom off"},
+    {"light 1 off", {Change::Light}},
+    {"light 2 toggle", {Change::Light}},
+    {"light 2 on"},
+    {"environment 2", {Change::Sky}},
+    {"environment 1"},
+    {"lights", {}, "1 on left\n2 on"},
+    {"environments", {}, "1 active noon\n2 - dusk"},
+    {"scene", {}, "/rooms/room.scn"},
+    {"key press w"},
+    {"key press w 50", {}, "", ReplyWhen::WhenReleased},
+    {"key release w"},
+    {"key release all"},
+    {"key tap 1"},
+    {"bindings", {}, "W forward\n"},
+    {"bindings default"},
+    {"bind k jump"},
+    {"bind M+k toggleLight 2"},
+    {"unbind w"},
+};
+
+std::string nameOf(const testing::TestParamInfo<Case>& info) {
+    std::string name = std::to_string(info.index) + "_";
+    for (const char c : info.param.line) {
+        if (std::isalnum(static_cast<unsigned char>(c)) != 0) name += c;
+    }
+    return name;
+}
+
+class ACommand : public test::CommandRoom, public testing::WithParamInterface<Case> {
+  protected:
+    void SetUp() override {
+        CommandRoom::SetUp();
+        drawFrame();
+    }
+};
+
+TEST_P(ACommand, AnswersAndChangesWhatItSays) {
+    const Case& expected = GetParam();
+    Result result = run(expected.line);
+    EXPECT_EQ(result.when, expected.when);
+    if (result.when == kBeside) {
+        EXPECT_EQ(changes(), Changes{}) << "only when the files are read";
+        const Finish finish = result.work();
+        EXPECT_EQ(changes(), Changes{}) << "not in a thread of its own";
+        result.answer = finish();
+    }
+    EXPECT_EQ(result.answer.empty(), expected.answer.empty()) << result.answer;
+    EXPECT_NE(result.answer.find(expected.answer), std::string::npos) << result.answer;
+    EXPECT_EQ(changes(), expected.changes);
+}
+
+INSTANTIATE_TEST_SUITE_P(OfTheTable, ACommand, testing::ValuesIn(kCases), nameOf);
+
+struct Refusal {
+    std::string line;
+    int code;
+    std::string text; ///< a part of it
+};
+
+const std::vector<Refusal> kRefusals = {
+    {"", 2, ""},
+    {"nonsense", 2, "nonsense"},
+    {"status", 2, "status is what CUI does itself"},
+    {"ping twice", 2, ""},
+    {"parent 0", 2, ""},
+    {"idle maybe", 2, ""},
+    {"frame-time -1", 2, ""},
+    {"messages some", 2, ""},
+    {"resolution 0 48", 2, "width"},
+    {"resolution 64", 2, ""},
+    {"set antialiasing 99", 2, "antialiasing"},
+    {"set nothing 1", 2, "nothing"},
+    {"get nothing", 2, "nothing"},
+    {"camera set 0 0 0 0 0 0", 2, "needs a direction"},
+    {"camera set 0 0 0 0 0 -1 60 0 0 1", 2, "must be another one"},
+    {"camera set 0 0 0 0 0 -1 180", 2, ""},
+    {"camera orthographic 0 0 0 0 0 -1 0", 2, ""},
+    {"camera look-at 1 1 1 1 1 1", 2, "needs a direction"},
+    {"camera turn 400 0", 2, ""},
+    {"focus 2 0", 2, ""},
+    {"focus 0.5 0", 1, "nothing to focus on"},
+    {"speed 0", 2, ""},
+    {"load camera a.cam", 2, "not absolute"},
+    {"load camera DIR/none.cam", 66, "none.cam"},
+    {"load camera DIR/bad.cam", 65, "bad.cam"},
+    {"load scene room.scn", 2, "not absolute"},
+    {"load set DIR/none.set", 66, "none.set"},
+    {"load set DIR/bad.cam", 65, "bad.cam"},
+    {"export camera b.cam", 2, "not absolute"},
+    {"export camera DIR/none/b.cam", 73, "b.cam"},
+    {"export scene DIR/none/b.scn", 73, "b.scn"},
+    {"export video start DIR/none/b.lst", 73, "b.lst"},
+    {"export video start DIR/b.lst 0", 2, ""},
+    {"export video stop", 1, "nothing is being recorded"},
+    {"play DIR/none.lst", 66, "none.lst"},
+    {"play DIR/bad.cam", 66, "bad.cam"},
+    {"screenshot b.png", 2, "not absolute"},
+    {"screenshot DIR/none/b.png", 73, "b.png"},
+    {"bloom more", 2, ""},
+    {"light 3 on", 2, "there is no light 3"},
+    {"light 0 on", 2, ""},
+    {"environment 3", 2, "there is no environment 3"},
+    {"key press nothing", 2, "unknown key"},
+    {"key press w 0", 2, ""},
+    {"key release nothing", 2, "unknown key"},
+    {"key tap nothing", 2, "unknown key"},
+    {"bind nothing jump", 2, "unknown key"},
+    {"bind k jumps", 2, "jump"},
+    {"bind k jump 2", 2, "takes no number"},
+    {"bind k toggleLight", 2, "takes a number"},
+    {"unbind k", 2, "is not bound"},
+};
+
+using Commands = test::CommandRoom;
+
+TEST_F(Commands, AWrongOneIsRefusedWithItsCodeAndChangesNothing) {
+    drawFrame();
+    const auto scene = state.scene();
+    for (const Refusal& expected : kRefusals) {
+        const Failure failure = refusal(expected.line);
+        EXPECT_EQ(failure.code, expected.code) << expected.line << ": " << failure.text;
+        EXPECT_NE(failure.text.find(expected.text), std::string::npos)
+            << expected.line << ": " << failure.text;
+        EXPECT_EQ(changes(), Changes{}) << expected.line;
+    }
+    EXPECT_EQ(state.scene(), scene);
+    EXPECT_TRUE(host.loads.empty());
+}
+
+TEST_F(Commands, OfTheTableAreAllTriedHere) {
+    std::set<app::CommandId> tried;
+    for (const Case& each : kCases) tried.insert(app::findCommand(app::splitWords(each.line)).command->id);
+    for (const Refusal& each : kRefusals) {
+        if (each.code == 1) tried.insert(app::findCommand(app::splitWords(each.line)).command->id);
+    }
+    for (const app::CommandSpec& command : app::commandTable())
+        EXPECT_EQ(tried.contains(command.id), command.runner == app::Runner::Server) << command.name;
+}
+
+TEST(CommandsWithoutAScene, WaitForOneIfTheyNeedIt) {
+    Options options;
+    Messages messages;
+    ServerState state(
+        options, [](const rtcore::RenderSettings&) {}, messages);
+    test::FakeHost host;
+    EXPECT_EQ(runCommand("ping", state, host).answer, "pong");
+    for (const char* line : {"camera turn 1 1", "lights", "screenshot /tmp/a.png", "wait-idle"})
+        EXPECT_EQ(runCommand(line, state, host).when, ReplyWhen::Again) << line;
+    EXPECT_THROW(runCommand("camera turn 1", state, host), app::UsageError) << "that is known at once";
+}
+
+} // namespace
+} // namespace rtserver

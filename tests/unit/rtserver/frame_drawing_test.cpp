@@ -1,0 +1,167 @@
+#include "rtserver/frame_drawing.h"
+
+#include "shown_room.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <new>
+#include <stdexcept>
+#include <vector>
+
+namespace rtserver {
+namespace {
+
+using rtcore::Change;
+using Outcome = FrameDrawing::Outcome;
+
+class FrameDrawingTest : public test::ShownRoom {
+  protected:
+    Outcome draw(bool waitedFor = false) { return drawing.draw(waitedFor).outcome; }
+    void change() { state.switchLight(0, std::nullopt); }
+    /// Whole frames take long, and coarse ones come before them.
+    void makeSlow() {
+        state.assign({{"width", 600}, {"height", 400}, {"antialiasing", 3}});
+        state.frameSeconds = 0.02;
+    }
+    void fixExposure() { state.assign({{"exposure.mode", "fixed"}}); }
+
+    std::function<Arrivals()> poll = [] { return Arrivals{}; };
+    bool memory = true;
+    std::vector<ipc::FrameInfo> published;
+    SceneUpkeep upkeep{options, state, messages};
+    FrameDrawing drawing{state,
+                         upkeep,
+                         {.poll = [this] { return poll(); },
+                          .publish =
+                              [this](const ipc::FrameInfo& info, const rtcore::LdrImage&) {
+                                  if (!memory) throw std::bad_alloc();
+                                  published.push_back(info);
+                              }},
+                         1,
+                         0};
+};
+
+TEST_F(FrameDrawingTest, DrawsWhatTheStateShowsAndIdles) {
+    fixExposure();
+    EXPECT_TRUE(drawing.wantsFrame(false));
+    EXPECT_FALSE(drawing.idle());
+    EXPECT_FALSE(drawing.pace().complete);
+    EXPECT_EQ(draw(), Outcome::Published);
+    ASSERT_EQ(published.size(), 1U);
+    EXPECT_EQ(published[0].width, 32U);
+    EXPECT_EQ(published[0].height, 24U);
+    EXPECT_EQ(published[0].samples, 1U);
+    EXPECT_EQ(drawing.frames().revision(), state.revisions().revision());
+    EXPECT_FALSE(drawing.wantsFrame(false));
+    EXPECT_TRUE(drawing.idle());
+    EXPECT_TRUE(drawing.pace().complete);
+    EXPECT_GT(drawing.pace().seconds, 0);
+}
+
+TEST_F(FrameDrawingTest, EachKindOfChangeWantsAFrame) {
+    fixExposure();
+    const std::vector<std::function<void()>> edits = {[&] { state.turn(1, 0); }, [&] { change(); },
+                                                      [&] { state.setEnvironment(1); },
+                                                      [&] {
+                                                          state.assign({{"antialiasing", 2}});
+                                                      },
+                                                      [&] { state.show(test::worldOf(test::makeRoom())); }};
+    draw();
+    for (const auto& edit : edits) {
+        EXPECT_FALSE(drawing.wantsFrame(false));
+        edit();
+        EXPECT_TRUE(drawing.wantsFrame(false));
+        fixExposure();
+        draw();
+    }
+}
+
+TEST_F(FrameDrawingTest, WithoutIdlingEveryFrameIsDrawn) {
+    fixExposure();
+    state.idles = false;
+    draw();
+    EXPECT_TRUE(drawing.wantsFrame(false));
+    EXPECT_FALSE(drawing.idle());
+}
+
+TEST_F(FrameDrawingTest, APausedStateKeepsItsImage) {
+    state.paused = true;
+    drawing.noticePause(false);
+    EXPECT_TRUE(drawing.wantsFrame(false)) << "there is none yet";
+    draw();
+    drawing.noticePause(false);
+    change();
+    EXPECT_FALSE(drawing.wantsFrame(false));
+    state.paused = false;
+    drawing.noticePause(false);
+    EXPECT_TRUE(drawing.wantsFrame(false));
+}
+
+TEST_F(FrameDrawingTest, ACoarseFrameComesFirstWhereTheWholeOneTakesLong) {
+    makeSlow();
+    EXPECT_EQ(draw(), Outcome::Published);
+    EXPECT_EQ(published.back().samples, 0U);
+    EXPECT_LT(published.back().width, 600U);
+    EXPECT_FALSE(drawing.frames().stale(state));
+    EXPECT_FALSE(drawing.pace().complete);
+    EXPECT_GT(drawing.pace().coarsest, 0);
+    EXPECT_TRUE(drawing.wantsFrame(false)) << "the whole one";
+    EXPECT_EQ(draw(), Outcome::Published);
+    EXPECT_EQ(published.back().samples, 9U);
+}
+
+TEST_F(FrameDrawingTest, AWholeFrameIsLeftForAChangeAndStaysWanted) {
+    makeSlow();
+    draw();
+    poll = [] { return Arrivals{.change = true}; };
+    EXPECT_EQ(draw(), Outcome::Left);
+    EXPECT_EQ(published.size(), 1U);
+    EXPECT_TRUE(drawing.changeWaits());
+    EXPECT_TRUE(drawing.takeChange());
+    EXPECT_FALSE(drawing.changeWaits());
+    EXPECT_TRUE(drawing.wantsFrame(false));
+    poll = [] { return Arrivals{}; };
+    EXPECT_EQ(draw(), Outcome::Published);
+    EXPECT_EQ(published.back().samples, 9U);
+}
+
+TEST_F(FrameDrawingTest, AFrameIsLeftForTheEnd) {
+    makeSlow();
+    draw();
+    poll = [] { return Arrivals{.end = true}; };
+    EXPECT_EQ(draw(true), Outcome::Left);
+    EXPECT_FALSE(drawing.changeWaits());
+}
+
+TEST_F(FrameDrawingTest, WhatFailsDuringAFrameIsThrownAfterIt) {
+    makeSlow();
+    draw();
+    poll = []() -> Arrivals { throw std::runtime_error("the instance is lost"); };
+    EXPECT_THROW(draw(), std::runtime_error);
+}
+
+TEST_F(FrameDrawingTest, WithoutMemoryItGoesBackToTheLastWholeFrame) {
+    draw();
+    state.assign({{"width", 64}});
+    memory = false;
+    const FrameDrawing::Drawn drawn = drawing.draw(true);
+    EXPECT_EQ(drawn.outcome, Outcome::NoMemory);
+    EXPECT_EQ(drawn.why, "not enough memory for frames of 64 x 24 at these settings; back to those of the "
+                         "last frame, 32 x 24");
+    EXPECT_EQ(state.settings().width, 32);
+    EXPECT_TRUE(drawing.wantsFrame(false)) << "its memory is gone, too";
+    EXPECT_LE(drawing.due(), FrameDrawing::Clock::now());
+    EXPECT_EQ(draw(), Outcome::NoMemory);
+    EXPECT_GT(drawing.due(), FrameDrawing::Clock::now()) << "not at once again";
+    memory = true;
+    EXPECT_EQ(draw(), Outcome::Published);
+}
+
+TEST_F(FrameDrawingTest, WithoutMemoryForTheFirstFrameThereIsNothingToGoBackTo) {
+    memory = false;
+    EXPECT_THROW(draw(), std::bad_alloc);
+}
+
+} // namespace
+} // namespace rtserver

@@ -1,0 +1,158 @@
+#include "rtserver/scene_upkeep.h"
+
+#include "shown_room.h"
+
+#include "rtcore/io/bsp/bsp_file.h"
+
+#include "support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+namespace rtserver {
+namespace {
+
+using namespace std::chrono_literals;
+using rtcore::Change;
+using rtcore::Changes;
+
+class SceneUpkeepTest : public test::ShownRoom {
+  protected:
+    SceneUpkeepTest() {
+        const rtcore::LoadedScene room = test::makeRoom();
+        rtcore::writeBsp(folder / "room.bsp", room.scene.model, &room.tree, {});
+    }
+    std::optional<SceneUpkeep::Loaded> finishLoad() {
+        for (int i = 0; i < 10000; ++i) {
+            if (auto loaded = upkeep.takeLoaded()) return loaded;
+            std::this_thread::sleep_for(1ms);
+        }
+        return std::nullopt;
+    }
+    /// Goes on at that pace until nothing is under way.
+    void advance(const SceneUpkeep::Pace& pace) {
+        upkeep.advance(pace);
+        for (int i = 0; i < 10000 && upkeep.works(); ++i) {
+            std::this_thread::sleep_for(1ms);
+            upkeep.advance(pace);
+        }
+    }
+    void makeMaps() {
+        state.frameSeconds = 0.01;
+        advance({.complete = true, .idle = true, .seconds = 1, .coarsest = 0});
+    }
+
+    test::TemporaryFolder folder;
+    SceneUpkeep upkeep{options, state, messages};
+};
+
+TEST_F(SceneUpkeepTest, ShowsAnotherSceneWhenItIsLoaded) {
+    EXPECT_FALSE(upkeep.loads());
+    EXPECT_FALSE(upkeep.takeLoaded());
+    EXPECT_EQ(upkeep.progress(), 1);
+    messages.tell("of the last scene");
+    upkeep.load(folder / "room.bsp", std::nullopt);
+    EXPECT_TRUE(upkeep.loads() && upkeep.works());
+    EXPECT_THROW(upkeep.load(folder / "room.bsp", std::nullopt), std::runtime_error);
+    const auto loaded = finishLoad();
+    ASSERT_TRUE(loaded);
+    EXPECT_FALSE(loaded->failure);
+    EXPECT_EQ(state.title(), "room.bsp");
+    EXPECT_EQ(changes(), Changes::all());
+    EXPECT_EQ(messages.since(0), "");
+    EXPECT_FALSE(upkeep.loads());
+}
+
+TEST_F(SceneUpkeepTest, ASceneThatCannotBeLoadedLeavesTheLast) {
+    const auto last = state.scene();
+    upkeep.load(folder / "none.bsp", std::nullopt);
+    const auto loaded = finishLoad();
+    ASSERT_TRUE(loaded && loaded->failure);
+    EXPECT_EQ(loaded->failure->code, 66);
+    EXPECT_NE(messages.since(0).find("none.bsp"), std::string::npos);
+    EXPECT_EQ(state.scene(), last);
+}
+
+TEST_F(SceneUpkeepTest, TheFirstSceneMustLoad) {
+    ServerState fresh(
+        options, [](const rtcore::RenderSettings&) {}, messages);
+    SceneUpkeep first(options, fresh, messages);
+    first.load(folder / "none.bsp", std::nullopt);
+    const auto takeAll = [&] {
+        for (int i = 0; i < 10000 && !first.takeLoaded(); ++i) std::this_thread::sleep_for(1ms);
+    };
+    EXPECT_THROW(takeAll(), rtcore::FileError);
+}
+
+TEST_F(SceneUpkeepTest, AFastTreeIsFollowedByTheExactOne) {
+    rtcore::LoadedScene room = test::makeRoom();
+    room.fastTree = true;
+    state.show(test::worldOf(std::move(room)));
+    changes();
+    const auto tracer = state.world().tracer;
+    upkeep.advance({});
+    EXPECT_FALSE(upkeep.works()) << "the first frame comes first";
+    advance({.complete = true, .idle = false, .seconds = 0, .coarsest = 0});
+    EXPECT_NE(state.world().tracer, tracer);
+    EXPECT_FALSE(state.world().loaded.fastTree);
+    EXPECT_EQ(changes(), Changes{}) << "the frames are the same";
+}
+
+TEST_F(SceneUpkeepTest, ShadowMapsAreMadeWhereFramesTakeLong) {
+    advance({.complete = true, .idle = true, .seconds = 1, .coarsest = 1});
+    EXPECT_EQ(upkeep.shadowMaps(), nullptr) << "they may take any time";
+    state.frameSeconds = 0.01;
+    advance({.complete = true, .idle = true, .seconds = 0.005, .coarsest = 0.002});
+    EXPECT_EQ(upkeep.shadowMaps(), nullptr) << "they are quick";
+    advance({.complete = true, .idle = false, .seconds = 1, .coarsest = 0.002});
+    EXPECT_EQ(upkeep.shadowMaps(), nullptr) << "something else is to be done";
+    advance({.complete = true, .idle = true, .seconds = 1, .coarsest = 0.002});
+    EXPECT_NE(upkeep.shadowMaps(), nullptr);
+}
+
+TEST_F(SceneUpkeepTest, ShadowMapsAreMadeAtOnceWhereEvenTheCoarsestFramesTakeLong) {
+    state.frameSeconds = 0.01;
+    advance({.complete = false, .idle = false, .seconds = 1, .coarsest = 0.02});
+    EXPECT_NE(upkeep.shadowMaps(), nullptr);
+}
+
+TEST_F(SceneUpkeepTest, ShadowMapsOutliveWhatLeavesShadowsWhereTheyAre) {
+    makeMaps();
+    const rtcore::ShadowMaps* const maps = upkeep.shadowMaps();
+    ASSERT_NE(maps, nullptr);
+    state.switchLight(0, false);
+    state.setEnvironment(1);
+    state.turn(10, 0);
+    state.assign({{"antialiasing", 2}});
+    EXPECT_EQ(upkeep.shadowMaps(), maps);
+}
+
+TEST_F(SceneUpkeepTest, ShadowMapsDieWithTheirScene) {
+    makeMaps();
+    ASSERT_NE(upkeep.shadowMaps(), nullptr);
+    state.show(test::worldOf(test::makeRoom()));
+    EXPECT_EQ(upkeep.shadowMaps(), nullptr);
+    makeMaps();
+    EXPECT_NE(upkeep.shadowMaps(), nullptr);
+}
+
+TEST(ShadowMapping, HoldsForLightsThatStandAlike) {
+    using Lights = std::vector<rtcore::Light>;
+    const rtcore::Light light = test::pointLight({1, 2, 3}, 4);
+    rtcore::Light off = light, red = light, moved = light, wide = light;
+    off.on = 0;
+    red.intensity = {9, 0, 0};
+    moved.position.x = 2;
+    wide.radius = 1;
+    const Lights before{light, light};
+    EXPECT_TRUE(castAlike(before, Lights{off, red}));
+    EXPECT_FALSE(castAlike(before, Lights{light, moved}));
+    EXPECT_FALSE(castAlike(before, Lights{light, wide}));
+    EXPECT_FALSE(castAlike(before, Lights{light}));
+}
+
+} // namespace
+} // namespace rtserver

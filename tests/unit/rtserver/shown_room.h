@@ -1,0 +1,116 @@
+/// A server's state that shows a room made in memory, and what a server has around it, without ipc.
+#pragma once
+
+#include "rtserver/commands.h"
+#include "rtserver/server_state.h"
+
+#include "rtcore/platform/error.h"
+
+#include "support/small_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace test {
+
+/// A floor with a box on it, two lights, of which the first is "left", two environments, "noon" and dusk.hdr;
+/// seen from above the floor.
+inline rtcore::LoadedScene makeRoom(float albedo = 0.5F) {
+    SceneBuilder b;
+    const std::uint32_t grey = b.material(matte(albedo));
+    b.square({0, 0, 0}, {0, 1, 0}, 10, grey);
+    b.box({-0.5F, 0, -3}, {0.5F, 1, -2}, grey);
+    b.scene.lights = {pointLight({0, 4, 0}, 20), pointLight({3, 4, 0}, 20)};
+    b.scene.lightNames = {"left", ""};
+    for (const char* name : {"noon", "dusk"}) {
+        b.scene.environments.push_back(std::make_shared<const rtcore::Environment>(
+            rtcore::Environment::fromEquirectangular(rtcore::HdrImage(4, 2, {1, 1, 1}), name)));
+    }
+    rtcore::LoadedScene room;
+    room.scene = b.finish();
+    room.tree = rtcore::buildKdTree(room.scene.mesh(), {});
+    room.camera.eye = {0, 1.8F, 3};
+    room.camera.forward = {0, 0, -1};
+    room.sceneFile.emplace();
+    room.sceneFile->environments.resize(2);
+    room.sceneFile->environments[0].name = "noon";
+    room.sceneFile->environments[0].files = {"/rooms/noon.hdr"};
+    room.sceneFile->environments[1].files = {"/rooms/dusk.hdr"};
+    room.modelPath = "/rooms/room.obj";
+    return room;
+}
+
+inline std::unique_ptr<rtserver::World> worldOf(rtcore::LoadedScene scene) {
+    return std::make_unique<rtserver::World>(std::move(scene), "/rooms/room.scn", rtcore::ImportOptions());
+}
+
+inline rtcore::CameraFile cameraFileOf(const rtcore::Camera& camera) {
+    rtcore::CameraFile file;
+    file.camera = camera;
+    return file;
+}
+
+/// Fixture: the state, small frames, and what changed since the last look.
+class ShownRoom : public testing::Test {
+  protected:
+    ShownRoom() {
+        options.settings = {{"width", 32}, {"height", 24}, {"antialiasing", 1}};
+        options.threads = 1;
+    }
+    void SetUp() override {
+        state.show(worldOf(makeRoom()));
+        changes();
+    }
+
+    /// Since the last call.
+    rtcore::Changes changes() { return seen.take(state.revisions()); }
+    void reserve(const rtcore::RenderSettings& settings) {
+        if (full) throw rtcore::FileError(rtcore::FailureKind::TryAgain, "", "no room for that");
+        reserved.emplace_back(settings.width, settings.height);
+    }
+    bool lightIsOn(std::size_t light) const { return state.scene()->lights.at(light).on != 0; }
+    int environment() const { return state.scene()->activeEnvironment; }
+
+    rtserver::Options options;
+    rtserver::Messages messages;
+    bool full = false; ///< no further frame can be reserved
+    std::vector<std::pair<int, int>> reserved;
+    rtserver::ServerState state{
+        options, [this](const rtcore::RenderSettings& settings) { reserve(settings); }, messages};
+    rtcore::Subscription seen;
+};
+
+/// Notes what commands ask of the server.
+class FakeHost final : public rtserver::Host {
+  public:
+    void load(const std::filesystem::path& path, std::optional<std::filesystem::path> cached) override {
+        if (loading) throw std::runtime_error("another scene is being loaded");
+        loads.emplace_back(path, std::move(cached));
+    }
+    void quit() override { quitted = true; }
+    bool quits() const override { return quitted; }
+    void setParent(std::optional<std::int64_t> process) override { parent = process; }
+    const rtserver::FrameMaker& frames() const override { return maker; }
+    const rtserver::Messages& messages() const override { return told; }
+
+    rtserver::FrameMaker maker{1};
+    rtserver::Messages told;
+    bool loading = false, quitted = false;
+    std::optional<std::int64_t> parent;
+    std::vector<std::pair<std::filesystem::path, std::optional<std::filesystem::path>>> loads;
+};
+
+/// Draws a frame of the state.
+inline void draw(rtserver::FrameMaker& frames, const rtserver::ServerState& state,
+                 const rtserver::FrameDetail& detail = {}) {
+    rtcore::RenderControl control;
+    ASSERT_TRUE(frames.trace(state, detail, nullptr, control));
+    frames.develop(state);
+}
+
+} // namespace test
