@@ -4,6 +4,8 @@
 
 #include "rtcore/render/frame_renderer.h"
 
+#include <fmt/format.h>
+
 #include <new>
 #include <utility>
 
@@ -17,7 +19,7 @@ constexpr auto kObstruction = 10s; ///< for a frame that a client waits for that
 constexpr auto kMemoryPause = 1s;  ///< between frames for which there is no memory
 
 std::string sizeText(const rtcore::RenderSettings& settings) {
-    return std::to_string(settings.width) + " x " + std::to_string(settings.height);
+    return fmt::format("{} x {}", settings.width, settings.height);
 }
 
 } // namespace

@@ -2,7 +2,8 @@
 
 #include "rtcore/platform/file_waits.h"
 
-#include <cstdio>
+#include <fmt/format.h>
+
 #include <exception>
 #include <new>
 #include <stdexcept>
@@ -13,11 +14,7 @@ namespace rtserver {
 
 namespace {
 
-std::string shortNumber(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
-}
+std::string shortNumber(double value) { return fmt::format("{:.3g}", value); }
 
 } // namespace
 

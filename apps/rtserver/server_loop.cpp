@@ -6,6 +6,8 @@
 
 #include "rtcore/platform/error.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <span>
 #include <utility>
@@ -154,8 +156,8 @@ void ServerLoop::publish(const ipc::FrameInfo& info, const rtcore::LdrImage& ima
     server_.publishFrame(info, std::as_bytes(std::span(image.pixels)));
     if (!onReady_) return;
     publishStatus();
-    Messages::print("ready: instance '" + options_.instance + "', " + state_.title() + ", " +
-                    std::to_string(info.width) + " x " + std::to_string(info.height));
+    Messages::print(fmt::format("ready: instance '{}', {}, {} x {}", options_.instance, state_.title(),
+                                info.width, info.height));
     std::exchange(onReady_, nullptr)();
 }
 

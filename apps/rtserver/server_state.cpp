@@ -6,6 +6,8 @@
 #include "rtcore/motion/player.h"
 #include "rtcore/settings/settings_table.h"
 
+#include <fmt/format.h>
+
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -20,9 +22,8 @@ constexpr int kBloom = 16; ///< radius in pixels, where none was set
 [[noreturn]] void refuseNumber(const std::string& what, int index, std::size_t count) {
     const std::string has = count == 0   ? "none"
                             : count == 1 ? "only number 1"
-                                         : "numbers 1 to " + std::to_string(count);
-    throw std::invalid_argument("there is no " + what + " " + std::to_string(index + 1) + "; the scene has " +
-                                has);
+                                         : fmt::format("numbers 1 to {}", count);
+    throw std::invalid_argument(fmt::format("there is no {} {}; the scene has {}", what, index + 1, has));
 }
 
 } // namespace

@@ -8,6 +8,8 @@
 #include "rtcore/motion/player.h"
 #include "rtcore/platform/error.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -85,7 +87,7 @@ void ServerState::toggleWalking() {
 
 // A key for a light that the scene lacks is a message, not an error.
 void ServerState::toggleLight(int light) {
-    const std::string name = "light " + std::to_string(light + 1);
+    const std::string name = fmt::format("light {}", light + 1);
     if (light < 0 || std::cmp_greater_equal(light, scene_->lights.size()))
         return messages_.tell("there is no " + name);
     switchLight(light, std::nullopt);
@@ -93,7 +95,7 @@ void ServerState::toggleLight(int light) {
 }
 
 void ServerState::chooseEnvironment(int environment) {
-    const std::string name = "environment " + std::to_string(environment + 1);
+    const std::string name = fmt::format("environment {}", environment + 1);
     if (environment < 0 || std::cmp_greater_equal(environment, scene_->environments.size()))
         return messages_.tell("there is no " + name);
     setEnvironment(environment);
@@ -147,8 +149,8 @@ void ServerState::settleRecording(float exposure) {
 }
 
 void ServerState::endRecording(const std::string& reason) {
-    recordingFailure_ = "the recording " + recording_->list().string() + " ended after " +
-                        std::to_string(recording_->frames()) + " frames: " + reason;
+    recordingFailure_ = fmt::format("the recording {} ended after {} frames: {}", recording_->list().string(),
+                                    recording_->frames(), reason);
     recording_.reset();
 }
 
