@@ -70,7 +70,8 @@ endfunction()
 
 # A test program, its tests found by name. Without LABELS it is a unit test: the target `unit_tests` builds all of
 # these, and they run under sanitizers too. `ctest -L unit` runs them, `ctest -L quick` all but those that the pattern
-# THOROUGH names, in less than a minute on two cores. QT: its flags differ from those of the other tests.
+# THOROUGH names, in less than a minute on two cores. QT: its flags and
+# names (`slots`) are not those of the other tests.
 #   rt_test(accel SOURCES a_test.cpp LINK rtcore_accel [THOROUGH "Slow.*:Other.OneTest"] [QT] [LABELS slow])
 add_custom_target(unit_tests)
 function(rt_test name)
@@ -79,9 +80,7 @@ function(rt_test name)
     target_link_libraries(test_${name} PRIVATE rt_compile_options ${ARG_LINK} GTest::gtest GTest::gtest_main)
     target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
     rt_optimise_little(test_${name})
-    if(ARG_QT)
-        rt_precompile_headers(test_${name} <gtest/gtest.h> <QtTest> <QtWidgets>)
-    else()
+    if(NOT ARG_QT)
         rt_precompile_test_headers(test_${name})
     endif()
     set(others "*")
