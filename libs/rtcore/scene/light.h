@@ -25,7 +25,7 @@ struct Light {
                                ///< intensity in W/sr (so irradiance is intensity / d^2), of a rectangle
                                ///< straight ahead
     float radius = 0;          ///< sphere: how big it is; else distances below it count as it (no infinite
-                               ///< brightness)
+                               ///< brightness). Of all kinds, what is nearer to the position does not occlude
     float cosInner = 1;        ///< spot: cosine of the half-angle of full brightness
     float cosOuter = 0;        ///< spot: cosine of the half-angle at which it ends; < cosInner
     std::uint32_t on = 1;      ///< 0 or 1
@@ -41,7 +41,8 @@ static_assert(std::is_trivially_copyable_v<Light> && sizeof(Light) == 80);
 /// How the radiant intensity depends on the direction: not at all, in a spot's cone, or with the cosine.
 enum class Beam : std::uint8_t { Even, Cone, Cosine };
 
-/// What tells a kind of light from the others, wherever it is not sampled (lights/light_sample-inl.h).
+/// What tells a kind of light from the others, wherever it is not sampled (lights/light_sample-inl.h). The
+/// `radius` of a Light is that of a ball whatever they say.
 struct LightTraits {
     std::string_view name; ///< in .scn files
     bool position;         ///< it has one; else it shines from endlessly far away
