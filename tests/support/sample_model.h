@@ -93,11 +93,9 @@ class SampleModel {
     }
 
     void addLights() {
-        for (const auto kind :
-             {rtcore::LightKind::Point, rtcore::LightKind::Directional, rtcore::LightKind::Spot,
-              rtcore::LightKind::Sphere, rtcore::LightKind::Rectangle}) {
+        for (std::size_t kind = 0; kind < rtcore::kLightKinds; ++kind) {
             rtcore::Light light;
-            light.kind = kind;
+            light.kind = static_cast<rtcore::LightKind>(kind);
             light.position = vector(5);
             light.direction = rtcore::normalize(vector(1));
             light.intensity = colour(100);

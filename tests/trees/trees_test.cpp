@@ -2,8 +2,9 @@
 // every effect on. RT_TREE_CAMERAS sets from how many places each scene is looked at (3 unless told; 50 in
 // the long check). With it, real scenes join the rooms of slats: our own, and those of the folder
 // RT_TEST_SCENES.
+#include "support/every_effect.h"
 #include "trees/compared_pictures.h"
-#include "trees/every_effect.h"
+#include "trees/effects_scene.h"
 #include "trees/slat_room.h"
 #include "trees/viewpoints.h"
 #include "trees/witness_tracer.h"
@@ -159,27 +160,6 @@ class Progress {
     double told_ = 0;
 };
 
-using Change = void (*)(RenderSettings&);
-struct Effect {
-    const char* name;
-    Change off;
-};
-const Effect kEffects[] = {
-    {"pattern of samples", [](RenderSettings& s) { s.sampling = rtcore::SamplingPattern::Grid; }},
-    {"adaptive samples", [](RenderSettings& s) { s.adaptive = 0; }},
-    {"shadows", [](RenderSettings& s) { s.shadows = false; }},
-    {"mirrors", [](RenderSettings& s) { s.reflections = false; }},
-    {"glass", [](RenderSettings& s) { s.refractions = false; }},
-    {"ambient occlusion", [](RenderSettings& s) { s.ambientOcclusion.on = false; }},
-    {"lens", [](RenderSettings& s) { s.depthOfField.on = false; }},
-    {"fog", [](RenderSettings& s) { s.fog.on = false; }},
-    {"shafts", [](RenderSettings& s) { s.fog.shafts = 0; }},
-    {"area lights", [](RenderSettings& s) { s.areaLights.samples = 0; }},
-    {"denoise", [](RenderSettings& s) { s.denoise.passes = 0; }},
-    {"bloom", [](RenderSettings& s) { s.bloom.radius = 0; }},
-    {"local exposure", [](RenderSettings& s) { s.exposure.local = 0; }},
-};
-
 std::string nameOf(const testing::TestParamInfo<Place>& place) { return place.param.name; }
 
 } // namespace
@@ -216,11 +196,11 @@ TEST_P(Trees, EveryEffectShows) {
     const RenderSettings all = test::everyEffect(80, 60);
     const rtcore::Camera camera = viewpoints(traced).next();
     const test::Picture expected = picture(traced.tracer, camera, all);
-    for (const Effect& effect : kEffects) {
-        RenderSettings settings = all;
-        effect.off(settings);
-        EXPECT_NE(expected.developed.pixels, picture(traced.tracer, camera, settings).developed.pixels)
-            << effect.name;
+    for (const test::WithoutEffect& without : test::withoutEachEffect(all)) {
+        if (without.setting == "textures" && scene_.model.textures.empty()) continue;
+        EXPECT_NE(expected.developed.pixels,
+                  picture(traced.tracer, camera, without.settings).developed.pixels)
+            << without.setting;
     }
 }
 

@@ -30,7 +30,7 @@ template <typename F>
 HWY_INLINE PathToLight<F> pathToLight(const Light& light, Vec3Of<F> offset) {
     const F distance = sqrt(dot(offset, offset));
     const Vec3Of<F> direction = select(distance > 0.0F, offset / distance, broadcast<F>(Vec3{0, 1, 0}));
-    return {direction, distance, max(distance * 0.9999F - light.radius, F(0))};
+    return {direction, distance, max(distance * 0.9999F - ballRadius(light), F(0))};
 }
 
 template <typename F>
@@ -107,10 +107,10 @@ HWY_INLINE LightSample<F> sampleLight(const Light& light, Vec3Of<F> position,
     }
     Vec3Of<F> offset = broadcast<F>(light.position) - position;
     if constexpr (kind == LightKind::Sphere) return sampleSphere<F>(light, offset, stratum);
-    constexpr bool flat = isAreaLight(kind) && traits.beam == Beam::Cosine;
+    constexpr bool flat = isFlatLight(kind);
     if constexpr (flat) offset = offset + pointOnFlat<kind, F>(light, stratum.u, stratum.v);
     const PathToLight<F> path = pathToLight<F>(light, offset);
-    const F counted = max(max(path.distance, F(light.radius)), F(1e-18F));
+    const F counted = max(max(path.distance, F(ballRadius(light))), F(1e-18F));
     const F square = counted * counted;
     Vec3Of<F> irradiance;
     irradiance.x = light.intensity.r / square;

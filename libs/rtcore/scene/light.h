@@ -69,6 +69,12 @@ constexpr const LightTraits& traitsOf(const Light& light) { return traitsOf(ligh
 /// Whether it has a size, so that its shadows are soft.
 constexpr bool isAreaLight(LightKind kind) { return traitsOf(kind).radius || traitsOf(kind).sides; }
 constexpr bool isAreaLight(const Light& light) { return isAreaLight(light.kind); }
+/// Whether it is an area light that lies in a plane and shines from its front.
+constexpr bool isFlatLight(LightKind kind) { return isAreaLight(kind) && traitsOf(kind).direction; }
+
+/// Radius of the ball around the position in which nothing occludes the light, and below which distances
+/// count as it.
+constexpr float ballRadius(const Light& light) { return light.radius; }
 
 /// Calls use.operator()<kind>() for the kind of a light; returns what it returns.
 template <std::size_t first = 0, typename Use>

@@ -3,6 +3,7 @@
 
 #include "rtcore/post/bloom.h"
 #include "rtcore/post/develop.h"
+#include "support/every_effect.h"
 
 #include <gtest/gtest.h>
 
@@ -11,15 +12,7 @@
 namespace rtcore {
 namespace {
 
-RenderSettings everything() {
-    RenderSettings settings;
-    settings.width = 64;
-    settings.height = 48;
-    settings.denoise.passes = 2;
-    settings.bloom.radius = 3;
-    settings.exposure.local = 0.5F;
-    return settings;
-}
+RenderSettings everything() { return test::everyEffect(64, 48); }
 
 /// Two shades, so that there is something to spread and to expose by itself.
 Frame twoShades() {

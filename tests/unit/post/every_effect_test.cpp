@@ -2,6 +2,7 @@
 // instruction set.
 #include "rtcore/post/develop.h"
 #include "rtcore/simd/instruction_set.h"
+#include "support/every_effect.h"
 #include "unit/render/sample_view.h"
 
 #include <gtest/gtest.h>
@@ -16,17 +17,8 @@ Scene sceneOfEverything() {
 }
 
 RenderSettings everything() {
-    RenderSettings settings = test::sampleSettings(97, 61, 2);
-    settings.sampling = SamplingPattern::Poisson;
-    settings.adaptive = 0.05F;
-    settings.ambientOcclusion = {.on = true, .samples = 5};
-    settings.depthOfField = {.on = true, .fNumber = 0.2F, .blades = 6};
-    settings.fog.shafts = 3;
-    settings.areaLights.samples = 3;
-    settings.denoise.passes = 3;
-    settings.bloom.radius = 4;
-    settings.bloom.kernel = BloomKernel::Airy;
-    settings.exposure.local = 0.5F;
+    RenderSettings settings = test::everyEffect(97, 61);
+    settings.depthOfField.fNumber = 0.2F; // the scene is a few centimetres large
     return settings;
 }
 
@@ -59,23 +51,8 @@ TEST(EveryEffect, TheSameBitsOnEveryInstructionSet) {
 TEST(EveryEffect, ShowsInThePicture) {
     const test::TracedScene traced(sceneOfEverything());
     const LdrImage all = picture(traced, everything(), 0);
-    using Change = void (*)(RenderSettings&);
-    for (const Change without : {
-             Change([](RenderSettings& s) { s.sampling = SamplingPattern::Grid; }),
-             Change([](RenderSettings& s) { s.ambientOcclusion.on = false; }),
-             Change([](RenderSettings& s) { s.depthOfField.on = false; }),
-             Change([](RenderSettings& s) { s.fog.on = false; }),
-             Change([](RenderSettings& s) { s.fog.shafts = 0; }),
-             Change([](RenderSettings& s) { s.areaLights.samples = 0; }),
-             Change([](RenderSettings& s) { s.denoise.passes = 0; }),
-             Change([](RenderSettings& s) { s.bloom.radius = 0; }),
-             Change([](RenderSettings& s) { s.bloom.kernel = BloomKernel::Gaussian; }),
-             Change([](RenderSettings& s) { s.exposure.local = 0; }),
-         }) {
-        RenderSettings settings = everything();
-        without(settings);
-        EXPECT_NE(all.pixels, picture(traced, settings, 0).pixels);
-    }
+    for (const test::WithoutEffect& without : test::withoutEachEffect(everything()))
+        EXPECT_NE(all.pixels, picture(traced, without.settings, 0).pixels) << without.setting;
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include <random>
 #include <set>
 #include <stdexcept>
+#include <type_traits>
 
 namespace {
 
@@ -50,49 +51,28 @@ SettingValue otherValue(const Setting& setting) {
     return std::string(setting.choices.back());
 }
 
+/// Initialises members that are numbers, switches or choices, but no struct: of structs in a struct it takes
+/// the braces for left out, and initialises their members.
+struct AnyMember {
+    template <typename T>
+    requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+    operator T() const;
+};
+template <typename... Given>
+consteval std::size_t membersOf() {
+    if constexpr (requires { RenderSettings{Given{}..., AnyMember{}}; })
+        return membersOf<Given..., AnyMember>();
+    else
+        return sizeof...(Given);
+}
+
 TEST(SettingsTable, HasEveryMemberOfTheStructOnce) {
     std::set<std::string_view> names;
     for (const Setting& setting : rtcore::settingsTable()) {
         EXPECT_TRUE(names.insert(setting.name).second) << setting.name;
         EXPECT_FALSE(setting.help.empty()) << setting.name;
     }
-    const std::set<std::string_view> expected{"width",
-                                              "height",
-                                              "antialiasing",
-                                              "sampling",
-                                              "adaptive",
-                                              "shadows",
-                                              "reflections",
-                                              "refractions",
-                                              "textures",
-                                              "maxDepth",
-                                              "minContribution",
-                                              "ambientOcclusion.on",
-                                              "ambientOcclusion.samples",
-                                              "ambientOcclusion.distance",
-                                              "ambientOcclusion.pattern",
-                                              "ambientOcclusion.light",
-                                              "depthOfField.on",
-                                              "depthOfField.fNumber",
-                                              "depthOfField.focus",
-                                              "depthOfField.blades",
-                                              "fog.on",
-                                              "fog.shafts",
-                                              "areaLights.samples",
-                                              "denoise.passes",
-                                              "bloom.radius",
-                                              "bloom.kernel",
-                                              "bloom.share",
-                                              "exposure.mode",
-                                              "exposure.value",
-                                              "exposure.key",
-                                              "exposure.brighterSeconds",
-                                              "exposure.darkerSeconds",
-                                              "exposure.local",
-                                              "toneMapping",
-                                              "dithering",
-                                              "environmentFilter"};
-    EXPECT_EQ(names, expected);
+    EXPECT_EQ(names.size(), membersOf<>());
 }
 
 TEST(SettingsTable, DefaultsAreThoseOfTheStructAndInRange) {

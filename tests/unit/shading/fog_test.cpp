@@ -223,6 +223,7 @@ double lightByIntegration(const Case& c) {
     for (int k = 0; k < 3; ++k) foot += (light[k] - point(0, k)) * (point(1, k) - point(0, k));
     for (int k = 0; k < 3; ++k) offset += std::pow(light[k] - point(foot, k), 2);
     offset = std::sqrt(offset);
+    const bool flat = isFlatLight(c.light.kind);
     const double perHeight = c.fog.exponential ? double{c.fog.perHeight} : 0;
     const auto length = [&](double a, double b, double distance) { // between two heights
         const double x = std::fabs(a - b) * perHeight;
@@ -241,7 +242,7 @@ double lightByIntegration(const Case& c) {
             const double x = std::clamp((along / r - double{c.light.cosOuter}) / range, 0.0, 1.0);
             spot = x * x * (3 - 2 * x);
         }
-        if (c.light.kind == LightKind::Rectangle) spot = std::max(along / r, 0.0);
+        if (flat) spot = std::max(along / r, 0.0);
         return spot * c.density(t) * std::exp(-c.fog.density * both) / square;
     };
     const auto [from, to] = c.seenStretch();
@@ -250,7 +251,7 @@ double lightByIntegration(const Case& c) {
         if (t > from && t < to) edges.push_back(t);
     };
     add(foot);
-    if (c.light.kind == LightKind::Rectangle) { // where the ray goes through its plane
+    if (flat) { // where the ray goes through its plane
         double above = 0, rate = 0;
         for (int k = 0; k < 3; ++k) above += (point(0, k) - light[k]) * axis[k];
         for (int k = 0; k < 3; ++k) rate += (point(1, k) - point(0, k)) * axis[k];

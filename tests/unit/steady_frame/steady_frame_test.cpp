@@ -1,6 +1,8 @@
 // A frame like the one before it allocates nothing: counted by replacing operator new.
 #include "rtcore/post/develop.h"
+#include "rtcore/post/effects.h"
 #include "rtcore/render/frame_renderer.h"
+#include "support/every_effect.h"
 
 #include "../render/sample_view.h"
 
@@ -47,6 +49,7 @@ class Pictures {
     std::uint64_t make(const RenderSettings& settings, int threads) {
         const std::uint64_t before = allocations;
         control_.threads = threads;
+        renderer_.collectAovs(effectsNeedLayers(settings));
         EXPECT_TRUE(renderer_.render({traced_.scene, traced_.tracer, test::sampleCamera(), settings},
                                      control_, frame_));
         const float exposure = developer_.exposure(frame_, settings.exposure, threads);
@@ -147,6 +150,18 @@ TEST(SteadyFrame, WithBloomAllocatesNothing) {
         pictures.make(settings, 1);
         pictures.make(settings, 1);
         EXPECT_EQ(pictures.make(settings, 1), 0U);
+    }
+}
+
+TEST(SteadyFrame, WithEveryEffectAndWithoutEachAllocatesNothing) {
+    const RenderSettings all = test::everyEffect(75, 50);
+    std::vector<test::WithoutEffect> cases = test::withoutEachEffect(all);
+    cases.push_back({"none", all});
+    for (const test::WithoutEffect& without : cases) {
+        Pictures pictures(test::foggyScene(FogKind::Exponential));
+        pictures.make(without.settings, 1);
+        pictures.make(without.settings, 1);
+        EXPECT_EQ(pictures.make(without.settings, 1), 0U) << "without " << without.setting;
     }
 }
 

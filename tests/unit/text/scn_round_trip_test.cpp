@@ -34,20 +34,20 @@ rtcore::LightDescription randomLight(Random& random) {
     rtcore::LightDescription result;
     rtcore::Light& light = result.light;
     if (random.flag()) result.name = awkwardName(random);
-    light.kind = static_cast<rtcore::LightKind>(random.below(5));
-    if (light.kind != rtcore::LightKind::Directional) {
+    light.kind = static_cast<rtcore::LightKind>(random.below(rtcore::kLightKinds));
+    const rtcore::LightTraits& traits = traitsOf(light);
+    if (traits.position) {
         light.position = point(random);
         light.radius = random.positive();
     }
-    if (light.kind != rtcore::LightKind::Point && light.kind != rtcore::LightKind::Sphere)
-        light.direction = rtcore::normalize(point(random));
-    if (light.kind == rtcore::LightKind::Rectangle) {
+    if (traits.direction) light.direction = rtcore::normalize(point(random));
+    if (traits.sides) {
         light.right = rtcore::basisAround(light.direction).tangent;
         light.width = random.positive();
         light.height = random.positive();
     }
     light.intensity = positive(random);
-    if (light.kind == rtcore::LightKind::Spot) {
+    if (traits.beam == rtcore::Beam::Cone) {
         light.cosOuter = random.share() - 0.5F;
         light.cosInner = light.cosOuter + 0.1F + 0.4F * random.share();
     }

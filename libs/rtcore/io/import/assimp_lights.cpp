@@ -161,9 +161,10 @@ void addLights(const aiScene& scene, const NodeTransforms& transforms, const For
             out.nameOffset = model.addName(light->mName.C_Str());
             model.lights.push_back(out);
         } else {
-            addWarning(report,
-                       std::string("light '") + light->mName.C_Str() +
-                           "' is left out: it is not a point, directional or spot light, or gives no light");
+            addWarning(
+                report,
+                std::string("light '") + light->mName.C_Str() +
+                    "' is left out: it is not a point, directional, spot or area light, or gives no light");
         }
     }
 }

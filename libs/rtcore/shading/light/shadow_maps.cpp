@@ -37,7 +37,7 @@ ShadowMap::ShadowMap(const Light& light, const Box3& bounds, std::size_t texels)
     const double side = std::sqrt(static_cast<double>(texels) / sides_);
     side_ = std::max(kBlock, static_cast<int>(side) / kBlock * kBlock);
     texels_.resize(static_cast<std::size_t>(sides_ * side_) * static_cast<std::size_t>(side_));
-    nearest_ = std::max(light.radius, kFitting * bounds.diagonal());
+    nearest_ = std::max(ballRadius(light), kFitting * bounds.diagonal());
     if (!sun) return;
     across_ = anyAcross(light.direction);
     along_ = cross(light.direction, across_);

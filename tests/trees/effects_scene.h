@@ -1,11 +1,10 @@
-/// Puts every effect into a scene: mirrors, glass, lights of each kind, fog and an environment, in proportion
-/// to its size; and the settings that show them.
+/// Puts all that effects show into a scene: mirrors, glass, lights of each kind, fog and an environment, in
+/// proportion to its size.
 #pragma once
 
 #include "rtcore/math/box.h"
 #include "rtcore/scene/closed_surfaces.h"
 #include "rtcore/scene/scene.h"
-#include "rtcore/settings/render_settings.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -83,6 +82,7 @@ inline void addLights(rtcore::Scene& scene, const rtcore::Box3& bounds) {
     sun.kind = rtcore::LightKind::Directional;
     sun.direction = rtcore::normalize({-0.4F, -1, -0.3F});
     sun.intensity = {2, 1.8F, 1.5F};
+    static_assert(rtcore::kLightKinds == 5, "one light of each kind");
     scene.lights = {ball, panel, bulb, spot, sun};
     scene.lightNames.assign(scene.lights.size(), "");
 }
@@ -112,24 +112,6 @@ inline void addEveryEffect(rtcore::Scene& scene) {
     scene.fog.density = 0.2F / diagonal;
     scene.fog.scaleHeight = 0.3F * diagonal;
     scene.fog.groundHeight = dot(bounds.lo, scene.up);
-}
-
-inline rtcore::RenderSettings everyEffect(int width, int height) {
-    rtcore::RenderSettings settings;
-    settings.width = width;
-    settings.height = height;
-    settings.antialiasing = 2;
-    settings.sampling = rtcore::SamplingPattern::Poisson;
-    settings.adaptive = 0.05F;
-    settings.ambientOcclusion = {.on = true, .samples = 5};
-    settings.depthOfField = {.on = true, .fNumber = 2, .blades = 6};
-    settings.fog.shafts = 2;
-    settings.areaLights.samples = 2;
-    settings.denoise.passes = 3;
-    settings.bloom.radius = 2;
-    settings.bloom.kernel = rtcore::BloomKernel::Airy;
-    settings.exposure.local = 0.5F;
-    return settings;
 }
 
 } // namespace test
