@@ -7,6 +7,9 @@ target_compile_options(rt_compile_options INTERFACE
     # GCC 12 sees an overlap in `"text" + std::string` that is not there (GCC bug 105651).
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
     $<$<BOOL:${RT_WERROR}>:-Werror>)
+if(NOT RT_EVERY_INSTRUCTION_SET)
+    target_compile_definitions(rt_compile_options INTERFACE RT_FEW_INSTRUCTION_SETS)
+endif()
 if(RT_SANITIZE)
     target_compile_options(rt_compile_options INTERFACE
         -fsanitize=${RT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)

@@ -39,7 +39,7 @@ for check in "$@"; do
         RT_ORACLE_RAYS=${RT_ORACLE_RAYS:-1000000} $release/test_embree
         ;;
     mutations)
-        cmake --preset asan-ubsan >/dev/null
+        cmake --preset asan-ubsan -DRT_EVERY_INSTRUCTION_SET=ON >/dev/null
         cmake --build --preset asan-ubsan --target unit_tests
         RT_MUTATIONS=${RT_MUTATIONS:-1000000} ctest --preset asan-ubsan -R Mutat -j "$(nproc)" --verbose
         RT_MUTATIONS=${RT_IMAGE_MUTATIONS:-20000} ctest --preset asan-ubsan -R ChangedAnywhere -j "$(nproc)" --verbose
@@ -68,9 +68,11 @@ for check in "$@"; do
         RT_SOAK_SECONDS=${RT_SOAK_SECONDS:-1200} $release/test_server_faults --gtest_filter=Soak.*
         ;;
     sanitizers)
-        cmake --preset asan-ubsan >/dev/null
-        cmake --build --preset asan-ubsan --target test_server_process --target test_server_faults --target test_ipc
+        cmake --preset asan-ubsan -DRT_EVERY_INSTRUCTION_SET=ON >/dev/null
+        cmake --build --preset asan-ubsan --target unit_tests --target test_server_process --target test_server_faults
         sanitized=build/asan-ubsan/bin
+        UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=allocator_may_return_null=1 \
+            ctest --preset asan-ubsan -j "$(nproc)" -L unit
         RT_MUTATIONS=${RT_SCRIBBLES:-100000} $sanitized/test_ipc --gtest_filter='Scribble.*:Queues.*'
         UBSAN_OPTIONS=print_stacktrace=1 $sanitized/test_server_process
         UBSAN_OPTIONS=print_stacktrace=1 $sanitized/test_server_faults

@@ -58,7 +58,7 @@ const FilmFormat* findFilmFormat(const std::filesystem::path& film) {
 std::string rateText(double framesPerSecond) { return fmt::format("{:.6g}", framesPerSecond); }
 
 // As a shell reads it back.
-std::string quoted(const std::string& word) {
+std::string shellQuoted(const std::string& word) {
     static constexpr const char* kPlain =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_+-./:=%";
     if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
@@ -101,7 +101,7 @@ std::string encodeCommand(const std::filesystem::path& film, double framesPerSec
     if (const FilmFormat* format = findFilmFormat(film)) append(words, codingOf(*format, false));
     words.push_back("file:" + film.string());
     std::string command;
-    for (const std::string& word : words) command += (command.empty() ? "" : " ") + quoted(word);
+    for (const std::string& word : words) command += (command.empty() ? "" : " ") + shellQuoted(word);
     return command;
 }
 

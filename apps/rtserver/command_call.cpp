@@ -17,7 +17,7 @@ int keyOf(const std::string& name) {
     const std::optional<int> code = rtcore::keyNamed(name);
     if (!code) {
         throw app::UsageError(
-            "unknown key " + rtcore::quoted(name) +
+            "unknown key " + rtcore::inQuotes(name) +
             "; there are letters, digits, Space, Left, Right, Up, Down, Shift, Control, CapsLock "
             "and others");
     }
@@ -26,7 +26,7 @@ int keyOf(const std::string& name) {
 
 std::filesystem::path pathOf(const std::string& text) {
     std::filesystem::path path(text);
-    if (!path.is_absolute()) throw app::UsageError("the path " + rtcore::quoted(text) + " is not absolute");
+    if (!path.is_absolute()) throw app::UsageError("the path " + rtcore::inQuotes(text) + " is not absolute");
     return path;
 }
 

@@ -97,7 +97,7 @@ void CommandService::answerBy(const ipc::Command& command, const Act& act) {
         around_.replies.answer(command, *text);
     } catch (const std::exception& error) {
         refuseFor(command, error);
-        if (!command.wantsAnswer) messages_.complain(rtcore::quoted(command.text) + ": " + error.what());
+        if (!command.wantsAnswer) messages_.complain(rtcore::inQuotes(command.text) + ": " + error.what());
     }
 }
 

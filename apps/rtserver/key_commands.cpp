@@ -109,7 +109,7 @@ Result bind(const Call& call) {
 Result unbind(const Call& call) {
     const std::vector<rtcore::KeyBinding> list = without(call.state, keysOf(call[0]));
     if (list.size() == call.state.bindings().list().size())
-        throw app::UsageError(rtcore::quoted(call[0]) + " is not bound");
+        throw app::UsageError(rtcore::inQuotes(call[0]) + " is not bound");
     call.state.setBindings(rtcore::KeyBindings(list));
     return {};
 }

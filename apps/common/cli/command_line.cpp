@@ -67,7 +67,7 @@ std::string describeSyntaxError(const po::invalid_syntax& error) {
     case po::invalid_syntax::empty_adjacent_parameter:
         return name + " needs a value";
     default:
-        return "unrecognised argument " + rtcore::quoted(error.tokens());
+        return "unrecognised argument " + rtcore::inQuotes(error.tokens());
     }
 }
 
@@ -78,7 +78,7 @@ std::string describeUnknown(const ProgramSpec& spec, const std::string& given) {
     }
     std::string_view nearest;
     if (given.starts_with("--")) nearest = rtcore::nearestName(std::string_view(given).substr(2), known);
-    std::string text = "unknown option " + rtcore::quoted(given);
+    std::string text = "unknown option " + rtcore::inQuotes(given);
     if (!nearest.empty()) text.append("; did you mean '--").append(nearest).append("'?");
     return text;
 }
@@ -115,7 +115,7 @@ std::string listOf(const std::vector<std::string>& words) {
 }
 
 [[noreturn]] void refuse(const Option& option, const std::string& value, const std::string& wanted) {
-    throw UsageError("option '--" + option.name + "': " + rtcore::quoted(value) + " is not " + wanted);
+    throw UsageError("option '--" + option.name + "': " + rtcore::inQuotes(value) + " is not " + wanted);
 }
 
 template <typename Value>
@@ -155,7 +155,7 @@ void checkPositionals(const ProgramSpec& spec, const Arguments& arguments) {
     const bool repeats = !spec.positionals.empty() && spec.positionals.back().repeats;
     if (given > spec.positionals.size() && !repeats) {
         throw UsageError("unexpected argument " +
-                         rtcore::quoted(arguments.positionals()[spec.positionals.size()]));
+                         rtcore::inQuotes(arguments.positionals()[spec.positionals.size()]));
     }
     const auto answers = [&](const Occurrence& occurrence) {
         const Option* option = spec.find(occurrence.name);

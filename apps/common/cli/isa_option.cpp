@@ -32,7 +32,7 @@ void useIsa(const Arguments& arguments) {
     if (!name || rtcore::useInstructionSet(*name)) return;
     std::string known;
     for (const std::string& each : rtcore::instructionSets()) known += (known.empty() ? "" : ", ") + each;
-    throw UsageError("option '--isa': " + rtcore::quoted(*name) +
+    throw UsageError("option '--isa': " + rtcore::inQuotes(*name) +
                      " is no instruction set of this processor; it has " + known);
 }
 

@@ -77,7 +77,7 @@ bool mayCount(const CommandSpec& command, std::size_t count) {
     const std::string two = words.size() > 1 ? words[0] + " " + words[1] : words[0];
     const bool near = words.size() > 1 && !rtcore::nearestName(two, names).empty();
     if (!longer.empty() && !near)
-        throw UsageError(rtcore::quoted(words[0]) + " is the beginning of several commands: " + longer);
+        throw UsageError(rtcore::inQuotes(words[0]) + " is the beginning of several commands: " + longer);
     throw UsageError(rtcore::unknownNameMessage("command", two, names));
 }
 
@@ -105,7 +105,7 @@ void checkArguments(const CommandSpec& command, std::span<const std::string> arg
         if (takes(argument, arguments[i])) continue;
         throw UsageError(std::string(command.name) + " takes " + rangeOf(argument) +
                          (argument.name.empty() ? "" : " for " + std::string(argument.name)) + ", not " +
-                         rtcore::quoted(arguments[i]));
+                         rtcore::inQuotes(arguments[i]));
     }
 }
 

@@ -98,13 +98,13 @@ std::string printable(std::string_view text, std::size_t limit) {
     return shortened ? result + "..." : result;
 }
 
-std::string quoted(std::string_view text) { return "'" + printable(text, kLongestName) + "'"; }
+std::string inQuotes(std::string_view text) { return "'" + printable(text, kLongestName) + "'"; }
 
 std::string unknownNameMessage(std::string_view what, std::string_view name,
                                std::span<const std::string_view> known) {
-    std::string message = "unknown " + std::string(what) + " " + quoted(name);
+    std::string message = "unknown " + std::string(what) + " " + inQuotes(name);
     const std::string_view nearest = nearestName(name, known);
-    if (!nearest.empty()) return message + "; did you mean " + quoted(nearest) + "?";
+    if (!nearest.empty()) return message + "; did you mean " + inQuotes(nearest) + "?";
     message += "; known:";
     for (const std::string_view candidate : known) message += " " + std::string(candidate);
     return message;

@@ -20,7 +20,7 @@ std::string_view nearestName(std::string_view name, std::span<const std::string_
 /// `\xNN`; cut to `limit` bytes and "..." when longer. What is printable stays as it is.
 std::string printable(std::string_view text, std::size_t limit = std::string_view::npos);
 /// The same for a name, in single quotes.
-std::string quoted(std::string_view text);
+std::string inQuotes(std::string_view text);
 
 /// Says that `name` is none of `known`, with the nearest one, or with all of them when none is near:
 ///   unknown key 'eey'; did you mean 'eye'?

@@ -228,7 +228,7 @@ std::string checkChoice(const Setting& setting, const SettingValue& value) {
     const std::string* name = std::get_if<std::string>(&value);
     if (name == nullptr) refuse(setting, settingText(value));
     if (std::find(setting.choices.begin(), setting.choices.end(), *name) == setting.choices.end())
-        refuse(setting, quoted(*name));
+        refuse(setting, inQuotes(*name));
     return *name;
 }
 
@@ -243,7 +243,7 @@ bool parseNumber(std::string_view text, Number& number) {
 bool parseBoolean(const Setting& setting, std::string_view text) {
     constexpr std::array<std::string_view, 4> yes{"true", "on", "yes", "1"}, no{"false", "off", "no", "0"};
     if (std::find(yes.begin(), yes.end(), text) != yes.end()) return true;
-    if (std::find(no.begin(), no.end(), text) == no.end()) refuse(setting, quoted(text));
+    if (std::find(no.begin(), no.end(), text) == no.end()) refuse(setting, inQuotes(text));
     return false;
 }
 
@@ -289,7 +289,7 @@ SettingValue parseSetting(const Setting& setting, std::string_view text) {
     if (setting.type == SettingType::Choice) return checkSetting(setting, std::string(text));
     if (int whole = 0; parseNumber(text, whole)) return checkSetting(setting, whole);
     if (float number = 0; parseNumber(text, number)) return checkSetting(setting, number);
-    refuse(setting, quoted(text));
+    refuse(setting, inQuotes(text));
 }
 
 void setSetting(RenderSettings& settings, std::string_view name, const SettingValue& value) {

@@ -91,7 +91,7 @@ std::vector<const RayTest*> readTests(std::string_view list) {
         const bool known = std::any_of(kRayTests.begin(), kRayTests.end(),
                                        [&](const RayTest& test) { return test.name == word; });
         if (known) continue;
-        throw app::UsageError("option '--rays': " + rtcore::quoted(std::string(word)) +
+        throw app::UsageError("option '--rays': " + rtcore::inQuotes(std::string(word)) +
                               " is not one of primary, shadow, ao, mirror, bounce");
     }
     for (const RayTest& test : kRayTests) {
@@ -105,7 +105,7 @@ void readFrameSize(const std::string& text, BenchOptions& options) {
     const auto side = [&](std::string_view digits) {
         const auto value = app::parseInteger(digits);
         if (!value || *value < 1 || *value > kMaxSide) {
-            throw app::UsageError("option '--frame-size': " + rtcore::quoted(text) +
+            throw app::UsageError("option '--frame-size': " + rtcore::inQuotes(text) +
                                   " is no size such as 1280x720");
         }
         return static_cast<int>(*value);

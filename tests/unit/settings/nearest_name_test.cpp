@@ -43,8 +43,8 @@ TEST(NearestName, MessagesListAllNamesWhenNoneIsNear) {
 }
 
 TEST(NearestName, MessagesStayOnOneShortLine) {
-    EXPECT_EQ(rtcore::quoted("a\nb\x1b[0m"), "'a\\x0ab\\x1b[0m'");
-    EXPECT_LT(rtcore::quoted(std::string(1'000'000, 'x')).size(), 100U);
+    EXPECT_EQ(rtcore::inQuotes("a\nb\x1b[0m"), "'a\\x0ab\\x1b[0m'");
+    EXPECT_LT(rtcore::inQuotes(std::string(1'000'000, 'x')).size(), 100U);
     // Cut between characters, not within one.
     EXPECT_EQ(rtcore::printable("ab\xC3\xA4", 3), "ab...");
 }

@@ -276,7 +276,7 @@ void StrictTable::fail(std::string_view key, const std::string& message) const {
 }
 
 void StrictTable::failMissing(std::string_view key) const {
-    failAt(*file_, table_->position, "the key " + quoted(key) + " is missing here; add it");
+    failAt(*file_, table_->position, "the key " + inQuotes(key) + " is missing here; add it");
 }
 
 } // namespace rtcore
