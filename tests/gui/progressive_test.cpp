@@ -1,7 +1,4 @@
 /// Progressive rendering in the whole window, with real servers and Renderers.
-// Before Qt, to whom "slots" is a keyword.
-#include "ipc/endpoint/link.h"
-
 #include "gui/gui_support.h"
 #include "gui/processes_of.h"
 
@@ -13,6 +10,7 @@
 #include "gui/session/server_list.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/notice_bar.h"
+#include "ipc/endpoint/link.h"
 
 #include <QAction>
 #include <QDir>

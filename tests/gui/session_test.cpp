@@ -1,10 +1,8 @@
 /// The session with real servers, without a window.
-// Before Qt, to whom "slots" is a keyword.
-#include "support/other_version.h"
-
 #include "gui/gui_support.h"
 
 #include "gui/session/server_list.h"
+#include "support/other_version.h"
 
 #include <QElapsedTimer>
 #include <QSignalSpy>

@@ -1,7 +1,4 @@
 /// A visit: what people do in the window, one thing after the other, with a real server.
-// Before Qt, to whom "slots" is a keyword.
-#include "support/other_version.h"
-
 #include "gui/dialog_support.h"
 #include "gui/lit_scene.h"
 #include "gui/processes_of.h"
@@ -10,6 +7,7 @@
 #include "gui/dialogs/recording_dialog.h"
 #include "gui/dialogs/statistics_dialog.h"
 #include "gui/session/preview_reader.h"
+#include "support/other_version.h"
 
 #include <QLabel>
 #include <QMessageBox>

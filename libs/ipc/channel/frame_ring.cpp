@@ -22,18 +22,18 @@ std::size_t pixelBytes(const FrameInfo& info) {
     return possible ? std::size_t{4} * info.width * info.height : 0;
 }
 
-std::size_t frameSegmentBytes(std::size_t frameBytes, std::uint32_t slots) {
-    return kPixelsOffset + slots * roundUp(frameBytes);
+std::size_t frameSegmentBytes(std::size_t frameBytes, std::uint32_t slotCount) {
+    return kPixelsOffset + slotCount * roundUp(frameBytes);
 }
 
-FrameRingWriter::FrameRingWriter(void* memory, std::size_t frameBytes, std::uint32_t slots,
+FrameRingWriter::FrameRingWriter(void* memory, std::size_t frameBytes, std::uint32_t slotCount,
                                  std::uint64_t epoch, std::uint64_t generation, std::uint64_t firstNumber)
     : segment_(static_cast<FrameSegment*>(memory)), capacity_(frameBytes), slotBytes_(roundUp(frameBytes)),
-      slots_(slots), epoch_(epoch), generation_(generation), next_(firstNumber) {
+      slots_(slotCount), epoch_(epoch), generation_(generation), next_(firstNumber) {
     segment_->epoch = epoch;
     segment_->generation = generation;
     segment_->slotBytes = slotBytes_;
-    segment_->slots = slots;
+    segment_->slotCount = slotCount;
     faultPoint("frames laid out");
     segment_->magic.store(kFramesMagic, std::memory_order_release);
 }
@@ -42,7 +42,7 @@ void FrameRingWriter::repair() {
     keep(segment_->epoch, epoch_);
     keep(segment_->generation, generation_);
     keep(segment_->slotBytes, std::uint64_t{slotBytes_});
-    keep(segment_->slots, slots_);
+    keep(segment_->slotCount, slots_);
     keep(segment_->magic, kFramesMagic);
     if (last_.number != 0) {
         keep(slot(last_.number).info, last_);
@@ -94,12 +94,13 @@ FrameRead FrameRingReader::read(FrameInfo& info, std::vector<std::byte>& pixels)
 
 FrameRead FrameRingReader::tryRead(std::uint64_t number, FrameInfo& info,
                                    std::vector<std::byte>& pixels) const {
-    const std::uint32_t slots = segment_->slots.load(std::memory_order_relaxed);
+    const std::uint32_t slotCount = segment_->slotCount.load(std::memory_order_relaxed);
     const std::uint64_t slotBytes = segment_->slotBytes.load(std::memory_order_relaxed);
-    if (slots < kMinFrameSlots || slots > kMaxFrameSlots || slotBytes > (bytes_ - kPixelsOffset) / slots) {
+    if (slotCount < kMinFrameSlots || slotCount > kMaxFrameSlots ||
+        slotBytes > (bytes_ - kPixelsOffset) / slotCount) {
         return FrameRead::Broken;
     }
-    const FrameSlot& slot = segment_->slot[number % slots];
+    const FrameSlot& slot = segment_->slot[number % slotCount];
     if (slot.sequence.load(std::memory_order_acquire) != whole(number)) return FrameRead::Missed;
     FrameInfo copy;
     copyFromShared(&copy, &slot.info, sizeof(copy));
@@ -107,7 +108,7 @@ FrameRead FrameRingReader::tryRead(std::uint64_t number, FrameInfo& info,
     if (size == 0 || size > slotBytes || copy.number != number) return FrameRead::Broken;
     pixels.resize(size);
     const auto* base = reinterpret_cast<const std::byte*>(segment_);
-    copy_(pixels.data(), base + kPixelsOffset + number % slots * slotBytes, size);
+    copy_(pixels.data(), base + kPixelsOffset + number % slotCount * slotBytes, size);
     fenceAfterReading();
     const bool torn = slot.sequence.load(std::memory_order_relaxed) != whole(number);
     if (torn && keeps("frames are checked after they were copied")) return FrameRead::Missed;

@@ -11,14 +11,14 @@
 namespace ipc {
 
 /// Size of a segment for frames of up to `frameBytes`.
-std::size_t frameSegmentBytes(std::size_t frameBytes, std::uint32_t slots);
+std::size_t frameSegmentBytes(std::size_t frameBytes, std::uint32_t slotCount);
 
 /// The one writer of a segment. `memory` must outlive it.
 class FrameRingWriter {
   public:
-    /// Lays a zeroed segment out for `slots` frames (3..8) of up to `frameBytes`. The first frame will be
+    /// Lays a zeroed segment out for `slotCount` frames (3..8) of up to `frameBytes`. The first frame will be
     /// `firstNumber`, at least 1.
-    FrameRingWriter(void* memory, std::size_t frameBytes, std::uint32_t slots, std::uint64_t epoch,
+    FrameRingWriter(void* memory, std::size_t frameBytes, std::uint32_t slotCount, std::uint64_t epoch,
                     std::uint64_t generation, std::uint64_t firstNumber);
 
     std::size_t capacity() const { return capacity_; } ///< bytes of the largest frame

@@ -20,7 +20,7 @@ int takeSlot(const Names& names, const Link& link) {
 }
 
 Attachment::Attachment(const Names& names, const Link& link, int slot, const KeyWriter& keys)
-    : block_(&link.block()), slot_(&block_->slots[slot]), tag_(randomTag()),
+    : block_(&link.block()), slot_(&block_->clients[slot]), tag_(randomTag()),
       sender_(names.queue(slot, tag_)) {
     faultPoint("queue made");
     slot_->clientProcess.store(processId(), std::memory_order_relaxed);

@@ -15,7 +15,7 @@ int clientsOf(const Segment& segment, const ControlFacts& facts) {
     if (facts.handshake != ownHandshake() || segment.bytes() < sizeof(ControlBlock)) return 0;
     const ControlBlock& block = *static_cast<const ControlBlock*>(segment.data());
     return static_cast<int>(
-        std::count_if(std::begin(block.slots), std::end(block.slots), [](const ClientSlot& slot) {
+        std::count_if(std::begin(block.clients), std::end(block.clients), [](const ClientSlot& slot) {
             return slot.servedTag.load(std::memory_order_acquire) != 0;
         }));
 }

@@ -13,9 +13,9 @@
 
 namespace ipc {
 
-Publication::Publication(const Names& names, Segment control, std::size_t frameBytes, std::uint32_t slots,
+Publication::Publication(const Names& names, Segment control, std::size_t frameBytes, std::uint32_t slotCount,
                          std::uint64_t firstFrame)
-    : names_(names), epoch_(randomTag()), slots_(slots), control_(std::move(control)) {
+    : names_(names), epoch_(randomTag()), slots_(slotCount), control_(std::move(control)) {
     try {
         faultPoint("control made");
         ControlBlock& block = *new (control_.data()) ControlBlock;
@@ -85,7 +85,7 @@ void Publication::end(ServerPhase last) {
     if (control_.named()) Segment::remove(names_.control());
     Segment::remove(names_.frames(epoch_, frames_->generation));
     control_.unlock(kServerLock);
-    for (ClientSlot& slot : block().slots) ring(slot.bell);
+    for (ClientSlot& slot : block().clients) ring(slot.bell);
 }
 
 } // namespace ipc

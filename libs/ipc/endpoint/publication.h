@@ -17,7 +17,7 @@ class Publication {
   public:
     /// Fills `control`, which we have locked; found by others only when it is complete. Frames count on from
     /// `firstFrame`. Throws Error; nothing is left then.
-    Publication(const Names& names, Segment control, std::size_t frameBytes, std::uint32_t slots,
+    Publication(const Names& names, Segment control, std::size_t frameBytes, std::uint32_t slotCount,
                 std::uint64_t firstFrame);
     ~Publication();
     Publication(const Publication&) = delete;

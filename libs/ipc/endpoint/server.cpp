@@ -76,8 +76,8 @@ struct Server::State {
 bool Server::State::lookAtSlots() {
     bool changed = false;
     for (int i = 0; i < kMaxClients; ++i) {
-        changed |= clients[static_cast<std::size_t>(i)].look(i, block().slots[i], names, publication->epoch(),
-                                                             backlog);
+        changed |= clients[static_cast<std::size_t>(i)].look(i, block().clients[i], names,
+                                                             publication->epoch(), backlog);
     }
     return changed;
 }
@@ -90,7 +90,7 @@ void Server::State::sweep() {
             const ServedClient& client = clients[static_cast<std::size_t>(i)];
             const bool dead = client.active() && !publication->slotLocked(i);
             if (dead && keeps("dead clients lose their slots")) {
-                ServedClient::declareDead(block().slots[i], client.tag());
+                ServedClient::declareDead(block().clients[i], client.tag());
             }
         }
         if (keeps("fields are repaired")) repair();
@@ -104,7 +104,7 @@ void Server::State::sweep() {
 // What a buggy client wrote over is gone before anybody looks for long.
 void Server::State::repair() {
     publication->repair();
-    for (int i = 0; i < kMaxClients; ++i) clients[static_cast<std::size_t>(i)].repair(block().slots[i]);
+    for (int i = 0; i < kMaxClients; ++i) clients[static_cast<std::size_t>(i)].repair(block().clients[i]);
     Sequenced<Status>& shared = block().status;
     const bool whole = shared.sequence.load(std::memory_order_relaxed) % 2 == 0;
     if (!whole || std::memcmp(&shared.value, &status, sizeof status) != 0) write(shared, status);
@@ -144,7 +144,7 @@ void Server::State::publishAnew() {
     lookAtSlots();
     for (int i = 0; i < kMaxClients; ++i) {
         ServedClient& client = clients[static_cast<std::size_t>(i)];
-        if (client.active()) client.leave(block().slots[i], publication->epoch(), backlog);
+        if (client.active()) client.leave(block().clients[i], publication->epoch(), backlog);
     }
     auto next = std::make_unique<Publication>(names, std::move(*control), publication->frames().capacity(),
                                               slots, std::max<std::uint64_t>(1, shown));
@@ -190,7 +190,8 @@ std::vector<Command> Server::takeCommands(const ClientSet& later) {
     for (int i = 0; i < kMaxClients; ++i) {
         ServedClient& client = state.clients[static_cast<std::size_t>(i)];
         if (client.active() && !later[static_cast<std::size_t>(i)]) {
-            client.serve(state.block().slots[i], state.publication->epoch(), kCommandsPerTurn, state.backlog);
+            client.serve(state.block().clients[i], state.publication->epoch(), kCommandsPerTurn,
+                         state.backlog);
         }
     }
     return std::exchange(state.backlog, {});
@@ -206,7 +207,7 @@ void Server::refuse(const Command& command, int code, std::string_view text) {
 void Server::reply(const Command& command, std::uint32_t code, std::string_view text) {
     if (command.slot < 0 || command.slot >= kMaxClients) return;
     faultPoint("before answer");
-    ClientSlot& slot = state_->block().slots[command.slot];
+    ClientSlot& slot = state_->block().clients[command.slot];
     state_->clients[static_cast<std::size_t>(command.slot)].answer(slot, command, code, text);
 }
 
@@ -220,7 +221,7 @@ KeyState Server::keys() {
     KeyState keys;
     for (int i = 0; i < kMaxClients; ++i) {
         ServedClient& client = state_->clients[static_cast<std::size_t>(i)];
-        if (client.active()) client.collectKeys(state_->block().slots[i], keys);
+        if (client.active()) client.collectKeys(state_->block().clients[i], keys);
     }
     return keys;
 }
@@ -266,7 +267,7 @@ std::uint64_t Server::publishFrame(const FrameInfo& info) {
     state.drawing = false;
     state.block().pulse.progress.fetch_add(1, std::memory_order_relaxed);
     for (int i = 0; i < kMaxClients; ++i) {
-        ClientSlot& slot = state.block().slots[i];
+        ClientSlot& slot = state.block().clients[i];
         const bool asks = slot.wantsFrames.load(std::memory_order_relaxed) != 0;
         if (asks && state.clients[static_cast<std::size_t>(i)].active()) ring(slot.bell);
     }

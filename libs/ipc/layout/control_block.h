@@ -101,7 +101,7 @@ struct ControlBlock {
     ServerPulse pulse;
     Doorbell bell; ///< rung by clients: a command, a key or a client is there
     Sequenced<Status> status;
-    ClientSlot slots[kMaxClients];
+    ClientSlot clients[kMaxClients];
 };
 static_assert(std::is_trivially_copyable_v<Handshake> && std::is_standard_layout_v<ControlBlock>);
 static_assert(offsetof(ControlBlock, header) == 0 && offsetof(ControlHeader, magic) == 0 &&

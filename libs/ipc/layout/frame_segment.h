@@ -1,6 +1,6 @@
 /// The frame segment: a ring of whole frames. A segment never changes its size; another size is another
-/// segment. Frame n lies in slot n % slots. The sequence of a slot is 2n+1 while frame n is written and 2n+2
-/// when it is whole.
+/// segment. Frame n lies in slot n % slotCount. The sequence of a slot is 2n+1 while frame n is written and
+/// 2n+2 when it is whole.
 #pragma once
 
 #include "ipc/layout/frame_info.h"
@@ -25,7 +25,7 @@ struct FrameSegment {
     std::uint64_t epoch;              ///< of the control segment
     std::uint64_t generation;
     std::atomic<std::uint64_t> slotBytes; ///< room for one frame's pixels, a multiple of 4096
-    std::atomic<std::uint32_t> slots;
+    std::atomic<std::uint32_t> slotCount;
     alignas(
         64) std::atomic<std::uint64_t> latest; ///< number of the newest whole frame, 0 = none; stored last
     FrameSlot slot[kMaxFrameSlots];

@@ -29,7 +29,7 @@ class PoisonedQueues {
     void look() {
         const std::optional<ipc::Link> link = ipc::Link::open(names_, ipc::Access::Read);
         if (!link) return;
-        for (const ipc::ClientSlot& slot : link->block().slots) {
+        for (const ipc::ClientSlot& slot : link->block().clients) {
             if (slot.dropReason == ipc::DropReason::BrokenQueue) tags_.insert(slot.droppedTag);
         }
     }

@@ -18,9 +18,9 @@ using namespace ipc;
 constexpr std::uint64_t kEpoch = 77, kGeneration = 5;
 
 struct Ring {
-    Ring(std::uint32_t slots, std::size_t frameBytes)
-        : bytes(frameSegmentBytes(frameBytes, slots)), memory(std::aligned_alloc(4096, bytes), std::free),
-          writer(zeroed(), frameBytes, slots, kEpoch, kGeneration, 1) {}
+    Ring(std::uint32_t slotCount, std::size_t frameBytes)
+        : bytes(frameSegmentBytes(frameBytes, slotCount)), memory(std::aligned_alloc(4096, bytes), std::free),
+          writer(zeroed(), frameBytes, slotCount, kEpoch, kGeneration, 1) {}
     void* zeroed() {
         std::memset(memory.get(), 0, bytes);
         return new (memory.get()) FrameSegment;
@@ -159,8 +159,8 @@ TEST(FrameRing, BelievesNoSizes) {
         info = {};
         return ring.reader().read(info, pixels) == FrameRead::Broken;
     };
-    EXPECT_TRUE(broken([](FrameSegment& s) { s.slots = 0; }));
-    EXPECT_TRUE(broken([](FrameSegment& s) { s.slots = 9; }));
+    EXPECT_TRUE(broken([](FrameSegment& s) { s.slotCount = 0; }));
+    EXPECT_TRUE(broken([](FrameSegment& s) { s.slotCount = 9; }));
     EXPECT_TRUE(broken([](FrameSegment& s) { s.slotBytes = ~std::uint64_t{0}; }));
     EXPECT_TRUE(broken([](FrameSegment& s) { s.slot[1].info.width = 0; }));
     EXPECT_TRUE(broken([](FrameSegment& s) { s.slot[1].info.width = 0xFFFFFFFF; }));

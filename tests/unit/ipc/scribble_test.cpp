@@ -37,9 +37,9 @@ std::size_t randomOffset(std::mt19937_64& random) {
     case 1:
     case 2:
     case 3:
-        return random() % offsetof(ControlBlock, slots);
+        return random() % offsetof(ControlBlock, clients);
     default:
-        return offsetof(ControlBlock, slots) + slot * sizeof(ClientSlot) +
+        return offsetof(ControlBlock, clients) + slot * sizeof(ClientSlot) +
                random() % (offsetof(ClientSlot, replies) + 256);
     }
 }
@@ -169,7 +169,7 @@ TEST(Scribble, MalformedCommandsAreCountedAndEndTheirSender) {
 
     const auto control = Segment::open(instance.names().control(), Access::Write, sizeof(ControlBlock));
     ASSERT_TRUE(control);
-    ClientSlot& slot = static_cast<ControlBlock*>(control->data())->slots[1];
+    ClientSlot& slot = static_cast<ControlBlock*>(control->data())->clients[1];
     ASSERT_TRUE(control->tryLock(clientLock(1)));
     const std::string name = instance.names().queue(1, 99);
     namespace bi = boost::interprocess;
@@ -201,7 +201,7 @@ TEST(Scribble, AQueueOfOtherDimensionsIsRefused) {
     test::IpcInstance instance;
     Server server({.instance = instance.name(), .width = 16, .height = 16});
     const auto control = Segment::open(instance.names().control(), Access::Write, sizeof(ControlBlock));
-    ClientSlot& slot = static_cast<ControlBlock*>(control->data())->slots[0];
+    ClientSlot& slot = static_cast<ControlBlock*>(control->data())->clients[0];
     ASSERT_TRUE(control->tryLock(clientLock(0)));
     namespace bi = boost::interprocess;
     const std::string wide = instance.names().queue(0, 5);

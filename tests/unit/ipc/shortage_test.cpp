@@ -101,7 +101,7 @@ TEST_F(Shortage, AClientThatWasTakenForDeadComesBack) {
     const auto control = Segment::open(instance.names().control(), Access::Write, sizeof(ControlBlock));
     auto& block = *static_cast<ControlBlock*>(control->data());
     EXPECT_EQ(server->keys().pressed(5), 1U);
-    block.slots[0].clientTag = 0;
+    block.clients[0].clientTag = 0;
     serve(60ms);
     EXPECT_EQ(server->clients(), 0);
     EXPECT_EQ(ask(client), ReplyStatus::Done);
