@@ -67,7 +67,7 @@ trap 'exit 143' TERM
 trap 'exit 129' HUP
 
 if [ "${RT_WITH_GUI:-AUTO}" != OFF ] && [ -x "$bin/GUI" ] && [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
-    echo "run: opening the window. W, A, S, D walk, a click looks around by mouse, Esc gives it back, F1 shows all keys."
+    echo "run: opening the window. W, A, S, D walk, a click looks around by mouse, Esc releases it, F1 shows all keys."
     "$bin/GUI" "$scene" --instance="$instance" &
     window=$!
     # A body on the ground as soon as the scene is there; where there is no room for one it flies.

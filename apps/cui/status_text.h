@@ -14,7 +14,7 @@ namespace cui {
 std::string statusText(const std::string& instance, std::int64_t process, const ipc::Status& status);
 /// One JSON object, one line.
 std::string statusJson(const std::string& instance, std::int64_t process, const ipc::Status& status);
-/// The few figures that `watch` prints, on one line.
+/// The few numbers that `watch` prints, on one line.
 std::string statusLine(const ipc::Status& status);
 
 /// One line for each server; nothing when there is none.

@@ -124,7 +124,7 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
         return tiles == 0 ? 0.0 : static_cast<double>(control.tilesDone.load()) / static_cast<double>(tiles);
     };
     const app::ProgressScope scope(progress_, {"rendering", fraction, &control.cancel}, index, count);
-    renderer_.collectAovs(options_.aovs || rtcore::effectsNeedLayers(settings));
+    renderer_.collectAovs(options_.aovs || rtcore::effectsNeedAovs(settings));
     const rtcore::View view{loaded_.scene, tracer_, camera, settings};
     const bool whole = preview_ == nullptr ? renderer_.render(view, control, frame_)
                                            : preview_->render(renderer_, view, control, frame_);

@@ -60,22 +60,22 @@ std::vector<rtcore::SettingAssignment> readSettings(const app::Arguments& argume
     return settings;
 }
 
-std::optional<rtcore::Vec2> readPlace(const app::Arguments& arguments, const char* name) {
+std::optional<rtcore::Vec2> readPosition(const app::Arguments& arguments, const char* name) {
     const std::optional<std::string> text = arguments.text(name);
     if (!text) return std::nullopt;
-    rtcore::Vec2 place;
+    rtcore::Vec2 position;
     const char* const end = text->data() + text->size();
-    const auto [comma, first] = std::from_chars(text->data(), end, place.x);
+    const auto [comma, first] = std::from_chars(text->data(), end, position.x);
     bool good = first == std::errc() && comma != end && *comma == ',';
     if (good) {
-        const auto [last, second] = std::from_chars(comma + 1, end, place.y);
-        good = second == std::errc() && last == end && place.x >= 0 && place.y >= 0;
+        const auto [last, second] = std::from_chars(comma + 1, end, position.y);
+        good = second == std::errc() && last == end && position.x >= 0 && position.y >= 0;
     }
     if (!good) {
         throw app::UsageError("option '--" + std::string(name) + "': '" + *text +
-                              "' is not a place such as 320,240, in pixels");
+                              "' is not a position such as 320,240, in pixels");
     }
-    return place;
+    return position;
 }
 
 std::optional<std::filesystem::path> readPath(const app::Arguments& arguments, const char* name) {
@@ -146,7 +146,7 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     options.preview = readPreview(arguments);
     if (options.preview || arguments.has("parent")) options.parent = app::parentOf(arguments);
     options.requeue = arguments.has("requeue");
-    options.focusAt = readPlace(arguments, "focus-at");
+    options.focusAt = readPosition(arguments, "focus-at");
     options.settings = readSettings(arguments);
     options.threads = app::threadsOf(arguments);
     app::useIsa(arguments);

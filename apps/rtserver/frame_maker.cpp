@@ -20,15 +20,14 @@ bool FrameMaker::trace(const ServerState& state, const FrameDetail& detail, cons
     rtcore::Frame& frame = detail.whole() ? whole_ : coarse_;
     if (detail.whole() == detail_.whole()) seen_ = nullptr; // its memory is written to
     renderer_->takeShadowsFrom(detail.cut && maps != nullptr && maps->suit(settings) ? maps : nullptr);
-    renderer_->collectAovs(rtcore::effectsNeedLayers(settings));
+    renderer_->collectAovs(rtcore::effectsNeedAovs(settings));
     control.threads = threads_;
     const rtcore::View view{*scene, *state.world().tracer, state.camera(), settings};
     if (!renderer_->render(view, control, frame)) return false;
     target_ = developer_.exposure(frame, settings.exposure, threads_);
     // Bloom has its width in pixels of the whole frame.
-    rtcore::RenderSettings effects = state.shownSettings();
-    effects.denoise = settings.denoise; // a coarse frame has no layers
-    seen_ = nullptr;                    // the frame before may be shown from the effects' memory
+    const rtcore::RenderSettings effects = state.shownSettings();
+    seen_ = nullptr; // the frame before may be shown from the effects' memory
     const rtcore::HdrImage& finished = developer_.finish(frame, effects, threads_, &control.cancel);
     if (control.cancel) return false;
     seen_ = &finished;

@@ -34,7 +34,7 @@ inline constexpr const char* kUnseenFloor =
     "nothing is below: walking on a floor at the model's lowest point that is not seen";
 
 /// Every edit of what is shown is noted by its kind in revisions(), by which frames and caches tell whether
-/// they still hold; an edit after which all is as before is none.
+/// they still hold. What changes nothing is not noted.
 ///
 /// One thread edits; others may read while it does not, such as the guard's while a frame is drawn. The scene
 /// is immutable: an edit puts another one in its place, and a thread that took the last one keeps it.

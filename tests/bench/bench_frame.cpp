@@ -177,7 +177,7 @@ class Bench {
                     processSeconds() - start);
     }
     double render(const RayTracer& tracer, int threads) {
-        renderer_.collectAovs(effectsNeedLayers(settings_));
+        renderer_.collectAovs(effectsNeedAovs(settings_));
         const double start = processSeconds();
         control_.threads = threads;
         renderer_.render({loaded_.scene, tracer, loaded_.camera, settings_}, control_, frame_);

@@ -139,7 +139,7 @@ TEST(Figures, SayThatACoarsePictureIsRefined) {
     ServerStatus status;
     status.resolution = QSize(800, 600);
     const auto figures = [&](const QSize& frame, bool still) {
-        return text(figuresText(status, frame, still, {}));
+        return text(overlayText(status, frame, still, {}));
     };
     EXPECT_NE(figures({100, 75}, true).find("(12 %)  ·  Fly  ·  refining"), std::string::npos);
     EXPECT_NE(figures({100, 75}, false).find("drawing"), std::string::npos) << "while it moves";
@@ -155,7 +155,7 @@ TEST(Figures, TellWhatTheRendererDoesInPlaceOfComplete) {
     ServerStatus status;
     status.resolution = QSize(800, 600);
     const auto figures = [&] {
-        return text(figuresText(status, {800, 600}, true, QStringLiteral("refined")));
+        return text(overlayText(status, {800, 600}, true, QStringLiteral("refined")));
     };
     EXPECT_EQ(figures(), "800 × 600  ·  Fly  ·  drawing  ·  refined");
     status.idle = true;

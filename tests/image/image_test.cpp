@@ -29,7 +29,7 @@ LdrImage render(const rtcore::LoadedScene& loaded, const rtcore::Camera& camera,
     rtcore::RenderControl control{.threads = 0};
     rtcore::Frame frame;
     rtcore::FrameRenderer renderer;
-    renderer.collectAovs(rtcore::effectsNeedLayers(settings));
+    renderer.collectAovs(rtcore::effectsNeedAovs(settings));
     EXPECT_TRUE(renderer.render({loaded.scene, tracer, camera, settings}, control, frame));
     return rtcore::develop(frame, settings, rtcore::exposureFor(frame, settings.exposure));
 }

@@ -26,7 +26,7 @@ inline Picture pictureOf(const rtcore::Scene& scene, const rtcore::RayTracer& tr
     Picture picture;
     rtcore::RenderControl control{.threads = 0};
     rtcore::FrameRenderer renderer;
-    renderer.collectAovs(rtcore::effectsNeedLayers(settings));
+    renderer.collectAovs(rtcore::effectsNeedAovs(settings));
     renderer.render({scene, tracer, camera, settings}, control, picture.frame);
     rtcore::PictureDeveloper developer;
     const float exposure = developer.exposure(picture.frame, settings.exposure, 0);

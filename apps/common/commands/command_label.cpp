@@ -33,11 +33,6 @@ std::string commandLabel(const CommandSpec& command) {
     return std::string(command.name) + (arguments.empty() ? "" : " ") + arguments;
 }
 
-bool takesPath(const CommandSpec& command) {
-    return std::any_of(command.arguments.begin(), command.arguments.end(),
-                       [](const CommandArgument& each) { return each.type == ArgumentType::Path; });
-}
-
 std::vector<std::string_view> wordsOf(const CommandArgument& argument) {
     std::vector<std::string_view> words;
     std::string_view rest = argument.words;

@@ -86,9 +86,9 @@ std::string walk() { return line(CommandId::Walk); }
 
 std::string loadCamera(const std::string& path) { return line(CommandId::LoadCamera, path); }
 
-std::string loadScene(const std::string& path, const std::string& builtModel) {
-    return builtModel.empty() ? line(CommandId::LoadScene, path)
-                              : line(CommandId::LoadScene, path, builtModel);
+std::string loadScene(const std::string& path, const std::string& cachedModel) {
+    return cachedModel.empty() ? line(CommandId::LoadScene, path)
+                               : line(CommandId::LoadScene, path, cachedModel);
 }
 
 std::string loadSet(const std::string& path) { return line(CommandId::LoadSet, path); }

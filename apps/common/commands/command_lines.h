@@ -46,7 +46,7 @@ std::string speed(double factor);
 std::string walk();
 
 std::string loadCamera(const std::string& path);
-std::string loadScene(const std::string& path, const std::string& builtModel = {}); ///< "": none
+std::string loadScene(const std::string& path, const std::string& cachedModel = {}); ///< "": none
 std::string loadSet(const std::string& path);
 std::string exportCamera(const std::string& path);
 std::string exportCamera(const std::string& path, int width, int height, int antialiasing, int bloom);

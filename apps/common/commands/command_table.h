@@ -129,9 +129,6 @@ std::string argumentsLabel(const CommandSpec& command);
 /// The name, and that.
 std::string commandLabel(const CommandSpec& command);
 
-/// Whether an argument is a path.
-bool takesPath(const CommandSpec& command);
-
 /// The words of an argument, apart.
 std::vector<std::string_view> wordsOf(const CommandArgument& argument);
 

@@ -1,4 +1,4 @@
-/// The server's figures, as they change.
+/// The server's statistics, as they change.
 #pragma once
 
 #include "gui/session/session.h"

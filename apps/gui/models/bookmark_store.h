@@ -34,7 +34,6 @@ class BookmarkStore {
 
     /// `scene`: the path of its file; empty: no bookmarks.
     void setScene(const QString& scene);
-    bool hasScene() const { return !folder_.isEmpty(); }
     const QString& folder() const { return folder_; }
     /// In their order.
     QList<Bookmark> list() const;

@@ -48,7 +48,7 @@ void DisplayOperations::applyPreferences() {
     const Preferences& preferences = context_.preferences;
     context_.view.setIgnoreAspectRatio(preferences.get(pref::ignoreAspectRatio));
     context_.view.setSmoothTransformation(preferences.get(pref::smoothTransformation));
-    context_.view.setShowFigures(preferences.get(pref::showOverlay));
+    context_.view.setShowOverlay(preferences.get(pref::showOverlay));
     context_.view.input().setMouseSensitivity(preferences.get(pref::mouseSensitivity),
                                               preferences.get(pref::invertMouse));
     if (theme_ == preferences.get(pref::theme)) return;

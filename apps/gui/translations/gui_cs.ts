@@ -585,7 +585,7 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
     </message>
     <message>
         <source>Flying</source>
-        <translation>Let</translation>
+        <translation>Létání</translation>
     </message>
     <message>
         <source>Bloom: on</source>
@@ -985,7 +985,7 @@ Alt+%2</translation>
     </message>
     <message>
         <source>° per pixel</source>
-        <translation>° na bod</translation>
+        <translation>° na pixel</translation>
     </message>
     <message>
         <source>&amp;Sensitivity:</source>

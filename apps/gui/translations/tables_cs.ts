@@ -17,7 +17,7 @@
     </message>
     <message>
         <source>pixels</source>
-        <translation>bodů</translation>
+        <translation>pixelů</translation>
     </message>
     <message>
         <source>Height</source>
@@ -33,7 +33,7 @@
     </message>
     <message>
         <source>N x N samples per pixel, averaged</source>
-        <translation>průměr z N × N vzorků na bod</translation>
+        <translation>průměr z N × N vzorků na pixel</translation>
     </message>
     <message>
         <source>Sampling</source>
@@ -125,7 +125,7 @@
     </message>
     <message>
         <source>a ray that adds less than this fraction to its pixel is not traced</source>
-        <translation>paprsek, který k bodu přidá menší podíl, se nesleduje</translation>
+        <translation>paprsek, který k pixelu přidá menší podíl, se nesleduje</translation>
     </message>
     <message>
         <source>Ambient occlusion</source>
@@ -432,7 +432,7 @@
     </message>
     <message>
         <source>pixels from left to right; alone it keeps the aspect</source>
-        <translation>počet bodů zleva doprava; sám zachová poměr stran</translation>
+        <translation>počet pixelů zleva doprava; sám zachová poměr stran</translation>
     </message>
     <message>
         <source>Height</source>
@@ -440,7 +440,7 @@
     </message>
     <message>
         <source>pixels from top to bottom; alone it keeps the aspect</source>
-        <translation>počet bodů shora dolů; sám zachová poměr stran</translation>
+        <translation>počet pixelů shora dolů; sám zachová poměr stran</translation>
     </message>
     <message>
         <source>View and video</source>
@@ -544,7 +544,7 @@
     </message>
     <message>
         <source>N x N samples per pixel</source>
-        <translation>N × N vzorků na bod</translation>
+        <translation>N × N vzorků na pixel</translation>
     </message>
     <message>
         <source>Bloom</source>

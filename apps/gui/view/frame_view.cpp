@@ -49,7 +49,7 @@ FrameView::FrameView(Session& session, QWidget* parent)
 // With every frame comes a status: the image is not painted for each of them.
 void FrameView::onStatus() {
     if (stateText(session_) != words_) return update();
-    if (figures_) update(0, 0, width(), figuresHeight(fontMetrics()));
+    if (showOverlay_) update(0, 0, width(), overlayHeight(fontMetrics()));
 }
 
 QSize FrameView::sizeHint() const { return {1024, 640}; }
@@ -65,8 +65,8 @@ void FrameView::setSmoothTransformation(bool on) {
     update();
 }
 
-void FrameView::setShowFigures(bool on) {
-    figures_ = on;
+void FrameView::setShowOverlay(bool on) {
+    showOverlay_ = on;
     update();
 }
 
@@ -143,8 +143,8 @@ void FrameView::paintEvent(QPaintEvent* event) {
     words_ = stateText(session_);
     if (!words_.isEmpty() && !picture.isNull()) painter.fillRect(rect(), QColor(0, 0, 0, 90));
     drawWords(painter, rect(), words_);
-    if (figures_ && session_.live())
-        drawFigures(painter, rect(), figuresText(session_.status(), picture.size(), still_, activity_));
+    if (showOverlay_ && session_.live())
+        drawOverlay(painter, rect(), overlayText(session_.status(), picture.size(), still_, activity_));
     if (told_.isEmpty()) return;
     const int line = 4 * painter.fontMetrics().height();
     drawWords(painter, QRect(0, height() - line, width(), line), told_);

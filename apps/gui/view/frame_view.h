@@ -24,7 +24,7 @@ class FrameView : public QWidget {
 
     void setIgnoreAspectRatio(bool on);
     void setSmoothTransformation(bool on);
-    void setShowFigures(bool on);
+    void setShowOverlay(bool on);
     /// A short line at the bottom of the image, for some seconds.
     void tell(const QString& text);
     /// Appended to the overlay: other activity, such as rendering; empty = nothing.
@@ -64,7 +64,7 @@ class FrameView : public QWidget {
     Session& session_;
     InputCapture* input_;
     QImage picture_; ///< null: the live frame
-    bool ignoreAspectRatio_ = false, smooth_ = true, figures_ = true;
+    bool ignoreAspectRatio_ = false, smooth_ = true, showOverlay_ = true;
     QString told_, activity_, words_; ///< the last: in the middle, as painted
     QTimer tellTimer_, resizeTimer_;
     View view_;           ///< of the last frame

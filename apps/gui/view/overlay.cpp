@@ -30,7 +30,7 @@ void drawBox(QPainter& painter, const QRect& box) {
 
 } // namespace
 
-QString figuresText(const ServerStatus& status, const QSize& frame, bool still, const QString& rendering) {
+QString overlayText(const ServerStatus& status, const QSize& frame, bool still, const QString& rendering) {
     if (status.resolution.isEmpty()) return {};
     QString size = QStringLiteral("%1 × %2").arg(status.resolution.width()).arg(status.resolution.height());
     constexpr int kPercent = 100;
@@ -71,9 +71,9 @@ QString stateText(const Session& session) {
     return session.frame().isNull() ? tr("Rendering first frame…") : QString();
 }
 
-int figuresHeight(const QFontMetrics& metrics) { return 2 * kMargin + kPadding + metrics.height(); }
+int overlayHeight(const QFontMetrics& metrics) { return 2 * kMargin + kPadding + metrics.height(); }
 
-void drawFigures(QPainter& painter, const QRect& area, const QString& text) {
+void drawOverlay(QPainter& painter, const QRect& area, const QString& text) {
     if (text.isEmpty()) return;
     const QFontMetrics metrics(painter.font());
     const QRect words = metrics.boundingRect(text);

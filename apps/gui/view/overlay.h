@@ -14,13 +14,13 @@ namespace gui {
 /// "29 fps · 1280 × 720 (62 %) · walking · drawing": `frame` is smaller while the server saves pixels. Does
 /// the camera stand still, more pixels follow: "refining". `rendering`: what the Renderer does with the view,
 /// such as "refined"; empty = nothing. It takes the place of "complete".
-QString figuresText(const ServerStatus& status, const QSize& frame, bool still, const QString& rendering);
+QString overlayText(const ServerStatus& status, const QSize& frame, bool still, const QString& rendering);
 /// What stands in the middle while there is no live frame; empty when there is.
 QString stateText(const Session& session);
 
 /// From the top of the viewport to below the overlay.
-int figuresHeight(const QFontMetrics& metrics);
-void drawFigures(QPainter& painter, const QRect& area, const QString& text);
+int overlayHeight(const QFontMetrics& metrics);
+void drawOverlay(QPainter& painter, const QRect& area, const QString& text);
 void drawWords(QPainter& painter, const QRect& area, const QString& text);
 
 } // namespace gui

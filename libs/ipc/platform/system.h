@@ -24,7 +24,7 @@ std::uint32_t userId();
 /// As that of rtcore/platform: neither library knows the other.
 std::int64_t processId();
 
-/// Opens a segment without ever waiting for anybody, whatever lies at its name: -1 when there is none. Throws
+/// Opens a segment without waiting, whatever lies at its name: -1 when there is none. Throws
 /// Error: NotYours when it is a link or may not be opened, System.
 int openSegment(const std::string& name, bool writing);
 void closeSegment(int segment);

@@ -12,7 +12,7 @@ namespace {
 constexpr float kUsualReach = 0.15F;
 /// Of the light that a surface scatters which faces all lights: about what comes back from the surfaces
 /// around.
-constexpr float kShareOfLights = 0.25F;
+constexpr float kFractionOfLights = 0.25F;
 
 /// What reaches a surface near the middle of the scene that faces the light.
 Colour irradianceNear(const Light& light, Vec3 middle, float diagonal) {
@@ -37,7 +37,7 @@ Colour lightOf(const Scene& scene, const Box3& bounds) {
     for (const Light& light : scene.lights) {
         if (light.on != 0) irradiance += irradianceNear(light, middle, bounds.diagonal());
     }
-    return isBlack(irradiance) ? kWhite : irradiance * (kShareOfLights / kPi);
+    return isBlack(irradiance) ? kWhite : irradiance * (kFractionOfLights / kPi);
 }
 
 } // namespace

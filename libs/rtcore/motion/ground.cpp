@@ -58,7 +58,7 @@ std::optional<StepUp> stepUp(const Body& body, Vec3d feet, Vec3d move, double st
     const double wanted = length(move);
     if (!(wanted > 0)) return std::nullopt;
     const Vec3d ahead = move * (1 / wanted);
-    // Beyond what stopped him; else the step would not show.
+    // Beyond what stopped it; else the step would not show.
     const double distance = std::max(wanted, dot(without - feet, ahead) + kLeast);
     const double raised = body.sweep(feet, kUp, step).travel;
     const Vec3d above = feet + kUp * raised;

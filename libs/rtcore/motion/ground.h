@@ -22,7 +22,7 @@ std::optional<Ground> findGround(const Body& body, Vec3d feet, double distance, 
 bool isWedged(const Body& body, Vec3d feet);
 
 /// Where a player who is stopped walking along `move` (horizontal) stands after a step of at most `step`, if
-/// there is room and he gets farther than `without`, where he would be otherwise. `extra` is what he went
+/// there is room and it gets farther than `without`, where it would be otherwise. `extra` is what it went
 /// beyond `move`: a short move has to reach beyond the edge.
 struct StepUp {
     Vec3d feet;
@@ -31,7 +31,7 @@ struct StepUp {
 std::optional<StepUp> stepUp(const Body& body, Vec3d feet, Vec3d move, double step, Vec3d without,
                              MotionTrail* trail = nullptr);
 
-/// Where a player stands after he has climbed a ledge ahead that is at most at the height `top`.
+/// Where a player stands after it has climbed a ledge ahead that is at most at the height `top`.
 std::optional<Vec3d> findLedge(const Body& body, Vec3d feet, Vec3d ahead, double top);
 
 } // namespace rtcore

@@ -68,7 +68,7 @@ bool Player::setMode(MotionMode mode) {
         if (!walker_.enter(now_.eye)) return false;
         entered_ = now_.eye;
         moved_ = moved_ || walker_.eye() != now_.eye;
-        // He may have been put aside: drawn there at once.
+        // It may have been put aside: drawn there at once.
         constexpr double kAside = 1e-6;
         if (length(walker_.eye() - now_.eye) > kAside) now_.eye = walker_.eye();
     }

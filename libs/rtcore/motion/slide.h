@@ -1,4 +1,4 @@
-/// Moves the player along what he runs into.
+/// Moves the player along what it runs into.
 #pragma once
 
 #include "rtcore/motion/body.h"
@@ -20,7 +20,7 @@ class MetPlanes {
     std::vector<Vec3d> normals_;
 };
 
-/// What is under the player while he walks.
+/// What is under the player while it walks.
 struct FloorPlane {
     Vec3d normal{0, 0, 1};
     bool edge = false; ///< the round body rolls over an edge: the floor around is not as steep

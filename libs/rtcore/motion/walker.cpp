@@ -67,7 +67,7 @@ void Walker::gather(double move) {
     triangles_ = withUnseenFloor(nearby_.in(box), box);
 }
 
-/// One triangle around the player, wherever he is: without edges near him.
+/// One triangle around the player, wherever it is: without edges near it.
 std::span<const SolidTriangle> Walker::withUnseenFloor(std::span<const SolidTriangle> triangles,
                                                        const Box3d& box) {
     if (!unseenFloor_ || box.lo.z > lowest_ || box.hi.z < lowest_) return triangles;
@@ -196,7 +196,7 @@ void Walker::act(const WalkInput& input, MotionTrail* trail) {
 }
 
 /// Back to the full distance from what the skin touches, a little in every step; not where that would bring
-/// him nearer to something else.
+/// it nearer to something else.
 void Walker::recover(MotionTrail* trail) {
     const Body b = body(state_.height);
     double budget = 1e-3;
@@ -287,7 +287,7 @@ void Walker::walk(MotionTrail* trail) {
         const double high = shape_.of(state_.stance).step;
         MotionTrail way;
         auto step = stepUp(b, state_.feet, move, high, slide.feet, &way);
-        // Along a wall he may come upon a step that straight ahead is none.
+        // Along a wall it may come upon a step that straight ahead is none.
         if (!step && cross(slide.blockedMove, move) != Vec3d{}) {
             step = stepUp(b, state_.feet, slide.blockedMove, high, slide.feet, &way);
             if (step && !(dot(step->feet - slide.feet, move) > 0)) step.reset();
@@ -356,7 +356,7 @@ void Walker::climb(MotionTrail* trail) {
     }
 }
 
-/// Decides whether the player stands, and draws him down to the floor that he walks on.
+/// Decides whether the player stands, and draws it down to the floor that it walks on.
 void Walker::settle(bool wasGrounded, MotionTrail* trail) {
     const bool rising = state_.velocity.z > 0;
     const bool justJumped = state_.sinceJump < kFreeOfFloorTicks;

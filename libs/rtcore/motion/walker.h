@@ -21,7 +21,7 @@ inline constexpr double kTickSeconds = 1.0 / kTicksPerSecond;
 
 /// What is asked of the player in one step.
 struct WalkInput {
-    Vec3d ahead{0, 1, 0}; ///< unit, horizontal: where he looks
+    Vec3d ahead{0, 1, 0}; ///< unit, horizontal: where it looks
     double forward = 0;   ///< -1, 0, 1
     double right = 0;     ///< -1, 0, 1
     bool jump = false, crouch = false, crawl = false, sprint = false;
@@ -39,8 +39,8 @@ struct WalkState {
     double eyeSpeed = 0;    ///< by which that changes
     double debt = 0;        ///< metres gone too far on an edge
     double takeOff = 0;     ///< height of the floor that was jumped from
-    int sinceGround = 1000; ///< ticks since he stood
-    int sinceJump = 1000;   ///< ticks since he jumped
+    int sinceGround = 1000; ///< ticks since it stood
+    int sinceJump = 1000;   ///< ticks since it jumped
     int jumpWish = 1000;    ///< ticks since the jump key went down
     bool jumpHeld = false;
     bool climbing = false;
@@ -62,9 +62,9 @@ class Walker {
     /// Another tree of the same mesh; must outlive it.
     void useTree(const KdTree& tree);
 
-    /// Puts the player where his eye is at `eye` or, when there is no room, within a metre of it and in its
+    /// Puts the player where its eye is at `eye` or, when there is no room, within a metre of it and in its
     /// sight. Where nothing is below, as beside a model that is looked at from outside, an unseen floor at
-    /// the lowest point of the scene carries him. False, and nothing changed, when there is no room at all,
+    /// the lowest point of the scene carries it. False, and nothing changed, when there is no room at all,
     /// or nothing below that could carry.
     bool enter(Vec3d eye);
     /// Since the last enter() there is an unseen floor.

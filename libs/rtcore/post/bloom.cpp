@@ -24,7 +24,7 @@ void Bloom::mix(const HdrImage& picture, float fraction, const EffectRun& run, H
     }
 }
 
-const HdrImage& Bloom::apply(const HdrImage& picture, const Aovs& /*layers*/, const EffectRun& run) {
+const HdrImage& Bloom::apply(const HdrImage& picture, const Aovs& /*aovs*/, const EffectRun& run) {
     if (picture.empty() || bloomSigma(run.settings, picture.width) == 0) return picture;
     mix(picture, run.settings.bloom.share, run, result_);
     return result_;
@@ -70,7 +70,7 @@ constinit const EffectRow kBloomEffect{
     .wanted =
         [](const RenderSettings& settings) { return settings.bloom.radius > 0 && settings.bloom.share > 0; },
     .bytesPerPixel = sizeof(Colour),
-    .needsLayers = false,
+    .needsAovs = false,
     .make = &makeEffect<Bloom>};
 
 } // namespace rtcore

@@ -254,7 +254,7 @@ constinit const EffectRow kDenoiseEffect{
     .stage = EffectStage::Radiance,
     .wanted = [](const RenderSettings& settings) { return settings.denoise.passes > 0; },
     .bytesPerPixel = Denoiser::bytesPerPixel(),
-    .needsLayers = true,
+    .needsAovs = true,
     .make = &makeEffect<Denoiser>};
 
 } // namespace rtcore

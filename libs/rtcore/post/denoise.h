@@ -18,7 +18,7 @@ namespace rtcore {
 /// x 16 pixels: where there is no noise, nothing changes.
 class Denoiser final : public Effect {
   public:
-    /// `picture` after settings.denoise.passes; itself when nothing was sampled, or there are no layers of
+    /// `picture` after settings.denoise.passes; itself when nothing was sampled, or there are no AOVs of
     /// its size. Parts of a preview keep their noise.
     const HdrImage& apply(const HdrImage& picture, const Aovs& aovs, const EffectRun& run) override;
 

@@ -4,7 +4,7 @@
 
 namespace rtcore {
 
-const HdrImage& Effect::apply(const HdrImage& picture, const Aovs& /*layers*/, const EffectRun& /*run*/) {
+const HdrImage& Effect::apply(const HdrImage& picture, const Aovs& /*aovs*/, const EffectRun& /*run*/) {
     return picture;
 }
 

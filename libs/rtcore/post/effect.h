@@ -57,8 +57,8 @@ struct EffectRow {
     std::string_view name;
     EffectStage stage;
     bool (*wanted)(const RenderSettings&);
-    std::size_t bytesPerPixel; ///< that apply() keeps, beside the frame and its layers
-    bool needsLayers;          ///< Aovs of the frame
+    std::size_t bytesPerPixel; ///< that apply() keeps, beside the frame and its AOVs
+    bool needsAovs;            ///< it works by AOVs of the frame, and not on frames without
     std::unique_ptr<Effect> (*make)();
 };
 

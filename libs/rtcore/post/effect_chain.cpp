@@ -14,6 +14,7 @@ const HdrImage& EffectChain::apply(const Frame& frame, const EffectRun& run) {
     for (std::size_t i = 0; i < effects_.size(); ++i) {
         const EffectRow& row = *effects()[i];
         if (row.stage != EffectStage::Radiance || !row.wanted(run.settings)) continue;
+        if (row.needsAovs && frame.aovs.empty()) continue;
         picture = &effects_[i]->apply(*picture, frame.aovs, run);
         if (run.stop != nullptr && *run.stop) return frame.radiance;
     }

@@ -19,14 +19,14 @@ constexpr std::array<const EffectRow*, 3> kEffects{&kDenoiseEffect, &kBloomEffec
 std::span<const EffectRow* const> effects() { return kEffects; }
 
 std::size_t effectBytesPerPixel(const RenderSettings& settings) {
-    std::size_t bytes = effectsNeedLayers(settings) ? Aovs::bytesPerPixel() : 0;
+    std::size_t bytes = effectsNeedAovs(settings) ? Aovs::bytesPerPixel() : 0;
     for (const EffectRow* row : kEffects) bytes += row->wanted(settings) ? row->bytesPerPixel : 0;
     return bytes;
 }
 
-bool effectsNeedLayers(const RenderSettings& settings) {
-    return std::ranges::any_of(
-        kEffects, [&](const EffectRow* row) { return row->needsLayers && row->wanted(settings); });
+bool effectsNeedAovs(const RenderSettings& settings) {
+    return std::ranges::any_of(kEffects,
+                               [&](const EffectRow* row) { return row->needsAovs && row->wanted(settings); });
 }
 
 } // namespace rtcore

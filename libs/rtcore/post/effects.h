@@ -1,5 +1,5 @@
-/// THE list of effects, in their order. Frames, previews, the check of memory and who asks for layers walk
-/// it.
+/// THE list of effects, in their order. Frames, previews, the check of memory and what collects AOVs
+/// walk it.
 #pragma once
 
 #include "rtcore/post/effect.h"
@@ -12,10 +12,10 @@ namespace rtcore {
 /// All of EffectStage::Radiance before those of EffectStage::Display. Safe from many threads.
 std::span<const EffectRow* const> effects();
 
-/// Bytes for each pixel that the wanted effects take beside the frame's radiance, layers included.
+/// Bytes for each pixel that the wanted effects take beside the frame's radiance, AOVs included.
 std::size_t effectBytesPerPixel(const RenderSettings& settings);
 
-/// Whether a wanted effect reads the frame's layers: for FrameRenderer::collectAovs().
-bool effectsNeedLayers(const RenderSettings& settings);
+/// Whether a wanted effect reads the frame's AOVs: for FrameRenderer::collectAovs().
+bool effectsNeedAovs(const RenderSettings& settings);
 
 } // namespace rtcore

@@ -143,7 +143,7 @@ constinit const EffectRow kLocalExposureEffect{
     .stage = EffectStage::Display,
     .wanted = [](const RenderSettings& settings) { return settings.exposure.local > 0; },
     .bytesPerPixel = 0, // a row for each thread, and a small image
-    .needsLayers = false,
+    .needsAovs = false,
     .make = &makeEffect<LocalExposure>};
 
 } // namespace rtcore

@@ -1,4 +1,4 @@
-/// Tone mapping and quantisation of many pixels at once; the bits are those of tone_map.h and quantise.h.
+/// Tone mapping and quantisation of many pixels at once; the bits are those of tone_map-inl.h and quantise.h.
 #pragma once
 
 #include "rtcore/scene/image.h"

@@ -48,7 +48,7 @@ class FrameRenderer {
     /// its middle. `frame` gets a pixel for each square, also for those that the right or lower edge cuts.
     bool renderCoarse(const View& view, int block, RenderControl& control, Frame& frame);
 
-    /// Whether frames to come get AOVs: to be written, or for effects (effectsNeedLayers()).
+    /// Whether frames to come get AOVs: to be written, or for effects (effectsNeedAovs()).
     void collectAovs(bool on) { collectAovs_ = on; }
     /// Whether frames to come measure stageTimes().
     void measureStages(bool on) { measureStages_ = on; }

@@ -28,8 +28,9 @@ struct Camera {
 };
 static_assert(std::is_trivially_copyable_v<Camera> && sizeof(Camera) == 56);
 
-/// How many times as wide as the author framed it an image of this size shows the scene: an image wider
-/// than his shows more at the sides, a narrower one more above and below. 1 where the camera has no aspect.
+/// How many times as wide as the scene's author framed it an image of this size shows the scene: an image
+/// wider than the author's shows more at the sides, a narrower one more above and below. 1 where the camera
+/// has no aspect.
 inline float widening(const Camera& camera, int width, int height) {
     if (!(camera.aspect > 0)) return 1;
     return std::max(1.0F, static_cast<float>(width) / static_cast<float>(height) / camera.aspect);

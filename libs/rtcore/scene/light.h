@@ -15,7 +15,14 @@ namespace rtcore {
 
 /// A sphere shines from its whole surface alike, a rectangle from its front with the cosine (Lambert). Lights
 /// of any kind are not seen themselves, neither directly nor in mirrors. The numbers stand in files.
-enum class LightKind : std::uint32_t { Point = 0, Directional = 1, Spot = 2, Sphere = 3, Rectangle = 4 };
+enum class LightKind : std::uint32_t {
+    Point = 0,
+    Directional = 1,
+    Spot = 2,
+    Sphere = 3,
+    Rectangle = 4,
+    Last = Rectangle
+};
 
 struct Light {
     LightKind kind = LightKind::Point;
@@ -61,7 +68,7 @@ inline constexpr std::array<LightTraits, 5> kLightTraits{{
     {"rectangle", true, true, Beam::Cosine, false, true},
 }};
 inline constexpr std::size_t kLightKinds = kLightTraits.size();
-static_assert(static_cast<std::size_t>(LightKind::Rectangle) + 1 == kLightKinds, "a row for each kind");
+static_assert(static_cast<std::size_t>(LightKind::Last) + 1 == kLightKinds, "a row for each kind");
 
 constexpr const LightTraits& traitsOf(LightKind kind) { return kLightTraits[static_cast<std::size_t>(kind)]; }
 constexpr const LightTraits& traitsOf(const Light& light) { return traitsOf(light.kind); }

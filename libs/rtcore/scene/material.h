@@ -8,7 +8,7 @@
 ///                instead.
 ///   2. of the rest, (1 - opacity) passes through, tinted by `transmission`;
 ///   3. of the rest, `opacity` goes to the diffuse and the glossy lobe (physical Phong, notes in
-///   shading/phong.h).
+///   scattering/phong-inl.h).
 #pragma once
 
 #include "rtcore/math/colour.h"

@@ -31,7 +31,7 @@ struct Fog {
     Colour emission;                 ///< radiance emitted per scene unit (at `groundHeight`)
 };
 
-/// How big the player is and how he moves in walk-through mode; metres and seconds.
+/// How big the player is and how it moves in walk-through mode; metres and seconds.
 struct WalkParameters {
     float height = 1.8F;
     float speed = 1.6F; ///< twice as fast with Shift

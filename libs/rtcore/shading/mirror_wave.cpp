@@ -31,7 +31,7 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// shading/surface_split.h, of opaque mirrors
+/// splitLight() (shading/surface/surface_split.h), of opaque mirrors
 void splitAll(const MaterialRow* rows, const SurfaceWave& s, const ArraysOf3* emitted) {
     const Float3 white = broadcast(kWhite);
     for (std::size_t i = 0; i < s.size(); i += lanes()) {

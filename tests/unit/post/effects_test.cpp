@@ -54,11 +54,11 @@ TEST(Effects, TakeTheMemoryOfThoseThatAreWanted) {
     EXPECT_EQ(effectBytesPerPixel(bloom), sizeof(Colour)) << "an image of its own";
 }
 
-TEST(Effects, NeedLayersWhereOneOfThemReadsThem) {
+TEST(Effects, NeedAovsWhereOneOfThemReadsThem) {
     RenderSettings settings = everything();
-    EXPECT_TRUE(effectsNeedLayers(settings));
+    EXPECT_TRUE(effectsNeedAovs(settings));
     settings.denoise.passes = 0;
-    EXPECT_FALSE(effectsNeedLayers(settings));
+    EXPECT_FALSE(effectsNeedAovs(settings));
 }
 
 TEST(Effects, ThatAreNotWantedChangeNothing) {

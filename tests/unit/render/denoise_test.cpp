@@ -16,7 +16,7 @@ namespace {
 Frame rendered(const test::TracedScene& traced, const RenderSettings& settings, int threads = 1) {
     Frame frame;
     FrameRenderer renderer;
-    renderer.collectAovs(effectsNeedLayers(settings));
+    renderer.collectAovs(effectsNeedAovs(settings));
     RenderControl control{.threads = threads};
     EXPECT_TRUE(
         renderer.render({traced.scene, traced.tracer, test::sampleCamera(), settings}, control, frame));

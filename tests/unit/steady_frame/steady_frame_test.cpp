@@ -49,7 +49,7 @@ class Pictures {
     std::uint64_t make(const RenderSettings& settings, int threads) {
         const std::uint64_t before = allocations;
         control_.threads = threads;
-        renderer_.collectAovs(effectsNeedLayers(settings));
+        renderer_.collectAovs(effectsNeedAovs(settings));
         EXPECT_TRUE(renderer_.render({traced_.scene, traced_.tracer, test::sampleCamera(), settings},
                                      control_, frame_));
         const float exposure = developer_.exposure(frame_, settings.exposure, threads);

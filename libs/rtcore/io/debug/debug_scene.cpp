@@ -83,24 +83,24 @@ std::vector<Cell> heaviestLeaves(const KdTree& tree) {
     return leaves;
 }
 
-/// Lights of no place stand above the middle of the scene.
-Vec3 placeOf(const Light& light, const Box3& bounds) {
+/// Lights without a position are drawn above the middle of the scene.
+Vec3 positionOf(const Light& light, const Box3& bounds) {
     if (traitsOf(light).position) return light.position;
     return bounds.centre() - light.direction * (0.6F * bounds.diagonal());
 }
 
 void sketchLight(const Light& light, const Box3& bounds, ObjSketch& sketch) {
     const float unit = bounds.diagonal();
-    const Vec3 place = placeOf(light, bounds);
+    const Vec3 middle = positionOf(light, bounds);
     const LightTraits& traits = traitsOf(light);
-    sketch.octahedron(place, traits.radius ? std::max(light.radius, 0.002F * unit) : 0.008F * unit);
+    sketch.octahedron(middle, traits.radius ? std::max(light.radius, 0.002F * unit) : 0.008F * unit);
     if (!traits.direction) return;
-    sketch.bar(place, place + light.direction * (0.1F * unit), 3 * kThin * unit);
+    sketch.bar(middle, middle + light.direction * (0.1F * unit), 3 * kThin * unit);
     if (!traits.sides) return;
     const Vec3 right = light.right * (light.width / 2);
     const Vec3 down = cross(light.direction, light.right) * (light.height / 2);
-    sketch.triangle(place - right - down, place + right - down, place + right + down);
-    sketch.triangle(place - right - down, place + right + down, place - right + down);
+    sketch.triangle(middle - right - down, middle + right - down, middle + right + down);
+    sketch.triangle(middle - right - down, middle + right + down, middle - right + down);
 }
 
 void sketchLights(const Scene& scene, const Box3& bounds, ObjSketch& sketch) {

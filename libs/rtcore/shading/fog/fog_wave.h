@@ -1,5 +1,5 @@
 /// Fog along a whole wave of rays: its transmittance, its in-scattering, and its transmittance towards
-/// lights. Vector code; the formulas are those of fog.h.
+/// lights. Vector code; the formulas are those of fog_math-inl.h.
 #pragma once
 
 #include "rtcore/kernels/ray_wave.h"

@@ -23,7 +23,7 @@ inline constexpr std::uint32_t kRough = 128;   ///< it has a rough lobe (phong.h
 inline constexpr std::uint32_t kNotPlain = kColoured | kGeneral;
 } // namespace traits
 
-/// As many floats as index arithmetic by shifts wants.
+/// A power of two of floats, so that indices are multiplied by shifts.
 struct alignas(64) MaterialRow {
     float diffuse[3] = {}; ///< albedo / pi
     std::uint32_t traits = 0;
