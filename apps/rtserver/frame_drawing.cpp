@@ -53,7 +53,8 @@ bool FrameDrawing::idle() const {
 
 bool FrameDrawing::takeChange() { return std::exchange(arrivals_.change, false); }
 
-SceneUpkeep::Pace FrameDrawing::pace() const {
+SceneUpkeep::Pace FrameDrawing::pace() {
+    noticeScene();
     return {.complete = !frames_.stale(state_) && frames_.whole(),
             .idle = idle(),
             .seconds = frames_.seconds(),
@@ -88,6 +89,10 @@ FrameDrawing::Drawn FrameDrawing::drawFrame(bool waitedFor) {
 
 // What an edit does to the time of a frame is learned from frames, within few of them; but of another scene
 // nothing is known.
+void FrameDrawing::noticeScene() {
+    if (scheduled_.take(state_.revisions()).has(rtcore::Change::Scene)) schedule_.forget();
+}
+
 FrameSchedule::Demand FrameDrawing::demand(bool waitedFor, const rtcore::ShadowMaps* maps) const {
     const rtcore::Scene& scene = *state_.scene();
     const rtcore::RenderSettings& settings = state_.settings();
@@ -99,7 +104,7 @@ FrameSchedule::Demand FrameDrawing::demand(bool waitedFor, const rtcore::ShadowM
 }
 
 FrameDrawing::Outcome FrameDrawing::trace(bool waitedFor) {
-    if (scheduled_.take(state_.revisions()).has(rtcore::Change::Scene)) schedule_.forget();
+    noticeScene();
     const rtcore::ShadowMaps* const maps = upkeep_.shadowMaps();
     const FrameDetail detail = schedule_.begin(demand(waitedFor, maps));
     begun_ = Clock::now();

@@ -64,11 +64,12 @@ class FrameDrawing {
 
     const FrameMaker& frames() const { return frames_; }
     double framesPerSecond() const { return pacer_.framesPerSecond(Clock::now()); }
-    SceneUpkeep::Pace pace() const;
+    SceneUpkeep::Pace pace();
 
   private:
     FrameSchedule::Demand demand(bool waitedFor, const rtcore::ShadowMaps* maps) const;
     Drawn drawFrame(bool waitedFor);
+    void noticeScene();
     Outcome trace(bool waitedFor);
     bool guardFrame();
     void publish();

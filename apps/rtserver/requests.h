@@ -23,7 +23,7 @@ class Replies {
     virtual bool isConnected(const ipc::Command& command) const = 0;
 };
 
-/// One thread. Commands that want no answer are forgotten at once.
+/// One thread. Each command is answered or refused once, then forgotten; what wants no answer, too.
 class Requests {
   public:
     /// `replies` must outlive it.
@@ -36,11 +36,14 @@ class Requests {
 
     /// The scene stands: answers, if a client asked for it.
     void loaded();
+    /// It does not: refuses, if a client asked for it.
     void loadFailed(int code, const std::string& text);
     bool waitsForLoad() const { return loader_.has_value(); }
 
     bool waitForIdle() const { return !idle_.empty(); }
+    /// All is shown: answers each that waits for it.
     void idle();
+    /// It will not be shown: refuses each.
     void refuseIdle(app::ExitCode code, const std::string& text);
 
     bool waitForKeys() const { return !keys_.empty(); }

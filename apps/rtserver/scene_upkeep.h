@@ -49,7 +49,8 @@ class SceneUpkeep {
         double seconds = 0;    ///< that it took
         double coarsest = 0;   ///< seconds of the coarsest ones; 0 = not known
     };
-    /// Takes over what is done, and begins what helps. The frames stay the same: they only come faster.
+    /// Takes over what is done, and begins what helps: the exact tree, by which frames have the same bits and
+    /// come faster, and shadow maps, by which coarse frames are quicker and less exact.
     void advance(const Pace& pace);
 
     /// Whether anything is under way.

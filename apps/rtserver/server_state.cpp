@@ -65,6 +65,9 @@ void ServerState::show(std::unique_ptr<World> world) {
         if (!warning.empty()) loaded.warnings.push_back(warning);
         loaded.camera = camera->camera;
     }
+    // A .bsp may have one that setCamera() refuses.
+    if (rtcore::areParallel(loaded.camera.forward, loaded.camera.up))
+        loaded.camera.up = rtcore::upwardsOf(loaded.camera.forward, scene.up);
     const rtcore::RenderSettings settings = settingsOf(*world, camera ? &*camera : nullptr);
     reserve_(settings);
     settings_ = settings;
@@ -99,6 +102,8 @@ void ServerState::setCamera(const rtcore::Camera& camera) {
         throw std::invalid_argument("the direction that is up must be another one than that to look in");
     if (!(camera.horizontalFov > 0 && camera.horizontalFov < 180))
         throw std::invalid_argument("the field of view is more than 0 and less than 180 degrees");
+    if (camera.kind == rtcore::CameraKind::Orthographic && !(camera.orthographicWidth > 0))
+        throw std::invalid_argument("the width of an orthographic view is more than 0");
     stopPlaying();
     player_->setCamera(camera);
     takeCamera();

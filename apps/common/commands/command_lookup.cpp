@@ -21,7 +21,7 @@ std::string shortNumber(double value) { return fmt::format("{:.9g}", value); }
 std::string kindOf(const CommandArgument& argument) {
     const bool whole = argument.type == ArgumentType::Integer;
     const std::string kind = whole ? "a whole number" : "a number";
-    const double most = whole ? 1e9 : 1e30;
+    const double most = whole ? kMostWhole : kMostNumber;
     const std::string least = shortNumber(argument.minimum), greatest = shortNumber(argument.maximum);
     if (argument.open) return kind + " above " + least + " and below " + greatest;
     if (argument.maximum < most) return kind + " from " + least + " to " + greatest;

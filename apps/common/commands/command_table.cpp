@@ -14,7 +14,6 @@ using enum CommandEffect;
 using enum Runner;
 using Arguments = std::vector<CommandArgument>;
 
-constexpr double kMostWhole = 1e9, kMostNumber = 1e30;
 constexpr double kMostAspect = 32768; ///< an image of so many pixels by one
 
 CommandArgument whole(std::string_view name, double minimum = -kMostWhole, double maximum = kMostWhole) {
@@ -74,31 +73,41 @@ std::vector<CommandSpec> shellCommands() {
     return {
         {.id = CommandId::Status,
          .name = "status",
+         .effect = Tells,
          .runner = Shell,
          .help = "what the server shows and how fast; --json for programs"},
-        {.id = CommandId::Fps, .name = "fps", .runner = Shell, .help = "frames per second"},
+        {.id = CommandId::Fps, .name = "fps", .effect = Tells, .runner = Shell, .help = "frames per second"},
         {.id = CommandId::Watch,
          .name = "watch",
+         .effect = Tells,
          .runner = Shell,
          .help = "a line of statistics each second, until Ctrl-C"},
         {.id = CommandId::List,
          .name = "list",
+         .effect = Tells,
          .runner = Shell,
          .help = "all servers of this user, and what dead ones left"},
         {.id = CommandId::Free,
          .name = "free",
+         .effect = Tells,
          .runner = Shell,
          .help = "remove the shared memory that a dead server left"},
-        {.id = CommandId::About, .name = "about", .runner = Shell, .help = "what this program is"},
+        {.id = CommandId::About,
+         .name = "about",
+         .effect = Tells,
+         .runner = Shell,
+         .help = "what this program is"},
         {.id = CommandId::Script,
          .name = "script",
          .arguments = {orElse(path(), "-")},
+         .effect = Tells,
          .runner = Shell,
          .help = "run the commands of a file, or of standard input, line by line",
          .more = "`#` begins a comment. The first error ends it, with its line"},
         {.id = CommandId::Render,
          .name = "render",
          .arguments = {path(), maybe(text("--")), manyOf(text("OPTION"))},
+         .effect = Tells,
          .runner = Shell,
          .help = "render what the server shows by the Renderer, which takes the options behind --",
          .more = "Its progress and its exit code are the Renderer's"},
@@ -107,7 +116,11 @@ std::vector<CommandSpec> shellCommands() {
 
 std::vector<CommandSpec> serverCommands() {
     return {
-        {.id = CommandId::Ping, .name = "ping", .needsScene = false, .help = "does it answer?"},
+        {.id = CommandId::Ping,
+         .name = "ping",
+         .effect = Tells,
+         .needsScene = false,
+         .help = "does it answer?"},
         {.id = CommandId::Exit,
          .name = "exit",
          .effect = Steers,
@@ -148,6 +161,7 @@ std::vector<CommandSpec> serverCommands() {
         {.id = CommandId::Messages,
          .name = "messages",
          .arguments = {maybe(whole("KNOWN", 0))},
+         .effect = Tells,
          .needsScene = false,
          .help = "print the warnings and what keys did since the scene was loaded; KNOWN: after that number",
          .more = "A line each: `3 warning room.obj: the texture wall.png is missing`, `4 event light 2 off`"},
@@ -174,10 +188,12 @@ std::vector<CommandSpec> settingCommands() {
         {.id = CommandId::Get,
          .name = "get",
          .arguments = {text("NAME", Setting)},
+         .effect = Tells,
          .help = "print a setting"},
-        {.id = CommandId::Settings, .name = "settings", .help = "print all settings"},
+        {.id = CommandId::Settings, .name = "settings", .effect = Tells, .help = "print all settings"},
         {.id = CommandId::State,
          .name = "state",
+         .effect = Tells,
          .help = "print scene, camera, settings, lights and environment maps at once, for programs",
          .more = "As TOML, see [protocol.md](protocol.md)"},
     };
@@ -185,7 +201,10 @@ std::vector<CommandSpec> settingCommands() {
 
 std::vector<CommandSpec> cameraCommands() {
     return {
-        {.id = CommandId::CameraGet, .name = "camera get", .help = "print the camera, as a .cam file has it"},
+        {.id = CommandId::CameraGet,
+         .name = "camera get",
+         .effect = Tells,
+         .help = "print the camera, as a .cam file has it"},
         {.id = CommandId::CameraSet,
          .name = "camera set",
          .arguments = numbers({"EX", "EY", "EZ", "FX", "FY", "FZ"}) + Arguments{fieldOfView()} + upright(),
@@ -276,6 +295,7 @@ std::vector<CommandSpec> fileCommands() {
          .help = "record the camera, 30 times a second, for 'play' and 'Renderer -l'"},
         {.id = CommandId::ExportVideo,
          .name = "export video",
+         .effect = Tells,
          .help = "print whether a recording is under way, its seconds, and the last list",
          .more = "`on 12.3 /home/me/walk.lst`: for so many seconds; or `off`, with the last list"},
         {.id = CommandId::ExportVideoStop,
@@ -318,13 +338,15 @@ std::vector<CommandSpec> lightCommands() {
          .help = "choose an environment map; the first one is 1"},
         {.id = CommandId::Lights,
          .name = "lights",
+         .effect = Tells,
          .help = "print the lights: number, on or off, name",
          .more = "A line each: `2 on chandelier`; the name may be missing"},
         {.id = CommandId::Environments,
          .name = "environments",
+         .effect = Tells,
          .help = "print the environment maps: number, active or -, name",
          .more = "A line each: `1 active sunset`"},
-        {.id = CommandId::Scene, .name = "scene", .help = "print the path of the scene"},
+        {.id = CommandId::Scene, .name = "scene", .effect = Tells, .help = "print the path of the scene"},
     };
 }
 
@@ -350,6 +372,7 @@ std::vector<CommandSpec> keyCommands() {
          .help = "press and release it"},
         {.id = CommandId::Bindings,
          .name = "bindings",
+         .effect = Tells,
          .help = "what the keys do",
          .more = "A line each: `W forward`, `M+3 selectEnvironment 3`"},
         {.id = CommandId::BindingsDefault,

@@ -108,11 +108,14 @@ enum class CommandEffect {
     Changes, ///< changes what is shown
 };
 
+/// Limits of arguments that have none of their own.
+inline constexpr double kMostWhole = 1e9, kMostNumber = 1e30;
+
 struct CommandSpec {
     CommandId id;
     std::string_view name; ///< one word to three, a blank between them
     std::vector<CommandArgument> arguments = {};
-    CommandEffect effect = CommandEffect::Tells;
+    CommandEffect effect = CommandEffect::Changes;
     Runner runner = Runner::Server;
     bool needsScene = true;     ///< waits until there is one; of the server's
     std::string_view help;      ///< sentence without a full stop, for --help

@@ -16,25 +16,31 @@ namespace {
 
 const std::string kName = "the server's state"; // in errors
 
+/// What of a list is told.
+struct Extent {
+    std::size_t most; ///< of the switches
+    bool names;
+};
+
 void write(rtcore::TomlWriter& writer, const std::string& key, const std::vector<NamedSwitch>& switches,
-           bool names) {
+           const Extent& extent) {
     std::vector<bool> on;
     std::vector<std::string> named;
-    for (const NamedSwitch& each : switches) {
-        on.push_back(each.on);
-        named.push_back(rtcore::printable(each.name));
+    for (std::size_t i = 0; i < std::min(switches.size(), extent.most); ++i) {
+        on.push_back(switches[i].on);
+        named.push_back(rtcore::printable(switches[i].name));
     }
     writer.section("[" + key + "]");
     writer.add("on", on);
-    if (names) writer.add("names", named);
+    if (extent.names) writer.add("names", named);
 }
 
-std::string format(const StateReport& state, bool names) {
+std::string format(const StateReport& state, const Extent& extent) {
     rtcore::TomlWriter writer;
     writer.add("version", 1);
     writer.add("scene", rtcore::printable(state.scene));
-    write(writer, "lights", state.lights, names);
-    write(writer, "environments", state.environments, names);
+    write(writer, "lights", state.lights, extent);
+    write(writer, "environments", state.environments, extent);
     writer.section("[camera]");
     rtcore::writeCamera(writer, state.camera);
     rtcore::writeSettingsSection(writer, "settings", state.settings);
@@ -55,12 +61,15 @@ std::vector<NamedSwitch> read(rtcore::StrictTable& root, std::string_view key) {
 } // namespace
 
 std::string formatStateReport(const StateReport& state, std::size_t most) {
-    for (const bool names : {true, false}) {
-        std::string text = format(state, names);
+    Extent extent{std::max(state.lights.size(), state.environments.size()), true};
+    for (;;) {
+        std::string text = format(state, extent);
         if (text.ends_with('\n')) text.pop_back();
         if (text.size() <= most) return text;
+        if (extent.most == 0) throw std::runtime_error("the state takes more bytes than an answer has");
+        if (!extent.names) extent.most /= 2;
+        extent.names = false;
     }
-    throw std::runtime_error("the scene has too many lights to tell of them at once");
 }
 
 StateReport parseStateReport(std::string_view text) {

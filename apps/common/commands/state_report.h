@@ -19,7 +19,7 @@ struct NamedSwitch {
 
 struct StateReport {
     std::string scene;                               ///< absolute path of the scene or model
-    std::vector<NamedSwitch> lights;                 ///< in the scene's order
+    std::vector<NamedSwitch> lights;                 ///< in the scene's order; the first ones of very many
     std::vector<NamedSwitch> environments;           ///< at most one is on
     rtcore::Camera camera;                           ///< nameOffset is 0
     std::vector<rtcore::SettingAssignment> settings; ///< all of them
@@ -27,7 +27,8 @@ struct StateReport {
 };
 
 /// What is no UTF-8 in names is shown as `\xNN`. At most `most` bytes: where that is too little the names are
-/// left out. Throws std::runtime_error where even that does not do.
+/// left out, then lights and environments from the end. Throws std::runtime_error where even that does not
+/// do.
 std::string formatStateReport(const StateReport& state, std::size_t most);
 
 /// Throws rtcore::FileError BadData.

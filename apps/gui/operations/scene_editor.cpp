@@ -204,11 +204,25 @@ void SceneEditor::placeByText(const QString& camera, const QString& label,
     });
 }
 
-// What it brings beside the camera is sent at once, so that all stands when the camera is answered for.
+// All is sent at once; the camera is answered for last. When a part is refused, the others are taken back.
 void SceneEditor::applyCameraFile(const rtcore::CameraFile& file, const Placement& before,
                                   std::function<void(const Answer&)> done) {
-    apply(commandsBetween(before.state, withCameraFile(before.state, file)));
-    session_.send(cameraCommand(file.camera), this, std::move(done));
+    ++changes_;
+    const SceneState after = withCameraFile(before.state, file);
+    const auto refusal = std::make_shared<std::optional<Answer>>();
+    const auto collect = [refusal](const Answer& answer) {
+        if (!answer.done && !*refusal) *refusal = answer;
+    };
+    for (const std::string& line : commandsBetween(before.state, after)) session_.send(line, this, collect);
+    session_.send(cameraCommand(file.camera), this,
+                  [this, before, after, collect, refusal, done = std::move(done)](const Answer& answer) {
+                      collect(answer);
+                      if (!*refusal) return done(answer);
+                      if (answer.done)
+                          session_.send(cameraCommand(before.camera), this, [](const Answer&) {});
+                      apply(commandsBetween(after, before.state));
+                      done(**refusal);
+                  });
 }
 
 std::function<void()> SceneEditor::beginPlacement(const QString& label) {

@@ -43,9 +43,9 @@ class SceneEditor : public QObject {
     void chooseEnvironment(int environment);
     /// Sends a command that places the camera; `label` for the menu, `done` with the server's answer.
     void place(const std::string& line, const QString& label, std::function<void(const Answer&)> done = {});
-    /// The same by a .cam file's text. Fails, with nothing sent, when it is none.
-    void placeByText(const QString& camera, const QString& label,
-                     std::function<void(const Answer&)> done = {});
+    /// The same by a .cam file's text. Fails, with nothing changed, when it is none, or when the server
+    /// refuses a part of it.
+    void placeByText(const QString& camera, const QString& label, std::function<void(const Answer&)> done);
     /// Around changes that are sent elsewhere, such as one movement of many steps: call the result after the
     /// last one.
     std::function<void()> beginPlacement(const QString& label);

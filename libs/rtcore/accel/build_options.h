@@ -8,7 +8,7 @@ namespace rtcore {
 
 enum class BuildMethod {
     Exact, ///< every clipped triangle bound is a candidate, O(n log n) (Wald and Havran 2006)
-    Fast,  ///< binned candidates for large nodes, exact ones below `fastExactBelow` triangles
+    Fast,  ///< binned candidates for large nodes, exact ones for small ones, see fastQuality
 };
 
 struct BuildOptions {

@@ -108,7 +108,7 @@ HWY_INLINE LightSample<F> sampleLight(const Light& light, Vec3Of<F> position,
     Vec3Of<F> offset = broadcast<F>(light.position) - position;
     if constexpr (kind == LightKind::Sphere) return sampleSphere<F>(light, offset, stratum);
     constexpr bool flat = isFlatLight(kind);
-    static_assert(flat || !isAreaLight(kind), "how is such a light sampled?");
+    static_assert(flat || !isAreaLight(kind) || kind == LightKind::Sphere, "how is it sampled?");
     if constexpr (flat) offset = offset + pointOnFlat<kind, F>(light, stratum.u, stratum.v);
     const PathToLight<F> path = pathToLight<F>(light, offset);
     const F counted = max(max(path.distance, F(ballRadius(light))), F(1e-18F));

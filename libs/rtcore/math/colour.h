@@ -26,7 +26,8 @@ struct Colour {
 inline constexpr Colour kWhite{1, 1, 1};
 
 /// Rec. 709 luminance.
-inline float luminance(Colour c) { return 0.2126F * c.r + 0.7152F * c.g + 0.0722F * c.b; }
+inline constexpr Colour kLuminance{0.2126F, 0.7152F, 0.0722F};
+inline float luminance(Colour c) { return kLuminance.r * c.r + kLuminance.g * c.g + kLuminance.b * c.b; }
 inline float maxComponent(Colour c) { return std::max(c.r, std::max(c.g, c.b)); }
 inline bool isFinite(Colour c) { return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b); }
 inline bool isBlack(Colour c) { return c.r == 0 && c.g == 0 && c.b == 0; }

@@ -51,6 +51,10 @@ template <typename V>
 HWY_INLINE auto maxComponent(const V& a) {
     return max(a.x, max(a.y, a.z));
 }
+template <typename F>
+HWY_INLINE F luminance(Vec3Of<F> c) {
+    return kLuminance.r * c.x + kLuminance.g * c.y + kLuminance.b * c.z;
+}
 HWY_INLINE Mask isZero(Float3 a) { return (a.x == 0.0F) & (a.y == 0.0F) & (a.z == 0.0F); }
 
 HWY_INLINE Float3 load(const float* x, const float* y, const float* z) { return {load(x), load(y), load(z)}; }

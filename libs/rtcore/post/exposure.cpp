@@ -31,7 +31,7 @@ namespace HWY_NAMESPACE {
 void binsOf(const float* HWY_RESTRICT rgb, std::uint32_t* HWY_RESTRICT bins) {
     for (std::size_t i = 0; i < kBinBlock; i += lanes()) {
         const Float3 c = loadInterleaved(rgb + 3 * i);
-        const Float y = 0.2126F * c.x + 0.7152F * c.y + 0.0722F * c.z;
+        const Float y = luminance<Float>(c);
         const Float infinity = std::numeric_limits<float>::infinity();
         store(shiftRight<kBinShift>(bitsOf(select((y > 0.0F) & (y < infinity), y, infinity))), bins + i);
     }

@@ -31,7 +31,7 @@ HWY_INLINE Vec3Of<F> toneMapChannels(Vec3Of<F> x, F c) {
 /// white.
 template <typename F>
 HWY_INLINE Vec3Of<F> toneMapLuminance(Vec3Of<F> x, F c) {
-    const F y = 0.2126F * x.x + 0.7152F * x.y + 0.0722F * x.z;
+    const F y = luminance<F>(x);
     const F l = sigmoid<F>(y, c);
     const Vec3Of<F> grey{l, l, l};
     const auto shown = l > 0.0F;

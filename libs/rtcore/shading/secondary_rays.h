@@ -21,7 +21,8 @@ class SecondaryRays {
 
     /// Sends on what passes through a hole of an alpha texture; `path` is the ray's, its weight what passes.
     void addHole(const FrameContext& frame, const Surface& surface, Vec3 direction, Path path);
-    /// Takes a point of the wave that lets light through; its ray follows with spawn().
+    /// Takes a point of the wave that lets light through; its ray follows with
+    /// makeSecondaryRays().
     void addTransparent(const Surface& surface, Colour transmitted, const Path& path);
     /// Adds the mirrored and the refracted rays of the wave.
     void makeSecondaryRays(const FrameContext& frame, const Wave& wave);

@@ -39,7 +39,17 @@ TEST(StateReport, LeavesNamesOutWhereThereIsNoRoom) {
     ASSERT_EQ(read.lights.size(), 1000U);
     EXPECT_TRUE(read.lights.back().on);
     EXPECT_EQ(read.lights.back().name, "");
-    EXPECT_THROW(app::formatStateReport(state, 1000), std::runtime_error);
+}
+
+TEST(StateReport, LeavesLightsOutOfVeryMany) {
+    app::StateReport state = sample();
+    state.lights.assign(100'000, {true, "a light"});
+    const app::StateReport read = app::parseStateReport(app::formatStateReport(state, 60000));
+    EXPECT_GT(read.lights.size(), 3000U);
+    EXPECT_LT(read.lights.size(), 100'000U);
+    EXPECT_EQ(read.environments.size(), state.environments.size());
+    EXPECT_EQ(read.settings, state.settings);
+    EXPECT_THROW(app::formatStateReport(state, 100), std::runtime_error);
 }
 
 TEST(StateReport, WhatIsNoUtf8IsShownAsBytes) {

@@ -109,6 +109,8 @@ TEST_F(FrameDrawingTest, ACoarseFrameComesFirstWhereTheWholeOneTakesLong) {
     EXPECT_TRUE(drawing.wantsFrame(false)) << "the whole one";
     EXPECT_EQ(draw(), Outcome::Published);
     EXPECT_EQ(published.back().samples, 9U);
+    state.show(test::worldOf(test::makeRoom()));
+    EXPECT_EQ(drawing.pace().coarsest, 0) << "nothing is known of another scene";
 }
 
 TEST_F(FrameDrawingTest, AWholeFrameIsLeftForAChangeAndStaysWanted) {

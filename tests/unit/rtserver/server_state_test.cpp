@@ -174,14 +174,23 @@ TEST_F(ServerStateTest, TheCameraIsSet) {
 
 TEST_F(ServerStateTest, ACameraThatSeesNothingIsRefused) {
     const rtcore::Camera good = state.camera();
-    rtcore::Camera blind = good, skew = good, wide = good;
+    rtcore::Camera blind = good, skew = good, wide = good, narrow = good;
     blind.forward = {0, 0, 0};
     skew.up = good.forward;
     wide.horizontalFov = 180;
-    for (const rtcore::Camera& camera : {blind, skew, wide})
+    narrow.kind = rtcore::CameraKind::Orthographic;
+    for (const rtcore::Camera& camera : {blind, skew, wide, narrow})
         EXPECT_THROW(state.setCamera(camera), std::invalid_argument);
     EXPECT_EQ(state.camera(), good);
     EXPECT_EQ(changes(), Changes{});
+}
+
+TEST_F(ServerStateTest, TheCameraOfAModelGetsAnotherUpWhereItIsTheDirectionToLookIn) {
+    rtcore::LoadedScene loaded = test::makeRoom();
+    loaded.camera.up = loaded.camera.forward;
+    state.show(test::worldOf(std::move(loaded)));
+    EXPECT_FALSE(rtcore::areParallel(state.camera().forward, state.camera().up));
+    EXPECT_NO_THROW(state.setCamera(state.world().loaded.camera));
 }
 
 TEST_F(ServerStateTest, ACamFileSaysMoreThanTheView) {

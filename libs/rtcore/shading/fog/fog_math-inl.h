@@ -1,6 +1,6 @@
 // Fog along rays, over the number F: float for single rays, Float for waves of them (shading/fog/fog.h says
-// what the functions mean). The exponential function is a parameter, since single rays take the one of
-// portable_math.h and waves the fast one, and images show both. Included once for each instruction set,
+// what the functions mean). Single rays take the exponential function of portable_math.h, waves the
+// fast one (fogExp), and images show both. Included once for each instruction set,
 // inside the loop of foreach_target.h, or alone.
 #include "rtcore/math/float3-inl.h"
 #include "rtcore/shading/fog/fog.h"
