@@ -6,10 +6,11 @@ function(rt_room library room)
     set(target ${library}_${room})
     if(ARG_SOURCES)
         add_library(${target} STATIC ${ARG_SOURCES})
-        rt_calm_sanitizers(${ARG_SOURCES})
+        rt_note_vector_code(${ARG_SOURCES})
         set(scope PUBLIC)
         target_link_libraries(${target} PRIVATE rt_compile_options ${ARG_LINK})
         rt_share_headers(${target} standard)
+        rt_compile_together(${target})
     else()
         add_library(${target} INTERFACE)
         set(scope INTERFACE)
@@ -19,18 +20,32 @@ function(rt_room library room)
     target_link_libraries(${target} ${scope} ${ARG_DEPENDS})
 endfunction()
 
-# Vector code is one large function for each instruction set; watching where each of its values goes out of scope makes
-# compiling it five times as long.
-function(rt_calm_sanitizers)
-    if(NOT RT_SANITIZE MATCHES address)
-        return()
-    endif()
+# Sources that are compiled once for each instruction set are one large function for each: they are compiled alone, and
+# watching where each of their values goes out of scope would make that five times as long.
+function(rt_note_vector_code)
     foreach(source ${ARGN})
         file(STRINGS ${source} vectors REGEX "simd/foreach_target" LIMIT_COUNT 1)
         if(vectors)
-            set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS -fno-sanitize-address-use-after-scope)
+            set_property(SOURCE ${source} PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
+            if(RT_SANITIZE MATCHES address)
+                set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS -fno-sanitize-address-use-after-scope)
+            endif()
         endif()
     endforeach()
+endfunction()
+
+# Eight sources at a time are compiled as one, so that headers are read and templates made once for them; not with a
+# compiler cache, which does better. Their names, of unnamed namespaces too, have to differ; sources after the target
+# are compiled alone.
+function(rt_compile_together target)
+    if(CMAKE_CXX_COMPILER_LAUNCHER)
+        return()
+    endif()
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+    set_property(SOURCE ${ARGN} PROPERTY SKIP_UNITY_BUILD_INCLUSION ON)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # GCC takes them for one header
+        target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+    endif()
 endfunction()
 
 # Headers that nearly all sources of a target include, compiled once; not with a compiler cache, which does not know
@@ -85,15 +100,18 @@ endfunction()
 
 # A test program, its tests found by name. Without LABELS it is a unit test: the target `unit_tests` builds all of
 # these, and they run under sanitizers too. `ctest -L unit` runs them, `ctest -L quick` all but those that the pattern
-# THOROUGH names, in less than a minute on two cores. QT: its flags are not those of other tests.
-#   rt_test(accel SOURCES a_test.cpp LINK rtcore_accel [THOROUGH "Slow.*:Other.OneTest"] [QT] [LABELS slow])
+# THOROUGH names, in less than a minute on two cores. QT: its flags are not those of other tests. ALONE: sources
+# with names that others have (rt_compile_together).
+#   rt_test(accel SOURCES a_test.cpp LINK rtcore_accel [THOROUGH "Slow.*:Other.OneTest"] [ALONE b.cpp] [QT] [LABELS slow])
 add_custom_target(unit_tests)
 function(rt_test name)
-    cmake_parse_arguments(ARG "QT" "THOROUGH" "SOURCES;LINK;LABELS" ${ARGN})
+    cmake_parse_arguments(ARG "QT" "THOROUGH" "SOURCES;LINK;ALONE;LABELS" ${ARGN})
     add_executable(test_${name} ${ARG_SOURCES})
     target_link_libraries(test_${name} PRIVATE rt_compile_options ${ARG_LINK} GTest::gtest GTest::gtest_main)
     target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
     rt_optimise_little(test_${name})
+    rt_note_vector_code(${ARG_SOURCES})
+    rt_compile_together(test_${name} ${ARG_ALONE})
     if(ARG_QT)
         rt_precompile_headers(test_${name} <gtest/gtest.h> <QtTest> <QtWidgets>)
     else()

@@ -22,7 +22,7 @@ namespace cui {
 namespace {
 
 namespace fs = std::filesystem;
-using Words = std::vector<std::string>;
+using CommandLine = std::vector<std::string>;
 
 fs::path rendererProgram() {
     // The environment does not change meanwhile.
@@ -54,7 +54,7 @@ void renderView(Conversation& conversation, std::span<const std::string> argumen
     conversation.request(app::command::exportScene(scene.string()));
     conversation.hangUp();
 
-    Words words{scene.string(), "--camera=" + camera.string(), "--output=" + output, "--force"};
+    CommandLine words{scene.string(), "--camera=" + camera.string(), "--output=" + output, "--force"};
     words.insert(words.end(), arguments.begin(), arguments.end());
     const rtcore::ProcessResult result = rtcore::runForeground(renderer, words, app::stopSignal);
     app::throwIfStopped();

@@ -6,7 +6,7 @@
 namespace rtserver {
 
 namespace {
-constexpr auto kInterval = std::chrono::milliseconds(2);
+constexpr auto kLookEvery = std::chrono::milliseconds(2);
 } // namespace
 
 FrameGuard::FrameGuard(std::function<bool()> poll)
@@ -32,10 +32,10 @@ void FrameGuard::watch(const std::stop_token& stop) {
     while (wake_.wait(lock, stop, [this] { return cancel_ != nullptr; })) {
         const std::uint64_t frame = frame_;
         const auto over = [&] { return frame_ != frame; };
-        if (wake_.wait_for(lock, stop, kInterval, over)) continue;
+        if (wake_.wait_for(lock, stop, kLookEvery, over)) continue;
         while (!stop.stop_requested() && !over()) {
             if (poll_()) *cancel_ = true;
-            wake_.wait_for(lock, stop, kInterval, over);
+            wake_.wait_for(lock, stop, kLookEvery, over);
         }
     }
 }

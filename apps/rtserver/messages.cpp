@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kLongest = 4000;
 constexpr std::size_t kMostKept = 100, kLongestKept = 500; ///< all fit into one answer
-constexpr auto kInterval = std::chrono::seconds(1);
+constexpr auto kSayEvery = std::chrono::seconds(1);
 
 } // namespace
 
@@ -33,7 +33,7 @@ void Messages::warn(const std::string& text) {
 
 void Messages::complain(const std::string& text) {
     const auto now = std::chrono::steady_clock::now();
-    if (now - last_ < kInterval) {
+    if (now - last_ < kSayEvery) {
         ++others_;
         return;
     }

@@ -11,7 +11,7 @@ namespace rtserver {
 
 namespace {
 
-constexpr std::chrono::duration<double> kInterval{1.0 / 30};
+constexpr std::chrono::duration<double> kCameraInterval{1.0 / 30};
 
 } // namespace
 
@@ -36,7 +36,7 @@ void Playback::readNext() {
     ++following_;
     const std::optional<double> time = next_->camera.time;
     if (first) firstTime_ = time;
-    const std::chrono::duration<double> usual = first ? due_ : due_ + kInterval;
+    const std::chrono::duration<double> usual = first ? due_ : due_ + kCameraInterval;
     due_ = time && firstTime_ ? std::max(due_, std::chrono::duration<double>(*time - *firstTime_)) : usual;
 }
 
@@ -50,10 +50,10 @@ std::optional<Playback::Shot> Playback::advance(std::chrono::nanoseconds time) {
     return shot;
 }
 
-bool Playback::ended() const { return !next_ && now_ >= due_ + kInterval; }
+bool Playback::ended() const { return !next_ && now_ >= due_ + kCameraInterval; }
 
 std::chrono::nanoseconds Playback::untilNext() const {
-    const auto until = (next_ ? due_ : due_ + kInterval) - now_;
+    const auto until = (next_ ? due_ : due_ + kCameraInterval) - now_;
     return std::max(std::chrono::nanoseconds(0), std::chrono::duration_cast<std::chrono::nanoseconds>(until));
 }
 

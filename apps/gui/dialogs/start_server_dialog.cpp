@@ -22,7 +22,7 @@ namespace gui {
 
 namespace {
 
-enum Size { AsWindow, AsScene, Fixed };
+enum ServerSize { AsWindow, AsScene, OwnSize };
 
 } // namespace
 
@@ -91,8 +91,8 @@ void StartServerDialog::build(const QString& name) {
 }
 
 void StartServerDialog::check() {
-    width_->setEnabled(size_->currentIndex() == Fixed);
-    height_->setEnabled(size_->currentIndex() == Fixed);
+    width_->setEnabled(size_->currentIndex() == OwnSize);
+    height_->setEnabled(size_->currentIndex() == OwnSize);
     const auto missing = [](const FileField* field, bool required) {
         return field->path().isEmpty() ? required : !QFileInfo(field->path()).isFile();
     };
@@ -109,7 +109,7 @@ QSize StartServerDialog::resolution() const {
     switch (size_->currentIndex()) {
     case AsScene:
         return {};
-    case Fixed:
+    case OwnSize:
         return {width_->value(), height_->value()};
     default:
         return window_ * preferences_.get(pref::pictureScale) / 100;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kAbbreviations[] = {"ao", "fps", "id", "isa"};
 
-QString translated(const QString& text) {
+QString translatedOption(const QString& text) {
     return QCoreApplication::translate("ProgramOptions", text.toUtf8().constData());
 }
 
@@ -32,14 +32,14 @@ QString words(const std::string& name) {
     return capitalised(all.join(QLatin1Char(' ')));
 }
 
-QString helpOf(const app::Option& option) { return translated(QString::fromStdString(option.help)); }
+QString helpOf(const app::Option& option) { return translatedOption(QString::fromStdString(option.help)); }
 
 } // namespace
 
-QString optionLabel(const app::Option& option) { return translated(words(option.name)); }
+QString optionLabel(const app::Option& option) { return translatedOption(words(option.name)); }
 
 QString optionGroupTitle(const app::OptionGroup& group) {
-    return translated(QString::fromStdString(group.title));
+    return translatedOption(QString::fromStdString(group.title));
 }
 
 // As rich text, so that a long one is broken into lines.

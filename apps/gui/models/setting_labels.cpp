@@ -21,7 +21,7 @@ constexpr Label kLabels[] = {{"antialiasing", "Anti-aliasing"},
                              {"minContribution", "Min. contribution"},
                              {"ambientOcclusion.light", "Ambient light"}};
 
-QString translated(const QString& text) {
+QString translatedSetting(const QString& text) {
     return QCoreApplication::translate("Settings", text.toUtf8().constData());
 }
 
@@ -66,10 +66,12 @@ QString rangeText(const Setting& setting) {
 
 } // namespace
 
-QString settingGroup(std::string_view group) { return translated(groupText(group)); }
-QString settingLabel(std::string_view name) { return translated(labelText(name)); }
-QString settingUnit(std::string_view unit) { return unit.empty() ? QString() : translated(fromView(unit)); }
-QString settingHelp(std::string_view help) { return translated(fromView(help)); }
+QString settingGroup(std::string_view group) { return translatedSetting(groupText(group)); }
+QString settingLabel(std::string_view name) { return translatedSetting(labelText(name)); }
+QString settingUnit(std::string_view unit) {
+    return unit.empty() ? QString() : translatedSetting(fromView(unit));
+}
+QString settingHelp(std::string_view help) { return translatedSetting(fromView(help)); }
 
 QString settingTip(const Setting& setting) {
     QString help = settingHelp(setting.help);

@@ -17,7 +17,7 @@ namespace gui {
 namespace {
 
 constexpr double kStepsPerDoubling = 2;
-constexpr double kMostSteps = 12;
+constexpr double kMostWheelSteps = 12;
 
 } // namespace
 
@@ -49,7 +49,7 @@ void MotionOperations::askForBindings() {
 
 void MotionOperations::changeSpeed(double steps) {
     if (!context_.session.live()) return;
-    steps_ = std::clamp(steps_ + steps, -kMostSteps, kMostSteps);
+    steps_ = std::clamp(steps_ + steps, -kMostWheelSteps, kMostWheelSteps);
     const double factor = std::exp2(steps_ / kStepsPerDoubling);
     context_.session.send(command::speed(factor));
     const QString text = context_.session.status().view.walking

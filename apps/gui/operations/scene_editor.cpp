@@ -14,12 +14,12 @@ using namespace std::chrono_literals;
 
 constexpr auto kTick = 200ms;
 constexpr qint64 kCalm = 1000, kSeldom = 5000; ///< milliseconds between questions: frames come, or none does
-constexpr int kMostSteps = 500;
+constexpr int kMostUndoSteps = 500;
 
 } // namespace
 
 SceneEditor::SceneEditor(Session& session, QObject* parent) : QObject(parent), session_(session) {
-    undo_.setUndoLimit(kMostSteps);
+    undo_.setUndoLimit(kMostUndoSteps);
     connect(&session_, &Session::stateChanged, this, &SceneEditor::onSession);
     connect(&session_, &Session::statusChanged, this, [this] {
         const bool loads = session_.status().progress < 1;

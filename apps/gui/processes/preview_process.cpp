@@ -23,10 +23,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kPace = 15ms;
+constexpr auto kPreviewPace = 15ms;
 constexpr int kLingerSeconds = 60; ///< it is ended as soon as its last image is seen, however late that is
 constexpr int kMostTries = 5;      ///< while the predecessor, on a busy machine, takes its time to die
-constexpr auto kPatience = 1s;     ///< with a Renderer that does not end when it is asked to
+constexpr auto kEndPatience = 1s;  ///< with a Renderer that does not end when it is asked to
 
 int nextNumber() {
     static int number = 0;
@@ -43,7 +43,7 @@ QString privateFolder() {
 void end(QProcess& process) {
     if (process.state() == QProcess::Starting) return process.kill();
     process.terminate();
-    QTimer::singleShot(kPatience, &process, [&process] { process.kill(); });
+    QTimer::singleShot(kEndPatience, &process, [&process] { process.kill(); });
 }
 
 } // namespace
@@ -61,7 +61,7 @@ PreviewProcess::~PreviewProcess() {
     const QList<QProcess*> dying = findChildren<QProcess*>();
     for (QProcess* process : dying) {
         process->disconnect();
-        if (process->waitForFinished(static_cast<int>(std::chrono::milliseconds(kPatience).count())))
+        if (process->waitForFinished(static_cast<int>(std::chrono::milliseconds(kEndPatience).count())))
             continue;
         process->kill();
         process->waitForFinished();
@@ -125,7 +125,7 @@ void PreviewProcess::launch() {
     if (!model.isEmpty()) words.append(QStringLiteral("--model=") + model);
     process_->start(program, words);
     reader_.emplace(instance_, run_);
-    timer_.start(kPace);
+    timer_.start(kPreviewPace);
 }
 
 void PreviewProcess::look() {

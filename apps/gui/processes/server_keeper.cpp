@@ -13,7 +13,8 @@ namespace gui {
 
 namespace {
 
-constexpr auto kPatience = std::chrono::seconds(20); ///< for a server's shared memory, not for its scene
+constexpr auto kServerPatience =
+    std::chrono::seconds(20); ///< for a server's shared memory, not for its scene
 
 // Such a model is another one.
 bool importsByOptions(const ServerRequest& request) {
@@ -54,7 +55,7 @@ void ServerKeeper::launch(const ServerRequest& request) {
     const QString built = importsByOptions(request) ? QString() : models_.find(request.scene);
     if (!built.isEmpty()) extended.options.append(QStringLiteral("--cached-model=") + built);
     server_.start(extended);
-    session_.connectTo(request.instance, kPatience);
+    session_.connectTo(request.instance, kServerPatience);
     emit started(request.scene);
 }
 

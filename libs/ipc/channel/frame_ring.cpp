@@ -9,7 +9,7 @@ namespace ipc {
 namespace {
 
 constexpr std::size_t kPage = 4096;
-constexpr std::size_t roundUp(std::size_t bytes) { return (bytes + kPage - 1) / kPage * kPage; }
+constexpr std::size_t wholePages(std::size_t bytes) { return (bytes + kPage - 1) / kPage * kPage; }
 
 constexpr std::uint64_t writing(std::uint64_t number) { return 2 * number + 1; }
 constexpr std::uint64_t whole(std::uint64_t number) { return 2 * number + 2; }
@@ -23,12 +23,12 @@ std::size_t pixelBytes(const FrameInfo& info) {
 }
 
 std::size_t frameSegmentBytes(std::size_t frameBytes, std::uint32_t slotCount) {
-    return kPixelsOffset + slotCount * roundUp(frameBytes);
+    return kPixelsOffset + slotCount * wholePages(frameBytes);
 }
 
 FrameRingWriter::FrameRingWriter(void* memory, std::size_t frameBytes, std::uint32_t slotCount,
                                  std::uint64_t epoch, std::uint64_t generation, std::uint64_t firstNumber)
-    : segment_(static_cast<FrameSegment*>(memory)), capacity_(frameBytes), slotBytes_(roundUp(frameBytes)),
+    : segment_(static_cast<FrameSegment*>(memory)), capacity_(frameBytes), slotBytes_(wholePages(frameBytes)),
       slots_(slotCount), epoch_(epoch), generation_(generation), next_(firstNumber) {
     segment_->epoch = epoch;
     segment_->generation = generation;

@@ -9,7 +9,7 @@ namespace ipc {
 
 namespace {
 
-constexpr std::size_t roundUp(std::size_t bytes) { return (bytes + 15) / 16 * 16; }
+constexpr std::size_t alignedBytes(std::size_t bytes) { return (bytes + 15) / 16 * 16; }
 
 // `position` counts on for ever; the bytes wrap around.
 void put(ReplyRing& ring, std::uint64_t position, const void* from, std::size_t bytes) {
@@ -38,7 +38,7 @@ RingResult ReplyWriter::write(ReplyRing& ring, std::uint64_t sequence, std::uint
                               std::string_view text) {
     const std::uint64_t used = head_ - ring.tail.load(std::memory_order_acquire);
     if (used > kReplyBytes) return RingResult::Broken;
-    const std::size_t need = sizeof(ReplyHeader) + roundUp(text.size());
+    const std::size_t need = sizeof(ReplyHeader) + alignedBytes(text.size());
     if (need > kReplyBytes - used) return RingResult::Nothing;
     const ReplyHeader header{sequence, code, static_cast<std::uint32_t>(text.size())};
     put(ring, head_, &header, sizeof(header));
@@ -55,7 +55,7 @@ RingResult ReplyReader::read(ReplyRing& ring, ReplyRecord& reply) {
     ReplyHeader header;
     if (used > kReplyBytes || used < sizeof(header)) return RingResult::Broken;
     get(ring, tail_, &header, sizeof(header));
-    const std::size_t bytes = sizeof(header) + roundUp(header.textBytes);
+    const std::size_t bytes = sizeof(header) + alignedBytes(header.textBytes);
     if (header.textBytes > kMaxAnswerText || bytes > used) return RingResult::Broken;
     reply.sequence = header.sequence;
     reply.code = header.code;

@@ -112,12 +112,12 @@ class StructureCheck {
 };
 
 using Point = std::array<double, 3>;
-using Polygon = std::vector<Point>;
+using Corners = std::vector<Point>;
 
 Point pointOf(Vec3 v) { return {v.x, v.y, v.z}; }
 
 /// Keeps the part of `polygon` where sign * p[axis] <= sign * plane (Sutherland and Hodgman 1974).
-void clip(Polygon& polygon, std::size_t axis, double plane, double sign, Polygon& scratch) {
+void clip(Corners& polygon, std::size_t axis, double plane, double sign, Corners& scratch) {
     scratch.clear();
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const Point& a = polygon[i];
@@ -238,7 +238,7 @@ class CoverageCheck {
     double tolerance_ = 0;
     std::array<double, 3> inset_{};
     std::vector<bool> referenced_;
-    Polygon polygon_, scratch_;
+    Corners polygon_, scratch_;
 };
 
 } // namespace

@@ -8,7 +8,7 @@ namespace rtcore {
 
 namespace {
 
-constexpr std::array<std::pair<int, std::string_view>, 19> kNames = {{
+constexpr std::array<std::pair<int, std::string_view>, 19> kKeyNames = {{
     {KeyTab, "Tab"},
     {KeyReturn, "Return"},
     {KeyEscape, "Escape"},
@@ -44,7 +44,7 @@ bool isPrintable(int key) { return key > KeySpace && key < 127 && !(key >= 'a' &
 
 std::optional<int> keyNamed(std::string_view name) {
     if (name.size() == 1 && isPrintable(capital(name[0]))) return capital(name[0]);
-    for (const auto& [key, text] : kNames) {
+    for (const auto& [key, text] : kKeyNames) {
         if (sameName(text, name)) return key;
     }
     return std::nullopt;
@@ -52,7 +52,7 @@ std::optional<int> keyNamed(std::string_view name) {
 
 std::string keyName(int key) {
     if (isPrintable(key)) return std::string(1, static_cast<char>(key));
-    for (const auto& [known, text] : kNames) {
+    for (const auto& [known, text] : kKeyNames) {
         if (known == key) return std::string(text);
     }
     return {};

@@ -14,7 +14,7 @@ namespace {
 constexpr float kLeastAlbedo = 0.01F;
 constexpr float kPlane = 0.01F;  ///< fraction of the distance within which points lie in one plane
 constexpr float kDeviations = 6; ///< standard deviations of the noise within which light is alike
-constexpr int kBlock = 8;        ///< pixels a side, for the noise
+constexpr int kNoiseBlock = 8;   ///< pixels a side, for the noise
 /// The standard deviation of a pixel minus the mean of its four neighbours, relative to that of the pixel.
 constexpr float kWithNeighbours = 1.1180F;
 
@@ -93,7 +93,8 @@ void Denoiser::fillSlopes([[maybe_unused]] int threads) {
 }
 
 void Denoiser::measureNoise([[maybe_unused]] int threads) {
-    const int columns = (width_ + kBlock - 1) / kBlock, rows = (height_ + kBlock - 1) / kBlock;
+    const int columns = (width_ + kNoiseBlock - 1) / kNoiseBlock,
+              rows = (height_ + kNoiseBlock - 1) / kNoiseBlock;
     blocks_.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
     const auto alike = [this](std::size_t a, std::size_t b) {
         const float cosine =
@@ -104,9 +105,9 @@ void Denoiser::measureNoise([[maybe_unused]] int threads) {
     for (int block = 0; block < columns * rows; ++block) {
         float sum = 0;
         int count = 0;
-        const int left = block % columns * kBlock, top = block / columns * kBlock;
-        for (int y = std::max(top, 1); y < std::min(top + kBlock, height_ - 1); ++y) {
-            for (int x = std::max(left, 1); x < std::min(left + kBlock, width_ - 1); ++x) {
+        const int left = block % columns * kNoiseBlock, top = block / columns * kNoiseBlock;
+        for (int y = std::max(top, 1); y < std::min(top + kNoiseBlock, height_ - 1); ++y) {
+            for (int x = std::max(left, 1); x < std::min(left + kNoiseBlock, width_ - 1); ++x) {
                 const std::size_t i = row(y) + static_cast<std::size_t>(x);
                 const std::size_t around[4] = {i - 1, i + 1, i - row(1), i + row(1)};
                 if (!std::all_of(around, around + 4, [&](std::size_t j) { return alike(i, j); })) continue;
@@ -122,7 +123,7 @@ void Denoiser::measureNoise([[maybe_unused]] int threads) {
     }
 
     const auto between = [](int pixel, int size) {
-        const float position = (static_cast<float>(pixel) + 0.5F) / kBlock - 0.5F;
+        const float position = (static_cast<float>(pixel) + 0.5F) / kNoiseBlock - 0.5F;
         const int before = static_cast<int>(position + 1) - 1; // place > -1
         struct {
             int before, after;

@@ -60,8 +60,8 @@ class Bench {
                          (options_.threads == 1 ? " thread, " : " threads, ") + rtcore::instructionSet() +
                          (embree_ ? ", beside " + embreeName() : "") + "\n\n");
         for (const std::filesystem::path& path : options_.scenes) runScene(path);
-        app::writeOutput(meansTable(showOverlay_));
-        if (options_.json) writeJson(*options_.json, jsonReport(showOverlay_));
+        app::writeOutput(meansTable(figures_));
+        if (options_.json) writeJson(*options_.json, jsonReport(figures_));
         return agree_ ? app::ExitCode::Done : app::ExitCode::Failed;
     }
 
@@ -82,7 +82,7 @@ class Bench {
             if (!options_.tests.empty()) raceRays(loaded, view, figures);
             if (options_.frames) raceAllFrames(loaded, view, figures);
             app::writeOutput(sceneTable(figures, options_.modes));
-            showOverlay_.push_back(std::move(figures));
+            figures_.push_back(std::move(figures));
         }
     }
 
@@ -140,7 +140,7 @@ class Bench {
     app::Progress& progress_;
     const bool embree_;
     ViewFile views_;
-    std::vector<SceneFigures> showOverlay_;
+    std::vector<SceneFigures> figures_;
     bool agree_ = true;
 };
 

@@ -22,7 +22,7 @@ struct Field {
     }
 };
 
-struct Header {
+struct BmpHeader {
     std::int32_t width = 0, height = 0; ///< height > 0
     bool topDown = false;
     unsigned bits = 0;
@@ -32,7 +32,7 @@ struct Header {
     std::size_t pixelOffset = 0;
 };
 
-void readPalette(ByteReader& in, Header& h, std::uint32_t used, std::size_t entryBytes) {
+void readPalette(ByteReader& in, BmpHeader& h, std::uint32_t used, std::size_t entryBytes) {
     const std::size_t full = std::size_t{1} << h.bits;
     const std::size_t count = used == 0 || used > full ? full : used;
     h.palette.resize(full);
@@ -43,7 +43,7 @@ void readPalette(ByteReader& in, Header& h, std::uint32_t used, std::size_t entr
     }
 }
 
-void readFields(ByteReader& in, Header& h, std::uint32_t headerSize) {
+void readFields(ByteReader& in, BmpHeader& h, std::uint32_t headerSize) {
     if (h.compression != kBitFields && h.compression != kAlphaBitFields) {
         if (h.bits == 16) h.red.mask = 0x7c00, h.green.mask = 0x3e0, h.blue.mask = 0x1f;
         if (h.bits == 32) h.red.mask = 0xff0000, h.green.mask = 0xff00, h.blue.mask = 0xff;
@@ -56,7 +56,7 @@ void readFields(ByteReader& in, Header& h, std::uint32_t headerSize) {
     if (h.compression == kAlphaBitFields || headerSize >= 56) h.alpha.mask = in.u32();
 }
 
-void readCoreHeader(ByteReader& in, Header& h) {
+void readCoreHeader(ByteReader& in, BmpHeader& h) {
     h.width = in.u16();
     h.height = in.u16();
     in.skip(2);
@@ -64,7 +64,7 @@ void readCoreHeader(ByteReader& in, Header& h) {
 }
 
 /// Returns how many colours of the palette are used, 0 for all.
-std::uint32_t readInfoHeader(ByteReader& in, Header& h) {
+std::uint32_t readInfoHeader(ByteReader& in, BmpHeader& h) {
     h.width = in.i32();
     const std::int64_t height = in.i32();
     h.topDown = height < 0;
@@ -79,7 +79,7 @@ std::uint32_t readInfoHeader(ByteReader& in, Header& h) {
     return used;
 }
 
-void checkKind(const Header& h, const std::string& name) {
+void checkKind(const BmpHeader& h, const std::string& name) {
     const bool indexed = h.bits == 1 || h.bits == 4 || h.bits == 8;
     const bool direct = h.bits == 16 || h.bits == 24 || h.bits == 32;
     bool fits = false;
@@ -106,8 +106,8 @@ void checkKind(const Header& h, const std::string& name) {
     }
 }
 
-Header readHeader(ByteReader& in) {
-    Header h;
+BmpHeader readBmpHeader(ByteReader& in) {
+    BmpHeader h;
     in.skip(10);
     h.pixelOffset = in.u32();
     const std::uint32_t headerSize = in.u32();
@@ -129,9 +129,9 @@ Header readHeader(ByteReader& in) {
     return h;
 }
 
-int rowOf(const Header& h, int y) { return h.topDown ? y : h.height - 1 - y; }
+int rowOf(const BmpHeader& h, int y) { return h.topDown ? y : h.height - 1 - y; }
 
-Rgba8 directPixel(const Header& h, const std::byte* p) {
+Rgba8 directPixel(const BmpHeader& h, const std::byte* p) {
     const auto at = [&](std::size_t k) { return std::to_integer<std::uint32_t>(p[k]); };
     if (h.bits == 24) {
         return {static_cast<std::uint8_t>(at(2)), static_cast<std::uint8_t>(at(1)),
@@ -143,14 +143,14 @@ Rgba8 directPixel(const Header& h, const std::byte* p) {
     return {h.red.of(v), h.green.of(v), h.blue.of(v), alpha};
 }
 
-Rgba8 indexedPixel(const Header& h, ByteSpan row, unsigned x) {
+Rgba8 indexedPixel(const BmpHeader& h, ByteSpan row, unsigned x) {
     const unsigned bit = x * h.bits;
     const auto byte = std::to_integer<unsigned>(row[bit / 8]);
     const unsigned index = byte >> (8 - h.bits - bit % 8) & ((1U << h.bits) - 1);
     return h.palette[index];
 }
 
-void readPlain(ByteReader& in, const Header& h, LdrImage& image) {
+void readPlain(ByteReader& in, const BmpHeader& h, LdrImage& image) {
     const std::size_t rowBytes = (static_cast<std::size_t>(h.width) * h.bits + 31) / 32 * 4;
     for (int y = 0; y < h.height; ++y) {
         const ByteSpan row = in.take(rowBytes);
@@ -168,7 +168,8 @@ void readPlain(ByteReader& in, const Header& h, LdrImage& image) {
 /// run.
 class RleReader {
   public:
-    RleReader(ByteReader& in, const Header& header, LdrImage& image) : in_(in), h_(header), image_(image) {}
+    RleReader(ByteReader& in, const BmpHeader& header, LdrImage& image)
+        : in_(in), h_(header), image_(image) {}
 
     void read() {
         while (y_ < h_.height) {
@@ -207,7 +208,7 @@ class RleReader {
     }
 
     ByteReader& in_;
-    const Header& h_;
+    const BmpHeader& h_;
     LdrImage& image_;
     int x_ = 0, y_ = 0;
 };
@@ -216,7 +217,7 @@ class RleReader {
 
 DecodedImage decodeBmp(ByteSpan bytes, const std::string& name) {
     ByteReader in(bytes, name);
-    const Header h = readHeader(in);
+    const BmpHeader h = readBmpHeader(in);
     in.seek(h.pixelOffset);
     const bool runs = h.compression == kRle8 || h.compression == kRle4;
     // A run of 255 takes two bytes; jumps may leave most of an image out, but no real image does so.

@@ -42,13 +42,13 @@ Rgbe encodePixel(Colour c) {
     return {mantissa(r), mantissa(g), mantissa(b), static_cast<std::uint8_t>(exponent + 128)};
 }
 
-struct Header {
+struct RadianceHeader {
     int width = 0, height = 0;
     bool bottomUp = false, rightToLeft = false;
     float scale = 1; ///< radiance of one unit in the file
 };
 
-void readSetting(const std::string& line, Header& h, const std::string& name) {
+void readSetting(const std::string& line, RadianceHeader& h, const std::string& name) {
     if (line.rfind("FORMAT=", 0) == 0 && line.find("32-bit_rle_rgbe") == std::string::npos) {
         badImage(name, "Radiance image of an unknown kind (" + line + "); only 32-bit_rle_rgbe is read");
     }
@@ -60,7 +60,7 @@ void readSetting(const std::string& line, Header& h, const std::string& name) {
     }
 }
 
-void readResolution(const std::string& line, Header& h, const std::string& name) {
+void readResolution(const std::string& line, RadianceHeader& h, const std::string& name) {
     char signY = 0, signX = 0;
     if (std::sscanf(line.c_str(), "%cY %9d %cX %9d", &signY, &h.height, &signX, &h.width) != 4 ||
         (signY != '-' && signY != '+') || (signX != '-' && signX != '+')) {
@@ -71,8 +71,8 @@ void readResolution(const std::string& line, Header& h, const std::string& name)
     checkImageSize(name, h.width, h.height);
 }
 
-Header readHeader(ByteReader& in) {
-    Header h;
+RadianceHeader readRadianceHeader(ByteReader& in) {
+    RadianceHeader h;
     for (std::string line = in.line(); !line.empty() && line != "\r"; line = in.line()) {
         readSetting(line, h, in.name());
     }
@@ -174,7 +174,7 @@ void appendRow(Bytes& bytes, const std::vector<Rgbe>& row) {
 
 DecodedImage decodeRadiance(ByteSpan bytes, const std::string& name) {
     ByteReader in(bytes, name);
-    const Header h = readHeader(in);
+    const RadianceHeader h = readRadianceHeader(in);
     // New runs: 127 pixels in eight bytes; old runs: a whole row in 12, were it all the same.
     const std::size_t pixels = static_cast<std::size_t>(h.width) * static_cast<std::size_t>(h.height);
     checkPlausible(name, pixels, bytes.size(), 1024);

@@ -9,7 +9,7 @@ namespace {
 constexpr unsigned kRightToLeft = 0x10, kTopDown = 0x20;
 constexpr std::string_view kFooter{"TRUEVISION-XFILE.\0", 18};
 
-struct Header {
+struct TgaHeader {
     unsigned idLength, mapType, type, mapStart, mapLength, mapBits, width, height, bits, descriptor;
 
     bool runs() const { return (type & 8U) != 0; }
@@ -17,8 +17,8 @@ struct Header {
     std::size_t pixelBytes() const { return (bits + 7) / 8; }
 };
 
-Header readHeader(ByteReader& in) {
-    Header h{};
+TgaHeader readTgaHeader(ByteReader& in) {
+    TgaHeader h{};
     h.idLength = in.u8();
     h.mapType = in.u8();
     h.type = in.u8();
@@ -46,7 +46,7 @@ Rgba8 colourOf(ByteSpan p, unsigned bits, bool attribute) {
             clear ? std::uint8_t{0} : std::uint8_t{255}};
 }
 
-std::vector<Rgba8> readPalette(ByteReader& in, const Header& h) {
+std::vector<Rgba8> readPalette(ByteReader& in, const TgaHeader& h) {
     std::vector<Rgba8> palette;
     if (h.mapType == 0) return palette;
     const bool fits = h.mapBits == 15 || h.mapBits == 16 || h.mapBits == 24 || h.mapBits == 32;
@@ -63,7 +63,7 @@ class TgaReader {
     TgaReader(ByteSpan bytes, const std::string& name) : in_(bytes, name), size_(bytes.size()) {}
 
     DecodedImage read() {
-        h_ = readHeader(in_);
+        h_ = readTgaHeader(in_);
         palette_ = readPalette(in_, h_);
         // A run of 128 pixels takes two bytes.
         checkPlausible(in_.name(), std::size_t{h_.width} * h_.height, size_, h_.runs() ? 64 : 1);
@@ -104,7 +104,7 @@ class TgaReader {
 
     ByteReader in_;
     std::size_t size_;
-    Header h_{};
+    TgaHeader h_{};
     std::vector<Rgba8> palette_;
     unsigned left_ = 0;
     bool repeats_ = false;

@@ -12,7 +12,7 @@ namespace rtcore {
 namespace {
 
 /// Light that passed this many surfaces counts as lost; it bounds the work of a hostile model.
-constexpr int kMaxLayers = 256;
+constexpr int kMostSurfaces = 256;
 
 } // namespace
 
@@ -62,7 +62,7 @@ const std::vector<LightEnd>& ShadowTracer::ends(const RayWave& rays) {
     ends_.assign(rays.size(), {});
     travelled_.assign(rays.size(), 0);
     startLayers(rays);
-    for (int layer = 0; layer < kMaxLayers && !current_.empty(); ++layer) {
+    for (int layer = 0; layer < kMostSurfaces && !current_.empty(); ++layer) {
         tracer_->intersect(RayKind::Shadow, current_, hits_);
         next_.clear();
         nextIndex_.clear();
@@ -90,7 +90,7 @@ const std::vector<LightEnd>& ShadowTracer::ends(const RayWave& rays) {
 
 void ShadowTracer::traceTinted(const RayWave& rays, const Light& light, RayStatistics& statistics) {
     startLayers(rays);
-    for (int layer = 0; layer < kMaxLayers && !current_.empty(); ++layer) {
+    for (int layer = 0; layer < kMostSurfaces && !current_.empty(); ++layer) {
         statistics.count(RayKind::Shadow, current_.size());
         tracer_->intersect(RayKind::Shadow, current_, hits_);
         next_.clear();
