@@ -48,15 +48,6 @@ function(rt_compile_together target)
     endif()
 endfunction()
 
-# Headers that nearly all sources of a target include, compiled once; not with a compiler cache, which does not know
-# when two such compilations are equal.
-function(rt_precompile_headers target)
-    if(NOT CMAKE_CXX_COMPILER_LAUNCHER)
-        rt_calm_warnings(${target})
-        target_precompile_headers(${target} PRIVATE ${ARGN})
-    endif()
-endfunction()
-
 # GCC 12 sees writes past the end of strings in precompiled <string> that are not there (like GCC bug 105651).
 function(rt_calm_warnings target)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -67,7 +58,8 @@ endfunction()
 # A target whose flags are others reads the headers as they are.
 set(CMAKE_PCH_WARN_INVALID OFF)
 
-# Those of the standard library, compiled once for all targets; for tests ("test") with GoogleTest.
+# Headers of the standard library, compiled once for all targets; for tests ("test") with GoogleTest. Not with a compiler
+# cache, which does not know when two such compilations are equal.
 #   rt_share_headers(rtcore_scene standard)
 function(rt_share_headers target set)
     if(CMAKE_CXX_COMPILER_LAUNCHER)
@@ -112,9 +104,7 @@ function(rt_test name)
     rt_optimise_little(test_${name})
     rt_note_vector_code(${ARG_SOURCES})
     rt_compile_together(test_${name} ${ARG_ALONE})
-    if(ARG_QT)
-        rt_precompile_headers(test_${name} <gtest/gtest.h> <QtTest> <QtWidgets>)
-    else()
+    if(NOT ARG_QT)
         rt_share_headers(test_${name} test)
     endif()
     set(others "*")
