@@ -1,9 +1,8 @@
 # A room is a folder of a library: one static target, included as "rtcore/<room>/<file>.h".
-#   rt_room(rtcore accel SOURCES a.cpp b.cpp DEPENDS math scene [LINK ZLIB::ZLIB] [BUSY])
-# DEPENDS names rooms of the same library whose headers its own headers include; CMake refuses cycles. BUSY: most of the
-# time goes into it, so that it is optimised with sanitizers, too.
+#   rt_room(rtcore accel SOURCES a.cpp b.cpp DEPENDS math scene [LINK ZLIB::ZLIB])
+# DEPENDS names rooms of the same library whose headers its own headers include; CMake refuses cycles.
 function(rt_room library room)
-    cmake_parse_arguments(ARG "BUSY" "" "SOURCES;DEPENDS;LINK" ${ARGN})
+    cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;LINK" ${ARGN})
     set(target ${library}_${room})
     if(ARG_SOURCES)
         add_library(${target} STATIC ${ARG_SOURCES})
@@ -12,9 +11,6 @@ function(rt_room library room)
         target_link_libraries(${target} PRIVATE rt_compile_options ${ARG_LINK})
         rt_share_headers(${target} standard)
         rt_compile_together(${target})
-        if(ARG_BUSY AND RT_SANITIZE)
-            target_compile_options(${target} PRIVATE -O1)
-        endif()
     else()
         add_library(${target} INTERFACE)
         set(scope INTERFACE)
