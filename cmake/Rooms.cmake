@@ -81,10 +81,14 @@ function(rt_share_headers target set)
     target_precompile_headers(${target} REUSE_FROM rt_${set}_headers)
 endfunction()
 
-# The own code of tests is compiled in two thirds of the time so; what renders is in the libraries.
+# The own code of tests is compiled in half of the time so; what renders is in the libraries, and what behaviour is
+# undefined there matters.
 function(rt_optimise_little target)
     if(RT_SANITIZE)
         target_compile_options(${target} PRIVATE -O0)
+        if(RT_SANITIZE MATCHES undefined)
+            target_compile_options(${target} PRIVATE -fno-sanitize=undefined)
+        endif()
     else()
         target_compile_options(${target} PRIVATE -O1)
     endif()

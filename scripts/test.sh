@@ -32,10 +32,11 @@ build_sanitized() {
     cmake --preset asan-ubsan -DRT_WERROR=ON -DRT_EVERY_INSTRUCTION_SET=OFF >/dev/null
     cmake --build --preset asan-ubsan --target unit_tests
 }
-# Whole programs: with sanitizers a process takes long to begin, and ctest begins one for each test.
+# Whole programs: with sanitizers a process takes long to begin, and ctest begins one for each test. The longest ones in
+# part; check-long.sh runs all of them.
 check_sanitized() {
     find build/asan-ubsan/bin -name 'test_*' -print0 |
-        UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=allocator_may_return_null=1 \
+        RT_QUARTER="test_kernels test_render" UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=allocator_may_return_null=1 \
             xargs -0 -n 1 -P "$jobs" scripts/run_tests.sh
 }
 # Shared memory is where programs meet without a lock.
