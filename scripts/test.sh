@@ -35,9 +35,9 @@ build_sanitized() {
 # Whole programs: with sanitizers a process takes long to begin, and ctest begins one for each test. The longest ones in
 # part; check-long.sh runs all of them.
 check_sanitized() {
-    find build/asan-ubsan/bin -name 'test_*' -print0 |
-        RT_QUARTER="test_kernels test_render" UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=allocator_may_return_null=1 \
-            xargs -0 -n 1 -P "$jobs" scripts/run_tests.sh
+    export RT_QUARTER="test_accel test_import test_kernels test_render test_shading"
+    export UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=allocator_may_return_null=1
+    find build/asan-ubsan/bin -name 'test_*' -print0 | xargs -0 -n 1 -P "$jobs" scripts/run_tests.sh
 }
 # Shared memory is where programs meet without a lock.
 check_threads() {
