@@ -12,7 +12,8 @@ if(NOT RT_EVERY_INSTRUCTION_SET)
 endif()
 if(RT_SANITIZE)
     target_compile_options(rt_compile_options INTERFACE
-        -fsanitize=${RT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+        -fsanitize=${RT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer
+        $<$<BOOL:$<TARGET_PROPERTY:RT_TEST_CODE>>:-fno-sanitize=undefined>)
     target_link_options(rt_compile_options INTERFACE -fsanitize=${RT_SANITIZE})
 endif()
 if(OpenMP_CXX_FOUND)
