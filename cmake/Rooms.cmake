@@ -93,7 +93,7 @@ function(rt_optimise_little target)
 endfunction()
 
 # A test program, its tests found by name. Without LABELS it is a unit test: the target `unit_tests` builds all of
-# these, and they run under sanitizers too. `ctest -L unit` runs them, `ctest -L quick` all but those that the pattern
+# these, and most run under sanitizers too. `ctest -L unit` runs them, `ctest -L quick` all but those that the pattern
 # THOROUGH names, in less than a minute on two cores. QT: its flags are not those of other tests. ALONE: sources
 # with names that others have (rt_compile_together).
 #   rt_test(accel SOURCES a_test.cpp LINK rtcore_accel [THOROUGH "Slow.*:Other.OneTest"] [ALONE b.cpp] [QT] [LABELS slow])

@@ -1,7 +1,8 @@
 #!/bin/sh
-# All set-up, then all tests: the release build with everything, the libraries' unit and mutation tests under the
-# address and undefined-behaviour sanitizers, those of shared memory under the thread sanitizer, too. RT_TEST_SCENES
-# may name a folder with real models for more tests. Says how long each stage took.
+# All set-up, then all tests: the release build with everything; most of the libraries' unit and mutation tests under
+# the address and undefined-behaviour sanitizers (check-long.sh sanitizers: all of them), those of shared memory under
+# the thread sanitizer, too. RT_TEST_SCENES may name a folder with real models for more tests. Says how long each stage
+# took.
 set -eu
 cd "$(dirname "$0")/.."
 jobs=$(nproc)

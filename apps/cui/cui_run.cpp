@@ -51,7 +51,6 @@ class Run {
           count_(arguments.integer("count").value_or(0)) {}
 
     void command(Words words) {
-        if (words.empty()) throw app::UsageError("no command is given; CUI --help shows them");
         const auto [spec, used] = app::findCommand(words);
         if (spec->runner == app::Runner::Shell) return runHere(*spec, words.subspan(used));
         std::vector<std::string> line(words.begin(), words.end());
