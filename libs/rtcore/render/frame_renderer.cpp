@@ -11,7 +11,7 @@ namespace rtcore {
 
 namespace {
 
-void prepare(Frame& frame, const RenderSettings& settings) {
+void makeRoom(Frame& frame, const RenderSettings& settings) {
     if (frame.radiance.width != settings.width || frame.radiance.height != settings.height) {
         frame.radiance = HdrImage(settings.width, settings.height);
     }
@@ -70,27 +70,52 @@ void FrameRenderer::beginAovs(const View& view, Frame& frame) const {
     }
 }
 
+/// What depends on the scene and the settings.
+void FrameRenderer::prepare(const View& view) {
+    materials_.prepare(view.scene, view.settings);
+    samples_.pattern.prepare(view.settings.sampling, view.settings.antialiasing);
+    samples_.lensPattern.prepare(view.settings.antialiasing);
+    stageTimes_ = {};
+}
+
+bool FrameRenderer::renderPixels(const View& view, std::span<const SampleId> pixels, RenderControl& control,
+                                 std::span<Colour> radiance, RayStatistics& statistics) {
+    constexpr std::size_t kSamples = 2048; // of a part: enough that secondary rays share work
+    aim(view);
+    prepare(view);
+    const auto ofPixel = static_cast<std::size_t>(view.settings.antialiasing) *
+                         static_cast<std::size_t>(view.settings.antialiasing);
+    const std::size_t size = std::max<std::size_t>(1, kSamples / ofPixel);
+    const auto parts = static_cast<int>((pixels.size() + size - 1) / size);
+    control.tilesDone = 0;
+    control.tiles = static_cast<std::uint64_t>(parts);
+    Frame none; // no pixels
+    renderParts({view, threadsFor(control.threads), control, none}, parts,
+                [&](TileRenderer& renderer, int part) {
+                    const std::size_t first = static_cast<std::size_t>(part) * size;
+                    const std::size_t count = std::min(size, pixels.size() - first);
+                    renderer.renderPixels(pixels.subspan(first, count), radiance.subspan(first, count));
+                });
+    statistics.add(none.statistics);
+    return !control.cancel;
+}
+
 bool FrameRenderer::renderAimed(const View& view, RenderControl& control, Frame& frame) {
     const RenderSettings& settings = view.settings;
     beginAovs(view, frame);
-    prepare(frame, settings);
-    materials_.prepare(view.scene, settings);
-    samples_.pattern.prepare(settings.sampling, settings.antialiasing);
-    samples_.lensPattern.prepare(settings.antialiasing);
-    stageTimes_ = {};
+    makeRoom(frame, settings);
+    prepare(view);
     const TileGrid grid(settings, materials_.anySecondary());
     const bool refined = samplesAdaptively(settings);
     control.tilesDone = 0;
     control.tiles = static_cast<std::uint64_t>(grid.count()) * (refined ? 2 : 1);
     const Work work{view, threadsFor(control.threads), control, frame};
-    const auto team = static_cast<std::size_t>(work.team);
-    if (renderers_.size() < team) renderers_.resize(team);
     if (refined) {
         renderAdaptively(work, grid);
     } else {
-        renderTiles(work, grid, [&](TileRenderer& renderer, const PixelArea& tile) {
-            renderer.render(tile, frame);
-            finish(work, tile);
+        renderParts(work, grid.count(), [&](TileRenderer& renderer, int tile) {
+            renderer.render(grid.area(tile), frame);
+            finish(work, grid.area(tile));
         });
     }
     if (!frame.aovs.empty()) frame.aovs.finish(work.team);
@@ -100,22 +125,24 @@ bool FrameRenderer::renderAimed(const View& view, RenderControl& control, Frame&
 void FrameRenderer::renderAdaptively(const Work& work, const TileGrid& grid) {
     Frame& frame = work.frame;
     adaptive_.begin(work.view.settings);
-    renderTiles(work, grid, [&](TileRenderer& renderer, const PixelArea& tile) {
-        renderer.renderFirst(tile, adaptive_, frame);
+    renderParts(work, grid.count(), [&](TileRenderer& renderer, int tile) {
+        renderer.renderFirst(grid.area(tile), adaptive_, frame);
     });
     if (work.control.cancel) return;
     adaptive_.measure(frame.radiance);
 #pragma omp parallel for num_threads(work.team) schedule(static)
     for (int tile = 0; tile < grid.count(); ++tile) adaptive_.choose(grid.area(tile), frame.radiance);
-    renderTiles(work, grid, [&](TileRenderer& renderer, const PixelArea& tile) {
-        renderer.renderRest(tile, adaptive_, frame);
-        finish(work, tile);
+    renderParts(work, grid.count(), [&](TileRenderer& renderer, int tile) {
+        renderer.renderRest(grid.area(tile), adaptive_, frame);
+        finish(work, grid.area(tile));
     });
 }
 
-/// Calls `render` with each tile and the renderer of a thread, by all threads.
+/// Calls `render` with each part's number and the renderer of a thread, by all threads.
 template <typename Render>
-void FrameRenderer::renderTiles(const Work& work, const TileGrid& grid, Render&& render) {
+void FrameRenderer::renderParts(const Work& work, int parts, Render&& render) {
+    const auto team = static_cast<std::size_t>(work.team);
+    if (renderers_.size() < team) renderers_.resize(team);
     TaskErrors errors;
     const std::atomic<bool>& cancel = work.control.cancel;
 #pragma omp parallel num_threads(work.team) default(shared)
@@ -130,9 +157,9 @@ void FrameRenderer::renderTiles(const Work& work, const TileGrid& grid, Render&&
                         .aovs = work.frame.aovs.empty() ? nullptr : &work.frame.aovs});
         // In the order of the image: its last row of tiles is the one that its lower edge cuts.
 #pragma omp for schedule(dynamic, 1) nowait
-        for (int tile = 0; tile < grid.count(); ++tile) {
+        for (int part = 0; part < parts; ++part) {
             if (cancel.load(std::memory_order_relaxed) || errors.any()) continue;
-            errors.guard([&] { render(renderer, grid.area(tile)); });
+            errors.guard([&] { render(renderer, part); });
             work.control.tilesDone.fetch_add(1, std::memory_order_relaxed);
         }
 #pragma omp critical(rtcore_statistics)

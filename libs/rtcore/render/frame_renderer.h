@@ -14,6 +14,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace rtcore {
@@ -48,6 +49,12 @@ class FrameRenderer {
     /// its middle. `frame` gets a pixel for each square, also for those that the right or lower edge cuts.
     bool renderCoarse(const View& view, int block, RenderControl& control, Frame& frame);
 
+    /// Some pixels of the frame that render() gives: `radiance` of each of `pixels`, whose `sub` is 0, with
+    /// the same bits, in their order. Neighbours should follow each other there. Not with settings.adaptive
+    /// or AOVs. Adds to `statistics`. Returns false when control.cancel was set, with `radiance` undefined.
+    bool renderPixels(const View& view, std::span<const SampleId> pixels, RenderControl& control,
+                      std::span<Colour> radiance, RayStatistics& statistics);
+
     /// Whether frames to come get AOVs: to be written, or for effects (effectsNeedAovs()).
     void collectAovs(bool on) { collectAovs_ = on; }
     /// Whether frames to come measure stageTimes().
@@ -69,8 +76,9 @@ class FrameRenderer {
     void aim(const View& view);
     bool renderAimed(const View& view, RenderControl& control, Frame& frame);
     void beginAovs(const View& view, Frame& frame) const;
+    void prepare(const View& view);
     template <typename Render>
-    void renderTiles(const Work& work, const TileGrid& grid, Render&& render);
+    void renderParts(const Work& work, int parts, Render&& render);
     void renderAdaptively(const Work& work, const TileGrid& grid);
     void finish(const Work& work, const PixelArea& tile);
     TileRenderer& rendererOfThread(int thread);

@@ -188,6 +188,25 @@ void TileRenderer::renderRest(const PixelArea& area, const AdaptiveSampler& samp
     storeMeans(area, frame, [&](int x, int y) { return sampler.refined(x, y) ? n * n : firstSamples(n); });
 }
 
+void TileRenderer::renderPixels(std::span<const SampleId> pixels, std::span<Colour> radiance) {
+    const int count = settings_->antialiasing * settings_->antialiasing;
+    samples_.clear();
+    for (const SampleId& pixel : pixels) {
+        for (int sub = 0; sub < count; ++sub)
+            samples_.push_back({pixel.x, pixel.y, static_cast<std::uint32_t>(sub)});
+    }
+    sameOrigin_ = false;
+    traceSamples();
+    const ArraysOf3& found = integrator_.radiance();
+    std::size_t sample = 0;
+    for (Colour& pixel : radiance) {
+        Colour sum;
+        for (int sub = 0; sub < count; ++sub) sum += found.colourAt(sample++);
+        pixel = sum / static_cast<float>(count);
+    }
+    integrator_.clock().lap(Stage::Store);
+}
+
 void TileRenderer::collectRays(const PixelArea& area) {
     const auto n = static_cast<std::size_t>(settings_->antialiasing);
     const std::size_t count =

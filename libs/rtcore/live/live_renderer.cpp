@@ -1,0 +1,113 @@
+#include "rtcore/live/live_renderer.h"
+
+#include "rtcore/live/hole_filling.h"
+#include "rtcore/platform/task_errors.h"
+#include "rtcore/platform/threads.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rtcore {
+
+namespace {
+
+constexpr int kGuideTile = 64; ///< pixels; even, so that the pattern of guides is the same in each
+
+/// Calls `work` with each tile of the image, by `threads`, until `control` is cancelled.
+template <typename Work>
+void forEachTile(const ImagePlane& plane, int threads, const RenderControl& control, Work&& work) {
+    const int columns = (plane.width + kGuideTile - 1) / kGuideTile,
+              rows = (plane.height + kGuideTile - 1) / kGuideTile;
+    TaskErrors errors;
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
+    for (int tile = 0; tile < columns * rows; ++tile) {
+        if (control.cancel.load(std::memory_order_relaxed) || errors.any()) continue;
+        const int left = tile % columns * kGuideTile, top = tile / columns * kGuideTile;
+        errors.guard([&] {
+            work(PixelArea{left, top, std::min(kGuideTile, plane.width - left),
+                           std::min(kGuideTile, plane.height - top)});
+        });
+    }
+    errors.rethrow();
+}
+
+} // namespace
+
+LiveRenderer::LiveRenderer() = default;
+LiveRenderer::~LiveRenderer() = default;
+
+bool LiveRenderer::draws(const View& view) {
+    const RenderSettings& settings = view.settings;
+    return view.camera.kind == CameraKind::Perspective && settings.antialiasing == 1 &&
+           settings.sampling == SamplingPattern::Grid && !settings.depthOfField.on;
+}
+
+bool LiveRenderer::render(const View& view, const LiveBudget& budget, RenderControl& control, Frame& frame) {
+    const RenderSettings& settings = view.settings;
+    const int threads = threadsFor(control.threads);
+    present_.plane =
+        ImagePlane(CameraRays(view.camera, settings.width, settings.height), settings.width, settings.height);
+    const std::size_t count =
+        static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
+    present_.points.resize(count);
+    if (past_.points.empty()) { // nothing is known: not even seen anywhere
+        past_.plane = present_.plane;
+        past_.points.assign(count, {});
+    }
+    frame.radiance.width = settings.width;
+    frame.radiance.height = settings.height;
+    frame.radiance.pixels.resize(count);
+    frame.covered.resize(count);
+    frame.statistics = {};
+    frame.aovs.clear();
+    if (!findPoints(view, budget, control, frame)) return false;
+    choice_.choose(present_, budget.newPoints, number_, threads);
+    if (!lightPoints(view, control, frame)) return false;
+    forEachTile(present_.plane, threads, control,
+                [&](const PixelArea& area) { showPoints(present_, area, frame); });
+    if (control.cancel) return false;
+    std::swap(past_, present_);
+    ++number_;
+    return true;
+}
+
+bool LiveRenderer::findPoints(const View& view, const LiveBudget& budget, RenderControl& control,
+                              Frame& frame) {
+    const int threads = threadsFor(control.threads);
+    if (passes_.size() < static_cast<std::size_t>(threads)) passes_.resize(static_cast<std::size_t>(threads));
+    for (std::unique_ptr<GuidePass>& pass : passes_) {
+        if (pass == nullptr) pass = std::make_unique<GuidePass>();
+        pass->begin();
+    }
+    materials_.prepare(view.scene, view.settings);
+    const CameraRays rays(view.camera, view.settings.width, view.settings.height);
+    const GuidePass::Task task{view.scene, view.tracer, materials_, rays, {budget.guides, number_}, past_};
+    forEachTile(present_.plane, threads, control, [&](const PixelArea& area) {
+        passes_[static_cast<std::size_t>(threadNumber())]->trace(task, area, present_);
+    });
+    if (budget.guides > 1) {
+        forEachTile(present_.plane, threads, control,
+                    [&](const PixelArea& area) { guessPoints(task, area, present_); });
+    }
+    for (const std::unique_ptr<GuidePass>& pass : passes_) frame.statistics.add(pass->statistics());
+    return !control.cancel;
+}
+
+bool LiveRenderer::lightPoints(const View& view, RenderControl& control, Frame& frame) {
+    const std::vector<SampleId>& chosen = choice_.chosen();
+    light_.resize(chosen.size());
+    newPoints_ = static_cast<double>(chosen.size()) / static_cast<double>(present_.points.size());
+    RayStatistics traced;
+    if (!renderer_.renderPixels(view, chosen, control, light_, traced)) return false;
+    frame.statistics.add(traced);
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        LivePoint& point = present_.at(chosen[i].x, chosen[i].y);
+        point.light = packLight(light_[i]);
+        point.across = point.down = 0;
+        point.age = 0;
+        point.flags = static_cast<std::uint8_t>(point.flags | LivePoint::kLit);
+    }
+    return true;
+}
+
+} // namespace rtcore

@@ -1,0 +1,165 @@
+/// bench_walk: what is seen while walking, beside what should be seen.
+#include "bench/walk/played_walk.h"
+#include "bench/walk/walk_options.h"
+#include "bench/walk/walk_references.h"
+#include "bench/walk/walk_report.h"
+
+#include "common/cli/run_program.h"
+#include "common/process/threads.h"
+
+#include "rtcore/io/images/image_file.h"
+#include "rtcore/io/recording/camera_list.h"
+#include "rtcore/io/text/cam.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace bench {
+
+namespace {
+
+constexpr int kSheetRows = 6; ///< and the worst moment
+
+std::vector<rtcore::Camera> readCameras(const WalkOptions& options) {
+    std::vector<rtcore::Camera> cameras;
+    for (const std::filesystem::path& file : rtcore::readCameraList(options.list)) {
+        if (options.frames > 0 && std::ssize(cameras) == options.frames) break;
+        cameras.push_back(rtcore::readCameraFile(file).camera);
+    }
+    if (cameras.empty()) throw std::runtime_error(options.list.string() + " names no camera");
+    return cameras;
+}
+
+class Comparison {
+  public:
+    Comparison(const WalkOptions& options, const LiveServer& server,
+               const std::vector<rtcore::Camera>& cameras, const std::vector<Published>& published)
+        : options_(options), server_(server), cameras_(cameras), published_(published),
+          references_(options.references, options.scene), settings_(server.state().settings()) {
+        if (!options.still) return;
+        const rtcore::RenderSettings live = settings_;
+        settings_ = {};
+        rtcore::applySettings(settings_, server.state().world().loaded.still);
+        rtcore::applySettings(settings_, options.settings);
+        settings_.width = live.width;
+        settings_.height = live.height;
+    }
+
+    std::vector<Moment> run() {
+        std::vector<Moment> moments;
+        app::Progress progress("bench_walk", options_.progress);
+        for (std::size_t i = 0; i < cameras_.size(); i += static_cast<std::size_t>(options_.every)) {
+            progress.begin({.name = "comparing", .fraction = {}}, static_cast<int>(i) + 1,
+                           static_cast<int>(cameras_.size()));
+            moments.push_back(at(i));
+        }
+        progress.end();
+        return moments;
+    }
+
+    void writeSheet(const std::vector<Moment>& moments) const {
+        const auto worst =
+            std::ranges::max_element(moments, {}, [](const Moment& moment) { return moment.errors.flip; });
+        std::set<int> chosen{worst->camera};
+        for (int i = 0; i < kSheetRows; ++i)
+            chosen.insert(moments[static_cast<std::size_t>(i) * moments.size() / kSheetRows].camera);
+        ContactSheet sheet;
+        for (const int camera : chosen) {
+            const auto i = static_cast<std::size_t>(camera);
+            const rtcore::LdrImage shown = onScreen(i);
+            const rtcore::LdrImage wanted = reference(i);
+            sheet.add(shown, wanted, test::Flip(wanted).errors(shown));
+        }
+        sheet.write(*options_.sheet);
+    }
+
+    void writePictures() const {
+        std::filesystem::create_directories(*options_.pictures);
+        for (std::size_t i = 0; i < cameras_.size(); ++i)
+            rtcore::writeImage(*options_.pictures / fmt::format("{:05}.png", i), onScreen(i));
+    }
+
+  private:
+    /// The last picture that came before the end of the moment.
+    std::size_t pictureAt(std::size_t camera) const {
+        if (options_.fixed) return camera;
+        const double end = static_cast<double>(camera + 1) / options_.framesPerSecond;
+        std::size_t last = 0;
+        while (last + 1 < published_.size() && published_[last + 1].seconds <= end) ++last;
+        return last;
+    }
+
+    rtcore::LdrImage onScreen(std::size_t camera) const {
+        return enlarged(published_[pictureAt(camera)].image, options_.width, options_.height);
+    }
+
+    rtcore::LdrImage reference(std::size_t camera) const {
+        const rtserver::ServerState& state = server_.state();
+        return references_.picture({*state.scene(), *state.world().tracer, cameras_[camera], settings_});
+    }
+
+    Moment at(std::size_t camera) const {
+        const std::size_t index = pictureAt(camera);
+        const Published& picture = published_[index];
+        Moment moment;
+        moment.camera = static_cast<int>(camera);
+        const double before = options_.fixed || index == 0 ? 0 : published_[index - 1].seconds;
+        moment.milliseconds = 1000 * (picture.seconds - before);
+        if (!options_.fixed)
+            moment.age =
+                1000 * (static_cast<double>(camera + 1) / options_.framesPerSecond - picture.seconds);
+        moment.scale = static_cast<double>(picture.image.width) / options_.width;
+        const rtcore::LdrImage wanted = reference(camera);
+        moment.errors = errorsOf(onScreen(camera), wanted, test::Flip(wanted));
+        return moment;
+    }
+
+    const WalkOptions& options_;
+    const LiveServer& server_;
+    const std::vector<rtcore::Camera>& cameras_;
+    const std::vector<Published>& published_;
+    WalkReferences references_;
+    rtcore::RenderSettings settings_; ///< of the references
+};
+
+std::string paceOf(const std::vector<Published>& published) {
+    constexpr double kLate = 0.040;
+    int late = 0;
+    for (std::size_t i = 1; i < published.size(); ++i)
+        late += published[i].seconds - published[i - 1].seconds > kLate ? 1 : 0;
+    const auto frames = static_cast<double>(published.size() - 1);
+    return fmt::format("{} pictures in {:.2f} s, {:.1f} a second; {:.1f} % came later than {:.0f} ms\n",
+                       frames, published.back().seconds, frames / published.back().seconds,
+                       100 * late / std::max(frames, 1.0), 1000 * kLate);
+}
+
+app::ExitCode runWalk(const app::Arguments& arguments) {
+    const WalkOptions options = readWalkOptions(arguments);
+    app::useThreads(options.threads);
+    const std::vector<rtcore::Camera> cameras = readCameras(options);
+    LiveServer server(options);
+    const std::vector<Published> published = options.fixed ? server.drawEach(cameras) : server.play(cameras);
+    if (options.fixed && published.size() != cameras.size()) throw std::runtime_error("a frame was left");
+    std::printf("%s, %d x %d, %zu cameras\n", options.scene.c_str(), options.width, options.height,
+                cameras.size());
+    if (!options.fixed) std::fputs(paceOf(published).c_str(), stdout);
+    Comparison comparison(options, server, cameras, published);
+    const std::vector<Moment> moments = comparison.run();
+    std::fputs(summaryOf(moments).c_str(), stdout);
+    if (options.csv) writeCsv(*options.csv, moments);
+    if (options.sheet) comparison.writeSheet(moments);
+    if (options.pictures) comparison.writePictures();
+    return app::ExitCode::Done;
+}
+
+} // namespace
+
+} // namespace bench
+
+int main(int argc, char** argv) { return app::runProgram(argc, argv, bench::walkSpec(), bench::runWalk); }

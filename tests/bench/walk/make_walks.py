@@ -1,0 +1,66 @@
+#!/usr/bin/env python3
+"""Makes the walks of bench_walk: make_walks.py FOLDER [NAME]...
+
+Each is 300 cameras at 30 a second in FOLDER/NAME.lst, along points that are passed at even speed, with a head
+that looks about: what the hand of a user does to a picture. Points are of data/nave, of data/mirrors, and of
+the models Sibenik, Crytek Sponza and Lamborghini.
+"""
+import math
+import pathlib
+import sys
+
+FRAMES, RATE = 300, 30
+
+# Points (x, y, z) that are passed, with what is looked at (yaw, pitch; degrees; yaw 0 looks along -z and grows
+# to the right) and up; `sway` degrees to each side in `period` seconds.
+WALKS = {
+    "nave": dict(fov=74, sway=25, period=5, points=[
+        (1.0, 1.7, 13.4, 0, 6), (0.6, 1.7, 4, -5, 8), (-0.5, 1.7, -3, 5, 14), (-0.2, 1.7, -9, 0, 20)]),
+    "mirrors": dict(fov=76, sway=20, period=5, points=[
+        (-3.5, 1.75, 3.0, 50, -6), (-1.5, 1.75, 2.4, 30, -8), (0.6, 1.75, 2.2, 0, -8), (2.4, 1.75, 2.6, -40, -6)]),
+    "sibenik": dict(fov=75, sway=25, period=5, points=[
+        (-17, -12.5, 0, 90, 4), (-8, -12.5, 0.8, 85, 8), (0, -12.5, -0.6, 95, 14), (7, -12.0, 0, 90, 10)]),
+    "sponza": dict(fov=75, sway=25, period=5, points=[
+        (-1100, 170, -30, 90, 5), (-300, 170, 40, 95, 10), (400, 170, 0, 85, 8), (900, 170, -40, 90, 4)]),
+    "lamborghini": dict(fov=60, sway=6, period=4, around=True, points=[
+        (4.6, 1.5, 4.6, 0, 0), (0.5, 1.3, 5.8, 0, 0), (-4.2, 1.4, 4.2, 0, 0), (-6.0, 1.7, 0.0, 0, 0)]),
+}
+
+
+def spline(a, b, c, d, t):
+    """Catmull and Rom 1974, between b and c."""
+    return tuple(0.5 * (2 * q + (r - p) * t + (2 * p - 5 * q + 4 * r - s) * t * t + (3 * q - p - 3 * r + s) * t ** 3)
+                 for p, q, r, s in zip(a, b, c, d))
+
+
+def camera(walk, i):
+    points = walk["points"]
+    points = [points[0]] + points + [points[-1]]
+    at = i / (FRAMES - 1) * (len(points) - 3)
+    first = min(int(at), len(points) - 4)
+    x, y, z, yaw, pitch = spline(*points[first:first + 4], at - first)
+    swing = walk["sway"] * math.sin(2 * math.pi * i / RATE / walk["period"])
+    if walk.get("around"):
+        yaw, pitch = math.degrees(math.atan2(-x, z)), -math.degrees(math.atan2(y - 0.6, math.hypot(x, z)))
+    yaw, pitch = math.radians(yaw + swing), math.radians(pitch)
+    forward = (math.sin(yaw) * math.cos(pitch), math.sin(pitch), -math.cos(yaw) * math.cos(pitch))
+    vector = lambda v: "[" + ", ".join(f"{c:.7g}" for c in v) + "]"
+    return f"version = 1\neye = {vector((x, y, z))}\nforward = {vector(forward)}\nfov = {float(walk['fov'])}\n"
+
+
+def main():
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    folder = pathlib.Path(sys.argv[1])
+    for name in sys.argv[2:] or WALKS:
+        cameras = folder / f"{name}.cams"
+        cameras.mkdir(parents=True, exist_ok=True)
+        lines = []
+        for i in range(FRAMES):
+            (cameras / f"{i:05}.cam").write_text(camera(WALKS[name], i))
+            lines.append(f"{name}.cams/{i:05}.cam\n")
+        (folder / f"{name}.lst").write_text("".join(lines))
+
+
+if __name__ == "__main__":
+    main()

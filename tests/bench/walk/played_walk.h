@@ -1,0 +1,59 @@
+/// What a window shows of a recorded walk that the server plays.
+#pragma once
+
+#include "bench/walk/walk_options.h"
+
+#include "rtcore/scene/camera.h"
+#include "rtcore/scene/image.h"
+#include "rtcore/scene/scene.h"
+#include "rtcore/settings/render_settings.h"
+#include "rtserver/frame_drawing.h"
+#include "rtserver/scene_upkeep.h"
+#include "rtserver/server_options.h"
+#include "rtserver/server_state.h"
+
+#include <memory>
+#include <vector>
+
+namespace bench {
+
+/// A picture that was published while the walk was played.
+struct Published {
+    double seconds = 0; ///< since the walk began
+    rtcore::LdrImage image;
+};
+
+/// The parts of RTServer that make frames, in this process.
+class LiveServer {
+  public:
+    /// Loads the scene, and waits until nothing is left to be done for its first view. Throws what loading
+    /// throws.
+    explicit LiveServer(const WalkOptions& options);
+    ~LiveServer();
+    LiveServer(const LiveServer&) = delete;
+    LiveServer& operator=(const LiveServer&) = delete;
+
+    /// Plays the cameras at the options' pace, after it came to rest at the first one.
+    std::vector<Published> play(const std::vector<rtcore::Camera>& cameras);
+    /// Draws each of them in a whole frame, one after the other; `seconds` are those of the frame alone.
+    std::vector<Published> drawEach(const std::vector<rtcore::Camera>& cameras);
+
+    const rtserver::ServerState& state() const { return state_; }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    void turn(Clock::duration passed);
+    void settle();
+
+    const WalkOptions& walk_;
+    rtserver::Options options_;
+    rtserver::Messages messages_;
+    rtserver::ServerState state_;
+    rtserver::SceneUpkeep upkeep_;
+    rtserver::FrameDrawing drawing_;
+    Clock::time_point begun_;
+    std::vector<Published> published_;
+};
+
+} // namespace bench

@@ -1,0 +1,22 @@
+/// How far a picture on the screen is from the one that should be there.
+#pragma once
+
+#include "rtcore/scene/image.h"
+#include "support/flip.h"
+
+namespace bench {
+
+struct PictureErrors {
+    double psnr = 0;   ///< decibels, of the displayed codes
+    double flip = 0;   ///< mean, 0..1
+    double relMse = 0; ///< of displayed light: mean of (x - r)^2 / (r^2 + 0.01 mean^2)
+    double bias = 0;   ///< mean of x - r in parts of the mean of r, of displayed light
+};
+
+/// What the window draws of a frame that is smaller than it: interpolated linearly.
+rtcore::LdrImage enlarged(const rtcore::LdrImage& image, int width, int height);
+
+PictureErrors errorsOf(const rtcore::LdrImage& image, const rtcore::LdrImage& reference,
+                       const test::Flip& flip);
+
+} // namespace bench

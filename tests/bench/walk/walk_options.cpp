@@ -1,0 +1,127 @@
+#include "bench/walk/walk_options.h"
+
+#include "common/cli/isa_option.h"
+#include "common/cli/threads_option.h"
+#include "common/settings/setting_option.h"
+
+#include <cstdlib>
+#include <limits>
+#include <string>
+
+namespace bench {
+
+namespace {
+
+using app::OptionGroup;
+using app::ValueKind;
+
+OptionGroup walkGroup() {
+    return {"The walk",
+            {{.name = "size",
+              .value = ValueKind::Text,
+              .argument = "WxH",
+              .help = "pixels of the window [1024x621]"},
+             {.name = "fps",
+              .value = ValueKind::Number,
+              .argument = "N",
+              .help = "the cameras follow each other at N a second, and a frame may take as long [30]",
+              .minimum = 1,
+              .maximum = 1000},
+             {.name = "frames",
+              .value = ValueKind::Integer,
+              .argument = "N",
+              .help = "the first N cameras [all]",
+              .minimum = 1,
+              .maximum = 1'000'000},
+             {.name = "fixed", .help = "draw every camera at the full size, however long that takes"},
+             app::threadsOption(),
+             app::isaOption(),
+             {.name = "setting",
+              .value = ValueKind::Text,
+              .argument = "NAME=VALUE",
+              .help = "any setting by its name; may be given several times",
+              .suggest = app::suggestAssignments}}};
+}
+
+OptionGroup comparisonGroup() {
+    return {"The comparison",
+            {{.name = "references",
+              .value = ValueKind::Text,
+              .argument = "FOLDER",
+              .help = "where the Renderer's pictures of the cameras are kept [references]"},
+             {.name = "still", .help = "compare with pictures by the settings [still], not [live]"},
+             {.name = "every",
+              .value = ValueKind::Integer,
+              .argument = "N",
+              .help = "compare each N-th moment only [1]",
+              .minimum = 1,
+              .maximum = std::numeric_limits<std::int32_t>::max()},
+             {.name = "csv", .value = ValueKind::Text, .argument = "FILE", .help = "a line for each moment"},
+             {.name = "sheet",
+              .value = ValueKind::Text,
+              .argument = "FILE",
+              .help = "a picture of six moments and of the worst one: shown, reference, difference"},
+             {.name = "pictures",
+              .value = ValueKind::Text,
+              .argument = "FOLDER",
+              .help = "every picture that was on the screen, as PNG"},
+             app::progressOption()}};
+}
+
+void readSize(const std::string& text, WalkOptions& options) {
+    const std::size_t cross = text.find('x');
+    const auto side = [&](const std::string& digits) {
+        const auto value = app::parseInteger(digits);
+        if (!value || *value < 8 || *value > 8192)
+            throw app::UsageError("option '--size' takes WxH, such as 1024x621");
+        return static_cast<int>(*value);
+    };
+    options.width = side(text.substr(0, cross));
+    options.height = side(cross == std::string::npos ? "" : text.substr(cross + 1));
+}
+
+} // namespace
+
+const app::ProgramSpec& walkSpec() {
+    static const app::ProgramSpec spec{
+        .name = "bench_walk",
+        .purpose = "Plays a recorded walk as the server shows it, and compares what is on the screen at each "
+                   "moment with the Renderer's picture of the camera of that moment.",
+        .positionals = {{.name = "SCENE", .help = "model, .bsp or .scn"},
+                        {.name = "LIST", .help = "the recorded walk"}},
+        .groups = {walkGroup(), comparisonGroup()},
+        .examples = {{"bench_walk nave.scn nave.lst --csv nave.csv --sheet nave.png",
+                      "at 30 frames a second, as in the window"},
+                     {"bench_walk nave.scn nave.lst --fixed --threads 1", "what a whole frame costs"}},
+    };
+    return spec;
+}
+
+WalkOptions readWalkOptions(const app::Arguments& arguments) {
+    WalkOptions options;
+    options.scene = std::filesystem::absolute(arguments.positionals().at(0));
+    options.list = std::filesystem::absolute(arguments.positionals().at(1));
+    app::useIsa(arguments);
+    for (const std::string& setting : arguments.all("setting"))
+        options.settings.push_back(app::settingOf(setting));
+    if (const auto size = arguments.text("size")) readSize(*size, options);
+    options.threads = app::threadsOf(arguments);
+    options.framesPerSecond = arguments.number("fps").value_or(options.framesPerSecond);
+    if (const auto frames = arguments.integer("frames")) options.frames = static_cast<int>(*frames);
+    if (const auto every = arguments.integer("every")) options.every = static_cast<int>(*every);
+    options.fixed = arguments.has("fixed");
+    options.still = arguments.has("still");
+    options.references = arguments.text("references").value_or("references");
+    const auto path = [&](const char* name) -> std::optional<std::filesystem::path> {
+        const auto text = arguments.text(name);
+        if (!text) return std::nullopt;
+        return *text;
+    };
+    options.csv = path("csv");
+    options.sheet = path("sheet");
+    options.pictures = path("pictures");
+    options.progress = app::progressStyle(arguments.text("progress").value_or("auto"));
+    return options;
+}
+
+} // namespace bench

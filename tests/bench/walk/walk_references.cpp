@@ -1,0 +1,62 @@
+#include "bench/walk/walk_references.h"
+
+#include "rtcore/io/images/image_file.h"
+#include "rtcore/io/text/cam.h"
+#include "rtcore/post/develop.h"
+#include "rtcore/post/effects.h"
+#include "rtcore/render/frame_renderer.h"
+#include "rtcore/settings/settings_table.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <string_view>
+#include <utility>
+
+namespace bench {
+
+namespace {
+
+/// (Fowler, Noll and Vo)
+std::uint64_t hashOf(std::string_view text) {
+    std::uint64_t hash = 0xCBF29CE484222325U;
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3U;
+    return hash;
+}
+
+} // namespace
+
+WalkReferences::WalkReferences(std::filesystem::path folder, const std::filesystem::path& scene)
+    : folder_(std::move(folder)),
+      scene_(fmt::format("{} {}", scene.string(),
+                         std::filesystem::last_write_time(scene).time_since_epoch().count())) {
+    std::filesystem::create_directories(folder_);
+}
+
+std::filesystem::path WalkReferences::file(const rtcore::View& view) const {
+    rtcore::CameraFile camera;
+    camera.camera = view.camera;
+    camera.camera.nameOffset = 0;
+    std::string key = scene_ + "\n" + rtcore::formatCameraFile(camera);
+    for (const rtcore::SettingAssignment& a : rtcore::settingAssignments(view.settings, true))
+        key += fmt::format("{}={}\n", a.name, rtcore::settingText(a.value));
+    return folder_ / fmt::format("{:016x}.png", hashOf(key));
+}
+
+bool WalkReferences::has(const rtcore::View& view) const { return std::filesystem::exists(file(view)); }
+
+rtcore::LdrImage WalkReferences::picture(const rtcore::View& view) const {
+    const std::filesystem::path path = file(view);
+    if (std::filesystem::exists(path)) return rtcore::readLdrImage(path);
+    rtcore::FrameRenderer renderer;
+    renderer.collectAovs(rtcore::effectsNeedAovs(view.settings));
+    rtcore::RenderControl control;
+    rtcore::Frame frame;
+    renderer.render(view, control, frame);
+    rtcore::LdrImage image =
+        rtcore::develop(frame, view.settings, rtcore::exposureFor(frame, view.settings.exposure));
+    rtcore::writeImage(path, image);
+    return image;
+}
+
+} // namespace bench

@@ -1,0 +1,37 @@
+#include "rtcore/live/image_plane.h"
+
+#include "unit/render/sample_view.h"
+
+#include <gtest/gtest.h>
+
+namespace rtcore {
+namespace {
+
+TEST(ImagePlane, FindsThePointOfARayAtItsPixel) {
+    const CameraRays rays(test::sampleCamera(), 101, 67);
+    const ImagePlane plane(rays, 101, 67);
+    for (const float x : {0.5F, 33.25F, 100.5F}) {
+        for (const float y : {0.5F, 12.75F, 66.5F}) {
+            for (const float t : {0.01F, 1.0F, 5000.0F}) {
+                const ImagePlane::Position at = plane.find(rays.at(x, y).direction * t);
+                EXPECT_TRUE(at.inside);
+                EXPECT_NEAR(at.x, x, 1e-3F);
+                EXPECT_NEAR(at.y, y, 1e-3F);
+            }
+            EXPECT_NEAR(dot(plane.axis, plane.towards(x, y)), 1, 1e-5F);
+            EXPECT_NEAR(length(cross(normalize(plane.towards(x, y)), rays.at(x, y).direction)), 0, 1e-6F);
+        }
+    }
+}
+
+TEST(ImagePlane, FindsNothingOutsideTheImageOrBehindTheEye) {
+    const CameraRays rays(test::sampleCamera(), 101, 67);
+    const ImagePlane plane(rays, 101, 67);
+    EXPECT_FALSE(plane.find(rays.at(-1, 30).direction).inside);
+    EXPECT_FALSE(plane.find(rays.at(50, 68).direction).inside);
+    EXPECT_FALSE(plane.find(-rays.at(50, 30).direction).inside);
+    EXPECT_FALSE(plane.find({}).inside);
+}
+
+} // namespace
+} // namespace rtcore

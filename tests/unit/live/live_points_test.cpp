@@ -1,0 +1,59 @@
+#include "rtcore/live/live_points.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace rtcore {
+namespace {
+
+TEST(LivePoints, KeepNormalsWithinADegree) {
+    constexpr float kCosine = 0.99985F;
+    for (int i = 0; i < 2000; ++i) {
+        const float z = 1 - (static_cast<float>(i) + 0.5F) / 1000, angle = 2.39996F * static_cast<float>(i);
+        const float r = std::sqrt(1 - z * z);
+        const Vec3 normal{r * std::cos(angle), r * std::sin(angle), z};
+        EXPECT_GT(dot(unpackNormal(packNormal(normal)), normal), kCosine) << i;
+    }
+    for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, -1, 0}, Vec3{0, 0, -1}})
+        EXPECT_GT(dot(unpackNormal(packNormal(axis)), axis), kCosine);
+}
+
+TEST(LivePoints, KeepLightWithinAPartOfItsLargestChannel) {
+    for (const float scale : {1e-3F, 0.5F, 0.9999F, 1.0F, 37.0F, 60000.0F}) {
+        const Colour light = Colour{1, 0.31F, 0.002F} * scale;
+        const Colour kept = unpackLight(packLight(light));
+        const float most = scale / 511;
+        EXPECT_NEAR(kept.r, light.r, most);
+        EXPECT_NEAR(kept.g, light.g, most);
+        EXPECT_NEAR(kept.b, light.b, most);
+        EXPECT_EQ(packLight(kept), packLight(light)) << "kept once, it stays as it is";
+    }
+}
+
+TEST(LivePoints, LightOutOfRangeIsTheNearestThatIsInRange) {
+    EXPECT_EQ(unpackLight(packLight({})), Colour{});
+    EXPECT_EQ(unpackLight(packLight({-1, -2, -3})), Colour{});
+    EXPECT_EQ(unpackLight(packLight({1e-9F, 0, 0})), Colour{});
+    constexpr float kInfinite = std::numeric_limits<float>::infinity();
+    const Colour bright = unpackLight(packLight({kInfinite, 1e9F, 1}));
+    EXPECT_EQ(bright.r, 65408);
+    EXPECT_EQ(bright.g, 65408);
+    const Colour broken = unpackLight(packLight({std::nanf(""), 2, 1}));
+    EXPECT_EQ(broken, (Colour{0, 2, 1}));
+}
+
+TEST(LivePoints, EachPixelOfASquareHasItsTurn) {
+    std::set<std::uint32_t> turns;
+    for (int y = 8; y < 16; ++y) {
+        for (int x = 16; x < 24; ++x) turns.insert(turnOf(x, y));
+    }
+    EXPECT_EQ(turns.size(), kTurns);
+    EXPECT_EQ(*turns.rbegin(), kTurns - 1);
+}
+
+} // namespace
+} // namespace rtcore

@@ -1,0 +1,174 @@
+#include "rtcore/live/live_renderer.h"
+
+#include "unit/render/sample_view.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace rtcore {
+namespace {
+
+constexpr int kWidth = 150, kHeight = 101;
+
+/// The sample camera on its way to the right and forward.
+Camera cameraAt(int step) {
+    Camera camera = test::sampleCamera();
+    camera.eye += Vec3{0.02F, 0, -0.03F} * static_cast<float>(step);
+    camera.forward.x += 0.004F * static_cast<float>(step);
+    return camera;
+}
+
+class LiveFrames : public testing::Test {
+  protected:
+    bool draw(const Camera& camera, const LiveBudget& budget) {
+        return live.render({traced.scene, traced.tracer, camera, settings}, budget, control, frame);
+    }
+    Frame whole(const Camera& camera) const {
+        RenderControl unwatched{.threads = 1};
+        Frame result;
+        renderFrame({traced.scene, traced.tracer, camera, settings}, unwatched, result);
+        return result;
+    }
+    /// Root mean square, of what a display would show of it.
+    double error(const Camera& camera) const {
+        const Frame truth = whole(camera);
+        double sum = 0;
+        for (std::size_t i = 0; i < truth.radiance.pixels.size(); ++i) {
+            const auto shown = [](Colour c) {
+                return static_cast<double>(luminance(c) / (luminance(c) + 1));
+            };
+            const double d = shown(truth.radiance.pixels[i]) - shown(frame.radiance.pixels[i]);
+            sum += d * d;
+        }
+        return std::sqrt(sum / static_cast<double>(truth.radiance.pixels.size()));
+    }
+
+    test::TracedScene traced{test::sampleScene()};
+    RenderSettings settings = test::sampleSettings(kWidth, kHeight);
+    RenderControl control{.threads = 1};
+    LiveRenderer live;
+    Frame frame;
+};
+
+TEST_F(LiveFrames, WithAllPointsNewAreWholeFrames) {
+    for (int step = 0; step < 3; ++step) {
+        ASSERT_TRUE(draw(cameraAt(step), {1, 1}));
+        const Frame truth = whole(cameraAt(step));
+        int different = 0;
+        for (std::size_t i = 0; i < truth.radiance.pixels.size(); ++i)
+            different += packLight(truth.radiance.pixels[i]) != packLight(frame.radiance.pixels[i]) ? 1 : 0;
+        // From the second frame on a point may be recalled that is from here, to a part of a pixel.
+        EXPECT_LE(different, step == 0 ? 0 : kWidth * kHeight / 50) << step;
+        EXPECT_EQ(frame.covered, truth.covered);
+    }
+}
+
+TEST_F(LiveFrames, OfAStillCameraKeepTheirLight) {
+    ASSERT_TRUE(draw(cameraAt(0), {1, 1}));
+    const std::vector<Colour> first = frame.radiance.pixels;
+    for (int i = 0; i < 3; ++i) {
+        ASSERT_TRUE(draw(cameraAt(0), {1, 0}));
+        EXPECT_TRUE(frame.radiance.pixels == first) << i;
+        EXPECT_EQ(frame.statistics.rays[static_cast<std::size_t>(RayKind::Shadow)], 0U);
+    }
+}
+
+TEST_F(LiveFrames, WhileMovingAreNearTheTruth) {
+    ASSERT_TRUE(draw(cameraAt(0), {1, 1}));
+    for (int step = 1; step <= 12; ++step) ASSERT_TRUE(draw(cameraAt(step), {1, 0.15}));
+    const double fine = error(cameraAt(12));
+    EXPECT_LT(fine, 0.02);
+    EXPECT_LT(live.newPoints(), 0.18);
+    live.forget();
+    ASSERT_TRUE(draw(cameraAt(0), {1, 1}));
+    for (int step = 1; step <= 12; ++step) ASSERT_TRUE(draw(cameraAt(step), {2, 0.05}));
+    const double coarse = error(cameraAt(12));
+    EXPECT_LT(coarse, 0.05);
+    EXPECT_LT(fine, coarse);
+}
+
+TEST_F(LiveFrames, BecomeTheTruthWhenTheCameraStands) {
+    for (int step = 0; step <= 5; ++step) ASSERT_TRUE(draw(cameraAt(step), {2, 0.05}));
+    const double moving = error(cameraAt(5));
+    for (int i = 0; i < 12; ++i) ASSERT_TRUE(draw(cameraAt(5), {1, 0.2}));
+    EXPECT_LT(error(cameraAt(5)), 0.25 * moving);
+}
+
+TEST_F(LiveFrames, TheFirstOneShowsAllOfThePictureFromFewPoints) {
+    ASSERT_TRUE(draw(cameraAt(0), {1, 0.05}));
+    EXPECT_NEAR(live.newPoints(), 0.05, 0.02);
+    EXPECT_NEAR(live.unknownPoints(), 1, 1e-9);
+    EXPECT_LT(error(cameraAt(0)), 0.12);
+}
+
+TEST_F(LiveFrames, AreTheSameForAnyNumberOfThreads) {
+    const std::vector<LiveBudget> budgets = {{1, 0.3}, {2, 0.1}, {4, 0.1}, {2, 0.05}, {1, 0.2}};
+    const auto walk = [&](int threads) {
+        LiveRenderer renderer;
+        RenderControl own{.threads = threads};
+        std::vector<std::uint64_t> frames;
+        Frame result;
+        for (std::size_t i = 0; i < budgets.size(); ++i) {
+            const Camera camera = cameraAt(static_cast<int>(i));
+            EXPECT_TRUE(
+                renderer.render({traced.scene, traced.tracer, camera, settings}, budgets[i], own, result));
+            frames.push_back(test::hashOf(std::as_bytes(std::span(result.radiance.pixels))));
+        }
+        return frames;
+    };
+    const auto one = walk(1);
+    for (const int threads : {2, 7}) EXPECT_EQ(walk(threads), one) << threads;
+}
+
+TEST_F(LiveFrames, ACancelledOneLeavesThePastAsItWas) {
+    ASSERT_TRUE(draw(cameraAt(0), {1, 1}));
+    control.cancel = true;
+    EXPECT_FALSE(draw(cameraAt(7), {1, 0.1}));
+    control.cancel = false;
+    ASSERT_TRUE(draw(cameraAt(1), {1, 0.1}));
+    const std::vector<Colour> after = frame.radiance.pixels;
+    live.forget();
+    LiveRenderer other;
+    RenderControl own{.threads = 1};
+    Frame result;
+    ASSERT_TRUE(other.render({traced.scene, traced.tracer, cameraAt(0), settings}, {1, 1}, own, result));
+    ASSERT_TRUE(other.render({traced.scene, traced.tracer, cameraAt(1), settings}, {1, 0.1}, own, result));
+    EXPECT_TRUE(result.radiance.pixels == after);
+}
+
+TEST_F(LiveFrames, OfAnotherSizeTakeTheLightAlong) {
+    ASSERT_TRUE(draw(cameraAt(0), {1, 1}));
+    settings.width = 120;
+    settings.height = 81;
+    ASSERT_TRUE(draw(cameraAt(0), {1, 0}));
+    EXPECT_LT(live.unknownPoints(), 0.03);
+    EXPECT_LT(error(cameraAt(0)), 0.05);
+}
+
+TEST_F(LiveFrames, AreOfPerspectiveCamerasAndOneSamplePerPixel) {
+    const auto draws = [&] {
+        return LiveRenderer::draws({traced.scene, traced.tracer, cameraAt(0), settings});
+    };
+    EXPECT_TRUE(draws());
+    settings.antialiasing = 2;
+    EXPECT_FALSE(draws());
+    settings.antialiasing = 1;
+    settings.sampling = SamplingPattern::Random;
+    EXPECT_FALSE(draws());
+    settings.sampling = SamplingPattern::Grid;
+    settings.depthOfField.on = true;
+    EXPECT_FALSE(draws());
+    settings.depthOfField.on = false;
+    Camera camera = cameraAt(0);
+    camera.kind = CameraKind::Orthographic;
+    camera.orthographicWidth = 1;
+    EXPECT_FALSE(LiveRenderer::draws({traced.scene, traced.tracer, camera, settings}));
+}
+
+} // namespace
+} // namespace rtcore
