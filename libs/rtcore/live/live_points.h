@@ -4,6 +4,7 @@
 #include "rtcore/live/image_plane.h"
 #include "rtcore/math/colour.h"
 #include "rtcore/math/vec.h"
+#include "rtcore/shading/light/light_visibility.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +14,7 @@
 
 namespace rtcore {
 
-/// 16 bytes, so that all that is asked of a neighbour comes with one line of the cache.
+/// 20 bytes, together, so that all that is asked of a neighbour comes with one line of the cache.
 struct LivePoint {
     /// The depth of pixels that see nothing: the background is infinitely far.
     static constexpr float kFar = std::numeric_limits<float>::max();
@@ -22,6 +23,7 @@ struct LivePoint {
     static constexpr std::uint8_t kViewDependent = 2; ///< the surface mirrors, shines or is transparent
 
     float depth = 0;          ///< along the axis of view, scene units; 0: nothing is known of the pixel
+    LightVisibility lights;   ///< what is known of them at the point
     std::uint32_t light = 0;  ///< radiance towards the eye, packLight()
     std::uint16_t normal = 0; ///< geometric, on the side of the viewer, packNormal()
     std::int8_t across = 0,
@@ -34,7 +36,7 @@ struct LivePoint {
     bool lit() const { return (flags & kLit) != 0; }
     bool viewDependent() const { return (flags & kViewDependent) != 0; }
 };
-static_assert(sizeof(LivePoint) == 16 && std::is_trivially_copyable_v<LivePoint>);
+static_assert(sizeof(LivePoint) == 20 && std::is_trivially_copyable_v<LivePoint>);
 
 /// Of LivePoint::across and down, for a pixel.
 inline constexpr float kOffsetSteps = 64;

@@ -31,6 +31,23 @@ void forEachTile(const ImagePlane& plane, int threads, const RenderControl& cont
     errors.rethrow();
 }
 
+/// What is known of lights at a point, but for those that some of the points around see and others do not:
+/// the edges of shadows stay where they are. In turns nothing counts as known, so that no error lasts.
+LightVisibility surelyKnown(const LiveImage& image, int x, int y, std::uint32_t number) {
+    const LivePoint& point = image.at(x, y);
+    if (!point.lit() || (turnOf(x, y) + number) % kTurns == 0) return {};
+    unsigned clear = 0, dark = 0;
+    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, image.plane.height - 1); ++v) {
+        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, image.plane.width - 1); ++u) {
+            clear |= image.at(u, v).lights.clear;
+            dark |= image.at(u, v).lights.dark;
+        }
+    }
+    const unsigned sure = ~(clear & dark);
+    return {static_cast<std::uint16_t>(point.lights.clear & sure),
+            static_cast<std::uint16_t>(point.lights.dark & sure)};
+}
+
 } // namespace
 
 LiveRenderer::LiveRenderer() = default;
@@ -96,13 +113,17 @@ bool LiveRenderer::findPoints(const View& view, const LiveBudget& budget, Render
 bool LiveRenderer::lightPoints(const View& view, RenderControl& control, Frame& frame) {
     const std::vector<SampleId>& chosen = choice_.chosen();
     light_.resize(chosen.size());
+    visibility_.resize(chosen.size());
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+        visibility_[i] = surelyKnown(present_, chosen[i].x, chosen[i].y, number_);
     newPoints_ = static_cast<double>(chosen.size()) / static_cast<double>(present_.points.size());
     RayStatistics traced;
-    if (!renderer_.renderPixels(view, chosen, control, light_, traced)) return false;
+    if (!renderer_.renderPixels(view, chosen, control, light_, traced, visibility_)) return false;
     frame.statistics.add(traced);
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         LivePoint& point = present_.at(chosen[i].x, chosen[i].y);
         point.light = packLight(light_[i]);
+        point.lights = visibility_[i];
         point.across = point.down = 0;
         point.age = 0;
         point.flags = static_cast<std::uint8_t>(point.flags | LivePoint::kLit);

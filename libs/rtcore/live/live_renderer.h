@@ -22,7 +22,7 @@ struct LiveBudget {
     double newPoints = 0.15; ///< of the pixels; they get new light
 };
 
-/// Keeps the memory of a sequence of frames, 32 bytes a pixel beside the frame. Not for several threads at
+/// Keeps the memory of a sequence of frames, 40 bytes a pixel beside the frame. Not for several threads at
 /// once: it uses all of them itself.
 class LiveRenderer {
   public:
@@ -57,7 +57,8 @@ class LiveRenderer {
     MaterialTable materials_;
     std::vector<std::unique_ptr<GuidePass>> passes_; ///< by thread
     PointChoice choice_;
-    std::vector<Colour> light_; ///< of the chosen points
+    std::vector<Colour> light_;               ///< of the chosen points
+    std::vector<LightVisibility> visibility_; ///< the same
     LiveImage past_, present_;
     std::uint32_t number_ = 0; ///< of the frame
     double newPoints_ = 0;

@@ -16,7 +16,7 @@ class SameSurface {
   public:
     SameSurface(const LiveImage& past, const Asked& asked)
         : past_(past), normal_(asked.normal), far_(asked.depth == LivePoint::kFar),
-          limit_(kSamePlane * asked.depth) {
+          limit_(kSamePlane * asked.depth), packed_(packNormal(asked.normal)) {
         if (far_) return;
         base_ = dot(normal_, past.plane.eye - asked.position);
         const Vec3 first = past.plane.towards(0.5F, 0.5F);
@@ -30,14 +30,16 @@ class SameSurface {
         if (far_ || point.far()) return far_ == point.far();
         const float slope = corner_ + static_cast<float>(x) * right_ + static_cast<float>(y) * down_;
         if (!(std::fabs(base_ + point.depth * slope) < limit_)) return false;
-        return dot(unpackNormal(point.normal), normal_) > kSameNormal;
+        return point.normal == packed_ || dot(unpackNormal(point.normal), normal_) > kSameNormal;
     }
 
   private:
     const LiveImage& past_;
     Vec3 normal_;
     bool far_;
-    float limit_, base_ = 0, corner_ = 0, right_ = 0, down_ = 0;
+    float limit_;
+    std::uint16_t packed_;
+    float base_ = 0, corner_ = 0, right_ = 0, down_ = 0;
 };
 
 ImagePlane::Position positionIn(const LiveImage& past, const Asked& asked) {
@@ -76,6 +78,7 @@ bool recallLight(const LiveImage& past, const Asked& asked, LivePoint& point) {
     }
     if (found == nullptr) return false;
     point.light = found->light;
+    point.lights = found->lights;
     point.across = inSteps(across);
     point.down = inSteps(down);
     point.age = static_cast<std::uint8_t>(std::min(found->age + 1, 255));

@@ -79,8 +79,9 @@ void FrameRenderer::prepare(const View& view) {
 }
 
 bool FrameRenderer::renderPixels(const View& view, std::span<const SampleId> pixels, RenderControl& control,
-                                 std::span<Colour> radiance, RayStatistics& statistics) {
-    constexpr std::size_t kSamples = 2048; // of a part: enough that secondary rays share work
+                                 std::span<Colour> radiance, RayStatistics& statistics,
+                                 std::span<LightVisibility> visibility) {
+    constexpr std::size_t kSamples = 8192; // of a part: enough that secondary rays share work
     aim(view);
     prepare(view);
     const auto ofPixel = static_cast<std::size_t>(view.settings.antialiasing) *
@@ -94,7 +95,8 @@ bool FrameRenderer::renderPixels(const View& view, std::span<const SampleId> pix
                 [&](TileRenderer& renderer, int part) {
                     const std::size_t first = static_cast<std::size_t>(part) * size;
                     const std::size_t count = std::min(size, pixels.size() - first);
-                    renderer.renderPixels(pixels.subspan(first, count), radiance.subspan(first, count));
+                    renderer.renderPixels(pixels.subspan(first, count), radiance.subspan(first, count),
+                                          visibility.empty() ? visibility : visibility.subspan(first, count));
                 });
     statistics.add(none.statistics);
     return !control.cancel;

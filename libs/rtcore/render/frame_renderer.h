@@ -7,6 +7,7 @@
 #include "rtcore/render/lens.h"
 #include "rtcore/render/sample_rays.h"
 #include "rtcore/render/view.h"
+#include "rtcore/shading/light/light_visibility.h"
 #include "rtcore/shading/light/shadow_maps.h"
 #include "rtcore/shading/stage_times.h"
 #include "rtcore/shading/surface/material_table.h"
@@ -52,8 +53,12 @@ class FrameRenderer {
     /// Some pixels of the frame that render() gives: `radiance` of each of `pixels`, whose `sub` is 0, with
     /// the same bits, in their order. Neighbours should follow each other there. Not with settings.adaptive
     /// or AOVs. Adds to `statistics`. Returns false when control.cancel was set, with `radiance` undefined.
+    ///
+    /// `visibility`: what is known of lights at what each pixel sees, taken for true; gets what shadow rays
+    /// found. With one sample per pixel only. Empty: all is traced.
     bool renderPixels(const View& view, std::span<const SampleId> pixels, RenderControl& control,
-                      std::span<Colour> radiance, RayStatistics& statistics);
+                      std::span<Colour> radiance, RayStatistics& statistics,
+                      std::span<LightVisibility> visibility = {});
 
     /// Whether frames to come get AOVs: to be written, or for effects (effectsNeedAovs()).
     void collectAovs(bool on) { collectAovs_ = on; }

@@ -188,7 +188,8 @@ void TileRenderer::renderRest(const PixelArea& area, const AdaptiveSampler& samp
     storeMeans(area, frame, [&](int x, int y) { return sampler.refined(x, y) ? n * n : firstSamples(n); });
 }
 
-void TileRenderer::renderPixels(std::span<const SampleId> pixels, std::span<Colour> radiance) {
+void TileRenderer::renderPixels(std::span<const SampleId> pixels, std::span<Colour> radiance,
+                                std::span<LightVisibility> visibility) {
     const int count = settings_->antialiasing * settings_->antialiasing;
     samples_.clear();
     for (const SampleId& pixel : pixels) {
@@ -196,7 +197,9 @@ void TileRenderer::renderPixels(std::span<const SampleId> pixels, std::span<Colo
             samples_.push_back({pixel.x, pixel.y, static_cast<std::uint32_t>(sub)});
     }
     sameOrigin_ = false;
+    integrator_.remember(visibility);
     traceSamples();
+    integrator_.remember({});
     const ArraysOf3& found = integrator_.radiance();
     std::size_t sample = 0;
     for (Colour& pixel : radiance) {

@@ -51,8 +51,10 @@ class TileRenderer {
     /// The same in two steps. The first leaves sums in frame.radiance and numbers of hits in frame.covered.
     void renderFirst(const PixelArea& area, AdaptiveSampler& sampler, Frame& frame);
     void renderRest(const PixelArea& area, const AdaptiveSampler& sampler, Frame& frame);
-    /// The radiance of pixels anywhere, in their order; their `sub` is 0.
-    void renderPixels(std::span<const SampleId> pixels, std::span<Colour> radiance);
+    /// The radiance of pixels anywhere, in their order; their `sub` is 0. `visibility`: as
+    /// WhittedIntegrator::remember() takes it, by pixel.
+    void renderPixels(std::span<const SampleId> pixels, std::span<Colour> radiance,
+                      std::span<LightVisibility> visibility);
     const RayStatistics& statistics() const { return integrator_.statistics(); }
     const StageTimes& stageTimes() { return integrator_.clock().times(); }
 

@@ -5,11 +5,13 @@
 #include "rtcore/kernels/ray_tracer.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
+#include "rtcore/shading/light/light_visibility.h"
 #include "rtcore/shading/light/shadow_maps.h"
 #include "rtcore/shading/stage_times.h"
 #include "rtcore/shading/surface/material_table.h"
 
 #include <atomic>
+#include <span>
 
 namespace rtcore {
 
@@ -19,7 +21,9 @@ struct FrameContext {
     const RayTracer* tracer = nullptr; ///< of the scene's mesh
     const RenderSettings* settings = nullptr;
     const MaterialTable* materials = nullptr;
-    const ShadowMaps* shadowMaps = nullptr;  ///< shadows are looked up there; null: they are traced
+    const ShadowMaps* shadowMaps = nullptr; ///< shadows are looked up there; null: they are traced
+    /// What is known of the points of primary rays, by sample, and gets what is found; empty: all is traced.
+    std::span<LightVisibility> visibility;
     const std::atomic<bool>* stop = nullptr; ///< true: return soon, the result is not wanted; may be null
     RayStatistics* statistics = nullptr;     ///< counts all rays of the frame
     StageClock* clock = nullptr;

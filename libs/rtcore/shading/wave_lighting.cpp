@@ -66,6 +66,7 @@ void WaveLighting::addShafts(const FrameContext& frame, const Wave& wave, std::s
 
 void WaveLighting::addLight(const FrameContext& frame, Wave& wave, const LightSums& to) {
     if (occlusion_.on()) addAmbient(frame, wave, to);
+    recall(frame, wave);
     const std::vector<Light>& lights = frame.scene->lights;
     for (std::size_t light = 0; light < lights.size(); ++light) {
         if (lights[light].on == 0 || frame.stopped()) continue;
@@ -75,6 +76,7 @@ void WaveLighting::addLight(const FrameContext& frame, Wave& wave, const LightSu
             addPointLight(frame, wave, light, to);
         }
     }
+    if (remembers_) keep(frame, wave);
 }
 
 void WaveLighting::addAmbient(const FrameContext& frame, Wave& wave, const LightSums& to) {
@@ -93,8 +95,9 @@ void WaveLighting::addAmbient(const FrameContext& frame, Wave& wave, const Light
 /// An area light counts as a point in its middle here.
 void WaveLighting::addPointLight(const FrameContext& frame, Wave& wave, std::size_t light,
                                  const LightSums& to) {
+    const KnownVisibility known{clear_.data(), dark_.data(), 1U << light % kRememberedLights};
     rtcore::addLight(frame.scene->lights[light], *frame.materials, wave.surfaces,
-                     frame.settings->shadows ? &shadowRays_ : nullptr);
+                     frame.settings->shadows ? &shadowRays_ : nullptr, remembers(light) ? &known : nullptr);
     addArriving(frame, wave, light, to);
 }
 
@@ -120,7 +123,7 @@ void WaveLighting::addArriving(const FrameContext& frame, Wave& wave, std::size_
     if (fog_->on() && !tracesTinted(frame)) fog_->dimLight(light, wave.surfaces);
     frame.clock->lap(Stage::Light);
     if (frame.settings->shadows) {
-        if (shadowRays_.rays.empty()) return;
+        if (shadowRays_.rays.empty() && !remembers_) return;
         takeShadows(frame, wave, number);
         frame.clock->lap(Stage::Shadows);
     }
@@ -137,6 +140,7 @@ void WaveLighting::takeShadows(const FrameContext& frame, Wave& wave, std::size_
     const std::uint32_t* const point = shadowRays_.point.data();
     const RayWave& rays = shadowRays_.rays;
     const auto tint = [&](std::size_t ray, Colour arriving) {
+        note(number, point[ray], arriving);
         surfaces.added.set(point[ray], surfaces.added.colourAt(point[ray]) * arriving);
     };
     if (frame.shadowMaps != nullptr) {
@@ -151,8 +155,37 @@ void WaveLighting::takeShadows(const FrameContext& frame, Wave& wave, std::size_
     } else {
         const std::vector<std::uint8_t>& occluded = shadows_.occluded(rays, *frame.statistics);
         for (std::size_t i = 0; i < occluded.size(); ++i) {
+            note(number, point[i], occluded[i] != 0 ? Colour{} : kWhite);
             if (occluded[i] != 0) surfaces.added.set(point[i], Colour{});
         }
+    }
+}
+
+// --- What is remembered ---
+
+void WaveLighting::recall(const FrameContext& frame, const Wave& wave) {
+    remembers_ = !frame.visibility.empty() && wave.paths.primary() && frame.settings->shadows;
+    if (!remembers_) return;
+    clear_.assign(wave.size() + kWaveBlock, 0);
+    dark_.assign(wave.size() + kWaveBlock, 0);
+    for (std::size_t i = 0; i < wave.size(); ++i) {
+        const LightVisibility known = frame.visibility[wave.paths.sample(i)];
+        clear_[i] = known.clear;
+        dark_[i] = known.dark;
+    }
+}
+
+/// What a shadow ray found. Light that is tinted is asked for anew each time.
+void WaveLighting::note(std::size_t light, std::size_t point, Colour arriving) {
+    if (!remembers(light)) return;
+    if (isBlack(arriving)) dark_[point] |= 1U << light;
+    if (arriving == kWhite) clear_[point] |= 1U << light;
+}
+
+void WaveLighting::keep(const FrameContext& frame, const Wave& wave) const {
+    for (std::size_t i = 0; i < wave.size(); ++i) {
+        frame.visibility[wave.paths.sample(i)] = {static_cast<std::uint16_t>(clear_[i]),
+                                                  static_cast<std::uint16_t>(dark_[i])};
     }
 }
 

@@ -42,6 +42,10 @@ class WaveLighting {
     void addAreaLight(const FrameContext& frame, Wave& wave, std::size_t light, const LightSums& to);
     void addArriving(const FrameContext& frame, Wave& wave, std::size_t light, const LightSums& to);
     void takeShadows(const FrameContext& frame, Wave& wave, std::size_t light);
+    void recall(const FrameContext& frame, const Wave& wave);
+    void note(std::size_t light, std::size_t point, Colour arriving);
+    void keep(const FrameContext& frame, const Wave& wave) const;
+    bool remembers(std::size_t light) const { return remembers_ && light < kRememberedLights; }
     bool tracesTinted(const FrameContext& frame) const {
         return frame.settings->shadows && shadows_.tinted() && frame.shadowMaps == nullptr;
     }
@@ -53,7 +57,9 @@ class WaveLighting {
     AreaLightSampler areaLightSampler_;
     ShadowTracer shadows_;
     ShadowRays shadowRays_;
-    std::vector<Colour> arriving_; ///< along shadow rays, by the maps
+    bool remembers_ = false;                  ///< the next two hold for the wave
+    std::vector<std::uint32_t> clear_, dark_; ///< LightVisibility of its points, for whole blocks
+    std::vector<Colour> arriving_;            ///< along shadow rays, by the maps
 };
 
 } // namespace rtcore

@@ -53,6 +53,10 @@ class WhittedIntegrator {
     /// Shadow maps to look shadows up in instead of tracing rays; null: shadows are traced.
     void takeShadowsFrom(const ShadowMaps* maps) { frame_.shadowMaps = maps; }
 
+    /// What is known of lights at what the next wave's primary rays hit, by sample; what shadow rays find is
+    /// added. Empty: nothing is known or kept.
+    void remember(std::span<LightVisibility> visibility) { frame_.visibility = visibility; }
+
     /// trace(), with the results copied to spans of the size of the wave.
     void trace(const RayWave& primary, std::span<Colour> radiance, std::span<std::uint8_t> hit);
 

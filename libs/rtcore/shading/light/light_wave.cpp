@@ -63,11 +63,13 @@ HWY_INLINE Float3 roughReflectance(const MaterialRow* rows, const std::uint32_t*
 
 template <LightKind kind>
 HWY_INLINE std::size_t lightAll(const Light& light, const LightStrata* strata, const MaterialRow* rows,
-                                const SurfaceWave& s, const ShadowArrays* shadows) {
+                                const SurfaceWave& s, const ShadowArrays* shadows,
+                                const KnownVisibility* known) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < s.size(); i += lanes()) {
         const Uint traits = load(s.traits + i);
         Mask lit = hasTrait(traits, traits::kPoint);
+        if (known != nullptr) lit = without(lit, hasTrait(load(known->dark + i), known->bit));
         if (none(lit)) {
             storeAt(Float3{}, s.added, i);
             continue;
@@ -101,6 +103,7 @@ HWY_INLINE std::size_t lightAll(const Light& light, const LightStrata* strata, c
         if (shadows == nullptr) continue;
 
         lit = without(lit, isZero(added));
+        if (known != nullptr) lit = without(lit, hasTrait(load(known->clear + i), known->bit));
         const Compressor some(lit);
         const Float clearance = load(s.clearance + i);
         storeAt(position + geometricNormal * clearance, some, shadows->origin, count);
@@ -114,9 +117,10 @@ HWY_INLINE std::size_t lightAll(const Light& light, const LightStrata* strata, c
 
 /// Returns the number of shadow rays.
 std::size_t lightSurfaces(const Light& light, const LightStrata* strata, const MaterialRow* rows,
-                          const SurfaceWave& surfaces, const ShadowArrays* shadows) {
+                          const SurfaceWave& surfaces, const ShadowArrays* shadows,
+                          const KnownVisibility* known) {
     return forKind(light.kind, [&]<LightKind kind>() HWY_ATTR {
-        return lightAll<kind>(light, strata, rows, surfaces, shadows);
+        return lightAll<kind>(light, strata, rows, surfaces, shadows, known);
     });
 }
 
@@ -132,9 +136,9 @@ HWY_EXPORT(lightSurfaces);
 namespace {
 
 void addLight(const Light& light, const LightStrata* strata, const MaterialTable& materials,
-              SurfaceWave& surfaces, ShadowRays* shadows) {
+              SurfaceWave& surfaces, ShadowRays* shadows, const KnownVisibility* known) {
     if (shadows == nullptr) {
-        HWY_DYNAMIC_DISPATCH(lightSurfaces)(light, strata, materials.rows(), surfaces, nullptr);
+        HWY_DYNAMIC_DISPATCH(lightSurfaces)(light, strata, materials.rows(), surfaces, nullptr, nullptr);
         return;
     }
     RayWave& rays = shadows->rays;
@@ -145,19 +149,20 @@ void addLight(const Light& light, const LightStrata* strata, const MaterialTable
                               {rays.dx.data(), rays.dy.data(), rays.dz.data()},
                               rays.tMax.data(),
                               shadows->point.data()};
-    rays.resize(HWY_DYNAMIC_DISPATCH(lightSurfaces)(light, strata, materials.rows(), surfaces, &arrays));
+    rays.resize(
+        HWY_DYNAMIC_DISPATCH(lightSurfaces)(light, strata, materials.rows(), surfaces, &arrays, known));
 }
 
 } // namespace
 
-void addLight(const Light& light, const MaterialTable& materials, SurfaceWave& surfaces,
-              ShadowRays* shadows) {
-    addLight(light, nullptr, materials, surfaces, shadows);
+void addLight(const Light& light, const MaterialTable& materials, SurfaceWave& surfaces, ShadowRays* shadows,
+              const KnownVisibility* known) {
+    addLight(light, nullptr, materials, surfaces, shadows, known);
 }
 
 void addLight(const Light& light, const LightStrata& strata, const MaterialTable& materials,
               SurfaceWave& surfaces, ShadowRays* shadows) {
-    addLight(light, &strata, materials, surfaces, shadows);
+    addLight(light, &strata, materials, surfaces, shadows, nullptr);
 }
 
 } // namespace rtcore

@@ -25,10 +25,18 @@ struct LightStrata {
     float ofAll = 1; ///< of one of all strata that a pixel samples: highlights are widened to it
 };
 
+/// What is known of a light's visibility without tracing, by point of the wave and for whole blocks of
+/// kWaveBlock: a bit that is set in `clear` where all of it arrives, in `dark` where nothing does.
+struct KnownVisibility {
+    const std::uint32_t *clear, *dark;
+    std::uint32_t bit;
+};
+
 /// Sets surfaces.added to what `light` adds unshadowed to each point, zero where it adds nothing, and
-/// `shadows` to one ray for each point where it adds something, unless it is null. Keeps the memory of
-/// `shadows`.
-void addLight(const Light& light, const MaterialTable& materials, SurfaceWave& surfaces, ShadowRays* shadows);
+/// `shadows` to one ray for each point where it adds something and is not `known`, unless it is null. Keeps
+/// the memory of `shadows`.
+void addLight(const Light& light, const MaterialTable& materials, SurfaceWave& surfaces, ShadowRays* shadows,
+              const KnownVisibility* known = nullptr);
 /// The same for one stratum of an area light (isAreaLight()): the mean over uniformly distributed strata is
 /// its light. Spheres are sampled uniformly in the cone that they fill (Shirley, Wang and Zimmerman 1996),
 /// rectangles by area.
