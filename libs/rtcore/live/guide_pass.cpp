@@ -2,6 +2,7 @@
 
 #include "rtcore/live/recall.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -105,7 +106,22 @@ Asked onSurfaceOf(const LiveImage& present, int x, int y, int neighbourX, int ne
     return {plane.eye + towards * depth, normal, depth};
 }
 
-/// The nearest of the surfaces around that the past saw here; else the nearest of all.
+/// The light of a neighbour that is (dx, dy) pixels away.
+void borrowLight(const LivePoint& neighbour, int dx, int dy, LivePoint& point) {
+    if (!neighbour.lit()) return;
+    constexpr int kPixel = static_cast<int>(kOffsetSteps);
+    const auto moved = [](int offset, int pixels) {
+        return static_cast<std::int8_t>(std::clamp(offset + pixels * kPixel, -127, 127));
+    };
+    point.light = neighbour.light;
+    point.lights = neighbour.lights;
+    point.across = moved(neighbour.across, dx);
+    point.down = moved(neighbour.down, dy);
+    point.age = neighbour.age;
+    point.flags = neighbour.flags;
+}
+
+/// The nearest of the surfaces around that the past saw here; else the nearest of all, in its light there.
 LivePoint guess(const GuidePass::Task& task, const LiveImage& present, int x, int y) {
     constexpr std::array<std::array<int, 2>, 8> kAround{
         {{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
@@ -128,9 +144,12 @@ LivePoint guess(const GuidePass::Task& task, const LiveImage& present, int x, in
         point.depth = asked.depth;
         point.normal = neighbour.normal;
         point.flags = static_cast<std::uint8_t>(neighbour.flags & LivePoint::kViewDependent);
-        if (!nearest.known() || point.depth < nearest.depth) nearest = point;
-        if (best.known() && best.depth <= point.depth) continue;
-        if (wasSeen(task.past, asked) && recallLight(task.past, asked, point)) best = point;
+        if (!best.known() || point.depth < best.depth) {
+            if (wasSeen(task.past, asked) && recallLight(task.past, asked, point)) best = point;
+        }
+        if (best.known() || (nearest.known() && nearest.depth <= point.depth)) continue;
+        borrowLight(neighbour, dx, dy, point);
+        nearest = point;
     }
     return best.known() ? best : nearest;
 }

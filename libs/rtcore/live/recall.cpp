@@ -57,9 +57,9 @@ bool recallLight(const LiveImage& past, const Asked& asked, LivePoint& point) {
     const ImagePlane::Position seen = positionIn(past, asked);
     if (!seen.inside) return false;
     const SameSurface same(past, asked);
-    const int column = static_cast<int>(seen.x), row = static_cast<int>(seen.y);
-    const int right = std::min(column + 1, past.plane.width - 1),
-              bottom = std::min(row + 1, past.plane.height - 1);
+    // The four pixels around.
+    const int column = static_cast<int>(seen.x + 0.5F), row = static_cast<int>(seen.y + 0.5F);
+    const int right = std::min(column, past.plane.width - 1), bottom = std::min(row, past.plane.height - 1);
     float nearest = kFarthest * kFarthest, across = 0, down = 0;
     const LivePoint* found = nullptr;
     for (int y = std::max(row - 1, 0); y <= bottom; ++y) {

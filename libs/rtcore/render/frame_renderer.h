@@ -50,9 +50,10 @@ class FrameRenderer {
     /// its middle. `frame` gets a pixel for each square, also for those that the right or lower edge cuts.
     bool renderCoarse(const View& view, int block, RenderControl& control, Frame& frame);
 
-    /// Some pixels of the frame that render() gives: `radiance` of each of `pixels`, whose `sub` is 0, with
-    /// the same bits, in their order. Neighbours should follow each other there. Not with settings.adaptive
-    /// or AOVs. Adds to `statistics`. Returns false when control.cancel was set, with `radiance` undefined.
+    /// Some pixels of the frame that render() gives: `radiance` of each of `pixels`, whose `sub` is 0, in
+    /// their order. Neighbours should follow each other there. Mirrored light and samples may be added in
+    /// another order, which rounds otherwise; it depends on `pixels` alone. Not with settings.adaptive or
+    /// AOVs. Adds to `statistics`. Returns false when control.cancel was set, with `radiance` undefined.
     ///
     /// `visibility`: what is known of lights at what each pixel sees, taken for true; gets what shadow rays
     /// found. With one sample per pixel only. Empty: all is traced.

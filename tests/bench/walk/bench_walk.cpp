@@ -96,7 +96,7 @@ class Comparison {
     }
 
     rtcore::LdrImage onScreen(std::size_t camera) const {
-        return enlarged(published_[pictureAt(camera)].image, options_.width, options_.height);
+        return upsampled(published_[pictureAt(camera)].image, options_.width, options_.height);
     }
 
     rtcore::LdrImage reference(std::size_t camera) const {

@@ -45,7 +45,7 @@ Between between(int i, int count, int of) {
 
 } // namespace
 
-rtcore::LdrImage enlarged(const rtcore::LdrImage& image, int width, int height) {
+rtcore::LdrImage upsampled(const rtcore::LdrImage& image, int width, int height) {
     if (image.width == width && image.height == height) return image;
     rtcore::LdrImage result(width, height);
     for (int y = 0; y < height; ++y) {

@@ -14,7 +14,7 @@ struct PictureErrors {
 };
 
 /// What the window draws of a frame that is smaller than it: interpolated linearly.
-rtcore::LdrImage enlarged(const rtcore::LdrImage& image, int width, int height);
+rtcore::LdrImage upsampled(const rtcore::LdrImage& image, int width, int height);
 
 PictureErrors errorsOf(const rtcore::LdrImage& image, const rtcore::LdrImage& reference,
                        const test::Flip& flip);

@@ -24,7 +24,7 @@ OptionGroup walkGroup() {
              {.name = "fps",
               .value = ValueKind::Number,
               .argument = "N",
-              .help = "the cameras follow each other at N a second, and a frame may take as long [30]",
+              .help = "the cameras follow each other at N per second, and a frame may take as long [30]",
               .minimum = 1,
               .maximum = 1000},
              {.name = "frames",
@@ -91,7 +91,7 @@ const app::ProgramSpec& walkSpec() {
                         {.name = "LIST", .help = "the recorded walk"}},
         .groups = {walkGroup(), comparisonGroup()},
         .examples = {{"bench_walk nave.scn nave.lst --csv nave.csv --sheet nave.png",
-                      "at 30 frames a second, as in the window"},
+                      "at 30 frames per second, as in the window"},
                      {"bench_walk nave.scn nave.lst --fixed --threads 1", "what a whole frame costs"}},
     };
     return spec;

@@ -6,7 +6,9 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <thread>
+#include <vector>
 
 namespace rtcore {
 namespace {
@@ -226,6 +228,93 @@ TEST(RenderFrame, ReusesAFrameOfAnySize) {
     EXPECT_EQ(frame.radiance.pixels, fresh.radiance.pixels);
     EXPECT_EQ(frame.covered, fresh.covered);
     EXPECT_EQ(frame.statistics.rays, fresh.statistics.rays);
+}
+
+/// Each third pixel has what render() gives there. `rounding`: of the order in which light is added.
+void expectPixelsOf(const Scene& scene, const RenderSettings& settings, float rounding) {
+    const test::TracedScene traced(scene);
+    const Frame whole = test::render(traced, settings);
+    std::vector<SampleId> pixels;
+    for (std::size_t i = 0; i < whole.radiance.pixels.size(); i += 3) {
+        const auto width = static_cast<std::size_t>(settings.width);
+        pixels.push_back({static_cast<std::uint16_t>(i % width), static_cast<std::uint16_t>(i / width), 0});
+    }
+    std::vector<Colour> first;
+    for (const int threads : {1, 3}) {
+        std::vector<Colour> found(pixels.size());
+        RenderControl control{.threads = threads};
+        RayStatistics statistics;
+        ASSERT_TRUE(
+            FrameRenderer().renderPixels({traced.scene, traced.tracer, test::sampleCamera(), settings},
+                                         pixels, control, found, statistics));
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
+            const Colour there = whole.radiance.at(pixels[i].x, pixels[i].y);
+            const float most = rounding * luminance(there);
+            ASSERT_NEAR(found[i].r, there.r, most) << i;
+            ASSERT_NEAR(found[i].g, there.g, most) << i;
+            ASSERT_NEAR(found[i].b, there.b, most) << i;
+        }
+        EXPECT_LT(statistics.total(), whole.statistics.total());
+        if (threads == 1) first = found;
+        EXPECT_TRUE(found == first);
+    }
+}
+
+/// Without secondary rays.
+Scene plainScene() {
+    Scene scene = test::softlyLitScene();
+    for (Material& m : scene.materials) {
+        m.mirror = {};
+        m.opacity = 1;
+        m.alphaTexture = kNoTexture;
+    }
+    return scene;
+}
+
+TEST(RenderFrame, SomePixelsAreThoseOfTheWholeFrame) {
+    constexpr float kRounding = 1e-5F;
+    for (const int antialiasing : {1, 3}) {
+        RenderSettings settings = test::sampleSettings(101, 67, antialiasing);
+        const float few = antialiasing == 1 ? 0 : kRounding;
+        expectPixelsOf(plainScene(), settings, few);
+        expectPixelsOf(test::softlyLitScene(), settings, kRounding);
+        settings.ambientOcclusion.on = true;
+        settings.sampling = SamplingPattern::Poisson;
+        settings.depthOfField.on = true;
+        expectPixelsOf(plainScene(), settings, few);
+        expectPixelsOf(test::softlyLitScene(), settings, kRounding);
+    }
+}
+
+TEST(RenderFrame, PixelsWhoseLightsAreKnownNeedNoShadowRays) {
+    Scene scene = plainScene();
+    for (Light& light : scene.lights) light.kind = isAreaLight(light) ? LightKind::Point : light.kind;
+    const test::TracedScene traced(scene);
+    const RenderSettings settings = test::sampleSettings(101, 67);
+    const View view{traced.scene, traced.tracer, test::sampleCamera(), settings};
+    std::vector<SampleId> pixels;
+    for (std::uint16_t y = 0; y < 67; ++y) {
+        for (std::uint16_t x = 0; x < 101; ++x) pixels.push_back({x, y, 0});
+    }
+    FrameRenderer renderer;
+    RenderControl control{.threads = 1};
+    std::vector<LightVisibility> visibility(pixels.size());
+    std::vector<Colour> first(pixels.size()), second(pixels.size());
+    RayStatistics traced1, traced2;
+    renderer.renderPixels(view, pixels, control, first, traced1, visibility);
+    renderer.renderPixels(view, pixels, control, second, traced2, visibility);
+    EXPECT_EQ(first, second);
+    EXPECT_EQ(first, test::render(traced, settings).radiance.pixels);
+    EXPECT_GT(traced1.rays[static_cast<std::size_t>(RayKind::Shadow)], pixels.size() / 2);
+    EXPECT_EQ(traced2.rays[static_cast<std::size_t>(RayKind::Shadow)], 0U);
+    // What is known is taken for true.
+    std::vector<LightVisibility> dark(pixels.size(), {0, 0xFFFF});
+    RayStatistics none;
+    renderer.renderPixels(view, pixels, control, second, none, dark);
+    double brighter = 0;
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        brighter += luminance(first[i]) > luminance(second[i]) ? 1 : 0;
+    EXPECT_GT(brighter, 0.2 * static_cast<double>(pixels.size()));
 }
 
 TEST(RenderFrame, StopsWhenItIsTold) {

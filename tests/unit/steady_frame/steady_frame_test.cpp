@@ -1,4 +1,5 @@
 // A frame like the one before it allocates nothing: counted by replacing operator new.
+#include "rtcore/live/live_renderer.h"
 #include "rtcore/post/develop.h"
 #include "rtcore/post/effects.h"
 #include "rtcore/render/frame_renderer.h"
@@ -91,6 +92,27 @@ TEST(SteadyFrame, OfOneThreadAllocatesNothing) {
         EXPECT_EQ(pictures.make(settings, 1), 0U);
         EXPECT_EQ(pictures.image().pixels, first);
     }
+}
+
+TEST(SteadyFrame, OfALiveWalkAllocatesNothing) {
+    const test::TracedScene traced(test::sampleScene());
+    const RenderSettings settings = settingsWith(1, true, 5);
+    LiveRenderer live;
+    RenderControl control{.threads = 1};
+    Frame frame;
+    const auto walk = [&] {
+        const std::uint64_t before = allocations;
+        for (int i = 0; i < 8; ++i) {
+            Camera camera = test::sampleCamera();
+            camera.eye.x += 0.02F * static_cast<float>(i);
+            EXPECT_TRUE(live.render({traced.scene, traced.tracer, camera, settings}, {1 + i % 2, 0.2},
+                                    control, frame));
+        }
+        return allocations - before;
+    };
+    EXPECT_GT(walk(), 0U);
+    walk();
+    EXPECT_EQ(walk(), 0U);
 }
 
 TEST(SteadyFrame, WithALensAndAdaptiveSamplesAllocatesNothing) {

@@ -1,0 +1,18 @@
+/// What is known of lights that a point sees, so that no shadow ray asks for it again.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace rtcore {
+
+/// A bit for each of the scene's first kRememberedLights lights, set in `clear` where all of its light
+/// arrives and in `dark` where none does. Of lights with neither nothing is known, or they arrive in part.
+struct LightVisibility {
+    std::uint16_t clear = 0, dark = 0;
+
+    friend bool operator==(const LightVisibility&, const LightVisibility&) = default;
+};
+inline constexpr std::size_t kRememberedLights = 16;
+
+} // namespace rtcore
