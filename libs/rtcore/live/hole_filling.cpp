@@ -20,7 +20,7 @@ bool sameSurface(const LiveImage& image, int x, int y, int u, int v) {
 }
 
 Colour filled(const LiveImage& image, int x, int y) {
-    constexpr int kReach = 2, kWidest = 16;
+    constexpr int kReach = 1, kWidest = 16;
     for (int step = 1; step <= kWidest; step *= 2) {
         Colour sum;
         float weights = 0;

@@ -59,25 +59,27 @@ bool LiveRenderer::draws(const View& view) {
            settings.sampling == SamplingPattern::Grid && !settings.depthOfField.on;
 }
 
-bool LiveRenderer::render(const View& view, const LiveBudget& budget, RenderControl& control, Frame& frame) {
-    const RenderSettings& settings = view.settings;
-    const int threads = threadsFor(control.threads);
-    present_.plane =
-        ImagePlane(CameraRays(view.camera, settings.width, settings.height), settings.width, settings.height);
-    const std::size_t count =
-        static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
+void LiveRenderer::begin(const View& view) {
+    const int width = view.settings.width, height = view.settings.height;
+    const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    present_.plane = ImagePlane(CameraRays(view.camera, width, height), width, height);
     present_.points.resize(count);
-    if (past_.points.empty()) { // nothing is known: not even seen anywhere
-        past_.plane = present_.plane;
-        past_.points.assign(count, {});
-    }
-    frame.radiance.width = settings.width;
-    frame.radiance.height = settings.height;
+    if (!past_.points.empty()) return;
+    past_.plane = present_.plane; // nothing is known, not even what was seen
+    past_.points.assign(count, {});
+}
+
+bool LiveRenderer::render(const View& view, const LiveBudget& budget, RenderControl& control, Frame& frame) {
+    begin(view);
+    const std::size_t count = present_.points.size();
+    frame.radiance.width = present_.plane.width;
+    frame.radiance.height = present_.plane.height;
     frame.radiance.pixels.resize(count);
     frame.covered.resize(count);
     frame.statistics = {};
     frame.aovs.clear();
-    if (!findPoints(view, budget, control, frame)) return false;
+    const int threads = threadsFor(control.threads);
+    if (!findPoints(view, budget, control, frame.statistics)) return false;
     choice_.choose(present_, budget.newPoints, number_, threads);
     if (!lightPoints(view, control, frame)) return false;
     forEachTile(present_.plane, threads, control,
@@ -88,8 +90,24 @@ bool LiveRenderer::render(const View& view, const LiveBudget& budget, RenderCont
     return true;
 }
 
+bool LiveRenderer::keep(const View& view, const Frame& frame, RenderControl& control) {
+    begin(view);
+    RayStatistics rays;
+    if (!findPoints(view, {.guides = 1, .newPoints = 0}, control, rays)) return false;
+    for (std::size_t i = 0; i < present_.points.size(); ++i) {
+        LivePoint& point = present_.points[i];
+        point.light = packLight(frame.radiance.pixels[i]);
+        point.across = point.down = 0;
+        point.age = 0;
+        point.flags = static_cast<std::uint8_t>(point.flags | LivePoint::kLit);
+    }
+    std::swap(past_, present_);
+    ++number_;
+    return true;
+}
+
 bool LiveRenderer::findPoints(const View& view, const LiveBudget& budget, RenderControl& control,
-                              Frame& frame) {
+                              RayStatistics& rays) {
     const int threads = threadsFor(control.threads);
     if (passes_.size() < static_cast<std::size_t>(threads)) passes_.resize(static_cast<std::size_t>(threads));
     for (std::unique_ptr<GuidePass>& pass : passes_) {
@@ -97,8 +115,8 @@ bool LiveRenderer::findPoints(const View& view, const LiveBudget& budget, Render
         pass->begin();
     }
     materials_.prepare(view.scene, view.settings);
-    const CameraRays rays(view.camera, view.settings.width, view.settings.height);
-    const GuidePass::Task task{view.scene, view.tracer, materials_, rays, {budget.guides, number_}, past_};
+    const CameraRays camera(view.camera, view.settings.width, view.settings.height);
+    const GuidePass::Task task{view.scene, view.tracer, materials_, camera, {budget.guides, number_}, past_};
     forEachTile(present_.plane, threads, control, [&](const PixelArea& area) {
         passes_[static_cast<std::size_t>(threadNumber())]->trace(task, area, present_);
     });
@@ -106,7 +124,7 @@ bool LiveRenderer::findPoints(const View& view, const LiveBudget& budget, Render
         forEachTile(present_.plane, threads, control,
                     [&](const PixelArea& area) { guessPoints(task, area, present_); });
     }
-    for (const std::unique_ptr<GuidePass>& pass : passes_) frame.statistics.add(pass->statistics());
+    for (const std::unique_ptr<GuidePass>& pass : passes_) rays.add(pass->statistics());
     return !control.cancel;
 }
 

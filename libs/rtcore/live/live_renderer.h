@@ -38,6 +38,10 @@ class LiveRenderer {
     /// set: the frame is undefined then, and the past as it was.
     bool render(const View& view, const LiveBudget& budget, RenderControl& control, Frame& frame);
 
+    /// Keeps the light of a whole frame of that view, which `frame` holds; it may have other samples. Returns
+    /// false when control.cancel was set, with the past as it was.
+    bool keep(const View& view, const Frame& frame, RenderControl& control);
+
     /// The light that is kept does not hold any more: lights, materials or settings changed.
     void forget() { past_.points.clear(); }
 
@@ -50,7 +54,8 @@ class LiveRenderer {
     }
 
   private:
-    bool findPoints(const View& view, const LiveBudget& budget, RenderControl& control, Frame& frame);
+    void begin(const View& view);
+    bool findPoints(const View& view, const LiveBudget& budget, RenderControl& control, RayStatistics& rays);
     bool lightPoints(const View& view, RenderControl& control, Frame& frame);
 
     FrameRenderer renderer_;

@@ -81,12 +81,15 @@ void FrameRenderer::prepare(const View& view) {
 bool FrameRenderer::renderPixels(const View& view, std::span<const SampleId> pixels, RenderControl& control,
                                  std::span<Colour> radiance, RayStatistics& statistics,
                                  std::span<LightVisibility> visibility) {
-    constexpr std::size_t kSamples = 8192; // of a part: enough that secondary rays share work
+    // Samples of a part: enough that secondary rays share work, and few enough that all threads have some.
+    // Not of the number of threads, since parts decide how sums are rounded.
+    constexpr std::size_t kLeast = 512, kMost = 8192, kParts = 16;
     aim(view);
     prepare(view);
     const auto ofPixel = static_cast<std::size_t>(view.settings.antialiasing) *
                          static_cast<std::size_t>(view.settings.antialiasing);
-    const std::size_t size = std::max<std::size_t>(1, kSamples / ofPixel);
+    const std::size_t samples = std::clamp(pixels.size() * ofPixel / kParts, kLeast, kMost);
+    const std::size_t size = std::max<std::size_t>(1, samples / ofPixel);
     const auto parts = static_cast<int>((pixels.size() + size - 1) / size);
     control.tilesDone = 0;
     control.tiles = static_cast<std::uint64_t>(parts);

@@ -111,6 +111,7 @@ class Comparison {
         moment.camera = static_cast<int>(camera);
         const double before = options_.fixed || index == 0 ? 0 : published_[index - 1].seconds;
         moment.milliseconds = 1000 * (picture.seconds - before);
+        moment.drawn = 1000 * picture.drawn;
         if (!options_.fixed)
             moment.age =
                 1000 * (static_cast<double>(camera + 1) / options_.framesPerSecond - picture.seconds);

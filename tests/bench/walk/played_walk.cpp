@@ -37,13 +37,14 @@ LiveServer::LiveServer(const WalkOptions& options)
       state_(
           options_, [](const rtcore::RenderSettings&) {}, messages_),
       upkeep_(options_, state_, messages_),
-      drawing_(state_, upkeep_,
-               {.poll = [] { return rtserver::Arrivals{}; },
-                .publish =
-                    [this](const ipc::FrameInfo&, const rtcore::LdrImage& image) {
-                        published_.push_back({seconds(Clock::now() - begun_), image});
-                    }},
-               options.threads, options.fixed ? 0 : options.framesPerSecond) {
+      drawing_(
+          state_, upkeep_,
+          {.poll = [] { return rtserver::Arrivals{}; },
+           .publish =
+               [this](const ipc::FrameInfo&, const rtcore::LdrImage& image) {
+                   published_.push_back({seconds(Clock::now() - begun_), drawing_.frames().seconds(), image});
+               }},
+          options.threads, options.fixed ? 0 : options.framesPerSecond) {
     upkeep_.load(options_.scene, std::nullopt);
     settle();
 }
@@ -86,7 +87,7 @@ std::vector<Published> LiveServer::play(const std::vector<rtcore::Camera>& camer
     settle();
     published_.clear();
     published_.reserve(2 * cameras.size());
-    published_.push_back({0, drawing_.frames().image()});
+    published_.push_back({0, drawing_.frames().seconds(), drawing_.frames().image()});
     state_.play(std::make_unique<rtserver::Playback>(recorder.list()));
     begun_ = Clock::now();
     const double end = static_cast<double>(cameras.size()) / walk_.framesPerSecond;

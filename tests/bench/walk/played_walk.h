@@ -20,6 +20,7 @@ namespace bench {
 /// A picture that was published while the walk was played.
 struct Published {
     double seconds = 0; ///< since the walk began
+    double drawn = 0;   ///< seconds that it took to trace
     rtcore::LdrImage image;
 };
 

@@ -48,14 +48,17 @@ std::string summaryOf(const std::vector<Moment>& moments) {
         "size each way, %", "{:.0f}", moments, [](const Moment& m) { return 100 * m.scale; }, 1 - kWorst);
     text += lineOf(
         "from frame to frame, ms", "{:.1f}", moments, [](const Moment& m) { return m.milliseconds; }, kWorst);
+    text += lineOf(
+        "to trace a frame, ms", "{:.1f}", moments, [](const Moment& m) { return m.drawn; }, kWorst);
     return text;
 }
 
 void writeCsv(const std::filesystem::path& path, const std::vector<Moment>& moments) {
-    std::string text = "camera,milliseconds,age,scale,flip,psnr,relmse,bias\n";
+    std::string text = "camera,milliseconds,drawn,age,scale,flip,psnr,relmse,bias\n";
     for (const Moment& m : moments) {
-        text += fmt::format("{},{:.2f},{:.2f},{:.4f},{:.5f},{:.3f},{:.5f},{:.5f}\n", m.camera, m.milliseconds,
-                            m.age, m.scale, m.errors.flip, m.errors.psnr, m.errors.relMse, m.errors.bias);
+        text += fmt::format("{},{:.2f},{:.2f},{:.2f},{:.4f},{:.5f},{:.3f},{:.5f},{:.5f}\n", m.camera,
+                            m.milliseconds, m.drawn, m.age, m.scale, m.errors.flip, m.errors.psnr,
+                            m.errors.relMse, m.errors.bias);
     }
     const std::span<const std::byte> piece = std::as_bytes(std::span(text));
     rtcore::writeFileAtomically(path, std::span(&piece, 1));

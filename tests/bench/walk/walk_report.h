@@ -13,6 +13,7 @@ namespace bench {
 struct Moment {
     int camera = 0;
     double milliseconds = 0; ///< from the picture before to the one that is on the screen
+    double drawn = 0;        ///< milliseconds that the picture took to trace
     double age = 0;          ///< milliseconds that it has been there
     double scale = 1;        ///< its pixels to the window's, each way
     PictureErrors errors;

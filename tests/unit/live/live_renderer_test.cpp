@@ -92,6 +92,18 @@ TEST_F(LiveFrames, WhileMovingAreNearTheTruth) {
     EXPECT_LT(fine, coarse);
 }
 
+TEST_F(LiveFrames, BeginWithTheLightOfAWholeFrame) {
+    const View view{traced.scene, traced.tracer, cameraAt(0), settings};
+    ASSERT_TRUE(live.keep(view, whole(cameraAt(0)), control));
+    ASSERT_TRUE(draw(cameraAt(0), {1, 0}));
+    EXPECT_EQ(live.unknownPoints(), 0);
+    EXPECT_LT(error(cameraAt(0)), 0.002);
+    ASSERT_TRUE(draw(cameraAt(1), {2, 0.05}));
+    EXPECT_LT(error(cameraAt(1)), 0.03);
+    control.cancel = true;
+    EXPECT_FALSE(live.keep(view, whole(cameraAt(0)), control));
+}
+
 TEST_F(LiveFrames, BecomeTheTruthWhenTheCameraStands) {
     for (int step = 0; step <= 5; ++step) ASSERT_TRUE(draw(cameraAt(step), {2, 0.05}));
     const double moving = error(cameraAt(5));
