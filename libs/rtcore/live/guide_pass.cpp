@@ -69,41 +69,46 @@ void GuidePass::trace(const Task& task, const PixelArea& area, LiveImage& presen
     task.tracer.intersect(RayKind::Primary, rays_, hits_);
     surfaces_.fill(task.scene.mesh(), task.materials, rays_, hits_);
     const ImagePlane& plane = present.plane;
+    asked_.clear();
     for (std::size_t i = 0; i < pixels_.size(); ++i) {
-        LivePoint point;
-        Asked asked;
+        LivePoint& point = present.at(pixels_[i].x, pixels_[i].y) = {};
         const std::uint32_t found = surfaces_.traits[i];
         if (found == 0) {
-            asked = {{rays_.dx[i], rays_.dy[i], rays_.dz[i]}, {}, LivePoint::kFar};
-        } else {
-            const Vec3 position = surfaces_.position.at(i);
-            asked = {position, surfaces_.geometricNormal.at(i), dot(plane.axis, position - plane.eye)};
-            point.normal = packNormal(asked.normal);
-            if ((found & (traits::kMirror | traits::kGeneral)) != 0) point.flags = LivePoint::kViewDependent;
+            point.depth = LivePoint::kFar;
+            asked_.push({rays_.dx[i], rays_.dy[i], rays_.dz[i]}, {}, point.depth);
+            continue;
         }
-        point.depth = asked.depth;
-        recallLight(task.past, asked, point);
-        present.at(pixels_[i].x, pixels_[i].y) = point;
+        const Vec3 position = surfaces_.position.at(i), normal = surfaces_.geometricNormal.at(i);
+        point.depth = dot(plane.axis, position - plane.eye);
+        point.normal = packNormal(normal);
+        if ((found & (traits::kMirror | traits::kGeneral)) != 0) point.flags = LivePoint::kViewDependent;
+        asked_.push(position, normal, point.depth);
     }
+    recalled_.recall(task.past, asked_);
+    for (std::size_t i = 0; i < pixels_.size(); ++i)
+        recalled_.takeLight(task.past, i, present.at(pixels_[i].x, pixels_[i].y));
 }
 
 // --- Pixels without rays ---
 
 namespace {
 
-/// What a pixel sees if it sees the surface of a neighbour: the depth of that surface's plane.
-Asked onSurfaceOf(const LiveImage& present, int x, int y, int neighbourX, int neighbourY) {
-    const LivePoint& neighbour = present.at(neighbourX, neighbourY);
-    const ImagePlane& plane = present.plane;
-    const Vec3 towards = plane.towards(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
-    if (neighbour.far()) return {towards, {}, LivePoint::kFar};
+constexpr std::array<std::array<int, 2>, 8> kAround{
+    {{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
+
+/// The depth of a pixel if it sees the plane of a neighbour's surface.
+float depthOnSurface(const LiveImage& present, Vec3 towards, Vec3 normal, int x, int y) {
     constexpr float kGrazing = 1e-4F, kMostChange = 0.3F;
-    const Vec3 normal = unpackNormal(neighbour.normal);
-    const Vec3 there = present.offsetFromEye(neighbourX, neighbourY);
-    const float slope = dot(normal, towards);
-    float depth = std::fabs(slope) > kGrazing * length(towards) ? dot(normal, there) / slope : 0;
-    if (!(std::fabs(depth - neighbour.depth) < kMostChange * neighbour.depth)) depth = neighbour.depth;
-    return {plane.eye + towards * depth, normal, depth};
+    const float known = present.at(x, y).depth, slope = dot(normal, towards);
+    if (!(slope * slope > kGrazing * kGrazing * dot(towards, towards))) return known;
+    const float depth = dot(normal, present.offsetFromEye(x, y)) / slope;
+    return std::fabs(depth - known) < kMostChange * known ? depth : known;
+}
+
+/// Neighbours of one surface, as far as can be told at a glance.
+bool alike(const LivePoint& a, const LivePoint& b) {
+    constexpr float kSame = 0.01F;
+    return a.normal == b.normal && std::fabs(a.depth - b.depth) <= kSame * a.depth;
 }
 
 /// The light of a neighbour that is (dx, dy) pixels away.
@@ -121,46 +126,69 @@ void borrowLight(const LivePoint& neighbour, int dx, int dy, LivePoint& point) {
     point.flags = neighbour.flags;
 }
 
-/// The nearest of the surfaces around that the past saw here; else the nearest of all, in its light there.
-LivePoint guess(const GuidePass::Task& task, const LiveImage& present, int x, int y) {
-    constexpr std::array<std::array<int, 2>, 8> kAround{
-        {{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}}};
-    constexpr float kSame = 0.01F;
+} // namespace
+
+/// One for each surface around the pixel.
+void GuidePass::collectGuesses(const Task& task, const LiveImage& present, int x, int y) {
     const ImagePlane& plane = present.plane;
-    LivePoint best, nearest;
-    std::array<float, kAround.size()> tried{};
-    std::size_t tries = 0;
+    const Vec3 towards = plane.towards(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+    const std::size_t first = guesses_.size();
     for (const auto& [dx, dy] : kAround) {
         const int u = x + dx, v = y + dy;
         if (u < 0 || v < 0 || u >= plane.width || v >= plane.height || !task.pattern.traced(u, v)) continue;
         const LivePoint& neighbour = present.at(u, v);
-        const Asked asked = onSurfaceOf(present, x, y, u, v);
-        bool again = false;
-        for (std::size_t k = 0; k < tries; ++k)
-            again = again || std::fabs(tried[k] - asked.depth) <= kSame * asked.depth;
-        if (again) continue;
-        tried[tries++] = asked.depth;
+        const auto sameAs = [&](const Guess& other) {
+            return alike(neighbour, present.at(other.neighbour.x, other.neighbour.y));
+        };
+        if (std::any_of(guesses_.begin() + static_cast<std::ptrdiff_t>(first), guesses_.end(), sameAs))
+            continue;
+        if (neighbour.far()) {
+            guesses_.push_back({{x, y}, {u, v}, LivePoint::kFar});
+            asked_.push(towards, {}, LivePoint::kFar);
+            continue;
+        }
+        const Vec3 normal = unpackNormal(neighbour.normal);
+        const float depth = depthOnSurface(present, towards, normal, u, v);
+        guesses_.push_back({{x, y}, {u, v}, depth});
+        asked_.push(plane.eye + towards * depth, normal, depth);
+    }
+}
+
+/// The nearest of the surfaces around that the past saw there; else the nearest of all, in its light here.
+LivePoint GuidePass::bestGuess(const Task& task, const LiveImage& present, std::size_t first,
+                               std::size_t last) const {
+    LivePoint best, nearest;
+    for (std::size_t i = first; i < last; ++i) {
+        const Guess& guess = guesses_[i];
+        const LivePoint& neighbour = present.at(guess.neighbour.x, guess.neighbour.y);
         LivePoint point;
-        point.depth = asked.depth;
+        point.depth = guess.depth;
         point.normal = neighbour.normal;
         point.flags = static_cast<std::uint8_t>(neighbour.flags & LivePoint::kViewDependent);
-        if (!best.known() || point.depth < best.depth) {
-            if (wasSeen(task.past, asked) && recallLight(task.past, asked, point)) best = point;
-        }
+        const bool nearer = !best.known() || point.depth < best.depth;
+        if (nearer && recalled_.wasSeen(i) && recalled_.takeLight(task.past, i, point)) best = point;
         if (best.known() || (nearest.known() && nearest.depth <= point.depth)) continue;
-        borrowLight(neighbour, dx, dy, point);
+        borrowLight(neighbour, guess.neighbour.x - guess.pixel.x, guess.neighbour.y - guess.pixel.y, point);
         nearest = point;
     }
     return best.known() ? best : nearest;
 }
 
-} // namespace
-
-void guessPoints(const GuidePass::Task& task, const PixelArea& area, LiveImage& present) {
+void GuidePass::guess(const Task& task, const PixelArea& area, LiveImage& present) {
+    asked_.clear();
+    guesses_.clear();
     for (int y = area.top; y < area.top + area.rows; ++y) {
         for (int x = area.left; x < area.left + area.columns; ++x) {
-            if (!task.pattern.traced(x, y)) present.at(x, y) = guess(task, present, x, y);
+            if (!task.pattern.traced(x, y)) collectGuesses(task, present, x, y);
         }
+    }
+    recalled_.recall(task.past, asked_);
+    for (std::size_t first = 0; first < guesses_.size();) {
+        const Pixel pixel = guesses_[first].pixel;
+        std::size_t last = first;
+        while (last < guesses_.size() && guesses_[last].pixel == pixel) ++last;
+        present.at(pixel.x, pixel.y) = bestGuess(task, present, first, last);
+        first = last;
     }
 }
 

@@ -4,6 +4,7 @@
 #include "rtcore/kernels/ray_statistics.h"
 #include "rtcore/kernels/ray_tracer.h"
 #include "rtcore/live/live_points.h"
+#include "rtcore/live/recall.h"
 #include "rtcore/render/camera_rays.h"
 #include "rtcore/render/pixel_area.h"
 #include "rtcore/scene/scene.h"
@@ -38,25 +39,36 @@ class GuidePass {
     void begin() { statistics_ = {}; }
     /// Writes those points of the area that have rays, with the light that the past knows of them.
     void trace(const Task& task, const PixelArea& area, LiveImage& present);
+    /// Guesses the points of the area that have no rays: what their neighbours' surfaces and the past make
+    /// likely. All points that have rays must be there, those of neighbouring areas, too.
+    void guess(const Task& task, const PixelArea& area, LiveImage& present);
     const RayStatistics& statistics() const { return statistics_; }
 
   private:
+    struct Pixel {
+        int x, y;
+        friend bool operator==(const Pixel&, const Pixel&) = default;
+    };
+    /// That a pixel sees the surface of a neighbour.
+    struct Guess {
+        Pixel pixel, neighbour;
+        float depth;
+    };
     void collectRays(const Task& task, const PixelArea& area, const LiveImage& present);
     void collectGrid(const Task& task, const PixelArea& area, int left, int top, int step,
                      const ImagePlane& plane);
+    void collectGuesses(const Task& task, const LiveImage& present, int x, int y);
+    LivePoint bestGuess(const Task& task, const LiveImage& present, std::size_t first,
+                        std::size_t last) const;
 
     RayWave rays_;
     HitWave hits_;
     SurfaceWave surfaces_;
-    struct Pixel {
-        int x, y;
-    };
-    std::vector<Pixel> pixels_; ///< of the rays
+    std::vector<Pixel> pixels_;  ///< of the rays
+    std::vector<Guess> guesses_; ///< those of a pixel follow each other
+    AskedPoints asked_;          ///< of the rays, or of the guesses
+    RecalledPoints recalled_;
     RayStatistics statistics_;
 };
-
-/// Guesses the points of the area that have no rays: what their neighbours' surfaces and the past make
-/// likely. All points that have rays must be there, those of neighbouring areas, too.
-void guessPoints(const GuidePass::Task& task, const PixelArea& area, LiveImage& present);
 
 } // namespace rtcore

@@ -121,8 +121,9 @@ bool LiveRenderer::findPoints(const View& view, const LiveBudget& budget, Render
         passes_[static_cast<std::size_t>(threadNumber())]->trace(task, area, present_);
     });
     if (budget.guides > 1) {
-        forEachTile(present_.plane, threads, control,
-                    [&](const PixelArea& area) { guessPoints(task, area, present_); });
+        forEachTile(present_.plane, threads, control, [&](const PixelArea& area) {
+            passes_[static_cast<std::size_t>(threadNumber())]->guess(task, area, present_);
+        });
     }
     for (const std::unique_ptr<GuidePass>& pass : passes_) rays.add(pass->statistics());
     return !control.cancel;

@@ -1,6 +1,7 @@
 #include "rtcore/live/point_choice.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace rtcore {
@@ -15,9 +16,8 @@ constexpr float kAged = 0.003F;         ///< each frame counts as so many square
 constexpr float kAgedOfMirrors = 0.25F; ///< what is mirrored moves on the surface
 constexpr float kDark = 1.7F;           ///< of the mean luminance: less contrast is seen there
 
-// Urgency is in steps of a quarter of a power of two.
-constexpr float kSteps = 4;
-constexpr float kLeastPower = -14;
+/// Urgency has four steps for each power of two, from 2^-14 on: the upper bits of a float.
+constexpr int kUrgencyShift = 21, kFirstUrgency = (127 - 14) << 2;
 
 int tileRows(const LiveImage& image) { return (image.plane.height + kChoiceTile - 1) / kChoiceTile; }
 
@@ -75,8 +75,8 @@ std::uint8_t PointChoice::urgencyAt(const LiveImage& image, int x, int y) const 
     const float contrast = (most - least) / (most + least + dark_);
     const float aged = point.age * (point.viewDependent() ? kAgedOfMirrors : kAged);
     const float shows = (offset + kLeastOffset + aged) * (contrast + kLeastContrast);
-    const float step = (std::log2(shows) - kLeastPower) * kSteps;
-    return static_cast<std::uint8_t>(std::clamp(step, 1.0F, static_cast<float>(kUrgencies - 2)));
+    const int step = static_cast<int>(std::bit_cast<std::uint32_t>(shows) >> kUrgencyShift) - kFirstUrgency;
+    return static_cast<std::uint8_t>(std::clamp(step, 1, static_cast<int>(kUrgencies) - 2));
 }
 
 void PointChoice::measureUrgency(const LiveImage& image, int threads) {

@@ -5,6 +5,11 @@
 namespace rtcore {
 namespace {
 
+struct Asked {
+    Vec3 position, normal;
+    float depth = 0;
+};
+
 /// A wall across the view, 10 before the eye, each pixel with light of its own.
 class Wall : public testing::Test {
   protected:
@@ -41,8 +46,26 @@ class Wall : public testing::Test {
         return {eye + towards * depth, {0, 0, 1}, dot(plane.axis, towards * depth)};
     }
 
+    bool recallLight(const LiveImage& from, const Asked& asked, LivePoint& to) {
+        ask(from, asked);
+        return recalled.takeLight(from, 0, to);
+    }
+    bool wasSeen(const LiveImage& from, const Asked& asked) {
+        ask(from, asked);
+        return recalled.wasSeen(0);
+    }
+
     LiveImage past;
     LivePoint point;
+
+  private:
+    void ask(const LiveImage& from, const Asked& asked) {
+        points.clear();
+        points.push(asked.position, asked.normal, asked.depth);
+        recalled.recall(from, points);
+    }
+    AskedPoints points;
+    RecalledPoints recalled;
 };
 
 TEST_F(Wall, AStillCameraRecallsEachPixelsOwnLight) {
