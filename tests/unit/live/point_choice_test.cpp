@@ -9,21 +9,21 @@
 namespace rtcore {
 namespace {
 
-constexpr int kWidth = 96, kHeight = 80;
+constexpr int kColumns = 96, kRows = 80;
 
 /// A lit surface, dark on the left and bright on the right, all of whose light is from half a pixel away.
 LiveImage image() {
     LiveImage result;
-    result.plane.width = kWidth;
-    result.plane.height = kHeight;
-    result.points.resize(static_cast<std::size_t>(kWidth) * kHeight);
-    for (int y = 0; y < kHeight; ++y) {
-        for (int x = 0; x < kWidth; ++x) {
+    result.plane.width = kColumns;
+    result.plane.height = kRows;
+    result.points.resize(static_cast<std::size_t>(kColumns) * kRows);
+    for (int y = 0; y < kRows; ++y) {
+        for (int x = 0; x < kColumns; ++x) {
             LivePoint& point = result.at(x, y);
             point.depth = 1;
             point.flags = LivePoint::kLit;
             point.across = static_cast<std::int8_t>(kOffsetSteps / 2);
-            point.light = packLight(x < kWidth / 2 ? Colour{0.1F, 0.1F, 0.1F} : Colour{1, 1, 1});
+            point.light = packLight(x < kColumns / 2 ? Colour{0.1F, 0.1F, 0.1F} : Colour{1, 1, 1});
         }
     }
     return result;
@@ -48,16 +48,16 @@ TEST(PointChoice, TakesUnknownPointsFirst) {
 TEST(PointChoice, TakesPointsBesideOtherLightNext) {
     const auto found = chosen(image(), 0.02, 0);
     EXPECT_GE(found.size(), 100U);
-    for (const auto& [x, y] : found) EXPECT_NEAR(x, kWidth / 2 - 0.5, 0.6) << y;
+    for (const auto& [x, y] : found) EXPECT_NEAR(x, kColumns / 2 - 0.5, 0.6) << y;
 }
 
 TEST(PointChoice, TakesAboutAsManyAsItMay) {
     for (const double share : {0.001, 0.03, 0.1, 0.5}) {
-        const double count = share * kWidth * kHeight;
+        const double count = share * kColumns * kRows;
         EXPECT_NEAR(static_cast<double>(chosen(image(), share, 3).size()), count, 8 + 0.2 * count) << share;
     }
     EXPECT_TRUE(chosen(image(), 0, 3).empty());
-    EXPECT_EQ(chosen(image(), 1, 3).size(), static_cast<std::size_t>(kWidth) * kHeight);
+    EXPECT_EQ(chosen(image(), 1, 3).size(), static_cast<std::size_t>(kColumns) * kRows);
 }
 
 TEST(PointChoice, LeavesLightThatWasJustTraced) {
@@ -91,10 +91,10 @@ TEST(PointChoice, IsTheSameForAnyNumberOfThreads) {
 
 TEST(PointChoice, SaysHowManyAreUnknown) {
     LiveImage points = image();
-    for (int x = 0; x < kWidth; ++x) points.at(x, 7) = {};
+    for (int x = 0; x < kColumns; ++x) points.at(x, 7) = {};
     PointChoice choice;
     choice.choose(points, 0.1, 0, 1);
-    EXPECT_NEAR(choice.unknown(), 1.0 / kHeight, 1e-9);
+    EXPECT_NEAR(choice.unknown(), 1.0 / kRows, 1e-9);
 }
 
 } // namespace
