@@ -111,7 +111,7 @@ TEST(SteadyFrame, OfALiveWalkAllocatesNothing) {
         return allocations - before;
     };
     EXPECT_GT(walk(), 0U);
-    walk();
+    for (int i = 0; i < 15; ++i) walk(); // pixels take turns: lists reach their greatest length in time
     EXPECT_EQ(walk(), 0U);
 }
 
