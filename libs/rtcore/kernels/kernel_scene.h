@@ -15,7 +15,7 @@ struct KernelScene {
     KernelScene(const KdTree& tree, const Mesh& mesh, const float* inlineRecords = nullptr,
                 const NarrowTriangles* narrow = nullptr)
         : nodes(tree.nodes.data()), references(tree.references.data()), vertices(mesh.vertices.data()),
-          triangles(mesh.triangles.data()),
+          triangles(mesh.triangles.data()), shading(mesh.shading.data()),
           records(inlineRecords), lo{tree.bounds.lo.x, tree.bounds.lo.y, tree.bounds.lo.z},
           hi{tree.bounds.hi.x, tree.bounds.hi.y, tree.bounds.hi.z} {
         if (narrow == nullptr || narrow->bits.empty()) return;
@@ -23,16 +23,21 @@ struct KernelScene {
         narrowBits = narrow->bits.data();
         noise = narrow->noise.data();
     }
+    bool letsThrough(std::uint32_t triangle) const { return clear[shading[triangle].material] != 0; }
 
     const KdNode* nodes;
     const std::uint32_t* references;
     const Vertex* vertices;
     const Triangle* triangles;
+    const ShadingTriangle* shading;
     /// Null, or copies of the corners in the order of the leaves (leaf_records.h).
     const float* records;
     /// As in NarrowTriangles; null where none is narrow. (Single rays need them not.)
     const std::uint32_t* narrowBits = nullptr;
     const float* noise = nullptr;
+    /// For any hit: by material, 1 where light may pass, so that its triangles stop no ray; null: all stop
+    /// rays.
+    const std::uint8_t* clear = nullptr;
     float lo[3], hi[3]; ///< the root's cell; lo > hi: nothing to hit
 };
 

@@ -199,6 +199,7 @@ struct Found {
     Ints triangle;
     Floats v, w, det; ///< only of the lanes in `changed`
     Mask changed;     ///< by the leaf
+    Mask passed;      ///< any hit: through triangles that let light through
 };
 
 template <typename Along>
@@ -235,6 +236,20 @@ HWY_INLINE Mask keepHits(const Outcome& outcome, std::int32_t triangle, Floats t
     return hit;
 }
 
+/// Whether a triangle stops no ray of a search for any hit.
+template <bool kAny>
+HWY_INLINE bool isPassed(const KernelScene& scene, const Corners& corners) {
+    if constexpr (!kAny) return false;
+    return HWY_UNLIKELY(scene.clear != nullptr) &&
+           scene.letsThrough(static_cast<std::uint32_t>(corners.triangle));
+}
+
+/// Keeps which of the rays in `inCell` pass through a triangle that lets light through.
+HWY_INLINE void keepPassed(const Outcome& outcome, Floats tMin, Mask inCell, Found& found) {
+    const Mask within = hn::And(hn::Ge(outcome.t, tMin), hn::Le(outcome.t, found.best));
+    found.passed = hn::Or(found.passed, hn::And(hn::And(outcome.inside, inCell), within));
+}
+
 /// Tests one triangle, which must not be narrow, against a vector of rays.
 template <bool kAny, typename Along>
 HWY_INLINE Mask testTriangle(const Corners& corners, const Along& along, const ShearedRays& rays, Floats tMin,
@@ -251,6 +266,10 @@ HWY_INLINE void testTriangles(const KernelScene& scene, const Leaf& leaf, const 
                               const OnHit& onHit) {
     for (std::uint32_t i = 0; i < leaf.common; ++i) {
         const Corners corners = cornersOf(scene, leaf, i);
+        if (isPassed<kAny>(scene, corners)) {
+            keepPassed(edgeTest(corners, along, rays), tMin, inCell, found);
+            continue;
+        }
         const Mask hit = testTriangle<kAny>(corners, along, rays, tMin, inCell, found);
         if constexpr (kAny) {
             if (!hn::AllFalse(FloatTag(), hit)) onHit(corners);

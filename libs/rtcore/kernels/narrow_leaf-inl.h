@@ -132,6 +132,10 @@ HWY_NOINLINE void testNarrowTriangles(const KernelScene& scene, const Leaf& leaf
         const float noise = scene.noise[static_cast<std::size_t>(corners.triangle)];
         const Mask doubtful = areDoubtful(outcome, noise);
         if (!hn::AllFalse(d, doubtful)) makePrecise<kAny>(corners, along, rays, doubtful, outcome);
+        if (isPassed<kAny>(scene, corners)) {
+            keepPassed(outcome, tMin, inCell, found);
+            continue;
+        }
         keepHits<kAny>(outcome, corners.triangle, tMin, inCell, found);
     }
 }

@@ -382,9 +382,11 @@ class PacketWalk {
                         hn::Zero(d),
                         hn::Zero(d),
                         hn::Zero(d),
+                        hn::FirstN(d, 0),
                         hn::FirstN(d, 0)};
             if constexpr (!kAny) found.triangle = hn::Load(di, packet_.triangle + at);
             test(at, inCell, found);
+            if constexpr (kAny) notePassed(found, at);
             if (hn::AllFalse(d, found.changed)) continue;
             any = true;
             hn::Store(found.best, d, packet_.best + at);
@@ -398,6 +400,13 @@ class PacketWalk {
             }
         }
         return kAny && any && allDone();
+    }
+
+    /// Any other triangle than kNone: the ray passes through one that lets light through.
+    HWY_INLINE void notePassed(const Found& found, std::size_t at) {
+        const IntTag di;
+        if (HWY_LIKELY(hn::AllFalse(FloatTag(), found.passed))) return;
+        hn::BlendedStore(hn::Zero(di), hn::RebindMask(di, found.passed), di, packet_.triangle + at);
     }
 
     HWY_INLINE AxisOrder axisOrder(std::size_t at) const {
@@ -450,7 +459,9 @@ class PacketWalk {
         ray.sy = sheared_[4][i];
         ray.minusSz = sheared_[5][i];
         FoundByRay found{packet_.best[i], kAny ? kNone : packet_.triangle[i], 0, 0, 0};
-        if (!block.test<kAny>(ray, packet_.tMin[i], found)) return false;
+        const bool hit = block.test<kAny>(ray, packet_.tMin[i], found);
+        if (kAny && HWY_UNLIKELY(found.passed)) packet_.triangle[i] = 0;
+        if (!hit) return false;
         packet_.best[i] = found.best;
         if constexpr (kAny) {
             occluder = block.corners(static_cast<std::uint32_t>(found.triangle));

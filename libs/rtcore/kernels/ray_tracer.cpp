@@ -68,4 +68,19 @@ void KdRayTracer::occluded(RayKind /*kind*/, const RayWave& rays, std::vector<st
     traceAny(scene_, spanOf(rays), threadMemory().streams, occluded.data());
 }
 
+void RayTracer::findObstacles(const RayWave& rays, std::span<const std::uint8_t> /*clear*/,
+                              std::vector<Obstacle>& found) const {
+    found.assign(rays.size(), Obstacle::Unknown);
+}
+
+void KdRayTracer::findObstacles(const RayWave& rays, std::span<const std::uint8_t> clear,
+                                std::vector<Obstacle>& found) const {
+    static_assert(static_cast<int>(Obstacle::None) == 0 && static_cast<int>(Obstacle::Opaque) == 1 &&
+                  static_cast<int>(Obstacle::Unknown) == 2);
+    found.resize(rays.size());
+    KernelScene scene = scene_;
+    scene.clear = clear.data();
+    traceAny(scene, spanOf(rays), threadMemory().streams, reinterpret_cast<std::uint8_t*>(found.data()));
+}
+
 } // namespace rtcore

@@ -8,9 +8,17 @@
 #include "rtcore/scene/mesh.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace rtcore {
+
+/// What a shadow ray meets.
+enum class Obstacle : std::uint8_t {
+    None,
+    Opaque, ///< at least one triangle of a material that lets no light through
+    Unknown ///< nothing opaque is known: perhaps triangles that let light through, one behind the other
+};
 
 /// Answers whole waves. Safe from many threads, each with waves of its own.
 class RayTracer {
@@ -22,6 +30,10 @@ class RayTracer {
     virtual void intersect(RayKind kind, const RayWave& rays, HitWave& hits) const = 0;
     /// 1 for each ray that hits anything in [tMin, tMax], else 0. Resizes `occluded`.
     virtual void occluded(RayKind kind, const RayWave& rays, std::vector<std::uint8_t>& occluded) const = 0;
+    /// What is in the way of each ray in [tMin, tMax]; `clear` has an element for each material, not 0 where
+    /// light may pass. Resizes `found`. This one does not know.
+    virtual void findObstacles(const RayWave& rays, std::span<const std::uint8_t> clear,
+                               std::vector<Obstacle>& found) const;
     /// Of all that rays may hit.
     virtual Box3 bounds() const = 0;
 };
@@ -45,6 +57,9 @@ class KdRayTracer final : public RayTracer {
 
     void intersect(RayKind kind, const RayWave& rays, HitWave& hits) const override;
     void occluded(RayKind kind, const RayWave& rays, std::vector<std::uint8_t>& occluded) const override;
+    /// Unknown only where a ray passes triangles that let light through, and meets no other.
+    void findObstacles(const RayWave& rays, std::span<const std::uint8_t> clear,
+                       std::vector<Obstacle>& found) const override;
     Box3 bounds() const override { return tree_.bounds; }
 
   private:

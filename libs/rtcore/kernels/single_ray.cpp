@@ -119,6 +119,7 @@ template <int kz, bool kAny>
                                             const RayShear& shear, Hit& best) {
     for (std::uint32_t i = 0; i < leaf.count(); ++i) {
         const TriangleCorners corners = cornersOf(scene, leaf.firstReference + i);
+        if (kAny && scene.clear != nullptr && scene.letsThrough(corners.index)) continue;
         if (testTriangle<kz>(corners, ray, shear, best) && kAny) return true;
     }
     return false;

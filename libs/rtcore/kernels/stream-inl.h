@@ -89,8 +89,8 @@ class StreamWalk {
                 hn::Store(inside.t1, d, scratch_.rootEnd + slot);
                 hn::Store(ray.tMin, d, scratch_.tMin + slot);
                 hn::Store(ray.tMax, d, scratch_.best + slot);
-                if constexpr (kAny) continue;
                 hn::Store(hn::Set(di, kNone), di, scratch_.triangle + slot);
+                if constexpr (kAny) continue;
                 hn::Store(hn::Zero(d), d, scratch_.v + slot);
                 hn::Store(hn::Zero(d), d, scratch_.w + slot);
                 hn::Store(hn::Set(d, 1.0F), d, scratch_.det + slot);
@@ -342,6 +342,7 @@ class StreamWalk {
                     hn::Zero(d),
                     hn::Zero(d),
                     hn::Zero(d),
+                    hn::FirstN(d, 0),
                     hn::FirstN(d, 0)};
         if constexpr (!kAny) found.triangle = hn::GatherIndex(di, scratch_.triangle, slot);
         const auto forget = [](const Corners&) HWY_ATTR {}; // a stream has too many occluders
@@ -354,7 +355,16 @@ class StreamWalk {
         if (HWY_UNLIKELY(leaf.common < leaf.count)) {
             testNarrowTriangles<kAny>(scene_, leaf, AlongEach{order}, rays, tMin, inCell, found);
         }
+        if constexpr (kAny) notePassed(slot, found);
         if (!hn::AllFalse(d, found.changed)) keep(slot, found);
+    }
+
+    /// As PacketWalk's.
+    HWY_INLINE void notePassed(Ints slots, const Found& found) {
+        if (HWY_LIKELY(hn::AllFalse(FloatTag(), found.passed))) return;
+        alignas(64) std::int32_t slot[kLanes];
+        hn::Store(slots, IntTag(), slot);
+        forEachLane(found.passed, [&](std::size_t lane) { scratch_.triangle[slot[lane]] = 0; });
     }
 
     HWY_INLINE void keep(Ints slots, const Found& found) {
@@ -418,7 +428,6 @@ class StreamWalk {
             }
             hn::Store(hn::GatherIndex(d, scratch_.tMin, slot), d, short_.tMin + i);
             hn::Store(hn::GatherIndex(d, scratch_.best, slot), d, short_.best + i);
-            if constexpr (kAny) continue;
             hn::Store(hn::GatherIndex(di, scratch_.triangle, slot), di, short_.triangle + i);
         }
         short_.slack = slack_;
@@ -428,6 +437,7 @@ class StreamWalk {
             if constexpr (kAny) {
                 found_ += short_.best[i] < 0 ? 1 : 0;
                 scratch_.best[slot] = short_.best[i];
+                scratch_.triangle[slot] = short_.triangle[i];
             } else if (scratch_.triangle[slot] != short_.triangle[i]) {
                 ++found_;
                 scratch_.best[slot] = short_.best[i];

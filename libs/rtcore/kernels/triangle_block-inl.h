@@ -21,6 +21,7 @@ struct FoundByRay {
     float best; ///< for any hit tMax, or -1 once hit
     std::int32_t triangle;
     float v, w, det;
+    bool passed = false; ///< any hit: through a triangle that lets light through
 };
 
 /// Common triangles of a leaf, as many as a vector has lanes, one array for each coordinate.
@@ -59,6 +60,7 @@ class TriangleBlock {
                                   hn::And(hn::Ge(outcome.t, hn::Set(d, tMin)), hn::Le(outcome.t, best)));
         if (hn::AllFalse(d, open)) return false;
         if constexpr (kAny) {
+            if (HWY_UNLIKELY(scene_.clear != nullptr)) return testOpaque(open, found);
             found.best = -1;
             found.triangle = static_cast<std::int32_t>(firstOf(open));
             return true;
@@ -77,6 +79,21 @@ class TriangleBlock {
     }
 
   private:
+    /// Of the triangles `open` that the ray hits, those that let light through do not stop it.
+    HWY_NOINLINE bool testOpaque(Mask open, FoundByRay& found) const {
+        bool stopped = false;
+        forEachLane(open, [&](std::size_t lane) {
+            if (scene_.letsThrough(static_cast<std::uint32_t>(triangle_[lane]))) {
+                found.passed = true;
+            } else if (!stopped) {
+                stopped = true;
+                found.best = -1;
+                found.triangle = static_cast<std::int32_t>(lane);
+            }
+        });
+        return stopped;
+    }
+
     /// Copies the corners from the mesh.
     HWY_INLINE void gather() {
         const hn::CappedTag<float, 4> d4;

@@ -275,12 +275,18 @@ struct AnyOutput {
     std::uint8_t* occluded;
 
     HWY_INLINE void fromPacket(const Packet<kGroupVectors>& p, std::size_t first, std::size_t count) const {
-        for (std::size_t i = 0; i < count; ++i) occluded[first + i] = p.best[i] < 0 ? 1 : 0;
+        for (std::size_t i = 0; i < count; ++i) occluded[first + i] = found(p.best[i], p.triangle[i]);
     }
     HWY_INLINE void fromSlots(const StreamScratch& s, std::size_t group) const {
         for (std::size_t i = 0; i < kGroup; ++i) {
-            occluded[s.groups[group] + i] = s.best[group * kGroup + i] < 0 ? 1 : 0;
+            const std::size_t slot = group * kGroup + i;
+            occluded[s.groups[group] + i] = found(s.best[slot], s.triangle[slot]);
         }
+    }
+
+  private:
+    static HWY_INLINE std::uint8_t found(float best, std::int32_t passed) {
+        return best < 0 ? 1 : passed != kNone ? 2 : 0;
     }
 };
 

@@ -79,7 +79,9 @@ void closest(const KernelScene& scene, const RaySpan& rays, StreamScratch& /*scr
 }
 
 void any(const KernelScene& scene, const RaySpan& rays, StreamScratch& /*scratch*/, std::uint8_t* occluded) {
-    for (std::size_t i = 0; i < rays.count; ++i) occluded[i] = findAny(scene, rayOf(rays, i)) ? 1 : 0;
+    // Single rays do not keep what they pass.
+    const std::uint8_t none = scene.clear == nullptr ? 0 : 2;
+    for (std::size_t i = 0; i < rays.count; ++i) occluded[i] = findAny(scene, rayOf(rays, i)) ? 1 : none;
 }
 
 #else

@@ -31,6 +31,8 @@ struct HitSpan {
 void traceClosest(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch, const HitSpan& hits);
 
 /// 1 for each ray that hits anything, else 0.
+/// Any hit: 1 where there is one, else 0. With scene.clear, triangles that let light through do not count,
+/// and 2 stands where a ray passes one of them, or may do so.
 void traceAny(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch, std::uint8_t* occluded);
 
 /// Writes the indices of those hits that are nearer than `limit` scene units, ascending; returns their

@@ -8,7 +8,7 @@ namespace rtcore {
 
 void WaveLighting::begin(const FrameContext& frame, const FogWave& fog) {
     fog_ = &fog;
-    shadows_.begin(*frame.scene, *frame.tracer, *frame.settings, frame.materials->tintedShadows(),
+    shadows_.begin(*frame.scene, *frame.tracer, *frame.settings, frame.materials->clear(),
                    fog.on() ? &fog.medium() : nullptr);
     occlusion_.begin(*frame.scene, *frame.tracer, *frame.settings, *frame.materials);
 }

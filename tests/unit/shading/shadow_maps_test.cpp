@@ -81,7 +81,9 @@ TEST(ShadowMaps, AreTintedByGlass) {
     const TracedScene s = boardAboveFloor(sun(), pane);
     const auto maps = mapsOf(s);
     ShadowTracer rays;
-    rays.begin(s.scene, s.tracer, {}, true);
+    MaterialTable materials;
+    materials.prepare(s.scene, {});
+    rays.begin(s.scene, s.tracer, {}, materials.clear());
     RayWave wave;
     wave.push({{2, 0.01F, 0.1F}, 0, kUp, 100});
     RayStatistics statistics;

@@ -144,7 +144,7 @@ std::unique_ptr<const ShadowMaps> ShadowMaps::make(const Scene& scene, const Ray
     materials.prepare(scene, settings);
     maps->tinted_ = materials.tintedShadows();
     ShadowTracer shadows;
-    shadows.begin(scene, tracer, settings, maps->tinted_);
+    shadows.begin(scene, tracer, settings, materials.clear());
     const std::size_t texels = std::min(kTexels, kAllTexels / std::max<std::size_t>(1, scene.lights.size()));
     for (const Light& light : scene.lights) {
         maps->maps_.emplace_back(ShadowMap(light, tracer.bounds(), texels));

@@ -17,13 +17,13 @@ constexpr int kMostSurfaces = 256;
 } // namespace
 
 void ShadowTracer::begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
-                         bool tinted, const FogMedium* fog) {
+                         std::span<const std::uint8_t> clear, const FogMedium* fog) {
     scene_ = &scene;
     tracer_ = &tracer;
     fog_ = fog;
     textures_ = settings.textures;
     refractions_ = settings.refractions;
-    tinted_ = tinted;
+    clear_ = clear;
 }
 
 const std::vector<std::uint8_t>& ShadowTracer::occluded(const RayWave& rays, RayStatistics& statistics) {
@@ -35,8 +35,31 @@ const std::vector<std::uint8_t>& ShadowTracer::occluded(const RayWave& rays, Ray
 const std::vector<Colour>& ShadowTracer::transmittance(const RayWave& rays, const Light& light,
                                                        RayStatistics& statistics) {
     transmittance_.assign(rays.size(), kWhite);
-    traceTinted(rays, light, statistics);
+    settle(rays, light, statistics);
+    traceTinted(light, statistics);
     return transmittance_;
+}
+
+/// Rays that meet nothing, or something opaque, whatever lies before it; the others remain.
+void ShadowTracer::settle(const RayWave& rays, const Light& light, RayStatistics& statistics) {
+    statistics.count(RayKind::Shadow, rays.size());
+    tracer_->findObstacles(rays, clear_, obstacles_);
+    current_.clear();
+    current_.reserve(rays.size());
+    next_.reserve(rays.size());
+    currentIndex_.clear();
+    currentIndex_.reserve(rays.size());
+    nextIndex_.reserve(rays.size());
+    for (std::uint32_t i = 0; i < rays.size(); ++i) {
+        if (obstacles_[i] == Obstacle::Unknown) {
+            current_.push(rays.ray(i));
+            currentIndex_.push_back(i);
+        } else if (obstacles_[i] == Obstacle::Opaque) {
+            transmittance_[i] = {};
+        } else if (fog_ != nullptr) {
+            transmittance_[i] = transmittance_[i] * fogLightTransmittance(*fog_, light, rays.ray(i).origin);
+        }
+    }
 }
 
 void ShadowTracer::startLayers(const RayWave& rays) {
@@ -88,10 +111,10 @@ const std::vector<LightEnd>& ShadowTracer::ends(const RayWave& rays) {
     return ends_;
 }
 
-void ShadowTracer::traceTinted(const RayWave& rays, const Light& light, RayStatistics& statistics) {
-    startLayers(rays);
+/// The rays that remain, surface after surface.
+void ShadowTracer::traceTinted(const Light& light, RayStatistics& statistics) {
     for (int layer = 0; layer < kMostSurfaces && !current_.empty(); ++layer) {
-        statistics.count(RayKind::Shadow, current_.size());
+        if (layer > 0) statistics.count(RayKind::Shadow, current_.size());
         tracer_->intersect(RayKind::Shadow, current_, hits_);
         next_.clear();
         nextIndex_.clear();

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace rtcore {
@@ -24,13 +25,13 @@ struct LightEnd {
 /// Reuses its memory from wave to wave and from frame to frame; one for each thread.
 class ShadowTracer {
   public:
-    /// For the waves of one frame, during which the arguments must live. `tinted`: something lets light
-    /// through (MaterialTable::tintedShadows()). `fog`: null where there is none.
-    void begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings, bool tinted,
-               const FogMedium* fog = nullptr);
+    /// For the waves of one frame, during which the arguments must live. `clear`: what lets light through
+    /// (MaterialTable::clear()); empty where nothing does. `fog`: null where there is none.
+    void begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
+               std::span<const std::uint8_t> clear, const FogMedium* fog = nullptr);
 
     /// Whether transmittance() has to be asked: without transparent surfaces, occluded() says all.
-    bool tinted() const { return tinted_; }
+    bool tinted() const { return !clear_.empty(); }
     /// 1 for each ray (directions of unit length) whose light does not arrive, else 0. Valid until the next
     /// call.
     const std::vector<std::uint8_t>& occluded(const RayWave& rays, RayStatistics& statistics);
@@ -47,8 +48,9 @@ class ShadowTracer {
 
   private:
     void startLayers(const RayWave& rays);
+    void settle(const RayWave& rays, const Light& light, RayStatistics& statistics);
     void goOn(std::size_t ray, const Surface& surface, const Hit& hit);
-    void traceTinted(const RayWave& rays, const Light& light, RayStatistics& statistics);
+    void traceTinted(const Light& light, RayStatistics& statistics);
     /// What one surface leaves of the light; the ray came from the surface before it, hit.t away.
     Colour throughSurface(const Surface& surface, const Hit& hit) const;
     float throughFog(const Surface& end, const Ray& ray, const Light& light, const Hit& hit) const;
@@ -56,12 +58,14 @@ class ShadowTracer {
     const Scene* scene_ = nullptr;
     const RayTracer* tracer_ = nullptr;
     const FogMedium* fog_ = nullptr;
-    bool textures_ = true, refractions_ = true, tinted_ = false;
+    bool textures_ = true, refractions_ = true;
+    std::span<const std::uint8_t> clear_; ///< by material
 
     std::vector<Colour> transmittance_;
     std::vector<LightEnd> ends_;
     std::vector<float> travelled_; ///< of ends_
     std::vector<std::uint8_t> occluded_;
+    std::vector<Obstacle> obstacles_;
     HitWave hits_;
     RayWave current_, next_;
     std::vector<std::uint32_t> currentIndex_, nextIndex_;

@@ -40,6 +40,7 @@ void put(Colour c, float* to) {
 
 void MaterialTable::prepare(const Scene& scene, const RenderSettings& settings) {
     rows_.resize(scene.materials.size());
+    clear_.resize(scene.materials.size());
     const Colour ambientLight = unoccludedAmbient(scene, settings);
     traits_ = 0;
     anyEmission_ = tintedShadows_ = false;
@@ -63,8 +64,10 @@ void MaterialTable::prepare(const Scene& scene, const RenderSettings& settings) 
         row.roughScale = (1 - phong) / (2 * kPi);
         traits_ |= row.traits;
         anyEmission_ = anyEmission_ || !isBlack(emitted);
-        tintedShadows_ = tintedShadows_ || (settings.refractions && m.opacity < 1) ||
-                         (settings.textures && m.alphaTexture != kNoTexture);
+        const bool clear =
+            (settings.refractions && m.opacity < 1) || (settings.textures && m.alphaTexture != kNoTexture);
+        clear_[i] = clear ? 1 : 0;
+        tintedShadows_ = tintedShadows_ || clear;
     }
 }
 

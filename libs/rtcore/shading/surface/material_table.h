@@ -5,6 +5,7 @@
 #include "rtcore/settings/render_settings.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace rtcore {
@@ -54,10 +55,15 @@ class MaterialTable {
     bool anySecondary() const { return (traits_ & (traits::kMirror | traits::kGeneral)) != 0; }
     /// Something lets light through, so that shadows may be tinted.
     bool tintedShadows() const { return tintedShadows_; }
+    /// By material: 1 where it may let light through, else 0; empty where none does.
+    std::span<const std::uint8_t> clear() const {
+        return tintedShadows_ ? std::span(clear_) : std::span<const std::uint8_t>();
+    }
 
   private:
     std::vector<MaterialRow> rows_; ///< by index of the material
     std::uint32_t traits_ = 0;      ///< of any
+    std::vector<std::uint8_t> clear_;
     bool anyEmission_ = false, tintedShadows_ = false;
 };
 
