@@ -15,7 +15,8 @@ constexpr int kGuideTile = 64; ///< pixels; even, so that the pattern of guides 
 
 /// Calls `work` with each tile of the image, by `threads`, until `control` is cancelled.
 template <typename Work>
-void forEachTile(const ImagePlane& plane, int threads, const RenderControl& control, Work&& work) {
+void forEachTile(const ImagePlane& plane, [[maybe_unused]] int threads, const RenderControl& control,
+                 Work&& work) {
     const int columns = (plane.width + kGuideTile - 1) / kGuideTile,
               rows = (plane.height + kGuideTile - 1) / kGuideTile;
     TaskErrors errors;

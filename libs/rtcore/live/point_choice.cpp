@@ -23,7 +23,7 @@ int tileRows(const LiveImage& image) { return (image.plane.height + kChoiceTile 
 
 /// Calls `work` with the rows of pixels from `first` to before `last` of each row of tiles.
 template <typename Work>
-void forEachRowOfTiles(const LiveImage& image, int threads, Work&& work) {
+void forEachRowOfTiles(const LiveImage& image, [[maybe_unused]] int threads, Work&& work) {
     const int rows = tileRows(image);
 #pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
     for (int row = 0; row < rows; ++row)
