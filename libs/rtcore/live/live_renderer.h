@@ -22,8 +22,8 @@ struct LiveBudget {
     double newPoints = 0.15; ///< of the pixels; they get new light
 };
 
-/// Keeps the memory of a sequence of frames, 40 bytes a pixel beside the frame. Not for several threads at
-/// once: it uses all of them itself.
+/// Keeps the memory of a sequence of frames, 40 bytes per pixel and some lists beside the frame. Not for
+/// several threads at once: it uses all of them itself.
 class LiveRenderer {
   public:
     LiveRenderer();

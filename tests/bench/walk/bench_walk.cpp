@@ -5,6 +5,7 @@
 #include "bench/walk/walk_report.h"
 
 #include "common/cli/run_program.h"
+#include "common/process/stop.h"
 #include "common/process/threads.h"
 
 #include "rtcore/io/images/image_file.h"
@@ -57,6 +58,7 @@ class Comparison {
         for (std::size_t i = 0; i < cameras_.size(); i += static_cast<std::size_t>(options_.every)) {
             progress.begin({.name = "comparing", .fraction = {}}, static_cast<int>(i) + 1,
                            static_cast<int>(cameras_.size()));
+            if (app::stopRequested()) break;
             moments.push_back(at(i));
         }
         progress.end();
@@ -152,6 +154,7 @@ app::ExitCode runWalk(const app::Arguments& arguments) {
     if (!options.fixed) std::fputs(paceOf(published).c_str(), stdout);
     Comparison comparison(options, server, cameras, published);
     const std::vector<Moment> moments = comparison.run();
+    if (app::stopRequested()) return app::stopExitCode(); // references that were made are kept
     std::fputs(summaryOf(moments).c_str(), stdout);
     if (options.csv) writeCsv(*options.csv, moments);
     if (options.sheet) comparison.writeSheet(moments);
