@@ -3,13 +3,13 @@
 namespace rtserver {
 
 bool KeyInbox::add(const ipc::KeyState& keys) {
-    bool pressed = false;
+    std::uint32_t pressed = 0;
     for (std::size_t i = 0; i < keys.presses.size(); ++i) {
         keys_.presses[i] += keys.presses[i];
-        pressed = pressed || keys.presses[i] != 0;
+        pressed |= keys.presses[i];
     }
     keys_.down = keys.down;
-    return pressed || keys_.down != taken_;
+    return pressed != 0 || keys_.down != taken_;
 }
 
 ipc::KeyState KeyInbox::take() {

@@ -42,14 +42,17 @@ void KeyWriter::repair(KeyBoard& board) const {
 }
 
 void KeyReader::collect(const KeyBoard& board, KeyState& state) {
-    for (int key = 0; key < kMaxKeys; ++key) {
-        const auto index = static_cast<std::size_t>(key);
+    constexpr std::size_t kKeysOfWord = 64;
+    for (std::size_t word = 0; word < kMaxKeys / kKeysOfWord; ++word) {
         // The press is counted before the bit is set, so that a reader that sees the key down sees its press,
         // too.
-        if ((board.down[key / 64].load(std::memory_order_acquire) & bit(key)) != 0) state.down.set(index);
-        const std::uint32_t count = board.presses[key].load(std::memory_order_relaxed);
-        state.presses[index] += count - seen_[index];
-        seen_[index] = count;
+        state.down |= decltype(state.down)(board.down[word].load(std::memory_order_acquire))
+                      << word * kKeysOfWord;
+        for (std::size_t key = word * kKeysOfWord; key < (word + 1) * kKeysOfWord; ++key) {
+            const std::uint32_t count = board.presses[key].load(std::memory_order_relaxed);
+            state.presses[key] += count - seen_[key];
+            seen_[key] = count;
+        }
     }
 }
 
