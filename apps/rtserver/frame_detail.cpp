@@ -14,20 +14,28 @@ int scaled(int pixels, double scale) {
     return std::max(1, static_cast<int>(std::ceil(static_cast<double>(pixels) * scale)));
 }
 
-// Whatever makes a sample dear or asks for many of them. Light keeps its brightness, so the exposure of the
-// whole frame is nearly the same.
-void cutSamples(rtcore::RenderSettings& settings, double scale) {
+void takeOneSample(rtcore::RenderSettings& settings) {
     settings.antialiasing = 1;
     settings.sampling = rtcore::SamplingPattern::Grid;
     settings.adaptive = 0;
+    settings.depthOfField.on = false;
+    settings.denoise.passes = 0;
+}
+
+// Whatever makes a sample dear or asks for many of them. Light keeps its brightness, so the exposure of the
+// whole frame is nearly the same.
+void cutSamples(rtcore::RenderSettings& settings, double scale) {
+    takeOneSample(settings);
     settings.maxDepth = std::min(settings.maxDepth, 2);
     // Mirrors, but no polished floors.
     settings.minContribution = std::max(settings.minContribution, scale < kCoarse ? 0.3F : 0.1F);
     settings.ambientOcclusion.samples = std::min(settings.ambientOcclusion.samples, scale < kCoarse ? 1 : 4);
     settings.areaLights.samples = std::min(settings.areaLights.samples, 1);
     settings.fog.shafts = std::min(settings.fog.shafts, 2);
-    settings.depthOfField.on = false;
-    settings.denoise.passes = 0;
+}
+
+double pixelsOf(const rtcore::RenderSettings& settings) {
+    return static_cast<double>(settings.width) * settings.height;
 }
 
 } // namespace
@@ -38,6 +46,22 @@ rtcore::RenderSettings settingsAt(const rtcore::RenderSettings& settings, const 
     result.height = scaled(settings.height, detail.scale);
     if (detail.cut) cutSamples(result, detail.scale);
     return result;
+}
+
+rtcore::RenderSettings liveSettingsAt(const rtcore::RenderSettings& settings, const rtcore::Scene& scene,
+                                      double scale) {
+    constexpr double kDear = 100; // rays; with more, too few samples would be traced to show anything
+    rtcore::RenderSettings result = settings;
+    takeOneSample(result);
+    if (workOf(result, scene) > kDear * pixelsOf(result)) cutSamples(result, 1);
+    result.width = scaled(settings.width, scale);
+    result.height = scaled(settings.height, scale);
+    return result;
+}
+
+double liveRays(const rtcore::RenderSettings& settings, const rtcore::Scene& scene) {
+    const rtcore::RenderSettings live = liveSettingsAt(settings, scene, 1);
+    return workOf(live, scene) / pixelsOf(live);
 }
 
 double workOf(const rtcore::RenderSettings& settings, const rtcore::Scene& scene, bool mapped) {
@@ -54,7 +78,7 @@ double workOf(const rtcore::RenderSettings& settings, const rtcore::Scene& scene
     if (settings.fog.on) rays += lights * settings.fog.shafts * shadow;
     if (settings.ambientOcclusion.on) rays += settings.ambientOcclusion.samples;
     if (settings.reflections || settings.refractions) rays *= 1 + 0.25 * settings.maxDepth;
-    return static_cast<double>(settings.width) * settings.height * samples * rays;
+    return pixelsOf(settings) * samples * rays;
 }
 
 } // namespace rtserver

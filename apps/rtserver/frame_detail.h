@@ -9,8 +9,12 @@ namespace rtserver {
 struct FrameDetail {
     double scale = 1; ///< times the width and the height that are asked for: 1/8 to 1
     bool cut = false; ///< few samples in place of those that are asked for
+    /// Of a live frame (rtcore/live): that part of its pixels is traced, and others show the light of the
+    /// frames before. 0: all are.
+    double newSamples = 0;
 
     bool whole() const { return scale == 1 && !cut; }
+    bool live() const { return newSamples > 0; }
     friend bool operator==(const FrameDetail&, const FrameDetail&) = default;
 };
 
@@ -19,6 +23,13 @@ inline constexpr FrameDetail kCoarsest{kLeastScale, true};
 
 /// What a frame of that detail is rendered with: `settings` themselves for a whole one.
 rtcore::RenderSettings settingsAt(const rtcore::RenderSettings& settings, const FrameDetail& detail);
+
+/// The same for a live one: one sample per pixel, in as much light as the whole frame, whatever its size, so
+/// that the light holds for frames of another size.
+rtcore::RenderSettings liveSettingsAt(const rtcore::RenderSettings& settings, const rtcore::Scene& scene,
+                                      double scale);
+/// About the rays of each of its pixels that is traced.
+double liveRays(const rtcore::RenderSettings& settings, const rtcore::Scene& scene);
 
 /// About the rays of such a frame, to compare frames of one scene by. `mapped`: shadows are looked up.
 double workOf(const rtcore::RenderSettings& settings, const rtcore::Scene& scene, bool mapped = false);

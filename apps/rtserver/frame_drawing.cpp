@@ -83,7 +83,7 @@ FrameDrawing::Drawn FrameDrawing::drawFrame(bool waitedFor) {
     if (outcome != Outcome::Published) return {outcome};
     frames_.develop(state_);
     publish();
-    if (traces) schedule_.shown(Clock::now() - begun_);
+    if (traces) schedule_.shown(Clock::now() - begun_, frames_.liveCost());
     return {};
 }
 
@@ -100,7 +100,10 @@ FrameSchedule::Demand FrameDrawing::demand(bool waitedFor, const rtcore::ShadowM
     return {.changed = frames_.stale(state_) || (!standsStill() && !waitedFor),
             .waitedFor = waitedFor,
             .frameSeconds = state_.frameSeconds,
-            .work = {workOf(settings, scene), workOf(settingsAt(settings, {1, true}), scene, mapped)}};
+            .work = {workOf(settings, scene), workOf(settingsAt(settings, {1, true}), scene, mapped)},
+            .live = FrameMaker::drawsLive(state_),
+            .pixels = static_cast<double>(settings.width) * settings.height,
+            .liveRays = liveRays(settings, scene)};
 }
 
 FrameDrawing::Outcome FrameDrawing::trace(bool waitedFor) {
@@ -150,7 +153,7 @@ void FrameDrawing::publish() {
         drewWhole_ = true;
         wentBack_ = false;
     }
-    pacer_.published(begun_, Clock::now(), !frames_.stale(state_) && !frames_.settled());
+    pacer_.published(begun_, Clock::now());
 }
 
 // --- Without memory ---

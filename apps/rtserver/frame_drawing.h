@@ -55,7 +55,7 @@ class FrameDrawing {
     void noticePause(bool waitedFor);
     bool wantsFrame(bool waitedFor) const;
     /// No frame before that.
-    Clock::time_point due() const { return pacer_.due(); }
+    Clock::time_point due() const { return pacer_.due(!frames_.stale(state_) && !frames_.settled()); }
     /// The next frame would equal the last, and no other scene is being loaded.
     bool idle() const;
     /// Since the last takeChange() something came that the state does not know yet.

@@ -15,18 +15,17 @@ bool FrameMaker::trace(const ServerState& state, const FrameDetail& detail, cons
                        rtcore::RenderControl& control) {
     const Clock::time_point start = Clock::now();
     const std::uint64_t revision = state.revisions().revision();
-    const std::shared_ptr<const rtcore::Scene> scene = state.scene();
-    const rtcore::RenderSettings settings = settingsAt(state.shownSettings(), detail);
     rtcore::Frame& frame = detail.whole() ? whole_ : coarse_;
     if (detail.whole() == detail_.whole()) seen_ = nullptr; // its memory is written to
-    renderer_->takeShadowsFrom(detail.cut && maps != nullptr && maps->suit(settings) ? maps : nullptr);
-    renderer_->collectAovs(rtcore::effectsNeedAovs(settings));
     control.threads = threads_;
-    const rtcore::View view{*scene, *state.world().tracer, state.camera(), settings};
-    if (!renderer_->render(view, control, frame)) return false;
-    target_ = developer_.exposure(frame, settings.exposure, threads_);
+    liveCost_ = {};
+    const bool done =
+        detail.live() ? drawLive(state, detail, control, frame) : draw(state, detail, maps, control, frame);
+    if (!done) return false;
     // Bloom has its width in pixels of the whole frame.
-    const rtcore::RenderSettings effects = state.shownSettings();
+    rtcore::RenderSettings effects = state.shownSettings();
+    if (detail.live()) effects.denoise.passes = 0;
+    target_ = developer_.exposure(frame, effects.exposure, threads_);
     seen_ = nullptr; // the frame before may be shown from the effects' memory
     const rtcore::HdrImage& finished = developer_.finish(frame, effects, threads_, &control.cancel);
     if (control.cancel) return false;
@@ -38,6 +37,50 @@ bool FrameMaker::trace(const ServerState& state, const FrameDetail& detail, cons
     rays_ = frame.statistics.total();
     seconds_ = std::chrono::duration<double>(Clock::now() - start).count();
     return true;
+}
+
+bool FrameMaker::draw(const ServerState& state, const FrameDetail& detail, const rtcore::ShadowMaps* maps,
+                      rtcore::RenderControl& control, rtcore::Frame& frame) {
+    const std::shared_ptr<const rtcore::Scene> scene = state.scene();
+    const rtcore::RenderSettings settings = settingsAt(state.shownSettings(), detail);
+    const bool keeps = detail.whole() && drawsLive(state);
+    renderer_->takeShadowsFrom(detail.cut && maps != nullptr && maps->suit(settings) ? maps : nullptr);
+    renderer_->collectAovs(rtcore::effectsNeedAovs(settings));
+    renderer_->collectSeen(keeps);
+    const rtcore::View view{*scene, *state.world().tracer, state.camera(), settings};
+    if (!renderer_->render(view, control, frame)) return false;
+    if (!keeps) return true;
+    noticeChanges(state, settings);
+    live_->keep(view, frame, threads_);
+    return true;
+}
+
+bool FrameMaker::drawLive(const ServerState& state, const FrameDetail& detail, rtcore::RenderControl& control,
+                          rtcore::Frame& frame) {
+    const std::shared_ptr<const rtcore::Scene> scene = state.scene();
+    noticeChanges(state, state.shownSettings());
+    const rtcore::RenderSettings settings = liveSettingsAt(state.shownSettings(), *scene, detail.scale);
+    const rtcore::View view{*scene, *state.world().tracer, state.camera(), settings};
+    if (!live_->render(view, detail.newSamples, control, frame)) return false;
+    liveCost_ = {.samples = live_->newSamples() * static_cast<double>(frame.radiance.pixels.size()),
+                 .sampleSeconds = live_->sampleSeconds()};
+    return true;
+}
+
+bool FrameMaker::drawsLive(const ServerState& state) {
+    const std::shared_ptr<const rtcore::Scene> scene = state.scene();
+    const rtcore::RenderSettings settings = liveSettingsAt(state.shownSettings(), *scene, 1);
+    return rtcore::LiveRenderer::draws({*scene, *state.world().tracer, state.camera(), settings});
+}
+
+/// Light holds as long as nothing but the camera changes, and what is done to the image.
+void FrameMaker::noticeChanges(const ServerState& state, const rtcore::RenderSettings& settings) {
+    const rtcore::Changes changes = kept_.take(state.revisions());
+    using rtcore::Change;
+    const bool relit = changes.hasAny(
+        {Change::Scene, Change::Light, Change::Sky, Change::Material, Change::Visibility, Change::Section});
+    if (relit || !rtcore::sameLight(settings, keptFor_)) live_->forget();
+    keptFor_ = settings;
 }
 
 std::size_t FrameMaker::bytesOf(const rtcore::RenderSettings& settings) {
@@ -61,6 +104,7 @@ void FrameMaker::drop() {
     seen_ = nullptr;
     revision_ = 0;
     renderer_.emplace();
+    live_.emplace();
     developer_ = {};
     image_ = {};
 }

@@ -3,8 +3,10 @@
 
 #include "rtserver/adaptation.h"
 #include "rtserver/frame_detail.h"
+#include "rtserver/live_governor.h"
 #include "rtserver/server_state.h"
 
+#include "rtcore/live/live_renderer.h"
 #include "rtcore/post/develop.h"
 #include "rtcore/render/frame_renderer.h"
 
@@ -21,11 +23,15 @@ class FrameMaker {
   public:
     explicit FrameMaker(int threads) : threads_(threads) {}
 
-    /// The radiance of what the state shows, in such detail; a cut frame takes its shadows from `maps`,
-    /// unless that is null. False when control.cancel was set; then there may be no radiance, while the image
-    /// stays.
+    /// The radiance of what the state shows, in such detail; a cut frame that is not live takes its shadows
+    /// from `maps`, unless that is null. False when control.cancel was set; then there may be no radiance,
+    /// while the image stays.
     bool trace(const ServerState& state, const FrameDetail& detail, const rtcore::ShadowMaps* maps,
                rtcore::RenderControl& control);
+    /// Whether there can be live frames of such a state.
+    static bool drawsLive(const ServerState& state);
+    /// Of the last frame, where it was live: what of its time traced pixels took.
+    const LiveGovernor::Cost& liveCost() const { return liveCost_; }
     /// The revision of the state that the last frame shows; 0: there is no frame.
     std::uint64_t revision() const { return revision_; }
     /// Whether the state changed since, or there is no frame.
@@ -54,10 +60,20 @@ class FrameMaker {
     std::uint64_t rays() const { return rays_; }
 
   private:
+    bool draw(const ServerState& state, const FrameDetail& detail, const rtcore::ShadowMaps* maps,
+              rtcore::RenderControl& control, rtcore::Frame& frame);
+    bool drawLive(const ServerState& state, const FrameDetail& detail, rtcore::RenderControl& control,
+                  rtcore::Frame& frame);
+    void noticeChanges(const ServerState& state, const rtcore::RenderSettings& settings);
+
     using Clock = std::chrono::steady_clock;
 
     int threads_;
     std::optional<rtcore::FrameRenderer> renderer_{std::in_place};
+    std::optional<rtcore::LiveRenderer> live_{std::in_place};
+    LiveGovernor::Cost liveCost_;
+    rtcore::Subscription kept_;      ///< what the light of live frames knows of the state
+    rtcore::RenderSettings keptFor_; ///< the settings that it was traced with
     rtcore::PictureDeveloper developer_;
     rtcore::Frame whole_, coarse_;           ///< apart, so that one keeps its memory beside the other
     const rtcore::HdrImage* seen_ = nullptr; ///< the last frame with its effects; null: no frame

@@ -13,18 +13,20 @@ constexpr auto kAdaptationStep = 16ms;
 
 } // namespace
 
-void FramePacer::published(Clock::time_point begun, Clock::time_point now, bool adapting) {
+void FramePacer::published(Clock::time_point begun, Clock::time_point now) {
     published_.push_back(now);
     while (now - published_.front() > 1s) published_.pop_front();
 
-    const Clock::time_point wasDue = std::exchange(due_, now);
-    if (adapting) due_ = now + kAdaptationStep;
+    due_ = now;
+    adapted_ = now + kAdaptationStep;
     if (framesPerSecond_ <= 0) return;
     const auto interval =
         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / framesPerSecond_));
-    // One that began a little late does not put off all that follow.
-    const Clock::time_point start = begun - wasDue < interval ? wasDue : begun;
-    due_ = std::max(due_, start + interval);
+    // One that was late does not put off all that follow: they keep their beat.
+    constexpr int kPause = 5; // intervals
+    const auto late = (begun - beat_) / interval;
+    beat_ = (late < kPause ? beat_ + late * interval : begun) + interval;
+    due_ = std::max(due_, beat_);
 }
 
 double FramePacer::framesPerSecond(Clock::time_point now) const {

@@ -16,10 +16,16 @@ double seconds(FrameSchedule::Duration time) { return std::chrono::duration<doub
 } // namespace
 
 FrameDetail FrameSchedule::choose() const {
+    if (demand_.live && demand_.frameSeconds > 0 && (owed_ || demand_.changed)) return chooseLive();
     if (owed_) return kCoarsest;
     if (!demand_.changed || demand_.frameSeconds <= 0) return {};
     const double time = patience();
     return time > 0 ? governor_.detail(demand_.work, time) : kCoarsest;
+}
+
+FrameDetail FrameSchedule::chooseLive() const {
+    if (!owed_ && governor_.detail(demand_.work, demand_.frameSeconds).whole()) return {};
+    return liveGovernor_.detail(demand_.pixels, demand_.liveRays, demand_.frameSeconds);
 }
 
 /// For a frame after a change, so that the coarsest is in time when it is left.
@@ -35,7 +41,7 @@ FrameDetail FrameSchedule::begin(const Demand& demand) {
 }
 
 bool FrameSchedule::leaves(Duration lasted, bool changeWaits) const {
-    if (detail_ == kCoarsest) return false;
+    if (detail_ == kCoarsest || detail_.live()) return false;
     const bool patient = demand_.waitedFor || demand_.frameSeconds <= 0;
     if (demand_.changed && demand_.frameSeconds > 0) return seconds(lasted) > patience();
     return changeWaits && (!patient || lasted > kLongFrame);
@@ -43,20 +49,27 @@ bool FrameSchedule::leaves(Duration lasted, bool changeWaits) const {
 
 void FrameSchedule::left(Duration lasted) {
     owed_ = demand_.changed || demand_.frameSeconds <= 0;
+    if (detail_.live()) return;
     governor_.learnLimit(detail_, demand_.work, seconds(lasted));
 }
 
-void FrameSchedule::shown(Duration lasted) {
+void FrameSchedule::shown(Duration lasted, LiveGovernor::Cost live) {
     owed_ = false;
-    if (detail_ == kCoarsest) {
+    if (detail_ == kCoarsest || detail_.live()) {
         const double now = seconds(lasted);
         coarsest_ = now > coarsest_ ? now : coarsest_ + (now - coarsest_) * kForget;
+    }
+    if (detail_.live()) {
+        live.seconds = seconds(lasted);
+        liveGovernor_.learn(detail_, demand_.pixels, demand_.frameSeconds, live);
+        return;
     }
     governor_.learn(detail_, demand_.work, seconds(lasted));
 }
 
 void FrameSchedule::forget() {
     governor_.forget();
+    liveGovernor_.forget();
     coarsest_ = 0;
     owed_ = false;
 }

@@ -1,152 +1,149 @@
 #include "rtcore/live/live_renderer.h"
 
-#include "rtcore/live/hole_filling.h"
-#include "rtcore/platform/task_errors.h"
 #include "rtcore/platform/threads.h"
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <utility>
 
 namespace rtcore {
 
 namespace {
 
-constexpr int kGuideTile = 64; ///< pixels; even, so that the pattern of guides is the same in each
+constexpr int kRowsOfPart = 16;
 
-/// Calls `work` with each tile of the image, by `threads`, until `control` is cancelled.
+/// Calls `work` with the first row of each part of the image, and that behind it.
 template <typename Work>
-void forEachTile(const ImagePlane& plane, [[maybe_unused]] int threads, const RenderControl& control,
-                 Work&& work) {
-    const int columns = (plane.width + kGuideTile - 1) / kGuideTile,
-              rows = (plane.height + kGuideTile - 1) / kGuideTile;
-    TaskErrors errors;
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
-    for (int tile = 0; tile < columns * rows; ++tile) {
-        if (control.cancel.load(std::memory_order_relaxed) || errors.any()) continue;
-        const int left = tile % columns * kGuideTile, top = tile / columns * kGuideTile;
-        errors.guard([&] {
-            work(PixelArea{left, top, std::min(kGuideTile, plane.width - left),
-                           std::min(kGuideTile, plane.height - top)});
-        });
-    }
-    errors.rethrow();
+void forEachPart(int rows, [[maybe_unused]] int threads, Work&& work) {
+    const int parts = (rows + kRowsOfPart - 1) / kRowsOfPart;
+#pragma omp parallel for num_threads(threads) schedule(static)
+    for (int part = 0; part < parts; ++part)
+        work(part * kRowsOfPart, std::min((part + 1) * kRowsOfPart, rows));
 }
 
-/// What is known of lights at a point, but for those that some of the points around see and others do not:
-/// the edges of shadows stay where they are. In turns nothing counts as known, so that no error lasts.
-LightVisibility surelyKnown(const LiveImage& image, int x, int y, std::uint32_t number) {
-    const LivePoint& point = image.at(x, y);
-    if (!point.lit() || (turnOf(x, y) + number) % kTurns == 0) return {};
-    unsigned clear = 0, dark = 0;
-    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, image.plane.height - 1); ++v) {
-        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, image.plane.width - 1); ++u) {
-            clear |= image.at(u, v).lights.clear;
-            dark |= image.at(u, v).lights.dark;
-        }
-    }
-    const unsigned sure = ~(clear & dark);
-    return {static_cast<std::uint16_t>(point.lights.clear & sure),
-            static_cast<std::uint16_t>(point.lights.dark & sure)};
+ImagePlane planeOf(const View& view) {
+    const int width = view.settings.width, height = view.settings.height;
+    return {CameraRays(view.camera, width, height), width, height};
+}
+
+Vec3 towardsMiddle(const ImagePlane& plane, int x, int y) {
+    return plane.towards(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+}
+
+/// Where the surface of `seen` is in the middle of the pixel.
+Vec3 positionInMiddle(const ImagePlane& plane, const SeenPoint& seen, int x, int y) {
+    constexpr float kMostChange = 0.05F;
+    const Vec3 towards = towardsMiddle(plane, x, y), offset = seen.position - plane.eye;
+    const float depth = dot(seen.normal, offset) / dot(seen.normal, towards),
+                before = dot(plane.axis, offset);
+    const bool near = std::fabs(depth - before) < kMostChange * before; // not of NaN
+    return near ? plane.eye + towards * depth : seen.position;
 }
 
 } // namespace
 
-LiveRenderer::LiveRenderer() = default;
-LiveRenderer::~LiveRenderer() = default;
+bool sameLight(const RenderSettings& a, const RenderSettings& b) {
+    RenderSettings alike = a;
+    alike.width = b.width;
+    alike.height = b.height;
+    alike.antialiasing = b.antialiasing;
+    alike.sampling = b.sampling;
+    alike.adaptive = b.adaptive;
+    alike.depthOfField = b.depthOfField;
+    alike.denoise = b.denoise;
+    alike.bloom = b.bloom;
+    alike.exposure = b.exposure;
+    alike.toneMapping = b.toneMapping;
+    alike.dithering = b.dithering;
+    return alike == b;
+}
 
 bool LiveRenderer::draws(const View& view) {
     const RenderSettings& settings = view.settings;
-    return view.camera.kind == CameraKind::Perspective && settings.antialiasing == 1 &&
+    const bool fits = static_cast<double>(settings.width) * settings.height < Reprojection::kMostPixels;
+    return fits && view.camera.kind == CameraKind::Perspective && settings.antialiasing == 1 &&
            settings.sampling == SamplingPattern::Grid && !settings.depthOfField.on;
 }
 
-void LiveRenderer::begin(const View& view) {
-    const int width = view.settings.width, height = view.settings.height;
-    const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    present_.plane = ImagePlane(CameraRays(view.camera, width, height), width, height);
-    present_.points.resize(count);
-    if (!past_.points.empty()) return;
-    past_.plane = present_.plane; // nothing is known, not even what was seen
-    past_.points.assign(count, {});
-}
-
-bool LiveRenderer::render(const View& view, const LiveBudget& budget, RenderControl& control, Frame& frame) {
-    begin(view);
-    const std::size_t count = present_.points.size();
-    frame.radiance.width = present_.plane.width;
-    frame.radiance.height = present_.plane.height;
-    frame.radiance.pixels.resize(count);
-    frame.covered.resize(count);
+bool LiveRenderer::render(const View& view, double newSamples, RenderControl& control, Frame& frame) {
+    const int threads = threadsFor(control.threads);
+    present_.resize(planeOf(view));
+    frame.radiance.width = view.settings.width;
+    frame.radiance.height = view.settings.height;
+    frame.radiance.pixels.resize(present_.size());
+    frame.covered.resize(present_.size());
     frame.statistics = {};
     frame.aovs.clear();
-    const int threads = threadsFor(control.threads);
-    if (!findPoints(view, budget, control, frame.statistics)) return false;
-    choice_.choose(present_, budget.newPoints, number_, threads);
-    if (!lightPoints(view, control, frame)) return false;
-    forEachTile(present_.plane, threads, control,
-                [&](const PixelArea& area) { showPoints(present_, area, frame); });
-    if (control.cancel) return false;
+    frame.seen.clear();
+    reprojection_.carry(past_, present_, threads);
+    choice_.choose(present_, reprojection_.staleness(), newSamples, number_, threads);
+    const auto begun = std::chrono::steady_clock::now();
+    if (!lightSamples(view, control, frame)) return false;
+    sampleSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    picture_.show(present_, threads, frame);
     std::swap(past_, present_);
     ++number_;
     return true;
 }
 
-bool LiveRenderer::keep(const View& view, const Frame& frame, RenderControl& control) {
-    begin(view);
-    RayStatistics rays;
-    if (!findPoints(view, {.guides = 1, .newPoints = 0}, control, rays)) return false;
-    for (std::size_t i = 0; i < present_.points.size(); ++i) {
-        LivePoint& point = present_.points[i];
-        point.light = packLight(frame.radiance.pixels[i]);
-        point.across = point.down = 0;
-        point.age = 0;
-        point.flags = static_cast<std::uint8_t>(point.flags | LivePoint::kLit);
-    }
-    std::swap(past_, present_);
-    ++number_;
-    return true;
-}
-
-bool LiveRenderer::findPoints(const View& view, const LiveBudget& budget, RenderControl& control,
-                              RayStatistics& rays) {
-    const int threads = threadsFor(control.threads);
-    if (passes_.size() < static_cast<std::size_t>(threads)) passes_.resize(static_cast<std::size_t>(threads));
-    for (std::unique_ptr<GuidePass>& pass : passes_) {
-        if (pass == nullptr) pass = std::make_unique<GuidePass>();
-        pass->begin();
-    }
-    materials_.prepare(view.scene, view.settings);
-    const CameraRays camera(view.camera, view.settings.width, view.settings.height);
-    const GuidePass::Task task{view.scene, view.tracer, materials_, camera, {budget.guides, number_}, past_};
-    forEachTile(present_.plane, threads, control, [&](const PixelArea& area) {
-        passes_[static_cast<std::size_t>(threadNumber())]->trace(task, area, present_);
+void LiveRenderer::keep(const View& view, const Frame& frame, int threads) {
+    past_.resize(planeOf(view));
+    const ImagePlane& plane = past_.plane();
+    forEachPart(plane.height, threadsFor(threads), [&](int first, int last) {
+        for (int y = first; y < last; ++y) {
+            for (int x = 0; x < plane.width; ++x) {
+                const std::size_t i = past_.index(x, y);
+                const SeenPoint& seen = frame.seen[i];
+                past_.set(i, {.position =
+                                  seen.any ? positionInMiddle(plane, seen, x, y) : towardsMiddle(plane, x, y),
+                              .light = frame.radiance.pixels[i],
+                              .lights = {},
+                              .mirrored = seen.mirrored,
+                              .background = !seen.any});
+            }
+        }
     });
-    if (budget.guides > 1) {
-        forEachTile(present_.plane, threads, control, [&](const PixelArea& area) {
-            passes_[static_cast<std::size_t>(threadNumber())]->guess(task, area, present_);
-        });
-    }
-    for (const std::unique_ptr<GuidePass>& pass : passes_) rays.add(pass->statistics());
-    return !control.cancel;
 }
 
-bool LiveRenderer::lightPoints(const View& view, RenderControl& control, Frame& frame) {
+/// What is known of lights at a point, but for those that some of the samples around see and others do not:
+/// the edges of shadows stay where they are. In turns nothing counts as known, so that no error lasts.
+LightVisibility LiveRenderer::surelyKnown(int x, int y) const {
+    const std::size_t at = present_.index(x, y);
+    if (!present_.known(at) || (turnOf(x, y) + number_) % kTurns == 0) return {};
+    const ImagePlane& plane = present_.plane();
+    unsigned clear = 0, dark = 0;
+    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, plane.height - 1); ++v) {
+        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, plane.width - 1); ++u) {
+            if (!present_.known(present_.index(u, v))) return {};
+            const LightVisibility there = present_.visibility(present_.index(u, v));
+            clear |= there.clear;
+            dark |= there.dark;
+        }
+    }
+    const unsigned sure = ~(clear & dark);
+    const LightVisibility own = present_.visibility(at);
+    return {static_cast<std::uint16_t>(own.clear & sure), static_cast<std::uint16_t>(own.dark & sure)};
+}
+
+bool LiveRenderer::lightSamples(const View& view, RenderControl& control, Frame& frame) {
     const std::vector<SampleId>& chosen = choice_.chosen();
     light_.resize(chosen.size());
     visibility_.resize(chosen.size());
-    for (std::size_t i = 0; i < chosen.size(); ++i)
-        visibility_[i] = surelyKnown(present_, chosen[i].x, chosen[i].y, number_);
-    newPoints_ = static_cast<double>(chosen.size()) / static_cast<double>(present_.points.size());
-    RayStatistics traced;
-    if (!renderer_.renderPixels(view, chosen, control, light_, traced, visibility_)) return false;
-    frame.statistics.add(traced);
+    seen_.resize(chosen.size());
+    for (std::size_t i = 0; i < chosen.size(); ++i) visibility_[i] = surelyKnown(chosen[i].x, chosen[i].y);
+    newSamples_ = static_cast<double>(chosen.size()) / static_cast<double>(present_.size());
+    if (!renderer_.renderPixels(view, chosen, control, {light_, visibility_, seen_}, frame.statistics))
+        return false;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
-        LivePoint& point = present_.at(chosen[i].x, chosen[i].y);
-        point.light = packLight(light_[i]);
-        point.lights = visibility_[i];
-        point.across = point.down = 0;
-        point.age = 0;
-        point.flags = static_cast<std::uint8_t>(point.flags | LivePoint::kLit);
+        const int x = chosen[i].x, y = chosen[i].y;
+        const SeenPoint& seen = seen_[i];
+        present_.set(present_.index(x, y),
+                     {.position = seen.any ? seen.position : towardsMiddle(present_.plane(), x, y),
+                      .light = light_[i],
+                      .lights = visibility_[i],
+                      .mirrored = seen.mirrored,
+                      .background = !seen.any});
     }
     return true;
 }

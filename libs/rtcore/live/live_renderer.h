@@ -1,72 +1,67 @@
-/// Frames of a moving camera: what each pixel sees is traced anew, its light is kept from frame to frame as
-/// long as it holds. (docs/live.md)
+/// Frames of a moving camera: the light of the frame before is taken along to where it is seen now, and where
+/// it does not hold, new light is traced. (docs/live.md)
 #pragma once
 
-#include "rtcore/live/guide_pass.h"
-#include "rtcore/live/live_points.h"
-#include "rtcore/live/point_choice.h"
+#include "rtcore/live/live_samples.h"
+#include "rtcore/live/pixel_choice.h"
+#include "rtcore/live/reprojection.h"
+#include "rtcore/live/sample_picture.h"
 #include "rtcore/render/frame.h"
 #include "rtcore/render/frame_renderer.h"
 #include "rtcore/render/view.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace rtcore {
 
-/// What a frame may cost. The picture depends on these numbers and the frames before, on nothing else.
-struct LiveBudget {
-    int guides = 1;          ///< one of so many pixels has a primary ray: 1, 2 or 4
-    double newPoints = 0.15; ///< of the pixels; they get new light
-};
+/// Whether the light of points is the same by both settings: they differ in what is done to images, or in
+/// where their samples are.
+bool sameLight(const RenderSettings& a, const RenderSettings& b);
 
-/// Keeps the memory of a sequence of frames, 40 bytes per pixel and some lists beside the frame. Not for
-/// several threads at once: it uses all of them itself.
+/// Keeps the memory of a sequence of frames, bytesPerPixel() and some lists beside the frame. Not for several
+/// threads at once: it uses all of them itself.
 class LiveRenderer {
   public:
-    LiveRenderer();
-    ~LiveRenderer();
-    LiveRenderer(const LiveRenderer&) = delete;
-    LiveRenderer& operator=(const LiveRenderer&) = delete;
-
-    /// Whether such a view can be drawn: of a perspective camera, one sample per pixel in its middle.
+    /// Whether such a view can be drawn: of a perspective camera, one sample per pixel in its middle, fewer
+    /// than Reprojection::kMostPixels.
     static bool draws(const View& view);
 
-    /// Draws the next frame. The same bits for every number of threads. Returns false when control.cancel was
-    /// set: the frame is undefined then, and the past as it was.
-    bool render(const View& view, const LiveBudget& budget, RenderControl& control, Frame& frame);
+    /// Draws the next frame, with about `newSamples` (0..1) of its pixels traced. The image depends on these
+    /// numbers and on the frames before; it has the same bits for every number of threads. Returns false when
+    /// control.cancel was set: the frame is undefined then, and what is kept as it was.
+    bool render(const View& view, double newSamples, RenderControl& control, Frame& frame);
 
-    /// Keeps the light of a whole frame of that view, which `frame` holds; it may have other samples. Returns
-    /// false when control.cancel was set, with the past as it was.
-    bool keep(const View& view, const Frame& frame, RenderControl& control);
+    /// Keeps the light of a whole frame of that view, which has Frame::seen. It may have any number of
+    /// samples per pixel.
+    void keep(const View& view, const Frame& frame, int threads);
 
-    /// The light that is kept does not hold any more: lights, materials or settings changed.
-    void forget() { past_.points.clear(); }
+    /// What is kept does not hold any more: lights, materials or settings changed.
+    void forget() { past_.clear({}); }
 
-    /// Of the last frame: pixels that got new light, and those of which none was known, of all.
-    double newPoints() const { return newPoints_; }
-    double unknownPoints() const { return choice_.unknown(); }
+    /// Seconds that the traced pixels of the last frame took.
+    double sampleSeconds() const { return sampleSeconds_; }
+    /// Of the last frame: pixels that were traced, and those of which nothing was known, of all.
+    double newSamples() const { return newSamples_; }
+    double unknown() const { return choice_.unknown(); }
 
-    static std::size_t bytesPerPixel() {
-        return 2 * sizeof(LivePoint) + sizeof(float) + 1 + sizeof(SampleId);
-    }
+    static constexpr std::size_t bytesPerPixel() { return 75; }
 
   private:
-    void begin(const View& view);
-    bool findPoints(const View& view, const LiveBudget& budget, RenderControl& control, RayStatistics& rays);
-    bool lightPoints(const View& view, RenderControl& control, Frame& frame);
+    bool lightSamples(const View& view, RenderControl& control, Frame& frame);
+    LightVisibility surelyKnown(int x, int y) const;
 
     FrameRenderer renderer_;
-    MaterialTable materials_;
-    std::vector<std::unique_ptr<GuidePass>> passes_; ///< by thread
-    PointChoice choice_;
-    std::vector<Colour> light_;               ///< of the chosen points
+    Reprojection reprojection_;
+    PixelChoice choice_;
+    SamplePicture picture_;
+    std::vector<Colour> light_;               ///< of the chosen pixels
     std::vector<LightVisibility> visibility_; ///< the same
-    LiveImage past_, present_;
+    std::vector<SeenPoint> seen_;             ///< the same
+    LiveSamples past_, present_;
     std::uint32_t number_ = 0; ///< of the frame
-    double newPoints_ = 0;
+    double newSamples_ = 0, sampleSeconds_ = 0;
 };
 
 } // namespace rtcore

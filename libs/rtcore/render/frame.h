@@ -3,6 +3,7 @@
 
 #include "rtcore/kernels/ray_statistics.h"
 #include "rtcore/render/aovs.h"
+#include "rtcore/render/seen_point.h"
 #include "rtcore/scene/image.h"
 
 #include <cstdint>
@@ -15,6 +16,7 @@ struct Frame {
     std::vector<std::uint8_t>
         covered; ///< per pixel: 255 where all samples hit geometry, 0 where all saw the background
     Aovs aovs;   ///< empty unless they were asked for
+    std::vector<SeenPoint> seen; ///< per pixel; empty unless they were asked for
     RayStatistics statistics;
 };
 

@@ -68,6 +68,11 @@ void FrameRenderer::beginAovs(const View& view, Frame& frame) const {
     } else {
         frame.aovs.clear();
     }
+    if (collectSeen_) {
+        frame.seen.assign(frame.radiance.pixels.size(), {});
+    } else {
+        frame.seen = {};
+    }
 }
 
 /// What depends on the scene and the settings.
@@ -79,8 +84,7 @@ void FrameRenderer::prepare(const View& view) {
 }
 
 bool FrameRenderer::renderPixels(const View& view, std::span<const SampleId> pixels, RenderControl& control,
-                                 std::span<Colour> radiance, RayStatistics& statistics,
-                                 std::span<LightVisibility> visibility) {
+                                 const RenderedPixels& to, RayStatistics& statistics) {
     // Samples of a part: enough that secondary rays share work, and few enough that all threads have some.
     // Not of the number of threads, since parts decide how sums are rounded.
     constexpr std::size_t kLeast = 512, kMost = 8192, kParts = 16;
@@ -98,8 +102,7 @@ bool FrameRenderer::renderPixels(const View& view, std::span<const SampleId> pix
                 [&](TileRenderer& renderer, int part) {
                     const std::size_t first = static_cast<std::size_t>(part) * size;
                     const std::size_t count = std::min(size, pixels.size() - first);
-                    renderer.renderPixels(pixels.subspan(first, count), radiance.subspan(first, count),
-                                          visibility.empty() ? visibility : visibility.subspan(first, count));
+                    renderer.renderPixels(pixels.subspan(first, count), to.part(first, count));
                 });
     statistics.add(none.statistics);
     return !control.cancel;
@@ -107,8 +110,8 @@ bool FrameRenderer::renderPixels(const View& view, std::span<const SampleId> pix
 
 bool FrameRenderer::renderAimed(const View& view, RenderControl& control, Frame& frame) {
     const RenderSettings& settings = view.settings;
-    beginAovs(view, frame);
     makeRoom(frame, settings);
+    beginAovs(view, frame);
     prepare(view);
     const TileGrid grid(settings, materials_.anySecondary());
     const bool refined = samplesAdaptively(settings);
@@ -159,7 +162,8 @@ void FrameRenderer::renderParts(const Work& work, int parts, Render&& render) {
                         .shadowMaps = maps_,
                         .cancel = cancel,
                         .measureStages = measureStages_,
-                        .aovs = work.frame.aovs.empty() ? nullptr : &work.frame.aovs});
+                        .aovs = work.frame.aovs.empty() ? nullptr : &work.frame.aovs,
+                        .seen = work.frame.seen.empty() ? nullptr : &work.frame.seen});
         // In the order of the image: its last row of tiles is the one that its lower edge cuts.
 #pragma omp for schedule(dynamic, 1) nowait
         for (int part = 0; part < parts; ++part) {

@@ -5,9 +5,9 @@
 #include "rtcore/render/finished_tiles.h"
 #include "rtcore/render/frame.h"
 #include "rtcore/render/lens.h"
+#include "rtcore/render/rendered_pixels.h"
 #include "rtcore/render/sample_rays.h"
 #include "rtcore/render/view.h"
-#include "rtcore/shading/light/light_visibility.h"
 #include "rtcore/shading/light/shadow_maps.h"
 #include "rtcore/shading/stage_times.h"
 #include "rtcore/shading/surface/material_table.h"
@@ -50,19 +50,17 @@ class FrameRenderer {
     /// its middle. `frame` gets a pixel for each square, also for those that the right or lower edge cuts.
     bool renderCoarse(const View& view, int block, RenderControl& control, Frame& frame);
 
-    /// Some pixels of the frame that render() gives: `radiance` of each of `pixels`, whose `sub` is 0, in
+    /// Some pixels of the frame that render() gives: those of `pixels`, whose `sub` is 0, in
     /// their order. Neighbours should follow each other there. Mirrored light and samples may be added in
     /// another order, which rounds otherwise; it depends on `pixels` alone. Not with settings.adaptive or
-    /// AOVs. Adds to `statistics`. Returns false when control.cancel was set, with `radiance` undefined.
-    ///
-    /// `visibility`: what is known of lights at what each pixel sees, taken for true; gets what shadow rays
-    /// found. With one sample per pixel only. Empty: all is traced.
+    /// AOVs. Adds to `statistics`. Returns false when control.cancel was set, with `to` undefined.
     bool renderPixels(const View& view, std::span<const SampleId> pixels, RenderControl& control,
-                      std::span<Colour> radiance, RayStatistics& statistics,
-                      std::span<LightVisibility> visibility = {});
+                      const RenderedPixels& to, RayStatistics& statistics);
 
     /// Whether frames to come get AOVs: to be written, or for effects (effectsNeedAovs()).
     void collectAovs(bool on) { collectAovs_ = on; }
+    /// Whether frames to come tell what each pixel sees, in Frame::seen.
+    void collectSeen(bool on) { collectSeen_ = on; }
     /// Whether frames to come measure stageTimes().
     void measureStages(bool on) { measureStages_ = on; }
     /// Shadow maps for the next frames, quicker and less exact than rays; null: rays.
@@ -95,6 +93,7 @@ class FrameRenderer {
     MaterialTable materials_;
     std::vector<std::unique_ptr<TileRenderer>> renderers_; ///< by thread
     bool collectAovs_ = false;
+    bool collectSeen_ = false;
     bool measureStages_ = false;
     const ShadowMaps* maps_ = nullptr;
     StageTimes stageTimes_;

@@ -103,8 +103,11 @@ void TileRenderer::begin(const FrameTask& task) {
     integrator_.begin(view.scene, view.tracer, view.settings, task.materials, task.measureStages);
     integrator_.takeShadowsFrom(task.shadowMaps);
     integrator_.stopWhen(&task.cancel);
-    integrator_.collectPrimaryHits(task.aovs != nullptr);
     aovs_ = task.aovs;
+    seen_ = task.seen;
+    integrator_.collectPrimaryHits(aovs_ != nullptr   ? PrimaryHitParts::All
+                                   : seen_ != nullptr ? PrimaryHitParts::Surface
+                                                      : PrimaryHitParts::None);
 }
 
 void TileRenderer::render(const PixelArea& area, Frame& frame) {
@@ -120,7 +123,7 @@ void TileRenderer::render(const PixelArea& area, Frame& frame) {
     }
     collectRays(area);
     integrator_.clock().lap(Stage::Rays);
-    if (needsSampleIds_ || aovs_ != nullptr) nameSamples(area, all);
+    if (needsSampleIds_ || aovs_ != nullptr || seen_ != nullptr) nameSamples(area, all);
     traceRays();
     if (settings_->antialiasing == 1) {
         storePixels(area, frame);
@@ -139,6 +142,19 @@ void TileRenderer::traceSamples() {
 void TileRenderer::traceRays() {
     integrator_.trace(rays_, samples_);
     if (aovs_ != nullptr) aovs_->add(integrator_.primaryHits(), samples_);
+    if (seen_ != nullptr) keepHits();
+}
+
+/// Of each pixel that of the sample in its middle, or next to it; of another where that one is not traced.
+void TileRenderer::keepHits() {
+    const auto n = static_cast<std::uint32_t>(settings_->antialiasing);
+    const std::uint32_t middle = n / 2 * n + n / 2;
+    const std::span<const PrimaryHit> hits = integrator_.primaryHits();
+    const auto width = static_cast<std::size_t>(settings_->width);
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+        SeenPoint& seen = (*seen_)[samples_[i].y * width + samples_[i].x];
+        if (samples_[i].sub == middle || (!seen.any && samples_[i].sub == 0)) seen = SeenPoint(hits[i]);
+    }
 }
 
 /// `count`: how many samples the pixel (x, y) has.
@@ -188,8 +204,7 @@ void TileRenderer::renderRest(const PixelArea& area, const AdaptiveSampler& samp
     storeMeans(area, frame, [&](int x, int y) { return sampler.refined(x, y) ? n * n : firstSamples(n); });
 }
 
-void TileRenderer::renderPixels(std::span<const SampleId> pixels, std::span<Colour> radiance,
-                                std::span<LightVisibility> visibility) {
+void TileRenderer::renderPixels(std::span<const SampleId> pixels, const RenderedPixels& to) {
     const int count = settings_->antialiasing * settings_->antialiasing;
     samples_.clear();
     for (const SampleId& pixel : pixels) {
@@ -197,12 +212,14 @@ void TileRenderer::renderPixels(std::span<const SampleId> pixels, std::span<Colo
             samples_.push_back({pixel.x, pixel.y, static_cast<std::uint32_t>(sub)});
     }
     sameOrigin_ = false;
-    integrator_.remember(visibility);
+    integrator_.remember(to.visibility);
+    if (!to.seen.empty()) integrator_.collectPrimaryHits(PrimaryHitParts::Surface);
     traceSamples();
     integrator_.remember({});
+    for (std::size_t i = 0; i < to.seen.size(); ++i) to.seen[i] = SeenPoint(integrator_.primaryHits()[i]);
     const ArraysOf3& found = integrator_.radiance();
     std::size_t sample = 0;
-    for (Colour& pixel : radiance) {
+    for (Colour& pixel : to.radiance) {
         Colour sum;
         for (int sub = 0; sub < count; ++sub) sum += found.colourAt(sample++);
         pixel = sum / static_cast<float>(count);

@@ -5,6 +5,7 @@
 #include "rtcore/render/camera_rays.h"
 #include "rtcore/render/frame.h"
 #include "rtcore/render/pixel_area.h"
+#include "rtcore/render/rendered_pixels.h"
 #include "rtcore/render/sample_rays.h"
 #include "rtcore/render/view.h"
 #include "rtcore/shading/whitted.h"
@@ -41,7 +42,8 @@ class TileRenderer {
         const ShadowMaps* shadowMaps;   ///< as WhittedIntegrator takes them; may be null
         const std::atomic<bool>& cancel;
         bool measureStages;
-        Aovs* aovs; ///< gets what samples see first; may be null
+        Aovs* aovs;                   ///< gets what samples see first; may be null
+        std::vector<SeenPoint>* seen; ///< the same of each pixel of the frame; may be null
     };
     /// Starts a frame, or a pass of it.
     void begin(const FrameTask& task);
@@ -51,10 +53,8 @@ class TileRenderer {
     /// The same in two steps. The first leaves sums in frame.radiance and numbers of hits in frame.covered.
     void renderFirst(const PixelArea& area, AdaptiveSampler& sampler, Frame& frame);
     void renderRest(const PixelArea& area, const AdaptiveSampler& sampler, Frame& frame);
-    /// The radiance of pixels anywhere, in their order; their `sub` is 0. `visibility`: as
-    /// WhittedIntegrator::remember() takes it, by pixel.
-    void renderPixels(std::span<const SampleId> pixels, std::span<Colour> radiance,
-                      std::span<LightVisibility> visibility);
+    /// Pixels anywhere, in their order; their `sub` is 0.
+    void renderPixels(std::span<const SampleId> pixels, const RenderedPixels& to);
     const RayStatistics& statistics() const { return integrator_.statistics(); }
     const StageTimes& stageTimes() { return integrator_.clock().times(); }
 
@@ -69,6 +69,7 @@ class TileRenderer {
     void addToSums(const PixelArea& area);
     template <typename Count>
     void storeMeans(const PixelArea& area, Frame& frame, Count&& count);
+    void keepHits();
     void storePixels(const PixelArea& area, Frame& frame);
     void averageSamples(const PixelArea& area, Frame& frame);
 
@@ -77,9 +78,10 @@ class TileRenderer {
     WhittedIntegrator integrator_;
     RayWave rays_;
     bool needsSampleIds_ = false;
-    Aovs* aovs_ = nullptr;          ///< that samples are added to; null: not asked for
-    std::vector<SampleId> samples_; ///< of rays_, where sample ids are needed
-    bool sameOrigin_ = false;       ///< all of rays_ begin at the eye already
+    Aovs* aovs_ = nullptr;                   ///< that samples are added to; null: not asked for
+    std::vector<SeenPoint>* seen_ = nullptr; ///< the same
+    std::vector<SampleId> samples_;          ///< of rays_, where sample ids are needed
+    bool sameOrigin_ = false;                ///< all of rays_ begin at the eye already
     /// Of the samples of one pixel.
     struct PixelSum {
         Colour radiance;

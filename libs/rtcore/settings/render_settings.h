@@ -22,6 +22,8 @@ struct AmbientOcclusionSettings {
     float distance = 0; ///< scene units; 0 = 15 % of the scene's diagonal
     OcclusionPattern pattern = OcclusionPattern::Rotated;
     float light = 0; ///< radiance of ambient light; 0 = the scene's, or one that suits it when it has none
+
+    friend bool operator==(const AmbientOcclusionSettings&, const AmbientOcclusionSettings&) = default;
 };
 
 /// A thin lens on a film 36 mm wide.
@@ -30,22 +32,30 @@ struct DepthOfFieldSettings {
     float fNumber = 2.8F; ///< focal length over diameter of the lens
     float focus = 0;      ///< scene units along the axis to what is sharp; 0 = what is in the middle
     int blades = 0;       ///< corners of the aperture; 0 = round
+
+    friend bool operator==(const DepthOfFieldSettings&, const DepthOfFieldSettings&) = default;
 };
 
 /// The fog itself is the scene's.
 struct FogSettings {
     bool on = true;
     int shafts = 0; ///< shadow rays along each ray to each light; 0 = light in the fog is not shadowed
+
+    friend bool operator==(const FogSettings&, const FogSettings&) = default;
 };
 
 /// Lights with a size, which throw soft shadows.
 struct AreaLightSettings {
     int samples = 4; ///< shadow rays to each; 0 = they are points
+
+    friend bool operator==(const AreaLightSettings&, const AreaLightSettings&) = default;
 };
 
 /// Smooths noise, but not edges.
 struct DenoiseSettings {
     int passes = 0; ///< of the filter; 0 = off
+
+    friend bool operator==(const DenoiseSettings&, const DenoiseSettings&) = default;
 };
 
 /// Light that is spread around bright spots.
@@ -53,6 +63,8 @@ struct BloomSettings {
     int radius = 0; ///< standard deviation of the blur in pixels; 0 = off
     BloomKernel kernel = BloomKernel::Gaussian;
     float share = 0.15F; ///< of the light that is spread
+
+    friend bool operator==(const BloomSettings&, const BloomSettings&) = default;
 };
 
 struct ExposureSettings {
@@ -62,6 +74,8 @@ struct ExposureSettings {
     float brighterSeconds = 0.1F; ///< Automatic: time in which an eye gets used to 63 % of more light
     float darkerSeconds = 0.4F;   ///< and of less
     float local = 0;              ///< 0..1: how much of the exposure follows a pixel's own surroundings
+
+    friend bool operator==(const ExposureSettings&, const ExposureSettings&) = default;
 };
 
 struct RenderSettings {
@@ -88,6 +102,8 @@ struct RenderSettings {
     ToneMapping toneMapping = ToneMapping::Luminance;
     bool dithering = true;
     EnvironmentFilter environmentFilter = EnvironmentFilter::Bilinear;
+
+    friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
 };
 
 } // namespace rtcore

@@ -8,8 +8,11 @@ namespace rtcore {
 
 namespace {
 
-/// Of light at the point of the wave: the share that is scattered, mirrored or let through.
-Colour albedoOf(const SurfaceWave& surfaces, std::size_t i) {
+/// The fractions of the light at a point that are scattered, mirrored and let through.
+struct Albedo {
+    Colour scattered, mirrored, through;
+};
+Albedo albedoOf(const SurfaceWave& surfaces, std::size_t i) {
     const Colour scattered = surfaces.weight.colourAt(i);
     const bool specular = (surfaces.traits[i] & traits::kSpecular) != 0;
     const Colour mirrored = specular ? surfaces.specular.colourAt(i) : Colour{};
@@ -18,7 +21,7 @@ Colour albedoOf(const SurfaceWave& surfaces, std::size_t i) {
         const Colour rest = kWhite - scattered - mirrored;
         through = {std::max(rest.r, 0.0F), std::max(rest.g, 0.0F), std::max(rest.b, 0.0F)};
     }
-    return surfaces.diffuse.colourAt(i) * kPi * scattered + mirrored + through;
+    return {surfaces.diffuse.colourAt(i) * kPi * scattered, mirrored, through};
 }
 
 } // namespace
@@ -36,9 +39,11 @@ void PrimaryHits::take(const Wave& wave) {
         const Path path = wave.paths.path(i);
         PrimaryHit& hit = hits_[path.sample];
         if (path.depth > 0 || hit.any()) continue;
+        const Albedo albedo = albedoOf(surfaces, i);
         hit = {.position = surfaces.position.at(i),
                .normal = surfaces.shadingNormal.at(i),
-               .albedo = albedoOf(surfaces, i),
+               .albedo = albedo.scattered + albedo.mirrored + albedo.through,
+               .mirrored = std::clamp(luminance(albedo.mirrored + albedo.through), 0.0F, 1.0F),
                .direct = {},
                .soft = {},
                .wave = wave_};

@@ -15,14 +15,22 @@ namespace rtcore {
 
 struct PrimaryHit {
     Vec3 position;
-    Vec3 normal;   ///< the shading normal, unit, on the side of the viewer
-    Colour albedo; ///< fraction of light that the surface scatters, mirrors or transmits
-    Colour direct; ///< radiance due to direct light, once scattered
-    Colour soft;   ///< radiance by sampled, and so noisy, light: of area lights and ambient light
+    Vec3 normal;        ///< the shading normal, unit, on the side of the viewer
+    Colour albedo;      ///< fraction of light that the surface scatters, mirrors or transmits
+    float mirrored = 0; ///< luminance of the part of it that is mirrored or transmitted, 0..1
+    Colour direct;      ///< radiance due to direct light, once scattered
+    Colour soft;        ///< radiance by sampled, and so noisy, light: of area lights and ambient light
     float arriving = 0, whole = 0; ///< ambient light, and what there would be without occlusion
     std::uint32_t wave = 0;        ///< of the sample, in which it was hit; 0: nothing was
 
     bool any() const { return wave != 0; }
+};
+
+/// What is recorded of hits.
+enum class PrimaryHitParts {
+    None,
+    Surface, ///< all but light: direct, soft, arriving, whole
+    All
 };
 
 /// One for each thread; keeps its memory.

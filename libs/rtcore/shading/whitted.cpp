@@ -39,7 +39,7 @@ void WhittedIntegrator::trace(const RayWave& primary, std::span<const SampleId> 
     frame_.statistics = &statistics_;
     frame_.clock = &clock_;
     secondary_.start();
-    if (collectPrimaryHits_) primaryHits_.start(primary.size());
+    if (hitParts_ != PrimaryHitParts::None) primaryHits_.start(primary.size());
     wave_.kind = RayKind::Primary;
     wave_.rays = &primary;
     wave_.paths = WavePaths();
@@ -73,10 +73,10 @@ void WhittedIntegrator::traceWave() {
     addBackground();
     special_.complete(frame_, ambient_, wave_, sums_, secondary_);
     addEmission();
-    if (collectPrimaryHits_) primaryHits_.take(wave_);
+    if (hitParts_ != PrimaryHitParts::None) primaryHits_.take(wave_);
     clock_.lap(Stage::Surfaces);
     if (fog_.on()) lighting_.addFog(frame_, wave_, sums_);
-    lighting_.addLight(frame_, wave_, {sums_, collectPrimaryHits_ ? &primaryHits_ : nullptr});
+    lighting_.addLight(frame_, wave_, {sums_, hitParts_ == PrimaryHitParts::All ? &primaryHits_ : nullptr});
     secondary_.makeSecondaryRays(frame_, wave_);
     clock_.lap(Stage::Secondary);
 }

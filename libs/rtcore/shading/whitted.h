@@ -46,8 +46,8 @@ class WhittedIntegrator {
     const ArraysOf3& radiance() const { return sums_.radiance(); }
     const std::vector<std::uint8_t>& hit() const { return sums_.hit(); }
 
-    /// Whether the next waves record primaryHits(): those of the last wave, of sample i at i.
-    void collectPrimaryHits(bool on) { collectPrimaryHits_ = on; }
+    /// What the next waves record of primaryHits(): those of the last wave, of sample i at i.
+    void collectPrimaryHits(PrimaryHitParts parts) { hitParts_ = parts; }
     std::span<const PrimaryHit> primaryHits() const { return primaryHits_.hits(); }
 
     /// Shadow maps to look shadows up in instead of tracing rays; null: shadows are traced.
@@ -85,7 +85,7 @@ class WhittedIntegrator {
     SpecialPoints special_;
     WaveLighting lighting_;
     SecondaryRays secondary_;
-    bool collectPrimaryHits_ = false;
+    PrimaryHitParts hitParts_ = PrimaryHitParts::None;
     PrimaryHits primaryHits_;
 };
 

@@ -167,6 +167,7 @@ HWY_INLINE std::uint32_t bitsOf(float a) { return std::bit_cast<std::uint32_t>(a
 HWY_INLINE std::int32_t toInt(std::uint32_t a) { return static_cast<std::int32_t>(a); }
 HWY_INLINE std::uint32_t toUint(std::int32_t a) { return static_cast<std::uint32_t>(a); }
 HWY_INLINE Float floatOf(Uint bits) { return hn::BitCast(FloatTag(), bits.raw); }
+HWY_INLINE float floatOf(std::uint32_t bits) { return std::bit_cast<float>(bits); }
 HWY_INLINE Float floatOf(Int bits) { return hn::BitCast(FloatTag(), bits.raw); }
 HWY_INLINE Int toInt(Uint a) { return hn::BitCast(Int::Tag(), a.raw); }
 HWY_INLINE Uint toUint(Int a) { return hn::BitCast(Uint::Tag(), a.raw); }
@@ -181,6 +182,10 @@ HWY_INLINE Wide<T> shiftRight(Wide<T> a) {
 template <int bits>
 HWY_INLINE std::uint32_t shiftRight(std::uint32_t a) {
     return a >> bits;
+}
+template <int bits>
+HWY_INLINE std::uint32_t shiftLeft(std::uint32_t a) {
+    return a << bits;
 }
 /// first, first + 1, ... (Iota of a variable would be built number by number.)
 HWY_INLINE Uint iota(std::size_t first) {

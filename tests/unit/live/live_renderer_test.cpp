@@ -25,13 +25,15 @@ Camera cameraAt(int step) {
 
 class LiveFrames : public testing::Test {
   protected:
-    bool draw(const Camera& camera, const LiveBudget& budget) {
-        return live.render({traced.scene, traced.tracer, camera, settings}, budget, control, frame);
+    bool draw(const Camera& camera, double newSamples) {
+        return live.render({traced.scene, traced.tracer, camera, settings}, newSamples, control, frame);
     }
     Frame whole(const Camera& camera) const {
         RenderControl unwatched{.threads = 1};
+        FrameRenderer renderer;
+        renderer.collectSeen(true);
         Frame result;
-        renderFrame({traced.scene, traced.tracer, camera, settings}, unwatched, result);
+        renderer.render({traced.scene, traced.tracer, camera, settings}, unwatched, result);
         return result;
     }
     /// Root mean square, of what a display would show of it.
@@ -57,7 +59,7 @@ class LiveFrames : public testing::Test {
 
 TEST_F(LiveFrames, WithAllPointsNewAreWholeFrames) {
     for (int step = 0; step < 3; ++step) {
-        ASSERT_TRUE(draw(cameraAt(step), {1, 1}));
+        ASSERT_TRUE(draw(cameraAt(step), 1));
         const Frame truth = whole(cameraAt(step));
         int different = 0;
         for (std::size_t i = 0; i < truth.radiance.pixels.size(); ++i)
@@ -69,24 +71,24 @@ TEST_F(LiveFrames, WithAllPointsNewAreWholeFrames) {
 }
 
 TEST_F(LiveFrames, OfAStillCameraKeepTheirLight) {
-    ASSERT_TRUE(draw(cameraAt(0), {1, 1}));
+    ASSERT_TRUE(draw(cameraAt(0), 1));
     const std::vector<Colour> first = frame.radiance.pixels;
     for (int i = 0; i < 3; ++i) {
-        ASSERT_TRUE(draw(cameraAt(0), {1, 0}));
+        ASSERT_TRUE(draw(cameraAt(0), 0));
         EXPECT_TRUE(frame.radiance.pixels == first) << i;
         EXPECT_EQ(frame.statistics.rays[static_cast<std::size_t>(RayKind::Shadow)], 0U);
     }
 }
 
 TEST_F(LiveFrames, WhileMovingAreNearTheTruth) {
-    ASSERT_TRUE(draw(cameraAt(0), {1, 1}));
-    for (int step = 1; step <= 12; ++step) ASSERT_TRUE(draw(cameraAt(step), {1, 0.15}));
+    ASSERT_TRUE(draw(cameraAt(0), 1));
+    for (int step = 1; step <= 12; ++step) ASSERT_TRUE(draw(cameraAt(step), 0.15));
     const double fine = error(cameraAt(12));
     EXPECT_LT(fine, 0.02);
-    EXPECT_LT(live.newPoints(), 0.18);
+    EXPECT_LT(live.newSamples(), 0.18);
     live.forget();
-    ASSERT_TRUE(draw(cameraAt(0), {1, 1}));
-    for (int step = 1; step <= 12; ++step) ASSERT_TRUE(draw(cameraAt(step), {2, 0.05}));
+    ASSERT_TRUE(draw(cameraAt(0), 1));
+    for (int step = 1; step <= 12; ++step) ASSERT_TRUE(draw(cameraAt(step), 0.05));
     const double coarse = error(cameraAt(12));
     EXPECT_LT(coarse, 0.05);
     EXPECT_LT(fine, coarse);
@@ -94,41 +96,53 @@ TEST_F(LiveFrames, WhileMovingAreNearTheTruth) {
 
 TEST_F(LiveFrames, BeginWithTheLightOfAWholeFrame) {
     const View view{traced.scene, traced.tracer, cameraAt(0), settings};
-    ASSERT_TRUE(live.keep(view, whole(cameraAt(0)), control));
-    ASSERT_TRUE(draw(cameraAt(0), {1, 0}));
-    EXPECT_EQ(live.unknownPoints(), 0);
+    live.keep(view, whole(cameraAt(0)), 1);
+    ASSERT_TRUE(draw(cameraAt(0), 0));
+    EXPECT_EQ(live.unknown(), 0);
     EXPECT_LT(error(cameraAt(0)), 0.002);
-    ASSERT_TRUE(draw(cameraAt(1), {2, 0.05}));
+    ASSERT_TRUE(draw(cameraAt(1), 0.05));
     EXPECT_LT(error(cameraAt(1)), 0.03);
-    control.cancel = true;
-    EXPECT_FALSE(live.keep(view, whole(cameraAt(0)), control));
+}
+
+TEST_F(LiveFrames, BeginWithTheLightOfAFrameOfManySamplesWhereItsPixelsAre) {
+    const RenderSettings one = settings;
+    settings.antialiasing = 2;
+    const View view{traced.scene, traced.tracer, cameraAt(0), settings};
+    const Frame smooth = whole(cameraAt(0));
+    live.keep(view, smooth, 1);
+    settings = one;
+    ASSERT_TRUE(draw(cameraAt(0), 0));
+    std::size_t moved = 0;
+    for (std::size_t i = 0; i < smooth.radiance.pixels.size(); ++i)
+        moved += packLight(smooth.radiance.pixels[i]) != packLight(frame.radiance.pixels[i]) ? 1U : 0U;
+    EXPECT_LT(moved, smooth.radiance.pixels.size() / 100);
 }
 
 TEST_F(LiveFrames, BecomeTheTruthWhenTheCameraStands) {
-    for (int step = 0; step <= 5; ++step) ASSERT_TRUE(draw(cameraAt(step), {2, 0.05}));
+    for (int step = 0; step <= 5; ++step) ASSERT_TRUE(draw(cameraAt(step), 0.05));
     const double moving = error(cameraAt(5));
-    for (int i = 0; i < 12; ++i) ASSERT_TRUE(draw(cameraAt(5), {1, 0.2}));
+    for (int i = 0; i < 12; ++i) ASSERT_TRUE(draw(cameraAt(5), 0.2));
     EXPECT_LT(error(cameraAt(5)), 0.25 * moving);
 }
 
 TEST_F(LiveFrames, TheFirstOneShowsAllOfThePictureFromFewPoints) {
-    ASSERT_TRUE(draw(cameraAt(0), {1, 0.05}));
-    EXPECT_NEAR(live.newPoints(), 0.05, 0.02);
-    EXPECT_NEAR(live.unknownPoints(), 1, 1e-9);
+    ASSERT_TRUE(draw(cameraAt(0), 0.05));
+    EXPECT_NEAR(live.newSamples(), 0.05, 0.02);
+    EXPECT_NEAR(live.unknown(), 1, 1e-9);
     EXPECT_LT(error(cameraAt(0)), 0.12);
 }
 
 TEST_F(LiveFrames, AreTheSameForAnyNumberOfThreads) {
-    const std::vector<LiveBudget> budgets = {{1, 0.3}, {2, 0.1}, {4, 0.1}, {2, 0.05}, {1, 0.2}};
+    const std::vector<double> newSamples = {0.3, 0.1, 0.02, 0.05, 0.2};
     const auto walk = [&](int threads) {
         LiveRenderer renderer;
         RenderControl own{.threads = threads};
         std::vector<std::uint64_t> frames;
         Frame result;
-        for (std::size_t i = 0; i < budgets.size(); ++i) {
+        for (std::size_t i = 0; i < newSamples.size(); ++i) {
             const Camera camera = cameraAt(static_cast<int>(i));
             EXPECT_TRUE(
-                renderer.render({traced.scene, traced.tracer, camera, settings}, budgets[i], own, result));
+                renderer.render({traced.scene, traced.tracer, camera, settings}, newSamples[i], own, result));
             frames.push_back(test::hashOf(std::as_bytes(std::span(result.radiance.pixels))));
         }
         return frames;
@@ -138,27 +152,27 @@ TEST_F(LiveFrames, AreTheSameForAnyNumberOfThreads) {
 }
 
 TEST_F(LiveFrames, ACancelledOneLeavesThePastAsItWas) {
-    ASSERT_TRUE(draw(cameraAt(0), {1, 1}));
+    ASSERT_TRUE(draw(cameraAt(0), 1));
     control.cancel = true;
-    EXPECT_FALSE(draw(cameraAt(7), {1, 0.1}));
+    EXPECT_FALSE(draw(cameraAt(7), 0.1));
     control.cancel = false;
-    ASSERT_TRUE(draw(cameraAt(1), {1, 0.1}));
+    ASSERT_TRUE(draw(cameraAt(1), 0.1));
     const std::vector<Colour> after = frame.radiance.pixels;
     live.forget();
     LiveRenderer other;
     RenderControl own{.threads = 1};
     Frame result;
-    ASSERT_TRUE(other.render({traced.scene, traced.tracer, cameraAt(0), settings}, {1, 1}, own, result));
-    ASSERT_TRUE(other.render({traced.scene, traced.tracer, cameraAt(1), settings}, {1, 0.1}, own, result));
+    ASSERT_TRUE(other.render({traced.scene, traced.tracer, cameraAt(0), settings}, 1, own, result));
+    ASSERT_TRUE(other.render({traced.scene, traced.tracer, cameraAt(1), settings}, 0.1, own, result));
     EXPECT_TRUE(result.radiance.pixels == after);
 }
 
 TEST_F(LiveFrames, OfAnotherSizeTakeTheLightAlong) {
-    ASSERT_TRUE(draw(cameraAt(0), {1, 1}));
+    ASSERT_TRUE(draw(cameraAt(0), 1));
     settings.width = 120;
     settings.height = 81;
-    ASSERT_TRUE(draw(cameraAt(0), {1, 0}));
-    EXPECT_LT(live.unknownPoints(), 0.03);
+    ASSERT_TRUE(draw(cameraAt(0), 0));
+    EXPECT_LT(live.unknown(), 0.03);
     EXPECT_LT(error(cameraAt(0)), 0.05);
 }
 

@@ -246,7 +246,7 @@ void expectPixelsOf(const Scene& scene, const RenderSettings& settings, float ro
         RayStatistics statistics;
         ASSERT_TRUE(
             FrameRenderer().renderPixels({traced.scene, traced.tracer, test::sampleCamera(), settings},
-                                         pixels, control, found, statistics));
+                                         pixels, control, {found}, statistics));
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             const Colour there = whole.radiance.at(pixels[i].x, pixels[i].y);
             const float most = rounding * luminance(there);
@@ -301,8 +301,8 @@ TEST(RenderFrame, PixelsWhoseLightsAreKnownNeedNoShadowRays) {
     std::vector<LightVisibility> visibility(pixels.size());
     std::vector<Colour> first(pixels.size()), second(pixels.size());
     RayStatistics traced1, traced2;
-    renderer.renderPixels(view, pixels, control, first, traced1, visibility);
-    renderer.renderPixels(view, pixels, control, second, traced2, visibility);
+    renderer.renderPixels(view, pixels, control, {first, visibility}, traced1);
+    renderer.renderPixels(view, pixels, control, {second, visibility}, traced2);
     EXPECT_EQ(first, second);
     EXPECT_EQ(first, test::render(traced, settings).radiance.pixels);
     EXPECT_GT(traced1.rays[static_cast<std::size_t>(RayKind::Shadow)], pixels.size() / 2);
@@ -310,11 +310,54 @@ TEST(RenderFrame, PixelsWhoseLightsAreKnownNeedNoShadowRays) {
     // What is known is taken for true.
     std::vector<LightVisibility> dark(pixels.size(), {0, 0xFFFF});
     RayStatistics none;
-    renderer.renderPixels(view, pixels, control, second, none, dark);
+    renderer.renderPixels(view, pixels, control, {second, dark}, none);
     double brighter = 0;
     for (std::size_t i = 0; i < pixels.size(); ++i)
         brighter += luminance(first[i]) > luminance(second[i]) ? 1 : 0;
     EXPECT_GT(brighter, 0.2 * static_cast<double>(pixels.size()));
+}
+
+TEST(RenderFrame, SaysWhatPixelsSee) {
+    const test::TracedScene traced(plainScene());
+    RenderSettings settings = test::sampleSettings(101, 67);
+    FrameRenderer renderer;
+    RenderControl control{.threads = 2};
+    Frame frame;
+    renderer.render({traced.scene, traced.tracer, test::sampleCamera(), settings}, control, frame);
+    EXPECT_TRUE(frame.seen.empty()) << "nobody asked";
+    renderer.collectSeen(true);
+    const CameraRays rays(test::sampleCamera(), settings.width, settings.height);
+    for (const int antialiasing : {1, 3}) {
+        settings.antialiasing = antialiasing;
+        const View view{traced.scene, traced.tracer, test::sampleCamera(), settings};
+        renderer.render(view, control, frame);
+        ASSERT_EQ(frame.seen.size(), frame.radiance.pixels.size());
+        std::vector<SampleId> pixels;
+        for (std::uint16_t y = 0; y < 67; y = static_cast<std::uint16_t>(y + 3)) pixels.push_back({y, y, 0});
+        std::vector<Colour> light(pixels.size());
+        std::vector<SeenPoint> seen(pixels.size());
+        RayStatistics none;
+        if (antialiasing == 1) renderer.renderPixels(view, pixels, control, {light, {}, seen}, none);
+        int hits = 0;
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
+            const int x = pixels[i].x, y = pixels[i].y;
+            const Ray ray = rays.at(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+            RayWave one;
+            HitWave hit;
+            one.push(ray);
+            traced.tracer.intersect(RayKind::Primary, one, hit);
+            const SeenPoint& of = frame.seen[static_cast<std::size_t>(y) * 101 + static_cast<std::size_t>(x)];
+            ASSERT_EQ(of.any, hit.triangle[0] != kNoTriangle);
+            if (antialiasing == 1) {
+                EXPECT_EQ(seen[i].any, of.any);
+                EXPECT_EQ(seen[i].position, of.position);
+            }
+            if (!of.any) continue;
+            ++hits;
+            EXPECT_NEAR(length(of.position - ray.origin), hit.t[0], 1e-4F * hit.t[0]);
+        }
+        EXPECT_GT(hits, 5);
+    }
 }
 
 TEST(RenderFrame, StopsWhenItIsTold) {

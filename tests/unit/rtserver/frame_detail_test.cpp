@@ -1,5 +1,7 @@
 #include "rtserver/frame_detail.h"
 
+#include "rtcore/live/live_renderer.h"
+
 #include <gtest/gtest.h>
 
 namespace {
@@ -49,6 +51,25 @@ TEST(FrameDetail, TheCoarsestIsCheapWhateverTheSettings) {
     EXPECT_GT(settingsAt(dear(), {0.5, true}).ambientOcclusion.samples, 1);
     EXPECT_TRUE(coarse.ambientOcclusion.on) << "what it shows is there, with noise";
     EXPECT_EQ(coarse.bloom.radius, 20);
+}
+
+TEST(FrameDetail, OfALiveFrameHasTheLightOfTheWholeOneButOneSamplePerPixel) {
+    rtcore::Scene scene;
+    scene.lights.resize(2);
+    rtcore::RenderSettings settings;
+    settings.antialiasing = 3;
+    settings.depthOfField.on = true;
+    settings.ambientOcclusion.on = true;
+    settings.maxDepth = 7;
+    for (const double scale : {1.0, 0.5}) {
+        const rtcore::RenderSettings live = rtserver::liveSettingsAt(settings, scene, scale);
+        EXPECT_EQ(live.width, static_cast<int>(640 * scale));
+        EXPECT_EQ(live.antialiasing, 1);
+        EXPECT_FALSE(live.depthOfField.on);
+        EXPECT_TRUE(rtcore::sameLight(live, settings));
+    }
+    EXPECT_FALSE((FrameDetail{1, true, 0.01}).whole());
+    EXPECT_LT(rtserver::liveRays(dear(), scene), 100) << "or nothing would be seen";
 }
 
 TEST(FrameDetail, LookingShadowsUpCostsLess) {

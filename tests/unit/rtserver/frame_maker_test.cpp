@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace {
 
 using rtcore::RenderSettings;
@@ -81,6 +83,53 @@ TEST_F(FramesOfAState, AdaptToAChangeButNotToAnotherScene) {
     test::draw(frames, state);
     EXPECT_TRUE(frames.settled());
     EXPECT_NE(frames.exposure(), bright);
+}
+
+constexpr rtserver::FrameDetail kLive{1, true, 0.1};
+
+TEST_F(FramesOfAState, LiveOnesBeginWithTheLightOfTheWholeOne) {
+    test::draw(frames, state);
+    state.turn(1, 0);
+    test::draw(frames, state, kLive);
+    EXPECT_FALSE(frames.whole());
+    EXPECT_FALSE(frames.stale(state));
+    const auto pixels = static_cast<double>(frames.radiance().pixels.size());
+    EXPECT_LT(frames.liveCost().samples, 0.3 * pixels);
+    rtserver::FrameMaker without(1);
+    test::draw(without, state);
+    double difference = 0, light = 0;
+    for (std::size_t i = 0; i < frames.radiance().pixels.size(); ++i) {
+        const float truth = luminance(without.radiance().pixels[i]);
+        difference += static_cast<double>(std::fabs(luminance(frames.radiance().pixels[i]) - truth));
+        light += static_cast<double>(truth);
+    }
+    EXPECT_LT(difference, 0.15 * light);
+}
+
+TEST_F(FramesOfAState, LiveOnesKeepNoLightThatIsOffNow) {
+    const auto brightness = [](const rtserver::FrameMaker& of) {
+        double sum = 0;
+        for (const rtcore::Colour& pixel : of.radiance().pixels) sum += static_cast<double>(luminance(pixel));
+        return sum;
+    };
+    test::draw(frames, state);
+    const double lit = brightness(frames);
+    for (const int light : {0, 1}) state.switchLight(light, false);
+    test::draw(frames, state, kLive);
+    rtserver::FrameMaker without(1);
+    test::draw(without, state);
+    const double dark = brightness(without);
+    ASSERT_LT(dark, 0.95 * lit);
+    EXPECT_NEAR(brightness(frames), dark, 0.3 * (lit - dark));
+}
+
+TEST_F(FramesOfAState, LiveOnesAreOfPerspectiveCameras) {
+    EXPECT_TRUE(rtserver::FrameMaker::drawsLive(state));
+    rtcore::Camera camera = state.camera();
+    camera.kind = rtcore::CameraKind::Orthographic;
+    camera.orthographicWidth = 4;
+    state.setCamera(camera);
+    EXPECT_FALSE(rtserver::FrameMaker::drawsLive(state));
 }
 
 } // namespace

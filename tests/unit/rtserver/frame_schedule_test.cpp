@@ -90,4 +90,33 @@ TEST(FrameSchedule, WithoutATimeAllIsWholeButForWhatWouldLockTheUserOut) {
     }
 }
 
+constexpr FrameSchedule::Demand kLiveChange{
+    .frameSeconds = 0.033, .work = kWork, .live = true, .pixels = 1e6, .liveRays = 20};
+
+TEST(FrameSchedule, WhereThereAreLiveFramesAChangeIsSeenInOne) {
+    FrameSchedule schedule;
+    EXPECT_TRUE(schedule.begin(kLiveChange).live());
+    EXPECT_FALSE(schedule.leaves(10h, true)) << "or nothing would ever be seen";
+    schedule.shown(20ms, {.samples = 1000, .sampleSeconds = 0.01});
+    EXPECT_NEAR(schedule.coarsest(), 0.02, 1e-9);
+    FrameSchedule::Demand rest = kLiveChange;
+    rest.changed = false;
+    EXPECT_TRUE(schedule.begin(rest).whole());
+    EXPECT_TRUE(schedule.leaves(1ms, true));
+    schedule.left(1ms);
+    EXPECT_TRUE(schedule.begin(kLiveChange).live());
+}
+
+TEST(FrameSchedule, WhatIsQuickEnoughIsWholeThoughThereCouldBeLiveFrames) {
+    FrameSchedule schedule;
+    FrameSchedule::Demand rest = kLiveChange;
+    rest.changed = false;
+    schedule.begin(rest);
+    schedule.shown(5ms);
+    EXPECT_TRUE(schedule.begin(kLiveChange).whole());
+    EXPECT_TRUE(schedule.leaves(60ms, false)) << "it was not";
+    schedule.left(60ms);
+    EXPECT_TRUE(schedule.begin(kLiveChange).live());
+}
+
 } // namespace

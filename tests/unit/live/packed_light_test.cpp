@@ -1,8 +1,7 @@
-#include "rtcore/live/live_points.h"
+#include "rtcore/live/live_samples.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -10,19 +9,7 @@
 namespace rtcore {
 namespace {
 
-TEST(LivePoints, KeepNormalsWithinADegree) {
-    constexpr float kCosine = 0.99985F;
-    for (int i = 0; i < 2000; ++i) {
-        const float z = 1 - (static_cast<float>(i) + 0.5F) / 1000, angle = 2.39996F * static_cast<float>(i);
-        const float r = std::sqrt(1 - z * z);
-        const Vec3 normal{r * std::cos(angle), r * std::sin(angle), z};
-        EXPECT_GT(dot(unpackNormal(packNormal(normal)), normal), kCosine) << i;
-    }
-    for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, -1, 0}, Vec3{0, 0, -1}})
-        EXPECT_GT(dot(unpackNormal(packNormal(axis)), axis), kCosine);
-}
-
-TEST(LivePoints, KeepLightWithinAPartOfItsLargestChannel) {
+TEST(PackedLight, IsWithinAPartOfItsLargestChannel) {
     for (const float scale : {1e-3F, 0.5F, 0.9999F, 1.0F, 37.0F, 60000.0F}) {
         const Colour light = Colour{1, 0.31F, 0.002F} * scale;
         const Colour kept = unpackLight(packLight(light));
@@ -34,7 +21,7 @@ TEST(LivePoints, KeepLightWithinAPartOfItsLargestChannel) {
     }
 }
 
-TEST(LivePoints, LightOutOfRangeIsTheNearestThatIsInRange) {
+TEST(PackedLight, OutOfRangeIsTheNearestThatIsInRange) {
     EXPECT_EQ(unpackLight(packLight({})), Colour{});
     EXPECT_EQ(unpackLight(packLight({-1, -2, -3})), Colour{});
     EXPECT_EQ(unpackLight(packLight({1e-9F, 0, 0})), Colour{});
@@ -46,7 +33,7 @@ TEST(LivePoints, LightOutOfRangeIsTheNearestThatIsInRange) {
     EXPECT_EQ(broken, (Colour{0, 2, 1}));
 }
 
-TEST(LivePoints, EachPixelOfASquareHasItsTurn) {
+TEST(LiveSamples, EachPixelOfASquareHasItsTurn) {
     std::set<std::uint32_t> turns;
     for (int y = 8; y < 16; ++y) {
         for (int x = 16; x < 24; ++x) turns.insert(turnOf(x, y));

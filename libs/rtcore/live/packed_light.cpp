@@ -1,0 +1,39 @@
+#include "rtcore/live/packed_light.h"
+
+#include "rtcore/live/packed_light-inl.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rtcore {
+
+namespace {
+
+constexpr int kBias = HWY_NAMESPACE::kLightBias, kMantissaBits = HWY_NAMESPACE::kLightMantissaBits;
+constexpr int kMostExponent = 31;
+constexpr float kMostLight = 65408;
+
+} // namespace
+
+std::uint32_t packLight(Colour light) {
+    // fmin and fmax take the number of a number and NaN.
+    const auto within = [](float v) { return std::fmin(std::fmax(v, 0.0F), kMostLight); };
+    const float r = within(light.r), g = within(light.g), b = within(light.b);
+    const float largest = std::max({r, g, b});
+    if (!(largest > 0)) return 0;
+    // The exponent of the power of two above the largest, also where rounding lifts it to that.
+    int exponent = std::clamp(std::ilogb(largest) + 1 + kBias, 0, kMostExponent);
+    const auto scaled = [&](float v) {
+        return static_cast<std::uint32_t>(std::ldexp(v, kMantissaBits + kBias - exponent) + 0.5F);
+    };
+    if (scaled(largest) > 511 && exponent < kMostExponent) ++exponent;
+    const auto mantissa = [&](float v) { return std::min(scaled(v), 511U); };
+    return mantissa(r) | mantissa(g) << 9 | mantissa(b) << 18 | static_cast<std::uint32_t>(exponent) << 27;
+}
+
+Colour unpackLight(std::uint32_t packed) {
+    const Vec3 light = HWY_NAMESPACE::unpackedLight<float>(packed);
+    return {light.x, light.y, light.z};
+}
+
+} // namespace rtcore

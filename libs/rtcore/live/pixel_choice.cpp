@@ -1,0 +1,218 @@
+#include "rtcore/live/pixel_choice.h"
+
+#include "rtcore/sampling/sample_id.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "rtcore/live/pixel_choice.cpp"
+#include "rtcore/simd/foreach_target.h"
+
+#include "rtcore/live/packed_light-inl.h"
+
+#ifndef RTCORE_LIVE_PIXEL_CHOICE_TYPES
+#define RTCORE_LIVE_PIXEL_CHOICE_TYPES
+namespace rtcore {
+
+/// A row of pixels. Arrays begin at its first one, and have room for whole vectors.
+struct UrgencyRow {
+    const float* luminance[3]; ///< of the row above, of itself, of the one below; can be read one before
+    const float* staleness;
+    std::size_t pixels;
+    float dark;
+    std::uint32_t* urgency;
+};
+
+} // namespace rtcore
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace rtcore {
+namespace HWY_NAMESPACE {
+
+namespace {
+
+/// -1 where there is no sample.
+void measureLuminanceOf(const std::uint32_t* light, const std::uint32_t* states, std::size_t count,
+                        float* to) {
+    for (std::size_t i = 0; i < count; i += lanes()) {
+        const Float value = luminance<Float>(unpackedLight<Float>(load(light + i)));
+        store(select(load(states + i) != 0U, value, -1.0F), to + i);
+    }
+}
+
+// Stale light shows beside light that differs.
+constexpr float kLeastStale = 0.02F, kLeastContrast = 0.02F;
+
+/// Urgency has four steps for each power of two, from 2^-14 on: the upper bits of a float.
+constexpr int kUrgencyShift = 21, kFirstUrgency = (127 - 14) << 2;
+constexpr int kMostUrgent = 127;
+
+void measureUrgencyOf(const UrgencyRow& row) {
+    for (std::size_t i = 0; i < row.pixels; i += lanes()) {
+        const Float own = load(row.luminance[1] + i);
+        Float least = own, most = own;
+        for (const float* const line : row.luminance) {
+            for (const float* const at : {line + i - 1, line + i, line + i + 1}) {
+                const Float there = load(at);
+                most = max(most, there);
+                least = min(least, select(there < 0.0F, own, there));
+            }
+        }
+        const Float contrast = (most - least) / (most + least + row.dark);
+        const Float stale = load(row.staleness + i);
+        const Float shows = (stale + kLeastStale) * (contrast + kLeastContrast);
+        const Int step = toInt(shiftRight<kUrgencyShift>(bitsOf(shows))) - kFirstUrgency;
+        const Float bounded = clamp(toFloat(step), 1.0F, static_cast<float>(kMostUrgent - 1));
+        const Float urgency = selectOrZero(stale > 0.0F, bounded);
+        store(toUint(truncate(select(own < 0.0F, static_cast<float>(kMostUrgent), urgency))),
+              row.urgency + i);
+    }
+}
+
+} // namespace
+
+} // namespace HWY_NAMESPACE
+} // namespace rtcore
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace rtcore {
+
+HWY_EXPORT(measureLuminanceOf);
+HWY_EXPORT(measureUrgencyOf);
+
+namespace {
+
+constexpr int kSquare = 32;       ///< pixels; those of one are traced together
+constexpr std::size_t kRoom = 64; ///< no vector has more lanes
+
+/// Calls `work` with each part, and its rows of pixels from `first` to before `last`.
+template <typename Part, typename Work>
+void forEachPart(std::vector<Part>& parts, int height, [[maybe_unused]] int threads, Work&& work) {
+    parts.resize(static_cast<std::size_t>((height + kSquare - 1) / kSquare));
+    const auto count = static_cast<int>(parts.size());
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
+    for (int i = 0; i < count; ++i)
+        work(parts[static_cast<std::size_t>(i)], i * kSquare, std::min((i + 1) * kSquare, height));
+}
+
+} // namespace
+
+std::size_t PixelChoice::luminanceAt(const ImagePlane& plane, int y) {
+    return kRoom + static_cast<std::size_t>(y) * (static_cast<std::size_t>(plane.width) + kRoom);
+}
+
+void PixelChoice::measureLuminance(const LiveSamples& samples, int threads) {
+    const ImagePlane& plane = samples.plane();
+    const auto length = static_cast<std::size_t>(plane.width);
+    luminance_.resize(luminanceAt(plane, plane.height));
+    std::fill_n(luminance_.begin(), kRoom, -1.0F);
+    forEachPart(parts_, plane.height, threads, [&](Part&, int first, int last) {
+        for (int y = first; y < last; ++y) {
+            const std::size_t from = samples.index(0, y);
+            float* const to = &luminance_[luminanceAt(plane, y)];
+            HWY_DYNAMIC_DISPATCH(measureLuminanceOf)(&samples.light[from], &samples.states[from], length, to);
+            std::fill_n(to + length, kRoom, -1.0F);
+        }
+    });
+}
+
+/// A luminance beside which less contrast is seen: of the mean over some pixels.
+float PixelChoice::darkness(const ImagePlane& plane) const {
+    constexpr float kOfMean = 1.7F;
+    constexpr int kStep = 8;
+    double sum = 0;
+    int count = 0;
+    for (int y = 0; y < plane.height; y += kStep) {
+        const std::size_t row = luminanceAt(plane, y);
+        for (int x = 0; x < plane.width; x += kStep) {
+            const float there = luminance_[row + static_cast<std::size_t>(x)];
+            if (there < 0) continue;
+            sum += static_cast<double>(there);
+            ++count;
+        }
+    }
+    return count > 0 ? kOfMean * static_cast<float>(sum / count) : 1;
+}
+
+void PixelChoice::measureUrgency(const LiveSamples& samples, const PixelArray<float>& staleness,
+                                 int threads) {
+    const ImagePlane& plane = samples.plane();
+    const auto length = static_cast<std::size_t>(plane.width);
+    const float dark = darkness(plane);
+    urgency_.resize(samples.size());
+    forEachPart(parts_, plane.height, threads, [&](Part& part, int first, int last) {
+        part.histogram = {};
+        part.urgency.resize(length + kRoom);
+        for (int y = first; y < last; ++y) {
+            const std::size_t at = samples.index(0, y);
+            const auto row = [&](int which) { return &luminance_[luminanceAt(plane, which)]; };
+            HWY_DYNAMIC_DISPATCH(measureUrgencyOf)
+            ({.luminance = {row(std::max(y - 1, 0)), row(y), row(std::min(y + 1, plane.height - 1))},
+              .staleness = &staleness[at],
+              .pixels = length,
+              .dark = dark,
+              .urgency = part.urgency.data()});
+            for (std::size_t x = 0; x < length; ++x)
+                urgency_[at + x] = static_cast<std::uint8_t>(part.urgency[x]);
+            for (std::size_t x = 0; x < length; ++x) ++part.histogram[part.urgency[x]];
+        }
+    });
+}
+
+/// All above the bound are chosen, and of those on it as many as fit, by turns.
+PixelChoice::Bound PixelChoice::boundOf(const LiveSamples& samples, double share) {
+    const auto countOf = [&](std::size_t urgency) {
+        double count = 0;
+        for (const Part& part : parts_) count += static_cast<double>(part.histogram[urgency]);
+        return count;
+    };
+    const auto pixels = static_cast<double>(samples.size());
+    unknown_ = countOf(kUrgencies - 1) / pixels;
+    double room = share * pixels;
+    for (std::size_t urgency = kUrgencies - 1; urgency > 0; --urgency) {
+        const double count = countOf(urgency);
+        if (count > room) return {urgency, static_cast<std::uint32_t>(std::lround(room / count * kTurns))};
+        room -= count;
+    }
+    return {1, kTurns};
+}
+
+void PixelChoice::collect(const ImagePlane& plane, const Bound& bound, std::uint32_t number, Part& part,
+                          int first, int last) const {
+    part.chosen.clear();
+    for (int left = 0; left < plane.width; left += kSquare) {
+        const int right = std::min(left + kSquare, plane.width);
+        for (int y = first; y < last; ++y) {
+            const std::uint8_t* const row =
+                &urgency_[static_cast<std::size_t>(y) * static_cast<std::size_t>(plane.width)];
+            std::uint8_t most = 0;
+            for (int x = left; x < right; ++x) most = std::max(most, row[x]);
+            if (most < bound.urgency) continue;
+            for (int x = left; x < right; ++x) {
+                if (row[x] < bound.urgency) continue;
+                if (row[x] == bound.urgency && (turnOf(x, y) + number * 37U) % kTurns >= bound.turns)
+                    continue;
+                part.chosen.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), 0});
+            }
+        }
+    }
+}
+
+void PixelChoice::choose(const LiveSamples& samples, const PixelArray<float>& staleness, double share,
+                         std::uint32_t number, int threads) {
+    measureLuminance(samples, threads);
+    measureUrgency(samples, staleness, threads);
+    const Bound bound = boundOf(samples, share);
+    forEachPart(parts_, samples.plane().height, threads, [&](Part& part, int first, int last) {
+        collect(samples.plane(), bound, number, part, first, last);
+    });
+    chosen_.clear();
+    for (const Part& part : parts_) chosen_.insert(chosen_.end(), part.chosen.begin(), part.chosen.end());
+}
+
+} // namespace rtcore
+#endif

@@ -1,0 +1,58 @@
+/// Which pixels of a frame get new light: those without a sample, then those where it shows that theirs is
+/// stale.
+#pragma once
+
+#include "rtcore/live/live_samples.h"
+#include "rtcore/sampling/sample_id.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace rtcore {
+
+/// Keeps its memory from frame to frame.
+class PixelChoice {
+  public:
+    /// Chooses at most `share` (0..1) of all pixels, and a few. `staleness`: as Reprojection has it. The
+    /// choice is that of these values and of `number` alone: not of threads, nor of time. `threads` work.
+    void choose(const LiveSamples& samples, const PixelArray<float>& staleness, double share,
+                std::uint32_t number, int threads);
+
+    /// In an order in which neighbours follow each other.
+    const std::vector<SampleId>& chosen() const { return chosen_; }
+    /// Pixels that had no sample, of all.
+    double unknown() const { return unknown_; }
+
+  private:
+    /// How urgent a pixel is: 0 = not at all, kUrgencies - 1: it has no sample.
+    static constexpr std::size_t kUrgencies = 128;
+    using Histogram = std::array<std::uint32_t, kUrgencies>;
+    /// A row of squares of pixels, whose work is done together.
+    struct Part {
+        Histogram histogram;
+        std::vector<std::uint32_t> urgency; ///< of a row of pixels
+        std::vector<SampleId> chosen;
+    };
+    struct Bound {
+        std::size_t urgency;
+        std::uint32_t turns; ///< of 64, of those that are just as urgent
+    };
+
+    static std::size_t luminanceAt(const ImagePlane& plane, int y);
+    void measureLuminance(const LiveSamples& samples, int threads);
+    float darkness(const ImagePlane& plane) const;
+    void measureUrgency(const LiveSamples& samples, const PixelArray<float>& staleness, int threads);
+    Bound boundOf(const LiveSamples& samples, double share);
+    void collect(const ImagePlane& plane, const Bound& bound, std::uint32_t number, Part& part, int first,
+                 int last) const;
+
+    std::vector<float> luminance_;      ///< by pixel, rows from luminanceAt() on; below 0: no sample
+    std::vector<std::uint8_t> urgency_; ///< by pixel
+    std::vector<Part> parts_;
+    std::vector<SampleId> chosen_;
+    double unknown_ = 0;
+};
+
+} // namespace rtcore

@@ -1,0 +1,54 @@
+/// The samples of the frame before, where they are seen in this one. (Walter, Drettakis and Parker 1999,
+/// "Interactive Rendering using the Render Cache")
+#pragma once
+
+#include "rtcore/live/live_samples.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace rtcore {
+
+/// Keeps its memory from frame to frame.
+class Reprojection {
+  public:
+    static constexpr double kMostPixels = 1 << 28; ///< of an image
+
+    /// Gives each pixel of `present`, whose plane says of which view, that sample of the past that is seen
+    /// there: of several the nearest to the viewer, and of those about as near the least stale. Of the others
+    /// each goes to the pixel beside that it is next to, where that has none. A pixel in which none is seen,
+    /// but beside which there are some, borrows one of them; else it has none then. The same for any number
+    /// of `threads`; both images may differ in size.
+    void carry(const LiveSamples& past, LiveSamples& present, int threads);
+
+    /// By pixel of the present, with room for whole vectors: how stale its sample is, in square pixels. The
+    /// square of the distance between the sample and the pixel's middle, and some for its age: what is seen
+    /// in a mirror moves on its surface. Without a sample undefined.
+    const PixelArray<float>& staleness() const { return staleness_; }
+
+  private:
+    /// Samples of the past that follow each other, and the first and the last pixel that shows one of them.
+    struct Part {
+        std::size_t first = 0, last = 0;
+        std::size_t least = 1, most = 0;
+    };
+    void project(const LiveSamples& past, const ImagePlane& plane, int threads);
+    template <typename Work>
+    void forEachPartIn(std::size_t first, std::size_t last, Work&& work) const;
+    void compete(std::size_t first, std::size_t last);
+    void spread(const ImagePlane& plane, std::size_t first, std::size_t last);
+    void borrow(const ImagePlane& plane, int y);
+    void take(const LiveSamples& past, LiveSamples& present, std::size_t first, std::size_t last);
+
+    std::vector<Part> parts_;
+    // By sample of the past.
+    PixelArray<std::int32_t> pixels_{6}; ///< the pixel that shows it, and the way to the next one; -1: none
+    PixelArray<std::uint32_t> keys_{7};
+    // By pixel of the present.
+    PixelArray<std::uint64_t> nearest_{8}; ///< depth, staleness, index of the sample
+    PixelArray<float> staleness_{9};
+    std::vector<std::vector<std::uint32_t>> holes_; ///< by thread: those of a row
+};
+
+} // namespace rtcore

@@ -1,0 +1,89 @@
+#include "rtcore/live/sample_means.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rtcore {
+
+namespace {
+
+constexpr int kStep = 2; ///< a square has 2^kStep squares of the next finer level a side
+
+int up(int pixels, int shift) { return (pixels + (1 << shift) - 1) >> shift; }
+
+} // namespace
+
+void SampleMeans::begin(int width, int height) {
+    int shift = 0;
+    for (Level& level : levels_) {
+        level.shift = shift += kStep;
+        level.columns = up(width, shift);
+        level.rows = up(height, shift);
+        level.sums.resize(static_cast<std::size_t>(level.columns) * static_cast<std::size_t>(level.rows));
+    }
+}
+
+void SampleMeans::take(const LiveSamples& samples, const std::vector<Colour>& light, int first, int last) {
+    Level& finest = levels_[0];
+    const int width = samples.plane().width;
+    for (int row = first >> kStep; row < up(last, kStep); ++row) {
+        const int bottom = std::min((row + 1) << kStep, last);
+        for (int column = 0; column < finest.columns; ++column) {
+            const int left = column << kStep, right = std::min((column + 1) << kStep, width);
+            Sum sum;
+            for (int y = row << kStep; y < bottom; ++y) {
+                for (std::size_t i = samples.index(left, y); i < samples.index(right, y); ++i) {
+                    if (!samples.known(i)) continue;
+                    sum.light += light[i];
+                    sum.samples += 1;
+                }
+            }
+            finest.at(column, row) = sum;
+        }
+    }
+    for (std::size_t i = 1; i < levels_.size(); ++i) addUp(levels_[i - 1], levels_[i], first, last);
+}
+
+void SampleMeans::addUp(const Level& fine, Level& coarse, int first, int last) const {
+    for (int row = first >> coarse.shift; row < up(last, coarse.shift); ++row) {
+        for (int column = 0; column < coarse.columns; ++column) {
+            Sum sum;
+            for (int v = row << kStep; v < std::min((row + 1) << kStep, fine.rows); ++v) {
+                for (int u = column << kStep; u < std::min((column + 1) << kStep, fine.columns); ++u) {
+                    sum.light += fine.at(u, v).light;
+                    sum.samples += fine.at(u, v).samples;
+                }
+            }
+            coarse.at(column, row) = sum;
+        }
+    }
+}
+
+/// Of the four squares whose middles are around that of the pixel, the nearer ones more.
+SampleMeans::Sum SampleMeans::Level::around(int x, int y) const {
+    const auto side = static_cast<float>(1 << shift);
+    const float across = (static_cast<float>(x) + 0.5F) / side - 0.5F,
+                down = (static_cast<float>(y) + 0.5F) / side - 0.5F;
+    const int left = static_cast<int>(std::floor(across)), top = static_cast<int>(std::floor(down));
+    const float u = across - static_cast<float>(left), v = down - static_cast<float>(top);
+    Sum sum;
+    for (int j = 0; j < 2; ++j) {
+        for (int i = 0; i < 2; ++i) {
+            const Sum& square = at(std::clamp(left + i, 0, columns - 1), std::clamp(top + j, 0, rows - 1));
+            const float weight = (i == 0 ? 1 - u : u) * (j == 0 ? 1 - v : v);
+            sum.light += square.light * weight;
+            sum.samples += square.samples * weight;
+        }
+    }
+    return sum;
+}
+
+Colour SampleMeans::around(int x, int y) const {
+    for (const Level& level : levels_) {
+        const Sum sum = level.around(x, y);
+        if (sum.samples > 0) return sum.light / sum.samples;
+    }
+    return {};
+}
+
+} // namespace rtcore

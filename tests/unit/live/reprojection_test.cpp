@@ -1,0 +1,208 @@
+#include "rtcore/live/reprojection.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace rtcore {
+namespace {
+
+constexpr int kWidth = 40, kHeight = 30;
+constexpr float kDepth = 10;
+
+ImagePlane planeFrom(Vec3 eye, int width = kWidth, int height = kHeight) {
+    Camera camera;
+    camera.eye = eye;
+    return {CameraRays(camera, width, height), width, height};
+}
+
+/// The point of a wall across the view, kDepth before the eye, that is seen at (x, y) in pixels.
+Vec3 onWall(const ImagePlane& plane, float x, float y) { return plane.eye + plane.towards(x, y) * kDepth; }
+
+Colour lightOf(int x, int y) { return {static_cast<float>(x), static_cast<float>(y), 1}; }
+
+/// A wall, each pixel with light of its own.
+class Wall : public testing::Test {
+  protected:
+    Wall() {
+        past.clear(planeFrom({}));
+        for (int y = 0; y < kHeight; ++y) {
+            for (int x = 0; x < kWidth; ++x) {
+                const Vec3 middle =
+                    onWall(past.plane(), static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
+                past.set(past.index(x, y), {.position = middle, .light = lightOf(x, y)});
+            }
+        }
+    }
+    /// What an eye sees that has gone so many pixels of the wall to the right and down.
+    void carryTo(float right, float down) {
+        const ImagePlane& plane = past.plane();
+        present.resize(planeFrom((plane.right * right + plane.down * down) * kDepth));
+        reprojection.carry(past, present, 1);
+    }
+    Colour seen(int x, int y) const { return unpackLight(present.light[present.index(x, y)]); }
+    bool known(int x, int y) const { return present.known(present.index(x, y)); }
+    float staleness(int x, int y) const { return reprojection.staleness()[present.index(x, y)]; }
+    int samples() const {
+        int count = 0;
+        for (std::size_t i = 0; i < present.size(); ++i) count += present.known(i) ? 1 : 0;
+        return count;
+    }
+
+    LiveSamples past, present;
+    Reprojection reprojection;
+};
+
+TEST_F(Wall, StaysWhereItIsForAnEyeAtRest) {
+    carryTo(0, 0);
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            ASSERT_TRUE(known(x, y));
+            EXPECT_EQ(seen(x, y), lightOf(x, y));
+            EXPECT_LT(staleness(x, y), 1e-4F);
+            EXPECT_EQ(present.states[present.index(x, y)] & LiveSamples::kAge, 1U);
+        }
+    }
+}
+
+TEST_F(Wall, GoesToTheLeftOfAnEyeThatGoesRight) {
+    carryTo(3, 1);
+    for (int y = 0; y + 1 < kHeight; ++y) {
+        for (int x = 0; x + 3 < kWidth; ++x) EXPECT_EQ(seen(x, y), lightOf(x + 3, y + 1));
+    }
+    for (int y = 0; y < kHeight; ++y) EXPECT_FALSE(known(kWidth - 1, y));
+    for (int x = 0; x < kWidth; ++x) EXPECT_FALSE(known(x, kHeight - 1));
+}
+
+TEST_F(Wall, IsTheStalerTheFurtherItsSamplesAreFromTheMiddles) {
+    carryTo(0.25F, 0);
+    EXPECT_NEAR(staleness(20, 15), 0.25F * 0.25F, 1e-3);
+    carryTo(0.375F, 0.125F);
+    EXPECT_NEAR(staleness(20, 15), 0.375F * 0.375F + 0.125F * 0.125F, 1e-3);
+}
+
+TEST_F(Wall, OfMirrorsAgesFaster) {
+    const std::size_t mirror = past.index(20, 15);
+    past.set(mirror, {.position = {past.x[mirror], past.y[mirror], past.z[mirror]}, .mirrored = 1});
+    carryTo(0, 0);
+    std::swap(past, present);
+    carryTo(0, 0);
+    EXPECT_GT(staleness(21, 15), 0);
+    EXPECT_GT(staleness(20, 15), 20 * staleness(21, 15));
+}
+
+TEST_F(Wall, HidesWhatIsBehindIt) {
+    const std::size_t corner = past.index(0, 0);
+    const Vec3 behind = past.plane().eye + past.plane().towards(20.5F, 15.5F) * (2 * kDepth);
+    past.set(corner, {.position = behind, .light = {500, 0, 0}});
+    carryTo(0, 0);
+    EXPECT_EQ(seen(20, 15), lightOf(20, 15));
+    for (std::size_t i = 0; i < present.size(); ++i) EXPECT_LT(unpackLight(present.light[i]).r, 400);
+    const Vec3 before = past.plane().eye + past.plane().towards(20.5F, 15.5F) * (0.5F * kDepth);
+    past.set(corner, {.position = before, .light = {500, 0, 0}});
+    carryTo(0, 0);
+    EXPECT_GT(seen(20, 15).r, 400);
+}
+
+TEST_F(Wall, KeepsBothOfTwoSamplesInAPixelWhereThatBesideHasNone) {
+    const Vec3 toTheRight = onWall(past.plane(), 20.9F, 15.5F); // of the pixel (20, 15)
+    past.set(past.index(21, 15), {.position = toTheRight, .light = {300, 0, 0}});
+    carryTo(0, 0);
+    EXPECT_EQ(seen(20, 15), lightOf(20, 15));
+    EXPECT_NEAR(seen(21, 15).r, 300, 1);
+    EXPECT_GT(staleness(21, 15), staleness(20, 15));
+}
+
+TEST_F(Wall, LendsItsLightToACrack) {
+    past.states[past.index(20, 15)] = 0;
+    carryTo(0, 0);
+    ASSERT_TRUE(known(20, 15));
+    EXPECT_GT(staleness(20, 15), 0.9F);
+    const Colour light = seen(20, 15);
+    EXPECT_LE(std::fabs(light.r - 20) + std::fabs(light.g - 15), 1.01F);
+    for (int y = 14; y <= 17; ++y) {
+        for (int x = 19; x <= 22; ++x) past.states[past.index(x, y)] = 0;
+    }
+    carryTo(0, 0);
+    EXPECT_FALSE(known(20, 15)) << "a hole is no crack";
+}
+
+TEST_F(Wall, HasNoMoreSamplesThanWereThere) {
+    carryTo(0, 0);
+    EXPECT_EQ(samples(), kWidth * kHeight);
+    past.clear(past.plane());
+    carryTo(0, 0);
+    EXPECT_EQ(samples(), 0);
+    past.clear({});
+    carryTo(0, 0);
+    EXPECT_EQ(samples(), 0);
+}
+
+TEST_F(Wall, IsSeenInImagesOfAnotherSize) {
+    present.resize(planeFrom({}, kWidth / 2, kHeight / 2));
+    reprojection.carry(past, present, 1);
+    EXPECT_EQ(samples(), kWidth / 2 * kHeight / 2);
+    EXPECT_NEAR(seen(10, 7).r, 20.5F, 1.01F);
+}
+
+TEST_F(Wall, BehindTheEyeIsNotSeen) {
+    present.resize(planeFrom(past.plane().towards(kWidth * 0.5F, kHeight * 0.5F) * (1.5F * kDepth)));
+    reprojection.carry(past, present, 1);
+    EXPECT_EQ(samples(), 0);
+}
+
+TEST_F(Wall, TheBackgroundStaysWhileTheEyeMoves) {
+    for (std::size_t i = 0; i < past.size(); ++i) {
+        const int x = static_cast<int>(i) % kWidth, y = static_cast<int>(i) / kWidth;
+        past.set(
+            i, {.position = past.plane().towards(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F),
+                .light = lightOf(x, y),
+                .background = true});
+    }
+    carryTo(7, 3);
+    EXPECT_EQ(seen(20, 15), lightOf(20, 15));
+    EXPECT_LT(staleness(20, 15), 0.01F);
+}
+
+TEST_F(Wall, AgesToALimit) {
+    for (int i = 0; i < 300; ++i) {
+        carryTo(0, 0);
+        std::swap(past, present);
+    }
+    EXPECT_EQ(past.states[past.index(20, 15)] & LiveSamples::kAge, 255U);
+    EXPECT_EQ(past.states[past.index(20, 15)] >> 8, LiveSamples::kKnown >> 8);
+}
+
+TEST(Reprojection, IsTheSameForAnyNumberOfThreads) {
+    constexpr int kColumns = 150, kRows = 130;
+    LiveSamples past;
+    past.clear(planeFrom({}, kColumns, kRows));
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> anywhere(-15, 15);
+    for (std::size_t i = 0; i < past.size(); ++i) {
+        past.set(i, {.position = {anywhere(random), anywhere(random), anywhere(random)},
+                     .light = {static_cast<float>(i % 500), 0, 0},
+                     .mirrored = i % 7 == 0 ? 0.5F : 0,
+                     .background = i % 11 == 0});
+        if (i % 5 == 0) past.states[i] = 0;
+    }
+    const auto carried = [&](int threads) {
+        Reprojection reprojection;
+        LiveSamples present;
+        present.resize(planeFrom({0.3F, 0.1F, -0.2F}, kColumns, kRows));
+        reprojection.carry(past, present, threads);
+        std::vector<std::uint32_t> all;
+        for (std::size_t i = 0; i < present.size(); ++i) {
+            all.push_back(present.states[i]);
+            all.push_back(present.known(i) ? present.light[i] : 0);
+        }
+        return all;
+    };
+    const auto one = carried(1);
+    for (const int threads : {2, 7}) EXPECT_EQ(carried(threads), one) << threads;
+}
+
+} // namespace
+} // namespace rtcore

@@ -1,0 +1,85 @@
+#include "rtserver/live_governor.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using rtserver::FrameDetail;
+using rtserver::LiveGovernor;
+
+constexpr double kPixels = 1e6, kRays = 20, kTarget = 0.033;
+
+/// Draws frames on a machine for which a pixel and a traced one take so many seconds.
+FrameDetail settled(LiveGovernor& governor, double pixel, double sample, int frames = 200) {
+    FrameDetail detail;
+    for (int i = 0; i < frames; ++i) {
+        detail = governor.detail(kPixels, kRays, kTarget);
+        const double pixels = kPixels * detail.scale * detail.scale, samples = pixels * detail.newSamples;
+        governor.learn(detail, kPixels, kTarget,
+                       {.samples = samples,
+                        .sampleSeconds = samples * sample,
+                        .seconds = pixels * pixel + samples * sample});
+    }
+    return detail;
+}
+
+double secondsOf(const FrameDetail& detail, double pixel, double sample) {
+    return kPixels * detail.scale * detail.scale * (pixel + detail.newSamples * sample);
+}
+
+TEST(LiveGovernor, FillsTheTimeWithSamples) {
+    LiveGovernor governor;
+    const FrameDetail detail = settled(governor, 10e-9, 1e-6);
+    EXPECT_EQ(detail.scale, 1);
+    EXPECT_TRUE(detail.live());
+    EXPECT_FALSE(detail.whole());
+    EXPECT_GT(detail.newSamples, 0.01);
+    const double seconds = secondsOf(detail, 10e-9, 1e-6);
+    EXPECT_LT(seconds, kTarget);
+    EXPECT_GT(seconds, 0.7 * kTarget);
+}
+
+TEST(LiveGovernor, GivesSizeUpLast) {
+    LiveGovernor governor;
+    const FrameDetail detail = settled(governor, 25e-9, 4e-6);
+    EXPECT_LT(detail.scale, 1);
+    EXPECT_GT(detail.scale, 0.6);
+    EXPECT_LT(detail.newSamples, 0.02);
+    EXPECT_LT(secondsOf(detail, 25e-9, 4e-6), 1.1 * kTarget);
+    EXPECT_EQ(settled(governor, 5e-9, 1e-6).scale, 1) << "and takes it back";
+}
+
+TEST(LiveGovernor, NeverGivesAllUp) {
+    LiveGovernor governor;
+    const FrameDetail detail = settled(governor, 1e-5, 1e-3);
+    EXPECT_EQ(detail.scale, rtserver::kLeastScale);
+    EXPECT_GT(detail.newSamples, 0.001);
+}
+
+TEST(LiveGovernor, TracesFewOfASceneThatNothingIsKnownOf) {
+    const LiveGovernor governor;
+    const double dear = governor.detail(kPixels, 2000, kTarget).newSamples;
+    EXPECT_GT(dear, 0);
+    EXPECT_LT(dear * kPixels * 2000, 200e3) << "rays, in a frame that is never left";
+    EXPECT_GE(dear * kPixels, 63.9);
+    EXPECT_GT(governor.detail(kPixels, 2, kTarget).newSamples, dear);
+}
+
+TEST(LiveGovernor, BelievesInMoreSoonerThanInLess) {
+    LiveGovernor governor;
+    const double before = settled(governor, 10e-9, 1e-6).newSamples;
+    const double slower = settled(governor, 10e-9, 2e-6, 2).newSamples;
+    EXPECT_LT(slower, 0.75 * before);
+    EXPECT_LT(settled(governor, 10e-9, 1e-6, 2).newSamples, 0.95 * before);
+    EXPECT_NEAR(settled(governor, 10e-9, 1e-6).newSamples, before, 0.05 * before);
+}
+
+TEST(LiveGovernor, ForgetsAScene) {
+    LiveGovernor governor;
+    const FrameDetail first = governor.detail(kPixels, kRays, kTarget);
+    settled(governor, 1e-7, 1e-4);
+    governor.forget();
+    EXPECT_EQ(governor.detail(kPixels, kRays, kTarget), first);
+}
+
+} // namespace
