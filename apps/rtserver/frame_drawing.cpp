@@ -101,7 +101,7 @@ FrameSchedule::Demand FrameDrawing::demand(bool waitedFor, const rtcore::ShadowM
             .waitedFor = waitedFor,
             .frameSeconds = state_.frameSeconds,
             .work = {workOf(settings, scene), workOf(settingsAt(settings, {1, true}), scene, mapped)},
-            .live = FrameMaker::drawsLive(state_),
+            .live = frames_.drawsLive(state_),
             .pixels = static_cast<double>(settings.width) * settings.height,
             .liveRays = liveRays(settings, scene)};
 }

@@ -11,6 +11,22 @@
 
 namespace rtserver {
 
+namespace {
+
+bool canBeLive(const ServerState& state) {
+    const std::shared_ptr<const rtcore::Scene> scene = state.scene();
+    const rtcore::RenderSettings settings = liveSettingsAt(state.shownSettings(), *scene, 1);
+    return rtcore::LiveRenderer::draws({*scene, *state.world().tracer, state.camera(), settings});
+}
+
+bool changesLight(const rtcore::Changes& changes) {
+    using rtcore::Change;
+    return changes.hasAny(
+        {Change::Scene, Change::Light, Change::Sky, Change::Material, Change::Visibility, Change::Section});
+}
+
+} // namespace
+
 bool FrameMaker::trace(const ServerState& state, const FrameDetail& detail, const rtcore::ShadowMaps* maps,
                        rtcore::RenderControl& control) {
     const Clock::time_point start = Clock::now();
@@ -43,15 +59,16 @@ bool FrameMaker::draw(const ServerState& state, const FrameDetail& detail, const
                       rtcore::RenderControl& control, rtcore::Frame& frame) {
     const std::shared_ptr<const rtcore::Scene> scene = state.scene();
     const rtcore::RenderSettings settings = settingsAt(state.shownSettings(), detail);
-    const bool keeps = detail.whole() && drawsLive(state);
+    const bool keeps = state.frameSeconds > 0 && canBeLive(state);
     renderer_->takeShadowsFrom(detail.cut && maps != nullptr && maps->suit(settings) ? maps : nullptr);
     renderer_->collectAovs(rtcore::effectsNeedAovs(settings));
     renderer_->collectSeen(keeps);
     const rtcore::View view{*scene, *state.world().tracer, state.camera(), settings};
     if (!renderer_->render(view, control, frame)) return false;
     if (!keeps) return true;
-    noticeChanges(state, settings);
-    live_->keep(view, frame, threads_);
+    noticeChanges(state, state.shownSettings());
+    constexpr std::uint8_t kRough = 100;
+    live_->keep(view, frame, threads_, detail.cut ? kRough : 0);
     return true;
 }
 
@@ -67,19 +84,16 @@ bool FrameMaker::drawLive(const ServerState& state, const FrameDetail& detail, r
     return true;
 }
 
-bool FrameMaker::drawsLive(const ServerState& state) {
-    const std::shared_ptr<const rtcore::Scene> scene = state.scene();
-    const rtcore::RenderSettings settings = liveSettingsAt(state.shownSettings(), *scene, 1);
-    return rtcore::LiveRenderer::draws({*scene, *state.world().tracer, state.camera(), settings});
+bool FrameMaker::drawsLive(const ServerState& state) const {
+    const bool relit = changesLight(kept_.pending(state.revisions()));
+    return !relit && !live_->empty() && canBeLive(state) &&
+           rtcore::sameLight(state.shownSettings(), keptFor_);
 }
 
 /// Light holds as long as nothing but the camera changes, and what is done to the image.
 void FrameMaker::noticeChanges(const ServerState& state, const rtcore::RenderSettings& settings) {
-    const rtcore::Changes changes = kept_.take(state.revisions());
-    using rtcore::Change;
-    const bool relit = changes.hasAny(
-        {Change::Scene, Change::Light, Change::Sky, Change::Material, Change::Visibility, Change::Section});
-    if (relit || !rtcore::sameLight(settings, keptFor_)) live_->forget();
+    if (changesLight(kept_.take(state.revisions())) || !rtcore::sameLight(settings, keptFor_))
+        live_->forget();
     keptFor_ = settings;
 }
 

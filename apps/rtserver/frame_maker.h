@@ -28,8 +28,8 @@ class FrameMaker {
     /// while the image stays.
     bool trace(const ServerState& state, const FrameDetail& detail, const rtcore::ShadowMaps* maps,
                rtcore::RenderControl& control);
-    /// Whether there can be live frames of such a state.
-    static bool drawsLive(const ServerState& state);
+    /// Whether the next frame can be a live one: there is light of a frame before, and it holds.
+    bool drawsLive(const ServerState& state) const;
     /// Of the last frame, where it was live: what of its time traced pixels took.
     const LiveGovernor::Cost& liveCost() const { return liveCost_; }
     /// The revision of the state that the last frame shows; 0: there is no frame.

@@ -87,7 +87,7 @@ bool LiveRenderer::render(const View& view, double newSamples, RenderControl& co
     return true;
 }
 
-void LiveRenderer::keep(const View& view, const Frame& frame, int threads) {
+void LiveRenderer::keep(const View& view, const Frame& frame, int threads, std::uint8_t age) {
     past_.resize(planeOf(view));
     const ImagePlane& plane = past_.plane();
     forEachPart(plane.height, threadsFor(threads), [&](int first, int last) {
@@ -100,7 +100,8 @@ void LiveRenderer::keep(const View& view, const Frame& frame, int threads) {
                               .light = frame.radiance.pixels[i],
                               .lights = {},
                               .mirrored = seen.mirrored,
-                              .background = !seen.any});
+                              .background = !seen.any,
+                              .age = age});
             }
         }
     });

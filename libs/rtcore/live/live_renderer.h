@@ -34,11 +34,12 @@ class LiveRenderer {
     bool render(const View& view, double newSamples, RenderControl& control, Frame& frame);
 
     /// Keeps the light of a whole frame of that view, which has Frame::seen. It may have any number of
-    /// samples per pixel.
-    void keep(const View& view, const Frame& frame, int threads);
+    /// samples per pixel. Light that was traced roughly counts as so many frames old: it is soon replaced.
+    void keep(const View& view, const Frame& frame, int threads, std::uint8_t age = 0);
 
     /// What is kept does not hold any more: lights, materials or settings changed.
     void forget() { past_.clear({}); }
+    bool empty() const { return past_.size() == 0; } ///< nothing is kept
 
     /// Seconds that the traced pixels of the last frame took.
     double sampleSeconds() const { return sampleSeconds_; }

@@ -21,6 +21,7 @@ struct LiveSample {
     LightVisibility lights = {};
     float mirrored = 0; ///< 0..1: the fraction of the light that comes by mirrors and glass
     bool background = false;
+    std::uint8_t age = 0; ///< frames since it was traced
 };
 
 /// A value for each pixel, with room for whole vectors behind the last. Large arrays begin at a page, and so
@@ -73,7 +74,7 @@ class LiveSamples {
         light[i] = packLight(sample.light);
         lights[i] = std::bit_cast<std::uint32_t>(sample.lights);
         const float mirrored = std::clamp(sample.mirrored, 0.0F, 1.0F);
-        states[i] = kKnown | (sample.background ? kBackground : 0U) |
+        states[i] = kKnown | sample.age | (sample.background ? kBackground : 0U) |
                     static_cast<std::uint32_t>(mirrored * 255 + 0.5F) << kMirroredShift;
     }
 

@@ -9,10 +9,10 @@
 namespace rtcore {
 namespace {
 
-constexpr int kWidth = 40, kHeight = 30;
+constexpr int kWallColumns = 40, kWallRows = 30;
 constexpr float kDepth = 10;
 
-ImagePlane planeFrom(Vec3 eye, int width = kWidth, int height = kHeight) {
+ImagePlane planeFrom(Vec3 eye, int width = kWallColumns, int height = kWallRows) {
     Camera camera;
     camera.eye = eye;
     return {CameraRays(camera, width, height), width, height};
@@ -28,8 +28,8 @@ class Wall : public testing::Test {
   protected:
     Wall() {
         past.clear(planeFrom({}));
-        for (int y = 0; y < kHeight; ++y) {
-            for (int x = 0; x < kWidth; ++x) {
+        for (int y = 0; y < kWallRows; ++y) {
+            for (int x = 0; x < kWallColumns; ++x) {
                 const Vec3 middle =
                     onWall(past.plane(), static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
                 past.set(past.index(x, y), {.position = middle, .light = lightOf(x, y)});
@@ -57,8 +57,8 @@ class Wall : public testing::Test {
 
 TEST_F(Wall, StaysWhereItIsForAnEyeAtRest) {
     carryTo(0, 0);
-    for (int y = 0; y < kHeight; ++y) {
-        for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kWallRows; ++y) {
+        for (int x = 0; x < kWallColumns; ++x) {
             ASSERT_TRUE(known(x, y));
             EXPECT_EQ(seen(x, y), lightOf(x, y));
             EXPECT_LT(staleness(x, y), 1e-4F);
@@ -69,11 +69,11 @@ TEST_F(Wall, StaysWhereItIsForAnEyeAtRest) {
 
 TEST_F(Wall, GoesToTheLeftOfAnEyeThatGoesRight) {
     carryTo(3, 1);
-    for (int y = 0; y + 1 < kHeight; ++y) {
-        for (int x = 0; x + 3 < kWidth; ++x) EXPECT_EQ(seen(x, y), lightOf(x + 3, y + 1));
+    for (int y = 0; y + 1 < kWallRows; ++y) {
+        for (int x = 0; x + 3 < kWallColumns; ++x) EXPECT_EQ(seen(x, y), lightOf(x + 3, y + 1));
     }
-    for (int y = 0; y < kHeight; ++y) EXPECT_FALSE(known(kWidth - 1, y));
-    for (int x = 0; x < kWidth; ++x) EXPECT_FALSE(known(x, kHeight - 1));
+    for (int y = 0; y < kWallRows; ++y) EXPECT_FALSE(known(kWallColumns - 1, y));
+    for (int x = 0; x < kWallColumns; ++x) EXPECT_FALSE(known(x, kWallRows - 1));
 }
 
 TEST_F(Wall, IsTheStalerTheFurtherItsSamplesAreFromTheMiddles) {
@@ -131,7 +131,7 @@ TEST_F(Wall, LendsItsLightToACrack) {
 
 TEST_F(Wall, HasNoMoreSamplesThanWereThere) {
     carryTo(0, 0);
-    EXPECT_EQ(samples(), kWidth * kHeight);
+    EXPECT_EQ(samples(), kWallColumns * kWallRows);
     past.clear(past.plane());
     carryTo(0, 0);
     EXPECT_EQ(samples(), 0);
@@ -141,21 +141,21 @@ TEST_F(Wall, HasNoMoreSamplesThanWereThere) {
 }
 
 TEST_F(Wall, IsSeenInImagesOfAnotherSize) {
-    present.resize(planeFrom({}, kWidth / 2, kHeight / 2));
+    present.resize(planeFrom({}, kWallColumns / 2, kWallRows / 2));
     reprojection.carry(past, present, 1);
-    EXPECT_EQ(samples(), kWidth / 2 * kHeight / 2);
+    EXPECT_EQ(samples(), kWallColumns / 2 * kWallRows / 2);
     EXPECT_NEAR(seen(10, 7).r, 20.5F, 1.01F);
 }
 
 TEST_F(Wall, BehindTheEyeIsNotSeen) {
-    present.resize(planeFrom(past.plane().towards(kWidth * 0.5F, kHeight * 0.5F) * (1.5F * kDepth)));
+    present.resize(planeFrom(past.plane().towards(kWallColumns * 0.5F, kWallRows * 0.5F) * (1.5F * kDepth)));
     reprojection.carry(past, present, 1);
     EXPECT_EQ(samples(), 0);
 }
 
 TEST_F(Wall, TheBackgroundStaysWhileTheEyeMoves) {
     for (std::size_t i = 0; i < past.size(); ++i) {
-        const int x = static_cast<int>(i) % kWidth, y = static_cast<int>(i) / kWidth;
+        const int x = static_cast<int>(i) % kWallColumns, y = static_cast<int>(i) / kWallColumns;
         past.set(
             i, {.position = past.plane().towards(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F),
                 .light = lightOf(x, y),
@@ -176,9 +176,9 @@ TEST_F(Wall, AgesToALimit) {
 }
 
 TEST(Reprojection, IsTheSameForAnyNumberOfThreads) {
-    constexpr int kColumns = 150, kRows = 130;
+    constexpr int kManyColumns = 150, kManyRows = 130;
     LiveSamples past;
-    past.clear(planeFrom({}, kColumns, kRows));
+    past.clear(planeFrom({}, kManyColumns, kManyRows));
     std::mt19937 random(7);
     std::uniform_real_distribution<float> anywhere(-15, 15);
     for (std::size_t i = 0; i < past.size(); ++i) {
@@ -191,7 +191,7 @@ TEST(Reprojection, IsTheSameForAnyNumberOfThreads) {
     const auto carried = [&](int threads) {
         Reprojection reprojection;
         LiveSamples present;
-        present.resize(planeFrom({0.3F, 0.1F, -0.2F}, kColumns, kRows));
+        present.resize(planeFrom({0.3F, 0.1F, -0.2F}, kManyColumns, kManyRows));
         reprojection.carry(past, present, threads);
         std::vector<std::uint32_t> all;
         for (std::size_t i = 0; i < present.size(); ++i) {
