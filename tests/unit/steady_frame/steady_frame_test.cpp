@@ -105,7 +105,7 @@ TEST(SteadyFrame, OfALiveWalkAllocatesNothing) {
         for (int i = 0; i < 8; ++i) {
             Camera camera = test::sampleCamera();
             camera.eye.x += 0.02F * static_cast<float>(i);
-            EXPECT_TRUE(live.render({traced.scene, traced.tracer, camera, settings}, {1 + i % 2, 0.2},
+            EXPECT_TRUE(live.render({traced.scene, traced.tracer, camera, settings}, 0.2 - 0.1 * (i % 2),
                                     control, frame));
         }
         return allocations - before;
