@@ -18,7 +18,7 @@ struct FrameDetail {
     friend bool operator==(const FrameDetail&, const FrameDetail&) = default;
 };
 
-inline constexpr double kLeastScale = 0.125;
+inline constexpr double kLeastScale = 0.125, kLeastLiveScale = 1.0 / 3;
 inline constexpr FrameDetail kCoarsest{kLeastScale, true};
 
 /// What a frame of that detail is rendered with: `settings` themselves for a whole one.

@@ -44,7 +44,7 @@ void LiveGovernor::learn(const FrameDetail& detail, double pixels, double target
         return pixels * area(scale) * (secondsPerPixel_ + kLeastSamples * secondsPerSample_);
     };
     if (least(scale_) > target) {
-        scale_ = std::max(kLeastScale, scale_ - kStep);
+        scale_ = std::max(kLeastLiveScale, scale_ - kStep);
     } else if (scale_ < 1 && least(scale_ + kStep) < kGrows * target) {
         scale_ = std::min(1.0, scale_ + kStep);
     }

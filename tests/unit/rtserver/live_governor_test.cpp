@@ -52,7 +52,7 @@ TEST(LiveGovernor, GivesSizeUpLast) {
 TEST(LiveGovernor, NeverGivesAllUp) {
     LiveGovernor governor;
     const FrameDetail detail = settled(governor, 1e-5, 1e-3);
-    EXPECT_EQ(detail.scale, rtserver::kLeastScale);
+    EXPECT_EQ(detail.scale, rtserver::kLeastLiveScale);
     EXPECT_GT(detail.newSamples, 0.001);
 }
 
