@@ -55,7 +55,7 @@ void FrameSchedule::left(Duration lasted) {
 
 void FrameSchedule::shown(Duration lasted, LiveGovernor::Cost live) {
     owed_ = false;
-    if (detail_ == kCoarsest || detail_.live()) {
+    if (detail_ == kCoarsest) {
         const double now = seconds(lasted);
         coarsest_ = now > coarsest_ ? now : coarsest_ + (now - coarsest_) * kForget;
     }

@@ -102,6 +102,7 @@ TEST_F(FrameDrawingTest, ACoarseFrameComesFirstWhereTheWholeOneTakesLong) {
     makeSlow();
     EXPECT_EQ(draw(), Outcome::Published);
     EXPECT_EQ(published.back().samples, 0U);
+    EXPECT_LT(published.back().width, 600U);
     EXPECT_FALSE(drawing.frames().stale(state));
     EXPECT_FALSE(drawing.pace().complete);
     EXPECT_GT(drawing.pace().coarsest, 0);
