@@ -1,5 +1,6 @@
 #include "rtcore/live/live_renderer.h"
 
+#include "rtcore/live/parts.h"
 #include "rtcore/platform/threads.h"
 
 #include <algorithm>
@@ -12,15 +13,6 @@ namespace rtcore {
 namespace {
 
 constexpr int kRowsOfPart = 16;
-
-/// Calls `work` with the first row of each part of the image, and that behind it.
-template <typename Work>
-void forEachPart(int rows, [[maybe_unused]] int threads, Work&& work) {
-    const int parts = (rows + kRowsOfPart - 1) / kRowsOfPart;
-#pragma omp parallel for num_threads(threads) schedule(static)
-    for (int part = 0; part < parts; ++part)
-        work(part * kRowsOfPart, std::min((part + 1) * kRowsOfPart, rows));
-}
 
 ImagePlane planeOf(const View& view) {
     const int width = view.settings.width, height = view.settings.height;
@@ -90,7 +82,7 @@ bool LiveRenderer::render(const View& view, double newSamples, RenderControl& co
 void LiveRenderer::keep(const View& view, const Frame& frame, int threads, std::uint8_t age) {
     past_.resize(planeOf(view));
     const ImagePlane& plane = past_.plane();
-    forEachPart(plane.height, threadsFor(threads), [&](int first, int last) {
+    forEachRows(plane.height, kRowsOfPart, threadsFor(threads), [&](int first, int last) {
         for (int y = first; y < last; ++y) {
             for (int x = 0; x < plane.width; ++x) {
                 const std::size_t i = past_.index(x, y);

@@ -20,8 +20,8 @@ namespace rtcore {
 /// where their samples are.
 bool sameLight(const RenderSettings& a, const RenderSettings& b);
 
-/// Keeps the memory of a sequence of frames, bytesPerPixel() and some lists beside the frame. Not for several
-/// threads at once: it uses all of them itself.
+/// Keeps the memory of a sequence of frames, about 75 bytes per pixel beside the frame. Not for several
+/// threads at once: it uses all of them itself. Throws std::bad_alloc; what is kept is undefined then.
 class LiveRenderer {
   public:
     /// Whether such a view can be drawn: of a perspective camera, one sample per pixel in its middle, fewer
@@ -46,8 +46,6 @@ class LiveRenderer {
     /// Of the last frame: pixels that were traced, and those of which nothing was known, of all.
     double newSamples() const { return newSamples_; }
     double unknown() const { return choice_.unknown(); }
-
-    static constexpr std::size_t bytesPerPixel() { return 75; }
 
   private:
     bool lightSamples(const View& view, RenderControl& control, Frame& frame);

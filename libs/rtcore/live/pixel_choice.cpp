@@ -1,5 +1,6 @@
 #include "rtcore/live/pixel_choice.h"
 
+#include "rtcore/live/parts.h"
 #include "rtcore/sampling/sample_id.h"
 
 #include <algorithm>
@@ -89,16 +90,6 @@ namespace {
 constexpr int kSquare = 32;       ///< pixels; those of one are traced together
 constexpr std::size_t kRoom = 64; ///< no vector has more lanes
 
-/// Calls `work` with each part, and its rows of pixels from `first` to before `last`.
-template <typename Part, typename Work>
-void forEachPart(std::vector<Part>& parts, int height, [[maybe_unused]] int threads, Work&& work) {
-    parts.resize(static_cast<std::size_t>((height + kSquare - 1) / kSquare));
-    const auto count = static_cast<int>(parts.size());
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
-    for (int i = 0; i < count; ++i)
-        work(parts[static_cast<std::size_t>(i)], i * kSquare, std::min((i + 1) * kSquare, height));
-}
-
 } // namespace
 
 std::size_t PixelChoice::luminanceAt(const ImagePlane& plane, int y) {
@@ -110,7 +101,7 @@ void PixelChoice::measureLuminance(const LiveSamples& samples, int threads) {
     const auto length = static_cast<std::size_t>(plane.width);
     luminance_.resize(luminanceAt(plane, plane.height));
     std::fill_n(luminance_.begin(), kRoom, -1.0F);
-    forEachPart(parts_, plane.height, threads, [&](Part&, int first, int last) {
+    forEachRows(plane.height, kSquare, threads, [&](int first, int last) {
         for (int y = first; y < last; ++y) {
             const std::size_t from = samples.index(0, y);
             float* const to = &luminance_[luminanceAt(plane, y)];
@@ -144,7 +135,8 @@ void PixelChoice::measureUrgency(const LiveSamples& samples, const PixelArray<fl
     const auto length = static_cast<std::size_t>(plane.width);
     const float dark = darkness(plane);
     urgency_.resize(samples.size());
-    forEachPart(parts_, plane.height, threads, [&](Part& part, int first, int last) {
+    forEachRows(plane.height, kSquare, threads, [&](int first, int last) {
+        Part& part = parts_[static_cast<std::size_t>(first / kSquare)];
         part.histogram = {};
         part.urgency.resize(length + kRoom);
         for (int y = first; y < last; ++y) {
@@ -204,10 +196,12 @@ void PixelChoice::collect(const ImagePlane& plane, const Bound& bound, std::uint
 
 void PixelChoice::choose(const LiveSamples& samples, const PixelArray<float>& staleness, double share,
                          std::uint32_t number, int threads) {
+    parts_.resize(static_cast<std::size_t>((samples.plane().height + kSquare - 1) / kSquare));
     measureLuminance(samples, threads);
     measureUrgency(samples, staleness, threads);
     const Bound bound = boundOf(samples, share);
-    forEachPart(parts_, samples.plane().height, threads, [&](Part& part, int first, int last) {
+    forEachRows(samples.plane().height, kSquare, threads, [&](int first, int last) {
+        Part& part = parts_[static_cast<std::size_t>(first / kSquare)];
         collect(samples.plane(), bound, number, part, first, last);
     });
     chosen_.clear();

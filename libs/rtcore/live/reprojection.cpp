@@ -1,12 +1,12 @@
 #include "rtcore/live/reprojection.h"
 
+#include "rtcore/live/parts.h"
 #include "rtcore/platform/threads.h"
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <limits>
-#include <utility>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/live/reprojection.cpp"
@@ -112,14 +112,6 @@ std::uint32_t staler(std::uint32_t key, std::uint32_t steps) {
 }
 
 std::size_t pixelOf(std::int32_t pixelAndWay) { return static_cast<std::size_t>(pixelAndWay & ~kDown); }
-
-/// Calls `work` with the number of each part.
-template <typename Work>
-void forEachPart(std::size_t parts, [[maybe_unused]] int threads, Work&& work) {
-    const auto count = static_cast<int>(parts);
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
-    for (int part = 0; part < count; ++part) work(static_cast<std::size_t>(part));
-}
 
 } // namespace
 
@@ -256,23 +248,11 @@ void Reprojection::carry(const LiveSamples& past, LiveSamples& present, int thre
     staleness_.resize(present.size());
     holes_.resize(std::max(holes_.size(), static_cast<std::size_t>(threads)));
     project(past, plane, threads);
-    const auto bands = static_cast<std::size_t>((plane.height + kRowsOfBand - 1) / kRowsOfBand);
-    const auto rows = [&](std::size_t band) {
-        const int first = static_cast<int>(band) * kRowsOfBand;
-        return std::pair(first, std::min(first + kRowsOfBand, plane.height));
-    };
-    forEachPart(bands, threads, [&](std::size_t band) {
-        const auto [first, last] = rows(band);
-        compete(present.index(0, first), present.index(0, last));
-    });
-
-    forEachPart(bands, threads, [&](std::size_t band) {
-        const auto [first, last] = rows(band);
-        spread(plane, present.index(0, first), present.index(0, last));
-    });
-
-    forEachPart(bands, threads, [&](std::size_t band) {
-        const auto [first, last] = rows(band);
+    forEachRows(plane.height, kRowsOfBand, threads,
+                [&](int first, int last) { compete(present.index(0, first), present.index(0, last)); });
+    forEachRows(plane.height, kRowsOfBand, threads,
+                [&](int first, int last) { spread(plane, present.index(0, first), present.index(0, last)); });
+    forEachRows(plane.height, kRowsOfBand, threads, [&](int first, int last) {
         for (int y = first; y < last; ++y) {
             borrow(plane, y);
             take(past, present, present.index(0, y), present.index(0, y + 1));

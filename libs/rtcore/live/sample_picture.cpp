@@ -1,5 +1,7 @@
 #include "rtcore/live/sample_picture.h"
 
+#include "rtcore/live/parts.h"
+
 #include <algorithm>
 
 #undef HWY_TARGET_INCLUDE
@@ -53,21 +55,13 @@ Colour filled(const LiveSamples& samples, const SampleMeans& means, const std::v
     return known > 0 ? sum / static_cast<float>(known) : means.around(x, y);
 }
 
-/// Calls `work` with the first row of each part of the image, and that behind it.
-template <typename Work>
-void forEachPart(int rows, int rowsOfPart, [[maybe_unused]] int threads, Work&& work) {
-    const int parts = (rows + rowsOfPart - 1) / rowsOfPart;
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
-    for (int part = 0; part < parts; ++part) work(part * rowsOfPart, std::min((part + 1) * rowsOfPart, rows));
-}
-
 } // namespace
 
 void SamplePicture::show(const LiveSamples& samples, int threads, Frame& frame) {
     const ImagePlane& plane = samples.plane();
     std::vector<Colour>& light = frame.radiance.pixels;
     means_.begin(plane.width, plane.height);
-    forEachPart(plane.height, SampleMeans::kSide, threads, [&](int first, int last) {
+    forEachRows(plane.height, SampleMeans::kSide, threads, [&](int first, int last) {
         const std::size_t from = samples.index(0, first), count = samples.index(0, last) - from;
         HWY_DYNAMIC_DISPATCH(unpackAll)(&samples.light[from], count, &light[from]);
         for (std::size_t i = from; i < from + count; ++i)
@@ -75,7 +69,7 @@ void SamplePicture::show(const LiveSamples& samples, int threads, Frame& frame) 
         means_.take(samples, light, first, last);
     });
     constexpr int kRows = 8;
-    forEachPart(plane.height, kRows, threads, [&](int first, int last) {
+    forEachRows(plane.height, kRows, threads, [&](int first, int last) {
         for (int y = first; y < last; ++y) {
             const std::size_t row = samples.index(0, y);
             for (int x = 0; x < plane.width; ++x) {
