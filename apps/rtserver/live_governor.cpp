@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kSpared = 0.85;                                 ///< of the time: frames are not all alike
 constexpr double kSecondsPerRay = 1e-6, kSecondsPerPixel = 1e-7; ///< guesses
-constexpr double kLeastSamples = 0.006, kMostSamples = 1;        ///< of the pixels of a frame
+constexpr double kLeastSamples = 0.004, kMostSamples = 1;        ///< of the pixels of a frame
 constexpr double kStep = 1.0 / 12;                               ///< of the scale
 constexpr double kGrows = 0.9; ///< of the time, in which a larger frame must fit before there is one
 

@@ -23,6 +23,15 @@ Vec3 towardsMiddle(const ImagePlane& plane, int x, int y) {
     return plane.towards(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
 }
 
+template <typename Work>
+void forEachChosen(std::size_t count, int threads, Work&& work) {
+    constexpr std::size_t kPart = 256;
+    forEachPart((count + kPart - 1) / kPart, threads, [&](std::size_t part) {
+        const std::size_t last = std::min((part + 1) * kPart, count);
+        for (std::size_t i = part * kPart; i < last; ++i) work(i);
+    });
+}
+
 /// Where the surface of `seen` is in the middle of the pixel.
 Vec3 positionInMiddle(const ImagePlane& plane, const SeenPoint& seen, int x, int y) {
     constexpr float kMostChange = 0.05F;
@@ -31,6 +40,31 @@ Vec3 positionInMiddle(const ImagePlane& plane, const SeenPoint& seen, int x, int
                 before = dot(plane.axis, offset);
     const bool near = std::fabs(depth - before) < kMostChange * before; // not of NaN
     return near ? plane.eye + towards * depth : seen.position;
+}
+
+bool mirrors(const SeenPoint& seen) { return seen.mirroredLength != 0; }
+
+/// A pixel's new samples. `own.position` is where its ray goes, `own.light` all that comes from there.
+void setSamples(LiveLayers& layers, std::size_t i, const SeenPoint& seen, LiveSample own) {
+    own.background = !seen.any;
+    own.mirrors = mirrors(seen);
+    LiveSample mirrored = own;
+    own.light = own.light * seen.ownPart;
+    layers.own.set(i, own);
+    if (!layers.mirrors) return;
+    if (!own.mirrors) {
+        layers.mirrored.forget(i);
+        return;
+    }
+    const ImagePlane& plane = layers.own.plane();
+    const Vec3 way = own.position - plane.eye;
+    mirrored.light = mirrored.light * (kWhite - seen.ownPart);
+    mirrored.wanders = seen.mirroredLength < 0;
+    mirrored.mirrors = false;
+    mirrored.background = std::isinf(seen.mirroredLength);
+    mirrored.position =
+        mirrored.background ? way : plane.eye + way * (std::fabs(seen.mirroredLength) / length(way));
+    layers.mirrored.set(i, mirrored);
 }
 
 } // namespace
@@ -60,11 +94,12 @@ bool LiveRenderer::draws(const View& view) {
 
 bool LiveRenderer::render(const View& view, double newSamples, RenderControl& control, Frame& frame) {
     const int threads = threadsFor(control.threads);
+    present_.mirrors = past_.mirrors;
     present_.resize(planeOf(view));
     frame.radiance.width = view.settings.width;
     frame.radiance.height = view.settings.height;
-    frame.radiance.pixels.resize(present_.size());
-    frame.covered.resize(present_.size());
+    frame.radiance.pixels.resize(present_.own.size());
+    frame.covered.resize(present_.own.size());
     frame.statistics = {};
     frame.aovs.clear();
     frame.seen.clear();
@@ -80,20 +115,20 @@ bool LiveRenderer::render(const View& view, double newSamples, RenderControl& co
 }
 
 void LiveRenderer::keep(const View& view, const Frame& frame, int threads, std::uint8_t age) {
+    past_.mirrors = std::any_of(frame.seen.begin(), frame.seen.end(), mirrors);
     past_.resize(planeOf(view));
-    const ImagePlane& plane = past_.plane();
+    const ImagePlane& plane = past_.own.plane();
     forEachRows(plane.height, kRowsOfPart, threadsFor(threads), [&](int first, int last) {
         for (int y = first; y < last; ++y) {
             for (int x = 0; x < plane.width; ++x) {
-                const std::size_t i = past_.index(x, y);
+                const std::size_t i = past_.own.index(x, y);
                 const SeenPoint& seen = frame.seen[i];
-                past_.set(i, {.position =
-                                  seen.any ? positionInMiddle(plane, seen, x, y) : towardsMiddle(plane, x, y),
-                              .light = frame.radiance.pixels[i],
-                              .lights = {},
-                              .mirrored = seen.mirrored,
-                              .background = !seen.any,
-                              .age = age});
+                setSamples(
+                    past_, i, seen,
+                    {.position = seen.any ? positionInMiddle(plane, seen, x, y) : towardsMiddle(plane, x, y),
+                     .light = frame.radiance.pixels[i],
+                     .lights = {},
+                     .age = age});
             }
         }
     });
@@ -102,21 +137,22 @@ void LiveRenderer::keep(const View& view, const Frame& frame, int threads, std::
 /// What is known of lights at a point, but for those that some of the samples around see and others do not:
 /// the edges of shadows stay where they are. In turns nothing counts as known, so that no error lasts.
 LightVisibility LiveRenderer::surelyKnown(int x, int y) const {
-    const std::size_t at = present_.index(x, y);
-    if (!present_.known(at) || (turnOf(x, y) + number_) % kTurns == 0) return {};
-    const ImagePlane& plane = present_.plane();
+    const LiveSamples& own = present_.own;
+    const std::size_t at = own.index(x, y);
+    if (!own.known(at) || (turnOf(x, y) + number_) % kTurns == 0) return {};
+    const ImagePlane& plane = own.plane();
     unsigned clear = 0, dark = 0;
     for (int v = std::max(y - 1, 0); v <= std::min(y + 1, plane.height - 1); ++v) {
         for (int u = std::max(x - 1, 0); u <= std::min(x + 1, plane.width - 1); ++u) {
-            if (!present_.known(present_.index(u, v))) return {};
-            const LightVisibility there = present_.visibility(present_.index(u, v));
+            if (!own.known(own.index(u, v))) return {};
+            const LightVisibility there = own.lights[own.index(u, v)].lights;
             clear |= there.clear;
             dark |= there.dark;
         }
     }
     const unsigned sure = ~(clear & dark);
-    const LightVisibility own = present_.visibility(at);
-    return {static_cast<std::uint16_t>(own.clear & sure), static_cast<std::uint16_t>(own.dark & sure)};
+    const LightVisibility here = own.lights[at].lights;
+    return {static_cast<std::uint16_t>(here.clear & sure), static_cast<std::uint16_t>(here.dark & sure)};
 }
 
 bool LiveRenderer::lightSamples(const View& view, RenderControl& control, Frame& frame) {
@@ -124,20 +160,24 @@ bool LiveRenderer::lightSamples(const View& view, RenderControl& control, Frame&
     light_.resize(chosen.size());
     visibility_.resize(chosen.size());
     seen_.resize(chosen.size());
-    for (std::size_t i = 0; i < chosen.size(); ++i) visibility_[i] = surelyKnown(chosen[i].x, chosen[i].y);
-    newSamples_ = static_cast<double>(chosen.size()) / static_cast<double>(present_.size());
+    const int threads = threadsFor(control.threads);
+    forEachChosen(chosen.size(), threads,
+                  [&](std::size_t i) { visibility_[i] = surelyKnown(chosen[i].x, chosen[i].y); });
+    newSamples_ = static_cast<double>(chosen.size()) / static_cast<double>(present_.own.size());
     if (!renderer_.renderPixels(view, chosen, control, {light_, visibility_, seen_}, frame.statistics))
         return false;
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-        const int x = chosen[i].x, y = chosen[i].y;
-        const SeenPoint& seen = seen_[i];
-        present_.set(present_.index(x, y),
-                     {.position = seen.any ? seen.position : towardsMiddle(present_.plane(), x, y),
-                      .light = light_[i],
-                      .lights = visibility_[i],
-                      .mirrored = seen.mirrored,
-                      .background = !seen.any});
+    const ImagePlane& plane = present_.own.plane();
+    if (!present_.mirrors && std::any_of(seen_.begin(), seen_.end(), mirrors)) {
+        present_.mirrors = true;
+        present_.mirrored.clear(plane);
     }
+    forEachChosen(chosen.size(), threads, [&](std::size_t i) {
+        const int x = chosen[i].x, y = chosen[i].y;
+        setSamples(present_, present_.own.index(x, y), seen_[i],
+                   {.position = seen_[i].any ? seen_[i].position : towardsMiddle(plane, x, y),
+                    .light = light_[i],
+                    .lights = visibility_[i]});
+    });
     return true;
 }
 

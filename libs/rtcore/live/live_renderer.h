@@ -38,8 +38,8 @@ class LiveRenderer {
     void keep(const View& view, const Frame& frame, int threads, std::uint8_t age = 0);
 
     /// What is kept does not hold any more: lights, materials or settings changed.
-    void forget() { past_.clear({}); }
-    bool empty() const { return past_.size() == 0; } ///< nothing is kept
+    void forget() { past_.clear(); }
+    bool empty() const { return past_.own.size() == 0; } ///< nothing is kept
 
     /// Seconds that the traced pixels of the last frame took.
     double sampleSeconds() const { return sampleSeconds_; }
@@ -58,7 +58,7 @@ class LiveRenderer {
     std::vector<Colour> light_;               ///< of the chosen pixels
     std::vector<LightVisibility> visibility_; ///< the same
     std::vector<SeenPoint> seen_;             ///< the same
-    LiveSamples past_, present_;
+    LiveLayers past_, present_;
     std::uint32_t number_ = 0; ///< of the frame
     double newSamples_ = 0, sampleSeconds_ = 0;
 };

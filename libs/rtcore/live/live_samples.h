@@ -7,7 +7,6 @@
 #include "rtcore/shading/light/light_visibility.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -16,11 +15,12 @@ namespace rtcore {
 
 /// One sample of the scene, as it was traced.
 struct LiveSample {
-    Vec3 position = {}; ///< of the surface, in the scene; of the background its direction
+    Vec3 position = {}; ///< where it seems to be, in the scene; of the background its direction
     Colour light = {};  ///< radiance towards the eye that it was traced from
     LightVisibility lights = {};
-    float mirrored = 0; ///< 0..1: the fraction of the light that comes by mirrors and glass
     bool background = false;
+    bool mirrors = false; ///< mirrors or lets through other light, which is not in `light`
+    bool wanders = false; ///< its place is a guess: it moves in ways that are not followed
     std::uint8_t age = 0; ///< frames since it was traced
 };
 
@@ -46,36 +46,41 @@ class PixelArray {
     std::vector<T> values_;
 };
 
-/// A sample for each pixel of a frame, or none: 24 bytes a pixel.
+/// A sample for each pixel of a frame, or none: 24 bytes a pixel. What is needed together lies together.
 class LiveSamples {
   public:
-    // Of a state. 0: there is no sample.
+    struct Point {
+        Vec3 position;           ///< LiveSample::position
+        std::uint32_t state = 0; ///< 0: there is no sample
+    };
+    struct Light {
+        std::uint32_t radiance = 0; ///< packLight()
+        LightVisibility lights;
+    };
+    static_assert(sizeof(Point) == 16 && sizeof(Light) == 8);
+
+    // Of a state.
     static constexpr std::uint32_t kAge = 0xFF; ///< frames since it was traced, at most 255
-    static constexpr std::uint32_t kMirrored = 0xFF00, kMirroredShift = 8;
-    static constexpr std::uint32_t kKnown = 0x10000, kBackground = 0x20000;
+    static constexpr std::uint32_t kKnown = 0x100, kBackground = 0x200, kMirrors = 0x400, kWanders = 0x800;
 
     LiveSamples() { clear({}); }
     /// Forgets all samples; keeps its memory.
     void clear(const ImagePlane& plane) {
         resize(plane);
-        states.fill(0, 0);
+        points.fill(0, {});
     }
     /// For samples that are all to be written.
     void resize(const ImagePlane& plane) {
         plane_ = plane;
-        for (PixelArray<float>* const values : {&x, &y, &z}) values->resize(size());
-        for (PixelArray<std::uint32_t>* const values : {&light, &lights, &states}) values->resize(size());
-        states.fill(size(), 0);
+        points.resize(size());
+        lights.resize(size());
+        points.fill(size(), {});
     }
     void set(std::size_t i, const LiveSample& sample) {
-        x[i] = sample.position.x;
-        y[i] = sample.position.y;
-        z[i] = sample.position.z;
-        light[i] = packLight(sample.light);
-        lights[i] = std::bit_cast<std::uint32_t>(sample.lights);
-        const float mirrored = std::clamp(sample.mirrored, 0.0F, 1.0F);
-        states[i] = kKnown | sample.age | (sample.background ? kBackground : 0U) |
-                    static_cast<std::uint32_t>(mirrored * 255 + 0.5F) << kMirroredShift;
+        const std::uint32_t state = kKnown | sample.age | (sample.background ? kBackground : 0U) |
+                                    (sample.mirrors ? kMirrors : 0U) | (sample.wanders ? kWanders : 0U);
+        points[i] = {sample.position, state};
+        lights[i] = {packLight(sample.light), sample.lights};
     }
 
     const ImagePlane& plane() const { return plane_; }
@@ -86,16 +91,40 @@ class LiveSamples {
         return static_cast<std::size_t>(row) * static_cast<std::size_t>(plane_.width) +
                static_cast<std::size_t>(column);
     }
-    bool known(std::size_t i) const { return states[i] != 0; }
-    LightVisibility visibility(std::size_t i) const { return std::bit_cast<LightVisibility>(lights[i]); }
+    void forget(std::size_t i) { points[i].state = 0; }
+    bool known(std::size_t i) const { return points[i].state != 0; }
+    static bool mirrors(const Point& point) { return (point.state & kMirrors) != 0; }
+    bool mirrors(std::size_t i) const { return mirrors(points[i]); }
+    int age(std::size_t i) const { return static_cast<int>(points[i].state & kAge); }
+    Colour light(std::size_t i) const { return unpackLight(lights[i].radiance); }
 
-    PixelArray<float> x{0}, y{1}, z{2};  ///< LiveSample::position
-    PixelArray<std::uint32_t> light{3};  ///< packLight()
-    PixelArray<std::uint32_t> lights{4}; ///< the bits of a LightVisibility
-    PixelArray<std::uint32_t> states{5};
+    PixelArray<Point> points{0};
+    PixelArray<Light> lights{1};
 
   private:
     ImagePlane plane_;
+};
+
+/// The light of a frame. What is mirrored moves otherwise than what mirrors it: in a flat mirror as if it
+/// were behind that, where it seems to be. So it has samples of its own, wherever those of the surfaces
+/// mirror.
+struct LiveLayers {
+    LiveSamples own;      ///< what surfaces emit and scatter themselves, and the background
+    LiveSamples mirrored; ///< what they mirror and let through; undefined where they do not
+    bool mirrors = false; ///< false: no surface does, and `mirrored` is not kept
+
+    /// `mirrors` is to be set before.
+    void resize(const ImagePlane& plane) {
+        own.resize(plane);
+        if (mirrors) mirrored.resize(plane);
+    }
+    void clear() {
+        own.clear({});
+        mirrored.clear({});
+        mirrors = false;
+    }
+    /// Whether all of a pixel's light is known.
+    bool known(std::size_t i) const { return own.known(i) && (!own.mirrors(i) || mirrored.known(i)); }
 };
 
 /// 0..63: the turn of a pixel among its neighbours, which are far apart in time. (Bayer 1973)

@@ -3,6 +3,7 @@
 #include "rtcore/live/packed_light-inl.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace rtcore {
@@ -10,7 +11,7 @@ namespace rtcore {
 namespace {
 
 constexpr int kBias = HWY_NAMESPACE::kLightBias, kMantissaBits = HWY_NAMESPACE::kLightMantissaBits;
-constexpr int kMostExponent = 31;
+constexpr int kMostExponent = 31, kFloatBias = 127;
 constexpr float kMostLight = 65408;
 
 } // namespace
@@ -22,9 +23,12 @@ std::uint32_t packLight(Colour light) {
     const float largest = std::max({r, g, b});
     if (!(largest > 0)) return 0;
     // The exponent of the power of two above the largest, also where rounding lifts it to that.
-    int exponent = std::clamp(std::ilogb(largest) + 1 + kBias, 0, kMostExponent);
+    const int above = static_cast<int>(std::bit_cast<std::uint32_t>(largest) >> 23) - kFloatBias + 1;
+    int exponent = std::clamp(above + kBias, 0, kMostExponent);
     const auto scaled = [&](float v) {
-        return static_cast<std::uint32_t>(std::ldexp(v, kMantissaBits + kBias - exponent) + 0.5F);
+        const int power = kFloatBias + kMantissaBits + kBias - exponent;
+        const auto scale = std::bit_cast<float>(static_cast<std::uint32_t>(power) << 23);
+        return static_cast<std::uint32_t>(v * scale + 0.5F);
     };
     if (scaled(largest) > 511 && exponent < kMostExponent) ++exponent;
     const auto mantissa = [&](float v) { return std::min(scaled(v), 511U); };

@@ -6,12 +6,13 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/live/pixel_choice.cpp"
 #include "rtcore/simd/foreach_target.h"
 
-#include "rtcore/live/packed_light-inl.h"
+#include "rtcore/live/live_samples-inl.h"
 
 #ifndef RTCORE_LIVE_PIXEL_CHOICE_TYPES
 #define RTCORE_LIVE_PIXEL_CHOICE_TYPES
@@ -35,16 +36,25 @@ namespace HWY_NAMESPACE {
 
 namespace {
 
-/// -1 where there is no sample.
-void measureLuminanceOf(const std::uint32_t* light, const std::uint32_t* states, std::size_t count,
-                        float* to) {
+/// -1 where a sample is missing.
+void measureLuminanceOf(const LiveLayers& samples, std::size_t first, std::size_t count, float* to) {
+    const auto at = [&](const LiveSamples& layer, std::size_t i) {
+        return luminance<Float>(radianceOf(layer.lights[first + i]));
+    };
     for (std::size_t i = 0; i < count; i += lanes()) {
-        const Float value = luminance<Float>(unpackedLight<Float>(load(light + i)));
-        store(select(load(states + i) != 0U, value, -1.0F), to + i);
+        const Uint state = statesOf(samples.own.points[first + i]);
+        const Mask mirrors = (state & LiveSamples::kMirrors) != 0U;
+        Float value = select(state != 0U, at(samples.own, i), -1.0F);
+        if (any(mirrors)) {
+            const Mask seen = statesOf(samples.mirrored.points[first + i]) != 0U;
+            value = select(mirrors, select(seen, value + at(samples.mirrored, i), -1.0F), value);
+        }
+        store(value, to + i);
     }
 }
 
 // Stale light shows beside light that differs.
+constexpr float kStaleHole = 2;
 constexpr float kLeastStale = 0.02F, kLeastContrast = 0.02F;
 
 /// Urgency has four steps for each power of two, from 2^-14 on: the upper bits of a float.
@@ -54,21 +64,21 @@ constexpr int kMostUrgent = 127;
 void measureUrgencyOf(const UrgencyRow& row) {
     for (std::size_t i = 0; i < row.pixels; i += lanes()) {
         const Float own = load(row.luminance[1] + i);
-        Float least = own, most = own;
+        Float least = std::numeric_limits<float>::max(), most = -1.0F;
         for (const float* const line : row.luminance) {
             for (const float* const at : {line + i - 1, line + i, line + i + 1}) {
                 const Float there = load(at);
                 most = max(most, there);
-                least = min(least, select(there < 0.0F, own, there));
+                least = min(least, select(there < 0.0F, least, there));
             }
         }
         const Float contrast = (most - least) / (most + least + row.dark);
-        const Float stale = load(row.staleness + i);
+        const Float stale = select(own < 0.0F, Float(kStaleHole), load(row.staleness + i));
         const Float shows = (stale + kLeastStale) * (contrast + kLeastContrast);
         const Int step = toInt(shiftRight<kUrgencyShift>(bitsOf(shows))) - kFirstUrgency;
         const Float bounded = clamp(toFloat(step), 1.0F, static_cast<float>(kMostUrgent - 1));
         const Float urgency = selectOrZero(stale > 0.0F, bounded);
-        store(toUint(truncate(select(own < 0.0F, static_cast<float>(kMostUrgent), urgency))),
+        store(toUint(truncate(select(most < 0.0F, static_cast<float>(kMostUrgent), urgency))),
               row.urgency + i);
     }
 }
@@ -96,16 +106,15 @@ std::size_t PixelChoice::luminanceAt(const ImagePlane& plane, int y) {
     return kRoom + static_cast<std::size_t>(y) * (static_cast<std::size_t>(plane.width) + kRoom);
 }
 
-void PixelChoice::measureLuminance(const LiveSamples& samples, int threads) {
-    const ImagePlane& plane = samples.plane();
+void PixelChoice::measureLuminance(const LiveLayers& samples, int threads) {
+    const ImagePlane& plane = samples.own.plane();
     const auto length = static_cast<std::size_t>(plane.width);
     luminance_.resize(luminanceAt(plane, plane.height));
     std::fill_n(luminance_.begin(), kRoom, -1.0F);
     forEachRows(plane.height, kSquare, threads, [&](int first, int last) {
         for (int y = first; y < last; ++y) {
-            const std::size_t from = samples.index(0, y);
             float* const to = &luminance_[luminanceAt(plane, y)];
-            HWY_DYNAMIC_DISPATCH(measureLuminanceOf)(&samples.light[from], &samples.states[from], length, to);
+            HWY_DYNAMIC_DISPATCH(measureLuminanceOf)(samples, samples.own.index(0, y), length, to);
             std::fill_n(to + length, kRoom, -1.0F);
         }
     });
@@ -194,15 +203,16 @@ void PixelChoice::collect(const ImagePlane& plane, const Bound& bound, std::uint
     }
 }
 
-void PixelChoice::choose(const LiveSamples& samples, const PixelArray<float>& staleness, double share,
+void PixelChoice::choose(const LiveLayers& samples, const PixelArray<float>& staleness, double share,
                          std::uint32_t number, int threads) {
-    parts_.resize(static_cast<std::size_t>((samples.plane().height + kSquare - 1) / kSquare));
+    const LiveSamples& own = samples.own;
+    parts_.resize(static_cast<std::size_t>((own.plane().height + kSquare - 1) / kSquare));
     measureLuminance(samples, threads);
-    measureUrgency(samples, staleness, threads);
-    const Bound bound = boundOf(samples, share);
-    forEachRows(samples.plane().height, kSquare, threads, [&](int first, int last) {
+    measureUrgency(own, staleness, threads);
+    const Bound bound = boundOf(own, share);
+    forEachRows(own.plane().height, kSquare, threads, [&](int first, int last) {
         Part& part = parts_[static_cast<std::size_t>(first / kSquare)];
-        collect(samples.plane(), bound, number, part, first, last);
+        collect(own.plane(), bound, number, part, first, last);
     });
     chosen_.clear();
     for (const Part& part : parts_) chosen_.insert(chosen_.end(), part.chosen.begin(), part.chosen.end());

@@ -17,7 +17,7 @@ class PixelChoice {
   public:
     /// Chooses at most `share` (0..1) of all pixels, and a few. `staleness`: as Reprojection has it. The
     /// choice is that of these values and of `number` alone: not of threads, nor of time. `threads` work.
-    void choose(const LiveSamples& samples, const PixelArray<float>& staleness, double share,
+    void choose(const LiveLayers& samples, const PixelArray<float>& staleness, double share,
                 std::uint32_t number, int threads);
 
     /// In an order in which neighbours follow each other.
@@ -41,7 +41,7 @@ class PixelChoice {
     };
 
     static std::size_t luminanceAt(const ImagePlane& plane, int y);
-    void measureLuminance(const LiveSamples& samples, int threads);
+    void measureLuminance(const LiveLayers& samples, int threads);
     float darkness(const ImagePlane& plane) const;
     void measureUrgency(const LiveSamples& samples, const PixelArray<float>& staleness, int threads);
     Bound boundOf(const LiveSamples& samples, double share);

@@ -12,7 +12,7 @@
 #define HWY_TARGET_INCLUDE "rtcore/live/reprojection.cpp"
 #include "rtcore/simd/foreach_target.h"
 
-#include "rtcore/math/float3-inl.h"
+#include "rtcore/live/live_samples-inl.h"
 
 #ifndef RTCORE_LIVE_REPROJECTION_TYPES
 #define RTCORE_LIVE_REPROJECTION_TYPES
@@ -21,6 +21,10 @@ namespace rtcore {
 // How near and how stale a sample is, to be compared: the upper half are bits of the depth.
 inline constexpr float kKeySteps = 32768; ///< of staleness, for a square pixel
 inline constexpr std::uint32_t kStalenessOfKey = 0xFFFF;
+
+struct PixelRange {
+    std::int32_t least, most; ///< none: 2^31 - 1 and -1
+};
 
 /// To the pixel that is next to a sample after its own, in the upper bits of a pixel's index.
 inline constexpr int kWayShift = 28;
@@ -39,29 +43,30 @@ namespace {
 /// Of a sample of that state, (dx, dy) from the middle of the pixel that shows it. `depth` > 0.
 HWY_INLINE Uint keyOf(Float depth, Float dx, Float dy, Uint state) {
     // Each frame counts as so many square pixels.
-    constexpr float kAged = 0.003F, kAgedOfMirrors = 0.25F;
+    constexpr float kAged = 0.003F, kAgedAsItWanders = 0.25F;
     const Float age = toFloat(toInt(state & LiveSamples::kAge));
-    const Float mirrored = toFloat(toInt(shiftRight<LiveSamples::kMirroredShift>(state) & 255U));
-    const Float stale = dx * dx + dy * dy + age * (mirrored * (kAgedOfMirrors / 255) + kAged);
+    const Mask wanders = (state & LiveSamples::kWanders) != 0U;
+    const Float stale = dx * dx + dy * dy + age * select(wanders, Float(kAgedAsItWanders), Float(kAged));
     const Int steps = truncate(min(stale * kKeySteps, static_cast<float>(kStalenessOfKey)));
     return (bitsOf(depth) & ~kStalenessOfKey) | toUint(steps);
 }
 
 /// For each of `count` samples from `first` on: the pixel that shows it, with the way to the pixel that is
-/// next to it, or -1, and its key.
-void projectSamples(const LiveSamples& past, const ImagePlane& plane, std::size_t first, std::size_t count,
-                    std::int32_t* pixels, std::uint32_t* keys) {
+/// next to it, or -1, and its key. Returns the first and the last of these pixels.
+PixelRange projectSamples(const LiveSamples& past, const ImagePlane& plane, std::size_t first,
+                          std::size_t count, std::int32_t* pixels, std::uint32_t* keys) {
+    constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
+    Int least = kMost, most = -1;
     const auto width = static_cast<float>(plane.width), height = static_cast<float>(plane.height);
     for (std::size_t i = 0; i < count; i += lanes()) {
-        const Uint state = load(&past.states[first + i]);
-        const Mask background = (state & LiveSamples::kBackground) != 0U;
-        const Float3 position = load(&past.x[first + i], &past.y[first + i], &past.z[first + i]);
-        const Float3 offset = position - selectOrZero(!background, broadcast(plane.eye));
-        const Float depth = dot(offset, broadcast(plane.axis));
-        const Float x = dot(offset, broadcast(plane.column)) / depth;
-        const Float y = dot(offset, broadcast(plane.row)) / depth;
+        const LivePoints points(past.points[first + i]);
+        if (none(points.state != 0U)) {
+            store(Int(-1), &pixels[i]);
+            continue;
+        }
+        const auto [x, y, depth] = seenAt(points, plane);
         const Mask seen =
-            (state != 0U) & (depth > 0.0F) & (x >= 0.0F) & (y >= 0.0F) & (x < width) & (y < height);
+            (points.state != 0U) & (depth > 0.0F) & (x >= 0.0F) & (y >= 0.0F) & (x < width) & (y < height);
         const Float insideX = selectOrZero(seen, x), insideY = selectOrZero(seen, y);
         const Int column = truncate(insideX), row = truncate(insideY);
         const Float dx = insideX - toFloat(column) - 0.5F, dy = insideY - toFloat(row) - 0.5F;
@@ -70,9 +75,19 @@ void projectSamples(const LiveSamples& past, const ImagePlane& plane, std::size_
         const Mask down = (row == 0) | ((dy > 0.0F) & (insideY + 1.0F < height));
         const Int way = select(abs(dy) > abs(dx), select(down, Int(kDown), Int(kUp)),
                                select(right, Int(kRight), Int(kLeft)));
-        store(select(seen, (row * plane.width + column) | way, Int(-1)), &pixels[i]);
-        store(keyOf(select(background, std::numeric_limits<float>::max(), depth), dx, dy, state), &keys[i]);
+        const Int pixel = row * plane.width + column;
+        const Int low = select(seen, pixel, Int(kMost)), high = select(seen, pixel, Int(-1));
+        least = select(low < least, low, least);
+        most = select(high > most, high, most);
+        store(select(seen, pixel | way, Int(-1)), &pixels[i]);
+        const Mask background = points.has(LiveSamples::kBackground);
+        store(keyOf(select(background, std::numeric_limits<float>::max(), depth), dx, dy, points.state),
+              &keys[i]);
     }
+    std::int32_t lows[kLanes], highs[kLanes];
+    store(least, lows);
+    store(most, highs);
+    return {*std::min_element(lows, lows + lanes()), *std::max_element(highs, highs + lanes())};
 }
 
 } // namespace
@@ -106,6 +121,15 @@ std::size_t indexOf(std::uint64_t entry) { return entry & kIndex; }
 std::uint32_t depthOf(std::uint64_t entry) { return static_cast<std::uint32_t>(entry >> 48) & 0x7FFFU; }
 std::uint64_t entryOf(std::uint32_t key, std::size_t index) { return std::uint64_t{key} << 32 | index; }
 
+float stalenessOf(std::uint64_t entry) {
+    return static_cast<float>(entry >> 32 & kStalenessOfKey) * (1 / kKeySteps);
+}
+LiveSamples::Point aged(LiveSamples::Point point) {
+    const std::uint32_t age = point.state & LiveSamples::kAge;
+    point.state += (point.state != 0) & (age < LiveSamples::kAge) ? 1U : 0U;
+    return point;
+}
+
 std::uint32_t staler(std::uint32_t key, std::uint32_t steps) {
     const std::uint32_t stale = std::min((key & kStalenessOfKey) + steps, kStalenessOfKey);
     return (key & ~kStalenessOfKey) | stale;
@@ -123,16 +147,10 @@ void Reprojection::project(const LiveSamples& past, const ImagePlane& plane, int
         Part& part = parts_[number];
         part.first = number * kProjected;
         part.last = std::min(part.first + kProjected, past.size());
-        HWY_DYNAMIC_DISPATCH(projectSamples)
-        (past, plane, part.first, part.last - part.first, &pixels_[part.first], &keys_[part.first]);
-        std::int32_t least = std::numeric_limits<std::int32_t>::max(), most = -1;
-        for (std::size_t i = part.first; i < part.last; ++i) {
-            const std::int32_t pixel = pixels_[i] < 0 ? -1 : pixels_[i] & ~kDown;
-            least = std::min(least, pixel < 0 ? least : pixel);
-            most = std::max(most, pixel);
-        }
-        part.least = most < 0 ? 1 : static_cast<std::size_t>(least);
-        part.most = most < 0 ? 0 : static_cast<std::size_t>(most);
+        const PixelRange seen = HWY_DYNAMIC_DISPATCH(projectSamples)(
+            past, plane, part.first, part.last - part.first, &pixels_[part.first], &keys_[part.first]);
+        part.least = seen.most < 0 ? 1 : static_cast<std::size_t>(seen.least);
+        part.most = seen.most < 0 ? 0 : static_cast<std::size_t>(seen.most);
     });
 }
 
@@ -145,52 +163,63 @@ void Reprojection::forEachPartIn(std::size_t first, std::size_t last, Work&& wor
 }
 
 /// Each pixel gets the least entry of its samples.
-void Reprojection::compete(std::size_t first, std::size_t last) {
-    const std::size_t count = last - first;
+void Reprojection::compete(const ImagePlane& plane, int firstRow, int lastRow) {
+    const auto width = static_cast<std::size_t>(plane.width);
+    const std::size_t first = width * static_cast<std::size_t>(firstRow),
+                      last = width * static_cast<std::size_t>(lastRow), count = last - first;
+    Band& band = bands_[static_cast<std::size_t>(firstRow / kRowsOfBand)];
+    for (auto& losers : band.losers) losers.clear();
+    for (auto& losers : band.losers) losers.reserve(&losers == &band.losers[1] ? count : width);
+    std::array<std::uint32_t, kProjected + 1> lostHere;
     std::uint64_t* const nearest = &nearest_[first];
     std::fill_n(nearest, count, kNoSample);
     forEachPartIn(first, last, [&](const Part& part) {
+        const std::int32_t* const pixels = &pixels_[0];
+        const std::uint32_t* const keys = &keys_[0];
+        std::size_t lost = 0;
         for (std::size_t i = part.first; i < part.last; ++i) {
             // Of a sample that is not seen, or elsewhere, far behind the last.
-            const std::size_t pixel = static_cast<std::size_t>(pixels_[i] & ~kDown) - first;
-            if (pixels_[i] < 0 || pixel >= count) continue;
-            nearest[pixel] = std::min(nearest[pixel], entryOf(keys_[i], i));
+            const std::size_t pixel = static_cast<std::size_t>(pixels[i] & ~kDown) - first;
+            if ((pixels[i] < 0) | (pixel >= count)) continue;
+            const std::uint64_t before = nearest[pixel], entry = entryOf(keys[i], i);
+            nearest[pixel] = std::min(before, entry);
+            lostHere[lost] = static_cast<std::uint32_t>(indexOf(std::max(before, entry)));
+            lost += before != kNoSample ? 1U : 0U;
+        }
+        for (std::size_t k = 0; k < lost; ++k) {
+            const std::size_t pixel = pixelOf(pixels_[lostHere[k]]) - first;
+            const std::int32_t way = pixels_[lostHere[k]] & kDown;
+            const bool above = way == kUp && pixel < width, below = way == kDown && pixel + width >= count;
+            band.losers[above ? 0 : below ? 2 : 1].push_back(lostHere[k]);
         }
     });
 }
 
 /// Samples move to and fro in the grid of pixels, so that by and by two would fall into many a pixel, and
 /// none into that beside it. One of the two goes there.
-void Reprojection::spread(const ImagePlane& plane, std::size_t first, std::size_t last) {
-    const auto width = static_cast<std::size_t>(plane.width);
-    const std::size_t from = first - std::min(first, width), to = last + width;
-    forEachPartIn(from, to, [&](const Part& part) {
-        std::array<std::uint32_t, kProjected> losers;
-        std::size_t count = 0;
-        for (std::size_t i = part.first; i < part.last; ++i) {
-            const std::size_t pixel = pixels_[i] < 0 ? first : pixelOf(pixels_[i]);
-            const std::uint64_t nearest = nearest_[pixel];
-            losers[count] = static_cast<std::uint32_t>(i);
-            const bool lost = (pixels_[i] >= 0) & (indexOf(nearest) != i) &
-                              ((keys_[i] >> 16) <= depthOf(nearest) + kSameDepth);
-            count += lost ? 1U : 0U;
-        }
-        const std::array<std::ptrdiff_t, 4> ways = {-1, 1, -static_cast<std::ptrdiff_t>(width),
-                                                    static_cast<std::ptrdiff_t>(width)};
-        for (std::size_t k = 0; k < count; ++k) {
-            const std::size_t i = losers[k];
-            const auto way = static_cast<std::size_t>(static_cast<std::uint32_t>(pixels_[i]) >> kWayShift);
-            const std::size_t beside = pixelOf(pixels_[i]) + static_cast<std::size_t>(ways[way]);
-            if (beside < first || beside >= last || nearest_[beside] < kBeside) continue;
-            nearest_[beside] =
-                std::min(nearest_[beside], kBeside | entryOf(staler(keys_[i], kBesideSteps), i));
-        }
-    });
+void Reprojection::spread(const ImagePlane& plane, int band) {
+    const auto at = static_cast<std::size_t>(band);
+    spreadTo(plane, bands_[at].losers[1]);
+    if (band > 0) spreadTo(plane, bands_[at - 1].losers[2]);
+    if (at + 1 < bands_.size()) spreadTo(plane, bands_[at + 1].losers[0]);
+}
+
+void Reprojection::spreadTo(const ImagePlane& plane, const std::vector<std::uint32_t>& losers) {
+    const std::ptrdiff_t ways[] = {-1, 1, -std::ptrdiff_t{plane.width}, std::ptrdiff_t{plane.width}};
+    for (const std::uint32_t i : losers) {
+        const std::size_t pixel = pixelOf(pixels_[i]);
+        if ((keys_[i] >> 16) > depthOf(nearest_[pixel]) + kSameDepth) continue; // hidden
+        const auto way = static_cast<std::size_t>(static_cast<std::uint32_t>(pixels_[i]) >> kWayShift);
+        std::uint64_t& beside = nearest_[pixel + static_cast<std::size_t>(ways[way])];
+        if (beside >= kBeside)
+            beside = std::min(beside, kBeside | entryOf(staler(keys_[i], kBesideSteps), i));
+    }
 }
 
 /// Pixels that show no sample, but have such beside them that do, take the nearest of theirs to the viewer.
-void Reprojection::borrow(const ImagePlane& plane, int y) {
-    constexpr int kLeastKnown = 2;
+/// `own`: unless it is null, only where that mirrors.
+void Reprojection::borrow(const ImagePlane& plane, const LiveSamples* own, int y) {
+    constexpr std::uint64_t kLeastKnown = 2;
     const auto width = static_cast<std::size_t>(plane.width);
     const std::size_t row = static_cast<std::size_t>(y) * width;
     const auto entryAt = [&](std::size_t pixel) {
@@ -200,19 +229,25 @@ void Reprojection::borrow(const ImagePlane& plane, int y) {
     std::size_t holes = 0;
     std::vector<std::uint32_t>& columns = holes_[static_cast<std::size_t>(threadNumber())];
     columns.resize(width);
-    for (std::size_t x = 0; x < width; ++x) {
-        columns[holes] = static_cast<std::uint32_t>(x);
-        holes += nearest_[row + x] == kNoSample ? 1U : 0U;
+    const auto collect = [&, nearest = &nearest_[row], to = columns.data()](auto&& shows) {
+        for (std::size_t x = 0; x < width; ++x) {
+            to[holes] = static_cast<std::uint32_t>(x);
+            holes += (nearest[x] == kNoSample) & shows(x) ? 1U : 0U;
+        }
+    };
+    if (own == nullptr) {
+        collect([](std::size_t) { return true; });
+    } else {
+        collect([points = &own->points[row]](std::size_t x) { return LiveSamples::mirrors(points[x]); });
     }
     for (std::size_t k = 0; k < holes; ++k) {
         const std::size_t x = columns[k], pixel = row + x;
-        std::uint64_t best = kNoSample;
-        int known = 0;
+        std::uint64_t best = kNoSample, known = 0;
         const auto ask = [&](std::size_t beside) {
-            const std::uint64_t there = entryAt(beside);
-            const bool own = (there & kBorrowed) == 0; // not of kNoSample
-            known += own ? 1 : 0;
-            best = std::min(best, own ? there & ~kBeside : kNoSample);
+            // Without branches, which could not be foretold. All bits of kNoSample are set.
+            const std::uint64_t there = entryAt(beside), borrowed = there / kBorrowed & 1;
+            known += 1 - borrowed;
+            best = std::min(best, (there & ~kBeside) | (0 - borrowed));
         };
         if (x > 0) ask(pixel - 1);
         if (x + 1 < width) ask(pixel + 1);
@@ -227,35 +262,61 @@ void Reprojection::borrow(const ImagePlane& plane, int y) {
 }
 
 void Reprojection::take(const LiveSamples& past, LiveSamples& present, std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-        const std::uint64_t nearest = nearest_[i];
+    const std::uint64_t* const nearest = &nearest_[first];
+    LiveSamples::Point* const points = &present.points[first];
+    LiveSamples::Light* const lights = &present.lights[first];
+    float* const staleness = &staleness_[first];
+    for (std::size_t i = 0; i < last - first; ++i) {
         // Behind the last sample there is one that is not known.
-        const std::size_t from = nearest == kNoSample ? past.size() : indexOf(nearest);
-        present.x[i] = past.x[from];
-        present.y[i] = past.y[from];
-        present.z[i] = past.z[from];
-        present.light[i] = past.light[from];
-        present.lights[i] = past.lights[from];
-        const std::uint32_t state = past.states[from], age = state & LiveSamples::kAge;
-        present.states[i] = state + ((state != 0) & (age < LiveSamples::kAge) ? 1U : 0U);
-        staleness_[i] = static_cast<float>(nearest >> 32 & kStalenessOfKey) * (1 / kKeySteps);
+        const std::size_t from = nearest[i] == kNoSample ? past.size() : indexOf(nearest[i]);
+        points[i] = aged(past.points[from]);
+        lights[i] = past.lights[from];
+        staleness[i] = stalenessOf(nearest[i]);
     }
 }
 
-void Reprojection::carry(const LiveSamples& past, LiveSamples& present, int threads) {
+void Reprojection::takeMirrored(const LiveSamples& past, const LiveSamples& own, LiveSamples& present,
+                                std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+        const std::uint64_t nearest = nearest_[i];
+        if (!own.mirrors(i) || nearest == kNoSample) {
+            present.forget(i);
+            continue;
+        }
+        const std::size_t from = indexOf(nearest);
+        present.points[i] = aged(past.points[from]);
+        present.lights[i] = past.lights[from];
+        staleness_[i] = std::max(staleness_[i], stalenessOf(nearest));
+    }
+}
+
+void Reprojection::carry(const LiveLayers& past, LiveLayers& present, int threads) {
+    staleness_.resize(present.own.size());
+    carryLayer(past.own, present.own, nullptr, threads);
+    if (present.mirrors) carryLayer(past.mirrored, present.mirrored, &present.own, threads);
+}
+
+/// `own`: the layer that this one is mirrored by; null: it is that.
+void Reprojection::carryLayer(const LiveSamples& past, LiveSamples& present, const LiveSamples* own,
+                              int threads) {
     const ImagePlane& plane = present.plane();
     nearest_.resize(present.size());
-    staleness_.resize(present.size());
     holes_.resize(std::max(holes_.size(), static_cast<std::size_t>(threads)));
     project(past, plane, threads);
+    bands_.resize(static_cast<std::size_t>((plane.height + kRowsOfBand - 1) / kRowsOfBand));
     forEachRows(plane.height, kRowsOfBand, threads,
-                [&](int first, int last) { compete(present.index(0, first), present.index(0, last)); });
+                [&](int first, int last) { compete(plane, first, last); });
     forEachRows(plane.height, kRowsOfBand, threads,
-                [&](int first, int last) { spread(plane, present.index(0, first), present.index(0, last)); });
+                [&](int first, int) { spread(plane, first / kRowsOfBand); });
     forEachRows(plane.height, kRowsOfBand, threads, [&](int first, int last) {
         for (int y = first; y < last; ++y) {
-            borrow(plane, y);
-            take(past, present, present.index(0, y), present.index(0, y + 1));
+            const std::size_t row = present.index(0, y), next = present.index(0, y + 1);
+            borrow(plane, own, y);
+            if (own == nullptr) {
+                take(past, present, row, next);
+            } else {
+                takeMirrored(past, *own, present, row, next);
+            }
         }
     });
 }

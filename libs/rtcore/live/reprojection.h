@@ -16,15 +16,15 @@ class Reprojection {
     static constexpr double kMostPixels = 1 << 28; ///< of an image
 
     /// Gives each pixel of `present`, whose plane says of which view, that sample of the past that is seen
-    /// there: of several the nearest to the viewer, and of those about as near the least stale. Of the others
-    /// each goes to the pixel beside that it is next to, where that has none. A pixel in which none is seen,
-    /// but beside which there are some, borrows one of them; else it has none then. The same for any number
-    /// of `threads`; both images may differ in size.
-    void carry(const LiveSamples& past, LiveSamples& present, int threads);
+    /// there, in each layer: of several the nearest to the viewer, and of those about as near the least
+    /// stale. Of the others each goes to the pixel beside that it is next to, where that has none. A pixel in
+    /// which none is seen, but beside which there are some, borrows one of them; else it has none then. The
+    /// same for any number of `threads`; both images may differ in size.
+    void carry(const LiveLayers& past, LiveLayers& present, int threads);
 
     /// By pixel of the present, with room for whole vectors: how stale its sample is, in square pixels. The
-    /// square of the distance between the sample and the pixel's middle, and some for its age: what is seen
-    /// in a mirror moves on its surface. Without a sample undefined.
+    /// square of the distance between the sample and the pixel's middle, and some for its age. Of two layers
+    /// the greater. Without a sample undefined.
     const PixelArray<float>& staleness() const { return staleness_; }
 
   private:
@@ -33,13 +33,22 @@ class Reprojection {
         std::size_t first = 0, last = 0;
         std::size_t least = 1, most = 0;
     };
+    void carryLayer(const LiveSamples& past, LiveSamples& present, const LiveSamples* own, int threads);
     void project(const LiveSamples& past, const ImagePlane& plane, int threads);
     template <typename Work>
     void forEachPartIn(std::size_t first, std::size_t last, Work&& work) const;
-    void compete(std::size_t first, std::size_t last);
-    void spread(const ImagePlane& plane, std::size_t first, std::size_t last);
-    void borrow(const ImagePlane& plane, int y);
+    /// Rows of the image that follow each other. Samples that found their pixel taken, by the band of the
+    /// pixel beside: that above, this one, that below.
+    struct Band {
+        std::vector<std::uint32_t> losers[3];
+    };
+    void compete(const ImagePlane& plane, int firstRow, int lastRow);
+    void spread(const ImagePlane& plane, int band);
+    void spreadTo(const ImagePlane& plane, const std::vector<std::uint32_t>& losers);
+    void borrow(const ImagePlane& plane, const LiveSamples* own, int y);
     void take(const LiveSamples& past, LiveSamples& present, std::size_t first, std::size_t last);
+    void takeMirrored(const LiveSamples& past, const LiveSamples& own, LiveSamples& present,
+                      std::size_t first, std::size_t last);
 
     std::vector<Part> parts_;
     // By sample of the past.
@@ -48,6 +57,7 @@ class Reprojection {
     // By pixel of the present.
     PixelArray<std::uint64_t> nearest_{8}; ///< depth, staleness, index of the sample
     PixelArray<float> staleness_{9};
+    std::vector<Band> bands_;
     std::vector<std::vector<std::uint32_t>> holes_; ///< by thread: those of a row
 };
 

@@ -23,18 +23,19 @@ void SampleMeans::begin(int width, int height) {
     }
 }
 
-void SampleMeans::take(const LiveSamples& samples, const std::vector<Colour>& light, int first, int last) {
+void SampleMeans::take(const HdrImage& light, int first, int last) {
+    constexpr int kEvery = 2;
     Level& finest = levels_[0];
-    const int width = samples.plane().width;
     for (int row = first >> kStep; row < up(last, kStep); ++row) {
         const int bottom = std::min((row + 1) << kStep, last);
         for (int column = 0; column < finest.columns; ++column) {
-            const int left = column << kStep, right = std::min((column + 1) << kStep, width);
+            const int left = column << kStep, right = std::min((column + 1) << kStep, light.width);
             Sum sum;
-            for (int y = row << kStep; y < bottom; ++y) {
-                for (std::size_t i = samples.index(left, y); i < samples.index(right, y); ++i) {
-                    if (!samples.known(i)) continue;
-                    sum.light += light[i];
+            for (int y = row << kStep; y < bottom; y += kEvery) {
+                for (int x = left; x < right; x += kEvery) {
+                    const Colour there = light.at(x, y);
+                    if (there.r < 0) continue;
+                    sum.light += there;
                     sum.samples += 1;
                 }
             }

@@ -1,8 +1,8 @@
 /// The light of samples from afar: means over squares of pixels, for pixels that have no sample.
 #pragma once
 
-#include "rtcore/live/live_samples.h"
 #include "rtcore/math/colour.h"
+#include "rtcore/scene/image.h"
 
 #include <array>
 #include <cstddef>
@@ -16,9 +16,10 @@ class SampleMeans {
     static constexpr int kSide = 64; ///< pixels of the largest squares: parts of an image are multiples of it
 
     void begin(int width, int height);
-    /// Takes the rows of samples from `first`, a multiple of kSide, to before `last`: that far away, or the
-    /// end of the image. `light`: of each pixel. Different rows may be taken by several threads at once.
-    void take(const LiveSamples& samples, const std::vector<Colour>& light, int first, int last);
+    /// Takes the rows of pixels from `first`, a multiple of kSide, to before `last`: that far away, or the
+    /// end of the image; every second pixel of every second row, of those whose light is not below 0.
+    /// Different rows may be taken by several threads at once.
+    void take(const HdrImage& light, int first, int last);
 
     /// Around the pixel, of the smallest squares that have samples; black where there are none. All rows must
     /// have been taken.

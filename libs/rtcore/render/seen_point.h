@@ -1,6 +1,7 @@
 /// What a pixel sees first.
 #pragma once
 
+#include "rtcore/math/colour.h"
 #include "rtcore/math/vec.h"
 #include "rtcore/shading/primary_hits.h"
 
@@ -9,13 +10,14 @@ namespace rtcore {
 /// Of one of its samples, near its middle.
 struct SeenPoint {
     Vec3 position;
-    Vec3 normal;        ///< PrimaryHit::normal
-    float mirrored = 0; ///< PrimaryHit::mirrored
-    bool any = false;   ///< false: the sample saw the background
+    Vec3 normal;              ///< PrimaryHit::normal
+    Colour ownPart = kWhite;  ///< 0..1: the fraction of the radiance that is PrimaryHit::own
+    float mirroredLength = 0; ///< PrimaryHit::mirroredLength; 0 also where next to nothing is mirrored
+    bool any = false;         ///< false: the sample saw the background
 
     SeenPoint() = default;
-    explicit SeenPoint(const PrimaryHit& hit)
-        : position(hit.position), normal(hit.normal), mirrored(hit.mirrored), any(hit.any()) {}
+    /// `radiance` of the sample.
+    SeenPoint(const PrimaryHit& hit, Colour radiance);
 };
 
 } // namespace rtcore

@@ -153,7 +153,8 @@ void TileRenderer::keepHits() {
     const auto width = static_cast<std::size_t>(settings_->width);
     for (std::size_t i = 0; i < samples_.size(); ++i) {
         SeenPoint& seen = (*seen_)[samples_[i].y * width + samples_[i].x];
-        if (samples_[i].sub == middle || (!seen.any && samples_[i].sub == 0)) seen = SeenPoint(hits[i]);
+        if (samples_[i].sub == middle || (!seen.any && samples_[i].sub == 0))
+            seen = SeenPoint(hits[i], integrator_.radiance().colourAt(i));
     }
 }
 
@@ -216,8 +217,9 @@ void TileRenderer::renderPixels(std::span<const SampleId> pixels, const Rendered
     if (!to.seen.empty()) integrator_.collectPrimaryHits(PrimaryHitParts::Surface);
     traceSamples();
     integrator_.remember({});
-    for (std::size_t i = 0; i < to.seen.size(); ++i) to.seen[i] = SeenPoint(integrator_.primaryHits()[i]);
     const ArraysOf3& found = integrator_.radiance();
+    for (std::size_t i = 0; i < to.seen.size(); ++i)
+        to.seen[i] = SeenPoint(integrator_.primaryHits()[i], found.colourAt(i));
     std::size_t sample = 0;
     for (Colour& pixel : to.radiance) {
         Colour sum;

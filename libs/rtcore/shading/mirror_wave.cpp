@@ -1,10 +1,13 @@
 #include "rtcore/shading/mirror_wave.h"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/shading/mirror_wave.cpp"
 #include "rtcore/simd/foreach_target.h"
 
 #include "rtcore/scattering/fresnel-inl.h"
+#include "rtcore/shading/paths/path_length-inl.h"
 #include "rtcore/shading/surface/material_rows-inl.h"
 
 #ifndef RTCORE_SHADING_MIRROR_WAVE_TYPES
@@ -15,6 +18,7 @@ namespace rtcore {
 struct PathArrays {
     std::uint32_t *sample, *bounces;
     ArraysOf3 weight, extinction;
+    float* length;
 };
 struct RayArrays {
     ArraysOf3 origin, direction;
@@ -58,9 +62,18 @@ void splitAll(const MaterialRow* rows, const SurfaceWave& s, const ArraysOf3* em
     }
 }
 
-/// Returns how many rays were appended. `paths`: of the points, null for primary rays.
-std::size_t mirrorAll(const SurfaceWave& s, const PathArrays* paths, MirrorLimits limits,
-                      const RayArrays& rays, const PathArrays& queue) {
+/// The first of `count` values, as many as there are.
+HWY_INLINE Float loadFew(const float* values, std::size_t count) {
+    if (count >= lanes()) return load(values);
+    float some[kLanes] = {};
+    std::copy_n(values, count, some);
+    return load(some);
+}
+
+/// Returns how many rays were appended. `distances` of the points along the wave's rays. `paths`: of the
+/// points, null for primary rays.
+std::size_t mirrorAll(const SurfaceWave& s, const float* distances, const PathArrays* paths,
+                      MirrorLimits limits, const RayArrays& rays, const PathArrays& queue) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < s.size(); i += lanes()) {
         Mask specular = hasTrait(load(s.traits + i), traits::kSpecular);
@@ -75,20 +88,25 @@ std::size_t mirrorAll(const SurfaceWave& s, const PathArrays* paths, MirrorLimit
 
         const Compressor some(specular);
         const Float3 normal = loadAt(s.geometricNormal, i);
-        const Float3 mirrored =
-            mirrorDirection<Float>(loadAt(s.toViewer, i), loadAt(s.shadingNormal, i), normal);
+        const Float3 smooth = loadAt(s.shadingNormal, i);
+        const Float3 mirrored = mirrorDirection<Float>(loadAt(s.toViewer, i), smooth, normal);
         storeAt(loadAt(s.position, i) + normal * load(s.clearance + i), some, rays.origin, count);
         storeAt(normalize(mirrored, specular), some, rays.direction, count);
         storeAt(weight, some, queue.weight, count);
         Uint sample = iota(i);
         Float3 extinction{};
+        Float length = 0.0F;
         if (paths != nullptr) {
             sample = load(paths->sample + i);
             extinction = loadAt(paths->extinction, i);
+            length = load(paths->length + i);
         }
+        const Float distance = loadFew(distances + i, s.size() - i);
+        const Mask flat = isFlat<Float>(smooth, normal);
         some.store(sample, queue.sample + count);
         some.store(bounces + 1U, queue.bounces + count);
         storeAt(extinction, some, queue.extinction, count);
+        some.store(lengthAfter(length, distance, flat), queue.length + count);
         count += some.count();
     }
     return count;
@@ -111,7 +129,7 @@ PathArrays pathsFrom(PathQueue& queue, std::size_t first) {
         return ArraysOf3{values[0].data() + first, values[1].data() + first, values[2].data() + first};
     };
     return {queue.sample.data() + first, queue.bounces.data() + first, arrays(queue.weight),
-            arrays(queue.extinction)};
+            arrays(queue.extinction), queue.length.data() + first};
 }
 
 } // namespace
@@ -120,8 +138,9 @@ void splitAtMirrors(const MaterialTable& materials, const SurfaceWave& surfaces,
     HWY_DYNAMIC_DISPATCH(splitAll)(materials.rows(), surfaces, emitted);
 }
 
-void addMirroredRays(const SurfaceWave& surfaces, PathQueue* paths, const RenderSettings& settings,
-                     PathQueue& queue) {
+void addMirroredRays(const Wave& wave, const RenderSettings& settings, PathQueue& queue) {
+    const SurfaceWave& surfaces = wave.surfaces;
+    PathQueue* const paths = wave.paths.queue();
     const std::size_t before = queue.grow(surfaces.size() + kWaveBlock);
     RayWave& rays = queue.rays;
     const RayArrays to{{&rays.ox[before], &rays.oy[before], &rays.oz[before]},
@@ -130,8 +149,8 @@ void addMirroredRays(const SurfaceWave& surfaces, PathQueue* paths, const Render
     const MirrorLimits limits{static_cast<std::uint32_t>(settings.maxDepth), settings.minContribution};
     PathArrays old{};
     if (paths != nullptr) old = pathsFrom(*paths, 0);
-    const std::size_t count =
-        HWY_DYNAMIC_DISPATCH(mirrorAll)(surfaces, paths != nullptr ? &old : nullptr, limits, to, newPaths);
+    const std::size_t count = HWY_DYNAMIC_DISPATCH(mirrorAll)(
+        surfaces, wave.hits.t.data(), paths != nullptr ? &old : nullptr, limits, to, newPaths);
     queue.truncate(before + count);
 }
 

@@ -5,6 +5,7 @@
 #include "rtcore/shading/paths/path_queue.h"
 #include "rtcore/shading/surface/material_table.h"
 #include "rtcore/shading/surface/surface_wave.h"
+#include "rtcore/shading/wave.h"
 
 namespace rtcore {
 
@@ -14,9 +15,8 @@ namespace rtcore {
 void splitAtMirrors(const MaterialTable& materials, const SurfaceWave& surfaces, const ArraysOf3* emitted);
 
 /// Appends a mirrored ray to `queue` for each point with the trait kSpecular whose ray was mirrored or
-/// refracted less than settings.maxDepth times and matters (minContribution). `paths` are those of the wave;
-/// null: primary rays. The direction is bent back where a smooth normal would send it below the real surface.
-void addMirroredRays(const SurfaceWave& surfaces, PathQueue* paths, const RenderSettings& settings,
-                     PathQueue& queue);
+/// refracted less than settings.maxDepth times and matters (minContribution). The direction is bent back
+/// where a smooth normal would send it below the real surface.
+void addMirroredRays(const Wave& wave, const RenderSettings& settings, PathQueue& queue);
 
 } // namespace rtcore

@@ -3,6 +3,8 @@
 #include "rtcore/math/constants.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace rtcore {
 
@@ -24,6 +26,27 @@ Albedo albedoOf(const SurfaceWave& surfaces, std::size_t i) {
     return {surfaces.diffuse.colourAt(i) * kPi * scattered, mirrored, through};
 }
 
+/// Half the divergence of the normals of the triangle's corners, seen from the side of `normal`.
+float meanCurvature(const Mesh& mesh, std::uint32_t triangle, Vec3 normal) {
+    const ShadingTriangle& corners = mesh.shading[triangle];
+    const Vec3 first = mesh.position(triangle, 0), e1 = mesh.position(triangle, 1) - first,
+               e2 = mesh.position(triangle, 2) - first;
+    const Vec3 n0 = mesh.normals[corners.v[0]], d1 = mesh.normals[corners.v[1]] - n0,
+               d2 = mesh.normals[corners.v[2]] - n0;
+    const Vec3 across = cross(e1, e2);
+    const float area = dot(across, across);
+    const float divergence = (dot(d1, cross(e2, across)) + dot(d2, cross(across, e1))) / area;
+    const float half = dot(n0, normal) < 0 ? -0.5F * divergence : 0.5F * divergence;
+    return std::isfinite(half) ? half : 0;
+}
+
+/// How far behind a mirror of such curvature what is `distance` before it seems to be. (The mirror equation)
+float imageDistance(float distance, float curvature) {
+    constexpr float kLeast = 0.25F; // of a concave one: images come near the viewer, and turn over
+    const float inverse = 1 / distance + 2 * curvature;
+    return inverse >= kLeast / distance ? 1 / inverse : 0;
+}
+
 } // namespace
 
 void PrimaryHits::start(std::size_t samples) {
@@ -31,14 +54,16 @@ void PrimaryHits::start(std::size_t samples) {
     wave_ = 0;
 }
 
-void PrimaryHits::take(const Wave& wave) {
+void PrimaryHits::take(const Wave& wave, const Mesh& mesh) {
     ++wave_;
     const SurfaceWave& surfaces = wave.surfaces;
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        PrimaryHit& hit = hits_[wave.paths.sample(i)];
+        if (hit.any()) {
+            takeMirrored(wave, i, hit);
+            continue;
+        }
         if (surfaces.traits[i] == 0) continue;
-        const Path path = wave.paths.path(i);
-        PrimaryHit& hit = hits_[path.sample];
-        if (path.depth > 0 || hit.any()) continue;
         const Albedo albedo = albedoOf(surfaces, i);
         hit = {.position = surfaces.position.at(i),
                .normal = surfaces.shadingNormal.at(i),
@@ -46,8 +71,31 @@ void PrimaryHits::take(const Wave& wave) {
                .mirrored = std::clamp(luminance(albedo.mirrored + albedo.through), 0.0F, 1.0F),
                .direct = {},
                .soft = {},
-               .wave = wave_};
+               .wave = wave_,
+               .own = {}};
+        if (hit.mirrored > 0)
+            hit.curvature = meanCurvature(mesh, wave.hits.triangle[i], surfaces.geometricNormal.at(i));
     }
+}
+
+void PrimaryHits::takeMirrored(const Wave& wave, std::size_t i, PrimaryHit& hit) const {
+    const bool any = wave.surfaces.traits[i] != 0;
+    if (!any && wave.hits.isHit(i)) return; // a hole
+    const PathQueue& queue = *wave.paths.queue();
+    const float weight = luminance(any ? wave.surfaces.weight.colourAt(i) : queue.path(i).weight);
+    if (!(weight > hit.mirroredWeight)) return;
+    const float length = queue.length[i], t = any ? wave.hits.t[i] : std::numeric_limits<float>::infinity();
+    const bool bentOnce = length < 0 && wave.kind == RayKind::Mirror && wave.paths.bounces(i) == 1;
+    hit.mirroredLength = length >= 0 ? length + t
+                         : bentOnce  ? length - imageDistance(t, hit.curvature)
+                                     : length;
+    hit.mirroredWeight = weight;
+}
+
+void PrimaryHits::takeOwnLight(const Wave& wave, const SampleSums& sums) {
+    forEachPresent(wave, [&](std::size_t i, PrimaryHit& hit) {
+        hit.own = sums.radiance().colourAt(wave.paths.sample(i));
+    });
 }
 
 /// Calls `use` with each point that is the first hit of its sample, and with that hit.

@@ -4,6 +4,7 @@
 #include "rtcore/math/colour.h"
 #include "rtcore/math/vec.h"
 #include "rtcore/shading/light/occlusion_wave.h"
+#include "rtcore/shading/sample_sums.h"
 #include "rtcore/shading/wave.h"
 
 #include <cstddef>
@@ -22,6 +23,12 @@ struct PrimaryHit {
     Colour soft;        ///< radiance by sampled, and so noisy, light: of area lights and ambient light
     float arriving = 0, whole = 0; ///< ambient light, and what there would be without occlusion
     std::uint32_t wave = 0;        ///< of the sample, in which it was hit; 0: nothing was
+    Colour own;                    ///< radiance from there itself, not mirrored and not transmitted
+    /// How far away what it mostly mirrors or transmits seems to be along the primary ray; infinite of the
+    /// background; below 0 where something curved bends it, as in Path::length; 0: nothing is mirrored.
+    float mirroredLength = 0;
+    float mirroredWeight = 0; ///< of the path that it is that of
+    float curvature = 0; ///< the mean of its surface, where that mirrors; above 0 bulges towards the viewer
 
     bool any() const { return wave != 0; }
 };
@@ -39,7 +46,10 @@ class PrimaryHits {
     /// Forgets the hits; the waves of so many samples are to come.
     void start(std::size_t samples);
     /// Takes from a wave the hits of samples that had none so far: what their rays see first, holes passed.
-    void take(const Wave& wave);
+    /// Of the others what these mirror and transmit.
+    void take(const Wave& wave, const Mesh& mesh);
+    /// Takes the light of the hits that the wave taken last found: all that the sums have by now.
+    void takeOwnLight(const Wave& wave, const SampleSums& sums);
     /// Adds surfaces.added, the light of one light, at the hits that the wave taken last found.
     void addLight(const Wave& wave, bool areaLight);
     /// The same of the ambient light that `occlusion` let pass.
@@ -49,6 +59,7 @@ class PrimaryHits {
     std::span<const PrimaryHit> hits() const { return hits_; }
 
   private:
+    void takeMirrored(const Wave& wave, std::size_t i, PrimaryHit& hit) const;
     template <typename Use>
     void forEachPresent(const Wave& wave, Use&& use);
 

@@ -1,6 +1,7 @@
 #include "rtcore/shading/special_points.h"
 
 #include "rtcore/math/constants.h"
+#include "rtcore/shading/paths/path_length-inl.h"
 #include "rtcore/shading/surface/surface.h"
 #include "rtcore/shading/surface/surface_split.h"
 #include "rtcore/shading/surface/texture_wave.h"
@@ -54,9 +55,11 @@ Colour SpecialPoints::completeGeneral(const Task& task, std::size_t i) const {
     path.weight = surfaces.weight.colourAt(i);
     const Vec3 direction = task.wave.direction(i);
     const Surface s = surfaceAt(*task.frame.scene, settings.textures, direction, task.wave.hits.hit(i));
+    const float t = task.wave.hits.t[i];
     if (s.coverage < 1) {
         Path through = path;
         through.weight = path.weight * (1 - s.coverage);
+        through.length = HWY_NAMESPACE::lengthAfter(path.length, t, true);
         task.secondary.addHole(task.frame, s, direction, through);
         if (s.coverage == 0) {
             surfaces.traits[i] = 0;
@@ -74,6 +77,8 @@ Colour SpecialPoints::completeGeneral(const Task& task, std::size_t i) const {
         surfaces.specular.set(i, path.weight * split.mirrored);
         surfaces.traits[i] |= traits::kSpecular;
     }
+    const bool straight = !s.closed || HWY_NAMESPACE::isFlat<float>(s.shadingNormal, s.geometricNormal);
+    path.length = HWY_NAMESPACE::lengthAfter(path.length, t, straight);
     if (!isBlack(split.transmitted)) task.secondary.addTransparent(s, split.transmitted, path);
     const Colour ambient = task.ambient * (s.diffuse + s.material->specular) * split.scattered;
     return path.weight * (s.emission + ambient);

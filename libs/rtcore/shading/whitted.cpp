@@ -73,10 +73,11 @@ void WhittedIntegrator::traceWave() {
     addBackground();
     special_.complete(frame_, ambient_, wave_, sums_, secondary_);
     addEmission();
-    if (hitParts_ != PrimaryHitParts::None) primaryHits_.take(wave_);
+    if (hitParts_ != PrimaryHitParts::None) primaryHits_.take(wave_, frame_.scene->mesh());
     clock_.lap(Stage::Surfaces);
     if (fog_.on()) lighting_.addFog(frame_, wave_, sums_);
     lighting_.addLight(frame_, wave_, {sums_, hitParts_ == PrimaryHitParts::All ? &primaryHits_ : nullptr});
+    if (hitParts_ != PrimaryHitParts::None) primaryHits_.takeOwnLight(wave_, sums_);
     secondary_.makeSecondaryRays(frame_, wave_);
     clock_.lap(Stage::Secondary);
 }

@@ -16,17 +16,17 @@ struct Image {
         ImagePlane plane;
         plane.width = kColumns;
         plane.height = kRows;
-        samples.clear(plane);
-        staleness.resize(samples.size());
+        samples.own.clear(plane);
+        staleness.resize(samples.own.size());
         staleness.fill(0, 0.25F);
         for (int y = 0; y < kRows; ++y) {
             for (int x = 0; x < kColumns; ++x) {
                 const float light = x < kColumns / 2 ? 0.1F : 1;
-                samples.set(samples.index(x, y), {.light = {light, light, light}});
+                samples.own.set(samples.own.index(x, y), {.light = {light, light, light}});
             }
         }
     }
-    LiveSamples samples;
+    LiveLayers samples;
     PixelArray<float> staleness{0};
 };
 
@@ -39,11 +39,36 @@ std::set<std::pair<int, int>> chosen(const Image& image, double share, std::uint
     return result;
 }
 
-TEST(PixelChoice, TakesPixelsWithoutASampleFirst) {
+TEST(PixelChoice, TakesPixelsAroundWhichNothingIsKnownFirst) {
     Image image;
-    for (const int x : {3, 40, 77}) image.samples.states[image.samples.index(x, 50)] = 0;
-    const auto found = chosen(image, 0.01, 5);
+    for (const int x : {3, 40, 77}) {
+        for (int v = 49; v <= 51; ++v) {
+            for (int u = x - 1; u <= x + 1; ++u) image.samples.own.forget(image.samples.own.index(u, v));
+        }
+    }
+    const auto found = chosen(image, 0.001, 5);
     for (const int x : {3, 40, 77}) EXPECT_TRUE(found.contains({x, 50}));
+}
+
+TEST(PixelChoice, TakesHolesBesideOtherLightBeforeStaleSamples) {
+    Image image;
+    const int x = kColumns / 2;
+    for (const int y : {11, 33, 71}) image.samples.own.forget(image.samples.own.index(x, y));
+    const auto found = chosen(image, 0.001, 5);
+    for (const int y : {11, 33, 71}) EXPECT_TRUE(found.contains({x, y}));
+}
+
+TEST(PixelChoice, TakesMirrorsForHolesWhoseMirroredLightIsNotKnown) {
+    Image image;
+    image.samples.mirrors = true;
+    image.samples.mirrored.clear(image.samples.own.plane());
+    const int x = kColumns / 2;
+    const auto mirrorAt = [&](int y) { return image.samples.own.index(x, y); };
+    for (const int y : {11, 71}) image.samples.own.set(mirrorAt(y), {.light = {1, 1, 1}, .mirrors = true});
+    image.samples.mirrored.set(mirrorAt(71), {.light = {0.1F, 0.1F, 0.1F}});
+    const auto found = chosen(image, 0.0002, 5);
+    EXPECT_TRUE(found.contains({x, 11}));
+    EXPECT_FALSE(found.contains({x, 71}));
 }
 
 TEST(PixelChoice, TakesStaleSamplesBesideOtherLightNext) {
@@ -54,7 +79,7 @@ TEST(PixelChoice, TakesStaleSamplesBesideOtherLightNext) {
 
 TEST(PixelChoice, TakesTheStalerOfSamplesThatAreOtherwiseAlike) {
     Image image;
-    for (int x = 0; x < kColumns; ++x) image.staleness[image.samples.index(x, 33)] = 0.9F;
+    for (int x = 0; x < kColumns; ++x) image.staleness[image.samples.own.index(x, 33)] = 0.9F;
     const auto found = chosen(image, 0.002, 0);
     EXPECT_FALSE(found.empty());
     for (const auto& [x, y] : found) EXPECT_TRUE(y == 33 || std::abs(x - kColumns / 2) <= 1) << x << ' ' << y;
@@ -77,10 +102,10 @@ TEST(PixelChoice, LeavesWhatWasJustTraced) {
 
 TEST(PixelChoice, InTimeTakesEachPixel) {
     Image image;
-    for (std::size_t i = 0; i < image.samples.size(); ++i) image.samples.set(i, {.light = {1, 1, 1}});
+    for (std::size_t i = 0; i < image.samples.own.size(); ++i) image.samples.own.set(i, {.light = {1, 1, 1}});
     std::set<std::pair<int, int>> all;
     for (std::uint32_t number = 0; number < kTurns; ++number) all.merge(chosen(image, 1.0 / 16, number));
-    EXPECT_EQ(all.size(), image.samples.size());
+    EXPECT_EQ(all.size(), image.samples.own.size());
 }
 
 TEST(PixelChoice, IsTheSameForAnyNumberOfThreads) {
@@ -90,10 +115,12 @@ TEST(PixelChoice, IsTheSameForAnyNumberOfThreads) {
 
 TEST(PixelChoice, SaysHowManyAreUnknown) {
     Image image;
-    for (int x = 0; x < kColumns; ++x) image.samples.states[image.samples.index(x, 7)] = 0;
+    for (int x = 0; x < kColumns; ++x) {
+        for (const int y : {7, 8, 9, 10}) image.samples.own.forget(image.samples.own.index(x, y));
+    }
     PixelChoice choice;
     choice.choose(image.samples, image.staleness, 0.1, 0, 1);
-    EXPECT_NEAR(choice.unknown(), 1.0 / kRows, 1e-9);
+    EXPECT_NEAR(choice.unknown(), 2.0 / kRows, 1e-9) << "the other two rows have known ones beside";
 }
 
 } // namespace

@@ -39,10 +39,11 @@ class Wall : public testing::Test {
     /// What an eye sees that has gone so many pixels of the wall to the right and down.
     void carryTo(float right, float down) {
         const ImagePlane& plane = past.plane();
-        present.resize(planeFrom((plane.right * right + plane.down * down) * kDepth));
-        reprojection.carry(past, present, 1);
+        now.resize(planeFrom((plane.right * right + plane.down * down) * kDepth));
+        carry();
     }
-    Colour seen(int x, int y) const { return unpackLight(present.light[present.index(x, y)]); }
+    void carry() { reprojection.carry(layers, now, 1); }
+    Colour seen(int x, int y) const { return present.light(present.index(x, y)); }
     bool known(int x, int y) const { return present.known(present.index(x, y)); }
     float staleness(int x, int y) const { return reprojection.staleness()[present.index(x, y)]; }
     int samples() const {
@@ -51,7 +52,8 @@ class Wall : public testing::Test {
         return count;
     }
 
-    LiveSamples past, present;
+    LiveLayers layers, now;
+    LiveSamples &past = layers.own, &present = now.own;
     Reprojection reprojection;
 };
 
@@ -62,7 +64,7 @@ TEST_F(Wall, StaysWhereItIsForAnEyeAtRest) {
             ASSERT_TRUE(known(x, y));
             EXPECT_EQ(seen(x, y), lightOf(x, y));
             EXPECT_LT(staleness(x, y), 1e-4F);
-            EXPECT_EQ(present.states[present.index(x, y)] & LiveSamples::kAge, 1U);
+            EXPECT_EQ(present.age(present.index(x, y)), 1);
         }
     }
 }
@@ -83,11 +85,11 @@ TEST_F(Wall, IsTheStalerTheFurtherItsSamplesAreFromTheMiddles) {
     EXPECT_NEAR(staleness(20, 15), 0.375F * 0.375F + 0.125F * 0.125F, 1e-3);
 }
 
-TEST_F(Wall, OfMirrorsAgesFaster) {
+TEST_F(Wall, AgesFasterWhereItsLightWanders) {
     const std::size_t mirror = past.index(20, 15);
-    past.set(mirror, {.position = {past.x[mirror], past.y[mirror], past.z[mirror]}, .mirrored = 1});
+    past.set(mirror, {.position = past.points[mirror].position, .wanders = true});
     carryTo(0, 0);
-    std::swap(past, present);
+    std::swap(layers, now);
     carryTo(0, 0);
     EXPECT_GT(staleness(21, 15), 0);
     EXPECT_GT(staleness(20, 15), 20 * staleness(21, 15));
@@ -99,7 +101,7 @@ TEST_F(Wall, HidesWhatIsBehindIt) {
     past.set(corner, {.position = behind, .light = {500, 0, 0}});
     carryTo(0, 0);
     EXPECT_EQ(seen(20, 15), lightOf(20, 15));
-    for (std::size_t i = 0; i < present.size(); ++i) EXPECT_LT(unpackLight(present.light[i]).r, 400);
+    for (std::size_t i = 0; i < present.size(); ++i) EXPECT_LT(present.light(i).r, 400);
     const Vec3 before = past.plane().eye + past.plane().towards(20.5F, 15.5F) * (0.5F * kDepth);
     past.set(corner, {.position = before, .light = {500, 0, 0}});
     carryTo(0, 0);
@@ -116,14 +118,14 @@ TEST_F(Wall, KeepsBothOfTwoSamplesInAPixelWhereThatBesideHasNone) {
 }
 
 TEST_F(Wall, LendsItsLightToACrack) {
-    past.states[past.index(20, 15)] = 0;
+    past.forget(past.index(20, 15));
     carryTo(0, 0);
     ASSERT_TRUE(known(20, 15));
     EXPECT_GT(staleness(20, 15), 0.9F);
     const Colour light = seen(20, 15);
     EXPECT_LE(std::fabs(light.r - 20) + std::fabs(light.g - 15), 1.01F);
     for (int y = 14; y <= 17; ++y) {
-        for (int x = 19; x <= 22; ++x) past.states[past.index(x, y)] = 0;
+        for (int x = 19; x <= 22; ++x) past.forget(past.index(x, y));
     }
     carryTo(0, 0);
     EXPECT_FALSE(known(20, 15)) << "a hole is no crack";
@@ -142,14 +144,14 @@ TEST_F(Wall, HasNoMoreSamplesThanWereThere) {
 
 TEST_F(Wall, IsSeenInImagesOfAnotherSize) {
     present.resize(planeFrom({}, kWallColumns / 2, kWallRows / 2));
-    reprojection.carry(past, present, 1);
+    carry();
     EXPECT_EQ(samples(), kWallColumns / 2 * kWallRows / 2);
     EXPECT_NEAR(seen(10, 7).r, 20.5F, 1.01F);
 }
 
 TEST_F(Wall, BehindTheEyeIsNotSeen) {
     present.resize(planeFrom(past.plane().towards(kWallColumns * 0.5F, kWallRows * 0.5F) * (1.5F * kDepth)));
-    reprojection.carry(past, present, 1);
+    carry();
     EXPECT_EQ(samples(), 0);
 }
 
@@ -169,34 +171,63 @@ TEST_F(Wall, TheBackgroundStaysWhileTheEyeMoves) {
 TEST_F(Wall, AgesToALimit) {
     for (int i = 0; i < 300; ++i) {
         carryTo(0, 0);
-        std::swap(past, present);
+        std::swap(layers, now);
     }
-    EXPECT_EQ(past.states[past.index(20, 15)] & LiveSamples::kAge, 255U);
-    EXPECT_EQ(past.states[past.index(20, 15)] >> 8, LiveSamples::kKnown >> 8);
+    EXPECT_EQ(past.age(past.index(20, 15)), 255);
+    EXPECT_EQ(past.points[past.index(20, 15)].state >> 8, LiveSamples::kKnown >> 8);
+}
+
+TEST_F(Wall, ShowsWhatItMirrorsWhereThatSeemsToBe) {
+    layers.mirrors = now.mirrors = true;
+    layers.mirrored.clear(past.plane());
+    for (int y = 0; y < kWallRows; ++y) {
+        for (int x = 0; x < kWallColumns; ++x) {
+            const std::size_t i = past.index(x, y);
+            const Vec3 behind = past.points[i].position * 2; // of an eye in the origin
+            past.set(i, {.position = past.points[i].position, .light = lightOf(x, y), .mirrors = x < 30});
+            layers.mirrored.set(i, {.position = behind, .light = lightOf(x, y)});
+        }
+    }
+    const ImagePlane& plane = past.plane();
+    now.resize(planeFrom(plane.right * (4 * kDepth)));
+    carry();
+    EXPECT_EQ(seen(20, 15), lightOf(24, 15));
+    EXPECT_EQ(now.mirrored.light(present.index(20, 15)), lightOf(22, 15)) << "twice as far, half as fast";
+    EXPECT_TRUE(now.known(present.index(20, 15)));
+    EXPECT_FALSE(present.mirrors(present.index(28, 15)));
+    EXPECT_FALSE(now.mirrored.known(present.index(28, 15))) << "no mirror is there any more";
 }
 
 TEST(Reprojection, IsTheSameForAnyNumberOfThreads) {
     constexpr int kManyColumns = 150, kManyRows = 130;
-    LiveSamples past;
-    past.clear(planeFrom({}, kManyColumns, kManyRows));
+    LiveLayers layers;
+    layers.mirrors = true;
+    LiveSamples& past = layers.own;
+    layers.resize(planeFrom({}, kManyColumns, kManyRows));
     std::mt19937 random(7);
     std::uniform_real_distribution<float> anywhere(-15, 15);
     for (std::size_t i = 0; i < past.size(); ++i) {
         past.set(i, {.position = {anywhere(random), anywhere(random), anywhere(random)},
                      .light = {static_cast<float>(i % 500), 0, 0},
-                     .mirrored = i % 7 == 0 ? 0.5F : 0,
-                     .background = i % 11 == 0});
-        if (i % 5 == 0) past.states[i] = 0;
+                     .background = i % 11 == 0,
+                     .mirrors = i % 3 == 0,
+                     .wanders = i % 7 == 0});
+        if (i % 5 == 0) past.forget(i);
+        layers.mirrored.set(i, {.position = {anywhere(random), anywhere(random), anywhere(random)},
+                                .light = {static_cast<float>(i % 300), 0, 0}});
     }
     const auto carried = [&](int threads) {
         Reprojection reprojection;
-        LiveSamples present;
+        LiveLayers present;
+        present.mirrors = true;
         present.resize(planeFrom({0.3F, 0.1F, -0.2F}, kManyColumns, kManyRows));
-        reprojection.carry(past, present, threads);
+        reprojection.carry(layers, present, threads);
         std::vector<std::uint32_t> all;
-        for (std::size_t i = 0; i < present.size(); ++i) {
-            all.push_back(present.states[i]);
-            all.push_back(present.known(i) ? present.light[i] : 0);
+        for (std::size_t i = 0; i < present.own.size(); ++i) {
+            for (const LiveSamples* layer : {&present.own, &present.mirrored}) {
+                all.push_back(layer->points[i].state);
+                all.push_back(layer->known(i) ? layer->lights[i].radiance : 0);
+            }
         }
         return all;
     };

@@ -360,6 +360,44 @@ TEST(RenderFrame, SaysWhatPixelsSee) {
     }
 }
 
+/// What the middle pixel sees, of a mirror 4 units from the eye and a wall 3 units before the mirror.
+SeenPoint seenInMirror(float curvature) {
+    test::SceneBuilder b;
+    Material silvered = test::mirror(0.5F);
+    silvered.diffuse = {0.5F, 0.5F, 0.5F};
+    const auto silver = b.material(silvered);
+    if (curvature == 0) {
+        b.square({0, 0, -4}, {0, 0, 1}, 1, silver);
+    } else {
+        b.sphere({0, 0, -4 - 1 / curvature}, 1 / curvature, 64, silver);
+    }
+    b.square({0, 0, 1}, {0, 0, -1}, 20, b.material(test::matte(0.5F)));
+    b.scene.ambient = {1, 1, 1};
+    const test::TracedScene traced(b.finish());
+    const RenderSettings settings = test::sampleSettings(9, 9);
+    Camera camera;
+    camera.eye = {};
+    camera.forward = {0, 0, -1};
+    camera.horizontalFov = 1;
+    FrameRenderer renderer;
+    renderer.collectSeen(true);
+    RenderControl control{.threads = 1};
+    Frame frame;
+    renderer.render({traced.scene, traced.tracer, camera, settings}, control, frame);
+    return frame.seen[4 * 9 + 4];
+}
+
+TEST(RenderFrame, SaysHowFarAwayMirroredLightSeemsToBe) {
+    const SeenPoint flat = seenInMirror(0);
+    EXPECT_NEAR(flat.position.z, -4, 1e-3);
+    EXPECT_NEAR(flat.mirroredLength, 4 + 5, 1e-2);
+    EXPECT_GT(flat.ownPart.g, 0.1F);
+    EXPECT_LT(flat.ownPart.g, 0.9F);
+    // The mirror equation: 1 / image = 1 / 5 + 2 / radius. Below 0: it is bent.
+    const SeenPoint ball = seenInMirror(0.5F);
+    EXPECT_NEAR(ball.mirroredLength, -(4 + 1 / (1.0F / 5 + 2 * 0.5F)), 0.02);
+}
+
 TEST(RenderFrame, StopsWhenItIsTold) {
     const TracedScene s(test::sampleScene());
     Frame frame;

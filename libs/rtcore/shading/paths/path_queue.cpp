@@ -13,6 +13,7 @@ void PathQueue::reserve(std::size_t count) {
     bounces.resize(count + kWaveBlock);
     for (auto& values : weight) values.resize(count + kWaveBlock);
     for (auto& values : extinction) values.resize(count + kWaveBlock);
+    length.resize(count + kWaveBlock);
 }
 
 void PathQueue::push(const Ray& ray, const Path& path) {
@@ -27,6 +28,7 @@ void PathQueue::push(const Ray& ray, const Path& path) {
         weight[c][i] = weights[c];
         extinction[c][i] = extinctions[c];
     }
+    length[i] = path.length;
 }
 
 Path PathQueue::path(std::size_t i) const {
@@ -37,6 +39,7 @@ Path PathQueue::path(std::size_t i) const {
     path.depth = static_cast<std::uint16_t>(bounces[i]);
     path.passes = static_cast<std::uint16_t>(bounces[i] >> 16 & 0x7FFFU);
     path.inside = isInside(bounces[i]);
+    path.length = length[i];
     return path;
 }
 

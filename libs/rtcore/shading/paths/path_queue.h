@@ -17,6 +17,9 @@ struct Path {
     std::uint16_t depth = 0;  ///< mirrored or refracted so often
     std::uint16_t passes = 0; ///< went straight through thin walls and holes so often; below 2^15
     bool inside = false;      ///< of a transparent solid
+    /// How far from the primary ray's origin this one seems to begin, as seen along that: mirrors and
+    /// panes that are flat only fold the way. Once a curved one has bent it, minus the way up to that.
+    float length = 0;
 };
 
 inline constexpr std::uint32_t kInsideBit = 0x80000000U; ///< of PathQueue::bounces
@@ -29,6 +32,7 @@ struct PathQueue {
     std::vector<std::uint32_t> sample;
     std::vector<std::uint32_t> bounces; ///< depth in the lower 16 bits, passes in 15, inside in the highest
     std::vector<float> weight[3], extinction[3];
+    std::vector<float> length;
 
     std::size_t size() const { return rays.size(); }
     bool empty() const { return rays.empty(); }

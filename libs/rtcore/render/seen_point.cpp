@@ -1,0 +1,21 @@
+#include "rtcore/render/seen_point.h"
+
+namespace rtcore {
+
+namespace {
+
+/// Mirrored light does not count below this fraction of all.
+constexpr float kLeastMirrored = 0.02F;
+
+float partOf(float own, float all) { return own < all ? own / all : 1; }
+
+} // namespace
+
+SeenPoint::SeenPoint(const PrimaryHit& hit, Colour radiance)
+    : position(hit.position), normal(hit.normal), any(hit.any()) {
+    if (hit.mirrored < kLeastMirrored) return;
+    mirroredLength = hit.mirroredLength;
+    ownPart = {partOf(hit.own.r, radiance.r), partOf(hit.own.g, radiance.g), partOf(hit.own.b, radiance.b)};
+}
+
+} // namespace rtcore
