@@ -137,9 +137,10 @@ void LiveRenderer::keep(const View& view, const Frame& frame, int threads, std::
 /// What is known of lights at a point, but for those that some of the samples around see and others do not:
 /// the edges of shadows stay where they are. In turns nothing counts as known, so that no error lasts.
 LightVisibility LiveRenderer::surelyKnown(int x, int y) const {
+    constexpr std::uint32_t kDoubted = 64; // in every such frame
     const LiveSamples& own = present_.own;
     const std::size_t at = own.index(x, y);
-    if (!own.known(at) || (turnOf(x, y) + number_) % kTurns == 0) return {};
+    if (!own.known(at) || (turnOf(x, y) + number_) % kDoubted == 0) return {};
     const ImagePlane& plane = own.plane();
     unsigned clear = 0, dark = 0;
     for (int v = std::max(y - 1, 0); v <= std::min(y + 1, plane.height - 1); ++v) {

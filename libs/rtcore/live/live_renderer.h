@@ -37,8 +37,12 @@ class LiveRenderer {
     /// samples per pixel. Light that was traced roughly counts as so many frames old: it is soon replaced.
     void keep(const View& view, const Frame& frame, int threads, std::uint8_t age = 0);
 
-    /// What is kept does not hold any more: lights, materials or settings changed.
-    void forget() { past_.clear(); }
+    /// What is kept does not hold any more: lights, materials or settings changed. The frames from here on
+    /// are those of a new LiveRenderer.
+    void forget() {
+        past_.clear();
+        number_ = 0;
+    }
     bool empty() const { return past_.own.size() == 0; } ///< nothing is kept
 
     /// Seconds that the traced pixels of the last frame took.

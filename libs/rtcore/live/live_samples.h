@@ -127,16 +127,16 @@ struct LiveLayers {
     bool known(std::size_t i) const { return own.known(i) && (!own.mirrors(i) || mirrored.known(i)); }
 };
 
-/// 0..63: the turn of a pixel among its neighbours, which are far apart in time. (Bayer 1973)
+/// 0..kTurns-1: the turn of a pixel among its neighbours, which are far apart in time. (Bayer 1973)
 constexpr std::uint32_t turnOf(int x, int y) {
     std::uint32_t turn = 0;
-    for (int bit = 0; bit < 3; ++bit) {
+    for (int bit = 0; bit < 6; ++bit) {
         const std::uint32_t a = static_cast<std::uint32_t>(x) >> bit & 1U;
         const std::uint32_t b = static_cast<std::uint32_t>(y) >> bit & 1U;
         turn = turn << 2 | (a ^ b) << 1 | b;
     }
     return turn;
 }
-inline constexpr std::uint32_t kTurns = 64;
+inline constexpr std::uint32_t kTurns = 4096;
 
 } // namespace rtcore

@@ -99,6 +99,8 @@ namespace {
 
 constexpr int kSquare = 32;       ///< pixels; those of one are traced together
 constexpr std::size_t kRoom = 64; ///< no vector has more lanes
+/// From frame to frame: odd, and the golden section of all, so that no pixel waits long.
+constexpr std::uint32_t kTurnsApart = 2531;
 
 } // namespace
 
@@ -195,7 +197,7 @@ void PixelChoice::collect(const ImagePlane& plane, const Bound& bound, std::uint
             if (most < bound.urgency) continue;
             for (int x = left; x < right; ++x) {
                 if (row[x] < bound.urgency) continue;
-                if (row[x] == bound.urgency && (turnOf(x, y) + number * 37U) % kTurns >= bound.turns)
+                if (row[x] == bound.urgency && (turnOf(x, y) + number * kTurnsApart) % kTurns >= bound.turns)
                     continue;
                 part.chosen.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), 0});
             }

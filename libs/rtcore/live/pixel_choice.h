@@ -37,7 +37,7 @@ class PixelChoice {
     };
     struct Bound {
         std::size_t urgency;
-        std::uint32_t turns; ///< of 64, of those that are just as urgent
+        std::uint32_t turns; ///< of kTurns, of those that are just as urgent
     };
 
     static std::size_t luminanceAt(const ImagePlane& plane, int y);

@@ -35,8 +35,8 @@ TEST(PackedLight, OutOfRangeIsTheNearestThatIsInRange) {
 
 TEST(LiveSamples, EachPixelOfASquareHasItsTurn) {
     std::set<std::uint32_t> turns;
-    for (int y = 8; y < 16; ++y) {
-        for (int x = 16; x < 24; ++x) turns.insert(turnOf(x, y));
+    for (int y = 8; y < 72; ++y) {
+        for (int x = 16; x < 80; ++x) turns.insert(turnOf(x, y));
     }
     EXPECT_EQ(turns.size(), kTurns);
     EXPECT_EQ(*turns.rbegin(), kTurns - 1);

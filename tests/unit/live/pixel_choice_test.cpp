@@ -66,7 +66,7 @@ TEST(PixelChoice, TakesMirrorsForHolesWhoseMirroredLightIsNotKnown) {
     const auto mirrorAt = [&](int y) { return image.samples.own.index(x, y); };
     for (const int y : {11, 71}) image.samples.own.set(mirrorAt(y), {.light = {1, 1, 1}, .mirrors = true});
     image.samples.mirrored.set(mirrorAt(71), {.light = {0.1F, 0.1F, 0.1F}});
-    const auto found = chosen(image, 0.0002, 5);
+    const auto found = chosen(image, 1.0 / (kColumns * kRows), 5);
     EXPECT_TRUE(found.contains({x, 11}));
     EXPECT_FALSE(found.contains({x, 71}));
 }
@@ -94,6 +94,14 @@ TEST(PixelChoice, TakesAboutAsManyAsItMay) {
     EXPECT_EQ(chosen(Image(), 1, 3).size(), static_cast<std::size_t>(kColumns) * kRows);
 }
 
+TEST(PixelChoice, TakesFewOfManyThatAreAsUrgent) {
+    Image image;
+    image.samples.own.clear(image.samples.own.plane());
+    std::size_t all = 0;
+    for (std::uint32_t number = 0; number < 100; ++number) all += chosen(image, 0.002, number).size();
+    EXPECT_NEAR(static_cast<double>(all), 100 * 0.002 * kColumns * kRows, 0.1 * kColumns * kRows);
+}
+
 TEST(PixelChoice, LeavesWhatWasJustTraced) {
     Image image;
     image.staleness.fill(0, 0);
@@ -104,7 +112,7 @@ TEST(PixelChoice, InTimeTakesEachPixel) {
     Image image;
     for (std::size_t i = 0; i < image.samples.own.size(); ++i) image.samples.own.set(i, {.light = {1, 1, 1}});
     std::set<std::pair<int, int>> all;
-    for (std::uint32_t number = 0; number < kTurns; ++number) all.merge(chosen(image, 1.0 / 16, number));
+    for (std::uint32_t number = 0; number < 64; ++number) all.merge(chosen(image, 1.0 / 16, number));
     EXPECT_EQ(all.size(), image.samples.own.size());
 }
 
