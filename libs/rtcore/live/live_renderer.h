@@ -20,7 +20,8 @@ namespace rtcore {
 /// where their samples are.
 bool sameLight(const RenderSettings& a, const RenderSettings& b);
 
-/// Keeps the memory of a sequence of frames, about 75 bytes per pixel beside the frame. Not for several
+/// Keeps the memory of a sequence of frames, about 80 bytes per pixel beside the frame, where
+/// something mirrors 130. Not for several
 /// threads at once: it uses all of them itself. Throws std::bad_alloc; what is kept is undefined then.
 class LiveRenderer {
   public:

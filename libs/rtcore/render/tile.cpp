@@ -153,7 +153,7 @@ void TileRenderer::keepHits() {
     const auto width = static_cast<std::size_t>(settings_->width);
     for (std::size_t i = 0; i < samples_.size(); ++i) {
         SeenPoint& seen = (*seen_)[samples_[i].y * width + samples_[i].x];
-        if (samples_[i].sub == middle || (!seen.any && samples_[i].sub == 0))
+        if (samples_[i].sub == middle || !seen.any)
             seen = SeenPoint(hits[i], integrator_.radiance().colourAt(i));
     }
 }

@@ -387,6 +387,28 @@ SeenPoint seenInMirror(float curvature) {
     return frame.seen[4 * 9 + 4];
 }
 
+TEST(RenderFrame, SaysWhatPixelsSeeThatAreNotRefined) {
+    const test::TracedScene traced(plainScene());
+    RenderSettings settings = test::sampleSettings(101, 67);
+    FrameRenderer renderer;
+    renderer.collectSeen(true);
+    RenderControl control{.threads = 2};
+    Frame frame;
+    settings.antialiasing = 3;
+    for (const float adaptive : {0.0F, 0.05F}) {
+        settings.adaptive = adaptive;
+        const View view{traced.scene, traced.tracer, test::sampleCamera(), settings};
+        ASSERT_TRUE(renderer.render(view, control, frame));
+        int hits = 0;
+        for (std::size_t i = 0; i < frame.seen.size(); ++i) {
+            if (frame.covered[i] != 255) continue;
+            ++hits;
+            EXPECT_TRUE(frame.seen[i].any) << i;
+        }
+        EXPECT_GT(hits, 1000);
+    }
+}
+
 TEST(RenderFrame, SaysHowFarAwayMirroredLightSeemsToBe) {
     const SeenPoint flat = seenInMirror(0);
     EXPECT_NEAR(flat.position.z, -4, 1e-3);
