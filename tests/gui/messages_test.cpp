@@ -79,7 +79,8 @@ TEST_F(MessagesTest, TheNoticeIsThatOfTheSceneThatIsShown) {
     open("bare.obj");
     ASSERT_TRUE(comes([&] { return window->notice().isVisible(); }));
     window->open(file("room.obj"));
-    ASSERT_TRUE(comes([&] { return window->windowTitle().contains(QStringLiteral("room.obj")); }));
+    ASSERT_TRUE(comes([&] { return window->windowTitle().contains(QStringLiteral("room.obj")); }))
+        << text(window->notice().text()) << text(window->view().told());
     EXPECT_FALSE(window->notice().isVisible());
     window->open(file("bare.obj"));
     EXPECT_TRUE(comes([&] { return window->notice().isVisible(); })) << "again";

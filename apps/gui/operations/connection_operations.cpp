@@ -104,6 +104,7 @@ void ConnectionOperations::showScene(const QString& path) {
                               context_.view.tell({}); // it loads no more
                               if (!answer.done) return context_.notice.explain(answer.text, {});
                               context_.keeper.sceneLoaded(path);
+                              context_.editor.refresh(); // a quick load is over before its progress is seen
                               context_.preferences.addRecentFile(path);
                           });
 }

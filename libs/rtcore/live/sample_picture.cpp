@@ -85,7 +85,7 @@ void weighRow(const LiveLayers& samples, int y, const WeighedRow& to) {
         for (int side = -1; side <= 1; ++side) {
             const auto way = static_cast<float>(side);
             store(selectOrZero(known, weightAt(dx - way)), to.across[side + 1] + x);
-            store(weightAt(dy - way), to.down[side + 1] + x);
+            store(selectOrZero(known, weightAt(dy - way)), to.down[side + 1] + x);
         }
     }
 }

@@ -140,6 +140,16 @@ TEST_F(LiveFrames, TheFirstOneShowsAllOfThePictureFromFewPoints) {
     EXPECT_LT(error(cameraAt(0)), 0.12);
 }
 
+TEST_F(LiveFrames, OfAnEyeInTheOriginShowPixelsOfWhichNothingIsKnown) {
+    Camera camera = cameraAt(0);
+    camera.eye = {}; // where the positions of samples are that there are not
+    ASSERT_TRUE(draw(camera, 0.2));
+    ASSERT_TRUE(draw(camera, 0.2));
+    EXPECT_GT(live.newSamples(), 0.1);
+    EXPECT_LT(error(camera), 0.12);
+    for (const Colour light : frame.radiance.pixels) ASSERT_GE(light.r, 0);
+}
+
 TEST_F(LiveFrames, AreTheSameForAnyNumberOfThreads) {
     const std::vector<double> newSamples = {0.3, 0.1, 0.02, 0.05, 0.2};
     const auto walk = [&](int threads) {
