@@ -306,8 +306,11 @@ void Reprojection::carryLayer(const LiveSamples& past, LiveSamples& present, con
     bands_.resize(static_cast<std::size_t>((plane.height + kRowsOfBand - 1) / kRowsOfBand));
     forEachRows(plane.height, kRowsOfBand, threads,
                 [&](int first, int last) { compete(plane, first, last); });
-    forEachRows(plane.height, kRowsOfBand, threads,
-                [&](int first, int) { spread(plane, first / kRowsOfBand); });
+    // An image of one row or column has no pixels on some sides of others.
+    if (plane.width > 1 && plane.height > 1) {
+        forEachRows(plane.height, kRowsOfBand, threads,
+                    [&](int first, int) { spread(plane, first / kRowsOfBand); });
+    }
     forEachRows(plane.height, kRowsOfBand, threads, [&](int first, int last) {
         for (int y = first; y < last; ++y) {
             const std::size_t row = present.index(0, y), next = present.index(0, y + 1);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace rtcore {
@@ -196,6 +197,23 @@ TEST_F(Wall, ShowsWhatItMirrorsWhereThatSeemsToBe) {
     EXPECT_TRUE(now.known(present.index(20, 15)));
     EXPECT_FALSE(present.mirrors(present.index(28, 15)));
     EXPECT_FALSE(now.mirrored.known(present.index(28, 15))) << "no mirror is there any more";
+}
+
+TEST(Reprojection, IsOfImagesOfOneRowOrColumn) {
+    for (const auto& [width, height] : {std::pair(300, 1), std::pair(1, 300), std::pair(1, 1)}) {
+        LiveLayers past, present;
+        past.resize(planeFrom({}, width, height));
+        for (std::size_t i = 0; i < past.own.size(); ++i) {
+            // All in one pixel of each, so that each of them loses it.
+            const ImagePlane& plane = past.own.plane();
+            const auto across = static_cast<float>(width) - 0.3F, down = static_cast<float>(height) - 0.4F;
+            past.own.set(i, {.position = onWall(plane, across, down), .light = {1, 1, 1}});
+        }
+        present.resize(past.own.plane());
+        Reprojection reprojection;
+        reprojection.carry(past, present, 2);
+        EXPECT_TRUE(present.own.known(present.own.size() - 1));
+    }
 }
 
 TEST(Reprojection, IsTheSameForAnyNumberOfThreads) {
