@@ -83,6 +83,7 @@ FrameDrawing::Drawn FrameDrawing::drawFrame(bool waitedFor) {
     if (outcome != Outcome::Published) return {outcome};
     frames_.develop(state_);
     publish();
+    noticePause(waitedFor); // before a command that is sent for what has just been seen
     if (traces) schedule_.shown(Clock::now() - begun_, frames_.liveCost());
     return {};
 }
@@ -133,21 +134,26 @@ bool FrameDrawing::guardFrame() {
         arrivals_.change = arrivals_.change || news.change;
         arrivals_.end = arrivals_.end || news.end;
         arrivals_.obstructed = news.obstructed && lasted > kObstruction;
-        return arrivals_.end || arrivals_.obstructed || schedule_.leaves(lasted, arrivals_.change);
+        if (arrivals_.end || arrivals_.obstructed || schedule_.leaves(lasted, arrivals_.change)) return true;
+        if (const rtcore::LdrImage* const image = frames_.underWay(state_)) publish(*image, 0);
+        return false;
     } catch (...) {
         guardError_ = std::current_exception();
         return true;
     }
 }
 
-void FrameDrawing::publish() {
-    const rtcore::LdrImage& image = frames_.image();
+void FrameDrawing::publish(const rtcore::LdrImage& image, std::uint32_t samples) {
     ipc::FrameInfo info;
     info.width = static_cast<std::uint32_t>(image.width);
     info.height = static_cast<std::uint32_t>(image.height);
-    const auto side = static_cast<std::uint32_t>(state_.settings().antialiasing);
-    info.samples = frames_.whole() ? side * side : 0;
+    info.samples = samples;
     outlets_.publish(info, image);
+}
+
+void FrameDrawing::publish() {
+    const auto side = static_cast<std::uint32_t>(state_.settings().antialiasing);
+    publish(frames_.image(), frames_.whole() ? side * side : 0);
     if (frames_.whole()) {
         drawn_ = state_.settings();
         drewWhole_ = true;

@@ -13,6 +13,7 @@
 #include "ipc/layout/frame_info.h"
 
 #include <chrono>
+#include <cstdint>
 #include <exception>
 #include <functional>
 #include <string>
@@ -29,7 +30,8 @@ class FrameDrawing {
         /// Called every few milliseconds while a frame is traced, in another thread: which may read the state
         /// then, but not change it. What it throws, draw() throws.
         std::function<Arrivals()> poll;
-        /// A frame is done. Throws std::bad_alloc where there is no memory for it.
+        /// An image is to be shown; also in that thread. Throws std::bad_alloc where there is no memory for
+        /// it.
         std::function<void(const ipc::FrameInfo&, const rtcore::LdrImage&)> publish;
     };
     /// At most `framesPerSecond`, 0 = as many as there are, by `threads`. All must outlive it.
@@ -73,6 +75,7 @@ class FrameDrawing {
     Outcome trace(bool waitedFor);
     bool guardFrame();
     void publish();
+    void publish(const rtcore::LdrImage& image, std::uint32_t samples);
     Drawn goBack();
     bool standsStill() const { return state_.paused || state_.atRest(); }
     bool wantsWholeFrame(bool waitedFor) const;

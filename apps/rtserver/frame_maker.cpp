@@ -34,9 +34,16 @@ bool FrameMaker::trace(const ServerState& state, const FrameDetail& detail, cons
     rtcore::Frame& frame = detail.whole() ? whole_ : coarse_;
     if (detail.whole() == detail_.whole()) seen_ = nullptr; // its memory is written to
     control.threads = threads_;
+    control.finished = nullptr;
     liveCost_ = {};
+    const bool sameView = hasRadiance() && !stale(state);
+    if (sameView && detail.whole() && !detail_.whole()) {
+        gradual_.begin(coarse_.radiance, state.shownSettings(), adaptation_.value(), threads_, start);
+        control.finished = &gradual_.finished();
+    }
     const bool done =
         detail.live() ? drawLive(state, detail, control, frame) : draw(state, detail, maps, control, frame);
+    gradual_.end();
     if (!done) return false;
     // Bloom has its width in pixels of the whole frame.
     rtcore::RenderSettings effects = state.shownSettings();
@@ -46,8 +53,6 @@ bool FrameMaker::trace(const ServerState& state, const FrameDetail& detail, cons
     const rtcore::HdrImage& finished = developer_.finish(frame, effects, threads_, &control.cancel);
     if (control.cancel) return false;
     seen_ = &finished;
-    // Of another scene the exposure is found at once.
-    if (adapted_.take(state.revisions()).has(rtcore::Change::Scene)) adaptation_ = {};
     revision_ = revision;
     detail_ = detail;
     rays_ = frame.statistics.total();
@@ -123,20 +128,35 @@ void FrameMaker::drop() {
     image_ = {};
 }
 
-void FrameMaker::develop(const ServerState& state) {
+const rtcore::LdrImage* FrameMaker::underWay(const ServerState& state) {
+    const auto exposure = [&] {
+        adapt(target_, state.shownSettings().exposure);
+        return adaptation_.value();
+    };
+    return gradual_.step(whole_.radiance, exposure, Clock::now());
+}
+
+/// Towards an exposure, by the time that has passed since the last call.
+void FrameMaker::adapt(float target, const rtcore::ExposureSettings& settings) {
     constexpr double kLongest = 0.25; // a pause is no time in which the eye saw anything
     constexpr double kFirst = 0.033;  // but of a change something is to be seen at once
     const Clock::time_point now = Clock::now();
-    const double passed = std::chrono::duration<double>(now - developed_).count();
-    developed_ = now;
-    const rtcore::RenderSettings settings = state.shownSettings();
-    if (settings.exposure.mode == rtcore::ExposureMode::Fixed) {
-        adaptation_.jump(target_);
-    } else {
-        const double before = detail_.whole() ? 0 : kFirst;
-        adaptation_.advance(target_, adaptation_.settled() ? before : std::min(passed, kLongest),
-                            {settings.exposure.brighterSeconds, settings.exposure.darkerSeconds});
+    const double passed = std::chrono::duration<double>(now - adaptedAt_).count();
+    adaptedAt_ = now;
+    if (settings.mode == rtcore::ExposureMode::Fixed) {
+        adaptation_.jump(target);
+        return;
     }
+    const double before = detail_.whole() ? 0 : kFirst;
+    adaptation_.advance(target, adaptation_.settled() ? before : std::min(passed, kLongest),
+                        {settings.brighterSeconds, settings.darkerSeconds});
+}
+
+void FrameMaker::develop(const ServerState& state) {
+    // Of another scene the exposure is found at once.
+    if (adapted_.take(state.revisions()).has(rtcore::Change::Scene)) adaptation_ = {};
+    const rtcore::RenderSettings settings = state.shownSettings();
+    adapt(target_, settings.exposure);
     developer_.develop(*seen_, settings, adaptation_.value(), threads_, image_);
 }
 

@@ -3,6 +3,7 @@
 
 #include "rtserver/adaptation.h"
 #include "rtserver/frame_detail.h"
+#include "rtserver/gradual_image.h"
 #include "rtserver/live_governor.h"
 #include "rtserver/server_state.h"
 
@@ -28,6 +29,9 @@ class FrameMaker {
     /// while the image stays.
     bool trace(const ServerState& state, const FrameDetail& detail, const rtcore::ShadowMaps* maps,
                rtcore::RenderControl& control);
+    /// While trace() draws a whole frame after a coarse one, in another thread: what is seen now, or null
+    /// where that is nothing new. Stands until the next call. `state` as trace() has it.
+    const rtcore::LdrImage* underWay(const ServerState& state);
     /// Whether the next frame can be a live one: there is light of a frame before, and it holds.
     bool drawsLive(const ServerState& state) const;
     /// Of the last frame, where it was live: what of its time traced pixels took.
@@ -65,6 +69,7 @@ class FrameMaker {
     bool drawLive(const ServerState& state, const FrameDetail& detail, rtcore::RenderControl& control,
                   rtcore::Frame& frame);
     void noticeChanges(const ServerState& state, const rtcore::RenderSettings& settings);
+    void adapt(float target, const rtcore::ExposureSettings& settings);
 
     using Clock = std::chrono::steady_clock;
 
@@ -81,8 +86,9 @@ class FrameMaker {
     std::uint64_t revision_ = 0;
     Adaptation adaptation_;
     rtcore::Subscription adapted_; ///< what the adaptation knows of the state
-    float target_ = 1;             ///< the exposure that suits the frame
-    Clock::time_point developed_;
+    float target_ = 1;             ///< the exposure that suits the last frame
+    Clock::time_point adaptedAt_;
+    GradualImage gradual_;
     double seconds_ = 0;
     std::uint64_t rays_ = 0;
     FrameDetail detail_; ///< of the last frame

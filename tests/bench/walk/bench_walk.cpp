@@ -142,6 +142,20 @@ std::string paceOf(const std::vector<Published>& published) {
                        100 * late / std::max(frames, 1.0), 1000 * kLate);
 }
 
+/// How the image came to rest.
+std::string restOf(const std::vector<Published>& rest, const WalkOptions& options) {
+    double most = 0, sum = 0;
+    for (std::size_t i = 1; i < rest.size(); ++i) {
+        const test::Flip before(upsampled(rest[i - 1].image, options.width, options.height));
+        const double flip = before.mean(upsampled(rest[i].image, options.width, options.height));
+        most = std::max(most, flip);
+        sum += flip;
+    }
+    return fmt::format("at rest: whole after {:.3f} s, in {} steps of mean FLIP {:.4f}, at most {:.4f}\n",
+                       rest.back().seconds, rest.size() - 1,
+                       sum / std::max(static_cast<double>(rest.size() - 1), 1.0), most);
+}
+
 app::ExitCode runWalk(const app::Arguments& arguments) {
     const WalkOptions options = readWalkOptions(arguments);
     app::useThreads(options.threads);
@@ -151,7 +165,10 @@ app::ExitCode runWalk(const app::Arguments& arguments) {
     if (options.fixed && published.size() != cameras.size()) throw std::runtime_error("a frame was left");
     std::printf("%s, %d x %d, %zu cameras\n", options.scene.c_str(), options.width, options.height,
                 cameras.size());
-    if (!options.fixed) std::fputs(paceOf(published).c_str(), stdout);
+    if (!options.fixed) {
+        std::fputs(paceOf(published).c_str(), stdout);
+        std::fputs(restOf(server.rest(), options).c_str(), stdout);
+    }
     Comparison comparison(options, server, cameras, published);
     const std::vector<Moment> moments = comparison.run();
     if (app::stopRequested()) return app::stopExitCode(); // references that were made are kept

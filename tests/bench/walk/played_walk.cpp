@@ -37,14 +37,13 @@ LiveServer::LiveServer(const WalkOptions& options)
       state_(
           options_, [](const rtcore::RenderSettings&) {}, messages_),
       upkeep_(options_, state_, messages_),
-      drawing_(
-          state_, upkeep_,
-          {.poll = [] { return rtserver::Arrivals{}; },
-           .publish =
-               [this](const ipc::FrameInfo&, const rtcore::LdrImage& image) {
-                   published_.push_back({seconds(Clock::now() - begun_), drawing_.frames().seconds(), image});
-               }},
-          options.threads, options.fixed ? 0 : options.framesPerSecond) {
+      drawing_(state_, upkeep_,
+               {.poll = [] { return rtserver::Arrivals{}; },
+                .publish =
+                    [this](const ipc::FrameInfo&, const rtcore::LdrImage& image) {
+                        published_.push_back({seconds(Clock::now() - begun_), 0, image});
+                    }},
+               options.threads, options.fixed ? 0 : options.framesPerSecond) {
     upkeep_.load(options_.scene, std::nullopt);
     settle();
 }
@@ -59,6 +58,7 @@ void LiveServer::turn(Clock::duration passed) {
     if (state_.ready()) state_.move(passed, {});
     if (drawing_.wantsFrame(false) && Clock::now() >= drawing_.due()) {
         drawing_.draw(false);
+        if (!published_.empty()) published_.back().drawn = drawing_.frames().seconds();
     } else {
         std::this_thread::sleep_for(1ms);
     }
@@ -95,6 +95,16 @@ std::vector<Published> LiveServer::play(const std::vector<rtcore::Camera>& camer
         const Clock::time_point now = Clock::now();
         turn(now - std::exchange(moved, now));
     }
+    return published_;
+}
+
+std::vector<Published> LiveServer::rest() {
+    Published last = std::move(published_.back());
+    begun_ = Clock::now();
+    last.seconds = 0;
+    published_.clear();
+    published_.push_back(std::move(last));
+    settle();
     return std::exchange(published_, {});
 }
 
@@ -105,6 +115,7 @@ std::vector<Published> LiveServer::drawEach(const std::vector<rtcore::Camera>& c
         begun_ = Clock::now();
         published_.clear();
         drawing_.draw(false);
+        if (!published_.empty()) published_.front().drawn = drawing_.frames().seconds();
         if (!published_.empty()) pictures.push_back(std::move(published_.front()));
     }
     return pictures;

@@ -36,6 +36,8 @@ class LiveServer {
 
     /// Plays the cameras at the options' pace, after it came to rest at the first one.
     std::vector<Published> play(const std::vector<rtcore::Camera>& cameras);
+    /// What is seen after play() until the image is whole and stays; the first is the last of the walk.
+    std::vector<Published> rest();
     /// Draws each of them in a whole frame, one after the other; `seconds` are those of the frame alone.
     std::vector<Published> drawEach(const std::vector<rtcore::Camera>& cameras);
 

@@ -113,6 +113,45 @@ TEST_F(FrameDrawingTest, ACoarseFrameComesFirstWhereTheWholeOneTakesLong) {
     EXPECT_EQ(drawing.pace().coarsest, 0) << "nothing is known of another scene";
 }
 
+TEST_F(FrameDrawingTest, TheImageGoesOverToAWholeFrameInSteps) {
+    fixExposure();
+    makeSlow();
+    draw();
+    state.assign({{"antialiasing", 6}});
+    draw();
+    ASSERT_EQ(published.size(), 2U);
+    EXPECT_EQ(published.back().samples, 0U);
+    EXPECT_EQ(draw(), Outcome::Published);
+    ASSERT_GT(published.size(), 3U) << "of hundreds of milliseconds";
+    for (std::size_t i = 2; i + 1 < published.size(); ++i) {
+        EXPECT_EQ(published[i].samples, 0U);
+        EXPECT_EQ(published[i].width, 600U);
+        EXPECT_EQ(published[i].height, 400U);
+    }
+    EXPECT_EQ(published.back().samples, 36U);
+    EXPECT_TRUE(drawing.idle());
+}
+
+TEST_F(FrameDrawingTest, AWholeFrameOfAnotherViewComesAtOnce) {
+    fixExposure();
+    makeSlow();
+    draw();
+    state.frameSeconds = 0;
+    state.turn(20, 0);
+    EXPECT_EQ(draw(), Outcome::Published);
+    ASSERT_EQ(published.size(), 2U);
+    EXPECT_EQ(published.back().samples, 9U);
+}
+
+TEST_F(FrameDrawingTest, AWholeFrameThatIsSeenIsKeptFromThenOnInAPause) {
+    fixExposure();
+    state.paused = true;
+    draw();
+    change(); // before the next turn
+    drawing.noticePause(false);
+    EXPECT_FALSE(drawing.wantsFrame(false));
+}
+
 TEST_F(FrameDrawingTest, AWholeFrameIsLeftForAChangeAndStaysWanted) {
     makeSlow();
     draw();

@@ -1,0 +1,68 @@
+#include "rtserver/gradual_image.h"
+
+#include <utility>
+
+namespace rtserver {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+// Steps in which little changes, and not more of them than can be seen.
+constexpr double kPart = 1.0 / 24; ///< of the pixels
+constexpr auto kShortest = 16ms, kLongest = 250ms;
+constexpr auto kExposed = 100ms; ///< all of the image is developed for it
+
+double pixelsOf(const std::vector<rtcore::PixelArea>& areas) {
+    double pixels = 0;
+    for (const rtcore::PixelArea& area : areas) pixels += static_cast<double>(area.columns) * area.rows;
+    return pixels;
+}
+
+} // namespace
+
+void GradualImage::begin(const rtcore::HdrImage& before, const rtcore::RenderSettings& settings,
+                         float exposure, int threads, Clock::time_point now) {
+    const std::lock_guard lock(mutex_);
+    finished_.take();
+    waiting_.clear();
+    pixels_ = static_cast<double>(settings.width) * settings.height;
+    exposure_ = exposure;
+    transition_.begin(before, settings, threads);
+    shown_ = exposed_ = now;
+    active_ = true;
+    developed_ = false;
+}
+
+void GradualImage::end() {
+    const std::lock_guard lock(mutex_);
+    active_ = false;
+}
+
+/// Whether anything changes by it.
+bool GradualImage::expose(const std::function<float()>& exposure, Clock::time_point now) {
+    if (now - exposed_ >= kExposed) {
+        exposed_ = now;
+        if (std::exchange(exposure_, exposure()) != exposure_) developed_ = false;
+    }
+    if (developed_) return false;
+    developed_ = true;
+    transition_.expose(exposure_);
+    return true;
+}
+
+const rtcore::LdrImage* GradualImage::step(const rtcore::HdrImage& radiance,
+                                           const std::function<float()>& exposure, Clock::time_point now) {
+    const std::lock_guard lock(mutex_);
+    if (!active_ || now - shown_ < kShortest) return nullptr;
+    const std::vector<rtcore::PixelArea> finished = finished_.take();
+    waiting_.insert(waiting_.end(), finished.begin(), finished.end());
+    const bool exposed = expose(exposure, now);
+    const bool enough = pixelsOf(waiting_) >= kPart * pixels_ || now - shown_ >= kLongest;
+    if (enough) transition_.step(std::exchange(waiting_, {}), radiance);
+    if (!enough && !exposed) return nullptr;
+    shown_ = now;
+    return &transition_.image();
+}
+
+} // namespace rtserver

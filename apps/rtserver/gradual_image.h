@@ -1,0 +1,49 @@
+/// What is seen while a whole frame is traced: the image before it goes over to it, so that nothing jumps.
+#pragma once
+
+#include "rtcore/post/transition.h"
+#include "rtcore/render/finished_tiles.h"
+#include "rtcore/scene/image.h"
+#include "rtcore/settings/render_settings.h"
+
+#include <chrono>
+#include <functional>
+#include <mutex>
+#include <vector>
+
+namespace rtserver {
+
+/// begin() and end() are for the thread that traces the frame, step() for another one meanwhile. Knows time
+/// only by what it is told.
+class GradualImage {
+  public:
+    using Clock = std::chrono::steady_clock;
+
+    /// A frame of these settings is traced from now on; until then `before` is seen, of the same view, with
+    /// that exposure. `threads` = 0: all cores.
+    void begin(const rtcore::HdrImage& before, const rtcore::RenderSettings& settings, float exposure,
+               int threads, Clock::time_point now);
+    /// From here on step() shows nothing. Waits for one that is under way.
+    void end();
+    /// Gets the tiles of that frame.
+    rtcore::FinishedTiles& finished() { return finished_; }
+
+    /// The next image, or null when none is to be shown yet. `radiance` of the frame: only finished tiles are
+    /// read; `exposure` gives that of this moment.
+    const rtcore::LdrImage* step(const rtcore::HdrImage& radiance, const std::function<float()>& exposure,
+                                 Clock::time_point now);
+
+  private:
+    bool expose(const std::function<float()>& exposure, Clock::time_point now);
+
+    std::mutex mutex_; ///< guards all below, but for finished_
+    rtcore::Transition transition_;
+    rtcore::FinishedTiles finished_;
+    std::vector<rtcore::PixelArea> waiting_; ///< finished and not yet shown
+    double pixels_ = 0;                      ///< of the image
+    float exposure_ = 1;
+    Clock::time_point shown_, exposed_;
+    bool active_ = false, developed_ = false;
+};
+
+} // namespace rtserver

@@ -1,0 +1,90 @@
+#include "rtcore/post/transition.h"
+
+#include "rtcore/platform/threads.h"
+#include "rtcore/post/develop.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rtcore {
+
+namespace {
+
+/// Where the middle of a pixel of `pixels` is among the middles of `small` ones: after the first, that part
+/// of the way to the second.
+struct Between {
+    int first, second;
+    float part;
+    Between(int pixel, int pixels, int small) {
+        const float at =
+            (static_cast<float>(pixel) + 0.5F) * static_cast<float>(small) / static_cast<float>(pixels) -
+            0.5F;
+        const float whole = std::floor(at);
+        part = at - whole;
+        first = std::clamp(static_cast<int>(whole), 0, small - 1);
+        second = std::clamp(static_cast<int>(whole) + 1, 0, small - 1);
+    }
+};
+
+Colour mix(Colour a, Colour b, float part) { return a + (b - a) * part; }
+
+void enlarge(const HdrImage& small, [[maybe_unused]] int threads, HdrImage& image) {
+    std::vector<Between> columns;
+    columns.reserve(static_cast<std::size_t>(image.width));
+    for (int x = 0; x < image.width; ++x) columns.emplace_back(x, image.width, small.width);
+#pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
+    for (int y = 0; y < image.height; ++y) {
+        const Between rows(y, image.height, small.height);
+        const Colour* const upper = &small.at(0, rows.first);
+        const Colour* const lower = &small.at(0, rows.second);
+        Colour* to = &image.at(0, y);
+        for (const Between& column : columns) {
+            *to++ = mix(mix(upper[column.first], upper[column.second], column.part),
+                        mix(lower[column.first], lower[column.second], column.part), rows.part);
+        }
+    }
+}
+
+} // namespace
+
+void Transition::begin(const HdrImage& before, const RenderSettings& settings, int threads) {
+    settings_ = settings;
+    halved_.clear();
+    if (radiance_.width != settings.width || radiance_.height != settings.height) {
+        radiance_ = HdrImage(settings.width, settings.height);
+        image_ = LdrImage(settings.width, settings.height);
+    }
+    if (before.width == settings.width && before.height == settings.height) {
+        std::copy(before.pixels.begin(), before.pixels.end(), radiance_.pixels.begin());
+    } else {
+        enlarge(before, threads, radiance_);
+    }
+}
+
+void Transition::step(const std::vector<PixelArea>& finished, const HdrImage& after) {
+    const auto show = [&](const std::vector<PixelArea>& areas, auto&& shown) {
+        for (const PixelArea& area : areas) {
+            for (int y = area.top; y < area.top + area.rows; ++y) {
+                for (int x = area.left; x < area.left + area.columns; ++x)
+                    radiance_.at(x, y) = shown(radiance_.at(x, y), after.at(x, y));
+            }
+            develop(area);
+        }
+    };
+    show(halved_, [](Colour, Colour light) { return light; });
+    show(finished, [](Colour before, Colour light) { return mix(before, light, 0.5F); });
+    halved_ = finished;
+}
+
+void Transition::expose(float exposure) {
+    exposure_ = exposure;
+    effects_.beginRows(EffectStage::Radiance, radiance_, 1,
+                       {.settings = settings_, .threads = 1, .exposure = exposure_});
+    develop({0, 0, radiance_.width, radiance_.height});
+}
+
+void Transition::develop(const PixelArea& area) {
+    developPart(radiance_, developmentOf(settings_, exposure_), effects_, area, image_);
+}
+
+} // namespace rtcore

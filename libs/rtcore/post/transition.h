@@ -1,0 +1,39 @@
+/// From an image to a better one of the same view, part by part: no jump is seen.
+#pragma once
+
+#include "rtcore/post/effect_chain.h"
+#include "rtcore/render/pixel_area.h"
+#include "rtcore/scene/image.h"
+#include "rtcore/settings/render_settings.h"
+
+#include <vector>
+
+namespace rtcore {
+
+/// Keeps its memory, 16 bytes per pixel beside its effects. One thread at a time.
+class Transition {
+  public:
+    /// Begins with `before`, of any size, enlarged to that of the settings. Nothing is shown before expose().
+    /// `threads` = 0: all cores.
+    void begin(const HdrImage& before, const RenderSettings& settings, int threads);
+    /// From here on all is shown with that exposure, and with the settings' effects, as far as parts can have
+    /// them (developPart()). By the calling thread.
+    void expose(float exposure);
+    /// These areas of `after`, of the size of the settings, have all their light. Half of it is seen now, all
+    /// of it in the next step. Reads no other pixels of `after`.
+    void step(const std::vector<PixelArea>& finished, const HdrImage& after);
+    /// As it is shown.
+    const LdrImage& image() const { return image_; }
+
+  private:
+    void develop(const PixelArea& area);
+
+    RenderSettings settings_;
+    float exposure_ = 1;
+    EffectChain effects_;
+    HdrImage radiance_;
+    LdrImage image_;
+    std::vector<PixelArea> halved_; ///< areas that show half of what is before them
+};
+
+} // namespace rtcore

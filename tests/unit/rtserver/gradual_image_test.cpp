@@ -1,0 +1,102 @@
+#include "rtserver/gradual_image.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+namespace {
+
+using namespace std::chrono_literals;
+using rtcore::HdrImage;
+using rtcore::LdrImage;
+
+constexpr int kSide = 48;
+
+class Gradual : public testing::Test {
+  protected:
+    Gradual() {
+        settings.width = settings.height = kSide;
+        settings.dithering = false;
+    }
+    const LdrImage* stepAfter(std::chrono::milliseconds time) {
+        now += time;
+        return image.step(
+            after, [this] { return exposure; }, now);
+    }
+    void begin() { image.begin(before, settings, exposure, 1, now); }
+    static int top(const LdrImage& shown) { return shown.at(kSide / 2, 0).r; }
+    static int bottom(const LdrImage& shown) { return shown.at(kSide / 2, kSide - 1).r; }
+
+    rtcore::RenderSettings settings;
+    HdrImage before{kSide / 2, kSide / 2, {0.1F, 0.1F, 0.1F}}, after{kSide, kSide, {2, 2, 2}};
+    float exposure = 1;
+    rtserver::GradualImage::Clock::time_point now;
+    rtserver::GradualImage image;
+};
+
+TEST_F(Gradual, ShowsNothingBeforeAndAfterAFrame) {
+    EXPECT_EQ(stepAfter(20ms), nullptr);
+    begin();
+    EXPECT_EQ(stepAfter(0ms), nullptr) << "what was seen is still there";
+    image.end();
+    EXPECT_EQ(stepAfter(20ms), nullptr);
+}
+
+TEST_F(Gradual, TilesComeInTwoSteps) {
+    begin();
+    const LdrImage* shown = stepAfter(20ms);
+    ASSERT_NE(shown, nullptr) << "at the size of the frame";
+    EXPECT_EQ(shown->width, kSide);
+    const int dark = top(*shown);
+    EXPECT_EQ(bottom(*shown), dark);
+    image.finished().add({0, 0, kSide, kSide / 2});
+    shown = stepAfter(20ms);
+    ASSERT_NE(shown, nullptr);
+    const int half = top(*shown);
+    EXPECT_GT(half, dark);
+    EXPECT_EQ(bottom(*shown), dark);
+    image.finished().add({0, kSide / 2, kSide, kSide / 2});
+    shown = stepAfter(20ms);
+    ASSERT_NE(shown, nullptr);
+    EXPECT_GT(top(*shown), half);
+    EXPECT_EQ(bottom(*shown), half);
+}
+
+TEST_F(Gradual, FewTilesWaitForOthers) {
+    begin();
+    ASSERT_NE(stepAfter(20ms), nullptr);
+    image.finished().add({0, 0, kSide, 1});
+    EXPECT_EQ(stepAfter(20ms), nullptr);
+    image.finished().add({0, 1, kSide, 3});
+    EXPECT_NE(stepAfter(0ms), nullptr);
+    image.finished().add({0, 4, kSide, 1});
+    EXPECT_NE(stepAfter(260ms), nullptr) << "but not for long";
+}
+
+TEST_F(Gradual, TheExposureGoesOn) {
+    begin();
+    const LdrImage* shown = stepAfter(20ms);
+    ASSERT_NE(shown, nullptr);
+    const int dark = top(*shown);
+    exposure = 0.25F;
+    shown = stepAfter(110ms);
+    ASSERT_NE(shown, nullptr);
+    EXPECT_GT(top(*shown), dark);
+}
+
+TEST_F(Gradual, AnotherFrameBeginsWithWhatIsSeenThen) {
+    begin();
+    ASSERT_NE(stepAfter(20ms), nullptr);
+    image.finished().add({0, 0, kSide, kSide});
+    image.end();
+    begin();
+    const LdrImage* shown = stepAfter(20ms);
+    ASSERT_NE(shown, nullptr);
+    EXPECT_EQ(top(*shown), bottom(*shown));
+    image.finished().add({0, 0, kSide, kSide / 2});
+    shown = stepAfter(20ms);
+    ASSERT_NE(shown, nullptr);
+    EXPECT_GT(top(*shown), bottom(*shown)) << "no tile of the frame before";
+}
+
+} // namespace
