@@ -4,6 +4,7 @@
 #include "gui/dialogs/start_server_dialog.h"
 #include "gui/models/bindings.h"
 #include "gui/operations/actions.h"
+#include "gui/operations/scene_editor.h"
 #include "gui/processes/programs.h"
 #include "gui/processes/server_keeper.h"
 #include "gui/view/frame_view.h"
