@@ -8,9 +8,11 @@ namespace rtcore {
 
 struct ImagePlane {
     Vec3 eye;
-    Vec3 corner;            ///< towards the upper left corner of the image, one unit along the axis of view
-    Vec3 right, down;       ///< one pixel, there
-    Vec3 column, row, axis; ///< what an offset from the eye is multiplied with to find it in the image
+    Vec3 corner;      ///< towards the upper left corner of the image, one unit along the axis of view
+    Vec3 right, down; ///< one pixel, there
+    /// A point at `offset` from the eye is seen at (dot(column, offset), dot(row, offset)) / dot(axis,
+    /// offset), where the last is above 0; what is infinitely far, at that of its direction.
+    Vec3 column, row, axis;
     int width = 0, height = 0;
 
     ImagePlane() = default;
@@ -26,20 +28,6 @@ struct ImagePlane {
 
     /// Through the point (x, y) of the image, in pixels from its upper left corner; one unit along the axis.
     Vec3 towards(float x, float y) const { return corner + right * x + down * y; }
-
-    struct Position {
-        bool inside = false;
-        float x = 0, y = 0;
-    };
-    /// Where the point at `offset` from the eye is seen; for what is infinitely far, its direction.
-    Position find(Vec3 offset) const {
-        const float depth = dot(axis, offset);
-        if (!(depth > 0)) return {};
-        const float x = dot(column, offset) / depth, y = dot(row, offset) / depth;
-        const bool inside =
-            x >= 0 && y >= 0 && x < static_cast<float>(width) && y < static_cast<float>(height);
-        return {inside, x, y};
-    }
 };
 
 } // namespace rtcore

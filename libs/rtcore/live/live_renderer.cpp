@@ -44,6 +44,12 @@ Vec3 positionInMiddle(const ImagePlane& plane, const SeenPoint& seen, int x, int
 
 bool mirrors(const SeenPoint& seen) { return seen.mirroredLength != 0; }
 
+/// What is lit so through that tint; of channels that it lets nothing through, nothing is known.
+Colour over(Colour light, Colour tint) {
+    const auto channel = [](float a, float b) { return b > 0 ? a / b : 0; };
+    return {channel(light.r, tint.r), channel(light.g, tint.g), channel(light.b, tint.b)};
+}
+
 /// A pixel's new samples. `own.position` is where its ray goes, `own.light` all that comes from there.
 void setSamples(LiveLayers& layers, std::size_t i, const SeenPoint& seen, LiveSample own) {
     own.background = !seen.any;
@@ -58,7 +64,8 @@ void setSamples(LiveLayers& layers, std::size_t i, const SeenPoint& seen, LiveSa
     }
     const ImagePlane& plane = layers.own.plane();
     const Vec3 way = own.position - plane.eye;
-    mirrored.light = mirrored.light * (kWhite - seen.ownPart);
+    mirrored.light = over(mirrored.light * (kWhite - seen.ownPart), seen.tint);
+    layers.tints[i] = packLight(seen.tint);
     mirrored.wanders = seen.mirroredLength < 0;
     mirrored.mirrors = false;
     mirrored.background = std::isinf(seen.mirroredLength);
@@ -103,7 +110,9 @@ bool LiveRenderer::render(const View& view, double newSamples, RenderControl& co
     frame.statistics = {};
     frame.aovs.clear();
     frame.seen.clear();
-    reprojection_.carry(past_, present_, threads);
+    choice_.begin(present_.own.plane());
+    reprojection_.carry(past_, present_, threads,
+                        [&](int first, int last) { choice_.look(present_, first, last); });
     choice_.choose(present_, reprojection_.staleness(), newSamples, number_, threads);
     const auto begun = std::chrono::steady_clock::now();
     if (!lightSamples(view, control, frame)) return false;
@@ -170,6 +179,7 @@ bool LiveRenderer::lightSamples(const View& view, RenderControl& control, Frame&
     const ImagePlane& plane = present_.own.plane();
     if (!present_.mirrors && std::any_of(seen_.begin(), seen_.end(), mirrors)) {
         present_.mirrors = true;
+        present_.resizeMirrored(plane);
         present_.mirrored.clear(plane);
     }
     forEachChosen(chosen.size(), threads, [&](std::size_t i) {

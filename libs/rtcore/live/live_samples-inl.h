@@ -36,6 +36,9 @@ HWY_INLINE Float3 radianceOf(const LiveSamples::Light& first) {
     return unpackedLight<Float>(Uint(packed));
 }
 
+/// LiveLayers::tints
+HWY_INLINE Float3 tintOf(const std::uint32_t& first) { return unpackedLight<Float>(load(&first)); }
+
 /// Where samples are seen in an image, in pixels from its upper left corner. `depth` along the axis of view.
 struct SeenAt {
     Float x, y, depth;

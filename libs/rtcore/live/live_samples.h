@@ -109,14 +109,21 @@ class LiveSamples {
 /// were behind that, where it seems to be. So it has samples of its own, wherever those of the surfaces
 /// mirror.
 struct LiveLayers {
-    LiveSamples own;      ///< what surfaces emit and scatter themselves, and the background
-    LiveSamples mirrored; ///< what they mirror and let through; undefined where they do not
-    bool mirrors = false; ///< false: no surface does, and `mirrored` is not kept
+    LiveSamples own; ///< what surfaces emit and scatter themselves, and the background
+    /// What they mirror and let through, as it is before they tint it; undefined where they do not.
+    LiveSamples mirrored;
+    PixelArray<std::uint32_t> tints{
+        10};              ///< by sample of `own`: packLight() of SeenPoint::tint; as `mirrored`
+    bool mirrors = false; ///< false: no surface does, and neither of the last two is kept
 
     /// `mirrors` is to be set before.
     void resize(const ImagePlane& plane) {
         own.resize(plane);
-        if (mirrors) mirrored.resize(plane);
+        if (mirrors) resizeMirrored(plane);
+    }
+    void resizeMirrored(const ImagePlane& plane) {
+        mirrored.resize(plane);
+        tints.resize(mirrored.size());
     }
     void clear() {
         own.clear({});

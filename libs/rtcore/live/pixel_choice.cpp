@@ -38,16 +38,15 @@ namespace {
 
 /// -1 where a sample is missing.
 void measureLuminanceOf(const LiveLayers& samples, std::size_t first, std::size_t count, float* to) {
-    const auto at = [&](const LiveSamples& layer, std::size_t i) {
-        return luminance<Float>(radianceOf(layer.lights[first + i]));
-    };
     for (std::size_t i = 0; i < count; i += lanes()) {
         const Uint state = statesOf(samples.own.points[first + i]);
         const Mask mirrors = (state & LiveSamples::kMirrors) != 0U;
-        Float value = select(state != 0U, at(samples.own, i), -1.0F);
+        Float value = select(state != 0U, luminance<Float>(radianceOf(samples.own.lights[first + i])), -1.0F);
         if (any(mirrors)) {
             const Mask seen = statesOf(samples.mirrored.points[first + i]) != 0U;
-            value = select(mirrors, select(seen, value + at(samples.mirrored, i), -1.0F), value);
+            const Float3 light =
+                radianceOf(samples.mirrored.lights[first + i]) * tintOf(samples.tints[first + i]);
+            value = select(mirrors, select(seen, value + luminance<Float>(light), -1.0F), value);
         }
         store(value, to + i);
     }
@@ -108,18 +107,19 @@ std::size_t PixelChoice::luminanceAt(const ImagePlane& plane, int y) {
     return kRoom + static_cast<std::size_t>(y) * (static_cast<std::size_t>(plane.width) + kRoom);
 }
 
-void PixelChoice::measureLuminance(const LiveLayers& samples, int threads) {
-    const ImagePlane& plane = samples.own.plane();
-    const auto length = static_cast<std::size_t>(plane.width);
+void PixelChoice::begin(const ImagePlane& plane) {
     luminance_.resize(luminanceAt(plane, plane.height));
     std::fill_n(luminance_.begin(), kRoom, -1.0F);
-    forEachRows(plane.height, kSquare, threads, [&](int first, int last) {
-        for (int y = first; y < last; ++y) {
-            float* const to = &luminance_[luminanceAt(plane, y)];
-            HWY_DYNAMIC_DISPATCH(measureLuminanceOf)(samples, samples.own.index(0, y), length, to);
-            std::fill_n(to + length, kRoom, -1.0F);
-        }
-    });
+}
+
+void PixelChoice::look(const LiveLayers& samples, int first, int last) {
+    const ImagePlane& plane = samples.own.plane();
+    const auto length = static_cast<std::size_t>(plane.width);
+    for (int y = first; y < last; ++y) {
+        float* const to = &luminance_[luminanceAt(plane, y)];
+        HWY_DYNAMIC_DISPATCH(measureLuminanceOf)(samples, samples.own.index(0, y), length, to);
+        std::fill_n(to + length, kRoom, -1.0F);
+    }
 }
 
 /// A luminance beside which less contrast is seen: of the mean over some pixels.
@@ -209,7 +209,6 @@ void PixelChoice::choose(const LiveLayers& samples, const PixelArray<float>& sta
                          std::uint32_t number, int threads) {
     const LiveSamples& own = samples.own;
     parts_.resize(static_cast<std::size_t>((own.plane().height + kSquare - 1) / kSquare));
-    measureLuminance(samples, threads);
     measureUrgency(own, staleness, threads);
     const Bound bound = boundOf(own, share);
     forEachRows(own.plane().height, kSquare, threads, [&](int first, int last) {

@@ -15,6 +15,11 @@ namespace rtcore {
 /// Keeps its memory from frame to frame.
 class PixelChoice {
   public:
+    /// Begins a frame of that plane.
+    void begin(const ImagePlane& plane);
+    /// Looks at the rows from `first` to before `last` of its samples. Each must be looked at once before
+    /// choose(); several threads may look at different ones.
+    void look(const LiveLayers& samples, int first, int last);
     /// Chooses at most `share` (0..1) of all pixels, and a few. `staleness`: as Reprojection has it. The
     /// choice is that of these values and of `number` alone: not of threads, nor of time. `threads` work.
     void choose(const LiveLayers& samples, const PixelArray<float>& staleness, double share,
@@ -41,7 +46,6 @@ class PixelChoice {
     };
 
     static std::size_t luminanceAt(const ImagePlane& plane, int y);
-    void measureLuminance(const LiveLayers& samples, int threads);
     float darkness(const ImagePlane& plane) const;
     void measureUrgency(const LiveSamples& samples, const PixelArray<float>& staleness, int threads);
     Bound boundOf(const LiveSamples& samples, double share);

@@ -105,7 +105,6 @@ namespace {
 
 /// Samples that follow each other, projected together.
 constexpr std::size_t kProjected = 2048;
-constexpr int kRowsOfBand = 32;
 constexpr std::uint32_t kSameDepth = 2; ///< of the depths in keys: what is further away is hidden
 /// Staleness of samples that are shown beside where they are.
 constexpr auto kBesideSteps = static_cast<std::uint32_t>(0.4F * kKeySteps),
@@ -168,8 +167,10 @@ void Reprojection::compete(const ImagePlane& plane, int firstRow, int lastRow) {
     const std::size_t first = width * static_cast<std::size_t>(firstRow),
                       last = width * static_cast<std::size_t>(lastRow), count = last - first;
     Band& band = bands_[static_cast<std::size_t>(firstRow / kRowsOfBand)];
-    for (auto& losers : band.losers) losers.clear();
-    for (auto& losers : band.losers) losers.reserve(&losers == &band.losers[1] ? count : width);
+    band.inside.clear();
+    band.across.clear();
+    band.inside.reserve(count);
+    band.across.reserve(2 * width);
     std::array<std::uint32_t, kProjected + 1> lostHere;
     std::uint64_t* const nearest = &nearest_[first];
     std::fill_n(nearest, count, kNoSample);
@@ -190,21 +191,14 @@ void Reprojection::compete(const ImagePlane& plane, int firstRow, int lastRow) {
             const std::size_t pixel = pixelOf(pixels_[lostHere[k]]) - first;
             const std::int32_t way = pixels_[lostHere[k]] & kDown;
             const bool above = way == kUp && pixel < width, below = way == kDown && pixel + width >= count;
-            band.losers[above ? 0 : below ? 2 : 1].push_back(lostHere[k]);
+            (above || below ? band.across : band.inside).push_back(lostHere[k]);
         }
     });
 }
 
 /// Samples move to and fro in the grid of pixels, so that by and by two would fall into many a pixel, and
 /// none into that beside it. One of the two goes there.
-void Reprojection::spread(const ImagePlane& plane, int band) {
-    const auto at = static_cast<std::size_t>(band);
-    spreadTo(plane, bands_[at].losers[1]);
-    if (band > 0) spreadTo(plane, bands_[at - 1].losers[2]);
-    if (at + 1 < bands_.size()) spreadTo(plane, bands_[at + 1].losers[0]);
-}
-
-void Reprojection::spreadTo(const ImagePlane& plane, const std::vector<std::uint32_t>& losers) {
+void Reprojection::spread(const ImagePlane& plane, const std::vector<std::uint32_t>& losers) {
     const std::ptrdiff_t ways[] = {-1, 1, -std::ptrdiff_t{plane.width}, std::ptrdiff_t{plane.width}};
     for (const std::uint32_t i : losers) {
         const std::size_t pixel = pixelOf(pixels_[i]);
@@ -275,6 +269,13 @@ void Reprojection::take(const LiveSamples& past, LiveSamples& present, std::size
     }
 }
 
+void Reprojection::takeTints(const LiveLayers& past, LiveLayers& present, std::size_t first,
+                             std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+        if (present.own.mirrors(i)) present.tints[i] = past.tints[indexOf(nearest_[i])];
+    }
+}
+
 void Reprojection::takeMirrored(const LiveSamples& past, const LiveSamples& own, LiveSamples& present,
                                 std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
@@ -290,38 +291,47 @@ void Reprojection::takeMirrored(const LiveSamples& past, const LiveSamples& own,
     }
 }
 
-void Reprojection::carry(const LiveLayers& past, LiveLayers& present, int threads) {
-    staleness_.resize(present.own.size());
-    carryLayer(past.own, present.own, nullptr, threads);
-    if (present.mirrors) carryLayer(past.mirrored, present.mirrored, &present.own, threads);
+void Reprojection::carry(const LiveLayers& past, LiveLayers& present, int threads, const RowsDone& done) {
+    const LiveSamples& own = present.own;
+    staleness_.resize(own.size());
+    const auto forEachRow = [&](auto&& work, bool last) {
+        forEachRows(own.plane().height, kRowsOfBand, threads, [&](int from, int to) {
+            for (int y = from; y < to; ++y) work(y, own.index(0, y), own.index(0, y + 1));
+            if (last) done(from, to);
+        });
+    };
+    show(past.own, own.plane(), threads);
+    forEachRow(
+        [&](int y, std::size_t row, std::size_t next) {
+            borrow(own.plane(), nullptr, y);
+            take(past.own, present.own, row, next);
+            if (present.mirrors) takeTints(past, present, row, next);
+        },
+        !present.mirrors);
+    if (!present.mirrors) return;
+    show(past.mirrored, own.plane(), threads);
+    forEachRow(
+        [&](int y, std::size_t row, std::size_t next) {
+            borrow(own.plane(), &own, y);
+            takeMirrored(past.mirrored, own, present.mirrored, row, next);
+        },
+        true);
 }
 
-/// `own`: the layer that this one is mirrored by; null: it is that.
-void Reprojection::carryLayer(const LiveSamples& past, LiveSamples& present, const LiveSamples* own,
-                              int threads) {
-    const ImagePlane& plane = present.plane();
-    nearest_.resize(present.size());
+/// Finds the sample of each pixel, but for those that borrow one.
+void Reprojection::show(const LiveSamples& past, const ImagePlane& plane, int threads) {
+    nearest_.resize(static_cast<std::size_t>(plane.width) * static_cast<std::size_t>(plane.height));
     holes_.resize(std::max(holes_.size(), static_cast<std::size_t>(threads)));
-    project(past, plane, threads);
     bands_.resize(static_cast<std::size_t>((plane.height + kRowsOfBand - 1) / kRowsOfBand));
-    forEachRows(plane.height, kRowsOfBand, threads,
-                [&](int first, int last) { compete(plane, first, last); });
     // An image of one row or column has no pixels on some sides of others.
-    if (plane.width > 1 && plane.height > 1) {
-        forEachRows(plane.height, kRowsOfBand, threads,
-                    [&](int first, int) { spread(plane, first / kRowsOfBand); });
-    }
+    const bool spreads = plane.width > 1 && plane.height > 1;
+    project(past, plane, threads);
     forEachRows(plane.height, kRowsOfBand, threads, [&](int first, int last) {
-        for (int y = first; y < last; ++y) {
-            const std::size_t row = present.index(0, y), next = present.index(0, y + 1);
-            borrow(plane, own, y);
-            if (own == nullptr) {
-                take(past, present, row, next);
-            } else {
-                takeMirrored(past, *own, present, row, next);
-            }
-        }
+        compete(plane, first, last);
+        if (spreads) spread(plane, bands_[static_cast<std::size_t>(first / kRowsOfBand)].inside);
     });
+    if (!spreads) return;
+    for (const Band& band : bands_) spread(plane, band.across);
 }
 
 } // namespace rtcore

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace rtcore {
@@ -20,7 +21,13 @@ class Reprojection {
     /// stale. Of the others each goes to the pixel beside that it is next to, where that has none. A pixel in
     /// which none is seen, but beside which there are some, borrows one of them; else it has none then. The
     /// same for any number of `threads`; both images may differ in size.
-    void carry(const LiveLayers& past, LiveLayers& present, int threads);
+    ///
+    /// `done` is called by them with each part of the rows that is done, from the first row to before the
+    /// last: all layers of these pixels are there then.
+    using RowsDone = std::function<void(int first, int last)>;
+    void carry(
+        const LiveLayers& past, LiveLayers& present, int threads, const RowsDone& done = [](int, int) {});
+    static constexpr int kRowsOfBand = 32; ///< in all parts but the last
 
     /// By pixel of the present, with room for whole vectors: how stale its sample is, in square pixels. The
     /// square of the distance between the sample and the pixel's middle, and some for its age. Of two layers
@@ -33,20 +40,20 @@ class Reprojection {
         std::size_t first = 0, last = 0;
         std::size_t least = 1, most = 0;
     };
-    void carryLayer(const LiveSamples& past, LiveSamples& present, const LiveSamples* own, int threads);
+    void show(const LiveSamples& past, const ImagePlane& plane, int threads);
     void project(const LiveSamples& past, const ImagePlane& plane, int threads);
     template <typename Work>
     void forEachPartIn(std::size_t first, std::size_t last, Work&& work) const;
-    /// Rows of the image that follow each other. Samples that found their pixel taken, by the band of the
-    /// pixel beside: that above, this one, that below.
+    /// Rows of the image that follow each other. Samples that found their pixel taken, by whether the pixel
+    /// beside is in the same rows.
     struct Band {
-        std::vector<std::uint32_t> losers[3];
+        std::vector<std::uint32_t> inside, across;
     };
     void compete(const ImagePlane& plane, int firstRow, int lastRow);
-    void spread(const ImagePlane& plane, int band);
-    void spreadTo(const ImagePlane& plane, const std::vector<std::uint32_t>& losers);
+    void spread(const ImagePlane& plane, const std::vector<std::uint32_t>& losers);
     void borrow(const ImagePlane& plane, const LiveSamples* own, int y);
     void take(const LiveSamples& past, LiveSamples& present, std::size_t first, std::size_t last);
+    void takeTints(const LiveLayers& past, LiveLayers& present, std::size_t first, std::size_t last);
     void takeMirrored(const LiveSamples& past, const LiveSamples& own, LiveSamples& present,
                       std::size_t first, std::size_t last);
 

@@ -7,13 +7,12 @@ namespace rtcore {
 
 namespace {
 
-constexpr int kStep = 2; ///< a square has 2^kStep squares of the next finer level a side
-
 int up(int pixels, int shift) { return (pixels + (1 << shift) - 1) >> shift; }
 
 } // namespace
 
 void SampleMeans::begin(int width, int height) {
+    width_ = width;
     int shift = 0;
     for (Level& level : levels_) {
         level.shift = shift += kStep;
@@ -21,28 +20,6 @@ void SampleMeans::begin(int width, int height) {
         level.rows = up(height, shift);
         level.sums.resize(static_cast<std::size_t>(level.columns) * static_cast<std::size_t>(level.rows));
     }
-}
-
-void SampleMeans::take(const HdrImage& light, int first, int last) {
-    constexpr int kEvery = 2;
-    Level& finest = levels_[0];
-    for (int row = first >> kStep; row < up(last, kStep); ++row) {
-        const int bottom = std::min((row + 1) << kStep, last);
-        for (int column = 0; column < finest.columns; ++column) {
-            const int left = column << kStep, right = std::min((column + 1) << kStep, light.width);
-            Sum sum;
-            for (int y = row << kStep; y < bottom; y += kEvery) {
-                for (int x = left; x < right; x += kEvery) {
-                    const Colour there = light.at(x, y);
-                    if (there.r < 0) continue;
-                    sum.light += there;
-                    sum.samples += 1;
-                }
-            }
-            finest.at(column, row) = sum;
-        }
-    }
-    for (std::size_t i = 1; i < levels_.size(); ++i) addUp(levels_[i - 1], levels_[i], first, last);
 }
 
 void SampleMeans::addUp(const Level& fine, Level& coarse, int first, int last) const {

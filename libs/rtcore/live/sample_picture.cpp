@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "rtcore/live/sample_picture.cpp"
@@ -16,26 +17,51 @@
 #define RTCORE_LIVE_SAMPLE_PICTURE_TYPES
 namespace rtcore {
 
-/// A row of samples, ready to be weighed. Each array can be read one before its first pixel, and a vector
-/// behind its last.
-struct WeighedRow {
-    static constexpr int kArrays = 9;
-    static constexpr std::size_t kRoom = 64; ///< no vector has more lanes
-
+/// A part of a row of a layer's samples, ready to be weighed. Each array can be read one before its first
+/// pixel, and a vector behind its last.
+struct WeighedLayer {
     float* light[3];
     float* across[3]; ///< weight in the pixel to the left, in its own, in that to the right
     float* down[3];   ///< in the pixel above, in its own, in that below
+};
+struct WeighedRow {
+    static constexpr std::size_t kPixels = 256; ///< few, so that all stays in the first cache
+    static constexpr std::size_t kRoom = 64;    ///< no vector has more lanes
+    static constexpr std::size_t kArray = kPixels + 2 * kRoom, kArrays = 9 + 9 + 3;
 
-    static std::size_t arrayLength(std::size_t pixels) { return pixels + 2 * kRoom; }
-    WeighedRow(float* values, std::size_t pixels) {
+    WeighedLayer own, mirrored;
+    float* tint[3];       ///< of own's samples; 0 where they do not mirror
+    bool mirrors = false; ///< false: `mirrored` and `tint` are undefined
+
+    /// `values`: kArrays * kArray of them.
+    explicit WeighedRow(float* values) {
         float* next = values + kRoom;
-        for (auto* arrays : {&light, &across, &down}) {
+        for (auto* arrays :
+             {&own.light, &own.across, &own.down, &mirrored.light, &mirrored.across, &mirrored.down, &tint}) {
             for (float*& array : *arrays) {
                 array = next;
-                next += arrayLength(pixels);
+                next += kArray;
             }
         }
     }
+};
+
+/// Columns of an image.
+struct Columns {
+    std::size_t first, last;
+};
+
+/// What a part of a row of pixels shows.
+struct ShownPixels {
+    Colour* light; ///< below 0 where nothing is known
+    /// Where mirrored light is missing, what it would be tinted by: of each vector in which it is, the first
+    /// pixel, and from there on the tints; 0 where none is missing.
+    std::uint32_t* lacking;
+    float* tints[3];
+};
+struct Missing {
+    bool light = false;
+    std::size_t mirrored = 0; ///< vectors
 };
 
 } // namespace rtcore
@@ -54,75 +80,149 @@ HWY_INLINE Float weightAt(Float distance) {
     return falling * falling;
 }
 
-/// Row `y` of the samples. A pixel whose light is not all known weighs nothing. Of one that mirrors the place
-/// is that of the layer which is brighter.
-void weighRow(const LiveLayers& samples, int y, const WeighedRow& to) {
-    const LiveSamples& own = samples.own;
+/// Samples of row `y`, from column `x` on, which go to `at` in the arrays. Of those that are not `known` the
+/// weights are 0.
+HWY_INLINE void weigh(const LivePoints& points, Float3 light, Mask known, const ImagePlane& plane,
+                      std::size_t x, int y, const WeighedLayer& to, std::ptrdiff_t at) {
+    const SeenAt seen = seenAt(points, plane);
+    const Float dx = seen.x - (toFloat(toInt(iota(x))) + 0.5F), dy = seen.y - (static_cast<float>(y) + 0.5F);
+    store(light.x, to.light[0] + at);
+    store(light.y, to.light[1] + at);
+    store(light.z, to.light[2] + at);
+    for (int side = -1; side <= 1; ++side) {
+        const auto way = static_cast<float>(side);
+        store(selectOrZero(known, weightAt(dx - way)), to.across[side + 1] + at);
+        store(selectOrZero(known, weightAt(dy - way)), to.down[side + 1] + at);
+    }
+}
+
+/// Calls `use` with the columns, and those beside, a vector at a time, and with where each goes in the
+/// arrays.
+template <typename Use>
+HWY_INLINE void forEachColumn(const Columns& columns, std::size_t width, Use&& use) {
+    const std::size_t first = columns.first - (columns.first > 0 ? 1 : 0),
+                      last = std::min(columns.last + 1, width);
+    for (std::size_t x = first; x < last; x += lanes())
+        use(x, static_cast<std::ptrdiff_t>(x) - static_cast<std::ptrdiff_t>(columns.first));
+}
+
+/// Whether a sample of the columns mirrors.
+bool weighOwn(const LiveSamples& own, int y, const Columns& columns, const WeighedRow& to) {
     const ImagePlane& plane = own.plane();
     const std::size_t row = own.index(0, y);
-    const Float middleY = static_cast<float>(y) + 0.5F;
-    for (std::size_t x = 0; x < static_cast<std::size_t>(plane.width); x += lanes()) {
-        const std::size_t i = row + x;
-        const LivePoints points(own.points[i]);
-        Mask known = points.state != 0U;
-        Float3 light = radianceOf(own.lights[i]);
-        SeenAt at = seenAt(points, plane);
-        const Mask mirrors = points.has(LiveSamples::kMirrors);
-        if (any(mirrors)) {
-            const Float3 mirrored = radianceOf(samples.mirrored.lights[i]);
-            const LivePoints mirroredPoints(samples.mirrored.points[i]);
-            const SeenAt there = seenAt(mirroredPoints, plane);
-            const Mask brighter = mirrors & (luminance<Float>(mirrored) > luminance<Float>(light));
-            at = {select(brighter, there.x, at.x), select(brighter, there.y, at.y), at.depth};
-            light += selectOrZero(mirrors, mirrored);
-            const Mask missing = mirrors & (mirroredPoints.state == 0U);
-            known = known & !missing;
-        }
-        const Float dx = at.x - (toFloat(toInt(iota(x))) + 0.5F), dy = at.y - middleY;
-        store(light.x, to.light[0] + x);
-        store(light.y, to.light[1] + x);
-        store(light.z, to.light[2] + x);
-        for (int side = -1; side <= 1; ++side) {
-            const auto way = static_cast<float>(side);
-            store(selectOrZero(known, weightAt(dx - way)), to.across[side + 1] + x);
-            store(selectOrZero(known, weightAt(dy - way)), to.down[side + 1] + x);
+    Mask mirrors = Uint(0U) != 0U;
+    forEachColumn(
+        columns, static_cast<std::size_t>(plane.width), [&](std::size_t x, std::ptrdiff_t at) HWY_ATTR {
+            const LivePoints points(own.points[row + x]);
+            weigh(points, radianceOf(own.lights[row + x]), points.state != 0U, plane, x, y, to.own, at);
+            mirrors = mirrors | points.has(LiveSamples::kMirrors);
+        });
+    return any(mirrors);
+}
+
+void weighMirrored(const LiveLayers& samples, int y, const Columns& columns, const WeighedRow& to) {
+    const ImagePlane& plane = samples.own.plane();
+    const std::size_t row = samples.own.index(0, y);
+    forEachColumn(columns, static_cast<std::size_t>(plane.width),
+                  [&](std::size_t x, std::ptrdiff_t at) HWY_ATTR {
+                      const std::size_t i = row + x;
+                      const Mask mirrors = (statesOf(samples.own.points[i]) & LiveSamples::kMirrors) != 0U;
+                      const LivePoints points(samples.mirrored.points[i]);
+                      weigh(points, radianceOf(samples.mirrored.lights[i]), mirrors & (points.state != 0U),
+                            plane, x, y, to.mirrored, at);
+                      const Float3 tint = selectOrZero(mirrors, tintOf(samples.tints[i]));
+                      store(tint.x, to.tint[0] + at);
+                      store(tint.y, to.tint[1] + at);
+                      store(tint.z, to.tint[2] + at);
+                  });
+}
+
+HWY_INLINE Float3 load3(float* const from[3], std::size_t at) {
+    return {load(from[0] + at), load(from[1] + at), load(from[2] + at)};
+}
+
+/// Calls `use` with what each of the 3 x 3 samples around the pixels from column `x` on weighs there, its row
+/// and its column.
+template <typename Layer, typename Use>
+HWY_INLINE void forEachAround(const WeighedRow* const rows[3], std::size_t x, Layer&& layerOf, Use&& use) {
+    for (std::size_t v = 0; v < 3; ++v) {
+        const WeighedLayer& layer = layerOf(*rows[v]);
+        for (std::size_t u = 0; u < 3; ++u) {
+            const std::size_t at = x + u - 1;
+            use(load(layer.across[2 - u] + at) * load(layer.down[2 - v] + at), *rows[v], at);
         }
     }
 }
 
-/// The light of `count` pixels, of samples in their row and in those above and below; below 0 where there is
-/// none. Whether there are such.
-bool weighedMeans(const WeighedRow* const rows[3], std::size_t count, Colour* to) {
-    Float least = 1.0F;
+/// `count` <= lanes() pixels.
+HWY_INLINE void storePixels(Float3 light, std::size_t count, Colour* to) {
+    if (count == lanes()) {
+        hn::StoreInterleaved3(light.x.raw, light.y.raw, light.z.raw, FloatTag(), &to->r);
+        return;
+    }
+    float last[3][kLanes];
+    store(light.x, last[0]);
+    store(light.y, last[1]);
+    store(light.z, last[2]);
+    for (std::size_t k = 0; k < count; ++k) to[k] = {last[0][k], last[1][k], last[2][k]};
+}
+
+/// The light of `count` pixels, of samples in their row and in those above and below: what these scatter, and
+/// what is mirrored there as they tint it.
+template <bool kMirrors>
+HWY_INLINE Missing weighedMeansOf(const WeighedRow* const rows[3], std::size_t count, const ShownPixels& to) {
+    Missing missing;
     for (std::size_t x = 0; x < count; x += lanes()) {
-        Float3 sum{};
+        const Mask inside = toFloat(toInt(iota(x))) < static_cast<float>(count);
+        Float3 sum{}, tint{};
         Float weights = 0.0F;
-        for (std::size_t v = 0; v < 3; ++v) {
-            for (std::size_t u = 0; u < 3; ++u) {
-                const WeighedRow& row = *rows[v];
-                const std::size_t at = x + u - 1;
-                const Float weight = load(row.across[2 - u] + at) * load(row.down[2 - v] + at);
-                sum += load(row.light[0] + at, row.light[1] + at, row.light[2] + at) * weight;
+        forEachAround(
+            rows, x, [](const WeighedRow& row) -> const WeighedLayer& { return row.own; },
+            [&](Float weight, const WeighedRow& row, std::size_t at) HWY_ATTR {
+                sum += load3(row.own.light, at) * weight;
                 weights += weight;
+                if (kMirrors && row.mirrors) tint += load3(row.tint, at) * weight;
+            });
+        const Mask seen = weights > 0.0F;
+        missing.light = missing.light || any(inside & !seen);
+        Float3 light = sum / weights;
+        if (kMirrors) {
+            const Float most = max(tint.x, max(tint.y, tint.z));
+            const Mask tinted = seen & (most > 0.0F);
+            if (any(tinted)) {
+                tint = tint / weights;
+                Float3 mirrored{};
+                Float known = 0.0F;
+                forEachAround(
+                    rows, x, [](const WeighedRow& row) -> const WeighedLayer& { return row.mirrored; },
+                    [&](Float weight, const WeighedRow& row, std::size_t at) HWY_ATTR {
+                        if (!row.mirrors) return;
+                        mirrored += load3(row.mirrored.light, at) * weight;
+                        known += weight;
+                    });
+                const Mask there = tinted & (known > 0.0F);
+                light += selectOrZero(there, mirrored / known * tint);
+                const Mask none = inside & tinted & !there;
+                if (any(none)) {
+                    const Float3 lacking = selectOrZero(none, tint);
+                    store(lacking.x, to.tints[0] + x);
+                    store(lacking.y, to.tints[1] + x);
+                    store(lacking.z, to.tints[2] + x);
+                    to.lacking[missing.mirrored++] = static_cast<std::uint32_t>(x);
+                }
             }
         }
-        const Mask seen = weights > 0.0F;
-        const Float3 mean = select(seen, sum / weights, broadcast(Vec3{-1, -1, -1}));
-        if (x + lanes() <= count) {
-            hn::StoreInterleaved3(mean.x.raw, mean.y.raw, mean.z.raw, FloatTag(), &to[x].r);
-            least = min(least, mean.x);
-            continue;
-        }
-        float last[3][kLanes];
-        store(mean.x, last[0]);
-        store(mean.y, last[1]);
-        store(mean.z, last[2]);
-        for (std::size_t k = 0; x + k < count; ++k) {
-            to[x + k] = {last[0][k], last[1][k], last[2][k]};
-            if (last[0][k] < 0) least = -1.0F;
-        }
+        storePixels(select(seen, light, broadcast(Vec3{-1, -1, -1})), std::min(lanes(), count - x),
+                    to.light + x);
     }
-    return any(least < 0.0F);
+    return missing;
+}
+
+std::size_t lanesOfMeans() { return lanes(); }
+
+Missing weighedMeans(const WeighedRow* const rows[3], std::size_t count, const ShownPixels& to) {
+    const bool mirrors = rows[0]->mirrors || rows[1]->mirrors || rows[2]->mirrors;
+    return mirrors ? weighedMeansOf<true>(rows, count, to) : weighedMeansOf<false>(rows, count, to);
 }
 
 } // namespace
@@ -134,60 +234,120 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace rtcore {
 
-HWY_EXPORT(weighRow);
+HWY_EXPORT(weighOwn);
+HWY_EXPORT(weighMirrored);
 HWY_EXPORT(weighedMeans);
+HWY_EXPORT(lanesOfMeans);
 
-bool SamplePicture::showRows(const LiveLayers& samples, int first, int last, Rows& rows, Frame& frame) const {
-    constexpr int kKept = 4; // the row, that above, that below, and one of no weight beyond the image
+/// Rows of a part, from column to column. Returns whether light is missing.
+bool SamplePicture::showColumns(const LiveLayers& samples, int first, int last, const Columns& columns,
+                                Rows& rows, Frame& frame) {
+    constexpr std::size_t kKept = 4; // the row, that above, that below, and one of no weight beyond the image
+    constexpr std::size_t kRow = WeighedRow::kArrays * WeighedRow::kArray;
+    rows.values.resize(kKept * kRow + 3 * WeighedRow::kArray);
+    rows.lacking.resize(WeighedRow::kArray);
+    float* const values = rows.values.data();
+    WeighedRow weighed[kKept] = {WeighedRow(values), WeighedRow(values + kRow), WeighedRow(values + 2 * kRow),
+                                 WeighedRow(values + 3 * kRow)};
     const ImagePlane& plane = samples.own.plane();
     const auto width = static_cast<std::size_t>(plane.width);
-    const std::size_t size = WeighedRow::kArrays * WeighedRow::arrayLength(width);
-    rows.values.assign(kKept * size, 0);
-    const WeighedRow weighed[kKept] = {{rows.values.data(), width},
-                                       {rows.values.data() + size, width},
-                                       {rows.values.data() + 2 * size, width},
-                                       {rows.values.data() + 3 * size, width}};
     const auto rowAt = [&](int y) {
-        return &weighed[y < 0 || y >= plane.height ? kKept - 1 : y % (kKept - 1)];
+        return &weighed[y < 0 || y >= plane.height ? kKept - 1 : static_cast<std::size_t>(y) % (kKept - 1)];
+    };
+    const auto weighNoneBeside = [&](const WeighedLayer& layer) {
+        for (float* const array : layer.across) {
+            if (columns.first == 0) array[-1] = 0;
+            if (columns.last == width) std::fill_n(array + (width - columns.first), WeighedRow::kRoom, 0.0F);
+        }
     };
     const auto weigh = [&](int y) {
         if (y < 0 || y >= plane.height) return;
-        const WeighedRow& row = *rowAt(y);
-        HWY_DYNAMIC_DISPATCH(weighRow)(samples, y, row);
-        for (float* const array : row.across) std::fill_n(array + width, WeighedRow::kRoom, 0.0F);
+        WeighedRow& row = *rowAt(y);
+        row.mirrors = HWY_DYNAMIC_DISPATCH(weighOwn)(samples.own, y, columns, row);
+        weighNoneBeside(row.own);
+        if (!row.mirrors) return;
+        HWY_DYNAMIC_DISPATCH(weighMirrored)(samples, y, columns, row);
+        weighNoneBeside(row.mirrored);
     };
+    float* const tints = values + kKept * kRow;
     weigh(first - 1);
     weigh(first);
-    bool holes = false;
+    bool missing = false;
     for (int y = first; y < last; ++y) {
         weigh(y + 1);
         const WeighedRow* const around[] = {rowAt(y - 1), rowAt(y), rowAt(y + 1)};
-        const std::size_t row = samples.own.index(0, y);
-        if (HWY_DYNAMIC_DISPATCH(weighedMeans)(around, width, &frame.radiance.pixels[row])) holes = true;
-        for (std::size_t i = row; i < row + width; ++i)
+        const std::size_t row = samples.own.index(0, y) + columns.first;
+        const ShownPixels shown{&frame.radiance.pixels[row],
+                                rows.lacking.data(),
+                                {tints, tints + WeighedRow::kArray, tints + 2 * WeighedRow::kArray}};
+        const std::size_t count = columns.last - columns.first;
+        const Missing here = HWY_DYNAMIC_DISPATCH(weighedMeans)(around, count, shown);
+        missing = missing || here.light;
+        const std::size_t lanes = HWY_DYNAMIC_DISPATCH(lanesOfMeans)();
+        for (std::size_t k = 0; k < here.mirrored; ++k) {
+            for (std::size_t x = rows.lacking[k]; x < std::min(rows.lacking[k] + lanes, count); ++x) {
+                const Colour tint{shown.tints[0][x], shown.tints[1][x], shown.tints[2][x]};
+                if (!isBlack(tint)) rows.missing.push_back({row + x, tint});
+            }
+        }
+        for (std::size_t i = row; i < row + count; ++i)
             frame.covered[i] = (samples.own.points[i].state & LiveSamples::kBackground) != 0 ? 0 : 255;
     }
-    return holes;
+    return missing;
 }
 
 void SamplePicture::show(const LiveLayers& samples, int threads, Frame& frame) {
     const ImagePlane& plane = samples.own.plane();
-    std::vector<Colour>& light = frame.radiance.pixels;
     rows_.resize(std::max(rows_.size(), static_cast<std::size_t>(threads)));
-    means_.begin(plane.width, plane.height);
-    std::atomic<bool> holes = false;
+    for (Rows& rows : rows_) rows.missing.clear();
+    std::atomic<bool> missing = false;
+    const auto width = static_cast<std::size_t>(plane.width);
     forEachRows(plane.height, SampleMeans::kSide, threads, [&](int first, int last) {
         Rows& rows = rows_[static_cast<std::size_t>(threadNumber())];
-        if (showRows(samples, first, last, rows, frame)) holes.store(true, std::memory_order_relaxed);
+        for (std::size_t left = 0; left < width; left += WeighedRow::kPixels) {
+            const Columns columns{left, std::min(left + WeighedRow::kPixels, width)};
+            if (showColumns(samples, first, last, columns, rows, frame))
+                missing.store(true, std::memory_order_relaxed);
+        }
     });
-    if (!holes) return;
+    if (std::ranges::any_of(rows_, [](const Rows& rows) { return !rows.missing.empty(); }))
+        addMissing(samples, threads, frame);
+    if (missing) fill(threads, frame);
+}
+
+/// Where no mirrored light is known, that of what mirrors around.
+void SamplePicture::addMissing(const LiveLayers& samples, int threads, Frame& frame) {
+    const ImagePlane& plane = samples.own.plane();
+    const auto mirroredAt = [&](int x, int y) {
+        const std::size_t i = samples.own.index(x, y);
+        const bool known = samples.own.mirrors(i) && samples.mirrored.known(i);
+        return known ? samples.mirrored.light(i) : Colour{-1, -1, -1};
+    };
+    means_.begin(plane.width, plane.height);
     forEachRows(plane.height, SampleMeans::kSide, threads,
-                [&](int first, int last) { means_.take(frame.radiance, first, last); });
+                [&](int first, int last) { means_.take(mirroredAt, first, last); });
+    const auto width = static_cast<std::size_t>(plane.width);
+    for (const Rows& rows : rows_) {
+        for (const MissingLight& missing : rows.missing) {
+            const auto x = static_cast<int>(missing.pixel % width),
+                       y = static_cast<int>(missing.pixel / width);
+            frame.radiance.pixels[missing.pixel] += missing.tint * means_.around(x, y);
+        }
+    }
+}
+
+/// Where nothing is known, what is seen around.
+void SamplePicture::fill(int threads, Frame& frame) {
+    HdrImage& image = frame.radiance;
+    const auto lightAt = [&](int x, int y) { return image.at(x, y); };
+    means_.begin(image.width, image.height);
+    forEachRows(image.height, SampleMeans::kSide, threads,
+                [&](int first, int last) { means_.take(lightAt, first, last); });
     constexpr int kRows = 8;
-    forEachRows(plane.height, kRows, threads, [&](int first, int last) {
+    forEachRows(image.height, kRows, threads, [&](int first, int last) {
         for (int y = first; y < last; ++y) {
-            for (int x = 0; x < plane.width; ++x) {
-                Colour& pixel = light[samples.own.index(x, y)];
+            for (int x = 0; x < image.width; ++x) {
+                Colour& pixel = image.at(x, y);
                 if (pixel.r < 0) pixel = means_.around(x, y);
             }
         }

@@ -5,25 +5,39 @@
 #include "rtcore/live/sample_means.h"
 #include "rtcore/render/frame.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace rtcore {
+
+struct Columns;
 
 /// Keeps its memory from frame to frame.
 class SamplePicture {
   public:
     /// Writes frame.radiance and frame.covered, whose size is that of the samples: each pixel shows the light
-    /// of the samples around its middle, the nearer the more, within one pixel; or, where there is none, what
-    /// is seen around it. Where all samples are in the middles of their pixels, each shows its own.
+    /// of the samples around its middle, the nearer the more, within one pixel, and where these mirror, in
+    /// the same way the light that is mirrored there; or, where there is none of either, what is known of it
+    /// around. Where all samples are in the middles of their pixels, each shows its own.
     void show(const LiveLayers& samples, int threads, Frame& frame);
 
   private:
-    /// A few rows of light, with what each sample weighs in the pixels beside. Of one thread.
-    struct Rows {
-        std::vector<float> values;
+    /// A pixel that shows mirrored light which is not known, and what it would be tinted by.
+    struct MissingLight {
+        std::size_t pixel;
+        Colour tint;
     };
-    /// Returns whether there are pixels around which nothing is known: their light is below 0.
-    bool showRows(const LiveLayers& samples, int first, int last, Rows& rows, Frame& frame) const;
+    /// Of one thread.
+    struct Rows {
+        std::vector<float> values; ///< a few rows of samples, with what each weighs in the pixels beside
+        std::vector<std::uint32_t> lacking;
+        std::vector<MissingLight> missing;
+    };
+    bool showColumns(const LiveLayers& samples, int first, int last, const Columns& columns, Rows& rows,
+                     Frame& frame);
+    void addMissing(const LiveLayers& samples, int threads, Frame& frame);
+    void fill(int threads, Frame& frame);
 
     std::vector<Rows> rows_; ///< by thread
     SampleMeans means_;

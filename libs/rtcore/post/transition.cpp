@@ -28,7 +28,7 @@ struct Between {
 
 Colour mix(Colour a, Colour b, float part) { return a + (b - a) * part; }
 
-void enlarge(const HdrImage& small, [[maybe_unused]] int threads, HdrImage& image) {
+void upsampleTo(const HdrImage& small, [[maybe_unused]] int threads, HdrImage& image) {
     std::vector<Between> columns;
     columns.reserve(static_cast<std::size_t>(image.width));
     for (int x = 0; x < image.width; ++x) columns.emplace_back(x, image.width, small.width);
@@ -57,7 +57,7 @@ void Transition::begin(const HdrImage& before, const RenderSettings& settings, i
     if (before.width == settings.width && before.height == settings.height) {
         std::copy(before.pixels.begin(), before.pixels.end(), radiance_.pixels.begin());
     } else {
-        enlarge(before, threads, radiance_);
+        upsampleTo(before, threads, radiance_);
     }
 }
 

@@ -13,7 +13,7 @@ namespace rtcore {
 /// Keeps its memory, 16 bytes per pixel beside its effects. One thread at a time.
 class Transition {
   public:
-    /// Begins with `before`, of any size, enlarged to that of the settings. Nothing is shown before expose().
+    /// Begins with `before`, of any size, upsampled to that of the settings. Nothing is shown before expose().
     /// `threads` = 0: all cores.
     void begin(const HdrImage& before, const RenderSettings& settings, int threads);
     /// From here on all is shown with that exposure, and with the settings' effects, as far as parts can have

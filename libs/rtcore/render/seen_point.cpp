@@ -15,6 +15,7 @@ SeenPoint::SeenPoint(const PrimaryHit& hit, Colour radiance)
     : position(hit.position), normal(hit.normal), any(hit.any()) {
     if (hit.mirrored < kLeastMirrored) return;
     mirroredLength = hit.mirroredLength;
+    tint = hit.tint;
     ownPart = {partOf(hit.own.r, radiance.r), partOf(hit.own.g, radiance.g), partOf(hit.own.b, radiance.b)};
 }
 

@@ -12,6 +12,7 @@ struct SeenPoint {
     Vec3 position;
     Vec3 normal;              ///< PrimaryHit::normal
     Colour ownPart = kWhite;  ///< 0..1: the fraction of the radiance that is PrimaryHit::own
+    Colour tint;              ///< PrimaryHit::tint, where something is mirrored
     float mirroredLength = 0; ///< PrimaryHit::mirroredLength; 0 also where next to nothing is mirrored
     bool any = false;         ///< false: the sample saw the background
 

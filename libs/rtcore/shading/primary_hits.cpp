@@ -47,6 +47,12 @@ float imageDistance(float distance, float curvature) {
     return inverse >= kLeast / distance ? 1 / inverse : 0;
 }
 
+/// How often a path was mirrored, refracted or went straight through.
+std::uint32_t bouncesOf(const Wave& wave, std::size_t i) {
+    const std::uint32_t bounces = wave.paths.bounces(i);
+    return (bounces & 0xFFFFU) + ((bounces & ~kInsideBit) >> 16);
+}
+
 } // namespace
 
 void PrimaryHits::start(std::size_t samples) {
@@ -72,7 +78,9 @@ void PrimaryHits::take(const Wave& wave, const Mesh& mesh) {
                .direct = {},
                .soft = {},
                .wave = wave_,
-               .own = {}};
+               .own = {},
+               .tint = {},
+               .bounces = bouncesOf(wave, i)};
         if (hit.mirrored > 0)
             hit.curvature = meanCurvature(mesh, wave.hits.triangle[i], surfaces.geometricNormal.at(i));
     }
@@ -80,8 +88,9 @@ void PrimaryHits::take(const Wave& wave, const Mesh& mesh) {
 
 void PrimaryHits::takeMirrored(const Wave& wave, std::size_t i, PrimaryHit& hit) const {
     const bool any = wave.surfaces.traits[i] != 0;
-    if (!any && wave.hits.isHit(i)) return; // a hole
     const PathQueue& queue = *wave.paths.queue();
+    if (bouncesOf(wave, i) == hit.bounces + 1) hit.tint += queue.path(i).weight;
+    if (!any && wave.hits.isHit(i)) return; // a hole
     const float weight = luminance(any ? wave.surfaces.weight.colourAt(i) : queue.path(i).weight);
     if (!(weight > hit.mirroredWeight)) return;
     const float length = queue.length[i], t = any ? wave.hits.t[i] : std::numeric_limits<float>::infinity();

@@ -27,7 +27,9 @@ struct PrimaryHit {
     /// How far away what it mostly mirrors or transmits seems to be along the primary ray; infinite of the
     /// background; below 0 where something curved bends it, as in Path::length; 0: nothing is mirrored.
     float mirroredLength = 0;
-    float mirroredWeight = 0; ///< of the path that it is that of
+    float mirroredWeight = 0;  ///< of the path that it is that of
+    Colour tint;               ///< fraction of the light arriving there that is mirrored or transmitted
+    std::uint32_t bounces = 0; ///< of the path that ended here: so often mirrored, refracted or passed
     float curvature = 0; ///< the mean of its surface, where that mirrors; above 0 bulges towards the viewer
 
     bool any() const { return wave != 0; }

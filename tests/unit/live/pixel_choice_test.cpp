@@ -33,6 +33,8 @@ struct Image {
 std::set<std::pair<int, int>> chosen(const Image& image, double share, std::uint32_t number,
                                      int threads = 1) {
     PixelChoice choice;
+    choice.begin(image.samples.own.plane());
+    choice.look(image.samples, 0, kRows);
     choice.choose(image.samples, image.staleness, share, number, threads);
     std::set<std::pair<int, int>> result;
     for (const SampleId& id : choice.chosen()) EXPECT_TRUE(result.insert({id.x, id.y}).second);
@@ -61,10 +63,11 @@ TEST(PixelChoice, TakesHolesBesideOtherLightBeforeStaleSamples) {
 TEST(PixelChoice, TakesMirrorsForHolesWhoseMirroredLightIsNotKnown) {
     Image image;
     image.samples.mirrors = true;
-    image.samples.mirrored.clear(image.samples.own.plane());
+    image.samples.resizeMirrored(image.samples.own.plane());
     const int x = kColumns / 2;
     const auto mirrorAt = [&](int y) { return image.samples.own.index(x, y); };
     for (const int y : {11, 71}) image.samples.own.set(mirrorAt(y), {.light = {1, 1, 1}, .mirrors = true});
+    image.samples.tints[mirrorAt(71)] = packLight(kWhite);
     image.samples.mirrored.set(mirrorAt(71), {.light = {0.1F, 0.1F, 0.1F}});
     const auto found = chosen(image, 1.0 / (kColumns * kRows), 5);
     EXPECT_TRUE(found.contains({x, 11}));
@@ -127,6 +130,8 @@ TEST(PixelChoice, SaysHowManyAreUnknown) {
         for (const int y : {7, 8, 9, 10}) image.samples.own.forget(image.samples.own.index(x, y));
     }
     PixelChoice choice;
+    choice.begin(image.samples.own.plane());
+    choice.look(image.samples, 0, kRows);
     choice.choose(image.samples, image.staleness, 0.1, 0, 1);
     EXPECT_NEAR(choice.unknown(), 2.0 / kRows, 1e-9) << "the other two rows have known ones beside";
 }

@@ -180,7 +180,7 @@ TEST_F(Wall, AgesToALimit) {
 
 TEST_F(Wall, ShowsWhatItMirrorsWhereThatSeemsToBe) {
     layers.mirrors = now.mirrors = true;
-    layers.mirrored.clear(past.plane());
+    layers.resizeMirrored(past.plane());
     for (int y = 0; y < kWallRows; ++y) {
         for (int x = 0; x < kWallColumns; ++x) {
             const std::size_t i = past.index(x, y);
@@ -233,6 +233,7 @@ TEST(Reprojection, IsTheSameForAnyNumberOfThreads) {
         if (i % 5 == 0) past.forget(i);
         layers.mirrored.set(i, {.position = {anywhere(random), anywhere(random), anywhere(random)},
                                 .light = {static_cast<float>(i % 300), 0, 0}});
+        layers.tints[i] = static_cast<std::uint32_t>(i);
     }
     const auto carried = [&](int threads) {
         Reprojection reprojection;
@@ -242,6 +243,7 @@ TEST(Reprojection, IsTheSameForAnyNumberOfThreads) {
         reprojection.carry(layers, present, threads);
         std::vector<std::uint32_t> all;
         for (std::size_t i = 0; i < present.own.size(); ++i) {
+            all.push_back(present.own.mirrors(i) ? present.tints[i] : 0);
             for (const LiveSamples* layer : {&present.own, &present.mirrored}) {
                 all.push_back(layer->points[i].state);
                 all.push_back(layer->known(i) ? layer->lights[i].radiance : 0);

@@ -72,7 +72,7 @@ TEST(Transition, ShowsHalfOfAnAreaFirstAndReadsNoOther) {
     EXPECT_EQ(transition.image().pixels, developed(wanted, imageSettings()).pixels);
 }
 
-TEST(Transition, EnlargesASmallerImageBetweenItsPixels) {
+TEST(Transition, UpsamplesASmallerImageBetweenItsPixels) {
     Transition transition;
     RenderSettings settings = imageSettings();
     settings.dithering = false;

@@ -387,6 +387,38 @@ SeenPoint seenInMirror(float curvature) {
     return frame.seen[4 * 9 + 4];
 }
 
+TEST(RenderFrame, SaysHowPanesTintWhatIsSeenThroughThem) {
+    test::SceneBuilder b;
+    Material glass = test::matte(0.0F);
+    glass.opacity = 0;
+    glass.transmission = {0.25F, 0.5F, 0.75F};
+    const auto pane = b.material(glass);
+    // Behind a pane another one: of what is seen through both, the first tints what the second lets through.
+    b.square({0, 0, -4}, {0, 0, 1}, 1, pane);
+    b.square({0, 0, -6}, {0, 0, 1}, 1, pane);
+    b.scene.background = {1, 1, 1};
+    const test::TracedScene traced(b.finish());
+    RenderSettings settings = test::sampleSettings(9, 9);
+    settings.minContribution = 0;
+    settings.reflections = false;
+    Camera camera;
+    camera.eye = {};
+    camera.forward = {0, 0, -1};
+    camera.horizontalFov = 0.1F;
+    FrameRenderer renderer;
+    renderer.collectSeen(true);
+    RenderControl control{.threads = 1};
+    Frame frame;
+    renderer.render({traced.scene, traced.tracer, camera, settings}, control, frame);
+    const SeenPoint& seen = frame.seen[4 * 9 + 4];
+    EXPECT_TRUE(seen.any);
+    EXPECT_TRUE(std::isinf(seen.mirroredLength));
+    const Colour light = frame.radiance.pixels[4 * 9 + 4];
+    EXPECT_NEAR(light.r / seen.tint.r, 0.25F, 0.05F);
+    EXPECT_NEAR(light.g / seen.tint.g, 0.5F, 0.05F);
+    EXPECT_NEAR(light.b / seen.tint.b, 0.75F, 0.05F);
+}
+
 TEST(RenderFrame, SaysWhatPixelsSeeThatAreNotRefined) {
     const test::TracedScene traced(plainScene());
     RenderSettings settings = test::sampleSettings(101, 67);
@@ -413,6 +445,7 @@ TEST(RenderFrame, SaysHowFarAwayMirroredLightSeemsToBe) {
     const SeenPoint flat = seenInMirror(0);
     EXPECT_NEAR(flat.position.z, -4, 1e-3);
     EXPECT_NEAR(flat.mirroredLength, 4 + 5, 1e-2);
+    EXPECT_NEAR(flat.tint.g, 0.5F, 1e-3F);
     EXPECT_GT(flat.ownPart.g, 0.1F);
     EXPECT_LT(flat.ownPart.g, 0.9F);
     // The mirror equation: 1 / image = 1 / 5 + 2 / radius. Below 0: it is bent.

@@ -1,0 +1,96 @@
+#include "rtcore/live/sample_picture.h"
+
+#include "unit/render/sample_view.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace rtcore {
+namespace {
+
+constexpr int kWidth = 531, kHeight = 70; // more than what is shown at a time, and no whole vectors
+constexpr Colour kOwn{0.25F, 0.5F, 1}, kMirrored{2, 4, 8};
+
+/// Samples in the middles of their pixels. Those of columns from kMirror on mirror, each with its own tint.
+class Picture : public testing::Test {
+  protected:
+    static constexpr int kMirror = 200;
+
+    Picture() {
+        layers.mirrors = true;
+        layers.resize(ImagePlane(CameraRays(test::sampleCamera(), kWidth, kHeight), kWidth, kHeight));
+        for (int y = 0; y < kHeight; ++y) {
+            for (int x = 0; x < kWidth; ++x) {
+                const std::size_t i = at(x, y);
+                const Vec3 position = place(x, y, 5);
+                layers.own.set(i, {.position = position, .light = kOwn, .mirrors = x >= kMirror});
+                layers.tints[i] = packLight(tintOf(x));
+                layers.mirrored.set(i, {.position = place(x, y, 9), .light = kMirrored});
+                if (x < kMirror) layers.mirrored.forget(i);
+            }
+        }
+        frame.radiance = HdrImage(kWidth, kHeight);
+        frame.covered.resize(frame.radiance.pixels.size());
+    }
+    std::size_t at(int x, int y) const { return layers.own.index(x, y); }
+    Vec3 place(int x, int y, float depth) const {
+        const ImagePlane& plane = layers.own.plane();
+        return plane.eye + plane.towards(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F) * depth;
+    }
+    static Colour tintOf(int x) { return x % 2 == 0 ? Colour{0.5F, 0.25F, 0.125F} : Colour{0.125F, 0.5F, 0}; }
+    static Colour wanted(int x) { return x < kMirror ? kOwn : kOwn + tintOf(x) * kMirrored; }
+    void expectAll(int threads) {
+        picture.show(layers, threads, frame);
+        for (int y = 0; y < kHeight; ++y) {
+            for (int x = 0; x < kWidth; ++x) {
+                const Colour seen = frame.radiance.at(x, y), should = wanted(x);
+                ASSERT_NEAR(seen.r, should.r, 0.01F) << x << " " << y;
+                ASSERT_NEAR(seen.g, should.g, 0.01F) << x << " " << y;
+                ASSERT_NEAR(seen.b, should.b, 0.02F) << x << " " << y;
+                ASSERT_EQ(frame.covered[at(x, y)], 255);
+            }
+        }
+    }
+
+    LiveLayers layers;
+    Frame frame;
+    SamplePicture picture;
+};
+
+TEST_F(Picture, ShowsEachSampleInTheMiddleOfItsPixel) {
+    for (const int threads : {1, 2, 3}) expectAll(threads);
+}
+
+TEST_F(Picture, TintsTheMirroredLightOfOthersWhereThatIsMissing) {
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = kMirror; x < kWidth; ++x) {
+            if (x > 470 || (x + 3 * y) % 11 != 0) layers.mirrored.forget(at(x, y));
+        }
+    }
+    for (const int threads : {1, 2}) expectAll(threads);
+}
+
+TEST_F(Picture, ShowsWhatIsAroundWhereNothingIsKnown) {
+    for (int y = 20; y < 40; ++y) {
+        for (int x = 30; x < 150; ++x) layers.own.forget(at(x, y));
+    }
+    expectAll(2);
+}
+
+TEST_F(Picture, WeighsSamplesByTheirDistanceFromThePixelsMiddle) {
+    // A bright one a quarter of a pixel off its middle, to the right.
+    const ImagePlane& plane = layers.own.plane();
+    const Vec3 aside = plane.eye + plane.towards(100.75F, 30.5F) * 5;
+    layers.own.set(at(100, 30), {.position = aside, .light = {8, 8, 8}});
+    picture.show(layers, 1, frame);
+    const auto falling = [](double x) { return (1 - x * x) * (1 - x * x); };
+    const double here = falling(0.25), beside = falling(0.75), none = 1;
+    const Colour right = frame.radiance.at(101, 30);
+    EXPECT_NEAR(right.r, (none * 0.25 + beside * 8) / (none + beside), 0.02);
+    EXPECT_NEAR(frame.radiance.at(100, 30).r, 8, 1e-3) << here;
+    EXPECT_NEAR(frame.radiance.at(99, 30).r, 0.25F, 1e-3) << "more than a pixel away";
+}
+
+} // namespace
+} // namespace rtcore
