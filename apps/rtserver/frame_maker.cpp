@@ -103,8 +103,10 @@ void FrameMaker::noticeChanges(const ServerState& state, const rtcore::RenderSet
 }
 
 std::size_t FrameMaker::bytesOf(const rtcore::RenderSettings& settings) {
-    const std::size_t pixel =
-        sizeof(rtcore::Colour) + sizeof(rtcore::Rgba8) + rtcore::effectBytesPerPixel(settings);
+    constexpr std::size_t kLight = sizeof(rtcore::Colour) + sizeof(std::uint8_t); // and what is covered
+    constexpr std::size_t kImages = 2 * kLight + sizeof(rtcore::Rgba8) + rtcore::Transition::kBytesPerPixel;
+    constexpr std::size_t kLive = sizeof(rtcore::SeenPoint) + rtcore::LiveRenderer::kBytesPerPixel;
+    const std::size_t pixel = kImages + kLive + 2 * rtcore::effectBytesPerPixel(settings);
     return pixel * static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
 }
 

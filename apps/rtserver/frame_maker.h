@@ -49,7 +49,8 @@ class FrameMaker {
     void develop(const ServerState& state);
     /// Whether develop() would give the same image again.
     bool settled() const { return adaptation_.settled(); }
-    /// What a frame of such settings takes, with its image and effects.
+    /// What frames of such settings take: a whole one and a coarse one, their images and effects, and what
+    /// live frames keep at least. (docs/live.md)
     static std::size_t bytesOf(const rtcore::RenderSettings& settings);
     /// Throws rtcore::FileError TryAgain when there is no memory for such frames, as far as one can tell.
     static void requireMemory(const rtcore::RenderSettings& settings);

@@ -20,11 +20,14 @@ namespace rtcore {
 /// where their samples are.
 bool sameLight(const RenderSettings& a, const RenderSettings& b);
 
-/// Keeps the memory of a sequence of frames, about 80 bytes per pixel beside the frame, where
-/// something mirrors 130. Not for several
-/// threads at once: it uses all of them itself. Throws std::bad_alloc; what is kept is undefined then.
+/// Keeps the memory of a sequence of frames. Not for several threads at once: it uses all of them itself.
+/// Throws std::bad_alloc; what is kept is undefined then.
 class LiveRenderer {
   public:
+    /// What it keeps for each pixel, beside the frame: where nothing mirrors and few pixels are traced; and
+    /// at most, where something mirrors and all are traced. Some megabytes for each thread are not counted.
+    static constexpr std::size_t kBytesPerPixel = 80, kMostBytesPerPixel = 330;
+
     /// Whether such a view can be drawn: of a perspective camera, one sample per pixel in its middle, fewer
     /// than Reprojection::kMostPixels.
     static bool draws(const View& view);

@@ -6,15 +6,18 @@
 #include "rtcore/scene/image.h"
 #include "rtcore/settings/render_settings.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace rtcore {
 
-/// Keeps its memory, 16 bytes per pixel beside its effects. One thread at a time.
+/// Keeps its memory. One thread at a time.
 class Transition {
   public:
-    /// Begins with `before`, of any size, upsampled to that of the settings. Nothing is shown before expose().
-    /// `threads` = 0: all cores.
+    static constexpr std::size_t kBytesPerPixel = sizeof(Colour) + sizeof(Rgba8); ///< beside its effects
+
+    /// Begins with `before`, of any size, upsampled to that of the settings. Nothing is shown before
+    /// expose(). `threads` = 0: all cores.
     void begin(const HdrImage& before, const RenderSettings& settings, int threads);
     /// From here on all is shown with that exposure, and with the settings' effects, as far as parts can have
     /// them (developPart()). By the calling thread.

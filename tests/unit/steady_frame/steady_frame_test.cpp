@@ -9,20 +9,32 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <new>
 
+#include <malloc.h>
+
 namespace {
 
 std::atomic<std::uint64_t> allocations{0};
+std::atomic<std::size_t> bytesInUse{0}, mostBytes{0};
 
 void* allocate(std::size_t bytes, std::size_t alignment) {
     allocations.fetch_add(1, std::memory_order_relaxed);
     const std::size_t rounded = (bytes + alignment - 1) / alignment * alignment;
     void* const memory = std::aligned_alloc(alignment, rounded > 0 ? rounded : alignment);
     if (memory == nullptr) throw std::bad_alloc();
+    const std::size_t taken = ::malloc_usable_size(memory), now = bytesInUse.fetch_add(taken) + taken;
+    for (std::size_t most = mostBytes; now > most && !mostBytes.compare_exchange_weak(most, now);) {
+    }
     return memory;
+}
+
+void release(void* memory) {
+    bytesInUse -= ::malloc_usable_size(memory);
+    std::free(memory);
 }
 
 } // namespace
@@ -32,11 +44,11 @@ void* allocate(std::size_t bytes, std::size_t alignment) {
 [[gnu::noinline]] void* operator new(std::size_t bytes, std::align_val_t alignment) {
     return allocate(bytes, static_cast<std::size_t>(alignment));
 }
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory) noexcept { release(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { release(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::align_val_t) noexcept { release(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t, std::align_val_t) noexcept {
-    std::free(memory);
+    release(memory);
 }
 
 namespace rtcore {
@@ -114,6 +126,52 @@ TEST(SteadyFrame, OfALiveWalkAllocatesNothing) {
     EXPECT_GT(walk(), 0U);
     EXPECT_EQ(walk(), 0U);
     EXPECT_EQ(walk(), 0U);
+}
+
+/// The most bytes that a walk kept which began with a whole frame, beside its frame.
+double bytesOfAWalk(const test::TracedScene& traced, double newSamples, RenderSettings settings) {
+    RenderControl control{.threads = 1};
+    LiveRenderer live;
+    Frame frame;
+    const View view{traced.scene, traced.tracer, test::sampleCamera(), settings};
+    {
+        FrameRenderer renderer;
+        renderer.collectSeen(true);
+        EXPECT_TRUE(renderer.render(view, control, frame));
+    }
+    const std::size_t before = bytesInUse;
+    mostBytes = before;
+    live.keep(view, frame, 1);
+    for (int i = 1; i < 4; ++i) {
+        Camera camera = test::sampleCamera();
+        camera.eye.x += 0.05F * static_cast<float>(i);
+        EXPECT_TRUE(live.render({traced.scene, traced.tracer, camera, settings}, newSamples, control, frame));
+    }
+    return static_cast<double>(mostBytes - before);
+}
+
+/// The same for each pixel, without what does not depend on their number.
+double bytesOfAPixel(const Scene& scene, double newSamples) {
+    const test::TracedScene traced(scene);
+    const RenderSettings large = test::sampleSettings(800, 500);
+    RenderSettings small = large;
+    small.width /= 2;
+    small.height /= 2;
+    const double more = bytesOfAWalk(traced, newSamples, large) - bytesOfAWalk(traced, newSamples, small);
+    return more / (0.75 * large.width * large.height);
+}
+
+TEST(SteadyFrame, LiveFramesKeepAsManyBytesAsTheySay) {
+    test::SceneBuilder floor;
+    floor.square({0, 0, 0}, {0, 1, 0}, 10, floor.material(test::matte(0.5F)));
+    floor.scene.lights = {test::pointLight({0, 4, 0}, 20)};
+    const double few = bytesOfAPixel(floor.finish(), 0.01), most = bytesOfAPixel(test::sampleScene(), 1);
+    RecordProperty("few", std::to_string(few));
+    RecordProperty("most", std::to_string(most));
+    EXPECT_LE(few, LiveRenderer::kBytesPerPixel);
+    EXPECT_GT(few, 0.8 * LiveRenderer::kBytesPerPixel);
+    EXPECT_LE(most, LiveRenderer::kMostBytesPerPixel);
+    EXPECT_GT(most, 0.7 * LiveRenderer::kMostBytesPerPixel);
 }
 
 TEST(SteadyFrame, WithALensAndAdaptiveSamplesAllocatesNothing) {
