@@ -45,6 +45,7 @@ class FrameMaker {
     bool hasRadiance() const { return seen_ != nullptr; }
     /// Whether the last frame has all the pixels and samples that the state asks for.
     bool whole() const { return detail_.whole(); }
+    const FrameDetail& detail() const { return detail_; } ///< of the last frame
     /// The image of the frame that was traced last, at the exposure of this moment. Needs hasRadiance().
     void develop(const ServerState& state);
     /// Whether develop() would give the same image again.

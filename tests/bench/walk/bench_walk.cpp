@@ -90,7 +90,7 @@ class Comparison {
   private:
     /// The last picture that came before the end of the moment.
     std::size_t pictureAt(std::size_t camera) const {
-        if (options_.fixed) return camera;
+        if (drawsEach(options_)) return camera;
         const double end = static_cast<double>(camera + 1) / options_.framesPerSecond;
         std::size_t last = 0;
         while (last + 1 < published_.size() && published_[last + 1].seconds <= end) ++last;
@@ -111,10 +111,10 @@ class Comparison {
         const Published& picture = published_[index];
         Moment moment;
         moment.camera = static_cast<int>(camera);
-        const double before = options_.fixed || index == 0 ? 0 : published_[index - 1].seconds;
+        const double before = drawsEach(options_) || index == 0 ? 0 : published_[index - 1].seconds;
         moment.milliseconds = 1000 * (picture.seconds - before);
         moment.drawn = 1000 * picture.drawn;
-        if (!options_.fixed)
+        if (!drawsEach(options_))
             moment.age =
                 1000 * (static_cast<double>(camera + 1) / options_.framesPerSecond - picture.seconds);
         moment.scale = static_cast<double>(picture.image.width) / options_.width;
@@ -156,19 +156,45 @@ std::string restOf(const std::vector<Published>& rest, const WalkOptions& option
                        sum / std::max(static_cast<double>(rest.size() - 1), 1.0), most);
 }
 
+std::vector<WalkStep> stepsOf(const std::vector<Published>& published) {
+    std::vector<WalkStep> steps;
+    for (const Published& picture : published)
+        steps.push_back({picture.seconds, picture.detail, picture.camera});
+    return steps;
+}
+
+std::vector<Published> publishedOf(const WalkOptions& options, LiveServer& server,
+                                   const std::vector<rtcore::Camera>& cameras) {
+    if (options.replay) return server.draw(readTrace(*options.replay));
+    if (options.newSamples > 0) {
+        std::vector<WalkStep> steps{{.camera = cameras.front()}};
+        for (const rtcore::Camera& camera : cameras)
+            steps.push_back({.detail = {1, true, options.newSamples}, .camera = camera});
+        std::vector<Published> published = server.draw(steps);
+        published.erase(published.begin()); // the whole frame that it began with
+        return published;
+    }
+    if (!options.fixed) return server.play(cameras);
+    std::vector<Published> published = server.drawEach(cameras);
+    if (published.size() != cameras.size()) throw std::runtime_error("a frame was left");
+    return published;
+}
+
 app::ExitCode runWalk(const app::Arguments& arguments) {
     const WalkOptions options = readWalkOptions(arguments);
     app::useThreads(options.threads);
     const std::vector<rtcore::Camera> cameras = readCameras(options);
     LiveServer server(options);
-    const std::vector<Published> published = options.fixed ? server.drawEach(cameras) : server.play(cameras);
-    if (options.fixed && published.size() != cameras.size()) throw std::runtime_error("a frame was left");
+    const std::vector<Published> published = publishedOf(options, server, cameras);
     std::printf("%s, %d x %d, %zu cameras\n", options.scene.c_str(), options.width, options.height,
                 cameras.size());
-    if (!options.fixed) {
+    if (options.replay || options.newSamples > 0) {
+        fmt::print("the bits of all light: {:016x}\n", server.bits());
+    } else if (!options.fixed) {
         std::fputs(paceOf(published).c_str(), stdout);
         std::fputs(restOf(server.rest(), options).c_str(), stdout);
     }
+    if (options.trace) writeTrace(*options.trace, stepsOf(published));
     Comparison comparison(options, server, cameras, published);
     const std::vector<Moment> moments = comparison.run();
     if (app::stopRequested()) return app::stopExitCode(); // references that were made are kept

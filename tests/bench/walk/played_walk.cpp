@@ -4,6 +4,7 @@
 #include "rtserver/playback.h"
 #include "support/temporary_folder.h"
 
+#include <bit>
 #include <span>
 #include <stdexcept>
 #include <thread>
@@ -26,6 +27,16 @@ rtserver::Options serverOptions(const WalkOptions& walk) {
     return options;
 }
 
+/// FNV-1a of 32 bits at a time.
+std::uint64_t hash(std::uint64_t hash, const std::vector<rtcore::Colour>& pixels) {
+    constexpr std::uint64_t kPrime = 0x100000001B3;
+    for (const rtcore::Colour& pixel : pixels) {
+        for (const float channel : {pixel.r, pixel.g, pixel.b})
+            hash = (hash ^ std::bit_cast<std::uint32_t>(channel)) * kPrime;
+    }
+    return hash;
+}
+
 double seconds(std::chrono::steady_clock::duration time) {
     return std::chrono::duration<double>(time).count();
 }
@@ -41,7 +52,7 @@ LiveServer::LiveServer(const WalkOptions& options)
                {.poll = [] { return rtserver::Arrivals{}; },
                 .publish =
                     [this](const ipc::FrameInfo&, const rtcore::LdrImage& image) {
-                        published_.push_back({seconds(Clock::now() - begun_), 0, image});
+                        published_.push_back({.seconds = seconds(Clock::now() - begun_), .image = image});
                     }},
                options.threads, options.fixed ? 0 : options.framesPerSecond) {
     upkeep_.load(options_.scene, std::nullopt);
@@ -57,8 +68,13 @@ void LiveServer::turn(Clock::duration passed) {
     upkeep_.advance(drawing_.pace());
     if (state_.ready()) state_.move(passed, {});
     if (drawing_.wantsFrame(false) && Clock::now() >= drawing_.due()) {
+        const rtcore::Camera camera = state_.camera();
         drawing_.draw(false);
-        if (!published_.empty()) published_.back().drawn = drawing_.frames().seconds();
+        if (published_.empty()) return;
+        Published& last = published_.back();
+        last.drawn = drawing_.frames().seconds();
+        last.detail = drawing_.frames().detail();
+        last.camera = camera;
     } else {
         std::this_thread::sleep_for(1ms);
     }
@@ -87,7 +103,9 @@ std::vector<Published> LiveServer::play(const std::vector<rtcore::Camera>& camer
     settle();
     published_.clear();
     published_.reserve(2 * cameras.size());
-    published_.push_back({0, drawing_.frames().seconds(), drawing_.frames().image()});
+    published_.push_back({.drawn = drawing_.frames().seconds(),
+                          .image = drawing_.frames().image(),
+                          .camera = state_.camera()});
     state_.play(std::make_unique<rtserver::Playback>(recorder.list()));
     begun_ = Clock::now();
     const double end = static_cast<double>(cameras.size()) / walk_.framesPerSecond;
@@ -117,6 +135,29 @@ std::vector<Published> LiveServer::drawEach(const std::vector<rtcore::Camera>& c
         drawing_.draw(false);
         if (!published_.empty()) published_.front().drawn = drawing_.frames().seconds();
         if (!published_.empty()) pictures.push_back(std::move(published_.front()));
+    }
+    return pictures;
+}
+
+std::vector<Published> LiveServer::draw(const std::vector<WalkStep>& steps) {
+    constexpr std::uint64_t kHashOfNothing = 0xCBF29CE484222325;
+    rtserver::FrameMaker frames(walk_.threads);
+    std::vector<Published> pictures;
+    bits_ = kHashOfNothing;
+    for (const WalkStep& step : steps) {
+        state_.setCamera(step.camera);
+        rtcore::RenderControl control;
+        const Clock::time_point begun = Clock::now();
+        if (!frames.trace(state_, step.detail, nullptr, control))
+            throw std::runtime_error("a frame was left");
+        frames.develop(state_);
+        const double taken = seconds(Clock::now() - begun);
+        bits_ = hash(bits_, frames.radiance().pixels);
+        pictures.push_back({.seconds = step.seconds > 0 ? step.seconds : taken,
+                            .drawn = frames.seconds(),
+                            .image = frames.image(),
+                            .detail = step.detail,
+                            .camera = step.camera});
     }
     return pictures;
 }

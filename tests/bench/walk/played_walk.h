@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bench/walk/walk_options.h"
+#include "bench/walk/walk_trace.h"
 
 #include "rtcore/scene/camera.h"
 #include "rtcore/scene/image.h"
@@ -12,6 +13,7 @@
 #include "rtserver/server_options.h"
 #include "rtserver/server_state.h"
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -22,6 +24,8 @@ struct Published {
     double seconds = 0; ///< since the walk began
     double drawn = 0;   ///< seconds that it took to trace
     rtcore::LdrImage image;
+    rtserver::FrameDetail detail = {};
+    rtcore::Camera camera = {};
 };
 
 /// The parts of RTServer that make frames, in this process.
@@ -40,6 +44,11 @@ class LiveServer {
     std::vector<Published> rest();
     /// Draws each of them in a whole frame, one after the other; `seconds` are those of the frame alone.
     std::vector<Published> drawEach(const std::vector<rtcore::Camera>& cameras);
+    /// Draws those steps, the first from nothing; `seconds` are theirs, or those of the frame alone where
+    /// they say 0.
+    std::vector<Published> draw(const std::vector<WalkStep>& steps);
+    /// Of the light of all images that draw() drew, for comparison: the same bits give the same number.
+    std::uint64_t bits() const { return bits_; }
 
     const rtserver::ServerState& state() const { return state_; }
 
@@ -57,6 +66,7 @@ class LiveServer {
     rtserver::FrameDrawing drawing_;
     Clock::time_point begun_;
     std::vector<Published> published_;
+    std::uint64_t bits_ = 0;
 };
 
 } // namespace bench

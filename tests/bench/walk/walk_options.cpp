@@ -16,31 +16,47 @@ using app::OptionGroup;
 using app::ValueKind;
 
 OptionGroup walkGroup() {
-    return {"The walk",
-            {{.name = "size",
-              .value = ValueKind::Text,
-              .argument = "WxH",
-              .help = "pixels of the window [1024x621]"},
-             {.name = "fps",
-              .value = ValueKind::Number,
-              .argument = "N",
-              .help = "the cameras follow each other at N per second, and a frame may take as long [30]",
-              .minimum = 1,
-              .maximum = 1000},
-             {.name = "frames",
-              .value = ValueKind::Integer,
-              .argument = "N",
-              .help = "the first N cameras [all]",
-              .minimum = 1,
-              .maximum = 1'000'000},
-             {.name = "fixed", .help = "draw every camera at the full size, however long that takes"},
-             app::threadsOption(),
-             app::isaOption(),
-             {.name = "setting",
-              .value = ValueKind::Text,
-              .argument = "NAME=VALUE",
-              .help = "any setting by its name; may be given several times",
-              .suggest = app::suggestAssignments}}};
+    return {
+        "The walk",
+        {{.name = "size",
+          .value = ValueKind::Text,
+          .argument = "WxH",
+          .help = "pixels of the window [1024x621]"},
+         {.name = "fps",
+          .value = ValueKind::Number,
+          .argument = "N",
+          .help = "the cameras follow each other at N per second, and a frame may take as long [30]",
+          .minimum = 1,
+          .maximum = 1000},
+         {.name = "frames",
+          .value = ValueKind::Integer,
+          .argument = "N",
+          .help = "the first N cameras [all]",
+          .minimum = 1,
+          .maximum = 1'000'000},
+         {.name = "fixed", .help = "draw every camera at the full size, however long that takes"},
+         {.name = "new",
+          .value = ValueKind::Number,
+          .argument = "PART",
+          .help = "draw every camera in a live frame at the full size, with that part of its pixels traced "
+                  "anew, however long that takes",
+          .minimum = 0.0001,
+          .maximum = 1},
+         {.name = "trace",
+          .value = ValueKind::Text,
+          .argument = "FILE",
+          .help = "write down which camera was drawn in what detail"},
+         {.name = "replay",
+          .value = ValueKind::Text,
+          .argument = "FILE",
+          .help = "draw what --trace wrote, however long that takes: the same frames to the bit"},
+         app::threadsOption(),
+         app::isaOption(),
+         {.name = "setting",
+          .value = ValueKind::Text,
+          .argument = "NAME=VALUE",
+          .help = "any setting by its name; may be given several times",
+          .suggest = app::suggestAssignments}}};
 }
 
 OptionGroup comparisonGroup() {
@@ -92,7 +108,9 @@ const app::ProgramSpec& walkSpec() {
         .groups = {walkGroup(), comparisonGroup()},
         .examples = {{"bench_walk nave.scn nave.lst --csv nave.csv --sheet nave.png",
                       "at 30 frames per second, as in the window"},
-                     {"bench_walk nave.scn nave.lst --fixed --threads 1", "what a whole frame costs"}},
+                     {"bench_walk nave.scn nave.lst --fixed --threads 1", "what a whole frame costs"},
+                     {"bench_walk nave.scn nave.lst --new 0.02 --threads 1", "what a live frame costs"},
+                     {"bench_walk nave.scn nave.lst --replay steps.txt", "the frames of an earlier walk"}},
     };
     return spec;
 }
@@ -110,6 +128,7 @@ WalkOptions readWalkOptions(const app::Arguments& arguments) {
     if (const auto frames = arguments.integer("frames")) options.frames = static_cast<int>(*frames);
     if (const auto every = arguments.integer("every")) options.every = static_cast<int>(*every);
     options.fixed = arguments.has("fixed");
+    options.newSamples = arguments.number("new").value_or(0);
     options.still = arguments.has("still");
     options.references = arguments.text("references").value_or("references");
     const auto path = [&](const char* name) -> std::optional<std::filesystem::path> {
@@ -118,6 +137,10 @@ WalkOptions readWalkOptions(const app::Arguments& arguments) {
         return *text;
     };
     options.csv = path("csv");
+    options.trace = path("trace");
+    options.replay = path("replay");
+    const int ways = (options.fixed ? 1 : 0) + (options.newSamples > 0 ? 1 : 0) + (options.replay ? 1 : 0);
+    if (ways > 1) throw app::UsageError("'--fixed', '--new' and '--replay' exclude each other");
     options.sheet = path("sheet");
     options.pictures = path("pictures");
     options.progress = app::progressStyle(arguments.text("progress").value_or("auto"));

@@ -19,14 +19,20 @@ struct WalkOptions {
     int width = 1024, height = 621;
     int threads = 0; ///< 0 = all cores
     double framesPerSecond = 30;
-    bool fixed = false; ///< every camera in a whole frame, however long it takes
-    bool still = false; ///< compare with what [still] asks for, not [live]
-    int every = 1;      ///< only each n-th moment is compared
-    int frames = 0;     ///< of the walk; 0 = all
+    bool fixed = false;    ///< every camera in a whole frame, however long it takes
+    double newSamples = 0; ///< above 0: every camera in a live frame at the full size, with that part new
+    bool still = false;    ///< compare with what [still] asks for, not [live]
+    int every = 1;         ///< only each n-th moment is compared
+    int frames = 0;        ///< of the walk; 0 = all
     std::filesystem::path references;
     std::optional<std::filesystem::path> csv, sheet, pictures;
+    std::optional<std::filesystem::path> trace;  ///< gets the steps of the walk
+    std::optional<std::filesystem::path> replay; ///< the steps that are drawn
     app::ProgressStyle progress = app::ProgressStyle::None;
 };
+
+/// Whether there is one image for each camera, and no clock beside it.
+inline bool drawsEach(const WalkOptions& options) { return options.fixed || options.newSamples > 0; }
 
 const app::ProgramSpec& walkSpec();
 
