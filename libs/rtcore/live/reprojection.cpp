@@ -255,24 +255,19 @@ void Reprojection::borrow(const ImagePlane& plane, const LiveSamples* own, int y
     }
 }
 
-void Reprojection::take(const LiveSamples& past, LiveSamples& present, std::size_t first, std::size_t last) {
+void Reprojection::take(const LiveLayers& past, LiveLayers& present, std::size_t first, std::size_t last) {
     const std::uint64_t* const nearest = &nearest_[first];
-    LiveSamples::Point* const points = &present.points[first];
-    LiveSamples::Light* const lights = &present.lights[first];
+    LiveSamples::Point* const points = &present.own.points[first];
+    LiveSamples::Light* const lights = &present.own.lights[first];
+    std::uint32_t* const tints = present.mirrors ? &present.tints[first] : nullptr;
     float* const staleness = &staleness_[first];
     for (std::size_t i = 0; i < last - first; ++i) {
         // Behind the last sample there is one that is not known.
-        const std::size_t from = nearest[i] == kNoSample ? past.size() : indexOf(nearest[i]);
-        points[i] = aged(past.points[from]);
-        lights[i] = past.lights[from];
+        const std::size_t from = nearest[i] == kNoSample ? past.own.size() : indexOf(nearest[i]);
+        points[i] = aged(past.own.points[from]);
+        lights[i] = past.own.lights[from];
         staleness[i] = stalenessOf(nearest[i]);
-    }
-}
-
-void Reprojection::takeTints(const LiveLayers& past, LiveLayers& present, std::size_t first,
-                             std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-        if (present.own.mirrors(i)) present.tints[i] = past.tints[indexOf(nearest_[i])];
+        if (tints != nullptr && LiveSamples::mirrors(points[i])) tints[i] = past.tints[from];
     }
 }
 
@@ -304,8 +299,7 @@ void Reprojection::carry(const LiveLayers& past, LiveLayers& present, int thread
     forEachRow(
         [&](int y, std::size_t row, std::size_t next) {
             borrow(own.plane(), nullptr, y);
-            take(past.own, present.own, row, next);
-            if (present.mirrors) takeTints(past, present, row, next);
+            take(past, present, row, next);
         },
         !present.mirrors);
     if (!present.mirrors) return;

@@ -52,8 +52,7 @@ class Reprojection {
     void compete(const ImagePlane& plane, int firstRow, int lastRow);
     void spread(const ImagePlane& plane, const std::vector<std::uint32_t>& losers);
     void borrow(const ImagePlane& plane, const LiveSamples* own, int y);
-    void take(const LiveSamples& past, LiveSamples& present, std::size_t first, std::size_t last);
-    void takeTints(const LiveLayers& past, LiveLayers& present, std::size_t first, std::size_t last);
+    void take(const LiveLayers& past, LiveLayers& present, std::size_t first, std::size_t last);
     void takeMirrored(const LiveSamples& past, const LiveSamples& own, LiveSamples& present,
                       std::size_t first, std::size_t last);
 

@@ -27,11 +27,20 @@ struct WeighedLayer {
 struct WeighedRow {
     static constexpr std::size_t kPixels = 256; ///< few, so that all stays in the first cache
     static constexpr std::size_t kRoom = 64;    ///< no vector has more lanes
+    static constexpr std::size_t kGroup = 8;
+    static_assert((kPixels + kRoom) / kGroup < 63);
     static constexpr std::size_t kArray = kPixels + 2 * kRoom, kArrays = 9 + 9 + 3;
 
     WeighedLayer own, mirrored;
-    float* tint[3];       ///< of own's samples; 0 where they do not mirror
-    bool mirrors = false; ///< false: `mirrored` and `tint` are undefined
+    float* tint[3]; ///< of own's samples; 0 where they do not mirror
+    /// A bit for each kGroup pixels, from that before the first on: whether one of them mirrors. Where all
+    /// are 0, `mirrored` and `tint` are undefined.
+    std::uint64_t mirroring = 0;
+
+    /// Bits of `mirroring` of pixels from `first` to `last`, counted from the one before the first.
+    static std::uint64_t groupsOf(std::size_t first, std::size_t last) {
+        return (std::uint64_t{2} << last / kGroup) - (std::uint64_t{1} << first / kGroup);
+    }
 
     /// `values`: kArrays * kArray of them.
     explicit WeighedRow(float* values) {
@@ -106,35 +115,47 @@ HWY_INLINE void forEachColumn(const Columns& columns, std::size_t width, Use&& u
         use(x, static_cast<std::ptrdiff_t>(x) - static_cast<std::ptrdiff_t>(columns.first));
 }
 
-/// Whether a sample of the columns mirrors.
-bool weighOwn(const LiveSamples& own, int y, const Columns& columns, const WeighedRow& to) {
+/// WeighedRow::groupsOf() a vector.
+HWY_INLINE std::uint64_t groupsAt(std::ptrdiff_t at) {
+    const auto first = static_cast<std::size_t>(at + 1);
+    return WeighedRow::groupsOf(first, first + lanes() - 1);
+}
+
+/// Returns WeighedRow::mirroring.
+std::uint64_t weighOwn(const LiveSamples& own, int y, const Columns& columns, const WeighedRow& to) {
     const ImagePlane& plane = own.plane();
     const std::size_t row = own.index(0, y);
-    Mask mirrors = Uint(0U) != 0U;
+    std::uint64_t mirroring = 0;
     forEachColumn(
         columns, static_cast<std::size_t>(plane.width), [&](std::size_t x, std::ptrdiff_t at) HWY_ATTR {
             const LivePoints points(own.points[row + x]);
             weigh(points, radianceOf(own.lights[row + x]), points.state != 0U, plane, x, y, to.own, at);
-            mirrors = mirrors | points.has(LiveSamples::kMirrors);
+            if (any(points.has(LiveSamples::kMirrors))) mirroring |= groupsAt(at);
         });
-    return any(mirrors);
+    return mirroring;
 }
 
+/// After weighOwn() of the same columns.
 void weighMirrored(const LiveLayers& samples, int y, const Columns& columns, const WeighedRow& to) {
     const ImagePlane& plane = samples.own.plane();
     const std::size_t row = samples.own.index(0, y);
-    forEachColumn(columns, static_cast<std::size_t>(plane.width),
-                  [&](std::size_t x, std::ptrdiff_t at) HWY_ATTR {
-                      const std::size_t i = row + x;
-                      const Mask mirrors = (statesOf(samples.own.points[i]) & LiveSamples::kMirrors) != 0U;
-                      const LivePoints points(samples.mirrored.points[i]);
-                      weigh(points, radianceOf(samples.mirrored.lights[i]), mirrors & (points.state != 0U),
-                            plane, x, y, to.mirrored, at);
-                      const Float3 tint = selectOrZero(mirrors, tintOf(samples.tints[i]));
-                      store(tint.x, to.tint[0] + at);
-                      store(tint.y, to.tint[1] + at);
-                      store(tint.z, to.tint[2] + at);
-                  });
+    const auto weighVector = [&](std::size_t x, std::ptrdiff_t at) HWY_ATTR {
+        if ((to.mirroring & groupsAt(at)) == 0) {
+            for (float* const array : to.mirrored.across) store(Float(0.0F), array + at);
+            for (float* const array : to.tint) store(Float(0.0F), array + at);
+            return;
+        }
+        const std::size_t i = row + x;
+        const Mask mirrors = (statesOf(samples.own.points[i]) & LiveSamples::kMirrors) != 0U;
+        const LivePoints points(samples.mirrored.points[i]);
+        weigh(points, radianceOf(samples.mirrored.lights[i]), mirrors & (points.state != 0U), plane, x, y,
+              to.mirrored, at);
+        const Float3 tint = selectOrZero(mirrors, tintOf(samples.tints[i]));
+        store(tint.x, to.tint[0] + at);
+        store(tint.y, to.tint[1] + at);
+        store(tint.z, to.tint[2] + at);
+    };
+    forEachColumn(columns, static_cast<std::size_t>(plane.width), weighVector);
 }
 
 HWY_INLINE Float3 load3(float* const from[3], std::size_t at) {
@@ -167,63 +188,73 @@ HWY_INLINE void storePixels(Float3 light, std::size_t count, Colour* to) {
     for (std::size_t k = 0; k < count; ++k) to[k] = {last[0][k], last[1][k], last[2][k]};
 }
 
-/// The light of `count` pixels, of samples in their row and in those above and below: what these scatter, and
-/// what is mirrored there as they tint it.
-template <bool kMirrors>
-HWY_INLINE Missing weighedMeansOf(const WeighedRow* const rows[3], std::size_t count, const ShownPixels& to) {
+/// Means over the samples around a vector of pixels, in their row and in those above and below.
+struct Means {
+    Float3 light;
+    Mask seen; ///< where there are samples
+    Float weights;
+};
+HWY_INLINE Means ownMeans(const WeighedRow* const rows[3], std::size_t x) {
+    Float3 sum{};
+    Float weights = 0.0F;
+    forEachAround(
+        rows, x, [](const WeighedRow& row) -> const WeighedLayer& { return row.own; },
+        [&](Float weight, const WeighedRow& row, std::size_t at) HWY_ATTR {
+            sum += load3(row.own.light, at) * weight;
+            weights += weight;
+        });
+    return {sum / weights, weights > 0.0F, weights};
+}
+
+/// What is mirrored at these pixels, tinted by the samples there. `lacking`: their tint where it is not
+/// known.
+HWY_INLINE Float3 mirroredMeans(const WeighedRow* const rows[3], std::size_t x, const Means& own,
+                                Float3& lacking) {
+    Float3 tint{}, mirrored{};
+    Float known = 0.0F;
+    forEachAround(
+        rows, x, [](const WeighedRow& row) -> const WeighedLayer& { return row.own; },
+        [&](Float weight, const WeighedRow& row, std::size_t at) HWY_ATTR {
+            if (row.mirroring != 0) tint += load3(row.tint, at) * weight;
+        });
+    forEachAround(
+        rows, x, [](const WeighedRow& row) -> const WeighedLayer& { return row.mirrored; },
+        [&](Float weight, const WeighedRow& row, std::size_t at) HWY_ATTR {
+            if (row.mirroring == 0) return;
+            mirrored += load3(row.mirrored.light, at) * weight;
+            known += weight;
+        });
+    const Mask tinted = own.seen & (max(tint.x, max(tint.y, tint.z)) > 0.0F), there = tinted & (known > 0.0F);
+    tint = tint / own.weights;
+    lacking = selectOrZero(tinted & !there, tint);
+    return selectOrZero(there, mirrored / known * tint);
+}
+
+/// The light of `count` pixels.
+Missing weighedMeans(const WeighedRow* const rows[3], std::size_t count, const ShownPixels& to) {
     Missing missing;
+    const std::uint64_t mirroring = rows[0]->mirroring | rows[1]->mirroring | rows[2]->mirroring;
     for (std::size_t x = 0; x < count; x += lanes()) {
         const Mask inside = toFloat(toInt(iota(x))) < static_cast<float>(count);
-        Float3 sum{}, tint{};
-        Float weights = 0.0F;
-        forEachAround(
-            rows, x, [](const WeighedRow& row) -> const WeighedLayer& { return row.own; },
-            [&](Float weight, const WeighedRow& row, std::size_t at) HWY_ATTR {
-                sum += load3(row.own.light, at) * weight;
-                weights += weight;
-                if (kMirrors && row.mirrors) tint += load3(row.tint, at) * weight;
-            });
-        const Mask seen = weights > 0.0F;
-        missing.light = missing.light || any(inside & !seen);
-        Float3 light = sum / weights;
-        if (kMirrors) {
-            const Float most = max(tint.x, max(tint.y, tint.z));
-            const Mask tinted = seen & (most > 0.0F);
-            if (any(tinted)) {
-                tint = tint / weights;
-                Float3 mirrored{};
-                Float known = 0.0F;
-                forEachAround(
-                    rows, x, [](const WeighedRow& row) -> const WeighedLayer& { return row.mirrored; },
-                    [&](Float weight, const WeighedRow& row, std::size_t at) HWY_ATTR {
-                        if (!row.mirrors) return;
-                        mirrored += load3(row.mirrored.light, at) * weight;
-                        known += weight;
-                    });
-                const Mask there = tinted & (known > 0.0F);
-                light += selectOrZero(there, mirrored / known * tint);
-                const Mask none = inside & tinted & !there;
-                if (any(none)) {
-                    const Float3 lacking = selectOrZero(none, tint);
-                    store(lacking.x, to.tints[0] + x);
-                    store(lacking.y, to.tints[1] + x);
-                    store(lacking.z, to.tints[2] + x);
-                    to.lacking[missing.mirrored++] = static_cast<std::uint32_t>(x);
-                }
+        Means own = ownMeans(rows, x);
+        missing.light = missing.light || any(inside & !own.seen);
+        if ((mirroring & WeighedRow::groupsOf(x, x + lanes() + 1)) != 0) {
+            Float3 lacking;
+            own.light += mirroredMeans(rows, x, own, lacking);
+            if (any(inside & (max(lacking.x, max(lacking.y, lacking.z)) > 0.0F))) {
+                store(lacking.x, to.tints[0] + x);
+                store(lacking.y, to.tints[1] + x);
+                store(lacking.z, to.tints[2] + x);
+                to.lacking[missing.mirrored++] = static_cast<std::uint32_t>(x);
             }
         }
-        storePixels(select(seen, light, broadcast(Vec3{-1, -1, -1})), std::min(lanes(), count - x),
+        storePixels(select(own.seen, own.light, broadcast(Vec3{-1, -1, -1})), std::min(lanes(), count - x),
                     to.light + x);
     }
     return missing;
 }
 
 std::size_t lanesOfMeans() { return lanes(); }
-
-Missing weighedMeans(const WeighedRow* const rows[3], std::size_t count, const ShownPixels& to) {
-    const bool mirrors = rows[0]->mirrors || rows[1]->mirrors || rows[2]->mirrors;
-    return mirrors ? weighedMeansOf<true>(rows, count, to) : weighedMeansOf<false>(rows, count, to);
-}
 
 } // namespace
 
@@ -263,9 +294,9 @@ bool SamplePicture::showColumns(const LiveLayers& samples, int first, int last, 
     const auto weigh = [&](int y) {
         if (y < 0 || y >= plane.height) return;
         WeighedRow& row = *rowAt(y);
-        row.mirrors = HWY_DYNAMIC_DISPATCH(weighOwn)(samples.own, y, columns, row);
+        row.mirroring = HWY_DYNAMIC_DISPATCH(weighOwn)(samples.own, y, columns, row);
         weighNoneBeside(row.own);
-        if (!row.mirrors) return;
+        if (row.mirroring == 0) return;
         HWY_DYNAMIC_DISPATCH(weighMirrored)(samples, y, columns, row);
         weighNoneBeside(row.mirrored);
     };
