@@ -9,9 +9,9 @@ namespace {
 using namespace std::chrono_literals;
 
 // Steps in which little changes, and not more of them than can be seen.
-constexpr double kPart = 1.0 / 24; ///< of the pixels
-constexpr auto kShortest = 16ms, kLongest = 250ms;
-constexpr auto kExposed = 100ms; ///< all of the image is developed for it
+constexpr double kStepPart = 1.0 / 24; ///< of the pixels
+constexpr auto kLeastWait = 16ms, kMostWait = 250ms;
+constexpr auto kExposureWait = 100ms; ///< all of the image is developed for it
 
 double pixelsOf(const std::vector<rtcore::PixelArea>& areas) {
     double pixels = 0;
@@ -41,7 +41,7 @@ void GradualImage::end() {
 
 /// Whether anything changes by it.
 bool GradualImage::expose(const std::function<float()>& exposure, Clock::time_point now) {
-    if (now - exposed_ >= kExposed) {
+    if (now - exposed_ >= kExposureWait) {
         exposed_ = now;
         if (std::exchange(exposure_, exposure()) != exposure_) developed_ = false;
     }
@@ -54,11 +54,11 @@ bool GradualImage::expose(const std::function<float()>& exposure, Clock::time_po
 const rtcore::LdrImage* GradualImage::step(const rtcore::HdrImage& radiance,
                                            const std::function<float()>& exposure, Clock::time_point now) {
     const std::lock_guard lock(mutex_);
-    if (!active_ || now - shown_ < kShortest) return nullptr;
+    if (!active_ || now - shown_ < kLeastWait) return nullptr;
     const std::vector<rtcore::PixelArea> finished = finished_.take();
     waiting_.insert(waiting_.end(), finished.begin(), finished.end());
     const bool exposed = expose(exposure, now);
-    const bool enough = pixelsOf(waiting_) >= kPart * pixels_ || now - shown_ >= kLongest;
+    const bool enough = pixelsOf(waiting_) >= kStepPart * pixels_ || now - shown_ >= kMostWait;
     if (enough) transition_.step(std::exchange(waiting_, {}), radiance);
     if (!enough && !exposed) return nullptr;
     shown_ = now;
