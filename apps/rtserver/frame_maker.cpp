@@ -102,16 +102,19 @@ void FrameMaker::noticeChanges(const ServerState& state, const rtcore::RenderSet
     keptFor_ = settings;
 }
 
-std::size_t FrameMaker::bytesOf(const rtcore::RenderSettings& settings) {
-    constexpr std::size_t kLight = sizeof(rtcore::Colour) + sizeof(std::uint8_t); // and what is covered
-    constexpr std::size_t kImages = 2 * kLight + sizeof(rtcore::Rgba8) + rtcore::Transition::kBytesPerPixel;
-    constexpr std::size_t kLive = sizeof(rtcore::SeenPoint) + rtcore::LiveRenderer::kBytesPerPixel;
-    const std::size_t pixel = kImages + kLive + 2 * rtcore::effectBytesPerPixel(settings);
+std::size_t FrameMaker::bytesOf(const rtcore::RenderSettings& settings, bool live) {
+    constexpr std::size_t kFrame = sizeof(rtcore::Colour) + sizeof(std::uint8_t); // and what is covered
+    const std::size_t effects = rtcore::effectBytesPerPixel(settings);
+    std::size_t pixel = kFrame + sizeof(rtcore::Rgba8) + effects;
+    if (live) {
+        pixel += kFrame + rtcore::Transition::kBytesPerPixel + effects;
+        pixel += sizeof(rtcore::SeenPoint) + rtcore::LiveRenderer::kBytesPerPixel;
+    }
     return pixel * static_cast<std::size_t>(settings.width) * static_cast<std::size_t>(settings.height);
 }
 
-void FrameMaker::requireMemory(const rtcore::RenderSettings& settings) {
-    void* trial = ::operator new(bytesOf(settings), std::nothrow);
+void FrameMaker::requireMemory(const rtcore::RenderSettings& settings, bool live) {
+    void* trial = ::operator new(bytesOf(settings, live), std::nothrow);
     ::operator delete(trial);
     if (trial != nullptr) return;
     throw rtcore::FileError(rtcore::FailureKind::TryAgain, "",

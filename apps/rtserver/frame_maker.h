@@ -50,11 +50,11 @@ class FrameMaker {
     void develop(const ServerState& state);
     /// Whether develop() would give the same image again.
     bool settled() const { return adaptation_.settled(); }
-    /// What frames of such settings take: a whole one and a coarse one, their images and effects, and what
-    /// live frames keep at least. (docs/live.md)
-    static std::size_t bytesOf(const rtcore::RenderSettings& settings);
+    /// What whole frames of such settings take, with their image and effects; where there is a frame time,
+    /// what coarse and live ones take at least, too. (docs/live.md)
+    static std::size_t bytesOf(const rtcore::RenderSettings& settings, bool live);
     /// Throws rtcore::FileError TryAgain when there is no memory for such frames, as far as one can tell.
-    static void requireMemory(const rtcore::RenderSettings& settings);
+    static void requireMemory(const rtcore::RenderSettings& settings, bool live);
     /// Gives its memory back; there is no frame then.
     void drop();
 

@@ -37,7 +37,7 @@ ServerLoop::ServerLoop(const Options& options, std::function<void()> onReady)
       state_(
           options,
           [this](const rtcore::RenderSettings& settings) {
-              FrameMaker::requireMemory(settings);
+              FrameMaker::requireMemory(settings, state_.frameSeconds > 0);
               server_.reserveFrame(static_cast<std::uint32_t>(settings.width),
                                    static_cast<std::uint32_t>(settings.height));
           },

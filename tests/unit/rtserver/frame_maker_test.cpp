@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace {
 
@@ -20,21 +22,24 @@ RenderSettings hundredPixels() {
 }
 
 TEST(FrameMaker, CountsTheMemoryOfTheListOfEffects) {
-    const std::size_t plain = rtserver::FrameMaker::bytesOf(hundredPixels());
-    EXPECT_EQ(plain, 18'200U) << "docs/live.md says 182 for each pixel";
+    EXPECT_EQ(rtserver::FrameMaker::bytesOf(hundredPixels(), true), 18'200U) << "as docs/live.md says";
     RenderSettings bloom = hundredPixels(), denoised = hundredPixels();
     bloom.bloom.radius = 4;
     denoised.denoise.passes = 1;
-    for (const RenderSettings& settings : {bloom, denoised}) {
-        EXPECT_EQ(rtserver::FrameMaker::bytesOf(settings),
-                  plain + 2 * 100 * rtcore::effectBytesPerPixel(settings))
-            << "those of frames, and those of images that go over to them";
-        EXPECT_GT(rtserver::FrameMaker::bytesOf(settings), plain);
+    for (const bool live : {false, true}) {
+        const std::size_t plain = rtserver::FrameMaker::bytesOf(hundredPixels(), live);
+        for (const RenderSettings& settings : {bloom, denoised}) {
+            const std::size_t effects = 100 * rtcore::effectBytesPerPixel(settings);
+            EXPECT_GT(effects, 0U);
+            EXPECT_EQ(rtserver::FrameMaker::bytesOf(settings, live), plain + (live ? 2 : 1) * effects)
+                << "what is seen while a whole frame is rendered has effects of its own";
+        }
     }
 }
 
 TEST(FrameMaker, HasMemoryForASmallFrame) {
-    EXPECT_NO_THROW(rtserver::FrameMaker::requireMemory(hundredPixels()));
+    for (const bool live : {false, true})
+        EXPECT_NO_THROW(rtserver::FrameMaker::requireMemory(hundredPixels(), live));
 }
 
 class FramesOfAState : public test::ShownRoom {
@@ -124,6 +129,42 @@ TEST_F(FramesOfAState, LiveOnesKeepNoLightThatIsOffNow) {
     const double dark = brightness(without);
     ASSERT_LT(dark, 0.95 * lit);
     EXPECT_LT(brightness(frames), dark + 0.2 * (lit - dark));
+}
+
+TEST_F(FramesOfAState, EightFramesAfterALightIsSwitchedThereAreNoGhostsOfIt) {
+    state.assign({{"width", 320}, {"height", 200}, {"exposure.mode", "fixed"}});
+    state.frameSeconds = 0.03;
+    const auto truth = [&] {
+        rtserver::FrameMaker whole(1);
+        test::draw(whole, state);
+        return whole.radiance().pixels;
+    };
+    test::draw(frames, state);
+    state.switchLight(0, false);
+    ASSERT_FALSE(frames.drawsLive(state));
+    test::draw(frames, state, {0.5, true});
+    for (int frame = 2; frame <= 8; ++frame) {
+        state.turn(0.05, 0);
+        ASSERT_TRUE(frames.drawsLive(state));
+        test::draw(frames, state, {1, true, 0.05});
+    }
+    const std::vector<rtcore::Colour> shown = frames.radiance().pixels, off = truth();
+    state.switchLight(0, true);
+    const std::vector<rtcore::Colour> on = truth();
+    double light = 0, error = 0, wrong = 0, relit = 0;
+    for (std::size_t i = 0; i < off.size(); ++i) {
+        const auto at = [i](const std::vector<rtcore::Colour>& pixels) {
+            return static_cast<double>(luminance(pixels[i]));
+        };
+        if (std::fabs(at(on) - at(off)) < 0.1 * at(off)) continue;
+        light += at(off);
+        error += at(shown) - at(off);
+        wrong += std::fabs(at(shown) - at(off));
+        ++relit;
+    }
+    ASSERT_GT(relit, 1000);
+    EXPECT_LT(std::fabs(error / light), 0.02);
+    EXPECT_LT(wrong / light, 0.12);
 }
 
 TEST_F(FramesOfAState, AreLiveWhereThereIsLightOfAFrameBefore) {
