@@ -231,7 +231,8 @@ class Watch {
     void reap(ProcessResult& result) const {
         rusage usage{};
         const int status = waitForStatus(pid_, usage);
-        result.peakMemory = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+        // The kernel counts both in batches: either may be behind the other.
+        result.peakMemory = std::max(peakMemory_, static_cast<std::uint64_t>(usage.ru_maxrss) * 1024);
         if (result.end == ProcessEnd::Exited) setEnd(result, status);
     }
 
