@@ -112,6 +112,7 @@ FrameDrawing::Outcome FrameDrawing::trace(bool waitedFor) {
     const rtcore::ShadowMaps* const maps = upkeep_.shadowMaps();
     const FrameDetail detail = schedule_.begin(demand(waitedFor, maps));
     begun_ = Clock::now();
+    stepDue_ = begun_ + pacer_.interval();
     arrivals_ = {};
     rtcore::RenderControl control;
     bool done = false;
@@ -135,12 +136,22 @@ bool FrameDrawing::guardFrame() {
         arrivals_.end = arrivals_.end || news.end;
         arrivals_.obstructed = news.obstructed && lasted > kObstruction;
         if (arrivals_.end || arrivals_.obstructed || schedule_.leaves(lasted, arrivals_.change)) return true;
-        if (const rtcore::LdrImage* const image = frames_.underWay(state_)) publish(*image, 0);
+        publishStep();
         return false;
     } catch (...) {
         guardError_ = std::current_exception();
         return true;
     }
+}
+
+// In the guard's thread. Not more often than frames may come.
+void FrameDrawing::publishStep() {
+    const Clock::time_point now = Clock::now();
+    if (now < stepDue_) return;
+    const rtcore::LdrImage* const image = frames_.underWay(state_);
+    if (image == nullptr) return;
+    publish(*image, 0);
+    stepDue_ = now + pacer_.interval();
 }
 
 void FrameDrawing::publish(const rtcore::LdrImage& image, std::uint32_t samples) {

@@ -74,6 +74,7 @@ class FrameDrawing {
     void noticeScene();
     Outcome trace(bool waitedFor);
     bool guardFrame();
+    void publishStep();
     void publish();
     void publish(const rtcore::LdrImage& image, std::uint32_t samples);
     Drawn goBack();
@@ -93,7 +94,7 @@ class FrameDrawing {
     bool keepsImage_ = false;        ///< paused, with all of the last image there
 
     // Of the frame that is traced: the guard's thread has them then.
-    Clock::time_point begun_;
+    Clock::time_point begun_, stepDue_;
     Arrivals arrivals_;
     std::exception_ptr guardError_;
     FrameGuard guard_;

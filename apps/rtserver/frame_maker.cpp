@@ -130,6 +130,7 @@ void FrameMaker::drop() {
     renderer_.emplace();
     live_.emplace();
     developer_ = {};
+    gradual_.drop();
     image_ = {};
 }
 

@@ -13,6 +13,11 @@ constexpr auto kAdaptationStep = 16ms;
 
 } // namespace
 
+FramePacer::Clock::duration FramePacer::interval() const {
+    if (framesPerSecond_ <= 0) return {};
+    return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / framesPerSecond_));
+}
+
 void FramePacer::published(Clock::time_point begun, Clock::time_point now) {
     published_.push_back(now);
     while (now - published_.front() > 1s) published_.pop_front();
@@ -20,12 +25,10 @@ void FramePacer::published(Clock::time_point begun, Clock::time_point now) {
     due_ = now;
     adapted_ = now + kAdaptationStep;
     if (framesPerSecond_ <= 0) return;
-    const auto interval =
-        std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / framesPerSecond_));
     // One that was late does not put off all that follow: they keep their beat.
     constexpr int kPause = 5; // intervals
-    const auto late = (begun - beat_) / interval;
-    beat_ = (late < kPause ? beat_ + late * interval : begun) + interval;
+    const auto late = (begun - beat_) / interval();
+    beat_ = (late < kPause ? beat_ + late * interval() : begun) + interval();
     due_ = std::max(due_, beat_);
 }
 

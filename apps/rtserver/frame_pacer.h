@@ -15,6 +15,8 @@ class FramePacer {
     /// At most so many frames per second; 0: as many as there are.
     explicit FramePacer(double framesPerSecond) : framesPerSecond_(framesPerSecond) {}
 
+    /// Time between frames at least; 0: there may be as many as there are.
+    Clock::duration interval() const;
     /// No frame before that. `adapting`: it differs from the last by its exposure alone, and need not come at
     /// once.
     Clock::time_point due(bool adapting) const { return adapting ? std::max(due_, adapted_) : due_; }

@@ -39,6 +39,12 @@ void GradualImage::end() {
     active_ = false;
 }
 
+void GradualImage::drop() {
+    const std::lock_guard lock(mutex_);
+    transition_ = {};
+    waiting_ = {};
+}
+
 /// Whether anything changes by it.
 bool GradualImage::expose(const std::function<float()>& exposure, Clock::time_point now) {
     if (now - exposed_ >= kExposureWait) {

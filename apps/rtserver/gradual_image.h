@@ -25,6 +25,8 @@ class GradualImage {
                int threads, Clock::time_point now);
     /// From here on step() shows nothing. Waits for one that is under way.
     void end();
+    /// Gives its memory back; after end().
+    void drop();
     /// Gets the tiles of that frame.
     rtcore::FinishedTiles& finished() { return finished_; }
 

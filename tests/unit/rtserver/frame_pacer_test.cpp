@@ -10,6 +10,11 @@ using Clock = FramePacer::Clock;
 
 const Clock::time_point kStart{1000s};
 
+TEST(FramePacer, SaysHowFarApartFramesAreAtLeast) {
+    EXPECT_EQ(rtserver::FramePacer(0).interval(), rtserver::FramePacer::Clock::duration{});
+    EXPECT_NEAR(std::chrono::duration<double>(rtserver::FramePacer(20).interval()).count(), 0.05, 1e-6);
+}
+
 TEST(FramePacer, WithoutALimitTheNextFrameIsDueAtOnce) {
     FramePacer pacer(0);
     pacer.published(kStart, kStart + 5ms);

@@ -84,6 +84,18 @@ TEST_F(Gradual, TheExposureGoesOn) {
     EXPECT_GT(top(*shown), dark);
 }
 
+TEST_F(Gradual, BeginsAgainAfterItsMemoryWasGivenBack) {
+    begin();
+    ASSERT_NE(stepAfter(20ms), nullptr);
+    image.end();
+    image.drop();
+    EXPECT_EQ(stepAfter(20ms), nullptr);
+    begin();
+    const LdrImage* shown = stepAfter(20ms);
+    ASSERT_NE(shown, nullptr);
+    EXPECT_EQ(shown->width, kSide);
+}
+
 TEST_F(Gradual, AnotherFrameBeginsWithWhatIsSeenThen) {
     begin();
     ASSERT_NE(stepAfter(20ms), nullptr);
