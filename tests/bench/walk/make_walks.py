@@ -3,9 +3,11 @@
 
 Each is 300 cameras at 30 a second in FOLDER/NAME.lst, along points that are passed at even speed, with a head
 that looks about: what the hand of a user does to a picture. Points are of data/nave, of data/mirrors, and of
-the models Sibenik, Crytek Sponza and Lamborghini.
+the models Sibenik, Crytek Sponza and Lamborghini. Where RT_TEST_SCENES names the folder of these, each has a
+scene beside its walk: FOLDER/NAME.scn.
 """
 import math
+import os
 import pathlib
 import sys
 
@@ -24,6 +26,32 @@ WALKS = {
         (-1050, 50, -40, 90, 5), (-400, 50, -20, 95, 10), (300, 50, -60, 85, 8), (850, 50, -40, 90, 4)]),
     "lamborghini": dict(fov=60, sway=6, period=4, around=True, points=[
         (4.6, 1.5, 4.6, 0, 0), (0.5, 1.3, 5.8, 0, 0), (-4.2, 1.4, 4.2, 0, 0), (-6.0, 1.7, 0.0, 0, 0)]),
+}
+
+LIGHT = "\n[[light]]\nkind = \"{}\"\n{}\nintensity = {}\n"
+
+
+def lamp(position, intensity):
+    return LIGHT.format("point", f"position = {position}", [intensity] * 3)
+
+
+def sun(direction, intensity):
+    return LIGHT.format("directional", f"direction = {direction}", intensity)
+
+
+SKY = pathlib.Path(__file__).resolve().parents[3] / "data/environments/generated/day.hdr"
+
+# What stands in their scenes: the model of RT_TEST_SCENES and all else.
+SCENES = {
+    "sibenik": ("sibenik/sibenik.obj",
+                "ambient = [0.25, 0.25, 0.27]\n" + lamp([-15, -8, 0], 30) + lamp([0, -6, 0], 60) +
+                lamp([8, -8, 0], 30) + "\n[live]\nambientOcclusion.on = true\nambientOcclusion.distance = 4\n"),
+    "sponza": ("sponza.model/sponza.obj",
+               "ambient = [0.2, 0.22, 0.26]\n" + sun([-0.2, -1, 0.15], [6, 5.4, 4.5]) + lamp([-900, 200, -30], 150000) +
+               lamp([700, 200, -30], 150000)),
+    "lamborghini": ("lamborghini/lamborghini.glb",
+                    f'ambient = [0.3, 0.33, 0.38]\n\n[[environment]]\nequirectangular = "{SKY}"\n' +
+                    sun([-0.5, -0.8, -0.35], [4, 3.8, 3.3])),
 }
 
 
@@ -48,6 +76,14 @@ def camera(walk, i):
     return f"version = 1\neye = {vector((x, y, z))}\nforward = {vector(forward)}\nfov = {float(walk['fov'])}\n"
 
 
+def dress_sponza(model, folder):
+    """The model with its textures: it has them in a second list of materials."""
+    folder.mkdir(exist_ok=True)
+    for name, target in {"sponza.obj": "sponza.obj", "sponza.mtl": "sponza_textured.mtl", "textures": "textures"}.items():
+        (folder / name).unlink(missing_ok=True)
+        (folder / name).symlink_to(model / target)
+
+
 def main():
     if len(sys.argv) < 2:
         sys.exit(__doc__)
@@ -60,6 +96,14 @@ def main():
             (cameras / f"{i:05}.cam").write_text(camera(WALKS[name], i))
             lines.append(f"{name}.cams/{i:05}.cam\n")
         (folder / f"{name}.lst").write_text("".join(lines))
+        models = os.environ.get("RT_TEST_SCENES")
+        if models and name in SCENES:
+            model, rest = SCENES[name]
+            if name == "sponza":
+                dress_sponza(pathlib.Path(models) / "sponza_crytek", folder / "sponza.model")
+            else:
+                model = f"{models}/{model}"
+            (folder / f"{name}.scn").write_text(f'version = 1\nmodel = "{model}"\n{rest}')
 
 
 if __name__ == "__main__":
