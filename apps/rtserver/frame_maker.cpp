@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <new>
+#include <numeric>
 #include <string>
 
 namespace rtserver {
@@ -69,12 +70,27 @@ bool FrameMaker::draw(const ServerState& state, const FrameDetail& detail, const
     renderer_->collectAovs(rtcore::effectsNeedAovs(settings));
     renderer_->collectSeen(keeps);
     const rtcore::View view{*scene, *state.world().tracer, state.camera(), settings};
-    if (!renderer_->render(view, control, frame)) return false;
+    if (!renderer_->render(view, control, frame)) {
+        if (keeps && control.finished != nullptr) keepFinished(view, control.finished->all(), frame);
+        return false;
+    }
     if (!keeps) return true;
     noticeChanges(state, state.shownSettings());
     constexpr std::uint8_t kRough = 100;
     live_->keep(view, frame, threads_, detail.cut ? kRough : 0);
     return true;
+}
+
+/// A camera that moves again goes on from what has been rendered of the view that it leaves.
+void FrameMaker::keepFinished(const rtcore::View& view, const std::vector<rtcore::PixelArea>& tiles,
+                              const rtcore::Frame& frame) {
+    constexpr double kWorthIt = 0.1; // of the pixels
+    const auto add = [](double pixels, const rtcore::PixelArea& tile) {
+        return pixels + static_cast<double>(tile.columns) * tile.rows;
+    };
+    const double pixels = std::accumulate(tiles.begin(), tiles.end(), 0.0, add);
+    if (pixels >= kWorthIt * static_cast<double>(frame.radiance.pixels.size()) && !live_->empty())
+        live_->keepParts(view, frame, tiles, threads_);
 }
 
 bool FrameMaker::drawLive(const ServerState& state, const FrameDetail& detail, rtcore::RenderControl& control,

@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace rtserver {
 
@@ -70,6 +71,8 @@ class FrameMaker {
               rtcore::RenderControl& control, rtcore::Frame& frame);
     bool drawLive(const ServerState& state, const FrameDetail& detail, rtcore::RenderControl& control,
                   rtcore::Frame& frame);
+    void keepFinished(const rtcore::View& view, const std::vector<rtcore::PixelArea>& tiles,
+                      const rtcore::Frame& frame);
     void noticeChanges(const ServerState& state, const rtcore::RenderSettings& settings);
     void adapt(float target, const rtcore::ExposureSettings& settings);
 

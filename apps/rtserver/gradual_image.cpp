@@ -24,7 +24,7 @@ double pixelsOf(const std::vector<rtcore::PixelArea>& areas) {
 void GradualImage::begin(const rtcore::HdrImage& before, const rtcore::RenderSettings& settings,
                          float exposure, int threads, Clock::time_point now) {
     const std::lock_guard lock(mutex_);
-    finished_.take();
+    finished_.clear();
     waiting_.clear();
     pixels_ = static_cast<double>(settings.width) * settings.height;
     exposure_ = exposure;

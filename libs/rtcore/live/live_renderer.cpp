@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace rtcore {
@@ -74,6 +75,27 @@ void setSamples(LiveLayers& layers, std::size_t i, const SeenPoint& seen, LiveSa
     layers.mirrored.set(i, mirrored);
 }
 
+template <typename Use>
+void forEachPixel(const PixelArea& area, Use&& use) {
+    for (int y = area.top; y < area.top + area.rows; ++y) {
+        for (int x = area.left; x < area.left + area.columns; ++x) use(x, y);
+    }
+}
+
+/// The samples of an area of a whole frame.
+void setSamplesOf(const Frame& frame, const PixelArea& area, std::uint8_t age, LiveLayers& layers) {
+    const ImagePlane& plane = layers.own.plane();
+    forEachPixel(area, [&](int x, int y) {
+        const std::size_t i = layers.own.index(x, y);
+        const SeenPoint& seen = frame.seen[i];
+        setSamples(layers, i, seen,
+                   {.position = seen.any ? positionInMiddle(plane, seen, x, y) : towardsMiddle(plane, x, y),
+                    .light = frame.radiance.pixels[i],
+                    .lights = {},
+                    .age = age});
+    });
+}
+
 } // namespace
 
 bool sameLight(const RenderSettings& a, const RenderSettings& b) {
@@ -118,29 +140,44 @@ bool LiveRenderer::render(const View& view, double newSamples, RenderControl& co
     if (!lightSamples(view, control, frame)) return false;
     sampleSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     picture_.show(present_, threads, frame);
+    meter(threads, frame);
     std::swap(past_, present_);
     ++number_;
     return true;
 }
 
 void LiveRenderer::keep(const View& view, const Frame& frame, int threads, std::uint8_t age) {
+    forgetChecks();
     past_.mirrors = std::any_of(frame.seen.begin(), frame.seen.end(), mirrors);
     past_.resize(planeOf(view));
     const ImagePlane& plane = past_.own.plane();
     forEachRows(plane.height, kRowsOfPart, threadsFor(threads), [&](int first, int last) {
-        for (int y = first; y < last; ++y) {
-            for (int x = 0; x < plane.width; ++x) {
-                const std::size_t i = past_.own.index(x, y);
-                const SeenPoint& seen = frame.seen[i];
-                setSamples(
-                    past_, i, seen,
-                    {.position = seen.any ? positionInMiddle(plane, seen, x, y) : towardsMiddle(plane, x, y),
-                     .light = frame.radiance.pixels[i],
-                     .lights = {},
-                     .age = age});
-            }
-        }
+        setSamplesOf(frame, {0, first, plane.width, last - first}, age, past_);
     });
+}
+
+void LiveRenderer::keepParts(const View& view, const Frame& frame, std::span<const PixelArea> parts,
+                             int threads) {
+    present_.mirrors = past_.mirrors;
+    present_.resize(planeOf(view));
+    reprojection_.carry(past_, present_, threadsFor(threads), [](int, int) {});
+    const auto mirrorsIn = [&](const PixelArea& part) {
+        bool any = false;
+        forEachPixel(part, [&](int x, int y) { any |= mirrors(frame.seen[present_.own.index(x, y)]); });
+        return any;
+    };
+    if (!present_.mirrors && std::ranges::any_of(parts, mirrorsIn)) beginMirroring();
+    forEachPart(parts.size(), threadsFor(threads),
+                [&](std::size_t i) { setSamplesOf(frame, parts[i], 0, present_); });
+    std::swap(past_, present_);
+}
+
+/// From here on what is mirrored is kept, of which nothing is known yet.
+void LiveRenderer::beginMirroring() {
+    const ImagePlane& plane = present_.own.plane();
+    present_.mirrors = true;
+    present_.resizeMirrored(plane);
+    present_.mirrored.clear(plane);
 }
 
 /// What is known of lights at a point, but for those that some of the samples around see and others do not:
@@ -177,19 +214,71 @@ bool LiveRenderer::lightSamples(const View& view, RenderControl& control, Frame&
     if (!renderer_.renderPixels(view, chosen, control, {light_, visibility_, seen_}, frame.statistics))
         return false;
     const ImagePlane& plane = present_.own.plane();
-    if (!present_.mirrors && std::any_of(seen_.begin(), seen_.end(), mirrors)) {
-        present_.mirrors = true;
-        present_.resizeMirrored(plane);
-        present_.mirrored.clear(plane);
-    }
+    if (!present_.mirrors && std::any_of(seen_.begin(), seen_.end(), mirrors)) beginMirroring();
+    check();
     forEachChosen(chosen.size(), threads, [&](std::size_t i) {
         const int x = chosen[i].x, y = chosen[i].y;
         setSamples(present_, present_.own.index(x, y), seen_[i],
                    {.position = seen_[i].any ? seen_[i].position : towardsMiddle(plane, x, y),
                     .light = light_[i],
                     .lights = visibility_[i]});
+        choice_.traced(plane, x, y, luminance(light_[i]));
     });
     return true;
+}
+
+void LiveRenderer::forgetChecks() {
+    for (std::vector<CheckedPixel>& checked : checked_) checked.clear();
+}
+
+/// Stale light may be brighter or darker than the truth, and the exposure must not follow it. Before the new
+/// samples take the place of the old ones.
+void LiveRenderer::check() {
+    const ImagePlane& plane = present_.own.plane();
+    std::vector<CheckedPixel>& checked = checked_[number_ % kCheckedFrames];
+    checked.clear();
+    for (const PixelChoice::Check& check : choice_.checked()) {
+        const SampleId pixel = choice_.chosen()[check.chosen];
+        const float traced = luminance(light_[check.chosen]),
+                    kept = choice_.luminances(plane, pixel.y)[pixel.x];
+        const auto covered = [](bool is) -> std::uint8_t { return is ? 255 : 0; };
+        const std::uint8_t tracedCovered = covered(seen_[check.chosen].any);
+        if (check.blind && kept >= 0) {
+            const bool background = present_.own.background(present_.own.index(pixel.x, pixel.y));
+            checked.push_back({kept, traced, covered(!background), tracedCovered});
+        } else {
+            checked.push_back({traced, traced, tracedCovered, tracedCovered});
+        }
+    }
+}
+
+/// The exposure is that of samples, not of the image that is weighed from them: that has fewer black pixels,
+/// so its log-average differs. Pixels without a sample count as those before them.
+void LiveRenderer::meter(int threads, Frame& frame) const {
+    const LiveSamples& own = present_.own;
+    frame.metered.resize(own.size());
+    forEachRows(own.plane().height, kRowsOfPart, threads, [&](int first, int last) {
+        const std::size_t from = own.index(0, first), to = own.index(0, last);
+        std::size_t known = from;
+        while (known < to && !present_.known(known)) ++known;
+        float there = -1;
+        std::uint8_t covered = known < to && own.background(known) ? 0 : 255;
+        for (int y = first; y < last; ++y) {
+            const std::span<const float> luminances = choice_.luminances(own.plane(), y);
+            const std::size_t row = own.index(0, y);
+            for (std::size_t x = 0; x < luminances.size(); ++x) {
+                if (luminances[x] >= 0) {
+                    there = luminances[x];
+                    covered = own.background(row + x) ? 0 : 255;
+                }
+                frame.metered[row + x] = there;
+                frame.covered[row + x] = covered;
+            }
+        }
+    });
+    frame.checked.clear();
+    for (const std::vector<CheckedPixel>& checked : checked_)
+        frame.checked.insert(frame.checked.end(), checked.begin(), checked.end());
 }
 
 } // namespace rtcore

@@ -8,10 +8,13 @@
 #include "rtcore/live/sample_picture.h"
 #include "rtcore/render/frame.h"
 #include "rtcore/render/frame_renderer.h"
+#include "rtcore/render/pixel_area.h"
 #include "rtcore/render/view.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace rtcore {
@@ -26,7 +29,7 @@ class LiveRenderer {
   public:
     /// What it keeps for each pixel, beside the frame: where nothing mirrors and few pixels are traced; and
     /// at most, where something mirrors and all are traced. Some megabytes for each thread are not counted.
-    static constexpr std::size_t kBytesPerPixel = 80, kMostBytesPerPixel = 330;
+    static constexpr std::size_t kBytesPerPixel = 86, kMostBytesPerPixel = 344;
 
     /// Whether such a view can be drawn: of a perspective camera, one sample per pixel in its middle, fewer
     /// than Reprojection::kMostPixels.
@@ -41,11 +44,16 @@ class LiveRenderer {
     /// samples per pixel. Light that was traced roughly counts as so many frames old: it is soon replaced.
     void keep(const View& view, const Frame& frame, int threads, std::uint8_t age = 0);
 
+    /// Keeps the light of those parts of a whole frame of that view, which was left before it was finished,
+    /// in place of what is known there.
+    void keepParts(const View& view, const Frame& frame, std::span<const PixelArea> parts, int threads);
+
     /// What is kept does not hold any more: lights, materials or settings changed. The frames from here on
     /// are those of a new LiveRenderer.
     void forget() {
         past_.clear();
         number_ = 0;
+        forgetChecks();
     }
     bool empty() const { return past_.own.size() == 0; } ///< nothing is kept
 
@@ -56,6 +64,10 @@ class LiveRenderer {
     double unknown() const { return choice_.unknown(); }
 
   private:
+    void check();
+    void forgetChecks();
+    void meter(int threads, Frame& frame) const;
+    void beginMirroring();
     bool lightSamples(const View& view, RenderControl& control, Frame& frame);
     LightVisibility surelyKnown(int x, int y) const;
 
@@ -67,7 +79,9 @@ class LiveRenderer {
     std::vector<LightVisibility> visibility_; ///< the same
     std::vector<SeenPoint> seen_;             ///< the same
     LiveLayers past_, present_;
-    std::uint32_t number_ = 0; ///< of the frame
+    static constexpr std::size_t kCheckedFrames = 24;
+    std::array<std::vector<CheckedPixel>, kCheckedFrames> checked_; ///< of the last frames
+    std::uint32_t number_ = 0;                                      ///< of the frame
     double newSamples_ = 0, sampleSeconds_ = 0;
 };
 

@@ -95,6 +95,7 @@ class LiveSamples {
     bool known(std::size_t i) const { return points[i].state != 0; }
     static bool mirrors(const Point& point) { return (point.state & kMirrors) != 0; }
     bool mirrors(std::size_t i) const { return mirrors(points[i]); }
+    bool background(std::size_t i) const { return (points[i].state & kBackground) != 0; }
     int age(std::size_t i) const { return static_cast<int>(points[i].state & kAge); }
     Colour light(std::size_t i) const { return unpackLight(lights[i].radiance); }
 
@@ -144,6 +145,7 @@ constexpr std::uint32_t turnOf(int x, int y) {
     }
     return turn;
 }
-inline constexpr std::uint32_t kTurns = 4096;
+inline constexpr int kTurnsSide = 64; ///< pixels after which turns repeat
+inline constexpr std::uint32_t kTurns = kTurnsSide * kTurnsSide;
 
 } // namespace rtcore

@@ -100,6 +100,15 @@ constexpr int kSquare = 32;       ///< pixels; those of one are traced together
 constexpr std::size_t kRoom = 64; ///< no vector has more lanes
 /// From frame to frame: odd, and the golden section of all, so that no pixel waits long.
 constexpr std::uint32_t kTurnsApart = 2531;
+/// Whether a pixel is one of so many of kTurns that are checked in that frame: independently of its turn, by
+/// which it may be chosen as well, since digits of turnOf() in reverse are scattered anew.
+bool isChecked(int x, int y, std::uint32_t number, std::uint32_t checks) {
+    std::uint32_t left = turnOf(x, y), reversed = 0;
+    for (std::uint32_t all = kTurns; all > 1; all /= 4, left /= 4) reversed = reversed * 4 + left % 4;
+    return (reversed + number) * kTurnsApart % kTurns < checks;
+}
+
+constexpr double kCheckedPart = 1.0 / 16; ///< of those that are chosen, beside them
 
 } // namespace
 
@@ -120,6 +129,14 @@ void PixelChoice::look(const LiveLayers& samples, int first, int last) {
         HWY_DYNAMIC_DISPATCH(measureLuminanceOf)(samples, samples.own.index(0, y), length, to);
         std::fill_n(to + length, kRoom, -1.0F);
     }
+}
+
+std::span<const float> PixelChoice::luminances(const ImagePlane& plane, int y) const {
+    return {&luminance_[luminanceAt(plane, y)], static_cast<std::size_t>(plane.width)};
+}
+
+void PixelChoice::traced(const ImagePlane& plane, int x, int y, float luminance) {
+    luminance_[luminanceAt(plane, y) + static_cast<std::size_t>(x)] = luminance;
 }
 
 /// A luminance beside which less contrast is seen: of the mean over some pixels.
@@ -178,15 +195,24 @@ PixelChoice::Bound PixelChoice::boundOf(const LiveSamples& samples, double share
     double room = share * pixels;
     for (std::size_t urgency = kUrgencies - 1; urgency > 0; --urgency) {
         const double count = countOf(urgency);
-        if (count > room) return {urgency, static_cast<std::uint32_t>(std::lround(room / count * kTurns))};
+        if (count > room)
+            return {.urgency = urgency,
+                    .turns = static_cast<std::uint32_t>(std::lround(room / count * kTurns))};
         room -= count;
     }
-    return {1, kTurns};
+    return {.urgency = 1, .turns = kTurns};
 }
 
 void PixelChoice::collect(const ImagePlane& plane, const Bound& bound, std::uint32_t number, Part& part,
                           int first, int last) const {
+    const auto turnsLeft = [number](int x, int y) { return (turnOf(x, y) + number * kTurnsApart) % kTurns; };
+    std::array<bool, kSquare> checks = {}; // by row, whether some are checked there
+    for (int y = first; y < last; ++y) {
+        for (int x = 0; x < kTurnsSide; ++x)
+            checks[static_cast<std::size_t>(y - first)] |= isChecked(x, y, number, bound.checks);
+    }
     part.chosen.clear();
+    part.checked.clear();
     for (int left = 0; left < plane.width; left += kSquare) {
         const int right = std::min(left + kSquare, plane.width);
         for (int y = first; y < last; ++y) {
@@ -194,11 +220,14 @@ void PixelChoice::collect(const ImagePlane& plane, const Bound& bound, std::uint
                 &urgency_[static_cast<std::size_t>(y) * static_cast<std::size_t>(plane.width)];
             std::uint8_t most = 0;
             for (int x = left; x < right; ++x) most = std::max(most, row[x]);
-            if (most < bound.urgency) continue;
+            const bool checksHere = checks[static_cast<std::size_t>(y - first)];
+            if (most < bound.urgency && !checksHere) continue;
             for (int x = left; x < right; ++x) {
-                if (row[x] < bound.urgency) continue;
-                if (row[x] == bound.urgency && (turnOf(x, y) + number * kTurnsApart) % kTurns >= bound.turns)
-                    continue;
+                const bool urgent =
+                    row[x] > bound.urgency || (row[x] == bound.urgency && turnsLeft(x, y) < bound.turns);
+                const bool checked = checksHere && row[x] > 0 && isChecked(x, y, number, bound.checks);
+                if (!urgent && !checked) continue;
+                if (checked) part.checked.push_back({part.chosen.size(), !urgent});
                 part.chosen.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), 0});
             }
         }
@@ -210,13 +239,19 @@ void PixelChoice::choose(const LiveLayers& samples, const PixelArray<float>& sta
     const LiveSamples& own = samples.own;
     parts_.resize(static_cast<std::size_t>((own.plane().height + kSquare - 1) / kSquare));
     measureUrgency(own, staleness, threads);
-    const Bound bound = boundOf(own, share);
+    Bound bound = boundOf(own, share);
+    bound.checks = static_cast<std::uint32_t>(std::lround(kCheckedPart * share * kTurns));
     forEachRows(own.plane().height, kSquare, threads, [&](int first, int last) {
         Part& part = parts_[static_cast<std::size_t>(first / kSquare)];
         collect(own.plane(), bound, number, part, first, last);
     });
     chosen_.clear();
-    for (const Part& part : parts_) chosen_.insert(chosen_.end(), part.chosen.begin(), part.chosen.end());
+    checked_.clear();
+    for (const Part& part : parts_) {
+        for (const Check& check : part.checked)
+            checked_.push_back({chosen_.size() + check.chosen, check.blind});
+        chosen_.insert(chosen_.end(), part.chosen.begin(), part.chosen.end());
+    }
 }
 
 } // namespace rtcore

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace rtcore {
@@ -25,8 +26,17 @@ class PixelChoice {
     void choose(const LiveLayers& samples, const PixelArray<float>& staleness, double share,
                 std::uint32_t number, int threads);
 
+    /// The luminance of each pixel's sample, below 0 where it has none; `traced` says what it is now.
+    std::span<const float> luminances(const ImagePlane& plane, int y) const;
+    void traced(const ImagePlane& plane, int x, int y, float luminance);
     /// In an order in which neighbours follow each other.
     const std::vector<SampleId>& chosen() const { return chosen_; }
+    /// Some of them, evenly spread over all pixels, whatever is known there.
+    struct Check {
+        std::size_t chosen; ///< index in chosen()
+        bool blind;         ///< it is not urgent
+    };
+    const std::vector<Check>& checked() const { return checked_; }
     /// Pixels that had no sample, of all.
     double unknown() const { return unknown_; }
 
@@ -39,10 +49,12 @@ class PixelChoice {
         Histogram histogram;
         std::vector<std::uint32_t> urgency; ///< of a row of pixels
         std::vector<SampleId> chosen;
+        std::vector<Check> checked; ///< with indices in `chosen` above
     };
     struct Bound {
         std::size_t urgency;
-        std::uint32_t turns; ///< of kTurns, of those that are just as urgent
+        std::uint32_t turns;      ///< of kTurns, of those that are just as urgent
+        std::uint32_t checks = 0; ///< of kTurns, of all
     };
 
     static std::size_t luminanceAt(const ImagePlane& plane, int y);
@@ -56,6 +68,7 @@ class PixelChoice {
     std::vector<std::uint8_t> urgency_; ///< by pixel
     std::vector<Part> parts_;
     std::vector<SampleId> chosen_;
+    std::vector<Check> checked_;
     double unknown_ = 0;
 };
 

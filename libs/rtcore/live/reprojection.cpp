@@ -110,6 +110,9 @@ constexpr std::uint32_t kSameDepth = 2; ///< of the depths in keys: what is furt
 constexpr auto kBesideSteps = static_cast<std::uint32_t>(0.4F * kKeySteps),
                kBorrowedSteps = static_cast<std::uint32_t>(kKeySteps);
 
+/// Mirrored light, by frame: its tint and its place change with the direction that it is seen from.
+constexpr float kStalerAsMirrored = 0.2F;
+
 // Entries of pixels: from the upper bits on whether the sample belongs beside, its key, whether it is
 // borrowed, its index. The least is shown.
 constexpr std::uint64_t kNoSample = ~std::uint64_t{0};
@@ -282,7 +285,8 @@ void Reprojection::takeMirrored(const LiveSamples& past, const LiveSamples& own,
         const std::size_t from = indexOf(nearest);
         present.points[i] = aged(past.points[from]);
         present.lights[i] = past.lights[from];
-        staleness_[i] = std::max(staleness_[i], stalenessOf(nearest));
+        const float aged = kStalerAsMirrored * static_cast<float>(present.age(i));
+        staleness_[i] = std::max(staleness_[i], stalenessOf(nearest) + aged);
     }
 }
 

@@ -321,8 +321,6 @@ bool SamplePicture::showColumns(const LiveLayers& samples, int first, int last, 
                 if (!isBlack(tint)) rows.missing.push_back({row + x, tint});
             }
         }
-        for (std::size_t i = row; i < row + count; ++i)
-            frame.covered[i] = (samples.own.points[i].state & LiveSamples::kBackground) != 0 ? 0 : 255;
     }
     return missing;
 }

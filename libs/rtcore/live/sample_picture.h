@@ -16,10 +16,10 @@ struct Columns;
 /// Keeps its memory from frame to frame.
 class SamplePicture {
   public:
-    /// Writes frame.radiance and frame.covered, whose size is that of the samples: each pixel shows the light
-    /// of the samples around its middle, the nearer the more, within one pixel, and where these mirror, in
-    /// the same way the light that is mirrored there; or, where there is none of either, what is known of it
-    /// around. Where all samples are in the middles of their pixels, each shows its own.
+    /// Writes frame.radiance, whose size is that of the samples: each pixel shows the light of the samples
+    /// around its middle, the nearer the more, within one pixel, and where these mirror, in the same way the
+    /// light that is mirrored there; or, where there is none of either, what is known of it around. Where all
+    /// samples are in the middles of their pixels, each shows its own.
     void show(const LiveLayers& samples, int threads, Frame& frame);
 
   private:

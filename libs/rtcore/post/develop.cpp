@@ -3,6 +3,7 @@
 #include "rtcore/platform/threads.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace rtcore {
 
@@ -42,13 +43,21 @@ std::optional<float> PictureDeveloper::average(const Frame& frame, bool backgrou
         const std::size_t first = static_cast<std::size_t>(y) * width;
         const std::span<const Colour> row(&radiance.pixels[first], width);
         LuminanceHistogram& histogram = histograms_[static_cast<std::size_t>(threadNumber())];
+        const std::span<const std::uint8_t> covered(&frame.covered[first], width);
         if (background) {
             histogram.count(row);
+        } else if (frame.metered.empty()) {
+            histogram.count(row, covered);
         } else {
-            histogram.count(row, {&frame.covered[first], width});
+            histogram.count({&frame.metered[first], width}, covered);
         }
     }
     for (std::size_t i = 1; i < histograms_.size(); ++i) histograms_[0].add(histograms_[i]);
+    if (!background && !frame.checked.empty()) {
+        const std::size_t checked = frame.checked.size(),
+                          times = (radiance.pixels.size() + checked / 2) / checked;
+        histograms_[0].correct(frame.checked, static_cast<std::int64_t>(times));
+    }
     return histograms_[0].logAverage();
 }
 

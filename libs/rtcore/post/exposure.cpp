@@ -27,14 +27,17 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// The bin of each pixel's luminance, kBins where it does not count.
-void binsOf(const float* HWY_RESTRICT rgb, std::uint32_t* HWY_RESTRICT bins) {
-    for (std::size_t i = 0; i < kBinBlock; i += lanes()) {
-        const Float3 c = loadInterleaved(rgb + 3 * i);
-        const Float y = luminance<Float>(c);
-        const Float infinity = std::numeric_limits<float>::infinity();
-        store(shiftRight<kBinShift>(bitsOf(select((y > 0.0F) & (y < infinity), y, infinity))), bins + i);
-    }
+/// The bin of each luminance, kBins where it does not count.
+HWY_INLINE Uint binOf(Float y) {
+    const Float infinity = std::numeric_limits<float>::infinity();
+    return shiftRight<kBinShift>(bitsOf(select((y > 0.0F) & (y < infinity), y, infinity)));
+}
+void binsOfColours(const float* HWY_RESTRICT rgb, std::uint32_t* HWY_RESTRICT bins) {
+    for (std::size_t i = 0; i < kBinBlock; i += lanes())
+        store(binOf(luminance<Float>(loadInterleaved(rgb + 3 * i))), bins + i);
+}
+void binsOfLuminances(const float* HWY_RESTRICT luminances, std::uint32_t* HWY_RESTRICT bins) {
+    for (std::size_t i = 0; i < kBinBlock; i += lanes()) store(binOf(load(luminances + i)), bins + i);
 }
 
 } // namespace HWY_NAMESPACE
@@ -44,7 +47,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace rtcore {
 
-HWY_EXPORT(binsOf);
+HWY_EXPORT(binsOfColours);
+HWY_EXPORT(binsOfLuminances);
 
 namespace {
 
@@ -55,16 +59,23 @@ float middleOfBin(std::size_t bin) {
         static_cast<std::uint32_t>(bin << kBinShift | std::size_t{1} << (kBinShift - 1)));
 }
 
+void binsOf(const Colour* pixels, std::uint32_t* bins) {
+    HWY_DYNAMIC_DISPATCH(binsOfColours)(&pixels->r, bins);
+}
+void binsOf(const float* luminances, std::uint32_t* bins) {
+    HWY_DYNAMIC_DISPATCH(binsOfLuminances)(luminances, bins);
+}
+
 /// `weightOf` gives the weight of a pixel by its index.
-template <typename Weight>
-void countAll(std::span<const Colour> pixels, std::uint64_t* histogram, Weight&& weightOf) {
+template <typename Pixel, typename Weight>
+void countAll(std::span<const Pixel> pixels, std::int64_t* histogram, Weight&& weightOf) {
     std::uint32_t bins[kBinBlock];
-    Colour last[kBinBlock];
+    Pixel last[kBinBlock] = {};
     for (std::size_t first = 0; first < pixels.size(); first += kBinBlock) {
         const std::size_t n = std::min(kBinBlock, pixels.size() - first);
-        const Colour* block = &pixels[first];
+        const Pixel* block = &pixels[first];
         if (n < kBinBlock) block = std::copy_n(block, n, last) - n;
-        HWY_DYNAMIC_DISPATCH(binsOf)(&block->r, bins);
+        binsOf(block, bins);
         for (std::size_t i = 0; i < n; ++i) histogram[bins[i]] += weightOf(first + i);
     }
 }
@@ -78,14 +89,20 @@ void LuminanceHistogram::clear() {
 
 void LuminanceHistogram::count(std::span<const Colour> pixels, std::span<const std::uint8_t> weights) {
     if (bins_.empty()) clear();
-    possible_ += 255 * std::uint64_t{pixels.size()};
-    countAll(pixels, bins_.data(), [&](std::size_t i) { return std::uint64_t{weights[i]}; });
+    possible_ += 255 * static_cast<std::int64_t>(pixels.size());
+    countAll(pixels, bins_.data(), [&](std::size_t i) { return std::int64_t{weights[i]}; });
 }
 
 void LuminanceHistogram::count(std::span<const Colour> pixels) {
     if (bins_.empty()) clear();
-    possible_ += 255 * std::uint64_t{pixels.size()};
-    countAll(pixels, bins_.data(), [](std::size_t) { return std::uint64_t{255}; });
+    possible_ += 255 * static_cast<std::int64_t>(pixels.size());
+    countAll(pixels, bins_.data(), [](std::size_t) { return std::int64_t{255}; });
+}
+
+void LuminanceHistogram::count(std::span<const float> luminances, std::span<const std::uint8_t> weights) {
+    if (bins_.empty()) clear();
+    possible_ += 255 * static_cast<std::int64_t>(luminances.size());
+    countAll(luminances, bins_.data(), [&](std::size_t i) { return std::int64_t{weights[i]}; });
 }
 
 void LuminanceHistogram::add(const LuminanceHistogram& other) {
@@ -94,11 +111,22 @@ void LuminanceHistogram::add(const LuminanceHistogram& other) {
     possible_ += other.possible_;
 }
 
+void LuminanceHistogram::correct(std::span<const CheckedPixel> checked, std::int64_t times) {
+    if (bins_.empty()) clear();
+    const auto countOne = [&](float luminance, std::int64_t weight) {
+        countAll(std::span<const float>(&luminance, 1), bins_.data(), [&](std::size_t) { return weight; });
+    };
+    for (const CheckedPixel& pixel : checked) {
+        countOne(pixel.kept, -times * pixel.keptCovered);
+        countOne(pixel.traced, times * pixel.tracedCovered);
+    }
+}
+
 std::optional<float> LuminanceHistogram::logAverage() const {
-    std::uint64_t valid = 0;
+    std::int64_t valid = 0;
     const std::size_t bins = bins_.empty() ? 0 : kBins;
     for (std::size_t bin = 0; bin < bins; ++bin) valid += bins_[bin];
-    if (valid == 0 || valid * 100 < possible_) return std::nullopt;
+    if (valid <= 0 || valid * 100 < possible_) return std::nullopt;
 
     const double from = kDropped * static_cast<double>(valid);
     const double to = (1 - kDropped) * static_cast<double>(valid);
@@ -107,8 +135,8 @@ std::optional<float> LuminanceHistogram::logAverage() const {
     for (std::size_t bin = 0; bin < bins; ++bin) {
         if (bins_[bin] == 0) continue;
         const double above = below + static_cast<double>(bins_[bin]);
-        const double kept = std::min(above, to) - std::max(below, from);
-        if (kept > 0) sum += kept * static_cast<double>(portableLog2(middleOfBin(bin)));
+        const double kept = std::clamp(above, from, to) - std::clamp(below, from, to);
+        if (kept != 0) sum += kept * static_cast<double>(portableLog2(middleOfBin(bin)));
         below = above;
     }
     return portableExp2(static_cast<float>(sum / (to - from)));

@@ -3,6 +3,7 @@
 
 #include "rtcore/render/pixel_area.h"
 
+#include <cstddef>
 #include <mutex>
 #include <utility>
 #include <vector>
@@ -13,6 +14,12 @@ namespace rtcore {
 /// again.
 class FinishedTiles {
   public:
+    /// For another frame.
+    void clear() {
+        const std::lock_guard lock(mutex_);
+        areas_.clear();
+        taken_ = 0;
+    }
     void add(const PixelArea& area) {
         const std::lock_guard lock(mutex_);
         areas_.push_back(area);
@@ -20,12 +27,18 @@ class FinishedTiles {
     /// Those that were added since the last call.
     std::vector<PixelArea> take() {
         const std::lock_guard lock(mutex_);
-        return std::exchange(areas_, {});
+        const auto first = static_cast<std::ptrdiff_t>(std::exchange(taken_, areas_.size()));
+        return {areas_.begin() + first, areas_.end()};
+    }
+    std::vector<PixelArea> all() const {
+        const std::lock_guard lock(mutex_);
+        return areas_;
     }
 
   private:
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
     std::vector<PixelArea> areas_;
+    std::size_t taken_ = 0; ///< of them
 };
 
 } // namespace rtcore

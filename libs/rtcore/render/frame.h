@@ -11,12 +11,22 @@
 
 namespace rtcore {
 
+/// A pixel that was chosen blindly, what was kept of it, and what it is.
+struct CheckedPixel {
+    float kept, traced;                      ///< luminances
+    std::uint8_t keptCovered, tracedCovered; ///< as Frame::covered
+};
+
 struct Frame {
     HdrImage radiance; ///< settings.width x settings.height, averaged over the samples of each pixel
     std::vector<std::uint8_t>
         covered; ///< per pixel: 255 where all samples hit geometry, 0 where all saw the background
     Aovs aovs;   ///< empty unless they were asked for
     std::vector<SeenPoint> seen; ///< per pixel; empty unless they were asked for
+    /// Per pixel, the luminance that decides the exposure; at most 0: none does. Empty: that of radiance.
+    std::vector<float> metered;
+    /// Of a frame that is not traced anew as a whole: they stand for all of its pixels.
+    std::vector<CheckedPixel> checked;
     RayStatistics statistics;
 };
 

@@ -73,6 +73,8 @@ void FrameRenderer::beginAovs(const View& view, Frame& frame) const {
     } else {
         frame.seen = {};
     }
+    frame.metered.clear();
+    frame.checked.clear();
 }
 
 /// What depends on the scene and the settings.

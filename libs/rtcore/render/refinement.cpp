@@ -50,7 +50,7 @@ bool Refinement::render(FrameRenderer& renderer, const View& view, RenderControl
     double all = 0;
     for (const RefinementPass& pass : plan) all += cost(pass);
     before_ = fraction_ = 0;
-    (void)finished_.take();
+    finished_.clear();
     for (const RefinementPass& pass : plan) {
         const bool last = &pass == &plan.back();
         enter(cost(pass) / all, control);

@@ -1,5 +1,7 @@
 #include "rtcore/live/live_renderer.h"
 
+#include "rtcore/post/develop.h"
+
 #include "unit/render/sample_view.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +10,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -126,6 +129,36 @@ TEST_F(LiveFrames, BeginWithTheLightOfAFrameOfManySamplesWhereItsPixelsAre) {
     EXPECT_LT(moved, smooth.radiance.pixels.size() / 100);
 }
 
+TEST_F(LiveFrames, GoOnFromThePartsOfAWholeFrameThatWasLeft) {
+    ASSERT_TRUE(draw(cameraAt(0), 0.05));
+    const std::vector<PixelArea> parts = {{0, 0, kWidth, 40}, {0, 40, 70, 20}};
+    Frame left = whole(cameraAt(0));
+    const auto finished = [](int x, int y) { return y < 40 || (y < 60 && x < 70); };
+    for (int y = 0; y < kHeight; ++y) { // never read
+        for (int x = 0; x < kWidth; ++x) {
+            if (!finished(x, y)) left.radiance.at(x, y) = {1e6F, 0, 0};
+        }
+    }
+    const Frame truth = whole(cameraAt(0));
+    const auto errorOf = [&](bool inside) {
+        double sum = 0;
+        for (int y = 0; y < kHeight; ++y) {
+            for (int x = 0; x < kWidth; ++x) {
+                const float d = luminance(truth.radiance.at(x, y) - frame.radiance.at(x, y));
+                if (finished(x, y) == inside) sum += std::fabs(static_cast<double>(d));
+            }
+        }
+        return sum;
+    };
+    const double inside = errorOf(true), outside = errorOf(false);
+    for (const int threads : {1, 2}) {
+        live.keepParts({traced.scene, traced.tracer, cameraAt(0), settings}, left, parts, threads);
+        ASSERT_TRUE(draw(cameraAt(0), 0));
+        EXPECT_LT(errorOf(true), 0.05 * inside) << "but for the seam";
+        EXPECT_NEAR(errorOf(false), outside, 0.1 * outside);
+    }
+}
+
 TEST_F(LiveFrames, BecomeTheTruthWhenTheCameraStands) {
     for (int step = 0; step <= 5; ++step) ASSERT_TRUE(draw(cameraAt(step), 0.05));
     const double moving = error(cameraAt(5));
@@ -138,6 +171,22 @@ TEST_F(LiveFrames, TheFirstOneShowsAllOfThePictureFromFewPoints) {
     EXPECT_NEAR(live.newSamples(), 0.05, 0.02);
     EXPECT_NEAR(live.unknown(), 1, 1e-9);
     EXPECT_LT(error(cameraAt(0)), 0.12);
+}
+
+/// Of few samples, which leave pixels without one, and with stale ones.
+TEST_F(LiveFrames, AreExposedAsWholeOnesAre) {
+    const ExposureSettings automatic;
+    ASSERT_TRUE(draw(cameraAt(0), 1));
+    for (int step = 1; step <= 12; ++step) {
+        ASSERT_TRUE(draw(cameraAt(step), 0.05));
+        const Frame truth = whole(cameraAt(step));
+        EXPECT_NEAR(exposureFor(frame, automatic) / exposureFor(truth, automatic), 1, 0.02) << step;
+        const auto covered = [](const Frame& of) {
+            return std::accumulate(of.covered.begin(), of.covered.end(), 0.0) / (255.0 * kWidth * kHeight);
+        };
+        EXPECT_LT(covered(truth), 0.95) << "some of it is background";
+        EXPECT_NEAR(covered(frame), covered(truth), 0.01) << step;
+    }
 }
 
 TEST_F(LiveFrames, OfAnEyeInTheOriginShowPixelsOfWhichNothingIsKnown) {

@@ -30,6 +30,7 @@ struct Image {
     PixelArray<float> staleness{0};
 };
 
+/// But for those that are chosen blindly.
 std::set<std::pair<int, int>> chosen(const Image& image, double share, std::uint32_t number,
                                      int threads = 1) {
     PixelChoice choice;
@@ -38,6 +39,10 @@ std::set<std::pair<int, int>> chosen(const Image& image, double share, std::uint
     choice.choose(image.samples, image.staleness, share, number, threads);
     std::set<std::pair<int, int>> result;
     for (const SampleId& id : choice.chosen()) EXPECT_TRUE(result.insert({id.x, id.y}).second);
+    for (const PixelChoice::Check& check : choice.checked()) {
+        const SampleId pixel = choice.chosen()[check.chosen];
+        if (check.blind) result.erase({pixel.x, pixel.y});
+    }
     return result;
 }
 
@@ -103,6 +108,29 @@ TEST(PixelChoice, TakesFewOfManyThatAreAsUrgent) {
     std::size_t all = 0;
     for (std::uint32_t number = 0; number < 100; ++number) all += chosen(image, 0.002, number).size();
     EXPECT_NEAR(static_cast<double>(all), 100 * 0.002 * kColumns * kRows, 0.1 * kColumns * kRows);
+}
+
+/// All are alike urgent, but for two columns.
+TEST(PixelChoice, ChecksAFewPixelsBlindly) {
+    constexpr double kShare = 0.05;
+    std::size_t blind = 0, urgent = 0, left = 0;
+    for (std::uint32_t number = 0; number < 100; ++number) {
+        PixelChoice choice;
+        const Image image;
+        choice.begin(image.samples.own.plane());
+        choice.look(image.samples, 0, kRows);
+        choice.choose(image.samples, image.staleness, kShare, number, 1 + static_cast<int>(number % 3));
+        for (const PixelChoice::Check& check : choice.checked()) {
+            const SampleId pixel = choice.chosen()[check.chosen];
+            ++(check.blind ? blind : urgent);
+            left += pixel.x < kColumns / 2 ? 1U : 0U;
+            if (std::abs(pixel.x - kColumns / 2 + 0.5) < 1) EXPECT_FALSE(check.blind);
+        }
+    }
+    const double all = 100 * kShare / 16 * kColumns * kRows;
+    EXPECT_NEAR(static_cast<double>(blind + urgent), all, 0.15 * all);
+    EXPECT_NEAR(static_cast<double>(urgent), kShare * all, 0.05 * all);
+    EXPECT_NEAR(static_cast<double>(left), all / 2, 0.1 * all) << "evenly spread";
 }
 
 TEST(PixelChoice, LeavesWhatWasJustTraced) {

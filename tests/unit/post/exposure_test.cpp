@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace rtcore {
@@ -75,6 +77,25 @@ TEST(LogAverage, NothingWhenUnderOnePercentIsLit) {
     EXPECT_TRUE(Pixels().add(990, {}).add(10, grey(1)).average().has_value());
     EXPECT_FALSE(Pixels().add(100, grey(1), 0).average().has_value());
     EXPECT_FALSE(Pixels().add(10, grey(kNan)).add(10, grey(kInf)).average().has_value());
+}
+
+TEST(LogAverage, IsCorrectedByPixelsThatStandForOthers) {
+    // Of three parts the middle one is kept three times too bright, the last one is background that is kept
+    // as a surface. Each tenth pixel is checked.
+    LuminanceHistogram kept, truth;
+    std::vector<CheckedPixel> checked;
+    for (int i = 0; i < 3000; ++i) {
+        const int part = i / 1000;
+        const float is = 0.1F + 0.001F * static_cast<float>(i % 1000), was = part == 1 ? 3 * is : is;
+        const std::uint8_t covered = part == 2 ? 0 : 255, all = 255;
+        kept.count(std::span<const float>(&was, 1), {&all, 1});
+        truth.count(std::span<const float>(&is, 1), {&covered, 1});
+        if (i % 10 == 4) checked.push_back({was, is, all, covered});
+    }
+    const float right = *truth.logAverage();
+    EXPECT_GT(*kept.logAverage(), 1.2F * right);
+    kept.correct(checked, 10);
+    EXPECT_NEAR(*kept.logAverage() / right, 1, 0.01);
 }
 
 TEST(LogAverage, ScalesWithTheLight) {

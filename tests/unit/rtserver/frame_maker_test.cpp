@@ -6,8 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <thread>
 #include <vector>
 
 namespace {
@@ -22,7 +24,7 @@ RenderSettings hundredPixels() {
 }
 
 TEST(FrameMaker, CountsTheMemoryOfTheListOfEffects) {
-    EXPECT_EQ(rtserver::FrameMaker::bytesOf(hundredPixels(), true), 18'200U) << "as docs/live.md says";
+    EXPECT_EQ(rtserver::FrameMaker::bytesOf(hundredPixels(), true), 18'800U) << "as docs/live.md says";
     RenderSettings bloom = hundredPixels(), denoised = hundredPixels();
     bloom.bloom.radius = 4;
     denoised.denoise.passes = 1;
@@ -165,6 +167,36 @@ TEST_F(FramesOfAState, EightFramesAfterALightIsSwitchedThereAreNoGhostsOfIt) {
     ASSERT_GT(relit, 1000);
     EXPECT_LT(std::fabs(error / light), 0.02);
     EXPECT_LT(wrong / light, 0.12);
+}
+
+TEST_F(FramesOfAState, LiveOnesGoOnFromAWholeOneThatWasLeft) {
+    state.assign({{"width", 320}, {"height", 200}, {"exposure.mode", "fixed"}});
+    state.frameSeconds = 0.03;
+    rtserver::FrameMaker without(1);
+    test::draw(without, state);
+    const auto error = [&] {
+        double sum = 0;
+        for (std::size_t i = 0; i < frames.radiance().pixels.size(); ++i)
+            sum += static_cast<double>(
+                std::fabs(luminance(frames.radiance().pixels[i] - without.radiance().pixels[i])));
+        return sum;
+    };
+    test::draw(frames, state, rtserver::kCoarsest);
+    state.turn(0, 0);
+    test::draw(frames, state, {1, true, 0.02});
+    const double before = error();
+    rtcore::RenderControl control;
+    std::atomic<bool> over = false;
+    std::jthread impatient([&] {
+        while (!over && (control.tiles == 0 || control.tilesDone * 3 < control.tiles * 2))
+            std::this_thread::yield();
+        control.cancel = true;
+    });
+    const bool done = frames.trace(state, {}, nullptr, control);
+    over = true;
+    if (done) GTEST_SKIP() << "it was quicker";
+    test::draw(frames, state, {1, true, 0});
+    EXPECT_LT(error(), 0.75 * before);
 }
 
 TEST_F(FramesOfAState, AreLiveWhereThereIsLightOfAFrameBefore) {
