@@ -62,6 +62,7 @@ std::string statusText(const std::string& instance, std::int64_t process, const 
     line("polygons", fmt::format("{}", status.polygons));
     line("frame time", fmt::format("{:.2f} ms", status.frameSeconds * 1e3));
     line("frames per second", fmt::format("{:.1f}", status.framesPerSecond));
+    if (status.kept > 0) line("new pixels", fmt::format("{:.1f} %", 100 * (1 - status.kept)));
     line("rays per second", fmt::format("{:.2f} million", status.raysPerSecond * 1e-6));
     line("mode", std::string(mode(status)) + floorNote(status));
     line("eye", vectorText(status.eye));
@@ -82,6 +83,7 @@ std::string statusJson(const std::string& instance, std::int64_t process, const 
                    {"frameSeconds", status.frameSeconds},
                    {"framesPerSecond", status.framesPerSecond},
                    {"raysPerSecond", status.raysPerSecond},
+                   {"kept", sameDigits(status.kept)},
                    {"mode", mode(status)},
                    {"eye", vectorJson(status.eye)},
                    {"forward", vectorJson(status.forward)},

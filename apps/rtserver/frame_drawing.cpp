@@ -94,7 +94,7 @@ void FrameDrawing::noticeScene() {
     if (scheduled_.take(state_.revisions()).has(rtcore::Change::Scene)) schedule_.forget();
 }
 
-FrameSchedule::Demand FrameDrawing::demand(bool waitedFor, const rtcore::ShadowMaps* maps) const {
+FrameSchedule::Demand FrameDrawing::demand(bool waitedFor, const rtcore::ShadowMaps* maps) {
     const rtcore::Scene& scene = *state_.scene();
     const rtcore::RenderSettings& settings = state_.settings();
     const bool mapped = maps != nullptr && maps->suit(settings);

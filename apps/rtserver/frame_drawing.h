@@ -69,7 +69,7 @@ class FrameDrawing {
     SceneUpkeep::Pace pace();
 
   private:
-    FrameSchedule::Demand demand(bool waitedFor, const rtcore::ShadowMaps* maps) const;
+    FrameSchedule::Demand demand(bool waitedFor, const rtcore::ShadowMaps* maps);
     Drawn drawFrame(bool waitedFor);
     void noticeScene();
     Outcome trace(bool waitedFor);

@@ -2,6 +2,7 @@
 
 #include "rtcore/platform/error.h"
 #include "rtcore/post/effects.h"
+#include "rtcore/shading/fog/fog.h"
 
 #include <fmt/core.h>
 
@@ -20,10 +21,11 @@ bool canBeLive(const ServerState& state) {
     return rtcore::LiveRenderer::draws({*scene, *state.world().tracer, state.camera(), settings});
 }
 
+/// Everywhere.
 bool changesLight(const rtcore::Changes& changes) {
     using rtcore::Change;
     return changes.hasAny(
-        {Change::Scene, Change::Light, Change::Sky, Change::Material, Change::Visibility, Change::Section});
+        {Change::Scene, Change::Sky, Change::Material, Change::Visibility, Change::Section});
 }
 
 } // namespace
@@ -56,6 +58,7 @@ bool FrameMaker::trace(const ServerState& state, const FrameDetail& detail, cons
     seen_ = &finished;
     revision_ = revision;
     detail_ = detail;
+    keptPart_ = detail.live() ? 1 - live_->newSamples() : 0;
     rays_ = frame.statistics.total();
     seconds_ = std::chrono::duration<double>(Clock::now() - start).count();
     return true;
@@ -105,16 +108,25 @@ bool FrameMaker::drawLive(const ServerState& state, const FrameDetail& detail, r
     return true;
 }
 
-bool FrameMaker::drawsLive(const ServerState& state) const {
-    const bool relit = changesLight(kept_.pending(state.revisions()));
-    return !relit && !live_->empty() && canBeLive(state) &&
-           rtcore::sameLight(state.shownSettings(), keptFor_);
+bool FrameMaker::drawsLive(const ServerState& state) {
+    noticeChanges(state, state.shownSettings());
+    return !live_->empty() && canBeLive(state);
 }
 
-/// Light holds as long as nothing but the camera changes, and what is done to the image.
+/// Light holds as long as nothing but the camera changes, and what is done to the image; and where lights
+/// that changed do not reach.
 void FrameMaker::noticeChanges(const ServerState& state, const rtcore::RenderSettings& settings) {
-    if (changesLight(kept_.take(state.revisions())) || !rtcore::sameLight(settings, keptFor_))
+    constexpr double kFew = 0.1; // of the pixels: a live frame shows more than a coarse one
+    const rtcore::Changes changes = kept_.take(state.revisions());
+    const std::shared_ptr<const rtcore::Scene> scene = state.scene();
+    if (changesLight(changes) || !rtcore::sameLight(settings, keptFor_)) {
         live_->forget();
+    } else if (changes.has(rtcore::Change::Light)) {
+        const bool inAir = rtcore::fogMedium(*scene, settings).on;
+        const rtcore::LightChange change(keptLights_, scene->lights);
+        if (change.any() && (inAir || live_->relight(change, threads_) > kFew)) live_->forget();
+    }
+    if (changes.any()) keptLights_ = scene->lights;
     keptFor_ = settings;
 }
 
@@ -143,6 +155,7 @@ void FrameMaker::drop() {
     coarse_ = {};
     seen_ = nullptr;
     revision_ = 0;
+    keptPart_ = 0;
     renderer_.emplace();
     live_.emplace();
     developer_ = {};

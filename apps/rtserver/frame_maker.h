@@ -33,10 +33,13 @@ class FrameMaker {
     /// While trace() draws a whole frame after a coarse one, in another thread: what is seen now, or null
     /// where that is nothing new. Stands until the next call. `state` as trace() has it.
     const rtcore::LdrImage* underWay(const ServerState& state);
-    /// Whether the next frame can be a live one: there is light of a frame before, and it holds.
-    bool drawsLive(const ServerState& state) const;
+    /// Whether the next frame can be a live one: there is light of a frame before, and nearly all of it
+    /// holds. What does not is forgotten.
+    bool drawsLive(const ServerState& state);
     /// Of the last frame, where it was live: what of its time traced pixels took.
     const LiveGovernor::Cost& liveCost() const { return liveCost_; }
+    /// Of the pixels of the last frame, the part whose light is of frames before it.
+    double kept() const { return keptPart_; }
     /// The revision of the state that the last frame shows; 0: there is no frame.
     std::uint64_t revision() const { return revision_; }
     /// Whether the state changed since, or there is no frame.
@@ -84,6 +87,7 @@ class FrameMaker {
     LiveGovernor::Cost liveCost_;
     rtcore::Subscription kept_;      ///< what the light of live frames knows of the state
     rtcore::RenderSettings keptFor_; ///< the settings that it was traced with
+    std::vector<rtcore::Light> keptLights_;
     rtcore::PictureDeveloper developer_;
     rtcore::Frame whole_, coarse_;           ///< apart, so that one keeps its memory beside the other
     const rtcore::HdrImage* seen_ = nullptr; ///< the last frame with its effects; null: no frame
@@ -94,7 +98,7 @@ class FrameMaker {
     float target_ = 1;             ///< the exposure that suits the last frame
     Clock::time_point adaptedAt_;
     GradualImage gradual_;
-    double seconds_ = 0;
+    double seconds_ = 0, keptPart_ = 0;
     std::uint64_t rays_ = 0;
     FrameDetail detail_; ///< of the last frame
 };

@@ -18,6 +18,7 @@ ipc::Status statusOf(const ServerState& state, const FrameMaker& frames, const A
     app::setView(state.camera(), state.settings().width, state.settings().height, status);
     status.mode = state.onUnseenFloor() ? 2 : state.walking() ? 1 : 0;
     status.exposure = frames.exposure();
+    status.kept = static_cast<float>(frames.kept());
     status.idle = activity.idle ? 1 : 0;
     return status;
 }

@@ -23,6 +23,7 @@ struct ServerStatus {
     double framesPerSecond = 0;
     double frameSeconds = 0;
     double raysPerSecond = 0;
+    double kept = 0; ///< part of the last frame that was taken from those before it, 0..1
     quint64 polygons = 0;
     QSize resolution;   ///< pixels of a frame; empty while nothing is loaded
     float exposure = 0; ///< the constant of the tone mapping

@@ -643,6 +643,10 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
         <source>Focus the lens there</source>
         <translation>Zaostřit na místo</translation>
     </message>
+    <message>
+        <source>%1 % new</source>
+        <translation>%1 % nových</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>

@@ -20,6 +20,13 @@ QString activity(const ServerStatus& status, bool refining) {
     return refining ? tr("refining") : tr("drawing");
 }
 
+/// Which part of the pixels is new, where the others are kept from the frames before.
+QString newPart(double kept) {
+    constexpr double kHundred = 100, kFew = 10;
+    const double percent = kHundred * (1 - kept);
+    return tr("%1 % new").arg(QLocale().toString(percent, 'f', percent < kFew ? 1 : 0));
+}
+
 void drawBox(QPainter& painter, const QRect& box) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
@@ -37,6 +44,7 @@ QString overlayText(const ServerStatus& status, const QSize& frame, bool still, 
     const int fraction = kPercent * frame.width() / status.resolution.width();
     const bool coarse = fraction > 0 && fraction < kPercent;
     if (coarse) size += tr(" (%1 %)").arg(fraction);
+    if (!status.idle && status.kept > 0) size += QStringLiteral("  ·  ") + newPart(status.kept);
     const QString mode = status.view.walking ? tr("Walk") : tr("Fly");
     QStringList parts{size, mode};
     const bool complete = status.idle && !status.paused;

@@ -24,7 +24,7 @@ struct Status {
     std::uint32_t paused = 0;      ///< 1: no frame comes until the server is told to resume
     std::uint32_t recording = 0;   ///< 1: frames are being recorded
     std::uint32_t messages = 0;    ///< number of messages so far; grows
-    std::uint32_t unused = 0;      ///< always 0
+    float kept = 0;                ///< part of the last frame that was taken from those before it, 0..1
     friend bool operator==(const Status&, const Status&) = default;
 };
 static_assert(std::is_trivially_copyable_v<Status> && sizeof(Status) == 112 && alignof(Status) == 8);

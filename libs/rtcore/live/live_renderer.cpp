@@ -4,6 +4,7 @@
 #include "rtcore/platform/threads.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <span>
@@ -170,6 +171,25 @@ void LiveRenderer::keepParts(const View& view, const Frame& frame, std::span<con
     forEachPart(parts.size(), threadsFor(threads),
                 [&](std::size_t i) { setSamplesOf(frame, parts[i], 0, present_); });
     std::swap(past_, present_);
+}
+
+double LiveRenderer::relight(const LightChange& change, int threads) {
+    LiveSamples& own = past_.own;
+    const auto unknownOf = [&](std::size_t i) {
+        if (!own.known(i)) return true;
+        const bool reached =
+            !own.background(i) && change.reaches(own.points[i].position, luminance(own.light(i)));
+        if (reached) own.forget(i);
+        if (own.mirrors(i)) past_.mirrored.forget(i);
+        return reached || own.mirrors(i);
+    };
+    std::atomic<std::size_t> unknown = 0;
+    forEachRows(own.plane().height, kRowsOfPart, threadsFor(threads), [&](int first, int last) {
+        std::size_t here = 0;
+        for (std::size_t i = own.index(0, first); i < own.index(0, last); ++i) here += unknownOf(i) ? 1U : 0U;
+        unknown += here;
+    });
+    return own.size() > 0 ? static_cast<double>(unknown) / static_cast<double>(own.size()) : 1;
 }
 
 /// From here on what is mirrored is kept, of which nothing is known yet.

@@ -2,6 +2,7 @@
 /// it does not hold, new light is traced. (docs/live.md)
 #pragma once
 
+#include "rtcore/live/light_change.h"
 #include "rtcore/live/live_samples.h"
 #include "rtcore/live/pixel_choice.h"
 #include "rtcore/live/reprojection.h"
@@ -47,6 +48,10 @@ class LiveRenderer {
     /// Keeps the light of those parts of a whole frame of that view, which was left before it was finished,
     /// in place of what is known there.
     void keepParts(const View& view, const Frame& frame, std::span<const PixelArea> parts, int threads);
+
+    /// Lights have changed: forgets the light of surfaces that this reaches, and all that is mirrored, since
+    /// that is not known to be where it seems to be. Returns the part of the pixels of which none is known.
+    double relight(const LightChange& change, int threads);
 
     /// What is kept does not hold any more: lights, materials or settings changed. The frames from here on
     /// are those of a new LiveRenderer.

@@ -51,6 +51,15 @@ TEST(StatusText, SaysWhatTheServerDoes) {
     EXPECT_NE(cui::statusText("cow", 7, status).find("state: paused\n"), std::string::npos);
 }
 
+TEST(StatusText, SaysHowManyPixelsAreNewWhereOthersAreKept) {
+    ipc::Status status;
+    EXPECT_EQ(cui::statusText("cow", 7, status).find("new pixels"), std::string::npos);
+    EXPECT_NE(cui::statusJson("cow", 7, status).find("\"kept\":0.0,"), std::string::npos);
+    status.kept = 0.979F;
+    EXPECT_NE(cui::statusText("cow", 7, status).find("new pixels: 2.1 %\n"), std::string::npos);
+    EXPECT_NE(cui::statusJson("cow", 7, status).find("\"kept\":0.979,"), std::string::npos);
+}
+
 TEST(ListText, NamesLivingAndDead) {
     const std::vector<ipc::Instance> instances{{"cow", true, 12}, {"nave", false, 0}};
     EXPECT_EQ(cui::listText(instances), "cow  process 12\nnave  dead; 'CUI free' removes it\n");

@@ -6,10 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -131,6 +133,34 @@ TEST_F(FramesOfAState, LiveOnesKeepNoLightThatIsOffNow) {
     const double dark = brightness(without);
     ASSERT_LT(dark, 0.95 * lit);
     EXPECT_LT(brightness(frames), dark + 0.2 * (lit - dark));
+}
+
+TEST_F(FramesOfAState, StayLiveWhereALightThatIsSwitchedHardlyReaches) {
+    rtcore::LoadedScene room = test::makeRoom();
+    room.scene.lights.push_back(test::pointLight({2, 0.1F, -4}, 4e-4F));
+    state.show(test::worldOf(std::move(room)));
+    state.assign({{"width", 320}, {"height", 200}, {"exposure.mode", "fixed"}});
+    state.frameSeconds = 0.03;
+    test::draw(frames, state);
+    const std::vector<rtcore::Colour> lit = frames.radiance().pixels;
+    state.switchLight(2, false);
+    ASSERT_TRUE(frames.drawsLive(state));
+    for (int frame = 0; frame < 3; ++frame) test::draw(frames, state, {1, true, 0.05});
+    rtserver::FrameMaker without(1);
+    test::draw(without, state);
+    const auto most = [&](const std::vector<rtcore::Colour>& pixels) {
+        float worst = 0;
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
+            const float truth = luminance(without.radiance().pixels[i]);
+            if (truth < 0.1F) continue; // beside the background samples of both are mixed
+            worst = std::max(worst, std::fabs(luminance(pixels[i]) - truth) / truth);
+        }
+        return worst;
+    };
+    EXPECT_GT(most(lit), 0.01F) << "near the light";
+    EXPECT_LT(most(frames.radiance().pixels), 0.3F * most(lit));
+    state.switchLight(0, false);
+    EXPECT_FALSE(frames.drawsLive(state));
 }
 
 TEST_F(FramesOfAState, EightFramesAfterALightIsSwitchedThereAreNoGhostsOfIt) {

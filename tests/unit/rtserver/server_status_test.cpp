@@ -34,6 +34,19 @@ TEST_F(ServerStatus, TellsOfTheStateAndItsFrame) {
     EXPECT_EQ(statusOf(state, frames, {}).idle, 0U);
 }
 
+TEST_F(ServerStatus, TellsWhichPartOfALiveFrameIsKept) {
+    FrameMaker frames(1);
+    state.frameSeconds = 0.03;
+    test::draw(frames, state);
+    EXPECT_EQ(statusOf(state, frames, {}).kept, 0);
+    state.turn(1, 0);
+    test::draw(frames, state, {1, true, 0.1});
+    EXPECT_GT(statusOf(state, frames, {}).kept, 0.7F);
+    EXPECT_LT(statusOf(state, frames, {}).kept, 1);
+    test::draw(frames, state);
+    EXPECT_EQ(statusOf(state, frames, {}).kept, 0);
+}
+
 TEST_F(ServerStatus, WithoutASceneTellsWhatIsKnown) {
     const ServerState fresh(options, {}, messages);
     const ipc::Status status = statusOf(fresh, FrameMaker(1), {.progress = 0.25F});
