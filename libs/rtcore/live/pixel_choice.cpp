@@ -53,8 +53,8 @@ void measureLuminanceOf(const LiveLayers& samples, std::size_t first, std::size_
 }
 
 // Stale light shows beside light that differs.
-constexpr float kStaleHole = 2;
-constexpr float kLeastStale = 0.02F, kLeastContrast = 0.02F;
+constexpr float kStaleHole = 8;
+constexpr float kLeastStale = 0.02F, kLeastContrast = 0.04F;
 
 /// Urgency has four steps for each power of two, from 2^-14 on: the upper bits of a float.
 constexpr int kUrgencyShift = 21, kFirstUrgency = (127 - 14) << 2;
@@ -141,7 +141,7 @@ void PixelChoice::traced(const ImagePlane& plane, int x, int y, float luminance)
 
 /// A luminance beside which less contrast is seen: of the mean over some pixels.
 float PixelChoice::darkness(const ImagePlane& plane) const {
-    constexpr float kOfMean = 1.7F;
+    constexpr float kOfMean = 1;
     constexpr int kStep = 8;
     double sum = 0;
     int count = 0;

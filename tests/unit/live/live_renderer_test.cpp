@@ -163,7 +163,7 @@ TEST_F(LiveFrames, BecomeTheTruthWhenTheCameraStands) {
     for (int step = 0; step <= 5; ++step) ASSERT_TRUE(draw(cameraAt(step), 0.05));
     const double moving = error(cameraAt(5));
     for (int i = 0; i < 12; ++i) ASSERT_TRUE(draw(cameraAt(5), 0.2));
-    EXPECT_LT(error(cameraAt(5)), 0.25 * moving);
+    EXPECT_LT(error(cameraAt(5)), 0.3 * moving);
 }
 
 TEST_F(LiveFrames, TheFirstOneShowsAllOfThePictureFromFewPoints) {
