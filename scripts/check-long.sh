@@ -1,13 +1,13 @@
 #!/bin/sh
 # The checks that take too long for every run; their output belongs into the note that closes an issue.
 #   scripts/check-long.sh [formulas] [leaks] [leaving] [trees] [waves] [oracle] [mutations] [kills] [formats] [ipc] [server]
-#                         [reaction] [soak] [preview] [window] [walks] [tutorial] [sanitizers] [mutants]
+#                         [reaction] [soak] [edits] [preview] [window] [walks] [tutorial] [sanitizers] [mutants]
 # Without arguments: all. RT_ISA chooses the instruction set of the kernels.
 set -eu
 cd "$(dirname "$0")/.."
 scripts/build.sh
 [ $# -gt 0 ] ||
-    set -- formulas leaks leaving trees waves oracle mutations kills formats ipc server reaction soak preview window walks \
+    set -- formulas leaks leaving trees waves oracle mutations kills formats ipc server reaction soak edits preview window walks \
         tutorial sanitizers mutants
 release=build/release/bin
 for check in "$@"; do
@@ -66,6 +66,13 @@ for check in "$@"; do
         ;;
     soak)
         RT_SOAK_SECONDS=${RT_SOAK_SECONDS:-1200} $release/test_server_faults --gtest_filter=Soak.*
+        ;;
+    edits)
+        # So many random edits while one walks, each seen within eight live frames.
+        cmake --preset asan-ubsan -DRT_EVERY_INSTRUCTION_SET=ON >/dev/null
+        cmake --build --preset asan-ubsan --target test_rtserver
+        RT_EDITS=${RT_EDITS:-10000} UBSAN_OPTIONS=print_stacktrace=1 \
+            build/asan-ubsan/bin/test_rtserver --gtest_filter='RandomEdits.*'
         ;;
     sanitizers)
         cmake --preset asan-ubsan -DRT_EVERY_INSTRUCTION_SET=ON >/dev/null

@@ -110,7 +110,7 @@ bool FrameMaker::drawLive(const ServerState& state, const FrameDetail& detail, r
 
 bool FrameMaker::drawsLive(const ServerState& state) {
     noticeChanges(state, state.shownSettings());
-    return !live_->empty() && canBeLive(state);
+    return !live_->empty() && canBeLive(state) && live_->follows(state.camera().eye);
 }
 
 /// Light holds as long as nothing but the camera changes, and what is done to the image; and where lights

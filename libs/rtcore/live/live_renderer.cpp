@@ -200,6 +200,22 @@ void LiveRenderer::beginMirroring() {
     present_.mirrored.clear(plane);
 }
 
+bool LiveRenderer::follows(Vec3 eye) const {
+    constexpr float kMost = 0.25F; // of how far away things are
+    constexpr std::size_t kEvery = 97;
+    const LiveSamples& own = past_.own;
+    const Vec3 before = own.plane().eye;
+    double sum = 0;
+    int count = 0;
+    for (std::size_t i = 0; i < own.size(); i += kEvery) {
+        if (!own.known(i) || own.background(i)) continue;
+        sum += std::log(static_cast<double>(length(own.points[i].position - before)) + 1e-30);
+        ++count;
+    }
+    if (count == 0) return true; // all that was seen is endlessly far away
+    return length(eye - before) < kMost * static_cast<float>(std::exp(sum / count));
+}
+
 /// What is known of lights at a point, but for those that some of the samples around see and others do not:
 /// the edges of shadows stay where they are. In turns nothing counts as known, so that no error lasts.
 LightVisibility LiveRenderer::surelyKnown(int x, int y) const {

@@ -60,6 +60,9 @@ class LiveRenderer {
         number_ = 0;
         forgetChecks();
     }
+    /// Whether the light that is kept shows what is seen from there: it is not much nearer to, or further
+    /// from, what was seen before. After a cut, things would be seen through gaps in others that are new.
+    bool follows(Vec3 eye) const;
     bool empty() const { return past_.own.size() == 0; } ///< nothing is kept
 
     /// Seconds that the traced pixels of the last frame took.

@@ -234,6 +234,16 @@ TEST_F(LiveFrames, ACancelledOneLeavesThePastAsItWas) {
     EXPECT_TRUE(result.radiance.pixels == after);
 }
 
+TEST_F(LiveFrames, FollowACameraButNoCut) {
+    EXPECT_TRUE(live.follows({100, 100, 100})) << "nothing is kept that could be wrong";
+    ASSERT_TRUE(draw(cameraAt(0), 1));
+    const Vec3 eye = cameraAt(0).eye;
+    EXPECT_TRUE(live.follows(eye));
+    EXPECT_TRUE(live.follows(eye + Vec3{0.1F, 0, 0.1F}));
+    EXPECT_FALSE(live.follows(eye + Vec3{0, 4, 0}));
+    EXPECT_FALSE(live.follows(eye - Vec3{0, 0, 20}));
+}
+
 TEST_F(LiveFrames, OfAnotherSizeTakeTheLightAlong) {
     ASSERT_TRUE(draw(cameraAt(0), 1));
     settings.width = 120;
