@@ -95,7 +95,7 @@ void WaveLighting::addAmbient(const FrameContext& frame, Wave& wave, const Light
 /// An area light counts as a point in its middle here.
 void WaveLighting::addPointLight(const FrameContext& frame, Wave& wave, std::size_t light,
                                  const LightSums& to) {
-    const KnownVisibility known{clear_.data(), dark_.data(), 1U << light % kRememberedLights};
+    const KnownVisibility known = knownOf(light);
     rtcore::addLight(frame.scene->lights[light], *frame.materials, wave.surfaces,
                      frame.settings->shadows ? &shadowRays_ : nullptr, remembers(light) ? &known : nullptr);
     addArriving(frame, wave, light, to);
@@ -108,10 +108,22 @@ void WaveLighting::addAreaLight(const FrameContext& frame, Wave& wave, std::size
         wave.size(), settings.areaLights.samples, settings.antialiasing * settings.antialiasing,
         static_cast<std::uint32_t>(light), [&](std::size_t i) { return wave.sampleId(i); },
         [&](std::size_t i) { return wave.paths.bounces(i); });
+    const KnownVisibility known = knownOf(light);
     for (int k = 0; k < settings.areaLights.samples && !frame.stopped(); ++k) {
         rtcore::addLight(frame.scene->lights[light], areaLightSampler_.strata(k), *frame.materials,
-                         wave.surfaces, settings.shadows ? &shadowRays_ : nullptr);
+                         wave.surfaces, settings.shadows ? &shadowRays_ : nullptr,
+                         k > 0 && remembers(light) ? &known : nullptr);
         addArriving(frame, wave, light, to);
+        if (k == 0 && remembers(light)) confirm(light);
+    }
+}
+
+/// Of what is known of a light, that counts which the first ray to it confirms.
+void WaveLighting::confirm(std::size_t light) {
+    const std::uint32_t bit = knownOf(light).bit;
+    for (std::size_t i = 0; i < clear_.size(); ++i) {
+        clear_[i] &= foundClear_[i] | ~bit;
+        dark_[i] &= foundDark_[i] | ~bit;
     }
 }
 
@@ -166,8 +178,8 @@ void WaveLighting::takeShadows(const FrameContext& frame, Wave& wave, std::size_
 void WaveLighting::recall(const FrameContext& frame, const Wave& wave) {
     remembers_ = !frame.visibility.empty() && wave.paths.primary() && frame.settings->shadows;
     if (!remembers_) return;
-    clear_.assign(wave.size() + kWaveBlock, 0);
-    dark_.assign(wave.size() + kWaveBlock, 0);
+    for (auto* visibility : {&clear_, &dark_, &foundClear_, &foundDark_})
+        visibility->assign(wave.size() + kWaveBlock, 0);
     for (std::size_t i = 0; i < wave.size(); ++i) {
         const LightVisibility known = frame.visibility[wave.paths.sample(i)];
         clear_[i] = known.clear;
@@ -178,14 +190,16 @@ void WaveLighting::recall(const FrameContext& frame, const Wave& wave) {
 /// What a shadow ray found. Light that is tinted is asked for anew each time.
 void WaveLighting::note(std::size_t light, std::size_t point, Colour arriving) {
     if (!remembers(light)) return;
-    if (isBlack(arriving)) dark_[point] |= 1U << light;
-    if (arriving == kWhite) clear_[point] |= 1U << light;
+    if (arriving != kWhite) foundDark_[point] |= 1U << light;
+    if (!isBlack(arriving)) foundClear_[point] |= 1U << light;
 }
 
 void WaveLighting::keep(const FrameContext& frame, const Wave& wave) const {
     for (std::size_t i = 0; i < wave.size(); ++i) {
-        frame.visibility[wave.paths.sample(i)] = {static_cast<std::uint16_t>(clear_[i]),
-                                                  static_cast<std::uint16_t>(dark_[i])};
+        const std::uint32_t clear = clear_[i] | (foundClear_[i] & ~foundDark_[i]),
+                            dark = dark_[i] | (foundDark_[i] & ~foundClear_[i]);
+        frame.visibility[wave.paths.sample(i)] = {static_cast<std::uint16_t>(clear),
+                                                  static_cast<std::uint16_t>(dark)};
     }
 }
 

@@ -44,7 +44,11 @@ class WaveLighting {
     void takeShadows(const FrameContext& frame, Wave& wave, std::size_t light);
     void recall(const FrameContext& frame, const Wave& wave);
     void note(std::size_t light, std::size_t point, Colour arriving);
+    void confirm(std::size_t light);
     void keep(const FrameContext& frame, const Wave& wave) const;
+    KnownVisibility knownOf(std::size_t light) const {
+        return {clear_.data(), dark_.data(), 1U << light % kRememberedLights};
+    }
     bool remembers(std::size_t light) const { return remembers_ && light < kRememberedLights; }
     bool tracesTinted(const FrameContext& frame) const {
         return frame.settings->shadows && shadows_.tinted() && frame.shadowMaps == nullptr;
@@ -57,9 +61,11 @@ class WaveLighting {
     AreaLightSampler areaLightSampler_;
     ShadowTracer shadows_;
     ShadowRays shadowRays_;
-    bool remembers_ = false;                  ///< the next two hold for the wave
-    std::vector<std::uint32_t> clear_, dark_; ///< LightVisibility of its points, for whole blocks
-    std::vector<Colour> arriving_;            ///< along shadow rays, by the maps
+    bool remembers_ = false; ///< the next four hold for the wave
+    /// LightVisibility of its points, for whole blocks: what is known, and what rays find. Of lights of which
+    /// both is found, a part arrives.
+    std::vector<std::uint32_t> clear_, dark_, foundClear_, foundDark_;
+    std::vector<Colour> arriving_; ///< along shadow rays, by the maps
 };
 
 } // namespace rtcore

@@ -286,16 +286,22 @@ TEST(RenderFrame, SomePixelsAreThoseOfTheWholeFrame) {
     }
 }
 
+std::vector<SampleId> allPixels(const RenderSettings& settings) {
+    std::vector<SampleId> pixels;
+    for (int y = 0; y < settings.height; ++y) {
+        for (int x = 0; x < settings.width; ++x)
+            pixels.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y), 0});
+    }
+    return pixels;
+}
+
 TEST(RenderFrame, PixelsWhoseLightsAreKnownNeedNoShadowRays) {
     Scene scene = plainScene();
     for (Light& light : scene.lights) light.kind = isAreaLight(light) ? LightKind::Point : light.kind;
     const test::TracedScene traced(scene);
     const RenderSettings settings = test::sampleSettings(101, 67);
     const View view{traced.scene, traced.tracer, test::sampleCamera(), settings};
-    std::vector<SampleId> pixels;
-    for (std::uint16_t y = 0; y < 67; ++y) {
-        for (std::uint16_t x = 0; x < 101; ++x) pixels.push_back({x, y, 0});
-    }
+    const std::vector<SampleId> pixels = allPixels(settings);
     FrameRenderer renderer;
     RenderControl control{.threads = 1};
     std::vector<LightVisibility> visibility(pixels.size());
@@ -315,6 +321,53 @@ TEST(RenderFrame, PixelsWhoseLightsAreKnownNeedNoShadowRays) {
     for (std::size_t i = 0; i < pixels.size(); ++i)
         brighter += luminance(first[i]) > luminance(second[i]) ? 1 : 0;
     EXPECT_GT(brighter, 0.2 * static_cast<double>(pixels.size()));
+}
+
+TEST(RenderFrame, PixelsWhoseLightsWithASizeAreKnownNeedOneRayToEach) {
+    Scene scene = plainScene();
+    Light globe = test::pointLight({2, 2, 3}, 30);
+    globe.kind = LightKind::Sphere;
+    globe.radius = 0.5F;
+    scene.lights = {globe};
+    const test::TracedScene traced(scene);
+    RenderSettings settings = test::sampleSettings(101, 67);
+    settings.areaLights.samples = 6;
+    settings.reflections = settings.refractions = false;
+    const View view{traced.scene, traced.tracer, test::sampleCamera(), settings};
+    const std::vector<SampleId> pixels = allPixels(settings);
+    FrameRenderer renderer;
+    RenderControl control{.threads = 1};
+    const auto drawn = [&](std::vector<LightVisibility>& visibility, std::uint64_t& rays) {
+        std::vector<Colour> light(pixels.size());
+        RayStatistics statistics;
+        renderer.renderPixels(view, pixels, control, {light, visibility}, statistics);
+        rays = statistics.rays[static_cast<std::size_t>(RayKind::Shadow)];
+        return light;
+    };
+    std::vector<LightVisibility> visibility(pixels.size());
+    std::uint64_t all = 0, few = 0;
+    const std::vector<Colour> first = drawn(visibility, all);
+    const std::vector<LightVisibility> found = visibility;
+    EXPECT_EQ(first, test::render(traced, settings).radiance.pixels);
+    EXPECT_EQ(drawn(visibility, few), first);
+    EXPECT_EQ(visibility, found);
+    const auto sees = [&](auto visible) { return std::ranges::count_if(found, visible); };
+    const auto lit = sees([](LightVisibility v) { return v.clear == 1; }),
+               dark = sees([](LightVisibility v) { return v.dark == 1; });
+    EXPECT_GT(lit, std::ssize(pixels) / 10);
+    EXPECT_GT(dark, std::ssize(pixels) / 50);
+    EXPECT_GE(few,
+              all - 5 * static_cast<std::uint64_t>(lit + dark)); // at its horizon a light is seen in part
+    EXPECT_LT(few, all / 2);
+    // What the first ray does not confirm does not count.
+    std::vector<LightVisibility> wrong(pixels.size());
+    std::ranges::transform(found, wrong.begin(), [](LightVisibility v) {
+        return LightVisibility{v.dark, v.clear};
+    });
+    std::uint64_t rays = 0;
+    EXPECT_EQ(drawn(wrong, rays), first);
+    EXPECT_EQ(wrong, found);
+    EXPECT_EQ(rays, all);
 }
 
 TEST(RenderFrame, SaysWhatPixelsSee) {

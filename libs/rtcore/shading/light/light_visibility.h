@@ -7,7 +7,8 @@
 namespace rtcore {
 
 /// A bit for each of the scene's first kRememberedLights lights, set in `clear` where all of its light
-/// arrives and in `dark` where none does. Of lights with neither nothing is known, or they arrive in part.
+/// arrives and in `dark` where none does. Of lights with neither nothing is known, or they arrive in part. To
+/// lights with a size one ray is traced all the same; what it does not confirm does not count.
 struct LightVisibility {
     std::uint16_t clear = 0, dark = 0;
 

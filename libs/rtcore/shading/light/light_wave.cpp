@@ -161,8 +161,8 @@ void addLight(const Light& light, const MaterialTable& materials, SurfaceWave& s
 }
 
 void addLight(const Light& light, const LightStrata& strata, const MaterialTable& materials,
-              SurfaceWave& surfaces, ShadowRays* shadows) {
-    addLight(light, &strata, materials, surfaces, shadows, nullptr);
+              SurfaceWave& surfaces, ShadowRays* shadows, const KnownVisibility* known) {
+    addLight(light, &strata, materials, surfaces, shadows, known);
 }
 
 } // namespace rtcore

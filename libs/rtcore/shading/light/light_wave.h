@@ -41,6 +41,6 @@ void addLight(const Light& light, const MaterialTable& materials, SurfaceWave& s
 /// its light. Spheres are sampled uniformly in the cone that they fill (Shirley, Wang and Zimmerman 1996),
 /// rectangles by area.
 void addLight(const Light& light, const LightStrata& strata, const MaterialTable& materials,
-              SurfaceWave& surfaces, ShadowRays* shadows);
+              SurfaceWave& surfaces, ShadowRays* shadows, const KnownVisibility* known = nullptr);
 
 } // namespace rtcore
