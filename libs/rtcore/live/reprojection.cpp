@@ -90,6 +90,23 @@ PixelRange projectSamples(const LiveSamples& past, const ImagePlane& plane, std:
     return {*std::min_element(lows, lows + lanes()), *std::max_element(highs, highs + lanes())};
 }
 
+/// Of `count` samples those that are shown in one of `pixels` pixels from `first` on: writes their numbers to
+/// `shown`, with room for a vector more, and returns how many they are.
+std::size_t samplesIn(const std::int32_t* pixelsAndWays, std::size_t count, std::size_t first,
+                      std::size_t pixels, std::uint32_t* shown) {
+    const Int from = static_cast<std::int32_t>(first), behind = static_cast<std::int32_t>(pixels),
+              end = static_cast<std::int32_t>(count);
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < count; i += lanes()) {
+        const Uint number = iota(i);
+        const Int at = (load(&pixelsAndWays[i]) & ~kDown) - from; // of a sample that is not seen below 0
+        const Compressor some((at > -1) & (at < behind) & (toInt(number) < end));
+        some.store(number, shown + found);
+        found += some.count();
+    }
+    return found;
+}
+
 } // namespace
 
 } // namespace HWY_NAMESPACE
@@ -100,11 +117,13 @@ HWY_AFTER_NAMESPACE();
 namespace rtcore {
 
 HWY_EXPORT(projectSamples);
+HWY_EXPORT(samplesIn);
 
 namespace {
 
 /// Samples that follow each other, projected together.
 constexpr std::size_t kProjected = 2048;
+constexpr std::size_t kMostLanes = 64;  ///< no vector has more
 constexpr std::uint32_t kSameDepth = 2; ///< of the depths in keys: what is further away is hidden
 /// Staleness of samples that are shown beside where they are.
 constexpr auto kBesideSteps = static_cast<std::uint32_t>(0.4F * kKeySteps),
@@ -171,9 +190,10 @@ void Reprojection::compete(const ImagePlane& plane, int firstRow, int lastRow) {
                       last = width * static_cast<std::size_t>(lastRow), count = last - first;
     Band& band = bands_[static_cast<std::size_t>(firstRow / kRowsOfBand)];
     band.inside.clear();
-    band.across.clear();
+    band.atEdge.clear();
     band.inside.reserve(count);
-    band.across.reserve(2 * width);
+    band.atEdge.reserve(2 * width);
+    std::array<std::uint32_t, kProjected + kMostLanes> shown;
     std::array<std::uint32_t, kProjected + 1> lostHere;
     std::uint64_t* const nearest = &nearest_[first];
     std::fill_n(nearest, count, kNoSample);
@@ -181,20 +201,21 @@ void Reprojection::compete(const ImagePlane& plane, int firstRow, int lastRow) {
         const std::int32_t* const pixels = &pixels_[0];
         const std::uint32_t* const keys = &keys_[0];
         std::size_t lost = 0;
-        for (std::size_t i = part.first; i < part.last; ++i) {
-            // Of a sample that is not seen, or elsewhere, far behind the last.
-            const std::size_t pixel = static_cast<std::size_t>(pixels[i] & ~kDown) - first;
-            if ((pixels[i] < 0) | (pixel >= count)) continue;
+        const std::size_t found = HWY_DYNAMIC_DISPATCH(samplesIn)(pixels + part.first, part.last - part.first,
+                                                                  first, count, shown.data());
+        for (std::size_t k = 0; k < found; ++k) {
+            const std::size_t i = part.first + shown[k], pixel = pixelOf(pixels[i]) - first;
+            // Without branches, which could not be foretold.
             const std::uint64_t before = nearest[pixel], entry = entryOf(keys[i], i);
-            nearest[pixel] = std::min(before, entry);
-            lostHere[lost] = static_cast<std::uint32_t>(indexOf(std::max(before, entry)));
+            const std::uint64_t swap = (before ^ entry) & (0 - static_cast<std::uint64_t>(entry < before));
+            nearest[pixel] = before ^ swap;
+            lostHere[lost] = static_cast<std::uint32_t>(indexOf(entry ^ swap));
             lost += before != kNoSample ? 1U : 0U;
         }
         for (std::size_t k = 0; k < lost; ++k) {
             const std::size_t pixel = pixelOf(pixels_[lostHere[k]]) - first;
-            const std::int32_t way = pixels_[lostHere[k]] & kDown;
-            const bool above = way == kUp && pixel < width, below = way == kDown && pixel + width >= count;
-            (above || below ? band.across : band.inside).push_back(lostHere[k]);
+            const bool beside = pixel >= width && pixel + width < count;
+            (beside ? band.inside : band.atEdge).push_back(lostHere[k]);
         }
     });
 }
@@ -329,7 +350,7 @@ void Reprojection::show(const LiveSamples& past, const ImagePlane& plane, int th
         if (spreads) spread(plane, bands_[static_cast<std::size_t>(first / kRowsOfBand)].inside);
     });
     if (!spreads) return;
-    for (const Band& band : bands_) spread(plane, band.across);
+    for (const Band& band : bands_) spread(plane, band.atEdge);
 }
 
 } // namespace rtcore

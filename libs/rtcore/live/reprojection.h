@@ -44,10 +44,10 @@ class Reprojection {
     void project(const LiveSamples& past, const ImagePlane& plane, int threads);
     template <typename Work>
     void forEachPartIn(std::size_t first, std::size_t last, Work&& work) const;
-    /// Rows of the image that follow each other. Samples that found their pixel taken, by whether the pixel
-    /// beside is in the same rows.
+    /// Rows of the image that follow each other. Samples that found their pixel taken: in the first and the
+    /// last row, beside which are those of other bands, and in those between.
     struct Band {
-        std::vector<std::uint32_t> inside, across;
+        std::vector<std::uint32_t> inside, atEdge;
     };
     void compete(const ImagePlane& plane, int firstRow, int lastRow);
     void spread(const ImagePlane& plane, const std::vector<std::uint32_t>& losers);

@@ -195,6 +195,7 @@ HWY_INLINE Uint iota(std::size_t first) {
 /// Memory needs no alignment, and room for a whole vector.
 HWY_INLINE Float load(const float* from) { return hn::LoadU(FloatTag(), from); }
 HWY_INLINE Uint load(const std::uint32_t* from) { return hn::LoadU(Uint::Tag(), from); }
+HWY_INLINE Int load(const std::int32_t* from) { return hn::LoadU(Int::Tag(), from); }
 template <typename T>
 HWY_INLINE void store(Wide<T> a, T* to) {
     hn::StoreU(a.raw, hn::ScalableTag<T>(), to);
