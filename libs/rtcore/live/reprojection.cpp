@@ -22,6 +22,8 @@ namespace rtcore {
 inline constexpr float kKeySteps = 32768; ///< of staleness, for a square pixel
 inline constexpr std::uint32_t kStalenessOfKey = 0xFFFF;
 
+/// Pixels are counted as if there were one more at the end of each row, and a row more above the image and
+/// below: these never show a sample.
 struct PixelRange {
     std::int32_t least, most; ///< none: 2^31 - 1 and -1
 };
@@ -30,6 +32,14 @@ struct PixelRange {
 inline constexpr int kWayShift = 28;
 inline constexpr std::int32_t kLeft = 0 << kWayShift, kRight = 1 << kWayShift, kUp = 2 << kWayShift,
                               kDown = 3 << kWayShift;
+
+// Entries of pixels: from the upper bits on whether the sample belongs beside, its key, its index. The least
+// is shown.
+inline constexpr std::uint64_t kNoSample = ~std::uint64_t{0}, kBeside = std::uint64_t{1} << 63;
+inline constexpr int kKeyShift = 32;
+/// Staleness of samples that are shown beside where they are.
+inline constexpr auto kBesideSteps = static_cast<std::uint32_t>(0.4F * kKeySteps),
+                      kBorrowedSteps = static_cast<std::uint32_t>(kKeySteps);
 
 } // namespace rtcore
 #endif
@@ -75,7 +85,7 @@ PixelRange projectSamples(const LiveSamples& past, const ImagePlane& plane, std:
         const Mask down = (row == 0) | ((dy > 0.0F) & (insideY + 1.0F < height));
         const Int way = select(abs(dy) > abs(dx), select(down, Int(kDown), Int(kUp)),
                                select(right, Int(kRight), Int(kLeft)));
-        const Int pixel = row * plane.width + column;
+        const Int pixel = (row + 1) * (plane.width + 1) + column;
         const Int low = select(seen, pixel, Int(kMost)), high = select(seen, pixel, Int(-1));
         least = select(low < least, low, least);
         most = select(high > most, high, most);
@@ -107,6 +117,35 @@ std::size_t samplesIn(const std::int32_t* pixelsAndWays, std::size_t count, std:
     return found;
 }
 
+/// The entries of a row of pixels; `rows` has those above, of itself and below. A pixel without a sample, two
+/// of whose neighbours have one, gets the nearest of theirs. Reads and writes a vector behind the last.
+void borrowBeside(const std::uint64_t* const rows[3], std::size_t width, std::uint64_t* to) {
+    using Entry = Wide<std::uint64_t>;
+    constexpr std::uint64_t kStaleness = std::uint64_t{kStalenessOfKey} << kKeyShift,
+                            kStaler = std::uint64_t{kBorrowedSteps} << kKeyShift;
+    const auto load = [](const std::uint64_t* from)
+                          HWY_ATTR -> Entry { return hn::LoadU(Entry::Tag(), from); };
+    const auto least = [](Entry a, Entry b) HWY_ATTR -> Entry { return hn::Min(a.raw, b.raw); };
+    for (std::size_t x = 0; x < width; x += hn::Lanes(Entry::Tag())) {
+        Entry entry = load(rows[1] + x);
+        const Entry::Mask empty = entry == kNoSample;
+        if (any(empty)) {
+            Entry best = kNoSample, known = std::uint64_t{0};
+            for (const std::uint64_t* const beside :
+                 {rows[1] + x - 1, rows[1] + x + 1, rows[0] + x, rows[2] + x}) {
+                const Entry there = load(beside);
+                const Entry::Mask some = there != kNoSample;
+                known += selectOrZero(some, Entry(std::uint64_t{1}));
+                best = least(best, select(some, there & ~kBeside, Entry(kNoSample)));
+            }
+            const Entry stale = least((best & kStaleness) + kStaler, kStaleness);
+            const Entry::Mask borrows = empty & ((known & ~std::uint64_t{1}) != std::uint64_t{0});
+            entry = select(borrows, (best & ~kStaleness) | stale, entry);
+        }
+        store(entry, to + x);
+    }
+}
+
 } // namespace
 
 } // namespace HWY_NAMESPACE
@@ -118,6 +157,7 @@ namespace rtcore {
 
 HWY_EXPORT(projectSamples);
 HWY_EXPORT(samplesIn);
+HWY_EXPORT(borrowBeside);
 
 namespace {
 
@@ -125,25 +165,20 @@ namespace {
 constexpr std::size_t kProjected = 2048;
 constexpr std::size_t kMostLanes = 64;  ///< no vector has more
 constexpr std::uint32_t kSameDepth = 2; ///< of the depths in keys: what is further away is hidden
-/// Staleness of samples that are shown beside where they are.
-constexpr auto kBesideSteps = static_cast<std::uint32_t>(0.4F * kKeySteps),
-               kBorrowedSteps = static_cast<std::uint32_t>(kKeySteps);
 
 /// Mirrored light, by frame: its tint and its place change with the direction that it is seen from.
 constexpr float kStalerAsMirrored = 0.2F;
 
-// Entries of pixels: from the upper bits on whether the sample belongs beside, its key, whether it is
-// borrowed, its index. The least is shown.
-constexpr std::uint64_t kNoSample = ~std::uint64_t{0};
-constexpr std::uint64_t kBeside = std::uint64_t{1} << 63, kBorrowed = std::uint64_t{1} << 31;
 constexpr std::uint64_t kIndex = (std::uint64_t{1} << kWayShift) - 1;
 
 std::size_t indexOf(std::uint64_t entry) { return entry & kIndex; }
 std::uint32_t depthOf(std::uint64_t entry) { return static_cast<std::uint32_t>(entry >> 48) & 0x7FFFU; }
-std::uint64_t entryOf(std::uint32_t key, std::size_t index) { return std::uint64_t{key} << 32 | index; }
+std::uint64_t entryOf(std::uint32_t key, std::size_t index) {
+    return std::uint64_t{key} << kKeyShift | index;
+}
 
 float stalenessOf(std::uint64_t entry) {
-    return static_cast<float>(entry >> 32 & kStalenessOfKey) * (1 / kKeySteps);
+    return static_cast<float>(entry >> kKeyShift & kStalenessOfKey) * (1 / kKeySteps);
 }
 LiveSamples::Point aged(LiveSamples::Point point) {
     const std::uint32_t age = point.state & LiveSamples::kAge;
@@ -157,6 +192,19 @@ std::uint32_t staler(std::uint32_t key, std::uint32_t steps) {
 }
 
 std::size_t pixelOf(std::int32_t pixelAndWay) { return static_cast<std::size_t>(pixelAndWay & ~kDown); }
+
+/// Samples are asked for in an order that processors do not foresee.
+constexpr std::size_t kAhead = 16; ///< at most kMostLanes
+void fetch(const LiveSamples& samples, std::uint64_t entry) {
+    const std::size_t from = entry == kNoSample ? 0 : indexOf(entry);
+    __builtin_prefetch(&samples.points[from]);
+    __builtin_prefetch(&samples.lights[from]);
+}
+
+std::size_t rowLength(const ImagePlane& plane) { return static_cast<std::size_t>(plane.width) + 1; }
+std::size_t firstPixel(const ImagePlane& plane, int row) {
+    return static_cast<std::size_t>(row + 1) * rowLength(plane);
+}
 
 } // namespace
 
@@ -185,9 +233,8 @@ void Reprojection::forEachPartIn(std::size_t first, std::size_t last, Work&& wor
 
 /// Each pixel gets the least entry of its samples.
 void Reprojection::compete(const ImagePlane& plane, int firstRow, int lastRow) {
-    const auto width = static_cast<std::size_t>(plane.width);
-    const std::size_t first = width * static_cast<std::size_t>(firstRow),
-                      last = width * static_cast<std::size_t>(lastRow), count = last - first;
+    const std::size_t width = rowLength(plane), first = firstPixel(plane, firstRow),
+                      last = firstPixel(plane, lastRow), count = last - first;
     Band& band = bands_[static_cast<std::size_t>(firstRow / kRowsOfBand)];
     band.inside.clear();
     band.atEdge.clear();
@@ -223,7 +270,8 @@ void Reprojection::compete(const ImagePlane& plane, int firstRow, int lastRow) {
 /// Samples move to and fro in the grid of pixels, so that by and by two would fall into many a pixel, and
 /// none into that beside it. One of the two goes there.
 void Reprojection::spread(const ImagePlane& plane, const std::vector<std::uint32_t>& losers) {
-    const std::ptrdiff_t ways[] = {-1, 1, -std::ptrdiff_t{plane.width}, std::ptrdiff_t{plane.width}};
+    const auto row = static_cast<std::ptrdiff_t>(rowLength(plane));
+    const std::ptrdiff_t ways[] = {-1, 1, -row, row};
     for (const std::uint32_t i : losers) {
         const std::size_t pixel = pixelOf(pixels_[i]);
         if ((keys_[i] >> 16) > depthOf(nearest_[pixel]) + kSameDepth) continue; // hidden
@@ -234,58 +282,26 @@ void Reprojection::spread(const ImagePlane& plane, const std::vector<std::uint32
     }
 }
 
-/// Pixels that show no sample, but have such beside them that do, take the nearest of theirs to the viewer.
-/// `own`: unless it is null, only where that mirrors.
-void Reprojection::borrow(const ImagePlane& plane, const LiveSamples* own, int y) {
-    constexpr std::uint64_t kLeastKnown = 2;
-    const auto width = static_cast<std::size_t>(plane.width);
-    const std::size_t row = static_cast<std::size_t>(y) * width;
-    const auto entryAt = [&](std::size_t pixel) {
-        // Rows beside may be filled by other threads; what they borrow does not count.
-        return std::atomic_ref(nearest_[pixel]).load(std::memory_order_relaxed);
-    };
-    std::size_t holes = 0;
-    std::vector<std::uint32_t>& columns = holes_[static_cast<std::size_t>(threadNumber())];
-    columns.resize(width);
-    const auto collect = [&, nearest = &nearest_[row], to = columns.data()](auto&& shows) {
-        for (std::size_t x = 0; x < width; ++x) {
-            to[holes] = static_cast<std::uint32_t>(x);
-            holes += (nearest[x] == kNoSample) & shows(x) ? 1U : 0U;
-        }
-    };
-    if (own == nullptr) {
-        collect([](std::size_t) { return true; });
-    } else {
-        collect([points = &own->points[row]](std::size_t x) { return LiveSamples::mirrors(points[x]); });
-    }
-    for (std::size_t k = 0; k < holes; ++k) {
-        const std::size_t x = columns[k], pixel = row + x;
-        std::uint64_t best = kNoSample, known = 0;
-        const auto ask = [&](std::size_t beside) {
-            // Without branches, which could not be foretold. All bits of kNoSample are set.
-            const std::uint64_t there = entryAt(beside), borrowed = there / kBorrowed & 1;
-            known += 1 - borrowed;
-            best = std::min(best, (there & ~kBeside) | (0 - borrowed));
-        };
-        if (x > 0) ask(pixel - 1);
-        if (x + 1 < width) ask(pixel + 1);
-        if (y > 0) ask(pixel - width);
-        if (y + 1 < plane.height) ask(pixel + width);
-        if (known < kLeastKnown) continue;
-        const auto key = static_cast<std::uint32_t>(best >> 32);
-        std::atomic_ref(nearest_[pixel])
-            .store(kBorrowed | entryOf(staler(key, kBorrowedSteps), indexOf(best)),
-                   std::memory_order_relaxed);
-    }
+/// The entries of a row. Pixels that show no sample, but have such beside them that do, take the nearest of
+/// theirs to the viewer.
+const std::uint64_t* Reprojection::shownIn(const ImagePlane& plane, int y) {
+    std::vector<std::uint64_t>& row = rows_[static_cast<std::size_t>(threadNumber())];
+    row.resize(rowLength(plane) + kMostLanes);
+    const std::uint64_t* const rows[] = {&nearest_[firstPixel(plane, y - 1)], &nearest_[firstPixel(plane, y)],
+                                         &nearest_[firstPixel(plane, y + 1)]};
+    HWY_DYNAMIC_DISPATCH(borrowBeside)(rows, static_cast<std::size_t>(plane.width), row.data());
+    return row.data();
 }
 
-void Reprojection::take(const LiveLayers& past, LiveLayers& present, std::size_t first, std::size_t last) {
-    const std::uint64_t* const nearest = &nearest_[first];
+/// The pixels from `first` on, by the entries of their row.
+void Reprojection::take(const LiveLayers& past, const std::uint64_t* nearest, LiveLayers& present,
+                        std::size_t first, std::size_t last) {
     LiveSamples::Point* const points = &present.own.points[first];
     LiveSamples::Light* const lights = &present.own.lights[first];
     std::uint32_t* const tints = present.mirrors ? &present.tints[first] : nullptr;
     float* const staleness = &staleness_[first];
     for (std::size_t i = 0; i < last - first; ++i) {
+        fetch(past.own, nearest[i + kAhead]);
         // Behind the last sample there is one that is not known.
         const std::size_t from = nearest[i] == kNoSample ? past.own.size() : indexOf(nearest[i]);
         points[i] = aged(past.own.points[from]);
@@ -295,19 +311,20 @@ void Reprojection::take(const LiveLayers& past, LiveLayers& present, std::size_t
     }
 }
 
-void Reprojection::takeMirrored(const LiveSamples& past, const LiveSamples& own, LiveSamples& present,
+void Reprojection::takeMirrored(const LiveSamples& past, const std::uint64_t* entries, LiveLayers& layers,
                                 std::size_t first, std::size_t last) {
+    const LiveSamples& own = layers.own;
+    LiveSamples& present = layers.mirrored;
     for (std::size_t i = first; i < last; ++i) {
-        const std::uint64_t nearest = nearest_[i];
-        if (!own.mirrors(i) || nearest == kNoSample) {
-            present.forget(i);
-            continue;
-        }
-        const std::size_t from = indexOf(nearest);
+        const std::uint64_t nearest = entries[i - first];
+        fetch(past, entries[i - first + kAhead]);
+        // Without a branch: of the sample behind the last nothing is known.
+        const bool known = own.mirrors(i) & (nearest != kNoSample);
+        const std::size_t from = known ? indexOf(nearest) : past.size();
         present.points[i] = aged(past.points[from]);
         present.lights[i] = past.lights[from];
-        const float aged = kStalerAsMirrored * static_cast<float>(present.age(i));
-        staleness_[i] = std::max(staleness_[i], stalenessOf(nearest) + aged);
+        const float stale = stalenessOf(nearest) + kStalerAsMirrored * static_cast<float>(present.age(i));
+        staleness_[i] = std::max(staleness_[i], known ? stale : 0);
     }
 }
 
@@ -321,26 +338,24 @@ void Reprojection::carry(const LiveLayers& past, LiveLayers& present, int thread
         });
     };
     show(past.own, own.plane(), threads);
-    forEachRow(
-        [&](int y, std::size_t row, std::size_t next) {
-            borrow(own.plane(), nullptr, y);
-            take(past, present, row, next);
-        },
-        !present.mirrors);
+    forEachRow([&](int y, std::size_t row,
+                   std::size_t next) { take(past, shownIn(own.plane(), y), present, row, next); },
+               !present.mirrors);
     if (!present.mirrors) return;
     show(past.mirrored, own.plane(), threads);
     forEachRow(
         [&](int y, std::size_t row, std::size_t next) {
-            borrow(own.plane(), &own, y);
-            takeMirrored(past.mirrored, own, present.mirrored, row, next);
+            takeMirrored(past.mirrored, shownIn(own.plane(), y), present, row, next);
         },
         true);
 }
 
 /// Finds the sample of each pixel, but for those that borrow one.
 void Reprojection::show(const LiveSamples& past, const ImagePlane& plane, int threads) {
-    nearest_.resize(static_cast<std::size_t>(plane.width) * static_cast<std::size_t>(plane.height));
-    holes_.resize(std::max(holes_.size(), static_cast<std::size_t>(threads)));
+    nearest_.resize(firstPixel(plane, plane.height + 1));
+    std::fill_n(&nearest_[0], rowLength(plane), kNoSample);
+    std::fill_n(&nearest_[firstPixel(plane, plane.height)], rowLength(plane), kNoSample);
+    rows_.resize(std::max(rows_.size(), static_cast<std::size_t>(threads)));
     bands_.resize(static_cast<std::size_t>((plane.height + kRowsOfBand - 1) / kRowsOfBand));
     // An image of one row or column has no pixels on some sides of others.
     const bool spreads = plane.width > 1 && plane.height > 1;

@@ -14,7 +14,7 @@ namespace rtcore {
 /// Keeps its memory from frame to frame.
 class Reprojection {
   public:
-    static constexpr double kMostPixels = 1 << 28; ///< of an image
+    static constexpr double kMostPixels = 1 << 27; ///< of an image
 
     /// Gives each pixel of `present`, whose plane says of which view, that sample of the past that is seen
     /// there, in each layer: of several the nearest to the viewer, and of those about as near the least
@@ -51,20 +51,21 @@ class Reprojection {
     };
     void compete(const ImagePlane& plane, int firstRow, int lastRow);
     void spread(const ImagePlane& plane, const std::vector<std::uint32_t>& losers);
-    void borrow(const ImagePlane& plane, const LiveSamples* own, int y);
-    void take(const LiveLayers& past, LiveLayers& present, std::size_t first, std::size_t last);
-    void takeMirrored(const LiveSamples& past, const LiveSamples& own, LiveSamples& present,
+    const std::uint64_t* shownIn(const ImagePlane& plane, int y);
+    void take(const LiveLayers& past, const std::uint64_t* nearest, LiveLayers& present, std::size_t first,
+              std::size_t last);
+    void takeMirrored(const LiveSamples& past, const std::uint64_t* entries, LiveLayers& layers,
                       std::size_t first, std::size_t last);
 
     std::vector<Part> parts_;
     // By sample of the past.
     PixelArray<std::int32_t> pixels_{6}; ///< the pixel that shows it, and the way to the next one; -1: none
     PixelArray<std::uint32_t> keys_{7};
-    // By pixel of the present.
+    // By pixel of the present, and by those beyond the image's edges.
     PixelArray<std::uint64_t> nearest_{8}; ///< depth, staleness, index of the sample
     PixelArray<float> staleness_{9};
     std::vector<Band> bands_;
-    std::vector<std::vector<std::uint32_t>> holes_; ///< by thread: those of a row
+    std::vector<std::vector<std::uint64_t>> rows_; ///< by thread: the entries of one
 };
 
 } // namespace rtcore
