@@ -98,11 +98,12 @@ FrameSchedule::Demand FrameDrawing::demand(bool waitedFor, const rtcore::ShadowM
     const rtcore::Scene& scene = *state_.scene();
     const rtcore::RenderSettings& settings = state_.settings();
     const bool mapped = maps != nullptr && maps->suit(settings);
-    return {.changed = frames_.stale(state_) || (!standsStill() && !waitedFor),
+    const bool changed = frames_.stale(state_) || (!standsStill() && !waitedFor);
+    return {.changed = changed,
             .waitedFor = waitedFor,
             .frameSeconds = state_.frameSeconds,
             .work = {workOf(settings, scene), workOf(settingsAt(settings, {1, true}), scene, mapped)},
-            .live = frames_.drawsLive(state_),
+            .live = (changed || schedule_.owes()) && frames_.drawsLive(state_),
             .pixels = static_cast<double>(settings.width) * settings.height,
             .liveRays = liveRays(settings, scene)};
 }

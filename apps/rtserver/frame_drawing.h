@@ -64,6 +64,9 @@ class FrameDrawing {
     bool changeWaits() const { return arrivals_.change; }
     bool takeChange();
 
+    /// For the time in which no frame is wanted: what the next one would begin with.
+    void prepareToMove() { frames_.keepLight(state_); }
+
     const FrameMaker& frames() const { return frames_; }
     double framesPerSecond() const { return pacer_.framesPerSecond(Clock::now()); }
     SceneUpkeep::Pace pace();

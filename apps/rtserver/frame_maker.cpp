@@ -35,6 +35,7 @@ bool FrameMaker::trace(const ServerState& state, const FrameDetail& detail, cons
     const Clock::time_point start = Clock::now();
     const std::uint64_t revision = state.revisions().revision();
     rtcore::Frame& frame = detail.whole() ? whole_ : coarse_;
+    if (unkept_.frame == &frame) keepLight(state); // its memory is written to
     if (detail.whole() == detail_.whole()) seen_ = nullptr; // its memory is written to
     control.threads = threads_;
     control.finished = nullptr;
@@ -78,10 +79,21 @@ bool FrameMaker::draw(const ServerState& state, const FrameDetail& detail, const
         return false;
     }
     if (!keeps) return true;
-    noticeChanges(state, state.shownSettings());
+    noticeChanges(state);
     constexpr std::uint8_t kRough = 100;
-    live_->keep(view, frame, threads_, detail.cut ? kRough : 0);
+    unkept_ = {&frame, rtcore::LiveRenderer::planeOf(view), detail.cut ? kRough : std::uint8_t{0}};
     return true;
+}
+
+void FrameMaker::keepLight(const ServerState& state) {
+    if (unkept_.frame == nullptr) return;
+    noticeChanges(state);
+    keepLight();
+}
+
+void FrameMaker::keepLight() {
+    if (unkept_.frame != nullptr) live_->keep(unkept_.plane, *unkept_.frame, threads_, unkept_.age);
+    unkept_ = {};
 }
 
 /// A camera that moves again goes on from what has been rendered of the view that it leaves.
@@ -92,6 +104,7 @@ void FrameMaker::keepFinished(const rtcore::View& view, const std::vector<rtcore
         return pixels + static_cast<double>(tile.columns) * tile.rows;
     };
     const double pixels = std::accumulate(tiles.begin(), tiles.end(), 0.0, add);
+    keepLight();
     if (pixels >= kWorthIt * static_cast<double>(frame.radiance.pixels.size()) && !live_->empty())
         live_->keepParts(view, frame, tiles, threads_);
 }
@@ -99,7 +112,8 @@ void FrameMaker::keepFinished(const rtcore::View& view, const std::vector<rtcore
 bool FrameMaker::drawLive(const ServerState& state, const FrameDetail& detail, rtcore::RenderControl& control,
                           rtcore::Frame& frame) {
     const std::shared_ptr<const rtcore::Scene> scene = state.scene();
-    noticeChanges(state, state.shownSettings());
+    noticeChanges(state);
+    keepLight();
     const rtcore::RenderSettings settings = liveSettingsAt(state.shownSettings(), *scene, detail.scale);
     const rtcore::View view{*scene, *state.world().tracer, state.camera(), settings};
     if (!live_->render(view, detail.newSamples, control, frame)) return false;
@@ -109,19 +123,23 @@ bool FrameMaker::drawLive(const ServerState& state, const FrameDetail& detail, r
 }
 
 bool FrameMaker::drawsLive(const ServerState& state) {
-    noticeChanges(state, state.shownSettings());
+    noticeChanges(state);
+    keepLight();
     return !live_->empty() && canBeLive(state) && live_->follows(state.camera().eye);
 }
 
 /// Light holds as long as nothing but the camera changes, and what is done to the image; and where lights
 /// that changed do not reach.
-void FrameMaker::noticeChanges(const ServerState& state, const rtcore::RenderSettings& settings) {
+void FrameMaker::noticeChanges(const ServerState& state) {
     constexpr double kFew = 0.1; // of the pixels: a live frame shows more than a coarse one
     const rtcore::Changes changes = kept_.take(state.revisions());
     const std::shared_ptr<const rtcore::Scene> scene = state.scene();
+    const rtcore::RenderSettings settings = state.shownSettings();
     if (changesLight(changes) || !rtcore::sameLight(settings, keptFor_)) {
         live_->forget();
+        unkept_ = {};
     } else if (changes.has(rtcore::Change::Light)) {
+        keepLight();
         const bool inAir = rtcore::fogMedium(*scene, settings).on;
         const rtcore::LightChange change(keptLights_, scene->lights);
         if (change.any() && (inAir || live_->relight(change, threads_) > kFew)) live_->forget();
@@ -158,6 +176,7 @@ void FrameMaker::drop() {
     keptPart_ = 0;
     renderer_.emplace();
     live_.emplace();
+    unkept_ = {};
     developer_ = {};
     gradual_.drop();
     image_ = {};

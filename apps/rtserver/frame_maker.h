@@ -36,6 +36,9 @@ class FrameMaker {
     /// Whether the next frame can be a live one: there is light of a frame before, and nearly all of it
     /// holds. What does not is forgotten.
     bool drawsLive(const ServerState& state);
+    /// Takes over the light of the last frame that was not live, for live ones: that is put off until one is
+    /// asked for.
+    void keepLight(const ServerState& state);
     /// Of the last frame, where it was live: what of its time traced pixels took.
     const LiveGovernor::Cost& liveCost() const { return liveCost_; }
     /// Of the pixels of the last frame, the part whose light is of frames before it.
@@ -76,7 +79,8 @@ class FrameMaker {
                   rtcore::Frame& frame);
     void keepFinished(const rtcore::View& view, const std::vector<rtcore::PixelArea>& tiles,
                       const rtcore::Frame& frame);
-    void noticeChanges(const ServerState& state, const rtcore::RenderSettings& settings);
+    void noticeChanges(const ServerState& state);
+    void keepLight();
     void adapt(float target, const rtcore::ExposureSettings& settings);
 
     using Clock = std::chrono::steady_clock;
@@ -88,6 +92,13 @@ class FrameMaker {
     rtcore::Subscription kept_;      ///< what the light of live frames knows of the state
     rtcore::RenderSettings keptFor_; ///< the settings that it was traced with
     std::vector<rtcore::Light> keptLights_;
+    /// A frame whose light is to be kept.
+    struct Unkept {
+        const rtcore::Frame* frame; ///< null: there is none
+        rtcore::ImagePlane plane;
+        std::uint8_t age;
+    };
+    Unkept unkept_{};
     rtcore::PictureDeveloper developer_;
     rtcore::Frame whole_, coarse_;           ///< apart, so that one keeps its memory beside the other
     const rtcore::HdrImage* seen_ = nullptr; ///< the last frame with its effects; null: no frame

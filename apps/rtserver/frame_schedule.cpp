@@ -9,7 +9,10 @@ namespace {
 constexpr auto kLongFrame = std::chrono::seconds(1);
 constexpr double kNotDrawing = 0.4; ///< frame times in which a change is noticed and a frame is left
 constexpr double kLeast = 0.25;     ///< frame times; in less no other frame than the coarsest is tried
-constexpr double kForget = 0.05;    ///< fraction of the way down that is taken after each coarsest frame
+/// Of a frame time, for the first live frame after a whole one: nearly all that it shows is known, and where
+/// nothing goes on moving the next whole frame comes the sooner.
+constexpr double kGlimpse = 0.5;
+constexpr double kForget = 0.05; ///< fraction of the way down that is taken after each coarsest frame
 
 double seconds(FrameSchedule::Duration time) { return std::chrono::duration<double>(time).count(); }
 
@@ -25,7 +28,8 @@ FrameDetail FrameSchedule::choose() const {
 
 FrameDetail FrameSchedule::chooseLive() const {
     if (!owed_ && governor_.detail(demand_.work, demand_.frameSeconds).whole()) return {};
-    return liveGovernor_.detail(demand_.pixels, demand_.liveRays, demand_.frameSeconds);
+    const double time = rested_ ? kGlimpse * demand_.frameSeconds : demand_.frameSeconds;
+    return liveGovernor_.detail(demand_.pixels, demand_.liveRays, time);
 }
 
 /// For a frame after a change, so that the coarsest is in time when it is left.
@@ -49,12 +53,14 @@ bool FrameSchedule::leaves(Duration lasted, bool changeWaits) const {
 
 void FrameSchedule::left(Duration lasted) {
     owed_ = demand_.changed || demand_.frameSeconds <= 0;
+    rested_ = false;
     if (detail_.live()) return;
     governor_.learnLimit(detail_, demand_.work, seconds(lasted));
 }
 
 void FrameSchedule::shown(Duration lasted, LiveGovernor::Cost live) {
     owed_ = false;
+    rested_ = detail_.whole();
     if (detail_ == kCoarsest) {
         const double now = seconds(lasted);
         coarsest_ = now > coarsest_ ? now : coarsest_ + (now - coarsest_) * kForget;
@@ -71,7 +77,7 @@ void FrameSchedule::forget() {
     governor_.forget();
     liveGovernor_.forget();
     coarsest_ = 0;
-    owed_ = false;
+    owed_ = rested_ = false;
 }
 
 } // namespace rtserver

@@ -37,6 +37,8 @@ class FrameSchedule {
     void left(Duration lasted);
     /// `live`: of a live frame, but for LiveGovernor::Cost::seconds, which are those of `lasted`.
     void shown(Duration lasted, LiveGovernor::Cost live = {});
+    /// Whether a frame was left before its change was seen.
+    bool owes() const { return owed_; }
     /// Seconds that the coarsest frames take at most, as far as is known; 0 = not yet known.
     double coarsest() const { return coarsest_; }
     /// The next frame is of another scene.
@@ -51,7 +53,8 @@ class FrameSchedule {
     LiveGovernor liveGovernor_;
     Demand demand_; ///< of the frame that is drawn
     FrameDetail detail_;
-    bool owed_ = false; ///< a frame was left before its change was seen
+    bool owed_ = false;   ///< a frame was left before its change was seen
+    bool rested_ = false; ///< the last frame that was drawn is whole, and was shown
     double coarsest_ = 0;
 };
 

@@ -81,6 +81,7 @@ void ServerLoop::turn() {
     if (published || !drawing_.wantsFrame(commands_.waits())) record();
     commands_.answerRequests(drawing_.idle());
     publishStatus();
+    if (drawing_.idle()) drawing_.prepareToMove();
     sleep();
 }
 

@@ -16,11 +16,6 @@ namespace {
 
 constexpr int kRowsOfPart = 16;
 
-ImagePlane planeOf(const View& view) {
-    const int width = view.settings.width, height = view.settings.height;
-    return {CameraRays(view.camera, width, height), width, height};
-}
-
 Vec3 towardsMiddle(const ImagePlane& plane, int x, int y) {
     return plane.towards(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F);
 }
@@ -122,6 +117,11 @@ bool LiveRenderer::draws(const View& view) {
            settings.sampling == SamplingPattern::Grid && !settings.depthOfField.on;
 }
 
+ImagePlane LiveRenderer::planeOf(const View& view) {
+    const int width = view.settings.width, height = view.settings.height;
+    return {CameraRays(view.camera, width, height), width, height};
+}
+
 bool LiveRenderer::render(const View& view, double newSamples, RenderControl& control, Frame& frame) {
     const int threads = threadsFor(control.threads);
     present_.mirrors = past_.mirrors;
@@ -147,12 +147,21 @@ bool LiveRenderer::render(const View& view, double newSamples, RenderControl& co
     return true;
 }
 
-void LiveRenderer::keep(const View& view, const Frame& frame, int threads, std::uint8_t age) {
+void LiveRenderer::keep(const ImagePlane& plane, const Frame& frame, int threads, std::uint8_t age) {
     forgetChecks();
-    past_.mirrors = std::any_of(frame.seen.begin(), frame.seen.end(), mirrors);
-    past_.resize(planeOf(view));
-    const ImagePlane& plane = past_.own.plane();
-    forEachRows(plane.height, kRowsOfPart, threadsFor(threads), [&](int first, int last) {
+    past_.own.resize(plane);
+    const auto forEachPart = [&](auto&& work) {
+        forEachRows(plane.height, kRowsOfPart, threadsFor(threads), work);
+    };
+    std::atomic<bool> anyMirrors = false;
+    forEachPart([&](int first, int last) {
+        const std::span part =
+            std::span(frame.seen).subspan(past_.own.index(0, first), past_.own.index(0, last - first));
+        if (!anyMirrors && std::ranges::any_of(part, mirrors)) anyMirrors = true;
+    });
+    past_.mirrors = anyMirrors;
+    if (past_.mirrors) past_.resizeMirrored(plane);
+    forEachPart([&](int first, int last) {
         setSamplesOf(frame, {0, first, plane.width, last - first}, age, past_);
     });
 }

@@ -35,15 +35,17 @@ class LiveRenderer {
     /// Whether such a view can be drawn: of a perspective camera, one sample per pixel in its middle, fewer
     /// than Reprojection::kMostPixels.
     static bool draws(const View& view);
+    static ImagePlane planeOf(const View& view);
 
     /// Draws the next frame, with about `newSamples` (0..1) of its pixels traced. The image depends on these
     /// numbers and on the frames before; it has the same bits for every number of threads. Returns false when
     /// control.cancel was set: the frame is undefined then, and what is kept as it was.
     bool render(const View& view, double newSamples, RenderControl& control, Frame& frame);
 
-    /// Keeps the light of a whole frame of that view, which has Frame::seen. It may have any number of
-    /// samples per pixel. Light that was traced roughly counts as so many frames old: it is soon replaced.
-    void keep(const View& view, const Frame& frame, int threads, std::uint8_t age = 0);
+    /// Keeps the light of a whole frame, which has Frame::seen, of a view on that plane. It may have any
+    /// number of samples per pixel. Light that was traced roughly counts as so many frames old: it is soon
+    /// replaced.
+    void keep(const ImagePlane& plane, const Frame& frame, int threads, std::uint8_t age = 0);
 
     /// Keeps the light of those parts of a whole frame of that view, which was left before it was finished,
     /// in place of what is known there.

@@ -55,7 +55,9 @@ void Transition::begin(const HdrImage& before, const RenderSettings& settings, i
         image_ = LdrImage(settings.width, settings.height);
     }
     if (before.width == settings.width && before.height == settings.height) {
-        std::copy(before.pixels.begin(), before.pixels.end(), radiance_.pixels.begin());
+        const std::size_t width = static_cast<std::size_t>(before.width);
+#pragma omp parallel for schedule(static) num_threads(threadsFor(threads))
+        for (int y = 0; y < before.height; ++y) std::copy_n(&before.at(0, y), width, &radiance_.at(0, y));
     } else {
         upsampleTo(before, threads, radiance_);
     }

@@ -69,7 +69,7 @@ void FrameRenderer::beginAovs(const View& view, Frame& frame) const {
         frame.aovs.clear();
     }
     if (collectSeen_) {
-        frame.seen.assign(frame.radiance.pixels.size(), {});
+        frame.seen.resize(frame.radiance.pixels.size()); // tiles write all of them
     } else {
         frame.seen = {};
     }

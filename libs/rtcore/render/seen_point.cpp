@@ -11,8 +11,11 @@ float partOf(float own, float all) { return own < all ? own / all : 1; }
 
 } // namespace
 
-SeenPoint::SeenPoint(const PrimaryHit& hit, Colour radiance)
-    : position(hit.position), normal(hit.normal), any(hit.any()) {
+SeenPoint::SeenPoint(const PrimaryHit& hit, Colour radiance) {
+    if (!hit.any()) return;
+    any = true;
+    position = hit.position;
+    normal = hit.normal;
     if (hit.mirrored < kLeastMirrored) return;
     mirroredLength = hit.mirroredLength;
     tint = hit.tint;

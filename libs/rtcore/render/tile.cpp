@@ -112,6 +112,7 @@ void TileRenderer::begin(const FrameTask& task) {
 
 void TileRenderer::render(const PixelArea& area, Frame& frame) {
     const auto all = [](const SampleId&) { return true; };
+    forgetHits(area);
     if (!view_->plain()) {
         nameSamples(area, all);
         traceSamples();
@@ -146,6 +147,7 @@ void TileRenderer::traceRays() {
 }
 
 /// Of each pixel that of the sample in its middle, or next to it; of another where that one is not traced.
+/// Pixels begin with none: see forgetHits().
 void TileRenderer::keepHits() {
     const auto n = static_cast<std::uint32_t>(settings_->antialiasing);
     const std::uint32_t middle = n / 2 * n + n / 2;
@@ -156,6 +158,17 @@ void TileRenderer::keepHits() {
         if (samples_[i].sub == middle || !seen.any)
             seen = SeenPoint(hits[i], integrator_.radiance().colourAt(i));
     }
+}
+
+/// Before the first samples of a tile.
+void TileRenderer::forgetHits(const PixelArea& area) {
+    if (seen_ == nullptr || settings_->antialiasing == 1) return; // each pixel's only sample is kept
+    const auto columns = static_cast<std::size_t>(area.columns),
+               width = static_cast<std::size_t>(settings_->width);
+    for (int y = area.top; y < area.top + area.rows; ++y)
+        std::fill_n(seen_->begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * width +
+                                                                 static_cast<std::size_t>(area.left)),
+                    columns, SeenPoint{});
 }
 
 /// `count`: how many samples the pixel (x, y) has.
@@ -173,6 +186,7 @@ void TileRenderer::storeMeans(const PixelArea& area, Frame& frame, Count&& count
 
 void TileRenderer::renderFirst(const PixelArea& area, AdaptiveSampler& sampler, Frame& frame) {
     const int n = settings_->antialiasing;
+    forgetHits(area);
     nameSamples(area, [n](const SampleId& id) { return isFirstSample(id.sub, n); });
     traceSamples();
     clearSums(area);

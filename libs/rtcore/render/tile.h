@@ -70,6 +70,7 @@ class TileRenderer {
     template <typename Count>
     void storeMeans(const PixelArea& area, Frame& frame, Count&& count);
     void keepHits();
+    void forgetHits(const PixelArea& area);
     void storePixels(const PixelArea& area, Frame& frame);
     void averageSamples(const PixelArea& area, Frame& frame);
 

@@ -56,7 +56,8 @@ std::uint32_t bouncesOf(const Wave& wave, std::size_t i) {
 } // namespace
 
 void PrimaryHits::start(std::size_t samples) {
-    hits_.assign(samples, {});
+    hits_.resize(samples);
+    for (PrimaryHit& hit : hits_) hit.wave = 0; // nothing else is read of those that stay so
     wave_ = 0;
 }
 

@@ -14,6 +14,7 @@
 
 namespace rtcore {
 
+/// Undefined, but for any(), where nothing was hit.
 struct PrimaryHit {
     Vec3 position;
     Vec3 normal;        ///< the shading normal, unit, on the side of the viewer

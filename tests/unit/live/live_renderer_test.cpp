@@ -107,7 +107,7 @@ TEST_F(LiveFrames, WhileMovingAreNearTheTruth) {
 
 TEST_F(LiveFrames, BeginWithTheLightOfAWholeFrame) {
     const View view{traced.scene, traced.tracer, cameraAt(0), settings};
-    live.keep(view, whole(cameraAt(0)), 1);
+    live.keep(LiveRenderer::planeOf(view), whole(cameraAt(0)), 1);
     ASSERT_TRUE(draw(cameraAt(0), 0));
     EXPECT_EQ(live.unknown(), 0);
     EXPECT_LT(error(cameraAt(0)), 0.002);
@@ -120,7 +120,7 @@ TEST_F(LiveFrames, BeginWithTheLightOfAFrameOfManySamplesWhereItsPixelsAre) {
     settings.antialiasing = 2;
     const View view{traced.scene, traced.tracer, cameraAt(0), settings};
     const Frame smooth = whole(cameraAt(0));
-    live.keep(view, smooth, 1);
+    live.keep(LiveRenderer::planeOf(view), smooth, 1);
     settings = one;
     ASSERT_TRUE(draw(cameraAt(0), 0));
     std::size_t moved = 0;

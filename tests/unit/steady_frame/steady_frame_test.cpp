@@ -141,7 +141,7 @@ double bytesOfAWalk(const test::TracedScene& traced, double newSamples, RenderSe
     }
     const std::size_t before = bytesInUse;
     mostBytes = before;
-    live.keep(view, frame, 1);
+    live.keep(LiveRenderer::planeOf(view), frame, 1);
     for (int i = 1; i < 4; ++i) {
         Camera camera = test::sampleCamera();
         camera.eye.x += 0.05F * static_cast<float>(i);
