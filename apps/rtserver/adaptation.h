@@ -5,7 +5,8 @@
 
 namespace rtserver {
 
-/// Seconds in which the distance that is left falls to 1/e; 0: at once.
+/// Seconds in which the distance that is left falls to 1/e; 0: at once. The last of it is gone sooner: the
+/// exposure changes by 12 % in a second at least, or by 5 % in such a time where that is less.
 struct AdaptationSpeed {
     double brighter = 0; ///< where the image became brighter: the exposure grows
     double darker = 0;

@@ -35,7 +35,7 @@ bool FrameMaker::trace(const ServerState& state, const FrameDetail& detail, cons
     const Clock::time_point start = Clock::now();
     const std::uint64_t revision = state.revisions().revision();
     rtcore::Frame& frame = detail.whole() ? whole_ : coarse_;
-    if (unkept_.frame == &frame) keepLight(state); // its memory is written to
+    if (unkept_.frame == &frame) keepLight(state);          // its memory is written to
     if (detail.whole() == detail_.whole()) seen_ = nullptr; // its memory is written to
     control.threads = threads_;
     control.finished = nullptr;
@@ -43,12 +43,16 @@ bool FrameMaker::trace(const ServerState& state, const FrameDetail& detail, cons
     const bool sameView = hasRadiance() && !stale(state);
     if (sameView && detail.whole() && !detail_.whole()) {
         gradual_.begin(coarse_.radiance, state.shownSettings(), adaptation_.value(), threads_, start);
+        begun_ = {adaptation_, adaptedAt_};
         control.finished = &gradual_.finished();
     }
     const bool done =
         detail.live() ? drawLive(state, detail, control, frame) : draw(state, detail, maps, control, frame);
     gradual_.end();
-    if (!done) return false;
+    if (!done) {
+        begun_.reset();
+        return false;
+    }
     // Bloom has its width in pixels of the whole frame.
     rtcore::RenderSettings effects = state.shownSettings();
     if (detail.live()) effects.denoise.passes = 0;
@@ -190,7 +194,8 @@ const rtcore::LdrImage* FrameMaker::underWay(const ServerState& state) {
     return gradual_.step(whole_.radiance, exposure, Clock::now());
 }
 
-/// Towards an exposure, by the time that has passed since the last call.
+/// Towards an exposure, by the time that has passed since the last call; or, where the view has been seen for
+/// a while, as if it had been known from the beginning what suits it.
 void FrameMaker::adapt(float target, const rtcore::ExposureSettings& settings) {
     constexpr double kLongest = 0.25; // a pause is no time in which the eye saw anything
     constexpr double kFirst = 0.033;  // but of a change something is to be seen at once
@@ -201,9 +206,14 @@ void FrameMaker::adapt(float target, const rtcore::ExposureSettings& settings) {
         adaptation_.jump(target);
         return;
     }
+    const AdaptationSpeed speed{settings.brighterSeconds, settings.darkerSeconds};
+    if (begun_) {
+        adaptation_ = begun_->eye;
+        adaptation_.advance(target, std::chrono::duration<double>(now - begun_->at).count(), speed);
+        return;
+    }
     const double before = detail_.whole() ? 0 : kFirst;
-    adaptation_.advance(target, adaptation_.settled() ? before : std::min(passed, kLongest),
-                        {settings.brighterSeconds, settings.darkerSeconds});
+    adaptation_.advance(target, adaptation_.settled() ? before : std::min(passed, kLongest), speed);
 }
 
 void FrameMaker::develop(const ServerState& state) {
@@ -211,6 +221,7 @@ void FrameMaker::develop(const ServerState& state) {
     if (adapted_.take(state.revisions()).has(rtcore::Change::Scene)) adaptation_ = {};
     const rtcore::RenderSettings settings = state.shownSettings();
     adapt(target_, settings.exposure);
+    begun_.reset();
     developer_.develop(*seen_, settings, adaptation_.value(), threads_, image_);
 }
 

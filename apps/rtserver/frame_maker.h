@@ -108,6 +108,12 @@ class FrameMaker {
     rtcore::Subscription adapted_; ///< what the adaptation knows of the state
     float target_ = 1;             ///< the exposure that suits the last frame
     Clock::time_point adaptedAt_;
+    /// The eye when a whole frame was begun of a view that had been seen before.
+    struct Eye {
+        Adaptation eye;
+        Clock::time_point at;
+    };
+    std::optional<Eye> begun_;
     GradualImage gradual_;
     double seconds_ = 0, keptPart_ = 0;
     std::uint64_t rays_ = 0;

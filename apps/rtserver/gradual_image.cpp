@@ -11,7 +11,6 @@ using namespace std::chrono_literals;
 // Steps in which little changes, and not more of them than can be seen.
 constexpr double kStepPart = 1.0 / 24; ///< of the pixels
 constexpr auto kLeastWait = 16ms, kMostWait = 250ms;
-constexpr auto kExposureWait = 100ms; ///< all of the image is developed for it
 
 double pixelsOf(const std::vector<rtcore::PixelArea>& areas) {
     double pixels = 0;
@@ -29,7 +28,7 @@ void GradualImage::begin(const rtcore::HdrImage& before, const rtcore::RenderSet
     pixels_ = static_cast<double>(settings.width) * settings.height;
     exposure_ = exposure;
     transition_.begin(before, settings, threads);
-    shown_ = exposed_ = now;
+    shown_ = now;
     active_ = true;
     developed_ = false;
 }
@@ -46,12 +45,8 @@ void GradualImage::drop() {
 }
 
 /// Whether anything changes by it.
-bool GradualImage::expose(const std::function<float()>& exposure, Clock::time_point now) {
-    if (now - exposed_ >= kExposureWait) {
-        exposed_ = now;
-        if (std::exchange(exposure_, exposure()) != exposure_) developed_ = false;
-    }
-    if (developed_) return false;
+bool GradualImage::expose(float exposure) {
+    if (std::exchange(exposure_, exposure) == exposure && developed_) return false;
     developed_ = true;
     transition_.expose(exposure_);
     return true;
@@ -63,7 +58,7 @@ const rtcore::LdrImage* GradualImage::step(const rtcore::HdrImage& radiance,
     if (!active_ || now - shown_ < kLeastWait) return nullptr;
     const std::vector<rtcore::PixelArea> finished = finished_.take();
     waiting_.insert(waiting_.end(), finished.begin(), finished.end());
-    const bool exposed = expose(exposure, now);
+    const bool exposed = expose(exposure());
     const bool enough = pixelsOf(waiting_) >= kStepPart * pixels_ || now - shown_ >= kMostWait;
     if (enough) transition_.step(std::exchange(waiting_, {}), radiance);
     if (!enough && !exposed) return nullptr;

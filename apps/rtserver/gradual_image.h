@@ -36,7 +36,7 @@ class GradualImage {
                                  Clock::time_point now);
 
   private:
-    bool expose(const std::function<float()>& exposure, Clock::time_point now);
+    bool expose(float exposure);
 
     std::mutex mutex_; ///< guards all below, but for finished_
     rtcore::Transition transition_;
@@ -44,7 +44,7 @@ class GradualImage {
     std::vector<rtcore::PixelArea> waiting_; ///< finished and not yet shown
     double pixels_ = 0;                      ///< of the image
     float exposure_ = 1;
-    Clock::time_point shown_, exposed_;
+    Clock::time_point shown_;
     bool active_ = false, developed_ = false;
 };
 

@@ -54,7 +54,7 @@ LiveServer::LiveServer(const WalkOptions& options)
                     [this](const ipc::FrameInfo&, const rtcore::LdrImage& image) {
                         published_.push_back({.seconds = seconds(Clock::now() - begun_), .image = image});
                     }},
-               options.threads, options.fixed ? 0 : options.framesPerSecond) {
+               options.threads, 0) {
     upkeep_.load(options_.scene, std::nullopt);
     settle();
 }
@@ -113,16 +113,12 @@ std::vector<Published> LiveServer::play(const std::vector<rtcore::Camera>& camer
         const Clock::time_point now = Clock::now();
         turn(now - std::exchange(moved, now));
     }
-    return published_;
-}
-
-std::vector<Published> LiveServer::rest() {
-    Published last = std::move(published_.back());
-    begun_ = Clock::now();
-    last.seconds = 0;
-    published_.clear();
-    published_.push_back(std::move(last));
+    // The eye goes on getting used to the light: what follows must follow at once.
+    const auto walked = static_cast<std::ptrdiff_t>(published_.size());
     settle();
+    rest_.assign(published_.begin() + walked - 1, published_.end());
+    for (Published& picture : rest_) picture.seconds -= end;
+    published_.resize(static_cast<std::size_t>(walked));
     return std::exchange(published_, {});
 }
 

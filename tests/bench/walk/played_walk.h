@@ -40,8 +40,9 @@ class LiveServer {
 
     /// Plays the cameras at the options' pace, after it came to rest at the first one.
     std::vector<Published> play(const std::vector<rtcore::Camera>& cameras);
-    /// What is seen after play() until the image is whole and stays; the first is the last of the walk.
-    std::vector<Published> rest();
+    /// What was seen after play() until the image was whole and stayed; the first is the last of the walk.
+    /// `seconds` since that ended.
+    const std::vector<Published>& rest() const { return rest_; }
     /// Draws each of them in a whole frame, one after the other; `seconds` are those of the frame alone.
     std::vector<Published> drawEach(const std::vector<rtcore::Camera>& cameras);
     /// Draws those steps, the first from nothing; `seconds` are theirs, or those of the frame alone where
@@ -65,7 +66,7 @@ class LiveServer {
     rtserver::SceneUpkeep upkeep_;
     rtserver::FrameDrawing drawing_;
     Clock::time_point begun_;
-    std::vector<Published> published_;
+    std::vector<Published> published_, rest_;
     std::uint64_t bits_ = 0;
 };
 
