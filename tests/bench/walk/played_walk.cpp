@@ -4,6 +4,7 @@
 #include "rtserver/playback.h"
 #include "support/temporary_folder.h"
 
+#include <algorithm>
 #include <bit>
 #include <span>
 #include <stdexcept>
@@ -114,11 +115,11 @@ std::vector<Published> LiveServer::play(const std::vector<rtcore::Camera>& camer
         turn(now - std::exchange(moved, now));
     }
     // The eye goes on getting used to the light: what follows must follow at once.
-    const auto walked = static_cast<std::ptrdiff_t>(published_.size());
     settle();
-    rest_.assign(published_.begin() + walked - 1, published_.end());
+    const auto after = std::ranges::find_if(published_, [&](const Published& p) { return p.seconds >= end; });
+    rest_.assign(after - 1, published_.end());
     for (Published& picture : rest_) picture.seconds -= end;
-    published_.resize(static_cast<std::size_t>(walked));
+    published_.erase(after, published_.end());
     return std::exchange(published_, {});
 }
 
