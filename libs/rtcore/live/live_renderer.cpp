@@ -149,6 +149,7 @@ bool LiveRenderer::render(const View& view, double newSamples, RenderControl& co
 
 void LiveRenderer::keep(const ImagePlane& plane, const Frame& frame, int threads, std::uint8_t age) {
     forgetChecks();
+    hidden_ = 0;
     past_.own.resize(plane);
     const auto forEachPart = [&](auto&& work) {
         forEachRows(plane.height, kRowsOfPart, threadsFor(threads), work);
@@ -212,6 +213,8 @@ void LiveRenderer::beginMirroring() {
 bool LiveRenderer::follows(Vec3 eye) const {
     constexpr float kMost = 0.25F; // of how far away things are
     constexpr std::size_t kEvery = 97;
+    constexpr double kMostHidden = 0.2;
+    if (hidden_ > kMostHidden) return false;
     const LiveSamples& own = past_.own;
     const Vec3 before = own.plane().eye;
     double sum = 0;
@@ -282,6 +285,7 @@ void LiveRenderer::check() {
     const ImagePlane& plane = present_.own.plane();
     std::vector<CheckedPixel>& checked = checked_[number_ % kCheckedFrames];
     checked.clear();
+    std::size_t blind = 0, hidden = 0;
     for (const PixelChoice::Check& check : choice_.checked()) {
         const SampleId pixel = choice_.chosen()[check.chosen];
         const float traced = luminance(light_[check.chosen]),
@@ -290,11 +294,25 @@ void LiveRenderer::check() {
         const std::uint8_t tracedCovered = covered(seen_[check.chosen].any);
         if (check.blind && kept >= 0) {
             const bool background = present_.own.background(present_.own.index(pixel.x, pixel.y));
+            ++blind;
+            hidden += hides(seen_[check.chosen], pixel.x, pixel.y) ? 1U : 0U;
             checked.push_back({kept, traced, covered(!background), tracedCovered});
         } else {
             checked.push_back({traced, traced, tracedCovered, tracedCovered});
         }
     }
+    constexpr std::size_t kEnough = 24;
+    hidden_ = blind < kEnough ? 0 : static_cast<double>(hidden) / static_cast<double>(blind);
+}
+
+/// Whether what was traced is in front of the sample that was known there.
+bool LiveRenderer::hides(const SeenPoint& seen, int x, int y) const {
+    constexpr float kNearer = 0.8F;
+    const LiveSamples& own = present_.own;
+    const std::size_t i = own.index(x, y);
+    if (!seen.any || !own.known(i) || own.background(i)) return seen.any && own.known(i);
+    const Vec3 eye = own.plane().eye;
+    return length(seen.position - eye) < kNearer * length(own.points[i].position - eye);
 }
 
 /// The exposure is that of samples, not of the image that is weighed from them: that has fewer black pixels,

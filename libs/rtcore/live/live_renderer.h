@@ -60,10 +60,12 @@ class LiveRenderer {
     void forget() {
         past_.clear();
         number_ = 0;
+        hidden_ = 0;
         forgetChecks();
     }
     /// Whether the light that is kept shows what is seen from there: it is not much nearer to, or further
-    /// from, what was seen before. After a cut, things would be seen through gaps in others that are new.
+    /// from, what was seen before, else things would be seen through gaps in others that are new; and in the
+    /// last frame nothing had come in front of much of what is known, as behind a wall that was passed.
     bool follows(Vec3 eye) const;
     bool empty() const { return past_.own.size() == 0; } ///< nothing is kept
 
@@ -75,6 +77,7 @@ class LiveRenderer {
 
   private:
     void check();
+    bool hides(const SeenPoint& seen, int x, int y) const;
     void forgetChecks();
     void meter(int threads, Frame& frame) const;
     void beginMirroring();
@@ -93,6 +96,7 @@ class LiveRenderer {
     std::array<std::vector<CheckedPixel>, kCheckedFrames> checked_; ///< of the last frames
     std::uint32_t number_ = 0;                                      ///< of the frame
     double newSamples_ = 0, sampleSeconds_ = 0;
+    double hidden_ = 0; ///< in the last frame: of the pixels of which something is known
 };
 
 } // namespace rtcore

@@ -273,5 +273,31 @@ TEST_F(LiveFrames, AreOfPerspectiveCamerasAndOneSamplePerPixel) {
     EXPECT_FALSE(LiveRenderer::draws({traced.scene, traced.tracer, camera, settings}));
 }
 
+/// Behind a wall that a camera passes backwards, all that it saw before is hidden.
+TEST(LiveRenderer, NoticesWhatComesBetween) {
+    Scene scene = test::sampleScene();
+    test::SceneBuilder wall;
+    wall.square({0, 0, 6.2F}, {0, 0, 1}, 8, wall.material(test::matte(0.5F)));
+    const test::TracedScene room(scene), walled(wall.finish());
+    const RenderSettings settings = test::sampleSettings(kWidth, kHeight);
+    LiveRenderer live;
+    RenderControl control{.threads = 1};
+    Frame frame;
+    const auto draw = [&](const test::TracedScene& traced, const Camera& camera) {
+        return live.render({traced.scene, traced.tracer, camera, settings}, 0.1, control, frame);
+    };
+    Camera camera = test::sampleCamera();
+    for (int step = 0; step < 40; ++step) {
+        camera.eye.z += 0.01F;
+        ASSERT_TRUE(draw(room, camera));
+        EXPECT_TRUE(live.follows(camera.eye)) << step;
+    }
+    ASSERT_TRUE(draw(walled, camera));
+    EXPECT_FALSE(live.follows(camera.eye));
+    live.forget();
+    ASSERT_TRUE(draw(walled, camera));
+    EXPECT_TRUE(live.follows(camera.eye));
+}
+
 } // namespace
 } // namespace rtcore
