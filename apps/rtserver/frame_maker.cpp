@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <new>
-#include <numeric>
 #include <string>
 
 namespace rtserver {
@@ -104,12 +103,9 @@ void FrameMaker::keepLight() {
 void FrameMaker::keepFinished(const rtcore::View& view, const std::vector<rtcore::PixelArea>& tiles,
                               const rtcore::Frame& frame) {
     constexpr double kWorthIt = 0.1; // of the pixels
-    const auto add = [](double pixels, const rtcore::PixelArea& tile) {
-        return pixels + static_cast<double>(tile.columns) * tile.rows;
-    };
-    const double pixels = std::accumulate(tiles.begin(), tiles.end(), 0.0, add);
     keepLight();
-    if (pixels >= kWorthIt * static_cast<double>(frame.radiance.pixels.size()) && !live_->empty())
+    if (rtcore::pixelsOf(tiles) >= kWorthIt * static_cast<double>(frame.radiance.pixels.size()) &&
+        !live_->empty())
         live_->keepParts(view, frame, tiles, threads_);
 }
 

@@ -12,12 +12,6 @@ using namespace std::chrono_literals;
 constexpr double kStepPart = 1.0 / 24; ///< of the pixels
 constexpr auto kLeastWait = 16ms, kMostWait = 250ms;
 
-double pixelsOf(const std::vector<rtcore::PixelArea>& areas) {
-    double pixels = 0;
-    for (const rtcore::PixelArea& area : areas) pixels += static_cast<double>(area.columns) * area.rows;
-    return pixels;
-}
-
 } // namespace
 
 void GradualImage::begin(const rtcore::HdrImage& before, const rtcore::RenderSettings& settings,

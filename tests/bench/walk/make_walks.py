@@ -98,6 +98,8 @@ def main():
         (folder / f"{name}.lst").write_text("".join(lines))
         models = os.environ.get("RT_TEST_SCENES")
         if models and name in SCENES:
+            if not pathlib.Path(models).is_dir():
+                sys.exit(f"make_walks.py: RT_TEST_SCENES names {models}, which is no folder")
             model, rest = SCENES[name]
             if name == "sponza":
                 dress_sponza(pathlib.Path(models) / "sponza_crytek", folder / "sponza.model")

@@ -77,6 +77,7 @@ void LiveServer::turn(Clock::duration passed) {
         last.detail = drawing_.frames().detail();
         last.camera = camera;
     } else {
+        if (drawing_.idle()) drawing_.prepareToMove();
         std::this_thread::sleep_for(1ms);
     }
 }
