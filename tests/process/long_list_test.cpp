@@ -160,7 +160,12 @@ TEST_F(LongLists, AKilledRendererGoesOnToACompleteFilm) {
         test::RunningProgram program(test::programPath("Renderer"),
                                      words({"-o", "out/f####.png", "--progress=json"}),
                                      {.folder = folder.path()});
-        ASSERT_TRUE(program.waitForError("\"rendering\""));
+        if (!program.waitForError(
+                "\"rendering\"")) { // on a quick machine there is nothing left to kill it at
+            ASSERT_GT(kill, 0);
+            EXPECT_EQ(program.wait().exitCode, 66);
+            break;
+        }
         std::this_thread::sleep_for(
             std::chrono::duration<double>(std::uniform_real_distribution<double>(0, 0.05)(random)));
         program.send(SIGKILL);
