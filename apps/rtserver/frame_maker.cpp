@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <new>
 #include <string>
+#include <utility>
 
 namespace rtserver {
 
@@ -41,8 +42,8 @@ bool FrameMaker::trace(const ServerState& state, const FrameDetail& detail, cons
     liveCost_ = {};
     const bool sameView = hasRadiance() && !stale(state);
     if (sameView && detail.whole() && !detail_.whole()) {
+        begun_ = {adaptation_, adaptedAt_}; // before underWay() may ask for it
         gradual_.begin(coarse_.radiance, state.shownSettings(), adaptation_.value(), threads_, start);
-        begun_ = {adaptation_, adaptedAt_};
         control.finished = &gradual_.finished();
     }
     const bool done =
@@ -95,8 +96,13 @@ void FrameMaker::keepLight(const ServerState& state) {
 }
 
 void FrameMaker::keepLight() {
-    if (unkept_.frame != nullptr) live_->keep(unkept_.plane, *unkept_.frame, threads_, unkept_.age);
-    unkept_ = {};
+    const Unkept unkept = std::exchange(unkept_, {});
+    if (unkept.frame == nullptr) return;
+    try {
+        live_->keep(unkept.plane, *unkept.frame, threads_, unkept.age);
+    } catch (const std::bad_alloc&) {
+        live_.emplace(); // there are coarse frames without it
+    }
 }
 
 /// A camera that moves again goes on from what has been rendered of the view that it leaves.
