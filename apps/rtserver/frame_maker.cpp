@@ -43,7 +43,7 @@ bool FrameMaker::trace(const ServerState& state, const FrameDetail& detail, cons
     const bool sameView = hasRadiance() && !stale(state);
     if (sameView && detail.whole() && !detail_.whole()) {
         begun_ = {adaptation_, adaptedAt_}; // before underWay() may ask for it
-        gradual_.begin(coarse_.radiance, state.shownSettings(), adaptation_.value(), threads_, start);
+        gradual_.begin(coarse_, state.shownSettings(), adaptation_.value(), threads_, start);
         control.finished = &gradual_.finished();
     }
     const bool done =
@@ -131,7 +131,7 @@ bool FrameMaker::drawLive(const ServerState& state, const FrameDetail& detail, r
 bool FrameMaker::drawsLive(const ServerState& state) {
     noticeChanges(state);
     keepLight();
-    return !live_->empty() && canBeLive(state) && live_->follows(state.camera().eye);
+    return !live_->empty() && canBeLive(state) && live_->follows(state.camera().eye, *state.world().tracer);
 }
 
 /// Light holds as long as nothing but the camera changes, and what is done to the image; and where lights
@@ -189,8 +189,8 @@ void FrameMaker::drop() {
 }
 
 const rtcore::LdrImage* FrameMaker::underWay(const ServerState& state) {
-    const auto exposure = [&] {
-        adapt(target_, state.shownSettings().exposure);
+    const auto exposure = [&](float brightening) {
+        adapt(target_ * brightening, state.shownSettings().exposure);
         return adaptation_.value();
     };
     return gradual_.step(whole_.radiance, exposure, Clock::now());

@@ -3,6 +3,7 @@
 
 #include "rtcore/post/transition.h"
 #include "rtcore/render/finished_tiles.h"
+#include "rtcore/render/frame.h"
 #include "rtcore/scene/image.h"
 #include "rtcore/settings/render_settings.h"
 
@@ -21,7 +22,7 @@ class GradualImage {
 
     /// A frame of these settings is traced from now on; until then `before` is seen, of the same view, with
     /// that exposure. `threads` = 0: all cores.
-    void begin(const rtcore::HdrImage& before, const rtcore::RenderSettings& settings, float exposure,
+    void begin(const rtcore::Frame& before, const rtcore::RenderSettings& settings, float exposure,
                int threads, Clock::time_point now);
     /// From here on step() shows nothing. Waits for one that is under way.
     void end();
@@ -31,8 +32,9 @@ class GradualImage {
     rtcore::FinishedTiles& finished() { return finished_; }
 
     /// The next image, or null when none is to be shown yet. `radiance` of the frame: only finished tiles are
-    /// read; `exposure` gives that of this moment.
-    const rtcore::LdrImage* step(const rtcore::HdrImage& radiance, const std::function<float()>& exposure,
+    /// read; `exposure` gives that of this moment, for surfaces so many times as bright as in `before`.
+    const rtcore::LdrImage* step(const rtcore::HdrImage& radiance,
+                                 const std::function<float(float brightening)>& exposure,
                                  Clock::time_point now);
 
   private:
@@ -43,7 +45,7 @@ class GradualImage {
     rtcore::FinishedTiles finished_;
     std::vector<rtcore::PixelArea> waiting_; ///< finished and not yet shown
     double pixels_ = 0;                      ///< of the image
-    float exposure_ = 1;
+    float exposure_ = 1, brightening_ = 1;
     Clock::time_point shown_;
     bool active_ = false, developed_ = false;
 };

@@ -149,7 +149,6 @@ bool LiveRenderer::render(const View& view, double newSamples, RenderControl& co
 
 void LiveRenderer::keep(const ImagePlane& plane, const Frame& frame, int threads, std::uint8_t age) {
     forgetChecks();
-    hidden_ = 0;
     past_.own.resize(plane);
     const auto forEachPart = [&](auto&& work) {
         forEachRows(plane.height, kRowsOfPart, threadsFor(threads), work);
@@ -186,12 +185,13 @@ void LiveRenderer::keepParts(const View& view, const Frame& frame, std::span<con
 double LiveRenderer::relight(const LightChange& change, int threads) {
     LiveSamples& own = past_.own;
     const auto unknownOf = [&](std::size_t i) {
+        if (past_.mirrors) past_.mirrored.forget(i);
         if (!own.known(i)) return true;
-        const bool reached =
-            !own.background(i) && change.reaches(own.points[i].position, luminance(own.light(i)));
+        const bool mirrors = own.mirrors(i),
+                   reached =
+                       !own.background(i) && change.reaches(own.points[i].position, luminance(own.light(i)));
         if (reached) own.forget(i);
-        if (own.mirrors(i)) past_.mirrored.forget(i);
-        return reached || own.mirrors(i);
+        return reached || mirrors;
     };
     std::atomic<std::size_t> unknown = 0;
     forEachRows(own.plane().height, kRowsOfPart, threadsFor(threads), [&](int first, int last) {
@@ -210,11 +210,13 @@ void LiveRenderer::beginMirroring() {
     present_.mirrored.clear(plane);
 }
 
-bool LiveRenderer::follows(Vec3 eye) const {
+bool LiveRenderer::follows(Vec3 eye, const RayTracer& tracer) {
+    return empty() || (!isFar(eye) && !crossesSurface(eye, tracer));
+}
+
+bool LiveRenderer::isFar(Vec3 eye) const {
     constexpr float kMost = 0.25F; // of how far away things are
     constexpr std::size_t kEvery = 97;
-    constexpr double kMostHidden = 0.2;
-    if (hidden_ > kMostHidden) return false;
     const LiveSamples& own = past_.own;
     const Vec3 before = own.plane().eye;
     double sum = 0;
@@ -224,8 +226,17 @@ bool LiveRenderer::follows(Vec3 eye) const {
         sum += std::log(static_cast<double>(length(own.points[i].position - before)) + 1e-30);
         ++count;
     }
-    if (count == 0) return true; // all that was seen is endlessly far away
-    return length(eye - before) < kMost * static_cast<float>(std::exp(sum / count));
+    if (count == 0) return false; // all that was seen is endlessly far away
+    return !(length(eye - before) < kMost * static_cast<float>(std::exp(sum / count)));
+}
+
+bool LiveRenderer::crossesSurface(Vec3 eye, const RayTracer& tracer) {
+    const Vec3 before = past_.own.plane().eye;
+    if (eye == before) return false;
+    way_.clear();
+    way_.push({before, 0, eye - before, 1});
+    tracer.occluded(RayKind::Shadow, way_, crossed_);
+    return crossed_[0] != 0;
 }
 
 /// What is known of lights at a point, but for those that some of the samples around see and others do not:
@@ -247,7 +258,7 @@ LightVisibility LiveRenderer::surelyKnown(int x, int y) const {
     }
     const unsigned sure = ~(clear & dark);
     const LightVisibility here = own.lights[at].lights;
-    return {static_cast<std::uint16_t>(here.clear & sure), static_cast<std::uint16_t>(here.dark & sure)};
+    return {here.clear & sure, here.dark & sure};
 }
 
 bool LiveRenderer::lightSamples(const View& view, RenderControl& control, Frame& frame) {
@@ -285,7 +296,6 @@ void LiveRenderer::check() {
     const ImagePlane& plane = present_.own.plane();
     std::vector<CheckedPixel>& checked = checked_[number_ % kCheckedFrames];
     checked.clear();
-    std::size_t blind = 0, hidden = 0;
     for (const PixelChoice::Check& check : choice_.checked()) {
         const SampleId pixel = choice_.chosen()[check.chosen];
         const float traced = luminance(light_[check.chosen]),
@@ -294,25 +304,11 @@ void LiveRenderer::check() {
         const std::uint8_t tracedCovered = covered(seen_[check.chosen].any);
         if (check.blind && kept >= 0) {
             const bool background = present_.own.background(present_.own.index(pixel.x, pixel.y));
-            ++blind;
-            hidden += hides(seen_[check.chosen], pixel.x, pixel.y) ? 1U : 0U;
             checked.push_back({kept, traced, covered(!background), tracedCovered});
         } else {
             checked.push_back({traced, traced, tracedCovered, tracedCovered});
         }
     }
-    constexpr std::size_t kEnough = 24;
-    hidden_ = blind < kEnough ? 0 : static_cast<double>(hidden) / static_cast<double>(blind);
-}
-
-/// Whether what was traced is in front of the sample that was known there.
-bool LiveRenderer::hides(const SeenPoint& seen, int x, int y) const {
-    constexpr float kNearer = 0.8F;
-    const LiveSamples& own = present_.own;
-    const std::size_t i = own.index(x, y);
-    if (!seen.any || !own.known(i) || own.background(i)) return seen.any && own.known(i);
-    const Vec3 eye = own.plane().eye;
-    return length(seen.position - eye) < kNearer * length(own.points[i].position - eye);
 }
 
 /// The exposure is that of samples, not of the image that is weighed from them: that has fewer black pixels,

@@ -30,7 +30,7 @@ class LiveRenderer {
   public:
     /// What it keeps for each pixel, beside the frame: where nothing mirrors and few pixels are traced; and
     /// at most, where something mirrors and all are traced. Some megabytes for each thread are not counted.
-    static constexpr std::size_t kBytesPerPixel = 86, kMostBytesPerPixel = 344;
+    static constexpr std::size_t kBytesPerPixel = 94, kMostBytesPerPixel = 360;
 
     /// Whether such a view can be drawn: of a perspective camera, one sample per pixel in its middle, fewer
     /// than Reprojection::kMostPixels.
@@ -60,13 +60,12 @@ class LiveRenderer {
     void forget() {
         past_.clear();
         number_ = 0;
-        hidden_ = 0;
         forgetChecks();
     }
     /// Whether the light that is kept shows what is seen from there: it is not much nearer to, or further
-    /// from, what was seen before, else things would be seen through gaps in others that are new; and in the
-    /// last frame nothing had come in front of much of what is known, as behind a wall that was passed.
-    bool follows(Vec3 eye) const;
+    /// from, what was seen before, else things would be seen through gaps in others that are new; and on the
+    /// way there is no surface, behind which all is different.
+    bool follows(Vec3 eye, const RayTracer& tracer);
     bool empty() const { return past_.own.size() == 0; } ///< nothing is kept
 
     /// Seconds that the traced pixels of the last frame took.
@@ -76,8 +75,9 @@ class LiveRenderer {
     double unknown() const { return choice_.unknown(); }
 
   private:
+    bool isFar(Vec3 eye) const;
+    bool crossesSurface(Vec3 eye, const RayTracer& tracer);
     void check();
-    bool hides(const SeenPoint& seen, int x, int y) const;
     void forgetChecks();
     void meter(int threads, Frame& frame) const;
     void beginMirroring();
@@ -96,7 +96,8 @@ class LiveRenderer {
     std::array<std::vector<CheckedPixel>, kCheckedFrames> checked_; ///< of the last frames
     std::uint32_t number_ = 0;                                      ///< of the frame
     double newSamples_ = 0, sampleSeconds_ = 0;
-    double hidden_ = 0; ///< in the last frame: of the pixels of which something is known
+    RayWave way_; ///< of the eye, from frame to frame
+    std::vector<std::uint8_t> crossed_;
 };
 
 } // namespace rtcore

@@ -31,8 +31,8 @@ HWY_INLINE Uint statesOf(const LiveSamples::Point& first) { return LivePoints(fi
 
 /// LiveSamples::Light
 HWY_INLINE Float3 radianceOf(const LiveSamples::Light& first) {
-    hn::Vec<Uint::Tag> packed, lights;
-    hn::LoadInterleaved2(Uint::Tag(), &first.radiance, packed, lights);
+    hn::Vec<Uint::Tag> packed, clear, dark;
+    hn::LoadInterleaved3(Uint::Tag(), &first.radiance, packed, clear, dark);
     return unpackedLight<Float>(Uint(packed));
 }
 

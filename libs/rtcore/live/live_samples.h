@@ -46,7 +46,7 @@ class PixelArray {
     std::vector<T> values_;
 };
 
-/// A sample for each pixel of a frame, or none: 24 bytes a pixel. What is needed together lies together.
+/// A sample for each pixel of a frame, or none: 28 bytes a pixel. What is needed together lies together.
 class LiveSamples {
   public:
     struct Point {
@@ -57,7 +57,7 @@ class LiveSamples {
         std::uint32_t radiance = 0; ///< packLight()
         LightVisibility lights;
     };
-    static_assert(sizeof(Point) == 16 && sizeof(Light) == 8);
+    static_assert(sizeof(Point) == 16 && sizeof(Light) == 12);
 
     // Of a state.
     static constexpr std::uint32_t kAge = 0xFF; ///< frames since it was traced, at most 255

@@ -319,7 +319,7 @@ void Reprojection::takeMirrored(const LiveSamples& past, const std::uint64_t* en
         const std::uint64_t nearest = entries[i - first];
         fetch(past, entries[i - first + kAhead]);
         // Without a branch: of the sample behind the last nothing is known.
-        const bool known = own.mirrors(i) & (nearest != kNoSample);
+        const bool known = (own.mirrors(i) | !own.known(i)) & (nearest != kNoSample);
         const std::size_t from = known ? indexOf(nearest) : past.size();
         present.points[i] = aged(past.points[from]);
         present.lights[i] = past.lights[from];

@@ -146,10 +146,11 @@ void weighMirrored(const LiveLayers& samples, int y, const Columns& columns, con
             return;
         }
         const std::size_t i = row + x;
-        const Mask mirrors = (statesOf(samples.own.points[i]) & LiveSamples::kMirrors) != 0U;
+        const Uint own = statesOf(samples.own.points[i]);
+        const Mask mirrors = (own & LiveSamples::kMirrors) != 0U;
         const LivePoints points(samples.mirrored.points[i]);
-        weigh(points, radianceOf(samples.mirrored.lights[i]), mirrors & (points.state != 0U), plane, x, y,
-              to.mirrored, at);
+        weigh(points, radianceOf(samples.mirrored.lights[i]), (mirrors | (own == 0U)) & (points.state != 0U),
+              plane, x, y, to.mirrored, at);
         const Float3 tint = selectOrZero(mirrors, tintOf(samples.tints[i]));
         store(tint.x, to.tint[0] + at);
         store(tint.y, to.tint[1] + at);
@@ -349,8 +350,8 @@ void SamplePicture::addMissing(const LiveLayers& samples, int threads, Frame& fr
     const ImagePlane& plane = samples.own.plane();
     const auto mirroredAt = [&](int x, int y) {
         const std::size_t i = samples.own.index(x, y);
-        const bool known = samples.own.mirrors(i) && samples.mirrored.known(i);
-        return known ? samples.mirrored.light(i) : Colour{-1, -1, -1};
+        const bool mayMirror = samples.own.mirrors(i) || !samples.own.known(i);
+        return mayMirror && samples.mirrored.known(i) ? samples.mirrored.light(i) : Colour{-1, -1, -1};
     };
     means_.begin(plane.width, plane.height);
     forEachRows(plane.height, SampleMeans::kSide, threads,

@@ -47,7 +47,8 @@ void upsampleTo(const HdrImage& small, [[maybe_unused]] int threads, HdrImage& i
 
 } // namespace
 
-void Transition::begin(const HdrImage& before, const RenderSettings& settings, int threads) {
+void Transition::begin(const Frame& frame, const RenderSettings& settings, int threads) {
+    const HdrImage& before = frame.radiance;
     settings_ = settings;
     halved_.clear();
     if (radiance_.width != settings.width || radiance_.height != settings.height) {
@@ -61,6 +62,35 @@ void Transition::begin(const HdrImage& before, const RenderSettings& settings, i
     } else {
         upsampleTo(before, threads, radiance_);
     }
+    sparseCovered_.clear();
+    forEachSparse([&](int x, int y) {
+        const int column = x * before.width / radiance_.width, row = y * before.height / radiance_.height;
+        const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(before.width) +
+                        static_cast<std::size_t>(column);
+        sparseCovered_.push_back(frame.covered[at]);
+    });
+    averageBefore_ = sparseAverage();
+}
+
+template <typename Use>
+void Transition::forEachSparse(Use&& use) const {
+    constexpr int kEvery = 4;
+    for (int y = kEvery / 2; y < radiance_.height; y += kEvery) {
+        for (int x = kEvery / 2; x < radiance_.width; x += kEvery) use(x, y);
+    }
+}
+
+std::optional<float> Transition::sparseAverage() {
+    sparse_.clear();
+    forEachSparse([&](int x, int y) { sparse_.push_back(radiance_.at(x, y)); });
+    sparseHistogram_.clear();
+    sparseHistogram_.count(sparse_, sparseCovered_);
+    return sparseHistogram_.logAverage();
+}
+
+float Transition::brightening() {
+    const std::optional<float> now = averageBefore_ ? sparseAverage() : std::nullopt;
+    return now ? *now / *averageBefore_ : 1;
 }
 
 void Transition::step(const std::vector<PixelArea>& finished, const HdrImage& after) {

@@ -2,11 +2,15 @@
 #pragma once
 
 #include "rtcore/post/effect_chain.h"
+#include "rtcore/post/exposure.h"
+#include "rtcore/render/frame.h"
 #include "rtcore/render/pixel_area.h"
 #include "rtcore/scene/image.h"
 #include "rtcore/settings/render_settings.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace rtcore {
@@ -14,22 +18,28 @@ namespace rtcore {
 /// Keeps its memory. One thread at a time.
 class Transition {
   public:
-    static constexpr std::size_t kBytesPerPixel = sizeof(Colour) + sizeof(Rgba8); ///< beside its effects
+    static constexpr std::size_t kBytesPerPixel = sizeof(Colour) + sizeof(Rgba8) + 1; ///< beside its effects
 
-    /// Begins with `before`, of any size, upsampled to that of the settings. Nothing is shown before
-    /// expose(). `threads` = 0: all cores.
-    void begin(const HdrImage& before, const RenderSettings& settings, int threads);
+    /// Begins with the radiance of `before`, of any size, upsampled to that of the settings. Nothing is shown
+    /// before expose(). `threads` = 0: all cores.
+    void begin(const Frame& before, const RenderSettings& settings, int threads);
     /// From here on all is shown with that exposure, and with the settings' effects, as far as parts can have
     /// them (developPart()). By the calling thread.
     void expose(float exposure);
     /// These areas of `after`, of the size of the settings, have all their light. Half of it is seen now, all
     /// of it in the next step. Reads no other pixels of `after`.
     void step(const std::vector<PixelArea>& finished, const HdrImage& after);
+    /// How much brighter the surfaces of the image are than at the beginning, for the exposure
+    /// (LuminanceHistogram): an estimate from few of its pixels.
+    float brightening();
     /// As it is shown.
     const LdrImage& image() const { return image_; }
 
   private:
     void develop(const PixelArea& area);
+    template <typename Use>
+    void forEachSparse(Use&& use) const;
+    std::optional<float> sparseAverage();
 
     RenderSettings settings_;
     float exposure_ = 1;
@@ -37,6 +47,11 @@ class Transition {
     HdrImage radiance_;
     LdrImage image_;
     std::vector<PixelArea> halved_; ///< areas that show half of what is before them
+    /// Of the pixels by which the brightness is measured.
+    std::vector<Colour> sparse_;
+    std::vector<std::uint8_t> sparseCovered_;
+    LuminanceHistogram sparseHistogram_;
+    std::optional<float> averageBefore_;
 };
 
 } // namespace rtcore

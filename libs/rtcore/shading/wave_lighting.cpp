@@ -198,8 +198,7 @@ void WaveLighting::keep(const FrameContext& frame, const Wave& wave) const {
     for (std::size_t i = 0; i < wave.size(); ++i) {
         const std::uint32_t clear = clear_[i] | (foundClear_[i] & ~foundDark_[i]),
                             dark = dark_[i] | (foundDark_[i] & ~foundClear_[i]);
-        frame.visibility[wave.paths.sample(i)] = {static_cast<std::uint16_t>(clear),
-                                                  static_cast<std::uint16_t>(dark)};
+        frame.visibility[wave.paths.sample(i)] = {clear, dark};
     }
 }
 

@@ -199,6 +199,22 @@ TEST_F(Wall, ShowsWhatItMirrorsWhereThatSeemsToBe) {
     EXPECT_FALSE(now.mirrored.known(present.index(28, 15))) << "no mirror is there any more";
 }
 
+TEST_F(Wall, KeepsWhatIsMirroredWhereTheMirrorIsNotKnownYet) {
+    layers.mirrors = now.mirrors = true;
+    layers.resizeMirrored(past.plane());
+    for (std::size_t i = 0; i < past.size(); ++i) {
+        const Vec3 behind = past.points[i].position * 2; // of an eye in the origin
+        layers.mirrored.set(i, {.position = behind, .light = past.light(i)});
+        past.forget(i);
+    }
+    const ImagePlane& plane = past.plane();
+    now.resize(planeFrom(plane.right * (4 * kDepth)));
+    carry();
+    EXPECT_EQ(samples(), 0);
+    EXPECT_EQ(now.mirrored.light(present.index(20, 15)), lightOf(22, 15));
+    EXPECT_FALSE(now.known(present.index(20, 15)));
+}
+
 TEST(Reprojection, IsOfImagesOfOneRowOrColumn) {
     for (const auto& [width, height] : {std::pair(300, 1), std::pair(1, 300), std::pair(1, 1)}) {
         LiveLayers past, present;

@@ -31,17 +31,21 @@ HdrImage noise(unsigned seed, int width = kWidth, int height = kHeight) {
     return image;
 }
 
-LdrImage developed(const HdrImage& radiance, const RenderSettings& settings, float exposure = kExposure) {
+Frame frameOf(const HdrImage& radiance) {
     Frame frame;
     frame.radiance = radiance;
     frame.covered.assign(radiance.pixels.size(), 255);
-    return develop(frame, settings, exposure);
+    return frame;
+}
+
+LdrImage developed(const HdrImage& radiance, const RenderSettings& settings, float exposure = kExposure) {
+    return develop(frameOf(radiance), settings, exposure);
 }
 
 TEST(Transition, BeginsWithWhatIsSeenAndEndsWithWhatFollows) {
     const HdrImage before = noise(1), after = noise(2);
     Transition transition;
-    transition.begin(before, imageSettings(), 1);
+    transition.begin(frameOf(before), imageSettings(), 1);
     transition.expose(kExposure);
     EXPECT_EQ(transition.image().pixels, developed(before, imageSettings()).pixels);
     transition.step({{0, 0, kWidth, 16}}, after);
@@ -55,7 +59,7 @@ TEST(Transition, ShowsHalfOfAnAreaFirstAndReadsNoOther) {
     HdrImage after = noise(2);
     const PixelArea area{7, 3, 20, 11};
     Transition transition;
-    transition.begin(before, imageSettings(), 1);
+    transition.begin(frameOf(before), imageSettings(), 1);
     transition.expose(kExposure);
     for (int y = 0; y < kHeight; ++y) {
         for (int x = 0; x < kWidth; ++x) {
@@ -81,7 +85,7 @@ TEST(Transition, UpsamplesASmallerImageBetweenItsPixels) {
         for (int x = 0; x < slope.width; ++x)
             slope.at(x, y) = Colour{1, 1, 1} * ((static_cast<float>(x) + 0.5F) * 2);
     }
-    transition.begin(slope, settings, 2);
+    transition.begin(frameOf(slope), settings, 2);
     transition.expose(kExposure);
     HdrImage wanted(kWidth, kHeight);
     for (int y = 0; y < kHeight; ++y) {
@@ -101,7 +105,7 @@ TEST(Transition, FollowsTheExposureAndShowsEffectsOfParts) {
     RenderSettings settings = imageSettings();
     settings.bloom.radius = 3;
     Transition transition;
-    transition.begin(before, settings, 1);
+    transition.begin(frameOf(before), settings, 1);
     transition.expose(kExposure);
     const LdrImage bright = transition.image();
     EXPECT_NE(bright.pixels, developed(before, imageSettings()).pixels) << "with its bloom";

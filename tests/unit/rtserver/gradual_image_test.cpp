@@ -21,15 +21,27 @@ class Gradual : public testing::Test {
     const LdrImage* stepAfter(std::chrono::milliseconds time) {
         now += time;
         return image.step(
-            after, [this] { return exposure; }, now);
+            after,
+            [this](float times) {
+                brightening = times;
+                return exposure;
+            },
+            now);
     }
     void begin() { image.begin(before, settings, exposure, 1, now); }
+    static rtcore::Frame frameOf(int side, float grey) {
+        rtcore::Frame frame;
+        frame.radiance = {side, side, {grey, grey, grey}};
+        frame.covered.assign(frame.radiance.pixels.size(), 255);
+        return frame;
+    }
     static int top(const LdrImage& shown) { return shown.at(kSide / 2, 0).r; }
     static int bottom(const LdrImage& shown) { return shown.at(kSide / 2, kSide - 1).r; }
 
     rtcore::RenderSettings settings;
-    HdrImage before{kSide / 2, kSide / 2, {0.1F, 0.1F, 0.1F}}, after{kSide, kSide, {2, 2, 2}};
-    float exposure = 1;
+    rtcore::Frame before = frameOf(kSide / 2, 0.1F);
+    HdrImage after{kSide, kSide, {2, 2, 2}};
+    float exposure = 1, brightening = 0; ///< what is given, and what is told
     rtserver::GradualImage::Clock::time_point now;
     rtserver::GradualImage image;
 };
@@ -65,11 +77,11 @@ TEST_F(Gradual, TilesComeInTwoSteps) {
 TEST_F(Gradual, FewTilesWaitForOthers) {
     begin();
     ASSERT_NE(stepAfter(20ms), nullptr);
-    image.finished().add({0, 0, kSide, 1});
+    image.finished().add({0, 0, kSide / 2, 1});
     EXPECT_EQ(stepAfter(20ms), nullptr);
     image.finished().add({0, 1, kSide, 3});
     EXPECT_NE(stepAfter(0ms), nullptr);
-    image.finished().add({0, 4, kSide, 1});
+    image.finished().add({0, 4, kSide / 2, 1});
     EXPECT_NE(stepAfter(260ms), nullptr) << "but not for long";
 }
 
@@ -82,6 +94,27 @@ TEST_F(Gradual, TheExposureGoesOn) {
     shown = stepAfter(110ms);
     ASSERT_NE(shown, nullptr);
     EXPECT_GT(top(*shown), dark);
+}
+
+TEST_F(Gradual, TheExposureHearsWhatIsFinished) {
+    begin();
+    ASSERT_NE(stepAfter(20ms), nullptr);
+    EXPECT_FLOAT_EQ(brightening, 1);
+    image.finished().add({0, 0, kSide, kSide});
+    ASSERT_NE(stepAfter(20ms), nullptr);
+    stepAfter(20ms);
+    EXPECT_NEAR(brightening, 10.5F, 0.1F) << "half of what was seen, half of what follows";
+    image.finished().add({0, 0, kSide, 1});
+    ASSERT_NE(stepAfter(260ms), nullptr);
+    stepAfter(20ms);
+    EXPECT_NEAR(brightening, 20, 0.1F);
+    before.covered.assign(before.covered.size(), 0);
+    begin();
+    ASSERT_NE(stepAfter(20ms), nullptr);
+    image.finished().add({0, 0, kSide, kSide});
+    ASSERT_NE(stepAfter(20ms), nullptr);
+    stepAfter(20ms);
+    EXPECT_FLOAT_EQ(brightening, 1) << "no surface is seen";
 }
 
 TEST_F(Gradual, BeginsAgainAfterItsMemoryWasGivenBack) {

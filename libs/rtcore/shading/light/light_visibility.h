@@ -10,10 +10,10 @@ namespace rtcore {
 /// arrives and in `dark` where none does. Of lights with neither nothing is known, or they arrive in part. To
 /// lights with a size one ray is traced all the same; what it does not confirm does not count.
 struct LightVisibility {
-    std::uint16_t clear = 0, dark = 0;
+    std::uint32_t clear = 0, dark = 0;
 
     friend bool operator==(const LightVisibility&, const LightVisibility&) = default;
 };
-inline constexpr std::size_t kRememberedLights = 16;
+inline constexpr std::size_t kRememberedLights = 32;
 
 } // namespace rtcore
