@@ -277,13 +277,18 @@ HWY_INLINE void testTriangles(const KernelScene& scene, const Leaf& leaf, const 
     }
 }
 
+/// A bit for each lane.
+HWY_INLINE std::uint32_t bitsOf(Mask lanes) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(FloatTag(), lanes, bytes);
+    return std::uint32_t{bytes[0]} | std::uint32_t{bytes[1]} << 8U;
+}
+
 /// Calls `work` with the number of each lane that `lanes` holds.
 template <typename Work>
 HWY_INLINE void forEachLane(Mask lanes, Work&& work) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(FloatTag(), lanes, bytes);
-    std::uint32_t bits = std::uint32_t{bytes[0]} | std::uint32_t{bytes[1]} << 8U;
-    for (; bits != 0; bits &= bits - 1) work(static_cast<std::size_t>(std::countr_zero(bits)));
+    for (std::uint32_t bits = bitsOf(lanes); bits != 0; bits &= bits - 1)
+        work(static_cast<std::size_t>(std::countr_zero(bits)));
 }
 
 /// The minimum; the second where either is NaN.

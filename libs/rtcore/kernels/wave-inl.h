@@ -7,6 +7,7 @@
 #define RTCORE_KERNELS_WAVE_INL_H_
 #endif
 
+#include "rtcore/kernels/bundle-inl.h"
 #include "rtcore/kernels/stream-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -35,6 +36,12 @@ struct GroupShape {
     bool commonOrigin() const {
         return origin[0].lo == origin[0].hi && origin[1].lo == origin[1].hi && origin[2].lo == origin[2].hi;
     }
+    /// Whether all directions have one sign on each axis, and no inverse overflows.
+    bool oneOctant() const {
+        constexpr float kLeast = 1 / std::numeric_limits<float>::max();
+        return std::all_of(direction, direction + 3,
+                           [](const Range& r) { return r.lo > kLeast || r.hi < -kLeast; });
+    }
     Culling culling() const {
         Culling c{};
         for (int axis = 0; axis < 3; ++axis) {
@@ -50,11 +57,13 @@ struct GroupShape {
     }
 };
 
+/// Of kCount values.
+template <std::size_t kCount>
 HWY_INLINE Range rangeOf(const float* values) {
     const FloatTag d;
     Floats lo = hn::LoadU(d, values);
     Floats hi = lo;
-    for (std::size_t i = kLanes; i < kGroup; i += kLanes) {
+    for (std::size_t i = kLanes; i < kCount; i += kLanes) {
         const Floats v = hn::LoadU(d, values + i);
         lo = hn::Min(lo, v);
         hi = hn::Max(hi, v);
@@ -65,8 +74,8 @@ HWY_INLINE Range rangeOf(const float* values) {
 HWY_INLINE GroupShape shapeOf(const RaySpan& rays, std::size_t first) {
     GroupShape shape;
     for (int axis = 0; axis < 3; ++axis) {
-        shape.origin[axis] = rangeOf(rays.origin[axis] + first);
-        shape.direction[axis] = rangeOf(rays.direction[axis] + first);
+        shape.origin[axis] = rangeOf<kGroup>(rays.origin[axis] + first);
+        shape.direction[axis] = rangeOf<kGroup>(rays.direction[axis] + first);
     }
     return shape;
 }
@@ -173,6 +182,140 @@ class PacketTracer {
     PacketWalk<kGroupVectors, Shared::Nothing, true, kAny> byNothing_;
 };
 
+/// Gathers packets of one origin and traces them together.
+template <typename Output>
+class BundleTracer {
+  public:
+    BundleTracer(const KernelScene& scene, const RaySpan& rays, const Output& output)
+        : scene_(scene), rays_(rays), output_(output), walk_(scene, bundle_) {}
+
+    /// Takes a whole group of much the same direction from `first` on, if it can be bundled.
+    HWY_INLINE bool take(const GroupShape& shape, std::size_t first) {
+        if (!shape.commonOrigin() || !shape.oneOctant()) return false;
+        const int axis = commonAxis(rays_, first);
+        if (axis == 3) return false;
+        const Vec3 origin{shape.origin[0].lo, shape.origin[1].lo, shape.origin[2].lo};
+        const bool negative[3] = {shape.direction[0].hi < 0, shape.direction[1].hi < 0,
+                                  shape.direction[2].hi < 0};
+        if (bundle_.full() || !bundle_.suits(origin, negative)) run();
+        bundle_.origin = origin;
+        std::copy_n(negative, 3, bundle_.negative);
+        add(shape, alongAxis(axis), first);
+        return true;
+    }
+
+    /// Traces what has been gathered.
+    HWY_NOINLINE void run() {
+        for (std::size_t p = bundle_.size; p < kBundle; ++p) {
+            bundle_.begin[p] = 1;
+            bundle_.end[p] = -1;
+        }
+        walk_.run();
+        for (std::size_t p = 0; p < bundle_.size; ++p)
+            output_.fromPacket(bundle_.packets[p], bundle_.packets[p].first, kGroup);
+        bundle_.size = 0;
+    }
+    HWY_INLINE void finish() {
+        if (bundle_.size > 0) run();
+    }
+
+  private:
+    HWY_INLINE void add(const GroupShape& shape, const AlongAxis& along, std::size_t first) {
+        const FloatTag d;
+        const IntTag di;
+        BundledPacket& packet = bundle_.packets[bundle_.size];
+        packet.first = first;
+        packet.along = along;
+        Floats nearest = hn::Set(d, std::numeric_limits<float>::infinity()), farthest = hn::Zero(d);
+        for (std::size_t i = 0; i < kGroup; i += kLanes) {
+            const RayVector ray = loadRays(rays_, first + i);
+            nearest = hn::Min(nearest, ray.tMin);
+            farthest = hn::Max(farthest, ray.tMax);
+            hn::Store(ray.tMin, d, packet.tMin + i);
+            hn::Store(ray.tMax, d, packet.best + i);
+            hn::Store(hn::Set(di, kNone), di, packet.triangle + i);
+            hn::Store(hn::Zero(d), d, packet.v + i);
+            hn::Store(hn::Zero(d), d, packet.w + i);
+            hn::Store(hn::Set(d, 1.0F), d, packet.det + i);
+        }
+        const Range interval{hn::GetLane(hn::MinOfLanes(d, nearest)),
+                             hn::GetLane(hn::MaxOfLanes(d, farthest))};
+        if (!enter(shape, along.kz, interval)) {
+            output_.fromPacket(packet, first, kGroup);
+            return;
+        }
+        shearRays(packet);
+        ++bundle_.size;
+    }
+
+    /// The packet's place in the tree; false where it misses the box.
+    HWY_INLINE bool enter(const GroupShape& shape, int dominant, const Range& interval) {
+        const std::size_t p = bundle_.size;
+        float far = 0;
+        for (int axis = 0; axis < 3; ++axis) {
+            const float o = bundle_.origin[axis];
+            far += std::max(std::fabs(scene_.lo[axis] - o), std::fabs(scene_.hi[axis] - o));
+        }
+        const Range& along = shape.direction[dominant];
+        // As slackOf(): the largest is that of the shortest direction.
+        const float slack = kDistanceError * far / std::min(std::fabs(along.lo), std::fabs(along.hi));
+        float begin = std::max(interval.lo - slack, 0.0F), end = interval.hi + slack;
+        for (int axis = 0; axis < 3; ++axis) {
+            const bool negative = bundle_.negative[axis];
+            const Range& direction = shape.direction[axis];
+            const float lo = 1 / (negative ? -direction.lo : direction.hi),
+                        hi = 1 / (negative ? -direction.hi : direction.lo), o = bundle_.origin[axis];
+            const float in = negative ? o - scene_.hi[axis] : scene_.lo[axis] - o,
+                        out = negative ? o - scene_.lo[axis] : scene_.hi[axis] - o;
+            begin = std::max(begin, std::min(in * lo, in * hi) * kPlaneDown);
+            end = std::min(end, std::max(out * lo, out * hi) * kPlaneUp);
+            bundle_.inverseLo[axis][p] = lo;
+            bundle_.inverseHi[axis][p] = hi;
+        }
+        bundle_.begin[p] = begin;
+        bundle_.end[p] = end;
+        bundle_.reach[p] = std::numeric_limits<float>::infinity();
+        bundle_.slack[p] = slack;
+        return begin <= end;
+    }
+
+    HWY_INLINE void shearRays(BundledPacket& packet) const {
+        constexpr float kWider = 0x1p-20F; // more than rounding does to the leaf test, where |sx|, |sy| <= 1
+        const FloatTag d;
+        const float* const x = rays_.direction[packet.along.kx] + packet.first;
+        const float* const y = rays_.direction[packet.along.ky] + packet.first;
+        const float* const z = rays_.direction[packet.along.kz] + packet.first;
+        for (std::size_t i = 0; i < kGroup; i += kLanes) {
+            const Floats along = hn::LoadU(d, z + i);
+            hn::Store(hn::Div(hn::LoadU(d, x + i), along), d, packet.sx + i);
+            hn::Store(hn::Div(hn::LoadU(d, y + i), along), d, packet.sy + i);
+            hn::Store(hn::Div(hn::Set(d, -1.0F), along), d, packet.minusSz + i);
+        }
+        for (std::size_t b = 0; b < BundledPacket::kBeams; ++b) {
+            float* to = packet.beams + 4 * b;
+            for (const float* const shears : {packet.sx, packet.sy}) {
+                const Range range = rangeOf<BundledPacket::kBeamRays>(shears + b * BundledPacket::kBeamRays);
+                *to++ = range.lo - kWider;
+                *to++ = range.hi + kWider;
+            }
+        }
+    }
+
+    const KernelScene& scene_;
+    const RaySpan& rays_;
+    const Output& output_;
+    Bundle bundle_;
+    BundleWalk walk_;
+};
+
+/// For any hit: shadow rays have a common end, not a common origin.
+struct NoBundles {
+    template <typename... Any>
+    explicit NoBundles(const Any&...) {}
+    HWY_INLINE bool take(const GroupShape&, std::size_t) const { return false; }
+    HWY_INLINE void finish() const {}
+};
+
 /// The last rays of a wave, filled up to a whole group by the first of them.
 struct LastGroup {
     LastGroup(const RaySpan& rays, std::size_t first) {
@@ -199,8 +342,10 @@ HWY_INLINE void traverseWave(const KernelScene& scene, const RaySpan& rays, Stre
                              Output&& output) {
     constexpr std::size_t kFewest = 512 / kGroup; // below, packets are faster whatever the directions
     PacketTracer<kAny> packets(scene, rays);
-    const auto asPacket = [&](std::size_t first) HWY_ATTR {
-        packets.trace(shapeOf(rays, first), first, kGroup);
+    std::conditional_t<kAny, NoBundles, BundleTracer<std::remove_reference_t<Output>>> bundles(scene, rays,
+                                                                                               output);
+    const auto asPacket = [&](const GroupShape& shape, std::size_t first) HWY_ATTR {
+        packets.trace(shape, first, kGroup);
         output.fromPacket(packets.packet, first, kGroup);
     };
     const auto asStream = [&]() HWY_ATTR {
@@ -212,17 +357,20 @@ HWY_INLINE void traverseWave(const KernelScene& scene, const RaySpan& rays, Stre
     scratch.groupCount = 0;
     const std::size_t whole = rays.count / kGroup * kGroup;
     for (std::size_t first = 0; first < whole; first += kGroup) {
-        if (shapeOf(rays, first).coherent()) {
-            asPacket(first);
+        const GroupShape shape = shapeOf(rays, first);
+        if (shape.coherent()) {
+            if (!bundles.take(shape, first)) asPacket(shape, first);
             continue;
         }
         scratch.groups[scratch.groupCount++] = static_cast<std::uint32_t>(first);
         if (scratch.groupCount == StreamScratch::kRays / kGroup) asStream();
     }
+    bundles.finish();
     if (scratch.groupCount >= kFewest) {
         asStream();
     } else {
-        for (std::size_t g = 0; g < scratch.groupCount; ++g) asPacket(scratch.groups[g]);
+        for (std::size_t g = 0; g < scratch.groupCount; ++g)
+            asPacket(shapeOf(rays, scratch.groups[g]), scratch.groups[g]);
     }
     if (whole == rays.count) return;
     const LastGroup last(rays, whole);
@@ -234,7 +382,8 @@ HWY_INLINE void traverseWave(const KernelScene& scene, const RaySpan& rays, Stre
 struct ClosestOutput {
     const HitSpan& hits;
 
-    HWY_INLINE void fromPacket(const Packet<kGroupVectors>& p, std::size_t first, std::size_t count) const {
+    template <typename P>
+    HWY_INLINE void fromPacket(const P& p, std::size_t first, std::size_t count) const {
         store(p.best, p.triangle, p.v, p.w, p.det, first, count);
     }
     HWY_INLINE void fromSlots(const StreamScratch& s, std::size_t group) const {

@@ -1,0 +1,340 @@
+// A bundle: packets of one origin that walk the tree together, as beams. A lane is a packet here, not a ray:
+// no ray has an interval of its own, and what a packet as a whole cannot enter, none of its rays can. In
+// leaves, beams of 16 rays are held against each triangle before any ray is. So rays meet more leaves than
+// they would alone and fewer triangles, and find the same. Included once for each target.
+#if defined(RTCORE_KERNELS_BUNDLE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RTCORE_KERNELS_BUNDLE_INL_H_
+#undef RTCORE_KERNELS_BUNDLE_INL_H_
+#else
+#define RTCORE_KERNELS_BUNDLE_INL_H_
+#endif
+
+#include "rtcore/kernels/packet-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace rtcore {
+namespace HWY_NAMESPACE {
+
+constexpr std::size_t kBundle = 16; ///< packets
+
+/// A packet of a bundle, and what its rays have found: one array for each component.
+struct BundledPacket {
+    static constexpr std::size_t kRays = 64, kBeams = 4, kBeamRays = kRays / kBeams;
+    static_assert(kBeamRays % kLanes == 0);
+
+    alignas(64) float sx[kRays], sy[kRays], minusSz[kRays]; ///< ShearedRays
+    alignas(64) float tMin[kRays];
+    alignas(64) float best[kRays];
+    alignas(64) std::int32_t triangle[kRays];
+    alignas(64) float v[kRays], w[kRays], det[kRays];
+    /// Of each beam the bounds of sx, then of sy, widened by what rounding may do to the leaf test.
+    alignas(64) float beams[4 * kBeams];
+    std::size_t first; ///< the index of its first ray
+    AlongAxis along;
+};
+
+/// Packets of one origin and one octant of directions.
+class Bundle {
+  public:
+    std::size_t size = 0;
+    Vec3 origin;
+    bool negative[3] = {}; ///< by axis: directions point down it
+    BundledPacket packets[kBundle];
+    /// By packet. Along the axes signs are taken out: all directions count as positive.
+    alignas(64) float inverseLo[3][kBundle], inverseHi[3][kBundle];
+    alignas(64) float begin[kBundle], end[kBundle]; ///< of the interval in the root's cell
+    alignas(64) float reach[kBundle];               ///< nothing further away matters to any ray
+    alignas(64) float slack[kBundle];
+
+    bool full() const { return size == kBundle; }
+    /// Whether a packet of this origin and these signs can join those that are there.
+    bool suits(Vec3 from, const bool (&signs)[3]) const {
+        return size == 0 || (from == origin && std::equal(signs, signs + 3, negative));
+    }
+};
+
+/// The triangles of a leaf, some at a time, as seen from the common origin.
+class BundledTriangles {
+  public:
+    static constexpr std::size_t kMost = 32;
+
+    /// Common triangles of the leaf, from its reference `first` on.
+    HWY_INLINE BundledTriangles(const KernelScene& scene, const Leaf& leaf, std::uint32_t first, Vec3 origin)
+        : count(std::min<std::size_t>(leaf.common - first, kMost)) {
+        const FloatTag d;
+        if (scene.records == nullptr) {
+            for (std::size_t i = 0; i < count; ++i)
+                take(cornersOf(scene, leaf, first + static_cast<std::uint32_t>(i)), i, origin);
+            return;
+        }
+        const float* const records = scene.records + kFloatsPerRecord * leaf.first + first;
+        for (std::size_t c = 0; c < 9; ++c) {
+            const Floats from = hn::Set(d, origin[static_cast<int>(c % 3)]);
+            for (std::size_t i = 0; i < count; i += kLanes)
+                hn::Store(hn::Sub(from, hn::LoadU(d, records + c * leaf.count + i)), d, offsets_[c] + i);
+        }
+        const auto* const indices =
+            reinterpret_cast<const std::int32_t*>(records + 9 * std::size_t{leaf.count});
+        const IntTag di;
+        for (std::size_t i = 0; i < count; i += kLanes)
+            hn::Store(hn::LoadU(di, indices + i), di, triangle + i);
+    }
+
+    /// Of corner `c` along `axis`, by triangle: the origin minus it.
+    HWY_INLINE const float* offsets(std::size_t c, int axis) const {
+        return offsets_[3 * c + static_cast<std::size_t>(axis)];
+    }
+
+    std::size_t count;
+    alignas(64) std::int32_t triangle[kMost];
+
+  private:
+    HWY_INLINE void take(const Corners& corners, std::size_t i, Vec3 origin) {
+        std::size_t c = 0;
+        for (const float* const corner : {corners.a, corners.b, corners.c}) {
+            for (int axis = 0; axis < 3; ++axis)
+                offsets_[c++][i] = origin[axis] - corner[static_cast<std::size_t>(axis) * corners.stride];
+        }
+        triangle[i] = corners.triangle;
+    }
+
+    alignas(64) float offsets_[9][kMost];
+};
+
+class BundleWalk {
+  public:
+    BundleWalk(const KernelScene& scene, Bundle& bundle) : scene_(scene), bundle_(bundle) {}
+
+    /// Finds what the rays of all packets hit.
+    HWY_NOINLINE void run() {
+        const FloatTag d;
+        Lanes begin, end;
+        for (std::size_t k = 0; k < kVectors; ++k) {
+            begin.of[k] = hn::Load(d, bundle_.begin + k * kLanes);
+            end.of[k] = hn::Load(d, bundle_.end + k * kLanes);
+        }
+        const KdNode* const nodes = scene_.nodes;
+        std::size_t waiting = 0;
+        std::uint32_t index = 0;
+        while (true) {
+            const KdNode node = nodes[index];
+            if (!node.isLeaf()) {
+                index = descend(node, begin, end, waiting);
+                continue;
+            }
+            if (node.count() != 0) testLeaf({scene_, node}, begin, end);
+            bool alive = false;
+            do {
+                if (waiting == 0) return;
+                alive = take(stack_[--waiting], begin, end);
+            } while (!alive);
+            index = stack_[waiting].node;
+        }
+    }
+
+  private:
+    static constexpr std::size_t kVectors = kBundle / kLanes;
+    static constexpr std::size_t kBeamVectors = BundledPacket::kBeamRays / kLanes;
+
+    struct Lanes {
+        Floats of[kVectors];
+    };
+    struct WaitingBundle {
+        alignas(64) float begin[kBundle], end[kBundle];
+        std::uint32_t node;
+    };
+
+    /// The next node; leaves the intervals of its cell in `begin` and `end`.
+    HWY_INLINE std::uint32_t descend(KdNode node, Lanes& begin, Lanes& end, std::size_t& waiting) {
+        const FloatTag d;
+        const int axis = node.axis();
+        const bool negative = bundle_.negative[axis];
+        const float ahead = negative ? bundle_.origin[axis] - node.split : node.split - bundle_.origin[axis];
+        const std::uint32_t near = node.lowerChild() + (negative ? 1 : 0),
+                            far = node.lowerChild() + (negative ? 0 : 1);
+        const Floats distance = hn::Set(d, ahead);
+        Lanes nearEnd, farBegin;
+        Mask entersNear = hn::FirstN(d, 0), entersFar = hn::FirstN(d, 0);
+        for (std::size_t k = 0; k < kVectors; ++k) {
+            const Floats p = hn::Mul(distance, hn::Load(d, bundle_.inverseLo[axis] + k * kLanes));
+            const Floats q = hn::Mul(distance, hn::Load(d, bundle_.inverseHi[axis] + k * kLanes));
+            farBegin.of[k] = hn::Max(begin.of[k], hn::Mul(hn::Min(p, q), hn::Set(d, kPlaneDown)));
+            nearEnd.of[k] = hn::Min(end.of[k], hn::Mul(hn::Max(p, q), hn::Set(d, kPlaneUp)));
+            entersNear = hn::Or(entersNear, hn::Le(begin.of[k], nearEnd.of[k]));
+            entersFar = hn::Or(entersFar, hn::Le(farBegin.of[k], end.of[k]));
+        }
+        if (hn::AllFalse(d, entersFar)) return near;
+        if (hn::AllFalse(d, entersNear)) {
+            begin = farBegin;
+            return far;
+        }
+        const KdNode child = scene_.nodes[far];
+        if (!(child.isLeaf() && child.count() == 0)) {
+            WaitingBundle& entry = stack_[waiting++];
+            entry.node = far;
+            for (std::size_t k = 0; k < kVectors; ++k) {
+                hn::Store(farBegin.of[k], d, entry.begin + k * kLanes);
+                hn::Store(end.of[k], d, entry.end + k * kLanes);
+            }
+        }
+        end = nearEnd;
+        return near;
+    }
+
+    /// Takes over the intervals that waited, cut at what was hit since; false when no packet is left.
+    HWY_INLINE bool take(const WaitingBundle& entry, Lanes& begin, Lanes& end) const {
+        const FloatTag d;
+        Mask alive = hn::FirstN(d, 0);
+        for (std::size_t k = 0; k < kVectors; ++k) {
+            begin.of[k] = hn::Load(d, entry.begin + k * kLanes);
+            end.of[k] = hn::Min(hn::Load(d, entry.end + k * kLanes), hn::Load(d, bundle_.reach + k * kLanes));
+            alive = hn::Or(alive, hn::Le(begin.of[k], end.of[k]));
+        }
+        return !hn::AllFalse(d, alive);
+    }
+
+    HWY_INLINE void testLeaf(const Leaf& leaf, const Lanes& begin, const Lanes& end) {
+        for (std::uint32_t i = 0; i < leaf.common; i += BundledTriangles::kMost) {
+            const BundledTriangles triangles(scene_, leaf, i, bundle_.origin);
+            forEachAlive(begin, end, [&](std::size_t p) HWY_ATTR { testPacket(triangles, p); });
+        }
+        if (HWY_LIKELY(leaf.common == leaf.count)) return;
+        forEachAlive(begin, end, [&](std::size_t p) HWY_ATTR { testNarrow(leaf, p); });
+    }
+
+    template <typename Work>
+    HWY_INLINE void forEachAlive(const Lanes& begin, const Lanes& end, const Work& work) const {
+        for (std::size_t k = 0; k < kVectors; ++k)
+            forEachLane(hn::Le(begin.of[k], end.of[k]),
+                        [&](std::size_t lane) HWY_ATTR { work(k * kLanes + lane); });
+    }
+
+    /// Which triangles each beam of a packet may meet, a bit for each.
+    struct Candidates {
+        std::uint32_t of[BundledPacket::kBeams];
+    };
+    HWY_INLINE static Candidates candidatesOf(const BundledTriangles& triangles,
+                                              const BundledPacket& packet) {
+        const FloatTag d;
+        const AlongAxis& along = packet.along;
+        Candidates found{};
+        for (std::size_t i = 0; i < triangles.count; i += kLanes) {
+            Floats x[3], y[3], z[3];
+            for (std::size_t c = 0; c < 3; ++c) {
+                x[c] = hn::Load(d, triangles.offsets(c, along.kx) + i);
+                y[c] = hn::Load(d, triangles.offsets(c, along.ky) + i);
+                z[c] = hn::Load(d, triangles.offsets(c, along.kz) + i);
+            }
+            const auto apart = [&](const Floats(&corners)[3], const float* bounds) HWY_ATTR {
+                Floats least = hn::Set(d, std::numeric_limits<float>::max()), most = hn::Neg(least);
+                for (std::size_t side = 0; side < 2; ++side) {
+                    const Floats shear = hn::Set(d, bounds[side]);
+                    for (std::size_t c = 0; c < 3; ++c) {
+                        const Floats across = hn::NegMulAdd(shear, z[c], corners[c]);
+                        least = hn::Min(least, across);
+                        most = hn::Max(most, across);
+                    }
+                }
+                return hn::Or(hn::Gt(least, hn::Zero(d)), hn::Lt(most, hn::Zero(d)));
+            };
+            for (std::size_t b = 0; b < BundledPacket::kBeams; ++b) {
+                const auto out = hn::Or(apart(x, packet.beams + 4 * b), apart(y, packet.beams + 4 * b + 2));
+                found.of[b] |= bitsOf(hn::Not(out)) << i;
+            }
+        }
+        const std::uint32_t there = ~std::uint32_t{0} >> (BundledTriangles::kMost - triangles.count);
+        for (std::uint32_t& which : found.of) which &= there;
+        return found;
+    }
+
+    HWY_NOINLINE void testPacket(const BundledTriangles& triangles, std::size_t p) {
+        BundledPacket& packet = bundle_.packets[p];
+        const Candidates candidates = candidatesOf(triangles, packet);
+        bool any = false;
+        for (std::size_t b = 0; b < BundledPacket::kBeams; ++b) {
+            if (candidates.of[b] == 0) continue;
+            for (std::size_t k = 0; k < kBeamVectors; ++k)
+                testVector(triangles, packet, candidates.of[b], b * BundledPacket::kBeamRays + k * kLanes);
+            any = true;
+        }
+        if (any) measureReach(p);
+    }
+
+    HWY_INLINE void testVector(const BundledTriangles& triangles, BundledPacket& packet, std::uint32_t which,
+                               std::size_t at) {
+        const FloatTag d;
+        const IntTag di;
+        const AlongAxis& along = packet.along;
+        const ShearedRays rays = shearedRays(packet, at);
+        const Floats tMin = hn::Load(d, packet.tMin + at);
+        Found found = foundSoFar(packet, at);
+        for (; which != 0; which &= which - 1) {
+            const auto i = static_cast<std::size_t>(std::countr_zero(which));
+            const auto offset = [&](std::size_t c) HWY_ATTR {
+                return Offset{hn::Set(d, triangles.offsets(c, along.kx)[i]),
+                              hn::Set(d, triangles.offsets(c, along.ky)[i]),
+                              hn::Set(d, triangles.offsets(c, along.kz)[i])};
+            };
+            keepHits<false>(edgeTest(offset(0), offset(1), offset(2), rays), triangles.triangle[i], tMin,
+                            hn::FirstN(d, kLanes), found);
+        }
+        keep(found, packet, at);
+    }
+
+    HWY_NOINLINE void testNarrow(const Leaf& leaf, std::size_t p) {
+        const FloatTag d;
+        BundledPacket& packet = bundle_.packets[p];
+        for (std::size_t at = 0; at < BundledPacket::kRays; at += kLanes) {
+            Found found = foundSoFar(packet, at);
+            testNarrowTriangles<false>(scene_, leaf, packet.along, shearedRays(packet, at),
+                                       hn::Load(d, packet.tMin + at), hn::FirstN(d, kLanes), found);
+            keep(found, packet, at);
+        }
+        measureReach(p);
+    }
+
+    HWY_INLINE ShearedRays shearedRays(const BundledPacket& packet, std::size_t at) const {
+        const FloatTag d;
+        const Vec3 from = bundle_.origin;
+        return {hn::Set(d, from[packet.along.kx]), hn::Set(d, from[packet.along.ky]),
+                hn::Set(d, from[packet.along.kz]), hn::Load(d, packet.sx + at),
+                hn::Load(d, packet.sy + at),       hn::Load(d, packet.minusSz + at)};
+    }
+    HWY_INLINE static Found foundSoFar(const BundledPacket& packet, std::size_t at) {
+        const FloatTag d;
+        return {hn::Load(d, packet.best + at),
+                hn::Load(IntTag(), packet.triangle + at),
+                hn::Load(d, packet.v + at),
+                hn::Load(d, packet.w + at),
+                hn::Load(d, packet.det + at),
+                hn::FirstN(d, 0),
+                hn::FirstN(d, 0)};
+    }
+    HWY_INLINE static void keep(const Found& found, BundledPacket& packet, std::size_t at) {
+        const FloatTag d;
+        hn::Store(found.best, d, packet.best + at);
+        hn::Store(found.triangle, IntTag(), packet.triangle + at);
+        hn::Store(found.v, d, packet.v + at);
+        hn::Store(found.w, d, packet.w + at);
+        hn::Store(found.det, d, packet.det + at);
+    }
+
+    HWY_INLINE void measureReach(std::size_t p) {
+        const FloatTag d;
+        const BundledPacket& packet = bundle_.packets[p];
+        Floats most = hn::Load(d, packet.best);
+        for (std::size_t at = kLanes; at < BundledPacket::kRays; at += kLanes)
+            most = hn::Max(most, hn::Load(d, packet.best + at));
+        bundle_.reach[p] = hn::GetLane(hn::MaxOfLanes(d, most)) + bundle_.slack[p];
+    }
+
+    const KernelScene& scene_;
+    Bundle& bundle_;
+    WaitingBundle stack_[kMaxKdDepth];
+};
+
+} // namespace HWY_NAMESPACE
+} // namespace rtcore
+HWY_AFTER_NAMESPACE();
+
+#endif
