@@ -9,6 +9,7 @@
 #define RTCORE_KERNELS_BUNDLE_INL_H_
 #endif
 
+#include "rtcore/kernels/beam-inl.h"
 #include "rtcore/kernels/packet-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -27,8 +28,7 @@ struct BundledPacket {
     alignas(64) float best[kRays];
     alignas(64) std::int32_t triangle[kRays];
     alignas(64) float v[kRays], w[kRays], det[kRays];
-    /// Of each beam the bounds of sx, then of sy, widened by what rounding may do to the leaf test.
-    alignas(64) float beams[4 * kBeams];
+    Beam beams[kBeams];
     std::size_t first; ///< the index of its first ray
     AlongAxis along;
 };
@@ -36,6 +36,14 @@ struct BundledPacket {
 /// Packets of one origin and one octant of directions.
 class Bundle {
   public:
+    /// Lanes without a packet must not become NaN, which min() forgets.
+    Bundle() {
+        for (auto* const inverses : {inverseLo, inverseHi}) {
+            for (int axis = 0; axis < 3; ++axis) std::fill_n(inverses[axis], kBundle, 1.0F);
+        }
+        std::fill_n(reach, kBundle, -1.0F);
+    }
+
     std::size_t size = 0;
     Vec3 origin;
     bool negative[3] = {}; ///< by axis: directions point down it
@@ -51,54 +59,6 @@ class Bundle {
     bool suits(Vec3 from, const bool (&signs)[3]) const {
         return size == 0 || (from == origin && std::equal(signs, signs + 3, negative));
     }
-};
-
-/// The triangles of a leaf, some at a time, as seen from the common origin.
-class BundledTriangles {
-  public:
-    static constexpr std::size_t kMost = 32;
-
-    /// Common triangles of the leaf, from its reference `first` on.
-    HWY_INLINE BundledTriangles(const KernelScene& scene, const Leaf& leaf, std::uint32_t first, Vec3 origin)
-        : count(std::min<std::size_t>(leaf.common - first, kMost)) {
-        const FloatTag d;
-        if (scene.records == nullptr) {
-            for (std::size_t i = 0; i < count; ++i)
-                take(cornersOf(scene, leaf, first + static_cast<std::uint32_t>(i)), i, origin);
-            return;
-        }
-        const float* const records = scene.records + kFloatsPerRecord * leaf.first + first;
-        for (std::size_t c = 0; c < 9; ++c) {
-            const Floats from = hn::Set(d, origin[static_cast<int>(c % 3)]);
-            for (std::size_t i = 0; i < count; i += kLanes)
-                hn::Store(hn::Sub(from, hn::LoadU(d, records + c * leaf.count + i)), d, offsets_[c] + i);
-        }
-        const auto* const indices =
-            reinterpret_cast<const std::int32_t*>(records + 9 * std::size_t{leaf.count});
-        const IntTag di;
-        for (std::size_t i = 0; i < count; i += kLanes)
-            hn::Store(hn::LoadU(di, indices + i), di, triangle + i);
-    }
-
-    /// Of corner `c` along `axis`, by triangle: the origin minus it.
-    HWY_INLINE const float* offsets(std::size_t c, int axis) const {
-        return offsets_[3 * c + static_cast<std::size_t>(axis)];
-    }
-
-    std::size_t count;
-    alignas(64) std::int32_t triangle[kMost];
-
-  private:
-    HWY_INLINE void take(const Corners& corners, std::size_t i, Vec3 origin) {
-        std::size_t c = 0;
-        for (const float* const corner : {corners.a, corners.b, corners.c}) {
-            for (int axis = 0; axis < 3; ++axis)
-                offsets_[c++][i] = origin[axis] - corner[static_cast<std::size_t>(axis) * corners.stride];
-        }
-        triangle[i] = corners.triangle;
-    }
-
-    alignas(64) float offsets_[9][kMost];
 };
 
 class BundleWalk {
@@ -194,8 +154,8 @@ class BundleWalk {
     }
 
     HWY_INLINE void testLeaf(const Leaf& leaf, const Lanes& begin, const Lanes& end) {
-        for (std::uint32_t i = 0; i < leaf.common; i += BundledTriangles::kMost) {
-            const BundledTriangles triangles(scene_, leaf, i, bundle_.origin);
+        for (std::uint32_t i = 0; i < leaf.common; i += SeenTriangles::kMost) {
+            const SeenTriangles triangles(scene_, leaf, i, bundle_.origin);
             forEachAlive(begin, end, [&](std::size_t p) HWY_ATTR { testPacket(triangles, p); });
         }
         if (HWY_LIKELY(leaf.common == leaf.count)) return;
@@ -209,58 +169,23 @@ class BundleWalk {
                         [&](std::size_t lane) HWY_ATTR { work(k * kLanes + lane); });
     }
 
-    /// Which triangles each beam of a packet may meet, a bit for each.
-    struct Candidates {
-        std::uint32_t of[BundledPacket::kBeams];
-    };
-    HWY_INLINE static Candidates candidatesOf(const BundledTriangles& triangles,
-                                              const BundledPacket& packet) {
-        const FloatTag d;
-        const AlongAxis& along = packet.along;
-        Candidates found{};
-        for (std::size_t i = 0; i < triangles.count; i += kLanes) {
-            Floats x[3], y[3], z[3];
-            for (std::size_t c = 0; c < 3; ++c) {
-                x[c] = hn::Load(d, triangles.offsets(c, along.kx) + i);
-                y[c] = hn::Load(d, triangles.offsets(c, along.ky) + i);
-                z[c] = hn::Load(d, triangles.offsets(c, along.kz) + i);
-            }
-            const auto apart = [&](const Floats(&corners)[3], const float* bounds) HWY_ATTR {
-                Floats least = hn::Set(d, std::numeric_limits<float>::max()), most = hn::Neg(least);
-                for (std::size_t side = 0; side < 2; ++side) {
-                    const Floats shear = hn::Set(d, bounds[side]);
-                    for (std::size_t c = 0; c < 3; ++c) {
-                        const Floats across = hn::NegMulAdd(shear, z[c], corners[c]);
-                        least = hn::Min(least, across);
-                        most = hn::Max(most, across);
-                    }
-                }
-                return hn::Or(hn::Gt(least, hn::Zero(d)), hn::Lt(most, hn::Zero(d)));
-            };
-            for (std::size_t b = 0; b < BundledPacket::kBeams; ++b) {
-                const auto out = hn::Or(apart(x, packet.beams + 4 * b), apart(y, packet.beams + 4 * b + 2));
-                found.of[b] |= bitsOf(hn::Not(out)) << i;
-            }
-        }
-        const std::uint32_t there = ~std::uint32_t{0} >> (BundledTriangles::kMost - triangles.count);
-        for (std::uint32_t& which : found.of) which &= there;
-        return found;
-    }
-
-    HWY_NOINLINE void testPacket(const BundledTriangles& triangles, std::size_t p) {
+    HWY_NOINLINE void testPacket(const SeenTriangles& triangles, std::size_t p) {
         BundledPacket& packet = bundle_.packets[p];
-        const Candidates candidates = candidatesOf(triangles, packet);
-        bool any = false;
+        std::uint32_t candidates[BundledPacket::kBeams];
+        findCandidates<true>(triangles, packet.along, packet.beams, candidates);
+        Mask changed = hn::FirstN(FloatTag(), 0);
         for (std::size_t b = 0; b < BundledPacket::kBeams; ++b) {
-            if (candidates.of[b] == 0) continue;
-            for (std::size_t k = 0; k < kBeamVectors; ++k)
-                testVector(triangles, packet, candidates.of[b], b * BundledPacket::kBeamRays + k * kLanes);
-            any = true;
+            if (candidates[b] == 0) continue;
+            for (std::size_t k = 0; k < kBeamVectors; ++k) {
+                const std::size_t at = b * BundledPacket::kBeamRays + k * kLanes;
+                changed = hn::Or(changed, testVector(triangles, packet, candidates[b], at));
+            }
         }
-        if (any) measureReach(p);
+        if (!hn::AllFalse(FloatTag(), changed)) measureReach(p);
     }
 
-    HWY_INLINE void testVector(const BundledTriangles& triangles, BundledPacket& packet, std::uint32_t which,
+    /// Returns the rays that hit something.
+    HWY_INLINE Mask testVector(const SeenTriangles& triangles, BundledPacket& packet, std::uint32_t which,
                                std::size_t at) {
         const FloatTag d;
         const IntTag di;
@@ -279,6 +204,7 @@ class BundleWalk {
                             hn::FirstN(d, kLanes), found);
         }
         keep(found, packet, at);
+        return found.changed;
     }
 
     HWY_NOINLINE void testNarrow(const Leaf& leaf, std::size_t p) {

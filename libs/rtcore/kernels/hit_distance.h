@@ -18,7 +18,9 @@ namespace rtcore {
 /// distance `t` is a mean of the corners', whose error grows with the triangle: too much for a ray that
 /// starts beside a large wall. Where the plane is seen so nearly edge-on that its distance is the worse one,
 /// or `t` is that of a narrow triangle in doubt, precise already (narrow_noise.h), `t` stays.
-inline float planeDistance(const Mesh& mesh, std::uint32_t index, Vec3 origin, Vec3 direction, float t) {
+/// `noise`: narrowNoise() of the triangle.
+inline float planeDistance(const Mesh& mesh, std::uint32_t index, float noise, Vec3 origin, Vec3 direction,
+                           float t) {
     const Vec3 corners[3] = {mesh.position(index, 0), mesh.position(index, 1), mesh.position(index, 2)};
     const Vec3 a = corners[0] - origin;
     const Vec3 b = corners[1] - origin;
@@ -30,7 +32,6 @@ inline float planeDistance(const Mesh& mesh, std::uint32_t index, Vec3 origin, V
     const Vec3 nearest = aa <= bb && aa <= cc ? a : bb <= cc ? b : c;
     const float farthest = aa >= bb && aa >= cc ? aa : bb >= cc ? bb : cc;
     const float facing = dot(normal, direction);
-    const float noise = narrowNoise(corners[0], corners[1], corners[2]);
     if (noise > 0 && isDoubtful(facing * t, noise)) return t;
     const float exact = dot(normal, nearest) / facing;
     const float apart = exact - t;
@@ -46,9 +47,15 @@ inline bool isNear(const Ray& ray, const Hit& hit, float limit) {
 }
 
 /// Puts planeDistance() into a hit that is near; it stays inside the ray's range.
+inline void refineDistance(const Mesh& mesh, float noise, const Ray& ray, Hit& hit) {
+    hit.t = std::clamp(planeDistance(mesh, hit.triangle, noise, ray.origin, ray.direction, hit.t), ray.tMin,
+                       ray.tMax);
+}
+
 inline void refineDistance(const Mesh& mesh, const Ray& ray, Hit& hit) {
-    hit.t =
-        std::clamp(planeDistance(mesh, hit.triangle, ray.origin, ray.direction, hit.t), ray.tMin, ray.tMax);
+    const float noise = narrowNoise(mesh.position(hit.triangle, 0), mesh.position(hit.triangle, 1),
+                                    mesh.position(hit.triangle, 2));
+    refineDistance(mesh, noise, ray, hit);
 }
 
 } // namespace rtcore

@@ -259,21 +259,19 @@ HWY_INLINE Mask testTriangle(const Corners& corners, const Along& along, const S
 
 HWY_INLINE AlongAxis alongAxis(int kz) { return {(kz + 1) % 3, (kz + 2) % 3, kz}; }
 
-/// Tests the common triangles of a leaf. For any hit `onHit` gets the corners of each that was hit.
+/// Tests the common triangle `i` of a leaf. For any hit `onHit` gets its corners where it was hit.
 template <bool kAny, typename Along, typename OnHit>
-HWY_INLINE void testTriangles(const KernelScene& scene, const Leaf& leaf, const Along& along,
-                              const ShearedRays& rays, Floats tMin, Mask inCell, Found& found,
-                              const OnHit& onHit) {
-    for (std::uint32_t i = 0; i < leaf.common; ++i) {
-        const Corners corners = cornersOf(scene, leaf, i);
-        if (isPassed<kAny>(scene, corners)) {
-            keepPassed(edgeTest(corners, along, rays), tMin, inCell, found);
-            continue;
-        }
-        const Mask hit = testTriangle<kAny>(corners, along, rays, tMin, inCell, found);
-        if constexpr (kAny) {
-            if (!hn::AllFalse(FloatTag(), hit)) onHit(corners);
-        }
+HWY_INLINE void testCommon(const KernelScene& scene, const Leaf& leaf, std::uint32_t i, const Along& along,
+                           const ShearedRays& rays, Floats tMin, Mask inCell, Found& found,
+                           const OnHit& onHit) {
+    const Corners corners = cornersOf(scene, leaf, i);
+    if (isPassed<kAny>(scene, corners)) {
+        keepPassed(edgeTest(corners, along, rays), tMin, inCell, found);
+        return;
+    }
+    const Mask hit = testTriangle<kAny>(corners, along, rays, tMin, inCell, found);
+    if constexpr (kAny) {
+        if (!hn::AllFalse(FloatTag(), hit)) onHit(corners);
     }
 }
 
@@ -282,6 +280,15 @@ HWY_INLINE std::uint32_t bitsOf(Mask lanes) {
     std::uint8_t bytes[8] = {};
     hn::StoreMaskBits(FloatTag(), lanes, bytes);
     return std::uint32_t{bytes[0]} | std::uint32_t{bytes[1]} << 8U;
+}
+
+/// The same for all of them.
+template <bool kAny, typename Along, typename OnHit>
+HWY_INLINE void testTriangles(const KernelScene& scene, const Leaf& leaf, const Along& along,
+                              const ShearedRays& rays, Floats tMin, Mask inCell, Found& found,
+                              const OnHit& onHit) {
+    for (std::uint32_t i = 0; i < leaf.common; ++i)
+        testCommon<kAny>(scene, leaf, i, along, rays, tMin, inCell, found, onHit);
 }
 
 /// Calls `work` with the number of each lane that `lanes` holds.

@@ -9,7 +9,7 @@ namespace rtcore {
 
 namespace {
 
-std::vector<float> noiseOf(const Mesh& mesh) {
+std::vector<float> noiseOfAll(const Mesh& mesh) {
     std::vector<float> noise(mesh.triangles.size());
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < noise.size(); ++i) {
@@ -21,7 +21,7 @@ std::vector<float> noiseOf(const Mesh& mesh) {
 
 } // namespace
 
-NarrowTriangles::NarrowTriangles(const KdTree& tree, const Mesh& mesh) : noise(noiseOf(mesh)) {
+NarrowTriangles::NarrowTriangles(const KdTree& tree, const Mesh& mesh) : noise(noiseOfAll(mesh)) {
     if (std::all_of(noise.begin(), noise.end(), [](float n) { return n == 0; })) {
         noise = {};
         return;

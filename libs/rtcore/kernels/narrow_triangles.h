@@ -13,6 +13,9 @@ namespace rtcore {
 struct NarrowTriangles {
     NarrowTriangles(const KdTree& tree, const Mesh& mesh);
 
+    /// narrowNoise() of it.
+    float noiseOf(std::uint32_t triangle) const { return noise.empty() ? 0 : noise[triangle]; }
+
     std::vector<float> noise;              ///< narrowNoise() of each triangle
     std::vector<std::uint32_t> references; ///< those of the tree, in each leaf the narrow ones last
     std::vector<std::uint32_t> bits;       ///< one for each of them, 32 to a word: whether it is narrow

@@ -8,6 +8,7 @@
 #define RTCORE_KERNELS_PACKET_INL_H_
 #endif
 
+#include "rtcore/kernels/beam-inl.h"
 #include "rtcore/kernels/narrow_leaf-inl.h"
 #include "rtcore/kernels/rounding.h"
 #include "rtcore/kernels/triangle_block-inl.h"
@@ -40,6 +41,12 @@ struct Packet {
     alignas(64) std::int32_t triangle[kSize];
     alignas(64) Array v, w, det;
     float slack; ///< the largest of all rays'
+
+    /// On ray `i`.
+    HWY_INLINE Vec3 at(std::size_t i, float t) const {
+        return {origin[0][i] + direction[0][i] * t, origin[1][i] + direction[1][i] * t,
+                origin[2][i] + direction[2][i] * t};
+    }
 };
 
 /// The bounds of a component over the rays of a packet.
@@ -90,6 +97,9 @@ class PacketWalk {
 
     /// Needed before run() unless kShared is Nothing: all rays have the dominant axis `kz`.
     HWY_INLINE void setAxis(int kz) { along_ = alongAxis(kz); }
+    /// Needed as well: a point that all rays pass, or as near to them as there is one. Their beams are seen
+    /// from there.
+    HWY_INLINE void setPoint(Vec3 point) { point_ = point; }
 
     /// Visits all leaves below `root` that any ray meets.
     HWY_NOINLINE void run(std::uint32_t root, const Culling& culling) {
@@ -116,6 +126,7 @@ class PacketWalk {
                 index = descend(node, culling, t0, t1, interval, waiting);
                 continue;
             }
+            if constexpr (kAny) cost += kLeafCost + node.count();
             if (node.count() != 0 && testLeaf({scene_, node}, t0, t1)) return;
             bool alive = false;
             do {
@@ -128,6 +139,8 @@ class PacketWalk {
     }
 
   private:
+    static constexpr std::uint32_t kStepCost = 1, kLeafCost = 2; ///< in tests of a triangle
+    static constexpr std::uint32_t kWorthCulling = 4;            ///< triangles of a leaf
     static constexpr std::size_t kTestCost = 10, kBlockCost = 25, kRayCost = 13;
     static constexpr float kDown = kPlaneDown;
     static constexpr float kUp = kPlaneUp;
@@ -178,6 +191,23 @@ class PacketWalk {
         if (hn::AllFalse(d, entersFar)) return near;
         if (hn::AllFalse(d, entersNear)) return far;
         WaitingPacket<kVectors>& entry = stack_[waiting++];
+        if constexpr (kAny) {
+            cost += kStepCost;
+            if (farFirst) {
+                entry.node = near;
+                if constexpr (kCull) {
+                    entry.interval = {interval.lo, std::min(interval.hi, planes.hi * kUp)};
+                    interval.lo = std::max(interval.lo, planes.lo * kDown);
+                }
+                RTCORE_EACH_VECTOR
+                for (std::size_t i = 0; i < kVectors; ++i) {
+                    hn::Store(t0[i], d, entry.t0 + i * kLanes);
+                    hn::Store(nearEnd[i], d, entry.t1 + i * kLanes);
+                    t0[i] = farBegin[i];
+                }
+                return far;
+            }
+        }
         entry.node = far;
         if constexpr (kCull) {
             entry.interval = {std::max(interval.lo, planes.lo * kDown), interval.hi};
@@ -288,8 +318,29 @@ class PacketWalk {
                 const IntTag di;
                 const auto axis = [&](std::int32_t x) HWY_ATTR { return hn::BitCast(d, hn::Set(di, x)); };
                 hn::Store(hn::BitCast(di, order.choose(axis(0), axis(1), axis(2))), di, axis_ + at);
+            } else {
+                beams_[i] = beamOf(rays);
             }
         }
+    }
+
+    HWY_INLINE Beam beamOf(const ShearedRays& rays) const {
+        constexpr float kWider = Beam::kWider;
+        const FloatTag d;
+        const Floats level = hn::Sub(hn::Set(d, point_[along_.kz]), rays.z);
+        Beam beam;
+        for (const int side : {0, 1}) {
+            const Floats shear = side == 0 ? rays.sx : rays.sy;
+            beam.shear[side][0] = hn::GetLane(hn::MinOfLanes(d, shear)) - kWider;
+            beam.shear[side][1] = hn::GetLane(hn::MaxOfLanes(d, shear)) + kWider;
+            const Floats across =
+                hn::Sub(hn::Set(d, point_[side == 0 ? along_.kx : along_.ky]), side == 0 ? rays.x : rays.y);
+            const Floats place = hn::NegMulAdd(shear, level, across);
+            const Floats wider = hn::Mul(hn::Add(hn::Abs(across), hn::Abs(level)), hn::Set(d, kWider));
+            beam.place[side][0] = hn::GetLane(hn::MinOfLanes(d, hn::Sub(place, wider)));
+            beam.place[side][1] = hn::GetLane(hn::MaxOfLanes(d, hn::Add(place, wider)));
+        }
+        return beam;
     }
 
     HWY_INLINE ShearedRays shearedRays(std::size_t at) const {
@@ -326,6 +377,10 @@ class PacketWalk {
             return testRayByRay(leaf, t0, t1) || (HWY_UNLIKELY(hasNarrow) && testNarrow(leaf, t0, t1));
         }
         const auto remember = [&](const Corners& corners) HWY_ATTR { occluder = corners; };
+        if constexpr (kShared != Shared::Nothing) {
+            if (leaf.common >= kWorthCulling)
+                return testCulled(leaf, t0, t1) || (HWY_UNLIKELY(hasNarrow) && testNarrow(leaf, t0, t1));
+        }
         const auto test = [&](std::size_t at, Mask inCell, Found& found) HWY_ATTR {
             const Floats tMin = hn::Load(d, packet_.tMin + at);
             const ShearedRays rays = shearedRays(at);
@@ -338,6 +393,30 @@ class PacketWalk {
             });
         };
         return testVectors(test, t0, t1);
+    }
+
+    /// Tests the common triangles of a leaf against those vectors whose beams may meet them.
+    HWY_NOINLINE bool testCulled(const Leaf& leaf, const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
+        const FloatTag d;
+        const auto remember = [&](const Corners& corners) HWY_ATTR { occluder = corners; };
+        for (std::uint32_t first = 0; first < leaf.common; first += SeenTriangles::kMost) {
+            const SeenTriangles triangles(scene_, leaf, first, point_);
+            const auto test = [&](std::size_t at, Mask inCell, Found& found) HWY_ATTR {
+                std::uint32_t candidates[1];
+                findCandidates<kShared == Shared::Origin>(triangles, along_, &beams_[at / kLanes],
+                                                          candidates);
+                std::uint32_t which = candidates[0];
+                if (which == 0) return;
+                const Floats tMin = hn::Load(d, packet_.tMin + at);
+                const ShearedRays rays = shearedRays(at);
+                for (; which != 0; which &= which - 1) {
+                    const auto i = first + static_cast<std::uint32_t>(std::countr_zero(which));
+                    testCommon<kAny>(scene_, leaf, i, along_, rays, tMin, inCell, found, remember);
+                }
+            };
+            if (testVectors(test, t0, t1)) return true;
+        }
+        return false;
     }
 
     /// Tests the narrow triangles of a leaf.
@@ -488,11 +567,16 @@ class PacketWalk {
     /// For any hit: the last triangle that stopped a ray, if it is not narrow. It is tested first: neighbours
     /// are often stopped by the same.
     Corners occluder;
+    /// For any hit: of two children the one further from the rays' origins is visited first.
+    bool farFirst = false;
+    std::uint32_t cost = 0; ///< for any hit: about what run() took, is added to
 
   private:
     const KernelScene& scene_;
     Packet<kVectors>& packet_;
     AlongAxis along_{0, 0, 0};
+    Vec3 point_;
+    Beam beams_[kVectors];
     bool leavesReady_ = false;
     alignas(64) float sheared_[6][Packet<kVectors>::kSize];
     alignas(64) std::int32_t axis_[Packet<kVectors>::kSize];

@@ -58,7 +58,7 @@ void KdRayTracer::intersect(RayKind /*kind*/, const RayWave& rays, HitWave& hits
     for (std::size_t i = 0; i < near; ++i) {
         const std::uint32_t ray = memory.near[i];
         Hit hit = hits.hit(ray);
-        refineDistance(mesh_, rays.ray(ray), hit);
+        refineDistance(mesh_, narrow_.noiseOf(hit.triangle), rays.ray(ray), hit);
         hits.t[ray] = hit.t;
     }
 }

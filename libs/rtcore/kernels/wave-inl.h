@@ -19,7 +19,8 @@ constexpr std::size_t kGroupVectors = kGroup / kLanes;
 
 /// What the rays of a group have in common.
 struct GroupShape {
-    Range origin[3], direction[3];
+    Range direction[3];
+    Range origin[3]; ///< by addOrigins()
 
     /// Whether they take much the same way: no component of their directions spans more than three tenths of
     /// the longest (docs/performance.md).
@@ -73,15 +74,35 @@ HWY_INLINE Range rangeOf(const float* values) {
 
 HWY_INLINE GroupShape shapeOf(const RaySpan& rays, std::size_t first) {
     GroupShape shape;
-    for (int axis = 0; axis < 3; ++axis) {
-        shape.origin[axis] = rangeOf<kGroup>(rays.origin[axis] + first);
+    for (int axis = 0; axis < 3; ++axis)
         shape.direction[axis] = rangeOf<kGroup>(rays.direction[axis] + first);
-    }
     return shape;
 }
 
+HWY_INLINE bool haveCommonOrigin(const RaySpan& rays, std::size_t first) {
+    const FloatTag d;
+    Mask other = hn::FirstN(d, 0);
+    for (const float* const all : rays.origin) {
+        const Floats one = hn::Set(d, all[first]);
+        for (std::size_t i = first; i < first + kGroup; i += kLanes)
+            other = hn::Or(other, hn::Ne(hn::LoadU(d, all + i), one));
+    }
+    return hn::AllFalse(d, other);
+}
+
+HWY_INLINE void addOrigins(const RaySpan& rays, std::size_t first, GroupShape& shape) {
+    for (int axis = 0; axis < 3; ++axis) shape.origin[axis] = rangeOf<kGroup>(rays.origin[axis] + first);
+}
+
 /// 0, 1, 2 where that is the dominant axis of all; else 3.
-HWY_INLINE int commonAxis(const RaySpan& rays, std::size_t first) {
+HWY_INLINE int commonAxis(const GroupShape& shape, const RaySpan& rays, std::size_t first) {
+    const auto least = [&](int axis) {
+        return std::max(shape.direction[axis].lo, -shape.direction[axis].hi);
+    };
+    const auto most = [&](int axis) { return std::max(-shape.direction[axis].lo, shape.direction[axis].hi); };
+    for (int axis = 0; axis < 3; ++axis) {
+        if (least(axis) > most((axis + 1) % 3) && least(axis) > most((axis + 2) % 3)) return axis;
+    }
     const FloatTag d;
     Mask allX = hn::Eq(hn::Zero(d), hn::Zero(d));
     Mask allY = allX;
@@ -138,6 +159,31 @@ HWY_INLINE void load(const KernelScene& scene, const RaySpan& rays, std::size_t 
     }
 }
 
+/// For any hit, whether to begin at the far end of rays: those of a lamp may be stopped near it, by a roof,
+/// or near where they start. What packets took by each order tells which is better for those that follow.
+class OrderChoice {
+  public:
+    /// For the next packet.
+    HWY_INLINE bool farFirst() {
+        constexpr std::uint32_t kTrial = 32;
+        const bool better = mean_[1] < mean_[0];
+        tried_ = count_ < 2 ? count_ == 1 : count_ % kTrial == 0 ? !better : better;
+        ++count_;
+        return tried_;
+    }
+    /// It took so much.
+    HWY_INLINE void learn(std::uint32_t cost) {
+        constexpr float kNew = 1.0F / 16;
+        float& mean = mean_[tried_ ? 1 : 0];
+        mean = count_ <= 2 ? static_cast<float>(cost) : mean + (static_cast<float>(cost) - mean) * kNew;
+    }
+
+  private:
+    float mean_[2] = {};
+    std::uint32_t count_ = 0;
+    bool tried_ = false;
+};
+
 template <bool kAny>
 class PacketTracer {
   public:
@@ -146,20 +192,23 @@ class PacketTracer {
           byNothing_(scene, packet) {}
 
     /// Traces `count` rays from `first` on; `packet` then holds what they found. All kGroup must be readable.
-    HWY_INLINE void trace(const GroupShape& shape, std::size_t first, std::size_t count) {
+    HWY_INLINE void trace(GroupShape shape, std::size_t first, std::size_t count) {
+        addOrigins(rays_, first, shape);
         load(scene_, rays_, first, count, packet);
         bool any = false;
         for (std::size_t i = 0; i < kGroup; ++i) any |= packet.t0[i] <= packet.t1[i];
         if (!any) return;
         const Culling culling = shape.culling();
-        const int axis = commonAxis(rays_, first);
+        const int axis = commonAxis(shape, rays_, first);
         if (axis == 3) {
             runWalk(byNothing_, culling);
         } else if (shape.commonOrigin()) {
             byOrigin_.setAxis(axis);
+            byOrigin_.setPoint(packet.at(0, 0));
             runWalk(byOrigin_, culling);
         } else {
             byAxis_.setAxis(axis);
+            byAxis_.setPoint(meetingPoint());
             runWalk(byAxis_, culling);
         }
     }
@@ -167,16 +216,40 @@ class PacketTracer {
     Packet<kGroupVectors> packet;
 
   private:
+    /// Shadow rays of a point light end there; others may at least begin near each other.
+    HWY_INLINE Vec3 meetingPoint() const {
+        constexpr float kNear = 4; // of the scene's sides; what is far away says little about small things
+        if constexpr (kAny) {
+            const Vec3 end = packet.at(0, packet.best[0]);
+            bool near = true;
+            for (int axis = 0; axis < 3; ++axis) {
+                const float side = scene_.hi[axis] - scene_.lo[axis];
+                near = near && end[axis] > scene_.lo[axis] - kNear * side &&
+                       end[axis] < scene_.hi[axis] + kNear * side;
+            }
+            if (near) return end;
+        }
+        return packet.at(0, 0);
+    }
+
     template <typename Walk>
     HWY_INLINE void runWalk(Walk& walk, const Culling& culling) {
+        if constexpr (!kAny) {
+            walk.run(0, culling);
+            return;
+        }
         walk.occluder = occluder_;
+        walk.farFirst = order_.farFirst();
+        walk.cost = 0;
         walk.run(0, culling);
+        order_.learn(walk.cost);
         occluder_ = walk.occluder;
     }
 
     const KernelScene& scene_;
     const RaySpan& rays_;
     Corners occluder_;
+    OrderChoice order_;
     PacketWalk<kGroupVectors, Shared::Origin, true, kAny> byOrigin_;
     PacketWalk<kGroupVectors, Shared::Axis, true, kAny> byAxis_;
     PacketWalk<kGroupVectors, Shared::Nothing, true, kAny> byNothing_;
@@ -191,10 +264,10 @@ class BundleTracer {
 
     /// Takes a whole group of much the same direction from `first` on, if it can be bundled.
     HWY_INLINE bool take(const GroupShape& shape, std::size_t first) {
-        if (!shape.commonOrigin() || !shape.oneOctant()) return false;
-        const int axis = commonAxis(rays_, first);
+        if (!haveCommonOrigin(rays_, first) || !shape.oneOctant()) return false;
+        const int axis = commonAxis(shape, rays_, first);
         if (axis == 3) return false;
-        const Vec3 origin{shape.origin[0].lo, shape.origin[1].lo, shape.origin[2].lo};
+        const Vec3 origin{rays_.origin[0][first], rays_.origin[1][first], rays_.origin[2][first]};
         const bool negative[3] = {shape.direction[0].hi < 0, shape.direction[1].hi < 0,
                                   shape.direction[2].hi < 0};
         if (bundle_.full() || !bundle_.suits(origin, negative)) run();
@@ -280,7 +353,6 @@ class BundleTracer {
     }
 
     HWY_INLINE void shearRays(BundledPacket& packet) const {
-        constexpr float kWider = 0x1p-20F; // more than rounding does to the leaf test, where |sx|, |sy| <= 1
         const FloatTag d;
         const float* const x = rays_.direction[packet.along.kx] + packet.first;
         const float* const y = rays_.direction[packet.along.ky] + packet.first;
@@ -292,11 +364,12 @@ class BundleTracer {
             hn::Store(hn::Div(hn::Set(d, -1.0F), along), d, packet.minusSz + i);
         }
         for (std::size_t b = 0; b < BundledPacket::kBeams; ++b) {
-            float* to = packet.beams + 4 * b;
-            for (const float* const shears : {packet.sx, packet.sy}) {
-                const Range range = rangeOf<BundledPacket::kBeamRays>(shears + b * BundledPacket::kBeamRays);
-                *to++ = range.lo - kWider;
-                *to++ = range.hi + kWider;
+            const std::size_t at = b * BundledPacket::kBeamRays;
+            for (const int side : {0, 1}) {
+                const Range range =
+                    rangeOf<BundledPacket::kBeamRays>((side == 0 ? packet.sx : packet.sy) + at);
+                packet.beams[b].shear[side][0] = range.lo - Beam::kWider;
+                packet.beams[b].shear[side][1] = range.hi + Beam::kWider;
             }
         }
     }
