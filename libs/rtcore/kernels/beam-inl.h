@@ -30,9 +30,10 @@ class SeenTriangles {
   public:
     static constexpr std::size_t kMost = 32;
 
-    /// Common triangles of the leaf, from its reference `first` on.
-    HWY_INLINE SeenTriangles(const KernelScene& scene, const Leaf& leaf, std::uint32_t first, Vec3 point)
-        : count(std::min<std::size_t>(leaf.common - first, kMost)) {
+    /// Those of the leaf's references from `first` to before `last`, as many as there is room for.
+    HWY_INLINE SeenTriangles(const KernelScene& scene, const Leaf& leaf, std::uint32_t first,
+                             std::uint32_t last, Vec3 point)
+        : count(std::min<std::size_t>(last - first, kMost)) {
         const FloatTag d;
         if (scene.records == nullptr) {
             for (std::size_t i = 0; i < count; ++i)

@@ -155,11 +155,23 @@ class BundleWalk {
 
     HWY_INLINE void testLeaf(const Leaf& leaf, const Lanes& begin, const Lanes& end) {
         for (std::uint32_t i = 0; i < leaf.common; i += SeenTriangles::kMost) {
-            const SeenTriangles triangles(scene_, leaf, i, bundle_.origin);
+            const SeenTriangles triangles(scene_, leaf, i, leaf.common, bundle_.origin);
             forEachAlive(begin, end, [&](std::size_t p) HWY_ATTR { testPacket(triangles, p); });
         }
-        if (HWY_LIKELY(leaf.common == leaf.count)) return;
-        forEachAlive(begin, end, [&](std::size_t p) HWY_ATTR { testNarrow(leaf, p); });
+        if (HWY_UNLIKELY(leaf.common < leaf.count)) testNarrow(leaf, begin, end);
+    }
+
+    HWY_NOINLINE void testNarrow(const Leaf& leaf, const Lanes& begin, const Lanes& end) {
+        for (std::uint32_t i = leaf.common; i < leaf.count; i += SeenTriangles::kMost) {
+            const SeenTriangles triangles(scene_, leaf, i, leaf.count, bundle_.origin);
+            forEachAlive(begin, end, [&](std::size_t p) HWY_ATTR {
+                const BundledPacket& packet = bundle_.packets[p];
+                testBeams(triangles, p, [&](std::uint32_t which, std::size_t at, Found& found) HWY_ATTR {
+                    testNarrowTriangles<false>(scene_, leaf, i, which, packet.along, shearedRays(packet, at),
+                                               hn::Load(FloatTag(), packet.tMin + at), allLanes(), found);
+                });
+            });
+        }
     }
 
     template <typename Work>
@@ -170,6 +182,29 @@ class BundleWalk {
     }
 
     HWY_NOINLINE void testPacket(const SeenTriangles& triangles, std::size_t p) {
+        const FloatTag d;
+        const BundledPacket& packet = bundle_.packets[p];
+        const AlongAxis along = packet.along;
+        testBeams(triangles, p, [&](std::uint32_t which, std::size_t at, Found& found) HWY_ATTR {
+            const ShearedRays rays = shearedRays(packet, at);
+            const Floats tMin = hn::Load(d, packet.tMin + at);
+            for (; which != 0; which &= which - 1) {
+                const auto i = static_cast<std::size_t>(std::countr_zero(which));
+                const auto offset = [&](std::size_t c) HWY_ATTR {
+                    return Offset{hn::Set(d, triangles.offsets(c, along.kx)[i]),
+                                  hn::Set(d, triangles.offsets(c, along.ky)[i]),
+                                  hn::Set(d, triangles.offsets(c, along.kz)[i])};
+                };
+                keepHits<false>(edgeTest(offset(0), offset(1), offset(2), rays), triangles.triangle[i], tMin,
+                                allLanes(), found);
+            }
+        });
+    }
+
+    /// Calls `test` for each vector of the packet whose beam may meet some of the triangles, with a bit for
+    /// each of these, and keeps what its rays find.
+    template <typename Test>
+    HWY_INLINE void testBeams(const SeenTriangles& triangles, std::size_t p, const Test& test) {
         BundledPacket& packet = bundle_.packets[p];
         std::uint32_t candidates[BundledPacket::kBeams];
         findCandidates<true>(triangles, packet.along, packet.beams, candidates);
@@ -178,46 +213,16 @@ class BundleWalk {
             if (candidates[b] == 0) continue;
             for (std::size_t k = 0; k < kBeamVectors; ++k) {
                 const std::size_t at = b * BundledPacket::kBeamRays + k * kLanes;
-                changed = hn::Or(changed, testVector(triangles, packet, candidates[b], at));
+                Found found = foundSoFar(packet, at);
+                test(candidates[b], at, found);
+                keep(found, packet, at);
+                changed = hn::Or(changed, found.changed);
             }
         }
         if (!hn::AllFalse(FloatTag(), changed)) measureReach(p);
     }
 
-    /// Returns the rays that hit something.
-    HWY_INLINE Mask testVector(const SeenTriangles& triangles, BundledPacket& packet, std::uint32_t which,
-                               std::size_t at) {
-        const FloatTag d;
-        const IntTag di;
-        const AlongAxis& along = packet.along;
-        const ShearedRays rays = shearedRays(packet, at);
-        const Floats tMin = hn::Load(d, packet.tMin + at);
-        Found found = foundSoFar(packet, at);
-        for (; which != 0; which &= which - 1) {
-            const auto i = static_cast<std::size_t>(std::countr_zero(which));
-            const auto offset = [&](std::size_t c) HWY_ATTR {
-                return Offset{hn::Set(d, triangles.offsets(c, along.kx)[i]),
-                              hn::Set(d, triangles.offsets(c, along.ky)[i]),
-                              hn::Set(d, triangles.offsets(c, along.kz)[i])};
-            };
-            keepHits<false>(edgeTest(offset(0), offset(1), offset(2), rays), triangles.triangle[i], tMin,
-                            hn::FirstN(d, kLanes), found);
-        }
-        keep(found, packet, at);
-        return found.changed;
-    }
-
-    HWY_NOINLINE void testNarrow(const Leaf& leaf, std::size_t p) {
-        const FloatTag d;
-        BundledPacket& packet = bundle_.packets[p];
-        for (std::size_t at = 0; at < BundledPacket::kRays; at += kLanes) {
-            Found found = foundSoFar(packet, at);
-            testNarrowTriangles<false>(scene_, leaf, packet.along, shearedRays(packet, at),
-                                       hn::Load(d, packet.tMin + at), hn::FirstN(d, kLanes), found);
-            keep(found, packet, at);
-        }
-        measureReach(p);
-    }
+    HWY_INLINE static Mask allLanes() { return hn::FirstN(FloatTag(), kLanes); }
 
     HWY_INLINE ShearedRays shearedRays(const BundledPacket& packet, std::size_t at) const {
         const FloatTag d;

@@ -1,5 +1,6 @@
 #include "rtcore/kernels/leaf_records.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 
@@ -26,9 +27,11 @@ void fillLeaf(const KdNode& leaf, const std::uint32_t* references, const Mesh& m
 
 } // namespace
 
-std::vector<float> makeLeafRecords(const KdTree& tree, std::span<const std::uint32_t> references,
-                                   const Mesh& mesh) {
-    std::vector<float> records(kFloatsPerRecord * references.size() + kPadding);
+UninitializedArray<float> makeLeafRecords(const KdTree& tree, std::span<const std::uint32_t> references,
+                                          const Mesh& mesh) {
+    const std::size_t size = kFloatsPerRecord * references.size();
+    UninitializedArray<float> records(size + kPadding);
+    std::fill_n(records.data() + size, kPadding, 0.0F);
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
         const KdNode node = tree.nodes[i];

@@ -3,12 +3,12 @@
 #pragma once
 
 #include "rtcore/accel/kd_tree.h"
+#include "rtcore/accel/uninitialized_array.h"
 #include "rtcore/scene/mesh.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 namespace rtcore {
 
@@ -18,7 +18,7 @@ inline constexpr std::size_t kFloatsPerRecord = 10;
 /// and z of the first corner of each triangle, then of the second and of the third, and the bits of its
 /// index. A vector's length of padding follows the last leaf. `references` are those of the tree, in any
 /// order inside a leaf.
-std::vector<float> makeLeafRecords(const KdTree& tree, std::span<const std::uint32_t> references,
-                                   const Mesh& mesh);
+UninitializedArray<float> makeLeafRecords(const KdTree& tree, std::span<const std::uint32_t> references,
+                                          const Mesh& mesh);
 
 } // namespace rtcore

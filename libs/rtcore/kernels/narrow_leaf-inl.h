@@ -120,23 +120,39 @@ HWY_INLINE void makePrecise(const Corners& corners, const Along& along, const Sh
     outcome.det = hn::IfThenElse(which, hn::Set(d, 1.0F), outcome.det);
 }
 
+/// Tests a narrow triangle.
+template <bool kAny, typename Along>
+HWY_INLINE void testNarrowTriangle(const KernelScene& scene, const Corners& corners, const Along& along,
+                                   const ShearedRays& rays, Floats tMin, Mask inCell, Found& found) {
+    Outcome outcome = edgeTest(corners, along, rays);
+    outcome.inside = hn::And(outcome.inside, inCell);
+    if (hn::AllFalse(FloatTag(), outcome.inside)) return;
+    const float noise = scene.noise[static_cast<std::size_t>(corners.triangle)];
+    const Mask doubtful = areDoubtful(outcome, noise);
+    if (!hn::AllFalse(FloatTag(), doubtful)) makePrecise<kAny>(corners, along, rays, doubtful, outcome);
+    if (isPassed<kAny>(scene, corners)) {
+        keepPassed(outcome, tMin, inCell, found);
+        return;
+    }
+    keepHits<kAny>(outcome, corners.triangle, tMin, inCell, found);
+}
+
 /// Tests the narrow triangles of a leaf.
 template <bool kAny, typename Along>
 HWY_NOINLINE void testNarrowTriangles(const KernelScene& scene, const Leaf& leaf, const Along& along,
                                       const ShearedRays& rays, Floats tMin, Mask inCell, Found& found) {
-    const FloatTag d;
-    for (std::uint32_t i = leaf.common; i < leaf.count; ++i) {
-        const Corners corners = cornersOf(scene, leaf, i);
-        Outcome outcome = edgeTest(corners, along, rays);
-        outcome.inside = hn::And(outcome.inside, inCell);
-        const float noise = scene.noise[static_cast<std::size_t>(corners.triangle)];
-        const Mask doubtful = areDoubtful(outcome, noise);
-        if (!hn::AllFalse(d, doubtful)) makePrecise<kAny>(corners, along, rays, doubtful, outcome);
-        if (isPassed<kAny>(scene, corners)) {
-            keepPassed(outcome, tMin, inCell, found);
-            continue;
-        }
-        keepHits<kAny>(outcome, corners.triangle, tMin, inCell, found);
+    for (std::uint32_t i = leaf.common; i < leaf.count; ++i)
+        testNarrowTriangle<kAny>(scene, cornersOf(scene, leaf, i), along, rays, tMin, inCell, found);
+}
+
+/// The same for some of a leaf's narrow triangles: a bit of `which` for each from its reference `first` on.
+template <bool kAny, typename Along>
+HWY_NOINLINE void testNarrowTriangles(const KernelScene& scene, const Leaf& leaf, std::uint32_t first,
+                                      std::uint32_t which, const Along& along, const ShearedRays& rays,
+                                      Floats tMin, Mask inCell, Found& found) {
+    for (; which != 0; which &= which - 1) {
+        const auto i = first + static_cast<std::uint32_t>(std::countr_zero(which));
+        testNarrowTriangle<kAny>(scene, cornersOf(scene, leaf, i), along, rays, tMin, inCell, found);
     }
 }
 

@@ -372,27 +372,24 @@ class PacketWalk {
             rays += inCell;
             vectors += inCell > 0 ? 1 : 0;
         }
-        const bool hasNarrow = leaf.common < leaf.count;
-        if (rayByRayPays(rays, vectors, leaf.common)) {
-            return testRayByRay(leaf, t0, t1) || (HWY_UNLIKELY(hasNarrow) && testNarrow(leaf, t0, t1));
-        }
+        if (testCommonOnes(leaf, rays, vectors, t0, t1)) return true;
+        return HWY_UNLIKELY(leaf.common < leaf.count) && testNarrow(leaf, t0, t1);
+    }
+
+    /// Tests the common triangles of a leaf that so many rays and vectors meet.
+    HWY_INLINE bool testCommonOnes(const Leaf& leaf, std::size_t rays, std::size_t vectors,
+                                   const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
+        if (rayByRayPays(rays, vectors, leaf.common)) return testRayByRay(leaf, t0, t1);
+        if (kShared != Shared::Nothing && leaf.common >= kWorthCulling) return testCulled(leaf, t0, t1);
         const auto remember = [&](const Corners& corners) HWY_ATTR { occluder = corners; };
-        if constexpr (kShared != Shared::Nothing) {
-            if (leaf.common >= kWorthCulling)
-                return testCulled(leaf, t0, t1) || (HWY_UNLIKELY(hasNarrow) && testNarrow(leaf, t0, t1));
-        }
         const auto test = [&](std::size_t at, Mask inCell, Found& found) HWY_ATTR {
-            const Floats tMin = hn::Load(d, packet_.tMin + at);
-            const ShearedRays rays = shearedRays(at);
+            const Floats tMin = hn::Load(FloatTag(), packet_.tMin + at);
+            const ShearedRays sheared = shearedRays(at);
             withAlong(at, [&](const auto& along) HWY_ATTR {
-                testTriangles<kAny>(scene_, leaf, along, rays, tMin, inCell, found, remember);
-                if (HWY_LIKELY(!hasNarrow)) return;
-                Found all = found;
-                testNarrowTriangles<kAny>(scene_, leaf, along, rays, tMin, inCell, all);
-                found = all;
+                testTriangles<kAny>(scene_, leaf, along, sheared, tMin, inCell, found, remember);
             });
         };
-        return testVectors(test, t0, t1);
+        return leaf.common > 0 && testVectors(test, t0, t1);
     }
 
     /// Tests the common triangles of a leaf against those vectors whose beams may meet them.
@@ -400,7 +397,7 @@ class PacketWalk {
         const FloatTag d;
         const auto remember = [&](const Corners& corners) HWY_ATTR { occluder = corners; };
         for (std::uint32_t first = 0; first < leaf.common; first += SeenTriangles::kMost) {
-            const SeenTriangles triangles(scene_, leaf, first, point_);
+            const SeenTriangles triangles(scene_, leaf, first, leaf.common, point_);
             const auto test = [&](std::size_t at, Mask inCell, Found& found) HWY_ATTR {
                 std::uint32_t candidates[1];
                 findCandidates<kShared == Shared::Origin>(triangles, along_, &beams_[at / kLanes],
@@ -419,17 +416,35 @@ class PacketWalk {
         return false;
     }
 
+    /// Which triangles rays of the vector at `at` may meet, a bit for each.
+    HWY_INLINE std::uint32_t candidatesOf(const SeenTriangles& triangles, std::size_t at) const {
+        std::uint32_t candidates[1];
+        findCandidates<kShared == Shared::Origin>(triangles, along_, &beams_[at / kLanes], candidates);
+        return candidates[0];
+    }
+
     /// Tests the narrow triangles of a leaf.
     HWY_NOINLINE bool testNarrow(const Leaf& leaf, const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
         const FloatTag d;
-        const auto test = [&](std::size_t at, Mask inCell, Found& found) HWY_ATTR {
-            const Floats tMin = hn::Load(d, packet_.tMin + at);
-            const ShearedRays rays = shearedRays(at);
-            withAlong(at, [&](const auto& along) HWY_ATTR {
-                testNarrowTriangles<kAny>(scene_, leaf, along, rays, tMin, inCell, found);
-            });
-        };
-        return testVectors(test, t0, t1);
+        if constexpr (kShared == Shared::Nothing) {
+            const auto test = [&](std::size_t at, Mask inCell, Found& found) HWY_ATTR {
+                const AxisOrder order = axisOrder(at);
+                testNarrowTriangles<kAny>(scene_, leaf, AlongEach{order}, shearedRays(at),
+                                          hn::Load(d, packet_.tMin + at), inCell, found);
+            };
+            return testVectors(test, t0, t1);
+        }
+        for (std::uint32_t first = leaf.common; first < leaf.count; first += SeenTriangles::kMost) {
+            const SeenTriangles triangles(scene_, leaf, first, leaf.count, point_);
+            const auto test = [&](std::size_t at, Mask inCell, Found& found) HWY_ATTR {
+                const std::uint32_t which = candidatesOf(triangles, at);
+                if (which == 0) return;
+                testNarrowTriangles<kAny>(scene_, leaf, first, which, along_, shearedRays(at),
+                                          hn::Load(d, packet_.tMin + at), inCell, found);
+            };
+            if (testVectors(test, t0, t1)) return true;
+        }
+        return false;
     }
 
     /// Tests the triangle that stopped a ray before.

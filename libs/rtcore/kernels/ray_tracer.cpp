@@ -43,8 +43,8 @@ KdRayTracer::KdRayTracer(const KdTree& tree, const Mesh& mesh, LeafRecords recor
     : tree_(tree), mesh_(mesh), narrow_(tree, mesh),
       records_(records == LeafRecords::Inline
                    ? makeLeafRecords(tree, narrow_.bits.empty() ? tree.references : narrow_.references, mesh)
-                   : std::vector<float>{}),
-      scene_(tree_, mesh_, records_.empty() ? nullptr : records_.data(), &narrow_),
+                   : UninitializedArray<float>{}),
+      scene_(tree_, mesh_, records_.capacity() == 0 ? nullptr : records_.data(), &narrow_),
       nearLimit_(nearLimit(tree.bounds)) {}
 
 void KdRayTracer::intersect(RayKind /*kind*/, const RayWave& rays, HitWave& hits) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rtcore/accel/kd_tree.h"
+#include "rtcore/accel/uninitialized_array.h"
 #include "rtcore/kernels/kernel_scene.h"
 #include "rtcore/kernels/narrow_triangles.h"
 #include "rtcore/kernels/ray_wave.h"
@@ -66,7 +67,7 @@ class KdRayTracer final : public RayTracer {
     KdTree tree_;
     Mesh mesh_;
     NarrowTriangles narrow_;
-    std::vector<float> records_;
+    UninitializedArray<float> records_;
     KernelScene scene_;
     float nearLimit_;
 };

@@ -2,8 +2,6 @@
 
 #include "rtcore/accel/kd_node.h"
 
-#include <new>
-
 namespace rtcore {
 
 namespace {
@@ -13,15 +11,10 @@ namespace {
 constexpr std::size_t kRoom = (kMaxKdDepth + 6) * (StreamScratch::kRays + StreamScratch::kPadding);
 // Columns begin in different sets of the cache.
 constexpr std::size_t kStride = kRoom + 80;
-constexpr std::align_val_t kAlignment{64};
 static_assert(kStride * sizeof(float) % 64 == 0);
 
 } // namespace
 
-void StreamScratch::Release::operator()(float* memory) const { ::operator delete(memory, kAlignment); }
-
-StreamScratch::StreamScratch()
-    : stride_(kStride),
-      columns_(static_cast<float*>(::operator new(kStride* kColumns * sizeof(float), kAlignment))) {}
+StreamScratch::StreamScratch() : stride_(kStride), columns_(kStride * kColumns) {}
 
 } // namespace rtcore

@@ -1,9 +1,10 @@
 /// The memory that streams work in.
 #pragma once
 
+#include "rtcore/accel/uninitialized_array.h"
+
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 
 namespace rtcore {
 
@@ -20,7 +21,7 @@ class StreamScratch {
     /// What a list carries for each ray: slot, t0, t1, origin, direction.
     static constexpr std::size_t kColumns = 9;
 
-    float* column(std::size_t i) { return columns_.get() + i * stride_; }
+    float* column(std::size_t i) { return columns_.data() + i * stride_; }
 
     /// By slot: the state of each ray of the stream.
     alignas(64) float tMin[kRays + kPadding];
@@ -37,11 +38,8 @@ class StreamScratch {
     std::size_t groupCount = 0;
 
   private:
-    struct Release {
-        void operator()(float* memory) const;
-    };
     std::size_t stride_;
-    std::unique_ptr<float, Release> columns_; ///< aligned to 64 bytes
+    UninitializedArray<float> columns_;
 };
 
 } // namespace rtcore

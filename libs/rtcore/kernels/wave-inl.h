@@ -159,8 +159,9 @@ HWY_INLINE void load(const KernelScene& scene, const RaySpan& rays, std::size_t 
     }
 }
 
-/// For any hit, whether to begin at the far end of rays: those of a lamp may be stopped near it, by a roof,
-/// or near where they start. What packets took by each order tells which is better for those that follow.
+/// For any hit, whether to begin at the far end of rays: shadow rays may be stopped near the light, by a
+/// roof, or near where they start. What packets took by each order tells which is better for those that
+/// follow.
 class OrderChoice {
   public:
     /// For the next packet.
