@@ -67,6 +67,46 @@ RayWave camera(std::size_t groups, Random& random) {
     return fromOnePoint(groups, random, [](Random& r, Vec3 eye) { return normalize(r.vector(0.5F) - eye); });
 }
 
+/// Of an image, a group for each 8 x 8 of its pixels: many follow each other that go as one bundle.
+RayWave image(std::size_t groups, Random& random) {
+    constexpr std::size_t kSide = 8, kAcross = 8;
+    RayWave wave;
+    const Vec3 eye = random.vector(1) + random.unitVector();
+    const auto [right, down] = rtcore::basisAround(normalize(random.vector(0.5F) - eye));
+    const Vec3 corner = cross(right, down) - right * 0.5F - down * 0.5F;
+    for (std::size_t i = 0; i < groups * kGroup; ++i) {
+        const std::size_t g = i / kGroup, x = g % kAcross * kSide + i % kSide,
+                          y = g / kAcross * kSide + i % kGroup / kSide;
+        const float pixel = 1.0F / (kSide * kAcross);
+        wave.push(rayFrom(eye, corner + right * (static_cast<float>(x) * pixel) +
+                                   down * (static_cast<float>(y) * pixel)));
+    }
+    return wave;
+}
+
+/// From one point, each group at corners and edges of triangles that follow each other in the mesh: `same`
+/// rays at the same place, so that their beam is no wider than they are.
+RayWave aimed(const rtcore::Mesh& mesh, std::size_t groups, std::size_t same, Random& random) {
+    constexpr std::size_t kApart = 24; // triangles at which a group aims
+    RayWave wave;
+    const Vec3 eye = random.unitVector() * 2;
+    for (std::size_t g = 0; g < groups; ++g) {
+        const std::size_t first = random.index(mesh.triangles.size());
+        for (std::size_t i = 0; i < kGroup; ++i) {
+            if (i % same != 0) {
+                wave.push(wave.ray(wave.size() - 1));
+                continue;
+            }
+            const auto triangle =
+                static_cast<std::uint32_t>((first + random.index(kApart)) % mesh.triangles.size());
+            const int corner = static_cast<int>(random.index(3));
+            const Vec3 a = mesh.position(triangle, corner), b = mesh.position(triangle, (corner + 1) % 3);
+            wave.push(rayFrom(eye, a + (b - a) * (random.coin() ? random.number(0, 1) : 0) - eye));
+        }
+    }
+    return wave;
+}
+
 /// Around the diagonals: no axis in common.
 RayWave diagonal(std::size_t groups, Random& random) {
     return fromOnePoint(groups, random, [](Random& r, Vec3) {
@@ -156,6 +196,16 @@ class EveryKernel : public testing::TestWithParam<NamedMesh> {
         scene_.expectSingleRays(name + " cut short", wave);
     }
 
+    /// Rays of every second group end where they hit, those of others begin there.
+    RayWave closed(RayWave wave) const {
+        for (std::size_t i = 0; i < wave.size(); ++i) {
+            rtcore::Hit hit;
+            if (!intersect(scene_.tree(), scene_.mesh(), wave.ray(i), hit)) continue;
+            (i / kGroup % 2 == 0 ? wave.tMax : wave.tMin)[i] = hit.t;
+        }
+        return wave;
+    }
+
     Random random_{7};
     test::WaveScene scene_;
     std::size_t hits_ = 0;
@@ -187,6 +237,22 @@ TEST_P(EveryKernel, TracesPacketsOfOneOrigin) {
         expectSingleRays("diagonal", diagonal(8, random_));
     }
     EXPECT_GT(hits_, 10U);
+}
+
+TEST_P(EveryKernel, TracesBundles) {
+    for (int i = 0; i < 2; ++i) {
+        expectSingleRays("image", image(40, random_));
+        expectSingleRays("image's segments", segments(image(40, random_), random_));
+        expectSingleRays("image's rays that end or begin where they hit", closed(image(40, random_)));
+        for (const std::size_t same : {std::size_t{1}, std::size_t{16}, kGroup})
+            expectSingleRays("corners and edges", aimed(scene_.mesh(), 80, same, random_));
+        RayWave several = image(20, random_);
+        append(several, image(3, random_));
+        append(several, scattered(kGroup, random_));
+        append(several, image(17, random_));
+        expectSingleRays("several images", several);
+    }
+    EXPECT_GT(hits_, 100U);
 }
 
 TEST_P(EveryKernel, TracesPacketsOfManyOrigins) {
