@@ -39,12 +39,15 @@ struct PreciseTest {
         }
     }
 
-    /// All lanes; where the ray passes beside the triangle, `inside` is 0 and the rest not yet right.
+    /// The lanes `which`, at least; where the ray passes beside the triangle, `inside` is 0 and the rest not
+    /// yet right.
     template <bool kAny>
-    HWY_INLINE void run() {
+    HWY_INLINE void run(Mask which) {
         const DoubleTag dd;
         const hn::Rebind<float, DoubleTag> half;
+        const std::uint32_t wanted = bitsOf(which);
         for (std::size_t i = 0; i < kLanes; i += hn::Lanes(dd)) {
+            if ((wanted >> i & ((1U << hn::Lanes(dd)) - 1)) == 0) continue;
             const auto get = [&](std::size_t c)
                                  HWY_ATTR { return hn::PromoteTo(dd, hn::Load(half, column[c] + i)); };
             Doubles x[3];
@@ -93,7 +96,7 @@ HWY_INLINE void makePrecise(const Corners& corners, const Along& along, const Sh
                             Outcome& outcome) {
     const FloatTag d;
     PreciseTest test(corners, along, rays);
-    test.template run<kAny>();
+    test.template run<kAny>(which);
     const Mask beside = hn::AndNot(hn::Ne(hn::Load(d, test.inside), hn::Zero(d)), which);
     if (HWY_UNLIKELY(!hn::AllFalse(d, beside))) {
         forEachLane(beside, [&](std::size_t i) {
