@@ -399,10 +399,7 @@ class PacketWalk {
         for (std::uint32_t first = 0; first < leaf.common; first += SeenTriangles::kMost) {
             const SeenTriangles triangles(scene_, leaf, first, leaf.common, point_);
             const auto test = [&](std::size_t at, Mask inCell, Found& found) HWY_ATTR {
-                std::uint32_t candidates[1];
-                findCandidates<kShared == Shared::Origin>(triangles, along_, &beams_[at / kLanes],
-                                                          candidates);
-                std::uint32_t which = candidates[0];
+                std::uint32_t which = candidatesOf(triangles, at);
                 if (which == 0) return;
                 const Floats tMin = hn::Load(d, packet_.tMin + at);
                 const ShearedRays rays = shearedRays(at);
