@@ -129,7 +129,7 @@ TEST_F(Previewing, TheLastFrameStaysForThoseWhoHaveIt) {
 }
 
 TEST_F(Previewing, TellsProgressWhileItRenders) {
-    start({"-w", "1500", "-h", "1500", "-a", "16"});
+    start({"-w", "3000", "-h", "3000", "-a", "16"});
     look();
     ASSERT_TRUE(within(30, [&] { return viewer->status().progress > 0; }));
     const float first = viewer->status().progress;
@@ -160,7 +160,7 @@ TEST_F(Previewing, AModelThatIsStillLoaded) {
 }
 
 TEST_F(Previewing, TheNameIsTaken) {
-    start({"-w", "1500", "-h", "1500", "-a", "16"});
+    start({"-w", "3000", "-h", "3000", "-a", "16"});
     look();
     const ProgramResult second = run({"-w", "8", "-h", "8"});
     EXPECT_EQ(second.exitCode, 75);
