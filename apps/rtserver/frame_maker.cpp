@@ -205,7 +205,7 @@ void FrameMaker::adapt(float target, const rtcore::ExposureSettings& settings) {
     const double passed = std::chrono::duration<double>(now - adaptedAt_).count();
     adaptedAt_ = now;
     if (settings.mode == rtcore::ExposureMode::Fixed) {
-        adaptation_.jump(target);
+        adaptation_.jump(settings.value);
         return;
     }
     const AdaptationSpeed speed{settings.brighterSeconds, settings.darkerSeconds};

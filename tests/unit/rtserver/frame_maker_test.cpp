@@ -229,6 +229,32 @@ TEST_F(FramesOfAState, LiveOnesGoOnFromAWholeOneThatWasLeft) {
     EXPECT_LT(error(), 0.75 * before);
 }
 
+TEST_F(FramesOfAState, KeepAFixedExposureWhileAWholeOneIsDrawn) {
+    constexpr float kExposure = 0.3F;
+    state.assign({{"width", 640},
+                  {"height", 400},
+                  {"antialiasing", 8},
+                  {"exposure.mode", "fixed"},
+                  {"exposure.value", kExposure}});
+    test::draw(frames, state, rtserver::kCoarsest);
+    int steps = 0, wrong = 0;
+    std::atomic<bool> over = false;
+    {
+        const std::jthread watcher([&] {
+            while (!over) {
+                if (frames.underWay(state) == nullptr) continue;
+                ++steps;
+                wrong += frames.exposure() == kExposure ? 0 : 1;
+            }
+        });
+        rtcore::RenderControl control;
+        EXPECT_TRUE(frames.trace(state, {}, nullptr, control));
+        over = true;
+    }
+    EXPECT_GE(steps, 3) << "the first ones are of the coarse frame alone";
+    EXPECT_EQ(wrong, 0);
+}
+
 TEST_F(FramesOfAState, AreLiveWhereThereIsLightOfAFrameBefore) {
     state.frameSeconds = 0.03;
     EXPECT_FALSE(frames.drawsLive(state)) << "there was none";
