@@ -373,13 +373,17 @@ class PacketWalk {
             vectors += inCell > 0 ? 1 : 0;
         }
         if (testCommonOnes(leaf, rays, vectors, t0, t1)) return true;
-        return HWY_UNLIKELY(leaf.common < leaf.count) && testNarrow(leaf, t0, t1);
+        if (HWY_LIKELY(leaf.common == leaf.count)) return false;
+        if (rayByRayPays(rays, vectors, leaf.count - leaf.common))
+            return testRayByRay<true>(leaf, leaf.common, leaf.count, t0, t1);
+        return testNarrow(leaf, t0, t1);
     }
 
     /// Tests the common triangles of a leaf that so many rays and vectors meet.
     HWY_INLINE bool testCommonOnes(const Leaf& leaf, std::size_t rays, std::size_t vectors,
                                    const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
-        if (rayByRayPays(rays, vectors, leaf.common)) return testRayByRay(leaf, t0, t1);
+        if (rayByRayPays(rays, vectors, leaf.common))
+            return testRayByRay<false>(leaf, 0, leaf.common, t0, t1);
         if (kShared != Shared::Nothing && leaf.common >= kWorthCulling) return testCulled(leaf, t0, t1);
         const auto remember = [&](const Corners& corners) HWY_ATTR { occluder = corners; };
         const auto test = [&](std::size_t at, Mask inCell, Found& found) HWY_ATTR {
@@ -514,18 +518,21 @@ class PacketWalk {
         return blocks * (blockCost + kRayCost * rays) < kTestCost * count * vectors;
     }
 
-    HWY_NOINLINE bool testRayByRay(const Leaf& leaf, const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
+    /// Of the leaf's references those from `first` to before `last`: narrow triangles or common ones.
+    template <bool kNarrow>
+    HWY_NOINLINE bool testRayByRay(const Leaf& leaf, std::uint32_t first, std::uint32_t last,
+                                   const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
         const FloatTag d;
         Mask inCell[kVectors];
         for (std::size_t k = 0; k < kVectors; ++k) inCell[k] = hn::Le(t0[k], t1[k]);
         bool hit = false;
         TriangleBlock block(scene_, leaf);
-        for (std::uint32_t i = 0; i < leaf.common; i += static_cast<std::uint32_t>(kLanes)) {
-            block.load(i);
+        for (std::uint32_t i = first; i < last; i += static_cast<std::uint32_t>(kLanes)) {
+            block.load(i, last);
             RTCORE_EACH_VECTOR
             for (std::size_t k = 0; k < kVectors; ++k) {
-                forEachLane(inCell[k],
-                            [&](std::size_t lane) HWY_ATTR { hit |= testRay(block, k * kLanes + lane); });
+                forEachLane(inCell[k], [&](std::size_t lane)
+                                           HWY_ATTR { hit |= testRay<kNarrow>(block, k * kLanes + lane); });
             }
         }
         if (!kAny || !hit) return false;
@@ -537,6 +544,7 @@ class PacketWalk {
         return allDone();
     }
 
+    template <bool kNarrow>
     HWY_INLINE bool testRay(const TriangleBlock& block, std::size_t i) {
         ShearedRay ray{};
         const int kz = kShared == Shared::Nothing ? axis_[i] : along_.kz;
@@ -550,12 +558,17 @@ class PacketWalk {
         ray.sy = sheared_[4][i];
         ray.minusSz = sheared_[5][i];
         FoundByRay found{packet_.best[i], kAny ? kNone : packet_.triangle[i], 0, 0, 0};
-        const bool hit = block.test<kAny>(ray, packet_.tMin[i], found);
+        bool hit = false;
+        if constexpr (kNarrow) {
+            hit = block.testNarrow<kAny>(ray, packet_.tMin[i], found);
+        } else {
+            hit = block.test<kAny>(ray, packet_.tMin[i], found);
+        }
         if (kAny && HWY_UNLIKELY(found.passed)) packet_.triangle[i] = 0;
         if (!hit) return false;
         packet_.best[i] = found.best;
         if constexpr (kAny) {
-            occluder = block.corners(static_cast<std::uint32_t>(found.triangle));
+            if (!kNarrow) occluder = block.corners(static_cast<std::uint32_t>(found.triangle));
         } else {
             packet_.triangle[i] = found.triangle;
             packet_.v[i] = found.v;

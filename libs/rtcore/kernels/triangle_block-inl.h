@@ -8,6 +8,8 @@
 #endif
 
 #include "rtcore/kernels/leaf_test-inl.h"
+#include "rtcore/kernels/narrow_noise.h"
+#include "rtcore/kernels/precise_hit.h"
 
 #include <algorithm>
 #include <bit>
@@ -24,15 +26,15 @@ struct FoundByRay {
     bool passed = false; ///< any hit: through a triangle that lets light through
 };
 
-/// Common triangles of a leaf, as many as a vector has lanes, one array for each coordinate.
+/// Triangles of a leaf, as many as a vector has lanes, one array for each coordinate.
 class TriangleBlock {
   public:
     HWY_INLINE TriangleBlock(const KernelScene& scene, const Leaf& leaf) : scene_(scene), leaf_(leaf) {}
 
-    /// Those from the leaf's reference `first` on.
-    HWY_INLINE void load(std::uint32_t first) {
+    /// Those from the leaf's reference `first` on, at most to before `last`: all common or all narrow.
+    HWY_INLINE void load(std::uint32_t first, std::uint32_t last) {
         first_ = first;
-        count_ = std::min(leaf_.common - first, static_cast<std::uint32_t>(kLanes));
+        count_ = std::min(last - first, static_cast<std::uint32_t>(kLanes));
         if (scene_.records != nullptr) {
             const float* const records = scene_.records + kFloatsPerRecord * leaf_.first + first;
             for (std::size_t i = 0; i < 9; ++i) coordinates_[i] = records + i * leaf_.count;
@@ -46,15 +48,12 @@ class TriangleBlock {
     /// Of triangle `i` of the block.
     HWY_INLINE Corners corners(std::uint32_t i) const { return cornersOf(scene_, leaf_, first_ + i); }
 
-    /// Returns whether the ray hits one of them, closer than what it has found or as close and of lower
-    /// index.
+    /// Of common triangles: returns whether the ray hits one of them, closer than what it has found or as
+    /// close and of lower index.
     template <bool kAny>
     HWY_INLINE bool test(const ShearedRay& ray, float tMin, FoundByRay& found) const {
         const FloatTag d;
-        const ShearedRays rays{hn::Set(d, ray.x),  hn::Set(d, ray.y),  hn::Set(d, ray.z),
-                               hn::Set(d, ray.sx), hn::Set(d, ray.sy), hn::Set(d, ray.minusSz)};
-        const Outcome outcome =
-            edgeTest(offset(0, ray, rays), offset(1, ray, rays), offset(2, ray, rays), rays);
+        const Outcome outcome = edgeTestOf(ray);
         const Floats best = hn::Set(d, found.best);
         const Mask open = hn::And(hn::And(outcome.inside, hn::FirstN(d, count_)),
                                   hn::And(hn::Ge(outcome.t, hn::Set(d, tMin)), hn::Le(outcome.t, best)));
@@ -78,7 +77,55 @@ class TriangleBlock {
         return true;
     }
 
+    /// The same of narrow triangles. For any hit `found.triangle` is left alone.
+    template <bool kAny>
+    HWY_INLINE bool testNarrow(const ShearedRay& ray, float tMin, FoundByRay& found) const {
+        const FloatTag d;
+        const Outcome outcome = edgeTestOf(ray);
+        const Mask inside = hn::And(outcome.inside, hn::FirstN(d, count_));
+        if (hn::AllFalse(d, inside)) return false;
+        bool hit = false;
+        forEachLane(inside, [&](std::size_t lane) {
+            const FoundByRay here = narrowHit(outcome, lane, ray);
+            if (!(here.best >= tMin && here.best <= found.best)) return;
+            if constexpr (kAny) {
+                const bool passed =
+                    scene_.clear != nullptr && scene_.letsThrough(static_cast<std::uint32_t>(here.triangle));
+                found.passed |= passed;
+                if (passed) return;
+                found.best = -1;
+            } else {
+                if (here.best == found.best && here.triangle >= found.triangle) return;
+                found = here;
+            }
+            hit = true;
+        });
+        return hit;
+    }
+
   private:
+    HWY_INLINE Outcome edgeTestOf(const ShearedRay& ray) const {
+        const FloatTag d;
+        const ShearedRays rays{hn::Set(d, ray.x),  hn::Set(d, ray.y),  hn::Set(d, ray.z),
+                               hn::Set(d, ray.sx), hn::Set(d, ray.sy), hn::Set(d, ray.minusSz)};
+        return edgeTest(offset(0, ray, rays), offset(1, ray, rays), offset(2, ray, rays), rays);
+    }
+
+    /// Where the ray meets the narrow triangle in `lane`.
+    HWY_INLINE FoundByRay narrowHit(const Outcome& outcome, std::size_t lane, const ShearedRay& ray) const {
+        const std::int32_t triangle = triangle_[lane];
+        if (!isDoubtful(laneOf(outcome.sum, lane), scene_.noise[triangle])) {
+            return {laneOf(outcome.t, lane), triangle, laneOf(outcome.v, lane), laneOf(outcome.w, lane),
+                    laneOf(outcome.det, lane)};
+        }
+        const auto corner = [&](int c) {
+            const float* const* const xyz = coordinates_ + 3 * c;
+            return Vec3{xyz[0][lane], xyz[1][lane], xyz[2][lane]};
+        };
+        const PreciseHit hit = preciseHit(ray, corner(0), corner(1), corner(2));
+        return {hit.t, triangle, hit.v, hit.w, 1};
+    }
+
     /// Of the triangles `open` that the ray hits, those that let light through do not stop it.
     HWY_NOINLINE bool testOpaque(Mask open, FoundByRay& found) const {
         bool stopped = false;
