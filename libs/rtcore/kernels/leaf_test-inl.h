@@ -9,6 +9,7 @@
 #include "rtcore/kernels/leaf_records.h"
 #include "rtcore/kernels/wave_kernels.h"
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include <bit>

@@ -103,42 +103,112 @@ class PacketWalk {
 
     /// Visits all leaves below `root` that any ray meets.
     HWY_NOINLINE void run(std::uint32_t root, const Culling& culling) {
-        const FloatTag d;
-        const Floats slack = hn::Set(d, packet_.slack);
-        leavesReady_ = false;
         Floats t0[kVectors];
         Floats t1[kVectors];
-        Range interval{};
+        Place place{root, 0, {}};
+        if (!enter(t0, t1, place)) return;
+        while (findLeaf(culling, t0, t1, place)) {
+            if (testLeaf({scene_, scene_.nodes[place.node]}, t0, t1)) return;
+            if (!next(t0, t1, place)) return;
+        }
+    }
+
+    /// The same in steps: begin(), then step() as long as there is a leaf to test. What the next step needs
+    /// is on its way from memory in between. The culling must stay.
+    HWY_NOINLINE bool begin(std::uint32_t root, const Culling& culling) {
+        Floats t0[kVectors];
+        Floats t1[kVectors];
+        place_ = {root, 0, {}};
+        return enter(t0, t1, place_) && halt(culling, t0, t1);
+    }
+    HWY_NOINLINE bool step(const Culling& culling) {
+        const FloatTag d;
+        Floats t0[kVectors];
+        Floats t1[kVectors];
+        RTCORE_EACH_VECTOR
+        for (std::size_t i = 0; i < kVectors; ++i) {
+            t0[i] = hn::Load(d, halted0_ + i * kLanes);
+            t1[i] = hn::Load(d, halted1_ + i * kLanes);
+        }
+        if (testLeaf({scene_, scene_.nodes[place_.node]}, t0, t1)) return false;
+        return next(t0, t1, place_) && halt(culling, t0, t1);
+    }
+
+  private:
+    /// Where a walk is.
+    struct Place {
+        std::uint32_t node;
+        std::size_t waiting; ///< children on the stack
+        Range interval;      ///< as a waiting packet's
+    };
+
+    /// Loads the intervals at the root; false when nothing is left to do.
+    HWY_INLINE bool enter(Floats (&t0)[kVectors], Floats (&t1)[kVectors], Place& place) {
+        const FloatTag d;
+        leavesReady_ = false;
         RTCORE_EACH_VECTOR
         for (std::size_t i = 0; i < kVectors; ++i) {
             t0[i] = hn::Load(d, packet_.t0 + i * kLanes);
             t1[i] = hn::Load(d, packet_.t1 + i * kLanes);
         }
-        if constexpr (kCull) interval = boundsOf(t0, t1);
+        if constexpr (kCull) place.interval = boundsOf(t0, t1);
         if constexpr (kAny) {
-            if (occluder.a != nullptr && testOccluder(t0, t1)) return;
+            if (occluder.a != nullptr && testOccluder(t0, t1)) return false;
         }
-        std::size_t waiting = 0;
-        std::uint32_t index = root;
+        return true;
+    }
+
+    /// Goes on to a leaf that has triangles; false where there is none.
+    HWY_INLINE bool findLeaf(const Culling& culling, Floats (&t0)[kVectors], Floats (&t1)[kVectors],
+                             Place& place) {
         while (true) {
-            const KdNode node = scene_.nodes[index];
+            const KdNode node = scene_.nodes[place.node];
             if (!node.isLeaf()) {
-                index = descend(node, culling, t0, t1, interval, waiting);
+                place.node = descend(node, culling, t0, t1, place.interval, place.waiting);
                 continue;
             }
             if constexpr (kAny) cost += kLeafCost + node.count();
-            if (node.count() != 0 && testLeaf({scene_, node}, t0, t1)) return;
-            bool alive = false;
-            do {
-                if (waiting == 0) return;
-                alive = take(stack_[--waiting], slack, t0, t1);
-            } while (!alive);
-            index = stack_[waiting].node;
-            interval = stack_[waiting].interval;
+            if (node.count() != 0) return true;
+            if (!next(t0, t1, place)) return false;
         }
     }
 
-  private:
+    /// Takes the next child that any ray still enters; false when there is none.
+    HWY_INLINE bool next(Floats (&t0)[kVectors], Floats (&t1)[kVectors], Place& place) const {
+        const Floats slack = hn::Set(FloatTag(), packet_.slack);
+        bool alive = false;
+        do {
+            if (place.waiting == 0) return false;
+            alive = take(stack_[--place.waiting], slack, t0, t1);
+        } while (!alive);
+        place.node = stack_[place.waiting].node;
+        place.interval = stack_[place.waiting].interval;
+        return true;
+    }
+
+    /// Finds the next leaf, sends for its triangles, and keeps what step() goes on with.
+    HWY_INLINE bool halt(const Culling& culling, Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
+        const FloatTag d;
+        if (!findLeaf(culling, t0, t1, place_)) return false;
+        sendForLeaf(scene_.nodes[place_.node]);
+        if (place_.waiting > 0) hwy::Prefetch(scene_.nodes + stack_[place_.waiting - 1].node);
+        RTCORE_EACH_VECTOR
+        for (std::size_t i = 0; i < kVectors; ++i) {
+            hn::Store(t0[i], d, halted0_ + i * kLanes);
+            hn::Store(t1[i], d, halted1_ + i * kLanes);
+        }
+        return true;
+    }
+
+    HWY_INLINE void sendForLeaf(KdNode leaf) const {
+        if (scene_.records == nullptr) return;
+        constexpr std::size_t kMost = 640, kCacheLine = 64; // bytes
+        const auto* const records =
+            reinterpret_cast<const char*>(scene_.records + kFloatsPerRecord * leaf.firstReference);
+        const std::size_t bytes = std::min(kFloatsPerRecord * sizeof(float) * leaf.count(), kMost);
+        for (std::size_t at = 0; at < bytes; at += kCacheLine) hwy::Prefetch(records + at);
+    }
+
     static constexpr std::uint32_t kStepCost = 1, kLeafCost = 2; ///< in tests of a triangle
     static constexpr std::uint32_t kWorthCulling = 4;            ///< triangles of a leaf
     static constexpr std::size_t kTestCost = 10, kBlockCost = 25, kRayCost = 13;
@@ -605,6 +675,8 @@ class PacketWalk {
     bool leavesReady_ = false;
     alignas(64) float sheared_[6][Packet<kVectors>::kSize];
     alignas(64) std::int32_t axis_[Packet<kVectors>::kSize];
+    Place place_{}; ///< between steps
+    alignas(64) float halted0_[Packet<kVectors>::kSize], halted1_[Packet<kVectors>::kSize];
     WaitingPacket<kVectors> stack_[kMaxKdDepth];
 };
 

@@ -16,24 +16,54 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
+/// The walk of the rays of one octant of directions. While a leaf comes from memory it can halt and let
+/// another walk go on.
 template <bool kAny>
-class StreamWalk {
+class OctantWalk {
   public:
-    StreamWalk(const KernelScene& scene, StreamScratch& scratch)
+    /// `turn`: which of the scratch's columns it works in.
+    OctantWalk(const KernelScene& scene, StreamScratch& scratch, std::size_t turn)
         : scene_(scene), scratch_(scratch), shortWalk_(scene, short_) {
-        for (std::size_t i = 0; i < StreamScratch::kColumns; ++i) columns_[i] = scratch.column(i);
+        for (std::size_t i = 0; i < StreamScratch::kColumns; ++i) columns_[i] = scratch.column(turn, i);
     }
 
-    /// Traces the rays of the scratch's groups.
-    HWY_NOINLINE void run(const RaySpan& rays) {
-        const std::uint32_t octants = start(rays);
-        for (std::uint32_t octant = 0; octant < 8; ++octant) {
-            if ((octants >> octant & 1U) == 0) continue;
-            for (int axis = 0; axis < 3; ++axis) {
-                culling_.uniform[axis] = true;
-                culling_.upperFirst[axis] = octant >> axis & 1U;
+    /// Takes over the rays of the scratch's groups that have this octant; none's search needs more `slack`.
+    HWY_NOINLINE void begin(const RaySpan& rays, std::uint32_t octant, float slack) {
+        slack_ = slack;
+        for (int axis = 0; axis < 3; ++axis) {
+            culling_.uniform[axis] = true;
+            culling_.upperFirst[axis] = octant >> axis & 1U;
+        }
+        list_ = collect(rays, octant);
+        top_ = list_.size + kLanes;
+        waiting_ = 0;
+        halted_ = false;
+    }
+
+    /// Goes on until few rays reach a leaf; false when all is done.
+    HWY_NOINLINE bool advance() {
+        if (halted_) {
+            if (shortWalk_.step(culling_)) return true;
+            halted_ = false;
+            endShort();
+            if (!nextList()) return false;
+        }
+        while (true) {
+            bool more = false;
+            if (list_.active > kShort) {
+                const KdNode node = scene_.nodes[list_.node];
+                if (node.isLeaf()) {
+                    if (node.count() != 0) testLeaf({scene_, node}, list_);
+                } else {
+                    more = split(node, list_, waiting_, top_);
+                }
+            } else if (list_.active > 0) {
+                beginShort(list_);
+                halted_ = shortWalk_.begin(list_.node, culling_);
+                if (halted_) return true;
+                endShort();
             }
-            walk(collect(rays, octant));
+            if (!more && !nextList()) return false;
         }
     }
 
@@ -55,60 +85,11 @@ class StreamWalk {
     };
     static constexpr std::size_t kShortVectors = 2;
     static constexpr std::size_t kShort = kShortVectors * kLanes;
-    static constexpr std::uint32_t kOutside = 8; ///< octant of rays that miss the box
 
     static std::size_t wholeVectors(std::size_t rays) { return (rays + kLanes - 1) / kLanes * kLanes; }
 
     /// Whether so few rays go on that they are worth copying.
     static bool isSparse(std::size_t active, std::size_t size) { return active * 4 < size * 3; }
-
-    /// Fills the slots; returns which octants there are.
-    HWY_INLINE std::uint32_t start(const RaySpan& rays) {
-        const FloatTag d;
-        const IntTag di;
-        std::uint32_t octants = 0;
-        slack_ = 0;
-        for (std::size_t group = 0; group < scratch_.groupCount; ++group) {
-            for (std::size_t lane = 0; lane < StreamScratch::kGroup; lane += kLanes) {
-                const std::size_t from = scratch_.groups[group] + lane;
-                const std::size_t slot = group * StreamScratch::kGroup + lane;
-                const RayVector ray = loadRays(rays, from);
-                const Floats slack = slackOf(scene_, ray);
-                slack_ = std::max(slack_, hn::GetLane(hn::MaxOfLanes(d, slack)));
-                const IntervalVector inside = clipToBox(scene_, ray, slack);
-                const auto sign = [&](Floats x) HWY_ATTR {
-                    return hn::BitCast(di, hn::ShiftRight<31>(hn::BitCast(UIntTag(), x)));
-                };
-                const Ints code = hn::Or(
-                    sign(ray.dx), hn::Or(hn::ShiftLeft<1>(sign(ray.dy)), hn::ShiftLeft<2>(sign(ray.dz))));
-                const Mask enters = hn::Le(inside.t0, inside.t1);
-                hn::Store(hn::IfThenElse(hn::RebindMask(di, enters), code, hn::Set(di, kOutside)), di,
-                          scratch_.octant + slot);
-                octants |= octantsOf(code, enters);
-                hn::Store(inside.t0, d, scratch_.rootBegin + slot);
-                hn::Store(inside.t1, d, scratch_.rootEnd + slot);
-                hn::Store(ray.tMin, d, scratch_.tMin + slot);
-                hn::Store(ray.tMax, d, scratch_.best + slot);
-                hn::Store(hn::Set(di, kNone), di, scratch_.triangle + slot);
-                if constexpr (kAny) continue;
-                hn::Store(hn::Zero(d), d, scratch_.v + slot);
-                hn::Store(hn::Zero(d), d, scratch_.w + slot);
-                hn::Store(hn::Set(d, 1.0F), d, scratch_.det + slot);
-            }
-        }
-        return octants;
-    }
-
-    HWY_INLINE static std::uint32_t octantsOf(Ints code, Mask enters) {
-        const FloatTag d;
-        const IntTag di;
-        std::uint32_t octants = 0;
-        for (int octant = 0; octant < 8; ++octant) {
-            const Mask here = hn::RebindMask(d, hn::Eq(code, hn::Set(di, octant)));
-            if (!hn::AllFalse(d, hn::And(here, enters))) octants |= 1U << octant;
-        }
-        return octants;
-    }
 
     /// The list of all rays of one octant, at the root.
     HWY_INLINE List collect(const RaySpan& rays, std::uint32_t octant) {
@@ -154,29 +135,16 @@ class StreamWalk {
         list.size = wholeVectors(list.active);
     }
 
-    HWY_INLINE void walk(List list) {
-        std::size_t waiting = 0;
-        std::size_t top = list.size + kLanes;
-        while (true) {
-            bool more = false;
-            if (list.active > kShort) {
-                const KdNode node = scene_.nodes[list.node];
-                if (node.isLeaf()) {
-                    if (node.count() != 0) testLeaf({scene_, node}, list);
-                } else {
-                    more = split(node, list, waiting, top);
-                }
-            } else if (list.active > 0) {
-                walkShort(list);
-            }
-            while (!more) {
-                if (waiting == 0) return;
-                list = stack_[--waiting].list;
-                top = stack_[waiting].top;
-                if (stack_[waiting].found != found_) dropDone(list);
-                more = list.active > 0;
-            }
-        }
+    /// The next list that waits with a ray still searching; false when there is none.
+    HWY_INLINE bool nextList() {
+        do {
+            if (waiting_ == 0) return false;
+            const WaitingList& waiting = stack_[--waiting_];
+            list_ = waiting.list;
+            top_ = waiting.top;
+            if (waiting.found != found_) dropDone(list_);
+        } while (list_.active == 0);
+        return true;
     }
 
     HWY_INLINE bool isEmptyLeaf(std::uint32_t node) const {
@@ -392,7 +360,7 @@ class StreamWalk {
     }
 
     /// A list of at most kShort rays goes on as a packet.
-    HWY_INLINE void walkShort(const List& list) {
+    HWY_INLINE void beginShort(const List& list) {
         const FloatTag d;
         const IntTag di;
         std::size_t to = 0;
@@ -431,8 +399,12 @@ class StreamWalk {
             hn::Store(hn::GatherIndex(di, scratch_.triangle, slot), di, short_.triangle + i);
         }
         short_.slack = slack_;
-        shortWalk_.run(list.node, culling_);
-        for (std::size_t i = 0; i < to; ++i) {
+        shortSize_ = to;
+    }
+
+    /// Keeps what the packet has found.
+    HWY_INLINE void endShort() {
+        for (std::size_t i = 0; i < shortSize_; ++i) {
             const std::int32_t slot = std::bit_cast<std::int32_t>(shortSlot_[i]);
             if constexpr (kAny) {
                 found_ += short_.best[i] < 0 ? 1 : 0;
@@ -449,10 +421,11 @@ class StreamWalk {
         }
     }
 
-    using UIntTag = hn::ScalableTag<std::uint32_t>;
-
     const KernelScene& scene_;
     StreamScratch& scratch_;
+    List list_; ///< the one at hand
+    std::size_t top_ = 0, waiting_ = 0;
+    bool halted_ = false; ///< in the walk of a short list
     float* columns_[StreamScratch::kColumns];
     float slack_ = 0;
     std::size_t found_ = 0; ///< grows with each hit
@@ -460,7 +433,90 @@ class StreamWalk {
     Packet<kShortVectors> short_;
     PacketWalk<kShortVectors, Shared::Nothing, false, kAny> shortWalk_;
     alignas(64) float shortSlot_[kShort + kLanes]; ///< their bits
+    std::size_t shortSize_ = 0;
     WaitingList stack_[kMaxKdDepth];
+};
+
+/// The walks of two octants take turns, so that one has something to do while the other waits for memory.
+template <bool kAny>
+class StreamWalk {
+  public:
+    StreamWalk(const KernelScene& scene, StreamScratch& scratch)
+        : scene_(scene), scratch_(scratch), walks_{{scene, scratch, 0}, {scene, scratch, 1}} {}
+
+    /// Traces the rays of the scratch's groups.
+    HWY_NOINLINE void run(const RaySpan& rays) {
+        std::uint32_t octants = start(rays);
+        bool busy[kWalks] = {};
+        do {
+            for (std::size_t i = 0; i < kWalks; ++i) {
+                if (!busy[i] && octants != 0) {
+                    walks_[i].begin(rays, static_cast<std::uint32_t>(std::countr_zero(octants)), slack_);
+                    octants &= octants - 1;
+                    busy[i] = true;
+                }
+                busy[i] = busy[i] && walks_[i].advance();
+            }
+        } while (busy[0] || busy[1] || octants != 0);
+    }
+
+  private:
+    static constexpr std::size_t kWalks = StreamScratch::kTurns;
+    static constexpr std::int32_t kOutside = 8; ///< octant of rays that miss the box
+    using UIntTag = hn::ScalableTag<std::uint32_t>;
+
+    /// Fills the slots; returns which octants there are.
+    HWY_INLINE std::uint32_t start(const RaySpan& rays) {
+        const FloatTag d;
+        const IntTag di;
+        std::uint32_t octants = 0;
+        slack_ = 0;
+        for (std::size_t group = 0; group < scratch_.groupCount; ++group) {
+            for (std::size_t lane = 0; lane < StreamScratch::kGroup; lane += kLanes) {
+                const std::size_t from = scratch_.groups[group] + lane;
+                const std::size_t slot = group * StreamScratch::kGroup + lane;
+                const RayVector ray = loadRays(rays, from);
+                const Floats slack = slackOf(scene_, ray);
+                slack_ = std::max(slack_, hn::GetLane(hn::MaxOfLanes(d, slack)));
+                const IntervalVector inside = clipToBox(scene_, ray, slack);
+                const auto sign = [&](Floats x) HWY_ATTR {
+                    return hn::BitCast(di, hn::ShiftRight<31>(hn::BitCast(UIntTag(), x)));
+                };
+                const Ints code = hn::Or(
+                    sign(ray.dx), hn::Or(hn::ShiftLeft<1>(sign(ray.dy)), hn::ShiftLeft<2>(sign(ray.dz))));
+                const Mask enters = hn::Le(inside.t0, inside.t1);
+                hn::Store(hn::IfThenElse(hn::RebindMask(di, enters), code, hn::Set(di, kOutside)), di,
+                          scratch_.octant + slot);
+                octants |= octantsOf(code, enters);
+                hn::Store(inside.t0, d, scratch_.rootBegin + slot);
+                hn::Store(inside.t1, d, scratch_.rootEnd + slot);
+                hn::Store(ray.tMin, d, scratch_.tMin + slot);
+                hn::Store(ray.tMax, d, scratch_.best + slot);
+                hn::Store(hn::Set(di, kNone), di, scratch_.triangle + slot);
+                if constexpr (kAny) continue;
+                hn::Store(hn::Zero(d), d, scratch_.v + slot);
+                hn::Store(hn::Zero(d), d, scratch_.w + slot);
+                hn::Store(hn::Set(d, 1.0F), d, scratch_.det + slot);
+            }
+        }
+        return octants;
+    }
+
+    HWY_INLINE static std::uint32_t octantsOf(Ints code, Mask enters) {
+        const FloatTag d;
+        const IntTag di;
+        std::uint32_t octants = 0;
+        for (int octant = 0; octant < 8; ++octant) {
+            const Mask here = hn::RebindMask(d, hn::Eq(code, hn::Set(di, octant)));
+            if (!hn::AllFalse(d, hn::And(here, enters))) octants |= 1U << octant;
+        }
+        return octants;
+    }
+
+    const KernelScene& scene_;
+    StreamScratch& scratch_;
+    float slack_ = 0;
+    OctantWalk<kAny> walks_[kWalks];
 };
 
 } // namespace HWY_NAMESPACE

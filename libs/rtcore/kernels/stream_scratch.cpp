@@ -15,6 +15,6 @@ static_assert(kStride * sizeof(float) % 64 == 0);
 
 } // namespace
 
-StreamScratch::StreamScratch() : stride_(kStride), columns_(kStride * kColumns) {}
+StreamScratch::StreamScratch() : stride_(kStride), columns_(kStride * kColumns * kTurns) {}
 
 } // namespace rtcore

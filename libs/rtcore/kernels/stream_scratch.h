@@ -9,7 +9,7 @@
 namespace rtcore {
 
 /// One for each thread; kept from wave to wave, since making it anew costs more than tracing. Takes about
-/// 40 MB of address space, of which a wave touches what it needs.
+/// 80 MB of address space, of which a wave touches what it needs.
 class StreamScratch {
   public:
     StreamScratch();
@@ -21,7 +21,11 @@ class StreamScratch {
     /// What a list carries for each ray: slot, t0, t1, origin, direction.
     static constexpr std::size_t kColumns = 9;
 
-    float* column(std::size_t i) { return columns_.data() + i * stride_; }
+    static constexpr std::size_t kTurns = 2; ///< walks that take turns, each with columns of its own
+
+    float* column(std::size_t turn, std::size_t i) {
+        return columns_.data() + (turn * kColumns + i) * stride_;
+    }
 
     /// By slot: the state of each ray of the stream.
     alignas(64) float tMin[kRays + kPadding];
