@@ -260,6 +260,19 @@ class PacketWalk {
         }
         if (hn::AllFalse(d, entersFar)) return near;
         if (hn::AllFalse(d, entersNear)) return far;
+        // (What follows is written out for each case: functions for "go near" and "go far" cost 2 %.)
+        if (isEmptyLeaf(far)) {
+            RTCORE_EACH_VECTOR
+            for (std::size_t i = 0; i < kVectors; ++i) t1[i] = nearEnd[i];
+            if constexpr (kCull) interval.hi = std::min(interval.hi, planes.hi * kUp);
+            return near;
+        }
+        if (isEmptyLeaf(near)) {
+            RTCORE_EACH_VECTOR
+            for (std::size_t i = 0; i < kVectors; ++i) t0[i] = farBegin[i];
+            if constexpr (kCull) interval.lo = std::max(interval.lo, planes.lo * kDown);
+            return far;
+        }
         WaitingPacket<kVectors>& entry = stack_[waiting++];
         if constexpr (kAny) {
             cost += kStepCost;
@@ -290,6 +303,11 @@ class PacketWalk {
             t1[i] = nearEnd[i];
         }
         return near;
+    }
+
+    HWY_INLINE bool isEmptyLeaf(std::uint32_t index) const {
+        const KdNode node = scene_.nodes[index];
+        return node.isLeaf() && node.count() == 0;
     }
 
     HWY_INLINE Floats planeDistance(int axis, float split, const Culling& culling, std::size_t i) const {
