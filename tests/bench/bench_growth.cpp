@@ -1,29 +1,22 @@
-// How the cost of a ray grows with the model: the same hills in ever finer triangles, the same coherent rays.
+// How the cost of a ray grows with the model: the same hills in ever finer triangles, the same rays, by our
+// kernels and by Embree's best mode and its best robust one.
 //   bench_growth [SIDE]     pixels of a side of the image (1024)
-// One thread, the best of five, in processor time.
+// One thread, processor time.
+#include "bench/rtbench/contenders.h"
+#include "bench/rtbench/race.h"
+#include "bench/rtbench/ray_sets.h"
 #include "rtcore/accel/builder.h"
-#include "rtcore/kernels/ray_tracer.h"
 #include "support/sample_meshes.h"
-#include "support/view_rays.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
-#include <string>
 #include <vector>
 
 namespace {
 
-constexpr int kRepeats = 5;
-constexpr std::size_t kWave = 16384;
-
-double threadSeconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
+constexpr int kRounds = 5;
 
 float heightAt(float x, float z) {
     float height = 0;
@@ -58,52 +51,32 @@ test::SampleMesh hills(std::uint32_t n) {
     return mesh;
 }
 
-std::vector<rtcore::RayWave> inWaves(const std::vector<rtcore::Ray>& rays) {
-    std::vector<rtcore::RayWave> waves;
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        if (i % kWave == 0) waves.emplace_back();
-        waves.back().push(rays[i]);
+void printKind(const rtbench::RayFigures& figures) {
+    const auto nanoseconds = [](double megaraysPerSecond) { return 1e3 / megaraysPerSecond; };
+    std::printf("  %s %.1f", figures.test->name.data(), nanoseconds(figures.speed));
+    for (const auto& rival : {figures.best, figures.robust}) {
+        if (rival) std::printf(" / %.1f", nanoseconds(rival->speed));
     }
-    return waves;
-}
-
-template <typename Trace>
-double nanoseconds(const std::vector<rtcore::RayWave>& waves, std::size_t rays, Trace&& trace) {
-    double best = 1e30;
-    for (int repeat = 0; repeat < kRepeats; ++repeat) {
-        const double start = threadSeconds();
-        for (const rtcore::RayWave& wave : waves) trace(wave);
-        best = std::min(best, threadSeconds() - start);
-    }
-    return best / static_cast<double>(rays) * 1e9;
 }
 
 void measure(std::uint32_t n, int side) {
     const test::SampleMesh sample = hills(n);
     const rtcore::Mesh mesh = sample.view();
     const rtcore::KdTree tree = buildKdTree(mesh, {});
-    const rtcore::KdRayTracer tracer(tree, mesh);
-    const test::View view{"hills", "", {-1.6F, 0.9F, -1.7F}, {0.2F, -0.1F, 0.3F}, 50, {1, 3, -1}};
-    const std::vector<rtcore::Ray> primary = primaryRays(view, side);
-    rtcore::HitWave found;
-    std::vector<rtcore::Hit> hits;
-    const std::vector<rtcore::RayWave> waves = inWaves(primary);
-    for (const rtcore::RayWave& wave : waves) {
-        tracer.intersect(rtcore::RayKind::Primary, wave, found);
-        for (std::size_t i = 0; i < wave.size(); ++i) hits.push_back(found.hit(i));
-    }
-    const std::vector<rtcore::Ray> shadow =
-        test::shadowRays(test::surfacePoints(mesh, primary, hits), view.light);
-    const std::vector<rtcore::RayWave> shadowWaves = inWaves(shadow);
-    std::vector<std::uint8_t> occluded;
-    const double first = nanoseconds(waves, primary.size(), [&](const rtcore::RayWave& wave) {
-        tracer.intersect(rtcore::RayKind::Primary, wave, found);
-    });
-    const double second = nanoseconds(shadowWaves, shadow.size(), [&](const rtcore::RayWave& wave) {
-        tracer.occluded(rtcore::RayKind::Shadow, wave, occluded);
-    });
-    std::printf("%9zu triangles: primary %6.1f ns, shadow %6.1f ns a ray\n", mesh.triangles.size(), first,
-                second);
+    const std::vector<rtbench::Contender> contenders =
+        rtbench::makeContenders(tree, mesh, rtbench::hasEmbree());
+    const rtbench::BenchView view{.name = "hills",
+                                  .eye = {-1.6F, 0.9F, -1.7F},
+                                  .at = {0.2F, -0.1F, 0.3F},
+                                  .fov = 50,
+                                  .light = {1, 3, -1}};
+    const rtbench::RaySource source(mesh, *contenders.front().tracer, view, side);
+    std::printf("%9zu triangles:", mesh.triangles.size());
+    rtbench::RaceOptions options;
+    options.rounds = kRounds;
+    for (const rtbench::RayTest& test : rtbench::kRayTests)
+        printKind(rtbench::race(source.make(test), contenders, options));
+    std::printf("\n");
     std::fflush(stdout);
 }
 
@@ -111,6 +84,7 @@ void measure(std::uint32_t n, int side) {
 
 int main(int argc, char** argv) {
     const int side = std::max(1, argc > 1 ? std::atoi(argv[1]) / 4 : 256) * 4;
+    std::printf("nanoseconds a ray%s\n", rtbench::hasEmbree() ? ": ours / Embree's best / robust best" : "");
     for (const std::uint32_t n : {71U, 224U, 707U, 2236U}) measure(n, side);
     return 0;
 }

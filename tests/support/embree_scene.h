@@ -5,6 +5,11 @@
 #include "rtcore/scene/mesh.h"
 #include "support/embree_api.h"
 
+#include <sys/types.h>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 
@@ -23,6 +28,7 @@ class EmbreeScene {
     explicit EmbreeScene(const rtcore::Mesh& mesh, const EmbreeBuild& build = {})
         : device_(rtcNewDevice(configuration(build).c_str())) {
         if (device_ == nullptr) throw std::runtime_error("no device of Embree for " + configuration(build));
+        rtcSetDeviceMemoryMonitorFunction(device_, count, &bytes_);
         scene_ = rtcNewScene(device_);
         rtcSetSceneFlags(scene_, build.flags);
         rtcSetSceneBuildQuality(scene_, build.quality);
@@ -46,6 +52,9 @@ class EmbreeScene {
 
     RTCScene handle() const { return scene_; }
 
+    /// Bytes of its tree; the mesh is shared.
+    std::size_t memory() const { return static_cast<std::size_t>(bytes_.load()); }
+
     bool intersect(const rtcore::Ray& ray, rtcore::Hit& hit) const {
         RTCRayHit query;
         query.ray = convert(ray);
@@ -66,6 +75,11 @@ class EmbreeScene {
   private:
     static std::string configuration(const EmbreeBuild& build) {
         return "threads=" + std::to_string(build.threads) + (build.isa.empty() ? "" : ",isa=" + build.isa);
+    }
+
+    static bool count(void* bytes, ssize_t more, bool /*done*/) {
+        *static_cast<std::atomic<std::int64_t>*>(bytes) += more;
+        return true;
     }
 
     void release() {
@@ -90,6 +104,7 @@ class EmbreeScene {
         return r;
     }
 
+    std::atomic<std::int64_t> bytes_ = 0; ///< from all threads that build
     RTCDevice device_;
     RTCScene scene_ = nullptr;
 };

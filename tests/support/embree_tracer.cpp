@@ -29,6 +29,8 @@ int embreeWidth(const std::string& instructionSet) {
     return instructionSet == "avx2" ? 8 : 4;
 }
 
+std::size_t embreeMemory(const EmbreeScene& scene) { return scene.memory(); }
+
 std::shared_ptr<const EmbreeScene> makeEmbreeScene(const rtcore::Mesh& mesh, EmbreeQuality quality,
                                                    const std::string& instructionSet) {
     EmbreeBuild build;

@@ -5,6 +5,7 @@
 #include "rtcore/kernels/ray_tracer.h"
 #include "rtcore/scene/mesh.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -24,6 +25,9 @@ std::string embreeVersion();
 /// How many rays the widest packets have that Embree traces at once with this instruction set (a name of
 /// rtcore::instructionSets()).
 int embreeWidth(const std::string& instructionSet);
+
+/// Bytes of its tree; the mesh is shared.
+std::size_t embreeMemory(const EmbreeScene& scene);
 
 /// Builds Embree's tree with all cores, held to `instructionSet` (see embreeWidth). `mesh` must outlive it.
 std::shared_ptr<const EmbreeScene> makeEmbreeScene(const rtcore::Mesh& mesh, EmbreeQuality quality,

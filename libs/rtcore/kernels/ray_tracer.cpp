@@ -47,6 +47,12 @@ KdRayTracer::KdRayTracer(const KdTree& tree, const Mesh& mesh, LeafRecords recor
       scene_(tree_, mesh_, records_.capacity() == 0 ? nullptr : records_.data(), &narrow_),
       nearLimit_(nearLimit(tree.bounds)) {}
 
+std::size_t KdRayTracer::memory() const {
+    return tree_.nodes.size_bytes() + tree_.references.size_bytes() + records_.capacity() * sizeof(float) +
+           std::span(narrow_.noise).size_bytes() + std::span(narrow_.references).size_bytes() +
+           std::span(narrow_.bits).size_bytes();
+}
+
 void KdRayTracer::intersect(RayKind /*kind*/, const RayWave& rays, HitWave& hits) const {
     hits.resize(rays.size());
     const RaySpan span = spanOf(rays);

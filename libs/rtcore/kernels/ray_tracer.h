@@ -63,6 +63,9 @@ class KdRayTracer final : public RayTracer {
                        std::vector<Obstacle>& found) const override;
     Box3 bounds() const override { return tree_.bounds; }
 
+    /// Bytes of the tree and of all that is kept beside it and the mesh.
+    std::size_t memory() const;
+
   private:
     KdTree tree_;
     Mesh mesh_;

@@ -46,6 +46,15 @@ void writeJson(const std::filesystem::path& path, const std::string& text) {
     rtcore::writeFileAtomically(path, std::span(&bytes, 1));
 }
 
+std::vector<TreeFigures> treesOf(std::span<const Contender> contenders, std::size_t triangles) {
+    std::vector<TreeFigures> trees;
+    for (const Contender& one : contenders) {
+        if (!trees.empty() && trees.back().name == one.tree) continue;
+        trees.push_back({one.tree, static_cast<double>(one.memory) / static_cast<double>(triangles)});
+    }
+    return trees;
+}
+
 class Bench {
   public:
     Bench(const BenchOptions& options, app::Progress& progress)
@@ -88,6 +97,7 @@ class Bench {
 
     void raceRays(const rtcore::LoadedScene& loaded, const BenchView& view, SceneFigures& figures) {
         const std::vector<Contender> contenders = makeContenders(loaded.tree, loaded.scene.mesh(), embree_);
+        figures.trees = treesOf(contenders, figures.triangles);
         const RaySource source(loaded.scene.mesh(), *contenders.front().tracer, view, options_.size);
         for (const RayTest* test : options_.tests) {
             const RaySet rays = source.make(*test);

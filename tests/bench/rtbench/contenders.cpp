@@ -13,7 +13,9 @@ namespace rtbench {
 namespace {
 
 Contender ours(const rtcore::KdTree& tree, const rtcore::Mesh& mesh) {
-    return {"ours", false, std::make_unique<rtcore::KdRayTracer>(tree, mesh)};
+    auto tracer = std::make_unique<rtcore::KdRayTracer>(tree, mesh);
+    const std::size_t memory = tracer->memory();
+    return {"ours", false, std::move(tracer), "ours", memory};
 }
 
 } // namespace
@@ -40,7 +42,8 @@ std::vector<Contender> makeContenders(const rtcore::KdTree& tree, const rtcore::
         const auto add = [&, &quality = quality, &name = name](const std::string& call, int width,
                                                                EmbreeCoherence coherence) {
             all.push_back({name + (" " + call), quality == EmbreeQuality::Robust,
-                           std::make_unique<test::EmbreeTracer>(scene, width, coherence)});
+                           std::make_unique<test::EmbreeTracer>(scene, width, coherence),
+                           std::string("Embree ") + name, test::embreeMemory(*scene)});
         };
         add("1", 1, EmbreeCoherence::Incoherent);
         add(packet + " coherent", wide, EmbreeCoherence::Coherent);
@@ -58,7 +61,8 @@ std::vector<Contender> makeFrameContenders(const rtcore::KdTree& tree, const rtc
     both.push_back(
         {"Embree", true,
          std::make_unique<test::EmbreeTracer>(test::makeEmbreeScene(mesh, test::EmbreeQuality::Robust, isa),
-                                              test::embreeWidth(isa), test::EmbreeCoherence::ByKind)});
+                                              test::embreeWidth(isa), test::EmbreeCoherence::ByKind),
+         "Embree robust"});
     return both;
 }
 

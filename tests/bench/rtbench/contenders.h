@@ -5,6 +5,7 @@
 #include "rtcore/kernels/ray_tracer.h"
 #include "rtcore/scene/mesh.h"
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,6 +16,8 @@ struct Contender {
     std::string name;
     bool robust = false; ///< Embree's robust mode, which leaks less
     std::unique_ptr<const rtcore::RayTracer> tracer;
+    std::string tree = {};  ///< "ours", "Embree default": some contenders share one
+    std::size_t memory = 0; ///< bytes of that tree, the mesh not counted
 };
 
 /// Whether this program was built with Embree, and its name and version.

@@ -42,6 +42,12 @@ struct FrameFigures {
     double ratio() const { return embree ? embree->best / ours.best : 0; }
 };
 
+/// What a tree takes.
+struct TreeFigures {
+    std::string name; ///< "ours", "Embree default"
+    double bytes = 0; ///< a triangle, the mesh not counted
+};
+
 /// One view of a scene.
 struct SceneFigures {
     std::string scene; ///< the stem of its file
@@ -49,6 +55,7 @@ struct SceneFigures {
     std::size_t triangles = 0;
     std::vector<RayFigures> rays;
     std::vector<FrameFigures> frames;
+    std::vector<TreeFigures> trees = {}; ///< of the races of rays
 
     std::string name() const { return view.empty() ? scene : scene + " " + view; }
 };

@@ -68,6 +68,8 @@ std::string jsonReport(std::span<const SceneFigures> scenes) {
         for (const RayFigures& f : scene.rays) rays[std::string(f.test->name)] = rayJson(f);
         json["scenes"].push_back(
             Json{{"name", scene.name()}, {"triangles", scene.triangles}, {"rays", std::move(rays)}});
+        for (const TreeFigures& tree : scene.trees)
+            json["scenes"].back()["bytesPerTriangle"][tree.name] = rounded(tree.bytes);
     }
     json["geomean"] = meansJson(scenes, false);
     json["geomeanRobust"] = meansJson(scenes, true);

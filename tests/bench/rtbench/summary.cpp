@@ -6,25 +6,29 @@
 
 namespace rtbench {
 
+namespace {
+
+/// Of several, not none.
+double median(std::vector<double>& values) {
+    std::sort(values.begin(), values.end());
+    const std::size_t half = values.size() / 2;
+    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+} // namespace
+
 std::optional<double> geometricMean(std::span<const SceneFigures> scenes,
                                     const std::function<std::vector<double>(const SceneFigures&)>& ratios) {
-    struct Sum {
-        double logarithms = 0;
-        int count = 0;
-    };
-    std::map<std::string, Sum> sums;
+    std::map<std::string, std::vector<double>> logarithms;
     for (const SceneFigures& scene : scenes) {
         for (const double ratio : ratios(scene)) {
-            if (!(ratio > 0)) continue;
-            Sum& sum = sums[scene.scene];
-            sum.logarithms += std::log(ratio);
-            ++sum.count;
+            if (ratio > 0) logarithms[scene.scene].push_back(std::log(ratio));
         }
     }
-    if (sums.empty()) return std::nullopt;
+    if (logarithms.empty()) return std::nullopt;
     double all = 0;
-    for (const auto& [scene, sum] : sums) all += sum.logarithms / sum.count;
-    return std::exp(all / static_cast<double>(sums.size()));
+    for (auto& [scene, ofViews] : logarithms) all += median(ofViews);
+    return std::exp(all / static_cast<double>(logarithms.size()));
 }
 
 std::optional<double> meanRatio(std::span<const SceneFigures> scenes, const RayTest& test, bool robust) {

@@ -1,4 +1,4 @@
-/// Geometric means over scenes.
+/// Geometric means over scenes of the medians over their views.
 #pragma once
 
 #include "bench/rtbench/figures.h"
@@ -12,8 +12,8 @@
 
 namespace rtbench {
 
-/// Of the positive values that `ratio` gives; the views of one scene together count as one scene. Nothing
-/// when there is none.
+/// Of the positive values that `ratios` gives; of the views of one scene the median counts. Nothing when
+/// there is none.
 std::optional<double> geometricMean(std::span<const SceneFigures> scenes,
                                     const std::function<std::vector<double>(const SceneFigures&)>& ratios);
 

@@ -61,6 +61,14 @@ std::string frameHeading(const FrameFigures& f) {
     return line + "\n";
 }
 
+std::string treesLine(const std::vector<TreeFigures>& trees) {
+    std::string line = "  bytes a triangle:";
+    for (const TreeFigures& tree : trees) {
+        line += print("%s %s %.0f", &tree == trees.data() ? "" : ",", tree.name.c_str(), tree.bytes);
+    }
+    return line + "\n";
+}
+
 std::string meanLine(const std::string& name, std::optional<double> best, std::optional<double> robust) {
     std::string line = print("  %-20s", name.c_str());
     for (const auto& mean : {best, robust}) line += mean ? print(" %12.3f", *mean) : print(" %12s", "");
@@ -79,6 +87,7 @@ std::string sceneTable(const SceneFigures& scene, bool modes) {
     }
     if (!scene.frames.empty()) text += frameHeading(scene.frames.front());
     for (const FrameFigures& figures : scene.frames) text += frameLine(figures);
+    if (!scene.trees.empty()) text += treesLine(scene.trees);
     return text + "\n";
 }
 
@@ -95,7 +104,7 @@ std::string meansTable(std::span<const SceneFigures> scenes) {
         if (mean) lines += meanLine(name, std::nullopt, mean);
     }
     if (lines.empty()) return "";
-    return print("%-22s %12s %12s\n", "geometric means", "ratio best", "ratio robust") + lines;
+    return print("%-22s %12s %12s\n", "means of medians", "ratio best", "ratio robust") + lines;
 }
 
 } // namespace rtbench

@@ -28,6 +28,13 @@ SceneFigures scene(const std::string& name, const std::string& view, double rati
     return figures;
 }
 
+TEST(Means, TakeTheMedianOfAScenesViews) {
+    const std::vector<SceneFigures> scenes{scene("a", "one", 2, 4), scene("a", "two", 3, 1),
+                                           scene("a", "three", 9, 2)};
+    EXPECT_NEAR(*rtbench::meanRatio(scenes, rtbench::kRayTests[0], false), 3, 1e-9);
+    EXPECT_NEAR(*rtbench::meanRatio(scenes, rtbench::kRayTests[0], true), 2, 1e-9);
+}
+
 TEST(Means, CountEachSceneOnce) {
     const std::vector<SceneFigures> scenes{scene("a", "one", 2, 4), scene("a", "two", 8, 4),
                                            scene("b", "", 1, 4)};
@@ -70,6 +77,15 @@ TEST(JsonReport, WithoutARivalHasNulls) {
     for (const char* key : {"embree", "mode", "ratio", "ratioRobust"}) EXPECT_TRUE(primary.at(key).is_null());
     EXPECT_EQ(json["geomean"], nlohmann::json::object());
     EXPECT_EQ(rtbench::meansTable(std::vector{figures}), "");
+}
+
+TEST(Tables, SayWhatTheTreesTake) {
+    SceneFigures figures = scene("a", "", 2, 4);
+    figures.trees = {{"ours", 61.6}, {"Embree default", 150}};
+    EXPECT_NE(rtbench::sceneTable(figures, false).find("bytes a triangle: ours 62, Embree default 150\n"),
+              std::string::npos);
+    const auto json = nlohmann::json::parse(rtbench::jsonReport(std::vector{figures}));
+    EXPECT_EQ(json["scenes"][0]["bytesPerTriangle"]["ours"], 61.6);
 }
 
 TEST(Tables, ListModesWhenAsked) {
