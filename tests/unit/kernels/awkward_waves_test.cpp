@@ -382,6 +382,26 @@ TEST(AwkwardWaves, BeyondTheRangeOfDistances) {
     }
 }
 
+// The leaf test's distance of a large wall is off by more than planes are widened: rays that end there must
+// look further than their ends.
+TEST(AwkwardWaves, ThatEndAtLargeWalls) {
+    Random random(31);
+    test::SampleMesh mesh = test::soup(300, 0.2F, 32);
+    for (const float z : {0.25F, 0.5F, 0.75F})
+        mesh.addTriangle({-700, -900, z}, {800, -500, z}, {100, 1300, z});
+    const WaveScene scene(std::move(mesh), deep());
+    RayWave wave;
+    for (int group = 0; group < 1500; ++group) {
+        const Vec3 eye{random.number(-1, 1), random.number(-1, 1), random.number(-1, 0.2F)};
+        Ray ray = rayFrom(eye, {1, random.number(0.1F, 0.6F), random.number(0.2F, 0.6F)});
+        rtcore::Hit hit;
+        if (!intersect(scene.tree(), scene.mesh(), ray, hit)) continue;
+        ray.tMax = hit.t * (1 + random.number(-3e-5F, 3e-5F));
+        for (std::size_t i = 0; i < kGroup; ++i) wave.push(ray);
+    }
+    EXPECT_GT(scene.expectBruteForce("walls", wave), 10000U);
+}
+
 TEST(AwkwardWaves, OntoManyEqualTriangles) {
     const std::size_t count = equalTriangles();
     test::SampleMesh mesh = test::soup(50, 0.2F, 25);
