@@ -29,7 +29,13 @@ using test::SampleMesh;
 
 namespace {
 
-using Exact = __float128; // products of three differences of floats are exact in it, nearly
+// Products of three differences of floats are exact in it, nearly.
+#ifdef __SIZEOF_FLOAT128__
+using Exact = __float128;
+#else
+using Exact = long double; // as long, where it is no name of its own
+static_assert(std::numeric_limits<Exact>::digits == 113);
+#endif
 
 std::uint64_t allRays() {
     const char* const text = std::getenv("RT_LEAVING_RAYS");

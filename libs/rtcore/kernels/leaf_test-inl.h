@@ -152,17 +152,19 @@ struct AlongEach {
 
     HWY_INLINE Offset offset(const float* corner, std::size_t stride, const ShearedRays& rays) const {
         const FloatTag d;
-        if (stride != 1) {
-            const Floats x = hn::Set(d, corner[0]);
-            const Floats y = hn::Set(d, corner[stride]);
-            const Floats z = hn::Set(d, corner[2 * stride]);
-            return {hn::Sub(rays.x, order.choose(y, z, x)), hn::Sub(rays.y, order.choose(z, x, y)),
-                    hn::Sub(rays.z, order.choose(x, y, z))};
+#if HWY_TARGET != HWY_SCALAR // whose vectors have room for one byte
+        if (stride == 1) {
+            const Bytes all = hn::BitCast(ByteTag(), hn::LoadDup128(d, corner));
+            return {hn::Sub(rays.x, hn::BitCast(d, hn::TableLookupBytes(all, order.x))),
+                    hn::Sub(rays.y, hn::BitCast(d, hn::TableLookupBytes(all, order.y))),
+                    hn::Sub(rays.z, hn::BitCast(d, hn::TableLookupBytes(all, order.z)))};
         }
-        const Bytes all = hn::BitCast(ByteTag(), hn::LoadDup128(d, corner));
-        return {hn::Sub(rays.x, hn::BitCast(d, hn::TableLookupBytes(all, order.x))),
-                hn::Sub(rays.y, hn::BitCast(d, hn::TableLookupBytes(all, order.y))),
-                hn::Sub(rays.z, hn::BitCast(d, hn::TableLookupBytes(all, order.z)))};
+#endif
+        const Floats x = hn::Set(d, corner[0]);
+        const Floats y = hn::Set(d, corner[stride]);
+        const Floats z = hn::Set(d, corner[2 * stride]);
+        return {hn::Sub(rays.x, order.choose(y, z, x)), hn::Sub(rays.y, order.choose(z, x, y)),
+                hn::Sub(rays.z, order.choose(x, y, z))};
     }
 };
 

@@ -13,11 +13,9 @@
 #define HWY_TARGET_INCLUDE "rtcore/kernels/wave_kernels.cpp"
 #include "rtcore/simd/foreach_target.h"
 
-#include <hwy/highway.h>
-
-#if HWY_TARGET != HWY_SCALAR
 #include "rtcore/kernels/wave-inl.h"
-#endif
+
+#include <hwy/highway.h>
 
 #ifndef RTCORE_KERNELS_WAVE_KERNELS_ONCE
 #define RTCORE_KERNELS_WAVE_KERNELS_ONCE

@@ -16,15 +16,18 @@ std::string nameOf(std::int64_t target) {
     if (target == HWY_AVX3) return "avx512";
     if (target == HWY_AVX2) return "avx2";
     if (target == HWY_SSE4) return "sse4";
-    if (target == HWY_NEON) return "neon";
-    return target == HWY_STATIC_TARGET ? "scalar" : "";
+    if (HWY_ARCH_ARM && target == HWY_STATIC_TARGET) return "neon";
+    return target == HWY_STATIC_TARGET || target == HWY_SCALAR ? "scalar" : "";
 }
 
 /// All that this program has code for and this processor can run, fastest first.
 std::vector<std::int64_t> targets() {
     static const std::vector<std::int64_t> all = [] {
+        // What all code is compiled for is there, even if Highway says of NEON that it needs AES.
+        std::int64_t rest = (hwy::SupportedTargets() | HWY_STATIC_TARGET) & HWY_TARGETS;
         std::vector<std::int64_t> found;
-        for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        for (; rest != 0; rest &= rest - 1) {
+            const std::int64_t target = rest & -rest;
             if (!nameOf(target).empty()) found.push_back(target);
         }
         return found;
@@ -69,7 +72,7 @@ bool useInstructionSet(std::string_view name) {
 
 void useInstructionSetOfEnvironment() {
     const char* const name = std::getenv("RT_ISA");
-    if (name == nullptr || *name == '\0' || useInstructionSet(name)) return;
+    if (useInstructionSet(name == nullptr || *name == '\0' ? "auto" : name)) return;
     std::string known;
     for (const std::string& each : instructionSets()) known += " " + each;
     throw std::invalid_argument(std::string("RT_ISA=") + name +

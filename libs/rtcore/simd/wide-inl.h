@@ -58,7 +58,12 @@ struct Wide {
     using Mask = MaskT<std::conditional_t<sizeof(T) == 8, double, float>>;
     hn::Vec<Tag> raw;
 
-    Wide() = default;
+#if HWY_ARCH_ARM
+    /// Highway's vectors of NEON have a constructor that leaves them as they are, with empty braces too.
+    HWY_INLINE Wide() : raw(hn::Zero(Tag())) {}
+#else
+    Wide() = default; ///< zero with empty braces
+#endif
     HWY_INLINE Wide(hn::Vec<Tag> value) : raw(value) {}
     HWY_INLINE Wide(T value) : raw(hn::Set(Tag(), value)) {} ///< the same in all lanes
 
