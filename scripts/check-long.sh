@@ -1,14 +1,14 @@
 #!/bin/sh
 # The checks that take too long for every run; their output belongs into the note that closes an issue.
 #   scripts/check-long.sh [formulas] [leaks] [leaving] [trees] [waves] [oracle] [mutations] [kills] [formats] [ipc] [server]
-#                         [reaction] [soak] [edits] [preview] [window] [walks] [tutorial] [sanitizers] [mutants]
+#                         [reaction] [soak] [edits] [preview] [window] [walks] [tutorial] [sanitizers] [mutants] [arm64]
 # Without arguments: all. RT_ISA chooses the instruction set of the kernels.
 set -eu
 cd "$(dirname "$0")/.."
 scripts/build.sh
 [ $# -gt 0 ] ||
     set -- formulas leaks leaving trees waves oracle mutations kills formats ipc server reaction soak edits preview window walks \
-        tutorial sanitizers mutants
+        tutorial sanitizers mutants arm64
 release=build/release/bin
 for check in "$@"; do
     echo "== $check"
@@ -103,6 +103,10 @@ for check in "$@"; do
         ;;
     mutants)
         scripts/check-mutants.sh
+        ;;
+    arm64)
+        # Root, and the network for the first time; skipped without.
+        scripts/check-arm64.sh
         ;;
     formats)
         scripts/check-formats.sh
