@@ -119,8 +119,9 @@ HWY_INLINE int commonAxis(const GroupShape& shape, const RaySpan& rays, std::siz
     return hn::AllFalse(d, anyXY) ? 2 : 3;
 }
 
-/// The rays of a group as a packet; those from `count` on take no part.
-HWY_INLINE void load(const KernelScene& scene, const RaySpan& rays, std::size_t first, std::size_t count,
+/// The rays of a group as a packet; those from `count` on take no part. False where none meets the root's
+/// cell.
+HWY_INLINE bool load(const KernelScene& scene, const RaySpan& rays, std::size_t first, std::size_t count,
                      Packet<kGroupVectors>& packet) {
     const FloatTag d;
     const IntTag di;
@@ -142,11 +143,13 @@ HWY_INLINE void load(const KernelScene& scene, const RaySpan& rays, std::size_t 
         hn::Store(hn::Set(d, 1.0F), d, packet.det + i);
     }
     packet.slack = hn::GetLane(hn::MaxOfLanes(d, slack));
+    Mask enters = hn::FirstN(d, 0);
     for (std::size_t i = 0; i < kGroup; i += kLanes) {
         const RayVector ray = loadRays(rays, first + i);
         const IntervalVector inside = clipToBox(scene, ray, hn::Set(d, packet.slack));
         hn::Store(inside.t0, d, packet.t0 + i);
         hn::Store(inside.t1, d, packet.t1 + i);
+        enters = hn::Or(enters, hn::Le(inside.t0, inside.t1));
         for (int axis = 0; axis < 3; ++axis) {
             hn::Store(hn::Div(hn::Set(d, 1.0F), hn::Load(d, packet.direction[axis] + i)), d,
                       packet.inverse[axis] + i);
@@ -157,6 +160,7 @@ HWY_INLINE void load(const KernelScene& scene, const RaySpan& rays, std::size_t 
         packet.t1[i] = -1;
         packet.best[i] = -1;
     }
+    return !hn::AllFalse(d, enters);
 }
 
 /// For any hit, whether to begin at the far end of rays: shadow rays may be stopped near the light, by a
@@ -195,10 +199,7 @@ class PacketTracer {
     /// Traces `count` rays from `first` on; `packet` then holds what they found. All kGroup must be readable.
     HWY_INLINE void trace(GroupShape shape, std::size_t first, std::size_t count) {
         addOrigins(rays_, first, shape);
-        load(scene_, rays_, first, count, packet);
-        bool any = false;
-        for (std::size_t i = 0; i < kGroup; ++i) any |= packet.t0[i] <= packet.t1[i];
-        if (!any) return;
+        if (!load(scene_, rays_, first, count, packet)) return;
         const Culling culling = shape.culling();
         const int axis = commonAxis(shape, rays_, first);
         if (axis == 3) {
@@ -498,18 +499,32 @@ struct AnyOutput {
     std::uint8_t* occluded;
 
     HWY_INLINE void fromPacket(const Packet<kGroupVectors>& p, std::size_t first, std::size_t count) const {
-        for (std::size_t i = 0; i < count; ++i) occluded[first + i] = found(p.best[i], p.triangle[i]);
+        if (HWY_LIKELY(count == kGroup)) {
+            store(p.best, p.triangle, occluded + first);
+            return;
+        }
+        std::uint8_t all[kGroup];
+        store(p.best, p.triangle, all);
+        std::copy_n(all, count, occluded + first);
     }
     HWY_INLINE void fromSlots(const StreamScratch& s, std::size_t group) const {
-        for (std::size_t i = 0; i < kGroup; ++i) {
-            const std::size_t slot = group * kGroup + i;
-            occluded[s.groups[group] + i] = found(s.best[slot], s.triangle[slot]);
-        }
+        const std::size_t slot = group * kGroup;
+        store(s.best + slot, s.triangle + slot, occluded + s.groups[group]);
     }
 
   private:
-    static HWY_INLINE std::uint8_t found(float best, std::int32_t passed) {
-        return best < 0 ? 1 : passed != kNone ? 2 : 0;
+    /// Of a group: 1 for rays that were stopped, 2 for those that passed through something.
+    static HWY_INLINE void store(const float* best, const std::int32_t* triangle, std::uint8_t* to) {
+        const FloatTag d;
+        const IntTag di;
+        const hn::Rebind<std::uint8_t, IntTag> d8;
+        for (std::size_t i = 0; i < kGroup; i += kLanes) {
+            const Mask stopped = hn::Lt(hn::Load(d, best + i), hn::Zero(d));
+            const auto passed = hn::Ne(hn::Load(di, triangle + i), hn::Set(di, kNone));
+            const Ints found = hn::IfThenElse(hn::RebindMask(di, stopped), hn::Set(di, 1),
+                                              hn::IfThenElseZero(passed, hn::Set(di, 2)));
+            hn::StoreU(hn::DemoteTo(d8, found), d8, to + i);
+        }
     }
 };
 
