@@ -32,12 +32,14 @@ HWY_INLINE Vec3Of<F> toneMapChannels(Vec3Of<F> x, F c) {
 template <typename F>
 HWY_INLINE Vec3Of<F> toneMapLuminance(Vec3Of<F> x, F c) {
     const F y = luminance<F>(x);
-    const F l = sigmoid<F>(y, c);
-    const Vec3Of<F> grey{l, l, l};
-    const auto shown = l > 0.0F;
     const auto ordinary = isFinite(x.x) & isFinite(x.y) & isFinite(x.z) & (y < 1e30F);
     Vec3Of<F> mapped = x / (y + c);
     const F largest = maxComponent(mapped);
+    // Nearly all of an image: the sigmoid itself is not needed. Its result is above 0 here.
+    if (all(ordinary & (y > c * 0x1p-100F) & (largest <= 1.0F))) return mapped;
+    const F l = sigmoid<F>(y, c);
+    const Vec3Of<F> grey{l, l, l};
+    const auto shown = l > 0.0F;
     const auto tooBright = largest > 1.0F;
     if (any(shown & tooBright)) {
         const F blend = (1.0F - l) / (largest - l);
@@ -56,14 +58,19 @@ template <typename F>
 HWY_INLINE auto chordOf(F x) {
     return shiftRight<SrgbCurve::kShift>(bitsOf(select(isOnChord(x), x, F(0.5F)))) - SrgbCurve::kFirst;
 }
-/// x in [0, 1] -> [0, 255], before rounding; `code` and `rise` are those of its chord.
+/// x on a chord -> its code before rounding, in (0, 255]; `code` and `rise` are those of the chord.
 template <typename F>
-HWY_INLINE F srgbCode(F x, F code, F rise) {
+HWY_INLINE F codeOnChord(F x, F code, F rise) {
     constexpr std::uint32_t kMask = (std::uint32_t{1} << SrgbCurve::kShift) - 1;
     const F rest = toFloat(toInt(bitsOf(x) & kMask));
     const F along = rest * (1.0F / static_cast<float>(kMask + 1)); // a power of two: exact
+    return code + rise * along;
+}
+/// The same for x in [0, 1] -> [0, 255].
+template <typename F>
+HWY_INLINE F srgbCode(F x, F code, F rise) {
     const F linear = selectOrZero(x > 0.0F, 255 * 12.92F * x);
-    return select(isOnChord(x), code + rise * along, select(x >= 1.0F, F(255), linear));
+    return select(isOnChord(x), codeOnChord(x, code, rise), select(x >= 1.0F, F(255), linear));
 }
 
 /// A threshold in [0, 1) for each pixel, the same in every frame: neighbouring thresholds differ much, so
@@ -81,6 +88,11 @@ template <typename F>
 HWY_INLINE auto quantise(F code, std::type_identity_t<F> threshold) {
     const F value = code + threshold;
     return truncate(select(value >= 255.0F, F(255), selectOrZero(value > 0.0F, value)));
+}
+/// The same of a code that is not below 0.
+template <typename F>
+HWY_INLINE auto quantisePositive(F code, std::type_identity_t<F> threshold) {
+    return truncate(min(code + threshold, F(255)));
 }
 
 } // namespace HWY_NAMESPACE

@@ -42,6 +42,11 @@ void mapBlock(const Development& how, const float* radiance, ToneBlock& block) {
     }
 }
 
+/// Four bytes of a pixel, opaque.
+HWY_INLINE void storePixels(Int red, Int green, Int blue, std::uint32_t* pixels) {
+    store(toUint(red) | shiftLeft<8>(toUint(green)) | shiftLeft<16>(toUint(blue)) | 0xFF000000U, pixels);
+}
+
 /// Second half, with the chords fetched.
 void quantiseBlock(const Development& how, const ToneBlock& block, int column, int row,
                    std::uint32_t* pixels) {
@@ -51,13 +56,23 @@ void quantiseBlock(const Development& how, const ToneBlock& block, int column, i
             const Int columns = toInt(iota(static_cast<std::size_t>(column) + i));
             threshold = ditherThreshold(toFloat(columns), static_cast<float>(row));
         }
-        const auto quantised = [&](std::size_t channel) HWY_ATTR {
+        const auto shown = [&](std::size_t channel) HWY_ATTR { return load(block.shown[channel] + i); };
+        const auto quantised = [&](std::size_t channel, auto&& codeOf) HWY_ATTR {
             Float code, rise;
             hn::LoadInterleaved2(FloatTag(), &block.chords[channel][i].code, code.raw, rise.raw);
-            return toUint(quantise(srgbCode(load(block.shown[channel] + i), code, rise), threshold));
+            return codeOf(shown(channel), code, rise);
         };
-        store(quantised(0) | shiftLeft<8>(quantised(1)) | shiftLeft<16>(quantised(2)) | 0xFF000000U,
-              pixels + i);
+        const auto onChord = [&](Float x, Float code, Float rise) HWY_ATTR {
+            return quantisePositive(codeOnChord(x, code, rise), threshold);
+        };
+        const auto anywhere = [&](Float x, Float code, Float rise) HWY_ATTR {
+            return quantise(srgbCode(x, code, rise), threshold);
+        };
+        if (all(isOnChord(shown(0)) & isOnChord(shown(1)) & isOnChord(shown(2)))) {
+            storePixels(quantised(0, onChord), quantised(1, onChord), quantised(2, onChord), pixels + i);
+        } else {
+            storePixels(quantised(0, anywhere), quantised(1, anywhere), quantised(2, anywhere), pixels + i);
+        }
     }
 }
 
