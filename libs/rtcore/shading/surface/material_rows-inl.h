@@ -16,14 +16,15 @@ namespace HWY_NAMESPACE {
 
 HWY_INLINE Mask hasTrait(Uint traits, std::uint32_t trait) { return (traits & trait) != 0U; }
 
-/// The rows of consecutive points; often they are one and the same.
+/// The rows of consecutive points; often those of the used ones are one and the same.
 class Rows {
   public:
-    /// Points that are not `used` may have any material; at least one is used.
+    /// Points that are not `used` may have any material, and get any values; at least one is used.
     HWY_INLINE Rows(const MaterialRow* rows, const std::uint32_t* material, Mask used) {
         const Uint indices = load(material);
-        row_ = rows + material[0];
-        one_ = all(used) && all(indices == material[0]);
+        const std::uint32_t first = material[used.first()];
+        row_ = rows + first;
+        one_ = none(without(used, indices == first));
         if (one_) return;
         store(shiftLeft<kRowShift>(selectOrZero(used, indices)), first_);
         row_ = rows;
