@@ -2,7 +2,6 @@
 
 #include "rtcore/math/constants.h"
 #include "rtcore/shading/paths/path_length-inl.h"
-#include "rtcore/shading/surface/surface.h"
 #include "rtcore/shading/surface/surface_split.h"
 #include "rtcore/shading/surface/texture_wave.h"
 
@@ -48,13 +47,32 @@ Colour SpecialPoints::setAlbedo(const Task& task, std::size_t i, Colour albedo) 
     return surfaces.weight.colourAt(i) * (m.emission + task.ambient * (albedo + m.specular));
 }
 
+/// surfaceAt(), whose shape the wave has.
+Surface SpecialPoints::surfaceOf(const Task& task, std::size_t i) {
+    const SurfaceWave& surfaces = task.wave.surfaces;
+    const Scene& scene = *task.frame.scene;
+    const Hit hit = task.wave.hits.hit(i);
+    Surface s;
+    s.position = surfaces.position.at(i);
+    s.clearance = surfaces.clearance[i];
+    s.geometricNormal = surfaces.geometricNormal.at(i);
+    s.shadingNormal = surfaces.shadingNormal.at(i);
+    s.toViewer = surfaces.toViewer.at(i);
+    s.fromInside = (surfaces.traits[i] & traits::kFromInside) != 0;
+    s.closed = scene.isClosed(hit.triangle);
+    s.material = &scene.materials[surfaces.material[i]];
+    const bool turned = (surfaces.traits[i] & traits::kTurned) != 0;
+    addMaterial(scene, task.frame.settings->textures, hit, turned, s);
+    return s;
+}
+
 Colour SpecialPoints::completeGeneral(const Task& task, std::size_t i) const {
     const SurfaceWave& surfaces = task.wave.surfaces;
     const RenderSettings& settings = *task.frame.settings;
     Path path = task.wave.paths.path(i);
     path.weight = surfaces.weight.colourAt(i);
     const Vec3 direction = task.wave.direction(i);
-    const Surface s = surfaceAt(*task.frame.scene, settings.textures, direction, task.wave.hits.hit(i));
+    const Surface s = surfaceOf(task, i);
     const float t = task.wave.hits.t[i];
     if (s.coverage < 1) {
         Path through = path;

@@ -4,6 +4,7 @@
 #include "rtcore/shading/frame_context.h"
 #include "rtcore/shading/sample_sums.h"
 #include "rtcore/shading/secondary_rays.h"
+#include "rtcore/shading/surface/surface.h"
 #include "rtcore/shading/wave.h"
 
 #include <cstddef>
@@ -31,6 +32,7 @@ class SpecialPoints {
         SampleSums& sums;
         SecondaryRays& secondary;
     };
+    static Surface surfaceOf(const Task& task, std::size_t point);
     Colour completeGeneral(const Task& task, std::size_t point) const;
     Colour setAlbedo(const Task& task, std::size_t point, Colour albedo) const;
     void completeTextured(const Task& task);

@@ -95,7 +95,7 @@ const std::vector<LightEnd>& ShadowTracer::ends(const RayWave& rays) {
             const std::uint32_t index = currentIndex_[i];
             travelled_[index] += hit.t;
             if (layer == 0) ends_[index].clear = hit.t;
-            const Surface surface = surfaceAt(*scene_, false, current_.ray(i).direction, hit);
+            const Surface surface = shapeAt(*scene_, current_.ray(i).direction, hit);
             const Colour left = ends_[index].tint * throughSurface(surface, hit);
             if (isBlack(left)) {
                 ends_[index].distance = travelled_[index];
@@ -126,7 +126,7 @@ void ShadowTracer::traceTinted(const Light& light, RayStatistics& statistics) {
                 continue;
             }
             const Hit hit = hits_.hit(i);
-            const Surface surface = surfaceAt(*scene_, false, ray.direction, hit);
+            const Surface surface = shapeAt(*scene_, ray.direction, hit);
             arriving *= throughSurface(surface, hit);
             if (fog_ != nullptr) arriving = arriving * throughFog(surface, ray, light, hit);
             if (isBlack(arriving)) continue;

@@ -20,6 +20,8 @@ inline constexpr std::uint32_t kColoured = 16; ///< the albedo varies: texture, 
 inline constexpr std::uint32_t kGeneral = 32; ///< transparent, perforated, bump mapped, emitting by a texture
 inline constexpr std::uint32_t kSpecular = 64; ///< of points, not of materials: a mirrored ray follows
 inline constexpr std::uint32_t kRough = 128;   ///< it has a rough lobe (phong.h)
+/// Of points that vector code alone cannot shade: seen from behind; shading normal turned (surface.h).
+inline constexpr std::uint32_t kFromInside = 256, kTurned = 512;
 /// Vector code alone cannot shade such a point.
 inline constexpr std::uint32_t kNotPlain = kColoured | kGeneral;
 } // namespace traits

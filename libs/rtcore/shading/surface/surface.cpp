@@ -43,15 +43,13 @@ Colour textureColour(const Scene& scene, std::uint32_t texture, Vec2 uv) {
     return sampleColour(scene.model, scene.model.textures[texture], uv);
 }
 
-} // namespace
-
-Surface surfaceAt(const Scene& scene, bool textures, Vec3 direction, const Hit& hit) {
+/// `turned` as for addMaterial().
+Surface shapeOf(const Scene& scene, Vec3 direction, const Hit& hit, bool& turned) {
     const Mesh& mesh = scene.mesh();
     const ShadingTriangle& shading = mesh.shading[hit.triangle];
-    const Material& material = scene.materials[shading.material];
 
     Surface s;
-    s.material = &material;
+    s.material = &scene.materials[shading.material];
     // From the corners, not along the ray: the error then is that of the triangle's size, not of the ray's
     // length.
     const plain::Corners<float> positions{mesh.position(hit.triangle, 0), mesh.position(hit.triangle, 1),
@@ -68,23 +66,42 @@ Surface surfaceAt(const Scene& scene, bool textures, Vec3 direction, const Hit& 
     if (s.fromInside) s.geometricNormal = -s.geometricNormal;
     const bool none = s.shadingNormal == Vec3{};
     if (none) s.shadingNormal = s.geometricNormal;
-    const bool turned = !none && behind != s.fromInside;
-    if (textures && material.normalTexture != kNoTexture) {
-        s.shadingNormal = mapNormal(scene, scene.model.textures[material.normalTexture], hit.triangle,
-                                    texcoordAt(mesh, shading, hit), s.shadingNormal);
-    }
+    turned = !none && behind != s.fromInside;
     if (turned) s.shadingNormal = -s.shadingNormal;
     s.closed = scene.isClosed(hit.triangle);
+    return s;
+}
 
+} // namespace
+
+Surface surfaceAt(const Scene& scene, bool textures, Vec3 direction, const Hit& hit) {
+    bool turned = false;
+    Surface s = shapeOf(scene, direction, hit, turned);
+    addMaterial(scene, textures, hit, turned, s);
+    return s;
+}
+
+Surface shapeAt(const Scene& scene, Vec3 direction, const Hit& hit) {
+    bool turned = false;
+    return shapeOf(scene, direction, hit, turned);
+}
+
+void addMaterial(const Scene& scene, bool textures, const Hit& hit, bool turned, Surface& s) {
+    const Material& material = *s.material;
     s.diffuse = diffuseAt(scene, textures, hit);
     s.emission = material.emission;
-    if (textures && (material.emissionTexture != kNoTexture || material.alphaTexture != kNoTexture)) {
-        const Vec2 uv = texcoordAt(mesh, shading, hit);
-        if (material.emissionTexture != kNoTexture)
-            s.emission *= textureColour(scene, material.emissionTexture, uv);
-        s.coverage = coverageOf(scene, material, uv);
+    if (!textures) return;
+    const bool bumps = material.normalTexture != kNoTexture, glows = material.emissionTexture != kNoTexture;
+    if (!bumps && !glows && material.alphaTexture == kNoTexture) return;
+    const Vec2 uv = texcoordAt(scene.mesh(), scene.mesh().shading[hit.triangle], hit);
+    if (bumps) {
+        const Vec3 normal = turned ? -s.shadingNormal : s.shadingNormal;
+        const Vec3 bent =
+            mapNormal(scene, scene.model.textures[material.normalTexture], hit.triangle, uv, normal);
+        s.shadingNormal = turned ? -bent : bent;
     }
-    return s;
+    if (glows) s.emission *= textureColour(scene, material.emissionTexture, uv);
+    s.coverage = coverageOf(scene, material, uv);
 }
 
 Colour diffuseAt(const Scene& scene, bool textures, const Hit& hit) {

@@ -98,13 +98,6 @@ std::size_t fillBlock(const SurfaceSources& sources, const BlockRays& rays, std:
         store(traits, wave.traits + at);
         store(found.material, wave.material + at);
         storeAt(found.diffuse, wave.diffuse, at);
-        const Mask special = (traits & traits::kNotPlain) != 0U;
-        if (any(special)) {
-            const Compressor some(special);
-            some.store(iota(at), notPlain + notPlainCount);
-            notPlainCount += some.count();
-        }
-
         const Float u = load(rays.u + i);
         const Float v = load(rays.v + i);
         storeAt(interpolate<Float>(found.position, u, v), wave.position, at);
@@ -123,7 +116,17 @@ std::size_t fillBlock(const SurfaceSources& sources, const BlockRays& rays, std:
 
         const Float3 normal = normalize(interpolate<Float>(found.normal, u, v), used);
         const Float3 shading = select(inside ^ behind, -normal, normal);
-        storeAt(select(isZero(normal), geometric, shading), wave.shadingNormal, at);
+        const Mask straight = isZero(normal);
+        storeAt(select(straight, geometric, shading), wave.shadingNormal, at);
+        const Mask special = (traits & traits::kNotPlain) != 0U;
+        if (any(special)) {
+            const Compressor some(special);
+            some.store(iota(at), notPlain + notPlainCount);
+            notPlainCount += some.count();
+            const Uint side = selectOrZero(inside, Uint(traits::kFromInside)) |
+                              selectOrZero(without(inside ^ behind, straight), Uint(traits::kTurned));
+            store(traits | selectOrZero(special, side), wave.traits + at);
+        }
     }
     return notPlainCount;
 }
