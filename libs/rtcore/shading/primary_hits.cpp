@@ -19,7 +19,9 @@ Albedo albedoOf(const SurfaceWave& surfaces, std::size_t i) {
     const bool specular = (surfaces.traits[i] & traits::kSpecular) != 0;
     const Colour mirrored = specular ? surfaces.specular.colourAt(i) : Colour{};
     Colour through;
-    if ((surfaces.traits[i] & traits::kGeneral) != 0) {
+    constexpr std::uint32_t kTexturedMirror = traits::kMirror | traits::kColoured;
+    const std::uint32_t point = surfaces.traits[i];
+    if ((point & traits::kGeneral) != 0 || (point & kTexturedMirror) == kTexturedMirror) {
         const Colour rest = kWhite - scattered - mirrored;
         through = {std::max(rest.r, 0.0F), std::max(rest.g, 0.0F), std::max(rest.b, 0.0F)};
     }

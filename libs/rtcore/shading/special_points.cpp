@@ -5,6 +5,8 @@
 #include "rtcore/shading/surface/surface_split.h"
 #include "rtcore/shading/surface/texture_wave.h"
 
+#include <algorithm>
+
 namespace rtcore {
 
 void SpecialPoints::complete(const FrameContext& frame, Colour ambient, Wave& wave, SampleSums& sums,
@@ -44,7 +46,11 @@ Colour SpecialPoints::setAlbedo(const Task& task, std::size_t i, Colour albedo) 
     surfaces.diffuse.set(i, albedo / kPi);
     if (!task.frame.materials->anyEmission()) return {};
     const Material& m = task.frame.scene->materials[surfaces.material[i]];
-    return surfaces.weight.colourAt(i) * (m.emission + task.ambient * (albedo + m.specular));
+    const Colour ambient = task.ambient * (albedo + m.specular);
+    if ((surfaces.traits[i] & traits::kMirror) == 0)
+        return surfaces.weight.colourAt(i) * (m.emission + ambient);
+    const float cosine = std::max(dot(surfaces.toViewer.at(i), surfaces.shadingNormal.at(i)), 0.0F);
+    return surfaces.weight.colourAt(i) * (m.emission + ambient * (kWhite - mirroredOf(m, cosine)));
 }
 
 /// surfaceAt(), whose shape the wave has.

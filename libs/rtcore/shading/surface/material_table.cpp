@@ -23,7 +23,7 @@ std::uint32_t traitsOf(const Material& m, bool colours, const RenderSettings& se
         result |= traits::kGeneral;
     }
     if (settings.reflections && !isBlack(m.mirror * m.mirrorScale)) {
-        if ((result & traits::kNotPlain) != 0) return result | traits::kGeneral;
+        if ((result & traits::kGeneral) != 0) return result;
         result |= traits::kMirror;
         if (m.fresnel != 0) result |= traits::kFresnel;
     }

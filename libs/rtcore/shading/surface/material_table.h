@@ -14,7 +14,7 @@ namespace rtcore {
 namespace traits {
 inline constexpr std::uint32_t kPoint = 1;     ///< there is a surface to be lit
 inline constexpr std::uint32_t kGlossy = 2;    ///< it has a Phong lobe
-inline constexpr std::uint32_t kMirror = 4;    ///< opaque, reflects, and is none of those below
+inline constexpr std::uint32_t kMirror = 4;    ///< opaque, reflects, and is not kGeneral
 inline constexpr std::uint32_t kFresnel = 8;   ///< a mirror that reflects more at grazing angles
 inline constexpr std::uint32_t kColoured = 16; ///< the albedo varies: texture, colours of vertices
 inline constexpr std::uint32_t kGeneral = 32; ///< transparent, perforated, bump mapped, emitting by a texture

@@ -16,6 +16,11 @@ Colour schlick(Colour normal, float cosine) {
 
 } // namespace
 
+Colour mirroredOf(const Material& m, float cosine) {
+    const bool fresnel = m.fresnel != 0 && !isBlack(m.mirror);
+    return (fresnel ? schlick(m.mirror, cosine) : m.mirror) * m.mirrorScale;
+}
+
 SurfaceSplit splitLight(const Surface& s, const RenderSettings& settings) {
     const Material& m = *s.material;
     const float cosine = std::max(dot(s.toViewer, s.shadingNormal), 0.0F);
@@ -27,8 +32,7 @@ SurfaceSplit splitLight(const Surface& s, const RenderSettings& settings) {
             const float r = fresnelDielectric(cosine, eta);
             split.mirrored = kWhite * (s.closed ? r : thinWallReflectance(r));
         } else {
-            const bool fresnel = m.fresnel != 0 && !isBlack(m.mirror);
-            split.mirrored = (fresnel ? schlick(m.mirror, cosine) : m.mirror) * m.mirrorScale;
+            split.mirrored = mirroredOf(m, cosine);
         }
     }
     const Colour rest = kWhite - split.mirrored;

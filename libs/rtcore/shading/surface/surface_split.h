@@ -12,6 +12,9 @@ struct SurfaceSplit {
     Colour scattered;   ///< factor on diffuse and glossy reflection
 };
 
+/// SurfaceSplit::mirrored of an opaque material; `cosine` between viewer and normal, at least 0.
+Colour mirroredOf(const Material& material, float cosine);
+
 SurfaceSplit splitLight(const Surface& s, const RenderSettings& settings);
 
 } // namespace rtcore
