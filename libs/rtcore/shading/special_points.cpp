@@ -14,14 +14,16 @@ void SpecialPoints::complete(const FrameContext& frame, Colour ambient, Wave& wa
     const Task task{frame, ambient, wave, sums, secondary};
     const std::span<const std::uint32_t> points = wave.surfaces.notPlain();
     emitted_.resize(points.size());
-    const bool colours = !frame.scene->mesh().colours.empty();
+    const auto textured = [&](std::size_t i) {
+        const std::uint32_t texture = frame.scene->materials[wave.surfaces.material[i]].diffuseTexture;
+        return frame.settings->textures && texture != kNoTexture;
+    };
     for (std::uint32_t k = 0; k < points.size(); ++k) {
         const std::uint32_t i = points[k];
         if ((wave.surfaces.traits[i] & traits::kGeneral) != 0) {
             emitted_[k] = completeGeneral(task, i);
-        } else if (colours) {
-            const Colour albedo = diffuseAt(*frame.scene, frame.settings->textures, wave.hits.hit(i));
-            emitted_[k] = setAlbedo(task, i, albedo);
+        } else if (!textured(i)) {
+            emitted_[k] = setAlbedo(task, i, untexturedAt(*frame.scene, wave.hits.hit(i)));
         } else {
             textured_.point[textured_.count] = i;
             textured_.index[textured_.count++] = k;

@@ -105,15 +105,18 @@ void addMaterial(const Scene& scene, bool textures, const Hit& hit, bool turned,
 }
 
 Colour diffuseAt(const Scene& scene, bool textures, const Hit& hit) {
+    const ShadingTriangle& shading = scene.mesh().shading[hit.triangle];
+    const std::uint32_t texture = scene.materials[shading.material].diffuseTexture;
+    const Colour diffuse = untexturedAt(scene, hit);
+    if (!textures || texture == kNoTexture) return diffuse;
+    return diffuse * textureColour(scene, texture, texcoordAt(scene.mesh(), shading, hit));
+}
+
+Colour untexturedAt(const Scene& scene, const Hit& hit) {
     const Mesh& mesh = scene.mesh();
     const ShadingTriangle& shading = mesh.shading[hit.triangle];
-    const Material& material = scene.materials[shading.material];
-    Colour diffuse = material.diffuse;
-    if (!mesh.colours.empty()) diffuse *= interpolate(mesh.colours, shading, hit);
-    if (textures && material.diffuseTexture != kNoTexture) {
-        diffuse *= textureColour(scene, material.diffuseTexture, texcoordAt(mesh, shading, hit));
-    }
-    return diffuse;
+    const Colour diffuse = scene.materials[shading.material].diffuse;
+    return mesh.colours.empty() ? diffuse : diffuse * interpolate(mesh.colours, shading, hit);
 }
 
 float coverageAt(const Scene& scene, bool textures, const Hit& hit) {

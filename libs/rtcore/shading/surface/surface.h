@@ -29,6 +29,8 @@ Surface shapeAt(const Scene& scene, Vec3 direction, const Hit& hit);
 /// Adds the rest to such a surface. `turned`: its shading normal is minus the interpolated one.
 void addMaterial(const Scene& scene, bool textures, const Hit& hit, bool turned, Surface& surface);
 
+/// The albedo alone, with vertex colour, but without texture.
+Colour untexturedAt(const Scene& scene, const Hit& hit);
 /// The albedo alone, with texture and vertex colour.
 Colour diffuseAt(const Scene& scene, bool textures, const Hit& hit);
 

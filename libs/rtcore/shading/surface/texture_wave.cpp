@@ -1,5 +1,6 @@
 #include "rtcore/shading/surface/texture_wave.h"
 
+#include "rtcore/shading/surface/surface.h"
 #include "rtcore/shading/surface/texture_lookup.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -22,7 +23,7 @@ struct TextureBlock {
     alignas(64) std::uint32_t texel[4][kWaveBlock] = {}; ///< which four: upper left, right, lower left, right
     alignas(64) float fraction[2][kWaveBlock] = {};      ///< of the right ones, of the lower ones
     alignas(64) float light[4][3][kWaveBlock] = {};      ///< of the four texels
-    alignas(64) float albedo[3][kWaveBlock] = {};        ///< first the material's own
+    alignas(64) float albedo[3][kWaveBlock] = {};        ///< first that without texture
 };
 
 } // namespace rtcore
@@ -104,9 +105,11 @@ void texturedAlbedos(const Scene& scene, const HitWave& hits, std::span<const st
             block.corner[corner][0][i] = uv.x;
             block.corner[corner][1][i] = uv.y;
         }
-        block.albedo[0][i] = material.diffuse.r;
-        block.albedo[1][i] = material.diffuse.g;
-        block.albedo[2][i] = material.diffuse.b;
+        const Colour untextured =
+            mesh.colours.empty() ? material.diffuse : untexturedAt(scene, hits.hit(hit));
+        block.albedo[0][i] = untextured.r;
+        block.albedo[1][i] = untextured.g;
+        block.albedo[2][i] = untextured.b;
     }
     HWY_DYNAMIC_DISPATCH(findTexels)(block);
     const float* const linear = linearOfCodes();

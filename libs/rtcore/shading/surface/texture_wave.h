@@ -10,8 +10,8 @@
 
 namespace rtcore {
 
-/// Albedos of the hits named by `points`, kWaveBlock at most, whose materials have a diffuse texture and
-/// whose mesh has no colours of vertices, to albedo[0], [1] ...
+/// Albedos of the hits named by `points`, kWaveBlock at most, whose materials have a diffuse texture, to
+/// albedo[0], [1] ...
 void texturedAlbedos(const Scene& scene, const HitWave& hits, std::span<const std::uint32_t> points,
                      Colour* albedo);
 
