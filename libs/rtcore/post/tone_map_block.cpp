@@ -62,12 +62,10 @@ void quantiseBlock(const Development& how, const ToneBlock& block, int column, i
             hn::LoadInterleaved2(FloatTag(), &block.chords[channel][i].code, code.raw, rise.raw);
             return codeOf(shown(channel), code, rise);
         };
-        const auto onChord = [&](Float x, Float code, Float rise) HWY_ATTR {
-            return quantisePositive(codeOnChord(x, code, rise), threshold);
-        };
-        const auto anywhere = [&](Float x, Float code, Float rise) HWY_ATTR {
-            return quantise(srgbCode(x, code, rise), threshold);
-        };
+        const auto onChord = [&](Float x, Float code, Float rise)
+                                 HWY_ATTR { return quantisePositive(codeOnChord(x, code, rise), threshold); };
+        const auto anywhere = [&](Float x, Float code, Float rise)
+                                  HWY_ATTR { return quantise(srgbCode(x, code, rise), threshold); };
         if (all(isOnChord(shown(0)) & isOnChord(shown(1)) & isOnChord(shown(2)))) {
             storePixels(quantised(0, onChord), quantised(1, onChord), quantised(2, onChord), pixels + i);
         } else {
