@@ -91,8 +91,8 @@ void addMaterial(const Scene& scene, bool textures, const Hit& hit, bool turned,
     s.diffuse = diffuseAt(scene, textures, hit);
     s.emission = material.emission;
     if (!textures) return;
-    const bool bumps = material.normalTexture != kNoTexture, glows = material.emissionTexture != kNoTexture;
-    if (!bumps && !glows && material.alphaTexture == kNoTexture) return;
+    const bool bumps = material.normalTexture != kNoTexture, emits = material.emissionTexture != kNoTexture;
+    if (!bumps && !emits && material.alphaTexture == kNoTexture) return;
     const Vec2 uv = texcoordAt(scene.mesh(), scene.mesh().shading[hit.triangle], hit);
     if (bumps) {
         const Vec3 normal = turned ? -s.shadingNormal : s.shadingNormal;
@@ -100,7 +100,7 @@ void addMaterial(const Scene& scene, bool textures, const Hit& hit, bool turned,
             mapNormal(scene, scene.model.textures[material.normalTexture], hit.triangle, uv, normal);
         s.shadingNormal = turned ? -bent : bent;
     }
-    if (glows) s.emission *= textureColour(scene, material.emissionTexture, uv);
+    if (emits) s.emission *= textureColour(scene, material.emissionTexture, uv);
     s.coverage = coverageOf(scene, material, uv);
 }
 
