@@ -1,10 +1,11 @@
-/// rtimport: reads a model with Assimp and writes it as a .bsp without a tree. It is started by importModel,
-/// which watches its memory and its time; whatever a damaged file does to Assimp ends with this process.
+/// rtimport: reads a model, most formats with Assimp, and writes it as a .bsp without a tree. It is started
+/// by importModel, which watches its memory and its time; whatever a damaged file does to Assimp ends with
+/// this process.
 #include "common/process/stop.h"
 #include "common/process/threads.h"
 
 #include "rtcore/io/bsp/bsp_file.h"
-#include "rtcore/io/import/assimp_import.h"
+#include "rtcore/io/import/file_import.h"
 #include "rtcore/io/import/importer_exit.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/processes.h"
@@ -84,11 +85,11 @@ void sayAlive() {
 }
 
 void importFile(const Arguments& arguments) {
-    rtcore::AssimpOptions options;
+    rtcore::FileImportOptions options;
     options.creaseAngle = arguments.crease;
     options.memoryLimit = arguments.memory;
     options.alive = sayAlive;
-    rtcore::AssimpResult result = rtcore::importWithAssimp(arguments.input, options);
+    rtcore::FileImport result = rtcore::importFile(arguments.input, options);
     if (arguments.flip) {
         for (rtcore::Vec2& t : result.model.texcoords) t.y = 1 - t.y;
     }

@@ -41,6 +41,12 @@ class InputFile {
     /// All of it; call it once, and nothing after it.
     FileBytes read();
 
+    /// Bytes of a regular file as it was when it was opened; 0 for what is none.
+    std::uint64_t size() const;
+    /// Copies bytes from `offset` on, as many as fit and are there: fewer where the file ends by now. Only
+    /// for regular files. Throws as openFileBytes() does.
+    std::size_t readAt(std::uint64_t offset, std::span<std::byte> room) const;
+
   private:
     struct Parts;
     std::unique_ptr<Parts> parts_;

@@ -2,6 +2,7 @@
 #include "rtcore/platform/descriptor_posix.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
+#include "rtcore/platform/raw_memory.h"
 
 #include <fmt/core.h>
 
@@ -58,21 +59,11 @@ class Buffer {
         if (moved == nullptr) throw std::bad_alloc();
         data_ = static_cast<std::byte*>(moved);
         size_ = size;
-        useLargePages();
+        // Most of the time of reading is the system's, for each page; with fewer of them it is half of that.
+        preferLargePages(data_, size_);
     }
 
   private:
-    // Most of the time of reading is the system's, for each page; with fewer of them it is half of that.
-    void useLargePages() {
-#ifdef MADV_HUGEPAGE
-        constexpr std::uintptr_t kLarge = std::uintptr_t{2} << 20, kPage = 4096;
-        if (size_ < 2 * kLarge) return;
-        const std::uintptr_t first = (reinterpret_cast<std::uintptr_t>(data_) + kPage - 1) / kPage * kPage;
-        const std::uintptr_t last = (reinterpret_cast<std::uintptr_t>(data_) + size_) / kPage * kPage;
-        ::madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
-#endif
-    }
-
     std::byte* data_ = nullptr;
     std::size_t size_ = 0;
 };
@@ -164,16 +155,22 @@ std::span<const std::byte> InputFile::head(std::size_t most) {
         return parts.stream.bytes.first(std::min(most, parts.stream.bytes.size()));
     }
     parts.first.resize(std::min(most, parts.opened.size));
+    return {parts.first.data(), readAt(0, {parts.first.data(), parts.first.size()})};
+}
+
+std::uint64_t InputFile::size() const { return parts_->opened.size; }
+
+std::size_t InputFile::readAt(std::uint64_t offset, std::span<std::byte> room) const {
     std::size_t filled = 0;
-    while (filled < parts.first.size()) {
-        const ssize_t got = ::pread(parts.opened.file.get(), parts.first.data() + filled,
-                                    parts.first.size() - filled, static_cast<off_t>(filled));
+    while (filled < room.size()) {
+        const ssize_t got = ::pread(parts_->opened.file.get(), room.data() + filled, room.size() - filled,
+                                    static_cast<off_t>(offset + filled));
         if (got < 0 && errno == EINTR) continue;
-        if (got < 0) failReading(parts.path, errno);
+        if (got < 0) failReading(parts_->path, errno);
         if (got == 0) break;
         filled += static_cast<std::size_t>(got);
     }
-    return {parts.first.data(), filled};
+    return filled;
 }
 
 FileBytes InputFile::read() {

@@ -12,4 +12,8 @@ void* allocateRaw(std::size_t bytes);
 /// Null does nothing.
 void freeRaw(void* memory);
 
+/// Asks for large pages for memory of another's that nobody has written yet. Without them, or for little
+/// memory, it does nothing.
+void preferLargePages(void* memory, std::size_t bytes);
+
 } // namespace rtcore

@@ -1,5 +1,6 @@
 #include "rtcore/platform/raw_memory.h"
 
+#include <cstdint>
 #include <cstdlib>
 #include <new>
 
@@ -23,11 +24,19 @@ void* allocateRaw(std::size_t bytes) {
     if (whole < bytes) throw std::bad_alloc();
     void* const memory = std::aligned_alloc(alignment, whole > 0 ? whole : alignment);
     if (memory == nullptr) throw std::bad_alloc();
-#ifdef MADV_HUGEPAGE
-    // Advice: without it all works the same, only slower.
-    if (large) madvise(memory, whole, MADV_HUGEPAGE);
-#endif
+    preferLargePages(memory, whole);
     return memory;
+}
+
+void preferLargePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
+#ifdef MADV_HUGEPAGE
+    constexpr std::uintptr_t kPage = 4096;
+    if (bytes < kWorthLargePages) return;
+    const auto from = reinterpret_cast<std::uintptr_t>(memory);
+    const std::uintptr_t first = (from + kPage - 1) / kPage * kPage;
+    // Advice: without it all works the same, only slower.
+    madvise(reinterpret_cast<void*>(first), (from + bytes) / kPage * kPage - first, MADV_HUGEPAGE);
+#endif
 }
 
 void freeRaw(void* memory) { std::free(memory); }

@@ -140,6 +140,20 @@ TEST(InputFile, IsLookedIntoAndReadAsOneFile) {
     EXPECT_EQ(textOf(file.read()), content);
 }
 
+TEST(InputFile, IsCopiedInPiecesAlsoWhenItShrinks) {
+    const test::TemporaryFolder folder;
+    put(folder / "f", "0123456789");
+    const rtcore::InputFile file(folder / "f");
+    EXPECT_EQ(file.size(), 10U);
+    std::string piece(4, ' ');
+    EXPECT_EQ(file.readAt(5, std::as_writable_bytes(std::span(piece))), 4U);
+    EXPECT_EQ(piece, "5678");
+    fs::resize_file(folder / "f", 7);
+    EXPECT_EQ(file.readAt(5, std::as_writable_bytes(std::span(piece))), 2U);
+    EXPECT_EQ(piece.substr(0, 2), "56");
+    EXPECT_EQ(file.readAt(9, std::as_writable_bytes(std::span(piece))), 0U);
+}
+
 TEST(InputFile, LooksIntoAPipeAndReadsItOnce) {
     const test::TemporaryFolder folder;
     ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);

@@ -1,10 +1,10 @@
 #include "rtcore/io/import/assimp_import.h"
 
 #include "rtcore/io/import/assimp_parts.h"
-#include "rtcore/io/import/equal_triangles.h"
+#include "rtcore/io/import/colour_decoder.h"
+#include "rtcore/io/import/geometry_finish.h"
 #include "rtcore/io/import/gltf_file.h"
 #include "rtcore/io/import/import_warnings.h"
-#include "rtcore/io/import/mesh_assembly.h"
 #include "rtcore/io/import/polygon.h"
 #include "rtcore/io/import/unread_content.h"
 #include "rtcore/platform/error.h"
@@ -14,7 +14,6 @@
 #include <assimp/config.h>
 #include <assimp/importerdesc.h>
 #include <assimp/scene.h>
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
@@ -77,25 +76,6 @@ NodeWalk walkNodes(const aiScene& scene) {
     }
     return walk;
 }
-
-/// Codes of one byte are found in a table: most colours are such.
-class ColourDecoder {
-  public:
-    explicit ColourDecoder(bool linear) : linear_(linear) {
-        for (std::size_t i = 0; i < table_.size(); ++i) table_[i] = srgbDecode(static_cast<float>(i) / 255);
-    }
-    Colour operator()(const aiColor4D& c) const { return {decode(c.r), decode(c.g), decode(c.b)}; }
-
-  private:
-    float decode(float v) const {
-        if (linear_ || !(v > 0)) return v;
-        if (v >= 1) return 1;
-        const auto code = static_cast<std::size_t>(std::lround(v * 255));
-        return static_cast<float>(code) / 255 == v ? table_[code] : srgbDecode(v);
-    }
-    bool linear_;
-    std::array<float, 256> table_{};
-};
 
 /// Makes SourceMeshes of Assimp's meshes; keeps its memory from one to the next.
 class MeshReader {
@@ -197,7 +177,10 @@ class MeshReader {
     std::span<const Colour> readColours(const aiMesh& mesh) {
         colours_.clear();
         colours_.reserve(mesh.mNumVertices);
-        for (unsigned i = 0; i < mesh.mNumVertices; ++i) colours_.push_back(decode_(mesh.mColors[0][i]));
+        for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+            const aiColor4D& c = mesh.mColors[0][i];
+            colours_.push_back(decode_({c.r, c.g, c.b}));
+        }
         return colours_;
     }
 
@@ -304,44 +287,15 @@ std::string formatOf(const Assimp::Importer& importer) {
 }
 
 /// Instances multiply: a small file can stand for more triangles than any memory holds.
-void refuseTooMuch(const aiScene& scene, const NodeWalk& walk, std::uint64_t memoryLimit,
-                   MeshAssembler& assembler) {
-    constexpr std::uint64_t kBytesPerTriangle = 100;
+void makeRoom(const aiScene& scene, const NodeWalk& walk, std::uint64_t memoryLimit,
+              MeshAssembler& assembler) {
     std::uint64_t triangles = 0, vertices = 0;
     for (const Instance& i : walk.instances) {
         const aiMesh& mesh = *scene.mMeshes[i.mesh];
         vertices += mesh.mNumVertices;
         triangles += mesh.mNumFaces; // polygons have more, but no more than vertices
     }
-    const std::uint64_t most = memoryLimit > 0 ? memoryLimit / kBytesPerTriangle : ~std::uint64_t{0};
-    if (triangles > most || vertices / 4 > most) {
-        refuse(fmt::format(
-            "with all instances it has {} faces, more than fit into the memory that it may use; raise "
-            "the limit or simplify the model",
-            triangles));
-    }
-    assembler.reserve(vertices, triangles);
-}
-
-void refuseEmpty(const aiScene& scene, const ImportReport& report, ModelBuffers& model) {
-    if (!model.triangles.empty()) return;
-    refuse(
-        fmt::format("it holds no triangles ({} points and lines, {} triangles without area, {} with broken "
-                    "coordinates, {} with corners that do not exist, {} meshes); give a model with surfaces",
-                    report.ignoredPrimitives, report.degenerateTriangles, report.nonFiniteTriangles,
-                    report.unconnectedTriangles, scene.mNumMeshes));
-}
-
-/// Smaller models would vanish in the rounding of products of their coordinates.
-void refuseTooSmall(const Box3& bounds) {
-    constexpr float kLeastSize = 1e-12F;
-    if (bounds.empty()) return;
-    const Vec3 size = bounds.size();
-    const float largest = std::max({size.x, size.y, size.z});
-    if (largest == 0 || largest >= kLeastSize) return;
-    refuse(
-        fmt::format("it is only {:g} units large, too small to be traced; scale it up by a factor of {:.0e}",
-                    largest, 1 / std::max(double{largest}, 1e-45)));
+    refuseTooMuch(vertices, triangles, memoryLimit, assembler);
 }
 
 /// Of what Assimp drops without a word, by what the file declares.
@@ -376,10 +330,10 @@ std::string nameOf(const Instance& instance, const aiScene& scene) {
 
 } // namespace
 
-AssimpResult importWithAssimp(const std::filesystem::path& path, const AssimpOptions& options) {
+FileImport importWithAssimp(const std::filesystem::path& path, const FileImportOptions& options) {
     const auto importer = std::make_shared<Assimp::Importer>();
     const std::optional<GltfFile> gltf = readGltfFile(path);
-    AssimpResult result;
+    FileImport result;
     const aiScene& scene = readScene(*importer, path, gltf, result.report);
     options.alive();
     result.source = importer;
@@ -387,7 +341,7 @@ AssimpResult importWithAssimp(const std::filesystem::path& path, const AssimpOpt
     const FormatQuirks quirks = quirksOf(result.report.format);
     const NodeWalk walk = walkNodes(scene);
     MeshAssembler assembler;
-    refuseTooMuch(scene, walk, options.memoryLimit, assembler);
+    makeRoom(scene, walk, options.memoryLimit, assembler);
 
     const SceneEmbeddedPictures embedded(scene);
     TextureStore textures(result.model, result.report, path.parent_path(), embedded, options.alive);
@@ -405,13 +359,9 @@ AssimpResult importWithAssimp(const std::filesystem::path& path, const AssimpOpt
             {result.model.addName(nameOf(instance, scene)), first, assembler.triangleCount() - first});
         options.alive();
     }
-    assembler.finish(result.model, options.creaseAngle);
-    result.report.degenerateTriangles = assembler.degenerateTriangles();
-    result.report.nonFiniteTriangles = assembler.nonFiniteTriangles();
+    finishGeometry(assembler, options.creaseAngle, result);
     if (gltf) countDroppedTriangles(*gltf, scene, result.report);
-    refuseTooSmall(assembler.bounds());
-    refuseEmpty(scene, result.report, result.model);
-    result.report.equalTriangles = removeEqualTriangles(result.model);
+    refuseUseless(assembler, scene.mNumMeshes, result);
 
     warnOfLostTriangles(result.model, result.report);
     warnOfFiles(path, gltf, result.report);

@@ -1,0 +1,33 @@
+/// What every reader of models is asked for and what it gives, inside of the importer program. Everything
+/// else asks importModel (model_import.h).
+#pragma once
+
+#include "rtcore/io/import/import_report.h"
+#include "rtcore/scene/model.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+namespace rtcore {
+
+struct FileImportOptions {
+    float creaseAngle = 40;              ///< degrees, for normals that the file does not have
+    std::uint64_t memoryLimit = 0;       ///< bytes; a model that cannot fit is refused early; 0 = none
+    std::function<void()> alive = [] {}; ///< called now and then as long as there is progress
+};
+
+struct FileImport {
+    ModelBuffers model;
+    ImportReport report;
+    std::shared_ptr<const void>
+        source; ///< the reader's own data; a program that ends anyway need not free it
+};
+
+/// Reads a model by the reader that fits: scans by importScan (scan_import.h), all else by importWithAssimp
+/// (assimp_import.h). Order of triangles: nodes depth first, then meshes, then faces as in the file. Throws
+/// FileError BadData with a message without the name of the file, and std::bad_alloc.
+FileImport importFile(const std::filesystem::path& path, const FileImportOptions& options);
+
+} // namespace rtcore

@@ -1,0 +1,36 @@
+/// A file from front to back, in pieces that stay in the cache.
+#pragma once
+
+#include "rtcore/platform/files.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace rtcore {
+
+/// Bytes are copied out of the file, so that one that shrinks meanwhile ends early and does no other harm.
+class PieceReader {
+  public:
+    /// Begins at `offset`. `alive` is called now and then. Both must outlive the object.
+    PieceReader(const InputFile& file, std::uint64_t offset, const std::function<void()>& alive);
+
+    /// What comes next: at least `least` bytes, fewer only where the file ends. Valid until the next call.
+    std::span<const std::byte> ahead(std::size_t least);
+    /// Goes on behind `count` bytes, which may be more than ahead() gave.
+    void skip(std::uint64_t count);
+    /// Bytes from here to the end, as the file was when it was opened.
+    std::uint64_t left() const;
+
+  private:
+    const InputFile& file_;
+    const std::function<void()>& alive_;
+    std::uint64_t offset_; ///< in the file, of the first byte that is not in `buffer_`
+    std::uint64_t told_;   ///< where `alive` was called
+    std::vector<std::byte> buffer_;
+    std::size_t at_ = 0, end_ = 0; ///< what of the buffer is ahead
+};
+
+} // namespace rtcore

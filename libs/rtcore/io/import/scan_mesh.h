@@ -1,0 +1,22 @@
+/// What the readers of scans make of a file.
+#pragma once
+
+#include "rtcore/math/colour.h"
+#include "rtcore/math/vec.h"
+#include "rtcore/scene/mesh.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace rtcore {
+
+/// One mesh; the lists of normals, texture coordinates and colours are empty or as long as `positions`.
+struct ScanMesh {
+    std::vector<Vec3> positions, normals; ///< as in the file
+    std::vector<Vec2> texcoords;          ///< (0, 0) = lower left of the image
+    std::vector<Colour> colours;          ///< linear
+    std::vector<Triangle> triangles;      ///< indices below positions.size()
+    std::uint64_t ignoredPrimitives = 0;  ///< faces of less than three corners
+};
+
+} // namespace rtcore

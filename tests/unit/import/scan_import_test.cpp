@@ -1,0 +1,393 @@
+// Scans: the same model as Assimp makes, by readers that do not trust their files.
+#include "rtcore/io/import/scan_import.h"
+
+#include "import_support.h"
+#include "scan_files.h"
+
+#include "rtcore/io/import/assimp_import.h"
+#include "rtcore/io/import/ply_file.h"
+#include "rtcore/io/import/stl_file.h"
+#include "rtcore/platform/error.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <limits>
+#include <random>
+
+namespace {
+
+using namespace rtcore;
+using test::PlyFile;
+using test::TemporaryFolder;
+
+template <typename T>
+bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
+    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+void expectSame(const FileImport& a, const FileImport& b, const std::string& what) {
+    EXPECT_TRUE(sameBytes(a.model.vertices, b.model.vertices)) << what;
+    EXPECT_TRUE(sameBytes(a.model.triangles, b.model.triangles)) << what;
+    EXPECT_TRUE(sameBytes(a.model.shading, b.model.shading)) << what;
+    EXPECT_TRUE(sameBytes(a.model.normals, b.model.normals)) << what;
+    EXPECT_TRUE(sameBytes(a.model.texcoords, b.model.texcoords)) << what;
+    EXPECT_TRUE(sameBytes(a.model.colours, b.model.colours)) << what;
+    EXPECT_TRUE(sameBytes(a.model.materials, b.model.materials)) << what;
+    EXPECT_TRUE(sameBytes(a.model.parts, b.model.parts)) << what;
+    EXPECT_EQ(a.model.strings, b.model.strings) << what;
+    EXPECT_EQ(a.report, b.report) << what;
+    EXPECT_FALSE(a.model.triangles.empty()) << what;
+}
+
+void expectSameAsAssimp(const std::filesystem::path& path, const std::string& what) {
+    const std::optional<FileImport> scan = importScan(path, {});
+    ASSERT_TRUE(scan) << what;
+    expectSame(*scan, importWithAssimp(path, {}), what);
+}
+
+void expectSameAsAssimp(const std::string& name, const std::string& text, const std::string& what) {
+    const TemporaryFolder folder;
+    test::writeText(folder / name, text);
+    expectSameAsAssimp(folder / name, what);
+}
+
+/// A tetrahedron.
+PlyFile smallPly() {
+    return {.positions = {{0, 0, 0}, {2, 0, 0}, {0, 3, 0}, {0, 0, 4}},
+            .faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+}
+
+TEST(ScanImport, PlyOfEveryTypeAndByteOrder) {
+    const std::vector<std::string> integers{"char", "uchar", "short", "ushort",
+                                            "int",  "uint",  "uint8", "int32"};
+    std::vector<std::string> all = integers;
+    all.insert(all.end(), {"float", "double", "float32", "float64"});
+    for (const bool bigEndian : {false, true}) {
+        for (const std::string& type : all) {
+            PlyFile file = smallPly();
+            file.bigEndian = bigEndian;
+            file.positionType = type;
+            for (const char* name : {"nx", "ny", "nz", "red", "green", "blue", "alpha", "s", "t"})
+                file.attributes.push_back({type, name, {0, 1, 3, 100, 27}});
+            expectSameAsAssimp("a.ply", file.text(), "positions " + type);
+        }
+        for (const std::string& index : integers) {
+            for (const std::string& length : integers) {
+                PlyFile file = smallPly();
+                file.bigEndian = bigEndian;
+                file.indexType = index;
+                file.lengthType = length;
+                file.indexName = length == "char" ? "vertex_index" : "vertex_indices";
+                expectSameAsAssimp("a.ply", file.text(), "indices " + length + " " + index);
+            }
+        }
+    }
+}
+
+TEST(ScanImport, PlyOfEverySelectionOfAttributes) {
+    const std::vector<std::vector<const char*>> kinds{{},
+                                                      {"nx", "ny", "nz"},
+                                                      {"red", "green", "blue"},
+                                                      {"u", "v"},
+                                                      {"r", "g", "b"},
+                                                      {"alpha"},
+                                                      {"nx"},
+                                                      {"texture_u", "texture_v", "nx", "ny", "nz"},
+                                                      {"green"},
+                                                      {"red", "r"},
+                                                      {"tx", "ty"}};
+    for (const auto& names : kinds) {
+        for (const char* type : {"uchar", "float"}) {
+            PlyFile file = smallPly();
+            for (const char* name : names)
+                file.attributes.push_back(
+                    {type, name, {0.25 + static_cast<double>(file.attributes.size()), 200, 0, 13}});
+            expectSameAsAssimp("a.ply", file.text(), names.empty() ? "none" : names[0]);
+        }
+    }
+}
+
+TEST(ScanImport, WhatIsNotNeededIsPassedOver) {
+    for (const char* type : {"uchar", "double"}) {
+        PlyFile file = smallPly();
+        file.before = file.between = file.behind = file.otherElement = type;
+        file.headLines = "comment one\ncomment another one\nobj_info a scanner\n";
+        expectSameAsAssimp("a.ply", file.text(), type);
+        expectSameAsAssimp("a.ply", file.text() + "bytes behind the end", type);
+    }
+}
+
+TEST(ScanImport, ElementsOfUnknownNamesArePassedOver) {
+    // Assimp 5.2 takes their bytes for vertices.
+    PlyFile file = smallPly();
+    const TemporaryFolder folder;
+    test::writeText(folder / "a.ply", file.text());
+    const std::optional<FileImport> without = importScan(folder / "a.ply", {});
+    file.otherElement = "double";
+    file.otherName = "camera";
+    test::writeText(folder / "a.ply", file.text());
+    const std::optional<FileImport> with = importScan(folder / "a.ply", {});
+    ASSERT_TRUE(with && without);
+    expectSame(*with, *without, "camera");
+}
+
+TEST(ScanImport, PolygonsAndWhatIsNone) {
+    PlyFile file = smallPly();
+    // An arrow, whose fifth corner is concave, in the plane z = 9.
+    for (const auto& p : {std::array<double, 2>{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}})
+        file.positions.push_back({p[0], p[1], 9});
+    file.faces.insert(file.faces.begin() + 1, {{4, 5, 6, 7, 8}, {}, {0}, {1, 2}, {0, 1, 2, 3}});
+    expectSameAsAssimp("a.ply", file.text(), "polygons");
+}
+
+TEST(ScanImport, DamagedAndEqualTriangles) {
+    PlyFile file = smallPly();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    file.positions.insert(file.positions.end(),
+                          {{nan, 0, 0}, {1e20, 0, 0}, {-0.0, 0, 0}, {1e-35, 0, 0}, {2, 0, -0.0}, {4, 0, 0}});
+    file.faces.insert(file.faces.end(), {{0, 1, 4}, {0, 1, 5}, {6, 8, 2}, {7, 2, 1}, {0, 1, 9}, {3, 3, 2}});
+    for (int i = 0; i < 5; ++i) file.faces.push_back({0, 2, 1});
+    expectSameAsAssimp("a.ply", file.text(), "damaged");
+}
+
+/// A grid of many thousands of cells, with vertices of its own for every fourth triangle, in a random order:
+/// more than one piece of the file, and work for several threads.
+PlyFile largePly(std::uint32_t seed) {
+    constexpr int kSide = 150;
+    PlyFile file;
+    std::mt19937 random(seed);
+    for (int y = 0; y < kSide; ++y) {
+        for (int x = 0; x < kSide; ++x)
+            file.positions.push_back({0.1 * x, 0.1 * y, 0.001 * static_cast<double>(random() % 100)});
+    }
+    for (int y = 0; y + 1 < kSide; ++y) {
+        for (int x = 0; x + 1 < kSide; ++x) {
+            const double a = y * kSide + x;
+            file.faces.push_back({a, a + 1, a + kSide + 1});
+            file.faces.push_back({a, a + kSide + 1, a + kSide});
+        }
+    }
+    for (std::size_t f = 0; f < file.faces.size(); f += 4) {
+        for (double& v : file.faces[f]) {
+            file.positions.push_back(file.positions[static_cast<std::size_t>(v)]);
+            v = static_cast<double>(file.positions.size() - 1);
+        }
+    }
+    std::shuffle(file.faces.begin(), file.faces.end(), random);
+    return file;
+}
+
+TEST(ScanImport, LargeMeshes) {
+    PlyFile file = largePly(1);
+    expectSameAsAssimp("a.ply", file.text(), "plain");
+    file.attributes.push_back({"uchar", "red", {0, 255}});
+    expectSameAsAssimp("a.ply", file.text(), "coloured");
+    std::vector<std::array<Vec3, 3>> triangles;
+    for (const auto& face : file.faces) {
+        triangles.emplace_back();
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto& p = file.positions[static_cast<std::size_t>(face[i])];
+            triangles.back()[i] = {static_cast<float>(p[0]), static_cast<float>(p[1]),
+                                   static_cast<float>(p[2])};
+        }
+    }
+    expectSameAsAssimp("a.stl", test::stlText(triangles), "stl");
+    expectSameAsAssimp("a.STL", test::stlText(triangles, "solid, but binary", 0x7FFF), "stl");
+}
+
+TEST(ScanImport, RealScans) {
+    const char* const folder = std::getenv("RT_TEST_SCENES");
+    if (folder == nullptr) GTEST_SKIP() << "RT_TEST_SCENES is not set";
+    for (const char* name :
+         {"dragon/dragon.ply", "sibenik/sibenik.ply", "spot/spot_bin.ply", "spot/spot_bin.stl"})
+        expectSameAsAssimp(std::filesystem::path(folder) / name, name);
+}
+
+bool isRead(const std::string& name, const std::string& text) {
+    const TemporaryFolder folder;
+    test::writeText(folder / name, text);
+    return importScan(folder / name, {}).has_value();
+}
+
+std::string changed(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+}
+
+TEST(ScanImport, WhatIsNoScanIsLeftToAssimp) {
+    const std::string text = smallPly().text();
+    EXPECT_TRUE(isRead("a.ply", text));
+    EXPECT_TRUE(isRead("a.txt", text)) << "the content counts";
+    const std::vector<std::array<const char*, 2>> changes{
+        {"binary_little_endian", "ascii"},
+        {"element face", "element tristrips"},
+        {"made by a test", "TextureFile a.png"},
+        {"uchar int", "float int"},
+        {"uchar int", "uchar float"},
+        {"vertex_indices", "corners"},
+        {"property float z", "property float w"},
+        {"property float z", "property half z"},
+        {"ply\n", "ply\r\n"},
+        {"end_header", "end_of_header"},
+        {"element vertex 4", "element vertex four"},
+        {"float x", "list uchar float x"},
+        {"element face", "element material 0\nproperty float opacity\nelement face"},
+        {"end_header", "property list uchar float texcoord\nend_header"},
+        {"element face", "element vertex 0\nelement face"}};
+    for (const auto& change : changes)
+        EXPECT_FALSE(isRead("a.ply", changed(text, change[0], change[1]))) << change[1];
+    const std::string stl = test::stlText({{Vec3{}, {1, 0, 0}, {0, 1, 0}}});
+    EXPECT_TRUE(isRead("a.stl", stl));
+    EXPECT_FALSE(isRead("a.raw", stl)) << "nothing in it says what it is";
+    EXPECT_FALSE(isRead("a.stl", stl + "x"));
+    EXPECT_FALSE(isRead("a.stl", stl.substr(0, stl.size() - 1)));
+    EXPECT_FALSE(isRead("a.stl", test::stlText({{Vec3{}, {1, 0, 0}, {0, 1, 0}}}, "COLOR=abcd")));
+    EXPECT_FALSE(isRead("a.stl", test::stlText({{Vec3{}, {1, 0, 0}, {0, 1, 0}}}, "colours", 0x8000)));
+    EXPECT_FALSE(isRead("a.stl", ""));
+}
+
+/// What importModel says about the file, as a user sees it.
+std::string complaint(const std::string& text) {
+    const TemporaryFolder folder;
+    test::writeText(folder / "a.ply", text);
+    try {
+        test::importFile(folder / "a.ply");
+    } catch (const FileError& error) {
+        EXPECT_EQ(error.kind, FailureKind::BadData);
+        EXPECT_NE(std::string(error.what()).find("a.ply"), std::string::npos) << error.what();
+        return error.what();
+    }
+    return "no error";
+}
+
+void expectComplaint(const std::string& text, const std::string& part) {
+    const std::string said = complaint(text);
+    EXPECT_NE(said.find(part), std::string::npos) << said;
+}
+
+TEST(ScanImport, FilesThatLieAreErrors) {
+    const std::string text = smallPly().text();
+    expectComplaint(text.substr(0, text.size() - 1), "ends after 3 of the 4 elements 'face'");
+    expectComplaint(text.substr(0, text.find("end_header") + 40),
+                    "4 elements 'vertex', for which it has no room");
+    expectComplaint(changed(text, "vertex 4", "vertex 4000000000"), "4000000000 elements 'vertex'");
+    expectComplaint(changed(text, "vertex 4", "vertex 18446744073709551615"), "elements 'vertex'");
+    expectComplaint(changed(text, "face 4", "face 999999999"), "999999999 elements 'face'");
+    expectComplaint(changed(text, "element vertex", "element camera 9999999\nproperty int a\nelement vertex"),
+                    "elements 'camera'");
+    PlyFile file = smallPly();
+    file.faces[2][1] = 4;
+    expectComplaint(file.text(), "face 2 names the vertex 4 of 4");
+    file.faces[2][1] = -1;
+    expectComplaint(file.text(), "face 2 names the vertex -1 of 4");
+    file = smallPly();
+    file.lengthType = "int";
+    const auto withLength = [&](std::int32_t length) {
+        std::string longer = file.text();
+        std::memcpy(longer.data() + longer.size() - 4 * 16, &length, sizeof length);
+        return longer;
+    };
+    expectComplaint(withLength(-3), "face 0 claims to have -3 corners");
+    expectComplaint(withLength(2'000'000'000), "face 0 claims to have 2000000000 corners");
+    file.positions.clear();
+    file.faces.clear();
+    expectComplaint(file.text(), "holds no triangles");
+}
+
+TEST(ScanImport, AFileThatShrinksWhileItIsReadIsAnError) {
+    const TemporaryFolder folder;
+    const std::string ply = largePly(2).text();
+    const std::string stl = test::stlText(std::vector<std::array<Vec3, 3>>(20'000));
+    test::writeText(folder / "a.ply", ply);
+    test::writeText(folder / "a.stl", stl);
+    const auto shrink = [&](const char* name, std::size_t size) {
+        return [path = folder / name, size] { std::filesystem::resize_file(path, size); };
+    };
+    const InputFile plyFile(folder / "a.ply"), stlFile(folder / "a.stl");
+    const auto header = readPlyHeader(ply);
+    ASSERT_TRUE(header);
+    shrink("a.ply", ply.size() / 2)();
+    EXPECT_THROW(readPly(plyFile, *header, [] {}), FileError);
+    EXPECT_TRUE(readStl(stlFile, [] {}));
+    shrink("a.stl", stl.size() / 2)();
+    EXPECT_THROW(readStl(stlFile, [] {}), FileError);
+}
+
+/// Whatever the bytes: a sound mesh, no mesh or a FileError. More of them: RT_MUTATIONS.
+class DamagedScan {
+  public:
+    explicit DamagedScan(std::uint32_t seed) : random_(seed) {}
+
+    void check(const std::string& name, const std::string& text) {
+        test::writeText(folder_ / name, text);
+        try {
+            const auto import = importScan(folder_ / name, {.memoryLimit = 100'000'000});
+            if (import) expectSound(import->model);
+        } catch (const FileError& error) {
+            EXPECT_EQ(error.kind, FailureKind::BadData);
+            EXPECT_NE(std::string(error.what()).find(';'), std::string::npos) << error.what();
+        }
+    }
+    std::string damaged(std::string text, std::size_t head) {
+        for (std::size_t changes = 1 + below(4); changes > 0; --changes) {
+            const std::size_t at = below(below(2) == 0 ? head : text.size());
+            switch (below(4)) {
+            case 0:
+                text[at] = static_cast<char>(text[at] ^ (1 << below(8)));
+                break;
+            case 1:
+                text[at] = "\x00\x01\x7F\x80\xFF 09\n"[below(9)];
+                break;
+            case 2:
+                text.erase(at, below(8));
+                break;
+            default:
+                text[at] = text[below(text.size())];
+                break;
+            }
+            if (text.empty()) text = " ";
+        }
+        return text;
+    }
+
+  private:
+    std::size_t below(std::size_t n) { return random_() % std::max<std::size_t>(n, 1); }
+
+    static void expectSound(const ModelBuffers& model) {
+        for (const Triangle& t : model.triangles) {
+            for (const std::uint32_t v : t.v) ASSERT_LT(v, model.vertices.size());
+        }
+        for (const ShadingTriangle& t : model.shading) {
+            for (const std::uint32_t v : t.v) ASSERT_LT(v, model.normals.size());
+        }
+        ASSERT_EQ(model.shading.size(), model.triangles.size());
+    }
+
+    TemporaryFolder folder_;
+    std::mt19937 random_;
+};
+
+TEST(ScanImport, DamagedFilesAreSoundOrRefused) {
+    const char* const wanted = std::getenv("RT_MUTATIONS");
+    const long count = wanted != nullptr ? std::atol(wanted) : 300;
+    DamagedScan damage(6);
+    PlyFile file = smallPly();
+    const std::string plain = file.text();
+    for (std::size_t size = 0; size < plain.size(); size += 3) damage.check("a.ply", plain.substr(0, size));
+    file.attributes = {{"uchar", "red", {1}}, {"short", "nx", {2}}, {"double", "u", {3}}};
+    file.lengthType = "ushort";
+    file.behind = "int";
+    file.bigEndian = true;
+    file.faces.push_back({0, 1, 2, 3});
+    const std::string rich = file.text();
+    const std::string stl = test::stlText({{Vec3{}, {1, 0, 0}, {0, 1, 0}}, {Vec3{}, {1, 1, 0}, {0, 1, 5}}});
+    for (long i = 0; i < count; ++i) {
+        damage.check("a.ply", damage.damaged(plain, plain.find("end_header")));
+        damage.check("a.ply", damage.damaged(rich, rich.find("end_header")));
+        damage.check("a.stl", damage.damaged(stl, 84));
+    }
+}
+
+} // namespace
