@@ -1,10 +1,12 @@
 #include "rtcore/io/import/crease_normals.h"
 
+#include "rtcore/accel/uninitialized_array.h"
 #include "rtcore/math/constants.h"
+#include "rtcore/platform/large_vector.h"
+#include "rtcore/platform/threads.h"
 #include "rtcore/simd/portable_math.h"
 
 #include <algorithm>
-#include <array>
 
 namespace rtcore {
 
@@ -29,10 +31,14 @@ Vec3 carefulNormal(Vec3 a, Vec3 b, Vec3 c) {
                       static_cast<float>(nz / largest)});
 }
 
-/// Normal and corner angles of one triangle.
+/// Normal and corner angles of one triangle. Without initial values, so that a list of them costs nothing
+/// until it is written.
 struct Facet {
-    Vec3 normal;
-    std::array<float, 3> angle{};
+    float x, y, z;
+    float angle[3];
+
+    Vec3 normal() const { return {x, y, z}; }
+    Vec3 weighted(std::uint32_t corner) const { return normal() * angle[corner]; }
 };
 
 Facet facetOf(const ModelBuffers& model, const Triangle& t) {
@@ -40,14 +46,15 @@ Facet facetOf(const ModelBuffers& model, const Triangle& t) {
     const Vec3 b = model.vertices[t.v[1]].position();
     const Vec3 c = model.vertices[t.v[2]].position();
     const Vec3 ab = normalize(b - a), bc = normalize(c - b), ca = normalize(a - c);
-    Facet facet;
     // From unit edges, so that the products of small ones do not vanish; the shortest cross product is the
     // worst.
     const Vec3 atA = cross(ca, ab), atB = cross(ab, bc);
-    facet.normal = normalize(dot(atA, atA) > dot(atB, atB) ? atA : atB);
-    if (facet.normal == Vec3{}) facet.normal = carefulNormal(a, b, c);
-    facet.angle = {roughAcos(-dot(ca, ab)), roughAcos(-dot(ab, bc)), roughAcos(-dot(bc, ca))};
-    return facet;
+    Vec3 normal = normalize(dot(atA, atA) > dot(atB, atB) ? atA : atB);
+    if (normal == Vec3{}) normal = carefulNormal(a, b, c);
+    return {normal.x,
+            normal.y,
+            normal.z,
+            {roughAcos(-dot(ca, ab)), roughAcos(-dot(ab, bc)), roughAcos(-dot(bc, ca))}};
 }
 
 class Smoother {
@@ -57,13 +64,17 @@ class Smoother {
           cosHalf_(cosine(creaseAngle / 2) + kSlack) {}
 
     void run() {
-        collectCorners();
-        if (corners_.empty()) return;
+        const auto missing = [](const Vec3& normal) { return normal == Vec3{}; };
+        if (std::none_of(model_.normals.begin(), model_.normals.end(), missing)) return;
+        allLack_ = std::all_of(model_.normals.begin(), model_.normals.end(), missing);
+        sharp_.assign(model_.vertices.size(), flat_ ? 1 : 0);
         measureFacets();
+        if (!flat_) smoothWhatIsRound();
+        collectSharpCorners();
         for (std::size_t v = 0; v + 1 < first_.size(); ++v) {
             const std::span<const std::uint32_t> corners(corners_.data() + first_[v],
                                                          first_[v + 1] - first_[v]);
-            if (!corners.empty()) smoothVertex(corners);
+            if (!corners.empty()) smoothSharp(corners);
         }
     }
 
@@ -77,49 +88,83 @@ class Smoother {
         return portableCos(std::clamp(degrees, 0.0F, 180.0F) * (kPi / 180));
     }
     std::uint32_t& entryOf(std::uint32_t corner) { return model_.shading[corner / 3].v[corner % 3]; }
-    const Vec3& facetNormal(std::uint32_t corner) const { return facets_[corner / 3].normal; }
-    Vec3 weighted(std::uint32_t corner) const {
-        const Facet& facet = facets_[corner / 3];
-        return facet.normal * facet.angle[corner % 3];
+    const Facet& facetOfCorner(std::uint32_t corner) const { return facets_.data()[corner / 3]; }
+    Vec3 facetNormal(std::uint32_t corner) const { return facetOfCorner(corner).normal(); }
+    Vec3 weighted(std::uint32_t corner) const { return facetOfCorner(corner).weighted(corner % 3); }
+    bool lacks(std::uint32_t corner) const {
+        return allLack_ || model_.normals[model_.shading[corner / 3].v[corner % 3]] == Vec3{};
     }
 
-    /// Corners without a normal, sorted by vertex (a counting sort).
-    void collectCorners() {
-        first_.assign(model_.vertices.size() + 1, 0);
-        const auto count = static_cast<std::uint32_t>(model_.triangles.size() * 3);
-        const auto lacks = [this](std::uint32_t corner) { return model_.normals[entryOf(corner)] == Vec3{}; };
-        for (std::uint32_t c = 0; c < count; ++c) {
-            if (lacks(c)) ++first_[model_.triangles[c / 3].v[c % 3] + 1];
+    /// Calls `use` for each triangle and corner that lacks a normal at one of the vertices [first, end),
+    /// ascending.
+    template <typename Use>
+    void forEachCorner(std::size_t first, std::size_t end, const Use& use) {
+        for (std::uint32_t t = 0; t < model_.triangles.size(); ++t) {
+            for (std::uint32_t i = 0; i < 3; ++i) {
+                const std::uint32_t v = model_.triangles[t].v[i];
+                if (v - first < end - first && lacks(3 * t + i)) use(t, i, v);
+            }
         }
-        for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
-        corners_.resize(first_.back());
-        std::vector<std::uint32_t> at(first_.begin(), first_.end() - 1);
-        for (std::uint32_t c = 0; c < count; ++c) {
-            if (lacks(c)) corners_[at[model_.triangles[c / 3].v[c % 3]]++] = c;
-        }
+    }
+
+    /// The vertices in as many ranges as there are threads: sums of normals depend on their order, so that a
+    /// vertex is the work of one thread. All of them go through all triangles.
+    template <typename Work>
+    void forEachRange(const Work& work) {
+        const std::size_t count = model_.vertices.size();
+        constexpr std::size_t kWorthThreads = 20'000;
+        const auto ranges = static_cast<std::size_t>(count > kWorthThreads ? threadsFor(0) : 1);
+#pragma omp parallel for schedule(static, 1)
+        for (std::size_t r = 0; r < ranges; ++r) work(count * r / ranges, count * (r + 1) / ranges);
     }
 
     void measureFacets() {
-        facets_.resize(model_.triangles.size());
+        facets_ = UninitializedArray<Facet>(model_.triangles.size());
 #pragma omp parallel for schedule(static)
-        for (std::size_t t = 0; t < facets_.size(); ++t) facets_[t] = facetOf(model_, model_.triangles[t]);
+        for (std::size_t t = 0; t < model_.triangles.size(); ++t)
+            facets_.data()[t] = facetOf(model_, model_.triangles[t]);
     }
 
-    void smoothVertex(std::span<const std::uint32_t> corners) {
+    /// Vertices whose triangles are all within half the angle of their mean: then all are within the angle of
+    /// each other. The others are sharp.
+    void smoothWhatIsRound() {
+        std::vector<Vec3> means;
+        resizeLarge(means, model_.vertices.size());
+        forEachRange([&](std::size_t first, std::size_t end) {
+            const Facet* const facets = facets_.data();
+            forEachCorner(first, end, [&](std::uint32_t t, std::uint32_t i, std::uint32_t v) {
+                means[v] += facets[t].weighted(i);
+            });
+            for (std::size_t v = first; v < end; ++v) means[v] = normalize(means[v]);
+            forEachCorner(first, end, [&](std::uint32_t t, std::uint32_t, std::uint32_t v) {
+                if (!(dot(facets[t].normal(), means[v]) >= cosHalf_)) sharp_[v] = 1;
+            });
+            for (std::size_t v = first; v < end; ++v) means[v] = normalize(means[v]);
+            forEachCorner(first, end, [&](std::uint32_t t, std::uint32_t i, std::uint32_t v) {
+                if (sharp_[v] == 0) model_.normals[model_.shading[t].v[i]] = means[v];
+            });
+        });
+    }
+
+    /// Corners without a normal at sharp vertices, sorted by vertex (a counting sort).
+    void collectSharpCorners() {
+        first_.assign(model_.vertices.size() + 1, 0);
+        const auto forEachSharp = [this](const auto& use) {
+            forEachCorner(0, model_.vertices.size(), [&](std::uint32_t t, std::uint32_t i, std::uint32_t v) {
+                if (sharp_[v] != 0) use(3 * t + i, v);
+            });
+        };
+        forEachSharp([&](std::uint32_t, std::uint32_t v) { ++first_[v + 1]; });
+        for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+        corners_.resize(first_.back());
+        std::vector<std::uint32_t> at(first_.begin(), first_.end() - 1);
+        forEachSharp([&](std::uint32_t corner, std::uint32_t v) { corners_[at[v]++] = corner; });
+    }
+
+    void smoothSharp(std::span<const std::uint32_t> corners) {
         added_.clear();
         if (flat_) {
             for (const std::uint32_t c : corners) assign(c, facetNormal(c));
-            return;
-        }
-        Vec3 sum;
-        for (const std::uint32_t c : corners) sum += weighted(c);
-        const Vec3 mean = normalize(sum);
-        // All within half the angle of their mean: then all are within the angle of each other.
-        const bool smooth = std::all_of(corners.begin(), corners.end(), [&](std::uint32_t c) {
-            return dot(facetNormal(c), mean) >= cosHalf_;
-        });
-        if (smooth) {
-            for (const std::uint32_t c : corners) assign(c, mean);
         } else if (corners.size() <= kExact) {
             smoothByNeighbours(corners);
         } else {
@@ -186,9 +231,11 @@ class Smoother {
     ModelBuffers& model_;
     bool flat_; ///< nothing is smoothed, not even what rounding leaves of one plane
     float cosCrease_, cosHalf_;
-    std::vector<std::uint32_t> first_, corners_; ///< corner = 3 * triangle + 0..2
-    std::vector<Facet> facets_;
-    std::vector<Added> added_; ///< entries added at this vertex
+    bool allLack_ = false; ///< no corner has a normal
+    UninitializedArray<Facet> facets_;
+    std::vector<std::uint8_t> sharp_;            ///< by vertex
+    std::vector<std::uint32_t> first_, corners_; ///< at sharp vertices; corner = 3 * triangle + 0..2
+    std::vector<Added> added_;                   ///< entries added at this vertex
 };
 
 } // namespace

@@ -17,8 +17,8 @@ class Remover {
     std::uint64_t run() {
         sortByFirstCorner();
         for (std::size_t v = 0; v + 1 < first_.size(); ++v) {
-            if (first_[v + 1] - first_[v] > kKept)
-                mark(std::span(sorted_).subspan(first_[v], first_[v + 1] - first_[v]));
+            const auto triangles = std::span(sorted_).subspan(first_[v], first_[v + 1] - first_[v]);
+            if (anyEqual(triangles)) mark(triangles);
         }
         const auto count = static_cast<std::uint64_t>(std::count(removed_.begin(), removed_.end(), 1));
         if (count > 0) compact();
@@ -26,14 +26,32 @@ class Remover {
     }
 
   private:
-    /// A counting sort: `sorted_` has the triangles of vertex v from first_[v], ascending.
+    /// A counting sort: `sorted_` has the triangles of vertex v from first_[v], ascending, of vertices that
+    /// have more than stay.
     void sortByFirstCorner() {
+        const auto& triangles = model_.triangles;
         first_.assign(model_.vertices.size() + 1, 0);
-        for (const Triangle& t : model_.triangles) ++first_[t.v[0] + 1];
-        for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+        for (const Triangle& t : triangles) ++first_[t.v[0] + 1];
+        std::uint32_t end = 0;
+        for (std::size_t v = 1; v < first_.size(); ++v) first_[v] = end += first_[v] > kKept ? first_[v] : 0;
         std::vector<std::uint32_t> at(first_.begin(), first_.end() - 1);
-        sorted_.resize(model_.triangles.size());
-        for (std::uint32_t t = 0; t < sorted_.size(); ++t) sorted_[at[model_.triangles[t].v[0]]++] = t;
+        sorted_.resize(end);
+        for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+            const std::uint32_t v = triangles[t].v[0];
+            if (first_[v + 1] > first_[v]) sorted_[at[v]++] = t;
+        }
+    }
+
+    /// Mostly not, and this is sooner known than their order.
+    bool anyEqual(std::span<const std::uint32_t> triangles) const {
+        constexpr std::size_t kMany = 16;
+        if (triangles.size() > kMany) return true;
+        for (std::size_t i = 1; i < triangles.size(); ++i) {
+            for (std::size_t j = 0; j < i; ++j) {
+                if (model_.triangles[triangles[i]] == model_.triangles[triangles[j]]) return true;
+            }
+        }
+        return false;
     }
 
     /// Twice the number of parts that begin up to here, less 1 inside of the last of them.

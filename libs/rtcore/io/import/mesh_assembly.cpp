@@ -1,43 +1,28 @@
 #include "rtcore/io/import/mesh_assembly.h"
 
 #include "rtcore/io/import/crease_normals.h"
+#include "rtcore/io/import/equal_positions.h"
+#include "rtcore/io/import/hash.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/large_vector.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace rtcore {
 
 namespace {
 
-/// Squares of distances up to here stay finite in float.
-constexpr float kLargestCoordinate = 1e12F;
-/// What is nearer to 0 is 0: in a model that is large enough to be traced it makes no difference, and numbers
-/// that a processor is slow with do not come up.
-constexpr float kLeastCoordinate = 1e-30F;
 /// Corners are numbered in 32 bits.
 constexpr std::size_t kMostTriangles = std::size_t{1} << 30;
-
-std::uint64_t mix(std::uint64_t h, std::uint64_t value) {
-    h = (h ^ value) * 0x9E3779B97F4A7C15ULL;
-    return h ^ (h >> 32);
-}
-std::uint64_t bitsOf(float a, float b) {
-    return (std::uint64_t{std::bit_cast<std::uint32_t>(a)} << 32) | std::bit_cast<std::uint32_t>(b);
-}
-std::uint64_t finished(std::uint64_t h) { return h * 0xD6E8FEB86659FD93ULL ^ (h >> 29); }
-
-Vec3 withoutTraces(Vec3 p) {
-    const auto clean = [](float v) { return std::fabs(v) < kLeastCoordinate ? 0.0F : v; };
-    return {clean(p.x), clean(p.y), clean(p.z)};
-}
-
-bool usable(Vec3 p) {
-    // False for NaN, too.
-    return std::fabs(p.x) <= kLargestCoordinate && std::fabs(p.y) <= kLargestCoordinate &&
-           std::fabs(p.z) <= kLargestCoordinate;
+/// Not worth the threads.
+constexpr std::size_t kFewTriangles = 20'000;
+/// A mesh without normals, texture coordinates and colours.
+bool isPlain(const SourceMesh& mesh) {
+    return mesh.normals.empty() && mesh.texcoords.empty() && mesh.colours.empty();
 }
 
 /// In double, where differences and products of floats keep nearly all of their bits.
@@ -48,7 +33,8 @@ bool hasArea(Vec3 a, Vec3 b, Vec3 c) {
 }
 
 Vec2 finiteOrZero(Vec2 t) {
-    const auto fine = [](float v) { return std::fabs(v) <= kLargestCoordinate; };
+    constexpr float kLargestTexcoord = 1e12F;
+    const auto fine = [](float v) { return std::fabs(v) <= kLargestTexcoord; };
     return {fine(t.x) ? t.x + 0.0F : 0.0F, fine(t.y) ? t.y + 0.0F : 0.0F};
 }
 
@@ -63,11 +49,12 @@ Colour finiteOrWhite(Colour c) {
 void IndexTable::reserve(std::size_t elements) {
     const std::size_t size = std::bit_ceil(std::max<std::size_t>(elements * 2, 64));
     if (size <= slots_.size()) return;
-    slots_.assign(size, {});
+    slots_.clear();
+    resizeLarge(slots_, size);
     mask_ = size - 1;
     std::vector<std::uint64_t> hashes;
     hashes.swap(hashes_);
-    hashes_.reserve(elements);
+    reserveLarge(hashes_, elements);
     for (std::size_t i = 0; i < hashes.size(); ++i) insert(hashes[i], static_cast<std::uint32_t>(i));
 }
 
@@ -83,23 +70,30 @@ void MeshAssembler::reserve(std::size_t vertices, std::size_t triangles) {
     if (triangles > kMostTriangles) {
         throw FileError(FailureKind::BadData, "", "it has more than 2^30 triangles; split the model");
     }
-    out_.triangles.reserve(triangles);
-    out_.shading.reserve(triangles);
+    reserveLarge(out_.triangles, triangles);
+    reserveLarge(out_.shading, triangles);
     // Files without shared vertices have three in a triangle, of which about half a one is left.
     const std::size_t expected = std::min(vertices, triangles);
-    out_.vertices.reserve(expected);
-    vertices_.reserve(expected);
+    reserveLarge(out_.vertices, expected);
+}
+
+/// Of those that meshes before have, by a table that is filled when the second comes.
+std::uint32_t MeshAssembler::knownVertexAt(Vec3 p) {
+    return vertices_.find(hashOfPosition(p),
+                          [&](std::uint32_t i) { return out_.vertices[i].position() == p; });
+}
+
+void MeshAssembler::tabulateVertices() {
+    vertices_.reserve(out_.vertices.size());
+    for (std::size_t i = vertices_.size(); i < out_.vertices.size(); ++i)
+        vertices_.insert(hashOfPosition(out_.vertices[i].position()), static_cast<std::uint32_t>(i));
 }
 
 std::uint32_t MeshAssembler::vertexAt(Vec3 p) {
-    const std::uint64_t hash = finished(mix(mix(0, bitsOf(p.x, p.y)), std::bit_cast<std::uint32_t>(p.z)));
-    const std::uint32_t known =
-        vertices_.find(hash, [&](std::uint32_t i) { return out_.vertices[i].position() == p; });
+    const std::uint32_t known = knownVertexAt(p);
     if (known != IndexTable::kNone) return known;
-    const auto index = static_cast<std::uint32_t>(out_.vertices.size());
     out_.vertices.push_back({p.x, p.y, p.z, 0});
-    vertices_.insert(hash, index);
-    return index;
+    return static_cast<std::uint32_t>(out_.vertices.size() - 1);
 }
 
 std::uint32_t MeshAssembler::appendEntry(std::uint32_t vertex, Vec3 normal, Vec2 texcoord, Colour colour) {
@@ -110,7 +104,7 @@ std::uint32_t MeshAssembler::appendEntry(std::uint32_t vertex, Vec3 normal, Vec2
     return static_cast<std::uint32_t>(out_.normals.size() - 1);
 }
 
-/// Of a mesh that has only positions, as scanned ones: no need to look for equals.
+/// Of a mesh that has only positions: no need to look for equals.
 std::uint32_t MeshAssembler::plainEntryFor(std::uint32_t vertex) {
     if (plainEntry_.size() <= vertex) plainEntry_.resize(out_.vertices.capacity(), IndexTable::kNone);
     std::uint32_t& entry = plainEntry_[vertex];
@@ -119,8 +113,10 @@ std::uint32_t MeshAssembler::plainEntryFor(std::uint32_t vertex) {
 }
 
 std::uint32_t MeshAssembler::entryFor(std::uint32_t vertex, Vec3 normal, Vec2 texcoord, Colour colour) {
-    std::uint64_t hash = mix(mix(vertex, bitsOf(normal.x, normal.y)), bitsOf(normal.z, texcoord.x));
-    hash = finished(mix(mix(hash, bitsOf(texcoord.y, colour.r)), bitsOf(colour.g, colour.b)));
+    std::uint64_t hash =
+        mixedHash(mixedHash(vertex, bitsOfPair(normal.x, normal.y)), bitsOfPair(normal.z, texcoord.x));
+    hash = finishedHash(
+        mixedHash(mixedHash(hash, bitsOfPair(texcoord.y, colour.r)), bitsOfPair(colour.g, colour.b)));
     const std::uint32_t known = entries_.find(hash, [&](std::uint32_t number) {
         const std::uint32_t i = hashedEntries_[number];
         return vertexOfEntry_[i] == vertex && out_.normals[i] == normal &&
@@ -133,39 +129,64 @@ std::uint32_t MeshAssembler::entryFor(std::uint32_t vertex, Vec3 normal, Vec2 te
     return hashedEntries_.back();
 }
 
-/// False, and counted, when the triangle is of no use.
-bool MeshAssembler::weldTriangle(const SourceMesh& mesh, const Triangle& t, Triangle& welded) {
-    const auto corner = [&](int i) { return withoutTraces(mesh.positions[t.v[i]]); };
-    const Vec3 a = corner(0), b = corner(1), c = corner(2);
-    if (!usable(a) || !usable(b) || !usable(c)) {
-        ++nonFinite_;
-        return false;
+/// What each triangle is good for, and the bounds of all.
+std::vector<MeshAssembler::Use> MeshAssembler::measure(const SourceMesh& mesh) {
+    const std::size_t count = mesh.triangles.size();
+    std::vector<Use> uses(count);
+    const auto useOf = [&](const Triangle& t) {
+        const auto corner = [&](int i) { return withoutTraces(mesh.positions[t.v[i]]); };
+        const Vec3 a = corner(0), b = corner(1), c = corner(2);
+        if (!isUsablePosition(a) || !isUsablePosition(b) || !isUsablePosition(c)) return Use::NonFinite;
+        return hasArea(a, b, c) ? Use::Good : Use::WithoutArea;
+    };
+#pragma omp parallel if (count > kFewTriangles)
+    {
+        Box3 bounds;
+#pragma omp for schedule(static)
+        for (std::size_t i = 0; i < count; ++i) {
+            const Triangle& t = mesh.triangles[i];
+            uses[i] = useOf(t);
+            if (uses[i] == Use::NonFinite) continue;
+            for (const std::uint32_t v : t.v) bounds.extend(mesh.positions[v]);
+        }
+#pragma omp critical(rtcore_mesh_bounds)
+        bounds_.extend(bounds);
     }
-    for (int i = 0; i < 3; ++i) bounds_.extend(mesh.positions[t.v[i]]);
-    if (!hasArea(a, b, c)) {
-        ++degenerate_;
-        return false;
-    }
+    return uses;
+}
+
+void MeshAssembler::addTriangle(const SourceMesh& mesh, const Triangle& t) {
+    Triangle welded;
+    ShadingTriangle shading;
     for (int i = 0; i < 3; ++i) {
-        std::uint32_t& vertex = localVertex_[t.v[i]];
-        if (vertex == IndexTable::kNone) vertex = vertexAt(corner(i));
+        std::uint32_t& vertex = localVertex_[firstOfEqual_[t.v[i]]];
+        if (vertex == IndexTable::kNone) vertex = vertexAt(withoutTraces(mesh.positions[t.v[i]]));
         welded.v[i] = vertex;
+        shading.v[i] = entriesAreVertices_ ? vertex : entryOfCorner(mesh, t.v[i], vertex);
     }
-    return true;
+    shading.material = mesh.material;
+    out_.triangles.push_back(welded);
+    out_.shading.push_back(shading);
 }
 
 std::uint32_t MeshAssembler::entryOfCorner(const SourceMesh& mesh, std::uint32_t corner,
                                            std::uint32_t vertex) {
     std::uint32_t& entry = localEntry_[corner];
-    if (entry == IndexTable::kNone && mesh.normals.empty() && mesh.texcoords.empty() &&
-        mesh.colours.empty()) {
-        entry = plainEntryFor(vertex);
-    } else if (entry == IndexTable::kNone) {
-        entry = entryFor(vertex, mesh.normals.empty() ? Vec3{} : normalize(mesh.normals[corner]),
-                         mesh.texcoords.empty() ? Vec2{} : finiteOrZero(mesh.texcoords[corner]),
-                         mesh.colours.empty() ? kWhite : finiteOrWhite(mesh.colours[corner]));
-    }
-    return entry;
+    if (entry != IndexTable::kNone) return entry;
+    if (isPlain(mesh)) return entry = plainEntryFor(vertex);
+    return entry = entryFor(vertex, mesh.normals.empty() ? Vec3{} : normalize(mesh.normals[corner]),
+                            mesh.texcoords.empty() ? Vec2{} : finiteOrZero(mesh.texcoords[corner]),
+                            mesh.colours.empty() ? kWhite : finiteOrWhite(mesh.colours[corner]));
+}
+
+/// Those of vertices, so that others can follow.
+void MeshAssembler::makeEntries() {
+    const std::size_t count = out_.vertices.size();
+    resizeLarge(vertexOfEntry_, count);
+    std::iota(vertexOfEntry_.begin(), vertexOfEntry_.end(), 0U);
+    plainEntry_ = vertexOfEntry_;
+    resizeLarge(out_.normals, count);
+    entriesAreVertices_ = false;
 }
 
 /// The first mesh with texture coordinates or colours gives them to all that came before.
@@ -184,21 +205,26 @@ void MeshAssembler::add(const SourceMesh& mesh) {
     if (mesh.triangles.size() > kMostTriangles - out_.triangles.size()) {
         throw FileError(FailureKind::BadData, "", "it has more than 2^30 triangles; split the model");
     }
+    if (entriesAreVertices_ && !isPlain(mesh)) makeEntries();
     widen(mesh);
-    localVertex_.assign(mesh.positions.size(), IndexTable::kNone);
-    localEntry_.assign(mesh.positions.size(), IndexTable::kNone);
-    for (const Triangle& t : mesh.triangles) {
-        Triangle welded;
-        if (!weldTriangle(mesh, t, welded)) continue;
-        ShadingTriangle shading;
-        for (int i = 0; i < 3; ++i) shading.v[i] = entryOfCorner(mesh, t.v[i], welded.v[i]);
-        shading.material = mesh.material;
-        out_.triangles.push_back(welded);
-        out_.shading.push_back(shading);
+    tabulateVertices();
+    firstOfEqual_ = firstOfEqualPositions(mesh.positions);
+    const auto clear = [&](std::vector<std::uint32_t>& list) {
+        reserveLarge(list, mesh.positions.size());
+        list.assign(mesh.positions.size(), IndexTable::kNone);
+    };
+    clear(localVertex_);
+    if (!entriesAreVertices_) clear(localEntry_);
+    const std::vector<Use> uses = measure(mesh);
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+        if (uses[i] == Use::Good) addTriangle(mesh, mesh.triangles[i]);
     }
+    nonFinite_ += static_cast<std::uint64_t>(std::count(uses.begin(), uses.end(), Use::NonFinite));
+    degenerate_ += static_cast<std::uint64_t>(std::count(uses.begin(), uses.end(), Use::WithoutArea));
 }
 
 void MeshAssembler::finish(ModelBuffers& model, float creaseAngle) {
+    if (entriesAreVertices_) resizeLarge(out_.normals, out_.vertices.size());
     model.vertices = std::move(out_.vertices);
     model.triangles = std::move(out_.triangles);
     model.shading = std::move(out_.shading);
@@ -206,6 +232,7 @@ void MeshAssembler::finish(ModelBuffers& model, float creaseAngle) {
     model.texcoords = std::move(out_.texcoords);
     model.colours = std::move(out_.colours);
     vertexOfEntry_ = hashedEntries_ = plainEntry_ = {};
+    firstOfEqual_ = localVertex_ = localEntry_ = {};
     vertices_ = entries_ = {};
     computeMissingNormals(model, creaseAngle);
 }

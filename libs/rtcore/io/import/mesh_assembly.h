@@ -40,6 +40,7 @@ class IndexTable {
     /// Elements come in the order of their numbers: 0, 1, 2...
     void insert(std::uint64_t hash, std::uint32_t element);
     void reserve(std::size_t elements);
+    std::size_t size() const { return hashes_.size(); }
 
   private:
     struct Slot {
@@ -53,7 +54,7 @@ class IndexTable {
 /// Welds vertices whose positions are equal (what is nearer to 0 than 1e-30 is 0), so that neighbours share
 /// them; keeps the order of triangles; drops and counts triangles without area and those with a coordinate
 /// that is no number or beyond 1e12. Entries of normals, texture coordinates and colours are shared where all
-/// of them are equal. One thread.
+/// of them are equal. By the threads of OpenMP for large meshes; the result does not depend on them.
 class MeshAssembler {
   public:
     void reserve(std::size_t vertices, std::size_t triangles);
@@ -68,20 +69,29 @@ class MeshAssembler {
     std::uint64_t nonFiniteTriangles() const { return nonFinite_; }
 
   private:
+    enum class Use : std::uint8_t { Good, NonFinite, WithoutArea };
+    std::vector<Use> measure(const SourceMesh& mesh);
+    void addTriangle(const SourceMesh& mesh, const Triangle& t);
+    std::uint32_t knownVertexAt(Vec3 p);
     std::uint32_t vertexAt(Vec3 p);
+    void tabulateVertices();
     std::uint32_t plainEntryFor(std::uint32_t vertex);
     std::uint32_t appendEntry(std::uint32_t vertex, Vec3 normal, Vec2 texcoord, Colour colour);
     std::uint32_t entryFor(std::uint32_t vertex, Vec3 normal, Vec2 texcoord, Colour colour);
-    bool weldTriangle(const SourceMesh& mesh, const Triangle& t, Triangle& welded);
     std::uint32_t entryOfCorner(const SourceMesh& mesh, std::uint32_t corner, std::uint32_t vertex);
     void widen(const SourceMesh& mesh);
+    void makeEntries();
 
     ModelBuffers out_;
+    /// All meshes so far have only positions, as scanned ones: entries are vertices, and none is stored yet.
+    bool entriesAreVertices_ = true;
     std::vector<std::uint32_t> vertexOfEntry_;
     std::vector<std::uint32_t> hashedEntries_; ///< entries by their number in `entries_`
     IndexTable vertices_, entries_;
     std::vector<std::uint32_t> plainEntry_; ///< by vertex: the one with nothing of its own, if there is one
-    std::vector<std::uint32_t> localVertex_, localEntry_; ///< of the mesh being added
+    /// Of the mesh being added, by its own vertices; those of the model are kNone until a triangle needs
+    /// them.
+    std::vector<std::uint32_t> firstOfEqual_, localVertex_, localEntry_;
     bool hasTexcoords_ = false, hasColours_ = false;
     Box3 bounds_;
     std::uint64_t degenerate_ = 0, nonFinite_ = 0;
