@@ -17,8 +17,9 @@ struct BuildOptions {
     float intersectionCost = 0; ///< K_I; 0 = by size, see automaticIntersectionCost()
     float emptyBonus = 0.2F;    ///< 0..1: a split that cuts off empty space costs this fraction less
     int lookAhead = 1;          ///< splits in a row that may fail to pay; undone when they did not in the end
-    int fastQuality = 5;        ///< 1..10, Fast only: more bins, and from 5 on exact splits of small nodes
-    int threads = 0;            ///< 0 = all cores; the tree does not depend on it
+    int fastQuality = 5; ///< 1..10, Fast only: more bins; up to 4 large nodes are split by a sample, from
+                         ///< 5 on small ones exactly
+    int threads = 0;     ///< 0 = all cores; the tree does not depend on it
 };
 
 /// Seconds of each phase, filled by the builder.

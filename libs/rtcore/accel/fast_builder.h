@@ -10,8 +10,9 @@
 namespace rtcore {
 
 struct FastOptions {
-    std::size_t bins = 20;      ///< 4..64, of large nodes
-    std::size_t exactBelow = 0; ///< nodes of fewer triangles are built exactly
+    std::size_t bins = 20;                      ///< 4..64, of large nodes
+    std::size_t exactBelow = 0;                 ///< nodes of fewer triangles are built exactly
+    std::size_t sampledAbove = ~std::size_t{0}; ///< nodes of more triangles are split by a sample of them
 };
 
 /// What `quality` (1..10) stands for.

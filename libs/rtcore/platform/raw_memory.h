@@ -12,7 +12,7 @@ void* allocateRaw(std::size_t bytes);
 /// Null does nothing.
 void freeRaw(void* memory);
 
-/// Asks for large pages for memory of another's that nobody has written yet. Without them, or for little
+/// Asks for large pages for memory that is allocated and not yet written. Without them, or for little
 /// memory, it does nothing.
 void preferLargePages(void* memory, std::size_t bytes);
 
