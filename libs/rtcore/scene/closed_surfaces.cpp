@@ -51,6 +51,7 @@ std::vector<HalfEdge> halfEdges(const Mesh& mesh, const std::vector<std::uint32_
 } // namespace
 
 ClosedSurfaces findClosedSurfaces(const Mesh& mesh, std::span<const Material> materials) {
+    if (std::none_of(materials.begin(), materials.end(), isTransparent)) return nullptr;
     std::vector<std::uint32_t> transparent;
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
         if (isTransparent(materials[mesh.shading[i].material])) transparent.push_back(i);

@@ -70,6 +70,7 @@ class Smoother {
         sharp_.assign(model_.vertices.size(), flat_ ? 1 : 0);
         measureFacets();
         if (!flat_) smoothWhatIsRound();
+        if (std::find(sharp_.begin(), sharp_.end(), 1) == sharp_.end()) return;
         collectSharpCorners();
         for (std::size_t v = 0; v + 1 < first_.size(); ++v) {
             const std::span<const std::uint32_t> corners(corners_.data() + first_[v],
