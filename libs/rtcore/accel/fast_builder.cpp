@@ -252,7 +252,7 @@ class FastBuilder {
 
 FastOptions fastOptions(int quality) {
     const auto q = static_cast<std::size_t>(std::clamp(quality, 1, 10));
-    constexpr std::size_t kSampledAbove = 1024;
+    constexpr std::size_t kSampledAbove = 256;
     const bool exact = q >= 5;
     return {4 + 4 * q, exact ? std::size_t{18} << (q - 5) : 0, exact ? ~std::size_t{0} : kSampledAbove};
 }
