@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds for arm64 by Debian's cross compiler, in a Debian of its own beside this one, and runs there by qemu: tests, and
-# Renderer, whose pictures must have the bits of those by build/release. Says "skipped" where it cannot run.
-#   scripts/check-arm64.sh [tests] [pictures]     without arguments: both
+# Renderer, whose images must have the bits of those by build/release. Says "skipped" where it cannot run.
+#   scripts/check-arm64.sh [tests] [images]     without arguments: both
 # Needs root, scripts/build.sh before it and, for the first time, the network. In the environment: RT_ARM64_DEBIAN, where
 # that Debian is kept (1.5 GB) [build/arm64-debian]; RT_DEBIAN_MIRROR, where its packages come from
 # [http://deb.debian.org/debian]; RT_ARM64_TESTS, the test programs without "test_".
@@ -16,11 +16,11 @@ skip() {
     say "skipped: $*"
     exit 0
 }
-[ $# -gt 0 ] || set -- tests pictures
+[ $# -gt 0 ] || set -- tests images
 for part in "$@"; do
     case $part in
-    tests | pictures) ;;
-    *) echo "usage: check-arm64.sh [tests] [pictures]" >&2; exit 2 ;;
+    tests | images) ;;
+    *) echo "usage: check-arm64.sh [tests] [images]" >&2; exit 2 ;;
     esac
 done
 
@@ -143,7 +143,7 @@ run_tests() {
     done
 }
 
-# same NAME SCENE OPTION...: the pictures of both, as they are shown and before tone mapping.
+# same NAME SCENE OPTION...: the images of both, as they are shown and before tone mapping.
 same() {
     name=$1
     shift
@@ -157,7 +157,7 @@ same() {
     say "$name has the same bits, in $(($(date +%s) - begun)) s"
 }
 
-compare_pictures() {
+compare_images() {
     scripts/make_data.sh
     $programs/BSPBuilder data/mirrors/generated/mirrors.glb "$work/mirrors.bsp" --progress=none
     by_qemu $built/bin/BSPBuilder data/mirrors/generated/mirrors.glb /tmp/mirrors.bsp --progress=none
@@ -175,6 +175,6 @@ wrap_importer
 for part in "$@"; do
     case $part in
     tests) run_tests ;;
-    pictures) compare_pictures ;;
+    images) compare_images ;;
     esac
 done
