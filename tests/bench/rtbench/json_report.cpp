@@ -37,10 +37,11 @@ Json frameJson(const FrameFigures& f) {
     return json;
 }
 
-Json meansJson(std::span<const SceneFigures> scenes, bool robust) {
+Json meansJson(std::span<const SceneFigures> scenes, bool robust, OfViews ofViews) {
     Json means = Json::object();
     for (const RayTest& test : kRayTests) {
-        if (const auto mean = meanRatio(scenes, test, robust)) means[std::string(test.name)] = rounded(*mean);
+        if (const auto mean = meanRatio(scenes, test, robust, ofViews))
+            means[std::string(test.name)] = rounded(*mean);
     }
     return means;
 }
@@ -71,8 +72,10 @@ std::string jsonReport(std::span<const SceneFigures> scenes) {
         for (const TreeFigures& tree : scene.trees)
             json["scenes"].back()["bytesPerTriangle"][tree.name] = rounded(tree.bytes);
     }
-    json["geomean"] = meansJson(scenes, false);
-    json["geomeanRobust"] = meansJson(scenes, true);
+    json["geomean"] = meansJson(scenes, false, OfViews::Mean);
+    json["geomeanRobust"] = meansJson(scenes, true, OfViews::Mean);
+    json["geomeanOfMedians"] = meansJson(scenes, false, OfViews::Median);
+    json["geomeanOfMediansRobust"] = meansJson(scenes, true, OfViews::Median);
     if (!frameKinds(scenes).empty()) json["frames"] = framesJson(scenes);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 namespace rtbench {
 
 namespace {
 
-/// Of several, not none.
-double median(std::vector<double>& values) {
+// Both of several values, not of none.
+double mean(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+double median(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     const std::size_t half = values.size() / 2;
     return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
@@ -18,7 +22,8 @@ double median(std::vector<double>& values) {
 } // namespace
 
 std::optional<double> geometricMean(std::span<const SceneFigures> scenes,
-                                    const std::function<std::vector<double>(const SceneFigures&)>& ratios) {
+                                    const std::function<std::vector<double>(const SceneFigures&)>& ratios,
+                                    OfViews ofViews) {
     std::map<std::string, std::vector<double>> logarithms;
     for (const SceneFigures& scene : scenes) {
         for (const double ratio : ratios(scene)) {
@@ -27,19 +32,22 @@ std::optional<double> geometricMean(std::span<const SceneFigures> scenes,
     }
     if (logarithms.empty()) return std::nullopt;
     double all = 0;
-    for (auto& [scene, ofViews] : logarithms) all += median(ofViews);
+    for (const auto& [scene, views] : logarithms)
+        all += ofViews == OfViews::Median ? median(views) : mean(views);
     return std::exp(all / static_cast<double>(logarithms.size()));
 }
 
-std::optional<double> meanRatio(std::span<const SceneFigures> scenes, const RayTest& test, bool robust) {
-    return geometricMean(scenes, [&](const SceneFigures& scene) {
+std::optional<double> meanRatio(std::span<const SceneFigures> scenes, const RayTest& test, bool robust,
+                                OfViews ofViews) {
+    const auto ratiosOf = [&](const SceneFigures& scene) {
         std::vector<double> ratios;
         for (const RayFigures& rays : scene.rays) {
             const auto& rival = robust ? rays.robust : rays.best;
             if (rays.test == &test && rival) ratios.push_back(rival->ratio);
         }
         return ratios;
-    });
+    };
+    return geometricMean(scenes, ratiosOf, ofViews);
 }
 
 std::optional<double> meanFrameRatio(std::span<const SceneFigures> scenes, const std::string& kind,

@@ -1,4 +1,4 @@
-/// Geometric means over scenes of the medians over their views.
+/// Geometric means over scenes.
 #pragma once
 
 #include "bench/rtbench/figures.h"
@@ -12,13 +12,18 @@
 
 namespace rtbench {
 
-/// Of the positive values that `ratios` gives; of the views of one scene the median counts. Nothing when
-/// there is none.
+/// What counts of the views of a scene.
+enum class OfViews { Mean, Median };
+
+/// Of the positive values that `ratios` gives; the views of one scene together count as one scene. Nothing
+/// when there is none.
 std::optional<double> geometricMean(std::span<const SceneFigures> scenes,
-                                    const std::function<std::vector<double>(const SceneFigures&)>& ratios);
+                                    const std::function<std::vector<double>(const SceneFigures&)>& ratios,
+                                    OfViews ofViews = OfViews::Mean);
 
 /// Our speed over Embree's best mode, or over its best robust one.
-std::optional<double> meanRatio(std::span<const SceneFigures> scenes, const RayTest& test, bool robust);
+std::optional<double> meanRatio(std::span<const SceneFigures> scenes, const RayTest& test, bool robust,
+                                OfViews ofViews = OfViews::Mean);
 
 /// Embree's time for a frame over ours.
 std::optional<double> meanFrameRatio(std::span<const SceneFigures> scenes, const std::string& kind,

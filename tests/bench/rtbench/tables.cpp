@@ -4,6 +4,7 @@
 
 #include <cstdarg>
 #include <cstdio>
+#include <initializer_list>
 
 namespace rtbench {
 
@@ -69,9 +70,9 @@ std::string treesLine(const std::vector<TreeFigures>& trees) {
     return line + "\n";
 }
 
-std::string meanLine(const std::string& name, std::optional<double> best, std::optional<double> robust) {
+std::string meanLine(const std::string& name, std::initializer_list<std::optional<double>> means) {
     std::string line = print("  %-20s", name.c_str());
-    for (const auto& mean : {best, robust}) line += mean ? print(" %12.3f", *mean) : print(" %12s", "");
+    for (const auto& mean : means) line += mean ? print(" %12.3f", *mean) : print(" %12s", "");
     while (line.ends_with(' ')) line.pop_back();
     return line + "\n";
 }
@@ -95,16 +96,20 @@ std::string meansTable(std::span<const SceneFigures> scenes) {
     std::string lines;
     for (const RayTest& test : kRayTests) {
         if (const auto mean = meanRatio(scenes, test, false)) {
-            lines += meanLine(std::string(test.name), mean, meanRatio(scenes, test, true));
+            lines += meanLine(std::string(test.name), {mean, meanRatio(scenes, test, true),
+                                                       meanRatio(scenes, test, false, OfViews::Median),
+                                                       meanRatio(scenes, test, true, OfViews::Median)});
         }
     }
     for (const auto& [kind, threads] : frameKinds(scenes)) {
         const auto mean = meanFrameRatio(scenes, kind, threads);
         const std::string name = "frame " + kind + ", " + std::to_string(threads) + " thr.";
-        if (mean) lines += meanLine(name, std::nullopt, mean);
+        if (mean) lines += meanLine(name, {std::nullopt, mean});
     }
     if (lines.empty()) return "";
-    return print("%-22s %12s %12s\n", "means of medians", "ratio best", "ratio robust") + lines;
+    return print("%-22s %12s %12s %12s %12s\n", "geometric means", "ratio best", "ratio robust",
+                 "median best", "robust") +
+           lines;
 }
 
 } // namespace rtbench

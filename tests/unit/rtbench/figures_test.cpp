@@ -28,11 +28,14 @@ SceneFigures scene(const std::string& name, const std::string& view, double rati
     return figures;
 }
 
-TEST(Means, TakeTheMedianOfAScenesViews) {
+TEST(Means, TakeTheMedianOfAScenesViewsWhenAsked) {
     const std::vector<SceneFigures> scenes{scene("a", "one", 2, 4), scene("a", "two", 3, 1),
                                            scene("a", "three", 9, 2)};
-    EXPECT_NEAR(*rtbench::meanRatio(scenes, rtbench::kRayTests[0], false), 3, 1e-9);
-    EXPECT_NEAR(*rtbench::meanRatio(scenes, rtbench::kRayTests[0], true), 2, 1e-9);
+    const auto median = [&](bool robust) {
+        return *rtbench::meanRatio(scenes, rtbench::kRayTests[0], robust, rtbench::OfViews::Median);
+    };
+    EXPECT_NEAR(median(false), 3, 1e-9);
+    EXPECT_NEAR(median(true), 2, 1e-9);
 }
 
 TEST(Means, CountEachSceneOnce) {
@@ -49,7 +52,8 @@ TEST(JsonReport, HasTheDocumentedNames) {
     const auto expected = nlohmann::json::parse(
         R"({"scenes": [{"name": "a one", "triangles": 12, "rays": {"primary": {"ours": 50.0, "embree": 25.0,
             "mode": "high 16 coherent", "ratio": 2.0, "ratioRobust": 4.0, "spread": 0.0123}}}],
-            "geomean": {"primary": 2.0}, "geomeanRobust": {"primary": 4.0}})");
+            "geomean": {"primary": 2.0}, "geomeanRobust": {"primary": 4.0},
+            "geomeanOfMedians": {"primary": 2.0}, "geomeanOfMediansRobust": {"primary": 4.0}})");
     EXPECT_EQ(json, expected);
 }
 
