@@ -54,10 +54,9 @@ class Bundle {
     alignas(64) float reach[kBundle];               ///< nothing further away matters to any ray
     alignas(64) float slack[kBundle];
 
-    bool full() const { return size == kBundle; }
-    /// Whether a packet of this origin and these signs can join those that are there.
+    /// Whether a packet of this origin and these signs can join.
     bool suits(Vec3 from, const bool (&signs)[3]) const {
-        return size == 0 || (from == origin && std::equal(signs, signs + 3, negative));
+        return from == origin && std::equal(signs, signs + 3, negative);
     }
 };
 

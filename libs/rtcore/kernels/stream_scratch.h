@@ -1,7 +1,8 @@
-/// The memory that streams work in.
+/// The memory that waves are traced in.
 #pragma once
 
 #include "rtcore/accel/uninitialized_array.h"
+#include "rtcore/kernels/bundle_choice.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -40,6 +41,8 @@ class StreamScratch {
     /// First rays of the groups that wait to be streamed.
     std::uint32_t groups[kRays / kGroup];
     std::size_t groupCount = 0;
+
+    BundleChoice bundleChoice;
 
   private:
     std::size_t stride_;

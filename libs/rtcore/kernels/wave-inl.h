@@ -10,6 +10,9 @@
 #include "rtcore/kernels/bundle-inl.h"
 #include "rtcore/kernels/stream-inl.h"
 
+#include <chrono>
+#include <utility>
+
 HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
@@ -257,30 +260,54 @@ class PacketTracer {
     PacketWalk<kGroupVectors, Shared::Nothing, true, kAny> byNothing_;
 };
 
-/// Gathers packets of one origin and traces them together.
+/// Gathers packets of one origin and traces them together, where that takes less time than one by one.
 template <typename Output>
 class BundleTracer {
   public:
     BundleTracer(const KernelScene& scene, const RaySpan& rays, const Output& output)
         : scene_(scene), rays_(rays), output_(output), walk_(scene, bundle_) {}
 
-    /// Takes a whole group of much the same direction from `first` on, if it can be bundled.
-    HWY_INLINE bool take(const GroupShape& shape, std::size_t first) {
+    /// Takes a whole group of much the same direction from `first` on, if it can be bundled. `asPacket(shape,
+    /// first)` traces one alone.
+    template <typename AsPacket>
+    HWY_INLINE bool take(const GroupShape& shape, std::size_t first, BundleChoice& choice,
+                         const AsPacket& asPacket) {
         if (!haveCommonOrigin(rays_, first) || !shape.oneOctant()) return false;
         const int axis = commonAxis(shape, rays_, first);
         if (axis == 3) return false;
         const Vec3 origin{rays_.origin[0][first], rays_.origin[1][first], rays_.origin[2][first]};
         const bool negative[3] = {shape.direction[0].hi < 0, shape.direction[1].hi < 0,
                                   shape.direction[2].hi < 0};
-        if (bundle_.full() || !bundle_.suits(origin, negative)) run();
-        bundle_.origin = origin;
-        std::copy_n(negative, 3, bundle_.negative);
-        add(shape, alongAxis(axis), first);
+        if (gathered_ == kBundle || (gathered_ > 0 && !bundle_.suits(origin, negative))) finish(choice);
+        if (gathered_++ == 0) {
+            bundle_.origin = origin;
+            std::copy_n(negative, 3, bundle_.negative);
+            asBundle_ = choice.next();
+        }
+        if (asBundle_) {
+            add(shape, alongAxis(axis), first);
+        } else {
+            asPacket(shape, first);
+        }
         return true;
     }
 
     /// Traces what has been gathered.
+    HWY_INLINE void finish(BundleChoice& choice) {
+        if (gathered_ == 0) return;
+        if (asBundle_) run();
+        const Clock::time_point now = Clock::now();
+        const std::chrono::duration<double> time = now - std::exchange(start_, now);
+        // Few take longer each, and tell nothing.
+        if (gathered_ >= kBundle / 2) choice.learn(time.count() / static_cast<double>(gathered_));
+        gathered_ = 0;
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
     HWY_NOINLINE void run() {
+        if (bundle_.size == 0) return;
         for (std::size_t p = bundle_.size; p < kBundle; ++p) {
             bundle_.begin[p] = 1;
             bundle_.end[p] = -1;
@@ -290,11 +317,7 @@ class BundleTracer {
             output_.fromPacket(bundle_.packets[p], bundle_.packets[p].first, kGroup);
         bundle_.size = 0;
     }
-    HWY_INLINE void finish() {
-        if (bundle_.size > 0) run();
-    }
 
-  private:
     HWY_INLINE void add(const GroupShape& shape, const AlongAxis& along, std::size_t first) {
         const FloatTag d;
         const IntTag di;
@@ -379,6 +402,9 @@ class BundleTracer {
     const KernelScene& scene_;
     const RaySpan& rays_;
     const Output& output_;
+    std::size_t gathered_ = 0;
+    bool asBundle_ = true;
+    Clock::time_point start_ = Clock::now(); ///< of what is gathered
     Bundle bundle_;
     BundleWalk walk_;
 };
@@ -387,8 +413,11 @@ class BundleTracer {
 struct NoBundles {
     template <typename... Any>
     explicit NoBundles(const Any&...) {}
-    HWY_INLINE bool take(const GroupShape&, std::size_t) const { return false; }
-    HWY_INLINE void finish() const {}
+    template <typename AsPacket>
+    HWY_INLINE bool take(const GroupShape&, std::size_t, BundleChoice&, const AsPacket&) const {
+        return false;
+    }
+    HWY_INLINE void finish(BundleChoice&) const {}
 };
 
 /// The last rays of a wave, filled up to a whole group by the first of them.
@@ -434,13 +463,13 @@ HWY_INLINE void traverseWave(const KernelScene& scene, const RaySpan& rays, Stre
     for (std::size_t first = 0; first < whole; first += kGroup) {
         const GroupShape shape = shapeOf(rays, first);
         if (shape.coherent()) {
-            if (!bundles.take(shape, first)) asPacket(shape, first);
+            if (!bundles.take(shape, first, scratch.bundleChoice, asPacket)) asPacket(shape, first);
             continue;
         }
         scratch.groups[scratch.groupCount++] = static_cast<std::uint32_t>(first);
         if (scratch.groupCount == StreamScratch::kRays / kGroup) asStream();
     }
-    bundles.finish();
+    bundles.finish(scratch.bundleChoice);
     if (scratch.groupCount >= kFewest) {
         asStream();
     } else {
