@@ -29,7 +29,7 @@ class BundleChoice {
 
     void decide() {
         constexpr double kClearly = 0.95, kMost = 8;
-        double ratio = sum_[1] / sum_[0];
+        double ratio = sum_[0] > 0 ? sum_[1] / sum_[0] : 1; // a coarse clock may see no time pass
         if (ratio < kClearly) {
             bundles_ = !bundles_;
             ratio = 1 / ratio;

@@ -45,6 +45,12 @@ TEST(BundleChoice, IsNotMisledByPartsOfAnImageThatTakeLonger) {
     EXPECT_GT(timesBundled(choice, 20000, 1, 3, unevenly), 19000);
 }
 
+TEST(BundleChoice, StaysWithBundlesWhereNoTimeSeemsToPass) {
+    rtcore::BundleChoice choice;
+    EXPECT_GT(timesBundled(choice, 1000, 0, 0, kEvenly), 950);
+    EXPECT_LT(timesBundled(choice, 1000, 0, 0, kEvenly), 1000);
+}
+
 TEST(BundleChoice, TellsTheSameUntilItLearns) {
     rtcore::BundleChoice choice;
     for (int i = 0; i < 20; ++i) EXPECT_TRUE(choice.next());
