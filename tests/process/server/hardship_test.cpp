@@ -204,6 +204,7 @@ TEST_F(FullMemory, ForLargerFramesIsAnErrorAndTheServerGoesOn) {
             EXPECT_LE(std::stoi(cui({"get", "width"}).output), 128);
         }
         EXPECT_EQ(cui({"resolution", "640", "400"}).exitCode, 0) << "what fits, fits";
+        EXPECT_EQ(cui({"set", "antialiasing", "8"}).exitCode, 0) << "else it may be done between two words";
         EXPECT_EQ(cui({"wait-idle", "--timeout=0.01"}).exitCode, 75) << "the talker has it draw all the time";
         EXPECT_EQ(troupe.board[1].epochs, 1U);
         expectNothingWrong();
