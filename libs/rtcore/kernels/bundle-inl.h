@@ -28,6 +28,7 @@ struct BundledPacket {
     alignas(64) float best[kRays];
     alignas(64) std::int32_t triangle[kRays];
     alignas(64) float v[kRays], w[kRays], det[kRays];
+    const std::uint32_t* startTriangle; ///< as RaySpan's
     Beam beams[kBeams];
     std::size_t first; ///< the index of its first ray
     AlongAxis along;
@@ -60,6 +61,7 @@ class Bundle {
     }
 };
 
+template <Search kSearch>
 class BundleWalk {
   public:
     BundleWalk(const KernelScene& scene, Bundle& bundle) : scene_(scene), bundle_(bundle) {}
@@ -166,8 +168,9 @@ class BundleWalk {
             forEachAlive(begin, end, [&](std::size_t p) HWY_ATTR {
                 const BundledPacket& packet = bundle_.packets[p];
                 testBeams(triangles, p, [&](std::uint32_t which, std::size_t at, Found& found) HWY_ATTR {
-                    testNarrowTriangles<false>(scene_, leaf, i, which, packet.along, shearedRays(packet, at),
-                                               hn::Load(FloatTag(), packet.tMin + at), allLanes(), found);
+                    testNarrowTriangles<kSearch>(scene_, leaf, i, which, packet.along,
+                                                 shearedRays(packet, at),
+                                                 hn::Load(FloatTag(), packet.tMin + at), allLanes(), found);
                 });
             });
         }
@@ -189,13 +192,15 @@ class BundleWalk {
             const Floats tMin = hn::Load(d, packet.tMin + at);
             for (; which != 0; which &= which - 1) {
                 const auto i = static_cast<std::size_t>(std::countr_zero(which));
+                if (isHidden<kSearch>(scene_, triangles.triangle[i])) continue;
                 const auto offset = [&](std::size_t c) HWY_ATTR {
                     return Offset{hn::Set(d, triangles.offsets(c, along.kx)[i]),
                                   hn::Set(d, triangles.offsets(c, along.ky)[i]),
                                   hn::Set(d, triangles.offsets(c, along.kz)[i])};
                 };
-                keepHits<false>(edgeTest(offset(0), offset(1), offset(2), rays), triangles.triangle[i], tMin,
-                                allLanes(), found);
+                Outcome outcome = edgeTest(offset(0), offset(1), offset(2), rays);
+                filter<kSearch>(scene_, triangles.triangle[i], tMin, allLanes(), found, outcome);
+                keepHits<kSearch>(outcome, triangles.triangle[i], tMin, allLanes(), found);
             }
         });
     }
@@ -238,7 +243,8 @@ class BundleWalk {
                 hn::Load(d, packet.w + at),
                 hn::Load(d, packet.det + at),
                 hn::FirstN(d, 0),
-                hn::FirstN(d, 0)};
+                hn::FirstN(d, 0),
+                startsAt(packet.startTriangle, at)};
     }
     HWY_INLINE static void keep(const Found& found, BundledPacket& packet, std::size_t at) {
         const FloatTag d;

@@ -3,6 +3,7 @@
 
 #include "rtcore/accel/kd_node.h"
 #include "rtcore/accel/kd_tree.h"
+#include "rtcore/kernels/candidate_filter.h"
 #include "rtcore/kernels/narrow_triangles.h"
 #include "rtcore/scene/mesh.h"
 
@@ -38,6 +39,7 @@ struct KernelScene {
     /// For any hit: by material, 1 where light may pass, so that its triangles stop no ray; null: all stop
     /// rays.
     const std::uint8_t* clear = nullptr;
+    CandidateFilter filter;
     float lo[3], hi[3]; ///< the root's cell; lo > hi: nothing to hit
 };
 

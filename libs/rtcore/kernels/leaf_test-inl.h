@@ -40,6 +40,13 @@ enum class Shared {
     Nothing
 };
 
+/// What is looked for along rays.
+struct Search {
+    bool any;      ///< whether there is a hit; else the closest
+    bool filtered; ///< not all candidates are hits: by KernelScene's filter, `clear`, and RaySpan's
+                   ///< startTriangle
+};
+
 /// The references of a leaf, those to narrow triangles last.
 struct Leaf {
     HWY_INLINE Leaf(const KernelScene& scene, KdNode node)
@@ -203,7 +210,14 @@ struct Found {
     Floats v, w, det; ///< only of the lanes in `changed`
     Mask changed;     ///< by the leaf
     Mask passed;      ///< any hit: through triangles that let light through
+    const std::uint32_t* startTriangle =
+        nullptr; ///< of these rays, as RaySpan's; for filtered searches alone
 };
+
+/// RaySpan's startTriangle from another ray on.
+HWY_INLINE const std::uint32_t* startsAt(const std::uint32_t* startTriangle, std::size_t at) {
+    return startTriangle == nullptr ? nullptr : startTriangle + at;
+}
 
 template <typename Along>
 HWY_INLINE Outcome edgeTest(const Corners& corners, const Along& along, const ShearedRays& rays) {
@@ -212,16 +226,73 @@ HWY_INLINE Outcome edgeTest(const Corners& corners, const Along& along, const Sh
                     along.offset(corners.c, corners.stride, rays), rays);
 }
 
+/// A bit for each lane.
+HWY_INLINE std::uint32_t bitsOf(Mask lanes) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(FloatTag(), lanes, bytes);
+    return std::uint32_t{bytes[0]} | std::uint32_t{bytes[1]} << 8U;
+}
+
+/// Calls `work` with the number of each lane that `lanes` holds.
+template <typename Work>
+HWY_INLINE void forEachLane(Mask lanes, Work&& work) {
+    for (std::uint32_t bits = bitsOf(lanes); bits != 0; bits &= bits - 1)
+        work(static_cast<std::size_t>(std::countr_zero(bits)));
+}
+
+/// Whether no ray of the search hits the triangle.
+template <Search kSearch>
+HWY_INLINE bool isHidden(const KernelScene& scene, std::int32_t triangle) {
+    if constexpr (!kSearch.filtered) return false;
+    return scene.filter.hides(static_cast<std::uint32_t>(triangle));
+}
+
+/// Of the rays `candidates`, which meet the triangle, those that pass through no hole of it.
+inline HWY_NOINLINE Mask besideHoles(const Holes& holes, std::int32_t triangle, Mask candidates,
+                                     const Outcome& outcome) {
+    const FloatTag d;
+    const IntTag di;
+    alignas(64) float u[kLanes];
+    alignas(64) float v[kLanes];
+    alignas(64) std::int32_t kept[kLanes] = {};
+    hn::Store(hn::Div(outcome.v, outcome.det), d, u);
+    hn::Store(hn::Div(outcome.w, outcome.det), d, v);
+    forEachLane(candidates, [&](std::size_t lane) {
+        kept[lane] = holes.isHole(static_cast<std::uint32_t>(triangle), u[lane], v[lane]) ? 0 : 1;
+    });
+    return hn::RebindMask(d, hn::Ne(hn::Load(di, kept), hn::Zero(di)));
+}
+
+/// Lets only those rays be inside of a triangle that neither start on it nor pass through its holes.
+template <Search kSearch>
+HWY_INLINE void filter(const KernelScene& scene, std::int32_t triangle, Floats tMin, Mask inCell,
+                       const Found& found, Outcome& outcome) {
+    if constexpr (!kSearch.filtered) return;
+    const FloatTag d;
+    const IntTag di;
+    if (found.startTriangle != nullptr) {
+        const Ints starts = hn::LoadU(di, reinterpret_cast<const std::int32_t*>(found.startTriangle));
+        const Mask own = hn::RebindMask(d, hn::Eq(starts, hn::Set(di, triangle)));
+        outcome.inside = hn::AndNot(own, outcome.inside);
+    }
+    if (scene.filter.holes == nullptr) return;
+    const Mask within = hn::And(hn::Ge(outcome.t, tMin), hn::Le(outcome.t, found.best));
+    const Mask candidates = hn::And(hn::And(outcome.inside, inCell), within);
+    outcome.inside = hn::AllFalse(d, candidates)
+                         ? candidates
+                         : besideHoles(*scene.filter.holes, triangle, candidates, outcome);
+}
+
 /// Keeps what the test of `triangle` says of the rays in `inCell`, from `tMin` on. Returns the rays that hit
 /// it (for any hit `triangle`, v, w, det are left alone).
-template <bool kAny>
+template <Search kSearch>
 HWY_INLINE Mask keepHits(const Outcome& outcome, std::int32_t triangle, Floats tMin, Mask inCell,
                          Found& found) {
     const FloatTag d;
     const IntTag di;
     const Mask open = hn::And(hn::And(outcome.inside, inCell), hn::Ge(outcome.t, tMin));
     Mask hit = open;
-    if constexpr (kAny) {
+    if constexpr (kSearch.any) {
         hit = hn::And(open, hn::Le(outcome.t, found.best));
         found.best = hn::IfThenElse(hit, hn::Set(d, -1.0F), found.best);
     } else {
@@ -240,11 +311,10 @@ HWY_INLINE Mask keepHits(const Outcome& outcome, std::int32_t triangle, Floats t
 }
 
 /// Whether a triangle stops no ray of a search for any hit.
-template <bool kAny>
+template <Search kSearch>
 HWY_INLINE bool isPassed(const KernelScene& scene, const Corners& corners) {
-    if constexpr (!kAny) return false;
-    return HWY_UNLIKELY(scene.clear != nullptr) &&
-           scene.letsThrough(static_cast<std::uint32_t>(corners.triangle));
+    if constexpr (!kSearch.any || !kSearch.filtered) return false;
+    return scene.clear != nullptr && scene.letsThrough(static_cast<std::uint32_t>(corners.triangle));
 }
 
 /// Keeps which of the rays in `inCell` pass through a triangle that lets light through.
@@ -254,51 +324,40 @@ HWY_INLINE void keepPassed(const Outcome& outcome, Floats tMin, Mask inCell, Fou
 }
 
 /// Tests one triangle, which must not be narrow, against a vector of rays.
-template <bool kAny, typename Along>
-HWY_INLINE Mask testTriangle(const Corners& corners, const Along& along, const ShearedRays& rays, Floats tMin,
-                             Mask inCell, Found& found) {
-    return keepHits<kAny>(edgeTest(corners, along, rays), corners.triangle, tMin, inCell, found);
+template <Search kSearch, typename Along>
+HWY_INLINE Mask testTriangle(const KernelScene& scene, const Corners& corners, const Along& along,
+                             const ShearedRays& rays, Floats tMin, Mask inCell, Found& found) {
+    if (isHidden<kSearch>(scene, corners.triangle)) return hn::FirstN(FloatTag(), 0);
+    Outcome outcome = edgeTest(corners, along, rays);
+    filter<kSearch>(scene, corners.triangle, tMin, inCell, found, outcome);
+    if (isPassed<kSearch>(scene, corners)) {
+        keepPassed(outcome, tMin, inCell, found);
+        return hn::FirstN(FloatTag(), 0);
+    }
+    return keepHits<kSearch>(outcome, corners.triangle, tMin, inCell, found);
 }
 
 HWY_INLINE AlongAxis alongAxis(int kz) { return {(kz + 1) % 3, (kz + 2) % 3, kz}; }
 
 /// Tests the common triangle `i` of a leaf. For any hit `onHit` gets its corners where it was hit.
-template <bool kAny, typename Along, typename OnHit>
+template <Search kSearch, typename Along, typename OnHit>
 HWY_INLINE void testCommon(const KernelScene& scene, const Leaf& leaf, std::uint32_t i, const Along& along,
                            const ShearedRays& rays, Floats tMin, Mask inCell, Found& found,
                            const OnHit& onHit) {
     const Corners corners = cornersOf(scene, leaf, i);
-    if (isPassed<kAny>(scene, corners)) {
-        keepPassed(edgeTest(corners, along, rays), tMin, inCell, found);
-        return;
-    }
-    const Mask hit = testTriangle<kAny>(corners, along, rays, tMin, inCell, found);
-    if constexpr (kAny) {
+    const Mask hit = testTriangle<kSearch>(scene, corners, along, rays, tMin, inCell, found);
+    if constexpr (kSearch.any) {
         if (!hn::AllFalse(FloatTag(), hit)) onHit(corners);
     }
 }
 
-/// A bit for each lane.
-HWY_INLINE std::uint32_t bitsOf(Mask lanes) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(FloatTag(), lanes, bytes);
-    return std::uint32_t{bytes[0]} | std::uint32_t{bytes[1]} << 8U;
-}
-
 /// The same for all of them.
-template <bool kAny, typename Along, typename OnHit>
+template <Search kSearch, typename Along, typename OnHit>
 HWY_INLINE void testTriangles(const KernelScene& scene, const Leaf& leaf, const Along& along,
                               const ShearedRays& rays, Floats tMin, Mask inCell, Found& found,
                               const OnHit& onHit) {
     for (std::uint32_t i = 0; i < leaf.common; ++i)
-        testCommon<kAny>(scene, leaf, i, along, rays, tMin, inCell, found, onHit);
-}
-
-/// Calls `work` with the number of each lane that `lanes` holds.
-template <typename Work>
-HWY_INLINE void forEachLane(Mask lanes, Work&& work) {
-    for (std::uint32_t bits = bitsOf(lanes); bits != 0; bits &= bits - 1)
-        work(static_cast<std::size_t>(std::countr_zero(bits)));
+        testCommon<kSearch>(scene, leaf, i, along, rays, tMin, inCell, found, onHit);
 }
 
 /// The minimum; the second where either is NaN.

@@ -41,7 +41,7 @@ struct PreciseTest {
 
     /// The lanes `which`, at least; where the ray passes beside the triangle, `inside` is 0 and the rest not
     /// yet right.
-    template <bool kAny>
+    template <Search kSearch>
     HWY_INLINE void run(Mask which) {
         const DoubleTag dd;
         const hn::Rebind<float, DoubleTag> half;
@@ -75,7 +75,7 @@ struct PreciseTest {
                                  HWY_ATTR { hn::Store(hn::DemoteTo(half, value), half, to + i); };
             put(hn::IfThenElseZero(meets, hn::Set(dd, 1.0)), inside);
             put(hn::Mul(hn::Div(sum, det), get(5)), t);
-            if constexpr (kAny) continue;
+            if constexpr (kSearch.any && !kSearch.filtered) continue;
             put(hn::Div(v, det), share1);
             put(hn::Div(w, det), share2);
         }
@@ -91,12 +91,12 @@ HWY_INLINE Mask areDoubtful(const Outcome& outcome, float noise) {
 }
 
 /// Puts preciseHit() into what the test of a narrow triangle says of the lanes `which`.
-template <bool kAny, typename Along>
+template <Search kSearch, typename Along>
 HWY_INLINE void makePrecise(const Corners& corners, const Along& along, const ShearedRays& rays, Mask which,
                             Outcome& outcome) {
     const FloatTag d;
     PreciseTest test(corners, along, rays);
-    test.template run<kAny>(which);
+    test.template run<kSearch>(which);
     const Mask beside = hn::AndNot(hn::Ne(hn::Load(d, test.inside), hn::Zero(d)), which);
     if (HWY_UNLIKELY(!hn::AllFalse(d, beside))) {
         forEachLane(beside, [&](std::size_t i) {
@@ -117,45 +117,47 @@ HWY_INLINE void makePrecise(const Corners& corners, const Along& along, const Sh
     const Mask tooFar = hn::Not(hn::Le(hn::Abs(t), hn::Set(d, std::numeric_limits<float>::max())));
     outcome.inside = hn::AndNot(hn::And(which, tooFar), outcome.inside);
     outcome.t = hn::IfThenElse(which, t, outcome.t);
-    if constexpr (kAny) return;
+    if constexpr (kSearch.any && !kSearch.filtered) return;
     outcome.v = hn::IfThenElse(which, hn::Load(d, test.share1), outcome.v);
     outcome.w = hn::IfThenElse(which, hn::Load(d, test.share2), outcome.w);
     outcome.det = hn::IfThenElse(which, hn::Set(d, 1.0F), outcome.det);
 }
 
 /// Tests a narrow triangle.
-template <bool kAny, typename Along>
+template <Search kSearch, typename Along>
 HWY_INLINE void testNarrowTriangle(const KernelScene& scene, const Corners& corners, const Along& along,
                                    const ShearedRays& rays, Floats tMin, Mask inCell, Found& found) {
+    if (isHidden<kSearch>(scene, corners.triangle)) return;
     Outcome outcome = edgeTest(corners, along, rays);
     outcome.inside = hn::And(outcome.inside, inCell);
     if (hn::AllFalse(FloatTag(), outcome.inside)) return;
     const float noise = scene.noise[static_cast<std::size_t>(corners.triangle)];
     const Mask doubtful = areDoubtful(outcome, noise);
-    if (!hn::AllFalse(FloatTag(), doubtful)) makePrecise<kAny>(corners, along, rays, doubtful, outcome);
-    if (isPassed<kAny>(scene, corners)) {
+    if (!hn::AllFalse(FloatTag(), doubtful)) makePrecise<kSearch>(corners, along, rays, doubtful, outcome);
+    filter<kSearch>(scene, corners.triangle, tMin, inCell, found, outcome);
+    if (isPassed<kSearch>(scene, corners)) {
         keepPassed(outcome, tMin, inCell, found);
         return;
     }
-    keepHits<kAny>(outcome, corners.triangle, tMin, inCell, found);
+    keepHits<kSearch>(outcome, corners.triangle, tMin, inCell, found);
 }
 
 /// Tests the narrow triangles of a leaf.
-template <bool kAny, typename Along>
+template <Search kSearch, typename Along>
 HWY_NOINLINE void testNarrowTriangles(const KernelScene& scene, const Leaf& leaf, const Along& along,
                                       const ShearedRays& rays, Floats tMin, Mask inCell, Found& found) {
     for (std::uint32_t i = leaf.common; i < leaf.count; ++i)
-        testNarrowTriangle<kAny>(scene, cornersOf(scene, leaf, i), along, rays, tMin, inCell, found);
+        testNarrowTriangle<kSearch>(scene, cornersOf(scene, leaf, i), along, rays, tMin, inCell, found);
 }
 
 /// The same for some of a leaf's narrow triangles: a bit of `which` for each from its reference `first` on.
-template <bool kAny, typename Along>
+template <Search kSearch, typename Along>
 HWY_NOINLINE void testNarrowTriangles(const KernelScene& scene, const Leaf& leaf, std::uint32_t first,
                                       std::uint32_t which, const Along& along, const ShearedRays& rays,
                                       Floats tMin, Mask inCell, Found& found) {
     for (; which != 0; which &= which - 1) {
         const auto i = first + static_cast<std::uint32_t>(std::countr_zero(which));
-        testNarrowTriangle<kAny>(scene, cornersOf(scene, leaf, i), along, rays, tMin, inCell, found);
+        testNarrowTriangle<kSearch>(scene, cornersOf(scene, leaf, i), along, rays, tMin, inCell, found);
     }
 }
 

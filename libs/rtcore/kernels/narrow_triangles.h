@@ -21,6 +21,4 @@ struct NarrowTriangles {
     std::vector<std::uint32_t> bits;       ///< one for each of them, 32 to a word: whether it is narrow
 };
 
-inline bool isBitSet(const std::uint32_t* bits, std::size_t i) { return bits[i / 32] >> i % 32 & 1U; }
-
 } // namespace rtcore

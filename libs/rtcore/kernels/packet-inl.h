@@ -40,7 +40,8 @@ struct Packet {
     alignas(64) Array best; ///< distance of the closest hit; for any hit tMax, or -1 once hit
     alignas(64) std::int32_t triangle[kSize];
     alignas(64) Array v, w, det;
-    float slack; ///< the largest of all rays'
+    const std::uint32_t* startTriangle; ///< as RaySpan's; null: none starts on a triangle
+    float slack;                        ///< the largest of all rays'
 
     /// On ray `i`.
     HWY_INLINE Vec3 at(std::size_t i, float t) const {
@@ -90,7 +91,7 @@ struct WaitingPacket {
 };
 
 /// `kCull`: worth trying to decide for all rays at once.
-template <std::size_t kVectors, Shared kShared, bool kCull, bool kAny>
+template <std::size_t kVectors, Shared kShared, bool kCull, Search kSearch>
 class PacketWalk {
   public:
     PacketWalk(const KernelScene& scene, Packet<kVectors>& packet) : scene_(scene), packet_(packet) {}
@@ -152,7 +153,7 @@ class PacketWalk {
             t1[i] = hn::Load(d, packet_.t1 + i * kLanes);
         }
         if constexpr (kCull) place.interval = boundsOf(t0, t1);
-        if constexpr (kAny) {
+        if constexpr (kSearch.any) {
             if (occluder.a != nullptr && testOccluder(t0, t1)) return false;
         }
         return true;
@@ -167,7 +168,7 @@ class PacketWalk {
                 place.node = descend(node, culling, t0, t1, place.interval, place.waiting);
                 continue;
             }
-            if constexpr (kAny) cost += kLeafCost + node.count();
+            if constexpr (kSearch.any) cost += kLeafCost + node.count();
             if (node.count() != 0) return true;
             if (!next(t0, t1, place)) return false;
         }
@@ -274,7 +275,7 @@ class PacketWalk {
             return far;
         }
         WaitingPacket<kVectors>& entry = stack_[waiting++];
-        if constexpr (kAny) {
+        if constexpr (kSearch.any) {
             cost += kStepCost;
             if (farFirst) {
                 entry.node = near;
@@ -378,7 +379,7 @@ class PacketWalk {
 
     /// Where a ray's search ends. For any hit that is -1 for those that are done.
     HWY_INLINE static Floats endOf(Floats best, Floats slack) {
-        if constexpr (!kAny) return hn::Add(best, slack);
+        if constexpr (!kSearch.any) return hn::Add(best, slack);
         return hn::IfThenElse(hn::Lt(best, hn::Zero(FloatTag())), best, hn::Add(best, slack));
     }
 
@@ -478,7 +479,7 @@ class PacketWalk {
             const Floats tMin = hn::Load(FloatTag(), packet_.tMin + at);
             const ShearedRays sheared = shearedRays(at);
             withAlong(at, [&](const auto& along) HWY_ATTR {
-                testTriangles<kAny>(scene_, leaf, along, sheared, tMin, inCell, found, remember);
+                testTriangles<kSearch>(scene_, leaf, along, sheared, tMin, inCell, found, remember);
             });
         };
         return leaf.common > 0 && testVectors(test, t0, t1);
@@ -497,7 +498,7 @@ class PacketWalk {
                 const ShearedRays rays = shearedRays(at);
                 for (; which != 0; which &= which - 1) {
                     const auto i = first + static_cast<std::uint32_t>(std::countr_zero(which));
-                    testCommon<kAny>(scene_, leaf, i, along_, rays, tMin, inCell, found, remember);
+                    testCommon<kSearch>(scene_, leaf, i, along_, rays, tMin, inCell, found, remember);
                 }
             };
             if (testVectors(test, t0, t1)) return true;
@@ -518,8 +519,8 @@ class PacketWalk {
         if constexpr (kShared == Shared::Nothing) {
             const auto test = [&](std::size_t at, Mask inCell, Found& found) HWY_ATTR {
                 const AxisOrder order = axisOrder(at);
-                testNarrowTriangles<kAny>(scene_, leaf, AlongEach{order}, shearedRays(at),
-                                          hn::Load(d, packet_.tMin + at), inCell, found);
+                testNarrowTriangles<kSearch>(scene_, leaf, AlongEach{order}, shearedRays(at),
+                                             hn::Load(d, packet_.tMin + at), inCell, found);
             };
             return testVectors(test, t0, t1);
         }
@@ -528,8 +529,8 @@ class PacketWalk {
             const auto test = [&](std::size_t at, Mask inCell, Found& found) HWY_ATTR {
                 const std::uint32_t which = candidatesOf(triangles, at);
                 if (which == 0) return;
-                testNarrowTriangles<kAny>(scene_, leaf, first, which, along_, shearedRays(at),
-                                          hn::Load(d, packet_.tMin + at), inCell, found);
+                testNarrowTriangles<kSearch>(scene_, leaf, first, which, along_, shearedRays(at),
+                                             hn::Load(d, packet_.tMin + at), inCell, found);
             };
             if (testVectors(test, t0, t1)) return true;
         }
@@ -543,8 +544,9 @@ class PacketWalk {
         const auto test = [&](std::size_t at, Mask inCell, Found& found) HWY_ATTR {
             const Floats tMin = hn::Load(d, packet_.tMin + at);
             const ShearedRays rays = shearedRays(at);
-            withAlong(at, [&](const auto& along)
-                              HWY_ATTR { testTriangle<kAny>(occluder, along, rays, tMin, inCell, found); });
+            withAlong(at, [&](const auto& along) HWY_ATTR {
+                testTriangle<kSearch>(scene_, occluder, along, rays, tMin, inCell, found);
+            });
         };
         return testVectors(test, t0, t1);
     }
@@ -566,14 +568,15 @@ class PacketWalk {
                         hn::Zero(d),
                         hn::Zero(d),
                         hn::FirstN(d, 0),
-                        hn::FirstN(d, 0)};
-            if constexpr (!kAny) found.triangle = hn::Load(di, packet_.triangle + at);
+                        hn::FirstN(d, 0),
+                        startsAt(packet_.startTriangle, at)};
+            if constexpr (!kSearch.any) found.triangle = hn::Load(di, packet_.triangle + at);
             test(at, inCell, found);
-            if constexpr (kAny) notePassed(found, at);
+            if constexpr (kSearch.any) notePassed(found, at);
             if (hn::AllFalse(d, found.changed)) continue;
             any = true;
             hn::Store(found.best, d, packet_.best + at);
-            if constexpr (kAny) {
+            if constexpr (kSearch.any) {
                 t1[k] = hn::IfThenElse(found.changed, hn::Set(d, -1.0F), t1[k]);
             } else {
                 hn::Store(found.triangle, di, packet_.triangle + at);
@@ -582,7 +585,7 @@ class PacketWalk {
                 hn::BlendedStore(found.det, found.changed, d, packet_.det + at);
             }
         }
-        return kAny && any && allDone();
+        return kSearch.any && any && allDone();
     }
 
     /// Any other triangle than kNone: the ray passes through one that lets light through.
@@ -623,7 +626,7 @@ class PacketWalk {
                                            HWY_ATTR { hit |= testRay<kNarrow>(block, k * kLanes + lane); });
             }
         }
-        if (!kAny || !hit) return false;
+        if (!kSearch.any || !hit) return false;
         RTCORE_EACH_VECTOR
         for (std::size_t k = 0; k < kVectors; ++k) {
             const Floats best = hn::Load(d, packet_.best + k * kLanes);
@@ -645,17 +648,17 @@ class PacketWalk {
         ray.sx = sheared_[3][i];
         ray.sy = sheared_[4][i];
         ray.minusSz = sheared_[5][i];
-        FoundByRay found{packet_.best[i], kAny ? kNone : packet_.triangle[i], 0, 0, 0};
+        FoundByRay found{packet_.best[i], kSearch.any ? kNone : packet_.triangle[i], 0, 0, 0};
         bool hit = false;
         if constexpr (kNarrow) {
-            hit = block.testNarrow<kAny>(ray, packet_.tMin[i], found);
+            hit = block.testNarrow<kSearch>(ray, packet_.tMin[i], startOf(i), found);
         } else {
-            hit = block.test<kAny>(ray, packet_.tMin[i], found);
+            hit = block.test<kSearch>(ray, packet_.tMin[i], startOf(i), found);
         }
-        if (kAny && HWY_UNLIKELY(found.passed)) packet_.triangle[i] = 0;
+        if (kSearch.any && HWY_UNLIKELY(found.passed)) packet_.triangle[i] = 0;
         if (!hit) return false;
         packet_.best[i] = found.best;
-        if constexpr (kAny) {
+        if constexpr (kSearch.any) {
             if (!kNarrow) occluder = block.corners(static_cast<std::uint32_t>(found.triangle));
         } else {
             packet_.triangle[i] = found.triangle;
@@ -664,6 +667,10 @@ class PacketWalk {
             packet_.det[i] = found.det;
         }
         return true;
+    }
+
+    HWY_INLINE std::uint32_t startOf(std::size_t i) const {
+        return packet_.startTriangle == nullptr ? kNoTriangle : packet_.startTriangle[i];
     }
 
     HWY_INLINE bool allDone() const {

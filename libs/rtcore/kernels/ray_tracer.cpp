@@ -26,7 +26,8 @@ RaySpan spanOf(const RayWave& rays) {
             {rays.dx.data(), rays.dy.data(), rays.dz.data()},
             rays.tMin.data(),
             rays.tMax.data(),
-            rays.size()};
+            rays.size(),
+            rays.startTriangle.size() == rays.size() ? rays.startTriangle.data() : nullptr};
 }
 
 } // namespace

@@ -63,6 +63,10 @@ class KdRayTracer final : public RayTracer {
                        std::vector<Obstacle>& found) const override;
     Box3 bounds() const override { return tree_.bounds; }
 
+    /// From now on rays hit only what `filter` keeps, whose arrays and holes must outlive that. Not while
+    /// other threads trace.
+    void setFilter(const CandidateFilter& filter) { scene_.filter = filter; }
+
     /// Bytes of the tree and of all that is kept beside it and the mesh.
     std::size_t memory() const;
 

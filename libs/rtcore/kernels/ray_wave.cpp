@@ -4,6 +4,7 @@ namespace rtcore {
 
 void RayWave::clear() {
     for (auto* array : {&ox, &oy, &oz, &dx, &dy, &dz, &tMin, &tMax}) array->clear();
+    startTriangle.clear();
 }
 
 void RayWave::reserve(std::size_t count) {
@@ -23,6 +24,7 @@ void RayWave::push(const Ray& ray) {
 
 void RayWave::resize(std::size_t count) {
     for (auto* array : {&ox, &oy, &oz, &dx, &dy, &dz, &tMin, &tMax}) array->resize(count);
+    if (!startTriangle.empty()) startTriangle.resize(count, kNoTriangle);
 }
 
 void HitWave::resize(std::size_t count) {

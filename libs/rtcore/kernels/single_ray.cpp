@@ -116,23 +116,29 @@ void traverse(const KernelScene& scene, const Ray& ray, const float& closest, Vi
 /// Tests the triangles of a leaf; with `kAny`, true at the first hit.
 template <int kz, bool kAny>
 [[gnu::always_inline]] inline bool testLeaf(const KernelScene& scene, const KdNode& leaf, const Ray& ray,
-                                            const RayShear& shear, Hit& best) {
+                                            const RayShear& shear, std::uint32_t startTriangle, Hit& best) {
     for (std::uint32_t i = 0; i < leaf.count(); ++i) {
         const TriangleCorners corners = cornersOf(scene, leaf.firstReference + i);
+        if (corners.index == startTriangle) continue;
         if (kAny && scene.clear != nullptr && scene.letsThrough(corners.index)) continue;
-        if (testTriangle<kz>(corners, ray, shear, best) && kAny) return true;
+        Hit hit = best;
+        if (!testTriangle<kz>(corners, ray, shear, hit)) continue;
+        if (!scene.filter.empty() && !scene.filter.keeps(hit.triangle, hit.u, hit.v)) continue;
+        best = hit;
+        if (kAny) return true;
     }
     return false;
 }
 
 template <bool kAny>
-bool find(const KernelScene& scene, const Ray& ray, Hit& hit) {
+bool find(const KernelScene& scene, const Ray& ray, std::uint32_t startTriangle, Hit& hit) {
     const RayShear shear(ray.direction);
     Hit best;
     best.t = ray.tMax;
     alongAxis(shear.kz, [&](auto kz) {
-        traverse(scene, ray, best.t,
-                 [&](const KdNode& leaf) { return testLeaf<kz, kAny>(scene, leaf, ray, shear, best); });
+        traverse(scene, ray, best.t, [&](const KdNode& leaf) {
+            return testLeaf<kz, kAny>(scene, leaf, ray, shear, startTriangle, best);
+        });
     });
     if (best.triangle == kNoTriangle) return false;
     hit = best;
@@ -141,11 +147,13 @@ bool find(const KernelScene& scene, const Ray& ray, Hit& hit) {
 
 } // namespace
 
-bool findClosest(const KernelScene& scene, const Ray& ray, Hit& hit) { return find<false>(scene, ray, hit); }
+bool findClosest(const KernelScene& scene, const Ray& ray, Hit& hit, std::uint32_t startTriangle) {
+    return find<false>(scene, ray, startTriangle, hit);
+}
 
-bool findAny(const KernelScene& scene, const Ray& ray) {
+bool findAny(const KernelScene& scene, const Ray& ray, std::uint32_t startTriangle) {
     Hit any;
-    return find<true>(scene, ray, any);
+    return find<true>(scene, ray, startTriangle, any);
 }
 
 bool intersect(const KdTree& tree, const Mesh& mesh, const Ray& ray, Hit& hit) {

@@ -8,6 +8,8 @@
 #include "rtcore/kernels/ray_wave.h"
 #include "rtcore/scene/mesh.h"
 
+#include <cstdint>
+
 namespace rtcore {
 
 /// Closest hit in [ray.tMin, ray.tMax]; at equal distance the triangle with the lower index.
@@ -17,9 +19,11 @@ bool intersect(const KdTree& tree, const Mesh& mesh, const Ray& ray, Hit& hit);
 /// Whether anything is hit in [ray.tMin, ray.tMax]. Agrees with intersect().
 bool occluded(const KdTree& tree, const Mesh& mesh, const Ray& ray);
 
-/// As intersect(), but the distance is the leaf test's own, before refineDistance() (hit_distance.h).
-bool findClosest(const KernelScene& scene, const Ray& ray, Hit& hit);
-/// As occluded().
-bool findAny(const KernelScene& scene, const Ray& ray);
+/// As intersect(), but the distance is the leaf test's own, before refineDistance() (hit_distance.h). Hits
+/// only what the scene's filter keeps, and not `startTriangle`.
+bool findClosest(const KernelScene& scene, const Ray& ray, Hit& hit,
+                 std::uint32_t startTriangle = kNoTriangle);
+/// As occluded(), with the same exceptions, and those of `clear`.
+bool findAny(const KernelScene& scene, const Ray& ray, std::uint32_t startTriangle = kNoTriangle);
 
 } // namespace rtcore

@@ -18,7 +18,7 @@ namespace HWY_NAMESPACE {
 
 /// The walk of the rays of one octant of directions. While a leaf comes from memory it can halt and let
 /// another walk go on.
-template <bool kAny>
+template <Search kSearch>
 class OctantWalk {
   public:
     /// `turn`: which of the scratch's columns it works in.
@@ -34,6 +34,7 @@ class OctantWalk {
             culling_.uniform[axis] = true;
             culling_.upperFirst[axis] = octant >> axis & 1U;
         }
+        startTriangle_ = rays.startTriangle;
         list_ = collect(rays, octant);
         top_ = list_.size + kLanes;
         waiting_ = 0;
@@ -282,7 +283,7 @@ class OctantWalk {
         const FloatTag d;
         const Floats best = hn::GatherIndex(d, scratch_.best, slot);
         const Floats end = hn::Add(best, hn::Set(d, slack_));
-        if constexpr (!kAny) return end;
+        if constexpr (!kSearch.any) return end;
         return hn::IfThenElse(hn::Lt(best, hn::Zero(d)), best, end);
     }
 
@@ -305,26 +306,41 @@ class OctantWalk {
         const ShearedRays rays =
             shear(order, get(Origin, at), get(Origin + 1, at), get(Origin + 2, at), dx, dy, dz);
         const Floats tMin = hn::GatherIndex(d, scratch_.tMin, slot);
+        std::uint32_t starts[kLanes];
         Found found{hn::GatherIndex(d, scratch_.best, slot),
                     hn::Zero(di),
                     hn::Zero(d),
                     hn::Zero(d),
                     hn::Zero(d),
                     hn::FirstN(d, 0),
-                    hn::FirstN(d, 0)};
-        if constexpr (!kAny) found.triangle = hn::GatherIndex(di, scratch_.triangle, slot);
+                    hn::FirstN(d, 0),
+                    startsOf(slot, starts)};
+        if constexpr (!kSearch.any) found.triangle = hn::GatherIndex(di, scratch_.triangle, slot);
         const auto forget = [](const Corners&) HWY_ATTR {}; // a stream has too many occluders
         const int axis = order.common();
         if (axis < 3) {
-            testTriangles<kAny>(scene_, leaf, alongAxis(axis), rays, tMin, inCell, found, forget);
+            testTriangles<kSearch>(scene_, leaf, alongAxis(axis), rays, tMin, inCell, found, forget);
         } else {
-            testTriangles<kAny>(scene_, leaf, AlongEach{order}, rays, tMin, inCell, found, forget);
+            testTriangles<kSearch>(scene_, leaf, AlongEach{order}, rays, tMin, inCell, found, forget);
         }
         if (HWY_UNLIKELY(leaf.common < leaf.count)) {
-            testNarrowTriangles<kAny>(scene_, leaf, AlongEach{order}, rays, tMin, inCell, found);
+            testNarrowTriangles<kSearch>(scene_, leaf, AlongEach{order}, rays, tMin, inCell, found);
         }
-        if constexpr (kAny) notePassed(slot, found);
+        if constexpr (kSearch.any) notePassed(slot, found);
         if (!hn::AllFalse(d, found.changed)) keep(slot, found);
+    }
+
+    /// RaySpan's startTriangle of some slots, in `starts`.
+    HWY_INLINE const std::uint32_t* startsOf(Ints slots, std::uint32_t (&starts)[kLanes]) const {
+        if (!kSearch.filtered || startTriangle_ == nullptr) return nullptr;
+        alignas(64) std::int32_t slot[kLanes];
+        hn::Store(slots, IntTag(), slot);
+        for (std::size_t lane = 0; lane < kLanes; ++lane) starts[lane] = startOf(slot[lane]);
+        return starts;
+    }
+    HWY_INLINE std::uint32_t startOf(std::int32_t slot) const {
+        const auto at = static_cast<std::size_t>(slot);
+        return startTriangle_[scratch_.groups[at / StreamScratch::kGroup] + at % StreamScratch::kGroup];
     }
 
     /// As PacketWalk's.
@@ -351,7 +367,7 @@ class OctantWalk {
         forEachLane(found.changed, [&](std::size_t lane) {
             const std::int32_t at = slot[lane];
             scratch_.best[at] = values[0][lane];
-            if constexpr (kAny) return;
+            if constexpr (kSearch.any) return;
             scratch_.triangle[at] = triangles[lane];
             scratch_.v[at] = values[1][lane];
             scratch_.w[at] = values[2][lane];
@@ -398,6 +414,12 @@ class OctantWalk {
             hn::Store(hn::GatherIndex(d, scratch_.best, slot), d, short_.best + i);
             hn::Store(hn::GatherIndex(di, scratch_.triangle, slot), di, short_.triangle + i);
         }
+        short_.startTriangle = nullptr;
+        if (kSearch.filtered && startTriangle_ != nullptr) {
+            for (std::size_t i = 0; i < to; ++i)
+                shortStart_[i] = startOf(std::bit_cast<std::int32_t>(shortSlot_[i]));
+            short_.startTriangle = shortStart_;
+        }
         short_.slack = slack_;
         shortSize_ = to;
     }
@@ -406,7 +428,7 @@ class OctantWalk {
     HWY_INLINE void endShort() {
         for (std::size_t i = 0; i < shortSize_; ++i) {
             const std::int32_t slot = std::bit_cast<std::int32_t>(shortSlot_[i]);
-            if constexpr (kAny) {
+            if constexpr (kSearch.any) {
                 found_ += short_.best[i] < 0 ? 1 : 0;
                 scratch_.best[slot] = short_.best[i];
                 scratch_.triangle[slot] = short_.triangle[i];
@@ -425,20 +447,22 @@ class OctantWalk {
     StreamScratch& scratch_;
     List list_; ///< the one at hand
     std::size_t top_ = 0, waiting_ = 0;
-    bool halted_ = false; ///< in the walk of a short list
+    const std::uint32_t* startTriangle_ = nullptr; ///< as RaySpan's
+    bool halted_ = false;                          ///< in the walk of a short list
     float* columns_[StreamScratch::kColumns];
     float slack_ = 0;
     std::size_t found_ = 0; ///< grows with each hit
     Culling culling_{};
     Packet<kShortVectors> short_;
-    PacketWalk<kShortVectors, Shared::Nothing, false, kAny> shortWalk_;
+    PacketWalk<kShortVectors, Shared::Nothing, false, kSearch> shortWalk_;
     alignas(64) float shortSlot_[kShort + kLanes]; ///< their bits
+    std::uint32_t shortStart_[kShort] = {};
     std::size_t shortSize_ = 0;
     WaitingList stack_[kMaxKdDepth];
 };
 
 /// The walks of two octants take turns, so that one has something to do while the other waits for memory.
-template <bool kAny>
+template <Search kSearch>
 class StreamWalk {
   public:
     StreamWalk(const KernelScene& scene, StreamScratch& scratch)
@@ -493,7 +517,7 @@ class StreamWalk {
                 hn::Store(ray.tMin, d, scratch_.tMin + slot);
                 hn::Store(ray.tMax, d, scratch_.best + slot);
                 hn::Store(hn::Set(di, kNone), di, scratch_.triangle + slot);
-                if constexpr (kAny) continue;
+                if constexpr (kSearch.any) continue;
                 hn::Store(hn::Zero(d), d, scratch_.v + slot);
                 hn::Store(hn::Zero(d), d, scratch_.w + slot);
                 hn::Store(hn::Set(d, 1.0F), d, scratch_.det + slot);
@@ -516,7 +540,7 @@ class StreamWalk {
     const KernelScene& scene_;
     StreamScratch& scratch_;
     float slack_ = 0;
-    OctantWalk<kAny> walks_[kWalks];
+    OctantWalk<kSearch> walks_[kWalks];
 };
 
 } // namespace HWY_NAMESPACE

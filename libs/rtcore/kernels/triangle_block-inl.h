@@ -50,16 +50,21 @@ class TriangleBlock {
 
     /// Of common triangles: returns whether the ray hits one of them, closer than what it has found or as
     /// close and of lower index.
-    template <bool kAny>
-    HWY_INLINE bool test(const ShearedRay& ray, float tMin, FoundByRay& found) const {
+    template <Search kSearch>
+    HWY_INLINE bool test(const ShearedRay& ray, float tMin, std::uint32_t startTriangle,
+                         FoundByRay& found) const {
         const FloatTag d;
         const Outcome outcome = edgeTestOf(ray);
         const Floats best = hn::Set(d, found.best);
-        const Mask open = hn::And(hn::And(outcome.inside, hn::FirstN(d, count_)),
-                                  hn::And(hn::Ge(outcome.t, hn::Set(d, tMin)), hn::Le(outcome.t, best)));
+        Mask open = hn::And(hn::And(outcome.inside, hn::FirstN(d, count_)),
+                            hn::And(hn::Ge(outcome.t, hn::Set(d, tMin)), hn::Le(outcome.t, best)));
         if (hn::AllFalse(d, open)) return false;
-        if constexpr (kAny) {
-            if (HWY_UNLIKELY(scene_.clear != nullptr)) return testOpaque(open, found);
+        if constexpr (kSearch.filtered) {
+            open = hitsOf(open, outcome, startTriangle);
+            if (hn::AllFalse(d, open)) return false;
+        }
+        if constexpr (kSearch.any) {
+            if (kSearch.filtered && scene_.clear != nullptr) return testOpaque(open, found);
             found.best = -1;
             found.triangle = static_cast<std::int32_t>(firstOf(open));
             return true;
@@ -78,8 +83,9 @@ class TriangleBlock {
     }
 
     /// The same of narrow triangles. For any hit `found.triangle` is left alone.
-    template <bool kAny>
-    HWY_INLINE bool testNarrow(const ShearedRay& ray, float tMin, FoundByRay& found) const {
+    template <Search kSearch>
+    HWY_INLINE bool testNarrow(const ShearedRay& ray, float tMin, std::uint32_t startTriangle,
+                               FoundByRay& found) const {
         const FloatTag d;
         const Outcome outcome = edgeTestOf(ray);
         const Mask inside = hn::And(outcome.inside, hn::FirstN(d, count_));
@@ -88,9 +94,10 @@ class TriangleBlock {
         forEachLane(inside, [&](std::size_t lane) {
             const FoundByRay here = narrowHit(outcome, lane, ray);
             if (!(here.best >= tMin && here.best <= found.best)) return;
-            if constexpr (kAny) {
-                const bool passed =
-                    scene_.clear != nullptr && scene_.letsThrough(static_cast<std::uint32_t>(here.triangle));
+            if (kSearch.filtered && !isHit(here, startTriangle)) return;
+            if constexpr (kSearch.any) {
+                const bool passed = kSearch.filtered && scene_.clear != nullptr &&
+                                    scene_.letsThrough(static_cast<std::uint32_t>(here.triangle));
                 found.passed |= passed;
                 if (passed) return;
                 found.best = -1;
@@ -124,6 +131,33 @@ class TriangleBlock {
         };
         const PreciseHit hit = preciseHit(ray, corner(0), corner(1), corner(2));
         return {hit.t, triangle, hit.v, hit.w, 1};
+    }
+
+    /// Whether a ray that meets the triangle hits it.
+    HWY_INLINE bool isHit(const FoundByRay& candidate, std::uint32_t startTriangle) const {
+        const auto triangle = static_cast<std::uint32_t>(candidate.triangle);
+        return triangle != startTriangle &&
+               scene_.filter.keeps(triangle, candidate.v / candidate.det, candidate.w / candidate.det);
+    }
+
+    /// Of the triangles `candidates`, which the ray meets, those that it hits.
+    HWY_INLINE Mask hitsOf(Mask candidates, const Outcome& outcome, std::uint32_t startTriangle) const {
+        const bool all = scene_.filter.empty() && startTriangle == kNoTriangle;
+        return all ? candidates : keptOf(candidates, outcome, startTriangle);
+    }
+    HWY_NOINLINE Mask keptOf(Mask candidates, const Outcome& outcome, std::uint32_t startTriangle) const {
+        const IntTag di;
+        const Holes* const holes = scene_.filter.holes;
+        alignas(64) std::int32_t kept[kLanes] = {};
+        forEachLane(candidates, [&](std::size_t lane) {
+            const auto triangle = static_cast<std::uint32_t>(triangle_[lane]);
+            if (triangle == startTriangle || scene_.filter.hides(triangle)) return;
+            const auto share = [&](Floats area) { return laneOf(area, lane) / laneOf(outcome.det, lane); };
+            const bool isHole =
+                holes != nullptr && holes->isHole(triangle, share(outcome.v), share(outcome.w));
+            kept[lane] = isHole ? 0 : 1;
+        });
+        return hn::RebindMask(FloatTag(), hn::Ne(hn::Load(di, kept), hn::Zero(di)));
     }
 
     /// Of the triangles `open` that the ray hits, those that let light through do not stop it.

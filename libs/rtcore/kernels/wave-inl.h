@@ -145,6 +145,7 @@ HWY_INLINE bool load(const KernelScene& scene, const RaySpan& rays, std::size_t 
         hn::Store(hn::Zero(d), d, packet.w + i);
         hn::Store(hn::Set(d, 1.0F), d, packet.det + i);
     }
+    packet.startTriangle = startsAt(rays.startTriangle, first);
     packet.slack = hn::GetLane(hn::MaxOfLanes(d, slack));
     Mask enters = hn::FirstN(d, 0);
     for (std::size_t i = 0; i < kGroup; i += kLanes) {
@@ -192,7 +193,7 @@ class OrderChoice {
     bool tried_ = false;
 };
 
-template <bool kAny>
+template <Search kSearch>
 class PacketTracer {
   public:
     PacketTracer(const KernelScene& scene, const RaySpan& rays)
@@ -224,7 +225,7 @@ class PacketTracer {
     /// Shadow rays of a point light end there; others may at least begin near each other.
     HWY_INLINE Vec3 meetingPoint() const {
         constexpr float kNear = 4; // of the scene's sides; what is far away says little about small things
-        if constexpr (kAny) {
+        if constexpr (kSearch.any) {
             const Vec3 end = packet.at(0, packet.best[0]);
             bool near = true;
             for (int axis = 0; axis < 3; ++axis) {
@@ -239,7 +240,7 @@ class PacketTracer {
 
     template <typename Walk>
     HWY_INLINE void runWalk(Walk& walk, const Culling& culling) {
-        if constexpr (!kAny) {
+        if constexpr (!kSearch.any) {
             walk.run(0, culling);
             return;
         }
@@ -255,13 +256,13 @@ class PacketTracer {
     const RaySpan& rays_;
     Corners occluder_;
     OrderChoice order_;
-    PacketWalk<kGroupVectors, Shared::Origin, true, kAny> byOrigin_;
-    PacketWalk<kGroupVectors, Shared::Axis, true, kAny> byAxis_;
-    PacketWalk<kGroupVectors, Shared::Nothing, true, kAny> byNothing_;
+    PacketWalk<kGroupVectors, Shared::Origin, true, kSearch> byOrigin_;
+    PacketWalk<kGroupVectors, Shared::Axis, true, kSearch> byAxis_;
+    PacketWalk<kGroupVectors, Shared::Nothing, true, kSearch> byNothing_;
 };
 
 /// Gathers packets of one origin and traces them together, where that takes less time than one by one.
-template <typename Output>
+template <Search kSearch, typename Output>
 class BundleTracer {
   public:
     BundleTracer(const KernelScene& scene, const RaySpan& rays, const Output& output)
@@ -323,6 +324,7 @@ class BundleTracer {
         const IntTag di;
         BundledPacket& packet = bundle_.packets[bundle_.size];
         packet.first = first;
+        packet.startTriangle = startsAt(rays_.startTriangle, first);
         packet.along = along;
         Floats nearest = hn::Set(d, std::numeric_limits<float>::infinity()), farthest = hn::Zero(d);
         for (std::size_t i = 0; i < kGroup; i += kLanes) {
@@ -406,7 +408,7 @@ class BundleTracer {
     bool asBundle_ = true;
     Clock::time_point start_ = Clock::now(); ///< of what is gathered
     Bundle bundle_;
-    BundleWalk walk_;
+    BundleWalk<kSearch> walk_;
 };
 
 /// For any hit: shadow rays have a common end, not a common origin.
@@ -434,26 +436,31 @@ struct LastGroup {
                 {values[3], values[4], values[5]},
                 values[6],
                 values[7],
-                kGroup};
+                kGroup,
+                rays.startTriangle == nullptr ? nullptr : startTriangle};
+        if (rays.startTriangle == nullptr) return;
+        for (std::size_t i = 0; i < kGroup; ++i)
+            startTriangle[i] = rays.startTriangle[first + i < rays.count ? first + i : first];
     }
     alignas(64) float values[8][kGroup];
+    std::uint32_t startTriangle[kGroup];
     RaySpan span;
 };
 
 /// `Output` stores what a packet or a stream's slots hold.
-template <bool kAny, typename Output>
+template <Search kSearch, typename Output>
 HWY_INLINE void traverseWave(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch,
                              Output&& output) {
     constexpr std::size_t kFewest = 512 / kGroup; // below, packets are faster whatever the directions
-    PacketTracer<kAny> packets(scene, rays);
-    std::conditional_t<kAny, NoBundles, BundleTracer<std::remove_reference_t<Output>>> bundles(scene, rays,
-                                                                                               output);
+    PacketTracer<kSearch> packets(scene, rays);
+    std::conditional_t<kSearch.any, NoBundles, BundleTracer<kSearch, std::remove_reference_t<Output>>>
+        bundles(scene, rays, output);
     const auto asPacket = [&](const GroupShape& shape, std::size_t first) HWY_ATTR {
         packets.trace(shape, first, kGroup);
         output.fromPacket(packets.packet, first, kGroup);
     };
     const auto asStream = [&]() HWY_ATTR {
-        StreamWalk<kAny> stream(scene, scratch);
+        StreamWalk<kSearch> stream(scene, scratch);
         stream.run(rays);
         for (std::size_t g = 0; g < scratch.groupCount; ++g) output.fromSlots(scratch, g);
         scratch.groupCount = 0;
@@ -478,7 +485,7 @@ HWY_INLINE void traverseWave(const KernelScene& scene, const RaySpan& rays, Stre
     }
     if (whole == rays.count) return;
     const LastGroup last(rays, whole);
-    PacketTracer<kAny> tracer(scene, last.span);
+    PacketTracer<kSearch> tracer(scene, last.span);
     tracer.trace(shapeOf(last.span, 0), 0, rays.count - whole);
     output.fromPacket(tracer.packet, whole, rays.count - whole);
 }

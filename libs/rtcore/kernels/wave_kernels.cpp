@@ -29,6 +29,14 @@ Ray rayOf(const RaySpan& rays, std::size_t i) {
             rays.tMax[i]};
 }
 
+std::uint32_t startOf(const RaySpan& rays, std::size_t i) {
+    return rays.startTriangle == nullptr ? kNoTriangle : rays.startTriangle[i];
+}
+
+bool isFiltered(const KernelScene& scene, const RaySpan& rays) {
+    return !scene.filter.empty() || scene.clear != nullptr || rays.startTriangle != nullptr;
+}
+
 } // namespace
 } // namespace rtcore
 #endif
@@ -68,7 +76,7 @@ std::size_t nearHits(const RaySpan& rays, const HitSpan& hits, float limit, std:
 void closest(const KernelScene& scene, const RaySpan& rays, StreamScratch& /*scratch*/, const HitSpan& hits) {
     for (std::size_t i = 0; i < rays.count; ++i) {
         Hit hit;
-        findClosest(scene, rayOf(rays, i), hit);
+        findClosest(scene, rayOf(rays, i), hit, startOf(rays, i));
         hits.t[i] = hit.t;
         hits.u[i] = hit.u;
         hits.v[i] = hit.v;
@@ -79,17 +87,26 @@ void closest(const KernelScene& scene, const RaySpan& rays, StreamScratch& /*scr
 void any(const KernelScene& scene, const RaySpan& rays, StreamScratch& /*scratch*/, std::uint8_t* occluded) {
     // Single rays do not keep what they pass.
     const std::uint8_t none = scene.clear == nullptr ? 0 : 2;
-    for (std::size_t i = 0; i < rays.count; ++i) occluded[i] = findAny(scene, rayOf(rays, i)) ? 1 : none;
+    for (std::size_t i = 0; i < rays.count; ++i)
+        occluded[i] = findAny(scene, rayOf(rays, i), startOf(rays, i)) ? 1 : none;
 }
 
 #else
 
 void closest(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch, const HitSpan& hits) {
-    traverseWave<false>(scene, rays, scratch, ClosestOutput{hits});
+    if (isFiltered(scene, rays)) {
+        traverseWave<Search{false, true}>(scene, rays, scratch, ClosestOutput{hits});
+    } else {
+        traverseWave<Search{false, false}>(scene, rays, scratch, ClosestOutput{hits});
+    }
 }
 
 void any(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch, std::uint8_t* occluded) {
-    traverseWave<true>(scene, rays, scratch, AnyOutput{occluded});
+    if (isFiltered(scene, rays)) {
+        traverseWave<Search{true, true}>(scene, rays, scratch, AnyOutput{occluded});
+    } else {
+        traverseWave<Search{true, false}>(scene, rays, scratch, AnyOutput{occluded});
+    }
 }
 
 #endif

@@ -18,6 +18,7 @@ struct RaySpan {
     const float* tMin;
     const float* tMax;
     std::size_t count;
+    const std::uint32_t* startTriangle = nullptr; ///< null, or for each ray a triangle that it does not hit
 };
 
 struct HitSpan {
@@ -30,7 +31,6 @@ struct HitSpan {
 /// test's own (watertight.h). The same bits by every instruction set.
 void traceClosest(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch, const HitSpan& hits);
 
-/// 1 for each ray that hits anything, else 0.
 /// Any hit: 1 where there is one, else 0. With scene.clear, triangles that let light through do not count,
 /// and 2 stands where a ray passes one of them, or may do so.
 void traceAny(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch, std::uint8_t* occluded);

@@ -1,4 +1,5 @@
 // Every kernel on every instruction set, from records or from the mesh, finds the bits that single rays find.
+#include "kinds_of_waves.h"
 #include "wave_support.h"
 
 #include <cstddef>
@@ -7,16 +8,23 @@
 #include <string>
 #include <vector>
 
-using rtcore::Ray;
 using rtcore::RayWave;
-using rtcore::Vec3;
-using test::kForever;
+using test::aimed;
+using test::alongAxes;
+using test::append;
+using test::camera;
+using test::diagonal;
+using test::image;
+using test::kGroup;
+using test::mixed;
 using test::Random;
-using test::rayFrom;
+using test::sameWay;
+using test::scattered;
+using test::segments;
+using test::toLight;
 
 namespace {
 
-constexpr std::size_t kGroup = 64;      ///< rays that are judged together
 constexpr std::size_t kFewGroups = 7;   ///< of any directions: go as packets
 constexpr std::size_t kManyGroups = 40; ///< go as a stream
 
@@ -39,142 +47,6 @@ const std::vector<NamedMesh>& meshes() {
         {"triangle", [] { return test::soup(1, 1, 5); }, 0, 1},
     };
     return all;
-}
-
-/// The directions of a group agree within this share of their length, so that it goes as a packet.
-constexpr float kNarrow = 0.08F;
-
-RayWave scattered(std::size_t count, Random& random) {
-    RayWave wave;
-    for (std::size_t i = 0; i < count; ++i) wave.push(rayFrom(random.vector(1.2F), random.unitVector()));
-    return wave;
-}
-
-/// Groups through one point, each within a narrow cone around a direction that `direction` chooses.
-template <typename Direction>
-RayWave fromOnePoint(std::size_t groups, Random& random, Direction&& direction) {
-    RayWave wave;
-    const Vec3 eye = random.vector(1.5F);
-    for (std::size_t g = 0; g < groups; ++g) {
-        const Vec3 forward = direction(random, eye);
-        for (std::size_t i = 0; i < kGroup; ++i) wave.push(rayFrom(eye, forward + random.vector(kNarrow)));
-    }
-    return wave;
-}
-
-/// Like those of a camera: most groups share the axis along which they go.
-RayWave camera(std::size_t groups, Random& random) {
-    return fromOnePoint(groups, random, [](Random& r, Vec3 eye) { return normalize(r.vector(0.5F) - eye); });
-}
-
-/// Of an image, a group for each 8 x 8 of its pixels: many follow each other that go as one bundle.
-RayWave image(std::size_t groups, Random& random) {
-    constexpr std::size_t kSide = 8, kAcross = 8;
-    RayWave wave;
-    const Vec3 eye = random.vector(1) + random.unitVector();
-    const auto [right, down] = rtcore::basisAround(normalize(random.vector(0.5F) - eye));
-    const Vec3 corner = cross(right, down) - right * 0.5F - down * 0.5F;
-    for (std::size_t i = 0; i < groups * kGroup; ++i) {
-        const std::size_t g = i / kGroup, x = g % kAcross * kSide + i % kSide,
-                          y = g / kAcross * kSide + i % kGroup / kSide;
-        const float pixel = 1.0F / (kSide * kAcross);
-        wave.push(rayFrom(eye, corner + right * (static_cast<float>(x) * pixel) +
-                                   down * (static_cast<float>(y) * pixel)));
-    }
-    return wave;
-}
-
-/// From one point, each group at corners and edges of triangles that follow each other in the mesh: `same`
-/// rays at the same place, so that their beam is no wider than they are.
-RayWave aimed(const rtcore::Mesh& mesh, std::size_t groups, std::size_t same, Random& random) {
-    constexpr std::size_t kApart = 24; // triangles at which a group aims
-    RayWave wave;
-    const Vec3 eye = random.unitVector() * 2;
-    for (std::size_t g = 0; g < groups; ++g) {
-        const std::size_t first = random.index(mesh.triangles.size());
-        for (std::size_t i = 0; i < kGroup; ++i) {
-            if (i % same != 0) {
-                wave.push(wave.ray(wave.size() - 1));
-                continue;
-            }
-            const auto triangle =
-                static_cast<std::uint32_t>((first + random.index(kApart)) % mesh.triangles.size());
-            const int corner = static_cast<int>(random.index(3));
-            const Vec3 a = mesh.position(triangle, corner), b = mesh.position(triangle, (corner + 1) % 3);
-            wave.push(rayFrom(eye, a + (b - a) * (random.coin() ? random.number(0, 1) : 0) - eye));
-        }
-    }
-    return wave;
-}
-
-/// Around the diagonals: no axis in common.
-RayWave diagonal(std::size_t groups, Random& random) {
-    return fromOnePoint(groups, random, [](Random& r, Vec3) {
-        const auto sign = [&] { return r.coin() ? 0.577F : -0.577F; };
-        const float x = sign();
-        const float y = sign();
-        return Vec3{x, y, sign()};
-    });
-}
-
-/// Almost along an axis, so that directions differ in sign on the other two.
-RayWave alongAxes(std::size_t groups, Random& random) {
-    return fromOnePoint(groups, random, [](Random& r, Vec3) {
-        Vec3 direction;
-        direction[static_cast<int>(r.index(3))] = r.coin() ? 1.0F : -1.0F;
-        return direction;
-    });
-}
-
-/// Neighbours that go the same way from points of their own.
-RayWave sameWay(std::size_t groups, Random& random) {
-    RayWave wave;
-    for (std::size_t g = 0; g < groups; ++g) {
-        const Vec3 around = random.vector(1.2F);
-        const Vec3 forward = random.unitVector();
-        for (std::size_t i = 0; i < kGroup; ++i) {
-            wave.push(rayFrom(around + random.vector(0.1F), forward + random.vector(kNarrow)));
-        }
-    }
-    return wave;
-}
-
-/// From points near each other to one light, which is t = 1.
-RayWave toLight(std::size_t groups, Random& random) {
-    RayWave wave;
-    const Vec3 light = random.unitVector() * 3;
-    for (std::size_t g = 0; g < groups; ++g) {
-        const Vec3 around = random.vector(1);
-        for (std::size_t i = 0; i < kGroup; ++i) {
-            const Vec3 from = around + random.vector(0.05F);
-            wave.push({from, 0, light - from, 1});
-        }
-    }
-    return wave;
-}
-
-RayWave segments(RayWave wave, Random& random) {
-    for (std::size_t i = 0; i < wave.size(); ++i) {
-        wave.tMin[i] = random.coin() ? random.number(0, 0.6F) : 0;
-        wave.tMax[i] = wave.tMin[i] + random.number(0, 1.5F);
-    }
-    return wave;
-}
-
-void append(RayWave& wave, const RayWave& more) {
-    for (std::size_t i = 0; i < more.size(); ++i) wave.push(more.ray(i));
-}
-
-/// Groups of all sorts by turns; `scatteredGroups` of them go any way.
-RayWave mixed(std::size_t scatteredGroups, Random& random) {
-    RayWave wave;
-    for (std::size_t g = 0; g < scatteredGroups; ++g) {
-        append(wave, camera(1 + g % 2, random));
-        append(wave, scattered(kGroup, random));
-        append(wave, toLight(g % 3, random));
-        append(wave, diagonal(g % 2, random));
-    }
-    return wave;
 }
 
 class EveryKernel : public testing::TestWithParam<NamedMesh> {
