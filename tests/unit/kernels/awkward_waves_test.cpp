@@ -383,23 +383,106 @@ TEST(AwkwardWaves, BeyondTheRangeOfDistances) {
 }
 
 // The leaf test's distance of a large wall is off by more than planes are widened: rays that end there must
-// look further than their ends.
-TEST(AwkwardWaves, ThatEndAtLargeWalls) {
+// look further than their ends, and those that begin there before their beginnings.
+TEST(AwkwardWaves, ThatEndOrBeginAtLargeWalls) {
     Random random(31);
     test::SampleMesh mesh = test::soup(300, 0.2F, 32);
     for (const float z : {0.25F, 0.5F, 0.75F})
         mesh.addTriangle({-700, -900, z}, {800, -500, z}, {100, 1300, z});
     const WaveScene scene(std::move(mesh), deep());
     RayWave wave;
-    for (int group = 0; group < 1500; ++group) {
+    for (int group = 0; group < 3000; ++group) {
         const Vec3 eye{random.number(-1, 1), random.number(-1, 1), random.number(-1, 0.2F)};
         Ray ray = rayFrom(eye, {1, random.number(0.1F, 0.6F), random.number(0.2F, 0.6F)});
         rtcore::Hit hit;
         if (!intersect(scene.tree(), scene.mesh(), ray, hit)) continue;
-        ray.tMax = hit.t * (1 + random.number(-3e-5F, 3e-5F));
+        const float near = hit.t * (1 + random.number(-3e-5F, 3e-5F));
+        if (group % 2 == 0) {
+            ray.tMax = near;
+        } else {
+            ray.tMin = near;
+            ray.tMax = near * 1.001F;
+        }
         for (std::size_t i = 0; i < kGroup; ++i) wave.push(ray);
     }
     EXPECT_GT(scene.expectBruteForce("walls", wave), 10000U);
+}
+
+// Where two walls meet at a plane of the tree, rays through their common edge hit both, and the leaf test's
+// distance of the one in the farther cell may be the smaller one: what was hit must not hide it.
+TEST(AwkwardWaves, ThroughEdgesOfLargeWalls) {
+    Random random(33);
+    for (int turn = 0; turn < 3; ++turn) { // which axis is which
+        const auto turned = [&](float x, float y, float z) {
+            Vec3 p;
+            p[turn] = x;
+            p[(turn + 1) % 3] = y;
+            p[(turn + 2) % 3] = z;
+            return p;
+        };
+        constexpr float kEdge = 0.25F, kWall = 0.5F;
+        test::SampleMesh mesh = test::soup(100, 0.1F, 34);
+        const Vec3 above = turned(kEdge, 900, kWall), below = turned(kEdge, -700, kWall);
+        mesh.addTriangle(above, below, turned(-800, 10, kWall));
+        mesh.addTriangle(above, below, turned(700, -30, kWall));
+        const WaveScene scene(std::move(mesh), deep());
+        // All numbers are exact, so that rays pass through the edge itself.
+        const auto step = [&] { return 0x1p-6F * static_cast<float>(random.index(64)); };
+        RayWave bundles, packets, stream;
+        for (int group = 0; group < 160; ++group) {
+            const float x = -step(), slope = 2 * (kEdge - x), side = random.coin() ? 1.0F : -1.0F;
+            const auto from = [&](float y) { return turned(kEdge + side * (x - kEdge), y, 0); };
+            for (std::size_t i = 0; i < kGroup; ++i) {
+                const float along = random.number(0.3F, 0.6F);
+                bundles.push(rayFrom(from(0.5F), turned(side * slope, along, 1)));
+                packets.push(rayFrom(from(random.number(0, 0.1F)), turned(side * slope, along, 1)));
+                stream.push(
+                    rayFrom(from(random.number(-1, 1)), turned(side * slope, random.number(-1, 1), 1)));
+            }
+        }
+        EXPECT_GT(scene.expectBruteForce("one origin", bundles), 5000U);
+        EXPECT_GT(scene.expectBruteForce("many origins", packets), 5000U);
+        EXPECT_GT(scene.expectBruteForce("stream", stream), 5000U);
+    }
+}
+
+// Rays that touch a triangle at one corner only, which is a corner of its cell and of the scene's box as
+// well: they pass the planes that meet there at the same distance, but for rounding.
+TEST(AwkwardWaves, ThatTouchCorners) {
+    Random random(35);
+    std::size_t hits = 0;
+    for (int round = 0; round < 30 * rounds() && !HasFailure(); ++round) {
+        test::SampleMesh mesh;
+        const int count = round % 3 == 0 ? 1 : 12;
+        for (int i = 0; i < count; ++i) { // each in an octant around its first corner
+            const Vec3 corner = random.vector(1);
+            const auto inside = [&](Vec3 by) {
+                Vec3 p = corner;
+                for (int axis = 0; axis < 3; ++axis) p[axis] += i >> axis & 1 ? by[axis] : -by[axis];
+                return p;
+            };
+            const auto most = [&] { return random.number(0.05F, 0.3F); };
+            mesh.addTriangle(corner, inside({most(), 0.01F, most()}), inside({0.01F, most(), most()}));
+        }
+        const WaveScene scene(mesh, deep());
+        RayWave same, stream;
+        for (int i = 0; i < 60; ++i) {
+            const std::uint32_t triangle = random.index(mesh.triangles.size());
+            const Vec3 corner = scene.mesh().position(triangle, 0), eye = corner + random.vector(1);
+            const Ray ray = rayFrom(eye, corner - eye);
+            rtcore::Hit hit;
+            if (!test::bruteForce(scene.mesh(), ray, hit)) continue;
+            for (std::size_t k = 0; k < kGroup; ++k) same.push(ray);
+            for (std::size_t k = 0; k < 16; ++k) stream.push(ray);
+        }
+        hits += scene.expectBruteForce("packets", same);
+        // Scattered, as streams are.
+        RayWave shuffled;
+        for (std::size_t i = 0; i < stream.size(); ++i)
+            shuffled.push(stream.ray(i * 16 % stream.size() + i * 16 / stream.size()));
+        hits += scene.expectBruteForce("stream", shuffled);
+    }
+    EXPECT_GT(hits, 10000U);
 }
 
 TEST(AwkwardWaves, OntoManyEqualTriangles) {

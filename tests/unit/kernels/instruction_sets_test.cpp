@@ -132,6 +132,8 @@ TEST_P(EveryKernel, TracesPacketsOfManyOrigins) {
         expectSingleRays("same way", sameWay(8, random_));
         expectSingleRays("same way, segments", segments(sameWay(8, random_), random_));
         expectSingleRays("to a light", toLight(8, random_));
+        for (const std::size_t same : {std::size_t{1}, std::size_t{16}, kGroup})
+            expectSingleRays("corners and edges", aimed(scene_.mesh(), 40, same, random_, 0.02F));
     }
     EXPECT_GT(hits_, 10U);
 }

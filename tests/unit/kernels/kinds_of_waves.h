@@ -58,9 +58,10 @@ inline rtcore::RayWave image(std::size_t groups, Random& random) {
     return wave;
 }
 
-/// From one point, each group at corners and edges of triangles that follow each other in the mesh: `same`
-/// rays at the same place, so that their beam is no wider than they are.
-inline rtcore::RayWave aimed(const rtcore::Mesh& mesh, std::size_t groups, std::size_t same, Random& random) {
+/// Each group at corners and edges of triangles that follow each other in the mesh: `same` rays at the same
+/// place, so that their beam is no wider than they are. From one point, or from places up to `apart` from it.
+inline rtcore::RayWave aimed(const rtcore::Mesh& mesh, std::size_t groups, std::size_t same, Random& random,
+                             float apart = 0) {
     constexpr std::size_t kApart = 24; // triangles at which a group aims
     rtcore::RayWave wave;
     const rtcore::Vec3 eye = random.unitVector() * 2;
@@ -76,7 +77,8 @@ inline rtcore::RayWave aimed(const rtcore::Mesh& mesh, std::size_t groups, std::
             const int corner = static_cast<int>(random.index(3));
             const rtcore::Vec3 a = mesh.position(triangle, corner),
                                b = mesh.position(triangle, (corner + 1) % 3);
-            wave.push(rayFrom(eye, a + (b - a) * (random.coin() ? random.number(0, 1) : 0) - eye));
+            const rtcore::Vec3 from = apart > 0 ? eye + random.vector(apart) : eye;
+            wave.push(rayFrom(from, a + (b - a) * (random.coin() ? random.number(0, 1) : 0) - from));
         }
     }
     return wave;
