@@ -103,6 +103,7 @@ for check in "$@"; do
         ;;
     mutants)
         scripts/check-mutants.sh
+        scripts/check_kernel_mutants.py
         ;;
     arm64)
         # Root, and the network for the first time; skipped without.

@@ -408,9 +408,10 @@ TEST(AwkwardWaves, ThatEndOrBeginAtLargeWalls) {
     EXPECT_GT(scene.expectBruteForce("walls", wave), 10000U);
 }
 
-// Where two walls meet at a plane of the tree, rays through their common edge hit both, and the leaf test's
-// distance of the one in the farther cell may be the smaller one: what was hit must not hide it.
-TEST(AwkwardWaves, ThroughEdgesOfLargeWalls) {
+// Two large walls in one plane, the second of which begins at a plane of the tree: rays that hit both there
+// find the first in the nearer cell, but the leaf test's distance of the second may be the smaller one, by
+// more than planes are widened. What was hit must not hide it.
+TEST(AwkwardWaves, WhereTwoLargeWallsCoincide) {
     Random random(33);
     for (int turn = 0; turn < 3; ++turn) { // which axis is which
         const auto turned = [&](float x, float y, float z) {
@@ -420,24 +421,27 @@ TEST(AwkwardWaves, ThroughEdgesOfLargeWalls) {
             p[(turn + 2) % 3] = z;
             return p;
         };
-        constexpr float kEdge = 0.25F, kWall = 0.5F;
+        constexpr float kBegin = 0.25F;
+        const auto onWall = [&](float x, float y) { return turned(x, y, 0.5F + 0.3F * x + 0.2F * y); };
         test::SampleMesh mesh = test::soup(100, 0.1F, 34);
-        const Vec3 above = turned(kEdge, 900, kWall), below = turned(kEdge, -700, kWall);
-        mesh.addTriangle(above, below, turned(-800, 10, kWall));
-        mesh.addTriangle(above, below, turned(700, -30, kWall));
+        mesh.addTriangle(onWall(-800, 900), onWall(300, -700), onWall(250, 1000));
+        mesh.addTriangle(onWall(kBegin, 900), onWall(kBegin, -700), onWall(700, -30));
         const WaveScene scene(std::move(mesh), deep());
-        // All numbers are exact, so that rays pass through the edge itself.
-        const auto step = [&] { return 0x1p-6F * static_cast<float>(random.index(64)); };
         RayWave bundles, packets, stream;
         for (int group = 0; group < 160; ++group) {
-            const float x = -step(), slope = 2 * (kEdge - x), side = random.coin() ? 1.0F : -1.0F;
-            const auto from = [&](float y) { return turned(kEdge + side * (x - kEdge), y, 0); };
+            const Vec3 eye =
+                turned(random.number(-1, -0.5F), random.number(-1, -0.5F), random.number(-1, -0.5F));
+            const float y = random.number(0.1F, 0.6F);
+            const auto target = [&](float spread) {
+                return onWall(kBegin + random.number(0, 3e-6F), y + random.number(-spread, spread));
+            };
             for (std::size_t i = 0; i < kGroup; ++i) {
-                const float along = random.number(0.3F, 0.6F);
-                bundles.push(rayFrom(from(0.5F), turned(side * slope, along, 1)));
-                packets.push(rayFrom(from(random.number(0, 0.1F)), turned(side * slope, along, 1)));
-                stream.push(
-                    rayFrom(from(random.number(-1, 1)), turned(side * slope, random.number(-1, 1), 1)));
+                bundles.push(rayFrom(eye, target(0.1F) - eye));
+                const Vec3 beside = eye + random.vector(0.02F);
+                packets.push(rayFrom(beside, target(0.1F) - beside));
+                const Vec3 anywhere =
+                    turned(random.number(-1, 0), random.number(-1, 1), random.number(-1, 0));
+                stream.push(rayFrom(anywhere, target(0.8F) - anywhere));
             }
         }
         EXPECT_GT(scene.expectBruteForce("one origin", bundles), 5000U);
@@ -481,6 +485,43 @@ TEST(AwkwardWaves, ThatTouchCorners) {
         for (std::size_t i = 0; i < stream.size(); ++i)
             shuffled.push(stream.ray(i * 16 % stream.size() + i * 16 / stream.size()));
         hits += scene.expectBruteForce("stream", shuffled);
+    }
+    EXPECT_GT(hits, 10000U);
+}
+
+// Shadow rays that end at corners of triangles in one plane. Seen from where they end, nothing but the
+// rounding of their places tells them from rays that pass by.
+TEST(AwkwardWaves, ThatEndAtCornersInOnePlane) {
+    Random random(36);
+    std::size_t hits = 0;
+    for (int turn = 0; turn < 3; ++turn) { // the axis across the plane
+        // All numbers are exact, so that rays meet the corners themselves.
+        const auto exact = [&](Vec3 p, float across) {
+            constexpr float kSteps = 1024;
+            for (int axis = 0; axis < 3; ++axis)
+                p[axis] = axis == turn ? across : std::round(p[axis] * kSteps) / kSteps;
+            return p;
+        };
+        rtcore::BuildOptions longLeaves;
+        longLeaves.intersectionCost = 0.02F;
+        test::SampleMesh mesh = test::soup(400, 0.1F, 37).map([&](Vec3 p) { return exact(p, 0.25F); });
+        mesh.addTriangle({-1, -1, -1}, {-0.9F, -0.8F, -1}, {-1, -0.9F, -0.7F}); // so that the box is no plane
+        const WaveScene scene(std::move(mesh), longLeaves);
+        RayWave wave;
+        for (int group = 0; group < 250; ++group) {
+            const Vec3 eye = random.vector(1);
+            for (std::size_t i = 0; i < kGroup; ++i) {
+                if (i % 16 != 0) { // so that their beam is no wider than they are
+                    wave.push(wave.ray(wave.size() - 1));
+                    continue;
+                }
+                const std::uint32_t triangle = random.index(scene.mesh().triangles.size() - 1);
+                const Vec3 corner = scene.mesh().position(triangle, static_cast<int>(random.index(3)));
+                const Vec3 direction = exact(eye * 0.15F + random.vector(0.02F), 1);
+                wave.push({corner - direction, 0, direction, 1.00001F});
+            }
+        }
+        hits += scene.expectBruteForce("one plane", wave);
     }
     EXPECT_GT(hits, 10000U);
 }

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,9 +42,9 @@ class Chessboards final : public rtcore::Holes {
 /// Triangles of all sizes, some of them narrow, in long leaves and short ones; three materials by turns.
 class FilteredScene {
   public:
-    FilteredScene(float size, float intersectionCost) : sample_(test::soup(500, size, 1)) {
+    FilteredScene(float size, float intersectionCost) : sample_(test::soup(400, size, 1)) {
         Random random(2);
-        for (int i = 0; i < 80; ++i) {
+        for (int i = 0; i < 40; ++i) {
             const rtcore::Vec3 a = random.vector(1), along = random.vector(1);
             sample_.addTriangle(a, a + along, a + along * 0.5F + random.vector(1e-4F));
         }
@@ -54,6 +55,8 @@ class FilteredScene {
         rtcore::BuildOptions options;
         options.intersectionCost = intersectionCost;
         tree_ = buildKdTree(mesh_, options);
+        byMesh_ = std::make_unique<KdRayTracer>(tree_, mesh_, rtcore::LeafRecords::Shared);
+        byRecords_ = std::make_unique<KdRayTracer>(tree_, mesh_, rtcore::LeafRecords::Inline);
         hidden_.assign(mesh_.triangles.size() / 32 + 1, 0);
         for (std::uint32_t i = 0; i < mesh_.triangles.size(); ++i)
             hidden_[i / 32] |= (random.index(3) == 0 ? 1U : 0U) << i % 32;
@@ -121,11 +124,8 @@ class FilteredScene {
         const test::InstructionSetGuard guard;
         for (const std::string& set : rtcore::instructionSets()) {
             ASSERT_TRUE(rtcore::useInstructionSet(set));
-            for (const auto records : {rtcore::LeafRecords::Shared, rtcore::LeafRecords::Inline}) {
-                KdRayTracer tracer(tree_, mesh_, records);
-                work(tracer, set + (records == rtcore::LeafRecords::Shared ? ", shared vertices"
-                                                                           : ", inline records"));
-            }
+            work(*byMesh_, set + ", shared vertices");
+            work(*byRecords_, set + ", inline records");
         }
     }
 
@@ -136,6 +136,7 @@ class FilteredScene {
     std::vector<rtcore::ShadingTriangle> shading_;
     rtcore::Mesh mesh_;
     rtcore::KdTree tree_;
+    std::unique_ptr<KdRayTracer> byMesh_, byRecords_;
     std::vector<std::uint32_t> hidden_;
     Chessboards holes_;
 };
@@ -148,7 +149,7 @@ std::vector<std::pair<std::string, RayWave>> kindsOfWaves(Random& random) {
         {"one axis", test::sameWay(6, random)},
         {"to a light", test::toLight(8, random)},
         {"diagonal", test::diagonal(12, random)},
-        {"along axes", test::alongAxes(4, random)},
+        {"along axes", test::alongAxes(24, random)},
         {"few", test::scattered(3 * kGroup, random)},
         {"stream", test::scattered(20 * kGroup, random)},
         {"stream of segments", test::segments(test::scattered(20 * kGroup, random), random)}};
@@ -194,7 +195,7 @@ TEST(CandidateFilter, RaysHitOnlyWhatItKeeps) {
         for (const auto& [kind, wave] : kindsOfWaves(random)) {
             for (const auto& [name, filter] : scene.filters()) {
                 const test::WaveAnswer expected = scene.expected(filter, wave);
-                EXPECT_GT(expected.hitCount(), 10U) << kind;
+                EXPECT_GT(expected.hitCount(), 0U) << kind;
                 scene.forEachKernel([&, &kind = kind, &name = name, &filter = filter,
                                      &wave = wave](KdRayTracer& tracer, const std::string& variant) {
                     tracer.setFilter(filter);

@@ -1,0 +1,256 @@
+#!/usr/bin/env python3
+"""Breaks the kernels, one widening, bound or condition at a time, and looks whether their tests notice. Builds in a
+copy of the sources. A mutant that survives is an error: something that no test guards.
+  scripts/check_kernel_mutants.py [part of a name...]     without: all; with --list: their names"""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+KERNELS = "libs/rtcore/kernels/"
+PROGRAMS = ["test_kernels", "test_leaks"]
+# What is broken; where, what stands there, what comes in its place.
+MUTANTS = [
+    ("packets: planes are not widened", [
+        ("packet-inl.h", "kDown = kPlaneDown;",
+         "kDown = 1;"),
+        ("packet-inl.h", "kUp = kPlaneUp;",
+         "kUp = 1;"),
+    ]),
+    ("packets: nothing is searched beyond what was hit", [
+        ("packet-inl.h", "return hn::Add(best, slack);",
+         "return best;"),
+    ]),
+    ("packets: shears of beams are not widened", [
+        ("packet-inl.h", "MinOfLanes(d, shear)) - kWider",
+         "MinOfLanes(d, shear))"),
+    ]),
+    ("packets: places of beams are not widened", [
+        ("packet-inl.h", "hn::Set(d, kWider));",
+         "hn::Zero(d));"),
+    ]),
+    ("packets: a plane before all rays is behind them", [
+        ("packet-inl.h", "if (planes.lo * kDown > interval.hi) return near;",
+         "if (planes.lo * kDown > interval.hi) return far;"),
+    ]),
+    ("packets: ranges of inverses are those of the first ray", [
+        ("wave-inl.h", "{1 / direction[axis].hi, 1 / direction[axis].lo}",
+         "{1 / direction[axis].hi, 1 / direction[axis].hi}"),
+    ]),
+    ("bundles: planes are not widened", [
+        ("bundle-inl.h", "hn::Mul(hn::Min(p, q), hn::Set(d, kPlaneDown))",
+         "hn::Min(p, q)"),
+        ("bundle-inl.h", "hn::Mul(hn::Max(p, q), hn::Set(d, kPlaneUp))",
+         "hn::Max(p, q)"),
+    ]),
+    ("bundles: nothing is searched beyond what was hit", [
+        ("bundle-inl.h", " + bundle_.slack[p];",
+         ";"),
+    ]),
+    ("bundles: their reach is that of the first vector", [
+        ("bundle-inl.h", "most = hn::Max(most, hn::Load(d, packet.best + at));",
+         "most = hn::Max(most, hn::Load(d, packet.best));"),
+    ]),
+    ("bundles: they begin no earlier than their rays", [
+        ("wave-inl.h", "std::max(interval.lo - slack, 0.0F)",
+         "interval.lo"),
+    ]),
+    ("bundles: they end where their rays do", [
+        ("wave-inl.h", "end = interval.hi + slack;",
+         "end = interval.hi;"),
+    ]),
+    ("bundles: the box is not widened", [
+        ("wave-inl.h", "std::min(in * lo, in * hi) * kPlaneDown",
+         "std::min(in * lo, in * hi)"),
+        ("wave-inl.h", "std::max(out * lo, out * hi) * kPlaneUp",
+         "std::max(out * lo, out * hi)"),
+    ]),
+    ("bundles: shears of beams are not widened down", [
+        ("wave-inl.h", "range.lo - Beam::kWider",
+         "range.lo"),
+    ]),
+    ("bundles: shears of beams are not widened up", [
+        ("wave-inl.h", "range.hi + Beam::kWider",
+         "range.hi"),
+    ]),
+    ("bundles: packets of another origin join", [
+        ("bundle-inl.h", "return from == origin && std::equal",
+         "return std::equal"),
+    ]),
+    ("bundles: packets of other signs join", [
+        ("bundle-inl.h", "from == origin && std::equal(signs, signs + 3, negative)",
+         "from == origin"),
+    ]),
+    ("streams: planes are not widened", [
+        ("stream-inl.h", "max(hn::Mul(t, hn::Set(d, kPlaneDown)), t0)",
+         "max(t, t0)"),
+        ("stream-inl.h", "min(hn::Mul(t, hn::Set(d, kPlaneUp)), t1)",
+         "min(t, t1)"),
+    ]),
+    ("streams: nothing is searched beyond what was hit", [
+        ("stream-inl.h", "hn::Add(best, hn::Set(d, slack_))",
+         "best"),
+    ]),
+    ("all: the box is not widened", [
+        ("ray_box-inl.h", "hn::Mul(enter, hn::Set(d, kPlaneDown))",
+         "enter"),
+        ("ray_box-inl.h", "hn::Mul(leave, hn::Set(d, kPlaneUp))",
+         "leave"),
+    ]),
+    ("all: rays begin where they say", [
+        ("ray_box-inl.h", "hn::Max(hn::Sub(ray.tMin, slack), hn::Zero(d))",
+         "hn::Max(ray.tMin, hn::Zero(d))"),
+    ]),
+    ("all: rays end where they say", [
+        ("ray_box-inl.h", "hn::Add(ray.tMax, slack)}",
+         "ray.tMax}"),
+    ]),
+    ("all: of equal distances the higher index wins", [
+        ("leaf_test-inl.h", "hn::Lt(index, found.triangle)",
+         "hn::Gt(index, found.triangle)"),
+    ]),
+    ("all: an edge belongs to one side only", [
+        ("leaf_test-inl.h", "hn::Ge(hn::Min(hn::Min(u, v), w), zero)",
+         "hn::Gt(hn::Min(hn::Min(u, v), w), zero)"),
+    ]),
+    ("narrow: no distance is in doubt", [
+        ("narrow_leaf-inl.h", "hn::AndNot(hn::Ge(hn::Abs(outcome.sum), hn::Set(FloatTag(), noise)), outcome.inside)",
+         "hn::And(hn::Lt(hn::Abs(outcome.sum), hn::Set(FloatTag(), 0 * noise)), outcome.inside)"),
+    ]),
+    ("narrow: single rays take them for common ones", [
+        ("watertight.h", "noise > 0 && isDoubtful(sum, noise)",
+         "noise > 0 && isDoubtful(sum, 0)"),
+    ]),
+    ("filter: bundles hit hidden triangles", [
+        ("bundle-inl.h", "if (isHidden<kSearch>(scene_, triangles.triangle[i])) continue;",
+         ""),
+    ]),
+    ("filter: packets hit hidden triangles", [
+        ("leaf_test-inl.h", "if (isHidden<kSearch>(scene, corners.triangle)) return hn::FirstN(FloatTag(), 0);",
+         ""),
+    ]),
+    ("filter: narrow triangles are not hidden", [
+        ("narrow_leaf-inl.h", "if (isHidden<kSearch>(scene, corners.triangle)) return;",
+         ""),
+    ]),
+    ("filter: narrow triangles have no holes", [
+        ("narrow_leaf-inl.h", "filter<kSearch>(scene, corners.triangle, tMin, inCell, found, outcome);",
+         ""),
+    ]),
+    ("filter: one ray against many triangles hits all", [
+        ("triangle_block-inl.h", "open = hitsOf(open, outcome, startTriangle);",
+         ""),
+    ]),
+    ("filter: short lists forget where rays start", [
+        ("stream-inl.h", "short_.startTriangle = shortStart_;",
+         ""),
+    ]),
+    ("filter: long lists forget where rays start", [
+        ("stream-inl.h", "return starts;",
+         "return nullptr;"),
+    ]),
+]
+
+
+def main():
+    if sys.argv[1:] == ["--list"]:
+        print("\n".join(name for name, *_ in MUTANTS))
+        return 0
+    wanted = [m for m in MUTANTS if not sys.argv[1:] or any(part in m[0] for part in sys.argv[1:])]
+    if not wanted:
+        print("check_kernel_mutants: no mutant is called so; --list names them", file=sys.stderr)
+        return 2
+    root = pathlib.Path(__file__).resolve().parent.parent
+    with tempfile.TemporaryDirectory(prefix="rtsuite-mutants-") as work:
+        return check(wanted, root, pathlib.Path(work))
+
+
+def check(mutants, root, work):
+    sources = work / "sources"
+    names = subprocess.run(["git", "ls-files", "-z"], cwd=root, check=True, capture_output=True).stdout
+    for name in names.split(b"\0"):
+        path = pathlib.Path(os.fsdecode(name))
+        if not name or not (root / path).is_file():
+            continue
+        (sources / path).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy2(root / path, sources / path)
+    print("check_kernel_mutants: building", flush=True)
+    run(["cmake", "--preset", "headless", "-B", str(work / "build")], sources)
+    survivor = caught(work)
+    if survivor:
+        print(f"check_kernel_mutants: {survivor} fails with nothing broken", file=sys.stderr)
+        return 1
+    survived = 0
+    for name, changes in mutants:
+        with Broken(sources / KERNELS, changes):
+            test = caught(work)
+        print(f"{name}: {test or 'SURVIVED'}", flush=True)
+        survived += test is None
+    if survived:
+        return 1
+    print("check_kernel_mutants: every mutant is noticed")
+    return 0
+
+
+class Broken:
+    """Files of a folder with changes (file, what stands there, what comes in its place), until the end of the block."""
+
+    def __init__(self, folder, changes):
+        self.folder, self.changes = folder, changes
+        self.whole = {file: (folder / file).read_text() for file, _, _ in changes}
+
+    def __enter__(self):
+        texts = dict(self.whole)
+        for file, old, new in self.changes:
+            flat = re.escape(old).replace(r"\ ", r"\s+")  # however the lines are broken
+            if len(re.findall(flat, texts[file])) != 1:
+                sys.exit(f"check_kernel_mutants: '{old}' does not stand once in {KERNELS}{file}")
+            texts[file] = re.sub(flat, lambda _, new=new: new, texts[file])
+        for file, text in texts.items():
+            (self.folder / file).write_text(text)
+
+    def __exit__(self, *_):
+        for file, text in self.whole.items():
+            (self.folder / file).write_text(text)
+
+
+def caught(work):
+    """The first test that fails or hangs; None when all pass."""
+    jobs = os.environ.get("RT_JOBS", str(os.cpu_count()))
+    run(["cmake", "--build", str(work / "build"), "--target", *PROGRAMS, "--parallel", jobs], work)
+    for program in PROGRAMS:
+        test = first_failure(work / "build/bin" / program)
+        if test:
+            return test
+    return None
+
+
+def first_failure(program):
+    try:
+        result = subprocess.run([str(program), "--gtest_fail_fast"], capture_output=True, text=True, timeout=900,
+                                env=os.environ | {"RT_LEAK_RAYS": "3000000"})
+    except subprocess.TimeoutExpired as expired:
+        started = re.findall(r"^\[ RUN      \] (\S+)", (expired.stdout or b"").decode(errors="replace"), re.M)
+        return f"{started[-1] if started else program.name} (hangs)"
+    if result.returncode == 0:
+        return None
+    failed = re.search(r"^\[  FAILED  \] ([^ ,]+)", result.stdout, re.M)
+    started = re.findall(r"^\[ RUN      \] (\S+)", result.stdout, re.M)
+    return failed.group(1) if failed else f"{started[-1] if started else program.name} (ended with {result.returncode})"
+
+
+def run(command, place):
+    result = subprocess.run(command, cwd=place, capture_output=True, text=True)
+    if result.returncode != 0:
+        print((result.stdout + result.stderr)[-4000:], file=sys.stderr)
+        sys.exit(f"check_kernel_mutants: '{' '.join(command)}' failed")
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:
+        sys.exit(130)
