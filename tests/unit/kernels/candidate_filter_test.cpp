@@ -192,10 +192,11 @@ TEST(CandidateFilter, RaysHitOnlyWhatItKeeps) {
     Random random(3);
     for (const auto& [size, cost] : {std::pair{0.15F, 0.0F}, std::pair{0.4F, 0.005F}}) {
         const FilteredScene scene(size, cost);
+        std::size_t hits = 0;
         for (const auto& [kind, wave] : kindsOfWaves(random)) {
             for (const auto& [name, filter] : scene.filters()) {
                 const test::WaveAnswer expected = scene.expected(filter, wave);
-                EXPECT_GT(expected.hitCount(), 0U) << kind;
+                hits += expected.hitCount();
                 scene.forEachKernel([&, &kind = kind, &name = name, &filter = filter,
                                      &wave = wave](KdRayTracer& tracer, const std::string& variant) {
                     tracer.setFilter(filter);
@@ -204,6 +205,7 @@ TEST(CandidateFilter, RaysHitOnlyWhatItKeeps) {
                 });
             }
         }
+        EXPECT_GT(hits, 1000U);
     }
 }
 
