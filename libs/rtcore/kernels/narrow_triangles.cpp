@@ -9,23 +9,31 @@ namespace rtcore {
 
 namespace {
 
+float noiseOf(const Mesh& mesh, std::size_t triangle) {
+    const auto corner = [&](int c) { return mesh.position(static_cast<std::uint32_t>(triangle), c); };
+    return narrowNoise(corner(0), corner(1), corner(2));
+}
+
+bool anyIsNarrow(const Mesh& mesh) {
+    bool found = false;
+#pragma omp parallel for schedule(static) reduction(|| : found)
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) found = found || noiseOf(mesh, i) != 0;
+    return found;
+}
+
+/// Empty where all are 0.
 std::vector<float> noiseOfAll(const Mesh& mesh) {
+    if (!anyIsNarrow(mesh)) return {};
     std::vector<float> noise(mesh.triangles.size());
 #pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < noise.size(); ++i) {
-        const auto corner = [&](int c) { return mesh.position(static_cast<std::uint32_t>(i), c); };
-        noise[i] = narrowNoise(corner(0), corner(1), corner(2));
-    }
+    for (std::size_t i = 0; i < noise.size(); ++i) noise[i] = noiseOf(mesh, i);
     return noise;
 }
 
 } // namespace
 
 NarrowTriangles::NarrowTriangles(const KdTree& tree, const Mesh& mesh) : noise(noiseOfAll(mesh)) {
-    if (std::all_of(noise.begin(), noise.end(), [](float n) { return n == 0; })) {
-        noise = {};
-        return;
-    }
+    if (noise.empty()) return;
     references.assign(tree.references.begin(), tree.references.end());
     bits.resize((references.size() + 31) / 32);
     const auto isCommon = [&](std::uint32_t triangle) { return noise[triangle] == 0; };
