@@ -230,7 +230,6 @@ TEST(ScanImport, WhatIsNoScanIsLeftToAssimp) {
         {"property float z", "property float w"},
         {"property float z", "property half z"},
         {"ply\n", "ply\r\n"},
-        {"end_header", "end_of_header"},
         {"element vertex 4", "element vertex four"},
         {"float x", "list uchar float x"},
         {"element face", "element material 0\nproperty float opacity\nelement face"},
@@ -294,6 +293,22 @@ TEST(ScanImport, FilesThatLieAreErrors) {
     file.positions.clear();
     file.faces.clear();
     expectComplaint(file.text(), "holds no triangles");
+}
+
+TEST(ScanImport, APlyHeadThatDoesNotEndIsAnError) {
+    const std::string whole = smallPly().text();
+    const std::string head = whole.substr(0, whole.find("end_header") + 10);
+    const std::string ofText = changed(head, "binary_little_endian", "ascii");
+    const std::string ofWindows = changed(head, "ply\n", "ply\r\n");
+    for (const std::string& text : {head, ofText, ofWindows}) {
+        for (std::size_t size = 3; size <= text.size(); ++size)
+            EXPECT_THROW(isRead("a.ply", text.substr(0, size)), FileError) << size;
+    }
+    EXPECT_THROW(isRead("a.ply", changed(whole, "end_header", "end_of_header")), FileError);
+    EXPECT_FALSE(isRead("a.ply", ofText + "\n"));
+    EXPECT_FALSE(isRead("a.ply", ofWindows + "\r\n"));
+    EXPECT_FALSE(isRead("a.obj", "plywood"));
+    expectComplaint(head, "its head does not end; it is damaged: copy or export it again");
 }
 
 TEST(ScanImport, AFileThatShrinksWhileItIsReadIsAnError) {

@@ -132,4 +132,19 @@ std::optional<PlyHeader> readPlyHeader(std::string_view head) {
     }
 }
 
+bool endsInPlyHeader(std::string_view file) {
+    constexpr std::string_view kMagic = "ply";
+    constexpr std::string_view kLineEnds = "\r\n";
+    if (!file.starts_with(kMagic)) return false;
+    if (file.size() > kMagic.size() && kLineEnds.find(file[kMagic.size()]) == std::string_view::npos)
+        return false;
+    for (std::size_t at = 0;;) {
+        const std::size_t end = file.find_first_of(kLineEnds, at);
+        if (end == std::string_view::npos) return true;
+        const Words words = wordsOf(file.substr(at, end - at));
+        if (words.size() == 1 && words[0] == "end_header") return false;
+        at = end + 1;
+    }
+}
+
 } // namespace rtcore

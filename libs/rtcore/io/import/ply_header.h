@@ -43,4 +43,7 @@ inline constexpr std::size_t kMostPlyHeader = 65'536;
 /// kMostPlyHeader bytes, words that the format does not have, or the name of a texture.
 std::optional<PlyHeader> readPlyHeader(std::string_view head);
 
+/// Whether a whole file begins as a PLY file of any kind does, and ends before the head of one could.
+bool endsInPlyHeader(std::string_view file);
+
 } // namespace rtcore

@@ -3,6 +3,7 @@
 #include "rtcore/io/import/geometry_finish.h"
 #include "rtcore/io/import/import_warnings.h"
 #include "rtcore/io/import/material_mapping.h"
+#include "rtcore/io/import/ply_elements.h"
 #include "rtcore/io/import/ply_file.h"
 #include "rtcore/io/import/stl_file.h"
 #include "rtcore/platform/error.h"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cctype>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace rtcore {
@@ -42,9 +44,12 @@ std::optional<Scan> readScan(const std::filesystem::path& path, const std::funct
     if (!std::filesystem::is_regular_file(path)) return {};
     InputFile file(path);
     const std::span<const std::byte> head = file.head(kMostPlyHeader);
-    const auto header = readPlyHeader({reinterpret_cast<const char*>(head.data()), head.size()});
+    const std::string_view text(reinterpret_cast<const char*>(head.data()), head.size());
+    const auto header = readPlyHeader(text);
     if (header && isScan(*header))
         return Scan{readPly(file, *header, alive), "Stanford Polygon Library (PLY) Importer", ""};
+    // Assimp would not find the end, either, and look for it for ever.
+    if (head.size() == file.size() && endsInPlyHeader(text)) refuseDamaged("its head does not end");
     if (!isNamedStl(path)) return {};
     auto mesh = readStl(file, alive);
     if (!mesh) return {};
