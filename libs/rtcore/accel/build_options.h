@@ -11,14 +11,17 @@ enum class BuildMethod {
     Fast,  ///< binned candidates for large nodes, exact ones for small ones, see fastQuality
 };
 
+/// Trees of up to this fastQuality are for few rays.
+inline constexpr int kQuickQuality = 4;
+
 struct BuildOptions {
     BuildMethod method = BuildMethod::Exact;
     float traversalCost = 1;    ///< K_T
     float intersectionCost = 0; ///< K_I; 0 = by size, see automaticIntersectionCost()
     float emptyBonus = 0.2F;    ///< 0..1: a split that cuts off empty space costs this fraction less
     int lookAhead = 1;          ///< splits in a row that may fail to pay; undone when they did not in the end
-    int fastQuality = 5; ///< 1..10, Fast only: more bins; up to 4 large nodes are split by a sample, from
-                         ///< 5 on small ones exactly
+    int fastQuality = 5; ///< 1..10, Fast only: up to kQuickQuality few candidates and samples, above it more
+                         ///< and more bins, and small nodes exactly
     int threads = 0;     ///< 0 = all cores; the tree does not depend on it
 };
 

@@ -3,7 +3,8 @@
 #include "rtcore/accel/event_sort.h"
 #include "rtcore/accel/exact_builder.h"
 #include "rtcore/accel/fast_builder.h"
-#include "rtcore/accel/float4.h"
+#include "rtcore/accel/mesh_bounds.h"
+#include "rtcore/accel/quick_builder.h"
 #include "rtcore/accel/triangle_clip.h"
 #include "rtcore/platform/task_errors.h"
 
@@ -48,31 +49,17 @@ KdTree emptyTree() {
     return stitch(leaf, Box3{});
 }
 
-/// As Mesh::bounds(), which is the same to the last bit, by several threads.
-Box3 boundsOfAll(const Mesh& mesh) {
-    constexpr std::size_t kChunk = 65'536;
-    std::vector<Bounds4> parts((mesh.triangles.size() + kChunk - 1) / kChunk);
-#pragma omp taskloop grainsize(1) default(shared)
-    for (std::size_t chunk = 0; chunk < parts.size(); ++chunk) {
-        const std::size_t end = std::min(mesh.triangles.size(), (chunk + 1) * kChunk);
-        Bounds4 part{set4(Box3::kHuge), set4(-Box3::kHuge)};
-        for (std::size_t i = chunk * kChunk; i < end; ++i) part = extended(part, boundsOf(mesh, i));
-        parts[chunk] = part;
-    }
-    Bounds4 all{set4(Box3::kHuge), set4(-Box3::kHuge)};
-    for (const Bounds4& part : parts) all = extended(all, part);
-    return {{all.lo[0], all.lo[1], all.lo[2]}, {all.hi[0], all.hi[1], all.hi[2]}};
-}
-
 /// Inside a parallel region, by one thread.
 KdTree build(BuildContext& context, const BuildOptions& options, BuildTimes& times) {
     Stopwatch watch;
-    const Box3 bounds = boundsOfAll(context.mesh);
+    const Box3 bounds = boundsInTasks(context.mesh);
     context.margin = clipMargin(bounds);
     std::unique_ptr<Subtree> root;
     if (options.method == BuildMethod::Fast) {
         times.prepare = watch.lap();
-        root = buildFast(context, fastOptions(options.fastQuality), bounds);
+        root = options.fastQuality <= kQuickQuality
+                   ? buildQuick(context, bounds)
+                   : buildFast(context, fastOptions(options.fastQuality), bounds);
     } else {
         EventLists lists{makeEvents(context.mesh, bounds),
                          static_cast<std::uint32_t>(context.mesh.triangles.size())};

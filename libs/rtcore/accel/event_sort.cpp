@@ -3,7 +3,7 @@
 #include "rtcore/accel/float4.h"
 #include "rtcore/accel/pool.h"
 #include "rtcore/accel/rank_sort.h"
-#include "rtcore/platform/task_errors.h"
+#include "rtcore/accel/task_loop.h"
 
 #include <algorithm>
 #include <bit>
@@ -65,10 +65,10 @@ class MeshEvents {
           slices_(bounds, sliceCount_), counters_((count_ + kTrianglesPerChunk - 1) / kTrianglesPerChunk) {}
 
     std::array<EventList, 3> make() {
-        forEach(counters_.size(), [&](std::size_t chunk) { countEvents(chunk); });
+        forEachInTasks(counters_.size(), [&](std::size_t chunk) { countEvents(chunk); });
         for (std::size_t a = 0; a < 3; ++a) assignPlaces(a);
-        forEach(counters_.size(), [&](std::size_t chunk) { placeEvents(chunk); });
-        forEach(3 * sliceCount_, [&](std::size_t i) {
+        forEachInTasks(counters_.size(), [&](std::size_t chunk) { placeEvents(chunk); });
+        forEachInTasks(3 * sliceCount_, [&](std::size_t i) {
             const std::size_t a = i / sliceCount_;
             const std::size_t slice = i % sliceCount_;
             const auto scratch = scratch_.borrow([] { return std::make_unique<EventList>(); });
@@ -79,14 +79,6 @@ class MeshEvents {
     }
 
   private:
-    template <typename Work>
-    void forEach(std::size_t count, const Work& work) {
-        TaskErrors errors;
-#pragma omp taskloop grainsize(1) default(shared)
-        for (std::size_t i = 0; i < count; ++i) errors.guard([&] { work(i); });
-        errors.rethrow();
-    }
-
     template <typename Visit>
     void visitEvents(std::size_t chunk, const Visit& visit) const {
         const std::size_t end = std::min(count_, (chunk + 1) * kTrianglesPerChunk);

@@ -4,6 +4,7 @@
 #include "rtcore/accel/exact_builder.h"
 #include "rtcore/accel/float4.h"
 #include "rtcore/accel/pool.h"
+#include "rtcore/accel/task_loop.h"
 #include "rtcore/platform/task_errors.h"
 
 #include <algorithm>
@@ -20,11 +21,6 @@ using ItemList = UninitializedArray<Item>;
 
 /// A large node's triangles are counted by several threads, so many each.
 constexpr std::size_t kChunk = 16'384;
-
-/// A sample has runs of so many triangles, and one of so many runs: neighbours in a list are neighbours in
-/// space.
-constexpr std::size_t kRun = 4;
-constexpr std::size_t kRunsForOne = 8;
 
 /// Copies each item to its side or, cut in two, to both. `lower` has room for one more than come; `upper` may
 /// be `items` itself. Returns the numbers.
@@ -51,17 +47,6 @@ Counts divide(const Item* items, std::size_t count, const Split& split, Item* lo
         n.upper += static_cast<std::size_t>((last > split.position) | (planar & !split.planarLower));
     }
     return n;
-}
-
-/// The cheapest split by what a sample of the triangles says.
-Split splitBySample(const Item* items, std::size_t count, const Box3& cell, std::size_t bins,
-                    CostModel cost) {
-    Bins some(cell, bins);
-    std::size_t counted = 0;
-    for (std::size_t i = 0; i + kRun <= count; i += kRun * kRunsForOne, counted += kRun)
-        some.add(items + i, kRun);
-    cost.intersection *= static_cast<float>(count) / static_cast<float>(counted);
-    return some.cheapest(cell, static_cast<std::uint32_t>(counted), cost);
 }
 
 /// Everything below one node of at most kSerialTriangles, by one thread.
@@ -92,13 +77,9 @@ class SerialFastBuilder {
         const std::size_t bins = std::min(options_.bins, std::max<std::size_t>(8, count / 2));
         Split split;
         if (depth < context_.maxDepth && count > 0 && budget.allows(count)) {
-            if (count > options_.sampledAbove) {
-                split = splitBySample(arena_.data() + first, count, cell, bins, context_.cost);
-            } else {
-                Bins counted(cell, bins);
-                counted.add(arena_.data() + first, count);
-                split = counted.cheapest(cell, static_cast<std::uint32_t>(count), context_.cost);
-            }
+            Bins counted(cell, bins);
+            counted.add(arena_.data() + first, count);
+            split = counted.cheapest(cell, static_cast<std::uint32_t>(count), context_.cost);
         }
         if (!(split.cost < context_.cost.leaf(static_cast<std::uint32_t>(count)))) {
             makeLeaf(index, first, count);
@@ -160,12 +141,9 @@ class FastBuilder {
   private:
     template <typename Work>
     void forEachChunk(std::size_t count, const Work& work) {
-        TaskErrors errors;
-#pragma omp taskloop grainsize(1) default(shared)
-        for (std::size_t chunk = 0; chunk < (count + kChunk - 1) / kChunk; ++chunk) {
-            errors.guard([&] { work(chunk, chunk * kChunk, std::min(count, (chunk + 1) * kChunk)); });
-        }
-        errors.rethrow();
+        forEachInTasks((count + kChunk - 1) / kChunk, [&](std::size_t chunk) {
+            work(chunk, chunk * kChunk, std::min(count, (chunk + 1) * kChunk));
+        });
     }
 
     ItemList makeItems() {
@@ -186,8 +164,6 @@ class FastBuilder {
     }
 
     Split findSplit(const ItemList& items, const Box3& cell) {
-        if (items.size() > options_.sampledAbove)
-            return splitBySample(items.data(), items.size(), cell, options_.bins, context_.cost);
         Bins all(cell, options_.bins);
         if (items.size() <= 2 * kChunk) {
             all.add(items.data(), items.size());
@@ -251,10 +227,8 @@ class FastBuilder {
 } // namespace
 
 FastOptions fastOptions(int quality) {
-    const auto q = static_cast<std::size_t>(std::clamp(quality, 1, 10));
-    constexpr std::size_t kSampledAbove = 256;
-    const bool exact = q >= 5;
-    return {4 + 4 * q, exact ? std::size_t{18} << (q - 5) : 0, exact ? ~std::size_t{0} : kSampledAbove};
+    const auto q = static_cast<std::size_t>(std::clamp(quality, kQuickQuality + 1, 10));
+    return {4 + 4 * q, std::size_t{18} << (q - 5)};
 }
 
 std::unique_ptr<Subtree> buildFast(const BuildContext& context, const FastOptions& options,

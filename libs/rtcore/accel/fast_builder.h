@@ -10,12 +10,11 @@
 namespace rtcore {
 
 struct FastOptions {
-    std::size_t bins = 20;                      ///< 4..64, of large nodes
-    std::size_t exactBelow = 0;                 ///< nodes of fewer triangles are built exactly
-    std::size_t sampledAbove = ~std::size_t{0}; ///< nodes of more triangles are split by a sample of them
+    std::size_t bins = 24;       ///< 4..64, of large nodes
+    std::size_t exactBelow = 18; ///< nodes of fewer triangles are built exactly
 };
 
-/// What `quality` (1..10) stands for.
+/// What `quality` above kQuickQuality stands for.
 FastOptions fastOptions(int quality);
 
 /// Must be called inside an OpenMP parallel region by one thread (or without OpenMP).

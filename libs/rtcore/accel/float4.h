@@ -2,6 +2,7 @@
 /// vector; loops over many things choose wider vectors when the program runs.
 #pragma once
 
+#include "rtcore/math/box.h"
 #include "rtcore/scene/mesh.h"
 
 #include <cstddef>
@@ -28,6 +29,8 @@ inline Int4 truncate4(Float4 v) { return __builtin_convertvector(v, Int4); }
 struct Bounds4 {
     Float4 lo, hi; ///< the fourth numbers mean nothing
 };
+
+inline Box3 boxOf(const Bounds4& b) { return {{b.lo[0], b.lo[1], b.lo[2]}, {b.hi[0], b.hi[1], b.hi[2]}}; }
 
 /// Of equal numbers those of `a`, as std::min has it.
 inline Bounds4 extended(const Bounds4& a, const Bounds4& b) { return {min4(b.lo, a.lo), max4(b.hi, a.hi)}; }

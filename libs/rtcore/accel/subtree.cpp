@@ -1,5 +1,7 @@
 #include "rtcore/accel/subtree.h"
 
+#include "rtcore/accel/task_loop.h"
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -38,7 +40,8 @@ class PieceWriter {
         out_.nodes[at] = KdNode::leaf(static_cast<std::uint32_t>(reference_), node.second);
         const auto from = piece_.references.begin() + node.first;
         const auto to = out_.references.begin() + static_cast<std::ptrdiff_t>(reference_);
-        std::sort(to, std::copy(from, from + node.second, to));
+        const auto end = std::copy(from, from + node.second, to);
+        if (!std::is_sorted(to, end)) std::sort(to, end);
         reference_ += node.second;
     }
 
@@ -102,10 +105,8 @@ KdTree stitch(const Subtree& root, const Box3& bounds) {
     arrays->nodes.resize(nodes);
     arrays->references.resize(references);
     const std::vector<Placement> pieces = Layout(*arrays).place(root);
-#pragma omp taskloop grainsize(4) default(shared)
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        PieceWriter(pieces[i], *arrays).write(0, pieces[i].root);
-    }
+    forEachInTasks(pieces.size(),
+                   [&](std::size_t i) { PieceWriter(pieces[i], *arrays).write(0, pieces[i].root); });
     return {arrays->nodes, arrays->references, bounds, arrays};
 }
 

@@ -8,9 +8,9 @@
 #define RTCORE_KERNELS_STREAM_INL_H_
 #endif
 
-#include "rtcore/kernels/compaction-inl.h"
 #include "rtcore/kernels/packet-inl.h"
 #include "rtcore/kernels/ray_box-inl.h"
+#include "rtcore/simd/compaction-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rtcore {

@@ -6,6 +6,7 @@
 // NaN as in plain code: comparisons are false; min and max are those of std, the first where neither is
 // smaller or greater. The same functions take float and bool, so that a template over its number works for
 // both.
+#include "rtcore/simd/compaction-inl.h"
 #include "rtcore/simd/targets.h"
 
 #include <hwy/highway.h>
@@ -208,19 +209,17 @@ HWY_INLINE void store(Wide<T> a, T* to) {
 /// Some of the lanes, to be stored side by side; what follows them in the vector becomes undefined.
 class Compressor {
   public:
-    HWY_INLINE explicit Compressor(Mask lanes) : lanes_(lanes), all_(all(lanes)) {}
+    HWY_INLINE explicit Compressor(Mask lanes) : side_(lanes.raw), count_(lanes.count()) {}
 
-    HWY_INLINE void store(Float a, float* to) const {
-        rtcore::HWY_NAMESPACE::store(all_ ? a : Float(hn::Compress(a.raw, lanes_.raw)), to);
-    }
+    HWY_INLINE void store(Float a, float* to) const { side_.store(a.raw, to); }
     HWY_INLINE void store(Uint a, std::uint32_t* to) const {
-        rtcore::HWY_NAMESPACE::store(all_ ? a : bitsOf(hn::Compress(floatOf(a).raw, lanes_.raw)), to);
+        side_.store(floatOf(a).raw, reinterpret_cast<float*>(to));
     }
-    HWY_INLINE std::size_t count() const { return lanes_.count(); }
+    HWY_INLINE std::size_t count() const { return count_; }
 
   private:
-    Mask lanes_;
-    bool all_;
+    Compaction side_;
+    std::size_t count_;
 };
 
 } // namespace HWY_NAMESPACE

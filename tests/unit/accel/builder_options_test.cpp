@@ -73,9 +73,9 @@ TEST(BuilderThreads, FastTreesAreTheSameForAnyNumber) {
 }
 
 TEST(BuilderInstructionSets, AllMakeTheSameTree) {
-    for (const BuildMethod method : {BuildMethod::Exact, BuildMethod::Fast}) {
-        BuildOptions options;
-        options.method = method;
+    for (const BuildOptions& options :
+         {BuildOptions{}, BuildOptions{.method = BuildMethod::Fast},
+          BuildOptions{.method = BuildMethod::Fast, .fastQuality = rtcore::kQuickQuality}}) {
         const KdTree expected = buildKdTree(largeMesh().view(), options);
         for (const std::string& name : rtcore::instructionSets()) {
             ASSERT_TRUE(rtcore::useInstructionSet(name));
@@ -124,9 +124,10 @@ TEST(BuilderCosts, DearerTrianglesMakeSmallerLeaves) {
 }
 
 TEST(FastQuality, IsClampedAndGrows) {
-    EXPECT_EQ(rtcore::fastOptions(-5).bins, rtcore::fastOptions(1).bins);
+    constexpr int kLeast = rtcore::kQuickQuality + 1;
+    EXPECT_EQ(rtcore::fastOptions(-5).bins, rtcore::fastOptions(kLeast).bins);
     EXPECT_EQ(rtcore::fastOptions(99).bins, rtcore::fastOptions(10).bins);
-    for (int quality = 2; quality <= 10; ++quality) {
+    for (int quality = kLeast + 1; quality <= 10; ++quality) {
         EXPECT_GT(rtcore::fastOptions(quality).bins, rtcore::fastOptions(quality - 1).bins);
         EXPECT_GE(rtcore::fastOptions(quality).exactBelow, rtcore::fastOptions(quality - 1).exactBelow);
         EXPECT_LE(rtcore::fastOptions(quality).bins, 64U);

@@ -140,16 +140,16 @@ TEST(Builder, LongSliversTakeMemoryInProportionToTheirNumber) {
     test::Random random(31);
     test::SampleMesh sample;
     const auto across = [&] { return 1e-6F * random.number(0, 1); };
-    for (int i = 0; i < 6000; ++i) {
+    for (int i = 0; i < 20'000; ++i) {
         sample.addTriangle({0, across(), across()}, {1, across(), across()}, {1, across(), across()});
     }
     for (int i = 0; i < 1000; ++i) {
         const float x = random.number(0, 1);
         sample.addTriangle({x, across(), across()}, {x + 1e-6F, across(), across()}, {x, across(), across()});
     }
-    for (const BuildMethod method : {BuildMethod::Exact, BuildMethod::Fast}) {
-        BuildOptions options;
-        options.method = method;
+    for (const BuildOptions& options :
+         {BuildOptions{}, BuildOptions{.method = BuildMethod::Fast},
+          BuildOptions{.method = BuildMethod::Fast, .fastQuality = rtcore::kQuickQuality}}) {
         const KdTree tree = buildKdTree(sample.view(), options);
         EXPECT_FALSE(validateKdTree(tree, sample.triangles.size()));
         EXPECT_GT(tree.references.size(), 2 * sample.triangles.size());

@@ -1,35 +1,44 @@
 // Compaction: selected lanes of vectors side by side. Included once for each target.
-#if defined(RTCORE_KERNELS_COMPACTION_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef RTCORE_KERNELS_COMPACTION_INL_H_
-#undef RTCORE_KERNELS_COMPACTION_INL_H_
+#if defined(RTCORE_SIMD_COMPACTION_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RTCORE_SIMD_COMPACTION_INL_H_
+#undef RTCORE_SIMD_COMPACTION_INL_H_
 #else
-#define RTCORE_KERNELS_COMPACTION_INL_H_
+#define RTCORE_SIMD_COMPACTION_INL_H_
 #endif
 
-#include "rtcore/kernels/compress_table.h"
-#include "rtcore/kernels/leaf_test-inl.h"
+#include "rtcore/simd/compress_table.h"
+#include "rtcore/simd/targets.h"
+
+#include <hwy/highway.h>
+
+#include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
 
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4
 
 /// Where there is no instruction for it, hn::Compress looks up a table that GCC 12 copies to the stack at
 /// each use, which takes most of the time of a stream: so a table of our own, looked up once for all columns.
 class Compaction {
+    using FloatTag = hn::ScalableTag<float>;
+
   public:
-    HWY_INLINE explicit Compaction(Mask which) : lanes_(lanesOf(which)) {}
+    HWY_INLINE explicit Compaction(hn::Mask<FloatTag> which) : lanes_(lanesOf(which)) {}
 
     /// Writes the selected lanes to `to`; a whole vector is written.
-    HWY_INLINE void store(Floats values, float* to) const {
+    HWY_INLINE void store(hn::Vec<FloatTag> values, float* to) const {
         hn::StoreU(hn::TableLookupLanes(values, lanes_), FloatTag(), to);
     }
 
   private:
-    using Indices = decltype(hn::IndicesFromVec(FloatTag(), Ints()));
+    using IntTag = hn::ScalableTag<std::int32_t>;
+    using Indices = decltype(hn::IndicesFromVec(FloatTag(), hn::Vec<IntTag>()));
 
-    HWY_INLINE static Indices lanesOf(Mask which) {
+    HWY_INLINE static Indices lanesOf(hn::Mask<FloatTag> which) {
         const hn::Rebind<std::uint8_t, FloatTag> bytes;
         std::uint8_t set[8] = {};
         hn::StoreMaskBits(FloatTag(), which, set);
@@ -44,16 +53,18 @@ class Compaction {
 #else
 
 class Compaction {
+    using FloatTag = hn::ScalableTag<float>;
+
   public:
-    HWY_INLINE explicit Compaction(Mask which) : which_(which) {}
+    HWY_INLINE explicit Compaction(hn::Mask<FloatTag> which) : which_(which) {}
 
     /// Writes the selected lanes to `to`; a whole vector is written.
-    HWY_INLINE void store(Floats values, float* to) const {
+    HWY_INLINE void store(hn::Vec<FloatTag> values, float* to) const {
         hn::StoreU(hn::Compress(values, which_), FloatTag(), to);
     }
 
   private:
-    Mask which_;
+    hn::Mask<FloatTag> which_;
 };
 
 #endif
