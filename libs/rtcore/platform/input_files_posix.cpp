@@ -89,11 +89,41 @@ Opened openForReading(const fs::path& path) {
     return {std::move(file), regular, regular ? static_cast<std::size_t>(status.st_size) : 0};
 }
 
+/// As many bytes as fit and are there from `offset` on; -1 for an error, which errno tells.
+ssize_t readFrom(const Descriptor& file, std::uint64_t offset, std::span<std::byte> room) {
+    std::size_t filled = 0;
+    while (filled < room.size()) {
+        const ssize_t got = ::pread(file.get(), room.data() + filled, room.size() - filled,
+                                    static_cast<off_t>(offset + filled));
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return -1;
+        if (got == 0) break;
+        filled += static_cast<std::size_t>(got);
+    }
+    return static_cast<ssize_t>(filled);
+}
+
+/// What a regular file holds from its beginning, as far as it fits, by the threads of OpenMP. Returns how
+/// much that is, and goes on there; nothing for what is short or makes errors.
+std::size_t readInParts(const Opened& opened, std::span<std::byte> room) {
+    constexpr std::size_t kPart = std::size_t{4} << 20;
+    if (!opened.regular || opened.size < 2 * kPart || room.size() < opened.size) return 0;
+    const std::size_t parts = opened.size / kPart;
+    bool whole = true;
+#pragma omp parallel for schedule(dynamic, 1) reduction(&& : whole)
+    for (std::size_t part = 0; part < parts; ++part) {
+        const ssize_t got = readFrom(opened.file, part * kPart, room.subspan(part * kPart, kPart));
+        whole = whole && got == static_cast<ssize_t>(kPart);
+    }
+    const auto end = static_cast<off_t>(parts * kPart);
+    return whole && ::lseek(opened.file.get(), end, SEEK_SET) == end ? parts * kPart : 0;
+}
+
 /// Reads on until the end, at most `limit` + 1 bytes, into a container of bytes.
 template <typename Bytes>
 void readToEnd(const fs::path& path, const Opened& opened, std::size_t limit, Bytes& bytes) {
-    std::size_t filled = 0;
     bytes.resize(std::min(opened.size, limit) + 1);
+    std::size_t filled = readInParts(opened, {reinterpret_cast<std::byte*>(bytes.data()), bytes.size()});
     while (true) {
         const std::span<std::byte> room(reinterpret_cast<std::byte*>(bytes.data()), bytes.size());
         const ssize_t got = readWaiting(opened.file.get(), room.subspan(filled));
@@ -161,16 +191,9 @@ std::span<const std::byte> InputFile::head(std::size_t most) {
 std::uint64_t InputFile::size() const { return parts_->opened.size; }
 
 std::size_t InputFile::readAt(std::uint64_t offset, std::span<std::byte> room) const {
-    std::size_t filled = 0;
-    while (filled < room.size()) {
-        const ssize_t got = ::pread(parts_->opened.file.get(), room.data() + filled, room.size() - filled,
-                                    static_cast<off_t>(offset + filled));
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) failReading(parts_->path, errno);
-        if (got == 0) break;
-        filled += static_cast<std::size_t>(got);
-    }
-    return filled;
+    const ssize_t got = readFrom(parts_->opened.file, offset, room);
+    if (got < 0) failReading(parts_->path, errno);
+    return static_cast<std::size_t>(got);
 }
 
 FileBytes InputFile::read() {

@@ -19,10 +19,11 @@ void reserveLarge(std::vector<T>& list, std::size_t capacity) {
     list.swap(larger);
 }
 
-/// As list.resize(size).
+/// As list.resize(size); the system clears the pages of new memory for all threads of OpenMP at once.
 template <typename T>
 void resizeLarge(std::vector<T>& list, std::size_t size) {
     reserveLarge(list, size);
+    if (size > list.size()) touchPages(list.data() + list.size(), (size - list.size()) * sizeof(T));
     list.resize(size);
 }
 

@@ -16,4 +16,7 @@ void freeRaw(void* memory);
 /// memory, it does nothing.
 void preferLargePages(void* memory, std::size_t bytes);
 
+/// Writes into each page of memory that holds nothing yet, by the threads of OpenMP if it is much.
+void touchPages(void* memory, std::size_t bytes);
+
 } // namespace rtcore

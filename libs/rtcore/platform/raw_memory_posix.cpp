@@ -39,6 +39,13 @@ void preferLargePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_
 #endif
 }
 
+void touchPages(void* memory, std::size_t bytes) {
+    constexpr std::size_t kPage = 4096;
+    auto* const first = static_cast<volatile unsigned char*>(memory);
+#pragma omp parallel for schedule(static) if (bytes > kWorthLargePages)
+    for (std::size_t at = 0; at < bytes; at += kPage) first[at] = 0;
+}
+
 void freeRaw(void* memory) { std::free(memory); }
 
 } // namespace rtcore

@@ -2,6 +2,7 @@
 #include "rtcore/io/bsp/bsp_file.h"
 #include "rtcore/io/bsp/model_check.h"
 
+#include "rtcore/accel/mesh_bounds.h"
 #include "rtcore/accel/validation.h"
 #include "rtcore/platform/error.h"
 
@@ -57,8 +58,16 @@ void refuseBadContent(const std::filesystem::path& path, const Model& model, con
                     "not written: the model cannot be used (" + *problem + "); repair the model's file");
 }
 
+Box3 boundsOf(const Mesh& mesh) {
+    Box3 bounds;
+#pragma omp parallel
+#pragma omp single
+    bounds = boundsInTasks(mesh);
+    return bounds;
+}
+
 BspHead headOf(const Model& model, const KdTree* tree, const BspIdentity& identity) {
-    const Box3 bounds = tree != nullptr ? tree->bounds : model.mesh.bounds();
+    const Box3 bounds = tree != nullptr ? tree->bounds : boundsOf(model.mesh);
     BspHead head{};
     head.magic = kBspMagic;
     head.byteOrder = kBspByteOrder;

@@ -13,11 +13,15 @@ namespace {
 
 using Finding = std::optional<std::string>;
 
+constexpr std::size_t kWorthThreads = 100'000; // elements
+
 /// No branch and no early end, so that the compiler makes vector code of it.
 bool allWithin(std::span<const float> values, float lo, float hi) {
     unsigned bad = 0;
-    for (const float v : values) {
-        const bool good = static_cast<int>(v >= lo) & static_cast<int>(v <= hi); // false for NaN
+#pragma omp parallel for schedule(static) reduction(| : bad) if (values.size() > kWorthThreads)
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const bool good =
+            static_cast<int>(values[i] >= lo) & static_cast<int>(values[i] <= hi); // false for NaN
         bad |= static_cast<unsigned>(!good);
     }
     return bad == 0;
@@ -38,29 +42,34 @@ Finding checkNumbers(const char* section, std::span<const float> values, std::si
     return fmt::format("{}: a number of element {} is not a number or out of range", section, element);
 }
 
+bool isNormal(Vec3 normal) { return std::fabs(dot(normal, normal) - 1) < 1e-3F || normal == Vec3{}; }
+
 Finding checkNormals(std::span<const Vec3> normals) {
-    for (std::size_t i = 0; i < normals.size(); ++i) {
-        const float square = dot(normals[i], normals[i]);
-        if (!(std::fabs(square - 1) < 1e-3F) && normals[i] != Vec3{}) {
-            return fmt::format("normals: element {} is not of unit length", i);
-        }
-    }
-    return {};
+    unsigned bad = 0;
+#pragma omp parallel for schedule(static) reduction(| : bad) if (normals.size() > kWorthThreads)
+    for (std::size_t i = 0; i < normals.size(); ++i) bad |= isNormal(normals[i]) ? 0 : 1;
+    if (bad == 0) return {};
+    const auto at = std::find_if_not(normals.begin(), normals.end(), isNormal);
+    return fmt::format("normals: element {} is not of unit length", at - normals.begin());
 }
 
 bool indicesBelow(std::span<const Triangle> triangles, std::size_t limit) {
     std::uint32_t largest = 0;
-    for (const Triangle& t : triangles) {
-        for (const std::uint32_t i : t.v) largest = std::max(largest, i);
+#pragma omp parallel for schedule(static) reduction(max : largest) if (triangles.size() > kWorthThreads)
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        for (const std::uint32_t i : triangles[t].v) largest = std::max(largest, i);
     }
     return triangles.empty() || largest < limit;
 }
 
 bool indicesBelow(std::span<const ShadingTriangle> triangles, std::size_t normals, std::size_t materials) {
     std::uint32_t largest = 0, largestMaterial = 0;
-    for (const ShadingTriangle& t : triangles) {
-        for (const std::uint32_t i : t.v) largest = std::max(largest, i);
-        largestMaterial = std::max(largestMaterial, t.material);
+#pragma omp parallel for schedule(static)                                                                    \
+    reduction(max                                                                                            \
+              : largest, largestMaterial) if (triangles.size() > kWorthThreads)
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        for (const std::uint32_t i : triangles[t].v) largest = std::max(largest, i);
+        largestMaterial = std::max(largestMaterial, triangles[t].material);
     }
     return triangles.empty() || (largest < normals && largestMaterial < materials);
 }

@@ -1,5 +1,6 @@
 #include "rtcore/io/import/import_warnings.h"
 
+#include "rtcore/accel/float4.h"
 #include "rtcore/math/box.h"
 
 #include <fmt/core.h>
@@ -18,6 +19,15 @@ std::string counted(std::uint64_t count, const char* one, const char* many) {
 
 bool isInvisible(const Material& m) {
     return m.opacity == 0 && m.indexOfRefraction == 1 && m.transmission == kWhite && isBlack(m.emission);
+}
+
+Box3 boundsOfAll(std::span<const Vertex> vertices) {
+    Bounds4 all{set4(Box3::kHuge), set4(-Box3::kHuge)};
+    for (const Vertex& v : vertices) {
+        const Float4 position = load4(&v);
+        all = extended(all, {position, position});
+    }
+    return boxOf(all);
 }
 
 /// Without the outermost twentieth on each side of each axis.
@@ -93,8 +103,7 @@ void warnWhenInvisible(const ModelBuffers& model, ImportReport& report) {
 
 void warnOfOutliers(const ModelBuffers& model, ImportReport& report) {
     constexpr float kInvisible = 100'000; // times smaller: less than a pixel
-    Box3 bounds;
-    for (const Vertex& v : model.vertices) bounds.extend(v.position());
+    const Box3 bounds = boundsOfAll(model.vertices);
     const float bulk = bulkOf(model.vertices).diagonal();
     if (bulk * kInvisible >= bounds.diagonal()) return;
     addWarning(report,

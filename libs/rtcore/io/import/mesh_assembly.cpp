@@ -2,6 +2,7 @@
 
 #include "rtcore/io/import/crease_normals.h"
 #include "rtcore/io/import/equal_positions.h"
+#include "rtcore/io/import/first_use.h"
 #include "rtcore/io/import/hash.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/large_vector.h"
@@ -169,6 +170,40 @@ void MeshAssembler::addTriangle(const SourceMesh& mesh, const Triangle& t) {
     out_.shading.push_back(shading);
 }
 
+/// The first mesh, if it is plain: all its vertices are new, in the order in which triangles come to them.
+void MeshAssembler::addFirst(const SourceMesh& mesh, const std::vector<Use>& uses) {
+    const auto welded = [&](const Triangle& t) {
+        return Triangle{{firstOfEqual_[t.v[0]], firstOfEqual_[t.v[1]], firstOfEqual_[t.v[2]]}};
+    };
+    const auto good = static_cast<std::size_t>(std::count(uses.begin(), uses.end(), Use::Good));
+    resizeLarge(out_.triangles, good);
+    if (good == uses.size()) {
+#pragma omp parallel for schedule(static) if (good > kFewTriangles)
+        for (std::size_t i = 0; i < good; ++i) out_.triangles[i] = welded(mesh.triangles[i]);
+    } else {
+        std::size_t next = 0;
+        for (std::size_t i = 0; i < uses.size(); ++i) {
+            if (uses[i] == Use::Good) out_.triangles[next++] = welded(mesh.triangles[i]);
+        }
+    }
+    const std::vector<std::uint32_t> order = renumberByFirstUse(out_.triangles, mesh.positions.size());
+    resizeLarge(out_.vertices, order.size());
+    resizeLarge(out_.shading, good);
+#pragma omp parallel if (good > kFewTriangles)
+    {
+#pragma omp for schedule(static) nowait
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            const Vec3 p = withoutTraces(mesh.positions[order[i]]);
+            out_.vertices[i] = {p.x, p.y, p.z, 0};
+        }
+#pragma omp for schedule(static)
+        for (std::size_t i = 0; i < good; ++i) {
+            const Triangle& t = out_.triangles[i];
+            out_.shading[i] = {{t.v[0], t.v[1], t.v[2]}, mesh.material};
+        }
+    }
+}
+
 std::uint32_t MeshAssembler::entryOfCorner(const SourceMesh& mesh, std::uint32_t corner,
                                            std::uint32_t vertex) {
     std::uint32_t& entry = localEntry_[corner];
@@ -201,6 +236,18 @@ void MeshAssembler::widen(const SourceMesh& mesh) {
     }
 }
 
+void MeshAssembler::addFurther(const SourceMesh& mesh, const std::vector<Use>& uses) {
+    const auto clear = [&](std::vector<std::uint32_t>& list) {
+        reserveLarge(list, mesh.positions.size());
+        list.assign(mesh.positions.size(), IndexTable::kNone);
+    };
+    clear(localVertex_);
+    if (!entriesAreVertices_) clear(localEntry_);
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+        if (uses[i] == Use::Good) addTriangle(mesh, mesh.triangles[i]);
+    }
+}
+
 void MeshAssembler::add(const SourceMesh& mesh) {
     if (mesh.triangles.size() > kMostTriangles - out_.triangles.size()) {
         throw FileError(FailureKind::BadData, "", "it has more than 2^30 triangles; split the model");
@@ -209,15 +256,11 @@ void MeshAssembler::add(const SourceMesh& mesh) {
     widen(mesh);
     tabulateVertices();
     firstOfEqual_ = firstOfEqualPositions(mesh.positions);
-    const auto clear = [&](std::vector<std::uint32_t>& list) {
-        reserveLarge(list, mesh.positions.size());
-        list.assign(mesh.positions.size(), IndexTable::kNone);
-    };
-    clear(localVertex_);
-    if (!entriesAreVertices_) clear(localEntry_);
     const std::vector<Use> uses = measure(mesh);
-    for (std::size_t i = 0; i < uses.size(); ++i) {
-        if (uses[i] == Use::Good) addTriangle(mesh, mesh.triangles[i]);
+    if (entriesAreVertices_ && out_.triangles.empty()) {
+        addFirst(mesh, uses);
+    } else {
+        addFurther(mesh, uses);
     }
     nonFinite_ += static_cast<std::uint64_t>(std::count(uses.begin(), uses.end(), Use::NonFinite));
     degenerate_ += static_cast<std::uint64_t>(std::count(uses.begin(), uses.end(), Use::WithoutArea));

@@ -71,6 +71,8 @@ class MeshAssembler {
   private:
     enum class Use : std::uint8_t { Good, NonFinite, WithoutArea };
     std::vector<Use> measure(const SourceMesh& mesh);
+    void addFirst(const SourceMesh& mesh, const std::vector<Use>& uses);
+    void addFurther(const SourceMesh& mesh, const std::vector<Use>& uses);
     void addTriangle(const SourceMesh& mesh, const Triangle& t);
     std::uint32_t knownVertexAt(Vec3 p);
     std::uint32_t vertexAt(Vec3 p);
