@@ -127,13 +127,13 @@ void QuickSubtreeBuilder::makeRoom(std::size_t top, std::size_t count) {
     const std::size_t least = top + count + BoxLists::kPadding;
     if (triangles_.capacity() >= least) return;
     const std::size_t capacity = std::max(least, triangles_.capacity() * 3 / 2);
-    const auto enlarge = [&](auto& list) {
+    const auto grow = [&](auto& list) {
         std::remove_reference_t<decltype(list)> larger(capacity);
         std::copy(list.data(), list.data() + top, larger.data());
         list = std::move(larger);
     };
-    for (auto& list : numbers_) enlarge(list);
-    enlarge(triangles_);
+    for (auto& list : numbers_) grow(list);
+    grow(triangles_);
 }
 
 BoxLists QuickSubtreeBuilder::at(std::size_t first) {

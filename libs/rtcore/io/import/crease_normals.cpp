@@ -1,6 +1,7 @@
 #include "rtcore/io/import/crease_normals.h"
 
 #include "rtcore/accel/uninitialized_array.h"
+#include "rtcore/io/import/facets.h"
 #include "rtcore/math/constants.h"
 #include "rtcore/platform/large_vector.h"
 #include "rtcore/platform/threads.h"
@@ -12,49 +13,17 @@ namespace rtcore {
 
 namespace {
 
-/// acos within 7e-5 (Abramowitz and Stegun 4.4.45): enough for a weight, and there are three in every
-/// triangle.
-float roughAcos(float x) {
-    const float a = std::min(std::fabs(x), 1.0F);
-    const float r = std::sqrt(1 - a) * (1.5707288F + a * (-0.2121144F + a * (0.0742610F + a * -0.0187293F)));
-    return x < 0 ? kPi - r : r;
-}
-
-/// For slivers whose area is lost in float.
-Vec3 carefulNormal(Vec3 a, Vec3 b, Vec3 c) {
-    const double ux = double{b.x} - a.x, uy = double{b.y} - a.y, uz = double{b.z} - a.z;
-    const double vx = double{c.x} - a.x, vy = double{c.y} - a.y, vz = double{c.z} - a.z;
-    const double nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
-    const double largest = std::fmax(std::fabs(nx), std::fmax(std::fabs(ny), std::fabs(nz)));
-    if (!(largest > 0)) return {};
-    return normalize({static_cast<float>(nx / largest), static_cast<float>(ny / largest),
-                      static_cast<float>(nz / largest)});
-}
-
-/// Normal and corner angles of one triangle. Without initial values, so that a list of them costs nothing
-/// until it is written.
-struct Facet {
-    float x, y, z;
-    float angle[3];
-
-    Vec3 normal() const { return {x, y, z}; }
-    Vec3 weighted(std::uint32_t corner) const { return normal() * angle[corner]; }
+struct VertexRange {
+    std::uint32_t first, last;
 };
 
-Facet facetOf(const ModelBuffers& model, const Triangle& t) {
-    const Vec3 a = model.vertices[t.v[0]].position();
-    const Vec3 b = model.vertices[t.v[1]].position();
-    const Vec3 c = model.vertices[t.v[2]].position();
-    const Vec3 ab = normalize(b - a), bc = normalize(c - b), ca = normalize(a - c);
-    // From unit edges, so that the products of small ones do not vanish; the shortest cross product is the
-    // worst.
-    const Vec3 atA = cross(ca, ab), atB = cross(ab, bc);
-    Vec3 normal = normalize(dot(atA, atA) > dot(atB, atB) ? atA : atB);
-    if (normal == Vec3{}) normal = carefulNormal(a, b, c);
-    return {normal.x,
-            normal.y,
-            normal.z,
-            {roughAcos(-dot(ca, ab)), roughAcos(-dot(ab, bc)), roughAcos(-dot(bc, ca))}};
+VertexRange verticesOf(std::span<const Triangle> triangles) {
+    VertexRange range{0xFFFFFFFFU, 0};
+    for (const Triangle& t : triangles) {
+        range.first = std::min({range.first, t.v[0], t.v[1], t.v[2]});
+        range.last = std::max({range.last, t.v[0], t.v[1], t.v[2]});
+    }
+    return range;
 }
 
 class Smoother {
@@ -68,7 +37,7 @@ class Smoother {
         if (std::none_of(model_.normals.begin(), model_.normals.end(), missing)) return;
         allLack_ = std::all_of(model_.normals.begin(), model_.normals.end(), missing);
         sharp_.assign(model_.vertices.size(), flat_ ? 1 : 0);
-        measureFacets();
+        measure();
         if (!flat_) smoothWhatIsRound();
         if (std::find(sharp_.begin(), sharp_.end(), 1) == sharp_.end()) return;
         collectSharpCorners();
@@ -84,6 +53,7 @@ class Smoother {
     static constexpr float kSlack = 1e-5F;
     static constexpr std::size_t kExact = 64;    ///< more triangles at a vertex are put into clusters instead
     static constexpr std::size_t kSearched = 64; ///< entries looked through for one that can be shared
+    static constexpr std::size_t kBlock = 4096;  ///< of triangles
 
     static float cosine(float degrees) {
         return portableCos(std::clamp(degrees, 0.0F, 180.0F) * (kPi / 180));
@@ -100,16 +70,23 @@ class Smoother {
     /// ascending.
     template <typename Use>
     void forEachCorner(std::size_t first, std::size_t end, const Use& use) {
-        for (std::uint32_t t = 0; t < model_.triangles.size(); ++t) {
-            for (std::uint32_t i = 0; i < 3; ++i) {
-                const std::uint32_t v = model_.triangles[t].v[i];
-                if (v - first < end - first && lacks(3 * t + i)) use(t, i, v);
+        for (std::size_t block = 0; block < blocks_.size(); ++block) {
+            if (blocks_[block].last < first || blocks_[block].first >= end) continue;
+            const auto from = static_cast<std::uint32_t>(block * kBlock);
+            for (std::uint32_t t = from; t < endOf(block); ++t) {
+                for (std::uint32_t i = 0; i < 3; ++i) {
+                    const std::uint32_t v = model_.triangles[t].v[i];
+                    if (v - first < end - first && lacks(3 * t + i)) use(t, i, v);
+                }
             }
         }
     }
+    std::size_t endOf(std::size_t block) const {
+        return std::min(model_.triangles.size(), (block + 1) * kBlock);
+    }
 
     /// The vertices in as many ranges as there are threads: sums of normals depend on their order, so that a
-    /// vertex is the work of one thread. All of them go through all triangles.
+    /// vertex is the work of one thread. They go through the same triangles where their vertices come.
     template <typename Work>
     void forEachRange(const Work& work) {
         const std::size_t count = model_.vertices.size();
@@ -119,11 +96,20 @@ class Smoother {
         for (std::size_t r = 0; r < ranges; ++r) work(count * r / ranges, count * (r + 1) / ranges);
     }
 
-    void measureFacets() {
+    void measure() {
         facets_ = UninitializedArray<Facet>(model_.triangles.size());
-#pragma omp parallel for schedule(static)
-        for (std::size_t t = 0; t < model_.triangles.size(); ++t)
-            facets_.data()[t] = facetOf(model_, model_.triangles[t]);
+        blocks_.resize((model_.triangles.size() + kBlock - 1) / kBlock);
+        bool same = allLack_;
+#pragma omp parallel for schedule(static) reduction(&& : same)
+        for (std::size_t block = 0; block < blocks_.size(); ++block) {
+            const std::size_t first = block * kBlock;
+            const auto own = std::span<const Triangle>(model_.triangles).subspan(first, endOf(block) - first);
+            measureFacets(model_.vertices, own, facets_.data() + first);
+            blocks_[block] = verticesOf(own);
+            for (std::size_t t = first; same && t < endOf(block); ++t)
+                same = std::equal(model_.triangles[t].v, model_.triangles[t].v + 3, model_.shading[t].v);
+        }
+        entriesAreVertices_ = same;
     }
 
     /// Vertices whose triangles are all within half the angle of their mean: then all are within the angle of
@@ -141,6 +127,12 @@ class Smoother {
                 if (!(dot(facets[t].normal(), means[v]) >= cosHalf_)) sharp_[v] = 1;
             });
             for (std::size_t v = first; v < end; ++v) means[v] = normalize(means[v]);
+            if (entriesAreVertices_) {
+                for (std::size_t v = first; v < end; ++v) {
+                    if (sharp_[v] == 0) model_.normals[v] = means[v];
+                }
+                return;
+            }
             forEachCorner(first, end, [&](std::uint32_t t, std::uint32_t i, std::uint32_t v) {
                 if (sharp_[v] == 0) model_.normals[model_.shading[t].v[i]] = means[v];
             });
@@ -232,8 +224,10 @@ class Smoother {
     ModelBuffers& model_;
     bool flat_; ///< nothing is smoothed, not even what rounding leaves of one plane
     float cosCrease_, cosHalf_;
-    bool allLack_ = false; ///< no corner has a normal
+    bool allLack_ = false;            ///< no corner has a normal
+    bool entriesAreVertices_ = false; ///< and all have the numbers of their vertices
     UninitializedArray<Facet> facets_;
+    std::vector<VertexRange> blocks_;            ///< vertices of each block of triangles
     std::vector<std::uint8_t> sharp_;            ///< by vertex
     std::vector<std::uint32_t> first_, corners_; ///< at sharp vertices; corner = 3 * triangle + 0..2
     std::vector<Added> added_;                   ///< entries added at this vertex

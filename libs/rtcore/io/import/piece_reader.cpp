@@ -1,6 +1,9 @@
 #include "rtcore/io/import/piece_reader.h"
 
+#include "rtcore/platform/task_errors.h"
+
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 
 namespace rtcore {
@@ -38,9 +41,34 @@ void PieceReader::skip(std::uint64_t count) {
     offset_ += count - buffered;
 }
 
-std::uint64_t PieceReader::left() const {
-    const std::uint64_t from = offset_ - (end_ - at_);
-    return file_.size() > from ? file_.size() - from : 0;
+bool PieceReader::readRecords(std::uint64_t count, std::size_t size, const UseRecords& use) {
+    if (size == 0 || count > left() / size) return false;
+    const std::uint64_t records = std::max<std::uint64_t>(1, kPiece / size); // of a piece
+    const std::uint64_t together = std::max<std::uint64_t>(1, kBytesBetweenWords / size / records) * records;
+    TaskErrors errors;
+    std::atomic<bool> good = true;
+    for (std::uint64_t begin = 0; begin < count && good; begin += together) {
+        const std::uint64_t end = std::min(count, begin + together);
+#pragma omp parallel if (end - begin > records)
+        {
+            std::vector<std::byte> buffer;
+#pragma omp for schedule(dynamic, 1)
+            for (std::uint64_t first = begin; first < end; first += records) {
+                if (!good) continue;
+                errors.guard([&] {
+                    buffer.resize(std::min(records, end - first) * size);
+                    const std::size_t got = file_.readAt(position() + first * size, buffer);
+                    if (got < buffer.size() || !use(first, buffer)) good = false;
+                });
+            }
+        }
+        errors.rethrow();
+        alive_();
+    }
+    if (good) skip(count * size);
+    return good;
 }
+
+std::uint64_t PieceReader::left() const { return file_.size() > position() ? file_.size() - position() : 0; }
 
 } // namespace rtcore

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include <optional>
 #include <vector>
 
 namespace rtcore {
@@ -24,14 +25,15 @@ struct FaceLayout {
                 (length ? behind : before) += sizeOf(property.type);
             }
         }
+        bytesOfCorner = sizeOf(index);
+        bytesOfRest = before + sizeOf(*length) + behind;
     }
-    std::size_t bytesOf(std::uint64_t corners) const {
-        return before + sizeOf(*length) + corners * sizeOf(index) + behind;
-    }
+    std::size_t bytesOf(std::uint64_t corners) const { return bytesOfRest + corners * bytesOfCorner; }
 
     std::size_t before = 0, behind = 0; ///< bytes of other properties
     std::optional<PlyType> length;
     PlyType index = PlyType::Int32;
+    std::size_t bytesOfCorner, bytesOfRest;
 };
 
 template <typename Index>
@@ -42,6 +44,7 @@ class FaceReader {
           toList_(layout_.before + sizeOf(*layout_.length)) {}
 
     void read() {
+        if (readTriangles()) return;
         while (face_ < element_.count) {
             const std::span<const std::byte> bytes = source_.in.ahead(wanted_);
             if (bytes.size() < wanted_) refuseCutOff(element_, face_);
@@ -50,6 +53,34 @@ class FaceReader {
     }
 
   private:
+    /// If all are triangles, as mostly in scans: then it is known where each of them lies.
+    bool readTriangles() {
+        const auto isTriangle = [this](const std::byte* record) {
+            return *layout_.length == PlyType::UInt8 && std::to_integer<int>(record[toLength_]) == 3;
+        };
+        const std::size_t size = layout_.bytesOf(3);
+        if (source_.in.ahead(size).size() < size || !isTriangle(source_.in.ahead(size).data()) ||
+            element_.count > source_.in.left() / size)
+            return false;
+        resizeLarge(mesh_.triangles, element_.count);
+        const auto use = [&](std::uint64_t first, std::span<const std::byte> records) {
+            Triangle* to = mesh_.triangles.data() + first;
+            for (std::size_t at = 0; at < records.size(); at += size, ++to) {
+                const std::byte* const record = records.data() + at;
+                if (!isTriangle(record)) return false;
+                for (std::size_t i = 0; i < 3; ++i) {
+                    const auto vertex = vertexIn(record + toList_ + i * sizeof(Index));
+                    if (!vertex) return false;
+                    to->v[i] = *vertex;
+                }
+            }
+            return true;
+        };
+        const bool all = source_.in.readRecords(element_.count, size, use);
+        if (!all) mesh_.triangles.clear();
+        return all;
+    }
+
     /// The faces that are whole in `bytes`, of which it returns how many they take.
     std::size_t readWhole(std::span<const std::byte> bytes) {
         std::size_t at = 0;
@@ -78,12 +109,22 @@ class FaceReader {
         return static_cast<std::uint64_t>(length);
     }
 
-    std::uint32_t vertexAt(const std::byte* at) const {
-        const auto index = static_cast<std::int64_t>(plyNumber<Index>(at, source_.swapped));
-        if (index < 0 || static_cast<std::uint64_t>(index) >= mesh_.positions.size())
-            refuseDamaged(
-                fmt::format("its face {} names the vertex {} of {}", face_, index, mesh_.positions.size()));
+    std::int64_t indexAt(const std::byte* at) const {
+        return static_cast<std::int64_t>(plyNumber<Index>(at, source_.swapped));
+    }
+    /// Nothing for one that does not exist.
+    std::optional<std::uint32_t> vertexIn(const std::byte* at) const {
+        const std::int64_t index = indexAt(at);
+        if (index < 0 || static_cast<std::uint64_t>(index) >= mesh_.positions.size()) return {};
         return static_cast<std::uint32_t>(index);
+    }
+    std::uint32_t vertexAt(const std::byte* at) const {
+        const auto vertex = vertexIn(at);
+        if (!vertex) {
+            refuseDamaged(fmt::format("its face {} names the vertex {} of {}", face_, indexAt(at),
+                                      mesh_.positions.size()));
+        }
+        return *vertex;
     }
 
     void add(const std::byte* list, std::uint64_t corners) {

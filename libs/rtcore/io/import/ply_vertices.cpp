@@ -131,14 +131,13 @@ void readPlyVertices(PlySource& source, const PlyElement& element, ScanMesh& mes
     addColumns(layout, Attribute::Normal, element.count, mesh.normals, columns);
     addColumns(layout, Attribute::Colour, element.count, mesh.colours, columns);
     addColumns(layout, Attribute::Texcoord, element.count, mesh.texcoords, columns);
-    for (std::uint64_t done = 0; done < element.count;) {
-        const auto bytes = source.in.ahead(size);
-        const auto count = std::min<std::uint64_t>(bytes.size() / size, element.count - done);
-        if (count == 0) refuseCutOff(element, done);
-        for (const Column& column : columns)
-            column.read(bytes.first(count * size), size, source.swapped, done);
-        source.in.skip(count * size);
-        done += count;
+    const auto use = [&](std::uint64_t first, std::span<const std::byte> records) {
+        for (const Column& column : columns) column.read(records, size, source.swapped, first);
+        return true;
+    };
+    if (!source.in.readRecords(element.count, size, use)) {
+        refuseDamaged(fmt::format("it ends before the last of the {} elements '{}' that its head promises",
+                                  element.count, element.name));
     }
     const ColourDecoder decode(false);
     for (Colour& colour : mesh.colours) colour = decode(colour);

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <atomic>
 #include <bit>
 #include <cstring>
 #include <string_view>
@@ -60,27 +61,26 @@ std::optional<ScanMesh> readStl(const InputFile& file, const std::function<void(
     resizeLarge(mesh.positions, std::size_t{*count} * 3);
     resizeLarge(mesh.triangles, *count);
     PieceReader in(file, kHead, alive);
-    for (std::uint32_t facet = 0; facet < *count;) {
-        const std::span<const std::byte> bytes = in.ahead(kFacet);
-        if (bytes.size() < kFacet) {
-            throw FileError(FailureKind::BadData, "",
-                            fmt::format("it ends after {} of the {} triangles that its head promises; it is "
-                                        "damaged: copy or export it again",
-                                        facet, *count));
-        }
-        std::size_t at = 0;
-        for (; facet < *count && at + kFacet <= bytes.size(); ++facet, at += kFacet) {
+    std::atomic<bool> coloured = false;
+    const auto use = [&](std::uint64_t first, std::span<const std::byte> records) {
+        auto facet = static_cast<std::uint32_t>(first);
+        for (std::size_t at = 0; at < records.size(); ++facet, at += kFacet) {
             constexpr unsigned kColoured = 0x8000;
-            const std::byte* const record = bytes.data() + at;
-            if ((attributeOf(record) & kColoured) != 0) return {};
+            const std::byte* const record = records.data() + at;
+            if ((attributeOf(record) & kColoured) != 0) coloured = true;
             Vec3* const corners = &mesh.positions[std::size_t{facet} * 3];
             std::memcpy(corners, record + kCorners, 3 * sizeof(Vec3));
             for (int i = 0; i < 3; ++i) toNative(corners[i]);
             mesh.triangles[facet] = {{3 * facet, 3 * facet + 1, 3 * facet + 2}};
         }
-        in.skip(at);
-    }
-    return mesh;
+        return !coloured;
+    };
+    if (in.readRecords(*count, kFacet, use)) return mesh;
+    if (coloured) return {};
+    throw FileError(FailureKind::BadData, "",
+                    fmt::format("it ends before the last of the {} triangles that its head promises; it is "
+                                "damaged: copy or export it again",
+                                *count));
 }
 
 } // namespace rtcore
