@@ -103,31 +103,9 @@ double surelyClear(const Corners& p, Vec3 a, Vec3 b, Vec3 c, const Point& normal
     return surfaceClearance(a, b, c, unit) * twiceArea - kStart * kRounding * across;
 }
 
-/// Whether a triangle is common by far; soon known, and of nearly all triangles true. With L the longest side
-/// of its box, M its largest coordinate and n its normal: positionsNoise() is at most 3.5 L times the sum of
-/// n's numbers, of which the largest is no more than n's length; mostOfProducts() is at most 32 / 9 L^3;
-/// surelyClear() is at least 16 M times n's length, in roundings. What is left out of that is more than
-/// single precision errs by where n is not much shorter than L^2.
-bool isSurelyCommon(Vec3 a, Vec3 b, Vec3 c) {
-    constexpr float kLeast = 1e-9F, kMost = 1e9F; // so that no product vanishes or is infinite
-    constexpr float kLeastNormal = 0x1p-10F;
-    const auto largest = [](Vec3 v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); };
-    const Vec3 ab = b - a;
-    const Vec3 ac = c - a;
-    const float longest = std::max({largest(ab), largest(ac), largest(c - b)});
-    const float extent = std::max({largest(a), largest(b), largest(c)});
-    const float normal = largest(cross(ab, ac));
-    // No branch before the last, and false for NaN.
-    const bool usual = static_cast<int>(longest >= kLeast) & static_cast<int>(extent <= kMost) &
-                       static_cast<int>(normal >= kLeastNormal * longest * longest);
-    return static_cast<int>(usual) &
-           static_cast<int>(4 * longest * longest * longest <= normal * (15 * extent - 6.5F * longest));
-}
-
 } // namespace
 
 float narrowNoise(Vec3 a, Vec3 b, Vec3 c) {
-    if (isSurelyCommon(a, b, c)) return 0;
     constexpr double kMuch = 0x1p-19; // of the triangle's size: at most half of what traversal allows for
     const Corners p{pointOf(a), pointOf(b), pointOf(c)};
     const Point normal = normalOf(p);
@@ -141,6 +119,27 @@ float narrowNoise(Vec3 a, Vec3 b, Vec3 c) {
     // Written so that NaN, of a triangle without area, is the narrowest.
     const bool matters = !(noise <= kMuch * (sizes[0] + sizes[1] + sizes[2]) * twiceArea);
     return matters ? std::numeric_limits<float>::infinity() : static_cast<float>(noise);
+}
+
+// With L the longest side of the box, M its largest coordinate and n the normal: positionsNoise() is at most
+// 3.5 L times the sum of n's numbers, of which the largest is no more than n's length; mostOfProducts() is at
+// most 32 / 9 L^3; surelyClear() is at least 16 M times n's length, in roundings. What is left out of that is
+// more than single precision errs by where n is not much shorter than L^2.
+bool isSurelyCommon(Float4 a, Float4 b, Float4 c) {
+    constexpr float kLeast = 1e-9F, kMost = 1e9F; // so that no product vanishes or is infinite
+    constexpr float kLeastNormal = 0x1p-10F;
+    const auto size = [](Float4 v) { return max4(v, -v); };
+    const auto next = [](Float4 v) { return __builtin_shufflevector(v, v, 1, 2, 0, 0); };
+    const auto largest = [&](Float4 v) { return max4(max4(v, next(v)), next(next(v)))[0]; };
+    const Float4 ab = b - a, ac = c - a;
+    const float longest = largest(max4(max4(size(ab), size(ac)), size(c - b)));
+    const float extent = largest(max4(max4(size(a), size(b)), size(c)));
+    const float normal = largest(size(ab * next(ac) - next(ab) * ac));
+    // No branch before the last.
+    const bool usual = static_cast<int>(longest >= kLeast) & static_cast<int>(extent <= kMost) &
+                       static_cast<int>(normal >= kLeastNormal * longest * longest);
+    return static_cast<int>(usual) &
+           static_cast<int>(4 * longest * longest * longest <= normal * (15 * extent - 6.5F * longest));
 }
 
 } // namespace rtcore

@@ -7,6 +7,7 @@
 /// triangle is decided by the leaf test alone; where it meets a narrow one, double says if in doubt.
 #pragma once
 
+#include "rtcore/accel/float4.h"
 #include "rtcore/math/vec.h"
 
 #include <cmath>
@@ -17,6 +18,10 @@ namespace rtcore {
 /// meet the triangle near their origin. 0 for common triangles: what rays start off them, surfaceClearance(),
 /// is more. Infinity for those so narrow that it matters at any distance. The same bits everywhere.
 float narrowNoise(Vec3 a, Vec3 b, Vec3 c);
+
+/// True for most common triangles and for no narrow one, and known sooner. Positions must be finite; the
+/// fourth numbers mean nothing.
+bool isSurelyCommon(Float4 a, Float4 b, Float4 c);
 
 /// Whether a narrow triangle that is met may in truth lie on the other side of the ray's origin: `sum` is
 /// that of the weighted distances.

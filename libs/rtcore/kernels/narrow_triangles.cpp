@@ -10,8 +10,9 @@ namespace rtcore {
 namespace {
 
 float noiseOf(const Mesh& mesh, std::size_t triangle) {
-    const auto corner = [&](int c) { return mesh.position(static_cast<std::uint32_t>(triangle), c); };
-    return narrowNoise(corner(0), corner(1), corner(2));
+    const auto corner = [&](int c) -> const Vertex& { return mesh.vertices[mesh.triangles[triangle].v[c]]; };
+    if (isSurelyCommon(load4(&corner(0)), load4(&corner(1)), load4(&corner(2)))) return 0;
+    return narrowNoise(corner(0).position(), corner(1).position(), corner(2).position());
 }
 
 bool anyIsNarrow(const Mesh& mesh) {

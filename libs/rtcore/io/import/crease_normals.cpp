@@ -26,6 +26,10 @@ VertexRange verticesOf(std::span<const Triangle> triangles) {
     return range;
 }
 
+bool sameNumbers(const Triangle& a, const ShadingTriangle& b) {
+    return a.v[0] == b.v[0] && a.v[1] == b.v[1] && a.v[2] == b.v[2];
+}
+
 class Smoother {
   public:
     Smoother(ModelBuffers& model, float creaseAngle)
@@ -107,7 +111,7 @@ class Smoother {
             measureFacets(model_.vertices, own, facets_.data() + first);
             blocks_[block] = verticesOf(own);
             for (std::size_t t = first; same && t < endOf(block); ++t)
-                same = std::equal(model_.triangles[t].v, model_.triangles[t].v + 3, model_.shading[t].v);
+                same = sameNumbers(model_.triangles[t], model_.shading[t]);
         }
         entriesAreVertices_ = same;
     }
