@@ -146,7 +146,7 @@ class PacketWalk {
     /// Loads the intervals at the root; false when nothing is left to do.
     HWY_INLINE bool enter(Floats (&t0)[kVectors], Floats (&t1)[kVectors], Place& place) {
         const FloatTag d;
-        leavesReady_ = false;
+        leavesReady_ = beamsReady_ = false;
         RTCORE_EACH_VECTOR
         for (std::size_t i = 0; i < kVectors; ++i) {
             t0[i] = hn::Load(d, packet_.t0 + i * kLanes);
@@ -389,14 +389,7 @@ class PacketWalk {
         RTCORE_EACH_VECTOR
         for (std::size_t i = 0; i < kVectors; ++i) {
             const std::size_t at = i * kLanes;
-            Floats o[3];
-            Floats dir[3];
-            for (int axis = 0; axis < 3; ++axis) {
-                o[axis] = hn::Load(d, packet_.origin[axis] + at);
-                dir[axis] = hn::Load(d, packet_.direction[axis] + at);
-            }
-            const AxisOrder order(dir[0], dir[1], dir[2]);
-            const ShearedRays rays = shear(order, o[0], o[1], o[2], dir[0], dir[1], dir[2]);
+            const ShearedRays rays = shearRays(at);
             hn::Store(rays.x, d, sheared_[0] + at);
             hn::Store(rays.y, d, sheared_[1] + at);
             hn::Store(rays.z, d, sheared_[2] + at);
@@ -406,11 +399,32 @@ class PacketWalk {
             if constexpr (kShared == Shared::Nothing) {
                 const IntTag di;
                 const auto axis = [&](std::int32_t x) HWY_ATTR { return hn::BitCast(d, hn::Set(di, x)); };
-                hn::Store(hn::BitCast(di, order.choose(axis(0), axis(1), axis(2))), di, axis_ + at);
-            } else {
-                beams_[i] = beamOf(rays);
+                const Floats kz = axisOrder(at).choose(axis(0), axis(1), axis(2));
+                hn::Store(hn::BitCast(di, kz), di, axis_ + at);
             }
         }
+    }
+
+    HWY_INLINE ShearedRays shearRays(std::size_t at) const {
+        const FloatTag d;
+        const auto load = [&](const auto& of, int axis) HWY_ATTR { return hn::Load(d, of[axis] + at); };
+        if constexpr (kShared == Shared::Nothing) {
+            return shear(axisOrder(at), load(packet_.origin, 0), load(packet_.origin, 1),
+                         load(packet_.origin, 2), load(packet_.direction, 0), load(packet_.direction, 1),
+                         load(packet_.direction, 2));
+        }
+        const Floats along = load(packet_.direction, along_.kz);
+        return {load(packet_.origin, along_.kx),
+                load(packet_.origin, along_.ky),
+                load(packet_.origin, along_.kz),
+                hn::Div(load(packet_.direction, along_.kx), along),
+                hn::Div(load(packet_.direction, along_.ky), along),
+                hn::Neg(load(packet_.inverse, along_.kz))};
+    }
+
+    HWY_NOINLINE void prepareBeams() {
+        beamsReady_ = true;
+        for (std::size_t i = 0; i < kVectors; ++i) beams_[i] = beamOf(shearedRays(i * kLanes));
     }
 
     HWY_INLINE Beam beamOf(const ShearedRays& rays) const {
@@ -489,6 +503,7 @@ class PacketWalk {
     HWY_NOINLINE bool testCulled(const Leaf& leaf, const Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
         const FloatTag d;
         const auto remember = [&](const Corners& corners) HWY_ATTR { occluder = corners; };
+        if (!beamsReady_) prepareBeams();
         for (std::uint32_t first = 0; first < leaf.common; first += SeenTriangles::kMost) {
             const SeenTriangles triangles(scene_, leaf, first, leaf.common, point_);
             const auto test = [&](std::size_t at, Mask inCell, Found& found) HWY_ATTR {
@@ -524,6 +539,7 @@ class PacketWalk {
             };
             return testVectors(test, t0, t1);
         }
+        if (!beamsReady_) prepareBeams();
         for (std::uint32_t first = leaf.common; first < leaf.count; first += SeenTriangles::kMost) {
             const SeenTriangles triangles(scene_, leaf, first, leaf.count, point_);
             const auto test = [&](std::size_t at, Mask inCell, Found& found) HWY_ATTR {
@@ -697,7 +713,7 @@ class PacketWalk {
     AlongAxis along_{0, 0, 0};
     Vec3 point_;
     Beam beams_[kVectors];
-    bool leavesReady_ = false;
+    bool leavesReady_ = false, beamsReady_ = false;
     alignas(64) float sheared_[6][Packet<kVectors>::kSize];
     alignas(64) std::int32_t axis_[Packet<kVectors>::kSize];
     Place place_{}; ///< between steps

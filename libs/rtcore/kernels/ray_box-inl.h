@@ -17,6 +17,16 @@ struct RayVector {
     Floats ox, oy, oz, dx, dy, dz, tMin, tMax;
 };
 
+/// 1 / direction.
+struct InverseVector {
+    Floats x, y, z;
+};
+
+HWY_INLINE InverseVector inverseOf(const RayVector& ray) {
+    const Floats one = hn::Set(FloatTag(), 1.0F);
+    return {hn::Div(one, ray.dx), hn::Div(one, ray.dy), hn::Div(one, ray.dz)};
+}
+
 struct IntervalVector {
     Floats t0, t1;
 };
@@ -53,22 +63,22 @@ HWY_INLINE Floats slackOf(const KernelScene& scene, const RayVector& ray) {
 
 /// The part of [tMin - slack, tMax + slack] inside the root's cell, nothing of it behind the origin. 0 *
 /// infinity (a ray inside a face, parallel to it) is NaN, which is ignored: such a ray counts as inside.
-HWY_INLINE IntervalVector clipToBox(const KernelScene& scene, const RayVector& ray, Floats slack) {
+HWY_INLINE IntervalVector clipToBox(const KernelScene& scene, const RayVector& ray,
+                                    const InverseVector& inverse, Floats slack) {
     const FloatTag d;
     IntervalVector interval{hn::Max(hn::Sub(ray.tMin, slack), hn::Zero(d)), hn::Add(ray.tMax, slack)};
-    const auto clip = [&](int axis, Floats o, Floats direction) HWY_ATTR {
-        const Floats inverse = hn::Div(hn::Set(d, 1.0F), direction);
-        const Floats a = hn::Mul(hn::Sub(hn::Set(d, scene.lo[axis]), o), inverse);
-        const Floats b = hn::Mul(hn::Sub(hn::Set(d, scene.hi[axis]), o), inverse);
-        const Mask downwards = hn::Lt(inverse, hn::Zero(d));
+    const auto clip = [&](int axis, Floats o, Floats scale) HWY_ATTR {
+        const Floats a = hn::Mul(hn::Sub(hn::Set(d, scene.lo[axis]), o), scale);
+        const Floats b = hn::Mul(hn::Sub(hn::Set(d, scene.hi[axis]), o), scale);
+        const Mask downwards = hn::Lt(scale, hn::Zero(d));
         const Floats enter = hn::IfThenElse(downwards, b, a);
         const Floats leave = hn::IfThenElse(downwards, a, b);
         interval.t0 = max(hn::Mul(enter, hn::Set(d, kPlaneDown)), interval.t0);
         interval.t1 = min(hn::Mul(leave, hn::Set(d, kPlaneUp)), interval.t1);
     };
-    clip(0, ray.ox, ray.dx);
-    clip(1, ray.oy, ray.dy);
-    clip(2, ray.oz, ray.dz);
+    clip(0, ray.ox, inverse.x);
+    clip(1, ray.oy, inverse.y);
+    clip(2, ray.oz, inverse.z);
     return interval;
 }
 

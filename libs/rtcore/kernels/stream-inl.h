@@ -502,7 +502,7 @@ class StreamWalk {
                 const RayVector ray = loadRays(rays, from);
                 const Floats slack = slackOf(scene_, ray);
                 slack_ = std::max(slack_, hn::GetLane(hn::MaxOfLanes(d, slack)));
-                const IntervalVector inside = clipToBox(scene_, ray, slack);
+                const IntervalVector inside = clipToBox(scene_, ray, inverseOf(ray), slack);
                 const auto sign = [&](Floats x) HWY_ATTR {
                     return hn::BitCast(di, hn::ShiftRight<31>(hn::BitCast(UIntTag(), x)));
                 };

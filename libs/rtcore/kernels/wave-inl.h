@@ -37,6 +37,12 @@ struct GroupShape {
         }
         return spread < kSpread * longest;
     }
+    /// Of no ray the longest component of the direction is shorter.
+    float length() const {
+        float least = 0;
+        for (const Range& r : direction) least = std::max(least, std::max(r.lo, -r.hi));
+        return least;
+    }
     bool commonOrigin() const {
         return origin[0].lo == origin[0].hi && origin[1].lo == origin[1].hi && origin[2].lo == origin[2].hi;
     }
@@ -122,43 +128,61 @@ HWY_INLINE int commonAxis(const GroupShape& shape, const RaySpan& rays, std::siz
     return hn::AllFalse(d, anyXY) ? 2 : 3;
 }
 
+/// At least slackOf() of each ray: of all origins the farthest, of all directions the shortest.
+HWY_INLINE float slackOf(const KernelScene& scene, const GroupShape& shape) {
+    float far = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Range& o = shape.origin[axis];
+        far += std::max(std::max(std::fabs(scene.lo[axis] - o.lo), std::fabs(scene.lo[axis] - o.hi)),
+                        std::max(std::fabs(scene.hi[axis] - o.lo), std::fabs(scene.hi[axis] - o.hi)));
+    }
+    return kDistanceError * far / shape.length();
+}
+
+/// The same of a group whose directions may have nothing in common.
+HWY_NOINLINE float slackOfEach(const KernelScene& scene, const RaySpan& rays, std::size_t first) {
+    const FloatTag d;
+    Floats slack = hn::Zero(d);
+    for (std::size_t i = 0; i < kGroup; i += kLanes)
+        slack = hn::Max(slack, slackOf(scene, loadRays(rays, first + i)));
+    return hn::GetLane(hn::MaxOfLanes(d, slack));
+}
+
 /// The rays of a group as a packet; those from `count` on take no part. False where none meets the root's
 /// cell.
-HWY_INLINE bool load(const KernelScene& scene, const RaySpan& rays, std::size_t first, std::size_t count,
-                     Packet<kGroupVectors>& packet) {
+template <bool kAny>
+HWY_INLINE bool load(const KernelScene& scene, const RaySpan& rays, const GroupShape& shape,
+                     std::size_t first, std::size_t count, Packet<kGroupVectors>& packet) {
     const FloatTag d;
     const IntTag di;
-    Floats slack = hn::Zero(d);
+    packet.slack = shape.length() > 0 ? slackOf(scene, shape) : slackOfEach(scene, rays, first);
+    const Floats slack = hn::Set(d, packet.slack);
+    Mask enters = hn::FirstN(d, 0);
     for (std::size_t i = 0; i < kGroup; i += kLanes) {
         const RayVector ray = loadRays(rays, first + i);
-        slack = hn::Max(slack, slackOf(scene, ray));
+        const InverseVector inverse = inverseOf(ray);
+        const IntervalVector inside = clipToBox(scene, ray, inverse, slack);
+        enters = hn::Or(enters, hn::Le(inside.t0, inside.t1));
+        hn::Store(inside.t0, d, packet.t0 + i);
+        hn::Store(inside.t1, d, packet.t1 + i);
         hn::Store(ray.ox, d, packet.origin[0] + i);
         hn::Store(ray.oy, d, packet.origin[1] + i);
         hn::Store(ray.oz, d, packet.origin[2] + i);
         hn::Store(ray.dx, d, packet.direction[0] + i);
         hn::Store(ray.dy, d, packet.direction[1] + i);
         hn::Store(ray.dz, d, packet.direction[2] + i);
+        hn::Store(inverse.x, d, packet.inverse[0] + i);
+        hn::Store(inverse.y, d, packet.inverse[1] + i);
+        hn::Store(inverse.z, d, packet.inverse[2] + i);
         hn::Store(ray.tMin, d, packet.tMin + i);
         hn::Store(ray.tMax, d, packet.best + i);
         hn::Store(hn::Set(di, kNone), di, packet.triangle + i);
+        if constexpr (kAny) continue;
         hn::Store(hn::Zero(d), d, packet.v + i);
         hn::Store(hn::Zero(d), d, packet.w + i);
         hn::Store(hn::Set(d, 1.0F), d, packet.det + i);
     }
     packet.startTriangle = startsAt(rays.startTriangle, first);
-    packet.slack = hn::GetLane(hn::MaxOfLanes(d, slack));
-    Mask enters = hn::FirstN(d, 0);
-    for (std::size_t i = 0; i < kGroup; i += kLanes) {
-        const RayVector ray = loadRays(rays, first + i);
-        const IntervalVector inside = clipToBox(scene, ray, hn::Set(d, packet.slack));
-        hn::Store(inside.t0, d, packet.t0 + i);
-        hn::Store(inside.t1, d, packet.t1 + i);
-        enters = hn::Or(enters, hn::Le(inside.t0, inside.t1));
-        for (int axis = 0; axis < 3; ++axis) {
-            hn::Store(hn::Div(hn::Set(d, 1.0F), hn::Load(d, packet.direction[axis] + i)), d,
-                      packet.inverse[axis] + i);
-        }
-    }
     for (std::size_t i = count; i < kGroup; ++i) {
         packet.t0[i] = 1;
         packet.t1[i] = -1;
@@ -203,7 +227,7 @@ class PacketTracer {
     /// Traces `count` rays from `first` on; `packet` then holds what they found. All kGroup must be readable.
     HWY_INLINE void trace(GroupShape shape, std::size_t first, std::size_t count) {
         addOrigins(rays_, first, shape);
-        if (!load(scene_, rays_, first, count, packet)) return;
+        if (!load<kSearch.any>(scene_, rays_, shape, first, count, packet)) return;
         const Culling culling = shape.culling();
         const int axis = commonAxis(shape, rays_, first);
         if (axis == 3) {
