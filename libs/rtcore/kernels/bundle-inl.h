@@ -133,6 +133,11 @@ class BundleWalk {
         if (!(child.isLeaf() && child.count() == 0)) {
             WaitingBundle& entry = stack_[waiting++];
             entry.node = far;
+            if (child.isLeaf()) {
+                sendForLeaf(scene_, child);
+            } else {
+                hwy::Prefetch(scene_.nodes + child.lowerChild());
+            }
             for (std::size_t k = 0; k < kVectors; ++k) {
                 hn::Store(farBegin.of[k], d, entry.begin + k * kLanes);
                 hn::Store(end.of[k], d, entry.end + k * kLanes);

@@ -12,6 +12,7 @@
 #include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <limits>
@@ -77,6 +78,16 @@ HWY_INLINE Corners cornersOf(const KernelScene& scene, const Leaf& leaf, std::ui
     const Triangle& triangle = scene.triangles[index];
     return {&scene.vertices[triangle.v[0]].x, &scene.vertices[triangle.v[1]].x,
             &scene.vertices[triangle.v[2]].x, 1, static_cast<std::int32_t>(index)};
+}
+
+/// If the node is a leaf, sends for the corners of its triangles before they are needed.
+HWY_INLINE void sendForLeaf(const KernelScene& scene, KdNode node) {
+    if (scene.records == nullptr || !node.isLeaf()) return;
+    constexpr std::size_t kMost = 640, kCacheLine = 64; // bytes
+    const auto* const records =
+        reinterpret_cast<const char*>(scene.records + kFloatsPerRecord * node.firstReference);
+    const std::size_t bytes = std::min(kFloatsPerRecord * sizeof(float) * node.count(), kMost);
+    for (std::size_t at = 0; at < bytes; at += kCacheLine) hwy::Prefetch(records + at);
 }
 
 /// The dominant axis of each lane as RayShear chooses it, and how to bring the coordinates of a vector (x, y,

@@ -191,7 +191,7 @@ class PacketWalk {
     HWY_INLINE bool halt(const Culling& culling, Floats (&t0)[kVectors], Floats (&t1)[kVectors]) {
         const FloatTag d;
         if (!findLeaf(culling, t0, t1, place_)) return false;
-        sendForLeaf(scene_.nodes[place_.node]);
+        sendForLeaf(scene_, scene_.nodes[place_.node]);
         if (place_.waiting > 0) hwy::Prefetch(scene_.nodes + stack_[place_.waiting - 1].node);
         RTCORE_EACH_VECTOR
         for (std::size_t i = 0; i < kVectors; ++i) {
@@ -199,15 +199,6 @@ class PacketWalk {
             hn::Store(t1[i], d, halted1_ + i * kLanes);
         }
         return true;
-    }
-
-    HWY_INLINE void sendForLeaf(KdNode leaf) const {
-        if (scene_.records == nullptr) return;
-        constexpr std::size_t kMost = 640, kCacheLine = 64; // bytes
-        const auto* const records =
-            reinterpret_cast<const char*>(scene_.records + kFloatsPerRecord * leaf.firstReference);
-        const std::size_t bytes = std::min(kFloatsPerRecord * sizeof(float) * leaf.count(), kMost);
-        for (std::size_t at = 0; at < bytes; at += kCacheLine) hwy::Prefetch(records + at);
     }
 
     static constexpr std::uint32_t kStepCost = 1, kLeafCost = 2; ///< in tests of a triangle
@@ -280,6 +271,7 @@ class PacketWalk {
             if (farFirst) {
                 entry.node = near;
                 if constexpr (kCull) {
+                    sendForLeaf(scene_, scene_.nodes[near]);
                     entry.interval = {interval.lo, std::min(interval.hi, planes.hi * kUp)};
                     interval.lo = std::max(interval.lo, planes.lo * kDown);
                 }
@@ -294,6 +286,7 @@ class PacketWalk {
         }
         entry.node = far;
         if constexpr (kCull) {
+            sendForLeaf(scene_, scene_.nodes[far]);
             entry.interval = {std::max(interval.lo, planes.lo * kDown), interval.hi};
             interval.hi = std::min(interval.hi, planes.hi * kUp);
         }
