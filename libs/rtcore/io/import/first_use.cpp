@@ -10,7 +10,8 @@ namespace rtcore {
 
 namespace {
 
-constexpr std::size_t kWorthThreads = 20'000; // triangles
+/// Triangles: fewer are numbered sooner than threads wake up several times on a busy machine.
+constexpr std::size_t kWorthThreads = 1'000'000;
 constexpr std::uint32_t kNowhere = 0xFFFFFFFFU;
 
 class FirstUses {

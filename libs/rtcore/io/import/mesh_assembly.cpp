@@ -21,6 +21,8 @@ namespace {
 constexpr std::size_t kMostTriangles = std::size_t{1} << 30;
 /// Not worth the threads.
 constexpr std::size_t kFewTriangles = 20'000;
+/// Triangles that are only copied.
+constexpr std::size_t kManyTriangles = 1'000'000;
 /// A mesh without normals, texture coordinates and colours.
 bool isPlain(const SourceMesh& mesh) {
     return mesh.normals.empty() && mesh.texcoords.empty() && mesh.colours.empty();
@@ -178,7 +180,7 @@ void MeshAssembler::addFirst(const SourceMesh& mesh, const std::vector<Use>& use
     const auto good = static_cast<std::size_t>(std::count(uses.begin(), uses.end(), Use::Good));
     resizeLarge(out_.triangles, good);
     if (good == uses.size()) {
-#pragma omp parallel for schedule(static) if (good > kFewTriangles)
+#pragma omp parallel for schedule(static) if (good > kManyTriangles)
         for (std::size_t i = 0; i < good; ++i) out_.triangles[i] = welded(mesh.triangles[i]);
     } else {
         std::size_t next = 0;
@@ -189,7 +191,7 @@ void MeshAssembler::addFirst(const SourceMesh& mesh, const std::vector<Use>& use
     const std::vector<std::uint32_t> order = renumberByFirstUse(out_.triangles, mesh.positions.size());
     resizeLarge(out_.vertices, order.size());
     resizeLarge(out_.shading, good);
-#pragma omp parallel if (good > kFewTriangles)
+#pragma omp parallel if (good > kManyTriangles)
     {
 #pragma omp for schedule(static) nowait
         for (std::size_t i = 0; i < order.size(); ++i) {
