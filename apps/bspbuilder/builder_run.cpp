@@ -178,10 +178,9 @@ class Builder {
 
     rtcore::KdStatistics measure() const {
         const rtcore::BuildOptions& build = options_.build;
-        const float intersection =
-            build.intersectionCost > 0
-                ? build.intersectionCost
-                : rtcore::automaticIntersectionCost(model_.mesh.triangles.size(), build.method);
+        const float intersection = build.intersectionCost > 0
+                                       ? build.intersectionCost
+                                       : rtcore::automaticIntersectionCost(model_.mesh.triangles.size());
         return rtcore::computeStatistics(tree_, build.traversalCost, intersection);
     }
 

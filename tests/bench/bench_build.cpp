@@ -76,7 +76,7 @@ void measure(const rtcore::Mesh& mesh, const char* name, const rtcore::BuildOpti
         if (seconds < bestSeconds) best = times;
         bestSeconds = std::min(bestSeconds, seconds);
     }
-    const float cost = rtcore::automaticIntersectionCost(mesh.triangles.size(), options.method);
+    const float cost = rtcore::automaticIntersectionCost(mesh.triangles.size());
     const rtcore::KdStatistics s = computeStatistics(tree, 1, cost);
     std::printf("  %-5s %d threads: %7.1f ms (prepare %.1f, split %.1f, emit %.1f; processor %.1f), peak "
                 "%.0f MB = %.0f B/triangle; "

@@ -75,11 +75,10 @@ KdTree build(BuildContext& context, const BuildOptions& options, BuildTimes& tim
 
 } // namespace
 
-float automaticIntersectionCost(std::size_t triangles, BuildMethod method) {
-    const bool exact = method == BuildMethod::Exact;
-    if (triangles < 100'000) return exact ? 0.4F : 0.3F;
-    if (triangles < 500'000) return exact ? 0.3F : 0.2F;
-    return exact ? 0.2F : 0.15F;
+float automaticIntersectionCost(std::size_t triangles) {
+    if (triangles < 100'000) return 0.3F;
+    if (triangles < 500'000) return 0.2F;
+    return triangles < 4'000'000 ? 0.15F : 0.12F;
 }
 
 KdTree buildKdTree(const Mesh& mesh, const BuildOptions& options, BuildTimes* times,
@@ -93,9 +92,8 @@ KdTree buildKdTree(const Mesh& mesh, const BuildOptions& options, BuildTimes* ti
     BuildTimes& t = times != nullptr ? *times : ownTimes;
     BuildContext context{mesh, {}, depthLimit(triangles), std::max(0, options.lookAhead), 0, progress};
     context.cost.traversal = options.traversalCost;
-    context.cost.intersection = options.intersectionCost > 0
-                                    ? options.intersectionCost
-                                    : automaticIntersectionCost(triangles, options.method);
+    context.cost.intersection =
+        options.intersectionCost > 0 ? options.intersectionCost : automaticIntersectionCost(triangles);
     context.cost.emptyFactor = 1 - options.emptyBonus;
     if (progress != nullptr) progress->triangles = triangles;
 

@@ -21,8 +21,8 @@ struct BuildCancelled : std::runtime_error {
 KdTree buildKdTree(const Mesh& mesh, const BuildOptions& options, BuildTimes* times = nullptr,
                    BuildProgress* progress = nullptr);
 
-/// K_I / K_T that `intersectionCost` = 0 stands for. Smaller for larger models, whose trees have to stay in
-/// the caches, and for the fast builder, which has to be done soon.
-float automaticIntersectionCost(std::size_t triangles, BuildMethod method);
+/// K_I / K_T that `intersectionCost` = 0 stands for. Small, since a vector of rays passes most triangles of a
+/// leaf by (docs/performance.md), and smaller for larger models, whose trees have to stay in the caches.
+float automaticIntersectionCost(std::size_t triangles);
 
 } // namespace rtcore

@@ -179,7 +179,7 @@ TEST(Builder, SeparatesTwoClustersByEmptySpace) {
 TEST(Builder, ATreeIsCheaperThanALeafAndTheFastOneNotMuchDearer) {
     const test::SampleMesh sample = test::icosphere(5).rotate(12);
     const Mesh mesh = sample.view();
-    const float cost = rtcore::automaticIntersectionCost(mesh.triangles.size(), BuildMethod::Exact);
+    const float cost = rtcore::automaticIntersectionCost(mesh.triangles.size());
     const auto expectedCost = [&](BuildMethod method) {
         BuildOptions options;
         options.method = method;
@@ -192,10 +192,10 @@ TEST(Builder, ATreeIsCheaperThanALeafAndTheFastOneNotMuchDearer) {
 
 TEST(Builder, IntersectionCostFollowsTheSize) {
     using rtcore::automaticIntersectionCost;
-    EXPECT_EQ(automaticIntersectionCost(99'999, BuildMethod::Exact), 0.4F);
-    EXPECT_EQ(automaticIntersectionCost(100'000, BuildMethod::Exact), 0.3F);
-    EXPECT_EQ(automaticIntersectionCost(500'000, BuildMethod::Exact), 0.2F);
-    EXPECT_EQ(automaticIntersectionCost(500'000, BuildMethod::Fast), 0.15F);
+    EXPECT_EQ(automaticIntersectionCost(99'999), 0.3F);
+    EXPECT_EQ(automaticIntersectionCost(100'000), 0.2F);
+    EXPECT_EQ(automaticIntersectionCost(500'000), 0.15F);
+    EXPECT_EQ(automaticIntersectionCost(4'000'000), 0.12F);
 }
 
 TEST(Builder, TheArraysOutliveTheMesh) {
