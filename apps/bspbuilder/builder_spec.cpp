@@ -22,7 +22,7 @@ OptionGroup treeOptions() {
               .letter = 'm',
               .value = ValueKind::Integer,
               .argument = "N",
-              .help = "with --fast: 1 is quickest to build, 10 quickest to trace [5]",
+              .help = "with --fast (1 to 4 are alike): 1 is quickest to build, 10 quickest to trace [5]",
               .minimum = 1,
               .maximum = 10}}};
 }

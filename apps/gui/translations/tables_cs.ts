@@ -751,8 +751,8 @@
         <translation>stavět za méně než polovinu času; sledování paprsků je pak asi o šestinu pomalejší</translation>
     </message>
     <message>
-        <source>with --fast: 1 is quickest to build, 10 quickest to trace [5]</source>
-        <translation>s --fast: 1 se nejrychleji staví, 10 se nejrychleji sleduje [5]</translation>
+        <source>with --fast (1 to 4 are alike): 1 is quickest to build, 10 quickest to trace [5]</source>
+        <translation>s --fast (1 až 4 jsou stejné): 1 se nejrychleji staví, 10 se nejrychleji sleduje [5]</translation>
     </message>
     <message>
         <source>report the model and times on standard output</source>
