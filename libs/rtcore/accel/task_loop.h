@@ -12,7 +12,7 @@ namespace rtcore {
 template <typename Work>
 void forEachInTasks(std::size_t count, const Work& work) {
     // GCC's library leaves a loop of more tasks than 64 for each thread to the one that meets it.
-    constexpr int kTasks = 32;
+    [[maybe_unused]] constexpr int kTasks = 32; // (not without OpenMP)
     TaskErrors errors;
 #pragma omp taskloop num_tasks(kTasks) default(shared)
     for (std::size_t i = 0; i < count; ++i) errors.guard([&] { work(i); });

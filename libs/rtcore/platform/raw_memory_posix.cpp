@@ -41,7 +41,7 @@ void preferLargePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_
 
 void touchPages(void* memory, std::size_t bytes) {
     constexpr std::size_t kPage = 4096;
-    constexpr std::size_t kWorthThreads = std::size_t{64} << 20U;
+    [[maybe_unused]] constexpr std::size_t kWorthThreads = std::size_t{64} << 20U;
     auto* const first = static_cast<volatile unsigned char*>(memory);
 #pragma omp parallel for schedule(static) if (bytes > kWorthThreads)
     for (std::size_t at = 0; at < bytes; at += kPage) first[at] = 0;
