@@ -44,7 +44,7 @@ class Rows {
 
     const MaterialRow* row_;
     bool one_;
-    HWY_ALIGN std::uint32_t first_[kLanes];
+    HWY_ALIGN std::uint32_t first_[kLanes] = {};
 };
 
 } // namespace HWY_NAMESPACE
