@@ -25,11 +25,11 @@ MUTANTS = [
          "return best;"),
     ]),
     ("packets: shears of beams are not widened", [
-        ("packet-inl.h", "MinOfLanes(d, shear)) - kWider",
+        ("packet_leaves-inl.h", "MinOfLanes(d, shear)) - kWider",
          "MinOfLanes(d, shear))"),
     ]),
     ("packets: places of beams are not widened", [
-        ("packet-inl.h", "hn::Set(d, kWider));",
+        ("packet_leaves-inl.h", "hn::Set(d, kWider));",
          "hn::Zero(d));"),
     ]),
     ("packets: a plane before all rays is behind them", [
@@ -37,7 +37,7 @@ MUTANTS = [
          "if (planes.lo * kDown > interval.hi) return far;"),
     ]),
     ("packets: ranges of inverses are those of the first ray", [
-        ("wave-inl.h", "{1 / direction[axis].hi, 1 / direction[axis].lo}",
+        ("group_shape-inl.h", "{1 / direction[axis].hi, 1 / direction[axis].lo}",
          "{1 / direction[axis].hi, 1 / direction[axis].hi}"),
     ]),
     ("bundles: planes are not widened", [
@@ -55,25 +55,25 @@ MUTANTS = [
          "most = hn::Max(most, hn::Load(d, packet.best));"),
     ]),
     ("bundles: they begin no earlier than their rays", [
-        ("wave-inl.h", "std::max(interval.lo - slack, 0.0F)",
+        ("bundle_tracer-inl.h", "std::max(interval.lo - slack, 0.0F)",
          "interval.lo"),
     ]),
     ("bundles: they end where their rays do", [
-        ("wave-inl.h", "end = interval.hi + slack;",
+        ("bundle_tracer-inl.h", "end = interval.hi + slack;",
          "end = interval.hi;"),
     ]),
     ("bundles: the box is not widened", [
-        ("wave-inl.h", "std::min(in * lo, in * hi) * kPlaneDown",
+        ("bundle_tracer-inl.h", "std::min(in * lo, in * hi) * kPlaneDown",
          "std::min(in * lo, in * hi)"),
-        ("wave-inl.h", "std::max(out * lo, out * hi) * kPlaneUp",
+        ("bundle_tracer-inl.h", "std::max(out * lo, out * hi) * kPlaneUp",
          "std::max(out * lo, out * hi)"),
     ]),
     ("bundles: shears of beams are not widened down", [
-        ("wave-inl.h", "range.lo - Beam::kWider",
+        ("bundle_tracer-inl.h", "range.lo - Beam::kWider",
          "range.lo"),
     ]),
     ("bundles: shears of beams are not widened up", [
-        ("wave-inl.h", "range.hi + Beam::kWider",
+        ("bundle_tracer-inl.h", "range.hi + Beam::kWider",
          "range.hi"),
     ]),
     ("bundles: packets of another origin join", [
