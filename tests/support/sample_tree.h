@@ -50,11 +50,9 @@ class SampleTreeBuilder {
         const auto pair = static_cast<std::uint32_t>(tree_.nodes.size());
         tree_.nodes.resize(tree_.nodes.size() + 2);
         tree_.nodes[node] = rtcore::KdNode::inner(axis, split, pair);
-        rtcore::Box3 lower = box, upper = box;
-        lower.hi[axis] = split;
-        upper.lo[axis] = split;
-        divide(pair, lower, touching(triangles, axis, lower), depth + 1);
-        divide(pair + 1, upper, touching(triangles, axis, upper), depth + 1);
+        const rtcore::Halves boxes(box, axis, split);
+        divide(pair, boxes.lower, touching(triangles, axis, boxes.lower), depth + 1);
+        divide(pair + 1, boxes.upper, touching(triangles, axis, boxes.upper), depth + 1);
     }
 
     std::vector<std::uint32_t> touching(const std::vector<std::uint32_t>& triangles, int axis,

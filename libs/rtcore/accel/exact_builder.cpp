@@ -66,12 +66,10 @@ class ExactBuilder {
             out = buildPiece(std::move(lists), cell, depth, budget);
             return;
         }
-        Box3 lowerCell = cell;
-        Box3 upperCell = cell;
-        lowerCell.hi[split.axis] = upperCell.lo[split.axis] = split.position;
+        const Halves cells(cell, split.axis, split.position);
         EventLists lower;
         const auto upper = std::make_shared<EventLists>();
-        divide(std::move(lists), split, lowerCell, upperCell, lower, *upper);
+        divide(std::move(lists), split, cells.lower, cells.upper, lower, *upper);
         const std::size_t all = std::size_t{lower.triangles} + upper->triangles;
         const ReferenceBudget lowerBudget = budget.share(lower.triangles, all);
         const ReferenceBudget upperBudget = budget.share(upper->triangles, all);
@@ -79,9 +77,10 @@ class ExactBuilder {
         out->axis = split.axis;
         out->split = split.position;
         Subtree* const node = out.get();
-#pragma omp task default(shared) firstprivate(upper, upperCell, upperBudget, depth, node)
-        errors_.guard([&] { buildNode(std::move(*upper), upperCell, depth + 1, upperBudget, node->upper); });
-        errors_.guard([&] { buildNode(std::move(lower), lowerCell, depth + 1, lowerBudget, node->lower); });
+#pragma omp task default(shared) firstprivate(upper, cells, upperBudget, depth, node)
+        errors_.guard(
+            [&] { buildNode(std::move(*upper), cells.upper, depth + 1, upperBudget, node->upper); });
+        errors_.guard([&] { buildNode(std::move(lower), cells.lower, depth + 1, lowerBudget, node->lower); });
 #pragma omp taskwait
     }
 

@@ -103,21 +103,19 @@ float ExactSubtreeBuilder::buildNode(std::uint32_t index, const NodeEvents& even
         return leafCost;
     }
 
-    Box3 lowerCell = cell;
-    Box3 upperCell = cell;
-    lowerCell.hi[split.axis] = upperCell.lo[split.axis] = split.position;
+    const Halves cells(cell, split.axis, split.position);
     NodeEvents lower;
     NodeEvents upper = events;
-    const Division parts = divide(split, count, upper, lower, lowerCell, upperCell);
+    const Division parts = divide(split, count, upper, lower, cells.lower, cells.upper);
 
     const auto children = static_cast<std::uint32_t>(tree_->nodes.size());
     tree_->nodes.resize(tree_->nodes.size() + 2);
     tree_->nodes[index] = {split.axis, split.position, children, children + 1};
     const AreaOfParts area(cell, split.axis);
-    const float lowerCost = buildNode(children, lower, parts.lower, lowerCell, depth + 1, failures,
+    const float lowerCost = buildNode(children, lower, parts.lower, cells.lower, depth + 1, failures,
                                       budget.share(parts.lower, parts.lower + parts.upper));
     top_ = parts.keep;
-    const float upperCost = buildNode(children + 1, upper, parts.upper, upperCell, depth + 1, failures,
+    const float upperCost = buildNode(children + 1, upper, parts.upper, cells.upper, depth + 1, failures,
                                       budget.share(parts.upper, parts.lower + parts.upper));
 
     const float cost = context_.cost.traversal + area.lower(split.position) * lowerCost +

@@ -88,15 +88,13 @@ class SerialFastBuilder {
         makeRoom(top, count + 1);
         Item* const own = arena_.data() + first;
         const Counts n = divide(own, count, split, arena_.data() + top, own);
-        Box3 lowerCell = cell;
-        Box3 upperCell = cell;
-        lowerCell.hi[split.axis] = upperCell.lo[split.axis] = split.position;
+        const Halves cells(cell, split.axis, split.position);
         const auto children = static_cast<std::uint32_t>(tree_->nodes.size());
         tree_->nodes.resize(tree_->nodes.size() + 2);
         tree_->nodes[index] = {split.axis, split.position, children, children + 1};
-        buildNode(children, top, n.lower, top + n.lower, lowerCell, depth + 1,
+        buildNode(children, top, n.lower, top + n.lower, cells.lower, depth + 1,
                   budget.share(n.lower, n.lower + n.upper));
-        buildNode(children + 1, first, n.upper, top, upperCell, depth + 1,
+        buildNode(children + 1, first, n.upper, top, cells.upper, depth + 1,
                   budget.share(n.upper, n.lower + n.upper));
     }
 
@@ -193,9 +191,7 @@ class FastBuilder {
         const Counts n = divide(items.data(), items.size(), split, lower.data(), items.data());
         lower.setSize(n.lower);
         items.setSize(n.upper);
-        Box3 lowerCell = cell;
-        Box3 upperCell = cell;
-        lowerCell.hi[split.axis] = upperCell.lo[split.axis] = split.position;
+        const Halves cells(cell, split.axis, split.position);
         out = std::make_unique<Subtree>();
         out->axis = split.axis;
         out->split = split.position;
@@ -203,9 +199,10 @@ class FastBuilder {
         const ReferenceBudget lowerBudget = budget.share(n.lower, n.lower + n.upper);
         const ReferenceBudget upperBudget = budget.share(n.upper, n.lower + n.upper);
         const auto upper = std::make_shared<ItemList>(std::move(items));
-#pragma omp task default(shared) firstprivate(upper, upperCell, upperBudget, depth, node)
-        errors_.guard([&] { buildNode(std::move(*upper), upperCell, depth + 1, upperBudget, node->upper); });
-        errors_.guard([&] { buildNode(std::move(lower), lowerCell, depth + 1, lowerBudget, node->lower); });
+#pragma omp task default(shared) firstprivate(upper, cells, upperBudget, depth, node)
+        errors_.guard(
+            [&] { buildNode(std::move(*upper), cells.upper, depth + 1, upperBudget, node->upper); });
+        errors_.guard([&] { buildNode(std::move(lower), cells.lower, depth + 1, lowerBudget, node->lower); });
 #pragma omp taskwait
     }
 

@@ -18,7 +18,7 @@ namespace {
 /// A piece that one thread builds has about so many triangles, and a sample so many times fewer: an odd
 /// number, since the triangles of grids lie in rows of even ones.
 constexpr std::size_t kPiece = 8192;
-constexpr std::size_t kOneOf = 61;
+constexpr std::size_t kSampled = 61;
 
 /// The tree of a sample: where its leaves are, and which of them a box reaches into.
 class SampleTree {
@@ -59,14 +59,12 @@ class SampleTree {
             insides_.push_back(inside);
             return;
         }
-        Box3 lowerCell = cell;
-        Box3 upperCell = cell;
-        lowerCell.hi[node.axis] = upperCell.lo[node.axis] = node.split;
+        const Halves cells(cell, node.axis, node.split);
         Bounds4 lowerInside = inside;
         Bounds4 upperInside = inside;
         lowerInside.hi[node.axis] = upperInside.lo[node.axis] = node.split;
-        addLeaves(node.first, lowerCell, lowerInside, depth + 1);
-        addLeaves(node.second, upperCell, upperInside, depth + 1);
+        addLeaves(node.first, cells.lower, lowerInside, depth + 1);
+        addLeaves(node.second, cells.upper, upperInside, depth + 1);
     }
 
     static bool isInside(const Bounds4& box, const Bounds4& leaf) {
@@ -182,10 +180,10 @@ class QuickBuilder {
   private:
     SampleTree topOf(const TriangleList& triangles, const Box3& cell, int depth, ReferenceBudget budget) {
         std::vector<std::uint32_t> sample;
-        sample.reserve(triangles.count / kOneOf + 1);
-        for (std::size_t i = 0; i < triangles.count; i += kOneOf) sample.push_back(triangles[i]);
-        budget.references /= kOneOf;
-        const QuickSubtreeBuilder::Rules rules{static_cast<float>(kOneOf), kPiece / kOneOf};
+        sample.reserve(triangles.count / kSampled + 1);
+        for (std::size_t i = 0; i < triangles.count; i += kSampled) sample.push_back(triangles[i]);
+        budget.references /= kSampled;
+        const QuickSubtreeBuilder::Rules rules{static_cast<float>(kSampled), kPiece / kSampled};
         const auto tree = borrow()->build({sample.data(), sample.size()}, cell, rules, depth, budget);
         return {*tree, cell, depth};
     }

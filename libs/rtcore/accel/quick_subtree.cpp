@@ -11,7 +11,7 @@ namespace {
 
 /// Larger nodes are split by what a sample says.
 constexpr std::size_t kSampledAbove = 1024;
-constexpr std::size_t kOneOf = 8;
+constexpr std::size_t kCounted = 8;
 
 /// They divide the boxes' bounds evenly.
 Planes planesIn(const Box3& bounds) {
@@ -72,15 +72,13 @@ void QuickSubtreeBuilder::buildNode(std::uint32_t index, std::size_t first, std:
     }
     makeRoom(top, count);
     const SideCounts n = divideBoxes(at(first), count, split, at(top));
-    Box3 lowerCell = cell;
-    Box3 upperCell = cell;
-    lowerCell.hi[split.axis] = upperCell.lo[split.axis] = split.position;
+    const Halves cells(cell, split.axis, split.position);
     const auto children = static_cast<std::uint32_t>(tree_->nodes.size());
     tree_->nodes.resize(tree_->nodes.size() + 2);
     tree_->nodes[index] = {split.axis, split.position, children, children + 1};
-    buildNode(children, top, n.lower, top + n.lower + BoxLists::kPadding, lowerCell, depth + 1,
+    buildNode(children, top, n.lower, top + n.lower + BoxLists::kPadding, cells.lower, depth + 1,
               budget.share(n.lower, n.lower + n.upper));
-    buildNode(children + 1, first, n.upper, top, upperCell, depth + 1,
+    buildNode(children + 1, first, n.upper, top, cells.upper, depth + 1,
               budget.share(n.upper, n.lower + n.upper));
 }
 
@@ -89,7 +87,7 @@ void QuickSubtreeBuilder::buildNode(std::uint32_t index, std::size_t first, std:
 Split QuickSubtreeBuilder::findSplit(const BoxLists& boxes, std::size_t count, const Box3& cell) const {
     const Box3 bounds = boundsOf(boxes, count);
     const Planes planes = planesIn(bounds);
-    const PlaneCounts counts = countAtPlanes(boxes, count, count > kSampledAbove ? kOneOf : 1, planes);
+    const PlaneCounts counts = countAtPlanes(boxes, count, count > kSampledAbove ? kCounted : 1, planes);
     const auto all = static_cast<std::uint32_t>(count);
     CostModel cost = cost_;
     Split best;

@@ -18,13 +18,6 @@ bool contains(const Box3& cell, int axis, float split) {
     return split >= cell.lo[axis] && split <= cell.hi[axis]; // false for NaN
 }
 
-std::pair<Box3, Box3> halves(const Box3& cell, int axis, float split) {
-    std::pair<Box3, Box3> both{cell, cell};
-    both.first.hi[axis] = split;
-    both.second.lo[axis] = split;
-    return both;
-}
-
 std::string atNode(std::size_t node, const char* problem) { return fmt::format("node {} {}", node, problem); }
 
 /// The walk over all nodes; each step knows which index must come next.
@@ -80,7 +73,7 @@ class StructureCheck {
     }
 
     void descend(Cell& cell, KdNode node) {
-        const auto [lower, upper] = halves(cell.box, node.axis(), node.split);
+        const auto [lower, upper] = Halves(cell.box, node.axis(), node.split);
         pending_[pendingCount_++] = {upper, nextPair_ + 1, cell.depth + 1};
         cell = {lower, nextPair_, cell.depth + 1};
         nextPair_ += 2;
@@ -169,7 +162,7 @@ class CoverageCheck {
                 if (Finding problem = checkLeaf(cell, node)) return problem;
                 continue;
             }
-            const auto [lower, upper] = halves(cell.box, node.axis(), node.split);
+            const auto [lower, upper] = Halves(cell.box, node.axis(), node.split);
             pending.push_back({node.lowerChild(), lower, reaching(lower, cell.triangles)});
             pending.push_back({node.lowerChild() + 1, upper, reaching(upper, cell.triangles)});
         }

@@ -38,4 +38,13 @@ struct Box3 {
     friend bool operator==(const Box3&, const Box3&) = default;
 };
 
+/// The parts of a box below and above a plane across `axis`: both contain the plane.
+struct Halves {
+    Halves(const Box3& box, int axis, float position) : lower(box), upper(box) {
+        lower.hi[axis] = upper.lo[axis] = position;
+    }
+
+    Box3 lower, upper;
+};
+
 } // namespace rtcore
