@@ -68,6 +68,12 @@ Result reset(const Call& call) {
     return {};
 }
 
+Result paste(const Call& call) {
+    const std::filesystem::path pasted = "the pasted text"; // in messages
+    const std::string warning = call.state.applyCameraFile(rtcore::parseCameraFile(call[0], pasted), pasted);
+    return {.answer = warning.empty() ? warning : "warning: " + warning};
+}
+
 Result walk(const Call& call) {
     call.state.setWalking(true);
     return {.answer = call.state.onUnseenFloor() ? kUnseenFloor : ""};
@@ -105,6 +111,7 @@ constexpr std::array kFunctions{
     CommandFunction{app::CommandId::CameraLookAt, lookAt},
     CommandFunction{app::CommandId::CameraTurn, turn},
     CommandFunction{app::CommandId::CameraReset, reset},
+    CommandFunction{app::CommandId::CameraPaste, paste},
     CommandFunction{app::CommandId::Focus, focus},
     CommandFunction{app::CommandId::Speed, speed},
     CommandFunction{app::CommandId::Walk, walk},

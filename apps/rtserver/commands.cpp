@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace rtserver {
@@ -28,20 +29,63 @@ const Functions& functions() {
     return all;
 }
 
+auto functionOf(app::CommandId id) { return functions()[static_cast<std::size_t>(id)]; }
+
+/// The command without its values: what it is about, by its number or name.
+std::string stepLabel(const app::CommandSpec& command, std::span<const std::string> arguments) {
+    const std::string name(command.name);
+    if (arguments.empty()) return name;
+    const auto with = [&](const std::string& word) { return name + ' ' + app::joinWords(std::array{word}); };
+    switch (command.arguments.front().type) {
+    case app::ArgumentType::Setting:
+    case app::ArgumentType::Integer:
+        return with(arguments[0]);
+    case app::ArgumentType::Path:
+        return with(std::filesystem::path(arguments[0]).stem().string());
+    default:
+        return name;
+    }
+}
+
+// What is done beside the server changes something at its end.
+Result runEdit(const Call& call, const app::CommandSpec& command, bool goesOn) {
+    const auto asStep = [&state = call.state, label = stepLabel(command, call.arguments), goesOn](auto act) {
+        Shown before = state.shown();
+        auto result = act();
+        state.keepStep(label, std::move(before), goesOn);
+        return result;
+    };
+    Result result = asStep([&] { return functionOf(command.id)(call); });
+    if (result.when != ReplyWhen::Beside) return result;
+    result.work = [work = std::move(result.work), asStep]() -> Finish {
+        return [finish = work(), asStep] { return asStep(finish); };
+    };
+    return result;
+}
+
 } // namespace
 
-bool hasFunction(app::CommandId id) { return functions()[static_cast<std::size_t>(id)] != nullptr; }
+bool hasFunction(app::CommandId id) { return id == app::CommandId::Also || functionOf(id) != nullptr; }
 
 Result runCommand(std::string_view text, ServerState& state, Host& host) {
-    const std::vector<std::string> words = app::splitWords(text);
-    const app::FoundCommand found = app::findCommand(words);
+    std::vector<std::string> words = app::splitWords(text);
+    app::FoundCommand found = app::findCommand(words);
+    const bool goesOn = found.command->id == app::CommandId::Also;
+    if (goesOn) {
+        app::checkArguments(*found.command, std::span(words).subspan(found.words));
+        words.erase(words.begin());
+        found = app::findCommand(words);
+        if (!found.command->edits)
+            throw app::UsageError("also is for edits; " + std::string(found.command->name) + " is none");
+    }
     const app::CommandSpec& command = *found.command;
     if (command.runner != app::Runner::Server)
         throw app::UsageError(std::string(command.name) + " is what CUI does itself, not the server");
     const std::span<const std::string> arguments = std::span(words).subspan(found.words);
     app::checkArguments(command, arguments);
     if (command.needsScene && !state.ready()) return {.when = ReplyWhen::Again};
-    return functions()[static_cast<std::size_t>(command.id)]({state, host, arguments});
+    const Call call{state, host, arguments};
+    return command.edits ? runEdit(call, command, goesOn) : functionOf(command.id)(call);
 }
 
 app::CommandEffect effectOf(std::string_view text) {

@@ -84,6 +84,7 @@ void ServerState::show(std::unique_ptr<World> world) {
     camera_ = player_->camera();
     scene_ = std::make_shared<const rtcore::Scene>(std::move(scene));
     revisions_.note(rtcore::Changes::all());
+    history_.clear();
     if (first && options_.path) play(std::make_unique<Playback>(*options_.path));
 }
 
@@ -182,6 +183,40 @@ void ServerState::setEnvironment(int environment) {
         refuseNumber("environment", environment, edited.environments.size());
     edited.activeEnvironment = environment;
     publish(std::move(edited));
+}
+
+void ServerState::keepStep(std::string label, Shown before, bool goesOn) {
+    history_.add({std::move(label), std::move(before), shown()}, goesOn);
+}
+
+// Windows change the size as well: it goes back only where it still is what the step made it.
+void ServerState::makeOf(const EditStep& step, const Shown& from, const Shown& to) {
+    if (changesSettings(step)) {
+        rtcore::RenderSettings settings = to.settings;
+        if (settings_.width != from.settings.width || settings_.height != from.settings.height) {
+            settings.width = settings_.width;
+            settings.height = settings_.height;
+        }
+        setSettings(settings);
+    }
+    if (changesScene(step)) publish(rtcore::Scene(*to.scene));
+    if (changesCamera(step)) setCamera(to.camera);
+}
+
+std::string ServerState::undo() {
+    const EditStep* const step = history_.last();
+    if (step == nullptr) throw std::runtime_error("there is nothing to undo");
+    makeOf(*step, step->after, step->before);
+    history_.moveBack();
+    return step->label;
+}
+
+std::string ServerState::redo() {
+    const EditStep* const step = history_.next();
+    if (step == nullptr) throw std::runtime_error("there is nothing to redo");
+    makeOf(*step, step->before, step->after);
+    history_.moveForth();
+    return step->label;
 }
 
 void ServerState::turn(double right, double upwards) {

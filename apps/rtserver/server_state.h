@@ -1,6 +1,7 @@
 /// The state that the server shows: scene, camera, settings, lights. Knows nothing of clients and frames.
 #pragma once
 
+#include "rtserver/edit_history.h"
 #include "rtserver/keyboard.h"
 #include "rtserver/messages.h"
 #include "rtserver/playback.h"
@@ -94,6 +95,17 @@ class ServerState {
     void switchLight(int light, std::optional<bool> on); ///< nothing: the other way round
     void setEnvironment(int environment);
 
+    /// What edits change.
+    Shown shown() const { return {scene_, settings_, camera_}; }
+    /// What changed since shown() was `before` is one step that can be taken back. `label` and `goesOn`: as
+    /// in EditHistory.
+    void keepStep(std::string label, Shown before, bool goesOn = false);
+    /// The last step taken back, or made again; they return its label. Throw std::runtime_error where there
+    /// is none, and what setSettings() throws.
+    std::string undo();
+    std::string redo();
+    const EditHistory& history() const { return history_; }
+
     /// Lets what was pressed act for the time since the last call, and then hands in what is pressed now.
     /// Throws FileError when the path that is played cannot be read.
     void move(std::chrono::nanoseconds time, const ipc::KeyState& clientKeys);
@@ -137,6 +149,7 @@ class ServerState {
     rtcore::RenderSettings settingsOf(const World& world, const rtcore::CameraFile* camera) const;
     void publish(rtcore::Scene edited);
     void takeSettings(const rtcore::RenderSettings& settings);
+    void makeOf(const EditStep& step, const Shown& from, const Shown& to);
     void takeCamera();
 
     void advance(std::chrono::nanoseconds step);
@@ -160,6 +173,7 @@ class ServerState {
     rtcore::Camera camera_;
     rtcore::KeyBindings bindings_;
     rtcore::RenderSettings settings_;
+    EditHistory history_;
     int bloom_; ///< its radius when it is switched on
     Keyboard keyboard_;
     std::bitset<ipc::kMaxKeys> clientKeys_;

@@ -67,7 +67,9 @@ void ServerState::apply(const rtcore::ActionTap& tap) {
     } else if (tap.action == rtcore::Action::ToggleWalk) {
         toggleWalking();
     } else if (tap.action == rtcore::Action::ToggleBloom) {
+        const Shown before = shown();
         switchBloom(settings_.bloom.radius == 0);
+        keepStep("bloom", before);
         messages_.tell(settings_.bloom.radius == 0 ? "bloom off" : "bloom on");
     } else if (tap.action == rtcore::Action::ToggleLight) {
         toggleLight(tap.number - 1);
@@ -90,7 +92,9 @@ void ServerState::toggleLight(int light) {
     const std::string name = fmt::format("light {}", light + 1);
     if (light < 0 || std::cmp_greater_equal(light, scene_->lights.size()))
         return messages_.tell("there is no " + name);
+    const Shown before = shown();
     switchLight(light, std::nullopt);
+    keepStep(name, before);
     messages_.tell(name + (scene_->lights[static_cast<std::size_t>(light)].on != 0 ? " on" : " off"));
 }
 
@@ -98,7 +102,9 @@ void ServerState::chooseEnvironment(int environment) {
     const std::string name = fmt::format("environment {}", environment + 1);
     if (environment < 0 || std::cmp_greater_equal(environment, scene_->environments.size()))
         return messages_.tell("there is no " + name);
+    const Shown before = shown();
     setEnvironment(environment);
+    keepStep(name, before);
     messages_.tell(name);
 }
 

@@ -1,4 +1,4 @@
-// Commands for what is rendered and how well: settings, lights, environments.
+// Commands for what is rendered and how well: settings, lights, environments; and what takes edits back.
 #include "rtserver/command_call.h"
 #include "rtserver/state_report_of.h"
 
@@ -39,6 +39,19 @@ Result resolution(const Call& call) {
 Result get(const Call& call) {
     return {.answer = rtcore::settingText(rtcore::getSetting(call.state.settings(), call[0]))};
 }
+
+// The size follows windows and has no usual value.
+Result defaults(const Call& call) {
+    const rtcore::RenderSettings& now = call.state.settings();
+    rtcore::RenderSettings settings;
+    settings.width = now.width;
+    settings.height = now.height;
+    call.state.setSettings(settings);
+    return {};
+}
+
+Result undo(const Call& call) { return {.answer = call.state.undo()}; }
+Result redo(const Call& call) { return {.answer = call.state.redo()}; }
 
 Result settings(const Call& call) {
     std::string text;
@@ -97,8 +110,11 @@ Result state(const Call& call) {
 constexpr std::array kFunctions{
     CommandFunction{app::CommandId::Set, set},
     CommandFunction{app::CommandId::Get, get},
+    CommandFunction{app::CommandId::Defaults, defaults},
     CommandFunction{app::CommandId::Settings, settings},
     CommandFunction{app::CommandId::State, state},
+    CommandFunction{app::CommandId::Undo, undo},
+    CommandFunction{app::CommandId::Redo, redo},
     CommandFunction{app::CommandId::Resolution, resolution},
     CommandFunction{app::CommandId::Bloom, bloom},
     CommandFunction{app::CommandId::Light, light},

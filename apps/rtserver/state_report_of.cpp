@@ -49,6 +49,10 @@ app::StateReport stateReportOf(const ServerState& state) {
                             .camera = state.camera(),
                             .settings = rtcore::settingAssignments(state.settings(), true)};
     report.camera.nameOffset = 0;
+    const EditHistory& history = state.history();
+    if (history.last() != nullptr) report.undo = history.last()->label;
+    if (history.next() != nullptr) report.redo = history.next()->label;
+    report.edits = static_cast<int>(history.position());
     return report;
 }
 

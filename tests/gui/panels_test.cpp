@@ -4,6 +4,8 @@
 
 #include "gui/main_window.h"
 #include "gui/models/bookmark_store.h"
+#include "gui/models/edit_labels.h"
+#include "gui/models/setting_labels.h"
 #include "gui/operations/actions.h"
 #include "gui/operations/look_operations.h"
 #include "gui/panels/bookmarks_panel.h"
@@ -14,6 +16,8 @@
 #include "gui/view/frame_view.h"
 #include "gui/view/input_capture.h"
 #include "gui/view/notice_bar.h"
+
+#include "common/commands/command_table.h"
 
 #include "rtcore/settings/settings_table.h"
 
@@ -137,7 +141,7 @@ TEST_F(PanelsTest, ManyStepsInAMomentAreOneStepBack) {
     ASSERT_TRUE(comes([&] {
         return window->editor().state().settings[QStringLiteral("maxDepth")] == QLatin1String("25");
     }));
-    EXPECT_EQ(window->editor().undoStack().count(), 1);
+    ASSERT_TRUE(comes([&] { return window->editor().state().edits == 1; }));
     action(ActionId::Undo)->trigger();
     EXPECT_TRUE(becomes("maxDepth", "5"));
 }
@@ -213,7 +217,50 @@ TEST_F(PanelsTest, AChangeBySomebodyElseShowsUp) {
         runProgram(programPath("CUI"), {"--instance=" + instance.name(), "set", "antialiasing", "2"});
     ASSERT_EQ(done.exitCode, 0) << done.error;
     EXPECT_TRUE(comes([&] { return field<QSpinBox>("antialiasing").value() == 2; }));
-    EXPECT_EQ(window->editor().undoStack().count(), 0) << "not ours to take back";
+    ASSERT_TRUE(comes([&] { return action(ActionId::Undo)->isEnabled(); }));
+    EXPECT_EQ(action(ActionId::Undo)->text(), QStringLiteral("&Undo: Anti-aliasing"));
+    action(ActionId::Undo)->trigger();
+    EXPECT_TRUE(becomes("antialiasing", "1"));
+    EXPECT_TRUE(
+        comes([&] { return action(ActionId::Redo)->text() == QStringLiteral("Re&do: Anti-aliasing"); }));
+}
+
+TEST_F(PanelsTest, WhatAKeyDidIsTakenBackAsWell) {
+    open();
+    QTest::keyClick(&window->view(), Qt::Key_2);
+    ASSERT_TRUE(comes([&] { return !window->editor().state().lights[1].on; }));
+    ASSERT_TRUE(comes([&] { return action(ActionId::Undo)->text() == QStringLiteral("&Undo: light 2"); }));
+    action(ActionId::Undo)->trigger();
+    EXPECT_TRUE(comes([&] { return window->editor().state().lights[1].on; }));
+    EXPECT_TRUE(comes([&] { return !action(ActionId::Undo)->isEnabled(); }));
+}
+
+TEST_F(PanelsTest, StepsOfTheWindowAndOfTheServerAreTakenBackInTheirOrder) {
+    open();
+    action(ActionId::AddBookmark)->trigger();
+    ASSERT_TRUE(comes([&] { return bookmarks().list().count() == 1; }));
+    lights().light(0)->click();
+    ASSERT_TRUE(comes([&] { return window->editor().state().edits == 1; }));
+    emit bookmarks().deleteWanted(0);
+    ASSERT_EQ(bookmarks().list().count(), 0);
+    field<QCheckBox>("shadows").click();
+    ASSERT_TRUE(comes([&] { return window->editor().state().edits == 2; }));
+    action(ActionId::Undo)->trigger();
+    EXPECT_TRUE(becomes("shadows", "true"));
+    EXPECT_EQ(bookmarks().list().count(), 0);
+    ASSERT_TRUE(comes([&] { return window->editor().state().edits == 1; }));
+    action(ActionId::Undo)->trigger();
+    EXPECT_EQ(bookmarks().list().count(), 1);
+    EXPECT_FALSE(window->editor().state().lights[0].on);
+    action(ActionId::Undo)->trigger();
+    ASSERT_TRUE(comes([&] { return window->editor().state().lights[0].on; }));
+    EXPECT_FALSE(action(ActionId::Undo)->isEnabled());
+    action(ActionId::Redo)->trigger();
+    ASSERT_TRUE(comes([&] { return !window->editor().state().lights[0].on; }));
+    action(ActionId::Redo)->trigger();
+    EXPECT_EQ(bookmarks().list().count(), 0);
+    action(ActionId::Redo)->trigger();
+    EXPECT_TRUE(becomes("shadows", "false"));
 }
 
 TEST_F(PanelsTest, WhatTheServerRefusesIsToldAndGoesBack) {
@@ -314,8 +361,9 @@ TEST_F(PanelsTest, PlacementsAreTakenBackWithAllThatTheFileBrought) {
     open();
     const QString before = camera();
     writeCamera(folder() / "view.cam", 1.5, "antialiasing = 2\nexposure = 0.75\nlights = [false, true]\n");
-    window->editor().place(command::loadCamera(file("view.cam").toStdString()), QStringLiteral("import"));
+    window->editor().edit(command::loadCamera(file("view.cam").toStdString()));
     ASSERT_TRUE(comes([&] { return action(ActionId::Undo)->isEnabled(); }));
+    EXPECT_EQ(action(ActionId::Undo)->text(), QStringLiteral("&Undo: camera view"));
     EXPECT_EQ(served("antialiasing"), QStringLiteral("2"));
     action(ActionId::Undo)->trigger();
     EXPECT_TRUE(becomes("antialiasing", "1"));
@@ -345,7 +393,7 @@ TEST_F(PanelsTest, APastedCameraBringsWhatItsTextNamesAndIsTakenBack) {
     QGuiApplication::clipboard()->setText(QStringLiteral("eye = 3"));
     action(ActionId::PasteCamera)->trigger();
     EXPECT_EQ(camera(), before);
-    EXPECT_FALSE(action(ActionId::Undo)->isEnabled());
+    EXPECT_TRUE(comes([&] { return !action(ActionId::Undo)->isEnabled(); }));
 }
 
 TEST_F(PanelsTest, ResetShowsTheScenesOwnView) {
@@ -373,7 +421,7 @@ TEST_F(PanelsTest, ADoubleClickLooksThere) {
     EXPECT_TRUE(comes([&] { return (window->session().status().view.forward - wanted).length() < 1e-5F; }));
     EXPECT_EQ(window->session().status().view.eye, view.eye);
     ASSERT_TRUE(comes([&] { return action(ActionId::Undo)->isEnabled(); }));
-    EXPECT_EQ(window->editor().undoStack().count(), 1);
+    EXPECT_TRUE(comes([&] { return window->editor().state().edits == 1; }));
     action(ActionId::Undo)->trigger();
     EXPECT_TRUE(comes([&] { return camera() == before; }));
 }
@@ -405,44 +453,41 @@ TEST(LookTest, TheDirectionThroughACornerHasTheAngleOfTheField) {
     EXPECT_LT((top - QVector3D(1, 0.5F, 0).normalized()).length(), 1e-6F);
 }
 
-TEST(SceneStateTest, AnswersAreReadAndDifferencesAreCommands) {
+TEST(SceneStateTest, AnswersAreRead) {
     const QString answer = QStringLiteral("version = 1\nscene = \"/a/b.scn\"\n"
+                                          "undo = \"set exposure.key\"\nredo = \"\"\nedits = 4\n"
                                           "[lights]\non = [true, false]\nnames = [\"sun and moon\", \"\"]\n"
                                           "[environments]\non = [true, false]\nnames = [\"day\", \"night\"]\n"
                                           "[camera]\neye = [1.0, 2.0, 3.0]\nforward = [0.0, 0.0, -1.0]\n"
                                           "[settings]\nbloom = 0\nexposure.key = 0.18\n");
-    const std::optional<Placement> read = readPlacement(answer);
+    const std::optional<StateAnswer> read = readState(answer);
     ASSERT_TRUE(read);
-    EXPECT_FALSE(readPlacement(QStringLiteral("version = 1\n")));
+    EXPECT_FALSE(readState(QStringLiteral("version = 1\n")));
     EXPECT_EQ(read->scene, QStringLiteral("/a/b.scn"));
-    EXPECT_EQ(read->camera.eye, (rtcore::Vec3{1, 2, 3}));
-    const SceneState from = read->state;
-    EXPECT_EQ(from.settings.value(QStringLiteral("exposure.key")), QStringLiteral("0.18"));
-    EXPECT_EQ(from.lights, (QList<NamedSwitch>{{true, QStringLiteral("sun and moon")}, {false, {}}}));
-    EXPECT_EQ(from.environments,
+    const SceneState& state = read->state;
+    EXPECT_EQ(state.settings.value(QStringLiteral("exposure.key")), QStringLiteral("0.18"));
+    EXPECT_EQ(state.lights, (QList<NamedSwitch>{{true, QStringLiteral("sun and moon")}, {false, {}}}));
+    EXPECT_EQ(state.environments,
               (QList<NamedSwitch>{{true, QStringLiteral("day")}, {false, QStringLiteral("night")}}));
-    SceneState to = from;
-    EXPECT_TRUE(commandsBetween(from, to).empty());
-    to.settings[QStringLiteral("bloom")] = QStringLiteral("16");
-    to.lights[1].on = true;
-    to.environments[0].on = false;
-    to.environments[1].on = true;
-    EXPECT_EQ(commandsBetween(from, to),
-              (std::vector<std::string>{"set bloom 16", "light 2 on", "environment 2"}));
+    EXPECT_EQ(state.undo, QStringLiteral("set exposure.key"));
+    EXPECT_EQ(state.edits, 4);
 }
 
-TEST(SceneStateTest, ACameraFileBringsWhatItNames) {
-    SceneState state;
-    state.settings[QStringLiteral("antialiasing")] = QStringLiteral("1");
-    state.lights = {{true, {}}, {true, {}}};
-    const auto file = readCameraText(QStringLiteral(
-        "version = 1\neye = [0, 0, 0]\nforward = [0, 0, -1]\nantialiasing = 2\nexposure = 0.75\n"
-        "lights = [false]\nenvironment = 3\n"));
-    ASSERT_TRUE(file);
-    EXPECT_FALSE(readCameraText(QStringLiteral("eye = [0, 0, 0]")));
-    EXPECT_EQ(commandsBetween(state, withCameraFile(state, *file)),
-              (std::vector<std::string>{"set antialiasing 2", "set exposure.mode fixed",
-                                        "set exposure.value 0.75", "light 1 off"}));
+TEST(EditLabelTest, SaysWhatIsTakenBack) {
+    EXPECT_EQ(editLabel({}), QString());
+    EXPECT_EQ(editLabel(QStringLiteral("set exposure.key")), settingLabel("exposure.key"));
+    EXPECT_EQ(editLabel(QStringLiteral("light 2")), QStringLiteral("light 2"));
+    EXPECT_EQ(editLabel(QStringLiteral("load camera \"by the altar\"")),
+              QStringLiteral("camera by the altar"));
+    EXPECT_EQ(editLabel(QStringLiteral("camera turn")), QStringLiteral("look there"));
+    EXPECT_EQ(editLabel(QStringLiteral("fold the room")), QStringLiteral("fold the room"));
+}
+
+TEST(EditLabelTest, EveryEditOfTheTableHasOne) {
+    for (const app::CommandSpec& command : app::commandTable()) {
+        if (!command.edits || command.id == app::CommandId::Set) continue;
+        EXPECT_FALSE(editText(command.id).isEmpty()) << command.name;
+    }
 }
 
 } // namespace

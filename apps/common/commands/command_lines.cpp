@@ -62,7 +62,11 @@ std::string set(const std::string& name, const std::string& value) {
     return line(CommandId::Set, name, value);
 }
 
+std::string defaults() { return line(CommandId::Defaults); }
 std::string state() { return line(CommandId::State); }
+std::string undo() { return line(CommandId::Undo); }
+std::string redo() { return line(CommandId::Redo); }
+std::string also(const std::string& edit) { return line(CommandId::Also) + ' ' + edit; }
 std::string light(int number, bool on) { return line(CommandId::Light, number, on ? "on" : "off"); }
 std::string environment(int number) { return line(CommandId::Environment, number); }
 
@@ -80,6 +84,7 @@ std::string cameraSet(const std::array<float, 3>& eye, const std::array<float, 3
 
 std::string cameraTurn(double right, double up) { return line(CommandId::CameraTurn, right, up); }
 std::string cameraReset() { return line(CommandId::CameraReset); }
+std::string cameraPaste(const std::string& text) { return line(CommandId::CameraPaste, text); }
 std::string focus(double right, double down) { return line(CommandId::Focus, right, down); }
 std::string speed(double factor) { return line(CommandId::Speed, factor); }
 std::string walk() { return line(CommandId::Walk); }

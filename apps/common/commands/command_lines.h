@@ -30,7 +30,12 @@ std::string messages(std::uint32_t known);
 
 std::string resolution(int width, int height);
 std::string set(const std::string& name, const std::string& value);
+std::string defaults();
 std::string state();
+std::string undo();
+std::string redo();
+/// A line of one that edits, as part of the last edit.
+std::string also(const std::string& line);
 std::string light(int number, bool on); ///< from 1
 std::string environment(int number);    ///< from 1
 
@@ -41,7 +46,8 @@ std::string cameraSet(const std::array<float, 3>& eye, const std::array<float, 3
                       std::optional<float> fieldOfView = {});
 std::string cameraTurn(double right, double up); ///< degrees
 std::string cameraReset();
-std::string focus(double right, double down); ///< 0..1
+std::string cameraPaste(const std::string& text); ///< of a .cam file
+std::string focus(double right, double down);     ///< 0..1
 std::string speed(double factor);
 std::string walk();
 

@@ -183,6 +183,7 @@ std::vector<CommandSpec> settingCommands() {
          .name = "set",
          .arguments = {text("NAME", Setting), text("VALUE", SettingValue)},
          .effect = Changes,
+         .edits = true,
          .help = "change a setting",
          .more = "`Renderer --settings` lists them"},
         {.id = CommandId::Get,
@@ -190,12 +191,32 @@ std::vector<CommandSpec> settingCommands() {
          .arguments = {text("NAME", Setting)},
          .effect = Tells,
          .help = "print a setting"},
+        {.id = CommandId::Defaults,
+         .name = "defaults",
+         .edits = true,
+         .help = "all settings as they are by default, but the image's size"},
         {.id = CommandId::Settings, .name = "settings", .effect = Tells, .help = "print all settings"},
         {.id = CommandId::State,
          .name = "state",
          .effect = Tells,
          .help = "print scene, camera, settings, lights and environment maps at once, for programs",
          .more = "As TOML, see [protocol.md](protocol.md)"},
+    };
+}
+
+std::vector<CommandSpec> editCommands() {
+    return {
+        {.id = CommandId::Undo,
+         .name = "undo",
+         .help = "take the last edit back, whichever client or key made it, and print what it was",
+         .more = "Edits are what changes settings, lights and environment, and commands that place the "
+                 "camera; flying and walking are none. The last 500 are kept until another scene is shown"},
+        {.id = CommandId::Redo, .name = "redo", .help = "make the edit again that was taken back"},
+        {.id = CommandId::Also,
+         .name = "also",
+         .arguments = {text("COMMAND"), manyOf(text("ARGUMENT"))},
+         .help = "run a command as part of the last edit, if that was of the same thing: one step of undo",
+         .more = "`also set bloom.radius 8`: a value that follows a hand"},
     };
 }
 
@@ -209,6 +230,7 @@ std::vector<CommandSpec> cameraCommands() {
          .name = "camera set",
          .arguments = numbers({"EX", "EY", "EZ", "FX", "FY", "FZ"}) + Arguments{fieldOfView()} + upright(),
          .effect = Changes,
+         .edits = true,
          .help = "look from E into the direction F, with U upwards",
          .more = "FOV, in degrees, is that of an image of that ASPECT, or of any image; with perspective. "
                  "Without FOV that stays as it is"},
@@ -217,25 +239,36 @@ std::vector<CommandSpec> cameraCommands() {
          .arguments =
              numbers({"EX", "EY", "EZ", "FX", "FY", "FZ"}) + Arguments{between("WIDTH", 0, 1e18)} + upright(),
          .effect = Changes,
+         .edits = true,
          .help = "the same without perspective; WIDTH of the scene from the left edge to the right one"},
         {.id = CommandId::CameraLookAt,
          .name = "camera look-at",
          .arguments = numbers({"EX", "EY", "EZ", "TX", "TY", "TZ"}) + Arguments{fieldOfView()},
          .effect = Changes,
+         .edits = true,
          .help = "look from E to the point T"},
         {.id = CommandId::CameraTurn,
          .name = "camera turn",
          .arguments = {number("RIGHT", -360, 360), number("UP", -360, 360)},
          .effect = Changes,
+         .edits = true,
          .help = "turn by these angles, degrees"},
         {.id = CommandId::CameraReset,
          .name = "camera reset",
          .effect = Changes,
+         .edits = true,
          .help = "look as the scene itself says"},
+        {.id = CommandId::CameraPaste,
+         .name = "camera paste",
+         .arguments = {text("TEXT")},
+         .edits = true,
+         .help = "look through a camera that is given as the text of a .cam file",
+         .more = "As `load camera` does by its file"},
         {.id = CommandId::Focus,
          .name = "focus",
          .arguments = {number("X", 0, 1), number("Y", 0, 1)},
          .effect = Changes,
+         .edits = true,
          .help = "focus a lens on what is there, 0..1 from the left and from the top, and print its distance",
          .more = "That is the setting `depthOfField.focus` then. Fails where nothing is seen"},
         {.id = CommandId::Speed,
@@ -259,6 +292,7 @@ std::vector<CommandSpec> fileCommands() {
          .name = "load camera",
          .arguments = {path({"cam"})},
          .effect = Changes,
+         .edits = true,
          .help = "look through a .cam file"},
         {.id = CommandId::LoadScene,
          .name = "load scene",
@@ -272,6 +306,7 @@ std::vector<CommandSpec> fileCommands() {
          .name = "load set",
          .arguments = {path({"set"})},
          .effect = Changes,
+         .edits = true,
          .help = "take the table [live] of a .set file over"},
         {.id = CommandId::ExportCamera,
          .name = "export camera",
@@ -324,17 +359,20 @@ std::vector<CommandSpec> lightCommands() {
          .name = "bloom",
          .arguments = {choice("on|off")},
          .effect = Changes,
+         .edits = true,
          .help = "bloom around bright spots",
          .more = "As strong as it was"},
         {.id = CommandId::Light,
          .name = "light",
          .arguments = {whole("N", 1), choice("on|off|toggle")},
          .effect = Changes,
+         .edits = true,
          .help = "switch a light; the first one is 1, as on the keys"},
         {.id = CommandId::Environment,
          .name = "environment",
          .arguments = {whole("N", 1)},
          .effect = Changes,
+         .edits = true,
          .help = "choose an environment map; the first one is 1"},
         {.id = CommandId::Lights,
          .name = "lights",
@@ -398,8 +436,8 @@ std::vector<CommandSpec> keyCommands() {
 std::span<const CommandSpec> commandTable() {
     static const std::vector<CommandSpec> table = [] {
         std::vector<CommandSpec> all;
-        for (const auto& group : {shellCommands(), serverCommands(), settingCommands(), cameraCommands(),
-                                  fileCommands(), lightCommands(), keyCommands()})
+        for (const auto& group : {shellCommands(), serverCommands(), settingCommands(), editCommands(),
+                                  cameraCommands(), fileCommands(), lightCommands(), keyCommands()})
             all.insert(all.end(), group.begin(), group.end());
         return all;
     }();

@@ -33,14 +33,19 @@ enum class CommandId {
     Resolution,
     Set,
     Get,
+    Defaults,
     Settings,
     State,
+    Undo,
+    Redo,
+    Also,
     CameraGet,
     CameraSet,
     CameraOrthographic,
     CameraLookAt,
     CameraTurn,
     CameraReset,
+    CameraPaste,
     Focus,
     Speed,
     Walk,
@@ -117,6 +122,7 @@ struct CommandSpec {
     std::vector<CommandArgument> arguments = {};
     CommandEffect effect = CommandEffect::Changes;
     Runner runner = Runner::Server;
+    bool edits = false;         ///< what it changes is one step of `undo`
     bool needsScene = true;     ///< waits until there is one; of the server's
     std::string_view help;      ///< sentence without a full stop, for --help
     std::string_view more = {}; ///< further sentences for the manual, which has code in backquotes

@@ -15,6 +15,7 @@ namespace app {
 namespace {
 
 const std::string kName = "the server's state"; // in errors
+constexpr int kMost = 1'000'000'000;
 
 /// What of a list is told.
 struct Extent {
@@ -39,6 +40,9 @@ std::string format(const StateReport& state, const Extent& extent) {
     rtcore::TomlWriter writer;
     writer.add("version", 1);
     writer.add("scene", rtcore::printable(state.scene));
+    writer.add("undo", rtcore::printable(state.undo));
+    writer.add("redo", rtcore::printable(state.redo));
+    writer.add("edits", state.edits);
     write(writer, "lights", state.lights, extent);
     write(writer, "environments", state.environments, extent);
     writer.section("[camera]");
@@ -78,6 +82,9 @@ StateReport parseStateReport(std::string_view text) {
     root.checkVersion();
     StateReport state;
     state.scene = root.require("scene", root.text("scene"));
+    state.undo = root.require("undo", root.text("undo"));
+    state.redo = root.require("redo", root.text("redo"));
+    state.edits = root.require("edits", root.integer("edits", 0, kMost));
     state.lights = read(root, "lights");
     state.environments = read(root, "environments");
     rtcore::StrictTable camera = root.require("camera", root.table("camera"));

@@ -23,6 +23,8 @@ struct StateReport {
     std::vector<NamedSwitch> environments;           ///< at most one is on
     rtcore::Camera camera;                           ///< nameOffset is 0
     std::vector<rtcore::SettingAssignment> settings; ///< all of them
+    std::string undo = {}, redo = {};                ///< what these would do; "": there is nothing
+    int edits = 0;                                   ///< made and not taken back, since the scene was loaded
     friend bool operator==(const StateReport&, const StateReport&) = default;
 };
 

@@ -122,7 +122,7 @@ void BookmarkOperations::go(int row) {
     if (row < 0 || row >= all.size()) return context_.view.tell(tr("There is no bookmark %1.").arg(row + 1));
     const Bookmark bookmark = all[row];
     const std::string line = command::loadCamera(store_.cameraPath(bookmark).toStdString());
-    context_.editor.place(line, bookmark.name, [this, bookmark](const Answer& answer) {
+    context_.editor.edit(line, [this, bookmark](const Answer& answer) {
         if (answer.done) return context_.view.tell(bookmark.name);
         tellTrouble(answer.text);
         refill(); // the file may have been removed
@@ -138,7 +138,7 @@ void BookmarkOperations::rename(int row, const QString& name) {
 void BookmarkOperations::remove(int row) {
     const QList<Bookmark> all = store_.list();
     if (row < 0 || row >= all.size()) return;
-    context_.editor.undoStack().push(new Deletion(store_, all[row], [this](const QString& trouble) {
+    context_.editor.doOwn(new Deletion(store_, all[row], [this](const QString& trouble) {
         tellTrouble(trouble);
         refill();
     }));

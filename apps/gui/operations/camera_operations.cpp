@@ -77,10 +77,9 @@ void CameraOperations::importCamera() {
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         context_.preferences.set(pref::cameraFolder, QFileInfo(path).absolutePath());
-        context_.editor.place(command::loadCamera(path.toStdString()),
-                              tr("import %1").arg(QFileInfo(path).fileName()), [this](const Answer& answer) {
-                                  if (!answer.done) context_.notice.explain(answer.text, {});
-                              });
+        context_.editor.edit(command::loadCamera(path.toStdString()), [this](const Answer& answer) {
+            if (!answer.done) context_.notice.explain(answer.text, {});
+        });
     });
     dialog->open();
 }
@@ -118,11 +117,10 @@ void CameraOperations::copy() {
 }
 
 void CameraOperations::paste() {
-    context_.editor.placeByText(QGuiApplication::clipboard()->text(), tr("paste camera"),
-                                [this](const Answer& answer) {
-                                    context_.view.tell(answer.done ? tr("The camera was pasted.")
-                                                                   : tr("The clipboard holds no camera."));
-                                });
+    const std::string text = QGuiApplication::clipboard()->text().toStdString();
+    context_.editor.edit(command::cameraPaste(text), [this](const Answer& answer) {
+        context_.view.tell(answer.done ? tr("The camera was pasted.") : tr("The clipboard holds no camera."));
+    });
 }
 
 } // namespace gui

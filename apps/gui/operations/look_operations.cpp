@@ -44,11 +44,7 @@ LookOperations::LookOperations(const GuiContext& context, QObject* parent)
     connect(&turn_, &QVariantAnimation::valueChanged, this,
             [this](const QVariant& fraction) { step(fraction.toDouble()); });
     // The user's own movement has precedence.
-    const auto stop = [this] {
-        if (turn_.state() != QAbstractAnimation::Running) return;
-        turn_.stop();
-        if (finish_) std::exchange(finish_, {})();
-    };
+    const auto stop = [this] { turn_.stop(); };
     connect(&input, &InputCapture::keyPressed, this, stop);
     connect(&input, &InputCapture::turned, this, stop);
 }
@@ -56,7 +52,7 @@ LookOperations::LookOperations(const GuiContext& context, QObject* parent)
 void LookOperations::reset() {
     turn_.stop();
     context_.view.showLive();
-    context_.editor.place(command::cameraReset(), tr("reset camera"));
+    context_.editor.edit(command::cameraReset());
 }
 
 void LookOperations::lookAt(const QPointF& position) {
@@ -67,10 +63,8 @@ void LookOperations::lookAt(const QPointF& position) {
         context_.view.showsLive() ? context_.session.frame().size() : context_.view.picture().size();
     from_ = view.forward;
     to_ = directionThrough(view, *point, static_cast<double>(size.width()) / size.height());
-    if (turn_.state() == QAbstractAnimation::Running)
-        turn_.stop();
-    else
-        finish_ = context_.editor.beginPlacement(tr("look there"));
+    turn_.stop();
+    begun_ = false;
     context_.view.showLive();
     turn_.start();
 }
@@ -80,13 +74,12 @@ void LookOperations::focusAt(const QPointF& position) {
     if (!point || !context_.session.live()) return;
     context_.view.showLive();
     const auto fraction = [](double value) { return std::clamp((1 + value) / 2, 0.0, 1.0); };
-    context_.editor.place(command::focus(fraction(point->x()), fraction(-point->y())), tr("focus there"),
-                          [this](const Answer& answer) {
-                              if (answer.done) return;
-                              const bool nothing = answer.text.contains(QLatin1String("nothing"));
-                              context_.view.tell(nothing ? tr("There is nothing there to focus on.")
-                                                         : answer.text);
-                          });
+    const std::string line = command::focus(fraction(point->x()), fraction(-point->y()));
+    context_.editor.edit(line, [this](const Answer& answer) {
+        if (answer.done) return;
+        const bool nothing = answer.text.contains(QLatin1String("nothing"));
+        context_.view.tell(nothing ? tr("There is nothing there to focus on.") : answer.text);
+    });
 }
 
 // Steps that the server is too slow for are left out; the last one never is.
@@ -99,13 +92,13 @@ void LookOperations::step(double fraction) {
 
 void LookOperations::send(const QVector3D& direction, bool last) {
     const QVector3D eye = context_.session.status().view.eye;
+    const std::string line = command::cameraSet(numbersOf(eye), numbersOf(direction));
     underWay_ = true;
-    context_.session.send(command::cameraSet(numbersOf(eye), numbersOf(direction)), this,
-                          [this, last](const Answer& answer) {
-                              underWay_ = false;
-                              if (!answer.done && last) context_.notice.explain(answer.text, {});
-                              if (last && finish_) std::exchange(finish_, {})();
-                          });
+    context_.editor.edit(std::exchange(begun_, true) ? command::also(line) : line,
+                         [this, last](const Answer& answer) {
+                             underWay_ = false;
+                             if (!answer.done && last) context_.notice.explain(answer.text, {});
+                         });
 }
 
 } // namespace gui

@@ -7,8 +7,6 @@
 #include <QVariantAnimation>
 #include <QVector3D>
 
-#include <functional>
-
 class QPointF;
 
 namespace gui {
@@ -36,7 +34,7 @@ class LookOperations : public QObject {
     QVariantAnimation turn_;
     QVector3D from_, to_;
     bool underWay_ = false;
-    std::function<void()> finish_;
+    bool begun_ = false; ///< the first step was sent
 };
 
 } // namespace gui

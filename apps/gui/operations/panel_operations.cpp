@@ -52,9 +52,6 @@ QDockWidget* addPanel(const GuiContext& context, QWidget* panel, const QString& 
     auto* back = new QShortcut(Qt::Key_Escape, dock, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
     QObject::connect(back, &QShortcut::activated, &context.view, qOverload<>(&QWidget::setFocus));
     QObject::connect(dock->toggleViewAction(), &QAction::toggled, toggle, &QAction::setChecked);
-    SceneEditor* editor = &context.editor;
-    QObject::connect(dock, &QDockWidget::visibilityChanged, editor,
-                     [editor, panel](bool visible) { editor->watch(panel, visible); });
     return dock;
 }
 
@@ -91,23 +88,22 @@ void PanelOperations::addLights() {
 }
 
 void PanelOperations::addUndo() {
-    QUndoStack& stack = context_.editor.undoStack();
-    context_.actions.on(ActionId::Undo, [&stack] { stack.undo(); });
-    context_.actions.on(ActionId::Redo, [&stack] { stack.redo(); });
-    connect(&stack, &QUndoStack::indexChanged, this, &PanelOperations::showUndo);
+    SceneEditor& editor = context_.editor;
+    context_.actions.on(ActionId::Undo, [&editor] { editor.undo(); });
+    context_.actions.on(ActionId::Redo, [&editor] { editor.redo(); });
+    connect(&editor, &SceneEditor::stateChanged, this, &PanelOperations::showUndo);
     showUndo();
 }
 
 void PanelOperations::showUndo() {
-    const QUndoStack& stack = context_.editor.undoStack();
-    const auto show = [&](ActionId id, bool can, const QString& what) {
+    const auto show = [&](ActionId id, const QString& what) {
         QAction* action = context_.actions[id];
-        action->setEnabled(can);
+        action->setEnabled(!what.isEmpty());
         const QString text = actionText(actionRow(id));
         action->setText(what.isEmpty() ? text : tr("%1: %2").arg(text, what));
     };
-    show(ActionId::Undo, stack.canUndo(), stack.undoText());
-    show(ActionId::Redo, stack.canRedo(), stack.redoText());
+    show(ActionId::Undo, context_.editor.undoText());
+    show(ActionId::Redo, context_.editor.redoText());
 }
 
 } // namespace gui

@@ -1,5 +1,5 @@
 /// What the user changes in the scene: settings, lights, environment, the place of the camera. Keeps what the
-/// server says of them, and takes changes back.
+/// server says of them. The server keeps the steps that can be taken back, those of other clients, too.
 #pragma once
 
 #include "gui/models/scene_state.h"
@@ -7,16 +7,14 @@
 
 #include <QElapsedTimer>
 #include <QHash>
+#include <QList>
 #include <QObject>
-#include <QSet>
 #include <QTimer>
 #include <QUndoStack>
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace gui {
 
@@ -30,31 +28,29 @@ class SceneEditor : public QObject {
     const SceneState& state() const { return state_; }
     /// Absolute path of what the server shows; empty while it is not known.
     const QString& scene() const { return scene_; }
-    QUndoStack& undoStack() { return undo_; }
-    /// Asks the server after new frames while at least one panel is visible; each panel says so for itself.
-    void watch(const QObject* user, bool looks);
     void refresh();
 
-    // Each of these can be taken back. What the server refuses is told by refused(), and is not on the stack.
-    /// Of several values for one name in short order the server gets the newest.
+    // What the server refuses is told by refused().
+    /// Of several values for one name in short order the server gets the newest; those of one gesture are one
+    /// step.
     void setSetting(const QString& name, const QString& value);
     void setDefaults();
     void switchLight(int light, bool on);
     void chooseEnvironment(int environment);
-    /// Sends a command that places the camera; `label` for the menu, `done` with the server's answer.
-    void place(const std::string& line, const QString& label, std::function<void(const Answer&)> done = {});
-    /// The same by a .cam file's text. Fails, with nothing changed, when it is none, or when the server
-    /// refuses a part of it.
-    void placeByText(const QString& camera, const QString& label, std::function<void(const Answer&)> done);
-    /// Around changes that are sent elsewhere, such as one movement of many steps: call the result after the
-    /// last one.
-    std::function<void()> beginPlacement(const QString& label);
+    /// Sends a command that edits. `done` gets the server's answer, and tells a refusal itself.
+    void edit(const std::string& line, std::function<void(const Answer&)> done = {});
 
-    // For the undo stack: nothing new comes onto it.
-    void apply(const std::vector<std::string>& lines);
-    void apply(const Placement& from, const Placement& to);
+    /// Take the last step back, or make it again: the window's own or the server's, in their order.
+    void undo();
+    void redo();
+    /// What these would do, as menus say it; empty: there is nothing.
+    QString undoText() const;
+    QString redoText() const;
+    /// Does something of the window's own that can be taken back until another scene is shown.
+    void doOwn(QUndoCommand* step);
 
   signals:
+    /// What undo() and redo() would do included.
     void stateChanged();
     void sceneChanged();
     /// A change of the user's was not taken.
@@ -66,16 +62,11 @@ class SceneEditor : public QObject {
     void ask();
     void take(const SceneState& state, QString scene);
     void sendSetting(const QString& name);
-    void onSetting(const QString& name, const QString& before, const QString& value, const Answer& answer);
-    void change(const SceneState& to, const QString& label);
-    /// What there was before a change; filled when the answer comes, before that to what is sent later.
-    using Before = std::shared_ptr<std::optional<Placement>>;
-    Before askPlacement();
-    void askPlacement(std::function<void(const std::optional<Placement>&)> use);
-    void finishPlacement(const Before& before, const QString& label);
-    void applyCameraFile(const rtcore::CameraFile& file, const Placement& before,
-                         std::function<void(const Answer&)> done);
+    void onSetting(const QString& name, const QString& value, const Answer& answer);
     void onRefusal(const Answer& answer);
+    bool ownIsLast() const;
+    bool ownIsNext() const;
+    void forgetOwn();
 
     struct Sending {
         bool underWay = false;
@@ -85,10 +76,11 @@ class SceneEditor : public QObject {
     Session& session_;
     SceneState state_;
     QString scene_;
-    QUndoStack undo_;
+    QUndoStack own_;
+    QList<int> ownAt_; ///< after so many of the server's edits
     QTimer timer_;
-    QElapsedTimer sinceAsked_;
-    QSet<const QObject*> watchers_;
+    QElapsedTimer sinceAsked_, sinceSet_;
+    QString lastSet_;                 ///< the setting whose gesture may go on
     QHash<QString, Sending> sending_; ///< by name of the setting
     quint64 changes_ = 0;             ///< sent by us: an answer to an older question is out of date
     quint64 askedAt_ = 0;             ///< number of the frame

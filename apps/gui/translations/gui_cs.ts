@@ -77,6 +77,49 @@
     </message>
 </context>
 <context>
+    <name>Edits</name>
+    <message>
+        <source>defaults</source>
+        <translation>výchozí hodnoty</translation>
+    </message>
+    <message>
+        <source>bloom</source>
+        <translation>záře</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>světlo</translation>
+    </message>
+    <message>
+        <source>environment</source>
+        <translation>prostředí</translation>
+    </message>
+    <message>
+        <source>reset camera</source>
+        <translation>výchozí kamera</translation>
+    </message>
+    <message>
+        <source>paste camera</source>
+        <translation>vložit kameru</translation>
+    </message>
+    <message>
+        <source>camera</source>
+        <translation>kamera</translation>
+    </message>
+    <message>
+        <source>settings</source>
+        <translation>nastavení</translation>
+    </message>
+    <message>
+        <source>focus there</source>
+        <translation>zaostřit na místo</translation>
+    </message>
+    <message>
+        <source>look there</source>
+        <translation>pohled na místo</translation>
+    </message>
+</context>
+<context>
     <name>JobPhase</name>
     <message>
         <source>reading the scene</source>
@@ -872,14 +915,6 @@ Alt+%2</translation>
         <source>The clipboard holds no camera.</source>
         <translation>Ve schránce není kamera.</translation>
     </message>
-    <message>
-        <source>import %1</source>
-        <translation>import %1</translation>
-    </message>
-    <message>
-        <source>paste camera</source>
-        <translation>vložit kameru</translation>
-    </message>
 </context>
 <context>
     <name>gui::ConfigureDialog</name>
@@ -1548,18 +1583,6 @@ Alt+%2</translation>
 <context>
     <name>gui::LookOperations</name>
     <message>
-        <source>reset camera</source>
-        <translation>výchozí kamera</translation>
-    </message>
-    <message>
-        <source>look there</source>
-        <translation>pohled na místo</translation>
-    </message>
-    <message>
-        <source>focus there</source>
-        <translation>zaostřit na místo</translation>
-    </message>
-    <message>
         <source>There is nothing there to focus on.</source>
         <translation>Není tam nic, na co by se dalo zaostřit.</translation>
     </message>
@@ -1996,21 +2019,6 @@ Alt+%2</translation>
     <message>
         <source>refined</source>
         <translation>zpřesněno</translation>
-    </message>
-</context>
-<context>
-    <name>gui::SceneEditor</name>
-    <message>
-        <source>defaults</source>
-        <translation>výchozí hodnoty</translation>
-    </message>
-    <message>
-        <source>light</source>
-        <translation>světlo</translation>
-    </message>
-    <message>
-        <source>environment</source>
-        <translation>prostředí</translation>
     </message>
 </context>
 <context>

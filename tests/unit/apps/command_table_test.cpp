@@ -96,7 +96,8 @@ TEST(CommandLookup, TakesTheLongestName) {
 
 TEST(CommandLookup, NamesTheNearest) {
     EXPECT_EQ(refusal("camera"), "'camera' is the beginning of several commands: camera get, camera set, "
-                                 "camera orthographic, camera look-at, camera turn, camera reset");
+                                 "camera orthographic, camera look-at, camera turn, camera reset, "
+                                 "camera paste");
     EXPECT_EQ(refusal("camera trun 1 2"), "unknown command 'camera trun'; did you mean 'camera turn'?");
     EXPECT_EQ(refusal("pong"), "unknown command 'pong'; did you mean 'ping'?");
     EXPECT_EQ(refusal(""), "the command is empty");
@@ -141,6 +142,11 @@ TEST(CommandLines, SuitTheTable) {
         {CommandId::FrameTime, command::frameTime(0)},
         {CommandId::FrameTime, command::frameTime(30)},
         {CommandId::Messages, command::messages(4)},
+        {CommandId::Defaults, command::defaults()},
+        {CommandId::Undo, command::undo()},
+        {CommandId::Redo, command::redo()},
+        {CommandId::Also, command::also(command::set("maxDepth", "3"))},
+        {CommandId::CameraPaste, command::cameraPaste("version = 1\neye = [0, 0, 0]")},
         {CommandId::Resolution, command::resolution(640, 480)},
         {CommandId::Set, command::set("bloom", "3")},
         {CommandId::State, command::state()},

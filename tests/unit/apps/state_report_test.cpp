@@ -13,7 +13,10 @@ app::StateReport sample() {
                            .lights = {{true, "sun"}, {false, ""}},
                            .environments = {{false, "day"}, {true, "night"}},
                            .camera = {},
-                           .settings = rtcore::settingAssignments(rtcore::RenderSettings(), true)};
+                           .settings = rtcore::settingAssignments(rtcore::RenderSettings(), true),
+                           .undo = "set bloom.radius",
+                           .redo = "load camera \"a b\"",
+                           .edits = 3};
     state.camera.eye = {0.1F, 2, 1.0F / 3};
     state.camera.aspect = 1.5F;
     return state;

@@ -1,0 +1,60 @@
+/// The edits of what is shown, step by step, to be taken back and made again.
+#pragma once
+
+#include "rtcore/scene/camera.h"
+#include "rtcore/scene/scene.h"
+#include "rtcore/settings/render_settings.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <string>
+
+namespace rtserver {
+
+/// What edits change, as it is at one moment. Cheap to keep: scenes are immutable and shared.
+struct Shown {
+    std::shared_ptr<const rtcore::Scene> scene;
+    rtcore::RenderSettings settings;
+    rtcore::Camera camera;
+};
+
+struct EditStep {
+    std::string label; ///< the command that does it, without its values: "set maxDepth", "light 2", "load
+                       ///< camera altar"
+    Shown before, after;
+};
+
+/// Of each step, whether it changed the scene, the settings, the camera: what it left alone stays when it is
+/// taken back. A step that changed nothing is none.
+bool changesScene(const EditStep& step);
+bool changesSettings(const EditStep& step);
+bool changesCamera(const EditStep& step);
+
+/// The last 500 steps. A new step takes the place of those that were taken back. One thread.
+class EditHistory {
+  public:
+    /// `goesOn`: it belongs to the last step, if that has the same label: one gesture of many edits.
+    void add(EditStep step, bool goesOn);
+    void clear();
+
+    /// The step that undo takes back, and the one that redo makes again; null: there is none.
+    const EditStep* last() const { return done_ > 0 ? &steps_[done_ - 1] : nullptr; }
+    const EditStep* next() const { return done_ < steps_.size() ? &steps_[done_] : nullptr; }
+    /// That was done. There must be such a step.
+    void moveBack() { --done_; }
+    void moveForth() { ++done_; }
+
+    /// How many steps are made and not taken back, since the last clear().
+    std::uint64_t position() const { return forgotten_ + done_; }
+
+  private:
+    void joinToLast(Shown after);
+
+    std::deque<EditStep> steps_;
+    std::size_t done_ = 0; ///< steps from here on were taken back
+    std::uint64_t forgotten_ = 0;
+};
+
+} // namespace rtserver

@@ -1,0 +1,234 @@
+/// Edits that are taken back and made again, whichever command or key made them.
+#include "command_room.h"
+
+#include "rtserver/edit_history.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace rtserver {
+namespace {
+
+using namespace std::chrono_literals;
+using rtcore::Change;
+using rtcore::Changes;
+
+class Edits : public test::CommandRoom {
+  protected:
+    /// All that edits can change.
+    void expectShown(const Shown& expected) const {
+        EXPECT_EQ(state.scene()->lights, expected.scene->lights);
+        EXPECT_EQ(state.scene()->activeEnvironment, expected.scene->activeEnvironment);
+        EXPECT_EQ(state.settings(), expected.settings);
+        EXPECT_EQ(state.camera(), expected.camera);
+    }
+    void tap(const std::string& key) {
+        answer("key tap " + key);
+        state.move(0ms, {});
+    }
+    decltype(rtcore::LdrImage::pixels) frame() {
+        drawFrame();
+        return host.maker.image().pixels;
+    }
+    void undoAll() {
+        while (state.history().last() != nullptr) answer("undo");
+    }
+};
+
+TEST_F(Edits, AreTakenBackAndMadeAgainOneByOne) {
+    const std::vector<std::pair<std::string, std::string>> edits = {
+        {"set maxDepth 3", "set maxDepth"},
+        {"light 2 off", "light 2"},
+        {"environment 2", "environment 2"},
+        {"bloom on", "bloom"},
+        {"camera set 1 2 3 0 0 -1", "camera set"},
+        {"camera turn 10 5", "camera turn"},
+        {"camera reset", "camera reset"},
+        {"focus 0.5 0.9", "focus"},
+        {"load camera DIR/a.cam", "load camera a"},
+        {"load set DIR/a.set", "load set a"},
+        {"defaults", "defaults"},
+    };
+    std::vector<Shown> states{state.shown()};
+    for (const auto& [line, label] : edits) {
+        answer(line);
+        states.push_back(state.shown());
+        ASSERT_NE(state.history().last(), nullptr) << line;
+        EXPECT_EQ(state.history().last()->label, label);
+        EXPECT_EQ(state.history().position(), states.size() - 1);
+    }
+    for (std::size_t i = edits.size(); i-- > 0;) {
+        EXPECT_EQ(answer("undo"), edits[i].second);
+        expectShown(states[i]);
+    }
+    EXPECT_EQ(refusal("undo").text, "there is nothing to undo");
+    for (std::size_t i = 0; i < edits.size(); ++i) {
+        EXPECT_EQ(answer("redo"), edits[i].second);
+        expectShown(states[i + 1]);
+    }
+    EXPECT_EQ(refusal("redo").text, "there is nothing to redo");
+    EXPECT_EQ(refusal("redo").code, 1);
+}
+
+TEST_F(Edits, ATextIsPastedAsOneStep) {
+    const Shown before = state.shown();
+    answer("camera paste \"version = 1\neye = [1, 2, 3]\nforward = [0, 0, -1]\nantialiasing = 2\n"
+           "lights = [false, true]\nenvironment = 1\"");
+    EXPECT_EQ(state.camera().eye, (rtcore::Vec3{1, 2, 3}));
+    EXPECT_EQ(state.settings().antialiasing, 2);
+    EXPECT_FALSE(lightIsOn(0));
+    EXPECT_EQ(environment(), 1);
+    answer("undo");
+    expectShown(before);
+    EXPECT_EQ(refusal("camera paste nonsense").code, 65);
+    EXPECT_EQ(state.history().last(), nullptr) << "what is refused is no step";
+}
+
+TEST_F(Edits, KeysMakeStepsAndMovementMakesNone) {
+    tap("1");
+    EXPECT_FALSE(lightIsOn(0));
+    ASSERT_NE(state.history().last(), nullptr);
+    EXPECT_EQ(state.history().last()->label, "light 1");
+    answer("key press w");
+    state.move(100ms, {});
+    answer("key release w");
+    state.move(100ms, {});
+    const rtcore::Camera there = state.camera();
+    EXPECT_EQ(answer("undo"), "light 1");
+    EXPECT_TRUE(lightIsOn(0));
+    EXPECT_EQ(state.camera(), there) << "the step did not place it";
+    EXPECT_EQ(state.history().last(), nullptr);
+}
+
+TEST_F(Edits, WhatChangesNothingIsNoStep) {
+    answer("light 1 on");
+    answer("set antialiasing 1");
+    answer("environment 1");
+    EXPECT_EQ(state.history().last(), nullptr);
+}
+
+TEST_F(Edits, OfOneGestureAreOneStep) {
+    answer("set maxDepth 3");
+    for (const char* depth : {"4", "6", "7"}) answer(std::string("also set maxDepth ") + depth);
+    EXPECT_EQ(state.history().position(), 1U);
+    answer("also set antialiasing 3");
+    EXPECT_EQ(state.history().position(), 2U) << "of another thing";
+    answer("undo");
+    answer("undo");
+    EXPECT_EQ(state.settings().maxDepth, 5);
+    EXPECT_EQ(state.settings().antialiasing, 1);
+    answer("set maxDepth 3");
+    answer("also set maxDepth 5");
+    EXPECT_EQ(state.history().position(), 0U) << "all as it was";
+    EXPECT_EQ(state.history().next(), nullptr);
+    EXPECT_EQ(refusal("also walk").code, 2);
+    EXPECT_EQ(refusal("also").code, 2);
+    EXPECT_EQ(refusal("also also set maxDepth 3").code, 2);
+}
+
+TEST_F(Edits, ANewStepTakesThePlaceOfThoseTakenBack) {
+    answer("set maxDepth 3");
+    answer("light 1 off");
+    answer("undo");
+    answer("undo");
+    answer("light 2 off");
+    EXPECT_EQ(state.history().next(), nullptr);
+    EXPECT_EQ(answer("undo"), "light 2");
+    EXPECT_EQ(refusal("undo").code, 1);
+}
+
+TEST_F(Edits, LeaveTheSizeToTheWindow) {
+    answer("set maxDepth 3");
+    answer("resolution 48 36");
+    answer("undo");
+    EXPECT_EQ(state.settings().width, 48) << "a window was resized meanwhile";
+    EXPECT_EQ(state.settings().maxDepth, 5);
+    answer("set width 40");
+    answer("undo");
+    EXPECT_EQ(state.settings().width, 48);
+}
+
+TEST_F(Edits, WithoutRoomForTheFrameNothingIsTakenBack) {
+    answer("set width 40");
+    const Shown wide = state.shown();
+    full = true;
+    EXPECT_EQ(refusal("undo").code, 75);
+    expectShown(wide);
+    full = false;
+    EXPECT_EQ(answer("undo"), "set width");
+    EXPECT_EQ(state.settings().width, 32);
+}
+
+TEST_F(Edits, OfAnotherSceneAreForgotten) {
+    answer("light 1 off");
+    answer("undo");
+    answer("light 2 off");
+    state.show(test::worldOf(test::makeRoom()));
+    EXPECT_EQ(state.history().last(), nullptr);
+    EXPECT_EQ(state.history().next(), nullptr);
+    EXPECT_EQ(state.history().position(), 0U);
+}
+
+TEST_F(Edits, AreKeptUpToFiveHundred) {
+    for (int i = 0; i < 600; ++i) answer("camera set " + std::to_string(i + 1) + " 2 3 0 0 -1");
+    EXPECT_EQ(state.history().position(), 600U);
+    undoAll();
+    EXPECT_EQ(state.history().position(), 100U);
+    EXPECT_EQ(state.camera().eye.x, 100);
+}
+
+TEST_F(Edits, TakenBackAllGiveTheFirstBits) {
+    const std::vector<std::string> choices = {"light 1 toggle",
+                                              "light 2 toggle",
+                                              "environment 1",
+                                              "environment 2",
+                                              "set antialiasing 2",
+                                              "set antialiasing 1",
+                                              "set shadows false",
+                                              "set shadows true",
+                                              "set exposure.key 0.3",
+                                              "also set exposure.key",
+                                              "camera turn 3 1",
+                                              "also camera turn -2 0.5",
+                                              "load camera DIR/a.cam",
+                                              "camera set 1 2 3 0 0 -1",
+                                              "defaults",
+                                              "bloom on",
+                                              "undo",
+                                              "redo"};
+    answer("set exposure.mode fixed");
+    state.show(test::worldOf(test::makeRoom()));
+    const Shown first = state.shown();
+    const auto original = frame();
+    std::mt19937 random{31415};
+    for (int i = 0; i < 400; ++i) {
+        std::string line = choices[random() % choices.size()];
+        if (line == "also set exposure.key") line += " 0." + std::to_string(1 + random() % 8);
+        const Failure failure = refusal(line);
+        EXPECT_TRUE(failure.code == 0 || line == "undo" || line == "redo") << line << ": " << failure.text;
+    }
+    EXPECT_NE(frame(), original);
+    undoAll();
+    expectShown(first);
+    EXPECT_EQ(frame(), original);
+}
+
+TEST_F(Edits, NoteWhatChangedForFramesAndCaches) {
+    answer("light 1 off");
+    answer("environment 2");
+    answer("camera turn 10 0");
+    changes();
+    answer("undo");
+    EXPECT_EQ(changes(), Changes{Change::View});
+    answer("undo");
+    EXPECT_EQ(changes(), Changes{Change::Sky});
+    answer("undo");
+    EXPECT_EQ(changes(), Changes{Change::Light});
+}
+
+} // namespace
+} // namespace rtserver
