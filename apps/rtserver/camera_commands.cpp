@@ -2,8 +2,10 @@
 #include "rtserver/command_call.h"
 
 #include "rtcore/render/lens.h"
+#include "rtcore/scene/focal_length.h"
 #include "rtcore/settings/settings_table.h"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
@@ -74,6 +76,40 @@ Result paste(const Call& call) {
     return {.answer = warning.empty() ? warning : "warning: " + warning};
 }
 
+// Of the image that is shown, whatever aspect its author framed.
+Result setAngle(const Call& call, double degrees) {
+    rtcore::Camera camera = call.state.camera();
+    camera.kind = rtcore::CameraKind::Perspective;
+    camera.horizontalFov = static_cast<float>(degrees);
+    camera.orthographicWidth = camera.aspect = 0;
+    call.state.setCamera(camera);
+    return {};
+}
+
+Result angle(const Call& call) { return setAngle(call, static_cast<double>(number(call[0]))); }
+
+Result lens(const Call& call) {
+    return setAngle(call, rtcore::angleOfFocalLength(static_cast<double>(number(call[0]))));
+}
+
+float zoomedAngle(float degrees, double factor) {
+    constexpr float kNarrowest = 0.5F, kWidest = 170;
+    const double halfWidth = rtcore::halfWidthOfAngle(static_cast<double>(degrees)) / factor;
+    return std::clamp(static_cast<float>(rtcore::angleOfHalfWidth(halfWidth)), std::min(degrees, kNarrowest),
+                      std::max(degrees, kWidest));
+}
+
+Result zoom(const Call& call) {
+    const auto factor = static_cast<double>(number(call[0]));
+    rtcore::Camera camera = call.state.camera();
+    const bool orthographic = camera.kind == rtcore::CameraKind::Orthographic;
+    float& extent = orthographic ? camera.orthographicWidth : camera.horizontalFov;
+    extent = orthographic ? std::clamp(static_cast<float>(extent / factor), 1e-18F, 1e18F)
+                          : zoomedAngle(extent, factor);
+    call.state.setCamera(camera);
+    return {.answer = rtcore::settingText(extent)};
+}
+
 Result walk(const Call& call) {
     call.state.setWalking(true);
     return {.answer = call.state.onUnseenFloor() ? kUnseenFloor : ""};
@@ -112,6 +148,9 @@ constexpr std::array kFunctions{
     CommandFunction{app::CommandId::CameraTurn, turn},
     CommandFunction{app::CommandId::CameraReset, reset},
     CommandFunction{app::CommandId::CameraPaste, paste},
+    CommandFunction{app::CommandId::CameraAngle, angle},
+    CommandFunction{app::CommandId::CameraLens, lens},
+    CommandFunction{app::CommandId::CameraZoom, zoom},
     CommandFunction{app::CommandId::Focus, focus},
     CommandFunction{app::CommandId::Speed, speed},
     CommandFunction{app::CommandId::Walk, walk},

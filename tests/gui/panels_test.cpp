@@ -2,6 +2,7 @@
 #include "gui/gui_support.h"
 #include "gui/lit_scene.h"
 
+#include "gui/dialogs/field_of_view_dialog.h"
 #include "gui/main_window.h"
 #include "gui/models/bookmark_store.h"
 #include "gui/models/edit_labels.h"
@@ -34,6 +35,9 @@
 #include <QListWidget>
 #include <QSpinBox>
 #include <QToolButton>
+#include <QWheelEvent>
+
+#include <cmath>
 
 namespace {
 
@@ -440,6 +444,51 @@ TEST_F(PanelsTest, ADoubleClickWithCtrlFocusesThere) {
     ASSERT_TRUE(comes([&] { return action(ActionId::Undo)->isEnabled(); }));
     action(ActionId::Undo)->trigger();
     EXPECT_TRUE(becomes("depthOfField.on", "false"));
+}
+
+TEST_F(PanelsTest, CtrlAndTheWheelZoomAsOneStep) {
+    open();
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("camera angle 80")).done);
+    ASSERT_TRUE(comes([&] { return window->editor().state().edits == 1; }));
+    const QString before = camera();
+    FrameView& shown = window->view();
+    const QPointF place(shown.width() / 2.0, shown.height() / 2.0);
+    for (int i = 0; i < 6; ++i) {
+        QWheelEvent wheel(place, shown.mapToGlobal(place), {}, {0, 120}, Qt::NoButton, Qt::ControlModifier,
+                          Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&shown, &wheel);
+    }
+    // tan 40 / 1.1^6
+    EXPECT_TRUE(comes([&] { return std::fabs(window->session().status().view.fieldOfView - 50.7F) < 0.1F; }))
+        << window->session().status().view.fieldOfView;
+    ASSERT_TRUE(comes([&] { return window->editor().state().edits == 2; }));
+    EXPECT_EQ(action(ActionId::Undo)->text(), QStringLiteral("&Undo: field of view"));
+    action(ActionId::Undo)->trigger();
+    EXPECT_TRUE(comes([&] { return camera() == before; }));
+}
+
+TEST_F(PanelsTest, TheFieldOfViewIsGivenAsAnAngleOrALens) {
+    open();
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("camera angle 80")).done);
+    ASSERT_TRUE(comes([&] { return window->session().status().view.fieldOfView == 80; }));
+    action(ActionId::FieldOfView)->trigger();
+    auto* const dialog = window->findChild<FieldOfViewDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    const QList<QDoubleSpinBox*> fields = dialog->findChildren<QDoubleSpinBox*>();
+    ASSERT_EQ(fields.size(), 2);
+    EXPECT_EQ(fields[0]->value(), 80);
+    EXPECT_EQ(fields[1]->value(), 21.5);
+    fields[1]->setValue(50);
+    EXPECT_EQ(fields[0]->value(), 39.6);
+    EXPECT_TRUE(
+        comes([&] { return std::fabs(window->session().status().view.fieldOfView - 39.6F) < 0.01F; }));
+    fields[0]->setValue(90);
+    EXPECT_EQ(fields[1]->value(), 18);
+    EXPECT_TRUE(comes([&] { return window->session().status().view.fieldOfView == 90; }));
+    ASSERT_TRUE(comes([&] { return window->editor().state().edits == 2; })) << "one gesture, one step";
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("camera angle 70")).done);
+    EXPECT_TRUE(comes([&] { return fields[0]->value() == 70; })) << "it follows other programs";
+    dialog->close();
 }
 
 TEST(LookTest, TheDirectionThroughACornerHasTheAngleOfTheField) {

@@ -84,6 +84,8 @@ std::string cameraSet(const std::array<float, 3>& eye, const std::array<float, 3
 
 std::string cameraTurn(double right, double up) { return line(CommandId::CameraTurn, right, up); }
 std::string cameraReset() { return line(CommandId::CameraReset); }
+std::string cameraAngle(double degrees) { return line(CommandId::CameraAngle, degrees); }
+std::string cameraZoom(double factor) { return line(CommandId::CameraZoom, factor); }
 std::string cameraPaste(const std::string& text) { return line(CommandId::CameraPaste, text); }
 std::string focus(double right, double down) { return line(CommandId::Focus, right, down); }
 std::string speed(double factor) { return line(CommandId::Speed, factor); }

@@ -46,6 +46,8 @@ std::string cameraSet(const std::array<float, 3>& eye, const std::array<float, 3
                       std::optional<float> fieldOfView = {});
 std::string cameraTurn(double right, double up); ///< degrees
 std::string cameraReset();
+std::string cameraAngle(double degrees); ///< of the field of view
+std::string cameraZoom(double factor);
 std::string cameraPaste(const std::string& text); ///< of a .cam file
 std::string focus(double right, double down);     ///< 0..1
 std::string speed(double factor);

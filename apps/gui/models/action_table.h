@@ -26,6 +26,7 @@ enum class ActionId {
     CopyCamera,
     PasteCamera,
     ResetCamera,
+    FieldOfView,
     AddBookmark,
     Undo,
     Redo,

@@ -28,6 +28,10 @@ QString editText(app::CommandId id) {
         return text(QT_TRANSLATE_NOOP("Edits", "reset camera"));
     case app::CommandId::CameraPaste:
         return text(QT_TRANSLATE_NOOP("Edits", "paste camera"));
+    case app::CommandId::CameraAngle:
+    case app::CommandId::CameraLens:
+    case app::CommandId::CameraZoom:
+        return text(QT_TRANSLATE_NOOP("Edits", "field of view"));
     case app::CommandId::LoadCamera:
         return text(QT_TRANSLATE_NOOP("Edits", "camera"));
     case app::CommandId::LoadSet:

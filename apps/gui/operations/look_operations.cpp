@@ -1,5 +1,6 @@
 #include "gui/operations/look_operations.h"
 
+#include "gui/dialogs/field_of_view_dialog.h"
 #include "gui/operations/actions.h"
 #include "gui/operations/scene_editor.h"
 #include "gui/session/session.h"
@@ -19,6 +20,7 @@ namespace gui {
 namespace {
 
 constexpr int kMilliseconds = 350;
+constexpr qint64 kOneGesture = 1000; ///< milliseconds
 
 } // namespace
 
@@ -37,6 +39,8 @@ LookOperations::LookOperations(const GuiContext& context, QObject* parent)
     InputCapture& input = context_.view.input();
     connect(&input, &InputCapture::pointed, this, &LookOperations::lookAt);
     connect(&input, &InputCapture::focused, this, &LookOperations::focusAt);
+    connect(&input, &InputCapture::zoomed, this, &LookOperations::zoom);
+    context_.actions.on(ActionId::FieldOfView, [this] { askForAngle(); });
     turn_.setStartValue(0.0);
     turn_.setEndValue(1.0);
     turn_.setDuration(kMilliseconds);
@@ -79,6 +83,53 @@ void LookOperations::focusAt(const QPointF& position) {
         if (answer.done) return;
         const bool nothing = answer.text.contains(QLatin1String("nothing"));
         context_.view.tell(nothing ? tr("There is nothing there to focus on.") : answer.text);
+    });
+}
+
+// --- The field of view ---
+
+// One gesture is one step of undo.
+bool LookOperations::goesOn() {
+    const bool goesOn = sinceAngle_.isValid() && sinceAngle_.elapsed() < kOneGesture;
+    sinceAngle_.start();
+    return goesOn;
+}
+
+void LookOperations::askForAngle() {
+    auto* dialog = new FieldOfViewDialog(context_.session.status().view.fieldOfView, &context_.window);
+    connect(dialog, &FieldOfViewDialog::wanted, this, &LookOperations::setAngle);
+    connect(&context_.session, &Session::statusChanged, dialog, [this, dialog] {
+        const bool byHand = sinceAngle_.isValid() && sinceAngle_.elapsed() < kOneGesture;
+        if (!byHand) dialog->follow(context_.session.status().view.fieldOfView);
+    });
+    dialog->show();
+}
+
+void LookOperations::setAngle(double degrees) {
+    context_.view.showLive();
+    const std::string line = command::cameraAngle(degrees);
+    context_.editor.edit(goesOn() ? command::also(line) : line);
+}
+
+// What the server is too slow for adds up.
+void LookOperations::zoom(double steps) {
+    constexpr double kStep = 1.1;
+    if (!context_.session.live()) return;
+    factor_ *= std::pow(kStep, steps);
+    if (!zooming_) sendZoom();
+}
+
+void LookOperations::sendZoom() {
+    context_.view.showLive();
+    zooming_ = true;
+    const std::string line = command::cameraZoom(std::exchange(factor_, 1));
+    context_.editor.edit(goesOn() ? command::also(line) : line, [this](const Answer& answer) {
+        zooming_ = false;
+        if (!answer.done) return context_.view.tell(answer.text);
+        const bool perspective = context_.session.status().view.fieldOfView > 0;
+        if (perspective)
+            context_.view.tell(tr("Field of view %1").arg(fieldOfViewText(answer.text.toDouble())));
+        if (factor_ != 1) sendZoom();
     });
 }
 

@@ -1,8 +1,10 @@
-/// The camera's direction by a double click, what it is focused at, and the scene's own view.
+/// The camera's direction by a double click, what it is focused at, its field of view, and the scene's own
+/// view.
 #pragma once
 
 #include "gui/operations/gui_context.h"
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QVariantAnimation>
 #include <QVector3D>
@@ -27,6 +29,11 @@ class LookOperations : public QObject {
     void reset();
     void lookAt(const QPointF& position);
     void focusAt(const QPointF& position);
+    void askForAngle();
+    void setAngle(double degrees);
+    void zoom(double steps);
+    void sendZoom();
+    bool goesOn();
     void step(double fraction);
     void send(const QVector3D& direction, bool last);
 
@@ -34,7 +41,10 @@ class LookOperations : public QObject {
     QVariantAnimation turn_;
     QVector3D from_, to_;
     bool underWay_ = false;
-    bool begun_ = false; ///< the first step was sent
+    bool begun_ = false;   ///< the first step was sent
+    double factor_ = 1;    ///< to zoom by, not sent yet
+    bool zooming_ = false; ///< an answer is to come
+    QElapsedTimer sinceAngle_;
 };
 
 } // namespace gui

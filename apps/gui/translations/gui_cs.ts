@@ -118,6 +118,10 @@
         <source>look there</source>
         <translation>pohled na místo</translation>
     </message>
+    <message>
+        <source>field of view</source>
+        <translation>úhel záběru</translation>
+    </message>
 </context>
 <context>
     <name>JobPhase</name>
@@ -690,6 +694,14 @@ Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
         <source>%1 % new</source>
         <translation>%1 % nových</translation>
     </message>
+    <message>
+        <source>&amp;Field of view…</source>
+        <translation>Úhel &amp;záběru…</translation>
+    </message>
+    <message>
+        <source>How much the camera sees, as an angle or a lens; Ctrl and the wheel change it, too</source>
+        <translation>Kolik kamera vidí, jako úhel nebo objektiv; mění to i Ctrl s kolečkem</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>
@@ -1225,6 +1237,49 @@ Alt+%2</translation>
     </message>
 </context>
 <context>
+    <name>gui::FieldOfViewDialog</name>
+    <message>
+        <source>%1° (%2 mm)</source>
+        <translation>%1° (%2 mm)</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Úhel</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Focal length</source>
+        <translation>Ohnisková vzdálenost</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Úhel záběru</translation>
+    </message>
+    <message>
+        <source>From the left to the right edge of the image. Eyes that look ahead: about 60°</source>
+        <translation>Od levého k pravému okraji obrazu. Oči, které hledí vpřed: asi 60°</translation>
+    </message>
+    <message>
+        <source>Of a camera for film of 36 × 24 mm: 18 mm is wide, 50 mm usual, 85 mm for portraits</source>
+        <translation>Fotoaparátu na film 36 × 24 mm: 18 mm je široký, 50 mm běžný, 85 mm na portréty</translation>
+    </message>
+    <message>
+        <source>&amp;Angle:</source>
+        <translation>Ú&amp;hel:</translation>
+    </message>
+    <message>
+        <source>&amp;Focal length:</source>
+        <translation>&amp;Ohnisková vzdálenost:</translation>
+    </message>
+</context>
+<context>
     <name>gui::FileField</name>
     <message>
         <source>Browse…</source>
@@ -1585,6 +1640,10 @@ Alt+%2</translation>
     <message>
         <source>There is nothing there to focus on.</source>
         <translation>Není tam nic, na co by se dalo zaostřit.</translation>
+    </message>
+    <message>
+        <source>Field of view %1</source>
+        <translation>Úhel záběru %1</translation>
     </message>
 </context>
 <context>

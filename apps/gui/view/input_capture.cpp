@@ -99,7 +99,7 @@ bool InputCapture::eventFilter(QObject*, QEvent* event) {
     case QEvent::MouseMove:
         return onMouseMove(static_cast<const QMouseEvent&>(*event));
     case QEvent::Wheel:
-        emit wheelTurned(static_cast<const QWheelEvent&>(*event).angleDelta().y() / kWheelStep);
+        onWheel(static_cast<const QWheelEvent&>(*event));
         return true;
     case QEvent::FocusOut:
     case QEvent::WindowDeactivate:
@@ -208,6 +208,14 @@ bool InputCapture::onDoubleClick(const QMouseEvent& event) {
     else
         emit pointed(event.position());
     return true;
+}
+
+void InputCapture::onWheel(const QWheelEvent& event) {
+    const double steps = event.angleDelta().y() / kWheelStep;
+    if ((event.modifiers() & Qt::ControlModifier) != 0)
+        emit zoomed(steps);
+    else
+        emit wheelTurned(steps);
 }
 
 // Where the pointer cannot be moved (Wayland), it is followed until it leaves the window.

@@ -12,6 +12,7 @@
 
 class QKeyEvent;
 class QMouseEvent;
+class QWheelEvent;
 class QWidget;
 
 namespace gui {
@@ -38,6 +39,7 @@ class InputCapture : public QObject {
     void allKeysReleased();
     void turned(double right, double upwards); ///< degrees
     void wheelTurned(double steps);            ///< away from the user is positive
+    void zoomed(double steps);                 ///< the same with Ctrl
     /// Keys that the window acts on (E, H, R and L with it); R comes when it is let go, unless L came with
     /// it.
     void commandKey(int code, bool withL);
@@ -57,6 +59,7 @@ class InputCapture : public QObject {
     void press(int code);
     void commandRelease(int code);
     bool onMousePress(const QMouseEvent& event);
+    void onWheel(const QWheelEvent& event);
     bool onDoubleClick(const QMouseEvent& event);
     bool onMouseMove(const QMouseEvent& event);
     void centrePointer();

@@ -97,7 +97,7 @@ TEST(CommandLookup, TakesTheLongestName) {
 TEST(CommandLookup, NamesTheNearest) {
     EXPECT_EQ(refusal("camera"), "'camera' is the beginning of several commands: camera get, camera set, "
                                  "camera orthographic, camera look-at, camera turn, camera reset, "
-                                 "camera paste");
+                                 "camera paste, camera angle, camera lens, camera zoom");
     EXPECT_EQ(refusal("camera trun 1 2"), "unknown command 'camera trun'; did you mean 'camera turn'?");
     EXPECT_EQ(refusal("pong"), "unknown command 'pong'; did you mean 'ping'?");
     EXPECT_EQ(refusal(""), "the command is empty");
@@ -146,6 +146,8 @@ TEST(CommandLines, SuitTheTable) {
         {CommandId::Undo, command::undo()},
         {CommandId::Redo, command::redo()},
         {CommandId::Also, command::also(command::set("maxDepth", "3"))},
+        {CommandId::CameraAngle, command::cameraAngle(62.5)},
+        {CommandId::CameraZoom, command::cameraZoom(1.05)},
         {CommandId::CameraPaste, command::cameraPaste("version = 1\neye = [0, 0, 0]")},
         {CommandId::Resolution, command::resolution(640, 480)},
         {CommandId::Set, command::set("bloom", "3")},

@@ -83,6 +83,30 @@ TEST_F(Commands, PlaceTheCamera) {
     EXPECT_EQ(refusal("walk").code, 1);
 }
 
+TEST_F(Commands, WidenAndNarrowTheFieldOfView) {
+    const rtcore::Camera framed = state.camera();
+    answer("camera angle 90");
+    EXPECT_EQ(state.camera().horizontalFov, 90);
+    EXPECT_EQ(state.camera().eye, framed.eye);
+    answer("camera lens 50");
+    EXPECT_NEAR(state.camera().horizontalFov, 39.598, 1e-3) << "of a lens of 50 mm, by its maker";
+    answer("camera lens 18");
+    EXPECT_NEAR(state.camera().horizontalFov, 90, 1e-4);
+    EXPECT_NEAR(std::stod(answer("camera zoom 2")), 53.13, 0.01);
+    EXPECT_NEAR(std::stod(answer("camera zoom 0.5")), 90, 1e-3) << "and back";
+    EXPECT_NEAR(std::stod(answer("camera zoom 1000")), 0.5, 1e-3);
+    EXPECT_NEAR(std::stod(answer("camera zoom 0.001")), 154.2, 0.1) << "from there";
+    for (int i = 0; i < 5; ++i) answer("camera zoom 0.1");
+    EXPECT_EQ(state.camera().horizontalFov, 170);
+    answer("camera angle 175");
+    EXPECT_EQ(answer("camera zoom 0.9"), "175") << "never the other way";
+    answer("camera orthographic 0 2 3 0 0 -1 4");
+    EXPECT_EQ(answer("camera zoom 2"), "2");
+    EXPECT_EQ(state.camera().kind, rtcore::CameraKind::Orthographic);
+    answer("camera angle 60");
+    EXPECT_EQ(state.camera().kind, rtcore::CameraKind::Perspective);
+}
+
 TEST_F(Commands, FocusOnWhatIsSeen) {
     answer("camera look-at 0 2 0 0 0 0.001");
     EXPECT_NEAR(std::stod(answer("focus 0.5 0.5")), 2, 0.01);
