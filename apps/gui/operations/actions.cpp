@@ -1,5 +1,7 @@
 #include "gui/operations/actions.h"
 
+#include "gui/models/example_scenes.h"
+
 #include <QAction>
 #include <QFileInfo>
 #include <QMenu>
@@ -49,6 +51,18 @@ void Actions::fill(QMenuBar& bar) {
         recent_ = menu->addMenu(tr("Open &recent"));
         connect(&preferences_, &Preferences::changed, this, &Actions::fillRecent);
         fillRecent();
+        addExamples(*menu);
+    }
+}
+
+void Actions::addExamples(QMenu& menu) {
+    const QList<ExampleScene> scenes = exampleScenes();
+    if (scenes.isEmpty()) return;
+    QMenu* examples = menu.addMenu(tr("Exam&ples"));
+    for (const ExampleScene& each : scenes) {
+        QAction* entry = examples->addAction(each.name);
+        entry->setStatusTip(each.path);
+        connect(entry, &QAction::triggered, this, [this, path = each.path] { emit recentChosen(path); });
     }
 }
 

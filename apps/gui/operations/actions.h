@@ -34,10 +34,11 @@ class Actions : public QObject {
     void setServerThere(bool there);
 
   signals:
-    void recentChosen(const QString& path);
+    void recentChosen(const QString& path); ///< or an example
 
   private:
     void fillRecent();
+    void addExamples(QMenu& menu);
 
     Preferences& preferences_;
     QHash<int, QAction*> actions_;

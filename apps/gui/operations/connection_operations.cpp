@@ -9,11 +9,13 @@
 #include "gui/processes/server_keeper.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/notice_bar.h"
+#include "gui/view/start_page.h"
 
 #include <QAction>
 #include <QElapsedTimer>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QGridLayout>
 #include <QMessageBox>
 #include <QPushButton>
 
@@ -32,8 +34,26 @@ ConnectionOperations::ConnectionOperations(const GuiContext& context, QObject* p
     connect(&context_.session, &Session::commandFailed, this,
             [this](const QString&, const QString& text) { context_.view.tell(text); });
     connect(&context_.preferences, &Preferences::changed, this, &ConnectionOperations::onPreferences);
+    addStartPage();
     onPreferences();
     onState();
+}
+
+// In the middle of the viewport, while nothing else is there.
+void ConnectionOperations::addStartPage() {
+    auto* page = new StartPage(exampleScenes(), context_.preferences.recentFiles());
+    auto* middle = new QGridLayout(&context_.view);
+    middle->addWidget(page, 0, 0, Qt::AlignCenter);
+    connect(page, &StartPage::openWanted, this, &ConnectionOperations::open);
+    connect(page, &StartPage::chooseWanted, this, &ConnectionOperations::chooseFile);
+    connect(page, &StartPage::connectWanted, this, &ConnectionOperations::chooseServer);
+    connect(&context_.preferences, &Preferences::changed, page,
+            [this, page] { page->setRecent(context_.preferences.recentFiles()); });
+    const auto show = [this, page] {
+        page->setVisible(context_.session.state() == SessionState::Disconnected && context_.view.showsLive());
+    };
+    connect(&context_.session, &Session::stateChanged, page, show);
+    show();
 }
 
 void ConnectionOperations::onPreferences() {

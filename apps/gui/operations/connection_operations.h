@@ -29,6 +29,7 @@ class ConnectionOperations : public QObject {
 
   private:
     void connectActions();
+    void addStartPage();
     void onPreferences();
     void chooseFile();
     void chooseServer();

@@ -124,6 +124,21 @@
     </message>
 </context>
 <context>
+    <name>Examples</name>
+    <message>
+        <source>Basilica in the sun</source>
+        <translation>Bazilika na slunci</translation>
+    </message>
+    <message>
+        <source>Mirrors and glass</source>
+        <translation>Zrcadla a sklo</translation>
+    </message>
+    <message>
+        <source>Elephants at a pond</source>
+        <translation>Sloni u rybníka</translation>
+    </message>
+</context>
+<context>
     <name>JobPhase</name>
     <message>
         <source>reading the scene</source>
@@ -235,12 +250,6 @@
     <message>
         <source>● recording</source>
         <translation>● záznam</translation>
-    </message>
-    <message>
-        <source>Drop a scene or a model here, or open one with Ctrl+O.
-Ctrl+C connects to a server that runs; F1 shows the keys.</source>
-        <translation>Přetáhněte sem scénu nebo model, nebo je otevřete pomocí Ctrl+O.
-Ctrl+C připojí k běžícímu serveru, F1 ukáže klávesy.</translation>
     </message>
     <message>
         <source>Waiting for the server “%1”…</source>
@@ -729,6 +738,10 @@ Qt %1</translation>
     <message>
         <source>&amp;Clear</source>
         <translation>&amp;Vymazat</translation>
+    </message>
+    <message>
+        <source>Exam&amp;ples</source>
+        <translation>&amp;Příklady</translation>
     </message>
 </context>
 <context>
@@ -2146,6 +2159,45 @@ Alt+%2</translation>
     <message>
         <source>Back to the default: %1</source>
         <translation>Zpět na výchozí hodnotu: %1</translation>
+    </message>
+</context>
+<context>
+    <name>gui::StartPage</name>
+    <message>
+        <source>&amp;Open a scene or a model…</source>
+        <translation>&amp;Otevřít scénu nebo model…</translation>
+    </message>
+    <message>
+        <source>Connect to a running &amp;server…</source>
+        <translation>Připojit k běžícímu &amp;serveru…</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Otevřít</translation>
+    </message>
+    <message>
+        <source>or drop a file here</source>
+        <translation>nebo sem přetáhněte soubor</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>Příklady</translation>
+    </message>
+    <message>
+        <source>Click into the image: the mouse looks around, W A S D move. Esc releases both.
+F walks on the ground: Shift runs, Space jumps, C crouches. F again flies.
+Double-click to look somewhere. F1 shows all keys.</source>
+        <translation>Klikněte do obrazu: myš se rozhlíží, W A S D vás posouvají. Esc obojí uvolní.
+F jde po zemi: Shift běží, mezerník skáče, C se krčí. Další F zase létá.
+Dvojklik se podívá na místo. F1 ukáže všechny klávesy.</translation>
+    </message>
+    <message>
+        <source>To walk</source>
+        <translation>Procházka</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Naposledy otevřené</translation>
     </message>
 </context>
 <context>

@@ -59,8 +59,7 @@ QString overlayText(const ServerStatus& status, const QSize& frame, bool still, 
 QString stateText(const Session& session) {
     switch (session.state()) {
     case SessionState::Disconnected:
-        return tr("Drop a scene or a model here, or open one with Ctrl+O.\nCtrl+C connects to a server that "
-                  "runs; F1 shows the keys.");
+        return {}; // the start page says it
     case SessionState::Connecting:
         return tr("Waiting for the server “%1”…").arg(session.instance());
     case SessionState::Busy:
