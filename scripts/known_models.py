@@ -146,7 +146,7 @@ def make_others(folder, nave):
         for program, text in ((("freecadcmd",), FREECAD), (("blender", "-b", "--python-exit-code", "1", "--python"), BLENDER)):
             script.write_text(text.replace("FOLDER", str(folder)).replace("NAVE", str(nave)))
             run(*program, script)
-    for source, target in (("temple.stl", "meshlab-temple.obj"), ("woman.obj", "meshlab-woman.ply")):
+    for source, target in (("temple.stl", "meshlab-temple.obj"), ("stair.obj", "meshlab-stair.ply")):
         run("xvfb-run", "-a", "meshlabserver", "-i", folder / source, "-o", folder / target) # it wants a display
     run("assimp", "export", nave, folder / "assimp-nave.stl")
 
