@@ -143,10 +143,12 @@ def make_openscad(folder, shares):
 def make_others(folder, nave):
     with tempfile.TemporaryDirectory() as scratch:
         script = pathlib.Path(scratch) / "make.py"
-        for program, text in ((("freecadcmd",), FREECAD), (("blender", "-b", "--python-exit-code", "1", "--python"), BLENDER)):
+        # Blender takes the libraries of whatever Python it finds first: the system's has NumPy.
+        blender = ("env", "PATH=/usr/bin:/bin", "blender", "-b", "--python-exit-code", "1", "--python")
+        for program, text in ((("freecadcmd",), FREECAD), (blender, BLENDER)):
             script.write_text(text.replace("FOLDER", str(folder)).replace("NAVE", str(nave)))
             run(*program, script)
-    for source, target in (("temple.stl", "meshlab-temple.obj"), ("stair.obj", "meshlab-stair.ply")):
+    for source, target in (("temple.stl", "meshlab-temple.obj"), ("bracket.stl", "meshlab-bracket.ply")):
         run("xvfb-run", "-a", "meshlabserver", "-i", folder / source, "-o", folder / target) # it wants a display
     run("assimp", "export", nave, folder / "assimp-nave.stl")
 
