@@ -1,18 +1,27 @@
 #!/bin/sh
 # The checks that take too long for every run; their output belongs into the note that closes an issue.
 #   scripts/check-long.sh [formulas] [leaks] [leaving] [trees] [waves] [oracle] [mutations] [kills] [formats] [ipc] [server]
-#                         [reaction] [soak] [edits] [preview] [window] [walks] [tutorial] [sanitizers] [mutants] [arm64]
+#                         [reaction] [soak] [edits] [preview] [window] [walks] [tutorial] [models] [sanitizers] [mutants] [arm64]
 # Without arguments: all. RT_ISA chooses the instruction set of the kernels.
 set -eu
 cd "$(dirname "$0")/.."
 scripts/build.sh
 [ $# -gt 0 ] ||
     set -- formulas leaks leaving trees waves oracle mutations kills formats ipc server reaction soak edits preview window walks \
-        tutorial sanitizers mutants arm64
+        tutorial models sanitizers mutants arm64
 release=build/release/bin
 for check in "$@"; do
     echo "== $check"
     case $check in
+    models)
+        # Up axis and unit of 45 real models; what is not there is made by the programs that are installed.
+        [ -n "${RT_TEST_SCENES:-}" ] || echo "check-long: RT_TEST_SCENES is not set: without its models" >&2
+        [ -n "${RT_KNOWN_MODELS:-}" ] || {
+            RT_KNOWN_MODELS=build/known_models
+            QT_QPA_PLATFORM=offscreen python3 scripts/known_models.py "$RT_KNOWN_MODELS"
+        }
+        RT_KNOWN_MODELS=$(realpath "$RT_KNOWN_MODELS") $release/test_known_models
+        ;;
     formulas)
         # Each formula for one number and for vectors of them, on so many inputs.
         RT_FORMULA_INPUTS=${RT_FORMULA_INPUTS:-10000000} $release/test_simd --gtest_filter='Formulas.*'

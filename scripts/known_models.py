@@ -76,6 +76,8 @@ export(bracket, "FOLDER/bracket.stl")
 # Blender imports what is known and exports it by default. Furniture is in centimetres there: metres here.
 BLENDER = """
 import bpy
+import numpy
+numpy.bool = bool # a name of earlier versions, which Blender 3.4 takes
 def load(path, scale=1.0):
     bpy.ops.wm.read_factory_settings(use_empty=True)
     if path.endswith(".glb"):

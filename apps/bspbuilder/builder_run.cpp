@@ -121,7 +121,10 @@ class Builder {
         report_.unconnected = imported.report.unconnectedTriangles;
         report_.equal = imported.report.equalTriangles;
         report_.primitives = imported.report.ignoredPrimitives;
-        report_.format = imported.report.format;
+        report_.format = imported.report.origin.format;
+        origin_ = std::move(imported.report.origin);
+        if (import.up) origin_.up = import.up;
+        if (import.metresPerUnit) origin_.metresPerUnit = import.metresPerUnit;
         app::throwIfStopped();
     }
 
@@ -143,7 +146,7 @@ class Builder {
     void write(const rtcore::BspIdentity& identity) {
         const auto start = Clock::now();
         const app::ProgressScope scope(progress_, {"writing", {}, nullptr});
-        rtcore::writeBsp(options_.output, model_, &tree_, identity, warnings_);
+        rtcore::writeBsp(options_.output, model_, &tree_, identity, warnings_, origin_);
         report_.writeSeconds = app::secondsSince(start);
     }
 
@@ -198,6 +201,7 @@ class Builder {
     app::Progress& progress_;
     rtcore::Model model_;
     std::vector<std::string> warnings_;
+    rtcore::ModelOrigin origin_;
     rtcore::KdTree tree_;
     BuildReport report_;
 };

@@ -71,6 +71,9 @@ app::ExitCode runGui(const app::Arguments& arguments) {
     // Once the window has its size: the server draws frames as large.
     QTimer::singleShot(0, &window, [&] {
         if (!trouble.isEmpty()) return window.notice().explain(trouble, {window.actions()[ActionId::Open]});
+        QStringList server;
+        for (const std::string& each : options.server) server.append(QString::fromStdString(each));
+        window.startWith(server);
         if (!options.file.empty()) window.open(QString::fromStdString(options.file));
         if (options.connect) window.connectToServer();
     });

@@ -1,6 +1,7 @@
 #include "gui/gui_spec.h"
 
 #include "common/cli/file_notes.h"
+#include "common/cli/import_option_group.h"
 
 #include "rtcore/platform/error.h"
 
@@ -23,7 +24,8 @@ const app::ProgramSpec& guiSpec() {
                       .value = ValueKind::Text,
                       .argument = "NAME",
                       .help = "the server's name [that of the preferences]"},
-                     {.name = "connect", .letter = 'c', .help = "connect to the server that runs"}}}},
+                     {.name = "connect", .letter = 'c', .help = "connect to the server that runs"}}},
+                   {"Importing models", app::frameOptions()}},
         .examples = {{"GUI nave.scn", "start a server with this scene and walk in it"},
                      {"GUI --connect --instance=cow", "look at what the server 'cow' shows"}},
         .environment = app::importEnvironmentNotes(),
@@ -36,7 +38,14 @@ Options readOptions(const app::Arguments& arguments) {
     Options options;
     options.instance = arguments.text("instance").value_or("");
     options.connect = arguments.has("connect");
-    if (arguments.positionals().empty()) return options;
+    for (const char* name : {"up", "units"}) {
+        if (const auto value = arguments.text(name))
+            options.server.push_back("--" + std::string(name) + "=" + *value);
+    }
+    if (arguments.positionals().empty()) {
+        if (!options.server.empty()) throw app::UsageError("--up and --units need a model to open");
+        return options;
+    }
     if (options.connect) throw app::UsageError("--connect and a scene exclude each other");
     options.file = std::filesystem::absolute(arguments.positionals().front()).string();
     return options;

@@ -5,6 +5,7 @@
 #include "common/cli/options.h"
 
 #include <string>
+#include <vector>
 
 namespace gui {
 
@@ -14,6 +15,7 @@ struct Options {
     std::string file;     ///< absolute; empty = none
     std::string instance; ///< empty: as the preferences say
     bool connect = false;
+    std::vector<std::string> server; ///< options of the server that is started, as RTServer takes them
 };
 
 /// Throws app::UsageError.

@@ -87,6 +87,7 @@ void MainWindow::showTitle() {
 }
 
 void MainWindow::open(const QString& path) { connection_->open(path); }
+void MainWindow::startWith(const QStringList& options) { connection_->startWith(options); }
 
 void MainWindow::connectToServer() { keeper_.connectTo(connection_->instanceName()); }
 

@@ -7,6 +7,7 @@
 #include "gui/session/session.h"
 
 #include <QMainWindow>
+#include <QStringList>
 
 namespace gui {
 
@@ -27,6 +28,8 @@ class MainWindow : public QMainWindow {
 
     /// As if the file were dropped on the window.
     void open(const QString& path);
+    /// Options of the server that the next open() starts, as RTServer takes them.
+    void startWith(const QStringList& options);
     void connectToServer();
 
     Session& session() { return session_; }

@@ -3,10 +3,12 @@
 
 #include "rtcore/render/lens.h"
 #include "rtcore/scene/focal_length.h"
+#include "rtcore/scene/up_axis.h"
 #include "rtcore/settings/settings_table.h"
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <stdexcept>
 
 namespace rtserver {
@@ -110,6 +112,25 @@ Result zoom(const Call& call) {
     return {.answer = rtcore::settingText(extent)};
 }
 
+Result up(const Call& call) {
+    if (call[0] == "auto") {
+        call.state.guessFrame(true, false);
+    } else {
+        call.state.setFrame(rtcore::axisNamed(call[0]), std::nullopt);
+    }
+    return {.answer = rtcore::describe(call.state.frame())};
+}
+
+Result units(const Call& call) {
+    if (call[0] == "auto") {
+        call.state.guessFrame(false, true);
+    } else {
+        const auto named = rtcore::unitNamed(call[0]);
+        call.state.setFrame(std::nullopt, named ? *named : double{number(call[0])});
+    }
+    return {.answer = rtcore::describe(call.state.frame())};
+}
+
 Result walk(const Call& call) {
     call.state.setWalking(true);
     return {.answer = call.state.onUnseenFloor() ? kUnseenFloor : ""};
@@ -151,6 +172,8 @@ constexpr std::array kFunctions{
     CommandFunction{app::CommandId::CameraAngle, angle},
     CommandFunction{app::CommandId::CameraLens, lens},
     CommandFunction{app::CommandId::CameraZoom, zoom},
+    CommandFunction{app::CommandId::Up, up},
+    CommandFunction{app::CommandId::Units, units},
     CommandFunction{app::CommandId::Focus, focus},
     CommandFunction{app::CommandId::Speed, speed},
     CommandFunction{app::CommandId::Walk, walk},

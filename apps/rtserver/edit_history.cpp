@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t kMostSteps = 500;
 
 bool changesAnything(const EditStep& step) {
-    return changesScene(step) || changesSettings(step) || changesCamera(step);
+    return changesScene(step) || changesSettings(step) || changesCamera(step) || changesFrame(step);
 }
 
 } // namespace
@@ -19,6 +19,10 @@ bool changesScene(const EditStep& step) { return step.before.scene != step.after
 bool changesSettings(const EditStep& step) { return step.before.settings != step.after.settings; }
 
 bool changesCamera(const EditStep& step) { return step.before.camera != step.after.camera; }
+bool changesFrame(const EditStep& step) {
+    const rtcore::UpAndUnit &before = step.before.frame, &after = step.after.frame;
+    return before.up != after.up || before.metresPerUnit != after.metresPerUnit;
+}
 
 void EditHistory::add(EditStep step, bool goesOn) {
     if (!changesAnything(step)) return;

@@ -1,6 +1,7 @@
 /// The edits of what is shown, step by step, to be taken back and made again.
 #pragma once
 
+#include "rtcore/render/up_and_unit.h"
 #include "rtcore/scene/camera.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/render_settings.h"
@@ -18,6 +19,7 @@ struct Shown {
     std::shared_ptr<const rtcore::Scene> scene;
     rtcore::RenderSettings settings;
     rtcore::Camera camera;
+    rtcore::UpAndUnit frame; ///< the model's up axis and unit, and why
 };
 
 struct EditStep {
@@ -26,11 +28,12 @@ struct EditStep {
     Shown before, after;
 };
 
-/// Of each step, whether it changed the scene, the settings, the camera: what it left alone stays when it is
-/// taken back. A step that changed nothing is none.
+/// Of each step, whether it changed the scene, the settings, the camera, the up axis or the unit: what it
+/// left alone stays when it is taken back. A step that changed nothing is none.
 bool changesScene(const EditStep& step);
 bool changesSettings(const EditStep& step);
 bool changesCamera(const EditStep& step);
+bool changesFrame(const EditStep& step);
 
 /// The last 500 steps. A new step takes the place of those that were taken back. One thread.
 class EditHistory {

@@ -41,7 +41,7 @@ rtcore::SceneFile sceneFileOf(const ServerState& state) {
     file.model = world.loaded.modelPath;
     static_cast<rtcore::SceneLook&>(file) = scene;
     if (scene.environments.empty()) file.activeEnvironment = 0;
-    file.metresPerUnit = static_cast<float>(state.metresPerUnit()); // guessed where the scene does not say
+    file.metresPerUnit = state.metresPerUnit(); // guessed where the scene does not say
     if (world.import.creaseAngle) file.creaseAngle = *world.import.creaseAngle;
     if (world.import.flipTextures) file.flipTextures = *world.import.flipTextures;
     file.settings.reset();

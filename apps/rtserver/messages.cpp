@@ -44,6 +44,16 @@ void Messages::complain(const std::string& text) {
     keep("warning", text + others);
 }
 
+void Messages::offer(const std::string& text) { keep("offer", text); }
+
+// Their lines stay, since clients count them, as of a kind that no client knows.
+void Messages::withdrawOffers() {
+    for (std::string& line : kept_) {
+        const std::size_t kind = line.find(' ') + 1;
+        if (line.compare(kind, 6, "offer ") == 0) line.replace(kind, 5, "past");
+    }
+}
+
 void Messages::tell(const std::string& text) { keep("event", text); }
 
 void Messages::keep(const char* kind, const std::string& text) {

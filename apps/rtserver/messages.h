@@ -20,13 +20,18 @@ class Messages {
     /// The same for what clients can bring about as often as they like: one a second, and how many there were
     /// beside it.
     void complain(const std::string& text);
+    /// What was decided for the user, and the command that decides otherwise, in quotes. Kept for clients,
+    /// not printed.
+    void offer(const std::string& text);
+    /// The user has decided: no offer holds any more.
+    void withdrawOffers();
     /// What a key did. Kept for clients, not printed.
     void tell(const std::string& text);
 
     /// How many were kept so far: grows with each, and never falls.
     std::uint32_t count() const { return count_; }
     /// Those after the first `known` ones, as far as they are still there (the last 100 are), a line each:
-    /// its number, "warning" or "event", the text.
+    /// its number, "warning", "offer" or "event", the text.
     std::string since(std::uint32_t known) const;
     /// Another scene is shown: messages of the last one are dropped.
     void forget() { kept_.clear(); }

@@ -1,6 +1,7 @@
 #include "rtserver/scene_upkeep.h"
 
 #include "rtcore/platform/file_waits.h"
+#include "rtcore/scene/up_axis.h"
 
 #include <fmt/format.h>
 
@@ -22,7 +23,12 @@ std::string shortNumber(double value) { return fmt::format("{:.3g}", value); }
 
 void SceneUpkeep::load(const std::filesystem::path& path, std::optional<std::filesystem::path> cachedModel) {
     if (load_ != nullptr) throw std::runtime_error("another scene is being loaded");
-    load_ = std::make_unique<SceneLoad>(path, std::move(cachedModel), options_.import, options_.threads);
+    rtcore::ImportOptions import = options_.import;
+    if (state_.ready()) { // what was said of the first model
+        import.up.reset();
+        import.metresPerUnit.reset();
+    }
+    load_ = std::make_unique<SceneLoad>(path, std::move(cachedModel), import, options_.threads);
 }
 
 std::optional<SceneUpkeep::Loaded> SceneUpkeep::takeLoaded() {
@@ -42,11 +48,18 @@ void SceneUpkeep::show(std::unique_ptr<World> world) {
     state_.show(std::move(world));
     messages_.forget();
     rtcore::allowRegularFilesOnly(); // from here on paths come from clients
-    if (!state_.world().loaded.sceneFile) {
-        Messages::print("one unit of " + state_.title() + " is taken for " +
-                        shortNumber(state_.metresPerUnit()) + " m; a .scn file with 'metresPerUnit' says it");
-    }
+    tellFrame();
     for (const std::string& warning : state_.world().loaded.warnings) messages_.warn(warning);
+}
+
+void SceneUpkeep::tellFrame() {
+    const rtcore::UpAndUnit& frame = state_.frame();
+    if (frame.upSaid != rtcore::Said::Guessed && frame.unitSaid != rtcore::Said::Guessed) return;
+    Messages::print(state_.title() + ": " + rtcore::describe(frame) +
+                    "; --up and --units, or 'up' and 'metresPerUnit' in a .scn, say it");
+    if (!frame.surprising) return;
+    messages_.offer(fmt::format("{} is taken for up ({}); 'up {}' turns the model",
+                                rtcore::axisName(frame.up), frame.upWhy, rtcore::axisName(frame.otherUp)));
 }
 
 // --- What is kept of the scene ---

@@ -60,6 +60,7 @@ class SceneUpkeep {
 
   private:
     void show(std::unique_ptr<World> world);
+    void tellFrame();
     void noticeChanges();
     void refineTree(const Pace& pace);
     void mapShadows(const Pace& pace);

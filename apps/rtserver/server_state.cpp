@@ -75,17 +75,64 @@ void ServerState::show(std::unique_ptr<World> world) {
     if (recording_) endRecording("another scene was shown");
     player_.reset();
     world_ = std::move(world);
-    // A model file does not tell its unit.
-    player_ = std::make_unique<rtcore::Player>(
-        loaded.tree, loaded.scene.mesh(),
-        rtcore::PlayerOptions{
-            .up = scene.up, .metresPerUnit = loaded.sceneFile ? scene.metresPerUnit : 0, .walk = scene.walk});
-    player_->setCamera(loaded.camera);
-    camera_ = player_->camera();
     scene_ = std::make_shared<const rtcore::Scene>(std::move(scene));
+    makePlayer(loaded.camera);
     revisions_.note(rtcore::Changes::all());
     history_.clear();
     if (first && options_.path) play(std::make_unique<Playback>(*options_.path));
+}
+
+void ServerState::makePlayer(const rtcore::Camera& camera) {
+    const rtcore::LoadedScene& loaded = world_->loaded;
+    player_ = std::make_unique<rtcore::Player>(
+        loaded.tree, loaded.scene.mesh(),
+        rtcore::PlayerOptions{
+            .up = scene_->up, .metresPerUnit = double{scene_->metresPerUnit}, .walk = scene_->walk});
+    player_->setCamera(camera);
+    camera_ = player_->camera();
+}
+
+const rtcore::UpAndUnit& ServerState::frame() const { return world_->loaded.frame; }
+
+void ServerState::setFrame(std::optional<rtcore::Vec3> up, std::optional<double> metresPerUnit) {
+    useFrame(rtcore::withUserSays(world_->loaded.frame, up, metresPerUnit));
+    if (up) messages_.withdrawOffers();
+}
+
+void ServerState::guessFrame(bool up, bool unit) {
+    const rtcore::LoadedScene& loaded = world_->loaded;
+    const rtcore::UpAndUnit guess = rtcore::guessUpAndUnit(loaded.origin, loaded.tree, loaded.scene.mesh());
+    rtcore::UpAndUnit frame = loaded.frame;
+    if (up) {
+        frame.up = guess.up;
+        frame.otherUp = guess.otherUp;
+        frame.upSaid = guess.upSaid;
+        frame.upWhy = guess.upWhy;
+    }
+    if (unit) {
+        frame.metresPerUnit = guess.metresPerUnit;
+        frame.unitSaid = guess.unitSaid;
+        frame.unitWhy = guess.unitWhy;
+    }
+    useFrame(frame);
+}
+
+// What is recorded and what is walked on is of the old frame.
+void ServerState::useFrame(const rtcore::UpAndUnit& frame) {
+    rtcore::Scene edited = *scene_;
+    rtcore::Camera camera = camera_;
+    const bool same = frame.up == edited.up && frame.metresPerUnit == edited.metresPerUnit;
+    rtcore::reframe(world_->loaded, frame, edited, camera);
+    if (same) return;
+    stopPlaying();
+    if (recording_) endRecording("the up axis or the unit was changed");
+    rtcore::Changes changes{rtcore::Change::View, rtcore::Change::Sky, rtcore::Change::Setting};
+    changes.set(rtcore::Change::Light, edited.lights != scene_->lights);
+    scene_ = std::make_shared<const rtcore::Scene>(std::move(edited));
+    const double speed = player_->speedFactor();
+    makePlayer(camera);
+    player_->setSpeedFactor(speed);
+    revisions_.note(changes);
 }
 
 void ServerState::useTree(rtcore::KdTree tree, std::shared_ptr<const rtcore::KdRayTracer> tracer) {
@@ -199,8 +246,9 @@ void ServerState::makeOf(const EditStep& step, const Shown& from, const Shown& t
         }
         setSettings(settings);
     }
+    if (changesFrame(step)) useFrame(to.frame);
     if (changesScene(step)) publish(rtcore::Scene(*to.scene));
-    if (changesCamera(step)) setCamera(to.camera);
+    if (changesCamera(step) || changesFrame(step)) setCamera(to.camera);
 }
 
 std::string ServerState::undo() {
@@ -239,7 +287,7 @@ void ServerState::setSpeed(double factor) { player_->setSpeedFactor(factor); }
 
 bool ServerState::walking() const { return player_->mode() == rtcore::MotionMode::Walk; }
 
-double ServerState::metresPerUnit() const { return player_->metresPerUnit(); }
+float ServerState::metresPerUnit() const { return scene_->metresPerUnit; }
 
 void ServerState::takeCamera() {
     const rtcore::Camera camera = player_->camera();

@@ -96,7 +96,7 @@ class ServerState {
     void setEnvironment(int environment);
 
     /// What edits change.
-    Shown shown() const { return {scene_, settings_, camera_}; }
+    Shown shown() const { return {scene_, settings_, camera_, frame()}; }
     /// What changed since shown() was `before` is one step that can be taken back. `label` and `goesOn`: as
     /// in EditHistory.
     void keepStep(std::string label, Shown before, bool goesOn = false);
@@ -116,7 +116,14 @@ class ServerState {
     Keyboard& keyboard() { return keyboard_; }
     const rtcore::KeyBindings& bindings() const { return bindings_; }
     void setBindings(rtcore::KeyBindings bindings) { bindings_ = std::move(bindings); }
-    double metresPerUnit() const;
+    float metresPerUnit() const;
+    /// The scene's up axis and unit, and who says them.
+    const rtcore::UpAndUnit& frame() const;
+    /// Another up axis, another unit, as the user says. The model stays where it is: the view of a model
+    /// without a camera is found again, flying goes on.
+    void setFrame(std::optional<rtcore::Vec3> up, std::optional<double> metresPerUnit);
+    /// What would be guessed of a model by itself.
+    void guessFrame(bool up, bool unit);
 
     /// Records the camera in the time that move() is told of. Throws std::runtime_error when a recording is
     /// under way.
@@ -148,6 +155,8 @@ class ServerState {
   private:
     rtcore::RenderSettings settingsOf(const World& world, const rtcore::CameraFile* camera) const;
     void publish(rtcore::Scene edited);
+    void makePlayer(const rtcore::Camera& camera);
+    void useFrame(const rtcore::UpAndUnit& frame);
     void takeSettings(const rtcore::RenderSettings& settings);
     void makeOf(const EditStep& step, const Shown& from, const Shown& to);
     void takeCamera();

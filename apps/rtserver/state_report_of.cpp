@@ -44,6 +44,8 @@ std::vector<app::NamedSwitch> environmentsOf(const ServerState& state) {
 
 app::StateReport stateReportOf(const ServerState& state) {
     app::StateReport report{.scene = scenePathOf(state),
+                            .up = state.scene()->up,
+                            .metresPerUnit = state.metresPerUnit(),
                             .lights = lightsOf(state),
                             .environments = environmentsOf(state),
                             .camera = state.camera(),

@@ -86,7 +86,7 @@ int main(int argc, char** argv) {
         rtcore::LoadedScene scene = rtcore::loadScene(argv[1]);
         const double given = argc > 2 ? std::atof(argv[2]) : 0;
         const rtcore::Vec3 up = scene.scene.up;
-        const double unit = given > 0 ? given : rtcore::guessMetresPerUnit(scene.tree.bounds, up);
+        const double unit = given > 0 ? given : double{scene.frame.metresPerUnit};
         const World world{std::move(scene), rtcore::WorldFrame(up, unit), rtcore::WalkShape()};
         std::printf("%zu triangles, %g metres per unit\n", world.scene.scene.mesh().triangles.size(), unit);
         const int walks = argc > 3 ? std::atoi(argv[3]) : 200;

@@ -2,8 +2,21 @@
 
 namespace app {
 
+std::vector<Option> frameOptions() {
+    return {{.name = "up",
+             .value = ValueKind::Choice,
+             .argument = "AXIS",
+             .help = "the model's axis that is up [auto: what its file says, else a guess]",
+             .more = "See \"Up axis and units\"",
+             .choices = {"auto", "+x", "-x", "+y", "-y", "+z", "-z"}},
+            {.name = "units",
+             .value = ValueKind::Text,
+             .argument = "UNIT",
+             .help = "the model's unit: mm, cm, m, in, ft or metres per unit [auto]"}};
+}
+
 OptionGroup importOptionGroup() {
-    return {
+    OptionGroup group{
         "Importing models",
         {{.name = "crease-angle",
           .value = ValueKind::Number,
@@ -28,6 +41,9 @@ OptionGroup importOptionGroup() {
                   "no `.gltf`",
           .minimum = 0.01,
           .maximum = 1e6}}};
+    const std::vector<Option> frame = frameOptions();
+    group.options.insert(group.options.begin(), frame.begin(), frame.end());
+    return group;
 }
 
 } // namespace app

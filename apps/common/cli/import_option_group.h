@@ -8,4 +8,7 @@ namespace app {
 /// --crease-angle, --flip-textures, --memory-limit, --time-limit.
 OptionGroup importOptionGroup();
 
+/// Of those, what the user says of a model: --up and --units.
+std::vector<Option> frameOptions();
+
 } // namespace app

@@ -1,12 +1,32 @@
 #include "common/cli/import_options.h"
 
+#include "rtcore/scene/up_axis.h"
+
+#include <charconv>
 #include <cstdint>
+#include <system_error>
 
 namespace app {
+
+namespace {
+constexpr double kLeastUnit = 1e-9, kLargestUnit = 1e9; ///< as of a .scn
+} // namespace
+
+std::optional<double> readUnits(const std::string& text) {
+    if (text == "auto") return std::nullopt;
+    if (const auto unit = rtcore::unitNamed(text)) return unit;
+    double metres = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), metres);
+    const bool number = error == std::errc() && end == text.data() + text.size();
+    if (number && metres >= kLeastUnit && metres <= kLargestUnit) return metres;
+    throw UsageError("a unit is auto, mm, cm, m, in, ft or a number of metres, not '" + text + "'");
+}
 
 rtcore::ImportOptions readImportOptions(const Arguments& arguments) {
     rtcore::ImportOptions options;
     if (const auto angle = arguments.number("crease-angle")) options.creaseAngle = static_cast<float>(*angle);
+    if (const auto up = arguments.text("up")) options.up = rtcore::axisNamed(*up);
+    if (const auto units = arguments.text("units")) options.metresPerUnit = readUnits(*units);
     if (arguments.has("flip-textures")) options.flipTextures = true;
     if (const auto limit = arguments.integer("memory-limit")) {
         options.memoryLimit = static_cast<std::uint64_t>(*limit) * 1'000'000;

@@ -6,7 +6,13 @@
 
 #include "rtcore/io/import/model_import.h"
 
+#include <optional>
+#include <string>
+
 namespace app {
+
+/// Metres per unit; nothing for "auto". Throws UsageError.
+std::optional<double> readUnits(const std::string& text);
 
 /// What the options of importOptionGroup() were given, else the importer's defaults.
 rtcore::ImportOptions readImportOptions(const Arguments& arguments);

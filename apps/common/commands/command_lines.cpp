@@ -87,6 +87,8 @@ std::string cameraReset() { return line(CommandId::CameraReset); }
 std::string cameraAngle(double degrees) { return line(CommandId::CameraAngle, degrees); }
 std::string cameraZoom(double factor) { return line(CommandId::CameraZoom, factor); }
 std::string cameraPaste(const std::string& text) { return line(CommandId::CameraPaste, text); }
+std::string up(const std::string& axis) { return line(CommandId::Up, axis); }
+std::string units(float metres) { return line(CommandId::Units, fmt::format("{}", metres)); }
 std::string focus(double right, double down) { return line(CommandId::Focus, right, down); }
 std::string speed(double factor) { return line(CommandId::Speed, factor); }
 std::string walk() { return line(CommandId::Walk); }

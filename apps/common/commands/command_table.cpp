@@ -163,7 +163,8 @@ std::vector<CommandSpec> serverCommands() {
          .arguments = {maybe(whole("KNOWN", 0))},
          .effect = Tells,
          .needsScene = false,
-         .help = "print the warnings and what keys did since the scene was loaded; KNOWN: after that number",
+         .help =
+             "print warnings, offers and what keys did since the scene was loaded; KNOWN: after that number",
          .more = "A line each: `3 warning room.obj: the texture wall.png is missing`, `4 event light 2 off`"},
         {.id = CommandId::WaitIdle,
          .name = "wait-idle",
@@ -285,6 +286,22 @@ std::vector<CommandSpec> cameraCommands() {
          .help = "show what is in the middle so many times as large, from the same place",
          .more = "The field of view stays between 0.5 and 170 degrees, or where it is. Prints it then, in "
                  "degrees; without perspective, the width"},
+        {.id = CommandId::Up,
+         .name = "up",
+         .arguments = {choice("+x|-x|+y|-y|+z|-z|auto")},
+         .effect = Changes,
+         .edits = true,
+         .help = "this axis of the model is up; auto: as it was guessed; print what holds now, and why",
+         .more =
+             "The model stays where it is: the view of one that brings no camera is found again, else the "
+             "view is turned upright"},
+        {.id = CommandId::Units,
+         .name = "units",
+         .arguments = {orElse(number("METRES", 1e-9, 1e9), "auto|mm|cm|m|in|ft")},
+         .effect = Changes,
+         .edits = true,
+         .help = "so long is a unit of the model; print what holds now, and why",
+         .more = "Walking, flying and depth of field go by it"},
         {.id = CommandId::Focus,
          .name = "focus",
          .arguments = {number("X", 0, 1), number("Y", 0, 1)},

@@ -49,6 +49,8 @@ enum class CommandId {
     CameraAngle,
     CameraLens,
     CameraZoom,
+    Up,
+    Units,
     Focus,
     Speed,
     Walk,

@@ -5,6 +5,7 @@
 #include "rtcore/io/text/strict_table.h"
 #include "rtcore/io/text/toml_parser.h"
 #include "rtcore/io/text/toml_writer.h"
+#include "rtcore/scene/up_axis.h"
 #include "rtcore/settings/nearest_name.h"
 
 #include <algorithm>
@@ -16,6 +17,7 @@ namespace {
 
 const std::string kName = "the server's state"; // in errors
 constexpr int kMost = 1'000'000'000;
+constexpr rtcore::Limits kUnit{.minimum = 1e-12, .maximum = 1e12};
 
 /// What of a list is told.
 struct Extent {
@@ -43,6 +45,8 @@ std::string format(const StateReport& state, const Extent& extent) {
     writer.add("undo", rtcore::printable(state.undo));
     writer.add("redo", rtcore::printable(state.redo));
     writer.add("edits", state.edits);
+    writer.add("up", rtcore::axisName(state.up));
+    writer.add("metresPerUnit", state.metresPerUnit);
     write(writer, "lights", state.lights, extent);
     write(writer, "environments", state.environments, extent);
     writer.section("[camera]");
@@ -85,6 +89,8 @@ StateReport parseStateReport(std::string_view text) {
     state.undo = root.require("undo", root.text("undo"));
     state.redo = root.require("redo", root.text("redo"));
     state.edits = root.require("edits", root.integer("edits", 0, kMost));
+    state.up = rtcore::kAxes.at(root.require("up", root.choice("up", rtcore::kAxisNames)));
+    state.metresPerUnit = root.require("metresPerUnit", root.number("metresPerUnit", kUnit));
     state.lights = read(root, "lights");
     state.environments = read(root, "environments");
     rtcore::StrictTable camera = root.require("camera", root.table("camera"));

@@ -19,6 +19,8 @@ struct NamedSwitch {
 
 struct StateReport {
     std::string scene;                               ///< absolute path of the scene or model
+    rtcore::Vec3 up{0, 1, 0};                        ///< one of the six axes
+    float metresPerUnit = 1;                         ///< above 0
     std::vector<NamedSwitch> lights;                 ///< in the scene's order; the first ones of very many
     std::vector<NamedSwitch> environments;           ///< at most one is on
     rtcore::Camera camera;                           ///< nameOffset is 0

@@ -32,6 +32,10 @@ QString editText(app::CommandId id) {
     case app::CommandId::CameraLens:
     case app::CommandId::CameraZoom:
         return text(QT_TRANSLATE_NOOP("Edits", "field of view"));
+    case app::CommandId::Up:
+        return text(QT_TRANSLATE_NOOP("Edits", "up axis"));
+    case app::CommandId::Units:
+        return text(QT_TRANSLATE_NOOP("Edits", "unit"));
     case app::CommandId::LoadCamera:
         return text(QT_TRANSLATE_NOOP("Edits", "camera"));
     case app::CommandId::LoadSet:

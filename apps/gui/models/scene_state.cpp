@@ -3,6 +3,7 @@
 #include "common/commands/state_report.h"
 
 #include "rtcore/platform/error.h"
+#include "rtcore/scene/up_axis.h"
 #include "rtcore/settings/settings_table.h"
 
 namespace gui {
@@ -29,6 +30,8 @@ std::optional<StateAnswer> readState(const QString& answer) {
             result.state.settings[QString::fromStdString(each.name)] =
                 QString::fromStdString(rtcore::settingText(each.value));
         }
+        result.state.up = QString::fromStdString(std::string(rtcore::axisName(report.up)));
+        result.state.metresPerUnit = report.metresPerUnit;
         result.state.lights = switchesOf(report.lights);
         result.state.environments = switchesOf(report.environments);
         result.state.undo = QString::fromStdString(report.undo);

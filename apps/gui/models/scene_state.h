@@ -16,6 +16,8 @@ struct NamedSwitch {
 };
 
 struct SceneState {
+    QString up;                      ///< "+y"
+    float metresPerUnit = 1;         ///< above 0
     QMap<QString, QString> settings; ///< name to value, both as `settings` writes them
     QList<NamedSwitch> lights;
     QList<NamedSwitch> environments; ///< at most one is on

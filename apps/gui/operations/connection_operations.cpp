@@ -19,6 +19,8 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include <utility>
+
 namespace gui {
 
 ConnectionOperations::ConnectionOperations(const GuiContext& context, QObject* parent)
@@ -113,6 +115,7 @@ void ConnectionOperations::showScene(const QString& path) {
         request.instance = instanceName();
         const int frameTime = context_.preferences.get(pref::frameTime);
         if (frameTime > 0) request.options = frameTimeOption(frameTime);
+        request.options += std::exchange(startOptions_, {});
         const int percent = context_.preferences.get(pref::pictureScale);
         request.resolution = context_.view.devicePixels() * percent / 100;
         return start(request);

@@ -23,6 +23,8 @@ class ConnectionOperations : public QObject {
     /// own.
     void open(const QString& path);
     void start(const ServerRequest& request);
+    /// Options of the server that the next open() starts.
+    void startWith(const QStringList& options) { startOptions_ = options; }
     /// Names the servers of open().
     void setInstance(const QString& instance) { instance_ = instance; }
     QString instanceName() const;
@@ -43,6 +45,7 @@ class ConnectionOperations : public QObject {
 
     GuiContext context_;
     QString instance_; ///< empty: the preference
+    QStringList startOptions_;
     QPointer<QMessageBox> question_;
 };
 

@@ -707,6 +707,22 @@
         <translation>Import modelů</translation>
     </message>
     <message>
+        <source>Up</source>
+        <translation>Směr vzhůru</translation>
+    </message>
+    <message>
+        <source>the model's axis that is up [auto: what its file says, else a guess]</source>
+        <translation>osa modelu, která míří vzhůru [auto: co říká soubor, jinak odhad]</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Jednotky</translation>
+    </message>
+    <message>
+        <source>the model's unit: mm, cm, m, in, ft or metres per unit [auto]</source>
+        <translation>jednotka modelu: mm, cm, m, in, ft nebo počet metrů na jednotku [auto]</translation>
+    </message>
+    <message>
         <source>Crease angle</source>
         <translation>Úhel hrany</translation>
     </message>

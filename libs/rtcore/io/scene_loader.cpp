@@ -121,6 +121,7 @@ class Loader {
             phase(LoadPhase::ImportingModel);
             ImportedModel imported = importModel(path, import);
             warn(imported.report.warnings);
+            out_.origin = std::move(imported.report.origin);
             out_.files.insert(out_.files.end(), imported.report.files.begin(), imported.report.files.end());
             scene.model = std::move(imported.model);
         }
@@ -143,6 +144,7 @@ class Loader {
 
     void take(BspContent content) {
         warn(content.warnings);
+        out_.origin = std::move(content.origin);
         out_.scene.model = std::move(content.model);
         if (content.tree) out_.tree = std::move(*content.tree);
     }
@@ -266,9 +268,29 @@ class Loader {
         out_.still.insert(out_.still.end(), settings.still.begin(), settings.still.end());
     }
 
+    /// The options win over a .scn, that over the model's file, that over a guess.
+    void decideUpAndUnit() {
+        UpAndUnit frame;
+        if (out_.sceneFile) {
+            frame.up = frame.otherUp = out_.scene.up;
+            frame.metresPerUnit = out_.scene.metresPerUnit;
+            frame.upSaid = frame.unitSaid = Said::ByScene;
+        } else {
+            frame = guessUpAndUnit(out_.origin, out_.tree, out_.scene.mesh());
+        }
+        frame = withUserSays(frame, options_.import.up, options_.import.metresPerUnit);
+        out_.ownCamera = hasCamera_;
+        // A camera of the model's or the scene's own knows what is up, unless the user knows better.
+        if (hasCamera_ && frame.upSaid == Said::ByUser) return reframe(out_, frame, out_.scene, out_.camera);
+        out_.frame = frame;
+        out_.scene.up = frame.up;
+        out_.scene.metresPerUnit = frame.metresPerUnit;
+        if (!hasCamera_) out_.camera = defaultCamera(out_.tree, out_.scene.mesh(), frame.up);
+    }
+
     void finish() {
         Scene& scene = out_.scene;
-        if (!hasCamera_) out_.camera = defaultCamera(out_.tree, scene.mesh(), scene.up);
+        decideUpAndUnit();
         // A scene lit by its surroundings alone is a choice; one without any light is an oversight.
         const bool emits = std::any_of(scene.materials.begin(), scene.materials.end(),
                                        [](const Material& m) { return !isBlack(m.emission); });
@@ -276,6 +298,7 @@ class Loader {
             !(emits && out_.sceneFile)) {
             scene.lights.push_back(defaultLight(out_.camera, out_.tree.bounds));
             scene.lightNames.emplace_back("default");
+            out_.ownLight = false;
         }
         scene.closed = findClosedSurfaces(scene.mesh(), scene.materials);
         phase(LoadPhase::Done);
@@ -290,6 +313,23 @@ class Loader {
 
 LoadedScene loadScene(const std::filesystem::path& path, const LoadOptions& options) {
     return Loader(options).load(path);
+}
+
+void reframe(LoadedScene& loaded, const UpAndUnit& frame, Scene& scene, Camera& camera) {
+    const bool turned = frame.up != scene.up;
+    loaded.frame = frame;
+    scene.up = frame.up;
+    scene.metresPerUnit = frame.metresPerUnit;
+    if (!turned) return;
+    if (loaded.ownCamera) {
+        camera.up = upwardsOf(camera.forward, frame.up);
+        return;
+    }
+    camera = loaded.camera = defaultCamera(loaded.tree, scene.mesh(), frame.up);
+    if (loaded.ownLight || scene.lights.size() != 1) return;
+    const std::uint32_t on = scene.lights.front().on;
+    scene.lights.front() = defaultLight(camera, loaded.tree.bounds);
+    scene.lights.front().on = on;
 }
 
 } // namespace rtcore

@@ -6,6 +6,7 @@
 #include "rtcore/io/import/model_import.h"
 #include "rtcore/io/text/scn.h"
 #include "rtcore/render/default_view.h"
+#include "rtcore/render/up_and_unit.h"
 #include "rtcore/scene/scene.h"
 
 #include <cstddef>
@@ -48,6 +49,10 @@ struct LoadedScene {
     std::filesystem::path modelPath;
     std::vector<std::filesystem::path> files; ///< all that were read, as far as known; some may stand twice
     BuildTimes buildTimes;                    ///< zero when the tree came from a .bsp
+    UpAndUnit frame;                          ///< what Scene::up and Scene::metresPerUnit are, and why
+    ModelOrigin origin;                       ///< of the model
+    bool ownCamera = true;                    ///< false: defaultCamera()
+    bool ownLight = true;                     ///< false: the only light is defaultLight() of that camera
     bool fastTree = false; ///< since LoadOptions::primaryRays are few: an exact tree serves more rays better
 };
 
@@ -55,5 +60,9 @@ struct LoadedScene {
 /// line that sets `version`, anything else goes to the importer. Throws FileError, and
 /// what buildKdTree() throws: BuildCancelled when buildProgress->cancel was set.
 LoadedScene loadScene(const std::filesystem::path& path, const LoadOptions& options = {});
+
+/// Another up axis or unit of a scene that was loaded, and what of `camera` and `scene` follows from it: the
+/// camera and the light of a model that brings none, and otherwise what is up in the picture.
+void reframe(LoadedScene& loaded, const UpAndUnit& frame, Scene& scene, Camera& camera);
 
 } // namespace rtcore

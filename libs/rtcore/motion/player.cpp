@@ -10,11 +10,6 @@ namespace {
 constexpr std::int64_t kSecond = 1'000'000'000;
 constexpr std::int64_t kLongest = kSecond / 4;
 
-double scaleOf(const KdTree& tree, const PlayerOptions& options) {
-    const double given = options.metresPerUnit;
-    return given > 0 && std::isfinite(given) ? given : guessMetresPerUnit(tree.bounds, options.up);
-}
-
 double flyingSpeedIn(const Box3& bounds, double metresPerUnit) {
     constexpr double kShare = 0.1;
     const double speed = kShare * double{bounds.diagonal()} * metresPerUnit;
@@ -26,7 +21,7 @@ double between(double a, double b, double fraction) { return a + (b - a) * fract
 } // namespace
 
 Player::Player(const KdTree& tree, const Mesh& mesh, const PlayerOptions& options)
-    : frame_(options.up, scaleOf(tree, options)), walker_(tree, mesh, frame_, WalkShape(options.walk)),
+    : frame_(options.up, options.metresPerUnit), walker_(tree, mesh, frame_, WalkShape(options.walk)),
       flyingSpeed_(flyingSpeedIn(tree.bounds, frame_.metresPerUnit())) {
     Camera camera;
     camera.forward = frame_.turnBack({0, 1, 0});

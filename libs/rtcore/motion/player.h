@@ -21,7 +21,7 @@ enum class MotionMode {
 
 struct PlayerOptions {
     Vec3 up{0, 1, 0};
-    double metresPerUnit = 0; ///< 0: guessMetresPerUnit()
+    double metresPerUnit = 1; ///< above 0, finite
     WalkParameters walk;
 };
 
@@ -68,6 +68,7 @@ class Player {
 
     /// Flies so many times as fast as usual; > 0. Walking stays as it is.
     void setSpeedFactor(double factor) { speedFactor_ = factor; }
+    double speedFactor() const { return speedFactor_; }
 
     /// Nothing will move until something is pressed.
     bool atRest() const;

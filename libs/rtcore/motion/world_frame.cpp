@@ -26,18 +26,4 @@ Vec3 WorldFrame::turnBack(Vec3d d) const { return narrow(right_ * d.x + ahead_ *
 Vec3d WorldFrame::toMetres(Vec3 p) const { return turn(p) * scale_; }
 Vec3 WorldFrame::toScene(Vec3d p) const { return turnBack(p * (1 / scale_)); }
 
-double guessMetresPerUnit(const Box3& bounds, Vec3 up) {
-    if (bounds.empty()) return 1;
-    const Vec3d size = widen(bounds.hi) - widen(bounds.lo);
-    const Vec3d axis = normalize(widen(up));
-    const double height =
-        std::fabs(axis.x) * size.x + std::fabs(axis.y) * size.y + std::fabs(axis.z) * size.z;
-    for (const double unit : {1.0, 0.01, 0.0254, 0.001}) {
-        if (height * unit >= 3 && height * unit <= 100) return unit;
-    }
-    const double width = length(size);
-    if (!(width > 1e-30) || !std::isfinite(width)) return 1;
-    return height > 0.01 * width ? 3 / height : 30 / width;
-}
-
 } // namespace rtcore

@@ -1,7 +1,6 @@
 /// Between a scene's coordinates and the player's: metres, z upwards, y ahead at a heading of zero.
 #pragma once
 
-#include "rtcore/math/box.h"
 #include "rtcore/math/vec.h"
 
 namespace rtcore {
@@ -24,10 +23,5 @@ class WorldFrame {
     Vec3d right_, ahead_, up_;
     double scale_;
 };
-
-/// For models that do not say: the first of metre, centimetre, inch and millimetre at which the model is
-/// between 3 and 100 m tall; where none fits, such that it is 3 m tall (if it is flat, 30 m wide). Always > 0
-/// and finite.
-double guessMetresPerUnit(const Box3& bounds, Vec3 up);
 
 } // namespace rtcore

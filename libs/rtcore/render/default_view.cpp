@@ -190,6 +190,10 @@ Camera defaultCamera(const KdTree& tree, const Mesh& mesh, Vec3 up) {
     return frameAll(mesh, tree.bounds, -normalize(from), up);
 }
 
+bool isInterior(const KdTree& tree, const Mesh& mesh, Vec3 up) {
+    return !tree.bounds.empty() && survey(tree, mesh, Axes(up)).indoors.has_value();
+}
+
 Light defaultLight(const Camera& camera, const Box3& bounds) {
     const Vec3 forward = normalize(camera.forward);
     const Vec3 right = normalize(cross(forward, camera.up));

@@ -13,6 +13,9 @@ namespace rtcore {
 /// all of it is in the image. `up` is a unit vector.
 Camera defaultCamera(const KdTree& tree, const Mesh& mesh, Vec3 up);
 
+/// Whether it would stand inside.
+bool isInterior(const KdTree& tree, const Mesh& mesh, Vec3 up);
+
 /// A point light above the viewer's right shoulder, of a strength that suits the size of the model.
 Light defaultLight(const Camera& camera, const Box3& bounds);
 

@@ -164,6 +164,8 @@ TEST(CommandLines, SuitTheTable) {
         {CommandId::CameraTurn, command::cameraTurn(-1.5, 1e-4)},
         {CommandId::CameraReset, command::cameraReset()},
         {CommandId::CameraGet, command::cameraGet()},
+        {CommandId::Up, command::up("-x")},
+        {CommandId::Units, command::units(0.0254F)},
         {CommandId::Focus, command::focus(0.5, 1)},
         {CommandId::Speed, command::speed(2.5)},
         {CommandId::Walk, command::walk()},

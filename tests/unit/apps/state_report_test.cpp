@@ -26,6 +26,8 @@ TEST(StateReport, SurvivesTheRoundTrip) {
     const app::StateReport state = sample();
     EXPECT_EQ(app::parseStateReport(app::formatStateReport(state, 60000)), state);
     app::StateReport other = state;
+    other.up = {0, 0, -1};
+    other.metresPerUnit = 0.0254F;
     other.lights.clear();
     other.environments.clear();
     other.camera.kind = rtcore::CameraKind::Orthographic;

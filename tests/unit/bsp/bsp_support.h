@@ -35,7 +35,8 @@ inline Bytes sampleFile(std::uint32_t seed, std::size_t triangles) {
     const SampleTree tree = sampleTree(model.mesh, 2);
     const rtcore::KdTree view = tree.view();
     rtcore::writeBsp(folder / "sample.bsp", model, &view, {1234, 0xABCD, 42},
-                     std::vector<std::string>{"a texture is missing", "a light is left out"});
+                     std::vector<std::string>{"a texture is missing", "a light is left out"},
+                     {"a format", "a program", rtcore::Vec3{0, 0, 1}, 0.01});
     return fileContent(folder / "sample.bsp");
 }
 

@@ -145,14 +145,17 @@ TEST(BspDamage, NamesOfSectionsAreChecked) {
     expectRefusal(bytes, table, "does not end with the file");
 }
 
-TEST(BspDamage, WarningsMustBeText) {
+TEST(BspDamage, WarningsAndOriginMustBeText) {
     const Bytes sound = test::sampleFile(1, 6);
-    const rtcore::BspSectionEntry warnings = test::tableOf(sound).sections.back();
-    ASSERT_EQ(test::nameOf(warnings), "warnings");
-    for (const std::size_t at : {std::size_t{0}, static_cast<std::size_t>(warnings.count) - 1}) {
-        Bytes bytes = sound;
-        bytes[warnings.offset + at] = static_cast<std::byte>(at == 0 ? '\x1B' : 'x');
-        expectRefusal(bytes, test::tableOf(bytes), "section warnings is no text");
+    const std::vector<rtcore::BspSectionEntry> sections = test::tableOf(sound).sections;
+    for (const std::size_t i : {sections.size() - 2, sections.size() - 1}) {
+        const std::string name = test::nameOf(sections[i]);
+        ASSERT_EQ(name, i == sections.size() - 1 ? "origin" : "warnings");
+        for (const std::size_t at : {std::size_t{0}, static_cast<std::size_t>(sections[i].count) - 1}) {
+            Bytes bytes = sound;
+            bytes[sections[i].offset + at] = static_cast<std::byte>(at == 0 ? '\x1B' : 'x');
+            expectRefusal(bytes, test::tableOf(bytes), "section " + name + " is no text");
+        }
     }
 }
 

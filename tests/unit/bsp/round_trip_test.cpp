@@ -39,6 +39,16 @@ TEST(BspRoundTrip, FileWithoutATreeHandsOverAModel) {
     test::expectEqual(content.model, model);
 }
 
+TEST(BspRoundTrip, WhereTheModelComesFromComesBack) {
+    const test::TemporaryFolder folder;
+    const Model model = rtcore::makeModel(test::SampleModel(8).make(5));
+    const rtcore::ModelOrigin origin{"STL Importer", "OpenSCAD", rtcore::Vec3{0, 0, -1}, 0.001};
+    rtcore::writeBsp(folder / "f.bsp", model, nullptr, {}, {}, origin);
+    EXPECT_EQ(rtcore::readBsp(folder / "f.bsp").origin, origin);
+    rtcore::writeBsp(folder / "f.bsp", model, nullptr, {}, {}, {"", std::string(9000, 'x') + "\n", {}, {}});
+    EXPECT_EQ(rtcore::readBsp(folder / "f.bsp").origin.exporter.find_first_not_of('x'), std::string::npos);
+}
+
 TEST(BspRoundTrip, WhatAModelMayLackMayBeMissing) {
     const test::TemporaryFolder folder;
     rtcore::ModelBuffers buffers = test::SampleModel(9).make(10);

@@ -14,7 +14,7 @@ using test::near;
 TEST(ImportGeometry, ACubeOfQuads) {
     const ImportedModel cube = importText("cube.obj", test::kCubeObj);
     const Mesh& mesh = cube.model.mesh;
-    EXPECT_EQ(cube.report.format, "Wavefront Object Importer");
+    EXPECT_EQ(cube.report.origin.format, "Wavefront Object Importer");
     EXPECT_EQ(mesh.triangles.size(), 12U);
     EXPECT_EQ(mesh.vertices.size(), 8U);
     EXPECT_EQ(mesh.normals.size(), 24U);

@@ -8,7 +8,7 @@ using namespace rtcore;
 
 TEST(ImportReport, SurvivesTheWay) {
     ImportReport report;
-    report.format = "Wavefront";
+    report.origin = {"Wavefront", "Blender 3.4", Vec3{0, 0, 1}, 0.0254};
     report.degenerateTriangles = 3;
     report.ignoredPrimitives = 1;
     report.nonFiniteTriangles = 9;

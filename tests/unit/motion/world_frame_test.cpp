@@ -8,7 +8,6 @@
 #include <vector>
 
 using rtcore::Box3;
-using rtcore::guessMetresPerUnit;
 using rtcore::Vec3;
 using rtcore::WorldFrame;
 
@@ -28,17 +27,6 @@ TEST(WorldFrame, GoesThereAndBack) {
 }
 
 TEST(WorldFrame, WrongUpIsReplaced) { EXPECT_EQ(WorldFrame({0, 0, 0}, 1).up(), (Vec3{0, 1, 0})); }
-
-TEST(WorldFrame, GuessesUnits) {
-    const auto tall = [](float height) { return Box3{{-5, 0, -5}, {5, height, 5}}; };
-    EXPECT_EQ(guessMetresPerUnit(tall(15), {0, 1, 0}), 1);
-    EXPECT_EQ(guessMetresPerUnit(tall(1500), {0, 1, 0}), 0.01);
-    EXPECT_EQ(guessMetresPerUnit(tall(50000), {0, 1, 0}), 0.001);
-    EXPECT_NEAR(guessMetresPerUnit(tall(0.5F), {0, 1, 0}), 6, 1e-6);
-    EXPECT_GT(guessMetresPerUnit(tall(0), {0, 1, 0}), 0);
-    EXPECT_EQ(guessMetresPerUnit({}, {0, 1, 0}), 1);
-    EXPECT_EQ(guessMetresPerUnit({{1, 1, 1}, {1, 1, 1}}, {0, 1, 0}), 1);
-}
 
 TEST(NearbyTriangles, FindsAllThatReachIn) {
     test::WalkWorld world;

@@ -37,6 +37,59 @@ TEST_F(Commands, AskTheHost) {
     EXPECT_TRUE(host.quitted);
 }
 
+TEST_F(Commands, ChangeUpAxisAndUnit) {
+    const rtcore::Camera before = state.camera();
+    EXPECT_EQ(answer("up +x"), "+x is up (as you say); one unit is 1 m (guessed)");
+    EXPECT_EQ(state.scene()->up, (rtcore::Vec3{1, 0, 0}));
+    EXPECT_EQ(state.camera().eye, before.eye) << "the room has a camera of its own";
+    EXPECT_EQ(state.camera().up, (rtcore::Vec3{1, 0, 0}));
+    EXPECT_EQ(changes(), (Changes{Change::View, Change::Sky, Change::Setting}));
+    answer("up +x");
+    EXPECT_FALSE(changes().any());
+    answer("units cm");
+    EXPECT_EQ(state.metresPerUnit(), 0.01F);
+    EXPECT_EQ(state.scene()->metresPerUnit, 0.01F);
+    EXPECT_EQ(changes(), (Changes{Change::View, Change::Sky, Change::Setting}));
+    answer("units 0.3048");
+    EXPECT_EQ(state.metresPerUnit(), 0.3048F);
+    answer("up +y");
+    answer("units m");
+    EXPECT_EQ(state.camera(), before);
+    EXPECT_NE(answer("units auto").find("guessed"), std::string::npos);
+    EXPECT_EQ(refusal("up sideways").code, 2);
+    EXPECT_EQ(refusal("units parsecs").code, 2);
+    EXPECT_EQ(refusal("units 0").code, 2);
+}
+
+TEST_F(Commands, TurnTheViewOfAModelThatBringsNone) {
+    rtcore::LoadedScene room = test::makeRoom();
+    room.ownCamera = room.ownLight = false;
+    room.sceneFile.reset();
+    room.scene.lights.resize(1);
+    room.scene.lightNames.resize(1);
+    room.camera = rtcore::defaultCamera(room.tree, room.scene.mesh(), {0, 1, 0});
+    room.scene.lights[0] = rtcore::defaultLight(room.camera, room.tree.bounds);
+    state.show(test::worldOf(std::move(room)));
+    const rtcore::Camera before = state.camera();
+    const rtcore::Light light = state.scene()->lights[0];
+    answer("up +z");
+    EXPECT_EQ(state.camera().up, (rtcore::Vec3{0, 0, 1}));
+    EXPECT_NE(state.camera().eye, before.eye);
+    EXPECT_NE(state.scene()->lights[0], light);
+    EXPECT_TRUE(changes().has(Change::Light));
+    answer("up +y");
+    EXPECT_EQ(state.camera(), before);
+    EXPECT_EQ(state.scene()->lights[0], light);
+}
+
+TEST_F(Commands, EndTheOffersThatTheyDecide) {
+    messages.offer("+z is taken for up (by its shape); 'up +y' turns the model");
+    EXPECT_EQ(messages.since(0), "1 offer +z is taken for up (by its shape); 'up +y' turns the model");
+    answer("up +y");
+    EXPECT_EQ(messages.since(0).find("offer"), std::string::npos);
+    EXPECT_EQ(messages.count(), 1U);
+}
+
 TEST_F(Commands, SteerHowTheServerWorks) {
     answer("pause");
     EXPECT_TRUE(state.paused);

@@ -62,6 +62,8 @@ const std::vector<Case> kCases = {
     {"camera angle 80", {Change::View}},
     {"camera lens 50", {Change::View}},
     {"camera zoom 2", {Change::View}, "32.2"},
+    {"up +y", {}, "+y is up (as you say); one unit is 1 m (guessed)"},
+    {"units m", {}, "one unit is 1 m (as you say)"},
     {"focus 0.5 0.9", {Change::Setting}, "5"},
     {"speed 2"},
     {"walk"},

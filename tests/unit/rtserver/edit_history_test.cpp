@@ -25,6 +25,9 @@ class Edits : public test::CommandRoom {
         EXPECT_EQ(state.scene()->activeEnvironment, expected.scene->activeEnvironment);
         EXPECT_EQ(state.settings(), expected.settings);
         EXPECT_EQ(state.camera(), expected.camera);
+        EXPECT_EQ(state.frame().up, expected.frame.up);
+        EXPECT_EQ(state.frame().metresPerUnit, expected.frame.metresPerUnit);
+        EXPECT_EQ(state.scene()->up, expected.scene->up);
     }
     void tap(const std::string& key) {
         answer("key tap " + key);
@@ -52,6 +55,8 @@ TEST_F(Edits, AreTakenBackAndMadeAgainOneByOne) {
         {"load camera DIR/a.cam", "load camera a"},
         {"load set DIR/a.set", "load set a"},
         {"defaults", "defaults"},
+        {"up +z", "up"},
+        {"units cm", "units"},
     };
     std::vector<Shown> states{state.shown()};
     for (const auto& [line, label] : edits) {

@@ -4,6 +4,7 @@
 #include "rtcore/accel/kd_tree.h"
 #include "rtcore/platform/files.h"
 #include "rtcore/scene/model.h"
+#include "rtcore/scene/model_origin.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -28,15 +29,17 @@ struct BspContent {
     std::optional<KdTree> tree; ///< none in a file that only hands over an imported model
     BspIdentity identity;
     std::vector<std::string> warnings; ///< what its import left out or changed, each one line
+    ModelOrigin origin;                ///< of the model's file; empty in files of earlier writers
 };
 
 /// Writes by replaceFile(): a reader sees the old file or all of the new one, whenever the writer is killed.
-/// `tree` may be null; `warnings` are kept with the model, at most 64 KB of them. The same content gives the
-/// same bytes.
+/// `tree` may be null; `warnings` and `origin` are kept with the model, at most 64 KB and 4 KB of them. The
+/// same content gives the same bytes.
 /// Throws FileError: CannotWrite, and BadData when the model or the tree breaks a rule of checkModel() or
 /// validateKdTree(), since readBsp() would refuse the file.
 void writeBsp(const std::filesystem::path& path, const Model& model, const KdTree* tree,
-              const BspIdentity& identity, std::span<const std::string> warnings = {});
+              const BspIdentity& identity, std::span<const std::string> warnings = {},
+              const ModelOrigin& origin = {});
 
 /// Maps the file and checks all of it - checksums, structure, every index, every number - before it returns
 /// views into the mapping, which `model.storage` and `tree->storage` own; sections of version 2 whose

@@ -33,6 +33,7 @@ enum class BspSection : std::uint32_t {
     Parts,      ///< ModelPart
     Strings,    ///< char; the first and the last are zero
     Warnings,   ///< char: lines about what the import left out
+    Origin,     ///< char: lines of writeOrigin()
 };
 
 /// A record grows at its end only, by whole fields of 4 bytes or more.
@@ -60,6 +61,7 @@ inline constexpr std::array kBspSectionKinds{
     BspSectionKind{"parts", sizeof(ModelPart), 12},
     BspSectionKind{"strings", sizeof(char), 1},
     BspSectionKind{"warnings", sizeof(char), 1},
+    BspSectionKind{"origin", sizeof(char), 1},
 };
 inline constexpr std::size_t kBspSections = kBspSectionKinds.size();
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <string_view>
 #include <utility>
 
 namespace rtcore {
@@ -28,7 +29,8 @@ class Reader {
         BspContent content;
         content.identity = table_.identity;
         content.model = readModel();
-        content.warnings = readWarnings();
+        content.warnings = linesOf(readText(BspSection::Warnings, kMostBspWarningBytes));
+        content.origin = readOrigin(readText(BspSection::Origin, kMostOriginBytes));
         KdTree tree{view<KdNode>(BspSection::Nodes), view<std::uint32_t>(BspSection::References),
                     table_.bounds, nullptr};
         content.model.storage = tree.storage = storage();
@@ -93,19 +95,23 @@ class Reader {
     }
 
     /// Lines of printable text.
-    std::vector<std::string> readWarnings() {
-        const std::span<const char> text = view<char>(BspSection::Warnings);
+    std::string_view readText(BspSection section, std::size_t most) {
+        const std::span<const char> text = view<char>(section);
         const bool printable = std::all_of(text.begin(), text.end(), [](char c) {
             const auto code = static_cast<unsigned char>(c);
             return c == '\n' || (code >= 0x20 && code != 0x7F);
         });
-        if (!printable || text.size() > kMostBspWarningBytes || (!text.empty() && text.back() != '\n'))
-            fail("section warnings is no text");
+        if (!printable || text.size() > most || (!text.empty() && text.back() != '\n'))
+            fail("section " + std::string(kindOf(section).name) + " is no text");
+        return {text.data(), text.size()};
+    }
+
+    static std::vector<std::string> linesOf(std::string_view text) {
         std::vector<std::string> lines;
-        for (auto begin = text.begin(); begin != text.end();) {
-            const auto end = std::find(begin, text.end(), '\n');
-            lines.emplace_back(begin, end);
-            begin = end + 1;
+        while (!text.empty()) {
+            const std::size_t end = text.find('\n');
+            lines.emplace_back(text.substr(0, end));
+            text.remove_prefix(end + 1);
         }
         return lines;
     }

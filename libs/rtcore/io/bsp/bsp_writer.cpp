@@ -19,18 +19,28 @@ using Bytes = std::span<const std::byte>;
 constexpr std::array<std::byte, kBspAlignment> kZeros{};
 
 /// In the order of BspSection.
-std::array<Bytes, kBspSections> contentOf(const Model& model, const KdTree* tree, std::string_view warnings) {
+std::array<Bytes, kBspSections> contentOf(const Model& model, const KdTree* tree, std::string_view warnings,
+                                          std::string_view origin) {
     const Mesh& mesh = model.mesh;
     const auto nodes = tree != nullptr ? tree->nodes : std::span<const KdNode>();
     const auto references = tree != nullptr ? tree->references : std::span<const std::uint32_t>();
-    return {std::as_bytes(nodes),           std::as_bytes(references),
-            std::as_bytes(mesh.vertices),   std::as_bytes(mesh.triangles),
-            std::as_bytes(mesh.shading),    std::as_bytes(mesh.normals),
-            std::as_bytes(mesh.texcoords),  std::as_bytes(mesh.colours),
-            std::as_bytes(model.materials), std::as_bytes(model.textures),
-            std::as_bytes(model.texels),    std::as_bytes(model.lights),
-            std::as_bytes(model.cameras),   std::as_bytes(model.parts),
-            std::as_bytes(model.strings),   std::as_bytes(std::span(warnings))};
+    return {std::as_bytes(nodes),
+            std::as_bytes(references),
+            std::as_bytes(mesh.vertices),
+            std::as_bytes(mesh.triangles),
+            std::as_bytes(mesh.shading),
+            std::as_bytes(mesh.normals),
+            std::as_bytes(mesh.texcoords),
+            std::as_bytes(mesh.colours),
+            std::as_bytes(model.materials),
+            std::as_bytes(model.textures),
+            std::as_bytes(model.texels),
+            std::as_bytes(model.lights),
+            std::as_bytes(model.cameras),
+            std::as_bytes(model.parts),
+            std::as_bytes(model.strings),
+            std::as_bytes(std::span(warnings)),
+            std::as_bytes(std::span(origin))};
 }
 
 /// One line each, whatever they hold.
@@ -103,10 +113,10 @@ Table tableOf(const std::array<Bytes, kBspSections>& sections) {
 } // namespace
 
 void writeBsp(const std::filesystem::path& path, const Model& model, const KdTree* tree,
-              const BspIdentity& identity, std::span<const std::string> warnings) {
+              const BspIdentity& identity, std::span<const std::string> warnings, const ModelOrigin& origin) {
     refuseBadContent(path, model, tree);
-    const std::string lines = linesOf(warnings);
-    const auto sections = contentOf(model, tree, lines);
+    const std::string lines = linesOf(warnings), origins = writeOrigin(origin);
+    const auto sections = contentOf(model, tree, lines, origins);
     const Table table = tableOf(sections);
     BspHead head = headOf(model, tree, identity);
 

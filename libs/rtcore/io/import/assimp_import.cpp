@@ -2,15 +2,18 @@
 
 #include "rtcore/io/import/assimp_parts.h"
 #include "rtcore/io/import/colour_decoder.h"
+#include "rtcore/io/import/exporter_notes.h"
 #include "rtcore/io/import/geometry_finish.h"
 #include "rtcore/io/import/gltf_file.h"
 #include "rtcore/io/import/import_warnings.h"
 #include "rtcore/io/import/polygon.h"
 #include "rtcore/io/import/unread_content.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/scene/up_axis.h"
 
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
+#include <assimp/commonMetaData.h>
 #include <assimp/config.h>
 #include <assimp/importerdesc.h>
 #include <assimp/scene.h>
@@ -286,6 +289,41 @@ std::string formatOf(const Assimp::Importer& importer) {
     return info != nullptr && info->mName != nullptr ? info->mName : "";
 }
 
+std::string textOf(const aiScene& scene, const char* name) {
+    aiString text;
+    const bool there = scene.mMetaData != nullptr && scene.mMetaData->Get(name, text);
+    return there ? text.C_Str() : "";
+}
+
+/// FBX: neither is applied by Assimp.
+void readFbxSettings(const aiScene& scene, ModelOrigin& origin) {
+    std::int32_t axis = 1, sign = 1;
+    double centimetres = 1;
+    if (scene.mMetaData == nullptr) return;
+    scene.mMetaData->Get("UpAxis", axis);
+    scene.mMetaData->Get("UpAxisSign", sign);
+    scene.mMetaData->Get("UnitScaleFactor", centimetres);
+    if (axis >= 0 && axis <= 2) origin.up = kAxes.at(static_cast<std::size_t>(2 * axis + (sign < 0 ? 1 : 0)));
+    if (centimetres > 0 && std::isfinite(centimetres)) origin.metresPerUnit = 0.01 * centimetres;
+}
+
+ModelOrigin originOf(const std::filesystem::path& path, const std::string& format, const FormatQuirks& quirks,
+                     const aiScene& scene, const std::optional<GltfFile>& gltf) {
+    ModelOrigin origin{format, exporterNotes(path), {}, {}};
+    if (origin.exporter.empty()) {
+        origin.exporter =
+            gltf && !gltf->generator.empty() ? gltf->generator : textOf(scene, AI_METADATA_SOURCE_GENERATOR);
+    }
+    origin.metresPerUnit = statedUnit(origin.exporter);
+    if (quirks.metresAndYUp) {
+        origin.up = Vec3{0, 1, 0};
+        origin.metresPerUnit = 1;
+    }
+    if (quirks.ownAxes) readFbxSettings(scene, origin);
+    readFixedUnits(path, origin);
+    return origin;
+}
+
 /// Instances multiply: a small file can stand for more triangles than any memory holds.
 void makeRoom(const aiScene& scene, const NodeWalk& walk, std::uint64_t memoryLimit,
               MeshAssembler& assembler) {
@@ -337,8 +375,8 @@ FileImport importWithAssimp(const std::filesystem::path& path, const FileImportO
     const aiScene& scene = readScene(*importer, path, gltf, result.report);
     options.alive();
     result.source = importer;
-    result.report.format = formatOf(*importer);
-    const FormatQuirks quirks = quirksOf(result.report.format);
+    const FormatQuirks quirks = quirksOf(formatOf(*importer));
+    result.report.origin = originOf(path, formatOf(*importer), quirks, scene, gltf);
     const NodeWalk walk = walkNodes(scene);
     MeshAssembler assembler;
     makeRoom(scene, walk, options.memoryLimit, assembler);

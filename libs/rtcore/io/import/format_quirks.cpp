@@ -7,11 +7,11 @@ FormatQuirks quirksOf(const std::string& importer) {
     const auto is = [&](const char* part) { return importer.find(part) != std::string::npos; };
     if (is("glTF")) {
         q.linearVertexColours = q.physicalLights = q.halfSpotAngles = true;
-        q.cameraAtNode = q.fovTimesAspect = q.framedAspect = true;
+        q.cameraAtNode = q.fovTimesAspect = q.framedAspect = q.metresAndYUp = true;
     }
     if (is("Stereolithography")) q.facetNormals = true;
-    if (is("Collada")) q.oneSpotAngle = q.mapReplacesDiffuse = q.framedAspect = true;
-    if (is("FBX")) q.mapReplacesDiffuse = true;
+    if (is("Collada")) q.oneSpotAngle = q.mapReplacesDiffuse = q.framedAspect = q.metresAndYUp = true;
+    if (is("FBX")) q.mapReplacesDiffuse = q.ownAxes = true;
     if (is("3DS")) q.lightsInRoot = true;
     if (is("ASE")) q.cameraBackwards = true;
     return q;

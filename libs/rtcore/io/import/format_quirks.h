@@ -16,6 +16,8 @@ struct FormatQuirks {
     bool cameraBackwards = false;     ///< cameras look along -z whatever is said
     bool fovTimesAspect = false;      ///< the camera's angle is the vertical one times the aspect ratio
     bool framedAspect = false;        ///< a camera has the aspect that its author framed; else a made up one
+    bool metresAndYUp = false;        ///< by the format, or made so by Assimp from what the file says
+    bool ownAxes = false;             ///< up axis and unit stand in the file; Assimp leaves both as they are
     bool mapReplacesDiffuse = false;  ///< a diffuse image stands in place of the diffuse colour
 };
 

@@ -113,7 +113,8 @@ std::optional<GltfFile> readGltfFile(const std::filesystem::path& path) {
         const Json root = Json::parse(text);
         if (member(member(root, "asset"), "version").get<std::string>().substr(0, 1) != "2") return {};
         return GltfFile{missingBuffersOf(root, path.parent_path()), emissiveStrengthsOf(root),
-                        ignoredExtensionsOf(root), declaredTriangles(root)};
+                        ignoredExtensionsOf(root), member(root, "asset").value("generator", ""),
+                        declaredTriangles(root)};
     } catch (const Json::exception&) {
         return {};
     }

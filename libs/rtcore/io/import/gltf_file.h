@@ -13,6 +13,7 @@ struct GltfFile {
     std::vector<std::string> missingBuffers;    ///< files that it names and that are not there
     std::vector<float> emissiveStrengths;       ///< by material; KHR_materials_emissive_strength
     std::vector<std::string> ignoredExtensions; ///< that it uses, and that change what is seen
+    std::string generator;                      ///< the program that wrote it; may be ""
     std::uint64_t triangles = 0;                ///< of all meshes, as their primitives declare them
 };
 

@@ -34,8 +34,7 @@ void addFile(ImportReport& report, const std::string& path) {
 
 std::string writeReport(const ImportReport& report) {
     std::ostringstream out;
-    out << "format " << printable(report.format) << '\n'
-        << "degenerate " << report.degenerateTriangles << '\n'
+    out << writeOrigin(report.origin) << "degenerate " << report.degenerateTriangles << '\n'
         << "ignored " << report.ignoredPrimitives << '\n'
         << "nonfinite " << report.nonFiniteTriangles << '\n'
         << "unconnected " << report.unconnectedTriangles << '\n'
@@ -55,7 +54,7 @@ ImportReport readReport(const std::string& text) {
         if (space == std::string::npos) continue;
         const std::string name = line.substr(0, space);
         const std::string value = line.substr(space + 1);
-        if (name == "format") report.format = value;
+        if (readOriginLine(line, report.origin)) continue;
         const std::uint64_t count = std::strtoull(value.c_str(), nullptr, 10);
         if (name == "degenerate") report.degenerateTriangles = count;
         if (name == "ignored") report.ignoredPrimitives = count;

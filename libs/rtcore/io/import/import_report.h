@@ -2,6 +2,8 @@
 /// asked.
 #pragma once
 
+#include "rtcore/scene/model_origin.h"
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -9,7 +11,7 @@
 namespace rtcore {
 
 struct ImportReport {
-    std::string format;                     ///< the importer's name for it, as "Wavefront Object Importer"
+    ModelOrigin origin;
     std::uint64_t degenerateTriangles = 0;  ///< without area: dropped
     std::uint64_t ignoredPrimitives = 0;    ///< points and lines: dropped
     std::uint64_t nonFiniteTriangles = 0;   ///< a coordinate is no number or beyond 1e12: dropped

@@ -24,7 +24,10 @@ struct ImportOptions {
     std::optional<float> creaseAngle; ///< degrees: where a file has no normals, sharper edges stay edges;
                                       ///< absent: kCreaseAngle
     std::optional<bool> flipTextures; ///< turn all textures upside down: some exporters count v from the top
-    std::uint64_t memoryLimit = 0;    ///< bytes the importer may use; 0 = importLimits()
+    /// What the user says of the model, whatever its file says; it is neither turned nor scaled.
+    std::optional<Vec3> up;              ///< one of the six axes
+    std::optional<double> metresPerUnit; ///< above 0
+    std::uint64_t memoryLimit = 0;       ///< bytes the importer may use; 0 = importLimits()
     double timeLimit = 0; ///< seconds the importer may take for one step (parsing, one image, one mesh);
                           ///< 0 = importLimits()
     int threads = 0;      ///< 0 = all cores; the model does not depend on it

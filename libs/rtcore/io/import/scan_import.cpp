@@ -1,5 +1,6 @@
 #include "rtcore/io/import/scan_import.h"
 
+#include "rtcore/io/import/exporter_notes.h"
 #include "rtcore/io/import/geometry_finish.h"
 #include "rtcore/io/import/import_warnings.h"
 #include "rtcore/io/import/material_mapping.h"
@@ -79,7 +80,7 @@ std::optional<FileImport> importScan(const std::filesystem::path& path, const Fi
     if (!scan) return {};
     options.alive();
     FileImport import;
-    import.report.format = scan->format;
+    import.report.origin = {scan->format, exporterNotes(path), {}, {}};
     import.report.ignoredPrimitives = scan->mesh.ignoredPrimitives;
     addFile(import.report, std::filesystem::absolute(path).lexically_normal().string());
     addMaterial(scan->material, path, options, import);

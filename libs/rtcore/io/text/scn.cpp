@@ -5,6 +5,7 @@
 #include "rtcore/io/text/settings_section.h"
 #include "rtcore/io/text/text_file.h"
 #include "rtcore/io/text/toml_parser.h"
+#include "rtcore/scene/up_axis.h"
 
 #include <fmt/core.h>
 
@@ -16,8 +17,6 @@ namespace rtcore {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> kAxisNames{"+x", "-x", "+y", "-y", "+z", "-z"};
-constexpr std::array<Vec3, 6> kAxes{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
 constexpr std::array<std::string_view, 3> kFogKinds{"none", "homogeneous", "exponential"};
 
 constexpr Limits kMetresPerUnit{.minimum = 1e-9, .maximum = 1e9};
@@ -128,11 +127,6 @@ class SceneReader {
 };
 
 /// "" (which the reader refuses) for a vector that is no axis.
-std::string_view axisName(Vec3 up) {
-    const auto found = std::find(kAxes.begin(), kAxes.end(), up);
-    return found == kAxes.end() ? "" : kAxisNames.at(static_cast<std::size_t>(found - kAxes.begin()));
-}
-
 class SceneWriter {
   public:
     SceneWriter(const SceneFile& scene, std::filesystem::path folder)

@@ -1,0 +1,23 @@
+/// What a model's file says of the program that wrote it, and of its unit, in places that importers pass
+/// over.
+#pragma once
+
+#include "rtcore/scene/model_origin.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace rtcore {
+
+/// The comments at the beginning of an OBJ file, or of its material library where it has none; those of a PLY
+/// file; the name of an ASCII STL file and the head of a binary one; "" of other formats. One line.
+std::string exporterNotes(const std::filesystem::path& path);
+
+/// A unit that such notes state: "File units = inches", "units: mm". Nothing when they do not.
+std::optional<double> statedUnit(const std::string& notes);
+
+/// What the file says where the format leaves no choice: AMF and 3MF. Others are left as they are.
+void readFixedUnits(const std::filesystem::path& path, ModelOrigin& origin);
+
+} // namespace rtcore

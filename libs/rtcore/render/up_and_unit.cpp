@@ -1,0 +1,171 @@
+#include "rtcore/render/up_and_unit.h"
+
+#include "rtcore/render/default_view.h"
+#include "rtcore/render/shape_of_model.h"
+#include "rtcore/scene/exporter_habits.h"
+#include "rtcore/scene/up_axis.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace rtcore {
+
+namespace {
+
+// Odds are natural logarithms, as in exporter_habits.h.
+
+/// How much speaks for the axis to be up rather than horizontal.
+double oddsOfUp(const AxisShape& axis, const AxisShape& other) {
+    const double longer = double{std::max(axis.extent(), other.extent())};
+    // What lies flat: beds, trays, terrain.
+    const double thin = longer > 0 ? double{axis.extent()} / longer : 1;
+    double odds = thin < 0.25 ? 1.5 * (0.25 - thin) / 0.25 + 0.5 : 0;
+    // Flat pieces lie: tops of tables, and more so what it stands on.
+    odds += std::min(std::max(axis.base, axis.lid), 1.0);
+    odds += std::clamp(axis.base - axis.lid, 0.0, 1.0);
+    // Rooms have floors, while vaults and roofs are seldom one flat piece.
+    odds += 1.0 * std::clamp(axis.floor - axis.roof, 0.0, 1.0);
+    // Left and right are alike, often front and back; top and bottom are not.
+    odds += 2.5 * axis.asymmetry;
+    // It was put onto the ground, and not beside a wall.
+    const double ground = std::fabs(double{axis.low}), extent = double{axis.extent()};
+    if (ground <= 0.005 * extent) odds += 0.7;
+    // What is heavy is below.
+    odds += 1.0 * (0.5 - axis.centroid);
+    return odds;
+}
+
+/// How much more likely things of that size are than others; metres.
+double oddsOfSize(double height, double longest, bool rooms, double boxy) {
+    const auto outside = [](double value, double low, double high, double below, double above) {
+        if (value < low) return -below * std::log10(low / value);
+        return value > high ? -above * std::log10(value / high) : 0.0;
+    };
+    constexpr double kBelow = 3, kAbove = 4;
+    // Houses have right angles, and so have cupboards; other things seldom are as large as a car.
+    const double largest = boxy > 0.6 ? 25 : 5;
+    const double thing = outside(longest, 0.02, largest, kBelow, kAbove);
+    if (!rooms) return thing;
+    // Rooms, or a hollow thing.
+    constexpr double kHollow = -0.7;
+    return std::max(outside(height, 2.2, 30, 9, 6), thing + kHollow);
+}
+
+struct Choice {
+    std::size_t unit = 0;
+    double lead = 0;     ///< before the second
+    bool bySize = false; ///< against the habits
+};
+
+Choice chooseUnit(const OriginHabits& habits, double height, double longest, bool rooms, double boxy) {
+    std::array<double, kLengthUnits> odds{};
+    for (std::size_t i = 0; i < kLengthUnits; ++i) {
+        const double metres = kMetresIn.at(i);
+        odds.at(i) = habits.units.at(i) + oddsOfSize(height * metres, longest * metres, rooms, boxy);
+    }
+    Choice choice;
+    choice.unit = static_cast<std::size_t>(std::max_element(odds.begin(), odds.end()) - odds.begin());
+    const auto usual = std::max_element(habits.units.begin(), habits.units.end());
+    choice.bySize = habits.units.at(choice.unit) < *usual;
+    std::sort(odds.begin(), odds.end());
+    choice.lead = odds.at(kLengthUnits - 1) - odds.at(kLengthUnits - 2);
+    return choice;
+}
+
+void guessUp(UpAndUnit& frame, const OriginHabits& habits, const ModelShape& shape) {
+    const AxisShape &y = shape.axes[1], &z = shape.axes[2];
+    // A single flat piece may be a picture as well as a floor.
+    constexpr float kPicture = 0.003F;
+    const bool picture = std::min(y.extent(), z.extent()) < kPicture * std::max(y.extent(), z.extent());
+    // What hangs on a wall looks as if it lay: no shape is sure.
+    constexpr double kMostByShape = 3;
+    const double byShape =
+        picture ? 0 : std::clamp(oddsOfUp(z, y) - oddsOfUp(y, z), -kMostByShape, kMostByShape);
+    const double odds = habits.zUp + byShape;
+    const bool zUp = odds > 0;
+    frame.up = zUp ? Vec3{0, 0, 1} : Vec3{0, 1, 0};
+    frame.otherUp = zUp ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+    const bool usual = (habits.zUp > 0) == zUp;
+    frame.upWhy = usual ? "usual for " + habits.name : "by its shape";
+    constexpr double kDoubtful = 1;
+    frame.surprising = zUp || std::fabs(odds) < kDoubtful;
+}
+
+void guessUnit(UpAndUnit& frame, OriginHabits habits, const ModelShape& shape, const KdTree& tree,
+               const Mesh& mesh) {
+    const int axis = std::fabs(frame.up.x) > 0.5F ? 0 : std::fabs(frame.up.y) > 0.5F ? 1 : 2;
+    const double height = double{shape.axes[axis].extent()};
+    double longest = 0;
+    for (const AxisShape& each : shape.axes) longest = std::max(longest, double{each.extent()});
+    if (!(longest > 0) || !std::isfinite(longest)) return;
+    // What counts z upwards though its format does not ask for it comes from CAD.
+    if (frame.upSaid == Said::Guessed && axis == 2 && habits.zUp < 0)
+        habits.units.at(static_cast<std::size_t>(LengthUnit::Millimetre)) += 2;
+    const bool rooms = isInterior(tree, mesh, frame.up);
+    const Choice choice = chooseUnit(habits, std::max(height, 1e-6 * longest), longest, rooms, shape.boxy);
+    frame.metresPerUnit = static_cast<float>(kMetresIn.at(choice.unit));
+    frame.unitWhy = choice.bySize ? "by its size" : "usual for " + habits.name;
+}
+
+} // namespace
+
+UpAndUnit guessUpAndUnit(const ModelOrigin& origin, const KdTree& tree, const Mesh& mesh) {
+    UpAndUnit frame;
+    const OriginHabits habits = habitsOf(origin);
+    if (origin.up) {
+        frame.up = frame.otherUp = *origin.up;
+        frame.upSaid = Said::ByFormat;
+    }
+    if (origin.metresPerUnit) {
+        frame.metresPerUnit = static_cast<float>(*origin.metresPerUnit);
+        frame.unitSaid = Said::ByFormat;
+    }
+    if (origin.up && origin.metresPerUnit) return frame;
+    const ModelShape shape = shapeOf(mesh);
+    if (!origin.up) guessUp(frame, habits, shape);
+    if (!origin.metresPerUnit) guessUnit(frame, habits, shape, tree, mesh);
+    return frame;
+}
+
+UpAndUnit withUserSays(UpAndUnit frame, std::optional<Vec3> up, std::optional<double> metresPerUnit) {
+    if (up) {
+        frame.up = frame.otherUp = *up;
+        frame.upSaid = Said::ByUser;
+        frame.surprising = false;
+    }
+    if (metresPerUnit) {
+        frame.metresPerUnit = static_cast<float>(*metresPerUnit);
+        frame.unitSaid = Said::ByUser;
+    }
+    return frame;
+}
+
+namespace {
+
+std::string reason(Said said, const std::string& why) {
+    switch (said) {
+    case Said::Guessed:
+        return why.empty() ? "guessed" : "guessed: " + why;
+    case Said::ByFormat:
+        return "the file says so";
+    case Said::ByScene:
+        return "the scene says so";
+    case Said::ByUser:
+        break;
+    }
+    return "as you say";
+}
+
+} // namespace
+
+std::string describe(const UpAndUnit& frame) {
+    return fmt::format("{} is up ({}); one unit is {:.4g} m ({})", axisName(frame.up),
+                       reason(frame.upSaid, frame.upWhy), frame.metresPerUnit,
+                       reason(frame.unitSaid, frame.unitWhy));
+}
+
+} // namespace rtcore

@@ -1,0 +1,42 @@
+/// Which way is up in a model, and how large it is: what its file says, else a guess.
+#pragma once
+
+#include "rtcore/accel/kd_tree.h"
+#include "rtcore/scene/mesh.h"
+#include "rtcore/scene/model_origin.h"
+
+#include <optional>
+#include <string>
+
+namespace rtcore {
+
+/// Who says it. In the order of precedence, the strongest last.
+enum class Said {
+    Guessed,
+    ByFormat, ///< or in the model's file
+    ByScene,  ///< in a .scn
+    ByUser,   ///< by an option or a command
+};
+
+struct UpAndUnit {
+    Vec3 up{0, 1, 0};        ///< one of the six axes
+    float metresPerUnit = 1; ///< above 0, finite
+    Said upSaid = Said::Guessed, unitSaid = Said::Guessed;
+    Vec3 otherUp{0, 0, 1};      ///< of a guess: what else it may be
+    std::string upWhy, unitWhy; ///< of what is guessed or said by the format: "its shape", "as OpenSCAD does"
+    bool surprising = false;    ///< what is guessed is not what most files are: worth a word
+};
+
+/// Guesses what the origin leaves open, +y or +z for the up axis and metre, centimetre, millimetre, inch or
+/// foot for the unit: from the habits of its format and of the program that wrote it, and from its shape:
+/// what it stands on, where it is symmetric, whether it has rooms, and how large such things are. Takes some
+/// milliseconds for a million triangles. Safe from many threads.
+UpAndUnit guessUpAndUnit(const ModelOrigin& origin, const KdTree& tree, const Mesh& mesh);
+
+/// With what the user says in place of it, where it is there.
+UpAndUnit withUserSays(UpAndUnit frame, std::optional<Vec3> up, std::optional<double> metresPerUnit);
+
+/// One line for people: "+z is up (as OpenSCAD writes it), a unit is 1 mm (its size)".
+std::string describe(const UpAndUnit& frame);
+
+} // namespace rtcore
