@@ -111,10 +111,42 @@ TEST_F(MessagesTest, WhatAKeyDidIsTold) {
     other.close();
 }
 
+// A guess that may be wrong comes with a button that decides otherwise.
+TEST_F(MessagesTest, TheOtherUpAxisIsOffered) {
+    writeText(folder() / "part.stl",
+              "solid OpenSCAD_Model\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 40 0 0\n"
+              "   vertex 0 40 20\n  endloop\n endfacet\nendsolid\n");
+    open("part.stl");
+    ASSERT_TRUE(comes([&] { return window->notice().isVisible(); }));
+    EXPECT_EQ(text(window->notice().text()), "The axis +Z is taken for up (usual for OpenSCAD).");
+    const auto isUp = [&](const char* axis) {
+        return comes([&] { return window->editor().state().up == QLatin1String(axis); });
+    };
+    EXPECT_TRUE(isUp("+z"));
+    auto* const turn = window->notice().findChild<QPushButton*>();
+    EXPECT_EQ(text(turn->text()), "+Y is up");
+    turn->click();
+    EXPECT_FALSE(window->notice().isVisible());
+    EXPECT_TRUE(isUp("+y"));
+    EXPECT_EQ(text(window->editor().undoStack().undoText()), "up axis");
+    window->editor().undoStack().undo();
+    EXPECT_TRUE(isUp("+z"));
+}
+
+TEST(Messages, AnOfferIsRead) {
+    const auto offer =
+        readUpOffer(QStringLiteral("+z is taken for up (by its shape); 'up +y' turns the model"));
+    ASSERT_TRUE(offer);
+    EXPECT_EQ(text(offer->text), "The axis +Z is taken for up (by its shape).");
+    EXPECT_EQ(text(offer->other), "+y");
+    EXPECT_FALSE(readUpOffer(QStringLiteral("+z is taken for up")));
+}
+
 TEST(Messages, AreReadLineByLine) {
     const QList<Message> messages =
-        readMessages(QStringLiteral("3 warning a b: c\nnonsense\n4 event light 2 off\n5 other x"));
-    ASSERT_EQ(messages.size(), 2);
+        readMessages(QStringLiteral("3 warning a b: c\nnonsense\n4 event light 2 off\n5 other x\n6 offer y"));
+    ASSERT_EQ(messages.size(), 3);
+    EXPECT_TRUE(messages[2].offer);
     EXPECT_TRUE(messages[0].warning);
     EXPECT_EQ(text(messages[0].text), "a b: c");
     EXPECT_EQ(messages[1].number, 4U);

@@ -43,7 +43,9 @@ QList<Message> readMessages(const QString& answer) {
         const quint64 number = line.section(QLatin1Char(' '), 0, 0).toULongLong(&counted);
         const QString kind = line.section(QLatin1Char(' '), 1, 1), text = line.section(QLatin1Char(' '), 2);
         const bool warning = kind == QLatin1String("warning");
-        if (counted && (warning || kind == QLatin1String("event"))) messages.append({number, warning, text});
+        const bool offer = kind == QLatin1String("offer");
+        if (counted && (warning || offer || kind == QLatin1String("event")))
+            messages.append({number, warning, text, offer});
     }
     return messages;
 }
@@ -67,6 +69,21 @@ QString eventText(const QString& event) {
     if (event.startsWith(QLatin1String("there is no environment ")))
         return tr("There is no environment map %1.").arg(words.last());
     return event;
+}
+
+std::optional<UpOffer> readUpOffer(const QString& offer) {
+    static const QRegularExpression form(
+        QStringLiteral("^([+-][xyz]) is taken for up \\((.*)\\); 'up ([+-][xyz])' turns the model$"));
+    const QRegularExpressionMatch found = form.match(offer);
+    if (!found.hasMatch()) return std::nullopt;
+    QString why = found.captured(2);
+    if (why.startsWith(QLatin1String("usual for "))) {
+        why = tr("usual for %1").arg(why.mid(10));
+    } else if (why == QLatin1String("by its shape")) {
+        why = tr("by its shape");
+    }
+    return UpOffer{tr("The axis %1 is taken for up (%2).").arg(found.captured(1).toUpper(), why),
+                   found.captured(3)};
 }
 
 QString warningsText(const QStringList& warnings) {

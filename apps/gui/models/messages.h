@@ -1,17 +1,28 @@
-/// What a server has to say, as its command `messages` prints it: NUMBER warning|event TEXT.
+/// What a server has to say, as its command `messages` prints it: NUMBER warning|offer|event TEXT.
 #pragma once
 
 #include <QList>
 #include <QString>
 #include <QStringList>
 
+#include <optional>
+
 namespace gui {
 
 struct Message {
     quint64 number = 0;   ///< counts from 1
-    bool warning = false; ///< else what a key did
+    bool warning = false; ///< else what a key did, or an offer
     QString text;         ///< in English
+    bool offer = false;   ///< what was decided for the user, who may want it otherwise
 };
+
+/// What an offer of another up axis says.
+struct UpOffer {
+    QString text;  ///< in the user's language
+    QString other; ///< axis: "+y"
+};
+/// Nothing where the text is none.
+std::optional<UpOffer> readUpOffer(const QString& offer);
 
 /// Lines that are none are left out.
 QList<Message> readMessages(const QString& answer);

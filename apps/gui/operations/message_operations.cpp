@@ -8,12 +8,21 @@
 #include "gui/view/frame_view.h"
 #include "gui/view/notice_bar.h"
 
+#include "common/commands/command_lines.h"
+
+#include <QAction>
+
 #include <utility>
 
 namespace gui {
 
 MessageOperations::MessageOperations(const GuiContext& context, QObject* parent)
-    : QObject(parent), context_(context) {
+    : QObject(parent), context_(context), turn_(new QAction(this)) {
+    connect(turn_, &QAction::triggered, this, [this] {
+        if (!upOffer_) return;
+        context_.editor.edit(app::command::up(upOffer_->other.toStdString()));
+        upOffer_.reset();
+    });
     context_.actions.on(ActionId::ServerLog, [this] { showLog(); });
     connect(&context_.session, &Session::stateChanged, this, &MessageOperations::onState);
     connect(&context_.session, &Session::statusChanged, this, &MessageOperations::onStatus);
@@ -27,6 +36,7 @@ void MessageOperations::onState() {
     asking_ = false;
     heard_.clear();
     warnings_.clear();
+    upOffer_.reset();
     onStatus();
 }
 
@@ -48,6 +58,8 @@ void MessageOperations::take(const QList<Message>& messages) {
     for (const Message& message : messages) {
         known_ = message.number;
         heard_.append(message.text);
+        if (message.offer) offer(message.text);
+        if (message.offer) continue;
         if (message.warning) warnings.append(message.text);
         if (!message.warning && message.number > before_) context_.view.tell(eventText(message.text));
     }
@@ -65,11 +77,40 @@ void MessageOperations::onScene() {
 
 void MessageOperations::warn(const QStringList& warnings) {
     if (warnings.isEmpty()) return;
-    if (!context_.notice.isVisible()) warnings_.clear();
+    forgetClosed();
     for (const QString& warning : warnings) {
         if (!warnings_.contains(warning)) warnings_.append(warning);
     }
-    context_.notice.explain(warningsText(warnings_), {context_.actions[ActionId::ServerLog]});
+    notify();
+}
+
+void MessageOperations::offer(const QString& text) {
+    const std::optional<UpOffer> found = readUpOffer(text);
+    if (!found) return;
+    forgetClosed();
+    upOffer_ = found;
+    turn_->setText(tr("%1 is up").arg(found->other.toUpper()));
+    notify();
+}
+
+void MessageOperations::forgetClosed() {
+    if (context_.notice.isVisible()) return;
+    warnings_.clear();
+    upOffer_.reset();
+}
+
+void MessageOperations::notify() {
+    QStringList lines;
+    QList<QAction*> actions;
+    if (upOffer_) {
+        lines.append(upOffer_->text);
+        actions.append(turn_);
+    }
+    if (!warnings_.isEmpty()) {
+        lines.append(warningsText(warnings_));
+        actions.append(context_.actions[ActionId::ServerLog]);
+    }
+    context_.notice.explain(lines.join(QLatin1Char('\n')), actions);
 }
 
 // What a server of ours has printed outlives it.

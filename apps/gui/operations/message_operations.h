@@ -8,6 +8,8 @@
 #include <QObject>
 #include <QStringList>
 
+class QAction;
+
 namespace gui {
 
 class MessageOperations : public QObject {
@@ -22,15 +24,20 @@ class MessageOperations : public QObject {
     void take(const QList<Message>& messages);
     void onScene();
     void warn(const QStringList& warnings);
+    void offer(const QString& text);
+    void forgetClosed();
+    void notify();
     void showLog();
 
     GuiContext context_;
     bool live_ = false;
     bool asking_ = false;
-    quint64 known_ = 0;    ///< number of the last one that was shown
-    quint64 before_ = 0;   ///< so many were there when we came
-    QStringList heard_;    ///< all of this server
-    QStringList warnings_; ///< of the notice that is shown
+    quint64 known_ = 0;              ///< number of the last one that was shown
+    quint64 before_ = 0;             ///< so many were there when we came
+    QStringList heard_;              ///< all of this server
+    QStringList warnings_;           ///< of the notice that is shown
+    QAction* turn_;                  ///< accepts offer_
+    std::optional<UpOffer> upOffer_; ///< of the notice that is shown
 };
 
 } // namespace gui

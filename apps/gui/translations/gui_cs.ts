@@ -711,6 +711,18 @@
         <source>How much the camera sees, as an angle or a lens; Ctrl and the wheel change it, too</source>
         <translation>Kolik kamera vidí, jako úhel nebo objektiv; mění to i Ctrl s kolečkem</translation>
     </message>
+    <message>
+        <source>usual for %1</source>
+        <translation>obvyklé pro %1</translation>
+    </message>
+    <message>
+        <source>by its shape</source>
+        <translation>podle tvaru</translation>
+    </message>
+    <message>
+        <source>The axis %1 is taken for up (%2).</source>
+        <translation>Za směr vzhůru se bere osa %1 (%2).</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>
@@ -1664,6 +1676,17 @@ Alt+%2</translation>
     <message>
         <source>rtsuite</source>
         <translation>rtsuite</translation>
+    </message>
+</context>
+<context>
+    <name>gui::MessageOperations</name>
+    <message>
+        <source>up axis</source>
+        <translation>směr vzhůru</translation>
+    </message>
+    <message>
+        <source>%1 is up</source>
+        <translation>Vzhůru je %1</translation>
     </message>
 </context>
 <context>
