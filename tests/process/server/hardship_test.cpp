@@ -105,11 +105,11 @@ TEST_F(Hardship, TooLittleMemoryForLargerFramesIsAnError) {
 }
 
 // From where it can hardly start to where it has enough: whatever cannot be had is refused, and nothing ends
-// it.
+// it. (In the first 100 kB above the least that it starts with, not even its stack can grow.)
 TEST_F(Hardship, InLittleMemoryASizeIsRefusedAndTheServerStays) {
     if (kSanitized) GTEST_SKIP() << "a sanitizer takes all the address space that there is";
     int stood = 0, refusals = 0;
-    for (std::size_t bytes = 90'000'000; stood < 4 && bytes < 400'000'000; bytes += 10'000'000) {
+    for (std::size_t bytes = 95'000'000; stood < 4 && bytes < 400'000'000; bytes += 10'000'000) {
         viewer.reset();
         troupe.put(0, newServer({"--resolution=32x24", "--threads=1"}, {.addressBytes = bytes}));
         const auto ended = [&] {
