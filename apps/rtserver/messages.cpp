@@ -46,11 +46,10 @@ void Messages::complain(const std::string& text) {
 
 void Messages::offer(const std::string& text) { keep("offer", text); }
 
-// Their lines stay, since clients count them, as of a kind that no client knows.
+// Their lines stay, since clients count them, but are empty.
 void Messages::withdrawOffers() {
     for (std::string& line : kept_) {
-        const std::size_t kind = line.find(' ') + 1;
-        if (line.compare(kind, 6, "offer ") == 0) line.replace(kind, 5, "past");
+        if (line.compare(line.find(' ') + 1, 6, "offer ") == 0) line.clear();
     }
 }
 
@@ -65,8 +64,9 @@ void Messages::keep(const char* kind, const std::string& text) {
 std::string Messages::since(std::uint32_t known) const {
     const std::size_t news = std::min<std::size_t>(kept_.size(), count_ - std::min(known, count_));
     std::string text;
-    for (auto line = kept_.end() - static_cast<std::ptrdiff_t>(news); line != kept_.end(); ++line)
-        text += (text.empty() ? "" : "\n") + *line;
+    for (auto line = kept_.end() - static_cast<std::ptrdiff_t>(news); line != kept_.end(); ++line) {
+        if (!line->empty()) text += (text.empty() ? "" : "\n") + *line;
+    }
     return text;
 }
 

@@ -122,6 +122,14 @@
         <source>field of view</source>
         <translation>úhel záběru</translation>
     </message>
+    <message>
+        <source>up axis</source>
+        <translation>směr vzhůru</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>jednotka</translation>
+    </message>
 </context>
 <context>
     <name>Examples</name>
@@ -1680,10 +1688,6 @@ Alt+%2</translation>
 </context>
 <context>
     <name>gui::MessageOperations</name>
-    <message>
-        <source>up axis</source>
-        <translation>směr vzhůru</translation>
-    </message>
     <message>
         <source>%1 is up</source>
         <translation>Vzhůru je %1</translation>

@@ -86,7 +86,7 @@ TEST_F(Commands, EndTheOffersThatTheyDecide) {
     messages.offer("+z is taken for up (by its shape); 'up +y' turns the model");
     EXPECT_EQ(messages.since(0), "1 offer +z is taken for up (by its shape); 'up +y' turns the model");
     answer("up +y");
-    EXPECT_EQ(messages.since(0).find("offer"), std::string::npos);
+    EXPECT_EQ(messages.since(0), "");
     EXPECT_EQ(messages.count(), 1U);
 }
 
