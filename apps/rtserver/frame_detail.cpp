@@ -29,7 +29,9 @@ void cutSamples(rtcore::RenderSettings& settings, double scale) {
     settings.maxDepth = std::min(settings.maxDepth, 2);
     // Mirrors, but no polished floors.
     settings.minContribution = std::max(settings.minContribution, scale < kCoarse ? 0.3F : 0.1F);
-    settings.ambientOcclusion.samples = std::min(settings.ambientOcclusion.samples, scale < kCoarse ? 1 : 4);
+    const int mostRays = scale < kCoarse ? 1 : 4;
+    settings.ambientOcclusion.samples = std::min(settings.ambientOcclusion.samples, mostRays);
+    settings.skyLight.samples = std::min(settings.skyLight.samples, mostRays);
     settings.areaLights.samples = std::min(settings.areaLights.samples, 1);
     settings.fog.shafts = std::min(settings.fog.shafts, 2);
 }
@@ -76,7 +78,11 @@ double workOf(const rtcore::RenderSettings& settings, const rtcore::Scene& scene
     const double shadow = mapped ? kLookUp : 1;
     if (settings.shadows) rays += parts * shadow;
     if (settings.fog.on) rays += lights * settings.fog.shafts * shadow;
-    if (settings.ambientOcclusion.on) rays += settings.ambientOcclusion.samples;
+    if (settings.skyLight.on) {
+        rays += settings.skyLight.samples;
+    } else if (settings.ambientOcclusion.on) {
+        rays += settings.ambientOcclusion.samples;
+    }
     if (settings.reflections || settings.refractions) rays *= 1 + 0.25 * settings.maxDepth;
     return pixelsOf(settings) * samples * rays;
 }

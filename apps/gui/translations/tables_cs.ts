@@ -188,6 +188,18 @@
         <translation>zář (radiance)</translation>
     </message>
     <message>
+        <source>Sky light</source>
+        <translation>Světlo oblohy</translation>
+    </message>
+    <message>
+        <source>the environment lights what it is seen from, in place of ambient light</source>
+        <translation>okolí osvětluje místa, odkud je vidět, namísto okolního světla</translation>
+    </message>
+    <message>
+        <source>rays per point for the light of the sky</source>
+        <translation>počet paprsků na jeden bod povrchu pro světlo oblohy</translation>
+    </message>
+    <message>
         <source>Depth of field</source>
         <translation>Hloubka ostrosti</translation>
     </message>

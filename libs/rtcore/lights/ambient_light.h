@@ -15,9 +15,10 @@ struct OccludedLight {
 /// By the settings, else by what the scene has (docs/shading.md). `bounds`: of the mesh; may be empty.
 OccludedLight occludedLight(const Scene& scene, const Box3& bounds, const AmbientOcclusionSettings& settings);
 
-/// Ambient light that reaches every surface as it is: the scene's, unless ambient occlusion replaces it.
+/// Ambient light that reaches every surface as it is: the scene's, unless ambient occlusion or the light of
+/// the sky replaces it.
 inline Colour unoccludedAmbient(const Scene& scene, const RenderSettings& settings) {
-    return settings.ambientOcclusion.on ? Colour{} : scene.ambient;
+    return settings.ambientOcclusion.on || settings.skyLight.on ? Colour{} : scene.ambient;
 }
 
 } // namespace rtcore

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -153,6 +154,67 @@ Colour sample(const HdrImage& padded, float u, float v, TexelFilter filter) {
     return bilinear(padded, u * static_cast<float>(w), v * static_cast<float>(h));
 }
 
+/// One axis of an image, cut into cells of several texels each, or into several cells for each texel.
+struct Cells {
+    int texels, count;
+
+    Cells(int size, int least)
+        : texels(size), count(size >= least ? least : size * ((least + size - 1) / size)) {}
+    bool finer() const { return count > texels; }
+    /// The first texel of a cell that is not finer.
+    int first(int i) const { return static_cast<int>(std::int64_t{i} * texels / count); }
+    /// 0..1: where in the image a cell begins; i <= count.
+    double start(int i) const {
+        return finer() ? static_cast<double>(i) / count : static_cast<double>(first(i)) / texels;
+    }
+    double middle(int i) const { return 0.5 * (start(i) + start(i + 1)); }
+};
+
+/// The mean of the cell's texels; of cells that are finer, what is seen in their middle.
+Colour colourOf(const HdrImage& padded, const Cells& columns, int x, const Cells& rows, int y) {
+    if (columns.finer() || rows.finer()) {
+        return sample(padded, static_cast<float>(columns.middle(x)), static_cast<float>(rows.middle(y)),
+                      TexelFilter::Bilinear);
+    }
+    Colour sum;
+    int count = 0;
+    for (int v = rows.first(y); v < rows.first(y + 1); ++v) {
+        for (int u = columns.first(x); u < columns.first(x + 1); ++u, ++count) sum += padded.at(u + 1, v + 1);
+    }
+    return sum / static_cast<float>(count);
+}
+
+void addCellsOfFace(const HdrImage& padded, int face, std::vector<EnvironmentCell>& cells) {
+    const Cells side(padded.width - 2, 256);
+    for (int y = 0; y < side.count; ++y) {
+        for (int x = 0; x < side.count; ++x) {
+            const Vec3d d = faceDirection(face, side.middle(x), side.middle(y));
+            const double square = dot(d, d), distance = std::sqrt(square);
+            const double area = 4 * (side.start(x + 1) - side.start(x)) * (side.start(y + 1) - side.start(y));
+            cells.push_back(
+                {cubeDirection(face, static_cast<float>(side.middle(x)), static_cast<float>(side.middle(y))) /
+                     static_cast<float>(distance),
+                 static_cast<float>(area / (square * distance)), colourOf(padded, side, x, side, y)});
+        }
+    }
+}
+
+void addCellsOfSphere(const HdrImage& padded, std::vector<EnvironmentCell>& cells) {
+    const Cells columns(padded.width - 2, 1024), rows(padded.height - 2, 512);
+    const auto angle = [](double turns) { return static_cast<float>(2 * kPi * turns); };
+    for (int y = 0; y < rows.count; ++y) {
+        const float polar = angle(rows.middle(y) / 2), half = angle((rows.start(y + 1) - rows.start(y)) / 4);
+        const float ring = portableSin(polar), height = portableCos(polar);
+        for (int x = 0; x < columns.count; ++x) {
+            const float azimuth = angle(columns.middle(x) - 0.5);
+            const float width = angle(columns.start(x + 1) - columns.start(x));
+            cells.push_back({{ring * portableSin(azimuth), height, -ring * portableCos(azimuth)},
+                             2 * ring * portableSin(half) * width,
+                             colourOf(padded, columns, x, rows, y)});
+        }
+    }
+}
+
 class WeightedMean {
   public:
     void add(Colour c, double weight) {
@@ -264,6 +326,19 @@ Colour Environment::radiance(Vec3 direction, TexelFilter filter) const {
     const float polar = portableAtan2(std::sqrt(d.x * d.x + d.z * d.z), d.y);
     const float u = 0.5F + portableAtan2(d.x, -d.z) * static_cast<float>(0.5 / kPi);
     return intensity * sample(images_[0], u, polar * static_cast<float>(1 / kPi), filter);
+}
+
+std::vector<EnvironmentCell> Environment::cells() const {
+    std::vector<EnvironmentCell> cells;
+    if (!cube_) addCellsOfSphere(images_[0], cells);
+    for (int face = 0; cube_ && face < 6; ++face)
+        addCellsOfFace(images_[static_cast<std::size_t>(face)], face, cells);
+    return cells;
+}
+
+const EnvironmentLight& Environment::light() const {
+    std::call_once(light_->made, [&] { light_->light = EnvironmentLight(cells()); });
+    return light_->light;
 }
 
 int Environment::resolution() const { return images_[0].width - 2; }

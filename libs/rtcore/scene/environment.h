@@ -3,9 +3,12 @@
 
 #include "rtcore/math/colour.h"
 #include "rtcore/math/vec.h"
+#include "rtcore/scene/environment_light.h"
 #include "rtcore/scene/image.h"
 
 #include <array>
+#include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -29,6 +32,12 @@ class Environment {
     /// Mean over all directions.
     Colour meanRadiance() const { return intensity * mean_; }
 
+    /// All directions in some 10^5 cells of half a degree at most, without the intensity.
+    std::vector<EnvironmentCell> cells() const;
+    /// What it throws on surfaces, without the intensity. Made when first asked for, in some 10^-2 s for each
+    /// 10^6 texels; other threads wait for that.
+    const EnvironmentLight& light() const;
+
     const std::string& name() const { return name_; }
     float intensity = 1; ///< factor on every texel
     bool isCube() const { return cube_; }
@@ -36,12 +45,18 @@ class Environment {
     int resolution() const;
 
   private:
+    struct LazyLight {
+        std::once_flag made;
+        EnvironmentLight light;
+    };
+
     Environment() = default;
 
     std::string name_;
     bool cube_ = false;
     Colour mean_;                  ///< without the intensity
     std::vector<HdrImage> images_; ///< six faces with a border of one texel, or one image
+    std::shared_ptr<LazyLight> light_ = std::make_shared<LazyLight>(); ///< copies share it
 };
 
 /// Direction -> face (0..5 in the order above) and s, t in [0, 1] on it, t down: OpenGL 4.6, table 8.19,

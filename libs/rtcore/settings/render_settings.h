@@ -26,6 +26,15 @@ struct AmbientOcclusionSettings {
     friend bool operator==(const AmbientOcclusionSettings&, const AmbientOcclusionSettings&) = default;
 };
 
+/// Light that reaches surfaces from the environment, as far as nothing is in its way; in place of ambient
+/// light and its occlusion.
+struct SkyLightSettings {
+    bool on = false;
+    int samples = 16; ///< rays per point
+
+    friend bool operator==(const SkyLightSettings&, const SkyLightSettings&) = default;
+};
+
 /// A thin lens on a film 36 mm wide.
 struct DepthOfFieldSettings {
     bool on = false;
@@ -93,6 +102,7 @@ struct RenderSettings {
     int maxDepth = 5;               ///< bounces by mirrors and glass
     float minContribution = 0.004F; ///< a ray that adds less than this fraction to its pixel is not traced
     AmbientOcclusionSettings ambientOcclusion;
+    SkyLightSettings skyLight;
     DepthOfFieldSettings depthOfField;
     FogSettings fog;
     AreaLightSettings areaLights;

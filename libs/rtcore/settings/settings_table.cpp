@@ -150,6 +150,10 @@ std::vector<Setting> makeTable() {
         row<&S::ambientOcclusion, &Occlusion::light>(
             "ambientOcclusion.light", {0, kUnlimited}, "radiance",
             "ambient light; 0: the scene's, or one that suits it when it has none"),
+        row<&S::skyLight, &SkyLightSettings::on>(
+            "skyLight.on", "the environment lights what it is seen from, in place of ambient light"),
+        row<&S::skyLight, &SkyLightSettings::samples>("skyLight.samples", {1, 4096}, "rays",
+                                                      "rays per point for the light of the sky"),
         row<&S::depthOfField, &Lens::on>("depthOfField.on", "only what is in focus is sharp"),
         row<&S::depthOfField, &Lens::fNumber>("depthOfField.fNumber", {0.1, 1000}, "",
                                               "focal length over the lens's diameter, of a film 36 mm wide: "

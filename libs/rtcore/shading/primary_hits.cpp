@@ -128,12 +128,12 @@ void PrimaryHits::addLight(const Wave& wave, bool areaLight) {
     });
 }
 
-void PrimaryHits::addAmbient(const Wave& wave, const OcclusionWave& occlusion) {
+void PrimaryHits::addSurroundings(const Wave& wave, const HemisphereWave& light) {
     forEachPresent(wave, [&](std::size_t i, PrimaryHit& hit) {
         const Colour added = wave.surfaces.added.colourAt(i);
         hit.soft += added;
         hit.arriving += luminance(added);
-        hit.whole += luminance(occlusion.unoccluded(wave.surfaces, i));
+        hit.whole += luminance(light.unoccluded(wave.surfaces, i));
     });
 }
 

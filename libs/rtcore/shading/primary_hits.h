@@ -3,7 +3,7 @@
 
 #include "rtcore/math/colour.h"
 #include "rtcore/math/vec.h"
-#include "rtcore/shading/light/occlusion_wave.h"
+#include "rtcore/shading/light/hemisphere_wave.h"
 #include "rtcore/shading/sample_sums.h"
 #include "rtcore/shading/wave.h"
 
@@ -21,8 +21,8 @@ struct PrimaryHit {
     Colour albedo;      ///< fraction of light that the surface scatters, mirrors or transmits
     float mirrored = 0; ///< luminance of the part of it that is mirrored or transmitted, 0..1
     Colour direct;      ///< radiance due to direct light, once scattered
-    Colour soft;        ///< radiance by sampled, and so noisy, light: of area lights and ambient light
-    float arriving = 0, whole = 0; ///< ambient light, and what there would be without occlusion
+    Colour soft; ///< radiance by sampled, and so noisy, light: of area lights, ambient light and the sky
+    float arriving = 0, whole = 0; ///< ambient light or the sky's, and what there would be without occlusion
     std::uint32_t wave = 0;        ///< of the sample, in which it was hit; 0: nothing was
     Colour own;                    ///< radiance from there itself, not mirrored and not transmitted
     /// How far away what it mostly mirrors or transmits seems to be along the primary ray; infinite of the
@@ -55,8 +55,8 @@ class PrimaryHits {
     void takeOwnLight(const Wave& wave, const SampleSums& sums);
     /// Adds surfaces.added, the light of one light, at the hits that the wave taken last found.
     void addLight(const Wave& wave, bool areaLight);
-    /// The same of the ambient light that `occlusion` let pass.
-    void addAmbient(const Wave& wave, const OcclusionWave& occlusion);
+    /// The same of ambient light as far as it is not occluded, or of the sky's.
+    void addSurroundings(const Wave& wave, const HemisphereWave& light);
 
     /// By sample.
     std::span<const PrimaryHit> hits() const { return hits_; }

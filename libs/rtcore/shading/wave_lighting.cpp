@@ -8,9 +8,10 @@ namespace rtcore {
 
 void WaveLighting::begin(const FrameContext& frame, const FogWave& fog) {
     fog_ = &fog;
-    shadows_.begin(*frame.scene, *frame.tracer, *frame.settings, frame.materials->clear(),
-                   fog.on() ? &fog.medium() : nullptr);
+    const FogMedium* const medium = fog.on() ? &fog.medium() : nullptr;
+    shadows_.begin(*frame.scene, *frame.tracer, *frame.settings, frame.materials->clear(), medium);
     occlusion_.begin(*frame.scene, *frame.tracer, *frame.settings, *frame.materials);
+    sky_.begin(*frame.scene, *frame.tracer, *frame.settings, *frame.materials, medium);
 }
 
 void WaveLighting::addFog(const FrameContext& frame, const Wave& wave, SampleSums& sums) {
@@ -65,7 +66,8 @@ void WaveLighting::addShafts(const FrameContext& frame, const Wave& wave, std::s
 }
 
 void WaveLighting::addLight(const FrameContext& frame, Wave& wave, const LightSums& to) {
-    if (occlusion_.on()) addAmbient(frame, wave, to);
+    if (occlusion_.on()) addSurroundings(frame, occlusion_, wave, to);
+    if (sky_.on()) addSurroundings(frame, sky_, wave, to);
     recall(frame, wave);
     const std::vector<Light>& lights = frame.scene->lights;
     for (std::size_t light = 0; light < lights.size(); ++light) {
@@ -79,15 +81,16 @@ void WaveLighting::addLight(const FrameContext& frame, Wave& wave, const LightSu
     if (remembers_) keep(frame, wave);
 }
 
-void WaveLighting::addAmbient(const FrameContext& frame, Wave& wave, const LightSums& to) {
+void WaveLighting::addSurroundings(const FrameContext& frame, HemisphereWave& light, Wave& wave,
+                                   const LightSums& to) {
     for (std::size_t i = 0; i < wave.size(); ++i) {
-        if (!occlusion_.takes(wave.surfaces, i)) continue;
+        if (!light.takes(wave.surfaces, i)) continue;
         const Path path = wave.paths.path(i);
         const std::uint32_t bounce = path.depth | std::uint32_t{path.passes} << 12;
-        occlusion_.add(wave.surfaces, i, wave.sampleId(i), bounce);
+        light.add(wave.surfaces, i, wave.sampleId(i), bounce);
     }
-    occlusion_.light(wave.surfaces, *frame.statistics, frame.stop);
-    if (to.primaryHits != nullptr) to.primaryHits->addAmbient(wave, occlusion_);
+    light.light(wave.surfaces, *frame.statistics, frame.stop);
+    if (to.primaryHits != nullptr) to.primaryHits->addSurroundings(wave, light);
     to.sums.add(wave);
     frame.clock->lap(Stage::Occlusion);
 }

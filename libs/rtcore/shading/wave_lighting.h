@@ -9,6 +9,7 @@
 #include "rtcore/shading/light/light_wave.h"
 #include "rtcore/shading/light/occlusion_wave.h"
 #include "rtcore/shading/light/shadows.h"
+#include "rtcore/shading/light/sky_wave.h"
 #include "rtcore/shading/primary_hits.h"
 #include "rtcore/shading/sample_sums.h"
 #include "rtcore/shading/wave.h"
@@ -37,7 +38,7 @@ class WaveLighting {
 
   private:
     void addShafts(const FrameContext& frame, const Wave& wave, std::size_t light);
-    void addAmbient(const FrameContext& frame, Wave& wave, const LightSums& to);
+    void addSurroundings(const FrameContext& frame, HemisphereWave& light, Wave& wave, const LightSums& to);
     void addPointLight(const FrameContext& frame, Wave& wave, std::size_t light, const LightSums& to);
     void addAreaLight(const FrameContext& frame, Wave& wave, std::size_t light, const LightSums& to);
     void addArriving(const FrameContext& frame, Wave& wave, std::size_t light, const LightSums& to);
@@ -58,6 +59,7 @@ class WaveLighting {
     FogShafts shafts_;
     std::vector<float> shifts_; ///< of the rays' samples in the fog
     OcclusionWave occlusion_;
+    SkyWave sky_; ///< at most one of the two is on
     AreaLightSampler areaLightSampler_;
     ShadowTracer shadows_;
     ShadowRays shadowRays_;

@@ -32,7 +32,7 @@ bool WhittedIntegrator::needsSampleIds(const Scene& scene, const RenderSettings&
     const auto soft = [](const Light& light) { return light.on != 0 && isAreaLight(light); };
     const bool areaLights = settings.areaLights.samples > 0 && std::ranges::any_of(scene.lights, soft);
     const bool shafts = settings.fog.shafts > 0 && fogMedium(scene, settings).on;
-    return settings.ambientOcclusion.on || areaLights || shafts;
+    return settings.ambientOcclusion.on || settings.skyLight.on || areaLights || shafts;
 }
 
 void WhittedIntegrator::trace(const RayWave& primary, std::span<const SampleId> samples) {

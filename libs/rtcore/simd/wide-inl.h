@@ -206,6 +206,14 @@ template <typename T>
 HWY_INLINE void store(Wide<T> a, T* to) {
     hn::StoreU(a.raw, hn::ScalableTag<T>(), to);
 }
+/// The first `count` values, with zeros behind them; so many are read.
+HWY_INLINE Float loadSome(const float* from, std::size_t count) {
+    HWY_ALIGN float values[kLanes] = {};
+    for (std::size_t i = 0; i < count; ++i) values[i] = from[i];
+    return load(values);
+}
+/// from[index], each in its lane.
+HWY_INLINE Float gather(const float* from, Int index) { return hn::GatherIndex(FloatTag(), from, index.raw); }
 /// Some of the lanes, to be stored side by side; what follows them in the vector becomes undefined.
 class Compressor {
   public:

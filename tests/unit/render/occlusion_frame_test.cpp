@@ -1,4 +1,5 @@
-// Ambient occlusion in whole images: the same bits whoever renders them, and little error.
+// Ambient occlusion and the light of the sky in whole images: the same bits whoever renders them, and little
+// error.
 #include "rtcore/simd/instruction_set.h"
 
 #include "sample_view.h"
@@ -9,26 +10,47 @@
 namespace rtcore {
 namespace {
 
-RenderSettings occluded(OcclusionPattern pattern, int antialiasing = 1) {
+struct Surroundings {
+    OcclusionPattern pattern;
+    bool sky; ///< its light in place of ambient light
+};
+
+RenderSettings occluded(Surroundings from, int antialiasing = 1) {
     RenderSettings settings = test::sampleSettings(101, 67, antialiasing);
     settings.ambientOcclusion.on = true;
     settings.ambientOcclusion.samples = 7;
-    settings.ambientOcclusion.pattern = pattern;
+    settings.ambientOcclusion.pattern = from.pattern;
     settings.ambientOcclusion.light = 0.5F;
+    settings.skyLight = {.on = from.sky, .samples = 7};
     return settings;
+}
+
+/// In fog, under a sky with a bright spot.
+Scene outdoors() {
+    Scene scene = test::foggyScene(FogKind::Exponential);
+    HdrImage sky(32, 16);
+    for (int y = 0; y < 16; ++y) {
+        for (int x = 0; x < 32; ++x) {
+            const auto u = static_cast<float>(x), v = static_cast<float>(y);
+            sky.at(x, y) = {1 + 0.02F * u, 1 + 0.05F * v, 2 - 0.1F * v};
+        }
+    }
+    sky.at(20, 4) = {900, 800, 700};
+    scene.environments = {std::make_shared<Environment>(Environment::fromEquirectangular(sky, "sky"))};
+    return scene;
 }
 
 std::uint64_t hashOf(const Frame& frame) {
     return test::hashOf(std::as_bytes(std::span(frame.radiance.pixels)));
 }
 
-class OcclusionFrame : public testing::TestWithParam<OcclusionPattern> {
+class OcclusionFrame : public testing::TestWithParam<Surroundings> {
   protected:
     ~OcclusionFrame() override { useInstructionSet("auto"); }
 };
 
 TEST_P(OcclusionFrame, HasTheSameBitsForAnyNumberOfThreads) {
-    const test::TracedScene traced(test::sampleScene());
+    const test::TracedScene traced(outdoors());
     for (const int antialiasing : {1, 2}) {
         const RenderSettings settings = occluded(GetParam(), antialiasing);
         const Frame one = test::render(traced, settings, 1);
@@ -39,7 +61,7 @@ TEST_P(OcclusionFrame, HasTheSameBitsForAnyNumberOfThreads) {
 }
 
 TEST_P(OcclusionFrame, HasTheSameBitsOnEveryInstructionSet) {
-    const test::TracedScene traced(test::sampleScene());
+    const test::TracedScene traced(outdoors());
     const RenderSettings settings = occluded(GetParam());
     ASSERT_TRUE(useInstructionSet("scalar"));
     const std::uint64_t expected = hashOf(test::render(traced, settings));
@@ -52,7 +74,7 @@ TEST_P(OcclusionFrame, HasTheSameBitsOnEveryInstructionSet) {
 // While the camera stands still nothing crawls: the second image of the same renderer, after another one,
 // is the first.
 TEST_P(OcclusionFrame, DoesNotCrawl) {
-    const test::TracedScene traced(test::sampleScene());
+    const test::TracedScene traced(outdoors());
     const RenderSettings settings = occluded(GetParam());
     FrameRenderer renderer;
     RenderControl control{.threads = 2};
@@ -70,8 +92,29 @@ TEST_P(OcclusionFrame, DoesNotCrawl) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Patterns, OcclusionFrame,
-                         testing::Values(OcclusionPattern::Rotated, OcclusionPattern::Regular,
-                                         OcclusionPattern::Random));
+                         testing::Values(Surroundings{OcclusionPattern::Rotated, false},
+                                         Surroundings{OcclusionPattern::Regular, false},
+                                         Surroundings{OcclusionPattern::Random, false},
+                                         Surroundings{OcclusionPattern::Rotated, true},
+                                         Surroundings{OcclusionPattern::Random, true}));
+
+// Without panes and masks, rays are only asked whether they escape.
+TEST(SkyLightFrame, OfOpaqueSurfacesHasTheSameBitsOnEveryInstructionSet) {
+    Scene scene = outdoors();
+    for (Material& m : scene.materials) {
+        m.opacity = 1;
+        m.alphaTexture = kNoTexture;
+    }
+    const test::TracedScene traced(scene);
+    const RenderSettings settings = occluded({OcclusionPattern::Rotated, true});
+    ASSERT_TRUE(useInstructionSet("scalar"));
+    const std::uint64_t expected = hashOf(test::render(traced, settings));
+    for (const std::string& name : instructionSets()) {
+        ASSERT_TRUE(useInstructionSet(name));
+        EXPECT_EQ(hashOf(test::render(traced, settings, 2)), expected) << name;
+    }
+    useInstructionSet("auto");
+}
 
 TEST(OcclusionFrameQuality, TheRotatedPatternIsBest) {
     test::SceneBuilder b;

@@ -72,6 +72,16 @@ TEST(FrameDetail, OfALiveFrameHasTheLightOfTheWholeOneButOneSamplePerPixel) {
     EXPECT_LT(rtserver::liveRays(dear(), scene), 100) << "or nothing would be seen";
 }
 
+TEST(FrameDetail, OfTheLightOfTheSkyHasFewRaysWhereItIsCoarse) {
+    rtcore::RenderSettings settings = dear();
+    settings.skyLight = {.on = true, .samples = 1000};
+    EXPECT_EQ(settingsAt(settings, {}).skyLight.samples, 1000);
+    EXPECT_EQ(settingsAt(settings, {0.5, true}).skyLight.samples, 4);
+    EXPECT_EQ(settingsAt(settings, rtserver::kCoarsest).skyLight.samples, 1);
+    EXPECT_TRUE(settingsAt(settings, rtserver::kCoarsest).skyLight.on);
+    EXPECT_LT(workOf(settings, {}), workOf(dear(), {})) << "occlusion is not traced besides";
+}
+
 TEST(FrameDetail, LookingShadowsUpCostsLess) {
     rtcore::Scene scene;
     scene.lights.resize(9);

@@ -198,6 +198,22 @@ TEST(SteadyFrame, WithAmbientOcclusionAllocatesNothing) {
     }
 }
 
+TEST(SteadyFrame, WithTheLightOfTheSkyAllocatesNothing) {
+    Scene opaque = test::sampleScene();
+    for (Material& m : opaque.materials) {
+        m.opacity = 1;
+        m.alphaTexture = kNoTexture;
+    }
+    for (const Scene& scene : {test::sampleScene(), opaque}) {
+        RenderSettings settings = settingsWith(1, true, 5);
+        settings.skyLight.on = true;
+        Pictures pictures(scene);
+        pictures.make(settings, 1);
+        pictures.make(settings, 1);
+        EXPECT_EQ(pictures.make(settings, 1), 0U);
+    }
+}
+
 TEST(SteadyFrame, OfFogAllocatesNothing) {
     for (const FogKind kind : {FogKind::Homogeneous, FogKind::Exponential}) {
         for (const int shafts : {0, 4}) {

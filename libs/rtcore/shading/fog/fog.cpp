@@ -10,9 +10,11 @@ namespace rtcore {
 
 namespace {
 
-Colour surroundingsOf(const Scene& scene) {
+/// The light of the sky stands for ambient light here, too.
+Colour surroundingsOf(const Scene& scene, const RenderSettings& settings) {
     const Environment* const environment = scene.environment();
-    return scene.ambient + (environment != nullptr ? environment->meanRadiance() : scene.background);
+    const Colour ambient = settings.skyLight.on ? Colour{} : scene.ambient;
+    return ambient + (environment != nullptr ? environment->meanRadiance() : scene.background);
 }
 
 } // namespace
@@ -28,7 +30,8 @@ FogMedium fogMedium(const Scene& scene, const RenderSettings& settings) {
     medium.up = scene.up;
     medium.ground = fog.groundHeight;
     medium.source = fog.colour + fog.emission / fog.density;
-    if (fog.surroundings > 0) medium.source += fog.surroundings * fog.albedo * surroundingsOf(scene);
+    if (fog.surroundings > 0)
+        medium.source += fog.surroundings * fog.albedo * surroundingsOf(scene, settings);
     medium.scattered = fog.albedo / (4 * kPi);
     return medium;
 }

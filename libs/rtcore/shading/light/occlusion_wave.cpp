@@ -1,7 +1,6 @@
 #include "rtcore/shading/light/occlusion_wave.h"
 
-#include "rtcore/math/constants.h"
-#include "rtcore/sampling/even_shift.h"
+#include "rtcore/shading/light/arriving_light.h"
 #include "rtcore/shading/surface/surface.h"
 
 #include <algorithm>
@@ -11,166 +10,48 @@ namespace rtcore {
 
 namespace {
 
-/// Rays traced at once: a stream's worth. How many of them belong to one point depends on the settings
-/// alone, so that its sum has the same order in every wave.
-constexpr std::size_t kRays = 16384;
-constexpr std::size_t kMostAtOnce = 256;
 /// A ray that passed so many holes and panes goes on to infinity.
 constexpr int kMaxLayers = 4;
-
-/// Points whose weight in their sample is above this get all rays, half of them more than
-/// half of it, and so on.
-constexpr float kFullWeight = 0.5F;
 
 } // namespace
 
 void OcclusionWave::begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
                           const MaterialTable& materials) {
     const AmbientOcclusionSettings& occlusion = settings.ambientOcclusion;
-    for (auto& points : points_) points.clear();
-    on_ = occlusion.on;
-    if (!on_) return;
+    if (!occlusion.on || settings.skyLight.on) return HemisphereWave::begin();
     scene_ = &scene;
     tracer_ = &tracer;
-    materials_ = &materials;
     textures_ = settings.textures;
     refractions_ = settings.refractions;
-    kind_ = occlusion.pattern;
     light_ = occludedLight(scene, tracer.bounds(), occlusion);
-    int rays = occlusion.samples;
-    for (auto& pattern : patterns_) {
-        setSpiral(rays, pattern);
-        rays = (rays + 1) / 2;
-    }
+    HemisphereWave::begin(materials, {occlusion.pattern, occlusion.samples, light_.distance});
 }
 
-/// The fraction of the ambient light at the point that reaches its sample.
-Colour OcclusionWave::scattered(const SurfaceWave& surfaces, std::size_t point) const {
-    const MaterialRow& row = materials_->rows()[surfaces.material[point]];
-    const Colour specular{row.specular[0], row.specular[1], row.specular[2]};
-    return surfaces.weight.colourAt(point) * (surfaces.diffuse.colourAt(point) * kPi + specular);
+void OcclusionWave::start(std::size_t points) { visible_.assign(points, 0); }
+
+void OcclusionWave::gather(std::size_t directions, RayStatistics& statistics) {
+    statistics.count(RayKind::Occlusion, rays().size());
+    tracer_->intersect(RayKind::Occlusion, rays(), hits_);
+    if (materials().tintedShadows()) return sumSeeThrough(statistics);
+    const std::size_t points = visible_.size();
+    for (std::size_t i = 0; i < directions; ++i)
+        addVisible(visible_.data(), points, hits_, i * points, light_.distance);
 }
 
-bool OcclusionWave::takes(const SurfaceWave& surfaces, std::size_t point) const {
-    return surfaces.traits[point] != 0 && maxComponent(scattered(surfaces, point)) > 0;
-}
-
-void OcclusionWave::add(const SurfaceWave& surfaces, std::size_t point, SampleId sample,
-                        std::uint32_t bounce) {
-    const float weight = maxComponent(surfaces.weight.colourAt(point));
-    const std::size_t fewer = weight > kFullWeight ? 0 : weight > kFullWeight / 2 ? 1 : 2;
-    Point named{static_cast<std::uint32_t>(point), {0.5F, 0}, 0}; // Regular: the middle of each ring
-    if (kind_ == OcclusionPattern::Rotated)
-        named.shift = evenShift(sample, SampleDimension::Occlusion, bounce);
-    if (kind_ == OcclusionPattern::Random)
-        named.name = randomBits(sample, SampleDimension::Occlusion, bounce);
-    points_[fewer].push_back(named);
-}
-
-void OcclusionWave::light(SurfaceWave& surfaces, RayStatistics& statistics, const std::atomic<bool>* stop) {
-    for (float* const array : {surfaces.added.x, surfaces.added.y, surfaces.added.z}) {
-        std::fill_n(array, surfaces.size(), 0.0F);
-    }
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-        trace(points_[i], patterns_[i], surfaces, statistics, stop);
-        points_[i].clear();
-    }
-}
-
-void OcclusionWave::trace(const std::vector<Point>& points, const std::vector<HemispherePoint>& pattern,
-                          SurfaceWave& surfaces, RayStatistics& statistics, const std::atomic<bool>* stop) {
-    if (points.empty()) return;
-    const std::size_t atOnce = std::min(pattern.size(), kMostAtOnce);
-    const std::size_t most = kRays / atOnce;
-    const std::size_t groups = (points.size() + most - 1) / most;
-    const std::size_t size = (points.size() + groups - 1) / groups;
-    for (std::size_t begin = 0; begin < points.size(); begin += size) {
-        const std::span group(&points[begin], std::min(size, points.size() - begin));
-        place(group, kind_ == OcclusionPattern::Random ? 0 : 1 / static_cast<float>(pattern.size()),
-              surfaces);
-        for (std::size_t k = 0; k < pattern.size(); k += atOnce) {
-            if (stop != nullptr && stop->load(std::memory_order_relaxed)) return;
-            const std::size_t count = std::min(atOnce, pattern.size() - k);
-            aim(group, {&pattern[k], count}, k);
-            statistics.count(RayKind::Occlusion, rays_.size());
-            tracer_->intersect(RayKind::Occlusion, rays_, hits_);
-            if (materials_->tintedShadows()) {
-                sumSeeThrough(statistics);
-            } else {
-                for (std::size_t i = 0; i < count; ++i) {
-                    addVisible(frames_, hits_, i * group.size(), light_.distance);
-                }
-            }
-        }
-        const Colour light = light_.radiance / static_cast<float>(pattern.size());
-        for (std::size_t i = 0; i < group.size(); ++i) {
-            const std::size_t point = group[i].index;
-            surfaces.added.set(point, scattered(surfaces, point) * light * frames_.visible[i]);
-        }
-    }
-}
-
-void OcclusionWave::place(std::span<const Point> points, float ring, const SurfaceWave& surfaces) {
-    memory_.resize(17, points.size());
-    std::size_t next = 0;
-    for (ArraysOf3* const arrays :
-         {&frames_.origin, &frames_.tangent, &frames_.bitangent, &frames_.normal, &frames_.side}) {
-        *arrays = {memory_.array(next), memory_.array(next + 1), memory_.array(next + 2)};
-        next += 3;
-    }
-    frames_.shift = memory_.array(next);
-    frames_.visible = memory_.array(next + 1);
-    frames_.count = points.size();
+void OcclusionWave::finish(std::span<const Point> points, std::size_t directions, SurfaceWave& surfaces) {
+    const Colour light = light_.radiance / static_cast<float>(directions);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::size_t point = points[i].index;
-        const Vec3 side = surfaces.geometricNormal.at(point);
-        const Vec3 normal = surfaces.shadingNormal.at(point);
-        const auto [tangent, bitangent] = basisAround(normal);
-        const HemispherePoint turn = hemispherePoint(points[i].shift);
-        frames_.origin.set(i, surfaces.position.at(point) + side * surfaces.clearance[point]);
-        frames_.tangent.set(i, tangent * turn.cosine + bitangent * turn.sine);
-        frames_.bitangent.set(i, bitangent * turn.cosine - tangent * turn.sine);
-        frames_.normal.set(i, normal);
-        frames_.side.set(i, side);
-        frames_.shift[i] = turn.u * ring;
-        frames_.visible[i] = 0;
-    }
-}
-
-/// All rays of the first direction, then all of the next.
-void OcclusionWave::aim(std::span<const Point> points, std::span<const HemispherePoint> pattern,
-                        std::size_t first) {
-    const std::size_t count = points.size() * pattern.size();
-    rays_.resize(count + kWaveBlock);
-    std::fill_n(rays_.tMin.begin(), count, 0.0F);
-    std::fill_n(rays_.tMax.begin(), count, light_.distance);
-    for (std::size_t i = 0; i < pattern.size(); ++i) {
-        if (kind_ == OcclusionPattern::Random) {
-            draw(points, static_cast<std::uint32_t>(first + i));
-            aimEach(frames_, drawn_.data(), rays_, i * points.size());
-        } else {
-            aimAlike(frames_, pattern[i], rays_, i * points.size());
-        }
-    }
-    rays_.resize(count);
-}
-
-/// A direction for each point that has nothing to do with its others.
-void OcclusionWave::draw(std::span<const Point> points, std::uint32_t ray) {
-    drawn_.resize(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::uint32_t bits = mixBits(points[i].name + 0x9E3779B9U * ray);
-        drawn_[i] = hemispherePoint({unitFloat(bits), unitFloat(mixBits(bits + 0x85EBCA6BU))});
+        surfaces.added.set(point, scattered(surfaces, point) * light * visible_[i]);
     }
 }
 
 /// Holes and glass let rays pass, in part: what passes goes on to what is behind, layer by layer.
 void OcclusionWave::sumSeeThrough(RayStatistics& statistics) {
-    const std::size_t points = frames_.count;
-    current_.start(rays_.size(), points);
+    current_.start(rays().size(), visible_.size());
     for (int layer = 0; layer < kMaxLayers; ++layer) {
         next_.clear();
-        for (std::size_t i = 0; i < current_.size(); ++i) sumHit(layer == 0 ? rays_ : current_.rays, i);
+        for (std::size_t i = 0; i < current_.size(); ++i) sumHit(layer == 0 ? rays() : current_.rays, i);
         if (next_.empty()) return;
         std::swap(current_, next_);
         if (layer + 1 == kMaxLayers) break;
@@ -178,12 +59,12 @@ void OcclusionWave::sumSeeThrough(RayStatistics& statistics) {
         tracer_->intersect(RayKind::Occlusion, current_.rays, hits_);
     }
     for (std::size_t i = 0; i < current_.size(); ++i) {
-        frames_.visible[current_.point[i]] += current_.weight[i];
+        visible_[current_.point[i]] += current_.weight[i];
     }
 }
 
 void OcclusionWave::sumHit(const RayWave& rays, std::size_t i) {
-    float& visible = frames_.visible[current_.point[i]];
+    float& visible = visible_[current_.point[i]];
     const float weight = current_.weight[i];
     if (!hits_.isHit(i)) {
         visible += weight;

@@ -17,32 +17,42 @@ constexpr int kMostSurfaces = 256;
 } // namespace
 
 void ShadowTracer::begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
-                         std::span<const std::uint8_t> clear, const FogMedium* fog) {
+                         std::span<const std::uint8_t> clear, const FogMedium* fog, RayKind kind) {
     scene_ = &scene;
     tracer_ = &tracer;
     fog_ = fog;
+    kind_ = kind;
     textures_ = settings.textures;
     refractions_ = settings.refractions;
     clear_ = clear;
 }
 
 const std::vector<std::uint8_t>& ShadowTracer::occluded(const RayWave& rays, RayStatistics& statistics) {
-    statistics.count(RayKind::Shadow, rays.size());
-    tracer_->occluded(RayKind::Shadow, rays, occluded_);
+    statistics.count(kind_, rays.size());
+    tracer_->occluded(kind_, rays, occluded_);
     return occluded_;
 }
 
 const std::vector<Colour>& ShadowTracer::transmittance(const RayWave& rays, const Light& light,
                                                        RayStatistics& statistics) {
+    const Light* const fogLight = fog_ != nullptr ? &light : nullptr;
     transmittance_.assign(rays.size(), kWhite);
-    settle(rays, light, statistics);
-    traceTinted(light, statistics);
+    settle(rays, fogLight, statistics);
+    traceTinted(fogLight, statistics);
     return transmittance_;
 }
 
-/// Rays that meet nothing, or something opaque, whatever lies before it; the others remain.
-void ShadowTracer::settle(const RayWave& rays, const Light& light, RayStatistics& statistics) {
-    statistics.count(RayKind::Shadow, rays.size());
+const std::vector<Colour>& ShadowTracer::transmittance(const RayWave& rays, RayStatistics& statistics) {
+    transmittance_.assign(rays.size(), kWhite);
+    settle(rays, nullptr, statistics);
+    traceTinted(nullptr, statistics);
+    return transmittance_;
+}
+
+/// Rays that meet nothing, or something opaque, whatever lies before it; the others remain. `fogLight`: the
+/// light that fog weakens, null where none does.
+void ShadowTracer::settle(const RayWave& rays, const Light* fogLight, RayStatistics& statistics) {
+    statistics.count(kind_, rays.size());
     tracer_->findObstacles(rays, clear_, obstacles_);
     current_.clear();
     current_.reserve(rays.size());
@@ -56,8 +66,9 @@ void ShadowTracer::settle(const RayWave& rays, const Light& light, RayStatistics
             currentIndex_.push_back(i);
         } else if (obstacles_[i] == Obstacle::Opaque) {
             transmittance_[i] = {};
-        } else if (fog_ != nullptr) {
-            transmittance_[i] = transmittance_[i] * fogLightTransmittance(*fog_, light, rays.ray(i).origin);
+        } else if (fogLight != nullptr) {
+            transmittance_[i] =
+                transmittance_[i] * fogLightTransmittance(*fog_, *fogLight, rays.ray(i).origin);
         }
     }
 }
@@ -86,7 +97,7 @@ const std::vector<LightEnd>& ShadowTracer::ends(const RayWave& rays) {
     travelled_.assign(rays.size(), 0);
     startLayers(rays);
     for (int layer = 0; layer < kMostSurfaces && !current_.empty(); ++layer) {
-        tracer_->intersect(RayKind::Shadow, current_, hits_);
+        tracer_->intersect(kind_, current_, hits_);
         next_.clear();
         nextIndex_.clear();
         for (std::size_t i = 0; i < current_.size(); ++i) {
@@ -112,23 +123,24 @@ const std::vector<LightEnd>& ShadowTracer::ends(const RayWave& rays) {
 }
 
 /// The rays that remain, surface after surface.
-void ShadowTracer::traceTinted(const Light& light, RayStatistics& statistics) {
+void ShadowTracer::traceTinted(const Light* fogLight, RayStatistics& statistics) {
     for (int layer = 0; layer < kMostSurfaces && !current_.empty(); ++layer) {
-        if (layer > 0) statistics.count(RayKind::Shadow, current_.size());
-        tracer_->intersect(RayKind::Shadow, current_, hits_);
+        if (layer > 0) statistics.count(kind_, current_.size());
+        tracer_->intersect(kind_, current_, hits_);
         next_.clear();
         nextIndex_.clear();
         for (std::size_t i = 0; i < current_.size(); ++i) {
             Colour& arriving = transmittance_[currentIndex_[i]];
             const Ray ray = current_.ray(i);
             if (!hits_.isHit(i)) {
-                if (fog_ != nullptr) arriving = arriving * fogLightTransmittance(*fog_, light, ray.origin);
+                if (fogLight != nullptr)
+                    arriving = arriving * fogLightTransmittance(*fog_, *fogLight, ray.origin);
                 continue;
             }
             const Hit hit = hits_.hit(i);
             const Surface surface = shapeAt(*scene_, ray.direction, hit);
             arriving *= throughSurface(surface, hit);
-            if (fog_ != nullptr) arriving = arriving * throughFog(surface, ray, light, hit);
+            if (fogLight != nullptr) arriving = arriving * throughFog(surface, ray, *fogLight, hit);
             if (isBlack(arriving)) continue;
             goOn(i, surface, hit);
         }

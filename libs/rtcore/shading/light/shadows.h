@@ -1,4 +1,5 @@
-/// Shadows of a whole wave of rays towards one light: black, or tinted by what lets light through.
+/// Shadows of a whole wave of rays towards one light, or the sky: black, or tinted by what lets light
+/// through.
 #pragma once
 
 #include "rtcore/kernels/ray_statistics.h"
@@ -26,9 +27,11 @@ struct LightEnd {
 class ShadowTracer {
   public:
     /// For the waves of one frame, during which the arguments must live. `clear`: what lets light through
-    /// (MaterialTable::clear()); empty where nothing does. `fog`: null where there is none.
+    /// (MaterialTable::clear()); empty where nothing does. `fog`: null where there is none. `kind`: what its
+    /// rays are traced and counted as.
     void begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
-               std::span<const std::uint8_t> clear, const FogMedium* fog = nullptr);
+               std::span<const std::uint8_t> clear, const FogMedium* fog = nullptr,
+               RayKind kind = RayKind::Shadow);
 
     /// Whether transmittance() has to be asked: without transparent surfaces, occluded() says all.
     bool tinted() const { return !clear_.empty(); }
@@ -41,6 +44,8 @@ class ShadowTracer {
     /// on through them, without focusing. Fog weakens it outside of solids. Valid until the next call.
     const std::vector<Colour>& transmittance(const RayWave& rays, const Light& light,
                                              RayStatistics& statistics);
+    /// The same of light from anywhere, without fog.
+    const std::vector<Colour>& transmittance(const RayWave& rays, RayStatistics& statistics);
 
     /// The paths of light along rays that leave a light, in directions of unit length, without fog. Valid
     /// until the next call.
@@ -48,9 +53,9 @@ class ShadowTracer {
 
   private:
     void startLayers(const RayWave& rays);
-    void settle(const RayWave& rays, const Light& light, RayStatistics& statistics);
+    void settle(const RayWave& rays, const Light* fogLight, RayStatistics& statistics);
     void goOn(std::size_t ray, const Surface& surface, const Hit& hit);
-    void traceTinted(const Light& light, RayStatistics& statistics);
+    void traceTinted(const Light* fogLight, RayStatistics& statistics);
     /// What one surface leaves of the light; the ray came from the surface before it, hit.t away.
     Colour throughSurface(const Surface& surface, const Hit& hit) const;
     float throughFog(const Surface& end, const Ray& ray, const Light& light, const Hit& hit) const;
@@ -58,6 +63,7 @@ class ShadowTracer {
     const Scene* scene_ = nullptr;
     const RayTracer* tracer_ = nullptr;
     const FogMedium* fog_ = nullptr;
+    RayKind kind_ = RayKind::Shadow;
     bool textures_ = true, refractions_ = true;
     std::span<const std::uint8_t> clear_; ///< by material
 

@@ -1,0 +1,39 @@
+/// The light of the sky: what reaches the points of a wave from the environment, or from the background where
+/// there is none. A ray that escapes the scene brings the radiance of its own direction
+/// (scene/environment_light.h), tinted by the panes and dimmed by the fog on its way; a ray that ends at a
+/// surface brings nothing.
+#pragma once
+
+#include "rtcore/kernels/ray_tracer.h"
+#include "rtcore/scene/scene.h"
+#include "rtcore/shading/light/arriving_light.h"
+#include "rtcore/shading/light/hemisphere_wave.h"
+#include "rtcore/shading/light/shadows.h"
+
+#include <span>
+
+namespace rtcore {
+
+class SkyWave final : public HemisphereWave {
+  public:
+    /// Starts a frame, during which the arguments must live. `fog`: null where there is none.
+    void begin(const Scene& scene, const RayTracer& tracer, const RenderSettings& settings,
+               const MaterialTable& materials, const FogMedium* fog);
+
+    Colour unoccluded(const SurfaceWave& surfaces, std::size_t point) const override {
+        return scattered(surfaces, point) * sky_.light->open(surfaces.shadingNormal.at(point)) * sky_.scale;
+    }
+
+  private:
+    void start(std::size_t points) override;
+    void gather(std::size_t directions, RayStatistics& statistics) override;
+    void finish(std::span<const Point> points, std::size_t directions, SurfaceWave& surfaces) override;
+
+    Sky sky_;
+    ShadowTracer obstacles_;
+    std::size_t points_ = 0;
+    WaveMemory memory_;
+    ArraysOf3 sums_; ///< of the radiance that the rays of each point bring
+};
+
+} // namespace rtcore
