@@ -91,6 +91,22 @@ TEST(SkyLight, OfAGradientOnAnOpenFloorIsItsIntegral) {
                    0.02F);
 }
 
+// Rays that meet nothing tell nothing new: what an open surface gets is known.
+TEST(SkyLight, OfAnOpenFloorHasNoNoise) {
+    TracedScene s(floorOf(1).finish());
+    s.scene.environments = {environmentOf([](Vec3 d) { return Colour{1 + d.y, 2 + d.x, 1 - d.z}; })};
+    RayWave wave;
+    for (int i = 0; i < 100; ++i)
+        wave.push({{0, 1, 0.5F}, 0, normalize(Vec3{0, -1, -0.5F}), std::numeric_limits<float>::max()});
+    for (const int samples : {2, 4, 50}) {
+        const RenderSettings settings = skyLight(samples);
+        WhittedIntegrator integrator(s.scene, s.tracer, settings);
+        integrator.trace(wave);
+        for (std::size_t i = 0; i < wave.size(); ++i)
+            EXPECT_NEAR(integrator.radiance().x[i], 5.0F / 3, 5e-3F) << samples;
+    }
+}
+
 // From below the horizon it is dark, and a wall sees half of each.
 TEST(SkyLight, ComesFromItsOwnDirection) {
     SceneBuilder b;
@@ -307,10 +323,12 @@ TEST(SkyLight, InARoomIsThatOfManyRaysInDouble) {
                             {{-2, 1.5F, 0}, {-2, 3, 0.3F}, {0, -1, 0}},    // the ceiling, lit from below
                             {{-2, 1.5F, 0}, {-1, 0.6F, 0.1F}, {-1, 0, 0}}, // the block's front
                             {{3, 1.5F, 0}, {4, 1.2F, 0.4F}, {-1, 0, 0}}};  // the wall at the back
+    const auto near = [](double e) { return 0.03 * e + 2e-3; };
     for (const Place& place : places) {
         const std::array<double, 3> expected = byManyRays(s.scene, place.position, place.normal);
         const Colour found = look(s, place.eye, place.position, skyLight(256));
-        const auto near = [](double e) { return 0.03 * e + 2e-3; };
+        const Colour byFew = look(s, place.eye, place.position, skyLight(4)); // live
+        EXPECT_NEAR(static_cast<double>(byFew.g), expected[1], 2 * near(expected[1])) << place.position.x;
         EXPECT_NEAR(static_cast<double>(found.r), expected[0], near(expected[0])) << place.position.x;
         EXPECT_NEAR(static_cast<double>(found.g), expected[1], near(expected[1])) << place.position.x;
         EXPECT_NEAR(static_cast<double>(found.b), expected[2], near(expected[2])) << place.position.x;

@@ -51,29 +51,29 @@ HWY_INLINE Float3 skyAlong(const Sky& sky, const RayWave& rays, std::size_t i, s
     return seen * fastExp(-tau) + broadcast(sky.fog->source) * fogOpacity(tau);
 }
 
-HWY_INLINE Mask freeLanes(const std::uint8_t* occluded, std::size_t count) {
-    HWY_ALIGN std::int32_t hit[kLanes];
-    for (std::size_t i = 0; i < lanes(); ++i) hit[i] = i < count ? occluded[i] : 1;
-    return load(hit) == 0;
+HWY_INLINE void addAt(const Float3& seen, const Float3& passing, const SkySums& sums, std::size_t i) {
+    storeAt(loadAt(sums.arrived, i) + seen * passing, sums.arrived, i);
+    storeAt(loadAt(sums.passing, i) + passing, sums.passing, i);
+    storeAt(loadAt(sums.whole, i) + seen, sums.whole, i);
 }
 
-void addUnoccluded(const Sky& sky, const SkyRays& r, const std::uint8_t* occluded, const ArraysOf3& sums) {
+void addUnoccluded(const Sky& sky, const SkyRays& r, const std::uint8_t* occluded, const SkySums& sums) {
+    HWY_ALIGN float passing[kLanes] = {};
     for (std::size_t i = 0; i < r.count; i += lanes()) {
         const std::size_t count = std::min(lanes(), r.count - i);
-        const Mask free = freeLanes(occluded + i, count);
-        if (none(free)) continue;
-        const Float3 seen = skyAlong(sky, r.rays, r.first + i, count);
-        storeAt(loadAt(sums, i) + selectOrZero(free, seen), sums, i);
+        for (std::size_t lane = 0; lane < count; ++lane)
+            passing[lane] = occluded[i + lane] != 0 ? 0.0F : 1.0F;
+        const Float left = load(passing);
+        addAt(skyAlong(sky, r.rays, r.first + i, count), {left, left, left}, sums, i);
     }
 }
 
-void addTinted(const Sky& sky, const SkyRays& r, const Colour* arriving, const ArraysOf3& sums) {
+void addTinted(const Sky& sky, const SkyRays& r, const Colour* passing, const SkySums& sums) {
     HWY_ALIGN Colour tint[kLanes] = {};
     for (std::size_t i = 0; i < r.count; i += lanes()) {
         const std::size_t count = std::min(lanes(), r.count - i);
-        std::copy_n(arriving + i, count, tint);
-        const Float3 left = loadInterleaved(&tint[0].r);
-        storeAt(loadAt(sums, i) + skyAlong(sky, r.rays, r.first + i, count) * left, sums, i);
+        std::copy_n(passing + i, count, tint);
+        addAt(skyAlong(sky, r.rays, r.first + i, count), loadInterleaved(&tint[0].r), sums, i);
     }
 }
 
@@ -92,12 +92,12 @@ void addVisible(float* visible, std::size_t count, const HitWave& hits, std::siz
     HWY_DYNAMIC_DISPATCH(addAllVisible)(visible, count, &hits.t[first], &hits.triangle[first], distance);
 }
 
-void addSky(const Sky& sky, const SkyRays& rays, const std::uint8_t* occluded, const ArraysOf3& sums) {
+void addSky(const Sky& sky, const SkyRays& rays, const std::uint8_t* occluded, const SkySums& sums) {
     HWY_DYNAMIC_DISPATCH(addUnoccluded)(sky, rays, occluded, sums);
 }
 
-void addSky(const Sky& sky, const SkyRays& rays, const Colour* arriving, const ArraysOf3& sums) {
-    HWY_DYNAMIC_DISPATCH(addTinted)(sky, rays, arriving, sums);
+void addSky(const Sky& sky, const SkyRays& rays, const Colour* passing, const SkySums& sums) {
+    HWY_DYNAMIC_DISPATCH(addTinted)(sky, rays, passing, sums);
 }
 
 } // namespace rtcore

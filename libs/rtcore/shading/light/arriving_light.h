@@ -28,9 +28,16 @@ struct SkyRays {
     std::size_t first, count;
 };
 
-/// Adds what the rays bring that are not `occluded` (0). `sums` has room for whole blocks of kWaveBlock.
-void addSky(const Sky& sky, const SkyRays& rays, const std::uint8_t* occluded, const ArraysOf3& sums);
-/// Adds what all of them bring, times `arriving`.
-void addSky(const Sky& sky, const SkyRays& rays, const Colour* arriving, const ArraysOf3& sums);
+/// Sums over the rays of each point, with room for whole blocks of kWaveBlock.
+struct SkySums {
+    ArraysOf3 arrived; ///< the radiance that they bring
+    ArraysOf3 passing; ///< what is left of it on the way: 0 of a ray that ends at a surface, else up to 1
+    ArraysOf3 whole;   ///< what they would bring with nothing in the way
+};
+
+/// Adds rays of which those bring all that are not `occluded` (0), the others nothing.
+void addSky(const Sky& sky, const SkyRays& rays, const std::uint8_t* occluded, const SkySums& sums);
+/// Adds rays that bring that part.
+void addSky(const Sky& sky, const SkyRays& rays, const Colour* passing, const SkySums& sums);
 
 } // namespace rtcore

@@ -29,11 +29,13 @@ class SkyWave final : public HemisphereWave {
     void gather(std::size_t directions, RayStatistics& statistics) override;
     void finish(std::span<const Point> points, std::size_t directions, SurfaceWave& surfaces) override;
 
+    Colour arriving(std::size_t i, std::size_t directions, Vec3 normal) const;
+
     Sky sky_;
     ShadowTracer obstacles_;
     std::size_t points_ = 0;
     WaveMemory memory_;
-    ArraysOf3 sums_; ///< of the radiance that the rays of each point bring
+    SkySums sums_;
 };
 
 } // namespace rtcore
