@@ -98,7 +98,7 @@ TEST(SkyLight, OfAnOpenFloorHasNoNoise) {
     RayWave wave;
     for (int i = 0; i < 100; ++i)
         wave.push({{0, 1, 0.5F}, 0, normalize(Vec3{0, -1, -0.5F}), std::numeric_limits<float>::max()});
-    for (const int samples : {2, 4, 50}) {
+    for (const int samples : {3, 4, 50}) {
         const RenderSettings settings = skyLight(samples);
         WhittedIntegrator integrator(s.scene, s.tracer, settings);
         integrator.trace(wave);

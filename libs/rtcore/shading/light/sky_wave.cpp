@@ -43,12 +43,13 @@ void SkyWave::gather(std::size_t directions, RayStatistics& statistics) {
 
 /// The mean radiance that reaches a point. What all directions together bring with nothing in the way is
 /// known; by how much the point's rays miss that, is taken from the mean in proportion to what passes - for
-/// each ray as the others have found it, so that nothing is added on the mean. (Control variates)
+/// each ray as the others have found it, so that nothing is added on the mean. (Control variates) Two rays
+/// of a pattern lie too far apart to tell of each other.
 Colour SkyWave::arriving(std::size_t i, std::size_t directions, Vec3 normal) const {
     const auto count = static_cast<float>(directions);
     const Colour correction = sky_.light->correction(normal), arrived = sums_.arrived.colourAt(i);
     const Colour mean = correction * arrived / count;
-    if (directions == 1 || sky_.fog != nullptr) return mean;
+    if (directions < 3 || sky_.fog != nullptr) return mean;
     const Colour passing = sums_.passing.colourAt(i), whole = sums_.whole.colourAt(i);
     const Colour known = passing * sky_.light->open(normal) * sky_.scale / count,
                  found = correction * (passing * whole - arrived) / (count * (count - 1));
