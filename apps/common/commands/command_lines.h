@@ -49,7 +49,7 @@ std::string cameraReset();
 std::string cameraAngle(double degrees); ///< of the field of view
 std::string cameraZoom(double factor);
 std::string cameraPaste(const std::string& text); ///< of a .cam file
-std::string up(const std::string& axis); ///< "+z"
+std::string up(const std::string& axis);          ///< "+z"
 std::string units(float metres);
 std::string focus(double right, double down); ///< 0..1
 std::string speed(double factor);

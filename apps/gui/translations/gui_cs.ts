@@ -713,7 +713,7 @@
     </message>
     <message>
         <source>&amp;Field of view…</source>
-        <translation>Úhel &amp;záběru…</translation>
+        <translation>&amp;Úhel záběru…</translation>
     </message>
     <message>
         <source>How much the camera sees, as an angle or a lens; Ctrl and the wheel change it, too</source>
