@@ -13,7 +13,7 @@ namespace rtcore {
 
 namespace {
 
-constexpr std::size_t kHead = 4096, kStlHead = 80;
+constexpr std::size_t kNotesHead = 4096, kStlHead = 80;
 
 std::string lower(std::string_view text) {
     std::string result(text);
@@ -25,7 +25,7 @@ std::string lower(std::string_view text) {
 std::string headOf(const std::filesystem::path& path) {
     if (!std::filesystem::is_regular_file(path)) return {};
     InputFile file(path);
-    const auto bytes = file.head(kHead);
+    const auto bytes = file.head(kNotesHead);
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 

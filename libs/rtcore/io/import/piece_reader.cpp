@@ -11,7 +11,7 @@ namespace rtcore {
 namespace {
 
 constexpr std::size_t kPiece = std::size_t{256} << 10;
-constexpr std::uint64_t kWorthThreads = std::uint64_t{16} << 20; // bytes
+constexpr std::uint64_t kWorthSharing = std::uint64_t{16} << 20; // bytes
 constexpr std::uint64_t kBytesBetweenWords = std::uint64_t{64} << 20;
 
 } // namespace
@@ -50,7 +50,7 @@ bool PieceReader::readRecords(std::uint64_t count, std::size_t size, const UseRe
     std::atomic<bool> good = true;
     for (std::uint64_t begin = 0; begin < count && good; begin += together) {
         const std::uint64_t end = std::min(count, begin + together);
-#pragma omp parallel if ((end - begin) * size > kWorthThreads)
+#pragma omp parallel if ((end - begin) * size > kWorthSharing)
         {
             std::vector<std::byte> buffer;
 #pragma omp for schedule(dynamic, 1)
