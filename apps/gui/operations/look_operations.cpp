@@ -20,7 +20,6 @@ namespace gui {
 namespace {
 
 constexpr int kMilliseconds = 350;
-constexpr qint64 kOneGesture = 1000; ///< milliseconds
 
 } // namespace
 
@@ -90,7 +89,7 @@ void LookOperations::focusAt(const QPointF& position) {
 
 // One gesture is one step of undo.
 bool LookOperations::goesOn() {
-    const bool goesOn = sinceAngle_.isValid() && sinceAngle_.elapsed() < kOneGesture;
+    const bool goesOn = sinceAngle_.isValid() && sinceAngle_.elapsed() < SceneEditor::kOneGesture;
     sinceAngle_.start();
     return goesOn;
 }
@@ -99,7 +98,7 @@ void LookOperations::askForAngle() {
     auto* dialog = new FieldOfViewDialog(context_.session.status().view.fieldOfView, &context_.window);
     connect(dialog, &FieldOfViewDialog::wanted, this, &LookOperations::setAngle);
     connect(&context_.session, &Session::statusChanged, dialog, [this, dialog] {
-        const bool byHand = sinceAngle_.isValid() && sinceAngle_.elapsed() < kOneGesture;
+        const bool byHand = sinceAngle_.isValid() && sinceAngle_.elapsed() < SceneEditor::kOneGesture;
         if (!byHand) dialog->follow(context_.session.status().view.fieldOfView);
     });
     dialog->show();

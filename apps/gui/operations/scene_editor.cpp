@@ -12,7 +12,6 @@ using namespace std::chrono_literals;
 
 constexpr auto kTick = 200ms;
 constexpr qint64 kCalm = 1000, kSeldom = 5000; ///< milliseconds between questions: frames come, or none does
-constexpr qint64 kOneGesture = 1000;           ///< milliseconds
 
 } // namespace
 

@@ -22,6 +22,8 @@ class SceneEditor : public QObject {
     Q_OBJECT
 
   public:
+    static constexpr qint64 kOneGesture = 1000; ///< milliseconds: changes within are one step of undo
+
     /// `session` must outlive it.
     explicit SceneEditor(Session& session, QObject* parent = nullptr);
 

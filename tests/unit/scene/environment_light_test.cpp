@@ -15,7 +15,7 @@
 namespace rtcore {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kTruePi = std::numbers::pi;
 
 using Radiance = std::function<Colour(Vec3)>; ///< of a unit direction
 
@@ -23,8 +23,8 @@ Environment sphereOf(const Radiance& radiance, int height) {
     HdrImage image(2 * height, height);
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < 2 * height; ++x) {
-            const double azimuth = 2 * kPi * ((x + 0.5) / (2 * height) - 0.5),
-                         polar = kPi * (y + 0.5) / height;
+            const double azimuth = 2 * kTruePi * ((x + 0.5) / (2 * height) - 0.5),
+                         polar = kTruePi * (y + 0.5) / height;
             image.at(x, y) = radiance({static_cast<float>(std::sin(polar) * std::sin(azimuth)),
                                        static_cast<float>(std::cos(polar)),
                                        static_cast<float>(-std::sin(polar) * std::cos(azimuth))});
@@ -112,11 +112,11 @@ TEST(EnvironmentLight, OfAGradientHasItsIrradiance) {
 }
 
 TEST(EnvironmentLight, OfASmallSunHasItsIrradiance) {
-    const double solidAngle = 2 * kPi * (1 - std::cos(kHalfAngle));
+    const double solidAngle = 2 * kTruePi * (1 - std::cos(kHalfAngle));
     for (const Environment& environment : {sphereOf(sunnySky, 1024), cubeOf(sunnySky, 512)}) {
         const EnvironmentLight& light = environment.light();
         for (const Vec3 n : {kToSun, Vec3{0, 1, 0}, Vec3{1, 0, 0}, normalize(Vec3{-0.2F, 0.4F, -1})}) {
-            const double sun = 40'000 * solidAngle * static_cast<double>(dot(n, kToSun)) / kPi;
+            const double sun = 40'000 * solidAngle * static_cast<double>(dot(n, kToSun)) / kTruePi;
             EXPECT_NEAR(light.open(n).r, sun + 1, 0.02 * sun);
         }
         const Vec3 away = normalize(Vec3{-0.6F, -0.8F, 0.4F});
@@ -182,7 +182,7 @@ TEST(EnvironmentCells, AreAllDirections) {
             r += static_cast<double>(cell.solidAngle) * static_cast<double>(cell.radiance.r);
             ASSERT_NEAR(length(cell.direction), 1, 1e-5);
         }
-        EXPECT_NEAR(angle, 4 * kPi, 1e-3);
+        EXPECT_NEAR(angle, 4 * kTruePi, 1e-3);
         EXPECT_NEAR(r / angle, static_cast<double>(environment.meanRadiance().r), 5e-3);
     }
 }

@@ -42,7 +42,8 @@ std::shared_ptr<const Environment> evenSky(Colour radiance) {
 }
 
 /// The mean of what a surface at `target` shows, seen as many pixels from `eye`.
-Colour look(const TracedScene& s, Vec3 eye, Vec3 target, const RenderSettings& settings = skyLight()) {
+Colour seenUnderSky(const TracedScene& s, Vec3 eye, Vec3 target,
+                    const RenderSettings& settings = skyLight()) {
     constexpr std::size_t kPixels = 1024;
     RayWave wave;
     std::vector<SampleId> names;
@@ -57,43 +58,43 @@ Colour look(const TracedScene& s, Vec3 eye, Vec3 target, const RenderSettings& s
     return sum / static_cast<float>(kPixels);
 }
 
-void expectNear(Colour found, Colour expected, float part) {
+void expectLight(Colour found, Colour expected, float part) {
     EXPECT_NEAR(found.r, expected.r, part * expected.r + 1e-6F);
     EXPECT_NEAR(found.g, expected.g, part * expected.g + 1e-6F);
     EXPECT_NEAR(found.b, expected.b, part * expected.b + 1e-6F);
 }
 
-SceneBuilder floorOf(float albedo) {
+SceneBuilder openFloor(float albedo) {
     SceneBuilder b;
     b.square({0.3F, 0, 0.2F}, {0, 1, 0}, 10, b.material(test::matte(albedo)));
     return b;
 }
 
 TEST(SkyLight, OfAnEvenSkyOnAnOpenFloorIsItsAlbedo) {
-    TracedScene s(floorOf(0.5F).finish());
+    TracedScene s(openFloor(0.5F).finish());
     s.scene.environments = {evenSky({1, 2, 4})};
     for (const OcclusionPattern pattern :
          {OcclusionPattern::Rotated, OcclusionPattern::Regular, OcclusionPattern::Random}) {
         for (const int samples : {1, 9, 300}) {
             RenderSettings settings = skyLight(samples);
             settings.ambientOcclusion.pattern = pattern;
-            expectNear(look(s, {0, 1, 0.5F}, {0, 0, 0}, settings), {0.5F, 1, 2}, 1e-3F);
+            expectLight(seenUnderSky(s, {0, 1, 0.5F}, {0, 0, 0}, settings), {0.5F, 1, 2}, 1e-3F);
         }
     }
 }
 
 // E = pi (a + 2/3 b) of L = a + b cos.
 TEST(SkyLight, OfAGradientOnAnOpenFloorIsItsIntegral) {
-    TracedScene s(floorOf(0.6F).finish());
+    TracedScene s(openFloor(0.6F).finish());
     s.scene.environments = {environmentOf([](Vec3 d) { return Colour{1 + d.y, 2 - d.y, 1 + d.x}; })};
     for (const int samples : {1, 4, 64})
-        expectNear(look(s, {0, 1, 0.5F}, {0, 0, 0}, skyLight(samples)), {0.6F * 5 / 3, 0.6F * 4 / 3, 0.6F},
-                   0.02F);
+        expectLight(seenUnderSky(s, {0, 1, 0.5F}, {0, 0, 0}, skyLight(samples)),
+                    {0.6F * 5 / 3, 0.6F * 4 / 3, 0.6F}, 0.02F);
 }
 
 // Rays that meet nothing tell nothing new: what an open surface gets is known.
 TEST(SkyLight, OfAnOpenFloorHasNoNoise) {
-    TracedScene s(floorOf(1).finish());
+    TracedScene s(openFloor(1).finish());
     s.scene.environments = {environmentOf([](Vec3 d) { return Colour{1 + d.y, 2 + d.x, 1 - d.z}; })};
     RayWave wave;
     for (int i = 0; i < 100; ++i)
@@ -115,21 +116,21 @@ TEST(SkyLight, ComesFromItsOwnDirection) {
     b.square({5, 0, 0}, {0, 0, 1}, 1, white);
     TracedScene s(b.finish());
     s.scene.environments = {environmentOf([](Vec3 d) { return d.y > 0 ? Colour{3, 3, 3} : Colour{}; })};
-    expectNear(look(s, {0.1F, 2, 0}, {0, 0, 0}), {3, 3, 3}, 0.02F);
-    EXPECT_LT(look(s, {0.1F, -2, 0}, {0, 0, 0}).g, 0.03F);
-    expectNear(look(s, {5, 0.2F, 2}, {5, 0, 0}), {1.5F, 1.5F, 1.5F}, 0.02F);
+    expectLight(seenUnderSky(s, {0.1F, 2, 0}, {0, 0, 0}), {3, 3, 3}, 0.02F);
+    EXPECT_LT(seenUnderSky(s, {0.1F, -2, 0}, {0, 0, 0}).g, 0.03F);
+    expectLight(seenUnderSky(s, {5, 0.2F, 2}, {5, 0, 0}), {1.5F, 1.5F, 1.5F}, 0.02F);
 }
 
 TEST(SkyLight, OfASunInTheMapHasItsIrradiance) {
     const Vec3 toSun = normalize(Vec3{0.6F, 0.7F, 0.2F});
     const float cosine = std::cos(0.05F);
-    TracedScene s(floorOf(1).finish());
+    TracedScene s(openFloor(1).finish());
     s.scene.environments = {environmentOf([&](Vec3 d) {
         return dot(d, toSun) > cosine ? Colour{5000, 5000, 5000} : Colour{1, 1, 1};
     })};
     const float sun = 5000 * 2 * (1 - cosine) * toSun.y;
     for (const int samples : {4, 64})
-        expectNear(look(s, {0, 1, 0.5F}, {0, 0, 0}, skyLight(samples)), kWhite * (sun + 1), 0.03F);
+        expectLight(seenUnderSky(s, {0, 1, 0.5F}, {0, 0, 0}, skyLight(samples)), kWhite * (sun + 1), 0.03F);
 }
 
 TEST(SkyLight, DoesNotReachIntoAClosedBox) {
@@ -137,7 +138,7 @@ TEST(SkyLight, DoesNotReachIntoAClosedBox) {
     b.box({-1, -1, -1}, {1, 1, 1}, b.material(test::matte(1)));
     TracedScene s(b.finish());
     s.scene.environments = {evenSky({5, 5, 5})};
-    EXPECT_EQ(look(s, {0.1F, 0.2F, 0}, {0.5F, -1, 0.3F}), Colour{});
+    EXPECT_EQ(seenUnderSky(s, {0.1F, 0.2F, 0}, {0.5F, -1, 0.3F}), Colour{});
 }
 
 TEST(SkyLight, OfHalfOfTheSkyIsHalf) {
@@ -148,53 +149,53 @@ TEST(SkyLight, OfHalfOfTheSkyIsHalf) {
     b.quad({1, 0, far}, {1, far, far}, {1, far, -far}, {1, 0, -far}, white);
     TracedScene s(b.finish());
     s.scene.environments = {evenSky({2, 2, 2})};
-    expectNear(look(s, {-3, 2, 0}, {0.5F, 0, 0}), kWhite, 0.02F);
+    expectLight(seenUnderSky(s, {-3, 2, 0}, {0.5F, 0, 0}), kWhite, 0.02F);
 }
 
 TEST(SkyLight, IsTheBackgroundWhereThereIsNoEnvironment) {
-    TracedScene s(floorOf(0.5F).finish());
+    TracedScene s(openFloor(0.5F).finish());
     s.scene.background = {0.2F, 0.4F, 1};
-    expectNear(look(s, {0, 1, 0.5F}, {0, 0, 0}), {0.1F, 0.2F, 0.5F}, 1e-5F);
+    expectLight(seenUnderSky(s, {0, 1, 0.5F}, {0, 0, 0}), {0.1F, 0.2F, 0.5F}, 1e-5F);
 }
 
 TEST(SkyLight, TakesThePlaceOfAmbientLightAndOfItsOcclusion) {
-    TracedScene s(floorOf(0.5F).finish());
+    TracedScene s(openFloor(0.5F).finish());
     s.scene.environments = {evenSky({1, 1, 1})};
     s.scene.ambient = {3, 3, 3};
     RenderSettings settings = skyLight();
-    const Colour alone = look(s, {0, 1, 0.5F}, {0, 0, 0}, settings);
-    expectNear(alone, kWhite * 0.5F, 1e-3F);
+    const Colour alone = seenUnderSky(s, {0, 1, 0.5F}, {0, 0, 0}, settings);
+    expectLight(alone, kWhite * 0.5F, 1e-3F);
     settings.ambientOcclusion.on = true;
-    EXPECT_EQ(look(s, {0, 1, 0.5F}, {0, 0, 0}, settings), alone);
+    EXPECT_EQ(seenUnderSky(s, {0, 1, 0.5F}, {0, 0, 0}, settings), alone);
 }
 
 TEST(SkyLight, FollowsTheIntensity) {
-    TracedScene s(floorOf(0.5F).finish());
+    TracedScene s(openFloor(0.5F).finish());
     auto bright = std::make_shared<Environment>(*evenSky({1, 1, 1}));
     bright->intensity = 6;
     s.scene.environments = {bright};
-    expectNear(look(s, {0, 1, 0.5F}, {0, 0, 0}), kWhite * 3, 1e-3F);
+    expectLight(seenUnderSky(s, {0, 1, 0.5F}, {0, 0, 0}), kWhite * 3, 1e-3F);
 }
 
 /// What a white floor shows below a pane that is as large as all that it sees, under a sky of radiance 2.
 Colour underPane(const std::function<void(SceneBuilder&, Material&)>& make) {
-    SceneBuilder b = floorOf(1);
+    SceneBuilder b = openFloor(1);
     Material pane = test::glass(1); // no reflection
     make(b, pane);
     b.square({0, 0.01F, 0}, {0, -1, 0}, 50, b.material(pane));
     TracedScene s(b.finish());
     s.scene.environments = {evenSky({2, 2, 2})};
-    return look(s, {0.1F, 0.005F, 0.01F}, {0.1F, 0, 0});
+    return seenUnderSky(s, {0.1F, 0.005F, 0.01F}, {0.1F, 0, 0});
 }
 
 TEST(SkyLight, PassesAClearPane) {
     const Colour seen = underPane([](SceneBuilder&, Material&) {});
-    expectNear(seen, {2, 2, 2}, 0.01F);
+    expectLight(seen, {2, 2, 2}, 0.01F);
 }
 
 TEST(SkyLight, IsTintedByAPane) {
     const Colour seen = underPane([](SceneBuilder&, Material& m) { m.transmission = {0.9F, 0.5F, 0.1F}; });
-    expectNear(seen, {1.8F, 1, 0.2F}, 0.01F);
+    expectLight(seen, {1.8F, 1, 0.2F}, 0.01F);
 }
 
 // A wall of two faces of glass lets (1 - R) / (1 + R) through; weighed by the cosine, 0.849 of n = 1.5.
@@ -210,7 +211,7 @@ TEST(SkyLight, LosesWhatGlassReflects) {
         const double reflected = (across * across + along * along) / 2;
         through += (1 - reflected) / (1 + reflected) / kSteps;
     }
-    expectNear(seen, kWhite * static_cast<float>(2 * through), 0.01F);
+    expectLight(seen, kWhite * static_cast<float>(2 * through), 0.01F);
 }
 
 TEST(SkyLight, PassesHoles) {
@@ -218,23 +219,23 @@ TEST(SkyLight, PassesHoles) {
         m = test::matte(1);
         m.alphaTexture = b.texture(1, 1, {{64, 0, 0, 255}});
     });
-    expectNear(seen, kWhite * (2 * 191.0F / 255), 0.01F);
+    expectLight(seen, kWhite * (2 * 191.0F / 255), 0.01F);
 }
 
 // Homogeneous fog hides the sky, and is all that is seen in its place.
 TEST(SkyLight, ComesThroughFog) {
-    TracedScene s(floorOf(1).finish());
+    TracedScene s(openFloor(1).finish());
     s.scene.environments = {evenSky({2, 2, 2})};
     s.scene.ambient = {9, 9, 9};
     s.scene.fog.kind = FogKind::Homogeneous;
     s.scene.fog.density = 1e-3F;
     s.scene.fog.colour = {0.1F, 0.2F, 0.3F};
     const float seen = std::exp(-1e-3F * 1.118F);
-    const Colour floor = look(s, {0, 1, 0.5F}, {0, 0, 0});
+    const Colour floor = seenUnderSky(s, {0, 1, 0.5F}, {0, 0, 0});
     EXPECT_NEAR(floor.g, 0.2F * seen + 0.2F * (1 - seen), 1e-4);
     s.scene.fog.kind = FogKind::Exponential;
     s.scene.fog.scaleHeight = 1e-3F; // so low that nothing of it is above the floor's first millimetres
-    expectNear(look(s, {0, 1, 0.5F}, {0, 0, 0}), {2, 2, 2}, 0.01F);
+    expectLight(seenUnderSky(s, {0, 1, 0.5F}, {0, 0, 0}), {2, 2, 2}, 0.01F);
 }
 
 // --- Rooms ---
@@ -266,8 +267,8 @@ TEST(SkyLight, IsBrightBelowTheWindowAndDimInTheFarCorner) {
     TracedScene s(windowRoom());
     s.scene.environments = {environmentOf(skyOf)};
     for (const int samples : {16, 256}) {
-        const float below = look(s, {-3, 1.5F, 0}, {-3.2F, 0, 0}, skyLight(samples)).g;
-        const float corner = look(s, {3, 1.5F, 0}, {3.7F, 0, 1.8F}, skyLight(samples)).g;
+        const float below = seenUnderSky(s, {-3, 1.5F, 0}, {-3.2F, 0, 0}, skyLight(samples)).g;
+        const float corner = seenUnderSky(s, {3, 1.5F, 0}, {3.7F, 0, 1.8F}, skyLight(samples)).g;
         EXPECT_GT(below, 0.02F);
         EXPECT_GT(corner, 0);
         EXPECT_GT(below, 5 * corner);
@@ -326,8 +327,8 @@ TEST(SkyLight, InARoomIsThatOfManyRaysInDouble) {
     const auto near = [](double e) { return 0.03 * e + 2e-3; };
     for (const Place& place : places) {
         const std::array<double, 3> expected = byManyRays(s.scene, place.position, place.normal);
-        const Colour found = look(s, place.eye, place.position, skyLight(256));
-        const Colour byFew = look(s, place.eye, place.position, skyLight(4)); // live
+        const Colour found = seenUnderSky(s, place.eye, place.position, skyLight(256));
+        const Colour byFew = seenUnderSky(s, place.eye, place.position, skyLight(4)); // live
         EXPECT_NEAR(static_cast<double>(byFew.g), expected[1], 2 * near(expected[1])) << place.position.x;
         EXPECT_NEAR(static_cast<double>(found.r), expected[0], near(expected[0])) << place.position.x;
         EXPECT_NEAR(static_cast<double>(found.g), expected[1], near(expected[1])) << place.position.x;
