@@ -12,7 +12,7 @@
 namespace rtcore {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kExactPi = std::numbers::pi;
 
 struct FacePoint {
     int face;
@@ -201,7 +201,7 @@ void addCellsOfFace(const HdrImage& padded, int face, std::vector<EnvironmentCel
 
 void addCellsOfSphere(const HdrImage& padded, std::vector<EnvironmentCell>& cells) {
     const Cells columns(padded.width - 2, 1024), rows(padded.height - 2, 512);
-    const auto angle = [](double turns) { return static_cast<float>(2 * kPi * turns); };
+    const auto angle = [](double turns) { return static_cast<float>(2 * kExactPi * turns); };
     for (int y = 0; y < rows.count; ++y) {
         const float polar = angle(rows.middle(y) / 2), half = angle((rows.start(y + 1) - rows.start(y)) / 4);
         const float ring = portableSin(polar), height = portableCos(polar);
@@ -250,7 +250,7 @@ Colour meanOfFaces(const std::array<HdrImage, 6>& faces) {
 Colour meanOfSphere(const HdrImage& image) {
     WeightedMean mean;
     for (int y = 0; y < image.height; ++y) {
-        const float polar = static_cast<float>(kPi * (y + 0.5) / image.height);
+        const float polar = static_cast<float>(kExactPi * (y + 0.5) / image.height);
         mean.add(meanOfRow(image, y), portableSin(polar));
     }
     return mean.get();
@@ -324,8 +324,8 @@ Colour Environment::radiance(Vec3 direction, TexelFilter filter) const {
     const Vec3 d = normalize(direction);
     // acos(y) as an angle of two coordinates, which keeps its precision near the poles.
     const float polar = portableAtan2(std::sqrt(d.x * d.x + d.z * d.z), d.y);
-    const float u = 0.5F + portableAtan2(d.x, -d.z) * static_cast<float>(0.5 / kPi);
-    return intensity * sample(images_[0], u, polar * static_cast<float>(1 / kPi), filter);
+    const float u = 0.5F + portableAtan2(d.x, -d.z) * static_cast<float>(0.5 / kExactPi);
+    return intensity * sample(images_[0], u, polar * static_cast<float>(1 / kExactPi), filter);
 }
 
 std::vector<EnvironmentCell> Environment::cells() const {
