@@ -1,13 +1,13 @@
 #!/bin/sh
 # The checks that take too long for every run; their output belongs into the note that closes an issue.
-#   scripts/check-long.sh [formulas] [leaks] [leaving] [trees] [waves] [oracle] [mutations] [kills] [formats] [ipc] [server]
+#   scripts/check-long.sh [formulas] [leaks] [leaving] [trees] [waves] [oracle] [mutations] [scn] [kills] [formats] [ipc] [server]
 #                         [reaction] [soak] [edits] [preview] [window] [walks] [tutorial] [models] [sanitizers] [mutants] [arm64]
 # Without arguments: all. RT_ISA chooses the instruction set of the kernels.
 set -eu
 cd "$(dirname "$0")/.."
 scripts/build.sh
 [ $# -gt 0 ] ||
-    set -- formulas leaks leaving trees waves oracle mutations kills formats ipc server reaction soak edits preview window walks \
+    set -- formulas leaks leaving trees waves oracle mutations scn kills formats ipc server reaction soak edits preview window walks \
         tutorial models sanitizers mutants arm64
 release=build/release/bin
 for check in "$@"; do
@@ -52,6 +52,13 @@ for check in "$@"; do
         cmake --build --preset asan-ubsan --target unit_tests
         RT_MUTATIONS=${RT_MUTATIONS:-1000000} ctest --preset asan-ubsan -R Mutat -j "$(nproc)" --verbose
         RT_MUTATIONS=${RT_IMAGE_MUTATIONS:-20000} ctest --preset asan-ubsan -R ChangedAnywhere -j "$(nproc)" --verbose
+        ;;
+    scn)
+        # So many damaged scenes of both versions; what is still read is written and read again.
+        cmake --preset asan-ubsan -DRT_EVERY_INSTRUCTION_SET=ON >/dev/null
+        cmake --build --preset asan-ubsan --target test_text
+        RT_MUTATIONS=${RT_MUTATIONS:-1000000} UBSAN_OPTIONS=print_stacktrace=1 \
+            build/asan-ubsan/bin/test_text --gtest_filter=Mutation.ScenesAreReadOrRefused
         ;;
     kills)
         RT_KILLS=${RT_KILLS:-500} ctest --preset release -R Kill --verbose

@@ -1,5 +1,6 @@
 #include "cui/cui_run.h"
 
+#include "cui/chosen_instance.h"
 #include "cui/conversation.h"
 #include "cui/cui_spec.h"
 #include "cui/render_view.h"
@@ -7,6 +8,7 @@
 
 #include "common/cli/command_line.h"
 #include "common/cli/help_text.h"
+#include "common/cli/instance_option.h"
 #include "common/commands/command_lookup.h"
 #include "common/commands/quoting.h"
 #include "common/process/ipc_exit_code.h"
@@ -43,7 +45,7 @@ using Words = std::span<const std::string>;
 class Run {
   public:
     explicit Run(const app::Arguments& arguments)
-        : instance_(arguments.text("instance").value_or("default")),
+        : instance_(instanceFor(arguments)),
           conversation_(instance_,
                         std::chrono::duration_cast<std::chrono::nanoseconds>(
                             std::chrono::duration<double>(arguments.number("timeout").value_or(60)))),
@@ -68,6 +70,13 @@ class Run {
     }
 
   private:
+    /// Some commands ask no server.
+    static std::string instanceFor(const app::Arguments& arguments) {
+        const CommandId id = app::findCommand(arguments.positionals()).command->id;
+        const bool asksNone = id == CommandId::List || id == CommandId::Free || id == CommandId::About;
+        return asksNone ? app::instanceOf(arguments).value_or("default") : chosenInstance(arguments);
+    }
+
     // The server takes the time as a second argument.
     std::chrono::milliseconds readPressTime(std::vector<std::string>& line) const {
         constexpr std::string_view kOption = "--for=";

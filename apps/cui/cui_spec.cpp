@@ -3,6 +3,7 @@
 #include "cui/cui_operands.h"
 
 #include "common/cli/file_notes.h"
+#include "common/cli/instance_option.h"
 #include "common/commands/command_table.h"
 
 namespace cui {
@@ -17,7 +18,7 @@ app::OptionGroup options() {
               .letter = 'i',
               .value = ValueKind::Text,
               .argument = "NAME",
-              .help = "the server's name [default]",
+              .help = "the server's name [that of the only one that runs]",
               .suggest = suggestInstances},
              {.name = "timeout",
               .letter = 't',
@@ -60,7 +61,8 @@ const app::ProgramSpec& cuiSpec() {
                      {"CUI render now.png -- -a 4 -w 3840 -h 2160", "the same view, large and smooth"},
                      {"CUI --instance=cow screenshot cow.png", "what the server 'cow' shows"}},
         .operands = operands(),
-        .environment = {{"RT_RENDERER", "the program that 'render' runs [Renderer, beside CUI]"}},
+        .environment = {app::instanceEnvironmentNote(),
+                        {"RT_RENDERER", "the program that 'render' runs [Renderer, beside CUI]"}},
         .files = app::sceneFileNotes(),
     };
     return spec;

@@ -2,6 +2,7 @@
 
 #include "common/cli/file_notes.h"
 #include "common/cli/import_option_group.h"
+#include "common/cli/instance_option.h"
 
 #include "rtcore/platform/error.h"
 
@@ -28,7 +29,7 @@ const app::ProgramSpec& guiSpec() {
                    {"Importing models", app::frameOptions()}},
         .examples = {{"GUI nave.scn", "start a server with this scene and walk in it"},
                      {"GUI --connect --instance=cow", "look at what the server 'cow' shows"}},
-        .environment = app::importEnvironmentNotes(),
+        .environment = app::importEnvironmentNotes(app::instanceEnvironmentNote()),
         .files = app::sceneFileNotes(),
     };
     return spec;
@@ -36,7 +37,7 @@ const app::ProgramSpec& guiSpec() {
 
 Options readOptions(const app::Arguments& arguments) {
     Options options;
-    options.instance = arguments.text("instance").value_or("");
+    options.instance = app::instanceOf(arguments).value_or("");
     options.connect = arguments.has("connect");
     for (const char* name : {"up", "units"}) {
         if (const auto value = arguments.text(name))

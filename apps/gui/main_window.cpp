@@ -6,11 +6,15 @@
 #include "gui/operations/connection_operations.h"
 #include "gui/operations/display_operations.h"
 #include "gui/operations/job_operations.h"
+#include "gui/operations/light_operations.h"
 #include "gui/operations/look_operations.h"
 #include "gui/operations/message_operations.h"
+#include "gui/operations/model_operations.h"
 #include "gui/operations/motion_operations.h"
 #include "gui/operations/panel_operations.h"
 #include "gui/operations/render_operations.h"
+#include "gui/operations/save_operations.h"
+#include "gui/operations/up_and_unit_operations.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/full_screen.h"
 #include "gui/view/notice_bar.h"
@@ -44,8 +48,15 @@ MainWindow::MainWindow(const QString& instance, QWidget* parent)
     new MessageOperations(context, this);
     new RenderOperations(context, this);
     new LookOperations(context, this);
+    new UpAndUnitOperations(context, this);
     new PanelOperations(context, this);
-    new BookmarkOperations(context, this);
+    new LightOperations(context, this);
+    new ModelOperations(context, this);
+    auto* bookmarks = new BookmarkOperations(context, this);
+    save_ = new SaveOperations(context, this);
+    connection_->askBeforeLeaving([this](const auto& go) { save_->beforeLeaving(go); });
+    connect(save_, &SaveOperations::aboutToSave, bookmarks, &BookmarkOperations::giveToScene);
+    connect(save_, &SaveOperations::savedAs, bookmarks, &BookmarkOperations::follow);
     jobs_ = new JobOperations(context, this);
     connect(jobs_, &JobOperations::openWanted, this, &MainWindow::open);
     connect(camera, &CameraOperations::filmWanted, jobs_, &JobOperations::renderList);
@@ -83,7 +94,7 @@ void MainWindow::showTitle() {
     const QString shown = session_.live() && !editor_.scene().isEmpty() ? editor_.scene() : keeper_.scene();
     const QString scene = QFileInfo(shown).fileName();
     const QString what = scene.isEmpty() && session_.live() ? session_.instance() : scene;
-    setWindowTitle(what.isEmpty() ? name : QStringLiteral("%1 – %2").arg(what, name));
+    setWindowTitle(what.isEmpty() ? name : QStringLiteral("%1[*] – %2").arg(what, name));
 }
 
 void MainWindow::open(const QString& path) { connection_->open(path); }
@@ -92,7 +103,7 @@ void MainWindow::startWith(const QStringList& options) { connection_->startWith(
 void MainWindow::connectToServer() { keeper_.connectTo(connection_->instanceName()); }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!jobs_->mayClose()) return event->ignore();
+    if (!save_->mayClose() || !jobs_->mayClose()) return event->ignore();
     fullScreen_->set(false); // the next one begins with its menus and panels
     preferences_.set(pref::geometry, saveGeometry());
     preferences_.set(pref::windowState, saveState());

@@ -17,6 +17,7 @@ class FrameView;
 class FullScreen;
 class JobOperations;
 class NoticeBar;
+class SaveOperations;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -61,6 +62,7 @@ class MainWindow : public QMainWindow {
     Actions* actions_;
     ConnectionOperations* connection_;
     JobOperations* jobs_;
+    SaveOperations* save_;
 };
 
 } // namespace gui

@@ -95,6 +95,7 @@ rtcore::LoadedScene loadWithProgress(const RendererOptions& options, app::Progre
     load.import = options.import;
     load.import.stop = &watch.stopImport;
     load.model = options.model;
+    load.surroundings = options.surroundings;
     load.primaryRays = knownRays(options);
     load.onPhase = [&](rtcore::LoadPhase phase) { watch.enter(phase); };
     const auto giveUp = [&] { progress.end(false); };

@@ -13,6 +13,7 @@
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/post/effects.h"
+#include "rtcore/render/visible_scene.h"
 #include "rtcore/settings/settings_table.h"
 
 #include <fmt/core.h>
@@ -42,7 +43,8 @@ PictureMaker::PictureMaker(rtcore::LoadedScene scene, std::vector<rtcore::Settin
                            const RendererOptions& options, app::Progress& progress)
     : loaded_(std::move(scene)), lights_(loaded_.scene.lights), environment_(loaded_.scene.activeEnvironment),
       settingsFile_(std::move(settingsFile)), options_(options), progress_(progress),
-      tracer_(loaded_.tree, loaded_.scene.mesh(), chooseLeafRecords(loaded_.tree, knownRays(options))) {}
+      tree_(rtcore::visibleTree(loaded_.tree, loaded_.scene)),
+      tracer_(tree_, loaded_.scene.mesh(), chooseLeafRecords(tree_, knownRays(options))) {}
 
 FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     rtcore::Camera camera = loaded_.camera;
@@ -70,8 +72,7 @@ void PictureMaker::writeDebugScene(const std::filesystem::path& cameraFile,
                                    const std::filesystem::path& path) {
     rtcore::Camera camera = loaded_.camera;
     const rtcore::RenderSettings settings = prepare(cameraFile, camera);
-    rtcore::writeDebugScene(path, loaded_.scene, loaded_.tree, tracer_, camera, settings.width,
-                            settings.height);
+    rtcore::writeDebugScene(path, loaded_.scene, tree_, tracer_, camera, settings.width, settings.height);
 }
 
 rtcore::RenderSettings PictureMaker::prepare(const std::filesystem::path& cameraFile,

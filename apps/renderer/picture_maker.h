@@ -62,6 +62,7 @@ class PictureMaker {
     app::Progress& progress_;
     Preview* preview_ = nullptr;
     bool warned_ = false; ///< that a .cam is of another scene
+    rtcore::KdTree tree_; ///< of what is shown
     rtcore::KdRayTracer tracer_;
     // Kept, so that their memory is reused.
     rtcore::FrameRenderer renderer_;

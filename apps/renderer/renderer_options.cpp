@@ -5,6 +5,7 @@
 #include "common/cli/parent_option.h"
 #include "common/cli/threads_option.h"
 #include "common/settings/setting_option.h"
+#include "common/settings/surroundings_options.h"
 
 #include <algorithm>
 #include <charconv>
@@ -152,6 +153,7 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     app::useIsa(arguments);
     options.import = app::readImportOptions(arguments);
     options.import.threads = options.threads;
+    options.surroundings = app::readSurroundings(arguments);
     options.aovs = arguments.has("aovs");
     options.verbose = arguments.has("verbose");
     options.debugScene = readPath(arguments, "debug-scene");

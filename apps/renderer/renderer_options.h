@@ -9,6 +9,7 @@
 #include "common/progress/progress.h"
 
 #include "rtcore/io/import/model_import.h"
+#include "rtcore/io/scene_loader.h"
 #include "rtcore/settings/settings_table.h"
 
 #include <cstdint>
@@ -39,6 +40,7 @@ struct RendererOptions {
     std::vector<rtcore::SettingAssignment> settings; ///< in the order of the command line
     int threads = 0;                                 ///< 0 = all cores
     rtcore::ImportOptions import;
+    rtcore::Surroundings surroundings;
     bool aovs = false; ///< .exr outputs hold what is known of surfaces as well
     bool verbose = false;
     std::optional<std::filesystem::path> debugScene; ///< draw it there and render nothing

@@ -19,7 +19,7 @@ rtcore::Vec3 vectorAt(const Call& call, std::size_t i) {
     return {number(call[i]), number(call[i + 1]), number(call[i + 2])};
 }
 
-Result get(const Call& call) {
+Result getCamera(const Call& call) {
     rtcore::CameraFile file;
     file.camera = call.state.camera();
     std::string text = rtcore::formatCameraFile(file);
@@ -150,9 +150,9 @@ Result focus(const Call& call) {
     const float right = number(call[0]), down = number(call[1]);
     rtcore::RenderSettings settings = call.state.settings();
     const rtcore::CameraRays view(call.state.camera(), settings.width, settings.height);
-    const float distance = rtcore::FocusFinder().distance(*call.state.world().tracer, view,
-                                                          right * static_cast<float>(settings.width),
-                                                          down * static_cast<float>(settings.height));
+    const float distance =
+        rtcore::FocusFinder().distance(*call.state.tracer(), view, right * static_cast<float>(settings.width),
+                                       down * static_cast<float>(settings.height));
     if (!(distance < rtcore::kInfiniteFocus))
         throw std::runtime_error("there is nothing to focus on; the focus stays as it was");
     settings.depthOfField.on = true;
@@ -161,8 +161,8 @@ Result focus(const Call& call) {
     return {.answer = rtcore::settingText(settings.depthOfField.focus)};
 }
 
-constexpr std::array kFunctions{
-    CommandFunction{app::CommandId::CameraGet, get},
+constexpr std::array kCameraFunctions{
+    CommandFunction{app::CommandId::CameraGet, getCamera},
     CommandFunction{app::CommandId::CameraSet, set},
     CommandFunction{app::CommandId::CameraOrthographic, orthographic},
     CommandFunction{app::CommandId::CameraLookAt, lookAt},
@@ -182,6 +182,6 @@ constexpr std::array kFunctions{
 
 } // namespace
 
-std::span<const CommandFunction> cameraFunctions() { return kFunctions; }
+std::span<const CommandFunction> cameraFunctions() { return kCameraFunctions; }
 
 } // namespace rtserver

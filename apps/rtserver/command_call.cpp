@@ -30,4 +30,10 @@ std::filesystem::path pathOf(const std::string& text) {
     return path;
 }
 
+void refuseInput(const app::InputFiles& inputs, const std::filesystem::path& path,
+                 std::string_view replaces) {
+    const auto input = inputs.find(path);
+    if (input && (replaces.empty() || input->extension() != replaces)) inputs.refuse(path);
+}
+
 } // namespace rtserver

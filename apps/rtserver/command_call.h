@@ -4,6 +4,8 @@
 
 #include "rtserver/commands.h"
 
+#include "common/cli/input_files.h"
+
 #include <cstddef>
 #include <filesystem>
 #include <span>
@@ -28,9 +30,13 @@ struct CommandFunction {
 
 std::span<const CommandFunction> serverFunctions();
 std::span<const CommandFunction> settingFunctions();
+std::span<const CommandFunction> lightFunctions();
 std::span<const CommandFunction> cameraFunctions();
 std::span<const CommandFunction> fileFunctions();
+std::span<const CommandFunction> modelFunctions();
 std::span<const CommandFunction> keyFunctions();
+std::span<const CommandFunction> saveFunctions();
+std::span<const CommandFunction> skyFunctions();
 
 // Arguments, read. They throw app::UsageError where the table could not tell.
 
@@ -40,5 +46,9 @@ bool flag(const std::string& text); ///< on, off
 int keyOf(const std::string& name);
 /// The server's own folder says nothing to a client: absolute paths only.
 std::filesystem::path pathOf(const std::string& text);
+
+/// What is shown was read from `inputs`: none of them is written over, but a description by another of its
+/// kind, which has the extension `replaces`. Throws app::UsageError.
+void refuseInput(const app::InputFiles& inputs, const std::filesystem::path& path, std::string_view replaces);
 
 } // namespace rtserver

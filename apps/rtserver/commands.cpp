@@ -21,7 +21,8 @@ const Functions& functions() {
     static const Functions all = [] {
         Functions table{};
         for (const auto group :
-             {serverFunctions(), settingFunctions(), cameraFunctions(), fileFunctions(), keyFunctions()}) {
+             {serverFunctions(), settingFunctions(), lightFunctions(), skyFunctions(), modelFunctions(),
+              cameraFunctions(), fileFunctions(), saveFunctions(), keyFunctions()}) {
             for (const CommandFunction& each : group) table[static_cast<std::size_t>(each.id)] = each.run;
         }
         return table;

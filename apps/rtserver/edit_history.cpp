@@ -1,5 +1,7 @@
 #include "rtserver/edit_history.h"
 
+#include "rtcore/sky/scene_sky.h"
+
 #include <utility>
 
 namespace rtserver {
@@ -7,9 +9,18 @@ namespace rtserver {
 namespace {
 
 constexpr std::size_t kMostSteps = 500;
+/// Maps of skies are 6 MB each: those of steps before the last are drawn again when they are needed.
+constexpr std::size_t kStepsWithMaps = 1;
+
+void dropSkyMaps(EditStep& step) {
+    const bool same = !changesScene(step);
+    step.before.scene = rtcore::withoutSkyMap(step.before.scene);
+    step.after.scene = same ? step.before.scene : rtcore::withoutSkyMap(step.after.scene);
+}
 
 bool changesAnything(const EditStep& step) {
-    return changesScene(step) || changesSettings(step) || changesCamera(step) || changesFrame(step);
+    return changesScene(step) || changesSettings(step) || changesCamera(step) || changesFrame(step) ||
+           changesBookmarks(step);
 }
 
 } // namespace
@@ -24,20 +35,26 @@ bool changesFrame(const EditStep& step) {
     return before.up != after.up || before.metresPerUnit != after.metresPerUnit;
 }
 
+bool changesBookmarks(const EditStep& step) { return step.before.bookmarks != step.after.bookmarks; }
+
 void EditHistory::add(EditStep step, bool goesOn) {
     if (!changesAnything(step)) return;
     steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(done_), steps_.end());
     if (goesOn && last() != nullptr && last()->label == step.label) return joinToLast(std::move(step.after));
+    step.state = ++newest_;
     steps_.push_back(std::move(step));
     if (steps_.size() > kMostSteps) {
+        base_ = steps_.front().state;
         steps_.pop_front();
         ++forgotten_;
     }
     done_ = steps_.size();
+    if (done_ > kStepsWithMaps) dropSkyMaps(steps_[done_ - 1 - kStepsWithMaps]);
 }
 
 void EditHistory::joinToLast(Shown after) {
     steps_.back().after = std::move(after);
+    steps_.back().state = ++newest_;
     if (changesAnything(steps_.back())) return;
     steps_.pop_back();
     done_ = steps_.size();
@@ -47,6 +64,7 @@ void EditHistory::clear() {
     steps_.clear();
     done_ = 0;
     forgotten_ = 0;
+    base_ = first_ = ++newest_;
 }
 
 } // namespace rtserver

@@ -1,6 +1,7 @@
 /// The edits of what is shown, step by step, to be taken back and made again.
 #pragma once
 
+#include "rtcore/io/text/scn.h"
 #include "rtcore/render/up_and_unit.h"
 #include "rtcore/scene/camera.h"
 #include "rtcore/scene/scene.h"
@@ -16,24 +17,27 @@ namespace rtserver {
 
 /// What edits change, as it is at one moment. Cheap to keep: scenes are immutable and shared.
 struct Shown {
-    std::shared_ptr<const rtcore::Scene> scene;
+    std::shared_ptr<const rtcore::Scene> scene; ///< of older steps without the sky's map: withSkyMap()
     rtcore::RenderSettings settings;
     rtcore::Camera camera;
     rtcore::UpAndUnit frame; ///< the model's up axis and unit, and why
+    std::shared_ptr<const rtcore::SceneBookmarks> bookmarks;
 };
 
 struct EditStep {
     std::string label; ///< the command that does it, without its values: "set maxDepth", "light 2", "load
                        ///< camera altar"
     Shown before, after;
+    std::uint64_t state = 0; ///< EditHistory::state() behind it
 };
 
-/// Of each step, whether it changed the scene, the settings, the camera, the up axis or the unit: what it
-/// left alone stays when it is taken back. A step that changed nothing is none.
+/// Of each step, whether it changed the scene, the settings, the camera, the up axis or the unit, the
+/// bookmarks: what it left alone stays when it is taken back. A step that changed nothing is none.
 bool changesScene(const EditStep& step);
 bool changesSettings(const EditStep& step);
 bool changesCamera(const EditStep& step);
 bool changesFrame(const EditStep& step);
+bool changesBookmarks(const EditStep& step);
 
 /// The last 500 steps. A new step takes the place of those that were taken back. One thread.
 class EditHistory {
@@ -52,12 +56,20 @@ class EditHistory {
     /// How many steps are made and not taken back, since the last clear().
     std::uint64_t position() const { return forgotten_ + done_; }
 
+    /// A number of what all steps together have made: the same number, the same state. None is given twice,
+    /// and later ones are larger, over clear(), too.
+    std::uint64_t state() const { return done_ > 0 ? steps_[done_ - 1].state : base_; }
+    /// That of the last clear().
+    std::uint64_t firstState() const { return first_; }
+
   private:
     void joinToLast(Shown after);
 
     std::deque<EditStep> steps_;
     std::size_t done_ = 0; ///< steps from here on were taken back
     std::uint64_t forgotten_ = 0;
+    std::uint64_t newest_ = 0;
+    std::uint64_t base_ = 0, first_ = 0; ///< states before the first step that is kept, and at clear()
 };
 
 } // namespace rtserver

@@ -1,6 +1,15 @@
 #include "rtserver/exports.h"
 
+#include "rtcore/scene/part_list.h"
 #include "rtcore/settings/settings_table.h"
+#include "rtcore/sky/scene_sky.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace rtserver {
 
@@ -13,6 +22,89 @@ rtcore::SceneFile descriptionOf(const World& world) {
     file.creaseAngle = world.import.creaseAngle.value_or(rtcore::kCreaseAngle);
     file.flipTextures = world.import.flipTextures.value_or(false);
     return file;
+}
+
+bool isPattern(std::string_view name) { return name.find_first_of("*?") != std::string_view::npos; }
+
+// By name where that is one's own: it stays when the model's file changes.
+void addModelEdits(const rtcore::Scene& scene, rtcore::SceneFile& file) {
+    const auto nameOf = [&](const rtcore::Material& m) { return scene.model.name(m.nameOffset); };
+    for (rtcore::MaterialOverride edit : scene.materialEdits) {
+        const std::string_view name = nameOf(scene.materials[static_cast<std::size_t>(*edit.number) - 1]);
+        const auto same = [&](const rtcore::Material& m) { return nameOf(m) == name; };
+        const bool own = std::count_if(scene.materials.begin(), scene.materials.end(), same) == 1;
+        if (own && !name.empty() && !isPattern(name)) {
+            edit.number.reset();
+            edit.pattern = name;
+        }
+        file.materials.push_back(std::move(edit));
+    }
+    file.parts.clear();
+    if (scene.hiddenParts == nullptr) return;
+    const std::vector<rtcore::NamedPart> parts = rtcore::namedParts(scene.model);
+    const auto hidden = static_cast<std::size_t>(
+        std::count_if(parts.begin(), parts.end(),
+                      [&](const rtcore::NamedPart& part) { return isHidden(part, scene.hiddenParts); }));
+    const bool most = 2 * hidden > parts.size();
+    if (most) file.parts.push_back({"*", {}, true});
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (isHidden(parts[i], scene.hiddenParts) == most) continue;
+        if (parts[i].name.empty() || isPattern(parts[i].name))
+            file.parts.push_back({"", static_cast<int>(i) + 1, !most});
+        else
+            file.parts.push_back({std::string(parts[i].name), {}, !most});
+    }
+}
+
+std::vector<rtcore::LightDescription> lightsOfScene(const rtcore::Scene& scene) {
+    std::vector<rtcore::LightDescription> lights;
+    const auto sun = rtcore::sunOf(scene);
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        if (sun == i) continue; // the sky brings it
+        lights.push_back(rtcore::describeLight(scene, i));
+    }
+    return lights;
+}
+
+// All but the settings. Materials are those of the description and what was edited since; the rest is taken
+// from the scene.
+rtcore::SceneFile describe(const ServerState& state) {
+    const World& world = state.world();
+    const rtcore::Scene& scene = *state.scene();
+    rtcore::SceneFile file = descriptionOf(world);
+    file.model = world.loaded.modelPath;
+    static_cast<rtcore::SceneLook&>(file) = scene;
+    if (scene.environments.empty()) file.activeEnvironment = 0;
+    if (world.import.creaseAngle) file.creaseAngle = *world.import.creaseAngle;
+    if (world.import.flipTextures) file.flipTextures = *world.import.flipTextures;
+    file.settings.reset();
+    file.modelLights = file.defaultLight = false;
+    file.lights = lightsOfScene(scene);
+    if (const auto sun = rtcore::sunOf(scene))
+        file.sun = {scene.lightNotes[*sun].id, scene.lights[*sun].on != 0};
+    file.environments = scene.environmentFiles;
+    addModelEdits(scene, file);
+    file.cameraFile.reset();
+    file.camera = state.camera();
+    file.camera->nameOffset = 0;
+    file.bookmarks = state.bookmarks();
+    return file;
+}
+
+rtcore::RenderSettings settingsWith(const std::vector<rtcore::SettingAssignment>& assignments) {
+    rtcore::RenderSettings settings;
+    rtcore::applySettings(settings, assignments);
+    return settings;
+}
+
+std::vector<rtcore::SettingAssignment> changed(const rtcore::RenderSettings& from,
+                                               const rtcore::RenderSettings& to) {
+    const auto before = rtcore::settingAssignments(from, true);
+    std::vector<rtcore::SettingAssignment> all = rtcore::settingAssignments(to, true);
+    std::erase_if(all, [&](const rtcore::SettingAssignment& each) {
+        return std::find(before.begin(), before.end(), each) != before.end();
+    });
+    return all;
 }
 
 } // namespace
@@ -28,37 +120,31 @@ rtcore::CameraFile cameraFileOf(const ServerState& state, float exposure) {
     file.antialiasing = settings.antialiasing;
     file.bloom = settings.bloom.radius;
     file.exposure = exposure;
-    file.lights.emplace();
-    for (const rtcore::Light& light : scene.lights) file.lights->push_back(light.on != 0);
-    if (!scene.environments.empty()) file.environment = scene.activeEnvironment;
+    for (std::size_t i = 0; i < scene.lights.size(); ++i)
+        (scene.lights[i].on != 0 ? file.lightsOn : file.lightsOff).push_back(scene.lightNotes[i].id);
+    if (scene.environment() != nullptr) file.environment = scene.activeEnvironment;
     return file;
 }
 
 rtcore::SceneFile sceneFileOf(const ServerState& state) {
-    const World& world = state.world();
-    const rtcore::Scene& scene = *state.scene();
-    rtcore::SceneFile file = descriptionOf(world);
-    file.model = world.loaded.modelPath;
-    static_cast<rtcore::SceneLook&>(file) = scene;
-    if (scene.environments.empty()) file.activeEnvironment = 0;
-    file.metresPerUnit = state.metresPerUnit(); // guessed where the scene does not say
-    if (world.import.creaseAngle) file.creaseAngle = *world.import.creaseAngle;
-    if (world.import.flipTextures) file.flipTextures = *world.import.flipTextures;
-    file.settings.reset();
+    rtcore::SceneFile file = describe(state);
     file.output.reset(); // a copy of a scene does not overwrite the image of the first
-    file.modelLights = false;
-    file.lights.clear();
-    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        rtcore::LightDescription light{i < scene.lightNames.size() ? scene.lightNames[i] : "",
-                                       scene.lights[i]};
-        light.light.nameOffset = 0;
-        file.lights.push_back(std::move(light));
-    }
-    file.cameraFile.reset();
-    file.camera = state.camera();
-    file.camera->nameOffset = 0;
     file.live = rtcore::settingAssignments(state.settings(), true);
     file.still = file.live;
+    return file;
+}
+
+rtcore::SceneFile savedSceneOf(const ServerState& state) {
+    const rtcore::LoadedScene& loaded = state.world().loaded;
+    const rtcore::RenderSettings before = settingsWith(loaded.live);
+    rtcore::RenderSettings live = state.settings();
+    live.width = before.width;
+    live.height = before.height;
+    rtcore::RenderSettings still = settingsWith(loaded.still);
+    rtcore::applySettings(still, changed(before, live));
+    rtcore::SceneFile file = describe(state);
+    file.live = rtcore::settingAssignments(live, false);
+    file.still = rtcore::settingAssignments(still, false);
     return file;
 }
 

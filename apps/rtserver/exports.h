@@ -17,4 +17,8 @@ rtcore::CameraFile cameraFileOf(const ServerState& state, float exposure);
 /// copied.
 rtcore::SceneFile sceneFileOf(const ServerState& state);
 
+/// The same for the scene's own file: its stills keep what they have of their own, but for the settings that
+/// are other ones now than the scene was loaded with; so does the image's size.
+rtcore::SceneFile savedSceneOf(const ServerState& state);
+
 } // namespace rtserver

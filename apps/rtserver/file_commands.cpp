@@ -53,14 +53,12 @@ Result loadScene(const Call& call) {
     return {.when = ReplyWhen::WhenLoaded};
 }
 
-// Writes what was true when the command was run. What is shown was read from files: none of them is written
-// over, but a description by another of its kind.
+// Writes what was true when the command was run.
 Result writeBeside(const Call& call, std::string_view replaces, std::function<void()> write) {
     return {.when = ReplyWhen::Beside,
             .work = [path = pathOf(call[0]), replaces, inputs = call.state.world().inputs,
                      write = std::move(write)]() -> Finish {
-                const auto input = inputs.find(path);
-                if (input && (replaces.empty() || input->extension() != replaces)) inputs.refuse(path);
+                refuseInput(inputs, path, replaces);
                 write();
                 return [] { return std::string(); };
             }};
@@ -138,7 +136,7 @@ Result screenshot(const Call& call) {
     return writeBeside(call, "", [path, picture] { rtcore::writeImage(path, *picture); });
 }
 
-constexpr std::array kFunctions{
+constexpr std::array kFileFunctions{
     CommandFunction{app::CommandId::LoadCamera, loadCamera},
     CommandFunction{app::CommandId::LoadScene, loadScene},
     CommandFunction{app::CommandId::LoadSet, loadSet},
@@ -154,6 +152,6 @@ constexpr std::array kFunctions{
 
 } // namespace
 
-std::span<const CommandFunction> fileFunctions() { return kFunctions; }
+std::span<const CommandFunction> fileFunctions() { return kFileFunctions; }
 
 } // namespace rtserver

@@ -18,7 +18,7 @@ namespace {
 bool canBeLive(const ServerState& state) {
     const std::shared_ptr<const rtcore::Scene> scene = state.scene();
     const rtcore::RenderSettings settings = liveSettingsAt(state.shownSettings(), *scene, 1);
-    return rtcore::LiveRenderer::draws({*scene, *state.world().tracer, state.camera(), settings});
+    return rtcore::LiveRenderer::draws({*scene, *state.tracer(), state.camera(), settings});
 }
 
 /// Everywhere.
@@ -77,7 +77,7 @@ bool FrameMaker::draw(const ServerState& state, const FrameDetail& detail, const
     renderer_->takeShadowsFrom(detail.cut && maps != nullptr && maps->suit(settings) ? maps : nullptr);
     renderer_->collectAovs(rtcore::effectsNeedAovs(settings));
     renderer_->collectSeen(keeps);
-    const rtcore::View view{*scene, *state.world().tracer, state.camera(), settings};
+    const rtcore::View view{*scene, *state.tracer(), state.camera(), settings};
     if (!renderer_->render(view, control, frame)) {
         if (keeps && control.finished != nullptr) keepFinished(view, control.finished->all(), frame);
         return false;
@@ -121,7 +121,7 @@ bool FrameMaker::drawLive(const ServerState& state, const FrameDetail& detail, r
     noticeChanges(state);
     keepLight();
     const rtcore::RenderSettings settings = liveSettingsAt(state.shownSettings(), *scene, detail.scale);
-    const rtcore::View view{*scene, *state.world().tracer, state.camera(), settings};
+    const rtcore::View view{*scene, *state.tracer(), state.camera(), settings};
     if (!live_->render(view, detail.newSamples, control, frame)) return false;
     liveCost_ = {.samples = live_->newSamples() * static_cast<double>(frame.radiance.pixels.size()),
                  .sampleSeconds = live_->sampleSeconds()};
@@ -131,7 +131,7 @@ bool FrameMaker::drawLive(const ServerState& state, const FrameDetail& detail, r
 bool FrameMaker::drawsLive(const ServerState& state) {
     noticeChanges(state);
     keepLight();
-    return !live_->empty() && canBeLive(state) && live_->follows(state.camera().eye, *state.world().tracer);
+    return !live_->empty() && canBeLive(state) && live_->follows(state.camera().eye, *state.tracer());
 }
 
 /// Light holds as long as nothing but the camera changes, and what is done to the image; and where lights

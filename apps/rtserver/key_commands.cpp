@@ -114,7 +114,7 @@ Result unbind(const Call& call) {
     return {};
 }
 
-constexpr std::array kFunctions{
+constexpr std::array kKeyFunctions{
     CommandFunction{app::CommandId::KeyPress, press},
     CommandFunction{app::CommandId::KeyRelease, release},
     CommandFunction{app::CommandId::KeyTap, tap},
@@ -126,6 +126,6 @@ constexpr std::array kFunctions{
 
 } // namespace
 
-std::span<const CommandFunction> keyFunctions() { return kFunctions; }
+std::span<const CommandFunction> keyFunctions() { return kKeyFunctions; }
 
 } // namespace rtserver

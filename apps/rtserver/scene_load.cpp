@@ -11,21 +11,22 @@
 namespace rtserver {
 
 namespace {
-constexpr auto kPatience = std::chrono::seconds(1);
+constexpr auto kImportPatience = std::chrono::seconds(1);
 } // namespace
 
 SceneLoad::SceneLoad(const std::filesystem::path& path,
                      const std::optional<std::filesystem::path>& cachedModel,
-                     const rtcore::ImportOptions& import, int threads)
+                     const rtcore::ImportOptions& import, const rtcore::Surroundings& surroundings,
+                     int threads)
     : progress_(std::make_shared<Progress>()),
-      task_([progress = progress_, path, cachedModel, import, threads] {
-          return load(*progress, path, cachedModel, import, threads);
+      task_([progress = progress_, path, cachedModel, import, surroundings, threads] {
+          return load(*progress, path, cachedModel, import, surroundings, threads);
       }) {}
 
 SceneLoad::~SceneLoad() {
     progress_->stop = true;
     progress_->build.cancel = true;
-    task_.wait(kPatience);
+    task_.wait(kImportPatience);
 }
 
 float SceneLoad::fraction() const {
@@ -36,7 +37,8 @@ float SceneLoad::fraction() const {
 
 std::unique_ptr<World> SceneLoad::load(Progress& progress, const std::filesystem::path& path,
                                        const std::optional<std::filesystem::path>& cachedModel,
-                                       const rtcore::ImportOptions& import, int threads) {
+                                       const rtcore::ImportOptions& import,
+                                       const rtcore::Surroundings& surroundings, int threads) {
     app::useThreads(threads);
     rtcore::LoadOptions options;
     options.build.threads = threads;
@@ -44,6 +46,7 @@ std::unique_ptr<World> SceneLoad::load(Progress& progress, const std::filesystem
     options.primaryRays = 1; // the first frame is waited for; the exact tree comes after it
     options.cachedModel = cachedModel;
     options.import = import;
+    options.surroundings = surroundings;
     options.import.stop = &progress.stop;
     options.onPhase = [&progress](rtcore::LoadPhase) {
         if (progress.stop) throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "stopped");

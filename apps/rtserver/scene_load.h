@@ -5,6 +5,7 @@
 #include "rtserver/world.h"
 
 #include "rtcore/accel/builder.h"
+#include "rtcore/io/scene_loader.h"
 
 #include <atomic>
 #include <filesystem>
@@ -19,7 +20,7 @@ class SceneLoad {
   public:
     /// `cachedModel`: as in rtcore::LoadOptions.
     SceneLoad(const std::filesystem::path& path, const std::optional<std::filesystem::path>& cachedModel,
-              const rtcore::ImportOptions& import, int threads);
+              const rtcore::ImportOptions& import, const rtcore::Surroundings& surroundings, int threads);
     ~SceneLoad();
     SceneLoad(const SceneLoad&) = delete;
     SceneLoad& operator=(const SceneLoad&) = delete;
@@ -37,7 +38,8 @@ class SceneLoad {
     };
     static std::unique_ptr<World> load(Progress& progress, const std::filesystem::path& path,
                                        const std::optional<std::filesystem::path>& cachedModel,
-                                       const rtcore::ImportOptions& import, int threads);
+                                       const rtcore::ImportOptions& import,
+                                       const rtcore::Surroundings& surroundings, int threads);
 
     std::shared_ptr<Progress> progress_;
     DetachedTask<std::unique_ptr<World>> task_;

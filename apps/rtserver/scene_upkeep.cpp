@@ -24,11 +24,13 @@ std::string shortNumber(double value) { return fmt::format("{:.3g}", value); }
 void SceneUpkeep::load(const std::filesystem::path& path, std::optional<std::filesystem::path> cachedModel) {
     if (load_ != nullptr) throw std::runtime_error("another scene is being loaded");
     rtcore::ImportOptions import = options_.import;
+    rtcore::Surroundings surroundings = options_.surroundings;
     if (state_.ready()) { // what was said of the first model
         import.up.reset();
         import.metresPerUnit.reset();
+        surroundings = {.usual = options_.surroundings.usual};
     }
-    load_ = std::make_unique<SceneLoad>(path, std::move(cachedModel), import, options_.threads);
+    load_ = std::make_unique<SceneLoad>(path, std::move(cachedModel), import, surroundings, options_.threads);
 }
 
 std::optional<SceneUpkeep::Loaded> SceneUpkeep::takeLoaded() {
@@ -57,6 +59,9 @@ void SceneUpkeep::tellFrame() {
     if (frame.upSaid != rtcore::Said::Guessed && frame.unitSaid != rtcore::Said::Guessed) return;
     Messages::print(state_.title() + ": " + rtcore::describe(frame) +
                     "; --up and --units, or 'up' and 'metresPerUnit' in a .scn, say it");
+    if (frame.unitSaid == rtcore::Said::Guessed && frame.metresPerUnit != 1)
+        messages_.offer(fmt::format("{} m are taken for a unit ({}); 'units' sets another",
+                                    frame.metresPerUnit, frame.unitWhy));
     if (!frame.surprising) return;
     messages_.offer(fmt::format("{} is taken for up ({}); 'up {}' turns the model",
                                 rtcore::axisName(frame.up), frame.upWhy, rtcore::axisName(frame.otherUp)));
@@ -120,7 +125,7 @@ void SceneUpkeep::mapShadows(const Pace& pace) {
         const bool needed = quick > 0 && (pace.coarsest > quick || (pace.idle && pace.seconds > quick));
         if (mapless_ || !needed || state_.world().loaded.fastTree) return;
         mapped_ = state_.scene();
-        mapping_ = std::make_unique<ShadowMapping>(mapped_, state_.world().tracer);
+        mapping_ = std::make_unique<ShadowMapping>(mapped_, state_.tracer());
     }
     if (!mapping_->done()) return;
     try {

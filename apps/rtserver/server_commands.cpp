@@ -56,7 +56,7 @@ Result messages(const Call& call) {
     return {.answer = call.host.messages().since(static_cast<std::uint32_t>(known))};
 }
 
-constexpr std::array kFunctions{
+constexpr std::array kServerFunctions{
     CommandFunction{app::CommandId::Ping, ping},
     CommandFunction{app::CommandId::Quit, quit},
     CommandFunction{app::CommandId::Exit, quit},
@@ -71,6 +71,6 @@ constexpr std::array kFunctions{
 
 } // namespace
 
-std::span<const CommandFunction> serverFunctions() { return kFunctions; }
+std::span<const CommandFunction> serverFunctions() { return kServerFunctions; }
 
 } // namespace rtserver

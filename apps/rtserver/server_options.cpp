@@ -2,9 +2,14 @@
 
 #include "common/cli/file_notes.h"
 #include "common/cli/import_options.h"
+#include "common/cli/instance_option.h"
 #include "common/cli/isa_option.h"
+#include "common/cli/surroundings_option_group.h"
 #include "common/cli/threads_option.h"
 #include "common/settings/setting_option.h"
+#include "common/settings/surroundings_options.h"
+
+#include "ipc/endpoint/instances.h"
 
 #include <limits>
 #include <stdexcept>
@@ -61,7 +66,8 @@ OptionGroup runOptions() {
           .letter = 'i',
           .value = ValueKind::Text,
           .argument = "NAME",
-          .help = "the name by which clients find this server [default]",
+          .help =
+              "the name by which clients find this server [default, or default-2, ... where that is taken]",
           .more =
               "1 to 32 letters, digits, `_` or `-`. Of two servers with one name the second ends with 75"},
          app::threadsOption(),
@@ -118,11 +124,11 @@ const app::ProgramSpec& serverSpec() {
         .positionals = {{.name = "SCENE",
                          .help = "scene description (.scn), kd-tree (.bsp) or any model file",
                          .files = app::sceneExtensions()}},
-        .groups = {viewOptions(), runOptions(), app::importOptionGroup()},
+        .groups = {viewOptions(), runOptions(), app::surroundingsOptionGroup(), app::importOptionGroup()},
         .examples = {{"RTServer nave.scn --resolution=1280x720 --daemon", "a server in the background"},
                      {"RTServer cow.obj --instance=cow",
                       "a second one, which 'CUI --instance=cow' commands"}},
-        .environment = app::importEnvironmentNotes(),
+        .environment = app::importEnvironmentNotes(app::instanceEnvironmentNote()),
         .files = app::sceneFileNotes(),
     };
     return spec;
@@ -131,7 +137,7 @@ const app::ProgramSpec& serverSpec() {
 Options readOptions(const app::Arguments& arguments) {
     Options options;
     options.scene = std::filesystem::absolute(arguments.positionals().at(0));
-    options.instance = arguments.text("instance").value_or("default");
+    options.instance = app::instanceOf(arguments).value_or(ipc::availableName("default"));
     options.camera = readPath(arguments, "camera");
     options.settingsFile = readPath(arguments, "set");
     options.path = readPath(arguments, "play");
@@ -148,6 +154,7 @@ Options readOptions(const app::Arguments& arguments) {
     options.frameSeconds = arguments.number("frame-time").value_or(options.daemon ? kInteractive : 0) * 1e-3;
     app::useIsa(arguments);
     options.import = app::readImportOptions(arguments);
+    options.surroundings = app::readSurroundings(arguments);
     options.import.threads = options.threads;
     return options;
 }

@@ -5,6 +5,7 @@
 #include "common/cli/options.h"
 
 #include "rtcore/io/import/model_import.h"
+#include "rtcore/io/scene_loader.h"
 #include "rtcore/settings/settings_table.h"
 
 #include <cstdint>
@@ -26,6 +27,7 @@ struct Options {
     std::optional<std::int64_t> parent; ///< when this process is gone, end as soon as no client is connected
     bool daemon = false;
     rtcore::ImportOptions import;
+    rtcore::Surroundings surroundings; ///< of the first scene
 };
 
 const app::ProgramSpec& serverSpec();

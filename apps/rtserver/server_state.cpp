@@ -4,7 +4,10 @@
 
 #include "rtcore/io/text/set.h"
 #include "rtcore/motion/player.h"
+#include "rtcore/render/visible_scene.h"
+#include "rtcore/scene/material_edit.h"
 #include "rtcore/settings/settings_table.h"
+#include "rtcore/sky/scene_sky.h"
 
 #include <fmt/format.h>
 
@@ -53,6 +56,7 @@ rtcore::RenderSettings ServerState::settingsOf(const World& world, const rtcore:
 void ServerState::show(std::unique_ptr<World> world) {
     const bool first = world_ == nullptr;
     rtcore::LoadedScene& loaded = world->loaded;
+    rtcore::numberLights(loaded.scene);
     rtcore::Scene scene = loaded.scene;
     std::optional<rtcore::CameraFile> camera;
     std::filesystem::path path;
@@ -76,16 +80,21 @@ void ServerState::show(std::unique_ptr<World> world) {
     player_.reset();
     world_ = std::move(world);
     scene_ = std::make_shared<const rtcore::Scene>(std::move(scene));
+    makeTree();
     makePlayer(loaded.camera);
     revisions_.note(rtcore::Changes::all());
+    const std::optional<rtcore::SceneFile>& file = world_->loaded.sceneFile;
+    bookmarks_ =
+        std::make_shared<const rtcore::SceneBookmarks>(file ? file->bookmarks : rtcore::SceneBookmarks());
     history_.clear();
+    savedState_ = history_.state();
     if (first && options_.path) play(std::make_unique<Playback>(*options_.path));
 }
 
 void ServerState::makePlayer(const rtcore::Camera& camera) {
     const rtcore::LoadedScene& loaded = world_->loaded;
     player_ = std::make_unique<rtcore::Player>(
-        loaded.tree, loaded.scene.mesh(),
+        tree_, loaded.scene.mesh(),
         rtcore::PlayerOptions{
             .up = scene_->up, .metresPerUnit = double{scene_->metresPerUnit}, .walk = scene_->walk});
     player_->setCamera(camera);
@@ -136,10 +145,19 @@ void ServerState::useFrame(const rtcore::UpAndUnit& frame) {
 }
 
 void ServerState::useTree(rtcore::KdTree tree, std::shared_ptr<const rtcore::KdRayTracer> tracer) {
-    player_->useTree(tree);
     world_->loaded.tree = std::move(tree);
     world_->loaded.fastTree = false;
     world_->tracer = std::move(tracer);
+    makeTree();
+    player_->useTree(tree_);
+}
+
+void ServerState::makeTree() {
+    const rtcore::LoadedScene& loaded = world_->loaded;
+    tree_ = rtcore::visibleTree(loaded.tree, *scene_);
+    tracer_ = scene_->hiddenParts == nullptr ? world_->tracer
+                                             : std::make_shared<const rtcore::KdRayTracer>(
+                                                   tree_, loaded.scene.mesh(), chooseLeafRecords(tree_, 0));
 }
 
 void ServerState::setCamera(const rtcore::Camera& camera) {
@@ -187,14 +205,30 @@ void ServerState::switchBloom(bool on) {
     takeSettings(settings);
 }
 
-// Of what there is, commands and .cam files change lights and the environment.
 void ServerState::publish(rtcore::Scene edited) {
     rtcore::Changes changes;
-    changes.set(rtcore::Change::Light, edited.lights != scene_->lights);
-    changes.set(rtcore::Change::Sky, edited.activeEnvironment != scene_->activeEnvironment);
-    if (!changes.any()) return;
+    changes.set(rtcore::Change::Light, edited.lights != scene_->lights || edited.ambient != scene_->ambient);
+    changes.set(rtcore::Change::Sky, edited.background != scene_->background ||
+                                         edited.activeEnvironment != scene_->activeEnvironment ||
+                                         edited.environments != scene_->environments);
+    changes.set(rtcore::Change::Material, edited.materials != scene_->materials);
+    changes.set(rtcore::Change::Visibility, !rtcore::sameHidden(edited.hiddenParts, scene_->hiddenParts));
+    const bool renamed = edited.lightNames != scene_->lightNames || edited.lightNotes != scene_->lightNotes;
+    if (!changes.any() && !renamed) return;
+    endOutdatedRecording(edited);
     scene_ = std::make_shared<const rtcore::Scene>(std::move(edited));
     revisions_.note(changes);
+    if (changes.has(rtcore::Change::Visibility)) useVisible();
+}
+
+// What carries a walker, and where it falls, is found anew.
+void ServerState::useVisible() {
+    makeTree();
+    player_->useTree(tree_);
+    if (!walking()) return;
+    player_->setMode(rtcore::MotionMode::View);
+    player_->setMode(rtcore::MotionMode::Walk);
+    takeCamera();
 }
 
 std::string ServerState::applyCameraFile(const rtcore::CameraFile& file, const std::filesystem::path& path) {
@@ -215,20 +249,46 @@ void ServerState::assign(const std::vector<rtcore::SettingAssignment>& assignmen
     setSettings(settings);
 }
 
-void ServerState::switchLight(int light, std::optional<bool> on) {
-    rtcore::Scene edited = *scene_;
-    if (light < 0 || static_cast<std::size_t>(light) >= edited.lights.size())
-        refuseNumber("light", light, edited.lights.size());
-    std::uint32_t& state = edited.lights[static_cast<std::size_t>(light)].on;
-    state = on.value_or(state == 0) ? 1 : 0;
-    publish(std::move(edited));
-}
-
 void ServerState::setEnvironment(int environment) {
     rtcore::Scene edited = *scene_;
     if (environment < 0 || static_cast<std::size_t>(environment) >= edited.environments.size())
         refuseNumber("environment", environment, edited.environments.size());
     edited.activeEnvironment = environment;
+    publish(std::move(edited));
+}
+
+void ServerState::setBookmarks(rtcore::SceneBookmarks bookmarks) {
+    if (bookmarks == *bookmarks_) return;
+    bookmarks_ = std::make_shared<const rtcore::SceneBookmarks>(std::move(bookmarks));
+}
+
+void ServerState::noteSaved(const std::filesystem::path& path, std::uint64_t historyState) {
+    if (historyState < history_.firstState()) return;
+    savedState_ = historyState;
+    world_->source = path;
+    world_->inputs.add(path);
+}
+
+void ServerState::editMaterials(std::span<const std::size_t> materials,
+                                const rtcore::MaterialOverride& change) {
+    rtcore::Scene edited = *scene_;
+    for (const std::size_t material : materials)
+        rtcore::editMaterial(edited, world_->loaded.scene.materials, material, change);
+    rtcore::closeSurfaces(edited, scene_->materials);
+    publish(std::move(edited));
+}
+
+void ServerState::resetMaterials(std::span<const std::size_t> materials) {
+    rtcore::Scene edited = *scene_;
+    for (const std::size_t material : materials)
+        rtcore::resetMaterial(edited, world_->loaded.scene.materials, material);
+    rtcore::closeSurfaces(edited, scene_->materials);
+    publish(std::move(edited));
+}
+
+void ServerState::hideParts(rtcore::HiddenParts hidden) {
+    rtcore::Scene edited = *scene_;
+    edited.hiddenParts = std::move(hidden);
     publish(std::move(edited));
 }
 
@@ -247,7 +307,8 @@ void ServerState::makeOf(const EditStep& step, const Shown& from, const Shown& t
         setSettings(settings);
     }
     if (changesFrame(step)) useFrame(to.frame);
-    if (changesScene(step)) publish(rtcore::Scene(*to.scene));
+    if (changesScene(step)) publish(rtcore::withSkyMap(*to.scene, scene_.get()));
+    if (changesBookmarks(step)) bookmarks_ = to.bookmarks;
     if (changesCamera(step) || changesFrame(step)) setCamera(to.camera);
 }
 

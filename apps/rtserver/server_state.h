@@ -10,16 +10,20 @@
 #include "rtserver/world.h"
 
 #include "rtcore/io/text/cam.h"
+#include "rtcore/io/text/scn.h"
 #include "rtcore/motion/key_bindings.h"
 #include "rtcore/scene/revisions.h"
 #include "rtcore/settings/render_settings.h"
 
 #include <bitset>
 #include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -63,6 +67,9 @@ class ServerState {
     /// The exact tree of the same scene, with its tracer. The frames stay the same.
     void useTree(rtcore::KdTree tree, std::shared_ptr<const rtcore::KdRayTracer> tracer);
     std::string title() const; ///< for messages
+    /// Of what is shown: without hidden parts. A thread of its own that traces keeps it, together with a
+    /// scene: that owns the triangles.
+    const std::shared_ptr<const rtcore::KdRayTracer>& tracer() const { return tracer_; }
 
     const rtcore::Camera& camera() const { return camera_; }
     /// Throws std::invalid_argument for one that cannot be looked through.
@@ -91,12 +98,39 @@ class ServerState {
     std::string applyCameraFile(const rtcore::CameraFile& file, const std::filesystem::path& path);
     /// Settings of a file that was checked.
     void assign(const std::vector<rtcore::SettingAssignment>& assignments);
-    /// Counted from 0. They throw std::invalid_argument when the scene has fewer.
-    void switchLight(int light, std::optional<bool> on); ///< nothing: the other way round
+    // Lights by their ids. They throw std::invalid_argument when the scene has no such light.
+    std::size_t lightOf(int id) const;                ///< its place among the scene's lights
+    void switchLight(int id, std::optional<bool> on); ///< nothing: the other way round
+    /// `change` gets the light to be changed, but for its id; what it throws leaves the light as it is.
+    void changeLight(int id, const std::function<void(rtcore::LightDescription&)>& change);
+    /// It gets an id of its own, which is returned.
+    int addLight(rtcore::LightDescription light);
+    void removeLight(int id);
+    /// Counted from 0. Throws std::invalid_argument when the scene has fewer.
     void setEnvironment(int environment);
+    /// Materials of the model, counted from 0; all must be there. What surfaces are closed follows.
+    void editMaterials(std::span<const std::size_t> materials, const rtcore::MaterialOverride& change);
+    void resetMaterials(std::span<const std::size_t> materials); ///< as the files have them
+    /// Parts of this model. Rays and bodies pass through what is hidden.
+    void hideParts(rtcore::HiddenParts hidden);
+    /// Nothing: none, and what a model without lights is given is switched on again. A first one, and a map,
+    /// light the scene from then on (skyLight.on).
+    void setSky(const std::optional<rtcore::Sky>& sky);
+    /// In place of all lights, of the sky and of the environment; skyLight.on follows.
+    void setLook(rtcore::Look look);
+    /// Shown from then on, in place of a sky.
+    void addEnvironment(const rtcore::EnvironmentFile& file, rtcore::Environment environment);
+    void leaveEnvironment(); ///< neither sky nor map
+    /// Of the one that is shown. They throw std::runtime_error where there is none, or nothing to turn.
+    void rotateEnvironment(float degrees);
+    void scaleEnvironment(float factor);
+
+    /// The scene's own, as its file is to have them.
+    const rtcore::SceneBookmarks& bookmarks() const { return *bookmarks_; }
+    void setBookmarks(rtcore::SceneBookmarks bookmarks);
 
     /// What edits change.
-    Shown shown() const { return {scene_, settings_, camera_, frame()}; }
+    Shown shown() const { return {scene_, settings_, camera_, frame(), bookmarks_}; }
     /// What changed since shown() was `before` is one step that can be taken back. `label` and `goesOn`: as
     /// in EditHistory.
     void keepStep(std::string label, Shown before, bool goesOn = false);
@@ -105,6 +139,11 @@ class ServerState {
     std::string undo();
     std::string redo();
     const EditHistory& history() const { return history_; }
+    /// Edits were made, or taken back, that the scene's file does not have.
+    bool modified() const { return history_.state() != savedState_; }
+    /// `path`, absolute, holds what was shown when history() was in that state. It is the scene's file from
+    /// now on - unless another scene was shown since.
+    void noteSaved(const std::filesystem::path& path, std::uint64_t historyState);
 
     /// Lets what was pressed act for the time since the last call, and then hands in what is pressed now.
     /// Throws FileError when the path that is played cannot be read.
@@ -155,18 +194,23 @@ class ServerState {
   private:
     rtcore::RenderSettings settingsOf(const World& world, const rtcore::CameraFile* camera) const;
     void publish(rtcore::Scene edited);
+    void makeTree();
+    void useVisible();
+    void endOutdatedRecording(const rtcore::Scene& edited);
     void makePlayer(const rtcore::Camera& camera);
     void useFrame(const rtcore::UpAndUnit& frame);
     void takeSettings(const rtcore::RenderSettings& settings);
     void makeOf(const EditStep& step, const Shown& from, const Shown& to);
     void takeCamera();
+    void lightBySky();
+    void switchHeadlight(rtcore::Scene& scene, bool on) const;
 
     void advance(std::chrono::nanoseconds step);
     void press(const ipc::KeyState& clientKeys);
     void hold();
     void apply(const rtcore::ActionTap& tap);
     void toggleWalking();
-    void toggleLight(int light);
+    void toggleLight(int id);
     void chooseEnvironment(int environment);
     void takeRecordedView();
     void endRecording(const std::string& reason);
@@ -177,12 +221,16 @@ class ServerState {
     Messages& messages_;
     std::unique_ptr<World> world_;
     std::shared_ptr<const rtcore::Scene> scene_;
+    rtcore::KdTree tree_; ///< of what is shown
+    std::shared_ptr<const rtcore::KdRayTracer> tracer_;
     rtcore::Revisions revisions_;
-    std::unique_ptr<rtcore::Player> player_; ///< refers to *world_
+    std::unique_ptr<rtcore::Player> player_; ///< refers to *world_ and tree_
     rtcore::Camera camera_;
     rtcore::KeyBindings bindings_;
     rtcore::RenderSettings settings_;
+    std::shared_ptr<const rtcore::SceneBookmarks> bookmarks_;
     EditHistory history_;
+    std::uint64_t savedState_ = 0;
     int bloom_; ///< its radius when it is switched on
     Keyboard keyboard_;
     std::bitset<ipc::kMaxKeys> clientKeys_;

@@ -72,7 +72,7 @@ void ServerState::apply(const rtcore::ActionTap& tap) {
         keepStep("bloom", before);
         messages_.tell(settings_.bloom.radius == 0 ? "bloom off" : "bloom on");
     } else if (tap.action == rtcore::Action::ToggleLight) {
-        toggleLight(tap.number - 1);
+        toggleLight(tap.number);
     } else if (tap.action == rtcore::Action::SelectEnvironment) {
         chooseEnvironment(tap.number - 1);
     }
@@ -88,14 +88,14 @@ void ServerState::toggleWalking() {
 }
 
 // A key for a light that the scene lacks is a message, not an error.
-void ServerState::toggleLight(int light) {
-    const std::string name = fmt::format("light {}", light + 1);
-    if (light < 0 || std::cmp_greater_equal(light, scene_->lights.size()))
-        return messages_.tell("there is no " + name);
+void ServerState::toggleLight(int id) {
+    const std::string name = fmt::format("light {}", id);
+    const std::optional<std::size_t> light = rtcore::lightWithId(*scene_, id);
+    if (!light) return messages_.tell("there is no " + name);
     const Shown before = shown();
-    switchLight(light, std::nullopt);
+    switchLight(id, std::nullopt);
     keepStep(name, before);
-    messages_.tell(name + (scene_->lights[static_cast<std::size_t>(light)].on != 0 ? " on" : " off"));
+    messages_.tell(name + (scene_->lights[*light].on != 0 ? " on" : " off"));
 }
 
 void ServerState::chooseEnvironment(int environment) {

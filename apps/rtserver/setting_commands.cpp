@@ -1,4 +1,4 @@
-// Commands for what is rendered and how well: settings, lights, environments; and what takes edits back.
+// Commands for what is rendered and how well: settings, environments; and what takes edits back.
 #include "rtserver/command_call.h"
 #include "rtserver/state_report_of.h"
 
@@ -36,7 +36,7 @@ Result resolution(const Call& call) {
     return {};
 }
 
-Result get(const Call& call) {
+Result getSetting(const Call& call) {
     return {.answer = rtcore::settingText(rtcore::getSetting(call.state.settings(), call[0]))};
 }
 
@@ -68,12 +68,6 @@ Result bloom(const Call& call) {
 // Counted from 1, as on the keys.
 int indexOf(const std::string& number) { return integer(number) - 1; }
 
-Result light(const Call& call) {
-    const bool toggle = call[1] == "toggle";
-    call.state.switchLight(indexOf(call[0]), toggle ? std::nullopt : std::optional(flag(call[1])));
-    return {};
-}
-
 Result environment(const Call& call) {
     call.state.setEnvironment(indexOf(call[0]));
     return {};
@@ -95,8 +89,6 @@ std::string list(const std::vector<app::NamedSwitch>& switches, const char* on, 
     return text;
 }
 
-Result lights(const Call& call) { return withoutLastEnd(list(lightsOf(call.state), "on", "off")); }
-
 Result environments(const Call& call) {
     return withoutLastEnd(list(environmentsOf(call.state), "active", "-"));
 }
@@ -107,9 +99,9 @@ Result state(const Call& call) {
     return {.answer = app::formatStateReport(stateReportOf(call.state), ipc::kMaxAnswerText)};
 }
 
-constexpr std::array kFunctions{
+constexpr std::array kSettingFunctions{
     CommandFunction{app::CommandId::Set, set},
-    CommandFunction{app::CommandId::Get, get},
+    CommandFunction{app::CommandId::Get, getSetting},
     CommandFunction{app::CommandId::Defaults, defaults},
     CommandFunction{app::CommandId::Settings, settings},
     CommandFunction{app::CommandId::State, state},
@@ -117,15 +109,13 @@ constexpr std::array kFunctions{
     CommandFunction{app::CommandId::Redo, redo},
     CommandFunction{app::CommandId::Resolution, resolution},
     CommandFunction{app::CommandId::Bloom, bloom},
-    CommandFunction{app::CommandId::Light, light},
     CommandFunction{app::CommandId::Environment, environment},
-    CommandFunction{app::CommandId::Lights, lights},
     CommandFunction{app::CommandId::Environments, environments},
     CommandFunction{app::CommandId::Scene, scene},
 };
 
 } // namespace
 
-std::span<const CommandFunction> settingFunctions() { return kFunctions; }
+std::span<const CommandFunction> settingFunctions() { return kSettingFunctions; }
 
 } // namespace rtserver

@@ -20,23 +20,23 @@ std::string scenePathOf(const ServerState& state) {
     return std::filesystem::absolute(state.world().source).lexically_normal().string();
 }
 
-std::vector<app::NamedSwitch> lightsOf(const ServerState& state) {
+std::vector<app::ReportedLight> lightsOf(const ServerState& state) {
     const rtcore::Scene& scene = *state.scene();
-    std::vector<app::NamedSwitch> all;
+    std::vector<app::ReportedLight> all;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        const std::string name = i < scene.lightNames.size() ? scene.lightNames[i] : std::string();
-        all.push_back({scene.lights[i].on != 0, name});
+        const rtcore::LightDescription light = rtcore::describeLight(scene, i);
+        all.push_back({light.id, light.light.on != 0, light.name, light});
     }
     return all;
 }
 
 std::vector<app::NamedSwitch> environmentsOf(const ServerState& state) {
     const rtcore::Scene& scene = *state.scene();
-    const std::optional<rtcore::SceneFile>& file = state.world().loaded.sceneFile;
     std::vector<app::NamedSwitch> all;
     for (std::size_t i = 0; i < scene.environments.size(); ++i) {
-        const bool described = file && i < file->environments.size();
-        const std::string name = described ? nameOf(file->environments[i]) : std::string();
+        const bool described = i < scene.environmentFiles.size();
+        const std::string name =
+            described ? nameOf(scene.environmentFiles[i]) : scene.environments[i]->name();
         all.push_back({std::cmp_equal(scene.activeEnvironment, i), name});
     }
     return all;
@@ -54,6 +54,8 @@ app::StateReport stateReportOf(const ServerState& state) {
     const EditHistory& history = state.history();
     if (history.last() != nullptr) report.undo = history.last()->label;
     if (history.next() != nullptr) report.redo = history.next()->label;
+    report.modified = state.modified();
+    for (const rtcore::SceneBookmark& bookmark : state.bookmarks()) report.bookmarks.push_back(bookmark.name);
     report.edits = static_cast<int>(history.position());
     return report;
 }

@@ -11,7 +11,7 @@
 namespace rtserver {
 
 std::string scenePathOf(const ServerState& state); ///< absolute
-std::vector<app::NamedSwitch> lightsOf(const ServerState& state);
+std::vector<app::ReportedLight> lightsOf(const ServerState& state);
 /// One without a name goes by its file.
 std::vector<app::NamedSwitch> environmentsOf(const ServerState& state);
 

@@ -25,7 +25,7 @@ class World {
     World& operator=(const World&) = delete;
 
     rtcore::LoadedScene loaded; ///< its scene as the files say; ServerState::scene() is what edits made of it
-    /// A thread of its own that traces keeps it, together with a scene: that owns the triangles.
+    /// Of all that is there, hidden or not.
     std::shared_ptr<const rtcore::KdRayTracer> tracer;
     std::filesystem::path source; ///< what the user named
     rtcore::ImportOptions import; ///< as far as the user gave them

@@ -1,5 +1,5 @@
-// How soon RTServer shows that something changed, whatever it is drawing: keys, settings, scenes.
-//   bench_reaction [--keys=N] [--settings=N] [--loads=N] [--seed=N] [--size=WxH] [--scene=FILE]
+// How soon RTServer shows that something changed, whatever it is drawing: keys, settings, lights, scenes.
+//   bench_reaction [--keys=N] [--settings=N] [--lights=N] [--loads=N] [--seed=N] [--size=WxH] [--scene=FILE]
 //                  [--turns=FILE] [--each] [SERVER]...
 // Each SERVER is an RTServer, such as one of before a change; they take turns, so that whatever else the
 // machine does hits all alike. Without one: the one that was built. With the same FILE several
@@ -37,7 +37,7 @@ constexpr auto kLongest = 5s;     ///< an image that does not come in this time 
 constexpr int kOneTurn = 20;      ///< measurements of one server, then it is the next one's turn
 
 struct Wishes {
-    int keys = 500, settings = 100, loads = 10;
+    int keys = 500, settings = 100, lights = 100, loads = 10;
     unsigned seed = 1;
     std::string size = "1920x1080";
     std::string scene = RT_SOURCE_FOLDER "/data/nave/nave.scn";
@@ -123,6 +123,21 @@ class Measured {
         }
     }
 
+    /// A light that a hand drags, beside the camera.
+    void lights(int count, std::mt19937& random) {
+        std::uniform_int_distribution<int> rests(0, 150);
+        std::uniform_real_distribution<double> places(-1, 1);
+        if (light_.empty()) light_ = client_->request("light add point here", 60s).text;
+        for (int i = 0; i < count; ++i) {
+            const std::string command = "also light move " + light_ + " at " +
+                                        std::to_string(places(random)) + " 2 " +
+                                        std::to_string(places(random));
+            lights_.push_back(reaction([&] { client_->send(command); }, false));
+            tellEach(command.c_str(), lights_.back());
+            std::this_thread::sleep_for(std::chrono::milliseconds(rests(random)));
+        }
+    }
+
     // From the end of loading.
     void loads(int count) {
         for (int i = 0; i < count; ++i) {
@@ -142,6 +157,7 @@ class Measured {
         std::printf("%s\n", program_.c_str());
         tell("key to the first changed image", keys_);
         tell("setting to the first changed image", settings_);
+        tell("light to the first changed image", lights_);
         tell("end of loading to the first image", loads_);
     }
 
@@ -158,6 +174,7 @@ class Measured {
         client_ = std::make_unique<ipc::Client>(name_);
         client_->request("walk", 60s);
         client_->request("wait-idle", 60s);
+        light_.clear();
     }
 
     static Clock::time_point publishedAt(const ipc::Frame& frame) {
@@ -222,7 +239,8 @@ class Measured {
     bool forwards_ = true;
     double frameSeconds_ = 0; ///< of the last frame that was looked at
     std::size_t setting_ = 0;
-    std::vector<double> keys_, settings_, loads_;
+    std::vector<double> keys_, settings_, lights_, loads_;
+    std::string light_; ///< its id
 };
 
 void tellLoad() {
@@ -243,6 +261,8 @@ Wishes read(int count, char** words) {
             wishes.keys = std::stoi(value);
         else if (name == "--settings")
             wishes.settings = std::stoi(value);
+        else if (name == "--lights")
+            wishes.lights = std::stoi(value);
         else if (name == "--loads")
             wishes.loads = std::stoi(value);
         else if (name == "--seed")
@@ -281,6 +301,7 @@ void measure(const Wishes& wishes) {
     };
     inTurns(wishes.keys, [&](Measured& one, int count) { one.keys(count, random); });
     inTurns(wishes.settings, [&](Measured& one, int count) { one.settings(count, random); });
+    inTurns(wishes.lights, [&](Measured& one, int count) { one.lights(count, random); });
     inTurns(wishes.loads, [&](Measured& one, int count) { one.loads(count); });
     for (const auto& one : all) one->report();
 }

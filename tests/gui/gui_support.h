@@ -31,6 +31,8 @@ class GuiTest : public testing::Test {
   protected:
     void SetUp() override {
         writeRoom(folder() / "room.obj");
+        // With a unit that is known, no notice offers another and takes room from the image.
+        writeText(folder() / "room.obj", "# units = metres\n" + readBytes(folder() / "room.obj"));
         QSettings(QSettings::IniFormat, QSettings::UserScope, QStringLiteral("rtsuite"),
                   QStringLiteral("GUI"))
             .clear();

@@ -24,6 +24,16 @@ QString menus() {
     return page;
 }
 
+QString thesisShortcuts() {
+    QString page = QStringLiteral("| | |\n|---|---|\n");
+    for (const ActionRow& row : actionTable()) {
+        if (row.thesis == nullptr) continue;
+        page += QStringLiteral("| %1 | %2 |\n")
+                    .arg(plain(actionText(row)), shortcutOf(row, ShortcutScheme::Thesis).toString());
+    }
+    return page;
+}
+
 QString keys() {
     QString page = QStringLiteral("| keys | |\n|---|---|\n");
     for (const QString& action : bindableActions()) {
@@ -45,6 +55,7 @@ QString ownKeys() {
 
 TEST(Manual, NamesEveryActionAndKey) {
     test::expectSection(RT_WINDOW_PAGE, "menus", menus().toStdString());
+    test::expectSection(RT_WINDOW_PAGE, "shortcuts of the thesis", thesisShortcuts().toStdString());
     test::expectSection(RT_WINDOW_PAGE, "keys", keys().toStdString());
     test::expectSection(RT_WINDOW_PAGE, "keys of the image", ownKeys().toStdString());
 }

@@ -3,9 +3,12 @@
 #include "gui/window_support.h"
 
 #include "gui/dialogs/log_dialog.h"
+#include "gui/dialogs/up_and_unit_dialog.h"
 #include "gui/models/messages.h"
+#include "gui/panels/value_box.h"
 #include "gui/view/overlay.h"
 
+#include <QComboBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
 
@@ -83,7 +86,9 @@ TEST_F(MessagesTest, TheNoticeIsThatOfTheSceneThatIsShown) {
         << text(window->notice().text()) << text(window->view().told());
     EXPECT_FALSE(window->notice().isVisible());
     window->open(file("bare.obj"));
-    EXPECT_TRUE(comes([&] { return window->notice().isVisible(); })) << "again";
+    EXPECT_TRUE(comes([&] {
+        return window->notice().isVisible() && window->notice().text().contains(QStringLiteral("missing"));
+    })) << "again";
 }
 
 TEST_F(MessagesTest, WhatAKeyDidIsTold) {
@@ -118,7 +123,9 @@ TEST_F(MessagesTest, TheOtherUpAxisIsOffered) {
               "   vertex 0 40 20\n  endloop\n endfacet\nendsolid\n");
     open("part.stl");
     ASSERT_TRUE(comes([&] { return window->notice().isVisible(); }));
-    EXPECT_EQ(text(window->notice().text()), "The axis +Z is taken for up (usual for OpenSCAD).");
+    ASSERT_TRUE(comes([&] { return window->notice().text().contains(QStringLiteral("taken for up")); }));
+    EXPECT_EQ(text(window->notice().text()), "The axis +Z is taken for up (usual for OpenSCAD).\n"
+                                             "A unit is taken for 0.001 m (usual for OpenSCAD).");
     const auto isUp = [&](const char* axis) {
         return comes([&] { return window->editor().state().up == QLatin1String(axis); });
     };
@@ -133,6 +140,41 @@ TEST_F(MessagesTest, TheOtherUpAxisIsOffered) {
     EXPECT_TRUE(isUp("+z"));
 }
 
+TEST_F(MessagesTest, TheUnitIsOffered) {
+    writeText(folder() / "part.stl",
+              "solid OpenSCAD_Model\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 40 0 0\n"
+              "   vertex 0 40 20\n  endloop\n endfacet\nendsolid\n");
+    open("part.stl");
+    ASSERT_TRUE(comes([&] { return window->notice().findChildren<QPushButton*>().size() >= 2; }));
+    window->notice().findChildren<QPushButton*>()[1]->click();
+    auto* const dialog = window->findChild<UpAndUnitDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    const QList<QComboBox*> choices = dialog->findChildren<QComboBox*>();
+    auto* const length = dialog->findChild<ValueBox*>();
+    ASSERT_EQ(choices.size(), 2);
+    EXPECT_EQ(text(choices[0]->currentText()), "+Z");
+    EXPECT_EQ(text(choices[1]->currentText()), "Millimetres");
+    EXPECT_EQ(length->value(), 0.001);
+    const auto unitIs = [&](float metres) {
+        return comes([&] { return window->editor().state().metresPerUnit == metres; });
+    };
+    choices[1]->setCurrentIndex(choices[1]->findText(QStringLiteral("Inches")));
+    EXPECT_TRUE(unitIs(0.0254F));
+    EXPECT_TRUE(comes([&] { return length->value() == 0.0254; }));
+    length->setValue(0.9144);
+    EXPECT_TRUE(unitIs(0.9144F));
+    EXPECT_TRUE(comes([&] { return choices[1]->currentText() == QStringLiteral("Others"); }));
+    choices[0]->setCurrentIndex(choices[0]->findText(QStringLiteral("+Y")));
+    EXPECT_TRUE(comes([&] { return window->editor().state().up == QStringLiteral("+y"); }));
+    for (auto* button : dialog->findChildren<QPushButton*>()) {
+        if (button->text().contains(QStringLiteral("guessed"))) button->click();
+    }
+    EXPECT_TRUE(comes([&] { return window->editor().state().up == QStringLiteral("+z"); }));
+    EXPECT_TRUE(unitIs(0.001F));
+    EXPECT_TRUE(comes([&] { return window->editor().state().edits == 5; }));
+    dialog->close();
+}
+
 TEST(Messages, AnOfferIsRead) {
     const auto offer =
         readUpOffer(QStringLiteral("+z is taken for up (by its shape); 'up +y' turns the model"));
@@ -140,6 +182,11 @@ TEST(Messages, AnOfferIsRead) {
     EXPECT_EQ(text(offer->text), "The axis +Z is taken for up (by its shape).");
     EXPECT_EQ(text(offer->other), "+y");
     EXPECT_FALSE(readUpOffer(QStringLiteral("+z is taken for up")));
+    const auto unit =
+        readUnitOffer(QStringLiteral("0.0254 m are taken for a unit (usual for .wrl); 'units' sets another"));
+    ASSERT_TRUE(unit);
+    EXPECT_EQ(text(*unit), "A unit is taken for 0.0254 m (usual for .wrl).");
+    EXPECT_FALSE(readUnitOffer(QStringLiteral("+z is taken for up")));
 }
 
 TEST(Messages, AreReadLineByLine) {

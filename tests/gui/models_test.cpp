@@ -19,13 +19,15 @@ namespace {
 using namespace gui;
 
 TEST(ActionTable, EachShortcutStandsOnceAndCanBeRead) {
-    QSet<QString> seen;
-    for (const ActionRow& row : actionTable()) {
-        if (*row.shortcut == '\0') continue;
-        const QString keys = shortcutOf(row).toString();
-        EXPECT_FALSE(keys.isEmpty()) << row.text;
-        EXPECT_FALSE(seen.contains(keys)) << row.text;
-        seen.insert(keys);
+    for (const ShortcutScheme scheme : {ShortcutScheme::Desktop, ShortcutScheme::Thesis}) {
+        QSet<QString> seen;
+        for (const ActionRow& row : actionTable()) {
+            if (*row.shortcut == '\0') continue;
+            const QString keys = shortcutOf(row, scheme).toString();
+            EXPECT_FALSE(keys.isEmpty()) << row.text;
+            EXPECT_FALSE(seen.contains(keys)) << row.text;
+            seen.insert(keys);
+        }
     }
 }
 
@@ -44,12 +46,22 @@ TEST(ActionTable, EachMenuHasEachMnemonicOnce) {
 
 // The thesis names these.
 TEST(ActionTable, TheWellKnownShortcutsAreThere) {
-    const auto shortcut = [](ActionId id) { return shortcutOf(actionRow(id)).toString().toStdString(); };
+    const auto shortcut = [](ActionId id, ShortcutScheme scheme = ShortcutScheme::Thesis) {
+        return shortcutOf(actionRow(id), scheme).toString().toStdString();
+    };
     EXPECT_EQ(shortcut(ActionId::Connect), "Ctrl+C");
     EXPECT_EQ(shortcut(ActionId::StartServer), "Ctrl+S");
     EXPECT_EQ(shortcut(ActionId::QuickRender), "Ctrl+R");
     EXPECT_EQ(shortcut(ActionId::StopServer), "Ctrl+K");
     EXPECT_EQ(shortcut(ActionId::ProgressiveRendering), "Ctrl+H");
+    const ShortcutScheme desktop = shortcutSchemeOf(QStringLiteral("desktop"));
+    EXPECT_EQ(shortcut(ActionId::Save, desktop), "Ctrl+S");
+    EXPECT_EQ(shortcut(ActionId::SaveAs, desktop), "Ctrl+Shift+S");
+    EXPECT_EQ(shortcut(ActionId::CopyCamera, desktop), "Ctrl+C");
+    EXPECT_EQ(shortcut(ActionId::PasteCamera, desktop), "Ctrl+V");
+    EXPECT_EQ(shortcut(ActionId::Undo, desktop), "Ctrl+Z");
+    EXPECT_EQ(shortcut(ActionId::FullScreen, desktop), "F11");
+    EXPECT_EQ(shortcutSchemeOf(QStringLiteral("thesis")), ShortcutScheme::Thesis);
 }
 
 TEST(Bindings, AreReadAsTheyAreWritten) {

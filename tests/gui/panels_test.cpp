@@ -70,6 +70,10 @@ class PanelsTest : public GuiTest {
     QAction* action(ActionId id) { return window->actions()[id]; }
     SettingsPanel& settings() { return *window->findChild<SettingsPanel*>(); }
     LightsPanel& lights() { return *window->findChild<LightsPanel*>(); }
+    bool lightIsOn(int place) { return lights().light(place)->checkState() == Qt::Checked; }
+    void switchLight(int place, bool on) {
+        lights().light(place)->setCheckState(on ? Qt::Checked : Qt::Unchecked);
+    }
     BookmarksPanel& bookmarks() { return *window->findChild<BookmarksPanel*>(); }
     template <typename Box>
     Box& field(const char* setting) {
@@ -147,7 +151,28 @@ TEST_F(PanelsTest, ManyStepsInAMomentAreOneStepBack) {
     }));
     ASSERT_TRUE(comes([&] { return window->editor().state().edits == 1; }));
     action(ActionId::Undo)->trigger();
+    EXPECT_EQ(window->view().told(), QStringLiteral("Undone: ") + settingLabel("maxDepth"));
     EXPECT_TRUE(becomes("maxDepth", "5"));
+    ASSERT_TRUE(comes([&] { return action(ActionId::Redo)->isEnabled(); }));
+    action(ActionId::Redo)->trigger();
+    EXPECT_EQ(window->view().told(), QStringLiteral("Redone: ") + settingLabel("maxDepth"));
+}
+
+TEST_F(PanelsTest, AWordStandsForZero) {
+    open();
+    auto& focus = field<ValueBox>("depthOfField.focus");
+    auto& bloom = field<QSpinBox>("bloom.radius");
+    EXPECT_EQ(focus.text(), QStringLiteral("Automatic"));
+    EXPECT_EQ(bloom.text(), QStringLiteral("Off"));
+    focus.setValue(2.5);
+    EXPECT_TRUE(becomes("depthOfField.focus", "2.5"));
+    EXPECT_EQ(focus.text(), QStringLiteral("2.5 scene units"));
+    focus.setFocus();
+    focus.selectAll();
+    QTest::keyClicks(&focus, QStringLiteral("automatic"));
+    QTest::keyClick(&focus, Qt::Key_Return);
+    EXPECT_TRUE(becomes("depthOfField.focus", "0"));
+    EXPECT_EQ(focus.text(), QStringLiteral("Automatic"));
 }
 
 TEST_F(PanelsTest, NumbersAndChoicesAreSetToo) {
@@ -243,7 +268,7 @@ TEST_F(PanelsTest, StepsOfTheWindowAndOfTheServerAreTakenBackInTheirOrder) {
     open();
     action(ActionId::AddBookmark)->trigger();
     ASSERT_TRUE(comes([&] { return bookmarks().list().count() == 1; }));
-    lights().light(0)->click();
+    switchLight(0, false);
     ASSERT_TRUE(comes([&] { return window->editor().state().edits == 1; }));
     emit bookmarks().deleteWanted(0);
     ASSERT_EQ(bookmarks().list().count(), 0);
@@ -295,11 +320,11 @@ TEST_F(PanelsTest, LightsAndEnvironmentsAreSwitched) {
     open();
     action(ActionId::LightsPanel)->trigger();
     ASSERT_NE(lights().light(1), nullptr);
-    EXPECT_EQ(lights().light(0)->accessibleName(), QStringLiteral("lamp & co"));
+    EXPECT_EQ(lights().light(0)->text(), QStringLiteral("lamp & co"));
     EXPECT_EQ(lights().environment(1)->text(), QStringLiteral("dusk"));
     EXPECT_TRUE(lights().environment(0)->isChecked());
     const QImage before = picture();
-    lights().light(0)->click();
+    switchLight(0, false);
     const auto told = [&](const char* command) {
         return ask(window->session(), QString::fromLatin1(command)).text;
     };
@@ -309,12 +334,11 @@ TEST_F(PanelsTest, LightsAndEnvironmentsAreSwitched) {
     EXPECT_TRUE(comes([&] { return told("environments").contains(QStringLiteral("2 active")); }));
     action(ActionId::Undo)->trigger();
     action(ActionId::Undo)->trigger();
-    EXPECT_TRUE(
-        comes([&] { return lights().light(0)->isChecked() && lights().environment(0)->isChecked(); }));
+    EXPECT_TRUE(comes([&] { return lightIsOn(0) && lights().environment(0)->isChecked(); }));
     EXPECT_EQ(picture(), before);
     // A digit key is the server's; the panel follows.
     QTest::keyClick(&window->view(), Qt::Key_2);
-    EXPECT_TRUE(comes([&] { return !lights().light(1)->isChecked(); }));
+    EXPECT_TRUE(comes([&] { return !lightIsOn(1); }));
 }
 
 TEST_F(PanelsTest, ABookmarkGoesBackToTheSameCamera) {
@@ -387,13 +411,11 @@ TEST_F(PanelsTest, APastedCameraBringsWhatItsTextNamesAndIsTakenBack) {
     EXPECT_TRUE(camera().contains(QStringLiteral("orthographicWidth = 5.5"))) << camera().toStdString();
     EXPECT_TRUE(camera().contains(QStringLiteral("up = [0.1, 1.0, 0.0]"))) << camera().toStdString();
     EXPECT_EQ(served("antialiasing"), QStringLiteral("2"));
-    EXPECT_TRUE(
-        comes([&] { return !lights().light(1)->isChecked() && lights().environment(1)->isChecked(); }));
+    EXPECT_TRUE(comes([&] { return !lightIsOn(1) && lights().environment(1)->isChecked(); }));
     action(ActionId::Undo)->trigger();
     EXPECT_TRUE(becomes("antialiasing", "1"));
     EXPECT_TRUE(comes([&] { return camera() == before; })) << camera().toStdString();
-    EXPECT_TRUE(
-        comes([&] { return lights().light(1)->isChecked() && lights().environment(0)->isChecked(); }));
+    EXPECT_TRUE(comes([&] { return lightIsOn(1) && lights().environment(0)->isChecked(); }));
     QGuiApplication::clipboard()->setText(QStringLiteral("eye = 3"));
     action(ActionId::PasteCamera)->trigger();
     EXPECT_EQ(camera(), before);
@@ -506,7 +528,8 @@ TEST(SceneStateTest, AnswersAreRead) {
     const QString answer =
         QStringLiteral("version = 1\nscene = \"/a/b.scn\"\nup = \"+z\"\nmetresPerUnit = 0.01\n"
                        "undo = \"set exposure.key\"\nredo = \"\"\nedits = 4\n"
-                       "[lights]\non = [true, false]\nnames = [\"sun and moon\", \"\"]\n"
+                       "modified = true\nbookmarks = [\"door\"]\n"
+                       "[lights]\non = [true, false]\nnames = [\"sun and moon\", \"\"]\nids = [3, 1]\n"
                        "[environments]\non = [true, false]\nnames = [\"day\", \"night\"]\n"
                        "[camera]\neye = [1.0, 2.0, 3.0]\nforward = [0.0, 0.0, -1.0]\n"
                        "[settings]\nbloom = 0\nexposure.key = 0.18\n");
@@ -516,11 +539,13 @@ TEST(SceneStateTest, AnswersAreRead) {
     EXPECT_EQ(read->scene, QStringLiteral("/a/b.scn"));
     const SceneState& state = read->state;
     EXPECT_EQ(state.settings.value(QStringLiteral("exposure.key")), QStringLiteral("0.18"));
-    EXPECT_EQ(state.lights, (QList<NamedSwitch>{{true, QStringLiteral("sun and moon")}, {false, {}}}));
+    EXPECT_EQ(state.lights, (QList<ShownLight>{{3, true, QStringLiteral("sun and moon")}, {1, false, {}}}));
     EXPECT_EQ(state.environments,
               (QList<NamedSwitch>{{true, QStringLiteral("day")}, {false, QStringLiteral("night")}}));
     EXPECT_EQ(state.undo, QStringLiteral("set exposure.key"));
     EXPECT_EQ(state.edits, 4);
+    EXPECT_TRUE(state.modified);
+    EXPECT_EQ(state.bookmarks, QStringList{QStringLiteral("door")});
 }
 
 TEST(EditLabelTest, SaysWhatIsTakenBack) {

@@ -1,6 +1,6 @@
 #!/bin/sh
 # The window on a real X server, driven by keys and mouse as a person would: it walks, it turns, switches light and
-# bloom, exports, is resized; Ctrl+S starts a server only while the keyboard is not captured, Alt+1 is a bookmark's always;
+# bloom, exports, is resized; Ctrl+S saves only while the keyboard is not captured, Ctrl+N asks for a server, Alt+1 is a bookmark's always;
 # and whether it is closed or killed, nothing is left behind once nobody looks.
 #   real_window.sh FOLDER-OF-PROGRAMS MODEL [PICTURES]     77: the tools are missing
 set -eu
@@ -49,7 +49,7 @@ idle() { status | grep -q "state: complete"; }
 moved() { [ "$(eye)" != "$before" ]; }
 shot() { import -window root "$work/$1.png"; }
 differ() { ! compare -metric AE "$work/$1.png" "$work/$2.png" null: 2>/dev/null; }
-dialog() { xdotool search --onlyvisible --name "Start new server"; }
+dialog() { xdotool search --onlyvisible --name "Start new server|Replace a file|Save the scene"; }
 settle() { comes "$1 comes to rest" idle; sleep 0.3; }
 
 comes "an X server" test -s "$work/display"
@@ -124,8 +124,8 @@ before=$(eye)
 xdotool mousemove_relative 60 0
 sleep 0.5
 if moved; then fail "the mouse turns though it was given back"; fi
-xdotool key ctrl+s
-comes "Ctrl+S opens the dialog" dialog
+xdotool key ctrl+n
+comes "Ctrl+N opens the dialog" dialog
 shot dialog
 
 xdotool key Escape

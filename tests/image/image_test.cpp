@@ -6,6 +6,7 @@
 #include "rtcore/kernels/ray_tracer.h"
 #include "rtcore/post/develop.h"
 #include "rtcore/post/effects.h"
+#include "rtcore/render/default_view.h"
 #include "rtcore/render/frame_renderer.h"
 
 #include <gtest/gtest.h>

@@ -40,14 +40,14 @@ std::string CommandLabel::command() const {
 
 CommandLabel parseCommandLabel(std::string_view label) {
     CommandLabel result;
-    std::string text(label);
-    std::erase_if(text, [](char c) { return c == '[' || c == ']'; });
-    std::istringstream tokens(text);
+    std::istringstream tokens{std::string(label)};
     for (std::string token; tokens >> token;) {
+        const bool optional = token.starts_with('[');
+        std::erase_if(token, [](char c) { return c == '[' || c == ']'; });
         result.repeats = token.ends_with("...");
         if (result.repeats) token.resize(token.size() - 3);
         if (token.empty()) continue;
-        if (result.places.empty() && isName(token)) {
+        if (result.places.empty() && !optional && isName(token)) {
             result.names.push_back(token);
         } else {
             result.places.push_back(alternatives(token));

@@ -10,10 +10,14 @@ std::vector<HelpWord> sceneFileNotes() {
             {"../share/rtsuite/scenes", "scenes to begin with, as seen from the folder of the programs"}};
 }
 
-std::vector<HelpWord> importEnvironmentNotes() {
-    return {{"RT_ISA", "the instruction set whose vector code is used, of those that --version lists"},
-            {"RT_IMPORTER", "the program that reads models, in place of the one that is installed"},
-            {"TMPDIR", "the folder for temporary files where there is no room in memory"}};
+std::vector<HelpWord> importEnvironmentNotes(std::optional<HelpWord> first) {
+    std::vector<HelpWord> notes;
+    if (first) notes.push_back(*first);
+    notes.insert(notes.end(),
+                 {{"RT_ISA", "the instruction set whose vector code is used, of those that --version lists"},
+                  {"RT_IMPORTER", "the program that reads models, in place of the one that is installed"},
+                  {"TMPDIR", "the folder for temporary files where there is no room in memory"}});
+    return notes;
 }
 
 std::vector<std::string> modelExtensions() {

@@ -3,6 +3,7 @@
 
 #include "common/cli/options.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@ namespace app {
 std::vector<HelpWord> sceneFileNotes();
 
 /// RT_ISA, RT_IMPORTER and TMPDIR.
-std::vector<HelpWord> importEnvironmentNotes();
+/// After `first`.
+std::vector<HelpWord> importEnvironmentNotes(std::optional<HelpWord> first = {});
 
 /// Extensions of the scenes and models that people have most; the importer reads more.
 std::vector<std::string> modelExtensions(); ///< "obj", "ply", ...

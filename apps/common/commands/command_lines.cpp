@@ -29,6 +29,12 @@ void add(Words& words, Number value) {
 void add(Words& words, double value) { words.push_back(rtcore::shortestText(value)); }
 void add(Words& words, float value) { add(words, static_cast<double>(value)); }
 
+void add(Words& words, const std::vector<double>& values) {
+    for (const double value : values) add(words, value);
+}
+
+void add(Words& words, const Words& more) { words.insert(words.end(), more.begin(), more.end()); }
+
 void add(Words& words, const std::array<float, 3>& vector) {
     for (const float value : vector) add(words, value);
 }
@@ -67,8 +73,64 @@ std::string state() { return line(CommandId::State); }
 std::string undo() { return line(CommandId::Undo); }
 std::string redo() { return line(CommandId::Redo); }
 std::string also(const std::string& edit) { return line(CommandId::Also) + ' ' + edit; }
-std::string light(int number, bool on) { return line(CommandId::Light, number, on ? "on" : "off"); }
+
+std::string light(int id, bool on) { return line(CommandId::Light, id, on ? "on" : "off"); }
+std::string lightAdd(const std::string& kind) { return line(CommandId::LightAdd, kind); }
+std::string lightCopy(int id) { return line(CommandId::LightCopy, id); }
+std::string lightRemove(int id) { return line(CommandId::LightRemove, id); }
+std::string lightName(int id, const std::string& name) { return line(CommandId::LightName, id, name); }
+std::string lightKind(int id, const std::string& kind) { return line(CommandId::LightKind, id, kind); }
+std::string lightMove(int id, const std::array<float, 3>& position) {
+    return line(CommandId::LightMove, id, "at", position);
+}
+std::string lightMoveHere(int id) { return line(CommandId::LightMove, id, "here"); }
+std::string lightMoveSeen(int id) { return line(CommandId::LightMove, id, "seen"); }
+std::string lightMoveSeen(int id, double right, double down) {
+    return line(CommandId::LightMove, id, "seen", right, down);
+}
+std::string lightAim(int id, const std::array<float, 3>& direction) {
+    return line(CommandId::LightAim, id, "along", direction);
+}
+std::string lightAimAhead(int id) { return line(CommandId::LightAim, id, "ahead"); }
+std::string lightAimSeen(int id) { return line(CommandId::LightAim, id, "seen"); }
+std::string lightColour(int id, const std::array<float, 3>& colour) {
+    return line(CommandId::LightColour, id, colour);
+}
+std::string lightTemperature(int id, double kelvin) { return line(CommandId::LightTemperature, id, kelvin); }
+std::string lightNoTemperature(int id) { return line(CommandId::LightTemperature, id, "none"); }
+std::string lightPower(int id, double watts) { return line(CommandId::LightPower, id, watts); }
+std::string lightSize(int id, double radius) { return line(CommandId::LightSize, id, radius); }
+std::string lightSize(int id, double width, double height) {
+    return line(CommandId::LightSize, id, width, height);
+}
+std::string lightAngles(int id, double inner, double outer) {
+    return line(CommandId::LightAngles, id, inner, outer);
+}
+
 std::string environment(int number) { return line(CommandId::Environment, number); }
+
+std::string parts(int from) { return line(CommandId::Parts, from); }
+std::string materials(int from) { return line(CommandId::Materials, from); }
+std::string partHide(const Words& parts) { return line(CommandId::PartHide, parts); }
+std::string partShow(const Words& parts) { return line(CommandId::PartShow, parts); }
+std::string partIsolate(const Words& parts) { return line(CommandId::PartIsolate, parts); }
+std::string partShowAll() { return line(CommandId::PartShowAll); }
+std::string materialGet(int number) { return line(CommandId::MaterialGet, number); }
+
+std::string materialSet(int number, const std::string& key, const std::vector<double>& values) {
+    return line(CommandId::MaterialSet, number, key, values);
+}
+
+std::string materialSwitch(int number, const std::string& key, bool on) {
+    return line(CommandId::MaterialSet, number, key, on ? "true" : "false");
+}
+
+std::string materialReset(int number) { return line(CommandId::MaterialReset, number); }
+std::string seen(double right, double down) { return line(CommandId::Seen, right, down); }
+
+std::string mask(bool ofMaterial, int number) {
+    return line(CommandId::Mask, ofMaterial ? "material" : "part", number);
+}
 
 std::string camera(const View& view) {
     const CommandId id = view.orthographic ? CommandId::CameraOrthographic : CommandId::CameraSet;
@@ -89,6 +151,7 @@ std::string cameraZoom(double factor) { return line(CommandId::CameraZoom, facto
 std::string cameraPaste(const std::string& text) { return line(CommandId::CameraPaste, text); }
 std::string up(const std::string& axis) { return line(CommandId::Up, axis); }
 std::string units(float metres) { return line(CommandId::Units, fmt::format("{}", metres)); }
+std::string unitsAsGuessed() { return line(CommandId::Units, "auto"); }
 std::string focus(double right, double down) { return line(CommandId::Focus, right, down); }
 std::string speed(double factor) { return line(CommandId::Speed, factor); }
 std::string walk() { return line(CommandId::Walk); }
@@ -101,6 +164,13 @@ std::string loadScene(const std::string& path, const std::string& cachedModel) {
 }
 
 std::string loadSet(const std::string& path) { return line(CommandId::LoadSet, path); }
+std::string save(bool replace) { return replace ? line(CommandId::Save, "replace") : line(CommandId::Save); }
+
+std::string saveAs(const std::string& path, bool replace) {
+    return replace ? line(CommandId::SaveAs, path, "replace") : line(CommandId::SaveAs, path);
+}
+
+std::string pack(const std::string& folder) { return line(CommandId::Pack, folder); }
 std::string exportCamera(const std::string& path) { return line(CommandId::ExportCamera, path); }
 
 std::string exportCamera(const std::string& path, int width, int height, int antialiasing, int bloom) {
@@ -113,6 +183,18 @@ std::string play(const std::string& path) { return line(CommandId::Play, path); 
 std::string exportVideo() { return line(CommandId::ExportVideo); }
 std::string exportVideoStart(const std::string& path) { return line(CommandId::ExportVideoStart, path); }
 std::string exportVideoStop() { return line(CommandId::ExportVideoStop); }
+
+std::string bookmarkAdd(const std::string& name, const std::string& cameraFile) {
+    return line(CommandId::BookmarkAdd, name, cameraFile);
+}
+
+std::string bookmarkGo(const std::string& name) { return line(CommandId::BookmarkGo, name); }
+
+std::string bookmarkRename(const std::string& name, const std::string& to) {
+    return line(CommandId::BookmarkRename, name, to);
+}
+
+std::string bookmarkRemove(const std::string& name) { return line(CommandId::BookmarkRemove, name); }
 
 std::string cameraGet() { return line(CommandId::CameraGet); }
 std::string scene() { return line(CommandId::Scene); }

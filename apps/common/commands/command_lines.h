@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace app::command {
 
@@ -36,8 +37,44 @@ std::string undo();
 std::string redo();
 /// A line of one that edits, as part of the last edit.
 std::string also(const std::string& line);
-std::string light(int number, bool on); ///< from 1
-std::string environment(int number);    ///< from 1
+
+// Lights, by their ids. Kinds are named as in .scn files.
+std::string light(int id, bool on);
+std::string lightAdd(const std::string& kind); ///< where one looks
+std::string lightCopy(int id);
+std::string lightRemove(int id);
+std::string lightName(int id, const std::string& name);
+std::string lightKind(int id, const std::string& kind);
+std::string lightMove(int id, const std::array<float, 3>& position);
+std::string lightMoveHere(int id);
+std::string lightMoveSeen(int id);
+std::string lightMoveSeen(int id, double right, double down); ///< 0..1
+std::string lightAim(int id, const std::array<float, 3>& direction);
+std::string lightAimAhead(int id);
+std::string lightAimSeen(int id);
+std::string lightColour(int id, const std::array<float, 3>& colour); ///< linear
+std::string lightTemperature(int id, double kelvin);
+std::string lightNoTemperature(int id);
+std::string lightPower(int id, double watts);
+std::string lightSize(int id, double radius);
+std::string lightSize(int id, double width, double height);
+std::string lightAngles(int id, double inner, double outer); ///< degrees
+
+std::string environment(int number); ///< from 1
+
+std::string parts(int from);     ///< from 1
+std::string materials(int from); ///< from 1
+/// Numbers or patterns.
+std::string partHide(const std::vector<std::string>& parts);
+std::string partShow(const std::vector<std::string>& parts);
+std::string partIsolate(const std::vector<std::string>& parts);
+std::string partShowAll();
+std::string materialGet(int number);
+std::string materialSet(int number, const std::string& key, const std::vector<double>& values);
+std::string materialSwitch(int number, const std::string& key, bool on);
+std::string materialReset(int number);
+std::string seen(double right, double down);   ///< 0..1
+std::string mask(bool ofMaterial, int number); ///< of a part, else
 
 /// All of the camera.
 std::string camera(const View& view);
@@ -51,6 +88,7 @@ std::string cameraZoom(double factor);
 std::string cameraPaste(const std::string& text); ///< of a .cam file
 std::string up(const std::string& axis);          ///< "+z"
 std::string units(float metres);
+std::string unitsAsGuessed();
 std::string focus(double right, double down); ///< 0..1
 std::string speed(double factor);
 std::string walk();
@@ -58,6 +96,9 @@ std::string walk();
 std::string loadCamera(const std::string& path);
 std::string loadScene(const std::string& path, const std::string& cachedModel = {}); ///< "": none
 std::string loadSet(const std::string& path);
+std::string save(bool replace);
+std::string saveAs(const std::string& path, bool replace);
+std::string pack(const std::string& folder);
 std::string exportCamera(const std::string& path);
 std::string exportCamera(const std::string& path, int width, int height, int antialiasing, int bloom);
 std::string exportScene(const std::string& path);
@@ -66,6 +107,11 @@ std::string play(const std::string& path);
 std::string exportVideo();
 std::string exportVideoStart(const std::string& path);
 std::string exportVideoStop();
+
+std::string bookmarkAdd(const std::string& name, const std::string& cameraFile);
+std::string bookmarkGo(const std::string& name);
+std::string bookmarkRename(const std::string& name, const std::string& to);
+std::string bookmarkRemove(const std::string& name);
 
 std::string cameraGet();
 std::string scene();

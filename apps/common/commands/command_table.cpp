@@ -2,6 +2,8 @@
 
 #include "common/cli/file_notes.h"
 
+#include "rtcore/math/blackbody.h"
+
 #include <array>
 #include <utility>
 
@@ -346,6 +348,34 @@ std::vector<CommandSpec> fileCommands() {
          .effect = Changes,
          .edits = true,
          .help = "take the table [live] of a .set file over"},
+        {.id = CommandId::Save,
+         .name = "save",
+         .arguments = {maybe(choice("replace"))},
+         .effect = Waits,
+         .help = "write what is shown into the scene's own .scn file, and print its path",
+         .more =
+             "Lights, materials, environment, camera, bookmarks, up axis, unit and settings; `state` says "
+             "whether there is something to save. A setting that was changed holds for stills, too, the "
+             "others of `[still]` stay. A file that was written or changed by hand has comments and a layout "
+             "that would be lost: it is refused, and with `replace` kept as `name.scn~`. A model is no "
+             "scene: "
+             "`save as`"},
+        {.id = CommandId::SaveAs,
+         .name = "save as",
+         .arguments = {path({"scn"}), maybe(choice("replace"))},
+         .effect = Waits,
+         .help = "the same into another .scn file, which is the scene's own from now on"},
+        {.id = CommandId::Pack,
+         .name = "pack",
+         .arguments = {text("FOLDER", Path)},
+         .effect = Waits,
+         .help =
+             "copy the scene with all files that it needs into a new folder, which can be moved, and print "
+             "how many files these are",
+         .more =
+             "The folder must not exist or be empty. It gets the `.scn`, the model with what it names in "
+             "`model`, and `textures` and `environments` of the scene; all paths are relative. It is there "
+             "with all of it, or not at all. A model that names files by absolute paths is refused"},
         {.id = CommandId::ExportCamera,
          .name = "export camera",
          .arguments = {path({"cam"}), maybe(whole("WIDTH")), maybe(whole("HEIGHT")),
@@ -391,6 +421,15 @@ std::vector<CommandSpec> fileCommands() {
     };
 }
 
+constexpr std::string_view kLightKinds = "point|directional|spot|sphere|rectangle";
+
+/// A place: a word, and the numbers that it takes.
+Arguments somewhere(std::string_view words, bool optional) {
+    CommandArgument place = choice(words);
+    place.optional = optional;
+    return {place, maybe(number("X")), number("Y"), maybe(number("Z"))};
+}
+
 std::vector<CommandSpec> lightCommands() {
     return {
         {.id = CommandId::Bloom,
@@ -405,13 +444,172 @@ std::vector<CommandSpec> lightCommands() {
          .arguments = {whole("N", 1), choice("on|off|toggle")},
          .effect = Changes,
          .edits = true,
-         .help = "switch a light; the first one is 1, as on the keys"},
+         .help = "switch a light by its number, which keys have, too",
+         .more = "`lights` prints the numbers. They are those of the scene's file, or the order 1, 2, 3, and "
+                 "stay while other lights come and go"},
+        {.id = CommandId::LightGet,
+         .name = "light get",
+         .arguments = {whole("N", 1)},
+         .effect = Tells,
+         .help = "print a light as a .scn file has it, and its power"},
+        {.id = CommandId::LightAdd,
+         .name = "light add",
+         .arguments = Arguments{choice(kLightKinds)} + somewhere("here|seen|at", true),
+         .effect = Changes,
+         .edits = true,
+         .help = "add a light, and print its number",
+         .more = "Where: `here`, at the camera; `seen`, a little off the surface in the middle of the image, "
+                 "or at RIGHT and DOWN, 0 to 1; `at X Y Z`. It shines as the camera looks, off the surface, "
+                 "or downwards; a directional one as the camera looks. An edit of lights but for switching "
+                 "them ends a recording"},
+        {.id = CommandId::LightCopy,
+         .name = "light copy",
+         .arguments = Arguments{whole("N", 1)} + somewhere("here|seen|at", true),
+         .effect = Changes,
+         .edits = true,
+         .help = "add a light like that one, in its place or elsewhere, and print its number"},
+        {.id = CommandId::LightRemove,
+         .name = "light remove",
+         .arguments = {whole("N", 1)},
+         .effect = Changes,
+         .edits = true,
+         .help = "remove a light; the numbers of the others stay"},
+        {.id = CommandId::LightMove,
+         .name = "light move",
+         .arguments = Arguments{whole("N", 1)} + somewhere("here|seen|at", false),
+         .effect = Changes,
+         .edits = true,
+         .help = "put a light elsewhere",
+         .more = "`light move 2 seen`: where one looks; `light move 2 at 0 3.5 -1`"},
+        {.id = CommandId::LightAim,
+         .name = "light aim",
+         .arguments = Arguments{whole("N", 1)} + somewhere("ahead|seen|at|along", false),
+         .effect = Changes,
+         .edits = true,
+         .help = "turn a spot, a rectangle or a directional light",
+         .more = "`ahead`: as the camera looks; `seen` and `at`: to that point, a directional light from the "
+                 "camera to it; `along X Y Z`: into that direction"},
+        {.id = CommandId::LightColour,
+         .name = "light colour",
+         .arguments = {whole("N", 1), number("R", 0), number("G", 0), number("B", 0)},
+         .effect = Changes,
+         .edits = true,
+         .help = "colour a light, which keeps its power; linear, only their ratio counts"},
+        {.id = CommandId::LightTemperature,
+         .name = "light temperature",
+         .arguments = {whole("N", 1),
+                       orElse(number("KELVIN", rtcore::kLeastTemperature, rtcore::kMostTemperature), "none")},
+         .effect = Changes,
+         .edits = true,
+         .help = "colour a light as a black body of that temperature, which keeps its power",
+         .more = "A bulb has 2700, the sun 5800"},
+        {.id = CommandId::LightPower,
+         .name = "light power",
+         .arguments = {whole("N", 1), between("WATTS", 0, kMostNumber)},
+         .effect = Changes,
+         .edits = true,
+         .help = "all that a light gives off, W; a directional one: W/m2 on a surface that faces it",
+         .more = "Red, green and blue are weighted as their luminance is; lengths are scene units"},
+        {.id = CommandId::LightKind,
+         .name = "light kind",
+         .arguments = {whole("N", 1), choice(kLightKinds)},
+         .effect = Changes,
+         .edits = true,
+         .help = "make a light one of another kind, of the same power"},
+        {.id = CommandId::LightSize,
+         .name = "light size",
+         .arguments = {whole("N", 1), number("SIZE", 0, kMostNumber),
+                       maybe(number("HEIGHT", 0, kMostNumber))},
+         .effect = Changes,
+         .edits = true,
+         .help = "radius of a light, or width and height of a rectangle, scene units"},
+        {.id = CommandId::LightAngles,
+         .name = "light angles",
+         .arguments = {whole("N", 1), number("INNER", 0, 180), number("OUTER", 0, 180)},
+         .effect = Changes,
+         .edits = true,
+         .help = "where the full brightness of a spot ends, and its light; degrees from its axis"},
+        {.id = CommandId::LightName,
+         .name = "light name",
+         .arguments = {whole("N", 1), text("NAME")},
+         .effect = Changes,
+         .edits = true,
+         .help = "name a light"},
         {.id = CommandId::Environment,
          .name = "environment",
          .arguments = {whole("N", 1)},
          .effect = Changes,
          .edits = true,
          .help = "choose an environment map; the first one is 1"},
+        {.id = CommandId::EnvironmentOpen,
+         .name = "environment open",
+         .arguments = {path({"hdr", "exr", "pfm", "png", "jpg"})},
+         .edits = true,
+         .help = "show an environment map and let it light the scene, in place of a sky",
+         .more = "Twice as wide as high, or a cross or a strip of six squares"},
+        {.id = CommandId::EnvironmentNone,
+         .name = "environment none",
+         .edits = true,
+         .help = "neither environment map nor sky"},
+        {.id = CommandId::EnvironmentRotation,
+         .name = "environment rotation",
+         .arguments = {number("DEGREES", -360, 360)},
+         .edits = true,
+         .help = "turn the environment map that is shown, to the right about the up axis"},
+        {.id = CommandId::EnvironmentStrength,
+         .name = "environment strength",
+         .arguments = {number("FACTOR", 0, 1e6)},
+         .edits = true,
+         .help = "how bright it is; 1 is as its file says"},
+        {.id = CommandId::Sky,
+         .name = "sky",
+         .arguments = {choice("on|off")},
+         .edits = true,
+         .help = "a computed sky with a sun",
+         .more = "Each command below switches it on, too. Scene files have it as `[sky]`, see "
+                 "[formats.md](formats.md)"},
+        {.id = CommandId::SkyHour,
+         .name = "sky hour",
+         .arguments = {number("HOUR", 0, 24)},
+         .edits = true,
+         .help = "the time on the clock there: 17.5 is half past five"},
+        {.id = CommandId::SkyDate,
+         .name = "sky date",
+         .arguments = {text("DATE")},
+         .edits = true,
+         .help = "the day, such as 2026-06-21"},
+        {.id = CommandId::SkyPlace,
+         .name = "sky place",
+         .arguments = {number("LATITUDE", -90, 90), number("LONGITUDE", -180, 180),
+                       maybe(number("ZONE", -15, 15))},
+         .edits = true,
+         .help = "degrees north and east; ZONE: hours that the clock is ahead of universal time"},
+        {.id = CommandId::SkyNorth,
+         .name = "sky north",
+         .arguments = {number("DEGREES", -360, 360)},
+         .edits = true,
+         .help = "where north is: degrees from straight ahead to the right"},
+        {.id = CommandId::SkyDirection,
+         .name = "sky direction",
+         .arguments = numbers({"X", "Y", "Z"}),
+         .edits = true,
+         .help = "where the sun is, in place of date and place"},
+        {.id = CommandId::SkyTurbidity,
+         .name = "sky turbidity",
+         .arguments = {number("T", 2, 10)},
+         .edits = true,
+         .help = "haze: 2 very clear, 3 clear, 6 hazy, 10 thick"},
+        {.id = CommandId::SkyStrength,
+         .name = "sky strength",
+         .arguments = {number("FACTOR", 0, 1e6)},
+         .edits = true,
+         .help = "factor on sun and sky"},
+        {.id = CommandId::Look,
+         .name = "look",
+         .arguments = {choice("sky|studio|headlight")},
+         .edits = true,
+         .help = "light the scene so, in place of its lights, its sky and its environment map",
+         .more = "As the option `--look` does, for what is seen now"},
         {.id = CommandId::Lights,
          .name = "lights",
          .effect = Tells,
@@ -423,6 +621,115 @@ std::vector<CommandSpec> lightCommands() {
          .help = "print the environment maps: number, active or -, name",
          .more = "A line each: `1 active sunset`"},
         {.id = CommandId::Scene, .name = "scene", .effect = Tells, .help = "print the path of the scene"},
+    };
+}
+
+std::vector<CommandSpec> bookmarkCommands() {
+    return {
+        {.id = CommandId::Bookmarks,
+         .name = "bookmarks",
+         .effect = Tells,
+         .help = "print the names of the scene's bookmarks, a line each",
+         .more = "Those of its file and those that were added; `save` writes them"},
+        {.id = CommandId::BookmarkAdd,
+         .name = "bookmark add",
+         .arguments = {text("NAME"), {.name = "FILE", .type = Path, .files = {"cam"}, .optional = true}},
+         .edits = true,
+         .help = "keep the view, or that of a .cam file, under a name; one of that name is replaced"},
+        {.id = CommandId::BookmarkGo,
+         .name = "bookmark go",
+         .arguments = {text("NAME")},
+         .edits = true,
+         .help = "look through a bookmark of the scene"},
+        {.id = CommandId::BookmarkRename,
+         .name = "bookmark rename",
+         .arguments = {text("NAME"), text("NEW")},
+         .edits = true,
+         .help = "give a bookmark of the scene another name"},
+        {.id = CommandId::BookmarkRemove,
+         .name = "bookmark remove",
+         .arguments = {text("NAME")},
+         .edits = true,
+         .help = "remove a bookmark from the scene"},
+    };
+}
+
+std::vector<CommandSpec> modelCommands() {
+    const CommandArgument material = text("MATERIAL"), part = text("PART");
+    const CommandArgument from = maybe(whole("FROM", 1));
+    return {
+        {.id = CommandId::Materials,
+         .name = "materials",
+         .arguments = {from},
+         .effect = Tells,
+         .help = "print the model's materials: number, edited or -, name; those from number FROM on",
+         .more = "A line each: `3 edited glass`; the name may be missing. As many as an answer has room for"},
+        {.id = CommandId::MaterialGet,
+         .name = "material get",
+         .arguments = {material},
+         .effect = Tells,
+         .help = "print a material as it is shown, as a [[material]] of a .scn file says it",
+         .more = "MATERIAL is a number, or a name or pattern as in a `[[material]]`; the first that fits"},
+        {.id = CommandId::MaterialSet,
+         .name = "material set",
+         .arguments = {material, text("KEY"), text("VALUE"), manyOf(text("VALUE"))},
+         .effect = Changes,
+         .edits = true,
+         .help = "change a material, by the keys of a [[material]]",
+         .more = "`material set floor diffuse 0.5 0.4 0.3`, `material set 3 roughness 0.2`, `material set "
+                 "glass* opacity 0.1`, `material set wall textures false`. All materials that fit"},
+        {.id = CommandId::MaterialReset,
+         .name = "material reset",
+         .arguments = {material},
+         .effect = Changes,
+         .edits = true,
+         .help = "take all edits of a material back: it is what the files say"},
+        {.id = CommandId::Parts,
+         .name = "parts",
+         .arguments = {from},
+         .effect = Tells,
+         .help =
+             "print the model's parts: number, shown or hidden, triangles, name; those from number FROM on",
+         .more =
+             "A line each: `12 shown 480 house/door`; parts of parts have slashes between their names. As "
+             "many as an answer has room for"},
+        {.id = CommandId::PartHide,
+         .name = "part hide",
+         .arguments = {part, manyOf(part)},
+         .effect = Changes,
+         .edits = true,
+         .help = "hide parts: rays and bodies pass through them",
+         .more = "PART is a number or a pattern for names: `part hide 'house/roof*'`"},
+        {.id = CommandId::PartShow,
+         .name = "part show",
+         .arguments = {part, manyOf(part)},
+         .effect = Changes,
+         .edits = true,
+         .help = "show hidden parts again"},
+        {.id = CommandId::PartIsolate,
+         .name = "part isolate",
+         .arguments = {part, manyOf(part)},
+         .effect = Changes,
+         .edits = true,
+         .help = "show these parts, hide all others"},
+        {.id = CommandId::PartShowAll,
+         .name = "part show-all",
+         .effect = Changes,
+         .edits = true,
+         .help = "show all parts"},
+        {.id = CommandId::Seen,
+         .name = "seen",
+         .arguments = {number("X", 0, 1), number("Y", 0, 1)},
+         .effect = Tells,
+         .help = "print which part and which material are seen there, 0..1 from the left and from the top",
+         .more = "Two lines, `part 12 house/door` and `material 3 oak`. Fails where nothing is seen"},
+        {.id = CommandId::Mask,
+         .name = "mask",
+         .arguments = {choice("part|material"), whole("N", 1)},
+         .effect = Tells,
+         .help = "print where a part or a material is seen, for programs",
+         .more = "Width and height of a coarse image, then lengths of runs of its pixels from the upper left "
+                 "corner on, without and with it by turns"},
     };
 }
 
@@ -474,8 +781,9 @@ std::vector<CommandSpec> keyCommands() {
 std::span<const CommandSpec> commandTable() {
     static const std::vector<CommandSpec> table = [] {
         std::vector<CommandSpec> all;
-        for (const auto& group : {shellCommands(), serverCommands(), settingCommands(), editCommands(),
-                                  cameraCommands(), fileCommands(), lightCommands(), keyCommands()})
+        for (const auto& group :
+             {shellCommands(), serverCommands(), settingCommands(), editCommands(), cameraCommands(),
+              fileCommands(), lightCommands(), bookmarkCommands(), modelCommands(), keyCommands()})
             all.insert(all.end(), group.begin(), group.end());
         return all;
     }();

@@ -1,6 +1,7 @@
 #include "common/commands/state_report.h"
 
 #include "rtcore/io/text/camera_section.h"
+#include "rtcore/io/text/scn_sections.h"
 #include "rtcore/io/text/settings_section.h"
 #include "rtcore/io/text/strict_table.h"
 #include "rtcore/io/text/toml_parser.h"
@@ -23,7 +24,10 @@ constexpr rtcore::Limits kUnit{.minimum = 1e-12, .maximum = 1e12};
 struct Extent {
     std::size_t most; ///< of the switches
     bool names;
+    bool lights; ///< all of each light
 };
+
+constexpr int kVersion = 2; ///< which [[light]] with an id needs
 
 void write(rtcore::TomlWriter& writer, const std::string& key, const std::vector<NamedSwitch>& switches,
            const Extent& extent) {
@@ -38,16 +42,38 @@ void write(rtcore::TomlWriter& writer, const std::string& key, const std::vector
     if (extent.names) writer.add("names", named);
 }
 
+std::vector<NamedSwitch> switchesOf(const std::vector<ReportedLight>& lights) {
+    std::vector<NamedSwitch> switches;
+    for (const ReportedLight& light : lights) switches.push_back({light.on, light.name});
+    return switches;
+}
+
+void writeLights(rtcore::TomlWriter& writer, const std::vector<ReportedLight>& lights, const Extent& extent) {
+    write(writer, "lights", switchesOf(lights), extent);
+    std::vector<int> ids;
+    for (std::size_t i = 0; i < std::min(lights.size(), extent.most); ++i) ids.push_back(lights[i].id);
+    writer.add("ids", ids);
+    if (!extent.lights) return;
+    for (const ReportedLight& light : lights) {
+        if (!light.description) continue;
+        rtcore::LightDescription description = *light.description;
+        description.name = rtcore::printable(description.name);
+        rtcore::writeLight(writer, description);
+    }
+}
+
 std::string format(const StateReport& state, const Extent& extent) {
     rtcore::TomlWriter writer;
-    writer.add("version", 1);
+    writer.add("version", kVersion);
     writer.add("scene", rtcore::printable(state.scene));
     writer.add("undo", rtcore::printable(state.undo));
     writer.add("redo", rtcore::printable(state.redo));
     writer.add("edits", state.edits);
+    writer.add("modified", state.modified);
+    if (extent.names) writer.add("bookmarks", state.bookmarks);
     writer.add("up", rtcore::axisName(state.up));
     writer.add("metresPerUnit", state.metresPerUnit);
-    write(writer, "lights", state.lights, extent);
+    writeLights(writer, state.lights, extent);
     write(writer, "environments", state.environments, extent);
     writer.section("[camera]");
     rtcore::writeCamera(writer, state.camera);
@@ -66,32 +92,53 @@ std::vector<NamedSwitch> read(rtcore::StrictTable& root, std::string_view key) {
     return switches;
 }
 
+std::vector<ReportedLight> readLights(rtcore::StrictTable& root) {
+    rtcore::StrictTable table = root.require("lights", root.table("lights"));
+    const std::vector<bool> on = table.require("on", table.booleans("on"));
+    const std::vector<std::string> names = table.texts("names").value_or(std::vector<std::string>());
+    const std::vector<int> ids = table.require("ids", table.integers("ids", 1, rtcore::kMostLightId));
+    table.finish();
+    if (ids.size() != on.size()) table.fail("ids", "there are not as many ids as lights");
+    std::vector<ReportedLight> lights;
+    for (std::size_t i = 0; i < on.size(); ++i)
+        lights.push_back({ids[i], on[i], i < names.size() ? names[i] : std::string()});
+    for (rtcore::StrictTable& each : root.tables("light")) {
+        const rtcore::LightDescription description = rtcore::readLight(each);
+        const auto light = std::ranges::find(lights, description.id, &ReportedLight::id);
+        if (light != lights.end()) light->description = description;
+    }
+    return lights;
+}
+
 } // namespace
 
 std::string formatStateReport(const StateReport& state, std::size_t most) {
-    Extent extent{std::max(state.lights.size(), state.environments.size()), true};
+    Extent extent{std::max(state.lights.size(), state.environments.size()), true, true};
     for (;;) {
         std::string text = format(state, extent);
         if (text.ends_with('\n')) text.pop_back();
         if (text.size() <= most) return text;
         if (extent.most == 0) throw std::runtime_error("the state takes more bytes than an answer has");
-        if (!extent.names) extent.most /= 2;
-        extent.names = false;
+        if (!extent.lights && !extent.names) extent.most /= 2;
+        if (!extent.lights) extent.names = false;
+        extent.lights = false;
     }
 }
 
 StateReport parseStateReport(std::string_view text) {
     const rtcore::TextValue content = rtcore::parseToml(text, kName);
     rtcore::StrictTable root(content, kName);
-    root.checkVersion();
+    root.checkVersion(kVersion);
     StateReport state;
     state.scene = root.require("scene", root.text("scene"));
     state.undo = root.require("undo", root.text("undo"));
     state.redo = root.require("redo", root.text("redo"));
     state.edits = root.require("edits", root.integer("edits", 0, kMost));
+    state.modified = root.require("modified", root.boolean("modified"));
+    state.bookmarks = root.texts("bookmarks").value_or(std::vector<std::string>());
     state.up = rtcore::kAxes.at(root.require("up", root.choice("up", rtcore::kAxisNames)));
     state.metresPerUnit = root.require("metresPerUnit", root.number("metresPerUnit", kUnit));
-    state.lights = read(root, "lights");
+    state.lights = readLights(root);
     state.environments = read(root, "environments");
     rtcore::StrictTable camera = root.require("camera", root.table("camera"));
     state.camera = rtcore::readCamera(camera, rtcore::Vec3{0, 1, 0}, false);

@@ -1,10 +1,12 @@
 /// The answer to the command `state`: all that a panel shows, of one moment, as TOML (docs/protocol.md).
 #pragma once
 
+#include "rtcore/io/text/scn.h"
 #include "rtcore/scene/camera.h"
 #include "rtcore/settings/settings_table.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,22 +19,33 @@ struct NamedSwitch {
     friend bool operator==(const NamedSwitch&, const NamedSwitch&) = default;
 };
 
+struct ReportedLight {
+    int id = 0; ///< unique
+    bool on = false;
+    std::string name; ///< may be empty
+    /// As a .scn of version 2 has it; nothing where very many would be too long.
+    std::optional<rtcore::LightDescription> description = {};
+    friend bool operator==(const ReportedLight&, const ReportedLight&) = default;
+};
+
 struct StateReport {
     std::string scene;                               ///< absolute path of the scene or model
     rtcore::Vec3 up{0, 1, 0};                        ///< one of the six axes
     float metresPerUnit = 1;                         ///< above 0
-    std::vector<NamedSwitch> lights;                 ///< in the scene's order; the first ones of very many
+    std::vector<ReportedLight> lights;               ///< in the scene's order; the first ones of very many
     std::vector<NamedSwitch> environments;           ///< at most one is on
     rtcore::Camera camera;                           ///< nameOffset is 0
     std::vector<rtcore::SettingAssignment> settings; ///< all of them
     std::string undo = {}, redo = {};                ///< what these would do; "": there is nothing
+    std::vector<std::string> bookmarks = {};         ///< names; none where there are very many
+    bool modified = false;                           ///< there is something to save
     int edits = 0;                                   ///< made and not taken back, since the scene was loaded
     friend bool operator==(const StateReport&, const StateReport&) = default;
 };
 
-/// What is no UTF-8 in names is shown as `\xNN`. At most `most` bytes: where that is too little the names are
-/// left out, then lights and environments from the end. Throws std::runtime_error where even that does not
-/// do.
+/// What is no UTF-8 in names is shown as `\xNN`. At most `most` bytes: where that is too little the
+/// descriptions of lights are left out, then names, then lights and environments from the end. Throws
+/// std::runtime_error where even that does not do.
 std::string formatStateReport(const StateReport& state, std::size_t most);
 
 /// Throws rtcore::FileError BadData.

@@ -60,6 +60,27 @@ rtcore::RenderSettings mergeSettings(const SettingSources& sources) {
     return settings;
 }
 
+namespace {
+
+/// The ids that the scene lacks, parted by commas.
+std::string switchLights(std::span<const int> ids, bool on, rtcore::Scene& scene) {
+    std::string missing;
+    for (const int id : ids) {
+        const std::optional<std::size_t> light = rtcore::lightWithId(scene, id);
+        if (light)
+            scene.lights[*light].on = on ? 1 : 0;
+        else
+            missing += (missing.empty() ? "" : ", ") + std::to_string(id);
+    }
+    return missing;
+}
+
+std::string inOneList(const std::string& a, const std::string& b) {
+    return a + (a.empty() || b.empty() ? "" : ", ") + b;
+}
+
+} // namespace
+
 std::string applyCameraToScene(const rtcore::CameraFile& camera, const std::filesystem::path& file,
                                rtcore::Scene& scene) {
     std::string other;
@@ -71,6 +92,9 @@ std::string applyCameraToScene(const rtcore::CameraFile& camera, const std::file
         for (std::size_t i = 0; i < camera.lights->size(); ++i)
             scene.lights[i].on = (*camera.lights)[i] ? 1U : 0U;
     }
+    const std::string missing =
+        inOneList(switchLights(camera.lightsOn, true, scene), switchLights(camera.lightsOff, false, scene));
+    if (!missing.empty()) other += "names lights that the scene lacks (" + missing + ")";
     const auto count = static_cast<int>(scene.environments.size());
     if (camera.environment && *camera.environment > 0 && *camera.environment >= count) {
         other += fmt::format("{}asks for environment {} (counted from 0), but the scene has {}",

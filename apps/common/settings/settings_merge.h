@@ -30,9 +30,9 @@ rtcore::RenderSettings mergeSettings(const SettingSources& sources);
 /// The settings that a .cam file's own fields assign.
 std::vector<rtcore::SettingAssignment> settingsOf(const rtcore::CameraFile& camera);
 
-/// Switches the lights and picks the environment that a .cam file asks for. Where the scene has fewer of them
-/// the .cam was made for another scene: they stay as they are, and a warning that names `file` is returned,
-/// else "".
+/// Switches the lights and picks the environment that a .cam file asks for. Where the scene lacks some of
+/// them, or has fewer than a .cam of version 1 switches, the .cam was made for another scene: these stay as
+/// they are, and a warning that names `file` is returned, else "".
 std::string applyCameraToScene(const rtcore::CameraFile& camera, const std::filesystem::path& file,
                                rtcore::Scene& scene);
 

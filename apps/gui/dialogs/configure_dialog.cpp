@@ -56,6 +56,7 @@ QWidget* ConfigureDialog::generalPage() {
     auto* form = new QFormLayout(page);
     addTheme(*form);
     addLanguage(*form);
+    addShortcuts(*form);
     auto* folder = new FileField(FileField::Kind::Folder, tr("Folder for images"), QString());
     folder->setPath(preferences_.picturesFolder());
     form->addRow(tr("&Folder for images:"), folder);
@@ -129,6 +130,18 @@ void ConfigureDialog::addLanguage(QFormLayout& form) {
     box->setToolTip(tr("Holds from the next start of the window"));
     form.addRow(tr("&Language:"), box);
     stores_.append([this, box] { preferences_.set(pref::language, box->currentData().toString()); });
+}
+
+void ConfigureDialog::addShortcuts(QFormLayout& form) {
+    auto* box = new QComboBox;
+    box->addItem(tr("usual on desktops"), QStringLiteral("desktop"));
+    box->addItem(tr("as in the thesis"), QStringLiteral("thesis"));
+    box->setCurrentIndex(qMax(0, box->findData(preferences_.get(pref::shortcuts))));
+    box->setToolTip(
+        tr("Of the menus: Ctrl+S saves and Ctrl+C copies the camera, or they start a server and connect "
+           "to one"));
+    form.addRow(tr("&Shortcuts:"), box);
+    stores_.append([this, box] { preferences_.set(pref::shortcuts, box->currentData().toString()); });
 }
 
 void ConfigureDialog::addScale(QFormLayout& form) {

@@ -33,6 +33,7 @@ class ConfigureDialog : public QDialog {
     void addNumber(QFormLayout& form, const QString& text, const Preference<int>& row, int minimum,
                    int maximum, const QString& suffix, const QString& leastText);
     void addTheme(QFormLayout& form);
+    void addShortcuts(QFormLayout& form);
     void addLanguage(QFormLayout& form);
     void addScale(QFormLayout& form);
     void addStillQuality(QFormLayout& form);

@@ -12,7 +12,7 @@ namespace gui {
 
 namespace {
 
-constexpr int kRefreshMilliseconds = 1000;
+constexpr int kLookMilliseconds = 1000;
 
 QTreeWidgetItem* rowOf(const RunningServer& server) {
     const QString size =
@@ -59,7 +59,7 @@ ConnectDialog::ConnectDialog(const QString& present, QWidget* parent)
         if (item != nullptr) wanted_ = item->text(0);
     });
     connect(&timer_, &QTimer::timeout, this, &ConnectDialog::refresh);
-    timer_.start(kRefreshMilliseconds);
+    timer_.start(kLookMilliseconds);
     refresh();
     list_->setFocus();
 }

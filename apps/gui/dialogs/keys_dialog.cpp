@@ -39,10 +39,10 @@ QString bindingRows(const QList<Binding>& bindings) {
     return rows;
 }
 
-QString shortcutRows() {
+QString shortcutRows(ShortcutScheme scheme) {
     QString rows;
     for (const ActionRow& action : actionTable()) {
-        const QString keys = shortcutOf(action).toString(QKeySequence::NativeText);
+        const QString keys = shortcutOf(action, scheme).toString(QKeySequence::NativeText);
         if (keys.isEmpty()) continue;
         rows += row(keys, actionText(action).remove(QLatin1Char('&')).remove(QStringLiteral("…")));
     }
@@ -51,19 +51,20 @@ QString shortcutRows() {
 
 } // namespace
 
-QString keysPage(const QList<Binding>& bindings) {
+QString keysPage(const QList<Binding>& bindings, ShortcutScheme scheme) {
     const auto tr = [](const char* text) { return QCoreApplication::translate("gui", text); };
     QString view;
     for (const ViewKey& each : viewKeys()) view += row(each.keys, each.meaning);
     return QStringLiteral("<table cellspacing=12 width=\"100%\"><tr><td>%1%2</td><td>%3</td></tr></table>")
         .arg(table(tr("Moving"), bindingRows(bindings)), table(tr("Image"), view),
-             table(tr("Menus"), shortcutRows()));
+             table(tr("Menus"), shortcutRows(scheme)));
 }
 
-KeysDialog::KeysDialog(Session& session, QWidget* parent) : QDialog(parent), page_(new QTextBrowser) {
+KeysDialog::KeysDialog(Session& session, ShortcutScheme scheme, QWidget* parent)
+    : QDialog(parent), page_(new QTextBrowser) {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Keys"));
-    page_->setHtml(keysPage(defaultBindings()));
+    page_->setHtml(keysPage(defaultBindings(), scheme));
     page_->setAccessibleName(tr("Keys"));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
@@ -73,9 +74,9 @@ KeysDialog::KeysDialog(Session& session, QWidget* parent) : QDialog(parent), pag
     constexpr QSize kSize(760, 640);
     resize(kSize);
     if (!session.live()) return;
-    session.send(command::bindings(), this, [this](const Answer& answer) {
+    session.send(command::bindings(), this, [this, scheme](const Answer& answer) {
         const QList<Binding> bindings = answer.done ? readBindings(answer.text) : QList<Binding>();
-        if (!bindings.isEmpty()) page_->setHtml(keysPage(bindings));
+        if (!bindings.isEmpty()) page_->setHtml(keysPage(bindings, scheme));
     });
 }
 

@@ -1,6 +1,7 @@
 /// The cheat sheet: every key on one page.
 #pragma once
 
+#include "gui/models/action_table.h"
 #include "gui/models/bindings.h"
 
 #include <QDialog>
@@ -16,13 +17,14 @@ class KeysDialog : public QDialog {
 
   public:
     /// Asks the server for its bindings; shows the built-in ones until it answers.
-    explicit KeysDialog(Session& session, QWidget* parent = nullptr);
+    explicit KeysDialog(Session& session, ShortcutScheme scheme = ShortcutScheme::Desktop,
+                        QWidget* parent = nullptr);
 
   private:
     QTextBrowser* page_;
 };
 
 /// The page, as HTML.
-QString keysPage(const QList<Binding>& bindings);
+QString keysPage(const QList<Binding>& bindings, ShortcutScheme scheme = ShortcutScheme::Desktop);
 
 } // namespace gui

@@ -16,15 +16,22 @@ constexpr const char* kContext = "gui";
 constexpr ActionRow kRows[]{
     ActionRow{ActionId::Open, MenuId::File, TEXT("&Open…"), TEXT("Show a scene or a model"), "Ctrl+O",
               RecentFilesAfter},
+    ActionRow{ActionId::Save, MenuId::File, TEXT("&Save"), TEXT("Write the scene as it is now to its file"),
+              "Ctrl+S", NeedsServer | SeparatorBefore, "Ctrl+Alt+S"},
+    ActionRow{ActionId::SaveAs, MenuId::File, TEXT("Save &as…"),
+              TEXT("Write the scene as it is now to another file, and go on with that"), "Ctrl+Shift+S",
+              NeedsServer},
+    ActionRow{ActionId::Pack, MenuId::File, TEXT("Pac&k with its files…"),
+              TEXT("Copy the scene and all that it needs to a folder that can be moved"), "", NeedsServer},
     ActionRow{ActionId::ImportCamera, MenuId::File, TEXT("&Import camera…"), TEXT("Look through a .cam file"),
               "Ctrl+I", NeedsServer | SeparatorBefore},
     ActionRow{ActionId::Exit, MenuId::File, TEXT("E&xit"), TEXT("Close the window"), "Ctrl+Q",
               SeparatorBefore},
 
     ActionRow{ActionId::Connect, MenuId::Connection, TEXT("&Connect…"), TEXT("Connect to a running server"),
-              "Ctrl+C"},
+              "Ctrl+Shift+O", 0, "Ctrl+C"},
     ActionRow{ActionId::StartServer, MenuId::Connection, TEXT("&Start new server…"),
-              TEXT("Start a server with a scene or a model, and connect to it"), "Ctrl+S"},
+              TEXT("Start a server with a scene or a model, and connect to it"), "Ctrl+N", 0, "Ctrl+S"},
     ActionRow{ActionId::Disconnect, MenuId::Connection, TEXT("&Disconnect"),
               TEXT("Leave the server; it goes on"), "Ctrl+D", NeedsServer},
     ActionRow{ActionId::ServerLog, MenuId::Connection, TEXT("Server &log"), TEXT("Messages of the server"),
@@ -45,14 +52,16 @@ constexpr ActionRow kRows[]{
     ActionRow{ActionId::Screenshot, MenuId::Action, TEXT("S&creenshot"),
               TEXT("Save the image under the next free name"), "F12", NeedsServer},
     ActionRow{ActionId::CopyCamera, MenuId::Action, TEXT("Cop&y camera"), TEXT("Copy the camera as text"),
-              "Ctrl+Shift+C", NeedsServer | SeparatorBefore},
+              "Ctrl+C", NeedsServer | SeparatorBefore, "Ctrl+Shift+C"},
     ActionRow{ActionId::PasteCamera, MenuId::Action, TEXT("&Paste camera"),
-              TEXT("Look through the camera of the clipboard"), "Ctrl+Shift+V", NeedsServer},
+              TEXT("Look through the camera of the clipboard"), "Ctrl+V", NeedsServer, "Ctrl+Shift+V"},
     ActionRow{ActionId::ResetCamera, MenuId::Action, TEXT("Reset ca&mera"),
               TEXT("The view that the scene names"), "Ctrl+Home", NeedsServer},
     ActionRow{ActionId::FieldOfView, MenuId::Action, TEXT("&Field of view…"),
               TEXT("How much the camera sees, as an angle or a lens; Ctrl and the wheel change it, too"),
               "Ctrl+Shift+F", NeedsServer},
+    ActionRow{ActionId::UpAndUnit, MenuId::Action, TEXT("Up a&xis and unit…"),
+              TEXT("Which axis of the model is up, and how long a unit of it is"), "", NeedsServer},
     ActionRow{ActionId::AddBookmark, MenuId::Action, TEXT("Add &bookmark"),
               TEXT("Keep the current view; Alt and a digit go back to it"), "Ctrl+B", NeedsServer},
     ActionRow{ActionId::Undo, MenuId::Action, TEXT("&Undo"),
@@ -78,10 +87,16 @@ constexpr ActionRow kRows[]{
     ActionRow{ActionId::ShowOverlay, MenuId::Display, TEXT("Show &overlay"),
               TEXT("Frames/s, resolution, mode and state in the corner"), "Ctrl+F",
               Checkable | SeparatorBefore},
+    ActionRow{ActionId::LightMarks, MenuId::Display, TEXT("Mar&ks of lights"),
+              TEXT("Show where lights are: click a mark to select its light, drag it to move the light"),
+              "F9", Checkable},
     ActionRow{ActionId::SettingsPanel, MenuId::Display, TEXT("S&ettings panel"),
               TEXT("All settings of the viewport"), "F5", Checkable | SeparatorBefore},
     ActionRow{ActionId::LightsPanel, MenuId::Display, TEXT("&Lights panel"),
               TEXT("Lights and environment maps"), "F6", Checkable},
+    ActionRow{ActionId::ModelPanel, MenuId::Display, TEXT("&Model panel"),
+              TEXT("Parts and materials of the model; a right click on the image selects them"), "F8",
+              Checkable},
     ActionRow{ActionId::BookmarksPanel, MenuId::Display, TEXT("&Bookmarks panel"),
               TEXT("Views that you keep"), "F7", Checkable},
     ActionRow{ActionId::FullScreen, MenuId::Display, TEXT("F&ull screen"), TEXT("Use the whole screen"),
@@ -115,6 +130,14 @@ const ActionRow& actionRow(ActionId id) {
 QString actionText(const ActionRow& row) { return translated(row.text); }
 QString actionTip(const ActionRow& row) { return translated(row.tip); }
 QString menuText(MenuId menu) { return translated(kMenus[static_cast<std::size_t>(menu)]); }
-QKeySequence shortcutOf(const ActionRow& row) { return QKeySequence(QLatin1String(row.shortcut)); }
+
+ShortcutScheme shortcutSchemeOf(const QString& preference) {
+    return preference == QLatin1String("thesis") ? ShortcutScheme::Thesis : ShortcutScheme::Desktop;
+}
+
+QKeySequence shortcutOf(const ActionRow& row, ShortcutScheme scheme) {
+    const bool other = scheme == ShortcutScheme::Thesis && row.thesis != nullptr;
+    return QKeySequence(QLatin1String(other ? row.thesis : row.shortcut));
+}
 
 } // namespace gui

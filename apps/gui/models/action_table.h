@@ -10,6 +10,9 @@ namespace gui {
 
 enum class ActionId {
     Open,
+    Save,
+    SaveAs,
+    Pack,
     ImportCamera,
     Exit,
     Connect,
@@ -27,6 +30,7 @@ enum class ActionId {
     PasteCamera,
     ResetCamera,
     FieldOfView,
+    UpAndUnit,
     AddBookmark,
     Undo,
     Redo,
@@ -38,8 +42,10 @@ enum class ActionId {
     IgnoreAspectRatio,
     SmoothTransformation,
     ShowOverlay,
+    LightMarks,
     SettingsPanel,
     LightsPanel,
+    ModelPanel,
     BookmarksPanel,
     FullScreen,
     ProgressiveRendering,
@@ -60,12 +66,18 @@ enum Trait : unsigned {
 struct ActionRow {
     ActionId id;
     MenuId menu;
-    const char* text;          ///< in English, with its mnemonic; actionText() translates it
-    const char* tip;           ///< one line for the status bar
-    const char* shortcut = ""; ///< as QKeySequence reads it; "" = none
-    unsigned traits = 0;       ///< of Trait
+    const char* text;             ///< in English, with its mnemonic; actionText() translates it
+    const char* tip;              ///< one line for the status bar
+    const char* shortcut = "";    ///< as QKeySequence reads it; "" = none
+    unsigned traits = 0;          ///< of Trait
+    const char* thesis = nullptr; ///< the shortcut of the scheme Thesis, where it is another one
     bool has(Trait trait) const { return (traits & trait) != 0; }
 };
+
+/// What shortcuts go by: the habits of desktops, or the thesis that describes the first version.
+enum class ShortcutScheme { Desktop, Thesis };
+/// "thesis"; anything else is Desktop.
+ShortcutScheme shortcutSchemeOf(const QString& preference);
 
 /// In the order of the menus.
 std::span<const ActionRow> actionTable();
@@ -75,6 +87,6 @@ const ActionRow& actionRow(ActionId id);
 QString actionText(const ActionRow& row);
 QString actionTip(const ActionRow& row);
 QString menuText(MenuId menu);
-QKeySequence shortcutOf(const ActionRow& row);
+QKeySequence shortcutOf(const ActionRow& row, ShortcutScheme scheme = ShortcutScheme::Desktop);
 
 } // namespace gui

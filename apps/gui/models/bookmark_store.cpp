@@ -93,13 +93,24 @@ QList<Bookmark> BookmarkStore::list() const {
 
 QImage BookmarkStore::picture(const Bookmark& bookmark) const { return QImage(path(bookmark.file, ".png")); }
 
-QString BookmarkStore::freeName() const {
+QString BookmarkStore::copyTo(const QString& scene) const {
+    BookmarkStore other(root_);
+    other.setScene(scene);
+    if (other.folder() == folder_) return {};
+    for (const Bookmark& bookmark : list()) {
+        const QString trouble = other.write(read(bookmark));
+        if (!trouble.isEmpty()) return trouble;
+    }
+    return {};
+}
+
+QString BookmarkStore::freeName(const QStringList& names) const {
     const QList<Bookmark> all = list();
     for (int number = 1;; ++number) {
         const QString name = tr("Place %1").arg(number);
         const bool taken = std::any_of(all.begin(), all.end(),
                                        [&](const Bookmark& bookmark) { return bookmark.name == name; });
-        if (!taken) return name;
+        if (!taken && !names.contains(name)) return name;
     }
 }
 

@@ -7,6 +7,7 @@
 #include <QImage>
 #include <QList>
 #include <QString>
+#include <QStringList>
 
 namespace gui {
 
@@ -45,8 +46,10 @@ class BookmarkStore {
     QString remove(const Bookmark& bookmark);
     BookmarkFiles read(const Bookmark& bookmark) const;
     QString write(const BookmarkFiles& files);
-    /// "Place 3": a name that none has.
-    QString freeName() const;
+    /// "Place 3": a name that none has, nor is among those.
+    QString freeName(const QStringList& taken = {}) const;
+    /// Copies of all, for another scene.
+    QString copyTo(const QString& scene) const;
 
   private:
     QString path(const QString& file, const char* extension) const;

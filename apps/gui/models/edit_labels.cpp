@@ -20,10 +20,57 @@ QString editText(app::CommandId id) {
         return text(QT_TRANSLATE_NOOP("Edits", "defaults"));
     case app::CommandId::Bloom:
         return text(QT_TRANSLATE_NOOP("Edits", "bloom"));
+    case app::CommandId::LightAdd:
+        return text(QT_TRANSLATE_NOOP("Edits", "add light"));
+    case app::CommandId::LightCopy:
+        return text(QT_TRANSLATE_NOOP("Edits", "copy light"));
+    case app::CommandId::LightRemove:
+        return text(QT_TRANSLATE_NOOP("Edits", "remove light"));
+    case app::CommandId::LightMove:
+        return text(QT_TRANSLATE_NOOP("Edits", "move light"));
+    case app::CommandId::LightAim:
+        return text(QT_TRANSLATE_NOOP("Edits", "turn light"));
+    case app::CommandId::LightColour:
+        return text(QT_TRANSLATE_NOOP("Edits", "colour of light"));
+    case app::CommandId::LightTemperature:
+        return text(QT_TRANSLATE_NOOP("Edits", "temperature of light"));
+    case app::CommandId::LightPower:
+        return text(QT_TRANSLATE_NOOP("Edits", "power of light"));
+    case app::CommandId::LightKind:
+        return text(QT_TRANSLATE_NOOP("Edits", "kind of light"));
+    case app::CommandId::LightSize:
+        return text(QT_TRANSLATE_NOOP("Edits", "size of light"));
+    case app::CommandId::LightAngles:
+        return text(QT_TRANSLATE_NOOP("Edits", "angles of light"));
+    case app::CommandId::LightName:
+        return text(QT_TRANSLATE_NOOP("Edits", "name of light"));
     case app::CommandId::Light:
         return text(QT_TRANSLATE_NOOP("Edits", "light"));
     case app::CommandId::Environment:
+    case app::CommandId::EnvironmentOpen:
+    case app::CommandId::EnvironmentNone:
+    case app::CommandId::EnvironmentRotation:
+    case app::CommandId::EnvironmentStrength:
         return text(QT_TRANSLATE_NOOP("Edits", "environment"));
+    case app::CommandId::Sky:
+    case app::CommandId::SkyHour:
+    case app::CommandId::SkyDate:
+    case app::CommandId::SkyPlace:
+    case app::CommandId::SkyNorth:
+    case app::CommandId::SkyDirection:
+    case app::CommandId::SkyTurbidity:
+    case app::CommandId::SkyStrength:
+        return text(QT_TRANSLATE_NOOP("Edits", "sky"));
+    case app::CommandId::Look:
+        return text(QT_TRANSLATE_NOOP("Edits", "light of the scene"));
+    case app::CommandId::MaterialSet:
+    case app::CommandId::MaterialReset:
+        return text(QT_TRANSLATE_NOOP("Edits", "material"));
+    case app::CommandId::PartHide:
+    case app::CommandId::PartShow:
+    case app::CommandId::PartIsolate:
+    case app::CommandId::PartShowAll:
+        return text(QT_TRANSLATE_NOOP("Edits", "visible parts"));
     case app::CommandId::CameraReset:
         return text(QT_TRANSLATE_NOOP("Edits", "reset camera"));
     case app::CommandId::CameraPaste:
@@ -36,6 +83,11 @@ QString editText(app::CommandId id) {
         return text(QT_TRANSLATE_NOOP("Edits", "up axis"));
     case app::CommandId::Units:
         return text(QT_TRANSLATE_NOOP("Edits", "unit"));
+    case app::CommandId::BookmarkAdd:
+    case app::CommandId::BookmarkGo:
+    case app::CommandId::BookmarkRename:
+    case app::CommandId::BookmarkRemove:
+        return text(QT_TRANSLATE_NOOP("Edits", "bookmark"));
     case app::CommandId::LoadCamera:
         return text(QT_TRANSLATE_NOOP("Edits", "camera"));
     case app::CommandId::LoadSet:

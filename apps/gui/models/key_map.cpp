@@ -42,8 +42,8 @@ struct Row {
     quint32 first;
     std::string_view keys;
 };
-constexpr std::array kRows{Row{10, "1234567890"}, Row{24, "QWERTYUIOP"}, Row{38, "ASDFGHJKL"},
-                           Row{52, "ZXCVBNM"}};
+constexpr std::array kKeyRows{Row{10, "1234567890"}, Row{24, "QWERTYUIOP"}, Row{38, "ASDFGHJKL"},
+                              Row{52, "ZXCVBNM"}};
 
 bool placesAreKnown() {
     static const bool known = QGuiApplication::platformName() == QLatin1String("xcb") ||
@@ -53,7 +53,7 @@ bool placesAreKnown() {
 
 int byPlace(quint32 place) {
     if (!placesAreKnown()) return rtcore::KeyNone;
-    for (const Row& row : kRows) {
+    for (const Row& row : kKeyRows) {
         if (place >= row.first && place - row.first < row.keys.size()) return row.keys[place - row.first];
     }
     return rtcore::KeyNone;

@@ -1,14 +1,14 @@
 #include "gui/models/messages.h"
 
-#include <QCoreApplication>
+#include "gui/models/translated.h"
+
 #include <QHash>
+#include <QLocale>
 #include <QRegularExpression>
 
 namespace gui {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("gui", text); }
 
 // Warnings that differ only in what they name are of one kind.
 QString kindOf(const QString& warning) {
@@ -27,6 +27,13 @@ QString warningText(QString warning) {
     return warning.left(found.capturedStart()) +
            tr("%1 textures are missing, so their materials are plain: %2")
                .arg(found.captured(1), found.captured(2));
+}
+
+// Why something was guessed so.
+QString reasonText(const QString& why) {
+    if (why.startsWith(QLatin1String("usual for "))) return tr("usual for %1").arg(why.mid(10));
+    if (why == QLatin1String("by its shape")) return tr("by its shape");
+    return why == QLatin1String("by its size") ? tr("by its size") : why;
 }
 
 QString countedText(const QString& first, qsizetype count) {
@@ -76,14 +83,18 @@ std::optional<UpOffer> readUpOffer(const QString& offer) {
         QStringLiteral("^([+-][xyz]) is taken for up \\((.*)\\); 'up ([+-][xyz])' turns the model$"));
     const QRegularExpressionMatch found = form.match(offer);
     if (!found.hasMatch()) return std::nullopt;
-    QString why = found.captured(2);
-    if (why.startsWith(QLatin1String("usual for "))) {
-        why = tr("usual for %1").arg(why.mid(10));
-    } else if (why == QLatin1String("by its shape")) {
-        why = tr("by its shape");
-    }
-    return UpOffer{tr("The axis %1 is taken for up (%2).").arg(found.captured(1).toUpper(), why),
+    return UpOffer{tr("The axis %1 is taken for up (%2).")
+                       .arg(found.captured(1).toUpper(), reasonText(found.captured(2))),
                    found.captured(3)};
+}
+
+std::optional<QString> readUnitOffer(const QString& offer) {
+    static const QRegularExpression form(
+        QStringLiteral("^([0-9.e+-]+) m are taken for a unit \\((.*)\\); 'units' sets another$"));
+    const QRegularExpressionMatch found = form.match(offer);
+    if (!found.hasMatch()) return std::nullopt;
+    return tr("A unit is taken for %1 m (%2).")
+        .arg(QLocale().toString(found.captured(1).toDouble(), 'g', 4), reasonText(found.captured(2)));
 }
 
 QString warningsText(const QStringList& warnings) {

@@ -24,6 +24,10 @@ struct UpOffer {
 /// Nothing where the text is none.
 std::optional<UpOffer> readUpOffer(const QString& offer);
 
+/// What an offer of another unit says, in the user's language: "A unit is taken for 0.01 m (by its size).";
+/// nothing where the text is none.
+std::optional<QString> readUnitOffer(const QString& offer);
+
 /// Lines that are none are left out.
 QList<Message> readMessages(const QString& answer);
 

@@ -20,6 +20,7 @@ namespace pref {
 inline const Preference<bool> ignoreAspectRatio{"display/ignoreAspectRatio", false};
 inline const Preference<bool> smoothTransformation{"display/smoothTransformation", true};
 inline const Preference<bool> showOverlay{"display/showOverlay", true};
+inline const Preference<bool> lightMarks{"display/lightMarks", false};
 inline const Preference<QString> theme{"display/theme", QStringLiteral("system")}; ///< system, light, dark
 inline const Preference<QString> language{"display/language", QStringLiteral("system")}; ///< system, en, cs
 inline const Preference<bool> progressiveRendering{"render/progressive", true};
@@ -34,6 +35,7 @@ inline const Preference<bool> keepServers{"server/keepRunning", false};
 inline const Preference<QString> instance{"server/instance", QStringLiteral("default")};
 inline const Preference<double> mouseSensitivity{"input/mouseSensitivity", 0.12}; ///< degrees per pixel
 inline const Preference<bool> invertMouse{"input/invertMouse", false};
+inline const Preference<QString> shortcuts{"input/shortcuts", QStringLiteral("desktop")}; ///< thesis
 inline const Preference<QString> bindings{"input/bindings", QString()}; ///< as readBindings() reads it
 inline const Preference<QString> pictureFolder{"files/pictureFolder", QString()};
 inline const Preference<QString> sceneFolder{"files/sceneFolder", QString()};

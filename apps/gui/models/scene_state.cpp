@@ -6,6 +6,8 @@
 #include "rtcore/scene/up_axis.h"
 #include "rtcore/settings/settings_table.h"
 
+#include <algorithm>
+
 namespace gui {
 
 namespace {
@@ -16,7 +18,19 @@ QList<NamedSwitch> switchesOf(const std::vector<app::NamedSwitch>& switches) {
     return list;
 }
 
+QList<ShownLight> lightsOf(const std::vector<app::ReportedLight>& lights) {
+    QList<ShownLight> list;
+    for (const app::ReportedLight& each : lights)
+        list.append({each.id, each.on, QString::fromStdString(each.name), each.description});
+    return list;
+}
+
 } // namespace
+
+const ShownLight* lightOf(const SceneState& state, int id) {
+    const auto found = std::ranges::find(state.lights, id, &ShownLight::id);
+    return found == state.lights.end() ? nullptr : &*found;
+}
 
 bool isPictureSize(const QString& setting) {
     return setting == QLatin1String("width") || setting == QLatin1String("height");
@@ -32,10 +46,13 @@ std::optional<StateAnswer> readState(const QString& answer) {
         }
         result.state.up = QString::fromStdString(std::string(rtcore::axisName(report.up)));
         result.state.metresPerUnit = report.metresPerUnit;
-        result.state.lights = switchesOf(report.lights);
+        result.state.lights = lightsOf(report.lights);
         result.state.environments = switchesOf(report.environments);
         result.state.undo = QString::fromStdString(report.undo);
         result.state.redo = QString::fromStdString(report.redo);
+        for (const std::string& name : report.bookmarks)
+            result.state.bookmarks.append(QString::fromStdString(name));
+        result.state.modified = report.modified;
         result.state.edits = report.edits;
         return result;
     } catch (const rtcore::FileError&) {

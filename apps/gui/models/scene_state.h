@@ -1,9 +1,12 @@
 /// What the server says of its scene, settings, lights, environment maps and edits, as the panels show it.
 #pragma once
 
+#include "rtcore/io/text/scn.h"
+
 #include <QList>
 #include <QMap>
 #include <QString>
+#include <QStringList>
 
 #include <optional>
 
@@ -15,16 +18,29 @@ struct NamedSwitch {
     friend bool operator==(const NamedSwitch&, const NamedSwitch&) = default;
 };
 
+struct ShownLight {
+    int id = 0;
+    bool on = false;
+    QString name;                                             ///< may be empty
+    std::optional<rtcore::LightDescription> description = {}; ///< nothing where there are very many lights
+    friend bool operator==(const ShownLight&, const ShownLight&) = default;
+};
+
 struct SceneState {
     QString up;                      ///< "+y"
     float metresPerUnit = 1;         ///< above 0
     QMap<QString, QString> settings; ///< name to value, both as `settings` writes them
-    QList<NamedSwitch> lights;
+    QList<ShownLight> lights;
     QList<NamedSwitch> environments; ///< at most one is on
     QString undo, redo;              ///< the steps that these would make (editLabel()); empty: none
+    QStringList bookmarks;           ///< names of the scene's own
+    bool modified = false;           ///< there is something to save
     int edits = 0;                   ///< made and not taken back
     friend bool operator==(const SceneState&, const SceneState&) = default;
 };
+
+/// Null when there is none.
+const ShownLight* lightOf(const SceneState& state, int id);
 
 /// Width or height, which follow the window and have no usual value.
 bool isPictureSize(const QString& setting);

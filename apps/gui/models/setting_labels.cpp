@@ -96,6 +96,7 @@ QString settingValueText(const Setting& setting, const QString& value) {
     case SettingType::Number:
         break;
     }
+    if (!setting.zero.empty() && value.toDouble() == 0) return settingLabel(setting.zero);
     const QString shown = number(value.toDouble());
     return setting.unit.empty() ? shown : shown + QLatin1Char(' ') + settingUnit(setting.unit);
 }
@@ -105,6 +106,7 @@ QStringList settingTexts() {
     for (const Setting& setting : rtcore::settingsTable()) {
         texts << groupText(setting.group) << labelText(setting.name) << fromView(setting.help);
         if (!setting.unit.empty()) texts << fromView(setting.unit);
+        if (!setting.zero.empty()) texts << labelText(setting.zero);
         for (const std::string_view choice : setting.choices) texts << labelText(choice);
     }
     texts.removeDuplicates();

@@ -1,14 +1,10 @@
 #include "gui/models/view_keys.h"
 
-#include <QCoreApplication>
+#include "gui/models/translated.h"
 
 namespace gui {
 
-namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("gui", text); }
-
-} // namespace
+namespace {} // namespace
 
 QList<ViewKey> viewKeys() {
     return {{tr("Click, Enter"), tr("Capture mouse and keyboard")},
@@ -16,6 +12,7 @@ QList<ViewKey> viewKeys() {
             {tr("Mouse"), tr("Look around")},
             {tr("Double click"), tr("Look there")},
             {tr("Ctrl+double click"), tr("Focus the lens there")},
+            {tr("Right click"), tr("Select a part and its material")},
             {tr("Alt+digit"), tr("Go to a bookmark")},
             {tr("Wheel"), tr("Speed")},
             {QStringLiteral("E"), tr("Export the camera")},

@@ -12,7 +12,6 @@ namespace gui {
 Actions::Actions(QWidget& window, Preferences& preferences) : QObject(&window), preferences_(preferences) {
     for (const ActionRow& row : actionTable()) {
         auto* action = new QAction(actionText(row), this);
-        action->setShortcut(shortcutOf(row));
         action->setStatusTip(actionTip(row));
         action->setToolTip(actionTip(row));
         action->setCheckable(row.has(Checkable));
@@ -21,6 +20,13 @@ Actions::Actions(QWidget& window, Preferences& preferences) : QObject(&window), 
         actions_.insert(static_cast<int>(row.id), action);
     }
     setServerThere(false);
+    setShortcuts();
+    connect(&preferences_, &Preferences::changed, this, &Actions::setShortcuts);
+}
+
+void Actions::setShortcuts() {
+    const ShortcutScheme scheme = shortcutSchemeOf(preferences_.get(pref::shortcuts));
+    for (const ActionRow& row : actionTable()) (*this)[row.id]->setShortcut(shortcutOf(row, scheme));
 }
 
 void Actions::on(ActionId id, const std::function<void()>& act) {

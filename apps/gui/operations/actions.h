@@ -37,6 +37,7 @@ class Actions : public QObject {
     void recentChosen(const QString& path); ///< or an example
 
   private:
+    void setShortcuts();
     void fillRecent();
     void addExamples(QMenu& menu);
 

@@ -11,6 +11,9 @@
 #include <QShortcut>
 #include <QUndoCommand>
 
+#include <algorithm>
+#include <utility>
+
 namespace gui {
 
 namespace {
@@ -49,6 +52,7 @@ BookmarkOperations::BookmarkOperations(const GuiContext& context, QObject* paren
         store_.setScene(context_.editor.scene());
         refill();
     });
+    connect(&context_.editor, &SceneEditor::stateChanged, this, &BookmarkOperations::onState);
     connect(&context_.session, &Session::stateChanged, panel_,
             [this] { panel_->setServerThere(context_.session.live()); });
     addKeys();
@@ -66,10 +70,52 @@ void BookmarkOperations::tellTrouble(const QString& text) {
     if (!text.isEmpty()) context_.notice.explain(text, {});
 }
 
+QList<BookmarkOperations::Entry> BookmarkOperations::entries() const {
+    QList<Entry> all;
+    for (const QString& name : context_.editor.state().bookmarks) all.append({name, true, std::nullopt});
+    for (const Bookmark& bookmark : store_.list()) {
+        const auto same = std::find_if(all.begin(), all.end(), [&](const Entry& each) {
+            return each.ofScene && !each.kept && fileNameOf(each.name) == bookmark.name;
+        });
+        if (same == all.end()) {
+            all.append({bookmark.name, false, bookmark});
+        } else {
+            same->kept = bookmark;
+        }
+    }
+    return all;
+}
+
 void BookmarkOperations::refill() {
     QList<BookmarkRow> rows;
-    for (const Bookmark& bookmark : store_.list()) rows.append({bookmark.name, store_.picture(bookmark)});
+    for (const Entry& entry : entries())
+        rows.append({entry.name, entry.kept ? store_.picture(*entry.kept) : QImage()});
+    shown_ = context_.editor.state().bookmarks;
     panel_->show(rows);
+}
+
+// Whichever client or step of undo changed them.
+void BookmarkOperations::onState() {
+    if (context_.editor.state().bookmarks != shown_) refill();
+}
+
+void BookmarkOperations::giveToScene() {
+    bool first = true;
+    for (const Entry& entry : entries()) {
+        if (entry.ofScene) continue;
+        const std::string line =
+            command::bookmarkAdd(entry.name.toStdString(), store_.cameraPath(*entry.kept).toStdString());
+        context_.editor.edit(std::exchange(first, false) ? line : command::also(line),
+                             [this](const Answer& answer) {
+                                 if (!answer.done) tellTrouble(answer.text);
+                             });
+    }
+}
+
+void BookmarkOperations::follow(const QString& scene) {
+    tellTrouble(store_.copyTo(scene));
+    store_.setScene(scene);
+    refill();
 }
 
 void BookmarkOperations::addBookmark() {
@@ -106,42 +152,53 @@ void BookmarkOperations::keepWithPicture(const QByteArray& camera) {
 }
 
 void BookmarkOperations::keep(const QByteArray& camera, const QImage& picture) {
-    const QString name = store_.freeName();
+    const QString name = store_.freeName(context_.editor.state().bookmarks);
     const QString trouble = store_.add(name, camera, picture);
     if (!trouble.isEmpty()) return tellTrouble(trouble);
     refill();
-    const int last = static_cast<int>(store_.list().size()) - 1;
+    const int last = static_cast<int>(entries().size()) - 1;
     panel_->list().setCurrentRow(last);
     context_.view.tell(last < kKeys ? tr("Bookmark “%1” added. Alt+%2 goes there.").arg(name).arg(last + 1)
                                     : tr("Bookmark “%1” added.").arg(name));
 }
 
 void BookmarkOperations::go(int row) {
-    const QList<Bookmark> all = store_.list();
+    const QList<Entry> all = entries();
     if (!context_.session.live()) return;
     if (row < 0 || row >= all.size()) return context_.view.tell(tr("There is no bookmark %1.").arg(row + 1));
-    const Bookmark bookmark = all[row];
-    const std::string line = command::loadCamera(store_.cameraPath(bookmark).toStdString());
-    context_.editor.edit(line, [this, bookmark](const Answer& answer) {
-        if (answer.done) return context_.view.tell(bookmark.name);
+    const Entry& entry = all[row];
+    const std::string line = entry.ofScene
+                                 ? command::bookmarkGo(entry.name.toStdString())
+                                 : command::loadCamera(store_.cameraPath(*entry.kept).toStdString());
+    context_.editor.edit(line, [this, name = entry.name](const Answer& answer) {
+        if (answer.done) return context_.view.tell(name);
         tellTrouble(answer.text);
         refill(); // the file may have been removed
     });
 }
 
 void BookmarkOperations::rename(int row, const QString& name) {
-    const QList<Bookmark> all = store_.list();
-    if (row >= 0 && row < all.size()) tellTrouble(store_.rename(all[row], name));
+    const QList<Entry> all = entries();
+    if (row >= 0 && row < all.size() && !name.trimmed().isEmpty()) {
+        const Entry& entry = all[row];
+        if (entry.kept) tellTrouble(store_.rename(*entry.kept, name));
+        if (entry.ofScene)
+            context_.editor.edit(command::bookmarkRename(entry.name.toStdString(), name.toStdString()));
+    }
     refill();
 }
 
 void BookmarkOperations::remove(int row) {
-    const QList<Bookmark> all = store_.list();
+    const QList<Entry> all = entries();
     if (row < 0 || row >= all.size()) return;
-    context_.editor.doOwn(new Deletion(store_, all[row], [this](const QString& trouble) {
-        tellTrouble(trouble);
-        refill();
-    }));
+    const Entry& entry = all[row];
+    if (entry.kept) {
+        context_.editor.doOwn(new Deletion(store_, *entry.kept, [this](const QString& trouble) {
+            tellTrouble(trouble);
+            refill();
+        }));
+    }
+    if (entry.ofScene) context_.editor.edit(command::bookmarkRemove(entry.name.toStdString()));
 }
 
 } // namespace gui

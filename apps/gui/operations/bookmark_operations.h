@@ -1,4 +1,5 @@
-/// Bookmarks: kept in files for each scene, shown in a panel, reached by keys.
+/// Bookmarks: those of the scene, which the server has, and those that the window keeps in files for it;
+/// shown in a panel, reached by keys. Saving the scene makes them its own.
 #pragma once
 
 #include "gui/models/bookmark_store.h"
@@ -7,6 +8,7 @@
 #include <QObject>
 
 #include <functional>
+#include <optional>
 
 namespace gui {
 
@@ -18,7 +20,20 @@ class BookmarkOperations : public QObject {
   public:
     BookmarkOperations(const GuiContext& context, QObject* parent);
 
+    /// Adds to the scene what only the window keeps.
+    void giveToScene();
+    /// The scene goes on under another name.
+    void follow(const QString& scene);
+
   private:
+    /// The scene's come first. What the window keeps under the name of one of them is its image.
+    struct Entry {
+        QString name;
+        bool ofScene = false;
+        std::optional<Bookmark> kept;
+    };
+    QList<Entry> entries() const;
+    void onState();
     void addKeys();
     void addBookmark();
     void keepWithPicture(const QByteArray& camera);
@@ -31,6 +46,7 @@ class BookmarkOperations : public QObject {
 
     GuiContext context_;
     BookmarkStore store_;
+    QStringList shown_; ///< of the scene, in the panel
     BookmarksPanel* panel_;
 };
 

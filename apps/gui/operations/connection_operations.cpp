@@ -73,8 +73,10 @@ void ConnectionOperations::connectActions() {
     actions.on(ActionId::StopServer, [this] { askToStop(); });
     actions.on(ActionId::PingServer, [this] { ping(); });
     actions.on(ActionId::RestartServer, [this] {
-        context_.notice.hide();
-        context_.keeper.restart();
+        leaveScene([this] {
+            context_.notice.hide();
+            context_.keeper.restart();
+        });
     });
     actions.onToggle(ActionId::PauseServer,
                      [this](bool on) { context_.session.send(on ? command::pause() : command::resume()); });
@@ -108,6 +110,15 @@ QString ConnectionOperations::instanceName() const {
 
 // Our own server changes its scene; another one belongs to others.
 void ConnectionOperations::showScene(const QString& path) {
+    leaveScene([this, path] { loadScene(path); });
+}
+
+// A server of others keeps its scene, and what is not saved of it.
+void ConnectionOperations::leaveScene(const std::function<void()>& go) {
+    context_.keeper.ours() && leave_ ? leave_(go) : go();
+}
+
+void ConnectionOperations::loadScene(const QString& path) {
     context_.preferences.set(pref::sceneFolder, QFileInfo(path).absolutePath());
     if (!context_.keeper.ours() || !context_.session.live()) {
         ServerRequest request;
@@ -144,8 +155,10 @@ void ConnectionOperations::start(const ServerRequest& request) {
 void ConnectionOperations::chooseServer() {
     auto* dialog = new ConnectDialog(context_.session.instance(), &context_.window);
     connect(dialog, &ConnectDialog::chosen, this, [this](const QString& instance) {
-        context_.notice.hide();
-        context_.keeper.connectTo(instance);
+        leaveScene([this, instance] {
+            context_.notice.hide();
+            context_.keeper.connectTo(instance);
+        });
     });
     dialog->open();
 }
@@ -153,7 +166,8 @@ void ConnectionOperations::chooseServer() {
 void ConnectionOperations::configureServer() {
     auto* dialog = new StartServerDialog(context_.preferences, instanceName(), context_.view.devicePixels(),
                                          &context_.window);
-    connect(dialog, &StartServerDialog::wanted, this, &ConnectionOperations::start);
+    connect(dialog, &StartServerDialog::wanted, this,
+            [this](const ServerRequest& request) { leaveScene([this, request] { start(request); }); });
     dialog->open();
 }
 

@@ -7,6 +7,8 @@
 #include <QPointer>
 #include <QStringList>
 
+#include <functional>
+
 class QMessageBox;
 
 namespace gui {
@@ -28,6 +30,9 @@ class ConnectionOperations : public QObject {
     /// Names the servers of open().
     void setInstance(const QString& instance) { instance_ = instance; }
     QString instanceName() const;
+    /// Is asked to go on before another scene takes the place of the one that is shown.
+    using Leave = std::function<void(const std::function<void()>& go)>;
+    void askBeforeLeaving(const Leave& leave) { leave_ = leave; }
 
   private:
     void connectActions();
@@ -37,6 +42,8 @@ class ConnectionOperations : public QObject {
     void chooseServer();
     void configureServer();
     void showScene(const QString& path);
+    void loadScene(const QString& path);
+    void leaveScene(const std::function<void()>& go);
     void ping();
     void askToStop();
     void onDeath(const QString& text);
@@ -46,6 +53,7 @@ class ConnectionOperations : public QObject {
     GuiContext context_;
     QString instance_; ///< empty: the preference
     QStringList startOptions_;
+    Leave leave_;
     QPointer<QMessageBox> question_;
 };
 

@@ -78,7 +78,8 @@ void DisplayOperations::configure() {
 }
 
 void DisplayOperations::showKeys() {
-    if (keys_ == nullptr) keys_ = new KeysDialog(context_.session, &context_.window);
+    const ShortcutScheme scheme = shortcutSchemeOf(context_.preferences.get(pref::shortcuts));
+    if (keys_ == nullptr) keys_ = new KeysDialog(context_.session, scheme, &context_.window);
     present(*keys_);
 }
 

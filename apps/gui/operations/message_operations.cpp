@@ -30,13 +30,14 @@ MessageOperations::MessageOperations(const GuiContext& context, QObject* parent)
 }
 
 void MessageOperations::onState() {
-    if (std::exchange(live_, context_.session.live()) == context_.session.live() || !live_) return;
+    if (std::exchange(live_, context_.session.live()) == context_.session.live()) return;
+    if (!live_) return hideNotice();
     known_ = 0;
     before_ = context_.session.status().messages;
     asking_ = false;
     heard_.clear();
     warnings_.clear();
-    upOffer_.reset();
+    forgetOffers();
     onStatus();
 }
 
@@ -85,18 +86,27 @@ void MessageOperations::warn(const QStringList& warnings) {
 }
 
 void MessageOperations::offer(const QString& text) {
-    const std::optional<UpOffer> found = readUpOffer(text);
-    if (!found) return;
+    const std::optional<UpOffer> up = readUpOffer(text);
+    const std::optional<QString> unit = readUnitOffer(text);
+    if (!up && !unit) return;
     forgetClosed();
-    upOffer_ = found;
-    turn_->setText(tr("%1 is up").arg(found->other.toUpper()));
+    if (up) {
+        upOffer_ = up;
+        turn_->setText(tr("%1 is up").arg(up->other.toUpper()));
+    }
+    if (unit) unitOffer_ = *unit;
     notify();
+}
+
+void MessageOperations::forgetOffers() {
+    upOffer_.reset();
+    unitOffer_.clear();
 }
 
 void MessageOperations::forgetClosed() {
     if (context_.notice.isVisible()) return;
     warnings_.clear();
-    upOffer_.reset();
+    forgetOffers();
 }
 
 void MessageOperations::notify() {
@@ -106,11 +116,22 @@ void MessageOperations::notify() {
         lines.append(upOffer_->text);
         actions.append(turn_);
     }
+    if (!unitOffer_.isEmpty()) {
+        lines.append(unitOffer_);
+        actions.append(context_.actions[ActionId::UpAndUnit]);
+    }
     if (!warnings_.isEmpty()) {
         lines.append(warningsText(warnings_));
         actions.append(context_.actions[ActionId::ServerLog]);
     }
-    context_.notice.explain(lines.join(QLatin1Char('\n')), actions);
+    shown_ = lines.join(QLatin1Char('\n'));
+    context_.notice.explain(shown_, actions);
+}
+
+// What others explain stays.
+void MessageOperations::hideNotice() {
+    if (!shown_.isEmpty() && context_.notice.text() == shown_) context_.notice.hide();
+    shown_.clear();
 }
 
 // What a server of ours has printed outlives it.

@@ -25,8 +25,10 @@ class MessageOperations : public QObject {
     void onScene();
     void warn(const QStringList& warnings);
     void offer(const QString& text);
+    void forgetOffers();
     void forgetClosed();
     void notify();
+    void hideNotice();
     void showLog();
 
     GuiContext context_;
@@ -38,6 +40,8 @@ class MessageOperations : public QObject {
     QStringList warnings_;           ///< of the notice that is shown
     QAction* turn_;                  ///< accepts offer_
     std::optional<UpOffer> upOffer_; ///< of the notice that is shown
+    QString unitOffer_;              ///< the same
+    QString shown_;                  ///< that notice
 };
 
 } // namespace gui

@@ -3,7 +3,6 @@
 #include "gui/models/preferences.h"
 #include "gui/operations/actions.h"
 #include "gui/operations/scene_editor.h"
-#include "gui/panels/lights_panel.h"
 #include "gui/panels/settings_panel.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/notice_bar.h"
@@ -58,7 +57,6 @@ QDockWidget* addPanel(const GuiContext& context, QWidget* panel, const QString& 
 PanelOperations::PanelOperations(const GuiContext& context, QObject* parent)
     : QObject(parent), context_(context) {
     addSettings();
-    addLights();
     addUndo();
     connect(&context_.editor, &SceneEditor::refused, this,
             [this](const QString& text) { context_.notice.explain(text, {}); });
@@ -77,20 +75,16 @@ void PanelOperations::addSettings() {
             [this](const QStringList& folded) { context_.preferences.set(pref::foldedSettings, folded); });
 }
 
-void PanelOperations::addLights() {
-    auto* panel = new LightsPanel;
-    addPanel(context_, panel, tr("Lights"), QStringLiteral("lights"), ActionId::LightsPanel);
-    SceneEditor& editor = context_.editor;
-    connect(&editor, &SceneEditor::stateChanged, panel,
-            [panel, &editor] { panel->show(editor.state().lights, editor.state().environments); });
-    connect(panel, &LightsPanel::lightSwitched, &editor, &SceneEditor::switchLight);
-    connect(panel, &LightsPanel::environmentChosen, &editor, &SceneEditor::chooseEnvironment);
-}
-
 void PanelOperations::addUndo() {
     SceneEditor& editor = context_.editor;
-    context_.actions.on(ActionId::Undo, [&editor] { editor.undo(); });
-    context_.actions.on(ActionId::Redo, [&editor] { editor.redo(); });
+    context_.actions.on(ActionId::Undo, [this] {
+        context_.view.tell(tr("Undone: %1").arg(context_.editor.undoText()));
+        context_.editor.undo();
+    });
+    context_.actions.on(ActionId::Redo, [this] {
+        context_.view.tell(tr("Redone: %1").arg(context_.editor.redoText()));
+        context_.editor.redo();
+    });
     connect(&editor, &SceneEditor::stateChanged, this, &PanelOperations::showUndo);
     showUndo();
 }

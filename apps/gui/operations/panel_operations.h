@@ -1,4 +1,4 @@
-/// The panels for settings and lights, and what takes changes back.
+/// The panel for settings, and what takes changes back.
 #pragma once
 
 #include "gui/operations/gui_context.h"
@@ -25,7 +25,6 @@ class PanelOperations : public QObject {
 
   private:
     void addSettings();
-    void addLights();
     void addUndo();
     void showUndo();
 

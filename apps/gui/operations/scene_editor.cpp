@@ -33,6 +33,7 @@ void SceneEditor::onSession() {
     asking_ = askAgain_ = false;
     ++changes_;
     sending_.clear();
+    following_.clear();
     forgetOwn();
     if (live_) return refresh();
     take({}, {});
@@ -129,8 +130,35 @@ void SceneEditor::edit(const std::string& line, std::function<void(const Answer&
     });
 }
 
+void SceneEditor::follow(const QString& step, const std::string& line, std::optional<bool> goesOn) {
+    Following& following = following_[step];
+    const bool soon = lastSet_ == step && sinceSet_.elapsed() < kOneGesture;
+    const bool joins = goesOn.value_or(soon);
+    // What takes the place of the first line of a step begins it.
+    following.goesOn = following.next ? following.goesOn && joins : joins;
+    following.next = line;
+    lastSet_ = step;
+    sinceSet_.restart();
+    ++changes_;
+    if (!following.underWay) sendFollowing(step);
+}
+
+void SceneEditor::sendFollowing(const QString& step) {
+    Following& following = following_[step];
+    following.underWay = true;
+    const std::string line = *std::exchange(following.next, std::nullopt);
+    session_.send(following.goesOn ? command::also(line) : line, this, [this, step](const Answer& answer) {
+        ++changes_;
+        Following& sent = following_[step];
+        sent.underWay = false;
+        if (sent.next) return sendFollowing(step);
+        onRefusal(answer);
+        refresh();
+    });
+}
+
 void SceneEditor::setDefaults() { edit(command::defaults()); }
-void SceneEditor::switchLight(int light, bool on) { edit(command::light(light + 1, on)); }
+void SceneEditor::switchLight(int id, bool on) { edit(command::light(id, on)); }
 void SceneEditor::chooseEnvironment(int environment) { edit(command::environment(environment + 1)); }
 
 // --- Undo ---

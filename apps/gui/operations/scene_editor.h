@@ -37,7 +37,11 @@ class SceneEditor : public QObject {
     /// step.
     void setSetting(const QString& name, const QString& value);
     void setDefaults();
-    void switchLight(int light, bool on);
+    void switchLight(int id, bool on);
+    /// Of several lines for one step (EditStep::label, as "light move 2") in short order the server gets the
+    /// newest. `goesOn`: it belongs to the step of the last one, if that was of the same thing; nothing: by
+    /// the time in between, as those of one gesture do.
+    void follow(const QString& step, const std::string& line, std::optional<bool> goesOn = {});
     void chooseEnvironment(int environment);
     /// Sends a command that edits. `done` gets the server's answer, and tells a refusal itself.
     void edit(const std::string& line, std::function<void(const Answer&)> done = {});
@@ -65,6 +69,7 @@ class SceneEditor : public QObject {
     void take(const SceneState& state, QString scene);
     void sendSetting(const QString& name);
     void onSetting(const QString& name, const QString& value, const Answer& answer);
+    void sendFollowing(const QString& step);
     void onRefusal(const Answer& answer);
     bool ownIsLast() const;
     bool ownIsNext() const;
@@ -75,6 +80,12 @@ class SceneEditor : public QObject {
         std::optional<QString> next; ///< the newest wish
     };
 
+    struct Following {
+        bool underWay = false;
+        std::optional<std::string> next; ///< the newest line
+        bool goesOn = false;
+    };
+
     Session& session_;
     SceneState state_;
     QString scene_;
@@ -82,10 +93,11 @@ class SceneEditor : public QObject {
     QList<int> ownAt_; ///< after so many of the server's edits
     QTimer timer_;
     QElapsedTimer sinceAsked_, sinceSet_;
-    QString lastSet_;                 ///< the setting whose gesture may go on
-    QHash<QString, Sending> sending_; ///< by name of the setting
-    quint64 changes_ = 0;             ///< sent by us: an answer to an older question is out of date
-    quint64 askedAt_ = 0;             ///< number of the frame
+    QString lastSet_;                     ///< the setting whose gesture may go on
+    QHash<QString, Sending> sending_;     ///< by name of the setting
+    QHash<QString, Following> following_; ///< by step
+    quint64 changes_ = 0;                 ///< sent by us: an answer to an older question is out of date
+    quint64 askedAt_ = 0;                 ///< number of the frame
     bool live_ = false, loading_ = false, asking_ = false, askAgain_ = false;
 };
 

@@ -14,18 +14,18 @@ namespace gui {
 
 namespace {
 
-constexpr QSize kPicture{112, 70};
+constexpr QSize kThumbnail{112, 70};
 
 // All of one size, so that the names stand in a column.
 QIcon iconOf(const QImage& picture, double ratio) {
-    QPixmap pixmap(kPicture * ratio);
+    QPixmap pixmap(kThumbnail * ratio);
     pixmap.setDevicePixelRatio(ratio);
     pixmap.fill(Qt::transparent);
     if (picture.isNull()) return QIcon(pixmap);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    QRectF area(QPointF(), QSizeF(picture.size()).scaled(kPicture, Qt::KeepAspectRatio));
-    area.moveCenter(QRectF(QPointF(), QSizeF(kPicture)).center());
+    QRectF area(QPointF(), QSizeF(picture.size()).scaled(kThumbnail, Qt::KeepAspectRatio));
+    area.moveCenter(QRectF(QPointF(), QSizeF(kThumbnail)).center());
     painter.drawImage(area, picture);
     painter.end();
     QIcon icon(pixmap);
@@ -48,7 +48,7 @@ BookmarksPanel::BookmarksPanel(QWidget* parent)
       go_(new QPushButton(tr("&Go"))), rename_(new QPushButton(tr("Re&name"))),
       delete_(new QPushButton(tr("De&lete"))) {
     list_->setAccessibleName(tr("Bookmarks"));
-    list_->setIconSize(kPicture);
+    list_->setIconSize(kThumbnail);
     list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
     list_->setTextElideMode(Qt::ElideRight);
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

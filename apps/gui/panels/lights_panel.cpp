@@ -1,16 +1,29 @@
 #include "gui/panels/lights_panel.h"
 
+#include "gui/panels/light_fields.h"
+
+#include <QAction>
 #include <QButtonGroup>
 #include <QCheckBox>
 #include <QGroupBox>
-#include <QLabel>
+#include <QHBoxLayout>
+#include <QListWidget>
+#include <QMenu>
+#include <QPushButton>
 #include <QRadioButton>
 #include <QScrollArea>
+#include <QSignalBlocker>
+#include <QToolButton>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace gui {
 
 namespace {
+
+constexpr int kId = Qt::UserRole;
+constexpr int kFewest = 3, kMost = 8; ///< rows of the list that are seen
 
 QGroupBox* addBox(const QString& title, QVBoxLayout& column) {
     auto* box = new QGroupBox(title);
@@ -24,15 +37,14 @@ QString plain(QString name) { return name.replace(QLatin1Char('&'), QLatin1Strin
 
 } // namespace
 
-LightsPanel::LightsPanel(QWidget* parent)
-    : QWidget(parent), lights_(new QButtonGroup(this)), environments_(new QButtonGroup(this)),
-      nothing_(new QLabel(tr("The scene has neither lights nor environment maps."))) {
+LightsPanel::LightsPanel(QAction* marks, QWidget* parent)
+    : QWidget(parent), list_(new QListWidget), copy_(new QPushButton(tr("Copy"))),
+      remove_(new QPushButton(tr("Remove"))), fields_(new LightFields),
+      environments_(new QButtonGroup(this)) {
     auto* column = new QWidget;
     auto* groups = new QVBoxLayout(column);
-    lightBox_ = addBox(tr("Lights"), *groups);
+    makeLights(*groups, marks);
     environmentBox_ = addBox(tr("Environment"), *groups);
-    nothing_->setWordWrap(true);
-    groups->addWidget(nothing_);
     groups->addStretch(1);
     auto* area = new QScrollArea;
     area->setWidget(column);
@@ -42,56 +54,118 @@ LightsPanel::LightsPanel(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(area);
-    lights_->setExclusive(false);
     // clicked: by the user, not by us
-    connect(lights_, &QButtonGroup::idClicked, this,
-            [this](int number) { emit lightSwitched(number, lights_->button(number)->isChecked()); });
     connect(environments_, &QButtonGroup::idClicked, this, &LightsPanel::environmentChosen);
     show({}, {});
 }
 
-QAbstractButton* LightsPanel::light(int number) const { return lights_->button(number); }
-QAbstractButton* LightsPanel::environment(int number) const { return environments_->button(number); }
-
-void LightsPanel::refill(QButtonGroup& buttons, const QList<NamedSwitch>& switches, bool lights) {
-    const QList<QAbstractButton*> old = buttons.buttons();
-    if (old.size() != switches.size()) {
-        for (QAbstractButton* button : old) {
-            buttons.removeButton(button);
-            delete button;
-        }
-        for (int i = 0; i < switches.size(); ++i) {
-            QAbstractButton* button = nullptr;
-            if (lights)
-                button = new QCheckBox;
-            else
-                button = new QRadioButton;
-            (lights ? lightBox_ : environmentBox_)->layout()->addWidget(button);
-            buttons.addButton(button, i);
-        }
+void LightsPanel::makeLights(QVBoxLayout& column, QAction* marks) {
+    QGroupBox* box = addBox(tr("Lights"), column);
+    list_->setAccessibleName(tr("Lights"));
+    list_->setUniformItemSizes(true);
+    box->layout()->addWidget(list_);
+    auto* add = new QPushButton(tr("Add"));
+    add->setToolTip(tr("Add a light where you look"));
+    auto* kinds = new QMenu(add);
+    for (std::size_t i = 0; i < rtcore::kLightKinds; ++i) {
+        QAction* kind = kinds->addAction(lightKindText(static_cast<rtcore::LightKind>(i)));
+        connect(kind, &QAction::triggered, this,
+                [this, i] { emit addWanted(std::string(rtcore::kLightTraits.at(i).name)); });
     }
-    for (int i = 0; i < switches.size(); ++i) {
-        const QString& name = switches[i].name;
-        const QString number = QString::number(i + 1); // as on the keys
-        QAbstractButton* button = buttons.button(i);
-        const QString shown = !name.isEmpty() ? name
-                              : lights        ? tr("Light %1").arg(number)
-                                              : tr("Map %1").arg(number);
-        button->setText(plain(shown));
-        button->setAccessibleName(shown);
-        button->setToolTip(i >= 9   ? QString()
-                           : lights ? tr("Key: %1").arg(number)
-                                    : tr("Keys: M and %1").arg(number));
-        button->setChecked(switches[i].on);
-    }
+    add->setMenu(kinds);
+    copy_->setToolTip(tr("Add a light like the selected one, in its place"));
+    remove_->setToolTip(tr("Remove the selected light"));
+    auto* row = new QHBoxLayout;
+    for (QPushButton* button : {add, copy_, remove_}) row->addWidget(button);
+    static_cast<QVBoxLayout*>(box->layout())->addLayout(row);
+    auto* shown = new QCheckBox(tr("Marks in the image"));
+    shown->setToolTip(marks->toolTip());
+    shown->setChecked(marks->isChecked());
+    connect(shown, &QCheckBox::clicked, marks, &QAction::trigger);
+    connect(marks, &QAction::toggled, shown, &QCheckBox::setChecked);
+    box->layout()->addWidget(shown);
+    box->layout()->addWidget(fields_);
+    connect(list_, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) { onItem(*item); });
+    connect(list_, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
+        selected_ = item != nullptr ? item->data(kId).toInt() : 0;
+        showSelected();
+        emit lightSelected(selected_);
+    });
+    connect(fields_, &LightFields::edited, this, &LightsPanel::lightEdited);
+    connect(copy_, &QPushButton::clicked, this, [this] { emit copyWanted(selected_); });
+    connect(remove_, &QPushButton::clicked, this, [this] { emit removeWanted(selected_); });
 }
 
-void LightsPanel::show(const QList<NamedSwitch>& lights, const QList<NamedSwitch>& environments) {
-    refill(*lights_, lights, true);
-    refill(*environments_, environments, false);
-    lightBox_->setVisible(!lights.isEmpty());
+QListWidgetItem* LightsPanel::light(int place) const { return list_->item(place); }
+QAbstractButton* LightsPanel::environment(int number) const { return environments_->button(number); }
+
+void LightsPanel::onItem(QListWidgetItem& item) {
+    emit lightSwitched(item.data(kId).toInt(), item.checkState() == Qt::Checked);
+}
+
+void LightsPanel::showLights(const QList<ShownLight>& lights) {
+    const QSignalBlocker blocker(list_);
+    while (list_->count() > lights.size()) delete list_->takeItem(list_->count() - 1);
+    while (list_->count() < lights.size()) list_->addItem(QString());
+    for (int i = 0; i < lights.size(); ++i) {
+        QListWidgetItem* item = list_->item(i);
+        const ShownLight& light = lights[i];
+        item->setText(lightText(light));
+        item->setData(kId, light.id);
+        item->setCheckState(light.on ? Qt::Checked : Qt::Unchecked);
+        item->setToolTip(light.id <= 9 ? tr("Key: %1").arg(light.id) : QString());
+    }
+    const int rows = std::clamp(list_->count(), kFewest, kMost);
+    list_->setFixedHeight(rows * std::max(list_->sizeHintForRow(0), list_->fontMetrics().height() + 4) + 6);
+}
+
+void LightsPanel::showSelected() {
+    const auto light = std::ranges::find(shown_, selected_, &ShownLight::id);
+    const bool there = light != shown_.end();
+    copy_->setEnabled(there);
+    remove_->setEnabled(there);
+    fields_->setVisible(there && light->description);
+    if (there && light->description) fields_->show(*light);
+}
+
+void LightsPanel::select(int id) {
+    selected_ = id;
+    const QSignalBlocker blocker(list_);
+    const auto light = std::ranges::find(shown_, id, &ShownLight::id);
+    list_->setCurrentRow(light != shown_.end() ? static_cast<int>(light - shown_.begin()) : -1);
+    showSelected();
+}
+
+void LightsPanel::showEnvironments(const QList<NamedSwitch>& environments) {
+    const QList<QAbstractButton*> old = environments_->buttons();
+    if (old.size() != environments.size()) {
+        for (QAbstractButton* button : old) {
+            environments_->removeButton(button);
+            delete button;
+        }
+        for (int i = 0; i < environments.size(); ++i) {
+            auto* button = new QRadioButton;
+            environmentBox_->layout()->addWidget(button);
+            environments_->addButton(button, i);
+        }
+    }
+    for (int i = 0; i < environments.size(); ++i) {
+        const QString number = QString::number(i + 1); // as on the keys
+        QAbstractButton* button = environments_->button(i);
+        const QString name = environments[i].name.isEmpty() ? tr("Map %1").arg(number) : environments[i].name;
+        button->setText(plain(name));
+        button->setAccessibleName(name);
+        button->setToolTip(i >= 9 ? QString() : tr("Keys: M and %1").arg(number));
+        button->setChecked(environments[i].on);
+    }
     environmentBox_->setVisible(!environments.isEmpty());
-    nothing_->setVisible(lights.isEmpty() && environments.isEmpty());
+}
+
+void LightsPanel::show(const QList<ShownLight>& lights, const QList<NamedSwitch>& environments) {
+    shown_ = lights;
+    showLights(lights);
+    showEnvironments(environments);
+    select(selected_);
 }
 
 } // namespace gui

@@ -1,41 +1,71 @@
-/// The lights of the scene, each with a check box, and its environment maps, one of which is chosen. Knows no
-/// server.
+/// The lights of the scene, each with a check box, what can be changed of the selected one, and the scene's
+/// environment maps, one of which is chosen. Knows no server.
 #pragma once
 
 #include "gui/models/scene_state.h"
 
 #include <QWidget>
 
+#include <string>
+
 class QAbstractButton;
+class QAction;
 class QButtonGroup;
 class QGroupBox;
 class QLabel;
+class QListWidget;
+class QListWidgetItem;
+class QPushButton;
+class QVBoxLayout;
 
 namespace gui {
+
+class LightFields;
 
 class LightsPanel : public QWidget {
     Q_OBJECT
 
   public:
-    explicit LightsPanel(QWidget* parent = nullptr);
+    /// `marks`: what shows the marks of lights in the image.
+    explicit LightsPanel(QAction* marks, QWidget* parent = nullptr);
 
     /// Emits nothing. The fields stay the same ones while their number does.
-    void show(const QList<NamedSwitch>& lights, const QList<NamedSwitch>& environments);
+    void show(const QList<ShownLight>& lights, const QList<NamedSwitch>& environments);
     using QWidget::show;
+    /// Emits nothing. 0: none.
+    void select(int id);
+    int selected() const { return selected_; }
+
+    QListWidget& lights() { return *list_; }
+    LightFields& fields() { return *fields_; }
     /// Null when there is none.
-    QAbstractButton* light(int number) const;
+    QListWidgetItem* light(int place) const;
     QAbstractButton* environment(int number) const;
 
   signals:
-    void lightSwitched(int light, bool on);
+    void lightSwitched(int id, bool on);
+    void lightSelected(int id);
+    /// As LightFields::edited().
+    void lightEdited(const QString& step, const std::string& line);
+    void addWanted(const std::string& kind);
+    void copyWanted(int id);
+    void removeWanted(int id);
     void environmentChosen(int environment);
 
   private:
-    void refill(QButtonGroup& buttons, const QList<NamedSwitch>& switches, bool lights);
+    void makeLights(QVBoxLayout& column, QAction* marks);
+    void showLights(const QList<ShownLight>& lights);
+    void showSelected();
+    void showEnvironments(const QList<NamedSwitch>& environments);
+    void onItem(QListWidgetItem& item);
 
-    QGroupBox *lightBox_, *environmentBox_;
-    QButtonGroup *lights_, *environments_;
-    QLabel* nothing_;
+    QList<ShownLight> shown_;
+    int selected_ = 0; ///< id
+    QListWidget* list_;
+    QPushButton *copy_, *remove_;
+    LightFields* fields_;
+    QGroupBox* environmentBox_;
+    QButtonGroup* environments_;
 };
 
 } // namespace gui

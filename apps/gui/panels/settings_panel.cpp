@@ -45,6 +45,7 @@ template <typename Box>
 Box* tamed(Box* box, const Setting& setting) {
     box->setKeyboardTracking(false);
     box->setSuffix(suffixOf(setting));
+    if (!setting.zero.empty()) box->setSpecialValueText(settingLabel(setting.zero)); // the minimum is 0
     return box;
 }
 

@@ -31,7 +31,12 @@ QString ValueBox::bare(const QString& text) const {
     return number.trimmed();
 }
 
+bool ValueBox::saysMinimum(const QString& text) const {
+    return !specialValueText().isEmpty() && bare(text).compare(specialValueText(), Qt::CaseInsensitive) == 0;
+}
+
 double ValueBox::valueFromText(const QString& text) const {
+    if (saysMinimum(text)) return minimum();
     bool good = false;
     const double value = QLocale().toDouble(bare(text), &good);
     return good ? value : QLocale::c().toDouble(bare(text));
@@ -39,7 +44,10 @@ double ValueBox::valueFromText(const QString& text) const {
 
 // "1e" may become a number; letters of other kinds may not.
 QValidator::State ValueBox::validate(QString& text, int&) const {
+    if (saysMinimum(text)) return QValidator::Acceptable;
     const QString number = bare(text);
+    if (!number.isEmpty() && specialValueText().startsWith(number, Qt::CaseInsensitive))
+        return QValidator::Intermediate;
     bool good = false;
     double value = QLocale().toDouble(number, &good);
     if (!good) value = QLocale::c().toDouble(number, &good);

@@ -21,6 +21,8 @@ class ValueBox : public QDoubleSpinBox {
 
   private:
     QString bare(const QString& text) const; ///< without the unit
+    /// Whether it is the word for the minimum (specialValueText()), in any case.
+    bool saysMinimum(const QString& text) const;
 };
 
 } // namespace gui

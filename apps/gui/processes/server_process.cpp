@@ -16,7 +16,7 @@ namespace gui {
 
 namespace {
 
-constexpr qint64 kMostLog = 256 * 1024;
+constexpr qint64 kMostServerLog = 256 * 1024;
 
 QStringList wordsOf(const ServerRequest& request) {
     QStringList words{request.scene, QStringLiteral("--instance=") + request.instance};
@@ -95,7 +95,7 @@ void ServerProcess::tellEnd(int exitCode, bool crashed) {
 QString ServerProcess::log() const {
     QFile file(logFile_);
     if (!file.open(QIODevice::ReadOnly)) return {};
-    if (file.size() > kMostLog) file.seek(file.size() - kMostLog);
+    if (file.size() > kMostServerLog) file.seek(file.size() - kMostServerLog);
     return QString::fromUtf8(file.readAll());
 }
 

@@ -2,6 +2,8 @@
 
 #include "gui/session/pixel_order.h"
 
+#include "common/cli/instance_option.h"
+
 #include "ipc/endpoint/viewer.h"
 
 #include <QCoreApplication>
@@ -72,7 +74,7 @@ std::optional<PreviewPicture> PreviewReader::read(const QImage& live) {
     return PreviewPicture{std::move(image), isLast(frame.info)};
 }
 
-QString previewPrefix() { return QStringLiteral("preview-"); }
+QString previewPrefix() { return QString::fromUtf8(app::kPreviewPrefix.data(), app::kPreviewPrefix.size()); }
 
 QString previewInstance(int number) {
     return previewPrefix() + QStringLiteral("%1-%2").arg(QCoreApplication::applicationPid()).arg(number);

@@ -41,10 +41,7 @@ QList<RunningServer> runningServers() {
 }
 
 QString freeInstanceName(const QString& wanted) {
-    QString name = wanted;
-    for (int number = 2; !ipc::isAvailable(name.toStdString()); ++number)
-        name = QStringLiteral("%1-%2").arg(wanted).arg(number);
-    return name;
+    return QString::fromStdString(ipc::availableName(wanted.toStdString()));
 }
 
 bool isInstanceName(const QString& name) {

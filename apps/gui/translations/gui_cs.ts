@@ -95,6 +95,10 @@
         <translation>prostředí</translation>
     </message>
     <message>
+        <source>sky</source>
+        <translation>obloha</translation>
+    </message>
+    <message>
         <source>reset camera</source>
         <translation>výchozí kamera</translation>
     </message>
@@ -129,6 +133,70 @@
     <message>
         <source>unit</source>
         <translation>jednotka</translation>
+    </message>
+    <message>
+        <source>bookmark</source>
+        <translation>záložka</translation>
+    </message>
+    <message>
+        <source>material</source>
+        <translation>materiál</translation>
+    </message>
+    <message>
+        <source>visible parts</source>
+        <translation>viditelné části</translation>
+    </message>
+    <message>
+        <source>add light</source>
+        <translation>přidat světlo</translation>
+    </message>
+    <message>
+        <source>copy light</source>
+        <translation>kopírovat světlo</translation>
+    </message>
+    <message>
+        <source>remove light</source>
+        <translation>odebrat světlo</translation>
+    </message>
+    <message>
+        <source>move light</source>
+        <translation>přesunout světlo</translation>
+    </message>
+    <message>
+        <source>turn light</source>
+        <translation>natočit světlo</translation>
+    </message>
+    <message>
+        <source>colour of light</source>
+        <translation>barva světla</translation>
+    </message>
+    <message>
+        <source>temperature of light</source>
+        <translation>teplota světla</translation>
+    </message>
+    <message>
+        <source>power of light</source>
+        <translation>výkon světla</translation>
+    </message>
+    <message>
+        <source>kind of light</source>
+        <translation>druh světla</translation>
+    </message>
+    <message>
+        <source>size of light</source>
+        <translation>velikost světla</translation>
+    </message>
+    <message>
+        <source>angles of light</source>
+        <translation>úhly světla</translation>
+    </message>
+    <message>
+        <source>name of light</source>
+        <translation>název světla</translation>
+    </message>
+    <message>
+        <source>light of the scene</source>
+        <translation>osvětlení scény</translation>
     </message>
 </context>
 <context>
@@ -731,6 +799,70 @@
         <source>The axis %1 is taken for up (%2).</source>
         <translation>Za směr vzhůru se bere osa %1 (%2).</translation>
     </message>
+    <message>
+        <source>Up a&amp;xis and unit…</source>
+        <translation>Svislá osa a &amp;jednotka…</translation>
+    </message>
+    <message>
+        <source>Which axis of the model is up, and how long a unit of it is</source>
+        <translation>Která osa modelu míří vzhůru a jak dlouhá je jeho jednotka</translation>
+    </message>
+    <message>
+        <source>by its size</source>
+        <translation>podle velikosti</translation>
+    </message>
+    <message>
+        <source>A unit is taken for %1 m (%2).</source>
+        <translation>Za jednotku se bere %1 m (%2).</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Uložit</translation>
+    </message>
+    <message>
+        <source>Write the scene as it is now to its file</source>
+        <translation>Zapsat scénu, jak teď je, do jejího souboru</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Uložit &amp;jako…</translation>
+    </message>
+    <message>
+        <source>Write the scene as it is now to another file, and go on with that</source>
+        <translation>Zapsat scénu, jak teď je, do jiného souboru a pokračovat s ním</translation>
+    </message>
+    <message>
+        <source>Pac&amp;k with its files…</source>
+        <translation>&amp;Zabalit se soubory…</translation>
+    </message>
+    <message>
+        <source>Copy the scene and all that it needs to a folder that can be moved</source>
+        <translation>Zkopírovat scénu a vše, co potřebuje, do složky, kterou lze přesunout</translation>
+    </message>
+    <message>
+        <source>&amp;Model panel</source>
+        <translation>Panel &amp;modelu</translation>
+    </message>
+    <message>
+        <source>Parts and materials of the model; a right click on the image selects them</source>
+        <translation>Části a materiály modelu; vybírá je pravé tlačítko myši v obraze</translation>
+    </message>
+    <message>
+        <source>Right click</source>
+        <translation>Pravé tlačítko</translation>
+    </message>
+    <message>
+        <source>Select a part and its material</source>
+        <translation>Výběr části a jejího materiálu</translation>
+    </message>
+    <message>
+        <source>Mar&amp;ks of lights</source>
+        <translation>Značk&amp;y světel</translation>
+    </message>
+    <message>
+        <source>Show where lights are: click a mark to select its light, drag it to move the light</source>
+        <translation>Ukázat, kde jsou světla: kliknutí na značku světlo vybere, tažení je přesune</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>
@@ -1110,6 +1242,22 @@ Alt+%2</translation>
     <message>
         <source>Quick render, occlusion &amp;rays:</source>
         <translation>Rychlé vykreslení, &amp;paprsky zastínění:</translation>
+    </message>
+    <message>
+        <source>usual on desktops</source>
+        <translation>obvyklé na ploše</translation>
+    </message>
+    <message>
+        <source>as in the thesis</source>
+        <translation>jako v diplomové práci</translation>
+    </message>
+    <message>
+        <source>Of the menus: Ctrl+S saves and Ctrl+C copies the camera, or they start a server and connect to one</source>
+        <translation>V nabídkách: Ctrl+S ukládá a Ctrl+C kopíruje kameru, nebo spouštějí server a připojují se k němu</translation>
+    </message>
+    <message>
+        <source>&amp;Shortcuts:</source>
+        <translation>Zk&amp;ratky:</translation>
     </message>
 </context>
 <context>
@@ -1619,11 +1767,149 @@ Alt+%2</translation>
     </message>
 </context>
 <context>
-    <name>gui::LightsPanel</name>
+    <name>gui::LightFields</name>
     <message>
-        <source>The scene has neither lights nor environment maps.</source>
-        <translation>Scéna nemá světla ani mapy prostředí.</translation>
+        <source>Point</source>
+        <translation>Bodové</translation>
     </message>
+    <message>
+        <source>Directional</source>
+        <translation>Směrové</translation>
+    </message>
+    <message>
+        <source>Spot</source>
+        <translation>Kuželové</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Koule</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Obdélník</translation>
+    </message>
+    <message>
+        <source>Light %1</source>
+        <translation>Světlo %1</translation>
+    </message>
+    <message>
+        <source>Name of the light</source>
+        <translation>Název světla</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Název</translation>
+    </message>
+    <message>
+        <source>Kind of the light</source>
+        <translation>Druh světla</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Druh</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Poloha</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Sem</translation>
+    </message>
+    <message>
+        <source>Put the light at the camera</source>
+        <translation>Umístit světlo ke kameře</translation>
+    </message>
+    <message>
+        <source>Where I look</source>
+        <translation>Kam se dívám</translation>
+    </message>
+    <message>
+        <source>Put it before the surface in the middle of the image</source>
+        <translation>Umístit je před povrch uprostřed obrazu</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Směr</translation>
+    </message>
+    <message>
+        <source>Ahead</source>
+        <translation>Dopředu</translation>
+    </message>
+    <message>
+        <source>Let it shine as the camera looks</source>
+        <translation>Ať svítí, kam se dívá kamera</translation>
+    </message>
+    <message>
+        <source>To where I look</source>
+        <translation>Kam se dívám</translation>
+    </message>
+    <message>
+        <source>Let it shine to what is in the middle of the image</source>
+        <translation>Ať svítí na to, co je uprostřed obrazu</translation>
+    </message>
+    <message>
+        <source>Colour of the light</source>
+        <translation>Barva světla</translation>
+    </message>
+    <message>
+        <source>Choose a colour; the power stays</source>
+        <translation>Zvolit barvu; výkon zůstane</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Barva</translation>
+    </message>
+    <message>
+        <source>Colour by temperature</source>
+        <translation>Barva podle teploty</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Teplota</translation>
+    </message>
+    <message>
+        <source>Of a black body: candle 1900 K, bulb 2700 K, sun 5800 K</source>
+        <translation>Černého tělesa: svíčka 1900 K, žárovka 2700 K, slunce 5800 K</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Výkon</translation>
+    </message>
+    <message>
+        <source>Radius or width</source>
+        <translation>Poloměr nebo šířka</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Výška</translation>
+    </message>
+    <message>
+        <source>Angle of full brightness</source>
+        <translation>Úhel plného jasu</translation>
+    </message>
+    <message>
+        <source>Angle where it ends</source>
+        <translation>Úhel, kde světlo končí</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Velikost</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Úhly</translation>
+    </message>
+</context>
+<context>
+    <name>gui::LightOperations</name>
+    <message>
+        <source>Lights</source>
+        <translation>Světla</translation>
+    </message>
+</context>
+<context>
+    <name>gui::LightsPanel</name>
     <message>
         <source>Lights</source>
         <translation>Světla</translation>
@@ -1631,10 +1917,6 @@ Alt+%2</translation>
     <message>
         <source>Environment</source>
         <translation>Prostředí</translation>
-    </message>
-    <message>
-        <source>Light %1</source>
-        <translation>Světlo %1</translation>
     </message>
     <message>
         <source>Map %1</source>
@@ -1647,6 +1929,34 @@ Alt+%2</translation>
     <message>
         <source>Keys: M and %1</source>
         <translation>Klávesy: M a %1</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopírovat</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Odebrat</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Přidat</translation>
+    </message>
+    <message>
+        <source>Add a light where you look</source>
+        <translation>Přidat světlo tam, kam se díváte</translation>
+    </message>
+    <message>
+        <source>Add a light like the selected one, in its place</source>
+        <translation>Přidat stejné světlo, jako je vybrané, na jeho místo</translation>
+    </message>
+    <message>
+        <source>Remove the selected light</source>
+        <translation>Odebrat vybrané světlo</translation>
+    </message>
+    <message>
+        <source>Marks in the image</source>
+        <translation>Značky v obrazu</translation>
     </message>
 </context>
 <context>
@@ -1687,10 +1997,127 @@ Alt+%2</translation>
     </message>
 </context>
 <context>
+    <name>gui::MaterialFields</name>
+    <message>
+        <source>&amp;Textures</source>
+        <translation>&amp;Textury</translation>
+    </message>
+    <message>
+        <source>&amp;Upside down</source>
+        <translation>&amp;Vzhůru nohama</translation>
+    </message>
+    <message>
+        <source>&amp;As in the file</source>
+        <translation>&amp;Jako v souboru</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Barva</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Drsnost</translation>
+    </message>
+    <message>
+        <source>Shininess</source>
+        <translation>Lesklost</translation>
+    </message>
+    <message>
+        <source>Metal</source>
+        <translation>Kov</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Zrcadlo</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Krytí</translation>
+    </message>
+    <message>
+        <source>Glass colour</source>
+        <translation>Barva skla</translation>
+    </message>
+    <message>
+        <source>Refraction</source>
+        <translation>Index lomu</translation>
+    </message>
+    <message>
+        <source>Take all changes of this material back</source>
+        <translation>Vrátit všechny změny tohoto materiálu</translation>
+    </message>
+</context>
+<context>
     <name>gui::MessageOperations</name>
     <message>
         <source>%1 is up</source>
         <translation>Vzhůru je %1</translation>
+    </message>
+</context>
+<context>
+    <name>gui::ModelOperations</name>
+    <message>
+        <source>Model</source>
+        <translation>Model</translation>
+    </message>
+    <message>
+        <source>Nothing of the model is seen there.</source>
+        <translation>Na tom místě není z modelu nic vidět.</translation>
+    </message>
+    <message>
+        <source>&amp;Hide</source>
+        <translation>&amp;Skrýt</translation>
+    </message>
+    <message>
+        <source>&amp;Isolate</source>
+        <translation>&amp;Osamostatnit</translation>
+    </message>
+    <message>
+        <source>Show &amp;all</source>
+        <translation>Zobrazit &amp;vše</translation>
+    </message>
+    <message>
+        <source>Edit the &amp;material</source>
+        <translation>Upravit &amp;materiál</translation>
+    </message>
+</context>
+<context>
+    <name>gui::ModelPanel</name>
+    <message>
+        <source>Without a name (%1)</source>
+        <translation>Bez názvu (%1)</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Části</translation>
+    </message>
+    <message>
+        <source>Materials</source>
+        <translation>Materiály</translation>
+    </message>
+    <message>
+        <source>%1: %2 triangles</source>
+        <translation>%1, trojúhelníků: %2</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>Změněno</translation>
+    </message>
+    <message>
+        <source>&amp;Hide</source>
+        <translation>&amp;Skrýt</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>&amp;Zobrazit</translation>
+    </message>
+    <message>
+        <source>&amp;Isolate</source>
+        <translation>&amp;Osamostatnit</translation>
+    </message>
+    <message>
+        <source>Show &amp;all</source>
+        <translation>Zobrazit &amp;vše</translation>
     </message>
 </context>
 <context>
@@ -1741,12 +2168,16 @@ Alt+%2</translation>
         <translation>Nastavení</translation>
     </message>
     <message>
-        <source>Lights</source>
-        <translation>Světla</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Undone: %1</source>
+        <translation>Vráceno: %1</translation>
+    </message>
+    <message>
+        <source>Redone: %1</source>
+        <translation>Provedeno znovu: %1</translation>
     </message>
 </context>
 <context>
@@ -2121,6 +2552,73 @@ Alt+%2</translation>
     </message>
 </context>
 <context>
+    <name>gui::SaveOperations</name>
+    <message>
+        <source>Save the scene as</source>
+        <translation>Uložit scénu jako</translation>
+    </message>
+    <message>
+        <source>Scenes (*.scn)</source>
+        <translation>Scény (*.scn)</translation>
+    </message>
+    <message>
+        <source>Replace a file</source>
+        <translation>Nahradit soubor</translation>
+    </message>
+    <message>
+        <source>“%1” was written or changed by hand. Its comments and its layout are lost when it is saved. The old file is kept as “%1~”.</source>
+        <translation>Soubor „%1“ byl napsán nebo změněn ručně. Uložením přijde o komentáře a rozvržení. Starý soubor zůstane jako „%1~“.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Nahradit</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Uložit &amp;jako…</translation>
+    </message>
+    <message>
+        <source>Saved as “%1”.</source>
+        <translation>Uloženo jako „%1“.</translation>
+    </message>
+    <message>
+        <source>Pack the scene into a new folder</source>
+        <translation>Zabalit scénu do nové složky</translation>
+    </message>
+    <message>
+        <source>&amp;Folder:</source>
+        <translation>&amp;Složka:</translation>
+    </message>
+    <message>
+        <source>Packing into “%1”…</source>
+        <translation>Balím do „%1“…</translation>
+    </message>
+    <message>
+        <source>Packed into “%1”.</source>
+        <translation>Zabaleno do „%1“.</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Neuložené změny</translation>
+    </message>
+    <message>
+        <source>Save the changes of “%1”?</source>
+        <translation>Uložit změny scény „%1“?</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Uložit</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>Za&amp;hodit</translation>
+    </message>
+    <message>
+        <source>&amp;Pack</source>
+        <translation>Za&amp;balit</translation>
+    </message>
+</context>
+<context>
     <name>gui::ServerKeeper</name>
     <message>
         <source>The server “%1” has ended.</source>
@@ -2451,6 +2949,73 @@ Dvojklik se podívá na místo. F1 ukáže všechny klávesy.</translation>
     <message>
         <source>Fly</source>
         <translation>létání</translation>
+    </message>
+</context>
+<context>
+    <name>gui::UpAndUnitDialog</name>
+    <message>
+        <source>Millimetres</source>
+        <translation>Milimetry</translation>
+    </message>
+    <message>
+        <source>Centimetres</source>
+        <translation>Centimetry</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Metry</translation>
+    </message>
+    <message>
+        <source>Inches</source>
+        <translation>Palce</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Stopy</translation>
+    </message>
+    <message>
+        <source>Others</source>
+        <translation>Jiná</translation>
+    </message>
+    <message>
+        <source>Up axis and unit</source>
+        <translation>Svislá osa a jednotka</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>This axis of the model points to the sky</source>
+        <translation>Tato osa modelu míří k nebi</translation>
+    </message>
+    <message>
+        <source>What the model&apos;s numbers count; walking and depth of field go by it</source>
+        <translation>V čem jsou čísla modelu; řídí se tím chůze a hloubka ostrosti</translation>
+    </message>
+    <message>
+        <source>How long a unit of the model is</source>
+        <translation>Jak dlouhá je jednotka modelu</translation>
+    </message>
+    <message>
+        <source>&amp;Up:</source>
+        <translation>&amp;Vzhůru:</translation>
+    </message>
+    <message>
+        <source>U&amp;nit:</source>
+        <translation>&amp;Jednotka:</translation>
+    </message>
+    <message>
+        <source>&amp;Length of a unit:</source>
+        <translation>&amp;Délka jednotky:</translation>
+    </message>
+    <message>
+        <source>&amp;As guessed</source>
+        <translation>&amp;Podle odhadu</translation>
+    </message>
+    <message>
+        <source>By the format, the program that wrote it, and the shape of the model</source>
+        <translation>Podle formátu, programu, který jej zapsal, a tvaru modelu</translation>
     </message>
 </context>
 </TS>

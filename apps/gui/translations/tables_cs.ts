@@ -68,8 +68,12 @@
         <translation>Přizpůsobivost</translation>
     </message>
     <message>
-        <source>pixels that differ less from their neighbours get a quarter of the samples; 0: all get all, 0.05: hard to see</source>
-        <translation>pixely, které se od sousedů liší méně, dostanou čtvrtinu vzorků; 0: všechny dostanou vše, 0.05: sotva viditelné</translation>
+        <source>pixels that differ less from their neighbours get a quarter of the samples; off: all get all, 0.05: hard to see</source>
+        <translation>pixely, které se od sousedů liší méně, dostanou čtvrtinu vzorků; vypnuto: všechny dostanou vše, 0.05: sotva viditelné</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Vypnuto</translation>
     </message>
     <message>
         <source>Rays</source>
@@ -156,12 +160,16 @@
         <translation>Vzdálenost</translation>
     </message>
     <message>
-        <source>how far off a surface occludes; 0: 15 % of the scene's diagonal</source>
-        <translation>jak daleko plocha ještě stíní; 0: 15 % úhlopříčky scény</translation>
+        <source>how far off a surface occludes; automatic: 15 % of the scene's diagonal</source>
+        <translation>jak daleko plocha ještě stíní; automaticky: 15 % úhlopříčky scény</translation>
     </message>
     <message>
         <source>scene units</source>
         <translation>jednotek scény</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automaticky</translation>
     </message>
     <message>
         <source>Pattern</source>
@@ -180,8 +188,8 @@
         <translation>Okolní světlo</translation>
     </message>
     <message>
-        <source>ambient light; 0: the scene's, or one that suits it when it has none</source>
-        <translation>světlo odevšad; 0: podle scény, nebo co se k ní hodí, když žádné nemá</translation>
+        <source>ambient light; automatic: the scene's, or one that suits it when it has none</source>
+        <translation>světlo odevšad; automaticky: podle scény, nebo co se k ní hodí, když žádné nemá</translation>
     </message>
     <message>
         <source>radiance</source>
@@ -192,8 +200,8 @@
         <translation>Světlo oblohy</translation>
     </message>
     <message>
-        <source>the environment lights what it is seen from, in place of ambient light</source>
-        <translation>okolí osvětluje místa, odkud je vidět, namísto okolního světla</translation>
+        <source>the environment lights what it is seen from; ambient light only with ambientOcclusion.on</source>
+        <translation>okolí osvětluje místa, odkud je vidět; okolní světlo jen s ambientOcclusion.on</translation>
     </message>
     <message>
         <source>rays per point for the light of the sky</source>
@@ -220,16 +228,20 @@
         <translation>Zaostření</translation>
     </message>
     <message>
-        <source>distance of what is sharp; 0: of what is in the middle</source>
-        <translation>vzdálenost toho, co je ostré; 0: toho, co je uprostřed</translation>
+        <source>distance of what is sharp; automatic: of what is in the middle</source>
+        <translation>vzdálenost toho, co je ostré; automaticky: toho, co je uprostřed</translation>
     </message>
     <message>
         <source>Blades</source>
         <translation>Lamely</translation>
     </message>
     <message>
-        <source>corners of the aperture; below 3: round</source>
+        <source>corners of the aperture; fewer than 3: round</source>
         <translation>počet rohů clony; méně než 3: kulatá</translation>
+    </message>
+    <message>
+        <source>Round</source>
+        <translation>Kulatá</translation>
     </message>
     <message>
         <source>Fog</source>
@@ -244,16 +256,16 @@
         <translation>Kužely světla</translation>
     </message>
     <message>
-        <source>shadow rays to each light along a ray through fog: shafts of light; 0: none</source>
-        <translation>stínové paprsky ke každému světlu podél paprsku mlhou: kužely světla; 0: žádné</translation>
+        <source>shadow rays to each light along a ray through fog: shafts of light</source>
+        <translation>stínové paprsky ke každému světlu podél paprsku mlhou: kužely světla</translation>
     </message>
     <message>
         <source>Area lights</source>
         <translation>Plošná světla</translation>
     </message>
     <message>
-        <source>shadow rays to each area light: soft shadows; 0: area lights are points</source>
-        <translation>stínové paprsky ke každému plošnému světlu: měkké stíny; 0: plošná světla jsou body</translation>
+        <source>shadow rays to each area light: soft shadows; off: area lights are points</source>
+        <translation>stínové paprsky ke každému plošnému světlu: měkké stíny; vypnuto: plošná světla jsou body</translation>
     </message>
     <message>
         <source>Denoise</source>
@@ -264,8 +276,8 @@
         <translation>Průchody</translation>
     </message>
     <message>
-        <source>smooths noise, but not edges; 0: none</source>
-        <translation>vyhladí šum, ale ne hrany; 0: žádné</translation>
+        <source>smooths noise, but not edges</source>
+        <translation>vyhladí šum, ale ne hrany</translation>
     </message>
     <message>
         <source>passes</source>
@@ -280,8 +292,8 @@
         <translation>Poloměr</translation>
     </message>
     <message>
-        <source>size of the bloom around bright spots; 0: none</source>
-        <translation>velikost záře kolem jasných míst; 0: žádná</translation>
+        <source>size of the bloom around bright spots</source>
+        <translation>velikost záře kolem jasných míst</translation>
     </message>
     <message>
         <source>Kernel</source>
@@ -318,10 +330,6 @@
     <message>
         <source>automatic follows the image's brightness</source>
         <translation>automatický se řídí jasem obrazu</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>Automatický</translation>
     </message>
     <message>
         <source>Fixed</source>
@@ -713,6 +721,34 @@
     <message>
         <source>write what the renderer works with - cells of the kd-tree, lights, camera, normals - as an .obj model, and exit</source>
         <translation>zapsat, s čím vykreslování pracuje – buňky kd-stromu, světla, kameru, normály – jako model .obj, a skončit</translation>
+    </message>
+    <message>
+        <source>Surroundings</source>
+        <translation>Okolí</translation>
+    </message>
+    <message>
+        <source>Environment</source>
+        <translation>Mapa prostředí</translation>
+    </message>
+    <message>
+        <source>show this environment map and let it light the scene: a sphere, a cross or a strip</source>
+        <translation>zobrazí tuto mapu prostředí, která osvětlí scénu: kouli, kříž nebo pás</translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <translation>Obloha</translation>
+    </message>
+    <message>
+        <source>show a computed sky with a sun: the hour, or the keys of a scene's [sky], parted by commas, such as 'hour=17,latitude=48.2,turbidity=4'</source>
+        <translation>zobrazí vypočtenou oblohu se sluncem: hodina, nebo klíče [sky] scény oddělené čárkami, například 'hour=17,latitude=48.2,turbidity=4'</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Osvětlení</translation>
+    </message>
+    <message>
+        <source>what lights the scene in place of its own lights: sky, studio or headlight</source>
+        <translation>čím je scéna osvětlena namísto vlastních světel: sky, studio nebo headlight</translation>
     </message>
     <message>
         <source>Importing models</source>

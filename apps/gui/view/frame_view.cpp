@@ -93,6 +93,12 @@ void FrameView::showLive() {
     update();
 }
 
+void FrameView::setMark(const QImage& mark) {
+    if (mark.isNull() && mark_.isNull()) return;
+    mark_ = mark;
+    update();
+}
+
 // In the widget's pixels; one to one on the screen's own when the sizes agree.
 QRectF FrameView::target(const QSize& picture) const {
     if (ignoreAspectRatio_ || picture == devicePixels()) return rect();
@@ -104,9 +110,13 @@ QRectF FrameView::target(const QSize& picture) const {
     return area;
 }
 
-std::optional<QPointF> FrameView::inPicture(const QPointF& position) const {
+QRectF FrameView::pictureArea() const {
     const QSize size = showsLive() ? session_.frame().size() : picture_.size();
-    const QRectF area = size.isEmpty() ? QRectF() : target(size);
+    return size.isEmpty() ? QRectF() : target(size);
+}
+
+std::optional<QPointF> FrameView::inPicture(const QPointF& position) const {
+    const QRectF area = pictureArea();
     if (!area.contains(position)) return std::nullopt;
     const QPointF off = position - area.center();
     return QPointF(2 * off.x() / area.width(), -2 * off.y() / area.height());
@@ -139,7 +149,9 @@ void FrameView::paintEvent(QPaintEvent* event) {
     QPainter painter(this);
     const QImage picture = showsLive() ? session_.frame() : picture_;
     drawPicture(painter, picture, event->rect());
+    if (!mark_.isNull() && !picture.isNull()) painter.drawImage(target(picture.size()), mark_);
     if (showsLive()) countDelay();
+    if (drawMarks_) drawMarks_(painter);
     words_ = stateText(session_);
     if (!words_.isEmpty() && !picture.isNull()) painter.fillRect(rect(), QColor(0, 0, 0, 90));
     drawWords(painter, rect(), words_);

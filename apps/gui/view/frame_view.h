@@ -7,7 +7,9 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <functional>
 #include <optional>
+#include <utility>
 
 namespace gui {
 
@@ -33,11 +35,18 @@ class FrameView : public QWidget {
     /// Shows this one instead of the live frames, until showLive().
     void showPicture(const QImage& picture);
     void showLive();
+    /// Drawn over the image, stretched to its size; null: nothing.
+    void setMark(const QImage& mark);
+    const QImage& mark() const { return mark_; }
     bool showsLive() const { return picture_.isNull(); }
     const QString& activity() const { return activity_; } ///< what goes on, in a word
     const QString& told() const { return told_; }         ///< by tell(), as long as it is seen
     const QImage& picture() const { return picture_; }    ///< null while it shows live frames
 
+    /// Draws over the image, below words; called with each painting.
+    void setMarks(std::function<void(QPainter&)> draw) { drawMarks_ = std::move(draw); }
+    /// Where the image is, in widget pixels; empty without one.
+    QRectF pictureArea() const;
     /// Where a point of the widget is in the image: from -1 (left, bottom) to 1; nothing beside it.
     std::optional<QPointF> inPicture(const QPointF& position) const;
 
@@ -63,7 +72,9 @@ class FrameView : public QWidget {
 
     Session& session_;
     InputCapture* input_;
+    std::function<void(QPainter&)> drawMarks_;
     QImage picture_; ///< null: the live frame
+    QImage mark_;
     bool ignoreAspectRatio_ = false, smooth_ = true, showOverlay_ = true;
     QString told_, activity_, words_; ///< the last: in the middle, as painted
     QTimer tellTimer_, resizeTimer_;

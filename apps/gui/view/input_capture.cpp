@@ -191,6 +191,10 @@ void InputCapture::commandRelease(int code) {
 // --- Mouse ---
 
 bool InputCapture::onMousePress(const QMouseEvent& event) {
+    if (event.button() == Qt::RightButton && !captured_) {
+        emit picked(event.position());
+        return true;
+    }
     if (event.button() != Qt::LeftButton) return false;
     const bool was = captured_;
     capture();

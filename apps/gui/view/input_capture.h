@@ -46,6 +46,8 @@ class InputCapture : public QObject {
     /// A double click that took the keyboard and the mouse, and gave them back; widget pixels.
     void pointed(const QPointF& position);
     void focused(const QPointF& position); ///< the same with Ctrl
+    /// The right button, while nothing is captured.
+    void picked(const QPointF& position);
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -1,6 +1,7 @@
 #include "gui/view/overlay.h"
 
-#include <QCoreApplication>
+#include "gui/models/translated.h"
+
 #include <QFontMetrics>
 #include <QLocale>
 #include <QPainter>
@@ -11,8 +12,6 @@ namespace {
 
 constexpr int kMargin = 10, kPadding = 7;
 constexpr double kRadius = 6;
-
-QString tr(const char* text) { return QCoreApplication::translate("gui", text); }
 
 QString activity(const ServerStatus& status, bool refining) {
     if (status.paused) return tr("paused");

@@ -12,7 +12,7 @@ namespace gui {
 
 namespace {
 
-constexpr qsizetype kMostRecent = 5;
+constexpr qsizetype kMostShown = 5;
 constexpr int kBetweenParts = 16, kBetweenColumns = 40;
 
 QLabel* heading(const QString& text) {
@@ -90,8 +90,7 @@ void StartPage::setRecent(const QStringList& files) {
     recentPart_->setVisible(!files.isEmpty());
     if (files.isEmpty()) return;
     recent_->addWidget(heading(tr("Recent")));
-    for (const QString& path : files.mid(0, kMostRecent))
-        addScene(*recent_, QFileInfo(path).fileName(), path);
+    for (const QString& path : files.mid(0, kMostShown)) addScene(*recent_, QFileInfo(path).fileName(), path);
 }
 
 } // namespace gui

@@ -68,6 +68,12 @@ bool isAvailable(const std::string& name) {
     }
 }
 
+std::string availableName(const std::string& wanted) {
+    std::string name = wanted;
+    for (int number = 2; !isAvailable(name); ++number) name = wanted + "-" + std::to_string(number);
+    return name;
+}
+
 int freeInstance(const std::string& name) {
     const Names names(name);
     const std::size_t found = segmentNames(names.prefix()).size();

@@ -22,6 +22,10 @@ std::vector<Instance> listInstances();
 /// Whether a server may be started under that name: none runs, and nothing of another user is in its way.
 bool isAvailable(const std::string& name);
 
+/// `wanted` if that is available, else the first of wanted-2, wanted-3... that is. Any thread; another
+/// server may take it meanwhile.
+std::string availableName(const std::string& wanted);
+
 /// Removes all shared memory of an instance that has no living server; returns how many names there were.
 /// Throws Error: BadName; NotYours; AlreadyRunning, and removes nothing, when its server lives. Any thread.
 int freeInstance(const std::string& name);

@@ -7,7 +7,11 @@
 #include "rtcore/io/text/set.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
+#include "rtcore/render/default_view.h"
 #include "rtcore/scene/closed_surfaces.h"
+#include "rtcore/scene/image_summary.h"
+#include "rtcore/scene/material_edit.h"
+#include "rtcore/sky/scene_sky.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -19,6 +23,16 @@ namespace rtcore {
 namespace {
 
 enum class FileKind { Scene, Bsp, Model };
+
+/// Whether a section for `pattern`, or for the `number` counted from 1, is for the element `index` of a list.
+bool isNamed(const std::string& pattern, std::optional<int> number, std::size_t index,
+             std::string_view name) {
+    return number ? static_cast<std::size_t>(*number) == index + 1 : matchesPattern(pattern, name);
+}
+
+std::string_view materialName(const Scene& scene, std::size_t index) {
+    return scene.model.name(scene.materials[index].nameOffset);
+}
 
 /// A .scn is text in which some line sets `version`; other programs' .scn files are not. Nor is XML, where an
 /// attribute `version` may stand at the beginning of a line.
@@ -64,8 +78,8 @@ class Loader {
         } else {
             loadModel(path, std::move(file), kind, options_.import);
             takeModelLights();
-            out_.scene.background = {0.03F, 0.036F, 0.048F};
-            out_.scene.ambient = kWhite * 0.15F;
+            out_.scene.background = kPlainBackground;
+            out_.scene.ambient = kPlainAmbient;
         }
         finish();
         return std::move(out_);
@@ -92,14 +106,15 @@ class Loader {
 
         Scene& scene = out_.scene;
         if (file.modelLights) takeModelLights();
-        for (const LightDescription& light : file.lights) {
-            scene.lights.push_back(light.light);
-            scene.lightNames.push_back(light.name);
-        }
+        for (const LightDescription& light : file.lights) putLight(scene, scene.lights.size(), light);
         static_cast<SceneLook&>(scene) = file;
+        described_ = std::exchange(scene.sky, std::nullopt);
         phase(LoadPhase::LoadingImages);
         overrideMaterials(path, file);
-        for (const EnvironmentFile& environment : file.environments) loadEnvironment(environment);
+        hideParts(path, file);
+        for (const EnvironmentFile& environment : file.environments)
+            addFile(environment, loadEnvironment(environment));
+        scene.activeEnvironment = file.activeEnvironment;
         readSettings(file);
         if (file.camera) out_.camera = *file.camera;
         if (file.cameraFile) {
@@ -117,12 +132,14 @@ class Loader {
         out_.files.push_back(path);
         if (kind == FileKind::Bsp) {
             take(readBsp(file.read(), path.string()));
+            out_.modelFiles = {std::filesystem::absolute(path)};
         } else if (!loadBuilt()) {
             phase(LoadPhase::ImportingModel);
             ImportedModel imported = importModel(path, import);
             warn(imported.report.warnings);
             out_.origin = std::move(imported.report.origin);
-            out_.files.insert(out_.files.end(), imported.report.files.begin(), imported.report.files.end());
+            out_.modelFiles.assign(imported.report.files.begin(), imported.report.files.end());
+            out_.files.insert(out_.files.end(), out_.modelFiles.begin(), out_.modelFiles.end());
             scene.model = std::move(imported.model);
         }
         if (out_.tree.nodes.empty()) {
@@ -190,26 +207,58 @@ class Loader {
         Scene& scene = out_.scene;
         std::vector<LdrImage> pictures;
         for (const MaterialOverride& change : file.materials) {
+            std::optional<std::uint32_t> texture;
             bool used = false;
-            std::uint32_t texture = kNoTexture;
-            for (Material& material : scene.materials) {
-                if (!matchesPattern(change.pattern, scene.model.name(material.nameOffset))) continue;
+            for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+                if (!isNamed(change.pattern, change.number, i, materialName(scene, i))) continue;
                 used = true;
-                change.applyTo(material);
-                if (!change.diffuseTexture) continue;
-                if (texture == kNoTexture) {
+                if (change.diffuseTexture && !texture) {
                     texture = static_cast<std::uint32_t>(scene.model.textures.size() + pictures.size());
                     pictures.push_back(readLdrImage(*change.diffuseTexture));
                     out_.files.push_back(*change.diffuseTexture);
                 }
-                material.diffuseTexture = texture;
+                changeMaterial(change, texture, pictures, scene.materials[i]);
             }
-            if (!used) {
-                out_.warnings.push_back(path.string() + ": no material of the model is named like \"" +
-                                        change.pattern + "\"");
-            }
+            if (!used) warnOfUnused(path, "material", change.pattern, change.number);
         }
         if (!pictures.empty()) addTextures(pictures);
+    }
+
+    void changeMaterial(const MaterialOverride& change, std::optional<std::uint32_t> texture,
+                        const std::vector<LdrImage>& pictures, Material& material) const {
+        const Model& model = out_.scene.model;
+        const std::uint32_t seen = texture                                ? *texture
+                                   : change.textures && !*change.textures ? kNoTexture
+                                                                          : material.diffuseTexture;
+        Colour mean = kWhite;
+        if (change.needsTextureMean() && seen != kNoTexture) {
+            const std::size_t known = model.textures.size();
+            mean =
+                seen < known ? textureMean(model, seen) : summarise(pictures[seen - known].pixels).meanColour;
+        }
+        change.applyTo(material, mean);
+        if (texture) material.diffuseTexture = *texture;
+    }
+
+    void warnOfUnused(const std::filesystem::path& path, const std::string& what, const std::string& pattern,
+                      std::optional<int> number) {
+        const std::string which =
+            number ? "has the number " + std::to_string(*number) : "is named like \"" + pattern + "\"";
+        out_.warnings.push_back(path.string() + ": no " + what + " of the model " + which);
+    }
+
+    void hideParts(const std::filesystem::path& path, const SceneFile& file) {
+        if (file.parts.empty()) return;
+        Scene& scene = out_.scene;
+        const std::vector<NamedPart> parts = namedParts(scene.model);
+        for (const PartDescription& each : file.parts) {
+            std::vector<std::uint8_t> chosen(parts.size());
+            for (std::size_t i = 0; i < parts.size(); ++i)
+                chosen[i] = isNamed(each.pattern, each.number, i, parts[i].name) ? 1 : 0;
+            if (std::find(chosen.begin(), chosen.end(), 1) == chosen.end())
+                warnOfUnused(path, "part", each.pattern, each.number);
+            scene.hiddenParts = withParts(scene.model, parts, chosen, each.hidden, scene.hiddenParts);
+        }
     }
 
     /// The model's textures followed by these, in memory of their own.
@@ -234,27 +283,38 @@ class Loader {
         model.storage = extended;
     }
 
-    void loadEnvironment(const EnvironmentFile& file) {
-        const auto read = [&]() -> Environment {
-            switch (file.kind) {
-            case EnvironmentKind::Cross:
-                return loadCubeCross(file.files.at(0));
-            case EnvironmentKind::Strip:
-                return loadCubeStrip(file.files.at(0));
-            case EnvironmentKind::Faces: {
-                std::array<std::filesystem::path, 6> faces;
-                std::copy_n(file.files.begin(), std::min<std::size_t>(6, file.files.size()), faces.begin());
-                return loadCubeFaces(faces);
-            }
-            case EnvironmentKind::Equirectangular:
-                break;
-            }
-            return loadEquirectangular(file.files.at(0));
-        };
-        Environment environment = read();
+    void addFile(const EnvironmentFile& file, Environment environment) {
         out_.files.insert(out_.files.end(), file.files.begin(), file.files.end());
-        environment.intensity = file.intensity;
-        out_.scene.environments.push_back(std::make_shared<const Environment>(std::move(environment)));
+        addEnvironment(out_.scene, file, std::move(environment));
+    }
+
+    void setSun(const SunDescription& sun) {
+        Scene& scene = out_.scene;
+        const std::size_t light = *sunOf(scene);
+        scene.lights[light].on = sun.on ? 1 : 0;
+        if (sun.id > 0 && !lightWithId(scene, sun.id)) scene.lightNotes[light].id = sun.id;
+    }
+
+    /// Of the options, in place of what the scene has. Settings of files win over that a sky lights.
+    void takeSurroundings() {
+        Scene& scene = out_.scene;
+        const int active = scene.activeEnvironment;
+        if (options_.surroundings.environment) {
+            phase(LoadPhase::LoadingImages);
+            OpenedEnvironment opened = openEnvironment(*options_.surroundings.environment);
+            addFile(opened.file, std::move(opened.environment));
+            scene.activeEnvironment = static_cast<int>(scene.environments.size()) - 1;
+        } else if (options_.surroundings.sky || described_) {
+            setSky(scene, options_.surroundings.sky ? options_.surroundings.sky : described_);
+            if (described_) setSun(out_.sceneFile->sun);
+            if (!options_.surroundings.sky) scene.activeEnvironment = active;
+        }
+    }
+
+    /// Files' own assignments stand behind what follows from them, and before what the user says.
+    void take(const std::vector<SettingAssignment>& settings, bool last = false) {
+        for (auto* const all : {&out_.live, &out_.still})
+            all->insert(last ? all->end() : all->begin(), settings.begin(), settings.end());
     }
 
     /// The .scn's own settings first, then those of the .set that it names, which win.
@@ -288,18 +348,47 @@ class Loader {
         if (!hasCamera_) out_.camera = defaultCamera(out_.tree, out_.scene.mesh(), frame.up);
     }
 
+    void lightByLook(Look look, bool last = false) {
+        Scene& scene = out_.scene;
+        const LookLights lights =
+            lookLights(look, out_.tree, scene.mesh(), scene.up, out_.camera, options_.surroundings.sky);
+        lightBy(scene, lights);
+        out_.look = look;
+        take(settingsOf(look, lights), last);
+    }
+
+    bool hasLight() const {
+        const bool emits = std::any_of(out_.scene.materials.begin(), out_.scene.materials.end(),
+                                       [](const Material& m) { return !isBlack(m.emission); });
+        // A scene lit by its surroundings alone is a choice; one without any light is an oversight.
+        const bool chosen =
+            out_.sceneFile && (!out_.sceneFile->defaultLight || emits || !isBlack(out_.scene.ambient));
+        return chosen || out_.scene.lights.size() > (options_.surroundings.sky ? 1 : 0);
+    }
+
+    void giveLight() {
+        Scene& scene = out_.scene;
+        const Surroundings& surroundings = options_.surroundings;
+        const bool surrounded = surroundings.environment || scene.sky;
+        if (surroundings.look) return lightByLook(*surroundings.look, true);
+        if (hasLight() || (surrounded && out_.sceneFile)) {
+            if (surrounded) take({{"skyLight.on", true}});
+        } else if (surrounded) {
+            take(settingsOf(true, addRoomLights(scene, out_.tree)));
+        } else if (out_.sceneFile) {
+            addHeadlight(scene, out_.tree.bounds, out_.camera);
+            out_.look = Look::Headlight;
+        } else {
+            lightByLook(surroundings.usual);
+        }
+    }
+
     void finish() {
         Scene& scene = out_.scene;
         decideUpAndUnit();
-        // A scene lit by its surroundings alone is a choice; one without any light is an oversight.
-        const bool emits = std::any_of(scene.materials.begin(), scene.materials.end(),
-                                       [](const Material& m) { return !isBlack(m.emission); });
-        if (scene.lights.empty() && (isBlack(scene.ambient) || !out_.sceneFile) &&
-            !(emits && out_.sceneFile)) {
-            scene.lights.push_back(defaultLight(out_.camera, out_.tree.bounds));
-            scene.lightNames.emplace_back("default");
-            out_.ownLight = false;
-        }
+        takeSurroundings();
+        giveLight();
+        numberLights(scene);
         scene.closed = findClosedSurfaces(scene.mesh(), scene.materials);
         phase(LoadPhase::Done);
     }
@@ -307,7 +396,31 @@ class Loader {
     const LoadOptions& options_;
     LoadedScene out_;
     bool hasCamera_ = false;
+    std::optional<Sky> described_; ///< by the .scn
 };
+
+LookLights lightsOfLook(const LoadedScene& loaded, const Scene& scene) {
+    // A sky by date stands wherever its place is.
+    const std::optional<Sky> sky = scene.sky && scene.sky->date ? scene.sky : std::nullopt;
+    return lookLights(*loaded.look, loaded.tree, scene.mesh(), scene.up, loaded.camera, sky);
+}
+
+bool isLitByItsLook(const LoadedScene& loaded, const Scene& scene) {
+    return loaded.look && isLitBy(scene, lightsOfLook(loaded, scene));
+}
+
+/// What is switched off stays so.
+void lightAnew(const LoadedScene& loaded, Scene& scene) {
+    LookLights look = lightsOfLook(loaded, scene);
+    look.background = scene.background;
+    look.ambient = scene.ambient;
+    const std::vector<Light> before = scene.lights;
+    const int environment = scene.activeEnvironment;
+    lightBy(scene, look);
+    scene.activeEnvironment = environment;
+    if (scene.lights.size() != before.size()) return;
+    for (std::size_t i = 0; i < before.size(); ++i) scene.lights[i].on = before[i].on;
+}
 
 } // namespace
 
@@ -317,19 +430,18 @@ LoadedScene loadScene(const std::filesystem::path& path, const LoadOptions& opti
 
 void reframe(LoadedScene& loaded, const UpAndUnit& frame, Scene& scene, Camera& camera) {
     const bool turned = frame.up != scene.up;
+    const bool lit = turned && isLitByItsLook(loaded, scene);
     loaded.frame = frame;
     scene.up = frame.up;
     scene.metresPerUnit = frame.metresPerUnit;
     if (!turned) return;
+    straightenSky(scene);
     if (loaded.ownCamera) {
         camera.up = upwardsOf(camera.forward, frame.up);
-        return;
+    } else {
+        camera = loaded.camera = defaultCamera(loaded.tree, scene.mesh(), frame.up);
     }
-    camera = loaded.camera = defaultCamera(loaded.tree, scene.mesh(), frame.up);
-    if (loaded.ownLight || scene.lights.size() != 1) return;
-    const std::uint32_t on = scene.lights.front().on;
-    scene.lights.front() = defaultLight(camera, loaded.tree.bounds);
-    scene.lights.front().on = on;
+    if (lit) lightAnew(loaded, scene);
 }
 
 } // namespace rtcore

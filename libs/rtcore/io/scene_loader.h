@@ -5,7 +5,7 @@
 #include "rtcore/accel/kd_tree.h"
 #include "rtcore/io/import/model_import.h"
 #include "rtcore/io/text/scn.h"
-#include "rtcore/render/default_view.h"
+#include "rtcore/look/look.h"
 #include "rtcore/render/up_and_unit.h"
 #include "rtcore/scene/scene.h"
 
@@ -25,12 +25,22 @@ enum class LoadPhase { ReadingScene, ImportingModel, BuildingTree, LoadingImages
 /// A model of more triangles gets a fast tree where few rays are traced.
 inline constexpr std::size_t kFastTreeTriangles = 200'000;
 
+/// What lights a scene, as far as its user says. Not an environment together with one of the others.
+struct Surroundings {
+    /// In place of the scene's sky and of its active environment.
+    std::optional<std::filesystem::path> environment = {}; ///< of any shape that openEnvironment() knows
+    std::optional<Sky> sky = {};
+    std::optional<Look> look = {}; ///< in place of all of the scene's lights, too; `sky` belongs to Look::Sky
+    Look usual = Look::Headlight;  ///< of models that bring no light; a .scn brings Look::Headlight
+};
+
 struct LoadOptions {
     BuildOptions build; ///< for models that have no tree yet
     ImportOptions import;
     std::optional<std::filesystem::path> model; ///< in place of the one that a .scn names; ignored for others
     /// A .bsp that was made of the model: read in its place, which goes on to be named, where it can be read.
     std::optional<std::filesystem::path> cachedModel;
+    Surroundings surroundings;
     /// Primary rays that the scene is loaded for, when they are known and few: a large model then gets a fast
     /// tree, whose images are the same. 0 = many.
     std::uint64_t primaryRays = 0;
@@ -43,16 +53,19 @@ struct LoadedScene {
     KdTree tree;
     Camera camera;                      ///< the .scn's, else the model's first, else defaultCamera()
     std::optional<SceneFile> sceneFile; ///< when a .scn was named
-    std::vector<SettingAssignment> live,
-        still;                         ///< the .scn's own settings, then those of the .set that it names
+    /// skyLight.on where there is a sky, the .scn's own settings, those of the .set that it names, what a
+    /// look that the user names needs.
+    std::vector<SettingAssignment> live, still;
     std::vector<std::string> warnings; ///< each one line, with the file's name
     std::filesystem::path modelPath;
+    /// The model's own and those that it names, absolute; empty where a cachedModel was read in its place.
+    std::vector<std::filesystem::path> modelFiles;
     std::vector<std::filesystem::path> files; ///< all that were read, as far as known; some may stand twice
     BuildTimes buildTimes;                    ///< zero when the tree came from a .bsp
     UpAndUnit frame;                          ///< what Scene::up and Scene::metresPerUnit are, and why
     ModelOrigin origin;                       ///< of the model
     bool ownCamera = true;                    ///< false: defaultCamera()
-    bool ownLight = true;                     ///< false: the only light is defaultLight() of that camera
+    std::optional<Look> look; ///< lightBy() it was lit by, with that camera; nothing: light of its own
     bool fastTree = false; ///< since LoadOptions::primaryRays are few: an exact tree serves more rays better
 };
 

@@ -48,8 +48,11 @@ class NearbyTriangles {
     /// indices. Valid until the next call.
     std::span<const SolidTriangle> in(const Box3d& need);
 
-    /// Another tree of the same mesh; must outlive it.
-    void useTree(const KdTree& tree) { tree_ = tree; }
+    /// Another tree of the same mesh, or of a part of it; must outlive it.
+    void useTree(const KdTree& tree) {
+        tree_ = tree;
+        known_ = close_ = {{1, 1, 1}, {-1, -1, -1}};
+    }
 
   private:
     Box3 toScene(const Box3d& box) const;

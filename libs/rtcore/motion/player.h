@@ -35,7 +35,7 @@ class Player {
     /// `tree` and `mesh` must outlive it. Starts in viewing mode at a default camera.
     Player(const KdTree& tree, const Mesh& mesh, const PlayerOptions& options);
 
-    /// Another tree of the same mesh; must outlive it. Nothing moves.
+    /// Another tree of the same mesh, or of a part of it; must outlive it. Nothing moves.
     void useTree(const KdTree& tree) { walker_.useTree(tree); }
 
     /// Jumps there. In walk-through mode the body comes along; where there is no room for it the mode becomes

@@ -59,7 +59,7 @@ class Walker {
     Walker(const Walker&) = delete;
     Walker& operator=(const Walker&) = delete;
 
-    /// Another tree of the same mesh; must outlive it.
+    /// Another tree of the same mesh, or of a part of it; must outlive it.
     void useTree(const KdTree& tree);
 
     /// Puts the player where its eye is at `eye` or, when there is no room, within a metre of it and in its

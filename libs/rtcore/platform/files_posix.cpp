@@ -125,12 +125,14 @@ bool isTemporaryName(std::string_view name) {
 }
 
 /// A file of this user that has not been written for so long and whose lock is free. On a file system without
-/// locks none is free, so that no file counts as forgotten there.
+/// locks none is free, so that no file counts as forgotten there. time() may lag behind the clock of files,
+/// so that a file just written seems to come from the future: its age is 0.
 bool isForgotten(const fs::path& path, std::int64_t seconds) {
     struct stat status {};
     if (::lstat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return false;
     const bool ours = status.st_uid == ::geteuid() && status.st_nlink == 1;
-    if (!ours || std::time(nullptr) - std::max(status.st_mtime, status.st_ctime) < seconds) return false;
+    const std::int64_t written = std::max(status.st_mtime, status.st_ctime);
+    if (!ours || std::max<std::int64_t>(std::time(nullptr) - written, 0) < seconds) return false;
     const Descriptor file(openRetrying(path, O_RDONLY | O_NONBLOCK | O_NOFOLLOW));
     return file.valid() && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0;
 }

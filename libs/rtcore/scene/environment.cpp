@@ -301,8 +301,10 @@ Environment Environment::fromCube(std::array<HdrImage, 6> faces, std::string nam
     environment.name_ = std::move(name);
     environment.cube_ = true;
     environment.mean_ = meanOfFaces(faces);
-    environment.images_.reserve(6);
-    for (int face = 0; face < 6; ++face) environment.images_.push_back(borderedFace(faces, face));
+    std::vector<HdrImage> bordered;
+    bordered.reserve(6);
+    for (int face = 0; face < 6; ++face) bordered.push_back(borderedFace(faces, face));
+    environment.images_ = std::make_shared<const std::vector<HdrImage>>(std::move(bordered));
     return environment;
 }
 
@@ -311,28 +313,38 @@ Environment Environment::fromEquirectangular(const HdrImage& image, std::string 
     Environment environment;
     environment.name_ = std::move(name);
     environment.mean_ = meanOfSphere(image);
-    environment.images_.push_back(borderedEquirectangular(image));
+    environment.images_ =
+        std::make_shared<const std::vector<HdrImage>>(std::vector<HdrImage>{borderedEquirectangular(image)});
     return environment;
 }
 
 Colour Environment::radiance(Vec3 direction, TexelFilter filter) const {
     assert(isFinite(direction) && direction != Vec3{});
+    const std::vector<HdrImage>& images = *images_;
+    if (rotation_ != 0)
+        direction = {dot(axes_[0], direction), dot(axes_[1], direction), dot(axes_[2], direction)};
     if (cube_) {
         const CubeCoordinate c = cubeCoordinate(direction);
-        return intensity * sample(images_[static_cast<std::size_t>(c.face)], c.s, c.t, filter);
+        return intensity * sample(images[static_cast<std::size_t>(c.face)], c.s, c.t, filter);
     }
     const Vec3 d = normalize(direction);
     // acos(y) as an angle of two coordinates, which keeps its precision near the poles.
     const float polar = portableAtan2(std::sqrt(d.x * d.x + d.z * d.z), d.y);
     const float u = 0.5F + portableAtan2(d.x, -d.z) * static_cast<float>(0.5 / kExactPi);
-    return intensity * sample(images_[0], u, polar * static_cast<float>(1 / kExactPi), filter);
+    return intensity * sample(images[0], u, polar * static_cast<float>(1 / kExactPi), filter);
 }
 
 std::vector<EnvironmentCell> Environment::cells() const {
     std::vector<EnvironmentCell> cells;
-    if (!cube_) addCellsOfSphere(images_[0], cells);
+    const std::vector<HdrImage>& images = *images_;
+    if (!cube_) addCellsOfSphere(images[0], cells);
     for (int face = 0; cube_ && face < 6; ++face)
-        addCellsOfFace(images_[static_cast<std::size_t>(face)], face, cells);
+        addCellsOfFace(images[static_cast<std::size_t>(face)], face, cells);
+    if (rotation_ == 0) return cells;
+    for (EnvironmentCell& cell : cells) {
+        const Vec3 d = cell.direction;
+        cell.direction = axes_[0] * d.x + axes_[1] * d.y + axes_[2] * d.z;
+    }
     return cells;
 }
 
@@ -341,6 +353,18 @@ const EnvironmentLight& Environment::light() const {
     return light_->light;
 }
 
-int Environment::resolution() const { return images_[0].width - 2; }
+void Environment::turn(float degrees, Vec3 up) {
+    const auto s = static_cast<float>(portableSinOfDegrees(static_cast<double>(degrees)));
+    const auto c = static_cast<float>(portableCosOfDegrees(static_cast<double>(degrees)));
+    const auto turned = [&](Vec3 axis) {
+        const Vec3 along = up * dot(axis, up);
+        return along + (axis - along) * c + cross(axis, up) * s;
+    };
+    axes_ = {turned({1, 0, 0}), turned({0, 1, 0}), turned({0, 0, 1})};
+    rotation_ = degrees;
+    light_ = std::make_shared<LazyLight>();
+}
+
+int Environment::resolution() const { return images_->front().width - 2; }
 
 } // namespace rtcore

@@ -16,7 +16,8 @@ namespace rtcore {
 
 enum class TexelFilter { Bilinear, Nearest };
 
-/// Immutable; safe from many threads. Directions need not be normalised, only finite and not zero.
+/// Safe from many threads while it is not changed. Copies are cheap. Directions need not be normalised, only
+/// finite and not zero.
 class Environment {
   public:
     /// Six square faces of one size as cube maps list them: right (+x), left (-x), up (+y), down (-y), ahead
@@ -35,11 +36,15 @@ class Environment {
     /// All directions in some 10^5 cells of half a degree at most, without the intensity.
     std::vector<EnvironmentCell> cells() const;
     /// What it throws on surfaces, without the intensity. Made when first asked for, in some 10^-2 s for each
-    /// 10^6 texels; other threads wait for that.
+    /// 10^6 texels; other threads wait for that. A copy that is turned makes its own.
     const EnvironmentLight& light() const;
 
     const std::string& name() const { return name_; }
     float intensity = 1; ///< factor on every texel
+    /// Turns it about `up`, a unit vector: what its image has straight ahead is seen so many degrees to the
+    /// right then, as one stands. Earlier turns are forgotten.
+    void turn(float degrees, Vec3 up);
+    float rotation() const { return rotation_; } ///< degrees
     bool isCube() const { return cube_; }
     /// Side of a face, or width of the equirectangular image, in texels.
     int resolution() const;
@@ -54,8 +59,11 @@ class Environment {
 
     std::string name_;
     bool cube_ = false;
-    Colour mean_;                  ///< without the intensity
-    std::vector<HdrImage> images_; ///< six faces with a border of one texel, or one image
+    Colour mean_; ///< without the intensity
+    /// Six faces with a border of one texel, or one image; copies share them.
+    std::shared_ptr<const std::vector<HdrImage>> images_;
+    float rotation_ = 0;
+    std::array<Vec3, 3> axes_{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};      ///< of the images, as they are seen
     std::shared_ptr<LazyLight> light_ = std::make_shared<LazyLight>(); ///< copies share it
 };
 

@@ -46,10 +46,11 @@ struct Material {
     float metallic = 0;             ///< 0 (dielectric) .. 1 (metal)
     std::uint32_t metallicRoughnessTexture = kNoTexture; ///< green times `roughness`, blue times `metallic`
     std::uint32_t emissionLights = 0;                    ///< 1: what it emits lights other surfaces
+    std::uint32_t flipTextures = 0;                      ///< 1: its textures are turned upside down
 
     friend bool operator==(const Material&, const Material&) = default;
 };
-static_assert(std::is_trivially_copyable_v<Material> && sizeof(Material) == 128);
+static_assert(std::is_trivially_copyable_v<Material> && sizeof(Material) == 132);
 
 /// A part of the light may pass, through the surface or through holes that an alpha texture cuts.
 inline bool isTransparent(const Material& m) { return m.opacity < 1 || m.alphaTexture != kNoTexture; }

@@ -6,11 +6,16 @@
 #include "rtcore/scene/camera.h"
 #include "rtcore/scene/closed_surfaces.h"
 #include "rtcore/scene/environment.h"
+#include "rtcore/scene/environment_source.h"
 #include "rtcore/scene/light.h"
-#include "rtcore/scene/material.h"
+#include "rtcore/scene/light_notes.h"
+#include "rtcore/scene/material_override.h"
 #include "rtcore/scene/model.h"
+#include "rtcore/scene/part_list.h"
+#include "rtcore/scene/sky.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +45,9 @@ struct WalkParameters {
     float gravity = 9.81F;
 };
 
+/// Of SceneLook::activeEnvironment.
+inline constexpr int kNoEnvironment = -1;
+
 /// What surrounds the surfaces, and how one walks between them: what a scene file says beside the model.
 struct SceneLook {
     Colour background; ///< radiance where there is no environment
@@ -48,17 +56,23 @@ struct SceneLook {
     WalkParameters walk;
     Vec3 up{0, 1, 0}; ///< one of the six axes
     float metresPerUnit = 1;
-    int activeEnvironment = 0; ///< index into the scene's environments; ignored when there are none
+    std::optional<Sky> sky;
+    /// Index into the scene's environments, of which the sky is the last; ignored when there are none.
+    int activeEnvironment = 0;
 };
 
 struct Scene : SceneLook {
     Model model;
     /// The model's with the scene's overrides; indexed by ShadingTriangle::material.
     std::vector<Material> materials;
+    std::vector<MaterialOverride> materialEdits; ///< made since it was loaded, one for a material, by number
     std::vector<Light> lights;
     std::vector<std::string> lightNames; ///< one per light, may be ""
-    std::vector<std::shared_ptr<const Environment>> environments;
-    ClosedSurfaces closed; ///< findClosedSurfaces() of the mesh with these materials
+    std::vector<LightNotes> lightNotes;  ///< one per light, once numberLights() was called
+    std::vector<std::shared_ptr<const Environment>> environments; ///< of files, then that of `sky`
+    std::vector<EnvironmentFile> environmentFiles; ///< what those of files were loaded from, where known
+    HiddenParts hiddenParts;                       ///< of the model; visibleTree() is of what is left
+    ClosedSurfaces closed;                         ///< findClosedSurfaces() of the mesh with these materials
 
     const Mesh& mesh() const { return model.mesh; }
     /// Whether the triangle's surface bounds a solid.

@@ -99,12 +99,18 @@ Setting row(std::string_view name, Range range, std::string_view unit, std::stri
             unit,
             help,
             choicesOf<Type>(),
+            {},
             &getMember<Path...>,
             &setMember<Path...>};
 }
 template <auto... Path>
 Setting row(std::string_view name, std::string_view help) {
     return row<Path...>(name, Range{}, "", help);
+}
+/// One of which 0 is no amount.
+Setting zeroIs(std::string_view word, Setting setting) {
+    setting.zero = word;
+    return setting;
 }
 /// A setting without a dot that belongs to others.
 Setting with(std::string_view group, Setting setting) {
@@ -124,10 +130,9 @@ std::vector<Setting> makeTable() {
         row<&S::antialiasing>("antialiasing", {1, 16}, "", "N x N samples per pixel, averaged"),
         row<&S::sampling>("sampling",
                           "positions of the samples in a pixel: rotated is best at edges, grid is fastest"),
-        row<&S::adaptive>(
-            "adaptive", {0, 1}, "",
-            "pixels that differ less from their neighbours get a quarter of the samples; 0: all get "
-            "all, 0.05: hard to see"),
+        zeroIs("off", row<&S::adaptive>("adaptive", {0, 1}, "",
+                                        "pixels that differ less from their neighbours get a quarter of the "
+                                        "samples; off: all get all, 0.05: hard to see")),
         with("rays", row<&S::shadows>("shadows", "lights cast shadows")),
         with("rays", row<&S::reflections>("reflections", "mirrors reflect")),
         with("rays", row<&S::refractions>("refractions", "transparent surfaces let light through")),
@@ -141,38 +146,41 @@ std::vector<Setting> makeTable() {
                                                   "corners are darker than open surfaces"),
         row<&S::ambientOcclusion, &Occlusion::samples>("ambientOcclusion.samples", {1, 4096}, "rays",
                                                        "rays per point for ambient occlusion"),
-        row<&S::ambientOcclusion, &Occlusion::distance>(
-            "ambientOcclusion.distance", {0, kUnlimited}, "scene units",
-            "how far off a surface occludes; 0: 15 % of the scene's diagonal"),
+        zeroIs("automatic", row<&S::ambientOcclusion, &Occlusion::distance>(
+                                "ambientOcclusion.distance", {0, kUnlimited}, "scene units",
+                                "how far off a surface occludes; automatic: 15 % of the scene's diagonal")),
         row<&S::ambientOcclusion, &Occlusion::pattern>("ambientOcclusion.pattern",
                                                        "directions of the rays, turned for each point, the "
                                                        "same for all, or any"),
-        row<&S::ambientOcclusion, &Occlusion::light>(
-            "ambientOcclusion.light", {0, kUnlimited}, "radiance",
-            "ambient light; 0: the scene's, or one that suits it when it has none"),
+        zeroIs("automatic",
+               row<&S::ambientOcclusion, &Occlusion::light>(
+                   "ambientOcclusion.light", {0, kUnlimited}, "radiance",
+                   "ambient light; automatic: the scene's, or one that suits it when it has none")),
         row<&S::skyLight, &SkyLightSettings::on>(
-            "skyLight.on", "the environment lights what it is seen from, in place of ambient light"),
+            "skyLight.on",
+            "the environment lights what it is seen from; ambient light only with ambientOcclusion.on"),
         row<&S::skyLight, &SkyLightSettings::samples>("skyLight.samples", {1, 4096}, "rays",
                                                       "rays per point for the light of the sky"),
         row<&S::depthOfField, &Lens::on>("depthOfField.on", "only what is in focus is sharp"),
         row<&S::depthOfField, &Lens::fNumber>("depthOfField.fNumber", {0.1, 1000}, "",
                                               "focal length over the lens's diameter, of a film 36 mm wide: "
                                               "smaller is more blurred"),
-        row<&S::depthOfField, &Lens::focus>("depthOfField.focus", {0, kUnlimited}, "scene units",
-                                            "distance of what is sharp; 0: of what is in the middle"),
-        row<&S::depthOfField, &Lens::blades>("depthOfField.blades", {0, 32}, "",
-                                             "corners of the aperture; below 3: round"),
+        zeroIs("automatic", row<&S::depthOfField, &Lens::focus>(
+                                "depthOfField.focus", {0, kUnlimited}, "scene units",
+                                "distance of what is sharp; automatic: of what is in the middle")),
+        zeroIs("round", row<&S::depthOfField, &Lens::blades>("depthOfField.blades", {0, 32}, "",
+                                                             "corners of the aperture; fewer than 3: round")),
         row<&S::fog, &FogSettings::on>("fog.on", "the scene's fog is shown"),
-        row<&S::fog, &FogSettings::shafts>("fog.shafts", {0, 1024}, "rays",
-                                           "shadow rays to each light along a ray through fog: shafts of "
-                                           "light; 0: none"),
-        row<&S::areaLights, &AreaLightSettings::samples>(
-            "areaLights.samples", {0, 4096}, "rays",
-            "shadow rays to each area light: soft shadows; 0: area lights are points"),
-        row<&S::denoise, &DenoiseSettings::passes>("denoise.passes", {0, 8}, "passes",
-                                                   "smooths noise, but not edges; 0: none"),
-        row<&S::bloom, &Bloom::radius>("bloom.radius", {0, 4096}, "pixels",
-                                       "size of the bloom around bright spots; 0: none"),
+        zeroIs("off", row<&S::fog, &FogSettings::shafts>(
+                          "fog.shafts", {0, 1024}, "rays",
+                          "shadow rays to each light along a ray through fog: shafts of light")),
+        zeroIs("off", row<&S::areaLights, &AreaLightSettings::samples>(
+                          "areaLights.samples", {0, 4096}, "rays",
+                          "shadow rays to each area light: soft shadows; off: area lights are points")),
+        zeroIs("off", row<&S::denoise, &DenoiseSettings::passes>("denoise.passes", {0, 8}, "passes",
+                                                                 "smooths noise, but not edges")),
+        zeroIs("off", row<&S::bloom, &Bloom::radius>("bloom.radius", {0, 4096}, "pixels",
+                                                     "size of the bloom around bright spots")),
         row<&S::bloom, &Bloom::kernel>("bloom.kernel",
                                        "blur of a plain lens, or the coloured rings of a perfect one"),
         row<&S::bloom, &Bloom::share>("bloom.share", {0, 1}, "", "fraction of all light that bloom spreads"),
@@ -200,11 +208,22 @@ const std::vector<Setting>& table() {
     return rows;
 }
 
+std::string textOf(double limit) { return settingText(static_cast<float>(limit)); }
+
+/// What a number may be.
+std::string rangeWith(const Setting& setting, std::string_view unit) {
+    const std::string least = textOf(setting.minimum);
+    std::string range =
+        setting.maximum >= kUnlimited ? "at least " + least : least + " to " + textOf(setting.maximum);
+    if (!unit.empty()) range.append(" ").append(unit);
+    return setting.zero.empty() ? range : range.append(", or ").append(setting.zero);
+}
+
 [[noreturn]] void refuse(const Setting& setting, const std::string& given) {
-    const std::string unit = setting.unit.empty() ? "" : " " + std::string(setting.unit);
+    const bool number = setting.type == SettingType::Integer || setting.type == SettingType::Number;
+    const std::string takes = number ? rangeWith(setting, setting.unit) : settingRange(setting);
     const std::string kind = setting.type == SettingType::Integer ? "a whole number, " : "";
-    throw std::invalid_argument(std::string(setting.name) + " is " + given + ", but takes " + kind +
-                                settingRange(setting) + unit);
+    throw std::invalid_argument(std::string(setting.name) + " is " + given + ", but takes " + kind + takes);
 }
 
 /// Compared as floats, so that the limits themselves are taken. Not a number is in no range.
@@ -212,19 +231,31 @@ bool inRange(const Setting& setting, float value) {
     return value >= static_cast<float>(setting.minimum) && value <= static_cast<float>(setting.maximum);
 }
 
+bool isZeroWord(const Setting& setting, const SettingValue& value) {
+    const std::string* word = std::get_if<std::string>(&value);
+    return word != nullptr && !setting.zero.empty() && *word == setting.zero;
+}
+
+std::string givenText(const SettingValue& value) {
+    const std::string text = settingText(value);
+    return std::holds_alternative<std::string>(value) ? inQuotes(text) : text;
+}
+
 int checkInteger(const Setting& setting, const SettingValue& value) {
+    if (isZeroWord(setting, value)) return 0;
     const int* number = std::get_if<int>(&value);
     const bool good = number != nullptr && *number >= setting.minimum && *number <= setting.maximum;
-    if (!good) refuse(setting, settingText(value));
+    if (!good) refuse(setting, givenText(value));
     return *number;
 }
 
 float checkNumber(const Setting& setting, const SettingValue& value) {
+    if (isZeroWord(setting, value)) return 0;
     const int* whole = std::get_if<int>(&value);
     const float* number = std::get_if<float>(&value);
-    if (whole == nullptr && number == nullptr) refuse(setting, settingText(value));
+    if (whole == nullptr && number == nullptr) refuse(setting, givenText(value));
     const float checked = number != nullptr ? *number : static_cast<float>(*whole);
-    if (!inRange(setting, checked)) refuse(setting, settingText(value));
+    if (!inRange(setting, checked)) refuse(setting, givenText(value));
     return checked;
 }
 
@@ -293,7 +324,7 @@ SettingValue parseSetting(const Setting& setting, std::string_view text) {
     if (setting.type == SettingType::Choice) return checkSetting(setting, std::string(text));
     if (int whole = 0; parseNumber(text, whole)) return checkSetting(setting, whole);
     if (float number = 0; parseNumber(text, number)) return checkSetting(setting, number);
-    refuse(setting, inQuotes(text));
+    return checkSetting(setting, std::string(text));
 }
 
 void setSetting(RenderSettings& settings, std::string_view name, const SettingValue& value) {
@@ -335,15 +366,13 @@ std::string settingText(const SettingValue& value) {
 }
 
 std::string settingRange(const Setting& setting) {
-    const auto text = [](double limit) { return settingText(static_cast<float>(limit)); };
     std::string names;
     switch (setting.type) {
     case SettingType::Boolean:
         return "true or false";
     case SettingType::Integer:
     case SettingType::Number:
-        if (setting.maximum >= kUnlimited) return "at least " + text(setting.minimum);
-        return text(setting.minimum) + " to " + text(setting.maximum);
+        return rangeWith(setting, "");
     case SettingType::Choice:
         break;
     }

@@ -29,6 +29,9 @@ struct Setting {
     std::string_view unit;     ///< "pixels"; "" when it has none
     std::string_view help;     ///< one line
     std::span<const std::string_view> choices; ///< Choice: names in the order of the enumeration
+    /// Integer and Number, where 0 is no amount: the word for it, which is taken in its place: "automatic",
+    /// "off"; else "".
+    std::string_view zero;
 
     SettingValue (*get)(const RenderSettings&);
     void (*set)(RenderSettings&, const SettingValue&); ///< takes only what checkSetting() returns
@@ -51,13 +54,13 @@ const Setting* findSetting(std::string_view name);
 /// The same. Throws std::invalid_argument that tells the nearest known name.
 const Setting& requireSetting(std::string_view name);
 
-/// `value` as the setting's own type (a whole number is taken where a Number is wanted).
+/// `value` as the setting's own type (a whole number is taken where a Number is wanted, and the word for 0).
 /// Throws std::invalid_argument that tells the type, range or choices when the value is of another type, out
 /// of range or not finite.
 SettingValue checkSetting(const Setting& setting, const SettingValue& value);
 
-/// Reads the value from text, as the command line gives it: true/false, on/off, yes/no, 1/0; decimal numbers;
-/// names of choices. Throws as checkSetting does.
+/// Reads the value from text, as the command line gives it: true/false, on/off, yes/no, 1/0; decimal numbers
+/// or the word for 0; names of choices. Throws as checkSetting does.
 SettingValue parseSetting(const Setting& setting, std::string_view text);
 
 /// By name. They throw std::invalid_argument as above and leave `settings` as it was.
@@ -79,8 +82,8 @@ std::vector<SettingAssignment> settingAssignments(const RenderSettings& settings
 /// The value as parseSetting reads it; numbers in the fewest digits that keep every bit.
 std::string settingText(const SettingValue& value);
 
-/// What the setting takes, for help and messages: "1 to 32768", "at least 0", "true or false", "automatic or
-/// fixed".
+/// What the setting takes, for help and messages: "1 to 32768", "at least 0, or automatic", "true or false",
+/// "automatic or fixed".
 std::string settingRange(const Setting& setting);
 
 } // namespace rtcore

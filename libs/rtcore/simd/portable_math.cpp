@@ -23,12 +23,21 @@ double exp2Double(double x) {
     return plain::exp2Double(x);
 }
 
-double sinQuadrant(double x, int shift) {
-    const double quadrant = std::floor(x / (kPi / 2) + 0.5);
-    const double rest = x - quadrant * (kPi / 2);
+/// The sine of `rest` and `quadrant` quarters of a turn.
+double sinOfRest(double rest, double quadrant, int shift) {
     const auto which = (static_cast<std::int64_t>(quadrant) + shift) & 3;
     const double value = (which & 1) != 0 ? plain::cosSeries(rest) : plain::sinSeries(rest);
     return which >= 2 ? -value : value;
+}
+
+double sinQuadrant(double x, int shift) {
+    const double quadrant = std::floor(x / (kPi / 2) + 0.5);
+    return sinOfRest(x - quadrant * (kPi / 2), quadrant, shift);
+}
+
+double sinOfDegrees(double degrees, int shift) {
+    const double quadrant = std::floor(degrees / 90 + 0.5);
+    return sinOfRest((degrees - quadrant * 90) * (kPi / 180), quadrant, shift);
 }
 
 double atan2Double(double y, double x) {
@@ -60,6 +69,9 @@ float portablePow(float x, float y) {
 
 float portableSin(float x) { return static_cast<float>(sinQuadrant(x, 0)); }
 float portableCos(float x) { return static_cast<float>(sinQuadrant(x, 1)); }
+
+double portableSinOfDegrees(double degrees) { return sinOfDegrees(degrees, 0); }
+double portableCosOfDegrees(double degrees) { return sinOfDegrees(degrees, 1); }
 
 float portableAtan2(float y, float x) { return static_cast<float>(atan2Double(y, x)); }
 

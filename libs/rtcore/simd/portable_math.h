@@ -17,6 +17,10 @@ float portablePow(float x, float y);
 /// sin and cos of |x| <= 1000 radians; absolute error below 1e-7.
 float portableSin(float x);
 float portableCos(float x);
+/// sin and cos of |degrees| <= 1e9, whole turns taken off before the angle becomes one in radians; absolute
+/// error below 3e-10 and that of the angle itself.
+double portableSinOfDegrees(double degrees);
+double portableCosOfDegrees(double degrees);
 /// The angle of (x, y) in (-pi, pi]; 0 for (0, 0) and for what is not finite. Absolute error below 2e-7.
 float portableAtan2(float y, float x);
 /// acos of x clamped to [-1, 1]. Absolute error below 3e-7.

@@ -41,8 +41,8 @@ class Comparison {
   public:
     Comparison(const WalkOptions& options, const LiveServer& server,
                const std::vector<rtcore::Camera>& cameras, const std::vector<Published>& published)
-        : options_(options), server_(server), cameras_(cameras), published_(published),
-          references_(options.references, options.scene), settings_(server.state().settings()) {
+        : options_(options), server_(server), cameras_(cameras), published_(published), references_(options),
+          settings_(server.state().settings()) {
         if (!options.still) return;
         const rtcore::RenderSettings live = settings_;
         settings_ = {};

@@ -42,6 +42,12 @@ OptionGroup walkGroup() {
                   "anew, however long that takes",
           .minimum = 0.0001,
           .maximum = 1},
+         {.name = "look",
+          .value = ValueKind::Choice,
+          .argument = "LOOK",
+          .help = "light the scene so, in place of its own light; without it a model that brings none has a "
+                  "headlight",
+          .choices = {"sky", "studio", "headlight"}},
          {.name = "trace",
           .value = ValueKind::Text,
           .argument = "FILE",
@@ -122,6 +128,7 @@ WalkOptions readWalkOptions(const app::Arguments& arguments) {
     app::useIsa(arguments);
     for (const std::string& setting : arguments.all("setting"))
         options.settings.push_back(app::settingOf(setting));
+    if (const auto look = arguments.text("look")) options.look = rtcore::lookNamed(*look);
     if (const auto size = arguments.text("size")) readSize(*size, options);
     options.threads = app::threadsOf(arguments);
     options.framesPerSecond = arguments.number("fps").value_or(options.framesPerSecond);

@@ -26,10 +26,12 @@ std::uint64_t hashOf(std::string_view text) {
 
 } // namespace
 
-WalkReferences::WalkReferences(std::filesystem::path folder, const std::filesystem::path& scene)
-    : folder_(std::move(folder)),
-      scene_(fmt::format("{} {}", scene.string(),
-                         std::filesystem::last_write_time(scene).time_since_epoch().count())) {
+WalkReferences::WalkReferences(const WalkOptions& options)
+    : folder_(options.references),
+      scene_(fmt::format("{} {}", options.scene.string(),
+                         std::filesystem::last_write_time(options.scene).time_since_epoch().count())) {
+    if (options.look)
+        scene_ += fmt::format(" {}", rtcore::kLookNames[static_cast<std::size_t>(*options.look)]);
     std::filesystem::create_directories(folder_);
 }
 

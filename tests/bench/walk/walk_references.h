@@ -1,6 +1,8 @@
 /// The Renderer's pictures of a walk's cameras: made once, kept as files.
 #pragma once
 
+#include "bench/walk/walk_options.h"
+
 #include "rtcore/render/view.h"
 #include "rtcore/scene/image.h"
 
@@ -13,8 +15,8 @@ namespace bench {
 /// are to change.
 class WalkReferences {
   public:
-    /// `scene` is named in the pictures' keys, with its time of change. Makes the folder.
-    WalkReferences(std::filesystem::path folder, const std::filesystem::path& scene);
+    /// The scene is named in the pictures' keys, with its time of change. Makes the folder.
+    explicit WalkReferences(const WalkOptions& options);
 
     bool has(const rtcore::View& view) const;
     /// Read from its file, or rendered by all cores and kept.

@@ -98,6 +98,7 @@ TEST_F(Motions, TheBloomKeySwitchesIt) {
 }
 
 TEST_F(Motions, WhatAKeyDidIsTold) {
+    writeText(folder() / "room.obj", "# units = metres\n" + bytes("room.obj")); // so that none is offered
     start();
     const auto told = [this](const char* key) {
         const std::string before = ask({"messages"});

@@ -66,7 +66,7 @@ TEST_F(Reaction, WhateverTheSettingsAreAChangeIsSeen) {
 }
 
 TEST_F(Reaction, WithoutAFrameTimeWhatIsTooHeavyIsTakenBackToo) {
-    start();
+    start({"--look=headlight"});
     makeHeavy();
     EXPECT_TRUE(seen(coarse)) << "a change in the midst of a long frame";
     ask({"set", "antialiasing", "1"});

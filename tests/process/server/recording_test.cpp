@@ -48,12 +48,13 @@ TEST_F(Recordings, GoAtAnEvenPace) {
     ASSERT_EQ(path.size(), static_cast<std::size_t>(frames));
     EXPECT_GT(frames, 30) << "50 a second, standing still or not";
     for (std::size_t i = 0; i < path.size(); ++i) {
-        ASSERT_TRUE(path[i].time && path[i].exposure && path[i].lights);
+        ASSERT_TRUE(path[i].time && path[i].exposure &&
+                    path[i].lightsOn.size() + path[i].lightsOff.size() == 1);
         EXPECT_NEAR(*path[i].time, static_cast<double>(i) / 50, 1e-9);
     }
     EXPECT_GT(length(path.back().camera.eye - path.front().camera.eye), 0.5F);
-    EXPECT_TRUE(path.front().lights->at(0));
-    EXPECT_FALSE(path.back().lights->at(0));
+    EXPECT_EQ(path.front().lightsOn, std::vector{1});
+    EXPECT_EQ(path.back().lightsOff, std::vector{1});
     refused({"export", "video", "start", "walk.lst"}, 73, "exists");
 
     const ProgramResult film = renderer({"room.obj", "-l", "walk.lst", "-o", "f%03d.png", "--frames=1-3"},

@@ -47,6 +47,27 @@ TEST_F(Serving, AnswersAndEnds) {
     refused({"ping"}, 75, "no server '" + instance.name() + "'");
 }
 
+// Other tests may have servers of the same user, so "the only one that runs" is not tried here.
+TEST_F(Serving, NoServerIsCommandedByAccident) {
+    start();
+    const auto withoutName = [&](const Names& words, const std::string& variable) {
+        return runProgram(programPath("CUI"), words,
+                          {.folder = folder().path(), .environment = {{"RT_INSTANCE", variable}}});
+    };
+    EXPECT_EQ(withoutName({"ping"}, instance.name()).output, "pong\n");
+    EXPECT_EQ(withoutName({"--instance=" + instance.name(), "ping"}, "another").output, "pong\n");
+    RunningProgram second(programPath("RTServer"), {"room.obj", "--resolution=64x48"},
+                          {.folder = folder().path(), .environment = {{"RT_INSTANCE", ""}}});
+    ASSERT_TRUE(second.waitForError("ready: instance 'default")) << second.wait().error;
+    const ProgramResult unsure = withoutName({"ping"}, "");
+    EXPECT_EQ(unsure.exitCode, 2);
+    EXPECT_NE(unsure.error.find("servers run: "), std::string::npos) << unsure.error;
+    EXPECT_NE(unsure.error.find("'" + instance.name() + "'"), std::string::npos) << unsure.error;
+    EXPECT_EQ(withoutName({"list"}, "").exitCode, 0);
+    second.send(SIGTERM);
+    EXPECT_EQ(second.wait().exitCode, 143);
+}
+
 TEST_F(Serving, SignalsEndItCleanly) {
     for (const auto& [signal, code] : {std::pair{SIGINT, 130}, std::pair{SIGTERM, 143}}) {
         start();
@@ -108,7 +129,7 @@ TEST_F(Serving, OfTwoWithOneNameOneWins) {
 }
 
 TEST_F(Serving, DrawsOnlyWhatChanged) {
-    start();
+    start({"--look=headlight"});
     ask({"wait-idle"});
     ipc::Viewer viewer(instance.name());
     const std::uint64_t number = frameNumber(viewer);
@@ -288,7 +309,7 @@ TEST_F(Serving, ACameraOfAnotherSceneIsLookedThrough) {
 }
 
 TEST_F(Serving, ErrorsReachTheShell) {
-    start();
+    start({"--look=headlight"});
     refused({"load", "camera", "nothing.cam"}, 66, "nothing.cam");
     writeText(folder() / "bad.cam", "version = 1\neye = 3\n");
     refused({"load", "camera", "bad.cam"}, 65, "bad.cam:2");

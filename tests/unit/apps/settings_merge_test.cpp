@@ -52,6 +52,24 @@ TEST(SettingsMerge, ACameraSwitchesLights) {
     EXPECT_EQ(scene.lights[1].on, 1U);
 }
 
+TEST(SettingsMerge, ACameraSwitchesLightsByTheirIds) {
+    rtcore::Scene scene;
+    scene.lights.resize(3);
+    for (const int id : {7, 2, 5}) scene.lightNotes.push_back({.id = id});
+    rtcore::CameraFile camera;
+    camera.lightsOff = {7, 2};
+    EXPECT_EQ(app::applyCameraToScene(camera, "x.cam", scene), "");
+    EXPECT_EQ(scene.lights[0].on, 0U);
+    EXPECT_EQ(scene.lights[1].on, 0U);
+    EXPECT_EQ(scene.lights[2].on, 1U);
+    camera.lightsOn = {9, 2};
+    camera.lightsOff = {1, 5};
+    EXPECT_EQ(app::applyCameraToScene(camera, "x.cam", scene),
+              "x.cam names lights that the scene lacks (9, 1); these stay as they are");
+    EXPECT_EQ(scene.lights[1].on, 1U);
+    EXPECT_EQ(scene.lights[2].on, 0U);
+}
+
 TEST(SettingsMerge, ACameraPicksAnEnvironmentThatExists) {
     rtcore::Scene scene;
     rtcore::CameraFile camera;

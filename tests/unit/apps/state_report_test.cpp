@@ -10,12 +10,14 @@ namespace {
 
 app::StateReport sample() {
     app::StateReport state{.scene = "/scenes/a \"b\".scn",
-                           .lights = {{true, "sun"}, {false, ""}},
+                           .lights = {{1, true, "sun"}, {7, false, ""}},
                            .environments = {{false, "day"}, {true, "night"}},
                            .camera = {},
                            .settings = rtcore::settingAssignments(rtcore::RenderSettings(), true),
                            .undo = "set bloom.radius",
                            .redo = "load camera \"a b\"",
+                           .bookmarks = {"door", "by the \"altar\""},
+                           .modified = true,
                            .edits = 3};
     state.camera.eye = {0.1F, 2, 1.0F / 3};
     state.camera.aspect = 1.5F;
@@ -35,9 +37,35 @@ TEST(StateReport, SurvivesTheRoundTrip) {
     EXPECT_EQ(app::parseStateReport(app::formatStateReport(other, 60000)), other);
 }
 
+app::ReportedLight describedLight(int id) {
+    app::ReportedLight light{id, true, "spot", rtcore::LightDescription()};
+    light.description->name = light.name;
+    light.description->id = id;
+    light.description->temperature = 2700;
+    light.description->light.position = {0.1F, 2, 3};
+    return light;
+}
+
+TEST(StateReport, DescribesLights) {
+    app::StateReport state = sample();
+    state.lights = {describedLight(3), describedLight(1)};
+    EXPECT_EQ(app::parseStateReport(app::formatStateReport(state, 60000)), state);
+}
+
+TEST(StateReport, LeavesDescriptionsOutBeforeNames) {
+    app::StateReport state = sample();
+    state.lights.clear();
+    for (int id = 1; id <= 300; ++id) state.lights.push_back(describedLight(id));
+    const app::StateReport read = app::parseStateReport(app::formatStateReport(state, 30000));
+    ASSERT_EQ(read.lights.size(), 300U);
+    EXPECT_EQ(read.lights.back().id, 300);
+    EXPECT_EQ(read.lights.back().name, "spot");
+    EXPECT_FALSE(read.lights.back().description);
+}
+
 TEST(StateReport, LeavesNamesOutWhereThereIsNoRoom) {
     app::StateReport state = sample();
-    state.lights.assign(1000, {true, "a light with a rather long name"});
+    state.lights.assign(1000, {1, true, "a light with a rather long name"});
     const std::string text = app::formatStateReport(state, 20000);
     EXPECT_LE(text.size(), 20000U);
     const app::StateReport read = app::parseStateReport(text);
@@ -48,7 +76,7 @@ TEST(StateReport, LeavesNamesOutWhereThereIsNoRoom) {
 
 TEST(StateReport, LeavesLightsOutOfVeryMany) {
     app::StateReport state = sample();
-    state.lights.assign(100'000, {true, "a light"});
+    state.lights.assign(100'000, {1, true, "a light"});
     const app::StateReport read = app::parseStateReport(app::formatStateReport(state, 60000));
     EXPECT_GT(read.lights.size(), 3000U);
     EXPECT_LT(read.lights.size(), 100'000U);
@@ -65,7 +93,7 @@ TEST(StateReport, WhatIsNoUtf8IsShownAsBytes) {
 
 TEST(StateReport, OtherTextIsRefused) {
     for (const char* text :
-         {"", "pong", "version = 1", "version = 2\nscene = \"a\"", "version = 1\nscene = 3"})
+         {"", "pong", "version = 1", "version = 2\nscene = \"a\"", "version = 1\nscene = 3", "version = 3"})
         EXPECT_THROW(app::parseStateReport(text), rtcore::FileError) << text;
 }
 

@@ -92,6 +92,7 @@ const std::vector<Fault>& faults() {
         {"cameras", [](ModelBuffers& b) { b.cameras[1].horizontalFov = 0; }},
         {"cameras", [](ModelBuffers& b) { b.cameras[1].nameOffset = 0xFFFFFFFF; }},
         {"materials", [](ModelBuffers& b) { b.materials[1].roughness = -0.5F; }},
+        {"materials", [](ModelBuffers& b) { b.materials[1].flipTextures = 2; }},
         {"materials", [](ModelBuffers& b) { b.materials[1].roughness = kNan; }},
         {"materials", [](ModelBuffers& b) { b.materials[1].metallic = 1.1F; }},
         {"materials", [](ModelBuffers& b) { b.materials[1].metallicRoughnessTexture = 2; }},

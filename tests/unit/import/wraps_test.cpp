@@ -182,6 +182,22 @@ TEST(Parts, AreTheMeshesUnderTheirNodes) {
     EXPECT_EQ(obj.parts[1].triangleCount, 2U);
 }
 
+TEST(Parts, AreNamedByTheWayToTheirNode) {
+    GltfScene scene;
+    scene.nodes =
+        R"({"name":"house","children":[1]},{"name":"front","children":[2]},{"name":"door","mesh":0})";
+    const Model m = importText("t.gltf", scene.text()).model;
+    ASSERT_EQ(m.parts.size(), 1U);
+    EXPECT_EQ(m.name(m.parts[0].nameOffset), "front/door");
+
+    const Model obj = importText("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\no table\nusemtl oak\nf 1 2 3\n"
+                                          "usemtl steel\nf 3 2 1\n")
+                          .model;
+    ASSERT_EQ(obj.parts.size(), 2U);
+    EXPECT_EQ(obj.name(obj.parts[0].nameOffset), "table/oak") << "of one object, by their material";
+    EXPECT_EQ(obj.name(obj.parts[1].nameOffset), "table/steel");
+}
+
 TEST(Materials, KeepRoughnessAndMetal) {
     GltfScene scene;
     scene.material = R"({"pbrMetallicRoughness":{"roughnessFactor":0.25,"metallicFactor":0.75}})";

@@ -2,6 +2,7 @@
 #include "command_room.h"
 
 #include "rtcore/io/text/scn.h"
+#include "rtcore/render/default_view.h"
 
 #include <gtest/gtest.h>
 
@@ -63,7 +64,8 @@ TEST_F(Commands, ChangeUpAxisAndUnit) {
 
 TEST_F(Commands, TurnTheViewOfAModelThatBringsNone) {
     rtcore::LoadedScene room = test::makeRoom();
-    room.ownCamera = room.ownLight = false;
+    room.ownCamera = false;
+    room.look = rtcore::Look::Headlight;
     room.sceneFile.reset();
     room.scene.lights.resize(1);
     room.scene.lightNames.resize(1);
@@ -222,7 +224,7 @@ TEST_F(Commands, WriteWhatWasShownWhenTheyRan) {
     EXPECT_NEAR(cam.camera.forward.z, -1, 1e-5);
     EXPECT_EQ(cam.width, 640);
     EXPECT_EQ(cam.height, 24);
-    EXPECT_EQ(cam.lights, (std::vector{true, true}));
+    EXPECT_EQ(cam.lightsOn, (std::vector{1, 2}));
     EXPECT_EQ(cam.environment, 0);
     EXPECT_EQ(cam.exposure, host.maker.exposure());
     const rtcore::SceneFile scn = rtcore::readSceneFile(folder / "b.scn");
@@ -230,6 +232,39 @@ TEST_F(Commands, WriteWhatWasShownWhenTheyRan) {
     ASSERT_EQ(scn.lights.size(), 2U);
     EXPECT_EQ(scn.lights[0].name, "left");
     EXPECT_EQ(scn.lights[0].light.on, 1U);
+}
+
+TEST_F(Commands, WriteASkyAndNotWhatComesOfIt) {
+    drawFrame();
+    answer("sky hour 9");
+    answer("sky place 48.2 16.4 1");
+    EXPECT_EQ(answer("environments"), "1 - noon\n2 - dusk\n3 active sky");
+    EXPECT_EQ(answer("lights"), "1 on left\n2 on\n3 on sun");
+    run("export scene DIR/b.scn").work()();
+    rtcore::SceneFile scn = rtcore::readSceneFile(folder / "b.scn");
+    EXPECT_EQ(scn.sky, state.scene()->sky);
+    EXPECT_EQ(scn.sky->date->second, 9 * 3600);
+    EXPECT_EQ(scn.lights.size(), 2U);
+    EXPECT_EQ(scn.environments.size(), 2U);
+    EXPECT_EQ(scn.activeEnvironment, 2);
+    answer("environment open DIR/a.pfm");
+    answer("environment rotation -45");
+    answer("environment strength 0.5");
+    EXPECT_EQ(answer("environments"), "1 - noon\n2 - dusk\n3 active a");
+    EXPECT_EQ(answer("lights"), "1 on left\n2 on");
+    run("export scene DIR/b.scn").work()();
+    scn = rtcore::readSceneFile(folder / "b.scn");
+    EXPECT_FALSE(scn.sky);
+    ASSERT_EQ(scn.environments.size(), 3U);
+    EXPECT_EQ(scn.environments[2].files.front(), folder / "a.pfm");
+    EXPECT_EQ(scn.environments[2].rotation, -45);
+    EXPECT_EQ(scn.environments[2].intensity, 0.5F);
+    answer("sky on");
+    EXPECT_EQ(refusal("environment rotation 10").text, "the sky is turned by 'sky north'");
+    answer("environment strength 4");
+    EXPECT_EQ(state.scene()->sky->strength, 4);
+    answer("environment none");
+    EXPECT_EQ(refusal("environment strength 4").text, "no environment map is shown");
 }
 
 TEST_F(Commands, WriteOverNoFileThatTheSceneWasReadFrom) {

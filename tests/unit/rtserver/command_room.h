@@ -5,6 +5,8 @@
 
 #include "rtserver/failure.h"
 
+#include "rtcore/io/images/image_file.h"
+
 #include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +17,7 @@
 namespace test {
 
 /// In command lines DIR is a folder with a.cam (from aside, light 1 off), a.set, a.lst (a.cam alone) and
-/// bad.cam.
+/// bad.cam; a.pfm is an environment, wide.pfm none.
 class CommandRoom : public ShownRoom {
   protected:
     CommandRoom() {
@@ -26,6 +28,8 @@ class CommandRoom : public ShownRoom {
         std::ofstream(folder / "a.set") << "version = 1\n[live]\nantialiasing = 3\n";
         std::ofstream(folder / "a.lst") << "a.cam\n";
         std::ofstream(folder / "bad.cam") << "nonsense";
+        rtcore::writeHdrImage(folder / "a.pfm", rtcore::HdrImage(4, 2, {2, 2, 2}));
+        rtcore::writeHdrImage(folder / "wide.pfm", rtcore::HdrImage(5, 2, {2, 2, 2}));
     }
     std::string inFolder(std::string line) const {
         for (std::size_t at = line.find("DIR"); at != std::string::npos; at = line.find("DIR"))

@@ -23,11 +23,29 @@ class Edits : public test::CommandRoom {
     void expectShown(const Shown& expected) const {
         EXPECT_EQ(state.scene()->lights, expected.scene->lights);
         EXPECT_EQ(state.scene()->activeEnvironment, expected.scene->activeEnvironment);
+        expectSurroundings(expected.scene->environments);
+        EXPECT_EQ(state.scene()->sky, expected.scene->sky);
         EXPECT_EQ(state.settings(), expected.settings);
         EXPECT_EQ(state.camera(), expected.camera);
         EXPECT_EQ(state.frame().up, expected.frame.up);
         EXPECT_EQ(state.frame().metresPerUnit, expected.frame.metresPerUnit);
         EXPECT_EQ(state.scene()->up, expected.scene->up);
+    }
+    /// Maps of a sky are drawn again: what they show counts, not which object shows it.
+    void expectSurroundings(const decltype(rtcore::Scene::environments)& expected) const {
+        const auto& shown = state.scene()->environments;
+        ASSERT_EQ(shown.size(), expected.size());
+        for (std::size_t i = 0; i < shown.size(); ++i) {
+            EXPECT_EQ(shown[i]->name(), expected[i]->name());
+            EXPECT_EQ(shown[i]->intensity, expected[i]->intensity);
+            EXPECT_EQ(shown[i]->rotation(), expected[i]->rotation());
+            EXPECT_EQ(shown[i]->meanRadiance(), expected[i]->meanRadiance());
+            for (const rtcore::Vec3 to :
+                 {rtcore::Vec3{0.3F, 0.8F, -0.5F}, {-0.9F, 0.2F, 0.1F}, {0.1F, -0.7F, 0.6F}}) {
+                EXPECT_EQ(shown[i]->radiance(to, rtcore::TexelFilter::Bilinear),
+                          expected[i]->radiance(to, rtcore::TexelFilter::Bilinear));
+            }
+        }
     }
     void tap(const std::string& key) {
         answer("key tap " + key);
@@ -47,6 +65,16 @@ TEST_F(Edits, AreTakenBackAndMadeAgainOneByOne) {
         {"set maxDepth 3", "set maxDepth"},
         {"light 2 off", "light 2"},
         {"environment 2", "environment 2"},
+        {"environment rotation 40", "environment rotation"},
+        {"environment strength 3", "environment strength"},
+        {"sky hour 9", "sky hour"},
+        {"sky strength 2", "sky strength"},
+        {"sky off", "sky"},
+        {"sky on", "sky"},
+        {"environment none", "environment none"},
+        {"look studio", "look"},
+        {"look sky", "look"},
+        {"environment 1", "environment 1"},
         {"bloom on", "bloom"},
         {"camera set 1 2 3 0 0 -1", "camera set"},
         {"camera turn 10 5", "camera turn"},

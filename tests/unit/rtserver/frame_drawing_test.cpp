@@ -18,7 +18,7 @@ using Outcome = FrameDrawing::Outcome;
 class FrameDrawingTest : public test::ShownRoom {
   protected:
     Outcome draw(bool waitedFor = false) { return drawing.draw(waitedFor).outcome; }
-    void change() { state.switchLight(0, std::nullopt); }
+    void change() { state.switchLight(1, std::nullopt); }
     /// Whole frames take long, and coarse ones come before them.
     void makeSlow() {
         state.assign({{"width", 600}, {"height", 400}, {"antialiasing", 3}});

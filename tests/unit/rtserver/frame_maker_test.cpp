@@ -58,7 +58,7 @@ TEST_F(FramesOfAState, SayWhichRevisionTheyShow) {
     EXPECT_EQ(frames.revision(), state.revisions().revision());
     EXPECT_FALSE(frames.stale(state));
     const std::uint64_t drawn = frames.revision();
-    state.switchLight(0, false);
+    state.switchLight(1, false);
     EXPECT_TRUE(frames.stale(state));
     EXPECT_EQ(frames.revision(), drawn);
     test::draw(frames, state, rtserver::kCoarsest);
@@ -86,7 +86,7 @@ TEST_F(FramesOfAState, AdaptToAChangeButNotToAnotherScene) {
     test::draw(frames, state);
     EXPECT_TRUE(frames.settled());
     const float bright = frames.exposure();
-    state.switchLight(0, false);
+    state.switchLight(1, false);
     test::draw(frames, state);
     EXPECT_FALSE(frames.settled());
     state.show(test::worldOf(test::makeRoom(0.05F)));
@@ -126,7 +126,7 @@ TEST_F(FramesOfAState, LiveOnesKeepNoLightThatIsOffNow) {
     state.frameSeconds = 0.03;
     test::draw(frames, state);
     const double lit = brightness(frames);
-    for (const int light : {0, 1}) state.switchLight(light, false);
+    for (const int light : {1, 2}) state.switchLight(light, false);
     test::draw(frames, state, kLive);
     rtserver::FrameMaker without(1);
     test::draw(without, state);
@@ -143,7 +143,7 @@ TEST_F(FramesOfAState, StayLiveWhereALightThatIsSwitchedHardlyReaches) {
     state.frameSeconds = 0.03;
     test::draw(frames, state);
     const std::vector<rtcore::Colour> lit = frames.radiance().pixels;
-    state.switchLight(2, false);
+    state.switchLight(3, false);
     ASSERT_TRUE(frames.drawsLive(state));
     for (int frame = 0; frame < 3; ++frame) test::draw(frames, state, {1, true, 0.05});
     rtserver::FrameMaker without(1);
@@ -159,7 +159,7 @@ TEST_F(FramesOfAState, StayLiveWhereALightThatIsSwitchedHardlyReaches) {
     };
     EXPECT_GT(most(lit), 0.01F) << "near the light";
     EXPECT_LT(most(frames.radiance().pixels), 0.3F * most(lit));
-    state.switchLight(0, false);
+    state.switchLight(1, false);
     EXPECT_FALSE(frames.drawsLive(state));
 }
 
@@ -172,7 +172,7 @@ TEST_F(FramesOfAState, EightFramesAfterALightIsSwitchedThereAreNoGhostsOfIt) {
         return whole.radiance().pixels;
     };
     test::draw(frames, state);
-    state.switchLight(0, false);
+    state.switchLight(1, false);
     ASSERT_FALSE(frames.drawsLive(state));
     test::draw(frames, state, {0.5, true});
     for (int frame = 2; frame <= 8; ++frame) {
@@ -181,7 +181,7 @@ TEST_F(FramesOfAState, EightFramesAfterALightIsSwitchedThereAreNoGhostsOfIt) {
         test::draw(frames, state, {1, true, 0.05});
     }
     const std::vector<rtcore::Colour> shown = frames.radiance().pixels, off = truth();
-    state.switchLight(0, true);
+    state.switchLight(1, true);
     const std::vector<rtcore::Colour> on = truth();
     double light = 0, error = 0, wrong = 0, relit = 0;
     for (std::size_t i = 0; i < off.size(); ++i) {
@@ -264,7 +264,7 @@ TEST_F(FramesOfAState, AreLiveWhereThereIsLightOfAFrameBefore) {
     EXPECT_TRUE(frames.drawsLive(state));
     state.assign({{"exposure.key", 0.3F}});
     EXPECT_TRUE(frames.drawsLive(state));
-    state.switchLight(0, false);
+    state.switchLight(1, false);
     EXPECT_FALSE(frames.drawsLive(state)) << "it does not hold";
     test::draw(frames, state);
     EXPECT_TRUE(frames.drawsLive(state));

@@ -23,8 +23,8 @@ class RandomEdits : public test::ShownRoom {
     /// Never both off: little would be seen but a strip of the sky.
     void switchOneOfTwo() {
         const int light = static_cast<int>(below(2));
-        state.switchLight(light, std::nullopt);
-        if (!lightIsOn(0) && !lightIsOn(1)) state.switchLight(1 - light, true);
+        state.switchLight(light + 1, std::nullopt);
+        if (!lightIsOn(0) && !lightIsOn(1)) state.switchLight(2 - light, true);
     }
     void edit() {
         switch (below(8)) {

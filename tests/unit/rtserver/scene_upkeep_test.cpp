@@ -123,7 +123,7 @@ TEST_F(SceneUpkeepTest, ShadowMapsOutliveWhatLeavesShadowsWhereTheyAre) {
     makeMaps();
     const rtcore::ShadowMaps* const maps = upkeep.shadowMaps();
     ASSERT_NE(maps, nullptr);
-    state.switchLight(0, false);
+    state.switchLight(1, false);
     state.setEnvironment(1);
     state.turn(10, 0);
     state.assign({{"antialiasing", 2}});

@@ -127,7 +127,7 @@ TEST_F(ServerMotion, RecordsTheCameraAtAnEvenPace) {
     EXPECT_EQ(first.exposure, 1.0F);
     EXPECT_EQ(last.exposure, 2.0F);
     EXPECT_LT(last.camera.eye.z, first.camera.eye.z);
-    EXPECT_EQ(last.lights, (std::vector{true, true}));
+    EXPECT_EQ(last.lightsOn, (std::vector{1, 2}));
 }
 
 TEST_F(ServerMotion, ARecordingEndsWithItsScene) {

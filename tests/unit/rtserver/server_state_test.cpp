@@ -74,7 +74,7 @@ TEST_F(ServerStateTest, ASceneThatCannotBeShownLeavesTheLast) {
 
 TEST_F(ServerStateTest, AnEditPublishesAnotherSceneAndLeavesTheLastAsItWas) {
     const auto last = state.scene();
-    state.switchLight(0, false);
+    state.switchLight(1, false);
     EXPECT_NE(state.scene(), last);
     EXPECT_FALSE(lightIsOn(0));
     EXPECT_EQ(last->lights.at(0).on, 1U);
@@ -84,14 +84,14 @@ TEST_F(ServerStateTest, AnEditPublishesAnotherSceneAndLeavesTheLastAsItWas) {
 }
 
 TEST_F(ServerStateTest, LightsAreSwitched) {
-    state.switchLight(1, std::nullopt);
+    state.switchLight(2, std::nullopt);
     EXPECT_FALSE(lightIsOn(1));
     EXPECT_EQ(changes(), Changes{Change::Light});
-    state.switchLight(1, true);
+    state.switchLight(2, true);
     EXPECT_TRUE(lightIsOn(1));
     EXPECT_EQ(changes(), Changes{Change::Light});
     const auto last = state.scene();
-    state.switchLight(1, true);
+    state.switchLight(2, true);
     EXPECT_EQ(changes(), Changes{}) << "it was on";
     EXPECT_EQ(state.scene(), last);
 }
@@ -106,9 +106,9 @@ TEST_F(ServerStateTest, TheEnvironmentIsChosen) {
 
 TEST_F(ServerStateTest, WhatTheSceneLacksIsRefused) {
     using Wrong = std::invalid_argument;
-    EXPECT_EQ(refusal<Wrong>([&] { state.switchLight(2, true); }),
+    EXPECT_EQ(refusal<Wrong>([&] { state.switchLight(3, true); }),
               "there is no light 3; the scene has numbers 1 to 2");
-    EXPECT_EQ(refusal<Wrong>([&] { state.switchLight(-1, true); }),
+    EXPECT_EQ(refusal<Wrong>([&] { state.switchLight(0, true); }),
               "there is no light 0; the scene has numbers 1 to 2");
     EXPECT_EQ(refusal<Wrong>([&] { state.setEnvironment(2); }),
               "there is no environment 3; the scene has numbers 1 to 2");

@@ -18,13 +18,16 @@
 
 namespace test {
 
-/// A floor with a box on it, two lights, of which the first is "left", two environments, "noon" and dusk.hdr;
-/// seen from above the floor.
+/// A grey floor with a box on it, which is the part "box", the bookmark "door", two lights, of which the
+/// first is "left", two environments, "noon" and dusk.hdr; seen from above the floor.
 inline rtcore::LoadedScene makeRoom(float albedo = 0.5F) {
     SceneBuilder b;
-    const std::uint32_t grey = b.material(matte(albedo));
+    rtcore::Material paint = matte(albedo);
+    paint.nameOffset = b.buffers.addName("grey");
+    const std::uint32_t grey = b.material(paint);
     b.square({0, 0, 0}, {0, 1, 0}, 10, grey);
     b.box({-0.5F, 0, -3}, {0.5F, 1, -2}, grey);
+    b.buffers.parts = {{b.buffers.addName("box"), 2, 12}};
     b.scene.lights = {pointLight({0, 4, 0}, 20), pointLight({3, 4, 0}, 20)};
     b.scene.lightNames = {"left", ""};
     for (const char* name : {"noon", "dusk"}) {
@@ -37,10 +40,12 @@ inline rtcore::LoadedScene makeRoom(float albedo = 0.5F) {
     room.camera.eye = {0, 1.8F, 3};
     room.camera.forward = {0, 0, -1};
     room.sceneFile.emplace();
-    room.sceneFile->environments.resize(2);
-    room.sceneFile->environments[0].name = "noon";
-    room.sceneFile->environments[0].files = {"/rooms/noon.hdr"};
-    room.sceneFile->environments[1].files = {"/rooms/dusk.hdr"};
+    room.sceneFile->bookmarks = {{"door", room.camera}};
+    room.sceneFile->bookmarks[0].camera.eye = {2, 1.8F, 3};
+    room.scene.environmentFiles.resize(2);
+    room.scene.environmentFiles[0].name = "noon";
+    room.scene.environmentFiles[0].files = {"/rooms/noon.hdr"};
+    room.scene.environmentFiles[1].files = {"/rooms/dusk.hdr"};
     room.modelPath = "/rooms/room.obj";
     return room;
 }

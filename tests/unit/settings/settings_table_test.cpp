@@ -128,7 +128,7 @@ TEST(SettingsTable, FormerNamesReachTheSameMembers) {
     for (const auto& [name, value] : rtcore::settingAssignments(s, false))
         EXPECT_EQ(name, rtcore::requireSetting(name).name) << "written by a former name";
     EXPECT_EQ(textRefusal("bloom", "much"),
-              "bloom.radius is 'much', but takes a whole number, 0 to 4096 pixels");
+              "bloom.radius is 'much', but takes a whole number, 0 to 4096 pixels, or off");
 }
 
 TEST(SettingsTable, FormerNamesAreNoneOfToday) {
@@ -178,12 +178,12 @@ TEST(SettingsTable, RefusalsTellTheRangeOrTheChoices) {
     EXPECT_EQ(refusal("width", 3.5F), "width is 3.5, but takes a whole number, 1 to 32768 pixels");
     EXPECT_EQ(refusal("shadows", 1), "shadows is 1, but takes true or false");
     EXPECT_EQ(refusal("ambientOcclusion.distance", -1),
-              "ambientOcclusion.distance is -1, but takes at least 0 scene units");
+              "ambientOcclusion.distance is -1, but takes at least 0 scene units, or automatic");
     EXPECT_EQ(refusal("exposure.mode", std::string("auto")),
               "exposure.mode is 'auto', but takes automatic or fixed");
     EXPECT_EQ(refusal("toneMapping", true), "toneMapping is true, but takes luminance or channels");
     EXPECT_EQ(textRefusal("bloom.radius", "much"),
-              "bloom.radius is 'much', but takes a whole number, 0 to 4096 pixels");
+              "bloom.radius is 'much', but takes a whole number, 0 to 4096 pixels, or off");
 }
 
 TEST(SettingsTable, UnknownNamesGetTheNearest) {
@@ -221,6 +221,22 @@ TEST(SettingsTable, TextThatIsNoValueIsRefused) {
         EXPECT_NE(textRefusal("exposure.value", text), "accepted") << text;
     for (const char* text : {"", "2", "TRUE ", "maybe"})
         EXPECT_NE(textRefusal("shadows", text), "accepted") << text;
+}
+
+TEST(SettingsTable, AWordMayStandForZero) {
+    int words = 0;
+    for (const Setting& setting : rtcore::settingsTable()) {
+        if (setting.zero.empty()) continue;
+        ++words;
+        EXPECT_EQ(setting.minimum, 0) << setting.name;
+        const SettingValue zero =
+            setting.type == rtcore::SettingType::Integer ? SettingValue(0) : SettingValue(0.0F);
+        EXPECT_EQ(rtcore::parseSetting(setting, setting.zero), zero) << setting.name;
+        EXPECT_EQ(rtcore::checkSetting(setting, std::string(setting.zero)), zero) << setting.name;
+    }
+    EXPECT_GT(words, 5);
+    EXPECT_EQ(refusal("maxDepth", std::string("off")),
+              "maxDepth is 'off', but takes a whole number, 0 to 1000 bounces");
 }
 
 TEST(SettingsTable, FailureLeavesEverythingAsItWas) {

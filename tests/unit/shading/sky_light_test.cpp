@@ -158,6 +158,24 @@ TEST(SkyLight, IsTheBackgroundWhereThereIsNoEnvironment) {
     expectLight(seenUnderSky(s, {0, 1, 0.5F}, {0, 0, 0}), {0.1F, 0.2F, 0.5F}, 1e-5F);
 }
 
+TEST(SkyLight, OfAClosedBoxIsItsAmbientLightAsFarAsRaysGo) {
+    SceneBuilder b;
+    b.box({-1, -1, -1}, {1, 1, 1}, b.material(test::matte(0.5F)));
+    TracedScene s(b.finish());
+    s.scene.environments = {evenSky({5, 5, 5})};
+    s.scene.ambient = {3, 2, 1};
+    RenderSettings settings = skyLight();
+    settings.ambientOcclusion.on = true;
+    settings.ambientOcclusion.distance = 1e-3F; // all surfaces are far away
+    expectLight(seenUnderSky(s, {0.1F, 0.2F, 0}, {0.5F, -1, 0.3F}, settings), {1.5F, 1, 0.5F}, 1e-4F);
+    settings.ambientOcclusion.distance = 4;
+    const Colour dim = seenUnderSky(s, {0.1F, 0.2F, 0}, {0.5F, -1, 0.3F}, settings);
+    EXPECT_GT(dim.r, 0.3F * 1.5F);
+    EXPECT_LT(dim.r, 0.6F * 1.5F);
+    settings.skyLight.on = false;
+    expectLight(seenUnderSky(s, {0.1F, 0.2F, 0}, {0.5F, -1, 0.3F}, settings), dim, 0.05F);
+}
+
 TEST(SkyLight, TakesThePlaceOfAmbientLightAndOfItsOcclusion) {
     TracedScene s(openFloor(0.5F).finish());
     s.scene.environments = {evenSky({1, 1, 1})};

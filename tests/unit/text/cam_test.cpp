@@ -67,6 +67,32 @@ TEST(Cam, ErrorsNameTheirPlace) {
               "x.cam:5:3: forward is nan, but takes a finite number");
 }
 
+TEST(Cam, NamesLightsByTheirIdsInVersionTwo) {
+    const std::string second = "version = 2" + kLeast.substr(kLeast.find('\n'));
+    const CameraFile file = parseCameraFile(second + "lightsOn = [4, 1]\nlightsOff = [7]\n", "x.cam");
+    EXPECT_EQ(file.lightsOn, (std::vector<int>{4, 1}));
+    EXPECT_EQ(file.lightsOff, (std::vector<int>{7}));
+    EXPECT_FALSE(file.lights);
+    EXPECT_EQ(parseCameraFile(second + "lights = [true]\n", "x.cam").lights, (std::vector<bool>{true}));
+    EXPECT_NE(problemWith("lightsOn = [1]").find("version"), std::string::npos);
+    EXPECT_EQ(problem(second + "lightsOn = [0]"),
+              "x.cam:4:12: lightsOn has 0, but takes only whole numbers from 1 to 1000000000");
+    EXPECT_EQ(problem(second + "lightsOff = [true]"),
+              "x.cam:4:14: lightsOff is true or false, but takes only whole numbers from 1 to 1000000000");
+    EXPECT_EQ(problem(second + "lightsOn = [2, 2]"), "x.cam:4:12: light 2 is named twice");
+    EXPECT_EQ(problem(second + "lightsOn = [2]\nlightsOff = [3, 2]"), "x.cam:5:13: light 2 is named twice");
+    EXPECT_EQ(problem(second + "lights = [true]\nlightsOff = [3]"),
+              "x.cam:5:13: lights and lightsOff are both given");
+}
+
+/// What older programs can read is written for them.
+TEST(Cam, IsOfVersionOneWithoutIds) {
+    CameraFile file;
+    EXPECT_TRUE(rtcore::formatCameraFile(file).starts_with("version = 1\n"));
+    file.lightsOff = {3};
+    EXPECT_TRUE(rtcore::formatCameraFile(file).starts_with("version = 2\n"));
+}
+
 TEST(Cam, SyntaxErrorsNameTheirPlace) {
     EXPECT_EQ(problem("version = 1\neye = = 3\n").substr(0, 10), "x.cam:2:7:");
     EXPECT_EQ(problem("version = 1\nversion = 1\n").substr(0, 8), "x.cam:2:");
@@ -75,9 +101,9 @@ TEST(Cam, SyntaxErrorsNameTheirPlace) {
 }
 
 TEST(Cam, WhatIsMissingIsNamed) {
-    EXPECT_EQ(problem(""), "x.cam:1:1: the version is missing; begin the file with: version = 1");
-    EXPECT_EQ(problem("version = 2"), "x.cam:1:11: version 2 is unknown; this program reads version 1");
-    EXPECT_EQ(problem("version = \"1\""), "x.cam:1:11: version is text, but takes 1");
+    EXPECT_EQ(problem(""), "x.cam:1:1: the version is missing; begin the file with: version = 2");
+    EXPECT_EQ(problem("version = 3"), "x.cam:1:11: version 3 is unknown; this program reads version 1 to 2");
+    EXPECT_EQ(problem("version = \"1\""), "x.cam:1:11: version is text, but takes 2");
     EXPECT_EQ(problem("version = 1\nforward = [0,0,1]"), "x.cam:1:1: the key 'eye' is missing here; add it");
     EXPECT_EQ(problem("version = 1\neye = [0,0,1]"), "x.cam:1:1: the key 'forward' is missing here; add it");
     // A misspelt key is reported as such, not as a missing one.
@@ -136,7 +162,7 @@ TEST(Cam, LineEndsAndByteOrderMarkDoNotMatter) {
     for (const char c : kLeast) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
     EXPECT_EQ(parseCameraFile(windows, "x.cam"), parseCameraFile(kLeast, "x.cam"));
     EXPECT_EQ(problem(windows + "fow = 1\r\n").substr(0, 11), "x.cam:4:1: ");
-    EXPECT_EQ(problem("\xEF\xBB\xBFversion = 2").substr(0, 12), "x.cam:1:11: ");
+    EXPECT_EQ(problem("\xEF\xBB\xBFversion = 3").substr(0, 12), "x.cam:1:11: ");
 }
 
 TEST(Cam, BytesThatAreNoUtf8AreRefused) {
@@ -164,7 +190,13 @@ CameraFile randomCamera(test::Random& random) {
     if (random.flag()) file.exposure = random.positive();
     if (random.flag()) file.environment = static_cast<int>(random.below(9));
     if (random.flag()) file.time = static_cast<double>(random.positive()) / 3;
-    if (random.flag()) file.lights.emplace(random.below(5), random.flag());
+    if (random.flag()) {
+        file.lights.emplace(random.below(5), random.flag());
+    } else {
+        for (int id = 1; id < 9; ++id) {
+            if (random.flag()) (random.flag() ? file.lightsOn : file.lightsOff).push_back(3 * id);
+        }
+    }
     return file;
 }
 

@@ -1,4 +1,5 @@
 #include "rtcore/io/text/scn.h"
+#include "rtcore/io/text/written_mark.h"
 
 #include "support/temporary_folder.h"
 #include "unit/text/text_test_support.h"
@@ -52,12 +53,17 @@ rtcore::LightDescription randomLight(Random& random) {
         light.cosInner = light.cosOuter + 0.1F + 0.4F * random.share();
     }
     light.on = random.flag() ? 1 : 0;
+    if (random.flag()) result.temperature = 1700 + 23000 * random.share();
     return result;
 }
 
 rtcore::MaterialOverride randomMaterial(Random& random) {
     rtcore::MaterialOverride m;
-    m.pattern = awkwardName(random);
+    if (random.flag()) {
+        m.number = 1 + static_cast<int>(random.below(1000));
+    } else {
+        m.pattern = awkwardName(random);
+    }
     if (random.flag()) m.diffuse = share(random, 0.5F);
     if (random.flag()) m.specular = share(random, 0.5F);
     if (random.flag()) m.transmission = share(random, 1);
@@ -67,9 +73,18 @@ rtcore::MaterialOverride randomMaterial(Random& random) {
     if (random.flag()) m.opacity = random.share();
     if (random.flag()) m.attenuationDistance = random.positive();
     if (random.flag()) m.indexOfRefraction = 1 + 4 * random.share();
+    if (random.flag()) m.roughness = random.share();
+    if (random.flag()) m.metallic = random.share();
+    if (random.flag()) m.textures = random.flag();
+    if (random.flag()) m.flipTextures = random.flag();
     if (random.flag()) m.fresnel = random.flag();
     if (random.flag()) m.diffuseTexture = "/t/" + awkwardName(random);
     return m;
+}
+
+rtcore::PartDescription randomPart(Random& random) {
+    if (random.flag()) return {"", 1 + static_cast<int>(random.below(1000)), random.flag()};
+    return {awkwardName(random), {}, random.flag()};
 }
 
 rtcore::EnvironmentFile randomEnvironment(Random& random) {
@@ -79,7 +94,36 @@ rtcore::EnvironmentFile randomEnvironment(Random& random) {
     for (std::size_t i = 0; i < count; ++i) environment.files.emplace_back("/e/" + awkwardName(random));
     if (random.flag()) environment.name = awkwardName(random);
     environment.intensity = random.positive();
+    if (random.flag()) environment.rotation = 720 * random.share() - 360;
     return environment;
+}
+
+rtcore::Sky randomSky(Random& random) {
+    rtcore::Sky sky;
+    if (random.flag()) {
+        sky.date.reset();
+        sky.direction = point(random);
+    } else {
+        const int month = 1 + static_cast<int>(random.below(12));
+        const int year = 1800 + static_cast<int>(random.below(401));
+        const auto days = static_cast<std::size_t>(rtcore::daysOfMonth(year, month));
+        sky.date = rtcore::SunDate{.year = year,
+                                   .month = month,
+                                   .day = 1 + static_cast<int>(random.below(days)),
+                                   .second = static_cast<int>(random.below(86401)),
+                                   .timeZone = static_cast<double>(random.below(30)) - 14.75,
+                                   .latitude = 180 * static_cast<double>(random.share()) - 90,
+                                   .longitude = 360 * static_cast<double>(random.share()) - 180};
+    }
+    sky.north = 720 * random.share() - 360;
+    sky.turbidity = 2 + 8 * random.share();
+    sky.strength = random.positive();
+    return sky;
+}
+
+rtcore::Camera randomCamera(Random& random) {
+    return {
+        point(random), {1, 0.1F * random.share(), 0}, {0, 1, random.share()}, 0.1F + 179 * random.share()};
 }
 
 SceneFile randomScene(Random& random) {
@@ -92,20 +136,26 @@ SceneFile randomScene(Random& random) {
     s.background = positive(random);
     s.ambient = positive(random);
     s.modelLights = random.flag();
+    s.defaultLight = random.flag();
     s.flipTextures = random.flag();
     s.creaseAngle = 180 * random.share();
     if (random.flag()) {
-        s.camera = rtcore::Camera{point(random),
-                                  {1, 0.1F * random.share(), 0},
-                                  {0, 1, random.share()},
-                                  0.1F + 179 * random.share()};
+        s.camera = randomCamera(random);
     } else if (random.flag()) {
         s.cameraFile = "/c/" + awkwardName(random);
     }
+    for (std::size_t n = random.below(4); n > 0; --n)
+        s.bookmarks.push_back({std::to_string(n) + awkwardName(random), randomCamera(random)});
     for (std::size_t n = random.below(4); n > 0; --n) s.lights.push_back(randomLight(random));
     for (std::size_t n = random.below(4); n > 0; --n) s.materials.push_back(randomMaterial(random));
+    for (std::size_t n = random.below(4); n > 0; --n) s.parts.push_back(randomPart(random));
     for (std::size_t n = random.below(4); n > 0; --n) s.environments.push_back(randomEnvironment(random));
-    if (!s.environments.empty()) s.activeEnvironment = static_cast<int>(random.below(s.environments.size()));
+    if (random.flag()) {
+        s.sky = randomSky(random);
+        s.sun = {random.flag() ? 0 : 7, random.flag()};
+    }
+    const std::size_t environments = s.environments.size() + (s.sky ? 1 : 0);
+    if (environments > 0) s.activeEnvironment = static_cast<int>(random.below(environments + 1)) - 1;
     s.fog.kind = static_cast<rtcore::FogKind>(random.below(3));
     s.fog.density = random.positive();
     s.fog.scaleHeight = random.positive();
@@ -129,6 +179,8 @@ void expectEqual(const SceneFile& a, const SceneFile& b) {
     EXPECT_EQ(a.background, b.background);
     EXPECT_EQ(a.ambient, b.ambient);
     EXPECT_EQ(a.modelLights, b.modelLights);
+    EXPECT_EQ(a.defaultLight, b.defaultLight);
+    EXPECT_EQ(a.bookmarks, b.bookmarks);
     EXPECT_EQ(a.flipTextures, b.flipTextures);
     EXPECT_EQ(a.activeEnvironment, b.activeEnvironment);
     EXPECT_EQ(a.creaseAngle, b.creaseAngle);
@@ -136,7 +188,10 @@ void expectEqual(const SceneFile& a, const SceneFile& b) {
     EXPECT_EQ(a.cameraFile, b.cameraFile);
     EXPECT_EQ(a.lights, b.lights);
     EXPECT_EQ(a.materials, b.materials);
+    EXPECT_EQ(a.parts, b.parts);
     EXPECT_EQ(a.environments, b.environments);
+    EXPECT_EQ(a.sky, b.sky);
+    EXPECT_EQ(a.sun, b.sun);
     EXPECT_EQ(a.fog.kind, b.fog.kind);
     EXPECT_EQ(a.fog.density, b.fog.density);
     EXPECT_EQ(a.fog.scaleHeight, b.fog.scaleHeight);
@@ -162,6 +217,16 @@ TEST(ScnRoundTrip, RandomScenesSurviveBitForBit) {
         SCOPED_TRACE(text);
         expectEqual(rtcore::parseSceneFile(text, "/somewhere/x.scn"), scene);
     }
+}
+
+TEST(ScnRoundTrip, WhatWasWrittenIsKnownUntilItIsChangedByHand) {
+    Random random(43);
+    const std::string text = rtcore::formatSceneFile(randomScene(random), "/somewhere/x.scn");
+    EXPECT_TRUE(rtcore::hasWrittenMark(text));
+    EXPECT_FALSE(rtcore::hasWrittenMark(text + "# the sun of June\n"));
+    EXPECT_FALSE(rtcore::hasWrittenMark(text.substr(text.find('\n') + 1)));
+    EXPECT_FALSE(rtcore::hasWrittenMark(text.substr(0, text.find('\n'))));
+    EXPECT_FALSE(rtcore::hasWrittenMark(""));
 }
 
 TEST(ScnRoundTrip, PathsBelowTheSceneAreWrittenRelative) {
@@ -190,7 +255,7 @@ TEST(ScnRoundTrip, WhatCouldNotBeReadIsNotWritten) {
     const test::TemporaryFolder folder;
     SceneFile good;
     good.model = "a.obj";
-    std::vector<SceneFile> bad(8, good);
+    std::vector<SceneFile> bad(14, good);
     bad[0].model = "";
     bad[1].up = {0, 1, 1};
     bad[2].fog.density = -1;
@@ -200,6 +265,14 @@ TEST(ScnRoundTrip, WhatCouldNotBeReadIsNotWritten) {
     bad[5].model = "\xFF.obj";
     bad[6].materials.resize(1);
     bad[7].walk.gravity = std::numeric_limits<float>::infinity();
+    bad[8].bookmarks.resize(1);
+    bad[9].bookmarks = {{"a", {}}, {"a", {}}};
+    for (std::size_t i = 10; i < bad.size(); ++i) bad[i].sky.emplace();
+    bad[10].sky->turbidity = 1;
+    bad[11].sky->date->day = 31; // of June
+    bad[12].sky->date->latitude = 91;
+    bad[13].sky->date.reset();
+    bad[13].sky->direction = {};
     for (const SceneFile& scene : bad) {
         EXPECT_THROW(rtcore::writeSceneFile(folder / "x.scn", scene), rtcore::FileError);
         EXPECT_FALSE(std::filesystem::exists(folder / "x.scn"));

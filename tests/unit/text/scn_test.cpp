@@ -67,6 +67,75 @@ TEST(Scn, PathsStartAtTheFolderOfTheScene) {
     EXPECT_EQ(scene.environments[0].files[0], "scenes/nave/e.hdr");
 }
 
+TEST(Scn, ReadsBothVersions) {
+    for (const std::string version : {"1", "2"}) {
+        const SceneFile scene = parseSceneFile("version = " + version + "\nmodel = \"a\"\n", "x.scn");
+        EXPECT_EQ(scene.model, "a");
+    }
+    EXPECT_EQ(test::badData([] { parseSceneFile("version = 3\nmodel = \"a\"\n", "x.scn"); }),
+              "x.scn:1:11: version 3 is unknown; this program reads version 1 to 2");
+    EXPECT_EQ(test::badData([] { parseSceneFile("model = \"a\"\n", "x.scn"); }),
+              "x.scn:1:1: the version is missing; begin the file with: version = 2");
+}
+
+TEST(Scn, ReadsBookmarks) {
+    const std::string newest = "version = 2\nmodel = \"a\"\nup = \"+z\"\n";
+    const SceneFile scene = parseSceneFile(newest + "[[bookmark]]\nname = \"door\"\neye = [1, 2, 3]\n"
+                                                    "lookAt = [1, 5, 3]\nfov = 40\n"
+                                                    "[[bookmark]]\nname = \"Door\"\neye = [0, 0, 0]\n"
+                                                    "forward = [1, 0, 0]\n",
+                                           "x.scn");
+    ASSERT_EQ(scene.bookmarks.size(), 2U);
+    EXPECT_EQ(scene.bookmarks[0].name, "door");
+    EXPECT_EQ(scene.bookmarks[0].camera.forward, (rtcore::Vec3{0, 3, 0}));
+    EXPECT_EQ(scene.bookmarks[0].camera.up, (rtcore::Vec3{0, 0, 1}));
+    EXPECT_EQ(scene.bookmarks[0].camera.horizontalFov, 40);
+    EXPECT_EQ(findBookmark(scene.bookmarks, "Door"), scene.bookmarks.begin() + 1);
+    EXPECT_EQ(findBookmark(scene.bookmarks, "gate"), scene.bookmarks.end());
+    const auto refusal = [&](const std::string& keys) {
+        return test::badData([&] { parseSceneFile(newest + "[[bookmark]]\n" + keys, "x.scn"); });
+    };
+    const std::string view = "eye = [0, 0, 0]\nforward = [1, 0, 0]\n";
+    EXPECT_EQ(refusal(view), "x.scn:4:1: the key 'name' is missing here; add it");
+    EXPECT_EQ(refusal("name = \"\"\n" + view), "x.scn:5:8: name is empty; a bookmark is known by its name");
+    EXPECT_EQ(refusal("name = \"a\"\n" + view + "[[bookmark]]\nname = \"a\"\n" + view),
+              "x.scn:9:8: another bookmark is called 'a', too");
+    EXPECT_EQ(refusal("name = \"a\"\nfile = \"a.cam\"\n" + view).substr(0, 24), "x.scn:6:1: unknown key '");
+}
+
+TEST(Scn, RefusesNewKeysInOldFiles) {
+    EXPECT_NE(problem("defaultLight = false").find("version = 2"), std::string::npos)
+        << problem("defaultLight = false");
+    EXPECT_NE(problem("[[bookmark]]\nname = \"a\"\neye = [0, 0, 0]\nforward = [1, 0, 0]").find("version = 2"),
+              std::string::npos);
+    EXPECT_FALSE(parseSceneFile("version = 2\nmodel = \"a\"\ndefaultLight = false\n", "x.scn").defaultLight);
+}
+
+TEST(Scn, LightsHaveIdsAndTemperatures) {
+    const std::string second = "version = 2\nmodel = \"a\"\n";
+    const std::string light = "[[light]]\nkind = \"point\"\nposition = [0, 0, 0]\nintensity = [2, 2, 2]\n";
+    const SceneFile scene = parseSceneFile(second + light + "id = 7\ntemperature = 2700\n" + light, "x.scn");
+    ASSERT_EQ(scene.lights.size(), 2U);
+    EXPECT_EQ(scene.lights[0].id, 7);
+    EXPECT_EQ(scene.lights[0].temperature, 2700);
+    EXPECT_EQ(scene.lights[0].light.intensity, (rtcore::Colour{2, 2, 2}));
+    EXPECT_NEAR(luminance(tintedLight(scene.lights[0]).intensity), 2, 1e-5);
+    EXPECT_GT(tintedLight(scene.lights[0]).intensity.r, 2);
+    EXPECT_EQ(scene.lights[1].id, 0);
+    EXPECT_EQ(scene.lights[1].temperature, 0);
+    const auto refused = [&](const std::string& text) {
+        return test::badData([&] { parseSceneFile(text, "x.scn"); });
+    };
+    EXPECT_EQ(refused(second + light + "id = 7\n" + light + "id = 7\n"),
+              "x.scn:12:6: two lights have the id 7");
+    EXPECT_EQ(refused(second + light + "id = 0\n"),
+              "x.scn:7:6: id is 0, but takes a whole number from 1 to 1000000000");
+    EXPECT_NE(refused(second + light + "temperature = 100\n").find("at least 1667"), std::string::npos);
+    const std::string first = "version = 1\nmodel = \"a\"\n";
+    EXPECT_NE(refused(first + light + "id = 7\n").find("version 2"), std::string::npos);
+    EXPECT_NE(refused(first + light + "temperature = 2700\n").find("version 2"), std::string::npos);
+}
+
 TEST(Scn, ErrorsNameTheirPlace) {
     EXPECT_EQ(test::badData([] { parseSceneFile("version = 1\n", "x.scn"); }),
               "x.scn:1:1: the key 'model' is missing here; add it");
@@ -222,6 +291,71 @@ TEST(Scn, MaterialsThatMakeNoSenseAreRefused) {
               "x.scn:5:1: unknown key 'opactiy'; did you mean 'opacity'?");
 }
 
+SceneFile parseVersion2(const std::string& more) {
+    return rtcore::parseSceneFile("version = 2\nmodel = \"m.bsp\"\n" + more, "x.scn");
+}
+
+TEST(Scn, RoughnessAndMetalAreThoseOfGltf) {
+    const SceneFile scene = parseVersion2("[[material]]\nname = \"brass\"\ndiffuse = [0.8, 0.6, 0.2]\n"
+                                          "roughness = 0.15\nmetallic = 1\n"
+                                          "[[material]]\nnumber = 2\nroughness = 1\n");
+    Material brass;
+    brass.specular = {0.2F, 0.2F, 0.2F};
+    scene.materials[0].applyTo(brass);
+    EXPECT_EQ(brass.diffuse, Colour{});
+    EXPECT_EQ(brass.specular, (Colour{0.8F, 0.6F, 0.2F}));
+    EXPECT_EQ(brass.mirror, brass.specular);
+    EXPECT_FLOAT_EQ(brass.mirrorScale, 0.5F);
+    EXPECT_EQ(brass.fresnel, 1U);
+    EXPECT_EQ(brass.roughness, 0.15F);
+    EXPECT_EQ(scene.materials[1].number, 2);
+    scene.materials[1].applyTo(brass);
+    EXPECT_EQ(brass.specular, (Colour{0.8F, 0.6F, 0.2F})) << "its base colour stays";
+    EXPECT_EQ(brass.shininess, 0.0F);
+    EXPECT_EQ(brass.mirror, Colour{});
+}
+
+TEST(Scn, PartsAreHiddenAndShown) {
+    const SceneFile scene =
+        parseVersion2("[[part]]\nname = \"*\"\nhidden = true\n[[part]]\nnumber = 3\nhidden = false\n");
+    ASSERT_EQ(scene.parts.size(), 2U);
+    EXPECT_EQ(scene.parts[0], (rtcore::PartDescription{"*", {}, true}));
+    EXPECT_EQ(scene.parts[1], (rtcore::PartDescription{"", 3, false}));
+}
+
+TEST(Scn, WhatCameWithVersion2IsRefusedInVersion1) {
+    for (const char* key : {"roughness = 0.5", "metallic = 0.5", "textures = false", "flipTextures = true"}) {
+        const std::string text = std::string("[[material]]\nname = \"a\"\n") + key;
+        EXPECT_NE(problem(text).find("came with version 2"), std::string::npos) << problem(text);
+    }
+    EXPECT_NE(problem("[[material]]\nnumber = 1").find("came with version 2"), std::string::npos);
+    EXPECT_NE(problem("[[part]]\nname = \"a\"\nhidden = true").find("came with version 2"),
+              std::string::npos);
+}
+
+TEST(Scn, OneKeyOfAMaterialIsReadByItself) {
+    const auto key = [](const std::string& name, const std::vector<std::string>& words) {
+        return rtcore::parseMaterialKey(name, words);
+    };
+    EXPECT_EQ(key("diffuse", {"1", "0.5", "0"}).diffuse, (Colour{1, 0.5F, 0}));
+    EXPECT_EQ(key("reflectivity", {"0.25"}).reflectivity, (Colour{0.25F, 0.25F, 0.25F}));
+    EXPECT_EQ(key("textures", {"false"}).textures, false);
+    const auto refusal = [&](const std::string& name, const std::vector<std::string>& words) {
+        try {
+            key(name, words);
+        } catch (const rtcore::FileError& error) {
+            return std::string(error.what());
+        }
+        return std::string("none");
+    };
+    EXPECT_EQ(refusal("roughness", {"2"}), "roughness is 2, but takes a number at least 0 and at most 1");
+    EXPECT_EQ(refusal("opactiy", {"1"}), "unknown key 'opactiy'; did you mean 'opacity'?");
+    EXPECT_NE(refusal("diffuse", {"1", "0"}), "none");
+    EXPECT_NE(refusal("diffuse", {"red"}), "none");
+    EXPECT_NE(refusal("opacity", {}), "none");
+    EXPECT_NE(refusal("opacity", {"nan"}), "none");
+}
+
 TEST(Scn, EnvironmentsOfEachKindAreRead) {
     const SceneFile scene =
         parse("activeEnvironment = 3\n[[environment]]\nequirectangular = \"a.hdr\"\nname = \"night\"\n"
@@ -251,6 +385,47 @@ TEST(Scn, EnvironmentsThatMakeNoSenseAreRefused) {
     EXPECT_EQ(problem("activeEnvironment = 1\n[[environment]]\ncross = \"a\"").substr(0, 12), "x.scn:3:21: ");
     EXPECT_EQ(problem("activeEnvironment = -1\n[[environment]]\ncross = \"a\"").substr(0, 12),
               "x.scn:3:21: ");
+}
+
+TEST(Scn, ASkyIsReadByDateOrByDirection) {
+    const SceneFile dated =
+        rtcore::parseSceneFile("version = 2\nmodel = \"m.obj\"\n[sky]\ndate = \"2024-02-29\"\nhour = 17.25\n"
+                               "timeZone = 2\nlatitude = 48.2\nlongitude = 16.37\nnorth = 30\nturbidity = 4\n"
+                               "strength = 0.5\n",
+                               "x.scn");
+    const rtcore::SunDate date{2024, 2, 29, 62100, 2, 48.2, 16.37};
+    EXPECT_EQ(dated.sky, (rtcore::Sky{.date = date, .north = 30, .turbidity = 4, .strength = 0.5F}));
+    EXPECT_EQ(dated.activeEnvironment, 0);
+    const SceneFile pointed = rtcore::parseSceneFile(
+        "version = 2\nmodel = \"m.obj\"\n[sky]\ndirection = [1, 2, 3]\n[[environment]]\ncross = \"a\"",
+        "x.scn");
+    EXPECT_FALSE(pointed.sky->date);
+    EXPECT_EQ(pointed.sky->direction, (Vec3{1, 2, 3}));
+    EXPECT_EQ(pointed.activeEnvironment, 1);
+    EXPECT_EQ(rtcore::parseSceneFile("version = 2\nmodel = \"m.obj\"\n[sky]\n", "x.scn").sky, rtcore::Sky{});
+}
+
+TEST(Scn, SkiesThatMakeNoSenseAreRefused) {
+    const auto refusal = [](const std::string& sky, const char* version = "2") {
+        return test::badData([&] {
+            rtcore::parseSceneFile(std::string("version = ") + version + "\nmodel = \"m.obj\"\n" + sky,
+                                   "x.scn");
+        });
+    };
+    EXPECT_NE(refusal("[sky]", "1").find("'sky' came with version 2"), std::string::npos);
+    EXPECT_NE(
+        refusal("[[environment]]\ncross = \"a\"\nrotation = 9", "1").find("'rotation' came with version 2"),
+        std::string::npos);
+    EXPECT_EQ(refusal("[sky]\ndate = \"2023-02-29\""),
+              "x.scn:4:8: date is \"2023-02-29\", but takes a day from 1800 to 2200 such as \"2026-06-21\"");
+    EXPECT_EQ(refusal("[sky]\ndirection = [0, 1, 0]\nhour = 3"),
+              "x.scn:5:8: direction and hour are both given; leave one out");
+    EXPECT_EQ(refusal("[sky]\ndirection = [0, 0, 0]"),
+              "x.scn:4:13: direction is that to the sun, and not zero");
+    EXPECT_EQ(refusal("[sky]\nturbidity = 1.5"),
+              "x.scn:4:13: turbidity is 1.5, but takes a number at least 2 and at most 10");
+    EXPECT_EQ(refusal("activeEnvironment = 1\n[sky]").substr(0, 12), "x.scn:3:21: ");
+    EXPECT_EQ(refusal("activeEnvironment = -1\n[sky]"), "no error");
 }
 
 } // namespace

@@ -43,7 +43,7 @@ const char* problemOf(const Material& m, const Model& model) {
     if (!within(m.alphaCutoff, 0, 1)) return "alphaCutoff is not in 0..1";
     if (!within(m.roughness, 0, 1) && m.roughness != kNoRoughness) return "roughness is not in 0..1";
     if (!within(m.metallic, 0, 1)) return "metallic is not in 0..1";
-    if (!isSwitch(m.emissionLights)) return "a switch is neither 0 nor 1";
+    if (!isSwitch(m.emissionLights) || !isSwitch(m.flipTextures)) return "a switch is neither 0 nor 1";
     for (const std::uint32_t t :
          {m.diffuseTexture, m.alphaTexture, m.normalTexture, m.emissionTexture, m.metallicRoughnessTexture}) {
         if (t != kNoTexture && t >= model.textures.size()) return "it names a texture that does not exist";

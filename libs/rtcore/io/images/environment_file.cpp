@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace rtcore {
@@ -56,27 +57,37 @@ Environment fromCells(const HdrImage& image, const Cells& cells, int n, const st
     return Environment::fromCube(std::move(faces), path.stem().string());
 }
 
+bool isSphere(const HdrImage& image) { return image.width == 2 * image.height; }
+
+std::optional<Environment> crossOf(const HdrImage& image, const std::filesystem::path& path) {
+    if (hasShape(image, 4, 3)) return fromCells(image, kWideCross, image.width / 4, path);
+    if (hasShape(image, 3, 4)) return fromCells(image, kTallCross, image.width / 3, path);
+    return std::nullopt;
+}
+
+std::optional<Environment> stripOf(const HdrImage& image, const std::filesystem::path& path) {
+    if (hasShape(image, 6, 1)) return fromCells(image, kRow, image.width / 6, path);
+    if (hasShape(image, 1, 6)) return fromCells(image, kColumn, image.width, path);
+    return std::nullopt;
+}
+
 } // namespace
 
 Environment loadEquirectangular(const std::filesystem::path& path) {
-    HdrImage image = readRadiances(path);
-    if (image.width != 2 * image.height) {
-        wrongShape(path, image, "an equirectangular map is twice as wide as high");
-    }
-    return Environment::fromEquirectangular(std::move(image), path.stem().string());
+    const HdrImage image = readRadiances(path);
+    if (!isSphere(image)) wrongShape(path, image, "an equirectangular map is twice as wide as high");
+    return Environment::fromEquirectangular(image, path.stem().string());
 }
 
 Environment loadCubeCross(const std::filesystem::path& path) {
     const HdrImage image = readRadiances(path);
-    if (hasShape(image, 4, 3)) return fromCells(image, kWideCross, image.width / 4, path);
-    if (hasShape(image, 3, 4)) return fromCells(image, kTallCross, image.width / 3, path);
+    if (auto cross = crossOf(image, path)) return std::move(*cross);
     wrongShape(path, image, "a cross of cube faces has 4 x 3 or 3 x 4 squares");
 }
 
 Environment loadCubeStrip(const std::filesystem::path& path) {
     const HdrImage image = readRadiances(path);
-    if (hasShape(image, 6, 1)) return fromCells(image, kRow, image.width / 6, path);
-    if (hasShape(image, 1, 6)) return fromCells(image, kColumn, image.width, path);
+    if (auto strip = stripOf(image, path)) return std::move(*strip);
     wrongShape(path, image, "a strip of cube faces has 6 x 1 or 1 x 6 squares");
 }
 
@@ -91,6 +102,41 @@ Environment loadCubeFaces(const std::array<std::filesystem::path, 6>& paths) {
         }
     }
     return Environment::fromCube(std::move(faces), paths[0].stem().string());
+}
+
+Environment loadEnvironment(const EnvironmentFile& file) {
+    switch (file.kind) {
+    case EnvironmentKind::Cross:
+        return loadCubeCross(file.files.at(0));
+    case EnvironmentKind::Strip:
+        return loadCubeStrip(file.files.at(0));
+    case EnvironmentKind::Faces: {
+        std::array<std::filesystem::path, 6> faces;
+        std::copy_n(file.files.begin(), std::min<std::size_t>(6, file.files.size()), faces.begin());
+        return loadCubeFaces(faces);
+    }
+    case EnvironmentKind::Equirectangular:
+        break;
+    }
+    return loadEquirectangular(file.files.at(0));
+}
+
+OpenedEnvironment openEnvironment(const std::filesystem::path& path) {
+    const HdrImage image = readRadiances(path);
+    EnvironmentFile file;
+    file.files = {path};
+    if (isSphere(image)) return {file, Environment::fromEquirectangular(image, path.stem().string())};
+    if (auto cross = crossOf(image, path)) {
+        file.kind = EnvironmentKind::Cross;
+        return {file, std::move(*cross)};
+    }
+    if (auto strip = stripOf(image, path)) {
+        file.kind = EnvironmentKind::Strip;
+        return {file, std::move(*strip)};
+    }
+    wrongShape(path, image,
+               "an environment is twice as wide as high, or a cross of 4 x 3 or 3 x 4 squares, or a strip of "
+               "6 x 1 or 1 x 6");
 }
 
 } // namespace rtcore

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "rtcore/scene/environment.h"
+#include "rtcore/scene/environment_source.h"
 
 #include <array>
 #include <filesystem>
@@ -23,5 +24,15 @@ Environment loadCubeStrip(const std::filesystem::path& path);
 
 /// Six files of one square each, in the order +X -X +Y -Y +Z -Z.
 Environment loadCubeFaces(const std::array<std::filesystem::path, 6>& paths);
+
+/// As its kind says; neither its intensity nor its rotation is applied.
+Environment loadEnvironment(const EnvironmentFile& file);
+
+struct OpenedEnvironment {
+    EnvironmentFile file;
+    Environment environment;
+};
+/// One file whose kind its shape tells: a sphere, a cross or a strip.
+OpenedEnvironment openEnvironment(const std::filesystem::path& path);
 
 } // namespace rtcore

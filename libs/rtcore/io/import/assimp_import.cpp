@@ -359,11 +359,31 @@ void warnOfFiles(const std::filesystem::path& path, const std::optional<GltfFile
         addWarning(report, "ignored, since not supported: " + firstOf(gltf->ignoredExtensions));
 }
 
-/// The name of the object, as its author sees it.
+/// The names of the nodes from below the root on, with slashes between them.
+std::string pathOf(const aiScene& scene, const aiNode& node) {
+    constexpr int kDeepest = 256; // which only a graph with cycles reaches
+    std::string path;
+    const aiNode* at = &node;
+    for (int depth = 0; at != nullptr && at != scene.mRootNode && depth < kDeepest; ++depth) {
+        const std::string name = at->mName.C_Str();
+        if (!name.empty()) path = path.empty() ? name : name + "/" + path;
+        at = at->mParent;
+    }
+    return path;
+}
+
+/// The name of the object, as its author sees it; the meshes of one node, which differ in their material, go
+/// by that.
 std::string nameOf(const Instance& instance, const aiScene& scene) {
-    const std::string node = instance.node->mName.C_Str();
-    return node.empty() || instance.node == scene.mRootNode ? scene.mMeshes[instance.mesh]->mName.C_Str()
-                                                            : node;
+    const aiMesh& mesh = *scene.mMeshes[instance.mesh];
+    const std::string path = pathOf(scene, *instance.node);
+    std::string name = path.empty() ? mesh.mName.C_Str() : "";
+    if (instance.node->mNumMeshes > 1 && mesh.mMaterialIndex < scene.mNumMaterials) {
+        const aiMaterial* const material = scene.mMaterials[mesh.mMaterialIndex];
+        const std::string own = material != nullptr ? material->GetName().C_Str() : "";
+        if (!own.empty()) name = own;
+    }
+    return path.empty() || name.empty() ? path + name : path + "/" + name;
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "rtcore/io/import/material_mapping.h"
 
+#include "rtcore/scene/metallic_roughness.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,19 +14,6 @@ float bounded(float v, float lo, float hi, float otherwise) {
 }
 float unit(float v, float otherwise = 0) { return bounded(v, 0, 1, otherwise); }
 Colour unit(Colour c) { return {unit(c.r), unit(c.g), unit(c.b)}; }
-Colour mix(Colour a, Colour b, float t) { return a * (1 - t) + b * t; }
-
-/// Scales k_s, keeping its hue, so that no channel gives off more than it gets.
-void conserveEnergy(Material& m) {
-    float scale = 1;
-    const auto limit = [&](float kd, float ks) {
-        if (kd + ks > 1) scale = std::min(scale, std::max(0.0F, (1 - kd) / ks));
-    };
-    limit(m.diffuse.r, m.specular.r);
-    limit(m.diffuse.g, m.specular.g);
-    limit(m.diffuse.b, m.specular.b);
-    m.specular = m.specular * scale;
-}
 
 /// Light passes straight: neither bent nor mirrored at the surface.
 void makeVeil(Material& m, float opacity) {
@@ -75,18 +64,6 @@ void mapWavefront(const SourceMaterial& s, Material& m) {
     }
 }
 
-/// F0 as a highlight of the width that `roughness` gives, and as mirrored rays that fade out where roughness
-/// would blur them.
-void setReflection(Material& m, Colour f0, float roughness) {
-    const float r = std::max(roughness, 0.01F);
-    const float alpha = r * r;
-    m.specular = unit(f0);
-    m.shininess = bounded((2 / (alpha * alpha) - 2) / 4, 0, 100000, 0);
-    m.mirrorScale = std::max(0.0F, 1 - roughness / 0.3F);
-    m.fresnel = m.mirrorScale > 0 ? 1 : 0;
-    if (m.mirrorScale > 0) m.mirror = m.specular;
-}
-
 void mapTransparency(const SourceMaterial& s, Material& m, float roughness, Colour base) {
     const float alpha = s.alphaMode == AlphaMode::Blend ? unit(s.opacity, 1) : 1;
     const float passing = unit(s.transmissionFactor) * (1 - unit(s.metallic));
@@ -112,12 +89,8 @@ void mapMetallicRoughness(const SourceMaterial& s, Material& m, TextureStore& te
         roughness *= map->meanChannel[1];
         metallic *= map->meanChannel[2];
     }
-    m.roughness = roughness;
-    m.metallic = metallic;
-    Colour base = m.diffuse;
-    if (const auto map = textures.summary(s.diffuseMap)) base *= map->meanColour;
-    setReflection(m, mix({0.04F, 0.04F, 0.04F}, base, metallic), roughness);
-    m.diffuse = m.diffuse * (1 - metallic);
+    const auto image = textures.summary(s.diffuseMap);
+    setMetallicRoughness(m, m.diffuse, image ? image->meanColour : kWhite, metallic, roughness);
     mapTransparency(s, m, roughness, m.diffuse);
 }
 

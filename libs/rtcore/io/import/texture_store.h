@@ -2,9 +2,9 @@
 #pragma once
 
 #include "rtcore/io/import/import_report.h"
+#include "rtcore/scene/image_summary.h"
 #include "rtcore/scene/model.h"
 
-#include <array>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -13,14 +13,6 @@
 #include <vector>
 
 namespace rtcore {
-
-/// What a whole image is like, for what is not looked up texel by texel.
-struct ImageSummary {
-    Colour meanColour{1, 1, 1};                   ///< linear
-    std::array<float, 4> meanChannel{1, 1, 1, 1}; ///< of the codes as they stand, 0..1
-    bool transparent = false;                     ///< an alpha under 1 is there
-    bool dark = false;                            ///< a red under 1 is there
-};
 
 /// An image as a material uses it.
 struct SourceMap {

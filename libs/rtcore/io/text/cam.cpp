@@ -3,18 +3,42 @@
 #include "rtcore/io/text/camera_section.h"
 #include "rtcore/io/text/text_file.h"
 #include "rtcore/io/text/toml_parser.h"
+#include "rtcore/scene/light_notes.h"
 #include "rtcore/settings/settings_table.h"
+
+#include <fmt/core.h>
+
+#include <set>
 
 namespace rtcore {
 
 namespace {
 
 constexpr int kMaxEnvironment = 65535;
+constexpr int kByIds = 2; ///< the version that names lights by their ids
 
 /// A key of a .cam with the range of the setting `name`.
 std::optional<int> readInteger(StrictTable& table, std::string_view key, std::string_view name) {
     const Setting& setting = requireSetting(name);
     return table.integer(key, static_cast<int>(setting.minimum), static_cast<int>(setting.maximum));
+}
+
+void readLightIds(StrictTable& root, CameraFile& file) {
+    const auto read = [&](std::string_view key) {
+        const auto ids = root.integers(key, 1, kMostLightId);
+        if (ids) root.needVersion(kByIds, key);
+        if (ids && file.lights) root.fail(key, "lights and " + std::string(key) + " are both given");
+        return ids.value_or(std::vector<int>());
+    };
+    file.lightsOn = read("lightsOn");
+    file.lightsOff = read("lightsOff");
+    std::set<int> named;
+    for (const int id : file.lightsOn) {
+        if (!named.insert(id).second) root.fail("lightsOn", fmt::format("light {} is named twice", id));
+    }
+    for (const int id : file.lightsOff) {
+        if (!named.insert(id).second) root.fail("lightsOff", fmt::format("light {} is named twice", id));
+    }
 }
 
 } // namespace
@@ -23,7 +47,7 @@ CameraFile parseCameraFile(std::string_view text, const std::filesystem::path& p
     const std::string name = path.string();
     const TextValue content = parseToml(text, name);
     StrictTable root(content, name);
-    root.checkVersion();
+    root.checkVersion(kByIds);
     const Setting& exposure = requireSetting("exposure.value");
     CameraFile file;
     file.width = readInteger(root, "width", "width");
@@ -32,6 +56,7 @@ CameraFile parseCameraFile(std::string_view text, const std::filesystem::path& p
     file.bloom = readInteger(root, "bloom", "bloom.radius");
     file.exposure = root.number("exposure", {.minimum = exposure.minimum, .maximum = exposure.maximum});
     file.lights = root.booleans("lights");
+    readLightIds(root, file);
     file.environment = root.integer("environment", 0, kMaxEnvironment);
     file.time = root.preciseNumber("time", kNotNegative);
     file.camera = readCamera(root, Vec3{0, 1, 0}, false);
@@ -44,7 +69,8 @@ CameraFile readCameraFile(const std::filesystem::path& path) {
 
 std::string formatCameraFile(const CameraFile& file) {
     TomlWriter writer;
-    writer.add("version", 1);
+    const bool byIds = !file.lightsOn.empty() || !file.lightsOff.empty();
+    writer.add("version", byIds ? kByIds : 1);
     writeCamera(writer, file.camera);
     writer.add("width", file.width);
     writer.add("height", file.height);
@@ -52,6 +78,10 @@ std::string formatCameraFile(const CameraFile& file) {
     writer.add("bloom", file.bloom);
     writer.add("exposure", file.exposure);
     writer.add("lights", file.lights);
+    if (byIds) {
+        writer.add("lightsOn", file.lightsOn);
+        writer.add("lightsOff", file.lightsOff);
+    }
     writer.add("environment", file.environment);
     writer.add("time", file.time);
     return writer.text();

@@ -17,7 +17,8 @@ struct CameraFile {
     std::optional<int> width, height;        ///< pixels
     std::optional<int> antialiasing, bloom;  ///< as the settings `antialiasing` and `bloom.radius`
     std::optional<float> exposure;           ///< the fixed constant c; absent: automatic
-    std::optional<std::vector<bool>> lights; ///< which are on, in the scene's order
+    std::optional<std::vector<bool>> lights; ///< version 1: which are on, in the scene's order
+    std::vector<int> lightsOn, lightsOff;    ///< ids, each once; the other lights stay as they are
     std::optional<int> environment;          ///< index into the scene's environments
     std::optional<double> time;              ///< seconds since the recording began, >= 0
     friend bool operator==(const CameraFile&, const CameraFile&) = default;

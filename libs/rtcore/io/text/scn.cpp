@@ -5,6 +5,7 @@
 #include "rtcore/io/text/settings_section.h"
 #include "rtcore/io/text/text_file.h"
 #include "rtcore/io/text/toml_parser.h"
+#include "rtcore/io/text/written_mark.h"
 #include "rtcore/scene/up_axis.h"
 
 #include <fmt/core.h>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <set>
 
 namespace rtcore {
 
@@ -55,7 +57,7 @@ class SceneReader {
         : root_(content, file), folder_(std::move(folder)) {}
 
     SceneFile read() {
-        root_.checkVersion();
+        root_.checkVersion(kSceneFileVersion);
         readRoot();
         readLists();
         readSections();
@@ -78,24 +80,47 @@ class SceneReader {
     }
 
     void readLists() {
-        for (StrictTable& table : root_.tables("light")) scene_.lights.push_back(readLight(table));
+        std::set<int> ids;
+        for (StrictTable& table : root_.tables("light")) {
+            const int id = scene_.lights.emplace_back(readLight(table)).id;
+            if (id > 0 && !ids.insert(id).second)
+                table.fail("id", fmt::format("two lights have the id {}", id));
+        }
         for (StrictTable& table : root_.tables("material"))
             scene_.materials.push_back(readMaterial(table, folder_));
+        for (StrictTable& table : root_.tables("part")) scene_.parts.push_back(readPart(table));
+        root_.needVersion(2, "part");
         for (StrictTable& table : root_.tables("environment"))
             scene_.environments.push_back(readEnvironment(table, folder_));
         scene_.modelLights = root_.boolean("modelLights").value_or(scene_.lights.empty());
+        readDefaultLight();
+        if (auto table = root_.table("sky")) {
+            root_.needVersion(2, "sky");
+            scene_.sun.id = table->integer("sunId", 1, kMostLightId).value_or(0);
+            scene_.sun.on = table->boolean("sunOn").value_or(true);
+            scene_.sky = readSky(*table);
+        }
         readActiveEnvironment();
+        scene_.bookmarks = readBookmarks(root_, scene_.up);
+    }
+
+    void readDefaultLight() {
+        const auto light = root_.boolean("defaultLight");
+        if (light) root_.needVersion(2, "defaultLight");
+        scene_.defaultLight = light.value_or(true);
     }
 
     void readActiveEnvironment() {
-        const auto index = root_.integer("activeEnvironment", 0, std::numeric_limits<int>::max());
-        const std::size_t count = scene_.environments.size();
-        scene_.activeEnvironment = index.value_or(0);
-        if (index && static_cast<std::size_t>(*index) >= count)
-            root_.fail(
-                "activeEnvironment",
-                fmt::format("activeEnvironment is {}, but there are {} [[environment]], counted from 0",
-                            *index, count));
+        const auto index =
+            root_.integer("activeEnvironment", kNoEnvironment, std::numeric_limits<int>::max());
+        const int files = static_cast<int>(scene_.environments.size());
+        const int count = files + (scene_.sky ? 1 : 0);
+        scene_.activeEnvironment = index.value_or(scene_.sky ? files : 0);
+        if (index == kNoEnvironment) root_.needVersion(2, "activeEnvironment");
+        if (index && *index >= count)
+            root_.fail("activeEnvironment",
+                       fmt::format("activeEnvironment is {}, but there are {} {}, counted from 0", *index,
+                                   count, scene_.sky ? "with the [sky]" : "[[environment]]"));
     }
 
     void readSections() {
@@ -133,13 +158,20 @@ class SceneWriter {
         : scene_(scene), folder_(std::move(folder)) {}
 
     std::string write() {
-        writer_.add("version", 1);
+        writer_.add("version", kSceneFileVersion);
         writeRoot();
         writeCameraTable();
         for (const LightDescription& light : scene_.lights) writeLight(writer_, light);
         for (const MaterialOverride& material : scene_.materials) writeMaterial(writer_, material, folder_);
+        for (const PartDescription& part : scene_.parts) writePart(writer_, part);
         for (const EnvironmentFile& environment : scene_.environments)
             writeEnvironment(writer_, environment, folder_);
+        if (scene_.sky) {
+            writeSky(writer_, *scene_.sky);
+            if (scene_.sun.id != 0) writer_.add("sunId", scene_.sun.id);
+            if (!scene_.sun.on) writer_.add("sunOn", false);
+        }
+        for (const SceneBookmark& bookmark : scene_.bookmarks) writeBookmark(writer_, bookmark);
         writeFog();
         writeWalk();
         writeSettingsSection(writer_, "live", scene_.live);
@@ -161,7 +193,9 @@ class SceneWriter {
         writer_.add("background", scene_.background);
         writer_.add("ambient", scene_.ambient);
         writer_.add("modelLights", scene_.modelLights);
-        if (!scene_.environments.empty()) writer_.add("activeEnvironment", scene_.activeEnvironment);
+        if (!scene_.defaultLight) writer_.add("defaultLight", false);
+        if (!scene_.environments.empty() || scene_.sky)
+            writer_.add("activeEnvironment", scene_.activeEnvironment);
         writer_.add("creaseAngle", scene_.creaseAngle);
         writer_.add("flipTextures", scene_.flipTextures);
     }
@@ -214,7 +248,7 @@ SceneFile readSceneFile(const std::filesystem::path& path) {
 }
 
 std::string formatSceneFile(const SceneFile& scene, const std::filesystem::path& path) {
-    return SceneWriter(scene, path.parent_path()).write();
+    return withWrittenMark(SceneWriter(scene, path.parent_path()).write());
 }
 
 void writeSceneFile(const std::filesystem::path& path, const SceneFile& scene) {

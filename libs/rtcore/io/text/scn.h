@@ -5,69 +5,83 @@
 #include "rtcore/math/colour.h"
 #include "rtcore/math/vec.h"
 #include "rtcore/scene/camera.h"
+#include "rtcore/scene/environment_source.h"
 #include "rtcore/scene/light.h"
-#include "rtcore/scene/material.h"
+#include "rtcore/scene/material_override.h"
 #include "rtcore/scene/scene.h"
 #include "rtcore/settings/settings_table.h"
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace rtcore {
 
+/// The newest version, which is written; all from 1 are read.
+inline constexpr int kSceneFileVersion = 2;
+
 /// One [[light]].
 struct LightDescription {
     std::string name; ///< may be ""
-    Light light;      ///< direction of unit length, cosOuter < cosInner; nameOffset is 0
+    Light light;      ///< direction of unit length, cosOuter < cosInner; nameOffset is 0. With a temperature,
+                      ///< its intensity is that without it
+    int id = 0;       ///< as in LightNotes; 0: the file says none
+    float temperature = 0; ///< kelvin; 0: none
     friend bool operator==(const LightDescription&, const LightDescription&) = default;
 };
 
-/// One [[material]]: what it changes in every material whose name fits.
-struct MaterialOverride {
-    std::string pattern; ///< matchesPattern(); not ""
-    std::optional<Colour> diffuse, specular, transmission, emission;
-    std::optional<Colour> reflectivity; ///< the material's `mirror`, with a mirrorScale of 1
-    std::optional<float> shininess, opacity, attenuationDistance, indexOfRefraction;
-    std::optional<bool> fresnel;
-    std::optional<std::filesystem::path> diffuseTexture; ///< loaded by the scene loader
+/// The light number `i` of a scene whose lights are numbered, and the way back: it takes its place, or, one
+/// past the last, is added.
+LightDescription describeLight(const Scene& scene, std::size_t i);
+void putLight(Scene& scene, std::size_t i, const LightDescription& description);
+/// What shines: the intensity with the colour of the temperature.
+Light tintedLight(const LightDescription& description);
 
-    /// All but the texture. Where the sum of diffuse and specular would exceed 1, the one that is not
-    /// overridden gives way.
-    void applyTo(Material& material) const;
-    friend bool operator==(const MaterialOverride&, const MaterialOverride&) = default;
+/// What a scene keeps of the light of its [sky].
+struct SunDescription {
+    int id = 0; ///< as in LightNotes; 0: the file says none
+    bool on = true;
+    friend bool operator==(const SunDescription&, const SunDescription&) = default;
 };
 
-enum class EnvironmentKind {
-    Equirectangular, ///< one file
-    Cross,           ///< one file, six faces unfolded
-    Strip,           ///< one file, six faces in a row
-    Faces,           ///< six files: +X -X +Y -Y +Z -Z
+/// One [[part]]: which parts of the model (namedParts()) are hidden, or shown.
+struct PartDescription {
+    std::string pattern;       ///< matchesPattern(); "": by number
+    std::optional<int> number; ///< in the order of namedParts(), counted from 1
+    bool hidden = true;
+    friend bool operator==(const PartDescription&, const PartDescription&) = default;
 };
 
-/// One [[environment]].
-struct EnvironmentFile {
-    EnvironmentKind kind = EnvironmentKind::Equirectangular;
-    std::vector<std::filesystem::path> files; ///< six for Faces, else one
-    std::string name;                         ///< may be ""
-    float intensity = 1;                      ///< factor, >= 0
-    friend bool operator==(const EnvironmentFile&, const EnvironmentFile&) = default;
+/// One [[bookmark]]: a view that is kept under a name.
+struct SceneBookmark {
+    std::string name; ///< not ""; no other of the scene has it
+    Camera camera;    ///< nameOffset is 0
+    friend bool operator==(const SceneBookmark&, const SceneBookmark&) = default;
 };
+using SceneBookmarks = std::vector<SceneBookmark>;
+
+/// The end where none has that name.
+SceneBookmarks::const_iterator findBookmark(const SceneBookmarks& bookmarks, std::string_view name);
 
 /// All paths are absolute or relative to the current folder. Lengths are in scene units.
 struct SceneFile : SceneLook {
     std::filesystem::path model; ///< a .bsp or a model
     std::optional<std::filesystem::path> settings, output;
+    bool defaultLight = true;     ///< what has no light at all gets one; false: it stays dark
     bool modelLights = true;      ///< use the model's own lights beside `lights`
     float creaseAngle = 40;       ///< degrees, for models without normals
     bool flipTextures = false;    ///< of a model that is imported: turn its textures upside down
     std::optional<Camera> camera; ///< at most one of these two; nameOffset is 0
     std::optional<std::filesystem::path> cameraFile; ///< a .cam
     std::vector<LightDescription> lights;
+    SunDescription sun;                      ///< with a sky
     std::vector<MaterialOverride> materials; ///< in order; later ones win
+    std::vector<PartDescription> parts;      ///< the same
     std::vector<EnvironmentFile> environments;
+    SceneBookmarks bookmarks;
     std::vector<SettingAssignment> live, still; ///< as in a .set, which has precedence
 };
 
@@ -77,10 +91,16 @@ SceneFile readSceneFile(const std::filesystem::path& path);
 /// The same from memory; `path` gives the folder of relative paths and is named in errors.
 SceneFile parseSceneFile(std::string_view text, const std::filesystem::path& path);
 
+/// One key of a [[material]] with its value as it is typed in commands: one number or more, true, false.
+/// Throws FileError BadData.
+MaterialOverride parseMaterialKey(const std::string& key, std::span<const std::string> words);
+/// The text of a [[material]].
+std::string formatMaterial(const MaterialOverride& material);
+
 /// Replaces the file. Paths below its folder are written relative to it, others absolute.
 /// Throws FileError CannotWrite, also when a value is one that readSceneFile would refuse.
 void writeSceneFile(const std::filesystem::path& path, const SceneFile& scene);
-/// The text that writeSceneFile writes to `path`.
+/// The text that writeSceneFile writes to `path`; hasWrittenMark().
 std::string formatSceneFile(const SceneFile& scene, const std::filesystem::path& path);
 
 } // namespace rtcore

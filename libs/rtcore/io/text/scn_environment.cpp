@@ -12,6 +12,7 @@ namespace {
 /// In the order of EnvironmentKind.
 constexpr std::array<std::string_view, 3> kSingleFileKeys{"equirectangular", "cross", "strip"};
 constexpr std::size_t kFaces = 6;
+constexpr Limits kRotation{.minimum = -360, .maximum = 360};
 
 } // namespace
 
@@ -19,6 +20,10 @@ EnvironmentFile readEnvironment(StrictTable& table, const std::filesystem::path&
     EnvironmentFile environment;
     environment.name = table.text("name").value_or("");
     environment.intensity = table.number("intensity", kNotNegative).value_or(1.0F);
+    if (const auto rotation = table.number("rotation", kRotation)) {
+        table.needVersion(2, "rotation");
+        environment.rotation = *rotation;
+    }
     int given = 0;
     for (std::size_t i = 0; i < kSingleFileKeys.size(); ++i) {
         const auto file = table.path(kSingleFileKeys[i], folder);
@@ -54,6 +59,7 @@ void writeEnvironment(TomlWriter& writer, const EnvironmentFile& environment,
         writer.add(kSingleFileKeys.at(static_cast<std::size_t>(environment.kind)), files.front());
     }
     writer.add("intensity", environment.intensity);
+    writer.add("rotation", environment.rotation);
 }
 
 } // namespace rtcore

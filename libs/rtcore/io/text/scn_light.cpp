@@ -1,6 +1,9 @@
 #include "rtcore/io/text/cosine.h"
 #include "rtcore/io/text/scn_sections.h"
 
+#include "rtcore/math/blackbody.h"
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -13,6 +16,7 @@ constexpr auto kKinds = [] {
     for (std::size_t i = 0; i < kLightKinds; ++i) names[i] = kLightTraits[i].name;
     return names;
 }();
+constexpr Limits kTemperature{.minimum = kLeastTemperature, .maximum = kMostTemperature};
 constexpr Limits kHalfAngle{.minimum = 0, .maximum = 180};
 
 /// A direction that is of unit length but for rounding stays as it is, so that written directions read back
@@ -54,7 +58,36 @@ void setSides(const StrictTable& table, const Sides& sides, Light& light) {
 
 } // namespace
 
+Light tintedLight(const LightDescription& description) {
+    Light light = description.light;
+    if (description.temperature > 0) light.intensity *= blackbodyColour(description.temperature);
+    return light;
+}
+
+LightDescription describeLight(const Scene& scene, std::size_t i) {
+    const LightNotes& notes = scene.lightNotes[i];
+    LightDescription result{scene.lightNames[i], scene.lights[i], notes.id, notes.temperature};
+    if (notes.temperature > 0) result.light.intensity = notes.untinted;
+    result.light.nameOffset = 0;
+    return result;
+}
+
+void putLight(Scene& scene, std::size_t i, const LightDescription& description) {
+    const std::size_t count = std::max(scene.lights.size(), i + 1);
+    scene.lights.resize(count);
+    scene.lightNames.resize(count);
+    scene.lightNotes.resize(count);
+    scene.lights[i] = tintedLight(description);
+    scene.lightNames[i] = description.name;
+    scene.lightNotes[i] = {description.id, description.temperature,
+                           description.temperature > 0 ? description.light.intensity : Colour{}};
+}
+
 LightDescription readLight(StrictTable& table) {
+    const auto id = table.integer("id", 1, kMostLightId);
+    if (id) table.needVersion(2, "id");
+    const auto temperature = table.number("temperature", kTemperature);
+    if (temperature) table.needVersion(2, "temperature");
     const auto name = table.text("name");
     const auto kind = table.choice("kind", kKinds);
     const auto position = table.vector("position");
@@ -72,6 +105,8 @@ LightDescription readLight(StrictTable& table) {
     LightDescription result;
     Light& light = result.light;
     result.name = name.value_or("");
+    result.id = id.value_or(0);
+    result.temperature = temperature.value_or(0.0F);
     light.kind = static_cast<LightKind>(table.require("kind", kind));
     const LightTraits& traits = traitsOf(light);
     if (traits.position) light.position = table.require("position", position);
@@ -91,11 +126,13 @@ void writeLight(TomlWriter& writer, const LightDescription& description) {
     const Light& light = description.light;
     const LightTraits& traits = traitsOf(light);
     writer.section("[[light]]");
+    if (description.id > 0) writer.add("id", description.id);
     if (!description.name.empty()) writer.add("name", description.name);
     writer.add("kind", traits.name);
     if (traits.position) writer.add("position", light.position);
     if (traits.direction) writer.add("direction", light.direction);
     writer.add("intensity", light.intensity);
+    if (description.temperature > 0) writer.add("temperature", description.temperature);
     if (traits.position) writer.add("radius", light.radius);
     if (traits.beam == Beam::Cone) {
         writer.add("innerAngle", degreesOfCosine(light.cosInner));

@@ -1,4 +1,4 @@
-/// The repeated sections of a .scn, each read and written side by side in a file of its own.
+/// Sections of a .scn, each read and written side by side in a file of its own.
 #pragma once
 
 #include "rtcore/io/text/scn.h"
@@ -7,15 +7,34 @@
 
 namespace rtcore {
 
+/// Of what the model has many: which ones a section is for.
+struct NameOrNumber {
+    std::optional<std::string> name; ///< a pattern
+    std::optional<int> number;       ///< counted from 1; since version 2
+    std::string_view what;           ///< for errors
+
+    /// That exactly one is given, and not "".
+    void check(const StrictTable& table) const;
+};
+NameOrNumber readNameOrNumber(StrictTable& table, std::string_view what);
+
 /// The readers call table.finish() and throw FileError BadData. `folder` is where relative paths start.
 LightDescription readLight(StrictTable& table);
 MaterialOverride readMaterial(StrictTable& table, const std::filesystem::path& folder);
+PartDescription readPart(StrictTable& table);
 EnvironmentFile readEnvironment(StrictTable& table, const std::filesystem::path& folder);
+Sky readSky(StrictTable& table);
+
+/// All [[bookmark]] of the root; `up` as in readCamera().
+SceneBookmarks readBookmarks(StrictTable& root, Vec3 up);
 
 /// The writers check nothing.
 void writeLight(TomlWriter& writer, const LightDescription& description);
 void writeMaterial(TomlWriter& writer, const MaterialOverride& material, const std::filesystem::path& folder);
+void writePart(TomlWriter& writer, const PartDescription& part);
 void writeEnvironment(TomlWriter& writer, const EnvironmentFile& environment,
                       const std::filesystem::path& folder);
+void writeSky(TomlWriter& writer, const Sky& sky);
+void writeBookmark(TomlWriter& writer, const SceneBookmark& bookmark);
 
 } // namespace rtcore

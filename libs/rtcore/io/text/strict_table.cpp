@@ -148,6 +148,21 @@ std::optional<int> StrictTable::integer(std::string_view key, int minimum, int m
     return static_cast<int>(*whole);
 }
 
+std::optional<std::vector<int>> StrictTable::integers(std::string_view key, int minimum, int maximum) {
+    const auto* array = typed<TextArray>(key, "whole numbers in brackets");
+    if (array == nullptr) return std::nullopt;
+    const std::string range = fmt::format("only whole numbers from {} to {}", minimum, maximum);
+    std::vector<int> numbers;
+    for (const TextValue& item : *array) {
+        const std::int64_t* number = std::get_if<std::int64_t>(&item.content);
+        if (number == nullptr) failType(*file_, key, item, range);
+        if (*number < minimum || *number > maximum)
+            fail(key, fmt::format("{} has {}, but takes {}", key, *number, range));
+        numbers.push_back(static_cast<int>(*number));
+    }
+    return numbers;
+}
+
 std::optional<float> StrictTable::number(std::string_view key, const Limits& limits) {
     const TextValue* found = value(key);
     return found == nullptr ? std::nullopt
@@ -240,7 +255,13 @@ std::optional<StrictTable> StrictTable::table(std::string_view key) {
     if (found == nullptr) return std::nullopt;
     if (!std::holds_alternative<TextTable>(found->content))
         failType(*file_, key, *found, "a table, [" + std::string(key) + "]");
-    return StrictTable(*found, *file_);
+    return within(*found);
+}
+
+StrictTable StrictTable::within(const TextValue& table) const {
+    StrictTable result(table, *file_);
+    result.version_ = version_;
+    return result;
 }
 
 std::vector<StrictTable> StrictTable::tables(std::string_view key) {
@@ -250,17 +271,26 @@ std::vector<StrictTable> StrictTable::tables(std::string_view key) {
     if (array == nullptr) return result;
     for (const TextValue& item : *array) {
         if (!std::holds_alternative<TextTable>(item.content)) failType(*file_, key, item, wanted);
-        result.emplace_back(item, *file_);
+        result.push_back(within(item));
     }
     return result;
 }
 
-void StrictTable::checkVersion() {
-    const auto* version = typed<std::int64_t>("version", "1");
+void StrictTable::checkVersion(int newest) {
+    const auto* version = typed<std::int64_t>("version", std::to_string(newest));
     if (version == nullptr)
-        failAt(*file_, {1, 1}, "the version is missing; begin the file with: version = 1");
-    if (*version != 1)
-        fail("version", fmt::format("version {} is unknown; this program reads version 1", *version));
+        failAt(*file_, {1, 1},
+               fmt::format("the version is missing; begin the file with: version = {}", newest));
+    if (*version < 1 || *version > newest)
+        fail("version", fmt::format("version {} is unknown; this program reads version {}{}", *version,
+                                    newest > 1 ? "1 to " : "", newest));
+    version_ = static_cast<int>(*version);
+}
+
+void StrictTable::needVersion(int version, std::string_view key) const {
+    if (version_ >= version || find(key) == nullptr) return;
+    fail(key, fmt::format("{} came with version {} of this format; begin the file with: version = {}",
+                          inQuotes(key), version, version));
 }
 
 void StrictTable::finish() const {

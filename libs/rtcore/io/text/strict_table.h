@@ -36,6 +36,7 @@ class StrictTable {
 
     std::optional<bool> boolean(std::string_view key);
     std::optional<int> integer(std::string_view key, int minimum, int maximum);
+    std::optional<std::vector<int>> integers(std::string_view key, int minimum, int maximum);
     std::optional<float> number(std::string_view key, const Limits& limits);
     std::optional<double> preciseNumber(std::string_view key, const Limits& limits);
     std::optional<std::string> text(std::string_view key);
@@ -57,8 +58,11 @@ class StrictTable {
     /// The value as it is, or null.
     const TextValue* value(std::string_view key);
 
-    /// The root of a file of this suite: `version = 1` must be there.
-    void checkVersion();
+    /// The root of a file of this suite: `version = n` must be there, 1 <= n <= newest. Tables that are asked
+    /// for afterwards know it.
+    void checkVersion(int newest = 1);
+    /// Refuses the key in a file of an older version than that which brought it.
+    void needVersion(int version, std::string_view key) const;
     /// Refuses the first key that was not asked for, and names the nearest that was.
     void finish() const;
     template <typename T>
@@ -76,9 +80,11 @@ class StrictTable {
     const TextEntry* find(std::string_view key) const;
     template <typename T>
     const T* typed(std::string_view key, std::string_view wanted);
+    StrictTable within(const TextValue& table) const;
 
     const TextValue* table_;
     const std::string* file_;
+    int version_ = 1;
     std::vector<std::string_view> asked_;
 };
 

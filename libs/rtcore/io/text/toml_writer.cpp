@@ -90,6 +90,12 @@ void TomlWriter::add(std::string_view key, const std::vector<bool>& values) {
     line(key, "[" + list + "]");
 }
 
+void TomlWriter::add(std::string_view key, const std::vector<int>& values) {
+    std::string list;
+    for (const int value : values) list += (list.empty() ? "" : ", ") + std::to_string(value);
+    line(key, "[" + list + "]");
+}
+
 void TomlWriter::add(std::string_view key, const std::vector<std::string>& values) {
     std::string list;
     for (const std::string& value : values) list += (list.empty() ? "" : ", ") + tomlString(value);

@@ -34,6 +34,7 @@ class TomlWriter {
     void add(std::string_view key, Vec3 value);
     void add(std::string_view key, Colour value);
     void add(std::string_view key, const std::vector<bool>& values);
+    void add(std::string_view key, const std::vector<int>& values);
     void add(std::string_view key, const std::vector<std::string>& values);
     void add(std::string_view key, const SettingValue& value);
     void add(std::string_view key, const char* value) { add(key, std::string_view(value)); }

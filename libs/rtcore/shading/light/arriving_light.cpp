@@ -38,7 +38,7 @@ HWY_INLINE Float3 rayVectors(const std::vector<float>& x, const std::vector<floa
     return {loadSome(&x[i], count), loadSome(&y[i], count), loadSome(&z[i], count)};
 }
 
-HWY_INLINE Float3 skyAlong(const Sky& sky, const RayWave& rays, std::size_t i, std::size_t count) {
+HWY_INLINE Float3 skyAlong(const SkySource& sky, const RayWave& rays, std::size_t i, std::size_t count) {
     const Float3 direction = rayVectors(rays.dx, rays.dy, rays.dz, i, count);
     const Int texel = octahedronTexel<Float>(direction, sky.light->side());
     const Float3 radiance{gather(sky.light->radiance(0), texel), gather(sky.light->radiance(1), texel),
@@ -57,7 +57,8 @@ HWY_INLINE void addAt(const Float3& seen, const Float3& passing, const SkySums& 
     storeAt(loadAt(sums.whole, i) + seen, sums.whole, i);
 }
 
-void addUnoccluded(const Sky& sky, const SkyRays& r, const std::uint8_t* occluded, const SkySums& sums) {
+void addUnoccluded(const SkySource& sky, const SkyRays& r, const std::uint8_t* occluded,
+                   const SkySums& sums) {
     HWY_ALIGN float passing[kLanes] = {};
     for (std::size_t i = 0; i < r.count; i += lanes()) {
         const std::size_t count = std::min(lanes(), r.count - i);
@@ -68,7 +69,7 @@ void addUnoccluded(const Sky& sky, const SkyRays& r, const std::uint8_t* occlude
     }
 }
 
-void addTinted(const Sky& sky, const SkyRays& r, const Colour* passing, const SkySums& sums) {
+void addTinted(const SkySource& sky, const SkyRays& r, const Colour* passing, const SkySums& sums) {
     HWY_ALIGN Colour tint[kLanes] = {};
     for (std::size_t i = 0; i < r.count; i += lanes()) {
         const std::size_t count = std::min(lanes(), r.count - i);
@@ -92,11 +93,11 @@ void addVisible(float* visible, std::size_t count, const HitWave& hits, std::siz
     HWY_DYNAMIC_DISPATCH(addAllVisible)(visible, count, &hits.t[first], &hits.triangle[first], distance);
 }
 
-void addSky(const Sky& sky, const SkyRays& rays, const std::uint8_t* occluded, const SkySums& sums) {
+void addSky(const SkySource& sky, const SkyRays& rays, const std::uint8_t* occluded, const SkySums& sums) {
     HWY_DYNAMIC_DISPATCH(addUnoccluded)(sky, rays, occluded, sums);
 }
 
-void addSky(const Sky& sky, const SkyRays& rays, const Colour* passing, const SkySums& sums) {
+void addSky(const SkySource& sky, const SkyRays& rays, const Colour* passing, const SkySums& sums) {
     HWY_DYNAMIC_DISPATCH(addTinted)(sky, rays, passing, sums);
 }
 

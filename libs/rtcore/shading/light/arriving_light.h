@@ -16,7 +16,7 @@ namespace rtcore {
 void addVisible(float* visible, std::size_t count, const HitWave& hits, std::size_t first, float distance);
 
 /// What a ray that escapes brings.
-struct Sky {
+struct SkySource {
     const EnvironmentLight* light = nullptr;
     Colour scale;                   ///< times that
     const FogMedium* fog = nullptr; ///< on its endless way; null where there is none
@@ -36,8 +36,8 @@ struct SkySums {
 };
 
 /// Adds rays of which those bring all that are not `occluded` (0), the others nothing.
-void addSky(const Sky& sky, const SkyRays& rays, const std::uint8_t* occluded, const SkySums& sums);
+void addSky(const SkySource& sky, const SkyRays& rays, const std::uint8_t* occluded, const SkySums& sums);
 /// Adds rays that bring that part.
-void addSky(const Sky& sky, const SkyRays& rays, const Colour* passing, const SkySums& sums);
+void addSky(const SkySource& sky, const SkyRays& rays, const Colour* passing, const SkySums& sums);
 
 } // namespace rtcore

@@ -14,6 +14,10 @@ void SkyWave::begin(const Scene& scene, const RayTracer& tracer, const RenderSet
     sky_.scale = environment != nullptr ? kWhite * environment->intensity : scene.background;
     sky_.fog = fog;
     obstacles_.begin(scene, tracer, settings, materials.clear(), nullptr, RayKind::Occlusion);
+    tracer_ = &tracer;
+    around_ = settings.ambientOcclusion.on
+                  ? std::optional(occludedLight(scene, tracer.bounds(), settings.ambientOcclusion))
+                  : std::nullopt;
     HemisphereWave::begin(materials, {settings.ambientOcclusion.pattern, settings.skyLight.samples,
                                       std::numeric_limits<float>::max()});
 }
@@ -27,6 +31,7 @@ void SkyWave::start(std::size_t points) {
         next += 3;
     }
     for (std::size_t i = 0; i < next; ++i) std::fill_n(memory_.array(i), points, 0.0F);
+    if (around_) near_.assign(points, 0);
 }
 
 void SkyWave::gather(std::size_t directions, RayStatistics& statistics) {
@@ -34,11 +39,29 @@ void SkyWave::gather(std::size_t directions, RayStatistics& statistics) {
         for (std::size_t i = 0; i < directions; ++i)
             addSky(sky_, {rays(), i * points_, points_}, found + i * points_, sums_);
     };
+    if (around_) {
+        statistics.count(RayKind::Occlusion, rays().size());
+        tracer_->intersect(RayKind::Occlusion, rays(), hits_);
+    }
     if (obstacles_.tinted()) {
-        addAll(obstacles_.transmittance(rays(), statistics).data());
+        const Colour* const passing = obstacles_.transmittance(rays(), statistics).data();
+        addAll(passing);
+        if (around_) addAround([&](std::size_t ray) { return 1 - maxComponent(passing[ray]); });
+    } else if (around_) {
+        ended_.resize(rays().size());
+        for (std::size_t ray = 0; ray < ended_.size(); ++ray) ended_[ray] = hits_.isHit(ray) ? 1 : 0;
+        addAll(ended_.data());
+        addAround([](std::size_t) { return 1.0F; });
     } else {
         addAll(obstacles_.occluded(rays(), statistics).data());
     }
+}
+
+/// `ending`: how much of a ray that hits something does not go on.
+template <typename Ending>
+void SkyWave::addAround(Ending ending) {
+    for (std::size_t ray = 0, i = 0; ray < rays().size(); ++ray, i = i + 1 == points_ ? 0 : i + 1)
+        if (hits_.isHit(ray)) near_[i] += ending(ray) * std::min(hits_.hit(ray).t / around_->distance, 1.0F);
 }
 
 /// The mean radiance that reaches a point. What all directions together bring with nothing in the way is
@@ -60,7 +83,8 @@ Colour SkyWave::arriving(std::size_t i, std::size_t directions, Vec3 normal) con
 void SkyWave::finish(std::span<const Point> points, std::size_t directions, SurfaceWave& surfaces) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::size_t point = points[i].index;
-        const Colour light = arriving(i, directions, surfaces.shadingNormal.at(point));
+        Colour light = arriving(i, directions, surfaces.shadingNormal.at(point));
+        if (around_) light += around_->radiance * (near_[i] / static_cast<float>(directions));
         surfaces.added.set(point, scattered(surfaces, point) * light);
     }
 }

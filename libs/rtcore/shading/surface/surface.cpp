@@ -22,13 +22,15 @@ Value interpolate(std::span<const Value> values, const ShadingTriangle& triangle
     return a * (1 - hit.u - hit.v) + b * hit.u + c * hit.v;
 }
 
-Vec2 texcoordAt(const Mesh& mesh, const ShadingTriangle& triangle, const Hit& hit) {
+Vec2 texcoordAt(const Scene& scene, const ShadingTriangle& triangle, const Hit& hit) {
+    const Mesh& mesh = scene.mesh();
     if (mesh.texcoords.empty()) return {};
     const Vec2& a = mesh.texcoords[triangle.v[0]];
     const Vec2& b = mesh.texcoords[triangle.v[1]];
     const Vec2& c = mesh.texcoords[triangle.v[2]];
     const float w = 1 - hit.u - hit.v;
-    return {a.x * w + b.x * hit.u + c.x * hit.v, a.y * w + b.y * hit.u + c.y * hit.v};
+    const Vec2 uv{a.x * w + b.x * hit.u + c.x * hit.v, a.y * w + b.y * hit.u + c.y * hit.v};
+    return scene.materials[triangle.material].flipTextures != 0 ? Vec2{uv.x, 1 - uv.y} : uv;
 }
 
 float coverageOf(const Scene& scene, const Material& material, Vec2 uv) {
@@ -93,7 +95,7 @@ void addMaterial(const Scene& scene, bool textures, const Hit& hit, bool turned,
     if (!textures) return;
     const bool bumps = material.normalTexture != kNoTexture, emits = material.emissionTexture != kNoTexture;
     if (!bumps && !emits && material.alphaTexture == kNoTexture) return;
-    const Vec2 uv = texcoordAt(scene.mesh(), scene.mesh().shading[hit.triangle], hit);
+    const Vec2 uv = texcoordAt(scene, scene.mesh().shading[hit.triangle], hit);
     if (bumps) {
         const Vec3 normal = turned ? -s.shadingNormal : s.shadingNormal;
         const Vec3 bent =
@@ -109,7 +111,7 @@ Colour diffuseAt(const Scene& scene, bool textures, const Hit& hit) {
     const std::uint32_t texture = scene.materials[shading.material].diffuseTexture;
     const Colour diffuse = untexturedAt(scene, hit);
     if (!textures || texture == kNoTexture) return diffuse;
-    return diffuse * textureColour(scene, texture, texcoordAt(scene.mesh(), shading, hit));
+    return diffuse * textureColour(scene, texture, texcoordAt(scene, shading, hit));
 }
 
 Colour untexturedAt(const Scene& scene, const Hit& hit) {
@@ -123,7 +125,7 @@ float coverageAt(const Scene& scene, bool textures, const Hit& hit) {
     const ShadingTriangle& shading = scene.mesh().shading[hit.triangle];
     const Material& material = scene.materials[shading.material];
     if (!textures || material.alphaTexture == kNoTexture) return 1;
-    return coverageOf(scene, material, texcoordAt(scene.mesh(), shading, hit));
+    return coverageOf(scene, material, texcoordAt(scene, shading, hit));
 }
 
 } // namespace rtcore

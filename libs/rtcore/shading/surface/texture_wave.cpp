@@ -20,6 +20,8 @@ struct TextureBlock {
     alignas(64) std::uint32_t size[2][kWaveBlock] = {};  ///< of the texture: width, height
     alignas(64) std::uint32_t wrap[2][kWaveBlock] = {};  ///< TextureWrap of u, v
     bool repeats = true;                                 ///< all of them do
+    alignas(64) float flip[kWaveBlock] = {};             ///< not 0: upside down
+    bool flips = false;                                  ///< any of them is
     alignas(64) std::uint32_t texel[4][kWaveBlock] = {}; ///< which four: upper left, right, lower left, right
     alignas(64) float fraction[2][kWaveBlock] = {};      ///< of the right ones, of the lower ones
     alignas(64) float light[4][3][kWaveBlock] = {};      ///< of the four texels
@@ -44,8 +46,10 @@ HWY_INLINE void findTexelsOf(TextureBlock& block) {
         };
         const Uint width = load(block.size[0] + i);
         const Taps<Float> x = tapsAt<repeats, Float>(coordinate(0), width, load(block.wrap[0] + i));
+        Float upwards = coordinate(1);
+        if (block.flips) upwards = select(load(block.flip + i) != Float(0.0F), 1.0F - upwards, upwards);
         const Taps<Float> y =
-            tapsAt<repeats, Float>(1.0F - coordinate(1), load(block.size[1] + i), load(block.wrap[1] + i));
+            tapsAt<repeats, Float>(1.0F - upwards, load(block.size[1] + i), load(block.wrap[1] + i));
         const Uint upper = y.first * width, lower = y.second * width;
         store(upper + x.first, block.texel[0] + i);
         store(upper + x.second, block.texel[1] + i);
@@ -98,6 +102,8 @@ void texturedAlbedos(const Scene& scene, const HitWave& hits, std::span<const st
         block.wrap[1][i] = static_cast<std::uint32_t>(texture.wrapV);
         if (texture.wrapU != TextureWrap::Repeat || texture.wrapV != TextureWrap::Repeat)
             block.repeats = false;
+        block.flip[i] = material.flipTextures != 0 ? 1.0F : 0.0F;
+        block.flips = block.flips || material.flipTextures != 0;
         block.u[i] = hits.u[hit];
         block.v[i] = hits.v[hit];
         for (std::size_t corner = 0; corner < 3 && !mesh.texcoords.empty(); ++corner) {

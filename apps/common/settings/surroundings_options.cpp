@@ -1,0 +1,80 @@
+#include "common/settings/surroundings_options.h"
+
+#include "rtcore/io/text/scn_sections.h"
+#include "rtcore/io/text/strict_table.h"
+#include "rtcore/io/text/toml_parser.h"
+#include "rtcore/platform/error.h"
+
+#include <algorithm>
+#include <string>
+
+namespace app {
+
+namespace {
+
+const std::string kPlace = "--sky"; // in errors of the reader
+
+/// One line of the table.
+std::string lineOf(std::string_view part) {
+    const std::size_t equals = part.find('=');
+    if (equals == std::string_view::npos) return "hour = " + std::string(part) + "\n";
+    const std::string key(part.substr(0, equals));
+    std::string value(part.substr(equals + 1));
+    if (key == "date") value = '"' + value + '"';
+    if (key == "direction") {
+        std::replace(value.begin(), value.end(), '/', ',');
+        value = '[' + value + ']';
+    }
+    return key + " = " + value + "\n";
+}
+
+/// In the words of a [sky]. Nothing but keys and numbers reaches the parser.
+std::string tableOf(std::string_view text) {
+    constexpr std::string_view kLetters =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789=+-.,/";
+    if (text.find_first_not_of(kLetters) != std::string_view::npos) throw UsageError("");
+    std::string table;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        table += lineOf(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return table;
+}
+
+} // namespace
+
+rtcore::Sky readSkyOption(std::string_view text) {
+    std::string reason;
+    try {
+        const rtcore::TextValue content = rtcore::parseToml(tableOf(text), kPlace);
+        rtcore::StrictTable table(content, kPlace);
+        return rtcore::readSky(table);
+    } catch (const rtcore::FileError& error) {
+        reason = error.what();
+        const std::size_t message = reason.find(": "); // behind the place
+        if (message != std::string::npos) reason.erase(0, message + 2);
+    } catch (const UsageError&) {
+        reason = "it takes an hour, or keys and values such as hour=17,latitude=48.2";
+    }
+    throw UsageError("option '--sky': '" + std::string(text) + "': " + reason);
+}
+
+rtcore::Surroundings readSurroundings(const Arguments& arguments) {
+    rtcore::Surroundings surroundings;
+    surroundings.usual = rtcore::Look::Sky;
+    if (arguments.has("sky") && arguments.has("environment"))
+        throw UsageError("--sky and --environment exclude each other");
+    if (const auto look = arguments.text("look")) {
+        surroundings.look = rtcore::lookNamed(*look);
+        if (arguments.has("environment")) throw UsageError("--look and --environment exclude each other");
+        if (arguments.has("sky") && surroundings.look != rtcore::Look::Sky)
+            throw UsageError("--sky and --look=" + *look + " exclude each other");
+    }
+    if (const auto file = arguments.text("environment"))
+        surroundings.environment = std::filesystem::absolute(*file);
+    if (const auto sky = arguments.text("sky")) surroundings.sky = readSkyOption(*sky);
+    return surroundings;
+}
+
+} // namespace app

@@ -1,0 +1,61 @@
+#include "gui/models/light_marks.h"
+
+#include <QtMath>
+
+#include <cmath>
+
+namespace gui {
+
+Projection::Projection(const View& view, const QRectF& area)
+    : eye_(view.eye), forward_(view.forward.normalized()),
+      right_(QVector3D::crossProduct(view.forward, view.up).normalized()),
+      up_(QVector3D::crossProduct(right_, forward_).normalized()), area_(area),
+      perPixel_(2 * std::tan(qDegreesToRadians(static_cast<double>(view.fieldOfView)) / 2) / area.width()) {}
+
+double Projection::depth(const QVector3D& point) const {
+    return static_cast<double>(QVector3D::dotProduct(point - eye_, forward_));
+}
+
+double Projection::unitsPerPixel(const QVector3D& point) const { return perPixel_ * depth(point); }
+
+std::optional<QPointF> Projection::at(const QVector3D& point) const {
+    const double scale = unitsPerPixel(point);
+    if (!(scale > 0)) return std::nullopt;
+    const QVector3D off = point - eye_;
+    const QPointF place(static_cast<double>(QVector3D::dotProduct(off, right_)) / scale,
+                        -static_cast<double>(QVector3D::dotProduct(off, up_)) / scale);
+    return area_.center() + place;
+}
+
+QVector3D Projection::ray(const QPointF& through) const {
+    const QPointF off = perPixel_ * (through - area_.center());
+    return (forward_ + static_cast<float>(off.x()) * right_ - static_cast<float>(off.y()) * up_).normalized();
+}
+
+QVector3D Projection::movedInPlane(const QVector3D& point, const QPointF& from, const QPointF& to) const {
+    const QPointF off = unitsPerPixel(point) * (to - from);
+    return point + static_cast<float>(off.x()) * right_ - static_cast<float>(off.y()) * up_;
+}
+
+// Where the axis through the point is nearest to the ray.
+std::optional<double> Projection::alongAxis(const QVector3D& point, const QVector3D& axis,
+                                            const QPointF& at) const {
+    constexpr double kLeastSine = 0.02;
+    const QVector3D direction = ray(at), off = point - eye_;
+    const double cosine = static_cast<double>(QVector3D::dotProduct(axis, direction));
+    const double squareSine = 1 - cosine * cosine;
+    if (squareSine < kLeastSine * kLeastSine) return std::nullopt;
+    const auto dot = [](const QVector3D& a, const QVector3D& b) {
+        return static_cast<double>(QVector3D::dotProduct(a, b));
+    };
+    return (cosine * dot(direction, off) - dot(axis, off)) / squareSine;
+}
+
+QVector3D Projection::movedAlong(const QVector3D& point, const QVector3D& axis, const QPointF& from,
+                                 const QPointF& to) const {
+    const std::optional<double> start = alongAxis(point, axis, from), end = alongAxis(point, axis, to);
+    if (!start || !end) return point;
+    return point + static_cast<float>(*end - *start) * axis;
+}
+
+} // namespace gui

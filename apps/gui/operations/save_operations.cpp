@@ -1,0 +1,175 @@
+#include "gui/operations/save_operations.h"
+
+#include "gui/operations/actions.h"
+#include "gui/operations/scene_editor.h"
+#include "gui/processes/server_keeper.h"
+#include "gui/session/server_list.h"
+#include "gui/view/frame_view.h"
+#include "gui/view/notice_bar.h"
+
+#include "common/process/stop.h"
+
+#include "rtcore/io/text/written_mark.h"
+
+#include <QAction>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace gui {
+
+namespace {
+
+bool isScene(const QString& path) { return QFileInfo(path).suffix() == QLatin1String("scn"); }
+
+// One that cannot be read is told by the server.
+bool isByHand(const QString& path) {
+    try {
+        return rtcore::isWrittenByHand(path.toStdString());
+    } catch (const std::exception&) {
+        return false;
+    }
+}
+
+} // namespace
+
+SaveOperations::SaveOperations(const GuiContext& context, QObject* parent)
+    : QObject(parent), context_(context) {
+    context_.actions.on(ActionId::Save, [this] { save(); });
+    context_.actions.on(ActionId::SaveAs, [this] { saveAs(); });
+    context_.actions.on(ActionId::Pack, [this] { pack(); });
+    connect(&context_.editor, &SceneEditor::stateChanged, this,
+            [this] { context_.window.setWindowModified(context_.editor.state().modified); });
+    connect(&context_.editor, &SceneEditor::sceneChanged, this, [this] { discarded_.reset(); });
+}
+
+// --- Saving ---
+
+void SaveOperations::save(const Then& then) {
+    const QString path = context_.editor.scene();
+    if (path.isEmpty()) return; // the server has not said yet
+    isScene(path) ? saveTo(path, then) : saveAs(then);
+}
+
+void SaveOperations::saveAs(const Then& then) {
+    const QFileInfo scene(context_.editor.scene());
+    const QString proposal = scene.dir().filePath(scene.completeBaseName() + QStringLiteral(".scn"));
+    auto* dialog = new QFileDialog(&context_.window, tr("Save the scene as"), proposal, tr("Scenes (*.scn)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("scn"));
+    dialog->selectFile(proposal);
+    connect(dialog, &QFileDialog::fileSelected, this,
+            [this, then](const QString& path) { saveTo(path, then); });
+    dialog->open();
+}
+
+void SaveOperations::saveTo(const QString& path, const Then& then) {
+    if (!isByHand(path)) return write(path, false, then);
+    confirmReplacing(path, [this, path, then] { write(path, true, then); });
+}
+
+void SaveOperations::confirmReplacing(const QString& path, const Then& replace) {
+    const QString name = QFileInfo(path).fileName();
+    auto* box =
+        new QMessageBox(QMessageBox::Question, tr("Replace a file"),
+                        tr("“%1” was written or changed by hand. Its comments and its layout are lost "
+                           "when it is saved. The old file is kept as “%1~”.")
+                            .arg(name),
+                        QMessageBox::NoButton, &context_.window);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    const QPushButton* yes = box->addButton(tr("&Replace"), QMessageBox::AcceptRole);
+    const QPushButton* other = box->addButton(tr("Save &as…"), QMessageBox::ActionRole);
+    box->setDefaultButton(box->addButton(QMessageBox::Cancel));
+    connect(yes, &QPushButton::clicked, this, replace);
+    connect(other, &QPushButton::clicked, this, [this] { saveAs(); });
+    box->open();
+}
+
+void SaveOperations::write(const QString& path, bool replace, const Then& then) {
+    emit aboutToSave();
+    const bool own = path == context_.editor.scene();
+    const std::string line = own ? command::save(replace)
+                                 : command::saveAs(QFileInfo(path).absoluteFilePath().toStdString(), replace);
+    context_.editor.edit(line, [this, path, then](const Answer& answer) { onSaved(answer, path, then); });
+}
+
+void SaveOperations::onSaved(const Answer& answer, const QString& path, const Then& then) {
+    if (!answer.done) return context_.notice.explain(answer.text, {context_.actions[ActionId::SaveAs]});
+    context_.notice.hide();
+    if (path != context_.editor.scene()) emit savedAs(path);
+    if (context_.keeper.ours()) context_.keeper.sceneLoaded(path);
+    context_.preferences.addRecentFile(path);
+    context_.view.tell(tr("Saved as “%1”.").arg(QFileInfo(path).fileName()));
+    if (then) then();
+}
+
+// --- Packing ---
+
+void SaveOperations::pack() {
+    const QFileInfo scene(context_.editor.scene());
+    auto* dialog =
+        new QFileDialog(&context_.window, tr("Pack the scene into a new folder"),
+                        scene.dir().filePath(scene.completeBaseName() + QStringLiteral("-packed")));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setLabelText(QFileDialog::FileName, tr("&Folder:"));
+    dialog->setLabelText(QFileDialog::Accept, tr("&Pack"));
+    dialog->setOption(QFileDialog::DontConfirmOverwrite);
+    dialog->selectFile(scene.completeBaseName() + QStringLiteral("-packed"));
+    connect(dialog, &QFileDialog::fileSelected, this, &SaveOperations::packInto);
+    dialog->open();
+}
+
+void SaveOperations::packInto(const QString& folder) {
+    emit aboutToSave();
+    context_.view.tell(tr("Packing into “%1”…").arg(folder));
+    context_.session.send(command::pack(folder.toStdString()), this, [this, folder](const Answer& answer) {
+        context_.view.tell(answer.done ? tr("Packed into “%1”.").arg(folder) : QString());
+        if (!answer.done) context_.notice.explain(answer.text, {});
+    });
+}
+
+// --- Before changes are lost ---
+
+bool SaveOperations::mayClose() {
+    const bool staysOpen = context_.keeper.ours() && context_.preferences.get(pref::keepServers);
+    if (staysOpen || !wouldLose() || othersWatch()) return true;
+    ask([this] { context_.window.close(); });
+    return false;
+}
+
+void SaveOperations::beforeLeaving(const std::function<void()>& go) { wouldLose() ? ask(go) : go(); }
+
+bool SaveOperations::wouldLose() const {
+    const SceneState& state = context_.editor.state();
+    return context_.session.live() && state.modified && discarded_ != state.edits && !app::stopRequested();
+}
+
+void SaveOperations::ask(const Then& go) {
+    if (question_ != nullptr) return question_->raise();
+    question_ =
+        new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
+                        tr("Save the changes of “%1”?").arg(QFileInfo(context_.editor.scene()).fileName()),
+                        QMessageBox::NoButton, &context_.window);
+    question_->setAttribute(Qt::WA_DeleteOnClose);
+    QPushButton* save = question_->addButton(tr("&Save"), QMessageBox::AcceptRole);
+    const QPushButton* discard = question_->addButton(tr("&Discard"), QMessageBox::DestructiveRole);
+    question_->addButton(QMessageBox::Cancel);
+    question_->setDefaultButton(save);
+    const auto leave = [this, go] {
+        discarded_ = context_.editor.state().edits;
+        go();
+    };
+    connect(save, &QPushButton::clicked, this, [this, leave] { this->save(leave); });
+    connect(discard, &QPushButton::clicked, this, leave);
+    question_->open();
+}
+
+bool SaveOperations::othersWatch() const {
+    return context_.session.live() && clientsOf(context_.session.instance()) > 1;
+}
+
+} // namespace gui

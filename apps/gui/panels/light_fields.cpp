@@ -1,0 +1,289 @@
+#include "gui/panels/light_fields.h"
+
+#include "gui/panels/value_box.h"
+
+#include "common/commands/command_lines.h"
+
+#include "rtcore/io/text/cosine.h"
+#include "rtcore/math/blackbody.h"
+#include "rtcore/scene/light_power.h"
+
+#include <QCheckBox>
+#include <QColorDialog>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gui {
+
+namespace {
+
+namespace command = app::command;
+
+constexpr double kFar = 1e9, kMostPower = 1e15;
+constexpr float kUsualTemperature = 4000;
+
+rtcore::Colour tintOf(const rtcore::LightDescription& light) { return tintedLight(light).intensity; }
+
+std::array<float, 3> numbers(const rtcore::Vec3& v) { return {v.x, v.y, v.z}; }
+
+// With the digits that one reads.
+double shown(float value) { return QString::number(static_cast<double>(value), 'g', 5).toDouble(); }
+
+void set(ValueBox& box, double value) {
+    if (static_cast<float>(box.value()) != static_cast<float>(value)) box.setValue(value);
+}
+
+} // namespace
+
+QString lightKindText(rtcore::LightKind kind) {
+    switch (kind) {
+    case rtcore::LightKind::Point:
+        return LightFields::tr("Point");
+    case rtcore::LightKind::Directional:
+        return LightFields::tr("Directional");
+    case rtcore::LightKind::Spot:
+        return LightFields::tr("Spot");
+    case rtcore::LightKind::Sphere:
+        return LightFields::tr("Sphere");
+    case rtcore::LightKind::Rectangle:
+        return LightFields::tr("Rectangle");
+    }
+    return {};
+}
+
+QString lightText(const ShownLight& light) {
+    return light.name.isEmpty() ? LightFields::tr("Light %1").arg(light.id) : light.name;
+}
+
+QColor lightColour(const rtcore::LightDescription& light) {
+    const rtcore::Colour colour = tintOf(light);
+    const float most = std::max(maxComponent(colour), 1e-30F);
+    const auto part = [&](float value) { return rtcore::srgbEncode(std::clamp(value / most, 0.0F, 1.0F)); };
+    return QColor::fromRgbF(part(colour.r), part(colour.g), part(colour.b));
+}
+
+LightFields::LightFields(QWidget* parent) : QWidget(parent), form_(new QFormLayout(this)) {
+    form_->setContentsMargins(0, 0, 0, 0);
+    form_->setRowWrapPolicy(QFormLayout::WrapLongRows);
+    addIdentity();
+    addPlace();
+    addColour();
+    addShape();
+}
+
+void LightFields::send(const char* step, const std::string& line) {
+    if (showing_ || light_.id == 0) return;
+    emit edited(QStringLiteral("%1 %2").arg(QLatin1String(step)).arg(light_.id), line);
+}
+
+QWidget* LightFields::row(const QString& label, std::initializer_list<QWidget*> fields) {
+    auto* widget = new QWidget;
+    auto* layout = new QHBoxLayout(widget);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    for (QWidget* field : fields) layout->addWidget(field, 1);
+    form_->addRow(label, widget);
+    return widget;
+}
+
+QPushButton* LightFields::button(const QString& text, const QString& tip, const char* step,
+                                 std::string (*line)(int)) {
+    auto* made = new QPushButton(text);
+    made->setToolTip(tip);
+    connect(made, &QPushButton::clicked, this, [this, step, line] { send(step, line(light_.id)); });
+    return made;
+}
+
+void LightFields::addIdentity() {
+    name_ = new QLineEdit;
+    name_->setAccessibleName(tr("Name of the light"));
+    form_->addRow(tr("Name"), name_);
+    connect(name_, &QLineEdit::editingFinished, this, [this] {
+        if (name_->text() != light_.name)
+            send("light name", command::lightName(light_.id, name_->text().toStdString()));
+    });
+    kind_ = new QComboBox;
+    kind_->setAccessibleName(tr("Kind of the light"));
+    for (std::size_t i = 0; i < rtcore::kLightKinds; ++i)
+        kind_->addItem(lightKindText(static_cast<rtcore::LightKind>(i)));
+    form_->addRow(tr("Kind"), kind_);
+    connect(kind_, &QComboBox::activated, this, [this](int kind) {
+        const std::string_view name = rtcore::kLightTraits.at(static_cast<std::size_t>(kind)).name;
+        send("light kind", command::lightKind(light_.id, std::string(name)));
+    });
+}
+
+LightFields::Vector LightFields::vectorFields(const QString& name, double most) {
+    Vector fields;
+    constexpr std::array<char16_t, 3> kAxes{u'x', u'y', u'z'};
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        fields.at(i) = new ValueBox(-most, most);
+        fields.at(i)->setAccessibleName(name + QLatin1Char(' ') + QChar(kAxes.at(i)));
+        fields.at(i)->setToolTip(fields.at(i)->accessibleName());
+        fields.at(i)->setMinimumWidth(48);
+        fields.at(i)->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    }
+    return fields;
+}
+
+void LightFields::onVector(const Vector& fields, const char* step,
+                           std::string (*line)(int, const std::array<float, 3>&),
+                           rtcore::Vec3 rtcore::Light::*exact) {
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        connect(fields.at(i), &QDoubleSpinBox::valueChanged, this,
+                [this, i, step, line, exact](double value) {
+                    if (showing_ || !light_.description) return;
+                    std::array<float, 3> vector = numbers(light_.description->light.*exact);
+                    vector.at(i) = static_cast<float>(value);
+                    // The next component may be changed before the server tells of this one.
+                    light_.description->light.*exact = {vector[0], vector[1], vector[2]};
+                    send(step, line(light_.id, vector));
+                });
+    }
+}
+
+void LightFields::addPlace() {
+    position_ = vectorFields(tr("Position"), kFar);
+    positionRow_ = row(tr("Position"), {position_[0], position_[1], position_[2]});
+    onVector(position_, "light move", command::lightMove, &rtcore::Light::position);
+    positionButtons_ =
+        row({}, {button(tr("Here"), tr("Put the light at the camera"), "light move", command::lightMoveHere),
+                 button(tr("Where I look"), tr("Put it before the surface in the middle of the image"),
+                        "light move", command::lightMoveSeen)});
+    direction_ = vectorFields(tr("Direction"), 1);
+    directionRow_ = row(tr("Direction"), {direction_[0], direction_[1], direction_[2]});
+    onVector(direction_, "light aim", command::lightAim, &rtcore::Light::direction);
+    directionButtons_ = row(
+        {}, {button(tr("Ahead"), tr("Let it shine as the camera looks"), "light aim", command::lightAimAhead),
+             button(tr("To where I look"), tr("Let it shine to what is in the middle of the image"),
+                    "light aim", command::lightAimSeen)});
+}
+
+void LightFields::addColour() {
+    colour_ = new QPushButton;
+    colour_->setAccessibleName(tr("Colour of the light"));
+    colour_->setToolTip(tr("Choose a colour; the power stays"));
+    connect(colour_, &QPushButton::clicked, this, &LightFields::chooseColour);
+    form_->addRow(tr("Colour"), colour_);
+    hasTemperature_ = new QCheckBox;
+    hasTemperature_->setAccessibleName(tr("Colour by temperature"));
+    temperature_ = new ValueBox(rtcore::kLeastTemperature, rtcore::kMostTemperature);
+    temperature_->setSuffix(QStringLiteral(" K"));
+    temperature_->setAccessibleName(tr("Temperature"));
+    temperature_->setToolTip(tr("Of a black body: candle 1900 K, bulb 2700 K, sun 5800 K"));
+    auto* both = row(tr("Temperature"), {hasTemperature_, temperature_});
+    static_cast<QHBoxLayout*>(both->layout())->setStretch(0, 0);
+    connect(hasTemperature_, &QCheckBox::clicked, this, [this](bool on) {
+        send("light temperature", on ? command::lightTemperature(light_.id, temperature_->value())
+                                     : command::lightNoTemperature(light_.id));
+    });
+    connect(temperature_, &QDoubleSpinBox::valueChanged, this, [this](double kelvin) {
+        if (hasTemperature_->isChecked())
+            send("light temperature", command::lightTemperature(light_.id, kelvin));
+    });
+    power_ = new ValueBox(0, kMostPower);
+    power_->setAccessibleName(tr("Power"));
+    form_->addRow(tr("Power"), power_);
+    connect(power_, &QDoubleSpinBox::valueChanged, this, [this](double watts) {
+        if (watts > 0) send("light power", command::lightPower(light_.id, watts));
+    });
+}
+
+void LightFields::addShape() {
+    for (std::size_t i = 0; i < size_.size(); ++i) {
+        size_.at(i) = new ValueBox(0, kFar);
+        angles_.at(i) = new ValueBox(0, 180);
+        angles_.at(i)->setSuffix(QStringLiteral("°"));
+    }
+    size_[0]->setAccessibleName(tr("Radius or width"));
+    size_[1]->setAccessibleName(tr("Height"));
+    angles_[0]->setAccessibleName(tr("Angle of full brightness"));
+    angles_[1]->setAccessibleName(tr("Angle where it ends"));
+    for (ValueBox* box : {size_[0], size_[1], angles_[0], angles_[1]}) box->setToolTip(box->accessibleName());
+    sizeRow_ = row(tr("Size"), {size_[0], size_[1]});
+    anglesRow_ = row(tr("Angles"), {angles_[0], angles_[1]});
+    for (ValueBox* box : size_) {
+        connect(box, &QDoubleSpinBox::valueChanged, this, [this] {
+            const bool sides = light_.description && traitsOf(light_.description->light).sides;
+            send("light size", sides ? command::lightSize(light_.id, size_[0]->value(), size_[1]->value())
+                                     : command::lightSize(light_.id, size_[0]->value()));
+        });
+    }
+    for (ValueBox* box : angles_) {
+        connect(box, &QDoubleSpinBox::valueChanged, this, [this] {
+            if (angles_[0]->value() < angles_[1]->value())
+                send("light angles",
+                     command::lightAngles(light_.id, angles_[0]->value(), angles_[1]->value()));
+        });
+    }
+}
+
+void LightFields::show(const ShownLight& light) {
+    light_ = light;
+    const rtcore::Light& shines = light.description->light;
+    const rtcore::LightTraits& traits = traitsOf(shines);
+    showing_ = true;
+    if (!name_->hasFocus() || !name_->isModified()) name_->setText(light.name);
+    kind_->setCurrentIndex(static_cast<int>(shines.kind));
+    for (std::size_t i = 0; i < position_.size(); ++i) {
+        set(*position_.at(i), shown(numbers(shines.position).at(i)));
+        set(*direction_.at(i), shown(numbers(shines.direction).at(i)));
+    }
+    const float temperature = light.description->temperature;
+    hasTemperature_->setChecked(temperature > 0);
+    temperature_->setEnabled(temperature > 0);
+    set(*temperature_, static_cast<double>(temperature > 0 ? temperature : kUsualTemperature));
+    power_->setSuffix(traits.position ? QStringLiteral(" W") : QStringLiteral(" W/m²"));
+    set(*power_, shown(luminance(tintOf(*light.description)) * rtcore::powerFactor(shines)));
+    set(*size_[0], shown(traits.sides ? shines.width : shines.radius));
+    set(*size_[1], shown(shines.height));
+    if (traits.beam == rtcore::Beam::Cone) {
+        set(*angles_[0], rtcore::degreesOfCosine(shines.cosInner));
+        set(*angles_[1], rtcore::degreesOfCosine(shines.cosOuter));
+    }
+    showColour();
+    showRows(traits);
+    showing_ = false;
+}
+
+void LightFields::showRows(const rtcore::LightTraits& traits) {
+    form_->setRowVisible(positionRow_, traits.position);
+    form_->setRowVisible(positionButtons_, traits.position);
+    form_->setRowVisible(directionRow_, traits.direction);
+    form_->setRowVisible(directionButtons_, traits.direction);
+    form_->setRowVisible(sizeRow_, traits.position);
+    size_[1]->setVisible(traits.sides);
+    form_->setRowVisible(anglesRow_, traits.beam == rtcore::Beam::Cone);
+}
+
+// --- Colour ---
+
+void LightFields::showColour() {
+    QPixmap swatch(32, 14);
+    swatch.fill(lightColour(*light_.description));
+    colour_->setIcon(QIcon(swatch));
+    colour_->setIconSize(swatch.size());
+}
+
+void LightFields::chooseColour() {
+    auto* dialog = new QColorDialog(lightColour(*light_.description), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Colour of the light"));
+    connect(dialog, &QColorDialog::currentColorChanged, this, [this](const QColor& colour) {
+        const auto part = [](float value) { return rtcore::srgbDecode(value); };
+        const std::array<float, 3> linear{part(colour.redF()), part(colour.greenF()), part(colour.blueF())};
+        if (linear[0] + linear[1] + linear[2] > 0)
+            send("light colour", command::lightColour(light_.id, linear));
+    });
+    dialog->open();
+}
+
+} // namespace gui

@@ -1,0 +1,87 @@
+/// The fields of one light: what can be changed of it, as its kind has it. Knows no server.
+#pragma once
+
+#include "gui/models/scene_state.h"
+
+#include <QColor>
+#include <QString>
+#include <QWidget>
+
+#include <array>
+#include <string>
+
+class QComboBox;
+class QFormLayout;
+class QLineEdit;
+class QPushButton;
+class QCheckBox;
+
+namespace gui {
+
+class ValueBox;
+
+/// The name of a kind of light, for users.
+QString lightKindText(rtcore::LightKind kind);
+/// The name of a light, or what stands for it.
+QString lightText(const ShownLight& light);
+
+/// That of a light, as bright as a screen shows it.
+QColor lightColour(const rtcore::LightDescription& light);
+
+class LightFields : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit LightFields(QWidget* parent = nullptr);
+
+    /// Emits nothing. `light` has a description.
+    void show(const ShownLight& light);
+    using QWidget::show;
+
+    // For tests.
+    QLineEdit& name() { return *name_; }
+    QComboBox& kind() { return *kind_; }
+    ValueBox& position(std::size_t axis) { return *position_.at(axis); }
+    ValueBox& direction(std::size_t axis) { return *direction_.at(axis); }
+    ValueBox& power() { return *power_; }
+    QCheckBox& hasTemperature() { return *hasTemperature_; }
+    ValueBox& temperature() { return *temperature_; }
+    ValueBox& size(std::size_t i) { return *size_.at(i); }
+    ValueBox& angle(std::size_t i) { return *angles_.at(i); }
+
+  signals:
+    /// A command (common/commands/command_lines.h), and the step of undo that it makes.
+    void edited(const QString& step, const std::string& line);
+
+  private:
+    using Vector = std::array<ValueBox*, 3>;
+
+    void addIdentity();
+    void addPlace();
+    void addColour();
+    void addShape();
+    Vector vectorFields(const QString& name, double most);
+    /// The other two components stay to the last bit.
+    void onVector(const Vector& fields, const char* step,
+                  std::string (*line)(int, const std::array<float, 3>&), rtcore::Vec3 rtcore::Light::*exact);
+    QWidget* row(const QString& label, std::initializer_list<QWidget*> fields);
+    QPushButton* button(const QString& text, const QString& tip, const char* step, std::string (*line)(int));
+    void send(const char* step, const std::string& line);
+    void showRows(const rtcore::LightTraits& traits);
+    void chooseColour();
+    void showColour();
+
+    QFormLayout* form_;
+    ShownLight light_;
+    bool showing_ = false; ///< what changes is not the user's
+    QLineEdit* name_;
+    QComboBox* kind_;
+    Vector position_, direction_;
+    QPushButton* colour_;
+    QCheckBox* hasTemperature_;
+    ValueBox *temperature_, *power_;
+    std::array<ValueBox*, 2> size_, angles_;
+    QWidget *positionRow_, *positionButtons_, *directionRow_, *directionButtons_, *sizeRow_, *anglesRow_;
+};
+
+} // namespace gui

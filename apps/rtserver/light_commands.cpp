@@ -1,0 +1,223 @@
+// Commands for lights: switching, adding and changing them.
+#include "rtserver/command_call.h"
+#include "rtserver/light_edits.h"
+#include "rtserver/seen_surface.h"
+#include "rtserver/state_report_of.h"
+
+#include "common/cli/command_line.h"
+
+#include "rtcore/io/text/scn_sections.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace rtserver {
+
+namespace {
+
+using rtcore::LightDescription;
+using rtcore::Vec3;
+
+Result switchOne(const Call& call) {
+    const bool toggle = call[1] == "toggle";
+    call.state.switchLight(integer(call[0]), toggle ? std::nullopt : std::optional(flag(call[1])));
+    return {};
+}
+
+Result listLights(const Call& call) {
+    std::string text;
+    for (const app::ReportedLight& light : lightsOf(call.state))
+        text += fmt::format("{}{} {}{}{}", text.empty() ? "" : "\n", light.id, light.on ? "on" : "off",
+                            light.name.empty() ? "" : " ", light.name);
+    return {.answer = std::move(text)};
+}
+
+Result describe(const Call& call) {
+    const rtcore::Scene& scene = *call.state.scene();
+    const LightDescription light = rtcore::describeLight(scene, call.state.lightOf(integer(call[0])));
+    rtcore::TomlWriter writer;
+    rtcore::writeLight(writer, light);
+    const char* const unit = traitsOf(light.light).position ? "W" : "W/m2";
+    return {.answer = writer.text() + fmt::format("# {:.6g} {}", powerOf(light), unit)};
+}
+
+// --- Places ---
+
+LightSurroundings surroundingsOf(const ServerState& state) {
+    const rtcore::Box3 bounds = state.world().loaded.tree.bounds;
+    const float size = bounds.diagonal();
+    return {bounds.centre(), size > 0 ? size : 1, -state.scene()->up};
+}
+
+rtcore::LightKind kindOf(const std::string& name) {
+    const auto row = std::ranges::find(rtcore::kLightTraits, name, &rtcore::LightTraits::name);
+    return static_cast<rtcore::LightKind>(row - rtcore::kLightTraits.begin());
+}
+
+/// The words from `first` on: a place and the numbers behind it.
+class Place {
+  public:
+    Place(const Call& call, std::size_t first) : call_(call), word_(call[first]), first_(first + 1) {
+        const std::size_t numbers = call.size() - first_;
+        const bool fits = word_ == "seen"                     ? numbers == 0 || numbers == 2
+                          : word_ == "at" || word_ == "along" ? numbers == 3
+                                                              : numbers == 0;
+        if (!fits)
+            throw app::UsageError(word_ + (word_ == "seen" ? " takes nothing, or RIGHT and DOWN"
+                                           : word_ == "at" || word_ == "along" ? " takes three numbers"
+                                                                               : " takes no numbers"));
+    }
+
+    const std::string& word() const { return word_; }
+    Vec3 vector() const {
+        return {number(call_[first_]), number(call_[first_ + 1]), number(call_[first_ + 2])};
+    }
+    /// Throws std::runtime_error where nothing is.
+    SeenSurface surface() const {
+        const auto share = [&](std::size_t i) {
+            const float value = number(call_[i]);
+            if (!(value >= 0 && value <= 1))
+                throw app::UsageError("seen takes numbers from 0 to 1, not '" + call_[i] + "'");
+            return value;
+        };
+        const bool given = call_.size() > first_;
+        const auto surface = given ? surfaceAt(call_.state, share(first_), share(first_ + 1))
+                                   : surfaceAt(call_.state, 0.5F, 0.5F);
+        if (!surface) throw std::runtime_error("there is no surface there; the light stays as it was");
+        return *surface;
+    }
+
+  private:
+    const Call& call_;
+    const std::string& word_;
+    std::size_t first_;
+};
+
+/// A little off the surface, so that the light falls on it.
+Vec3 before(const SeenSurface& surface, const LightSurroundings& around) {
+    constexpr float kOfSize = 0.02F, kOfDistance = 0.1F;
+    return surface.position +
+           surface.normal * std::fmin(kOfSize * around.size, kOfDistance * surface.distance);
+}
+
+LightPlace placeOf(const Call& call, std::size_t first) {
+    const LightSurroundings around = surroundingsOf(call.state);
+    const rtcore::Camera& camera = call.state.camera();
+    if (call.size() <= first) {
+        const auto surface = surfaceAt(call.state, 0.5F, 0.5F);
+        return surface ? LightPlace{before(*surface, around), around.downwards}
+                       : LightPlace{camera.eye, camera.forward};
+    }
+    const Place place(call, first);
+    if (place.word() == "at") return {place.vector(), around.downwards};
+    if (place.word() == "here") return {camera.eye, camera.forward};
+    const SeenSurface surface = place.surface();
+    return {before(surface, around), surface.normal};
+}
+
+// --- Lights ---
+
+template <typename Change>
+Result change(const Call& call, Change&& apply) {
+    call.state.changeLight(integer(call[0]), apply);
+    return {};
+}
+
+Result add(const Call& call) {
+    const rtcore::LightKind kind = kindOf(call[0]);
+    LightPlace place = placeOf(call, 1);
+    if (!rtcore::traitsOf(kind).position) place.direction = call.state.camera().forward;
+    const int id = call.state.addLight(newLight(kind, place, surroundingsOf(call.state)));
+    return {.answer = std::to_string(id)};
+}
+
+Result copy(const Call& call) {
+    LightDescription light = rtcore::describeLight(*call.state.scene(), call.state.lightOf(integer(call[0])));
+    if (call.size() > 1) setPosition(light, placeOf(call, 1).position);
+    return {.answer = std::to_string(call.state.addLight(std::move(light)))};
+}
+
+Result remove(const Call& call) {
+    call.state.removeLight(integer(call[0]));
+    return {};
+}
+
+Result moveTo(const Call& call) {
+    return change(call, [&](LightDescription& light) { setPosition(light, placeOf(call, 1).position); });
+}
+
+Result aim(const Call& call) {
+    const Place place(call, 1);
+    return change(call, [&](LightDescription& light) {
+        if (place.word() == "ahead") return setDirection(light, call.state.camera().forward);
+        if (place.word() == "along") return setDirection(light, place.vector());
+        const Vec3 target = place.word() == "at" ? place.vector() : place.surface().position;
+        const bool far = !traitsOf(light.light).position;
+        setDirection(light, target - (far ? call.state.camera().eye : light.light.position));
+    });
+}
+
+Result colour(const Call& call) {
+    return change(call, [&](LightDescription& light) {
+        setColour(light, {number(call[1]), number(call[2]), number(call[3])});
+    });
+}
+
+Result temperature(const Call& call) {
+    return change(call, [&](LightDescription& light) {
+        setTemperature(light, call[1] == "none" ? std::nullopt : std::optional(number(call[1])));
+    });
+}
+
+Result power(const Call& call) {
+    return change(call, [&](LightDescription& light) { setPower(light, number(call[1])); });
+}
+
+Result kind(const Call& call) {
+    return change(
+        call, [&](LightDescription& light) { setKind(light, kindOf(call[1]), surroundingsOf(call.state)); });
+}
+
+Result size(const Call& call) {
+    return change(call, [&](LightDescription& light) {
+        setSize(light, number(call[1]), call.size() > 2 ? std::optional(number(call[2])) : std::nullopt);
+    });
+}
+
+Result angles(const Call& call) {
+    return change(call, [&](LightDescription& light) { setAngles(light, number(call[1]), number(call[2])); });
+}
+
+Result rename(const Call& call) {
+    return change(call, [&](LightDescription& light) { light.name = call[1]; });
+}
+
+constexpr std::array kLightFunctions{
+    CommandFunction{app::CommandId::Light, switchOne},
+    CommandFunction{app::CommandId::LightGet, describe},
+    CommandFunction{app::CommandId::LightAdd, add},
+    CommandFunction{app::CommandId::LightCopy, copy},
+    CommandFunction{app::CommandId::LightRemove, remove},
+    CommandFunction{app::CommandId::LightMove, moveTo},
+    CommandFunction{app::CommandId::LightAim, aim},
+    CommandFunction{app::CommandId::LightColour, colour},
+    CommandFunction{app::CommandId::LightTemperature, temperature},
+    CommandFunction{app::CommandId::LightPower, power},
+    CommandFunction{app::CommandId::LightKind, kind},
+    CommandFunction{app::CommandId::LightSize, size},
+    CommandFunction{app::CommandId::LightAngles, angles},
+    CommandFunction{app::CommandId::LightName, rename},
+    CommandFunction{app::CommandId::Lights, listLights},
+};
+
+} // namespace
+
+std::span<const CommandFunction> lightFunctions() { return kLightFunctions; }
+
+} // namespace rtserver

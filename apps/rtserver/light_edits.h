@@ -1,0 +1,54 @@
+/// What commands do to one light. Lights are as .scn files describe them.
+#pragma once
+
+#include "rtcore/io/text/scn.h"
+#include "rtcore/math/colour.h"
+#include "rtcore/math/vec.h"
+
+#include <optional>
+
+namespace rtserver {
+
+/// Where a light is put or looks to.
+struct LightPlace {
+    rtcore::Vec3 position;
+    rtcore::Vec3 direction{0, -1, 0}; ///< where a light that has a direction shines to, unit length
+};
+
+/// What sizes and strengths of lights follow from.
+struct LightSurroundings {
+    rtcore::Vec3 centre; ///< of the model
+    float size = 1;      ///< its diagonal, scene units, above 0
+    rtcore::Vec3 downwards{0, -1, 0};
+};
+
+/// A light as it is added: white, as strong as suits the model's size.
+rtcore::LightDescription newLight(rtcore::LightKind kind, const LightPlace& place,
+                                  const LightSurroundings& around);
+
+/// All that it gives off, W, each weighted as its luminance is; of a directional light, which has no end, the
+/// irradiance on a surface that faces it, W/m^2. A spot's is that of its cone, with half of its rim.
+float powerOf(const rtcore::LightDescription& light);
+
+// They throw std::invalid_argument for a wrong value and std::runtime_error for what lights of that kind
+// lack, with a text for users, and leave the light as it was.
+
+/// Of the same colour; white where it was black. `watts` above 0, as powerOf() counts.
+void setPower(rtcore::LightDescription& light, float watts);
+/// Of the same power, without a temperature; not black.
+void setColour(rtcore::LightDescription& light, rtcore::Colour colour);
+/// That of a black body, of the same power. Nothing: the light keeps the colour that it has by that as its
+/// own.
+void setTemperature(rtcore::LightDescription& light, std::optional<float> kelvin);
+/// Of the same power; between directional lights and others, of the same irradiance in the middle of the
+/// model. What the new kind needs and the old one lacked is as in a new light.
+void setKind(rtcore::LightDescription& light, rtcore::LightKind kind, const LightSurroundings& around);
+/// A rectangle takes two numbers, the others a radius; scene units, not negative.
+void setSize(rtcore::LightDescription& light, float size, std::optional<float> height);
+/// Half-angles of a spot, degrees.
+void setAngles(rtcore::LightDescription& light, float inner, float outer);
+void setPosition(rtcore::LightDescription& light, rtcore::Vec3 position);
+/// `direction` need not be of unit length. A rectangle turns with as little roll as may be.
+void setDirection(rtcore::LightDescription& light, rtcore::Vec3 direction);
+
+} // namespace rtserver

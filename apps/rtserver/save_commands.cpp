@@ -1,0 +1,150 @@
+// Commands that save the scene, and those for its bookmarks.
+#include "rtserver/command_call.h"
+#include "rtserver/exports.h"
+#include "rtserver/scene_pack.h"
+#include "rtserver/scene_saving.h"
+
+#include "rtcore/io/text/cam.h"
+#include "rtcore/settings/nearest_name.h"
+#include "rtcore/settings/utf8.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace rtserver {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path sourceOf(const ServerState& state) { return fs::absolute(state.world().source).lexically_normal(); }
+
+// Edits that are made while the file is written are not in it.
+Result saveTo(const Call& call, const fs::path& path, bool replace) {
+    rtcore::SceneFile file = savedSceneOf(call.state);
+    if (path != sourceOf(call.state)) file.output.reset(); // the image of the scene it was
+    return {.when = ReplyWhen::Beside,
+            .work = [path, replace, file = std::move(file), inputs = call.state.world().inputs,
+                     at = call.state.history().state(), &state = call.state]() -> Finish {
+                refuseInput(inputs, path, ".scn");
+                saveScene(path, file, replace);
+                return [path, at, &state] {
+                    state.noteSaved(path, at);
+                    return path.string();
+                };
+            }};
+}
+
+Result save(const Call& call) {
+    const fs::path path = sourceOf(call.state);
+    if (path.extension() != ".scn")
+        throw std::runtime_error("a model is shown, not a scene; 'save as' makes a scene of it");
+    return saveTo(call, path, call.size() > 0);
+}
+
+Result saveAs(const Call& call) { return saveTo(call, pathOf(call[0]), call.size() > 1); }
+
+Result pack(const Call& call) {
+    const World& world = call.state.world();
+    ScenePack scene{.scene = savedSceneOf(call.state),
+                    .modelFiles = world.loaded.modelFiles,
+                    .name = world.source.stem().string()};
+    return {.when = ReplyWhen::Beside,
+            .work = [path = pathOf(call[0]), scene = std::move(scene)]() -> Finish {
+                const int files = packScene(path, scene);
+                return [files] { return fmt::format("{} files", files); };
+            }};
+}
+
+// --- Bookmarks ---
+
+rtcore::SceneBookmarks::iterator named(rtcore::SceneBookmarks& bookmarks, const std::string& name) {
+    const auto found = rtcore::findBookmark(bookmarks, name);
+    if (found == bookmarks.end())
+        throw std::invalid_argument("the scene has no bookmark " + rtcore::inQuotes(name));
+    return bookmarks.begin() + (found - bookmarks.cbegin());
+}
+
+Result bookmarks(const Call& call) {
+    std::string text;
+    for (const rtcore::SceneBookmark& bookmark : call.state.bookmarks())
+        text += (text.empty() ? "" : "\n") + rtcore::printable(bookmark.name);
+    return {.answer = text};
+}
+
+// In the place of one of that name.
+std::string keep(ServerState& state, const std::string& name, rtcore::Camera camera) {
+    camera.nameOffset = 0;
+    rtcore::SceneBookmarks all = state.bookmarks();
+    const auto old = rtcore::findBookmark(all, name);
+    if (old == all.end()) {
+        all.push_back({name, camera});
+    } else {
+        all[static_cast<std::size_t>(old - all.cbegin())].camera = camera;
+    }
+    state.setBookmarks(std::move(all));
+    return {};
+}
+
+void checkName(const std::string& name) {
+    const bool text = rtcore::findInvalidUtf8(name) == std::string_view::npos;
+    if (name.empty() || !text) throw std::invalid_argument("a bookmark needs a name, in UTF-8");
+}
+
+Result addBookmark(const Call& call) {
+    checkName(call[0]);
+    if (call.size() == 1) return {.answer = keep(call.state, call[0], call.state.camera())};
+    return {.when = ReplyWhen::Beside,
+            .work = [name = call[0], path = pathOf(call[1]), &state = call.state]() -> Finish {
+                return [&state, name, camera = rtcore::readCameraFile(path).camera] {
+                    return keep(state, name, camera);
+                };
+            }};
+}
+
+Result goToBookmark(const Call& call) {
+    rtcore::SceneBookmarks all = call.state.bookmarks();
+    call.state.setCamera(named(all, call[0])->camera);
+    return {};
+}
+
+Result renameBookmark(const Call& call) {
+    checkName(call[1]);
+    rtcore::SceneBookmarks all = call.state.bookmarks();
+    const auto bookmark = named(all, call[0]);
+    const auto other = rtcore::findBookmark(all, call[1]);
+    if (other != all.end() && other != bookmark)
+        throw std::invalid_argument("another bookmark is called " + rtcore::inQuotes(call[1]));
+    bookmark->name = call[1];
+    call.state.setBookmarks(std::move(all));
+    return {};
+}
+
+Result removeBookmark(const Call& call) {
+    rtcore::SceneBookmarks all = call.state.bookmarks();
+    all.erase(named(all, call[0]));
+    call.state.setBookmarks(std::move(all));
+    return {};
+}
+
+constexpr std::array kSaveFunctions{
+    CommandFunction{app::CommandId::Save, save},
+    CommandFunction{app::CommandId::SaveAs, saveAs},
+    CommandFunction{app::CommandId::Pack, pack},
+    CommandFunction{app::CommandId::Bookmarks, bookmarks},
+    CommandFunction{app::CommandId::BookmarkAdd, addBookmark},
+    CommandFunction{app::CommandId::BookmarkGo, goToBookmark},
+    CommandFunction{app::CommandId::BookmarkRename, renameBookmark},
+    CommandFunction{app::CommandId::BookmarkRemove, removeBookmark},
+};
+
+} // namespace
+
+std::span<const CommandFunction> saveFunctions() { return kSaveFunctions; }
+
+} // namespace rtserver

@@ -1,0 +1,140 @@
+// Commands for the sky and for what environments look like.
+#include "rtserver/command_call.h"
+
+#include "rtcore/io/images/environment_file.h"
+#include "rtcore/io/text/sun_date.h"
+#include "rtcore/look/look.h"
+#include "rtcore/settings/settings_table.h"
+#include "rtcore/sky/scene_sky.h"
+
+#include "common/cli/command_line.h"
+
+#include <array>
+#include <cstdlib>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+namespace rtserver {
+
+namespace {
+
+/// With the sky that the scene has, or a usual one, changed; it lights from then on.
+template <typename Change>
+Result editSky(const Call& call, Change change) {
+    rtcore::Sky sky = call.state.scene()->sky.value_or(rtcore::Sky{});
+    change(sky);
+    call.state.setSky(sky);
+    return {};
+}
+
+double exactNumber(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
+
+rtcore::SunDate& dateOf(rtcore::Sky& sky) {
+    if (!sky.date) sky.date.emplace();
+    return *sky.date;
+}
+
+Result skySwitch(const Call& call) {
+    if (flag(call[0])) return editSky(call, [](rtcore::Sky&) {});
+    call.state.setSky(std::nullopt);
+    return {};
+}
+
+Result skyHour(const Call& call) {
+    return editSky(
+        call, [&](rtcore::Sky& sky) { dateOf(sky).second = rtcore::secondOfHour(exactNumber(call[0])); });
+}
+
+Result skyDate(const Call& call) {
+    const auto day = rtcore::calendarDateOf(call[0]);
+    if (!day) throw app::UsageError("'" + call[0] + "' is no day from 1800 to 2200 such as 2026-06-21");
+    return editSky(call, [&](rtcore::Sky& sky) {
+        rtcore::SunDate& date = dateOf(sky);
+        date.year = day->year;
+        date.month = day->month;
+        date.day = day->day;
+    });
+}
+
+Result skyPlace(const Call& call) {
+    return editSky(call, [&](rtcore::Sky& sky) {
+        rtcore::SunDate& date = dateOf(sky);
+        date.latitude = exactNumber(call[0]);
+        date.longitude = exactNumber(call[1]);
+        if (call.size() > 2) date.timeZone = exactNumber(call[2]);
+    });
+}
+
+Result skyNorth(const Call& call) {
+    return editSky(call, [&](rtcore::Sky& sky) { sky.north = number(call[0]); });
+}
+
+Result skyDirection(const Call& call) {
+    const rtcore::Vec3 direction{number(call[0]), number(call[1]), number(call[2])};
+    if (normalize(direction) == rtcore::Vec3{}) throw app::UsageError("the direction to the sun is not zero");
+    return editSky(call, [&](rtcore::Sky& sky) {
+        sky.date.reset();
+        sky.direction = direction;
+    });
+}
+
+Result skyTurbidity(const Call& call) {
+    return editSky(call, [&](rtcore::Sky& sky) { sky.turbidity = number(call[0]); });
+}
+
+Result skyStrength(const Call& call) {
+    return editSky(call, [&](rtcore::Sky& sky) { sky.strength = number(call[0]); });
+}
+
+Result look(const Call& call) {
+    call.state.setLook(*rtcore::lookNamed(call[0]));
+    return {};
+}
+
+Result environmentRotation(const Call& call) {
+    call.state.rotateEnvironment(number(call[0]));
+    return {};
+}
+
+Result environmentStrength(const Call& call) {
+    call.state.scaleEnvironment(number(call[0]));
+    return {};
+}
+
+Result environmentOpen(const Call& call) {
+    return {.when = ReplyWhen::Beside, .work = [path = pathOf(call[0]), &state = call.state]() -> Finish {
+                auto opened = std::make_shared<rtcore::OpenedEnvironment>(rtcore::openEnvironment(path));
+                return [opened, &state] {
+                    state.addEnvironment(opened->file, std::move(opened->environment));
+                    return std::string();
+                };
+            }};
+}
+
+Result environmentNone(const Call& call) {
+    call.state.leaveEnvironment();
+    return {};
+}
+
+constexpr std::array kSkyFunctions{
+    CommandFunction{app::CommandId::Sky, skySwitch},
+    CommandFunction{app::CommandId::SkyHour, skyHour},
+    CommandFunction{app::CommandId::SkyDate, skyDate},
+    CommandFunction{app::CommandId::SkyPlace, skyPlace},
+    CommandFunction{app::CommandId::SkyNorth, skyNorth},
+    CommandFunction{app::CommandId::SkyDirection, skyDirection},
+    CommandFunction{app::CommandId::SkyTurbidity, skyTurbidity},
+    CommandFunction{app::CommandId::SkyStrength, skyStrength},
+    CommandFunction{app::CommandId::Look, look},
+    CommandFunction{app::CommandId::EnvironmentRotation, environmentRotation},
+    CommandFunction{app::CommandId::EnvironmentStrength, environmentStrength},
+    CommandFunction{app::CommandId::EnvironmentOpen, environmentOpen},
+    CommandFunction{app::CommandId::EnvironmentNone, environmentNone},
+};
+
+} // namespace
+
+std::span<const CommandFunction> skyFunctions() { return kSkyFunctions; }
+
+} // namespace rtserver

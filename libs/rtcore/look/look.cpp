@@ -1,0 +1,150 @@
+#include "rtcore/look/look.h"
+
+#include "rtcore/look/room_lights.h"
+#include "rtcore/look/sun_of_view.h"
+#include "rtcore/math/constants.h"
+#include "rtcore/render/default_view.h"
+#include "rtcore/simd/portable_math.h"
+#include "rtcore/sky/scene_sky.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+
+namespace rtcore {
+
+namespace {
+
+constexpr float kKey = 0.25F; ///< the sun and a studio's lights leave little in the dark
+constexpr float kStudioBackground = 0.35F;
+
+/// One of the lights around an object: where from, as seen by the viewer, and how bright.
+struct StudioLight {
+    const char* name;
+    float left, high; ///< degrees: to the viewer's left of where he stands, over the horizon
+    float size;       ///< side of a square, in radii of the object
+    float irradiance; ///< in the middle of the object
+};
+constexpr StudioLight kStudioLights[] = {
+    {"key", 45, 45, 1.5F, 2.5F}, {"fill", -60, 20, 2, 0.6F}, {"rim", -160, 50, 1.2F, 1.5F}};
+constexpr float kStudioDistance = 3; ///< radii
+
+float cosineOf(float degrees) { return portableCos(degrees * (kPi / 180)); }
+float sineOf(float degrees) { return portableSin(degrees * (kPi / 180)); }
+
+/// A rectangle that shines at the middle of the object.
+Light studioLight(const StudioLight& each, const Box3& bounds, Vec3 up, Vec3 back) {
+    const Vec3 left = cross(back, up);
+    const Vec3 level = back * cosineOf(each.left) + left * sineOf(each.left);
+    const Vec3 to = normalize(level * cosineOf(each.high) + up * sineOf(each.high));
+    const float radius = 0.5F * bounds.diagonal(), distance = kStudioDistance * radius;
+    Light light;
+    light.kind = LightKind::Rectangle;
+    light.position = bounds.centre() + to * distance;
+    light.direction = -to;
+    light.right = normalize(cross(light.direction, up));
+    light.width = light.height = each.size * radius;
+    light.intensity = kWhite * (each.irradiance * distance * distance);
+    return light;
+}
+
+void addStudioLights(LookLights& look, const Box3& bounds, Vec3 up, Vec3 forward) {
+    const Vec3 level = forward - up * dot(forward, up);
+    const Vec3 side = up.x == 0 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+    const Vec3 back = length(level) > 1e-3F * length(forward) ? -normalize(level) : side;
+    for (const StudioLight& each : kStudioLights) {
+        look.lights.push_back(studioLight(each, bounds, up, back));
+        look.names.emplace_back(each.name);
+    }
+}
+
+std::string roomLightName(std::size_t i) { return "ceiling " + std::to_string(i + 1); }
+
+void setRoomLights(LookLights& look, const KdTree& tree, const Mesh& mesh, Vec3 up) {
+    look.lights = roomLights(tree, mesh, up);
+    look.room = !look.lights.empty();
+    for (std::size_t i = 0; i < look.lights.size(); ++i) look.names.push_back(roomLightName(i));
+}
+
+Sky skyOfView(const KdTree& tree, const Mesh& mesh, Vec3 up, const Camera& camera) {
+    Sky sky;
+    sky.date.reset();
+    sky.direction = sunOfView(tree, mesh, up, camera);
+    return sky;
+}
+
+void addLight(Scene& scene, const Light& light, const std::string& name) {
+    scene.lightNames.resize(scene.lights.size());
+    scene.lights.push_back(light);
+    scene.lightNames.push_back(name);
+}
+
+} // namespace
+
+std::optional<Look> lookNamed(std::string_view name) {
+    const auto found = std::find(kLookNames.begin(), kLookNames.end(), name);
+    if (found == kLookNames.end()) return std::nullopt;
+    return static_cast<Look>(found - kLookNames.begin());
+}
+
+LookLights lookLights(Look look, const KdTree& tree, const Mesh& mesh, Vec3 up, const Camera& camera,
+                      const std::optional<Sky>& sky) {
+    LookLights result;
+    switch (look) {
+    case Look::Sky:
+        result.sky = sky ? *sky : skyOfView(tree, mesh, up, camera);
+        setRoomLights(result, tree, mesh, up);
+        break;
+    case Look::Studio:
+        result.background = kWhite * kStudioBackground;
+        setRoomLights(result, tree, mesh, up);
+        if (result.lights.empty()) addStudioLights(result, tree.bounds, up, camera.forward);
+        break;
+    case Look::Headlight:
+        result.lights = {defaultLight(camera, tree.bounds)};
+        result.names = {kHeadlightName};
+        break;
+    }
+    return result;
+}
+
+void lightBy(Scene& scene, const LookLights& look) {
+    setSky(scene, std::nullopt);
+    scene.lights.clear();
+    scene.lightNames.clear();
+    scene.lightNotes.clear();
+    scene.activeEnvironment = scene.environments.empty() ? 0 : kNoEnvironment;
+    scene.background = look.background;
+    scene.ambient = look.ambient;
+    for (std::size_t i = 0; i < look.lights.size(); ++i) addLight(scene, look.lights[i], look.names[i]);
+    setSky(scene, look.sky);
+    numberLights(scene);
+}
+
+std::vector<SettingAssignment> settingsOf(bool sky, bool room) {
+    std::vector<SettingAssignment> settings{{"skyLight.on", sky}, {"ambientOcclusion.on", sky && room}};
+    if (sky) settings.push_back({"exposure.key", kKey});
+    return settings;
+}
+
+bool isLitBy(const Scene& scene, const LookLights& look) {
+    std::vector<Light> lights = scene.lights;
+    if (const auto sun = sunOf(scene)) lights.erase(lights.begin() + static_cast<std::ptrdiff_t>(*sun));
+    for (Light& light : lights) light.on = 1;
+    return lights == look.lights && scene.sky == look.sky;
+}
+
+void addHeadlight(Scene& scene, const Box3& bounds, const Camera& camera) {
+    addLight(scene, defaultLight(camera, bounds), kHeadlightName);
+    numberLights(scene);
+}
+
+bool addRoomLights(Scene& scene, const KdTree& tree) {
+    const std::vector<Light> lights = roomLights(tree, scene.mesh(), scene.up);
+    for (std::size_t i = 0; i < lights.size(); ++i) addLight(scene, lights[i], roomLightName(i));
+    numberLights(scene);
+    return !lights.empty();
+}
+
+} // namespace rtcore

@@ -1,0 +1,65 @@
+/// What lights a model that brings no light: its first look. (docs/shading.md)
+#pragma once
+
+#include "rtcore/accel/kd_tree.h"
+#include "rtcore/scene/camera.h"
+#include "rtcore/scene/scene.h"
+#include "rtcore/settings/settings_table.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rtcore {
+
+/// Sky: a sky with its sun, and lights under the ceilings of rooms. Studio: an even background that lights,
+/// with three soft lights around an object, or those of a room. Headlight: a point light beside the viewer
+/// and ambient light, both without regard to what the model is.
+enum class Look : std::uint8_t { Sky, Studio, Headlight };
+
+/// By Look.
+inline constexpr std::array<std::string_view, 3> kLookNames{"sky", "studio", "headlight"};
+std::optional<Look> lookNamed(std::string_view name);
+
+/// Of the light of Look::Headlight.
+inline constexpr const char* kHeadlightName = "default";
+
+/// What a model has that no scene file describes.
+inline constexpr Colour kPlainBackground{0.03F, 0.036F, 0.048F}, kPlainAmbient{0.15F, 0.15F, 0.15F};
+
+struct LookLights {
+    std::optional<Sky> sky;
+    std::vector<Light> lights; ///< without the sun
+    std::vector<std::string> names;
+    Colour background = kPlainBackground, ambient = kPlainAmbient;
+    bool room = false; ///< the lights are those of a room
+};
+
+/// Seen by `camera`. `sky`: the one to be shown; otherwise one whose sun shows the model well (sunOfView()).
+/// The same for the same input. Some 0.05 s.
+LookLights lookLights(Look look, const KdTree& tree, const Mesh& mesh, Vec3 up, const Camera& camera,
+                      const std::optional<Sky>& sky = {});
+
+/// In place of all lights of the scene, of its sky and of the environment that is shown; environments of
+/// files stay there to be chosen.
+void lightBy(Scene& scene, const LookLights& look);
+
+/// Settings for what is lit by a sky or by even light, and by lights of a room; in the walk and in stills.
+std::vector<SettingAssignment> settingsOf(bool sky, bool room);
+inline std::vector<SettingAssignment> settingsOf(Look look, const LookLights& lights) {
+    return settingsOf(look != Look::Headlight, lights.room);
+}
+
+/// Whether the scene is lit by that: nothing was edited but what is switched on.
+bool isLitBy(const Scene& scene, const LookLights& look);
+
+/// The light of Look::Headlight, behind the lights that the scene has.
+void addHeadlight(Scene& scene, const Box3& bounds, const Camera& camera);
+
+/// Those of roomLights(), behind the lights that the scene has. Returns whether there are any.
+bool addRoomLights(Scene& scene, const KdTree& tree);
+
+} // namespace rtcore

@@ -1,0 +1,128 @@
+#include "rtcore/look/room_lights.h"
+
+#include "rtcore/kernels/single_ray.h"
+#include "rtcore/render/survey.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace rtcore {
+
+namespace {
+
+constexpr int kPlaces = 9;             ///< across the model, each way
+constexpr float kBelowCeiling = 0.15F; ///< of the room's height
+constexpr float kSize = 0.06F;         ///< radius, of the room's height
+constexpr float kLittle = 0.04F;       ///< of what all places want: what one more light must bring
+constexpr float kMostScale = 2;
+
+/// Above a place to stand on.
+struct LightPlace {
+    Vec3 position;
+    float height = 0; ///< over the floor
+    float room = 0;   ///< height of the room
+};
+
+class RoomLighting {
+  public:
+    RoomLighting(const KdTree& tree, const Mesh& mesh, const Axes& axes) : tree_(tree), mesh_(mesh) {
+        for (const Vec3 place : placesIn(tree.bounds, axes, kPlaces)) {
+            const auto stand = standAt(tree, mesh, axes, place);
+            if (!stand || !isIndoors(*stand)) continue;
+            eyes_.push_back(stand->eye);
+            if (const auto found = above(stand->eye, axes.up)) places_.push_back(*found);
+        }
+        light_.assign(eyes_.size(), 0);
+    }
+
+    std::vector<Light> choose() {
+        std::vector<LightPlace> chosen;
+        const auto wanted = static_cast<float>(eyes_.size());
+        while (std::cmp_less(chosen.size(), kMostRoomLights)) {
+            const LightPlace* const best = bestPlace();
+            if (best == nullptr) break;
+            const std::vector<float> with = lightWith(*best);
+            if (satisfied(with) - satisfied(light_) < kLittle * wanted) break;
+            light_ = with;
+            chosen.push_back(*best);
+        }
+        const float scale = std::min(wanted / std::max(satisfied(light_), 1e-6F), kMostScale);
+        std::vector<Light> lights;
+        for (const LightPlace& place : chosen) lights.push_back(lightOf(place, scale));
+        return lights;
+    }
+
+  private:
+    static Light lightOf(const LightPlace& place, float scale) {
+        Light light;
+        light.kind = LightKind::Sphere;
+        light.position = place.position;
+        light.radius = kSize * place.room;
+        light.intensity = kWhite * (scale * place.height * place.height);
+        return light;
+    }
+
+    std::optional<float> distanceAlong(Vec3 from, Vec3 direction) const {
+        Hit hit;
+        if (!intersect(tree_, mesh_, {from, 0, direction, std::numeric_limits<float>::max()}, hit))
+            return std::nullopt;
+        return hit.t;
+    }
+
+    std::optional<LightPlace> above(Vec3 eye, Vec3 up) const {
+        const auto ceiling = distanceAlong(eye, up), floor = distanceAlong(eye, -up);
+        if (!ceiling || !floor) return std::nullopt;
+        const float room = *ceiling + *floor;
+        const float above = std::max(*ceiling - kBelowCeiling * room, 0.5F * *ceiling);
+        return LightPlace{eye + up * above, above + *floor, room};
+    }
+
+    /// At each eye, with one more light there; 1 as on the floor below a light.
+    std::vector<float> lightWith(const LightPlace& place) const {
+        std::vector<float> light = light_;
+        for (std::size_t i = 0; i < eyes_.size(); ++i) {
+            const Vec3 way = place.position - eyes_[i];
+            if (!occluded(tree_, mesh_, {eyes_[i], 0, way, 1}))
+                light[i] += std::min(place.height * place.height / dot(way, way), 1.0F);
+        }
+        return light;
+    }
+
+    static float satisfied(const std::vector<float>& light) {
+        return std::accumulate(light.begin(), light.end(), 0.0F,
+                               [](float sum, float each) { return sum + std::min(each, 1.0F); });
+    }
+
+    const LightPlace* bestPlace() const {
+        const LightPlace* best = nullptr;
+        float most = 0;
+        for (const LightPlace& place : places_) {
+            const float sum = satisfied(lightWith(place));
+            if (sum <= most) continue;
+            most = sum;
+            best = &place;
+        }
+        return best;
+    }
+
+    const KdTree& tree_;
+    const Mesh& mesh_;
+    std::vector<Vec3> eyes_;
+    std::vector<LightPlace> places_;
+    std::vector<float> light_; ///< of the lights that were chosen, at each eye
+};
+
+} // namespace
+
+std::vector<Light> roomLights(const KdTree& tree, const Mesh& mesh, Vec3 up) {
+    if (tree.bounds.empty()) return {};
+    const Axes axes(up);
+    if (!survey(tree, mesh, axes).indoors) return {};
+    return RoomLighting(tree, mesh, axes).choose();
+}
+
+} // namespace rtcore

@@ -1,0 +1,15 @@
+/// What is left of a scene where parts of it are hidden.
+#pragma once
+
+#include "rtcore/accel/visible_tree.h"
+#include "rtcore/scene/scene.h"
+
+namespace rtcore {
+
+/// `tree` of the scene's whole mesh without its hidden parts; the same one where none is hidden.
+inline KdTree visibleTree(const KdTree& tree, const Scene& scene) {
+    if (scene.hiddenParts == nullptr) return tree;
+    return visibleTree(tree, hiddenTriangles(scene.model, scene.hiddenParts));
+}
+
+} // namespace rtcore

@@ -1,0 +1,21 @@
+/// What a whole image is like, for what is not looked up texel by texel.
+#pragma once
+
+#include "rtcore/scene/image.h"
+
+#include <array>
+#include <span>
+
+namespace rtcore {
+
+struct ImageSummary {
+    Colour meanColour{1, 1, 1};                   ///< linear
+    std::array<float, 4> meanChannel{1, 1, 1, 1}; ///< of the codes as they stand, 0..1
+    bool transparent = false;                     ///< an alpha under 1 is there
+    bool dark = false;                            ///< a red under 1 is there
+};
+
+/// Of at least one texel. About a nanosecond for each.
+ImageSummary summarise(std::span<const Rgba8> texels);
+
+} // namespace rtcore

@@ -1,0 +1,59 @@
+#include "rtcore/scene/material_edit.h"
+
+#include "rtcore/scene/image_summary.h"
+
+#include <algorithm>
+
+namespace rtcore {
+
+namespace {
+
+/// Sorted by number, so that the same edits in any order are the same.
+MaterialOverride& editOf(Scene& scene, std::size_t index) {
+    const int number = static_cast<int>(index) + 1;
+    std::vector<MaterialOverride>& edits = scene.materialEdits;
+    auto at = std::find_if(edits.begin(), edits.end(),
+                           [&](const MaterialOverride& edit) { return *edit.number >= number; });
+    if (at != edits.end() && *at->number == number) return *at;
+    MaterialOverride none;
+    none.number = number;
+    return *edits.insert(at, none);
+}
+
+Material edited(const Model& model, Material material, const MaterialOverride& edit) {
+    const bool textured = material.diffuseTexture != kNoTexture && edit.textures.value_or(true);
+    const bool asked = edit.needsTextureMean() && textured;
+    edit.applyTo(material, asked ? textureMean(model, material.diffuseTexture) : kWhite);
+    return material;
+}
+
+} // namespace
+
+Colour textureMean(const Model& model, std::uint32_t texture) {
+    const Texture& t = model.textures[texture];
+    return summarise(model.texels.subspan(t.firstTexel, std::size_t{t.width} * t.height)).meanColour;
+}
+
+void editMaterial(Scene& scene, std::span<const Material> loaded, std::size_t index,
+                  const MaterialOverride& change) {
+    MaterialOverride& edit = editOf(scene, index);
+    const float metallic = scene.materials[index].metallic;
+    edit.add(change);
+    if (change.diffuse && metallic > 0 && !edit.metallic) edit.metallic = metallic;
+    scene.materials[index] = edited(scene.model, loaded[index], edit);
+}
+
+void resetMaterial(Scene& scene, std::span<const Material> loaded, std::size_t index) {
+    std::erase_if(scene.materialEdits,
+                  [&](const MaterialOverride& edit) { return *edit.number == static_cast<int>(index) + 1; });
+    scene.materials[index] = loaded[index];
+}
+
+void closeSurfaces(Scene& scene, std::span<const Material> before) {
+    const bool same =
+        std::equal(before.begin(), before.end(), scene.materials.begin(), scene.materials.end(),
+                   [](const Material& a, const Material& b) { return isTransparent(a) == isTransparent(b); });
+    if (!same) scene.closed = findClosedSurfaces(scene.mesh(), scene.materials);
+}
+
+} // namespace rtcore

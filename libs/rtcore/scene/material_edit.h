@@ -1,0 +1,26 @@
+/// Edits of the materials of a scene.
+#pragma once
+
+#include "rtcore/scene/scene.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace rtcore {
+
+/// The mean colour of a texture of the model, linear.
+Colour textureMean(const Model& model, std::uint32_t texture);
+
+/// Adds `change` (without a texture's path) to what edits made of a material; `loaded` are the materials as
+/// the files have them. A change of the diffuse colour is one of the base colour where the material is a
+/// metal. `index` counts from 0. Scene::closed is to be made again by closeSurfaces().
+void editMaterial(Scene& scene, std::span<const Material> loaded, std::size_t index,
+                  const MaterialOverride& change);
+/// The material as the files have it.
+void resetMaterial(Scene& scene, std::span<const Material> loaded, std::size_t index);
+
+/// Makes Scene::closed again where materials have become transparent or opaque since they were `before`.
+void closeSurfaces(Scene& scene, std::span<const Material> before);
+
+} // namespace rtcore

@@ -1,0 +1,94 @@
+#include "rtcore/scene/material_override.h"
+
+#include "rtcore/scene/metallic_roughness.h"
+
+#include <algorithm>
+
+namespace rtcore {
+
+namespace {
+
+/// `colour` cut down to what `taken` leaves of 1.
+Colour remainder(Colour colour, Colour taken) {
+    return {std::min(colour.r, 1 - taken.r), std::min(colour.g, 1 - taken.g),
+            std::min(colour.b, 1 - taken.b)};
+}
+
+template <typename T, typename Field>
+void apply(const std::optional<T>& value, Field& field) {
+    if (value) field = static_cast<Field>(*value);
+}
+
+template <typename T>
+void replace(std::optional<T>& value, const std::optional<T>& later) {
+    if (later) value = later;
+}
+
+void leaveOutTextures(Material& m) {
+    m.diffuseTexture = m.alphaTexture = m.normalTexture = m.emissionTexture = kNoTexture;
+    m.metallicRoughnessTexture = kNoTexture;
+}
+
+} // namespace
+
+void MaterialOverride::applyTo(Material& material, Colour textureMean) const {
+    if (textures && !*textures) leaveOutTextures(material);
+    apply(flipTextures, material.flipTextures);
+    const bool byRoughness = needsTextureMean();
+    if (byRoughness) {
+        setMetallicRoughness(material, diffuse.value_or(baseColourOf(material, textureMean)), textureMean,
+                             metallic.value_or(material.metallic), roughness.value_or(roughnessOf(material)));
+        conserveEnergy(material);
+    } else {
+        apply(diffuse, material.diffuse);
+    }
+    apply(specular, material.specular);
+    if (diffuse && !specular && !byRoughness) material.specular = remainder(material.specular, *diffuse);
+    if (specular && (!diffuse || byRoughness)) material.diffuse = remainder(material.diffuse, *specular);
+    apply(shininess, material.shininess);
+    apply(reflectivity, material.mirror);
+    if (reflectivity) material.mirrorScale = 1;
+    apply(fresnel, material.fresnel);
+    apply(opacity, material.opacity);
+    apply(transmission, material.transmission);
+    apply(attenuationDistance, material.attenuationDistance);
+    apply(indexOfRefraction, material.indexOfRefraction);
+    apply(emission, material.emission);
+}
+
+void MaterialOverride::add(const MaterialOverride& later) {
+    if (later.needsTextureMean()) {
+        specular.reset();
+        shininess.reset();
+        reflectivity.reset();
+        fresnel.reset();
+    }
+    const bool tooMuch = later.diffuse && specular && maxComponent(*later.diffuse + *specular) > 1;
+    if (tooMuch) specular.reset();
+    const bool tooBright = later.specular && diffuse && maxComponent(*later.specular + *diffuse) > 1;
+    if (tooBright) diffuse.reset();
+    replace(diffuse, later.diffuse);
+    replace(specular, later.specular);
+    replace(transmission, later.transmission);
+    replace(emission, later.emission);
+    replace(reflectivity, later.reflectivity);
+    replace(shininess, later.shininess);
+    replace(opacity, later.opacity);
+    replace(attenuationDistance, later.attenuationDistance);
+    replace(indexOfRefraction, later.indexOfRefraction);
+    replace(roughness, later.roughness);
+    replace(metallic, later.metallic);
+    replace(fresnel, later.fresnel);
+    replace(textures, later.textures);
+    replace(flipTextures, later.flipTextures);
+    replace(diffuseTexture, later.diffuseTexture);
+}
+
+bool MaterialOverride::changes() const {
+    MaterialOverride named;
+    named.pattern = pattern;
+    named.number = number;
+    return *this != named;
+}
+
+} // namespace rtcore

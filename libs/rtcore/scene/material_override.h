@@ -1,0 +1,43 @@
+/// What a scene file or an edit changes in materials of the model.
+#pragma once
+
+#include "rtcore/math/colour.h"
+#include "rtcore/scene/material.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rtcore {
+
+/// Names materials by exactly one of the first two. What is absent stays. Ranges as in Material.
+struct MaterialOverride {
+    std::string pattern = {};       ///< for names, with * and ? (matchesPattern()); "": by number
+    std::optional<int> number = {}; ///< one of the model's materials, counted from 1
+    std::optional<Colour> diffuse = {}, specular = {}, transmission = {}, emission = {};
+    std::optional<Colour> reflectivity = {}; ///< the material's `mirror`, with a mirrorScale of 1
+    std::optional<float> shininess = {}, opacity = {}, attenuationDistance = {}, indexOfRefraction = {};
+    /// Each of them makes the material one of setMetallicRoughness(), whose base colour `diffuse` is then, or
+    /// what the material's own comes to. `specular`, `shininess`, `reflectivity`, `fresnel` win over it.
+    std::optional<float> roughness = {}, metallic = {};
+    std::optional<bool> fresnel = {};
+    std::optional<bool> textures = {};                        ///< false: none of the material's own
+    std::optional<bool> flipTextures = {};                    ///< whether these are turned upside down
+    std::optional<std::filesystem::path> diffuseTexture = {}; ///< loaded by the scene loader
+
+    /// applyTo() needs the mean colour of the diffuse texture.
+    bool needsTextureMean() const { return roughness || metallic; }
+    /// All but the path of the texture. Where the sum of diffuse and specular would exceed 1, the one that is
+    /// not overridden gives way. `textureMean`: of what is the diffuse texture afterwards, linear.
+    void applyTo(Material& material, Colour textureMean = kWhite) const;
+    /// What `later` says in addition to or in place of this: one after the other would not always do the
+    /// same, since what says the same in other words, such as shininess and roughness, takes the other's
+    /// place. Whom it names stays.
+    void add(const MaterialOverride& later);
+    /// Anything but a name.
+    bool changes() const;
+    friend bool operator==(const MaterialOverride&, const MaterialOverride&) = default;
+};
+
+} // namespace rtcore

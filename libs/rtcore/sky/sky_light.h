@@ -1,0 +1,29 @@
+/// A described sky as what a scene is lit by: an environment and a light.
+#pragma once
+
+#include "rtcore/scene/environment.h"
+#include "rtcore/scene/light.h"
+#include "rtcore/scene/sky.h"
+
+#include <memory>
+
+namespace rtcore {
+
+/// Radiance 1 stands for so many cd/m^2: a white wall in the sun then has a radiance of 1 to 2. Of sun and
+/// sky alike, so that their ratio is that of nature.
+inline constexpr float kLuminanceOfOne = 20'000;
+/// What the ground below the horizon scatters back of sun and sky.
+inline constexpr float kGroundAlbedo = 0.2F;
+/// Of the equirectangular map: 0.35 degrees a texel. What is sharper than that is the horizon alone, and
+/// twice the width costs four times the time whenever the sun is moved.
+inline constexpr int kSkyWidth = 1024;
+
+struct SkyLight {
+    std::shared_ptr<const Environment> environment; ///< named "sky"; without the sun's disc
+    Light sun;                                      ///< directional; black once it has set
+};
+
+/// In a scene whose up is one of the six axes. Some 0.05 s. The same bits on every processor.
+SkyLight skyLightOf(const Sky& sky, Vec3 up);
+
+} // namespace rtcore

@@ -1,0 +1,203 @@
+/// Lights that are edited in their panel and by their marks, with a real server.
+#include "gui/lit_scene.h"
+#include "gui/window_support.h"
+
+#include "gui/models/light_marks.h"
+#include "gui/operations/scene_editor.h"
+#include "gui/panels/light_fields.h"
+#include "gui/panels/lights_panel.h"
+#include "gui/panels/value_box.h"
+#include "gui/view/input_capture.h"
+#include "gui/view/light_handles.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+
+#include <gtest/gtest.h>
+
+namespace gui {
+namespace {
+
+using test::comes;
+
+class LightsTest : public test::WindowFixture {
+  protected:
+    void SetUp() override {
+        WindowFixture::SetUp();
+        test::writeLitScene(folder());
+        openAndRest("lit.scn");
+        ASSERT_TRUE(comes([&] { return state().lights.size() == 2; }));
+    }
+    const SceneState& state() { return window->editor().state(); }
+    LightsPanel& panel() { return *window->findChild<LightsPanel*>(); }
+    LightHandles& handles() { return *window->findChild<LightHandles*>(); }
+    rtcore::Light light(int id) {
+        const ShownLight* found = lightOf(state(), id);
+        return found != nullptr && found->description ? found->description->light : rtcore::Light();
+    }
+    bool edits(int count) {
+        return comes([&] { return state().edits == count; });
+    }
+    void drag(const QPointF& from, const QPointF& by, Qt::KeyboardModifiers modifiers = {}) {
+        QWidget* view = &window->view();
+        QTest::mousePress(view, Qt::LeftButton, modifiers, from.toPoint());
+        for (int i = 1; i <= 4; ++i) {
+            const QPoint at = (from + by * i / 4).toPoint();
+            QMouseEvent event(QEvent::MouseMove, at, view->mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                              modifiers);
+            QApplication::sendEvent(view, &event);
+            QTest::qWait(20);
+        }
+        QTest::mouseRelease(view, Qt::LeftButton, modifiers, (from + by).toPoint());
+    }
+};
+
+TEST_F(LightsTest, FieldsOfTheSelectedLightReachTheServer) {
+    action(ActionId::LightsPanel)->trigger();
+    LightFields& fields = panel().fields();
+    panel().lights().setCurrentRow(1);
+    ASSERT_TRUE(fields.isVisible());
+    EXPECT_EQ(fields.position(0).value(), 4);
+    fields.position(1).setValue(3.5);
+    ASSERT_TRUE(edits(1));
+    EXPECT_EQ(light(2).position, (rtcore::Vec3{4, 3.5F, 3}));
+    fields.power().setValue(200);
+    ASSERT_TRUE(edits(2));
+    EXPECT_NEAR(fields.power().value(), 200, 0.01);
+    fields.hasTemperature().click();
+    ASSERT_TRUE(edits(3));
+    EXPECT_EQ(lightOf(state(), 2)->description->temperature, 4000);
+    fields.kind().setCurrentIndex(static_cast<int>(rtcore::LightKind::Spot));
+    emit fields.kind().activated(static_cast<int>(rtcore::LightKind::Spot));
+    ASSERT_TRUE(edits(4));
+    EXPECT_EQ(light(2).kind, rtcore::LightKind::Spot);
+    EXPECT_TRUE(fields.angle(0).isVisible());
+    EXPECT_NEAR(fields.power().value(), 200, 0.01);
+    fields.name().setText(QStringLiteral("a \"bulb\""));
+    emit fields.name().editingFinished();
+    ASSERT_TRUE(edits(5));
+    EXPECT_EQ(panel().light(1)->text(), QStringLiteral("a \"bulb\""));
+    EXPECT_EQ(action(ActionId::Undo)->text(), QStringLiteral("&Undo: name of light 2"));
+    for (int left = 4; left >= 0; --left) {
+        action(ActionId::Undo)->trigger();
+        ASSERT_TRUE(edits(left));
+    }
+    EXPECT_EQ(light(2).position, (rtcore::Vec3{4, 5, 3}));
+    EXPECT_EQ(light(2).kind, rtcore::LightKind::Point);
+}
+
+TEST_F(LightsTest, ValuesThatFollowAHandAreOneStep) {
+    panel().select(1);
+    for (const double power : {100.0, 200.0, 300.0, 400.0}) {
+        panel().fields().power().setValue(power);
+        QTest::qWait(10);
+    }
+    ASSERT_TRUE(comes([&] { return std::abs(light(1).intensity.g - 400 / 12.566371F) < 0.01F; }));
+    EXPECT_EQ(state().edits, 1);
+}
+
+TEST_F(LightsTest, AreAddedCopiedAndRemoved) {
+    emit panel().addWanted("sphere");
+    ASSERT_TRUE(comes([&] { return state().lights.size() == 3; }));
+    ASSERT_TRUE(comes([&] { return panel().selected() == 3; }));
+    EXPECT_EQ(light(3).kind, rtcore::LightKind::Sphere);
+    emit panel().copyWanted(1);
+    ASSERT_TRUE(comes([&] { return panel().selected() == 4; }));
+    EXPECT_EQ(light(4).position, light(1).position);
+    emit panel().removeWanted(1);
+    ASSERT_TRUE(comes([&] { return state().lights.size() == 3; }));
+    EXPECT_EQ(lightOf(state(), 1), nullptr);
+    EXPECT_EQ(panel().selected(), 4) << "ids stay";
+    emit panel().removeWanted(4);
+    EXPECT_TRUE(comes([&] { return panel().selected() == 0; }));
+}
+
+TEST_F(LightsTest, AMarkSelectsAndMovesItsLightInOneStep) {
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("light move 1 at 0 1 2")).done);
+    action(ActionId::LightMarks)->trigger();
+    window->editor().refresh();
+    ASSERT_TRUE(comes([&] { return light(1).position == rtcore::Vec3{0, 1, 2}; }));
+    ASSERT_TRUE(comes([&] { return status().idle; }));
+    const std::optional<QPointF> place = handles().place(1);
+    ASSERT_TRUE(place);
+    QTest::mouseClick(&window->view(), Qt::LeftButton, {}, place->toPoint());
+    EXPECT_EQ(panel().selected(), 1);
+    EXPECT_FALSE(window->view().input().captured()) << "the mouse stays free";
+    EXPECT_EQ(state().edits, 1) << "a click moves nothing";
+    drag(*place, {40, 0});
+    ASSERT_TRUE(edits(2));
+    ASSERT_TRUE(comes([&] { return light(1).position.x > 0.1F; }));
+    EXPECT_NEAR(light(1).position.y, 1, 0.05);
+    const std::optional<QPointF> moved = handles().place(1);
+    ASSERT_TRUE(moved);
+    EXPECT_NEAR(moved->x(), place->x() + 40, 2) << "it follows the hand";
+    EXPECT_EQ(state().edits, 2);
+    action(ActionId::Undo)->trigger();
+    ASSERT_TRUE(comes([&] { return light(1).position == rtcore::Vec3{0, 1, 2}; }));
+}
+
+TEST_F(LightsTest, AHandleMovesAlongItsAxis) {
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("light move 1 at 0 1 2")).done);
+    action(ActionId::LightMarks)->trigger();
+    window->editor().refresh();
+    ASSERT_TRUE(comes([&] { return light(1).position == rtcore::Vec3{0, 1, 2}; }));
+    emit handles().picked(1);
+    const std::optional<QPointF> end = handles().handle(1);
+    ASSERT_TRUE(end);
+    drag(*end, {13, -30});
+    ASSERT_TRUE(comes([&] { return light(1).position.y > 1.1F; }));
+    EXPECT_EQ(light(1).position.x, 0);
+    EXPECT_EQ(light(1).position.z, 2);
+}
+
+TEST_F(LightsTest, ShiftMovesAlongSurfaces) {
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("light move 1 at 0 1 2")).done);
+    action(ActionId::LightMarks)->trigger();
+    window->editor().refresh();
+    ASSERT_TRUE(comes([&] { return light(1).position == rtcore::Vec3{0, 1, 2}; }));
+    const std::optional<QPointF> place = handles().place(1);
+    ASSERT_TRUE(place);
+    drag(*place, {0, 60}, Qt::ShiftModifier);
+    ASSERT_TRUE(comes([&] { return light(1).position != rtcore::Vec3{0, 1, 2}; }));
+    EXPECT_LT(light(1).position.y, 0.5F) << "near the floor";
+}
+
+TEST_F(LightsTest, WithoutMarksAClickIsTheCameras) {
+    QTest::mouseClick(&window->view(), Qt::LeftButton);
+    EXPECT_TRUE(window->view().input().captured());
+}
+
+View ahead() {
+    View view;
+    view.fieldOfView = 90;
+    return view;
+}
+
+TEST(ProjectionTest, FindsPointsAndRays) {
+    const Projection in(ahead(), QRectF(0, 0, 200, 100));
+    EXPECT_EQ(in.at({0, 0, -1}), QPointF(100, 50));
+    EXPECT_NEAR(in.at({1, 0, -2})->x(), 150, 1e-4);
+    EXPECT_NEAR(in.at({0, 1, -2})->y(), 0, 1e-4);
+    EXPECT_FALSE(in.at({0, 0, 1}));
+    EXPECT_LT((in.ray({200, 50}) - QVector3D(1, 0, -1).normalized()).length(), 1e-6F);
+}
+
+TEST(ProjectionTest, MovesPointsAsAHandGoes) {
+    const Projection in(ahead(), QRectF(0, 0, 200, 100));
+    const QVector3D point(0.3F, 0.2F, -4);
+    const QPointF from = *in.at(point), to = from + QPointF(20, -10);
+    const QVector3D inPlane = in.movedInPlane(point, from, to);
+    EXPECT_NEAR(inPlane.z(), -4, 1e-5);
+    EXPECT_NEAR(in.at(inPlane)->x(), to.x(), 1e-3);
+    EXPECT_NEAR(in.at(inPlane)->y(), to.y(), 1e-3);
+    const QVector3D along = in.movedAlong(point, {1, 0, 0}, from, from + QPointF(20, 0));
+    EXPECT_NEAR(in.at(along)->x(), from.x() + 20, 1e-3);
+    EXPECT_EQ(along.y(), point.y());
+    EXPECT_EQ(in.movedAlong({0, 0, -4}, {0, 0, 1}, {100, 50}, {100, 50}), QVector3D(0, 0, -4));
+}
+
+} // namespace
+} // namespace gui

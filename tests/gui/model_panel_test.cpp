@@ -1,0 +1,162 @@
+// The model's parts and materials in the window: read, hidden, isolated, changed, selected in the image.
+#include "gui/gui_support.h"
+
+#include "gui/main_window.h"
+#include "gui/models/model_lists.h"
+#include "gui/operations/actions.h"
+#include "gui/panels/material_fields.h"
+#include "gui/panels/model_panel.h"
+#include "gui/panels/value_box.h"
+#include "gui/view/frame_view.h"
+#include "gui/view/notice_bar.h"
+
+#include "process/sample_scene.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QMenu>
+#include <QPushButton>
+#include <QTest>
+#include <QTreeWidget>
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+namespace {
+
+using namespace test;
+using namespace gui;
+
+TEST(ModelLists, AreRead) {
+    const QList<PartRow> parts =
+        readParts(QStringLiteral("1 shown 480 house/front door\n2 hidden 7\nnonsense\n3 shown 1 x"));
+    ASSERT_EQ(parts.size(), 3);
+    EXPECT_EQ(parts[0], (PartRow{1, false, 480, QStringLiteral("house/front door")}));
+    EXPECT_EQ(parts[1], (PartRow{2, true, 7, QString()}));
+    const QList<MaterialRow> materials = readMaterials(QStringLiteral("1 - oak\n2 edited\n"));
+    ASSERT_EQ(materials.size(), 2);
+    EXPECT_EQ(materials[1], (MaterialRow{2, true, QString()}));
+    const auto seen = readSeen(QStringLiteral("part 12 house/door\nmaterial 3 oak"));
+    ASSERT_TRUE(seen);
+    EXPECT_EQ(seen->part, 12);
+    EXPECT_EQ(seen->material, 3);
+    EXPECT_FALSE(readSeen(QStringLiteral("nothing")));
+}
+
+TEST(ModelLists, AMarkOutlinesItsMask) {
+    const QColor colour(255, 160, 40);
+    const QImage mark = readMark(QStringLiteral("5 5 6 3 2 3 2 3 6"), colour);
+    ASSERT_EQ(mark.size(), QSize(5, 5));
+    EXPECT_EQ(mark.pixelColor(0, 0).alpha(), 0);
+    EXPECT_EQ(mark.pixelColor(1, 1), colour);
+    EXPECT_LT(mark.pixelColor(2, 2).alpha(), 100) << "inside it is a veil";
+    EXPECT_GT(mark.pixelColor(2, 2).alpha(), 0);
+    for (const char* wrong : {"", "5 5", "5 5 6 3", "5 5 25", "5 5 30", "-1 5 6", "99999 99999 1"})
+        EXPECT_TRUE(readMark(QString::fromLatin1(wrong), colour).isNull()) << wrong;
+}
+
+class ModelPanelTest : public GuiTest {
+  protected:
+    void SetUp() override {
+        GuiTest::SetUp();
+        writeText(folder() / "m.mtl", "newmtl red\nKd 0.8 0.1 0.1\nnewmtl blue\nKd 0.1 0.1 0.8\n");
+        writeText(folder() / "m.obj",
+                  "mtllib m.mtl\nv -4 -4 0\nv 4 -4 0\nv 4 4 0\nv -4 4 0\nv -1 -1 1\nv 1 -1 1\n"
+                  "v 1 1 1\nv -1 1 1\no wall\nusemtl red\nf 1 2 3 4\no sign\nusemtl blue\n"
+                  "f 5 6 7 8\n");
+        writeText(folder() / "m.scn",
+                  "version = 2\nmodel = \"m.obj\"\nambient = [1, 1, 1]\n[camera]\n"
+                  "eye = [0, 0, 6]\nlookAt = [0, 0, 0]\n[live]\nexposure.mode = \"fixed\"\n");
+        window.emplace(name());
+        window->preferences().set(pref::followWindowSize, false);
+        window->resize(1000, 700);
+        window->show();
+        window->activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(&*window));
+        window->open(file("m.scn"));
+        ASSERT_TRUE(shows(window->session())) << window->notice().text().toStdString();
+        window->actions()[ActionId::ModelPanel]->trigger();
+        ASSERT_TRUE(comes([&] { return panel().parts().topLevelItemCount() == 2; }));
+        ASSERT_TRUE(comes([&] { return panel().materials().topLevelItemCount() == 2; }));
+    }
+    void TearDown() override {
+        window->close();
+        window.reset();
+    }
+    ModelPanel& panel() { return *window->findChild<ModelPanel*>(); }
+    QTreeWidgetItem& part(int number) { return *panel().parts().topLevelItem(number); }
+    QString told(const char* command) { return ask(window->session(), QString::fromLatin1(command)).text; }
+    bool becomes(const char* command, const char* wanted) {
+        return comes([&] { return told(command) == QLatin1String(wanted); });
+    }
+    /// The right button at a fraction of the image.
+    void pick(double x, double y) {
+        const QSize size = window->view().size();
+        const QPoint at(static_cast<int>(x * size.width()), static_cast<int>(y * size.height()));
+        QTest::mouseClick(&window->view(), Qt::RightButton, {}, at);
+    }
+    void undo() {
+        QAction* action = window->actions()[ActionId::Undo];
+        ASSERT_TRUE(comes([&] { return action->isEnabled(); }));
+        action->trigger();
+    }
+    QAction* menuAction(const char* text) {
+        for (const QMenu* menu : window->findChildren<QMenu*>()) {
+            if (!menu->isVisible()) continue;
+            for (QAction* action : menu->actions()) {
+                if (action->text() == QLatin1String(text)) return action;
+            }
+        }
+        return nullptr;
+    }
+
+    std::optional<MainWindow> window;
+};
+
+TEST_F(ModelPanelTest, ACheckBoxHidesAndUndoShows) {
+    EXPECT_EQ(part(1).text(0), QStringLiteral("sign"));
+    part(1).setCheckState(0, Qt::Unchecked);
+    EXPECT_TRUE(becomes("parts", "1 shown 2 wall\n2 hidden 2 sign"));
+    undo();
+    EXPECT_TRUE(becomes("parts", "1 shown 2 wall\n2 shown 2 sign"));
+    EXPECT_TRUE(comes([&] { return part(1).checkState(0) == Qt::Checked; }));
+    EXPECT_TRUE(ask(window->session(), QStringLiteral("part isolate sign")).done);
+    EXPECT_TRUE(comes([&] { return part(0).checkState(0) == Qt::Unchecked; })) << "by another client";
+}
+
+TEST_F(ModelPanelTest, ARightClickSelectsMarksAndOffersToHide) {
+    pick(0.5, 0.5);
+    ASSERT_TRUE(comes([&] { return menuAction("&Hide") != nullptr; }));
+    EXPECT_EQ(panel().chosenParts(), QStringList{QStringLiteral("2")});
+    EXPECT_EQ(panel().chosenMaterial(), 2);
+    EXPECT_TRUE(comes([&] { return !window->view().mark().isNull(); }));
+    menuAction("&Hide")->trigger();
+    EXPECT_TRUE(becomes("parts", "1 shown 2 wall\n2 hidden 2 sign"));
+    for (QMenu* menu : window->findChildren<QMenu*>()) menu->close();
+    pick(0.5, 0.5);
+    EXPECT_TRUE(comes([&] { return panel().chosenMaterial() == 1; })) << "what was behind";
+    for (QMenu* menu : window->findChildren<QMenu*>()) menu->close();
+}
+
+TEST_F(ModelPanelTest, FieldsChangeTheChosenMaterial) {
+    EXPECT_FALSE(panel().fields().isEnabled());
+    panel().materials().setCurrentItem(panel().materials().topLevelItem(1));
+    ASSERT_TRUE(comes([&] { return panel().fields().isEnabled(); }));
+    EXPECT_FALSE(panel().fields().textures()->isEnabled()) << "it has none";
+    panel().fields().number(QStringLiteral("roughness"))->setValue(0.25);
+    panel().fields().number(QStringLiteral("roughness"))->setValue(0.125);
+    EXPECT_TRUE(becomes("materials", "1 - red\n2 edited blue"));
+    EXPECT_TRUE(
+        comes([&] { return told("material get 2").contains(QStringLiteral("roughness = 0.125\n")); }));
+    EXPECT_TRUE(comes([&] { return panel().fields().number(QStringLiteral("shininess"))->value() > 1000; }))
+        << "which follows";
+    undo();
+    EXPECT_TRUE(becomes("materials", "1 - red\n2 - blue")) << "one gesture, one step";
+    panel().fields().number(QStringLiteral("opacity"))->setValue(0.5);
+    EXPECT_TRUE(becomes("materials", "1 - red\n2 edited blue"));
+    panel().fields().reset()->click();
+    EXPECT_TRUE(becomes("materials", "1 - red\n2 - blue"));
+}
+
+} // namespace

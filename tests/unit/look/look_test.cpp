@@ -1,0 +1,81 @@
+#include "rtcore/look/look.h"
+
+#include "unit/look/rooms.h"
+
+#include "rtcore/render/default_view.h"
+#include "rtcore/sky/scene_sky.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using rtcore::Look;
+using rtcore::LookLights;
+using rtcore::Vec3;
+
+const Vec3 kUp{0, 1, 0};
+
+LookLights lightsFor(Look look, const test::TracedScene& s) {
+    return rtcore::lookLights(look, s.tree, s.scene.mesh(), kUp,
+                              rtcore::defaultCamera(s.tree, s.scene.mesh(), kUp));
+}
+
+TEST(Look, HasANameForEach) {
+    for (std::size_t i = 0; i < rtcore::kLookNames.size(); ++i)
+        EXPECT_EQ(rtcore::lookNamed(rtcore::kLookNames[i]), static_cast<Look>(i));
+    EXPECT_FALSE(rtcore::lookNamed("moon"));
+}
+
+TEST(Look, OfAnObjectIsASkyOrThreeLights) {
+    const test::TracedScene s(test::block().finish());
+    const LookLights sky = lightsFor(Look::Sky, s), studio = lightsFor(Look::Studio, s);
+    EXPECT_TRUE(sky.sky);
+    EXPECT_TRUE(sky.lights.empty());
+    EXPECT_FALSE(studio.sky);
+    ASSERT_EQ(studio.lights.size(), 3U);
+    for (const rtcore::Light& light : studio.lights)
+        EXPECT_GT(dot(light.direction, -light.position), 0) << "shines at the object";
+    EXPECT_FALSE(sky.room || studio.room);
+}
+
+TEST(Look, OfARoomHasLightsUnderItsCeiling) {
+    const test::TracedScene s(test::room().finish());
+    EXPECT_TRUE(lightsFor(Look::Sky, s).room);
+    EXPECT_EQ(lightsFor(Look::Sky, s).lights, lightsFor(Look::Studio, s).lights);
+    EXPECT_EQ(lightsFor(Look::Sky, s).names.front(), "ceiling 1");
+    EXPECT_FALSE(lightsFor(Look::Headlight, s).room);
+}
+
+TEST(Look, TakesThePlaceOfAllOtherLight) {
+    test::TracedScene s(test::block().finish());
+    rtcore::Scene& scene = s.scene;
+    scene.lights = {test::pointLight({1, 2, 3}, 4)};
+    scene.lightNames = {"mine"};
+    rtcore::lightBy(scene, lightsFor(Look::Sky, s));
+    ASSERT_EQ(scene.lights.size(), 1U);
+    EXPECT_EQ(rtcore::sunOf(scene), 0U);
+    EXPECT_NE(scene.environment(), nullptr);
+    EXPECT_TRUE(rtcore::isLitBy(scene, lightsFor(Look::Sky, s)));
+    EXPECT_FALSE(rtcore::isLitBy(scene, lightsFor(Look::Headlight, s)));
+    scene.lights[0].on = 0;
+    EXPECT_TRUE(rtcore::isLitBy(scene, lightsFor(Look::Sky, s))) << "switched off is not edited";
+
+    rtcore::lightBy(scene, lightsFor(Look::Headlight, s));
+    EXPECT_FALSE(scene.sky);
+    EXPECT_EQ(scene.environment(), nullptr);
+    ASSERT_EQ(scene.lights.size(), 1U);
+    EXPECT_EQ(scene.lightNames[0], rtcore::kHeadlightName);
+    EXPECT_EQ(scene.lightNotes[0].id, 1);
+    scene.lights[0].intensity = {1, 2, 3};
+    EXPECT_FALSE(rtcore::isLitBy(scene, lightsFor(Look::Headlight, s)));
+}
+
+TEST(Look, TakesTheSkyThatIsNamed) {
+    const test::TracedScene s(test::block().finish());
+    rtcore::Sky evening;
+    evening.date->second = 18 * 3600;
+    const LookLights look = rtcore::lookLights(Look::Sky, s.tree, s.scene.mesh(), kUp, {}, evening);
+    EXPECT_EQ(look.sky, evening);
+}
+
+} // namespace

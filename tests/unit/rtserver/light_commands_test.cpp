@@ -1,0 +1,298 @@
+/// Lights that commands add, remove and change.
+#include "command_room.h"
+
+#include "rtserver/exports.h"
+#include "rtserver/light_edits.h"
+
+#include "rtcore/io/text/cosine.h"
+#include "rtcore/math/blackbody.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace rtserver {
+namespace {
+
+using rtcore::Change;
+using rtcore::Changes;
+using rtcore::Colour;
+using rtcore::LightDescription;
+using rtcore::LightKind;
+using rtcore::Vec3;
+
+class LightCommands : public test::CommandRoom {
+  protected:
+    LightDescription light(int id) const { return describeLight(*state.scene(), state.lightOf(id)); }
+    std::vector<int> ids() const {
+        std::vector<int> all;
+        for (const rtcore::LightNotes& notes : state.scene()->lightNotes) all.push_back(notes.id);
+        return all;
+    }
+    void expectNear(Vec3 is, Vec3 expected, float error = 1e-4F) {
+        EXPECT_NEAR(is.x, expected.x, error);
+        EXPECT_NEAR(is.y, expected.y, error);
+        EXPECT_NEAR(is.z, expected.z, error);
+    }
+};
+
+TEST_F(LightCommands, AddEachKind) {
+    int id = 3;
+    for (const rtcore::LightTraits& traits : rtcore::kLightTraits) {
+        EXPECT_EQ(answer("light add " + std::string(traits.name) + " at 1 2 3"), std::to_string(id));
+        EXPECT_EQ(changes(), Changes{Change::Light});
+        const LightDescription added = light(id++);
+        EXPECT_EQ(rtcore::traitsOf(added.light).name, traits.name);
+        EXPECT_GT(powerOf(added), 0);
+        if (traits.position) {
+            EXPECT_EQ(added.light.position, (Vec3{1, 2, 3}));
+        }
+        // What a file could not say is never made.
+        rtcore::SceneFile file = sceneFileOf(state);
+        EXPECT_NO_THROW(rtcore::parseSceneFile(rtcore::formatSceneFile(file, "x.scn"), "x.scn"));
+    }
+    drawFrame();
+}
+
+TEST_F(LightCommands, AddHereAndWhereOneLooks) {
+    answer("camera set 0 2 3 0 -1 0 60 0 0 -1");
+    answer("light add point here");
+    EXPECT_EQ(light(3).light.position, (Vec3{0, 2, 3}));
+    answer("light add point seen");
+    const Vec3 place = light(4).light.position;
+    EXPECT_NEAR(place.x, 0, 1e-4);
+    EXPECT_NEAR(place.z, 3, 1e-4);
+    EXPECT_GT(place.y, 0) << "off the floor";
+    EXPECT_LT(place.y, 0.5F);
+    answer("light add point");
+    EXPECT_EQ(light(5).light.position, place);
+    answer("camera set 0 2 3 0 1 0 60 0 0 -1"); // nothing is above
+    EXPECT_EQ(refusal("light add point seen").text, "there is no surface there; the light stays as it was");
+    answer("light add spot");
+    EXPECT_EQ(light(6).light.position, (Vec3{0, 2, 3}));
+    expectNear(light(6).light.direction, {0, 1, 0});
+}
+
+TEST_F(LightCommands, MoveToWhatAPixelSees) {
+    answer("camera set 0 2 3 0 -1 0 90 0 0 -1");
+    answer("light move 1 seen 1 0.5"); // the right edge of 90 degrees
+    const Vec3 place = light(1).light.position;
+    EXPECT_NEAR(place.x, 2, 0.01);
+    EXPECT_NEAR(place.z, 3, 0.01);
+    EXPECT_EQ(refusal("light move 1 seen 1 1.5").text, "seen takes numbers from 0 to 1, not '1.5'");
+}
+
+TEST_F(LightCommands, IdsStayWhileOthersComeAndGo) {
+    answer("light remove 1");
+    EXPECT_EQ(ids(), (std::vector<int>{2}));
+    EXPECT_EQ(answer("light copy 2"), "3");
+    EXPECT_EQ(answer("lights"), "2 on\n3 on");
+    answer("light 3 off");
+    EXPECT_EQ(answer("lights"), "2 on\n3 off");
+    EXPECT_EQ(refusal("light 1 on").text, "there is no light 1; the scene has numbers 2 to 3");
+    answer("light remove 2");
+    EXPECT_EQ(refusal("light power 9 5").text, "there is no light 9; the scene has only number 3");
+    answer("light remove 3");
+    EXPECT_EQ(refusal("light name 3 x").text, "there is no light 3; the scene has none");
+    EXPECT_EQ(answer("lights"), "");
+    EXPECT_EQ(answer("light add point here"), "1");
+}
+
+TEST_F(LightCommands, KeysNameLightsByTheirIds) {
+    answer("light remove 1");
+    answer("key tap 2");
+    state.move(std::chrono::milliseconds(0), {});
+    EXPECT_EQ(answer("lights"), "2 off");
+    EXPECT_NE(messages.since(0).find("light 2 off"), std::string::npos);
+    answer("key tap 1");
+    state.move(std::chrono::milliseconds(0), {});
+    EXPECT_NE(messages.since(0).find("there is no light 1"), std::string::npos);
+}
+
+TEST_F(LightCommands, CamerasNameLightsByTheirIds) {
+    answer("light remove 1");
+    answer("light copy 2");
+    answer("light 2 off");
+    const rtcore::CameraFile file = cameraFileOf(state, 1);
+    EXPECT_EQ(file.lightsOn, (std::vector<int>{3}));
+    EXPECT_EQ(file.lightsOff, (std::vector<int>{2}));
+    answer("light remove 3");
+    answer("light 2 on");
+    EXPECT_EQ(state.applyCameraFile(file, "a.cam"),
+              "a.cam names lights that the scene lacks (3); these stay as they are");
+    EXPECT_EQ(answer("lights"), "2 off");
+}
+
+TEST_F(LightCommands, PowerCountsAllDirections) {
+    constexpr float kPi = std::numbers::pi_v<float>;
+    answer("light power 1 100");
+    EXPECT_NEAR(light(1).light.intensity.g, 100 / (4 * kPi), 1e-4);
+    answer("light kind 1 rectangle");
+    EXPECT_NEAR(light(1).light.intensity.g, 100 / kPi, 1e-3);
+    EXPECT_NEAR(powerOf(light(1)), 100, 1e-3);
+    answer("light kind 1 sphere");
+    EXPECT_NEAR(light(1).light.intensity.g, 100 / (4 * kPi), 1e-4);
+    answer("light kind 1 directional");
+    answer("light power 1 3");
+    EXPECT_NEAR(light(1).light.intensity.g, 3, 1e-5);
+    EXPECT_EQ(refusal("light power 1 0").code, 2);
+    EXPECT_EQ(refusal("light power 1 -3").code, 2);
+    EXPECT_EQ(refusal("light power 1 much").code, 2);
+}
+
+/// Against the sum over its cone.
+TEST_F(LightCommands, PowerOfASpotIsThatOfItsCone) {
+    answer("light kind 1 spot");
+    answer("light angles 1 20 50");
+    const LightDescription spot = light(1);
+    double sum = 0;
+    constexpr int kSteps = 100'000;
+    for (int i = 0; i < kSteps; ++i) {
+        const double cosine = (i + 0.5) / kSteps;
+        const double t = std::clamp((cosine - double{spot.light.cosOuter}) /
+                                        (double{spot.light.cosInner} - double{spot.light.cosOuter}),
+                                    0.0, 1.0);
+        sum += t * t * (3 - 2 * t) * 2 * std::numbers::pi / kSteps;
+    }
+    EXPECT_NEAR(static_cast<double>(powerOf(spot)) / (sum * double{spot.light.intensity.g}), 1, 1e-4);
+}
+
+TEST_F(LightCommands, ColourAndTemperatureKeepThePower) {
+    answer("light power 1 50");
+    answer("light colour 1 1 0.5 0.25");
+    EXPECT_NEAR(powerOf(light(1)), 50, 1e-3);
+    EXPECT_NEAR(light(1).light.intensity.r / light(1).light.intensity.b, 4, 1e-4);
+    answer("light temperature 1 2700");
+    EXPECT_NEAR(powerOf(light(1)), 50, 1e-3);
+    const Colour lit = state.scene()->lights[0].intensity, body = rtcore::blackbodyColour(2700);
+    EXPECT_NEAR(lit.r / lit.g, body.r / body.g, 1e-4);
+    EXPECT_EQ(light(1).temperature, 2700);
+    answer("light power 1 25");
+    EXPECT_EQ(light(1).temperature, 2700);
+    EXPECT_NEAR(powerOf(light(1)), 25, 1e-3);
+    const Colour before = state.scene()->lights[0].intensity;
+    answer("light temperature 1 none");
+    EXPECT_EQ(light(1).temperature, 0);
+    EXPECT_EQ(state.scene()->lights[0].intensity, before);
+    answer("light temperature 1 5000");
+    answer("light colour 1 1 1 1");
+    EXPECT_EQ(light(1).temperature, 0);
+    EXPECT_EQ(refusal("light colour 1 0 0 0").text, "black is no colour of a light; switch it off instead");
+    EXPECT_EQ(refusal("light colour 1 1 1 -1").code, 2);
+    EXPECT_EQ(refusal("light temperature 1 400").code, 2);
+}
+
+TEST_F(LightCommands, TurnWhatHasADirection) {
+    EXPECT_EQ(refusal("light aim 1 ahead").text,
+              "a point light shines to all sides; 'light kind' changes that");
+    answer("light kind 1 spot");
+    answer("light aim 1 at 0 4 -5");
+    expectNear(light(1).light.direction, {0, 0, -1});
+    answer("light aim 1 along 0 -3 0");
+    EXPECT_EQ(light(1).light.direction, (Vec3{0, -1, 0}));
+    answer("light aim 1 ahead");
+    EXPECT_EQ(light(1).light.direction, state.camera().forward);
+    EXPECT_EQ(refusal("light aim 1 along 0 0 0").text,
+              "the direction is zero; give where the light shines to");
+    EXPECT_EQ(refusal("light aim 1 along 0 0").code, 2);
+    answer("light kind 1 rectangle");
+    answer("light aim 1 along 1 1 0");
+    EXPECT_NEAR(dot(light(1).light.right, light(1).light.direction), 0, 1e-6);
+    EXPECT_NEAR(length(light(1).light.right), 1, 1e-6);
+    answer("light kind 1 directional");
+    EXPECT_EQ(refusal("light move 1 here").text, "a directional light has no position; 'light aim' turns it");
+}
+
+TEST_F(LightCommands, SizesSuitTheKind) {
+    answer("light size 1 0.3");
+    EXPECT_EQ(light(1).light.radius, 0.3F);
+    EXPECT_EQ(refusal("light size 1 1 2").text, "a point light takes a radius alone");
+    answer("light kind 1 rectangle");
+    answer("light size 1 1.5 0.5");
+    EXPECT_EQ(light(1).light.width, 1.5F);
+    EXPECT_EQ(light(1).light.height, 0.5F);
+    EXPECT_EQ(refusal("light size 1 2").text, "a rectangle light takes WIDTH and HEIGHT");
+    EXPECT_EQ(refusal("light angles 1 10 20").text, "a rectangle light has no cone");
+    answer("light kind 1 directional");
+    EXPECT_EQ(refusal("light size 1 2").text, "a directional light has no size");
+    answer("light kind 1 spot");
+    EXPECT_EQ(refusal("light angles 1 30 20").text,
+              "the inner angle must be below the outer one, by enough to tell them apart");
+}
+
+TEST_F(LightCommands, WrongPlacesAreRefused) {
+    for (const char* wrong : {"light move 1", "light move 1 at", "light move 1 at 1 2", "light move 1 here 1",
+                              "light move 1 here 1 2 3", "light move 1 seen 1", "light move 1 there",
+                              "light add bulb", "light add point at 1 2 nan"})
+        EXPECT_EQ(refusal(wrong).code, 2) << wrong;
+}
+
+/// A film that is rendered from a recording shows the light that was seen.
+TEST_F(LightCommands, AnEditEndsARecordingButASwitchDoesNot) {
+    answer("export video start DIR/walk.lst");
+    ASSERT_TRUE(state.recording());
+    answer("light 1 off");
+    EXPECT_TRUE(state.recording());
+    answer("light power 1 5");
+    EXPECT_FALSE(state.recording());
+    EXPECT_NE(messages.since(0).find("the lights were edited"), std::string::npos);
+    EXPECT_NE(refusal("export video stop").text.find("the lights were edited"), std::string::npos);
+}
+
+TEST_F(LightCommands, ADragIsOneStep) {
+    const auto before = state.scene();
+    answer("light move 1 at 1 1 1");
+    answer("also light move 1 at 1 2 1");
+    answer("also light move 1 at 1 3 1");
+    EXPECT_EQ(light(1).light.position, (Vec3{1, 3, 1}));
+    EXPECT_EQ(answer("undo"), "light move 1");
+    EXPECT_EQ(state.scene()->lights, before->lights);
+}
+
+TEST_F(LightCommands, AreTakenBackToTheSameBits) {
+    drawFrame();
+    const auto image = host.maker.image().pixels;
+    const auto lights = state.scene()->lights;
+    const auto notes = state.scene()->lightNotes;
+    for (const char* edit :
+         {"light add sphere at 0 2 0", "light copy 3 at 1 2 0", "light remove 1", "light temperature 2 3000",
+          "light colour 3 1 0 0", "light kind 2 spot", "light aim 2 seen 0.5 0.9", "light angles 2 10 30",
+          "light power 2 400", "light size 4 0.5", "light name 2 bulb", "light move 3 seen 0.5 0.9",
+          "light 4 off"})
+        answer(edit);
+    drawFrame();
+    EXPECT_NE(host.maker.image().pixels, image);
+    while (state.history().last() != nullptr) answer("undo");
+    EXPECT_EQ(state.scene()->lights, lights);
+    EXPECT_EQ(state.scene()->lightNotes, notes);
+    drawFrame();
+    EXPECT_EQ(host.maker.image().pixels, image);
+}
+
+TEST_F(LightCommands, AFileGivesThemBack) {
+    for (const char* edit : {"light remove 1", "light temperature 2 3000", "light add spot at 0 3 0",
+                             "light colour 3 1 0.7 0.2", "light name 3 \"a bulb\"", "light 3 off"})
+        answer(edit);
+    const rtcore::SceneFile file =
+        rtcore::parseSceneFile(rtcore::formatSceneFile(sceneFileOf(state), "x.scn"), "x.scn");
+    rtcore::Scene scene;
+    for (const LightDescription& each : file.lights) putLight(scene, scene.lights.size(), each);
+    EXPECT_EQ(scene.lights, state.scene()->lights);
+    EXPECT_EQ(scene.lightNames, state.scene()->lightNames);
+    EXPECT_EQ(scene.lightNotes, state.scene()->lightNotes);
+}
+
+TEST_F(LightCommands, PrintALight) {
+    answer("light power 1 100");
+    const std::string text = answer("light get 1");
+    EXPECT_TRUE(text.starts_with("[[light]]\nid = 1\nname = \"left\"\nkind = \"point\"\n")) << text;
+    EXPECT_NE(text.find("\n# 100"), std::string::npos) << text;
+}
+
+} // namespace
+} // namespace rtserver

@@ -1,0 +1,61 @@
+/// Ids of lights.
+#include "rtcore/scene/light_notes.h"
+#include "rtcore/scene/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace {
+
+rtcore::Scene sceneOf(const std::vector<int>& ids) {
+    rtcore::Scene scene;
+    scene.lights.resize(ids.size());
+    for (const int id : ids) scene.lightNotes.push_back({.id = id});
+    return scene;
+}
+
+std::vector<int> idsOf(const rtcore::Scene& scene) {
+    std::vector<int> ids;
+    for (const rtcore::LightNotes& notes : scene.lightNotes) ids.push_back(notes.id);
+    return ids;
+}
+
+std::vector<int> numbered(const std::vector<int>& ids) {
+    rtcore::Scene scene = sceneOf(ids);
+    numberLights(scene);
+    return idsOf(scene);
+}
+
+TEST(LightIds, AreTheOrderWhereNoneIsGiven) {
+    rtcore::Scene scene;
+    scene.lights.resize(3);
+    numberLights(scene);
+    EXPECT_EQ(idsOf(scene), (std::vector<int>{1, 2, 3}));
+    EXPECT_EQ(scene.lightNames.size(), 3U);
+}
+
+TEST(LightIds, OfFilesStay) {
+    EXPECT_EQ(numbered({7, 3}), (std::vector<int>{7, 3}));
+    EXPECT_EQ(numbered({0, 9, 0}), (std::vector<int>{1, 9, 3}));
+}
+
+TEST(LightIds, AreNeverTheSameTwice) {
+    EXPECT_EQ(numbered({2, 0, 0, 4, 0}), (std::vector<int>{2, 3, 5, 4, 6}));
+    EXPECT_EQ(numbered({0, 1}), (std::vector<int>{2, 1}));
+}
+
+TEST(LightIds, FindTheirLight) {
+    const rtcore::Scene scene = sceneOf({7, 3});
+    EXPECT_EQ(lightWithId(scene, 3), 1U);
+    EXPECT_FALSE(lightWithId(scene, 1));
+    EXPECT_FALSE(lightWithId(scene, 0));
+}
+
+TEST(LightIds, OfNewLightsAreAboveAll) {
+    EXPECT_EQ(nextLightId(sceneOf({})), 1);
+    EXPECT_EQ(nextLightId(sceneOf({7, 3})), 8);
+    EXPECT_EQ(nextLightId(sceneOf({rtcore::kMostLightId, 1})), 2);
+}
+
+} // namespace

@@ -1,0 +1,94 @@
+#include "rtcore/sky/scene_sky.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+namespace {
+
+using rtcore::Colour;
+using rtcore::Environment;
+using rtcore::Scene;
+using rtcore::Sky;
+using rtcore::TexelFilter;
+using rtcore::Vec3;
+
+/// Bright ahead (-z), dark elsewhere.
+Environment brightAhead() {
+    rtcore::HdrImage image(64, 32, {0.1F, 0.1F, 0.1F});
+    for (int y = 10; y < 22; ++y)
+        for (int x = 26; x < 38; ++x) image.at(x, y) = {9, 8, 7};
+    return Environment::fromEquirectangular(image, "spot");
+}
+
+Scene litScene() {
+    Scene scene;
+    scene.lights.resize(1);
+    scene.lightNames = {"left"};
+    addEnvironment(scene, {.files = {"spot.hdr"}, .name = "spot"}, brightAhead());
+    return scene;
+}
+
+TEST(SceneSky, TurnsAnEnvironmentAndItsLightAlike) {
+    Scene scene = litScene();
+    const auto before = scene.environments[0];
+    setEnvironmentRotation(scene, 0, 90);
+    const Environment& turned = *scene.environments[0];
+    const Vec3 right{1, 0, 0}, ahead{0, 0, -1};
+    EXPECT_GT(turned.radiance(right, TexelFilter::Bilinear).r, 8);
+    EXPECT_LT(turned.radiance(ahead, TexelFilter::Bilinear).r, 0.2F);
+    EXPECT_GT(before->radiance(ahead, TexelFilter::Bilinear).r, 8) << "copies of scenes share it";
+    EXPECT_NEAR(turned.light().open(right).r / before->light().open(ahead).r, 1, 0.02F);
+    EXPECT_LT(turned.light().open({-1, 0, 0}).r, 0.5F * turned.light().open(right).r);
+    EXPECT_EQ(scene.environmentFiles[0].rotation, 90);
+    setEnvironmentRotation(scene, 0, 0);
+    EXPECT_EQ(scene.environments[0]->radiance(right, TexelFilter::Nearest),
+              before->radiance(right, TexelFilter::Nearest));
+}
+
+TEST(SceneSky, RotationIsAboutTheUpAxis) {
+    Scene scene = litScene();
+    setEnvironmentRotation(scene, 0, 30);
+    scene.up = {0, 0, 1};
+    straightenSky(scene);
+    EXPECT_GT(scene.environments[0]->radiance({0, 0, -1}, TexelFilter::Bilinear).r, 8);
+}
+
+TEST(SceneSky, ComesAndGoesWithItsLight) {
+    Scene scene = litScene();
+    setSky(scene, Sky{});
+    ASSERT_EQ(scene.environments.size(), 2U);
+    EXPECT_EQ(skyEnvironmentOf(scene), 1U);
+    EXPECT_EQ(scene.activeEnvironment, 1);
+    ASSERT_EQ(sunOf(scene), 1U);
+    EXPECT_EQ(scene.lightNames[1], "sun");
+    scene.lights[1].on = 0;
+    Sky evening;
+    evening.date->second = 18 * 3600;
+    const Vec3 noon = scene.lights[1].direction;
+    setSky(scene, evening);
+    EXPECT_EQ(scene.lights.size(), 2U);
+    EXPECT_NE(scene.lights[1].direction, noon);
+    EXPECT_EQ(scene.lights[1].on, 0U) << "stays switched off";
+    EXPECT_EQ(addEnvironment(scene, {.files = {"b.hdr"}, .name = "b"}, brightAhead()), 1U);
+    EXPECT_EQ(scene.activeEnvironment, 2) << "still the sky";
+    setSky(scene, std::nullopt);
+    EXPECT_EQ(scene.environments.size(), 2U);
+    EXPECT_EQ(scene.lightNames, std::vector<std::string>{"left"});
+    EXPECT_EQ(scene.activeEnvironment, 0);
+    EXPECT_FALSE(sunOf(scene));
+}
+
+TEST(SceneSky, ASunThatWasTakenAwayStaysAway) {
+    Scene scene = litScene();
+    setSky(scene, Sky{});
+    scene.lights.pop_back();
+    scene.lightNames.pop_back();
+    setSky(scene, Sky{.turbidity = 5});
+    EXPECT_EQ(scene.lights.size(), 1U);
+    setSky(scene, std::nullopt);
+    EXPECT_EQ(scene.lightNames, std::vector<std::string>{"left"});
+}
+
+} // namespace

@@ -1,0 +1,112 @@
+#include "rtcore/sky/sky_light.h"
+#include "rtcore/sky/sun_position.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+using rtcore::Colour;
+using rtcore::Environment;
+using rtcore::Sky;
+using rtcore::SkyLight;
+using rtcore::TexelFilter;
+using rtcore::Vec3;
+
+/// On a summer day at 45 degrees north, at an hour of the sun's own time.
+Sky skyAt(int hour) {
+    Sky sky;
+    sky.date = rtcore::SunDate{.second = hour * 3600};
+    return sky;
+}
+
+Sky skyTowards(Vec3 direction) {
+    Sky sky;
+    sky.date.reset();
+    sky.direction = direction;
+    return sky;
+}
+
+/// By a grid of directions.
+Vec3 brightestDirection(const Environment& environment) {
+    Vec3 best{};
+    float most = -1;
+    for (float y = -0.995F; y < 1; y += 0.01F) {
+        for (float angle = 0; angle < 6.283F; angle += 0.01F) {
+            const float ring = std::sqrt(1 - y * y);
+            const Vec3 direction{ring * std::cos(angle), y, ring * std::sin(angle)};
+            const float seen = rtcore::luminance(environment.radiance(direction, TexelFilter::Bilinear));
+            if (seen > most) {
+                most = seen;
+                best = direction;
+            }
+        }
+    }
+    return best;
+}
+
+TEST(SkyLightOf, TheLightComesFromWhereTheSkyIsBrightest) {
+    for (const Vec3 up : {Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{1, 0, 0}}) {
+        const Vec3 sun = rtcore::normalize(up * 0.6F + Vec3{0.3F, 0.4F, 0.5F});
+        const SkyLight light = skyLightOf(skyTowards(sun * 7.0F), up);
+        EXPECT_EQ(light.sun.kind, rtcore::LightKind::Directional);
+        EXPECT_GT(dot(light.sun.direction * -1.0F, sun), 0.99999F);
+        EXPECT_GT(dot(brightestDirection(*light.environment), sun), 0.999F);
+    }
+}
+
+TEST(SkyLightOf, TheSunIsInTheEastInTheMorning) {
+    const Vec3 up{0, 1, 0}; // north is -z, east +x
+    EXPECT_LT(skyLightOf(skyAt(8), up).sun.direction.x, -0.5F);
+    EXPECT_GT(skyLightOf(skyAt(16), up).sun.direction.x, 0.5F);
+    EXPECT_LT(skyLightOf(skyAt(12), up).sun.direction.z, -0.3F); // from the south
+    EXPECT_NEAR(skyLightOf(skyAt(12), up).sun.direction.x, 0, 0.02F);
+}
+
+// The sun's irradiance and the sky's are those of one day: a level plane has 4 to 12 times as much of a high
+// sun through clear air.
+TEST(SkyLightOf, SunAndSkyAreInProportion) {
+    const SkyLight light = skyLightOf(skyTowards({0, 3, 1}), {0, 1, 0});
+    const float sky =
+        rtcore::luminance(light.environment->light().open({0, 1, 0})) * std::numbers::pi_v<float>;
+    const float sun = rtcore::luminance(light.sun.intensity) * -light.sun.direction.y;
+    EXPECT_GT(sun, 4 * sky);
+    EXPECT_LT(sun, 12 * sky);
+    EXPECT_GT(sun, 3); // a white wall: radiance 1 and more
+    EXPECT_LT(sun, 7);
+}
+
+TEST(SkyLightOf, TheGroundScattersBackAFifth) {
+    const SkyLight light = skyLightOf(skyTowards({0, 3, 1}), {0, 1, 0});
+    const Colour ground = light.environment->radiance({0.3F, -1, 0.1F}, TexelFilter::Bilinear);
+    const float sky =
+        rtcore::luminance(light.environment->light().open({0, 1, 0})) * std::numbers::pi_v<float>;
+    const float sun = rtcore::luminance(light.sun.intensity) * -light.sun.direction.y;
+    EXPECT_NEAR(rtcore::luminance(ground) / (0.2F * (sun + sky) / std::numbers::pi_v<float>), 1, 0.01F);
+    const Colour far = light.environment->radiance({1, -0.02F, 0}, TexelFilter::Bilinear);
+    EXPECT_NEAR(rtcore::luminance(far) / rtcore::luminance(ground), 1, 1e-5F);
+}
+
+TEST(SkyLightOf, StrengthScalesBoth) {
+    Sky sky = skyAt(10);
+    const SkyLight one = skyLightOf(sky, {0, 1, 0});
+    sky.strength = 2;
+    const SkyLight two = skyLightOf(sky, {0, 1, 0});
+    EXPECT_EQ(two.sun.intensity, 2 * one.sun.intensity);
+    const Vec3 direction{0.3F, 0.5F, 0.2F};
+    EXPECT_EQ(two.environment->radiance(direction, TexelFilter::Nearest),
+              2 * one.environment->radiance(direction, TexelFilter::Nearest));
+}
+
+TEST(SkyLightOf, AtNightThereIsNoSun) {
+    const SkyLight night = skyLightOf(skyAt(0), {0, 1, 0});
+    EXPECT_TRUE(rtcore::isBlack(night.sun.intensity));
+    const SkyLight noon = skyLightOf(skyAt(12), {0, 1, 0});
+    EXPECT_LT(rtcore::luminance(night.environment->meanRadiance()),
+              1e-4F * rtcore::luminance(noon.environment->meanRadiance()));
+}
+
+} // namespace
