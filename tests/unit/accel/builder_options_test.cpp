@@ -170,7 +170,9 @@ TEST(BuilderCancel, StopsInTheMiddleAndTheNextBuildIsWhole) {
             }
             user.request_stop();
             user.join();
-            if (cancelled) EXPECT_LT(progress.finished, sample.triangles.size());
+            if (cancelled) {
+                EXPECT_LT(progress.finished, sample.triangles.size());
+            }
         }
         EXPECT_TRUE(cancelled);
 
