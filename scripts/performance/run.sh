@@ -79,7 +79,11 @@ if [ $# -eq 0 ] && [ -n "${RT_TEST_SCENES:-}" ]; then
 fi
 for model in "$@"; do
     if [ -e "$model" ]; then
-        row "$(basename "$model")" - "$model"
+        # What a model shows first is lit by a sky; figures are those of the light beside the viewer.
+        case $model in
+        *.scn) row "$(basename "$model")" - "$model" ;;
+        *) row "$(basename "$model"), headlight" - "$model" --look=headlight ;;
+        esac
     else
         echo "performance: $model is not there" >&2
     fi

@@ -67,8 +67,10 @@ std::string jsonReport(std::span<const SceneFigures> scenes) {
     for (const SceneFigures& scene : scenes) {
         Json rays = Json::object();
         for (const RayFigures& f : scene.rays) rays[std::string(f.test->name)] = rayJson(f);
-        json["scenes"].push_back(
-            Json{{"name", scene.name()}, {"triangles", scene.triangles}, {"rays", std::move(rays)}});
+        json["scenes"].push_back(Json{{"name", scene.name()},
+                                      {"triangles", scene.triangles},
+                                      {"look", "headlight"},
+                                      {"rays", std::move(rays)}});
         for (const TreeFigures& tree : scene.trees)
             json["scenes"].back()["bytesPerTriangle"][tree.name] = rounded(tree.bytes);
     }

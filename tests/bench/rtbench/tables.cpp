@@ -80,7 +80,7 @@ std::string meanLine(const std::string& name, std::initializer_list<std::optiona
 } // namespace
 
 std::string sceneTable(const SceneFigures& scene, bool modes) {
-    std::string text = print("%s: %zu triangles\n", scene.name().c_str(), scene.triangles);
+    std::string text = print("%s: %zu triangles, headlight\n", scene.name().c_str(), scene.triangles);
     if (!scene.rays.empty()) text += rayHeading(scene.rays.front());
     for (const RayFigures& figures : scene.rays) {
         text += rayLine(figures);

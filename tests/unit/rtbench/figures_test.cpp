@@ -50,7 +50,7 @@ TEST(Means, CountEachSceneOnce) {
 TEST(JsonReport, HasTheDocumentedNames) {
     const auto json = nlohmann::json::parse(rtbench::jsonReport(std::vector{scene("a", "one", 2, 4)}));
     const auto expected = nlohmann::json::parse(
-        R"({"scenes": [{"name": "a one", "triangles": 12, "rays": {"primary": {"ours": 50.0, "embree": 25.0,
+        R"({"scenes": [{"name": "a one", "triangles": 12, "look": "headlight", "rays": {"primary": {"ours": 50.0, "embree": 25.0,
             "mode": "high 16 coherent", "ratio": 2.0, "ratioRobust": 4.0, "spread": 0.0123}}}],
             "geomean": {"primary": 2.0}, "geomeanRobust": {"primary": 4.0},
             "geomeanOfMedians": {"primary": 2.0}, "geomeanOfMediansRobust": {"primary": 4.0}})");
