@@ -33,6 +33,14 @@ std::uint64_t allSamples(const rtcore::RenderSettings& settings) {
            size(settings.antialiasing);
 }
 
+/// A tree that was built for few rays tells that there are few.
+rtcore::KdTree visibleTreeOf(const rtcore::LoadedScene& loaded, const RendererOptions& options) {
+    rtcore::BuildOptions build;
+    build.threads = options.threads;
+    return loaded.fastTree ? rtcore::visibleTree(loaded.tree, loaded.scene)
+                           : rtcore::buildVisibleTree(loaded.tree, loaded.scene, build);
+}
+
 std::string_view asText(const std::vector<std::byte>& bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
@@ -43,7 +51,7 @@ PictureMaker::PictureMaker(rtcore::LoadedScene scene, std::vector<rtcore::Settin
                            const RendererOptions& options, app::Progress& progress)
     : loaded_(std::move(scene)), lights_(loaded_.scene.lights), environment_(loaded_.scene.activeEnvironment),
       settingsFile_(std::move(settingsFile)), options_(options), progress_(progress),
-      tree_(rtcore::visibleTree(loaded_.tree, loaded_.scene)),
+      tree_(visibleTreeOf(loaded_, options)),
       tracer_(tree_, loaded_.scene.mesh(), chooseLeafRecords(tree_, knownRays(options))) {}
 
 FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {

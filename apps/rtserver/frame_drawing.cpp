@@ -55,7 +55,9 @@ bool FrameDrawing::takeChange() { return std::exchange(arrivals_.change, false);
 
 SceneUpkeep::Pace FrameDrawing::pace() {
     noticeScene();
-    return {.complete = !frames_.stale(state_) && frames_.whole(),
+    const bool current = !frames_.stale(state_);
+    return {.current = current,
+            .complete = current && frames_.whole(),
             .idle = idle(),
             .seconds = frames_.seconds(),
             .coarsest = schedule_.coarsest()};

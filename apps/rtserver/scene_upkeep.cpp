@@ -73,8 +73,12 @@ void SceneUpkeep::noticeChanges() {
     using rtcore::Change;
     const rtcore::Changes changes = changes_.take(state_.revisions());
     if (changes.has(Change::Scene)) {
-        refinement_.reset();
+        giveUp(std::move(refinement_));
         treeless_ = false;
+    }
+    if (changes.hasAny({Change::Scene, Change::Visibility})) {
+        giveUp(std::move(visible_));
+        prunedOnly_ = false;
     }
     // Maps hold what stands where, and what light passes through it.
     const bool solid = changes.hasAny({Change::Scene, Change::Material, Change::Visibility, Change::Section});
@@ -95,15 +99,26 @@ const rtcore::ShadowMaps* SceneUpkeep::shadowMaps() {
 void SceneUpkeep::advance(const Pace& pace) {
     if (!state_.ready()) return;
     noticeChanges();
+    std::erase_if(leaving_, [](const auto& each) { return each->done(); });
     refineTree(pace);
+    buildVisible(pace);
     mapShadows(pace);
+}
+
+// Its thread may need a while to notice, for which frames do not wait.
+void SceneUpkeep::giveUp(std::unique_ptr<TreeRefinement> refinement) {
+    if (refinement == nullptr) return;
+    refinement->giveUp();
+    leaving_.push_back(std::move(refinement));
 }
 
 void SceneUpkeep::refineTree(const Pace& pace) {
     if (refinement_ == nullptr) {
         // After the first frame, which nothing should slow down.
         if (!state_.world().loaded.fastTree || treeless_ || !pace.complete) return;
-        refinement_ = std::make_unique<TreeRefinement>(state_.world().loaded.scene.model, options_.threads);
+        const rtcore::LoadedScene& loaded = state_.world().loaded;
+        refinement_ =
+            std::make_unique<TreeRefinement>(loaded.scene, nullptr, loaded.tree.bounds, options_.threads);
     }
     if (!refinement_->done()) return;
     const std::unique_ptr<TreeRefinement> refinement = std::move(refinement_);
@@ -113,6 +128,26 @@ void SceneUpkeep::refineTree(const Pace& pace) {
         Messages::print("the exact kd-tree is in use; it took " + shortNumber(result.seconds) + " s");
     } catch (const std::bad_alloc&) { // then the fast one has to do
         treeless_ = true;
+    }
+}
+
+// Soon, also while something moves, but after a first frame.
+void SceneUpkeep::buildVisible(const Pace& pace) {
+    if (visible_ == nullptr) {
+        const bool needed = state_.prunes() && !prunedOnly_;
+        if (!needed || !pace.current || refinement_ != nullptr) return;
+        const rtcore::Scene& scene = *state_.scene();
+        visible_ = std::make_unique<TreeRefinement>(scene, scene.hiddenParts,
+                                                    state_.world().loaded.tree.bounds, options_.threads);
+    }
+    if (!visible_->done()) return;
+    try {
+        TreeRefinement::Result result = std::exchange(visible_, nullptr)->take();
+        state_.useVisibleTree(std::move(result.tree), std::move(result.tracer), result.hidden);
+        Messages::print("the kd-tree of the visible parts is in use; it took " + shortNumber(result.seconds) +
+                        " s");
+    } catch (const std::bad_alloc&) {
+        prunedOnly_ = true;
     }
 }
 

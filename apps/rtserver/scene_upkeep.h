@@ -1,5 +1,5 @@
 /// What is done beside the frames for the scene that is shown: loading another one, building the exact tree
-/// of a large one, making its shadow maps.
+/// of a large one, and that of what hidden parts leave, making its shadow maps.
 #pragma once
 
 #include "rtserver/failure.h"
@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace rtserver {
 
@@ -44,17 +45,18 @@ class SceneUpkeep {
 
     /// How the frames of the scene come.
     struct Pace {
-        bool complete = false; ///< the last one shows all of the current state
+        bool current = false;  ///< the last one shows the current state, maybe coarsely
+        bool complete = false; ///< it shows all of it
         bool idle = false;     ///< nothing else is to be done
         double seconds = 0;    ///< that it took
         double coarsest = 0;   ///< seconds of the coarsest ones; 0 = not known
     };
-    /// Takes over what is done, and begins what helps: the exact tree, by which frames have the same bits and
+    /// Takes over what is done, and begins what helps: better trees, by which frames have the same bits and
     /// come faster, and shadow maps, by which coarse frames are quicker and less exact.
     void advance(const Pace& pace);
 
     /// Whether anything is under way.
-    bool works() const { return load_ || refinement_ || mapping_; }
+    bool works() const { return load_ || refinement_ || visible_ || mapping_; }
     /// Those of the scene as it is now; null where there are none. Until the next call of any function.
     const rtcore::ShadowMaps* shadowMaps();
 
@@ -62,7 +64,9 @@ class SceneUpkeep {
     void show(std::unique_ptr<World> world);
     void tellFrame();
     void noticeChanges();
+    void giveUp(std::unique_ptr<TreeRefinement> refinement);
     void refineTree(const Pace& pace);
+    void buildVisible(const Pace& pace);
     void mapShadows(const Pace& pace);
 
     const Options& options_;
@@ -72,6 +76,9 @@ class SceneUpkeep {
     std::unique_ptr<SceneLoad> load_;
     std::unique_ptr<TreeRefinement> refinement_;
     bool treeless_ = false; ///< there was no memory for the exact tree
+    std::unique_ptr<TreeRefinement> visible_;
+    bool prunedOnly_ = false;                              ///< nor for that of what is visible
+    std::vector<std::unique_ptr<TreeRefinement>> leaving_; ///< given up, their threads not yet at their end
     std::unique_ptr<ShadowMapping> mapping_;
     std::unique_ptr<const rtcore::ShadowMaps> maps_;
     std::shared_ptr<const rtcore::Scene> mapped_; ///< what these two are of

@@ -148,16 +148,25 @@ void ServerState::useTree(rtcore::KdTree tree, std::shared_ptr<const rtcore::KdR
     world_->loaded.tree = std::move(tree);
     world_->loaded.fastTree = false;
     world_->tracer = std::move(tracer);
+    if (scene_->hiddenParts != nullptr && !prunes_) return;
     makeTree();
+    player_->useTree(tree_);
+}
+
+void ServerState::useVisibleTree(rtcore::KdTree tree, std::shared_ptr<const rtcore::KdRayTracer> tracer,
+                                 const rtcore::HiddenParts& hidden) {
+    if (!rtcore::sameHidden(hidden, scene_->hiddenParts)) return;
+    tree_ = std::move(tree);
+    tracer_ = std::move(tracer);
+    prunes_ = false;
     player_->useTree(tree_);
 }
 
 void ServerState::makeTree() {
     const rtcore::LoadedScene& loaded = world_->loaded;
     tree_ = rtcore::visibleTree(loaded.tree, *scene_);
-    tracer_ = scene_->hiddenParts == nullptr ? world_->tracer
-                                             : std::make_shared<const rtcore::KdRayTracer>(
-                                                   tree_, loaded.scene.mesh(), chooseLeafRecords(tree_, 0));
+    prunes_ = scene_->hiddenParts != nullptr;
+    tracer_ = prunes_ ? std::make_shared<const rtcore::KdRayTracer>(tree_, *world_->tracer) : world_->tracer;
 }
 
 void ServerState::setCamera(const rtcore::Camera& camera) {

@@ -66,6 +66,11 @@ class ServerState {
     const rtcore::Revisions& revisions() const { return revisions_; }
     /// The exact tree of the same scene, with its tracer. The frames stay the same.
     void useTree(rtcore::KdTree tree, std::shared_ptr<const rtcore::KdRayTracer> tracer);
+    /// What is visible is traced by the pruned tree of all, by which rays are slower than by one of its own.
+    bool prunes() const { return prunes_; }
+    /// One built of what is visible. The frames stay the same. Nothing where other parts are hidden by now.
+    void useVisibleTree(rtcore::KdTree tree, std::shared_ptr<const rtcore::KdRayTracer> tracer,
+                        const rtcore::HiddenParts& hidden);
     std::string title() const; ///< for messages
     /// Of what is shown: without hidden parts. A thread of its own that traces keeps it, together with a
     /// scene: that owns the triangles.
@@ -222,6 +227,7 @@ class ServerState {
     std::unique_ptr<World> world_;
     std::shared_ptr<const rtcore::Scene> scene_;
     rtcore::KdTree tree_; ///< of what is shown
+    bool prunes_ = false; ///< that is a pruned one
     std::shared_ptr<const rtcore::KdRayTracer> tracer_;
     rtcore::Revisions revisions_;
     std::unique_ptr<rtcore::Player> player_; ///< refers to *world_ and tree_

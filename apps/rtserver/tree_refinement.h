@@ -1,10 +1,10 @@
-/// The exact kd-tree of a scene that is shown from a fast one meanwhile.
+/// A better kd-tree of a scene that is shown by another one meanwhile.
 #pragma once
 
 #include "rtcore/accel/builder.h"
 #include "rtcore/accel/kd_tree.h"
 #include "rtcore/kernels/ray_tracer.h"
-#include "rtcore/scene/model.h"
+#include "rtcore/scene/scene.h"
 
 #include <future>
 #include <memory>
@@ -12,22 +12,27 @@
 namespace rtserver {
 
 /// A thread of its own builds; all functions are for the one thread that has the object. The destructor gives
-/// the work up.
+/// the work up, and waits until its thread has noticed.
 class TreeRefinement {
   public:
-    TreeRefinement(const rtcore::Model& model, int threads);
+    /// The exact tree of what `hidden` leaves of the scene's model, with the bounds of all that is there.
+    TreeRefinement(const rtcore::Scene& scene, const rtcore::HiddenParts& hidden, const rtcore::Box3& bounds,
+                   int threads);
     ~TreeRefinement();
     TreeRefinement(const TreeRefinement&) = delete;
     TreeRefinement& operator=(const TreeRefinement&) = delete;
 
+    /// Its result will not be taken: the thread ends soon.
+    void giveUp() { progress_.cancel = true; }
     bool done() const;
 
     struct Result {
         rtcore::KdTree tree;
         std::shared_ptr<const rtcore::KdRayTracer> tracer; ///< of that tree
+        rtcore::HiddenParts hidden;
         double seconds = 0;
     };
-    /// Once, when done(). Throws std::bad_alloc: the fast tree has to do then.
+    /// Once, when done(). Throws std::bad_alloc: the other tree has to do then.
     Result take() { return result_.get(); }
 
   private:

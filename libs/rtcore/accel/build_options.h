@@ -1,8 +1,11 @@
 /// How a kd-tree is built.
 #pragma once
 
+#include "rtcore/math/box.h"
+
 #include <atomic>
 #include <cstdint>
+#include <optional>
 
 namespace rtcore {
 
@@ -23,6 +26,7 @@ struct BuildOptions {
     int fastQuality = 5; ///< 1..10, Fast only: up to kQuickQuality few candidates and samples, above it more
                          ///< and more bins, and small nodes exactly
     int threads = 0;     ///< 0 = all cores; the tree does not depend on it
+    std::optional<Box3> bounds = {}; ///< of the tree, in place of those of the triangles, which lie inside
 };
 
 /// Seconds of each phase, filled by the builder.

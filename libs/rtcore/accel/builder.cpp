@@ -43,16 +43,16 @@ int depthLimit(std::size_t triangles) {
     return std::min(kMaxKdDepth - 1, 10 + log2 + log2 / 2);
 }
 
-KdTree emptyTree() {
+KdTree emptyTree(const BuildOptions& options) {
     Subtree leaf;
     leaf.nodes.emplace_back();
-    return stitch(leaf, Box3{});
+    return stitch(leaf, options.bounds.value_or(Box3{}));
 }
 
 /// Inside a parallel region, by one thread.
 KdTree build(BuildContext& context, const BuildOptions& options, BuildTimes& times) {
     Stopwatch watch;
-    const Box3 bounds = boundsInTasks(context.mesh);
+    const Box3 bounds = options.bounds ? *options.bounds : boundsInTasks(context.mesh);
     context.margin = clipMargin(bounds);
     std::unique_ptr<Subtree> root;
     if (options.method == BuildMethod::Fast) {
@@ -84,7 +84,7 @@ float automaticIntersectionCost(std::size_t triangles) {
 KdTree buildKdTree(const Mesh& mesh, const BuildOptions& options, BuildTimes* times,
                    BuildProgress* progress) {
     const std::size_t triangles = mesh.triangles.size();
-    if (triangles == 0) return emptyTree();
+    if (triangles == 0) return emptyTree(options);
     if (triangles > kEventTriangleMask)
         throw std::length_error("a scene may have at most 2^30 - 1 triangles");
 

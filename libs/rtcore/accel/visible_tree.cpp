@@ -1,5 +1,8 @@
 #include "rtcore/accel/visible_tree.h"
 
+#include "rtcore/accel/builder.h"
+#include "rtcore/accel/uninitialized_array.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -10,63 +13,65 @@ namespace rtcore {
 namespace {
 
 struct PrunedArrays {
-    std::vector<KdNode> nodes;
-    std::vector<std::uint32_t> references;
+    UninitializedArray<KdNode> nodes;
+    UninitializedArray<std::uint32_t> references;
 };
 
-std::span<const std::uint32_t> referencesOf(const KdTree& tree, KdNode leaf) {
-    return tree.references.subspan(leaf.firstReference, leaf.count());
+/// The leaf with its visible triangles first. `to` gets all of them: behind a leaf, vectors read on.
+KdNode visibleLeaf(const KdTree& tree, KdNode leaf, std::span<const std::uint8_t> hidden, std::uint32_t* to) {
+    const std::uint32_t* const from = tree.references.data() + leaf.firstReference;
+    std::copy_n(from, leaf.count(), to);
+    std::uint32_t* const end = std::stable_partition(
+        to, to + leaf.count(), [&](std::uint32_t triangle) { return hidden[triangle] == 0; });
+    return KdNode::leaf(leaf.firstReference, static_cast<std::uint32_t>(end - to));
 }
 
-/// By node: whether nothing below it is seen. Children lie behind their parents.
-std::vector<bool> emptyNodes(const KdTree& tree, std::span<const std::uint8_t> hidden) {
-    std::vector<bool> empty(tree.nodes.size());
-    for (std::size_t i = tree.nodes.size(); i-- > 0;) {
-        const KdNode node = tree.nodes[i];
-        if (node.isLeaf()) {
-            const auto triangles = referencesOf(tree, node);
-            empty[i] = std::all_of(triangles.begin(), triangles.end(),
-                                   [&](std::uint32_t triangle) { return hidden[triangle] != 0; });
-        } else {
-            empty[i] = empty[node.lowerChild()] && empty[node.lowerChild() + 1];
-        }
-    }
-    return empty;
-}
-
-void addLeaf(const KdTree& tree, KdNode leaf, std::span<const std::uint8_t> hidden, KdNode& to,
-             PrunedArrays& out) {
-    const auto first = static_cast<std::uint32_t>(out.references.size());
-    for (const std::uint32_t triangle : referencesOf(tree, leaf)) {
-        if (hidden[triangle] == 0) out.references.push_back(triangle);
-    }
-    to = KdNode::leaf(first, static_cast<std::uint32_t>(out.references.size()) - first);
-}
+bool isEmpty(KdNode node) { return node.isLeaf() && node.count() == 0; }
 
 } // namespace
 
 KdTree visibleTree(const KdTree& tree, std::span<const std::uint8_t> hidden) {
-    const std::vector<bool> empty = emptyNodes(tree, hidden);
-    auto out = std::make_shared<PrunedArrays>();
-    out->nodes.resize(1);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> open{{0, 0}}; // from, to
-    while (!open.empty()) {
-        const auto [from, to] = open.back();
-        open.pop_back();
-        const KdNode node = tree.nodes[from];
-        if (empty[from]) {
-            out->nodes[to] = KdNode::leaf(static_cast<std::uint32_t>(out->references.size()), 0);
-        } else if (node.isLeaf()) {
-            addLeaf(tree, node, hidden, out->nodes[to], *out);
-        } else {
-            const auto lower = static_cast<std::uint32_t>(out->nodes.size());
-            out->nodes.resize(out->nodes.size() + 2);
-            out->nodes[to] = KdNode::inner(node.axis(), node.split, lower);
-            open.emplace_back(node.lowerChild() + 1, lower + 1);
-            open.emplace_back(node.lowerChild(), lower);
-        }
+    const std::size_t count = tree.nodes.size();
+    auto out = std::make_shared<PrunedArrays>(PrunedArrays{
+        UninitializedArray<KdNode>(count), UninitializedArray<std::uint32_t>(tree.references.size())});
+    KdNode* const nodes = out->nodes.data();
+    std::uint32_t* const references = out->references.data();
+#pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < count; ++i) {
+        const KdNode node = tree.nodes[i];
+        const bool triangles = node.isLeaf() && node.count() > 0;
+        nodes[i] = triangles ? visibleLeaf(tree, node, hidden, references + node.firstReference) : node;
     }
-    return {out->nodes, out->references, tree.bounds, out};
+    for (std::size_t i = count; i-- > 0;) { // children lie behind their parents
+        const KdNode node = nodes[i];
+        if (node.isLeaf() || !isEmpty(nodes[node.lowerChild()]) || !isEmpty(nodes[node.lowerChild() + 1]))
+            continue;
+        nodes[i] = KdNode::leaf(0, 0);
+    }
+    return {{nodes, count}, {references, tree.references.size()}, tree.bounds, out};
+}
+
+KdTree buildVisibleTree(const Mesh& mesh, std::span<const std::uint8_t> hidden, const Box3& bounds,
+                        BuildOptions options, BuildProgress* progress) {
+    std::vector<Triangle> triangles;
+    std::vector<std::uint32_t> numbers; ///< of these, in the whole mesh: ascending, as references are
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+        if (hidden[i] != 0) continue;
+        triangles.push_back(mesh.triangles[i]);
+        numbers.push_back(i);
+    }
+    Mesh visible = mesh;
+    visible.triangles = triangles;
+    options.bounds = bounds;
+    const KdTree tree = buildKdTree(visible, options, nullptr, progress);
+    struct Renumbered {
+        std::shared_ptr<const void> nodes;
+        std::vector<std::uint32_t> references;
+    };
+    auto out = std::make_shared<Renumbered>(Renumbered{tree.storage, {}});
+    out->references.reserve(tree.references.size());
+    for (const std::uint32_t reference : tree.references) out->references.push_back(numbers[reference]);
+    return {tree.nodes, out->references, bounds, out};
 }
 
 } // namespace rtcore

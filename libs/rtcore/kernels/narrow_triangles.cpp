@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace rtcore {
 
@@ -33,7 +34,10 @@ std::vector<float> noiseOfAll(const Mesh& mesh) {
 
 } // namespace
 
-NarrowTriangles::NarrowTriangles(const KdTree& tree, const Mesh& mesh) : noise(noiseOfAll(mesh)) {
+NarrowTriangles::NarrowTriangles(const KdTree& tree, const Mesh& mesh)
+    : NarrowTriangles(tree, noiseOfAll(mesh)) {}
+
+NarrowTriangles::NarrowTriangles(const KdTree& tree, std::vector<float> known) : noise(std::move(known)) {
     if (noise.empty()) return;
     references.assign(tree.references.begin(), tree.references.end());
     bits.resize((references.size() + 31) / 32);

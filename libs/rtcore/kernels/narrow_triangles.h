@@ -12,6 +12,8 @@ namespace rtcore {
 /// Empty where a scene has no narrow triangles.
 struct NarrowTriangles {
     NarrowTriangles(const KdTree& tree, const Mesh& mesh);
+    /// `known`: narrowNoise() of each triangle of the mesh, or nothing where none is narrow.
+    NarrowTriangles(const KdTree& tree, std::vector<float> known);
 
     /// narrowNoise() of it.
     float noiseOf(std::uint32_t triangle) const { return noise.empty() ? 0 : noise[triangle]; }

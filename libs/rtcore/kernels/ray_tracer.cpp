@@ -5,6 +5,7 @@
 #include "rtcore/kernels/wave_kernels.h"
 
 #include <memory>
+#include <utility>
 
 namespace rtcore {
 
@@ -41,7 +42,13 @@ LeafRecords chooseLeafRecords(const KdTree& tree, std::uint64_t expectedRays) {
 }
 
 KdRayTracer::KdRayTracer(const KdTree& tree, const Mesh& mesh, LeafRecords records)
-    : tree_(tree), mesh_(mesh), narrow_(tree, mesh),
+    : KdRayTracer(tree, mesh, NarrowTriangles(tree, mesh), records) {}
+
+KdRayTracer::KdRayTracer(const KdTree& tree, const KdRayTracer& whole)
+    : KdRayTracer(tree, whole.mesh_, NarrowTriangles(tree, whole.narrow_.noise), LeafRecords::Shared) {}
+
+KdRayTracer::KdRayTracer(const KdTree& tree, const Mesh& mesh, NarrowTriangles narrow, LeafRecords records)
+    : tree_(tree), mesh_(mesh), narrow_(std::move(narrow)),
       records_(records == LeafRecords::Inline
                    ? makeLeafRecords(tree, narrow_.bits.empty() ? tree.references : narrow_.references, mesh)
                    : UninitializedArray<float>{}),

@@ -55,6 +55,8 @@ LeafRecords chooseLeafRecords(const KdTree& tree, std::uint64_t expectedRays);
 class KdRayTracer final : public RayTracer {
   public:
     KdRayTracer(const KdTree& tree, const Mesh& mesh, LeafRecords records = LeafRecords::Inline);
+    /// At once: by a tree of a part of what `whole` has, with LeafRecords::Shared. `whole` may go.
+    KdRayTracer(const KdTree& tree, const KdRayTracer& whole);
 
     void intersect(RayKind kind, const RayWave& rays, HitWave& hits) const override;
     void occluded(RayKind kind, const RayWave& rays, std::vector<std::uint8_t>& occluded) const override;
@@ -71,6 +73,8 @@ class KdRayTracer final : public RayTracer {
     std::size_t memory() const;
 
   private:
+    KdRayTracer(const KdTree& tree, const Mesh& mesh, NarrowTriangles narrow, LeafRecords records);
+
     KdTree tree_;
     Mesh mesh_;
     NarrowTriangles narrow_;

@@ -9,8 +9,11 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <thread>
+#include <vector>
 
 namespace rtserver {
 namespace {
@@ -42,7 +45,7 @@ class SceneUpkeepTest : public test::ShownRoom {
     }
     void makeMaps() {
         state.frameSeconds = 0.01;
-        advance({.complete = true, .idle = true, .seconds = 1, .coarsest = 0});
+        advance({.current = true, .complete = true, .idle = true, .seconds = 1, .coarsest = 0});
     }
 
     test::TemporaryFolder folder;
@@ -95,27 +98,80 @@ TEST_F(SceneUpkeepTest, AFastTreeIsFollowedByTheExactOne) {
     const auto tracer = state.world().tracer;
     upkeep.advance({});
     EXPECT_FALSE(upkeep.works()) << "the first frame comes first";
-    advance({.complete = true, .idle = false, .seconds = 0, .coarsest = 0});
+    advance({.current = true, .complete = true, .idle = false, .seconds = 0, .coarsest = 0});
     EXPECT_NE(state.world().tracer, tracer);
     EXPECT_FALSE(state.world().loaded.fastTree);
     EXPECT_EQ(changes(), Changes{}) << "the frames are the same";
 }
 
+rtcore::HiddenParts boxHidden() { return std::make_shared<const std::vector<std::uint8_t>>(1, 1); }
+
+TEST_F(SceneUpkeepTest, ATreeOfWhatIsVisibleFollowsThePrunedOne) {
+    state.hideParts(boxHidden());
+    changes();
+    EXPECT_TRUE(state.prunes());
+    const auto pruned = state.tracer();
+    upkeep.advance({});
+    EXPECT_FALSE(upkeep.works()) << "a first frame comes first";
+    test::FakeHost host;
+    test::draw(host.maker, state);
+    const auto before = host.maker.image().pixels;
+    advance({.current = true, .complete = false, .idle = false, .seconds = 0, .coarsest = 0});
+    EXPECT_FALSE(state.prunes());
+    EXPECT_NE(state.tracer(), pruned);
+    EXPECT_NE(state.tracer(), state.world().tracer);
+    EXPECT_EQ(state.tracer()->bounds(), state.world().tracer->bounds());
+    EXPECT_LT(state.tracer()->memory(), state.world().tracer->memory());
+    EXPECT_EQ(changes(), Changes{}) << "the frames are the same";
+    test::draw(host.maker, state);
+    EXPECT_EQ(host.maker.image().pixels, before);
+    state.hideParts(nullptr);
+    EXPECT_EQ(state.tracer(), state.world().tracer);
+}
+
+TEST_F(SceneUpkeepTest, ATreeOfWhatWasVisibleIsNotUsed) {
+    const SceneUpkeep::Pace pace{
+        .current = true, .complete = false, .idle = false, .seconds = 0, .coarsest = 0};
+    state.hideParts(boxHidden());
+    upkeep.advance(pace);
+    EXPECT_TRUE(upkeep.works());
+    state.hideParts(nullptr);
+    advance(pace);
+    EXPECT_EQ(state.tracer(), state.world().tracer);
+    EXPECT_FALSE(upkeep.works());
+    const rtcore::KdTree tree = state.world().loaded.tree;
+    state.useVisibleTree(tree, nullptr, boxHidden());
+    EXPECT_EQ(state.tracer(), state.world().tracer);
+}
+
+TEST_F(SceneUpkeepTest, TheExactTreeLeavesThatOfWhatIsVisible) {
+    rtcore::LoadedScene room = test::makeRoom();
+    room.fastTree = true;
+    state.show(test::worldOf(std::move(room)));
+    state.hideParts(boxHidden());
+    advance({.current = true, .complete = false, .idle = false, .seconds = 0, .coarsest = 0});
+    EXPECT_FALSE(state.prunes());
+    const auto visible = state.tracer();
+    advance({.current = true, .complete = true, .idle = false, .seconds = 0, .coarsest = 0});
+    EXPECT_FALSE(state.world().loaded.fastTree);
+    EXPECT_EQ(state.tracer(), visible);
+}
+
 TEST_F(SceneUpkeepTest, ShadowMapsAreMadeWhereFramesTakeLong) {
-    advance({.complete = true, .idle = true, .seconds = 1, .coarsest = 1});
+    advance({.current = true, .complete = true, .idle = true, .seconds = 1, .coarsest = 1});
     EXPECT_EQ(upkeep.shadowMaps(), nullptr) << "they may take any time";
     state.frameSeconds = 0.01;
-    advance({.complete = true, .idle = true, .seconds = 0.005, .coarsest = 0.002});
+    advance({.current = true, .complete = true, .idle = true, .seconds = 0.005, .coarsest = 0.002});
     EXPECT_EQ(upkeep.shadowMaps(), nullptr) << "they are quick";
-    advance({.complete = true, .idle = false, .seconds = 1, .coarsest = 0.002});
+    advance({.current = true, .complete = true, .idle = false, .seconds = 1, .coarsest = 0.002});
     EXPECT_EQ(upkeep.shadowMaps(), nullptr) << "something else is to be done";
-    advance({.complete = true, .idle = true, .seconds = 1, .coarsest = 0.002});
+    advance({.current = true, .complete = true, .idle = true, .seconds = 1, .coarsest = 0.002});
     EXPECT_NE(upkeep.shadowMaps(), nullptr);
 }
 
 TEST_F(SceneUpkeepTest, ShadowMapsAreMadeAtOnceWhereEvenTheCoarsestFramesTakeLong) {
     state.frameSeconds = 0.01;
-    advance({.complete = false, .idle = false, .seconds = 1, .coarsest = 0.02});
+    advance({.current = false, .complete = false, .idle = false, .seconds = 1, .coarsest = 0.02});
     EXPECT_NE(upkeep.shadowMaps(), nullptr);
 }
 
