@@ -13,6 +13,7 @@
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/post/effects.h"
+#include "rtcore/render/ground_tracer.h"
 #include "rtcore/render/visible_scene.h"
 #include "rtcore/settings/settings_table.h"
 
@@ -52,7 +53,8 @@ PictureMaker::PictureMaker(rtcore::LoadedScene scene, std::vector<rtcore::Settin
     : loaded_(std::move(scene)), lights_(loaded_.scene.lights), environment_(loaded_.scene.activeEnvironment),
       settingsFile_(std::move(settingsFile)), options_(options), progress_(progress),
       tree_(visibleTreeOf(loaded_, options)),
-      tracer_(tree_, loaded_.scene.mesh(), chooseLeafRecords(tree_, knownRays(options))) {}
+      surfaces_(std::make_shared<const rtcore::KdRayTracer>(tree_, loaded_.scene.model.mesh,
+                                                            chooseLeafRecords(tree_, knownRays(options)))) {}
 
 FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     rtcore::Camera camera = loaded_.camera;
@@ -80,7 +82,7 @@ void PictureMaker::writeDebugScene(const std::filesystem::path& cameraFile,
                                    const std::filesystem::path& path) {
     rtcore::Camera camera = loaded_.camera;
     const rtcore::RenderSettings settings = prepare(cameraFile, camera);
-    rtcore::writeDebugScene(path, loaded_.scene, tree_, tracer_, camera, settings.width, settings.height);
+    rtcore::writeDebugScene(path, loaded_.scene, tree_, *surfaces_, camera, settings.width, settings.height);
 }
 
 rtcore::RenderSettings PictureMaker::prepare(const std::filesystem::path& cameraFile,
@@ -111,7 +113,8 @@ void PictureMaker::focus(const rtcore::Camera& camera, rtcore::RenderSettings& s
     }
     const rtcore::CameraRays view(camera, settings.width, settings.height);
     settings.depthOfField.on = true;
-    settings.depthOfField.focus = rtcore::FocusFinder().distance(tracer_, view, x, y);
+    settings.depthOfField.focus =
+        rtcore::FocusFinder().distance(*rtcore::withGround(surfaces_, loaded_.scene), view, x, y);
     if (!options_.verbose) return;
     const bool infinite = settings.depthOfField.focus >= rtcore::kInfiniteFocus;
     progress_.print("focused at " +
@@ -134,7 +137,8 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
     };
     const app::ProgressScope scope(progress_, {"rendering", fraction, &control.cancel}, index, count);
     renderer_.collectAovs(options_.aovs || rtcore::effectsNeedAovs(settings));
-    const rtcore::View view{loaded_.scene, tracer_, camera, settings};
+    const auto tracer = rtcore::withGround(surfaces_, loaded_.scene);
+    const rtcore::View view{loaded_.scene, *tracer, camera, settings};
     const bool whole = preview_ == nullptr ? renderer_.render(view, control, frame_)
                                            : preview_->render(renderer_, view, control, frame_);
     if (!whole) {

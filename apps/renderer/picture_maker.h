@@ -63,7 +63,7 @@ class PictureMaker {
     Preview* preview_ = nullptr;
     bool warned_ = false; ///< that a .cam is of another scene
     rtcore::KdTree tree_; ///< of what is shown
-    rtcore::KdRayTracer tracer_;
+    std::shared_ptr<const rtcore::KdRayTracer> surfaces_;
     // Kept, so that their memory is reused.
     rtcore::FrameRenderer renderer_;
     rtcore::PictureDeveloper developer_;

@@ -75,7 +75,7 @@ void Preview::begin(Work& work) {
     samples_ = 0;
     antialiasing_ = settings.antialiasing;
     status_ = {};
-    status_.polygons = work.view.scene.mesh().triangles.size();
+    status_.polygons = work.view.scene.model.mesh.triangles.size();
     app::setView(work.view.camera, settings.width, settings.height, status_);
     work_ = &work;
 }

@@ -4,6 +4,7 @@
 
 #include "rtcore/io/text/set.h"
 #include "rtcore/motion/player.h"
+#include "rtcore/render/ground_tracer.h"
 #include "rtcore/render/visible_scene.h"
 #include "rtcore/scene/material_edit.h"
 #include "rtcore/settings/settings_table.h"
@@ -94,7 +95,7 @@ void ServerState::show(std::unique_ptr<World> world) {
 void ServerState::makePlayer(const rtcore::Camera& camera) {
     const rtcore::LoadedScene& loaded = world_->loaded;
     player_ = std::make_unique<rtcore::Player>(
-        tree_, loaded.scene.mesh(),
+        tree_, loaded.scene.model.mesh,
         rtcore::PlayerOptions{
             .up = scene_->up, .metresPerUnit = double{scene_->metresPerUnit}, .walk = scene_->walk});
     player_->setCamera(camera);
@@ -110,7 +111,8 @@ void ServerState::setFrame(std::optional<rtcore::Vec3> up, std::optional<double>
 
 void ServerState::guessFrame(bool up, bool unit) {
     const rtcore::LoadedScene& loaded = world_->loaded;
-    const rtcore::UpAndUnit guess = rtcore::guessUpAndUnit(loaded.origin, loaded.tree, loaded.scene.mesh());
+    const rtcore::UpAndUnit guess =
+        rtcore::guessUpAndUnit(loaded.origin, loaded.tree, loaded.scene.model.mesh);
     rtcore::UpAndUnit frame = loaded.frame;
     if (up) {
         frame.up = guess.up;
@@ -137,7 +139,7 @@ void ServerState::useFrame(const rtcore::UpAndUnit& frame) {
     if (recording_) endRecording("the up axis or the unit was changed");
     rtcore::Changes changes{rtcore::Change::View, rtcore::Change::Sky, rtcore::Change::Setting};
     changes.set(rtcore::Change::Light, edited.lights != scene_->lights);
-    scene_ = std::make_shared<const rtcore::Scene>(std::move(edited));
+    putScene(std::move(edited));
     const double speed = player_->speedFactor();
     makePlayer(camera);
     player_->setSpeedFactor(speed);
@@ -157,7 +159,8 @@ void ServerState::useVisibleTree(rtcore::KdTree tree, std::shared_ptr<const rtco
                                  const rtcore::HiddenParts& hidden) {
     if (!rtcore::sameHidden(hidden, scene_->hiddenParts)) return;
     tree_ = std::move(tree);
-    tracer_ = std::move(tracer);
+    surfaces_ = std::move(tracer);
+    tracer_ = rtcore::withGround(surfaces_, *scene_);
     prunes_ = false;
     player_->useTree(tree_);
 }
@@ -166,7 +169,9 @@ void ServerState::makeTree() {
     const rtcore::LoadedScene& loaded = world_->loaded;
     tree_ = rtcore::visibleTree(loaded.tree, *scene_);
     prunes_ = scene_->hiddenParts != nullptr;
-    tracer_ = prunes_ ? std::make_shared<const rtcore::KdRayTracer>(tree_, *world_->tracer) : world_->tracer;
+    surfaces_ =
+        prunes_ ? std::make_shared<const rtcore::KdRayTracer>(tree_, *world_->tracer) : world_->tracer;
+    tracer_ = rtcore::withGround(surfaces_, *scene_);
 }
 
 void ServerState::setCamera(const rtcore::Camera& camera) {
@@ -214,6 +219,11 @@ void ServerState::switchBloom(bool on) {
     takeSettings(settings);
 }
 
+void ServerState::putScene(rtcore::Scene edited) {
+    scene_ = std::make_shared<const rtcore::Scene>(std::move(edited));
+    tracer_ = rtcore::withGround(surfaces_, *scene_);
+}
+
 void ServerState::publish(rtcore::Scene edited) {
     rtcore::Changes changes;
     changes.set(rtcore::Change::Light, edited.lights != scene_->lights || edited.ambient != scene_->ambient);
@@ -225,7 +235,7 @@ void ServerState::publish(rtcore::Scene edited) {
     const bool renamed = edited.lightNames != scene_->lightNames || edited.lightNotes != scene_->lightNotes;
     if (!changes.any() && !renamed) return;
     endOutdatedRecording(edited);
-    scene_ = std::make_shared<const rtcore::Scene>(std::move(edited));
+    putScene(std::move(edited));
     revisions_.note(changes);
     if (changes.has(rtcore::Change::Visibility)) useVisible();
 }

@@ -74,7 +74,7 @@ class ServerState {
     std::string title() const; ///< for messages
     /// Of what is shown: without hidden parts. A thread of its own that traces keeps it, together with a
     /// scene: that owns the triangles.
-    const std::shared_ptr<const rtcore::KdRayTracer>& tracer() const { return tracer_; }
+    const std::shared_ptr<const rtcore::RayTracer>& tracer() const { return tracer_; }
 
     const rtcore::Camera& camera() const { return camera_; }
     /// Throws std::invalid_argument for one that cannot be looked through.
@@ -207,6 +207,7 @@ class ServerState {
     void takeSettings(const rtcore::RenderSettings& settings);
     void makeOf(const EditStep& step, const Shown& from, const Shown& to);
     void takeCamera();
+    void putScene(rtcore::Scene edited);
     void lightBySky();
     void switchHeadlight(rtcore::Scene& scene, bool on) const;
 
@@ -226,9 +227,10 @@ class ServerState {
     Messages& messages_;
     std::unique_ptr<World> world_;
     std::shared_ptr<const rtcore::Scene> scene_;
-    rtcore::KdTree tree_; ///< of what is shown
-    bool prunes_ = false; ///< that is a pruned one
-    std::shared_ptr<const rtcore::KdRayTracer> tracer_;
+    rtcore::KdTree tree_;                                 ///< of what is shown
+    bool prunes_ = false;                                 ///< that is a pruned one
+    std::shared_ptr<const rtcore::KdRayTracer> surfaces_; ///< by that tree
+    std::shared_ptr<const rtcore::RayTracer> tracer_;     ///< of them and of the ground
     rtcore::Revisions revisions_;
     std::unique_ptr<rtcore::Player> player_; ///< refers to *world_ and tree_
     rtcore::Camera camera_;

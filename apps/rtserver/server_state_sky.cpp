@@ -30,7 +30,7 @@ void ServerState::lightBySky() { assign({{"skyLight.on", true}}); }
 void ServerState::setLook(rtcore::Look look) {
     rtcore::Scene edited = *scene_;
     const rtcore::LookLights lights =
-        rtcore::lookLights(look, world_->loaded.tree, edited.mesh(), edited.up, camera_);
+        rtcore::lookLights(look, world_->loaded.tree, edited.model.mesh, edited.up, camera_);
     rtcore::lightBy(edited, lights);
     publish(std::move(edited));
     assign(rtcore::settingsOf(look, lights));

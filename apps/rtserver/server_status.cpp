@@ -14,7 +14,7 @@ ipc::Status statusOf(const ServerState& state, const FrameMaker& frames, const A
     if (!state.ready()) return status;
     status.frameSeconds = frames.seconds();
     status.raysPerSecond = frames.seconds() > 0 ? static_cast<double>(frames.rays()) / frames.seconds() : 0;
-    status.polygons = state.scene()->mesh().triangles.size();
+    status.polygons = state.scene()->model.mesh.triangles.size();
     app::setView(state.camera(), state.settings().width, state.settings().height, status);
     status.mode = state.onUnseenFloor() ? 2 : state.walking() ? 1 : 0;
     status.exposure = frames.exposure();

@@ -87,6 +87,10 @@ Result skyStrength(const Call& call) {
     return editSky(call, [&](rtcore::Sky& sky) { sky.strength = number(call[0]); });
 }
 
+Result skyGround(const Call& call) {
+    return editSky(call, [&](rtcore::Sky& sky) { sky.ground = flag(call[0]); });
+}
+
 Result look(const Call& call) {
     call.state.setLook(*rtcore::lookNamed(call[0]));
     return {};
@@ -126,6 +130,7 @@ constexpr std::array kSkyFunctions{
     CommandFunction{app::CommandId::SkyDirection, skyDirection},
     CommandFunction{app::CommandId::SkyTurbidity, skyTurbidity},
     CommandFunction{app::CommandId::SkyStrength, skyStrength},
+    CommandFunction{app::CommandId::SkyGround, skyGround},
     CommandFunction{app::CommandId::Look, look},
     CommandFunction{app::CommandId::EnvironmentRotation, environmentRotation},
     CommandFunction{app::CommandId::EnvironmentStrength, environmentStrength},

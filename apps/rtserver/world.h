@@ -16,8 +16,9 @@ namespace rtserver {
 class World {
   public:
     World(rtcore::LoadedScene scene, std::filesystem::path path, const rtcore::ImportOptions& options)
-        : loaded(std::move(scene)), tracer(std::make_shared<const rtcore::KdRayTracer>(
-                                        loaded.tree, loaded.scene.mesh(), chooseLeafRecords(loaded.tree, 0))),
+        : loaded(std::move(scene)),
+          tracer(std::make_shared<const rtcore::KdRayTracer>(loaded.tree, loaded.scene.model.mesh,
+                                                             chooseLeafRecords(loaded.tree, 0))),
           source(std::move(path)), import(options) {
         inputs.add(loaded.files);
     }

@@ -97,6 +97,7 @@ enum class CommandId {
     SkyDirection,
     SkyTurbidity,
     SkyStrength,
+    SkyGround,
     Look,
     Lights,
     Environments,

@@ -60,6 +60,7 @@ QString editText(app::CommandId id) {
     case app::CommandId::SkyDirection:
     case app::CommandId::SkyTurbidity:
     case app::CommandId::SkyStrength:
+    case app::CommandId::SkyGround:
         return text(QT_TRANSLATE_NOOP("Edits", "sky"));
     case app::CommandId::Look:
         return text(QT_TRANSLATE_NOOP("Edits", "light of the scene"));

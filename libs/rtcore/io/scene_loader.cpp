@@ -144,7 +144,7 @@ class Loader {
         }
         if (out_.tree.nodes.empty()) {
             phase(LoadPhase::BuildingTree);
-            out_.tree = buildKdTree(scene.mesh(), buildOptions(scene.mesh().triangles.size()),
+            out_.tree = buildKdTree(scene.model.mesh, buildOptions(scene.model.mesh.triangles.size()),
                                     &out_.buildTimes, options_.buildProgress);
         }
         scene.materials.assign(scene.model.materials.begin(), scene.model.materials.end());
@@ -336,7 +336,7 @@ class Loader {
             frame.metresPerUnit = out_.scene.metresPerUnit;
             frame.upSaid = frame.unitSaid = Said::ByScene;
         } else {
-            frame = guessUpAndUnit(out_.origin, out_.tree, out_.scene.mesh());
+            frame = guessUpAndUnit(out_.origin, out_.tree, out_.scene.model.mesh);
         }
         frame = withUserSays(frame, options_.import.up, options_.import.metresPerUnit);
         out_.ownCamera = hasCamera_;
@@ -345,13 +345,13 @@ class Loader {
         out_.frame = frame;
         out_.scene.up = frame.up;
         out_.scene.metresPerUnit = frame.metresPerUnit;
-        if (!hasCamera_) out_.camera = defaultCamera(out_.tree, out_.scene.mesh(), frame.up);
+        if (!hasCamera_) out_.camera = defaultCamera(out_.tree, out_.scene.model.mesh, frame.up);
     }
 
     void lightByLook(Look look, bool last = false) {
         Scene& scene = out_.scene;
         const LookLights lights =
-            lookLights(look, out_.tree, scene.mesh(), scene.up, out_.camera, options_.surroundings.sky);
+            lookLights(look, out_.tree, scene.model.mesh, scene.up, out_.camera, options_.surroundings.sky);
         lightBy(scene, lights);
         out_.look = look;
         take(settingsOf(look, lights), last);
@@ -366,6 +366,14 @@ class Loader {
         return chosen || out_.scene.lights.size() > (options_.surroundings.sky ? 1 : 0);
     }
 
+    void giveGround() {
+        Scene& scene = out_.scene;
+        if (!scene.sky || !wantsGround(out_.tree, scene.model.mesh, scene.up)) return;
+        Sky sky = *scene.sky;
+        sky.ground = true;
+        setSky(scene, sky);
+    }
+
     void giveLight() {
         Scene& scene = out_.scene;
         const Surroundings& surroundings = options_.surroundings;
@@ -374,6 +382,7 @@ class Loader {
         if (hasLight() || (surrounded && out_.sceneFile)) {
             if (surrounded) take({{"skyLight.on", true}});
         } else if (surrounded) {
+            giveGround();
             take(settingsOf(true, addRoomLights(scene, out_.tree)));
         } else if (out_.sceneFile) {
             addHeadlight(scene, out_.tree.bounds, out_.camera);
@@ -389,7 +398,7 @@ class Loader {
         takeSurroundings();
         giveLight();
         numberLights(scene);
-        scene.closed = findClosedSurfaces(scene.mesh(), scene.materials);
+        scene.closed = findClosedSurfaces(scene.model.mesh, scene.materials);
         phase(LoadPhase::Done);
     }
 
@@ -402,7 +411,7 @@ class Loader {
 LookLights lightsOfLook(const LoadedScene& loaded, const Scene& scene) {
     // A sky by date stands wherever its place is.
     const std::optional<Sky> sky = scene.sky && scene.sky->date ? scene.sky : std::nullopt;
-    return lookLights(*loaded.look, loaded.tree, scene.mesh(), scene.up, loaded.camera, sky);
+    return lookLights(*loaded.look, loaded.tree, scene.model.mesh, scene.up, loaded.camera, sky);
 }
 
 bool isLitByItsLook(const LoadedScene& loaded, const Scene& scene) {
@@ -439,7 +448,7 @@ void reframe(LoadedScene& loaded, const UpAndUnit& frame, Scene& scene, Camera& 
     if (loaded.ownCamera) {
         camera.up = upwardsOf(camera.forward, frame.up);
     } else {
-        camera = loaded.camera = defaultCamera(loaded.tree, scene.mesh(), frame.up);
+        camera = loaded.camera = defaultCamera(loaded.tree, scene.model.mesh, frame.up);
     }
     if (lit) lightAnew(loaded, scene);
 }

@@ -4,6 +4,7 @@
 #include "rtcore/look/sun_of_view.h"
 #include "rtcore/math/constants.h"
 #include "rtcore/render/default_view.h"
+#include "rtcore/render/survey.h"
 #include "rtcore/simd/portable_math.h"
 #include "rtcore/sky/scene_sky.h"
 
@@ -88,6 +89,13 @@ std::optional<Look> lookNamed(std::string_view name) {
     return static_cast<Look>(found - kLookNames.begin());
 }
 
+bool wantsGround(const KdTree& tree, const Mesh& mesh, Vec3 up) {
+    constexpr std::size_t kMostTriangles = 10'000'000;
+    if (tree.bounds.empty() || mesh.triangles.size() > kMostTriangles) return false;
+    const Survey found = survey(tree, mesh, Axes(up));
+    return !found.indoors && found.openSide == Vec3{};
+}
+
 LookLights lookLights(Look look, const KdTree& tree, const Mesh& mesh, Vec3 up, const Camera& camera,
                       const std::optional<Sky>& sky) {
     LookLights result;
@@ -95,6 +103,7 @@ LookLights lookLights(Look look, const KdTree& tree, const Mesh& mesh, Vec3 up, 
     case Look::Sky:
         result.sky = sky ? *sky : skyOfView(tree, mesh, up, camera);
         setRoomLights(result, tree, mesh, up);
+        result.sky->ground = wantsGround(tree, mesh, up);
         break;
     case Look::Studio:
         result.background = kWhite * kStudioBackground;
@@ -141,7 +150,7 @@ void addHeadlight(Scene& scene, const Box3& bounds, const Camera& camera) {
 }
 
 bool addRoomLights(Scene& scene, const KdTree& tree) {
-    const std::vector<Light> lights = roomLights(tree, scene.mesh(), scene.up);
+    const std::vector<Light> lights = roomLights(tree, scene.model.mesh, scene.up);
     for (std::size_t i = 0; i < lights.size(); ++i) addLight(scene, lights[i], roomLightName(i));
     numberLights(scene);
     return !lights.empty();

@@ -15,9 +15,9 @@
 
 namespace rtcore {
 
-/// Sky: a sky with its sun, and lights under the ceilings of rooms. Studio: an even background that lights,
-/// with three soft lights around an object, or those of a room. Headlight: a point light beside the viewer
-/// and ambient light, both without regard to what the model is.
+/// Sky: a sky with its sun, lights under the ceilings of rooms, and a ground below an object. Studio: an even
+/// background that lights, with three soft lights around an object, or those of a room. Headlight: a point
+/// light beside the viewer and ambient light, both without regard to what the model is.
 enum class Look : std::uint8_t { Sky, Studio, Headlight };
 
 /// By Look.
@@ -58,6 +58,10 @@ bool isLitBy(const Scene& scene, const LookLights& look);
 
 /// The light of Look::Headlight, behind the lights that the scene has.
 void addHeadlight(Scene& scene, const Box3& bounds, const Camera& camera);
+
+/// Whether Look::Sky has a ground below the model: what one stands neither in, as in a room, nor before, as
+/// before a stage, unless that takes too much memory.
+bool wantsGround(const KdTree& tree, const Mesh& mesh, Vec3 up);
 
 /// Those of roomLights(), behind the lights that the scene has. Returns whether there are any.
 bool addRoomLights(Scene& scene, const KdTree& tree);

@@ -22,8 +22,8 @@ std::optional<std::uint32_t> pieceOf(const Model& model, std::uint32_t triangle)
 }
 
 std::optional<SeenObject> objectOf(const Scene& scene, const HitWave& hits, std::size_t i) {
-    if (!hits.isHit(i)) return {};
     const std::uint32_t triangle = hits.triangle[i];
+    if (!hits.isHit(i) || triangle >= scene.model.mesh.triangles.size()) return {};
     return SeenObject{scene.mesh().shading[triangle].material, pieceOf(scene.model, triangle)};
 }
 

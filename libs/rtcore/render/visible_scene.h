@@ -15,7 +15,7 @@ inline KdTree visibleTree(const KdTree& tree, const Scene& scene) {
 /// The same, built anew, which many rays are worth.
 inline KdTree buildVisibleTree(const KdTree& tree, const Scene& scene, const BuildOptions& options) {
     if (scene.hiddenParts == nullptr) return tree;
-    return buildVisibleTree(scene.mesh(), hiddenTriangles(scene.model, scene.hiddenParts), tree.bounds,
+    return buildVisibleTree(scene.model.mesh, hiddenTriangles(scene.model, scene.hiddenParts), tree.bounds,
                             options);
 }
 

@@ -53,7 +53,7 @@ void closeSurfaces(Scene& scene, std::span<const Material> before) {
     const bool same =
         std::equal(before.begin(), before.end(), scene.materials.begin(), scene.materials.end(),
                    [](const Material& a, const Material& b) { return isTransparent(a) == isTransparent(b); });
-    if (!same) scene.closed = findClosedSurfaces(scene.mesh(), scene.materials);
+    if (!same) scene.closed = findClosedSurfaces(scene.model.mesh, scene.materials);
 }
 
 } // namespace rtcore

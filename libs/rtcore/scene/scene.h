@@ -13,6 +13,7 @@
 #include "rtcore/scene/model.h"
 #include "rtcore/scene/part_list.h"
 #include "rtcore/scene/sky.h"
+#include "rtcore/scene/sky_ground.h"
 
 #include <memory>
 #include <optional>
@@ -71,12 +72,25 @@ struct Scene : SceneLook {
     std::vector<LightNotes> lightNotes;  ///< one per light, once numberLights() was called
     std::vector<std::shared_ptr<const Environment>> environments; ///< of files, then that of `sky`
     std::vector<EnvironmentFile> environmentFiles; ///< what those of files were loaded from, where known
+    std::shared_ptr<const SkyGround> ground;       ///< below the model, once a sky was to show one
     HiddenParts hiddenParts;                       ///< of the model; visibleTree() is of what is left
     ClosedSurfaces closed;                         ///< findClosedSurfaces() of the mesh with these materials
 
-    const Mesh& mesh() const { return model.mesh; }
+    /// Of all that may be seen: the model's, and behind its triangles those of the ground.
+    const Mesh& mesh() const { return ground ? ground->mesh : model.mesh; }
+    /// Of a ShadingTriangle of mesh().
+    const Material& material(std::uint32_t number) const {
+        return number < materials.size() ? materials[number] : ground->material;
+    }
     /// Whether the triangle's surface bounds a solid.
-    bool isClosed(std::uint32_t triangle) const { return closed != nullptr && (*closed)[triangle] != 0; }
+    bool isClosed(std::uint32_t triangle) const {
+        return closed != nullptr && triangle < closed->size() && (*closed)[triangle] != 0;
+    }
+    /// Whether there is one, and the sky around it that it belongs to.
+    bool showsGround() const {
+        const bool underSky = sky && static_cast<std::size_t>(activeEnvironment) + 1 == environments.size();
+        return ground != nullptr && underSky && sky->ground;
+    }
     const Environment* environment() const {
         const auto i = static_cast<std::size_t>(activeEnvironment);
         return activeEnvironment >= 0 && i < environments.size() ? environments[i].get() : nullptr;

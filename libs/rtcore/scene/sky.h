@@ -27,6 +27,7 @@ struct Sky {
     float north = 0;         ///< degrees from straight ahead (-z; +y where up is along z) to the right
     float turbidity = 3;     ///< haze: 2 very clear, 3 clear, 6 hazy, 10 thick
     float strength = 1;      ///< factor on sun and sky, >= 0
+    bool ground = false;     ///< the ground below it takes the shadow of the model (scene/sky_ground.h)
 
     friend bool operator==(const Sky&, const Sky&) = default;
 };

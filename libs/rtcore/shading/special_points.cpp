@@ -15,7 +15,7 @@ void SpecialPoints::complete(const FrameContext& frame, Colour ambient, Wave& wa
     const std::span<const std::uint32_t> points = wave.surfaces.notPlain();
     emitted_.resize(points.size());
     const auto textured = [&](std::size_t i) {
-        const std::uint32_t texture = frame.scene->materials[wave.surfaces.material[i]].diffuseTexture;
+        const std::uint32_t texture = frame.scene->material(wave.surfaces.material[i]).diffuseTexture;
         return frame.settings->textures && texture != kNoTexture;
     };
     for (std::uint32_t k = 0; k < points.size(); ++k) {
@@ -47,7 +47,7 @@ Colour SpecialPoints::setAlbedo(const Task& task, std::size_t i, Colour albedo) 
     const SurfaceWave& surfaces = task.wave.surfaces;
     surfaces.diffuse.set(i, albedo / kPi);
     if (!task.frame.materials->anyEmission()) return {};
-    const Material& m = task.frame.scene->materials[surfaces.material[i]];
+    const Material& m = task.frame.scene->material(surfaces.material[i]);
     const Colour ambient = task.ambient * (albedo + m.specular);
     if ((surfaces.traits[i] & traits::kMirror) == 0)
         return surfaces.weight.colourAt(i) * (m.emission + ambient);
@@ -68,7 +68,7 @@ Surface SpecialPoints::surfaceOf(const Task& task, std::size_t i) {
     s.toViewer = surfaces.toViewer.at(i);
     s.fromInside = (surfaces.traits[i] & traits::kFromInside) != 0;
     s.closed = scene.isClosed(hit.triangle);
-    s.material = &scene.materials[surfaces.material[i]];
+    s.material = &scene.material(surfaces.material[i]);
     const bool turned = (surfaces.traits[i] & traits::kTurned) != 0;
     addMaterial(scene, task.frame.settings->textures, hit, turned, s);
     return s;

@@ -45,6 +45,8 @@ void addSky(Scene& scene, const Sky& sky) {
 } // namespace
 
 void setSky(Scene& scene, const std::optional<Sky>& sky) {
+    if (sky && sky->ground && (!scene.ground || scene.ground->up != scene.up))
+        scene.ground = makeGround(scene.model, scene.up, kWhite * kGroundAlbedo);
     if (!scene.sky && sky) return addSky(scene, *sky);
     if (scene.sky && !sky) return removeSky(scene);
     if (!sky) return;

@@ -103,7 +103,7 @@ class Comparison {
 
     rtcore::LdrImage reference(std::size_t camera) const {
         const rtserver::ServerState& state = server_.state();
-        return references_.picture({*state.scene(), *state.world().tracer, cameras_[camera], settings_});
+        return references_.picture({*state.scene(), *state.tracer(), cameras_[camera], settings_});
     }
 
     Moment at(std::size_t camera) const {

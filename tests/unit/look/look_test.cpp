@@ -75,6 +75,7 @@ TEST(Look, TakesTheSkyThatIsNamed) {
     rtcore::Sky evening;
     evening.date->second = 18 * 3600;
     const LookLights look = rtcore::lookLights(Look::Sky, s.tree, s.scene.mesh(), kUp, {}, evening);
+    evening.ground = true;
     EXPECT_EQ(look.sky, evening);
 }
 

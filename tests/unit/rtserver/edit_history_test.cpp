@@ -69,6 +69,7 @@ TEST_F(Edits, AreTakenBackAndMadeAgainOneByOne) {
         {"environment strength 3", "environment strength"},
         {"sky hour 9", "sky hour"},
         {"sky strength 2", "sky strength"},
+        {"sky ground on", "sky ground"},
         {"sky off", "sky"},
         {"sky on", "sky"},
         {"environment none", "environment none"},

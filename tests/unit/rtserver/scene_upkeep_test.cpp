@@ -121,7 +121,9 @@ TEST_F(SceneUpkeepTest, ATreeOfWhatIsVisibleFollowsThePrunedOne) {
     EXPECT_NE(state.tracer(), pruned);
     EXPECT_NE(state.tracer(), state.world().tracer);
     EXPECT_EQ(state.tracer()->bounds(), state.world().tracer->bounds());
-    EXPECT_LT(state.tracer()->memory(), state.world().tracer->memory());
+    const auto* const byTree = dynamic_cast<const rtcore::KdRayTracer*>(state.tracer().get());
+    ASSERT_NE(byTree, nullptr);
+    EXPECT_LT(byTree->memory(), state.world().tracer->memory());
     EXPECT_EQ(changes(), Changes{}) << "the frames are the same";
     test::draw(host.maker, state);
     EXPECT_EQ(host.maker.image().pixels, before);

@@ -118,6 +118,7 @@ rtcore::Sky randomSky(Random& random) {
     sky.north = 720 * random.share() - 360;
     sky.turbidity = 2 + 8 * random.share();
     sky.strength = random.positive();
+    sky.ground = random.share() < 0.5F;
     return sky;
 }
 

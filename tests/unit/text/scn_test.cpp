@@ -403,6 +403,8 @@ TEST(Scn, ASkyIsReadByDateOrByDirection) {
     EXPECT_EQ(pointed.sky->direction, (Vec3{1, 2, 3}));
     EXPECT_EQ(pointed.activeEnvironment, 1);
     EXPECT_EQ(rtcore::parseSceneFile("version = 2\nmodel = \"m.obj\"\n[sky]\n", "x.scn").sky, rtcore::Sky{});
+    EXPECT_TRUE(
+        rtcore::parseSceneFile("version = 2\nmodel = \"m.obj\"\n[sky]\nground = true", "x.scn").sky->ground);
 }
 
 TEST(Scn, SkiesThatMakeNoSenseAreRefused) {

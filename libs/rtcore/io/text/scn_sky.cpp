@@ -44,6 +44,7 @@ Sky readSky(StrictTable& table) {
     sky.north = table.number("north", kNorth).value_or(sky.north);
     sky.turbidity = table.number("turbidity", kTurbidity).value_or(sky.turbidity);
     sky.strength = table.number("strength", kNotNegative).value_or(sky.strength);
+    sky.ground = table.boolean("ground").value_or(sky.ground);
     const SunDate date = readDate(table);
     const auto direction = table.vector("direction");
     table.finish();
@@ -75,6 +76,7 @@ void writeSky(TomlWriter& writer, const Sky& sky) {
     }
     writer.add("turbidity", sky.turbidity);
     writer.add("strength", sky.strength);
+    if (sky.ground) writer.add("ground", true);
 }
 
 } // namespace rtcore

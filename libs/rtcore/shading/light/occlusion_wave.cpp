@@ -73,7 +73,7 @@ void OcclusionWave::sumHit(const RayWave& rays, std::size_t i) {
     const Ray ray = rays.ray(i);
     const Hit hit = hits_.hit(i);
     const float travelled = current_.travelled[i] + hit.t;
-    const Material& material = scene_->materials[scene_->mesh().shading[hit.triangle].material];
+    const Material& material = scene_->material(scene_->mesh().shading[hit.triangle].material);
     float solid = coverageAt(*scene_, textures_, hit);
     if (refractions_) solid *= material.opacity;
     visible += weight * solid * std::min(travelled / light_.distance, 1.0F);

@@ -39,14 +39,14 @@ void put(Colour c, float* to) {
 } // namespace
 
 void MaterialTable::prepare(const Scene& scene, const RenderSettings& settings) {
-    rows_.resize(scene.materials.size());
-    clear_.resize(scene.materials.size());
+    rows_.resize(scene.materials.size() + (scene.ground ? 1 : 0));
+    clear_.resize(rows_.size());
     const Colour ambientLight = unoccludedAmbient(scene, settings);
     traits_ = 0;
     anyEmission_ = tintedShadows_ = false;
     const bool colours = !scene.mesh().colours.empty();
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-        const Material& m = scene.materials[i];
+        const Material& m = scene.material(static_cast<std::uint32_t>(i));
         MaterialRow& row = rows_[i];
         row.traits = traitsOf(m, colours, settings);
         const Colour ambient = ambientLight * (m.diffuse + m.specular);

@@ -30,7 +30,7 @@ Vec2 texcoordAt(const Scene& scene, const ShadingTriangle& triangle, const Hit& 
     const Vec2& c = mesh.texcoords[triangle.v[2]];
     const float w = 1 - hit.u - hit.v;
     const Vec2 uv{a.x * w + b.x * hit.u + c.x * hit.v, a.y * w + b.y * hit.u + c.y * hit.v};
-    return scene.materials[triangle.material].flipTextures != 0 ? Vec2{uv.x, 1 - uv.y} : uv;
+    return scene.material(triangle.material).flipTextures != 0 ? Vec2{uv.x, 1 - uv.y} : uv;
 }
 
 float coverageOf(const Scene& scene, const Material& material, Vec2 uv) {
@@ -51,7 +51,7 @@ Surface shapeOf(const Scene& scene, Vec3 direction, const Hit& hit, bool& turned
     const ShadingTriangle& shading = mesh.shading[hit.triangle];
 
     Surface s;
-    s.material = &scene.materials[shading.material];
+    s.material = &scene.material(shading.material);
     // From the corners, not along the ray: the error then is that of the triangle's size, not of the ray's
     // length.
     const plain::Corners<float> positions{mesh.position(hit.triangle, 0), mesh.position(hit.triangle, 1),
@@ -108,7 +108,7 @@ void addMaterial(const Scene& scene, bool textures, const Hit& hit, bool turned,
 
 Colour diffuseAt(const Scene& scene, bool textures, const Hit& hit) {
     const ShadingTriangle& shading = scene.mesh().shading[hit.triangle];
-    const std::uint32_t texture = scene.materials[shading.material].diffuseTexture;
+    const std::uint32_t texture = scene.material(shading.material).diffuseTexture;
     const Colour diffuse = untexturedAt(scene, hit);
     if (!textures || texture == kNoTexture) return diffuse;
     return diffuse * textureColour(scene, texture, texcoordAt(scene, shading, hit));
@@ -117,13 +117,13 @@ Colour diffuseAt(const Scene& scene, bool textures, const Hit& hit) {
 Colour untexturedAt(const Scene& scene, const Hit& hit) {
     const Mesh& mesh = scene.mesh();
     const ShadingTriangle& shading = mesh.shading[hit.triangle];
-    const Colour diffuse = scene.materials[shading.material].diffuse;
+    const Colour diffuse = scene.material(shading.material).diffuse;
     return mesh.colours.empty() ? diffuse : diffuse * interpolate(mesh.colours, shading, hit);
 }
 
 float coverageAt(const Scene& scene, bool textures, const Hit& hit) {
     const ShadingTriangle& shading = scene.mesh().shading[hit.triangle];
-    const Material& material = scene.materials[shading.material];
+    const Material& material = scene.material(shading.material);
     if (!textures || material.alphaTexture == kNoTexture) return 1;
     return coverageOf(scene, material, texcoordAt(scene, shading, hit));
 }

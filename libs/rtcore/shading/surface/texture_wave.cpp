@@ -93,7 +93,7 @@ void texturedAlbedos(const Scene& scene, const HitWave& hits, std::span<const st
     for (std::size_t i = 0; i < points.size(); ++i) {
         const std::uint32_t hit = points[i];
         const ShadingTriangle& shading = mesh.shading[hits.triangle[hit]];
-        const Material& material = scene.materials[shading.material];
+        const Material& material = scene.material(shading.material);
         const Texture& texture = scene.model.textures[material.diffuseTexture];
         texels[i] = scene.model.texels.data() + texture.firstTexel;
         block.size[0][i] = texture.width;

@@ -1,0 +1,42 @@
+#include "rtcore/render/ground_tracer.h"
+
+#include <cstddef>
+#include <utility>
+
+namespace rtcore {
+
+GroundTracer::GroundTracer(std::shared_ptr<const RayTracer> surfaces, std::shared_ptr<const SkyGround> ground)
+    : surfaces_(std::move(surfaces)), ground_(std::move(ground)),
+      first_(static_cast<std::uint32_t>(ground_->mesh.triangles.size()) - 2) {}
+
+void GroundTracer::intersect(RayKind kind, const RayWave& rays, HitWave& hits) const {
+    surfaces_->intersect(kind, rays, hits);
+    if (kind == RayKind::Shadow || kind == RayKind::Occlusion) return;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const Ray ray = rays.ray(i);
+        const auto t = distanceToGround(*ground_, ray.origin, ray.direction);
+        if (!t || !(*t >= ray.tMin && *t <= ray.tMax) || (hits.isHit(i) && hits.t[i] <= *t)) continue;
+        const auto point = pointOnGround(*ground_, ray.origin + ray.direction * *t);
+        if (!point) continue;
+        hits.t[i] = *t;
+        hits.triangle[i] = first_ + point->triangle;
+        hits.u[i] = point->u;
+        hits.v[i] = point->v;
+    }
+}
+
+void GroundTracer::occluded(RayKind kind, const RayWave& rays, std::vector<std::uint8_t>& occluded) const {
+    surfaces_->occluded(kind, rays, occluded);
+}
+
+void GroundTracer::findObstacles(const RayWave& rays, std::span<const std::uint8_t> clear,
+                                 std::vector<Obstacle>& found) const {
+    surfaces_->findObstacles(rays, clear, found);
+}
+
+std::shared_ptr<const RayTracer> withGround(std::shared_ptr<const RayTracer> surfaces, const Scene& scene) {
+    if (!scene.showsGround()) return surfaces;
+    return std::make_shared<const GroundTracer>(std::move(surfaces), scene.ground);
+}
+
+} // namespace rtcore

@@ -1,0 +1,35 @@
+/// Rays that meet the ground of a scene beside its surfaces.
+#pragma once
+
+#include "rtcore/kernels/ray_tracer.h"
+#include "rtcore/scene/scene.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace rtcore {
+
+/// What a tracer of the scene's surfaces finds, and the scene's ground where that is nearer. Rays towards
+/// lights and surroundings pass the ground: the sky's own ground is the same below it, and brings its light
+/// to what stands on it.
+class GroundTracer final : public RayTracer {
+  public:
+    GroundTracer(std::shared_ptr<const RayTracer> surfaces, std::shared_ptr<const SkyGround> ground);
+
+    void intersect(RayKind kind, const RayWave& rays, HitWave& hits) const override;
+    void occluded(RayKind kind, const RayWave& rays, std::vector<std::uint8_t>& occluded) const override;
+    void findObstacles(const RayWave& rays, std::span<const std::uint8_t> clear,
+                       std::vector<Obstacle>& found) const override;
+    Box3 bounds() const override { return surfaces_->bounds(); }
+
+  private:
+    std::shared_ptr<const RayTracer> surfaces_;
+    std::shared_ptr<const SkyGround> ground_;
+    std::uint32_t first_; ///< triangle of the ground
+};
+
+/// What traces the scene as it is shown: `surfaces` where it shows no ground.
+std::shared_ptr<const RayTracer> withGround(std::shared_ptr<const RayTracer> surfaces, const Scene& scene);
+
+} // namespace rtcore
