@@ -1,5 +1,6 @@
 #include "gui/main_window.h"
 
+#include "gui/models/installed_skies.h"
 #include "gui/operations/actions.h"
 #include "gui/operations/bookmark_operations.h"
 #include "gui/operations/camera_operations.h"
@@ -14,6 +15,7 @@
 #include "gui/operations/panel_operations.h"
 #include "gui/operations/render_operations.h"
 #include "gui/operations/save_operations.h"
+#include "gui/operations/surroundings_operations.h"
 #include "gui/operations/up_and_unit_operations.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/full_screen.h"
@@ -51,6 +53,7 @@ MainWindow::MainWindow(const QString& instance, QWidget* parent)
     new UpAndUnitOperations(context, this);
     new PanelOperations(context, this);
     new LightOperations(context, this);
+    surroundings_ = new SurroundingsOperations(context, this);
     new ModelOperations(context, this);
     auto* bookmarks = new BookmarkOperations(context, this);
     save_ = new SaveOperations(context, this);
@@ -118,7 +121,9 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 
 void MainWindow::dropEvent(QDropEvent* event) {
     const QList<QUrl> urls = event->mimeData()->urls();
-    if (urls.size() == 1) open(urls.first().toLocalFile());
+    if (urls.size() != 1) return;
+    const QString path = urls.first().toLocalFile();
+    isEnvironmentFile(path) ? surroundings_->open(path) : open(path);
 }
 
 } // namespace gui

@@ -18,6 +18,7 @@ class FullScreen;
 class JobOperations;
 class NoticeBar;
 class SaveOperations;
+class SurroundingsOperations;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -63,6 +64,7 @@ class MainWindow : public QMainWindow {
     ConnectionOperations* connection_;
     JobOperations* jobs_;
     SaveOperations* save_;
+    SurroundingsOperations* surroundings_;
 };
 
 } // namespace gui

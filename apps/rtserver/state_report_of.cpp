@@ -14,6 +14,14 @@ std::string nameOf(const rtcore::EnvironmentFile& environment) {
     return named ? environment.name : environment.files.front().stem().string();
 }
 
+std::optional<app::ReportedMap> mapOf(const ServerState& state) {
+    const rtcore::Scene& scene = *state.scene();
+    const std::size_t files = scene.environments.size() - (scene.sky ? 1 : 0);
+    const rtcore::Environment* const shown = scene.environment();
+    if (shown == nullptr || static_cast<std::size_t>(scene.activeEnvironment) >= files) return {};
+    return app::ReportedMap{shown->rotation(), shown->intensity};
+}
+
 } // namespace
 
 std::string scenePathOf(const ServerState& state) {
@@ -48,6 +56,8 @@ app::StateReport stateReportOf(const ServerState& state) {
                             .metresPerUnit = state.metresPerUnit(),
                             .lights = lightsOf(state),
                             .environments = environmentsOf(state),
+                            .map = mapOf(state),
+                            .sky = state.scene()->sky,
                             .camera = state.camera(),
                             .settings = rtcore::settingAssignments(state.settings(), true)};
     report.camera.nameOffset = 0;

@@ -108,6 +108,23 @@ std::string lightAngles(int id, double inner, double outer) {
 }
 
 std::string environment(int number) { return line(CommandId::Environment, number); }
+std::string environmentOpen(const std::string& path) { return line(CommandId::EnvironmentOpen, path); }
+std::string environmentNone() { return line(CommandId::EnvironmentNone); }
+std::string environmentRotation(double degrees) { return line(CommandId::EnvironmentRotation, degrees); }
+std::string environmentStrength(double factor) { return line(CommandId::EnvironmentStrength, factor); }
+std::string look(const std::string& name) { return line(CommandId::Look, name); }
+
+std::string sky(bool on) { return line(CommandId::Sky, on ? "on" : "off"); }
+std::string skyHour(double hour) { return line(CommandId::SkyHour, hour); }
+std::string skyDate(const std::string& date) { return line(CommandId::SkyDate, date); }
+std::string skyPlace(double latitude, double longitude, double zone) {
+    return line(CommandId::SkyPlace, latitude, longitude, zone);
+}
+std::string skyNorth(double degrees) { return line(CommandId::SkyNorth, degrees); }
+std::string skyDirection(const std::array<float, 3>& toSun) { return line(CommandId::SkyDirection, toSun); }
+std::string skyTurbidity(double turbidity) { return line(CommandId::SkyTurbidity, turbidity); }
+std::string skyStrength(double factor) { return line(CommandId::SkyStrength, factor); }
+std::string skyGround(bool on) { return line(CommandId::SkyGround, on ? "on" : "off"); }
 
 std::string parts(int from) { return line(CommandId::Parts, from); }
 std::string materials(int from) { return line(CommandId::Materials, from); }

@@ -61,6 +61,23 @@ std::string lightSize(int id, double width, double height);
 std::string lightAngles(int id, double inner, double outer); ///< degrees
 
 std::string environment(int number); ///< from 1
+std::string environmentOpen(const std::string& path);
+std::string environmentNone();
+std::string environmentRotation(double degrees);
+std::string environmentStrength(double factor);
+std::string look(const std::string& name); ///< "sky", "studio", "headlight"
+
+// The sky, which each but the first switches on.
+std::string sky(bool on);
+std::string skyHour(double hour);
+std::string skyDate(const std::string& date); ///< "2026-06-21"
+/// Degrees north and east; hours ahead of universal time.
+std::string skyPlace(double latitude, double longitude, double zone);
+std::string skyNorth(double degrees);
+std::string skyDirection(const std::array<float, 3>& toSun);
+std::string skyTurbidity(double turbidity);
+std::string skyStrength(double factor);
+std::string skyGround(bool on);
 
 std::string parts(int from);     ///< from 1
 std::string materials(int from); ///< from 1

@@ -18,6 +18,7 @@ namespace {
 
 const std::string kName = "the server's state"; // in errors
 constexpr int kMost = 1'000'000'000;
+constexpr rtcore::Limits kTurn{.minimum = -360, .maximum = 360};
 constexpr rtcore::Limits kUnit{.minimum = 1e-12, .maximum = 1e12};
 
 /// What of a list is told.
@@ -75,6 +76,12 @@ std::string format(const StateReport& state, const Extent& extent) {
     writer.add("metresPerUnit", state.metresPerUnit);
     writeLights(writer, state.lights, extent);
     write(writer, "environments", state.environments, extent);
+    if (state.map) {
+        writer.section("[map]");
+        writer.add("rotation", state.map->rotation);
+        writer.add("strength", state.map->strength);
+    }
+    if (state.sky) rtcore::writeSky(writer, *state.sky);
     writer.section("[camera]");
     rtcore::writeCamera(writer, state.camera);
     rtcore::writeSettingsSection(writer, "settings", state.settings);
@@ -90,6 +97,16 @@ std::vector<NamedSwitch> read(rtcore::StrictTable& root, std::string_view key) {
     for (std::size_t i = 0; i < on.size(); ++i)
         switches.push_back({on[i], i < names.size() ? names[i] : std::string()});
     return switches;
+}
+
+std::optional<ReportedMap> readMap(rtcore::StrictTable& root) {
+    auto table = root.table("map");
+    if (!table) return {};
+    ReportedMap map;
+    map.rotation = table->require("rotation", table->number("rotation", kTurn));
+    map.strength = table->require("strength", table->number("strength", rtcore::kNotNegative));
+    table->finish();
+    return map;
 }
 
 std::vector<ReportedLight> readLights(rtcore::StrictTable& root) {
@@ -140,6 +157,8 @@ StateReport parseStateReport(std::string_view text) {
     state.metresPerUnit = root.require("metresPerUnit", root.number("metresPerUnit", kUnit));
     state.lights = readLights(root);
     state.environments = read(root, "environments");
+    state.map = readMap(root);
+    if (auto sky = root.table("sky")) state.sky = rtcore::readSky(*sky);
     rtcore::StrictTable camera = root.require("camera", root.table("camera"));
     state.camera = rtcore::readCamera(camera, rtcore::Vec3{0, 1, 0}, false);
     state.settings = rtcore::readSettingsSection(root, "settings");

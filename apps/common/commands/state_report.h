@@ -28,12 +28,21 @@ struct ReportedLight {
     friend bool operator==(const ReportedLight&, const ReportedLight&) = default;
 };
 
+/// Of the environment map of a file that is shown.
+struct ReportedMap {
+    float rotation = 0; ///< degrees
+    float strength = 1; ///< factor
+    friend bool operator==(const ReportedMap&, const ReportedMap&) = default;
+};
+
 struct StateReport {
-    std::string scene;                               ///< absolute path of the scene or model
-    rtcore::Vec3 up{0, 1, 0};                        ///< one of the six axes
-    float metresPerUnit = 1;                         ///< above 0
-    std::vector<ReportedLight> lights;               ///< in the scene's order; the first ones of very many
-    std::vector<NamedSwitch> environments;           ///< at most one is on
+    std::string scene;                     ///< absolute path of the scene or model
+    rtcore::Vec3 up{0, 1, 0};              ///< one of the six axes
+    float metresPerUnit = 1;               ///< above 0
+    std::vector<ReportedLight> lights;     ///< in the scene's order; the first ones of very many
+    std::vector<NamedSwitch> environments; ///< at most one is on; the last one is the sky, if any
+    std::optional<ReportedMap> map = {};   ///< nothing where none of a file is shown
+    std::optional<rtcore::Sky> sky = {};
     rtcore::Camera camera;                           ///< nameOffset is 0
     std::vector<rtcore::SettingAssignment> settings; ///< all of them
     std::string undo = {}, redo = {};                ///< what these would do; "": there is nothing

@@ -70,6 +70,19 @@ constexpr ActionRow kRows[]{
     ActionRow{ActionId::Statistics, MenuId::Action, TEXT("S&tatistics"),
               TEXT("Frames/s, rays/s, resolution, polygons"), "Ctrl+T", SeparatorBefore},
 
+    ActionRow{ActionId::LookSky, MenuId::Light, TEXT("&Sky and sun"),
+              TEXT("Light the scene by a sky with a sun, in place of its lights"), "", NeedsServer},
+    ActionRow{ActionId::LookStudio, MenuId::Light, TEXT("S&tudio"),
+              TEXT("Light it by soft lights before a plain background, in place of its lights"), "",
+              NeedsServer},
+    ActionRow{ActionId::LookHeadlight, MenuId::Light, TEXT("&Headlight"),
+              TEXT("Light it by one light beside you, in place of its lights"), "", NeedsServer},
+    ActionRow{ActionId::OpenEnvironment, MenuId::Light, TEXT("&Environment map…"),
+              TEXT("Let an image of all directions surround and light the scene"), "",
+              NeedsServer | SeparatorBefore | SkiesAfter},
+    ActionRow{ActionId::NoEnvironment, MenuId::Light, TEXT("&No surroundings"),
+              TEXT("Neither sky nor environment map"), "", NeedsServer},
+
     ActionRow{ActionId::StopServer, MenuId::Commands, TEXT("&Stop server"), TEXT("End the server"), "Ctrl+K",
               NeedsServer},
     ActionRow{ActionId::PauseServer, MenuId::Commands, TEXT("P&ause server"),
@@ -93,7 +106,7 @@ constexpr ActionRow kRows[]{
     ActionRow{ActionId::SettingsPanel, MenuId::Display, TEXT("S&ettings panel"),
               TEXT("All settings of the viewport"), "F5", Checkable | SeparatorBefore},
     ActionRow{ActionId::LightsPanel, MenuId::Display, TEXT("&Lights panel"),
-              TEXT("Lights and environment maps"), "F6", Checkable},
+              TEXT("Lights, the sky and environment maps"), "F6", Checkable},
     ActionRow{ActionId::ModelPanel, MenuId::Display, TEXT("&Model panel"),
               TEXT("Parts and materials of the model; a right click on the image selects them"), "F8",
               Checkable},
@@ -111,8 +124,8 @@ constexpr ActionRow kRows[]{
     ActionRow{ActionId::About, MenuId::Help, TEXT("&About"), TEXT("About this program"), ""},
 };
 
-constexpr const char* kMenus[]{TEXT("&File"),    TEXT("&Connection"), TEXT("&Action"), TEXT("C&ommands"),
-                               TEXT("&Display"), TEXT("&Settings"),   TEXT("&Help")};
+constexpr const char* kMenus[]{TEXT("&File"),     TEXT("&Connection"), TEXT("&Action"),   TEXT("&Light"),
+                               TEXT("C&ommands"), TEXT("&Display"),    TEXT("&Settings"), TEXT("&Help")};
 
 #undef TEXT
 

@@ -35,6 +35,11 @@ enum class ActionId {
     Undo,
     Redo,
     Statistics,
+    LookSky,
+    LookStudio,
+    LookHeadlight,
+    OpenEnvironment,
+    NoEnvironment,
     StopServer,
     PauseServer,
     PingServer,
@@ -54,13 +59,14 @@ enum class ActionId {
     About,
 };
 
-enum class MenuId { File, Connection, Action, Commands, Display, Settings, Help };
+enum class MenuId { File, Connection, Action, Light, Commands, Display, Settings, Help };
 
 enum Trait : unsigned {
     NeedsServer = 1, ///< enabled only while a server is there
     Checkable = 2,
     SeparatorBefore = 4,
     RecentFilesAfter = 8, ///< the submenu of recent files follows
+    SkiesAfter = 16,      ///< that of installed environment maps follows
 };
 
 struct ActionRow {

@@ -32,10 +32,16 @@ QList<ExampleScene> exampleScenesIn(const QString& folder) {
     return scenes;
 }
 
-QList<ExampleScene> exampleScenes() {
+QStringList sceneFolders() {
     const QDir programs(QCoreApplication::applicationDirPath());
-    for (const char* folder : {"../share/rtsuite/scenes", "../../../data"}) {
-        const QString path = QDir::cleanPath(programs.absoluteFilePath(QString::fromLatin1(folder)));
+    QStringList folders;
+    for (const char* folder : {"../share/rtsuite/scenes", "../../../data"})
+        folders.append(QDir::cleanPath(programs.absoluteFilePath(QString::fromLatin1(folder))));
+    return folders;
+}
+
+QList<ExampleScene> exampleScenes() {
+    for (const QString& path : sceneFolders()) {
         if (QList<ExampleScene> scenes = exampleScenesIn(path); !scenes.isEmpty()) return scenes;
     }
     return {};

@@ -3,6 +3,7 @@
 
 #include <QList>
 #include <QString>
+#include <QStringList>
 
 namespace gui {
 
@@ -11,6 +12,8 @@ struct ExampleScene {
     QString path; ///< of the .scn
 };
 
+/// Where scenes may lie: beside the installed program, and in the sources where it was built.
+QStringList sceneFolders();
 /// Those that are installed beside this program or, where it was built, lie in the sources' `data`; only
 /// those whose model is there, too.
 QList<ExampleScene> exampleScenes();

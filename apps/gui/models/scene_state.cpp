@@ -48,6 +48,8 @@ std::optional<StateAnswer> readState(const QString& answer) {
         result.state.metresPerUnit = report.metresPerUnit;
         result.state.lights = lightsOf(report.lights);
         result.state.environments = switchesOf(report.environments);
+        if (report.map) result.state.map = ShownMap{report.map->rotation, report.map->strength};
+        result.state.sky = report.sky;
         result.state.undo = QString::fromStdString(report.undo);
         result.state.redo = QString::fromStdString(report.redo);
         for (const std::string& name : report.bookmarks)

@@ -26,16 +26,25 @@ struct ShownLight {
     friend bool operator==(const ShownLight&, const ShownLight&) = default;
 };
 
+/// Of the environment map of a file that is shown.
+struct ShownMap {
+    float rotation = 0; ///< degrees
+    float strength = 1; ///< factor
+    friend bool operator==(const ShownMap&, const ShownMap&) = default;
+};
+
 struct SceneState {
     QString up;                      ///< "+y"
     float metresPerUnit = 1;         ///< above 0
     QMap<QString, QString> settings; ///< name to value, both as `settings` writes them
     QList<ShownLight> lights;
-    QList<NamedSwitch> environments; ///< at most one is on
-    QString undo, redo;              ///< the steps that these would make (editLabel()); empty: none
-    QStringList bookmarks;           ///< names of the scene's own
-    bool modified = false;           ///< there is something to save
-    int edits = 0;                   ///< made and not taken back
+    QList<NamedSwitch> environments; ///< at most one is on; the last one is the sky, if any
+    std::optional<ShownMap> map;     ///< nothing where none of a file is shown
+    std::optional<rtcore::Sky> sky;
+    QString undo, redo;    ///< the steps that these would make (editLabel()); empty: none
+    QStringList bookmarks; ///< names of the scene's own
+    bool modified = false; ///< there is something to save
+    int edits = 0;         ///< made and not taken back
     friend bool operator==(const SceneState&, const SceneState&) = default;
 };
 

@@ -1,6 +1,7 @@
 #include "gui/operations/actions.h"
 
 #include "gui/models/example_scenes.h"
+#include "gui/models/installed_skies.h"
 
 #include <QAction>
 #include <QFileInfo>
@@ -53,6 +54,7 @@ void Actions::fill(QMenuBar& bar) {
         if (menu == nullptr) menu = bar.addMenu(menuText(row.menu));
         if (row.has(SeparatorBefore)) menu->addSeparator();
         menu->addAction((*this)[row.id]);
+        if (row.has(SkiesAfter)) addSkies(*menu);
         if (!row.has(RecentFilesAfter)) continue;
         recent_ = menu->addMenu(tr("Open &recent"));
         connect(&preferences_, &Preferences::changed, this, &Actions::fillRecent);
@@ -70,6 +72,18 @@ void Actions::addExamples(QMenu& menu) {
         entry->setStatusTip(each.path);
         connect(entry, &QAction::triggered, this, [this, path = each.path] { emit recentChosen(path); });
     }
+}
+
+void Actions::addSkies(QMenu& menu) {
+    const QList<InstalledSky> skies = installedSkies();
+    if (skies.isEmpty()) return;
+    skies_ = menu.addMenu(tr("Environment of the &programs"));
+    for (const InstalledSky& each : skies) {
+        QAction* entry = skies_->addAction(each.name);
+        entry->setStatusTip(each.path);
+        connect(entry, &QAction::triggered, this, [this, path = each.path] { emit skyChosen(path); });
+    }
+    skies_->setEnabled(there_);
 }
 
 void Actions::fillRecent() {
@@ -90,6 +104,8 @@ void Actions::fillRecent() {
 }
 
 void Actions::setServerThere(bool there) {
+    there_ = there;
+    if (skies_ != nullptr) skies_->setEnabled(there);
     for (const ActionRow& row : actionTable()) {
         if (row.has(NeedsServer)) (*this)[row.id]->setEnabled(there);
     }

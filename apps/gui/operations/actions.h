@@ -35,15 +35,19 @@ class Actions : public QObject {
 
   signals:
     void recentChosen(const QString& path); ///< or an example
+    void skyChosen(const QString& path);    ///< an installed environment map
 
   private:
     void setShortcuts();
     void fillRecent();
     void addExamples(QMenu& menu);
+    void addSkies(QMenu& menu);
 
     Preferences& preferences_;
     QHash<int, QAction*> actions_;
     QMenu* recent_ = nullptr;
+    bool there_ = false;     ///< a server
+    QMenu* skies_ = nullptr; ///< where some are installed
 };
 
 } // namespace gui

@@ -6,6 +6,7 @@
 #include "gui/operations/scene_editor.h"
 #include "gui/panels/light_fields.h"
 #include "gui/panels/lights_panel.h"
+#include "gui/panels/sky_fields.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/light_handles.h"
 #include "gui/view/notice_bar.h"
@@ -39,7 +40,8 @@ QList<LightMark> marksOf(const QList<ShownLight>& lights) {
 } // namespace
 
 LightOperations::LightOperations(const GuiContext& context, QObject* parent)
-    : QObject(parent), context_(context), panel_(new LightsPanel(context.actions[ActionId::LightMarks])),
+    : QObject(parent), context_(context), panel_(new LightsPanel(context.actions[ActionId::LightMarks],
+                                                                 context.actions[ActionId::OpenEnvironment])),
       handles_(new LightHandles(context.view, context.session, this)) {
     addPanel(context_, panel_, tr("Lights"), QStringLiteral("lights"), ActionId::LightsPanel);
     context_.actions.bind(ActionId::LightMarks, pref::lightMarks);
@@ -58,6 +60,12 @@ void LightOperations::connectPanel() {
     connect(panel_, &LightsPanel::lightSelected, handles_, &LightHandles::setSelected);
     connect(panel_, &LightsPanel::lightEdited, this,
             [this](const QString& step, const std::string& line) { follow(step, line, {}); });
+    connect(&panel_->sky(), &SkyFields::edited, this,
+            [this](const QString& step, const std::string& line) { follow(step, line, {}); });
+    connect(&panel_->sky(), &SkyFields::sunAheadWanted, this, [this] {
+        const QVector3D ahead = context_.session.status().view.forward;
+        follow(QStringLiteral("sky direction"), command::skyDirection(numbersOf(ahead)), {});
+    });
     connect(panel_, &LightsPanel::addWanted, this,
             [this](const std::string& kind) { add(command::lightAdd(kind)); });
     connect(panel_, &LightsPanel::copyWanted, this, [this](int id) { add(command::lightCopy(id)); });
@@ -100,7 +108,7 @@ void LightOperations::add(const std::string& line) {
 
 void LightOperations::showState() {
     const SceneState& state = context_.editor.state();
-    panel_->show(state.lights, state.environments);
+    panel_->show(state);
     handles_->setMarks(marksOf(state.lights));
     if (added_ != 0 && lightOf(state, added_) != nullptr) select(std::exchange(added_, 0));
     if (panel_->selected() != 0 && lightOf(state, panel_->selected()) == nullptr) select(0);

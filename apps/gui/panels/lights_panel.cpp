@@ -1,6 +1,7 @@
 #include "gui/panels/lights_panel.h"
 
 #include "gui/panels/light_fields.h"
+#include "gui/panels/sky_fields.h"
 
 #include <QAction>
 #include <QButtonGroup>
@@ -37,14 +38,14 @@ QString plain(QString name) { return name.replace(QLatin1Char('&'), QLatin1Strin
 
 } // namespace
 
-LightsPanel::LightsPanel(QAction* marks, QWidget* parent)
+LightsPanel::LightsPanel(QAction* marks, QAction* openMap, QWidget* parent)
     : QWidget(parent), list_(new QListWidget), copy_(new QPushButton(tr("Copy"))),
-      remove_(new QPushButton(tr("Remove"))), fields_(new LightFields),
-      environments_(new QButtonGroup(this)) {
+      remove_(new QPushButton(tr("Remove"))), fields_(new LightFields), sky_(new SkyFields),
+      environmentList_(new QVBoxLayout), environments_(new QButtonGroup(this)) {
     auto* column = new QWidget;
     auto* groups = new QVBoxLayout(column);
     makeLights(*groups, marks);
-    environmentBox_ = addBox(tr("Environment"), *groups);
+    makeEnvironments(*groups, openMap);
     groups->addStretch(1);
     auto* area = new QScrollArea;
     area->setWidget(column);
@@ -56,7 +57,20 @@ LightsPanel::LightsPanel(QAction* marks, QWidget* parent)
     layout->addWidget(area);
     // clicked: by the user, not by us
     connect(environments_, &QButtonGroup::idClicked, this, &LightsPanel::environmentChosen);
-    show({}, {});
+    show(SceneState());
+}
+
+void LightsPanel::makeEnvironments(QVBoxLayout& column, QAction* openMap) {
+    QGroupBox* box = addBox(tr("Surroundings"), column);
+    auto* inside = static_cast<QVBoxLayout*>(box->layout());
+    inside->addLayout(environmentList_);
+    auto* open = new QPushButton(tr("Environment map…"));
+    open->setToolTip(openMap->toolTip());
+    open->setEnabled(openMap->isEnabled());
+    connect(open, &QPushButton::clicked, openMap, &QAction::trigger);
+    connect(openMap, &QAction::changed, open, [open, openMap] { open->setEnabled(openMap->isEnabled()); });
+    inside->addWidget(open);
+    inside->addWidget(sky_);
 }
 
 void LightsPanel::makeLights(QVBoxLayout& column, QAction* marks) {
@@ -145,7 +159,7 @@ void LightsPanel::showEnvironments(const QList<NamedSwitch>& environments) {
         }
         for (int i = 0; i < environments.size(); ++i) {
             auto* button = new QRadioButton;
-            environmentBox_->layout()->addWidget(button);
+            environmentList_->addWidget(button);
             environments_->addButton(button, i);
         }
     }
@@ -158,13 +172,13 @@ void LightsPanel::showEnvironments(const QList<NamedSwitch>& environments) {
         button->setToolTip(i >= 9 ? QString() : tr("Keys: M and %1").arg(number));
         button->setChecked(environments[i].on);
     }
-    environmentBox_->setVisible(!environments.isEmpty());
 }
 
-void LightsPanel::show(const QList<ShownLight>& lights, const QList<NamedSwitch>& environments) {
-    shown_ = lights;
-    showLights(lights);
-    showEnvironments(environments);
+void LightsPanel::show(const SceneState& state) {
+    shown_ = state.lights;
+    showLights(state.lights);
+    showEnvironments(state.environments);
+    sky_->show(state);
     select(selected_);
 }
 

@@ -1,5 +1,5 @@
-/// The lights of the scene, each with a check box, what can be changed of the selected one, and the scene's
-/// environment maps, one of which is chosen. Knows no server.
+/// The lights of the scene, each with a check box, what can be changed of the selected one, the scene's
+/// environments, one of which is chosen, and what can be changed of those. Knows no server.
 #pragma once
 
 #include "gui/models/scene_state.h"
@@ -21,16 +21,17 @@ class QVBoxLayout;
 namespace gui {
 
 class LightFields;
+class SkyFields;
 
 class LightsPanel : public QWidget {
     Q_OBJECT
 
   public:
-    /// `marks`: what shows the marks of lights in the image.
-    explicit LightsPanel(QAction* marks, QWidget* parent = nullptr);
+    /// `marks`: what shows the marks of lights in the image; `openMap`: what asks for an environment map.
+    LightsPanel(QAction* marks, QAction* openMap, QWidget* parent = nullptr);
 
     /// Emits nothing. The fields stay the same ones while their number does.
-    void show(const QList<ShownLight>& lights, const QList<NamedSwitch>& environments);
+    void show(const SceneState& state);
     using QWidget::show;
     /// Emits nothing. 0: none.
     void select(int id);
@@ -38,6 +39,7 @@ class LightsPanel : public QWidget {
 
     QListWidget& lights() { return *list_; }
     LightFields& fields() { return *fields_; }
+    SkyFields& sky() { return *sky_; }
     /// Null when there is none.
     QListWidgetItem* light(int place) const;
     QAbstractButton* environment(int number) const;
@@ -54,6 +56,7 @@ class LightsPanel : public QWidget {
 
   private:
     void makeLights(QVBoxLayout& column, QAction* marks);
+    void makeEnvironments(QVBoxLayout& column, QAction* openMap);
     void showLights(const QList<ShownLight>& lights);
     void showSelected();
     void showEnvironments(const QList<NamedSwitch>& environments);
@@ -64,7 +67,8 @@ class LightsPanel : public QWidget {
     QListWidget* list_;
     QPushButton *copy_, *remove_;
     LightFields* fields_;
-    QGroupBox* environmentBox_;
+    SkyFields* sky_;
+    QVBoxLayout* environmentList_;
     QButtonGroup* environments_;
 };
 

@@ -242,6 +242,21 @@
     </message>
 </context>
 <context>
+    <name>Skies</name>
+    <message>
+        <source>Day</source>
+        <translation>Den</translation>
+    </message>
+    <message>
+        <source>Sunset</source>
+        <translation>Západ slunce</translation>
+    </message>
+    <message>
+        <source>Night</source>
+        <translation>Noc</translation>
+    </message>
+</context>
+<context>
     <name>gui</name>
     <message>
         <source>Click, Enter</source>
@@ -660,10 +675,6 @@
         <translation>Panel světe&amp;l</translation>
     </message>
     <message>
-        <source>Lights and environment maps</source>
-        <translation>Světla a mapy prostředí</translation>
-    </message>
-    <message>
         <source>&amp;Bookmarks panel</source>
         <translation>Panel &amp;záložek</translation>
     </message>
@@ -863,6 +874,54 @@
         <source>Show where lights are: click a mark to select its light, drag it to move the light</source>
         <translation>Ukázat, kde jsou světla: kliknutí na značku světlo vybere, tažení je přesune</translation>
     </message>
+    <message>
+        <source>&amp;Sky and sun</source>
+        <translation>&amp;Nebe a slunce</translation>
+    </message>
+    <message>
+        <source>Light the scene by a sky with a sun, in place of its lights</source>
+        <translation>Osvětlí scénu nebem se sluncem místo jejích světel</translation>
+    </message>
+    <message>
+        <source>S&amp;tudio</source>
+        <translation>S&amp;tudio</translation>
+    </message>
+    <message>
+        <source>Light it by soft lights before a plain background, in place of its lights</source>
+        <translation>Osvětlí ji měkkými světly před hladkým pozadím místo jejích světel</translation>
+    </message>
+    <message>
+        <source>&amp;Headlight</source>
+        <translation>Světlo u &amp;diváka</translation>
+    </message>
+    <message>
+        <source>Light it by one light beside you, in place of its lights</source>
+        <translation>Osvětlí ji jedním světlem vedle vás místo jejích světel</translation>
+    </message>
+    <message>
+        <source>&amp;Environment map…</source>
+        <translation>&amp;Mapa okolí…</translation>
+    </message>
+    <message>
+        <source>Let an image of all directions surround and light the scene</source>
+        <translation>Obklopí a osvětlí scénu obrázkem všech směrů</translation>
+    </message>
+    <message>
+        <source>&amp;No surroundings</source>
+        <translation>&amp;Bez okolí</translation>
+    </message>
+    <message>
+        <source>Neither sky nor environment map</source>
+        <translation>Ani nebe, ani mapa okolí</translation>
+    </message>
+    <message>
+        <source>Lights, the sky and environment maps</source>
+        <translation>Světla, nebe a mapy okolí</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>Svě&amp;tlo</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>
@@ -894,6 +953,10 @@ Qt %1</translation>
     <message>
         <source>Exam&amp;ples</source>
         <translation>&amp;Příklady</translation>
+    </message>
+    <message>
+        <source>Environment of the &amp;programs</source>
+        <translation>Okolí od &amp;programů</translation>
     </message>
 </context>
 <context>
@@ -1915,10 +1978,6 @@ Alt+%2</translation>
         <translation>Světla</translation>
     </message>
     <message>
-        <source>Environment</source>
-        <translation>Prostředí</translation>
-    </message>
-    <message>
         <source>Map %1</source>
         <translation>Mapa %1</translation>
     </message>
@@ -1957,6 +2016,14 @@ Alt+%2</translation>
     <message>
         <source>Marks in the image</source>
         <translation>Značky v obrazu</translation>
+    </message>
+    <message>
+        <source>Surroundings</source>
+        <translation>Okolí</translation>
+    </message>
+    <message>
+        <source>Environment map…</source>
+        <translation>Mapa okolí…</translation>
     </message>
 </context>
 <context>
@@ -2687,6 +2754,125 @@ Alt+%2</translation>
     </message>
 </context>
 <context>
+    <name>gui::SkyFields</name>
+    <message>
+        <source>Turned by</source>
+        <translation>Otočeno o</translation>
+    </message>
+    <message>
+        <source>Turns the environment map, to the right about the up axis</source>
+        <translation>Otočí mapu okolí doprava kolem svislé osy</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <translation>Jas</translation>
+    </message>
+    <message>
+        <source>How bright the environment map is; 1 is as its file says</source>
+        <translation>Jak je mapa okolí jasná; 1 je jako v souboru</translation>
+    </message>
+    <message>
+        <source>Computed sky with a sun</source>
+        <translation>Počítané nebe se sluncem</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <translation>Slunce</translation>
+    </message>
+    <message>
+        <source>By date and place</source>
+        <translation>Podle data a místa</translation>
+    </message>
+    <message>
+        <source>By direction</source>
+        <translation>Podle směru</translation>
+    </message>
+    <message>
+        <source>Time of day</source>
+        <translation>Denní doba</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Čas</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Latitude</source>
+        <translation>Zeměpisná šířka</translation>
+    </message>
+    <message>
+        <source>Degrees north; negative in the south</source>
+        <translation>Stupně severně; na jihu záporné</translation>
+    </message>
+    <message>
+        <source>Longitude</source>
+        <translation>Zeměpisná délka</translation>
+    </message>
+    <message>
+        <source>Degrees east; negative in the west</source>
+        <translation>Stupně východně; na západě záporné</translation>
+    </message>
+    <message>
+        <source>Time zone</source>
+        <translation>Časové pásmo</translation>
+    </message>
+    <message>
+        <source>What the clock is ahead of universal time</source>
+        <translation>O kolik jsou hodiny napřed před světovým časem</translation>
+    </message>
+    <message>
+        <source>North</source>
+        <translation>Sever</translation>
+    </message>
+    <message>
+        <source>Where north is in the scene: from straight ahead to the right</source>
+        <translation>Kde je ve scéně sever: od směru vpřed doprava</translation>
+    </message>
+    <message>
+        <source>Direction to the sun</source>
+        <translation>Směr ke slunci</translation>
+    </message>
+    <message>
+        <source>To the sun</source>
+        <translation>Ke slunci</translation>
+    </message>
+    <message>
+        <source>Where I look</source>
+        <translation>Kam se dívám</translation>
+    </message>
+    <message>
+        <source>Put the sun where the camera looks</source>
+        <translation>Umístí slunce tam, kam se dívá kamera</translation>
+    </message>
+    <message>
+        <source>Haze</source>
+        <translation>Zákal</translation>
+    </message>
+    <message>
+        <source>2 very clear, 3 clear, 6 hazy, 10 thick</source>
+        <translation>2 velmi jasno, 3 jasno, 6 opar, 10 hustý opar</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Síla</translation>
+    </message>
+    <message>
+        <source>How bright sun and sky are; 1 is as in nature</source>
+        <translation>Jak jasné jsou slunce a nebe; 1 je jako v přírodě</translation>
+    </message>
+    <message>
+        <source>Ground that takes the shadow</source>
+        <translation>Zem, na kterou padá stín</translation>
+    </message>
+    <message>
+        <source>A wide ground below the model</source>
+        <translation>Široká zem pod modelem</translation>
+    </message>
+</context>
+<context>
     <name>gui::StartPage</name>
     <message>
         <source>&amp;Open a scene or a model…</source>
@@ -2949,6 +3135,41 @@ Dvojklik se podívá na místo. F1 ukáže všechny klávesy.</translation>
     <message>
         <source>Fly</source>
         <translation>létání</translation>
+    </message>
+</context>
+<context>
+    <name>gui::SurroundingsOperations</name>
+    <message>
+        <source>Lit by a sky</source>
+        <translation>Osvětleno nebem</translation>
+    </message>
+    <message>
+        <source>Lit as in a studio</source>
+        <translation>Osvětleno jako ve studiu</translation>
+    </message>
+    <message>
+        <source>Lit by a light beside you</source>
+        <translation>Osvětleno světlem vedle vás</translation>
+    </message>
+    <message>
+        <source>Neither sky nor environment map</source>
+        <translation>Ani nebe, ani mapa okolí</translation>
+    </message>
+    <message>
+        <source>An environment map lights a scene. Open that first.</source>
+        <translation>Mapa okolí osvětluje scénu. Nejprve nějakou otevřete.</translation>
+    </message>
+    <message>
+        <source>Lit by %1</source>
+        <translation>Osvětluje %1</translation>
+    </message>
+    <message>
+        <source>Open an environment map</source>
+        <translation>Otevřít mapu okolí</translation>
+    </message>
+    <message>
+        <source>Environment maps (*.hdr *.exr *.pfm *.png *.jpg);;All files (*)</source>
+        <translation>Mapy okolí (*.hdr *.exr *.pfm *.png *.jpg);;Všechny soubory (*)</translation>
     </message>
 </context>
 <context>

@@ -37,6 +37,16 @@ TEST(StateReport, SurvivesTheRoundTrip) {
     EXPECT_EQ(app::parseStateReport(app::formatStateReport(other, 60000)), other);
 }
 
+TEST(StateReport, HasTheSkyAndTheMap) {
+    app::StateReport state = sample();
+    state.map = app::ReportedMap{-30.5F, 2};
+    state.sky = rtcore::Sky{.north = 40, .turbidity = 5, .strength = 0.5F, .ground = true};
+    EXPECT_EQ(app::parseStateReport(app::formatStateReport(state, 60000)), state);
+    state.sky->date.reset();
+    state.sky->direction = {0.1F, 2, -3};
+    EXPECT_EQ(app::parseStateReport(app::formatStateReport(state, 60000)), state);
+}
+
 app::ReportedLight describedLight(int id) {
     app::ReportedLight light{id, true, "spot", rtcore::LightDescription()};
     light.description->name = light.name;

@@ -1,0 +1,145 @@
+/// The sky, looks and environment maps in the window, with a real server.
+#include "gui/lit_scene.h"
+#include "gui/window_support.h"
+
+#include "gui/models/installed_skies.h"
+#include "gui/operations/scene_editor.h"
+#include "gui/panels/lights_panel.h"
+#include "gui/panels/sky_fields.h"
+#include "gui/panels/value_box.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDateEdit>
+#include <QImage>
+#include <QMimeData>
+#include <QSlider>
+#include <QTimeEdit>
+#include <QUrl>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace gui {
+namespace {
+
+using test::comes;
+
+class SkyTest : public test::WindowFixture {
+  protected:
+    void SetUp() override {
+        WindowFixture::SetUp();
+        test::writeLitScene(folder());
+    }
+    const SceneState& state() { return window->editor().state(); }
+    SkyFields& fields() { return window->findChild<LightsPanel*>()->sky(); }
+    bool edits(int count) {
+        return comes([&] { return state().edits == count; });
+    }
+    void drop(const QString& path) {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(path)});
+        QDragEnterEvent enter(QPoint(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&*window, &enter);
+        QDropEvent event(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QApplication::sendEvent(&*window, &event);
+    }
+};
+
+TEST_F(SkyTest, FieldsReachTheServerAndFollowIt) {
+    openAndRest("lit.scn");
+    action(ActionId::LightsPanel)->trigger();
+    ASSERT_FALSE(fields().sky().isChecked());
+    EXPECT_FALSE(fields().turbidity().isVisible());
+    fields().sky().click();
+    ASSERT_TRUE(edits(1));
+    ASSERT_TRUE(state().sky && state().sky->date);
+    ASSERT_TRUE(comes([&] { return fields().turbidity().isVisible(); }));
+    fields().hour().setValue(fields().hour().maximum() * 7 / 24);
+    ASSERT_TRUE(edits(2));
+    EXPECT_EQ(state().sky->date->second, 7 * 3600);
+    EXPECT_EQ(fields().time().time(), QTime(7, 0));
+    fields().time().setTime(QTime(8, 31));
+    ASSERT_TRUE(comes([&] { return state().sky->date->second == (8 * 60 + 31) * 60; }));
+    fields().date().setDate(QDate(2024, 2, 29));
+    ASSERT_TRUE(comes([&] { return state().sky->date->month == 2 && state().sky->date->day == 29; }));
+    fields().latitude().setValue(-33.25);
+    ASSERT_TRUE(comes([&] { return state().sky->date->latitude == -33.25; }));
+    fields().turbidity().setValue(6);
+    ASSERT_TRUE(comes([&] { return state().sky->turbidity == 6; }));
+    fields().ground().click();
+    ASSERT_TRUE(comes([&] { return state().sky->ground; }));
+    const int made = state().edits;
+    action(ActionId::Undo)->trigger();
+    ASSERT_TRUE(edits(made - 1));
+    EXPECT_FALSE(fields().ground().isChecked());
+}
+
+TEST_F(SkyTest, TheSunStaysWhereItIsUntilItIsMoved) {
+    openAndRest("lit.scn");
+    action(ActionId::LightsPanel)->trigger();
+    fields().sky().click();
+    ASSERT_TRUE(edits(1));
+    emit fields().sun().activated(1);
+    ASSERT_TRUE(edits(2));
+    EXPECT_FALSE(state().sky->date);
+    EXPECT_GT(state().sky->direction.y, 0.8F) << "at noon";
+    ASSERT_TRUE(comes([&] { return fields().direction(0).isVisible(); }));
+    EXPECT_FALSE(fields().time().isVisible());
+    fields().direction(0).setValue(2);
+    ASSERT_TRUE(comes([&] { return state().sky->direction.x == 2; }));
+    emit fields().sunAheadWanted();
+    ASSERT_TRUE(comes([&] { return state().sky->direction.z < -0.9F; })) << "where the camera looks";
+}
+
+TEST_F(SkyTest, LooksOfTheMenuTakeThePlaceOfAllLight) {
+    openAndRest("lit.scn");
+    action(ActionId::LookStudio)->trigger();
+    ASSERT_TRUE(comes([&] { return state().lights.size() == 3 && state().edits == 1; }));
+    EXPECT_EQ(window->view().told(), QStringLiteral("Lit as in a studio"));
+    action(ActionId::LookSky)->trigger();
+    ASSERT_TRUE(comes([&] { return state().sky.has_value(); }));
+    action(ActionId::NoEnvironment)->trigger();
+    ASSERT_TRUE(comes([&] { return !state().sky; }));
+    action(ActionId::LookHeadlight)->trigger();
+    ASSERT_TRUE(comes([&] { return state().lights.size() == 1; }));
+}
+
+TEST_F(SkyTest, AMapThatIsDroppedLightsTheScene) {
+    drop(file("map.hdr"));
+    EXPECT_FALSE(window->notice().text().isEmpty()) << "there is no scene yet";
+    openAndRest("lit.scn");
+    ASSERT_TRUE(comes([&] { return state().environments.size() == 2; }));
+    drop(file("none.hdr"));
+    ASSERT_TRUE(comes([&] { return window->notice().text().contains(QStringLiteral("none.hdr")); }));
+    QImage map(8, 4, QImage::Format_RGB32);
+    map.fill(Qt::red);
+    ASSERT_TRUE(map.save(file("map.png")));
+    drop(file("map.png"));
+    ASSERT_TRUE(comes([&] { return state().environments.size() == 3; }));
+    ASSERT_TRUE(state().map);
+    EXPECT_TRUE(state().environments.last().on);
+    action(ActionId::LightsPanel)->trigger();
+    ASSERT_TRUE(fields().mapRotation().isVisible());
+    fields().mapRotation().setValue(45);
+    ASSERT_TRUE(comes([&] { return state().map && state().map->rotation == 45; }));
+    fields().mapStrength().setValue(2);
+    ASSERT_TRUE(comes([&] { return state().map && state().map->strength == 2; }));
+}
+
+TEST(InstalledSkies, AreThoseThatLieThere) {
+    const test::TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "environments/generated");
+    test::writeText(folder / "environments/generated/sunset.hdr", "#?RADIANCE");
+    const QList<InstalledSky> skies = installedSkiesIn(QString::fromStdString(folder.path().string()));
+    ASSERT_EQ(skies.size(), 1);
+    EXPECT_EQ(skies[0].name, QStringLiteral("Sunset"));
+    EXPECT_TRUE(isEnvironmentFile(skies[0].path));
+    EXPECT_TRUE(isEnvironmentFile(QStringLiteral("A.JPG")));
+    EXPECT_FALSE(isEnvironmentFile(QStringLiteral("a.scn")));
+    EXPECT_FALSE(isEnvironmentFile(QStringLiteral("a.glb")));
+}
+
+} // namespace
+} // namespace gui
