@@ -102,6 +102,8 @@ rtcore::LoadedScene loadWithProgress(const RendererOptions& options, app::Progre
     try {
         rtcore::LoadedScene loaded = rtcore::loadScene(options.scene, load);
         for (const std::string& warning : loaded.warnings) progress.print("warning: " + warning);
+        app::selectParts(options.selection, loaded.scene);
+        app::selectLights(options.selection, loaded.scene);
         return loaded;
     } catch (const rtcore::BuildCancelled&) {
         giveUp();

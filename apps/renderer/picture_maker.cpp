@@ -94,6 +94,7 @@ rtcore::RenderSettings PictureMaker::prepare(const std::filesystem::path& camera
         file = rtcore::readCameraFile(cameraFile);
         camera = file->camera;
         const std::string warning = app::applyCameraToScene(*file, cameraFile, loaded_.scene);
+        app::selectLights(options_.selection, loaded_.scene);
         // Once: the other cameras of a list say the same.
         if (!warning.empty() && !warned_) progress_.print("warning: " + warning);
         warned_ = warned_ || !warning.empty();

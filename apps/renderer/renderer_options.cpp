@@ -154,6 +154,7 @@ RendererOptions readRendererOptions(const app::Arguments& arguments) {
     options.import = app::readImportOptions(arguments);
     options.import.threads = options.threads;
     options.surroundings = app::readSurroundings(arguments);
+    options.selection = app::readSelection(arguments);
     options.aovs = arguments.has("aovs");
     options.verbose = arguments.has("verbose");
     options.debugScene = readPath(arguments, "debug-scene");

@@ -7,6 +7,7 @@
 
 #include "common/cli/command_line.h"
 #include "common/progress/progress.h"
+#include "common/settings/selection_options.h"
 
 #include "rtcore/io/import/model_import.h"
 #include "rtcore/io/scene_loader.h"
@@ -41,6 +42,7 @@ struct RendererOptions {
     int threads = 0;                                 ///< 0 = all cores
     rtcore::ImportOptions import;
     rtcore::Surroundings surroundings;
+    app::Selection selection;
     bool aovs = false; ///< .exr outputs hold what is known of surfaces as well
     bool verbose = false;
     std::optional<std::filesystem::path> debugScene; ///< draw it there and render nothing

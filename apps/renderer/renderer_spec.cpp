@@ -6,6 +6,7 @@
 #include "common/cli/import_option_group.h"
 #include "common/cli/isa_option.h"
 #include "common/cli/parent_option.h"
+#include "common/cli/selection_option_group.h"
 #include "common/cli/surroundings_option_group.h"
 #include "common/cli/threads_option.h"
 #include "common/progress/progress.h"
@@ -225,7 +226,7 @@ const app::ProgramSpec& rendererSpec() {
                          .help = "scene description (.scn), kd-tree (.bsp) or any model file",
                          .files = app::sceneExtensions()}},
         .groups = {outputOptions(), sequenceOptions(), qualityOptions(), previewOptions(), runOptions(),
-                   app::surroundingsOptionGroup(), app::importOptionGroup()},
+                   app::surroundingsOptionGroup(), app::selectionOptionGroup(), app::importOptionGroup()},
         .examples = {{"Renderer nave.scn -o nave.png -w 1280 -h 720 -a 3",
                       "one image, 3 x 3 samples per pixel"},
                      {"Renderer cow.obj -o cow.png -o cow.exr",

@@ -53,30 +53,27 @@ Result materialReset(const Call& call) {
 
 Result parts(const Call& call) { return {.answer = partLines(sceneOf(call), firstOf(call))}; }
 
-void setHidden(const Call& call, bool hide, bool othersToo) {
+void setHidden(const Call& call, bool hide) {
     const rtcore::Scene& scene = sceneOf(call);
     const std::vector<rtcore::NamedPart> parts = rtcore::namedParts(scene.model);
-    std::vector<std::uint8_t> chosen = partsNamed(parts, call.arguments);
-    rtcore::HiddenParts hidden = withParts(scene.model, parts, chosen, hide, scene.hiddenParts);
-    if (othersToo) {
-        for (std::uint8_t& each : chosen) each = each == 0 ? 1 : 0;
-        hidden = withParts(scene.model, parts, chosen, !hide, hidden);
-    }
-    call.state.hideParts(std::move(hidden));
+    const std::vector<std::uint8_t> chosen = partsNamed(parts, call.arguments);
+    call.state.hideParts(withParts(scene.model, parts, chosen, hide, scene.hiddenParts));
 }
 
 Result partHide(const Call& call) {
-    setHidden(call, true, false);
+    setHidden(call, true);
     return {};
 }
 
 Result partShow(const Call& call) {
-    setHidden(call, false, false);
+    setHidden(call, false);
     return {};
 }
 
 Result partIsolate(const Call& call) {
-    setHidden(call, false, true);
+    const rtcore::Scene& scene = sceneOf(call);
+    const std::vector<rtcore::NamedPart> parts = rtcore::namedParts(scene.model);
+    call.state.hideParts(onlyParts(scene.model, parts, partsNamed(parts, call.arguments)));
     return {};
 }
 

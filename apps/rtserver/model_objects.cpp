@@ -3,8 +3,8 @@
 #include "ipc/layout/limits.h"
 
 #include "common/cli/command_line.h"
+#include "common/settings/named_numbers.h"
 
-#include "rtcore/io/text/pattern.h"
 #include "rtcore/io/text/scn.h"
 #include "rtcore/scene/material_edit.h"
 #include "rtcore/scene/metallic_roughness.h"
@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <optional>
 
 namespace rtserver {
 
@@ -24,18 +23,11 @@ std::string_view materialName(const rtcore::Scene& scene, std::size_t index) {
     return scene.model.name(scene.materials[index].nameOffset);
 }
 
-/// `nameOf` gives the name of each of `count` things.
-template <typename NameOf>
+/// At least one.
 std::vector<std::size_t> named(const std::string& text, std::size_t count, const std::string& what,
-                               NameOf nameOf) {
-    std::vector<std::size_t> all;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (rtcore::matchesPattern(text, nameOf(i))) all.push_back(i);
-    }
+                               const app::NameOf& nameOf) {
+    std::vector<std::size_t> all = app::numbersNamed(text, count, nameOf);
     if (!all.empty()) return all;
-    const std::optional<std::int64_t> number = app::parseInteger(text);
-    if (number && *number >= 1 && std::cmp_less_equal(*number, count))
-        return {static_cast<std::size_t>(*number - 1)};
     throw app::UsageError(
         fmt::format("no {} of the model is {}; '{}s' lists them", what, rtcore::inQuotes(text), what));
 }

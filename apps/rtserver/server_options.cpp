@@ -4,6 +4,7 @@
 #include "common/cli/import_options.h"
 #include "common/cli/instance_option.h"
 #include "common/cli/isa_option.h"
+#include "common/cli/selection_option_group.h"
 #include "common/cli/surroundings_option_group.h"
 #include "common/cli/threads_option.h"
 #include "common/settings/setting_option.h"
@@ -124,7 +125,8 @@ const app::ProgramSpec& serverSpec() {
         .positionals = {{.name = "SCENE",
                          .help = "scene description (.scn), kd-tree (.bsp) or any model file",
                          .files = app::sceneExtensions()}},
-        .groups = {viewOptions(), runOptions(), app::surroundingsOptionGroup(), app::importOptionGroup()},
+        .groups = {viewOptions(), runOptions(), app::surroundingsOptionGroup(), app::selectionOptionGroup(),
+                   app::importOptionGroup()},
         .examples = {{"RTServer nave.scn --resolution=1280x720 --daemon", "a server in the background"},
                      {"RTServer cow.obj --instance=cow",
                       "a second one, which 'CUI --instance=cow' commands"}},
@@ -155,6 +157,7 @@ Options readOptions(const app::Arguments& arguments) {
     app::useIsa(arguments);
     options.import = app::readImportOptions(arguments);
     options.surroundings = app::readSurroundings(arguments);
+    options.selection = app::readSelection(arguments);
     options.import.threads = options.threads;
     return options;
 }

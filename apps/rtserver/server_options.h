@@ -3,6 +3,7 @@
 
 #include "common/cli/command_line.h"
 #include "common/cli/options.h"
+#include "common/settings/selection_options.h"
 
 #include "rtcore/io/import/model_import.h"
 #include "rtcore/io/scene_loader.h"
@@ -28,6 +29,7 @@ struct Options {
     bool daemon = false;
     rtcore::ImportOptions import;
     rtcore::Surroundings surroundings; ///< of the first scene
+    app::Selection selection;          ///< the same
 };
 
 const app::ProgramSpec& serverSpec();

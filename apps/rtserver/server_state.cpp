@@ -70,6 +70,10 @@ void ServerState::show(std::unique_ptr<World> world) {
         if (!warning.empty()) loaded.warnings.push_back(warning);
         loaded.camera = camera->camera;
     }
+    if (first) {
+        app::selectParts(options_.selection, scene);
+        app::selectLights(options_.selection, scene);
+    }
     // A .bsp may have one that setCamera() refuses.
     if (rtcore::areParallel(loaded.camera.forward, loaded.camera.up))
         loaded.camera.up = rtcore::upwardsOf(loaded.camera.forward, scene.up);

@@ -34,7 +34,7 @@ struct Options {
     int size = 512; ///< pixels of a side of the image
 };
 
-/// A value in the state in which an action left it, and what that took.
+/// Wall clock.
 template <typename Work>
 double millisecondsOf(Work&& work) {
     const auto start = std::chrono::steady_clock::now();
@@ -70,15 +70,17 @@ class Hiding {
         const double mask = millisecondsOf(
             [&] { hidden = hiddenTriangles(loaded.scene.model, hideSome(loaded.scene.model, share)); });
         const auto left = std::count(hidden.begin(), hidden.end(), 0);
+        auto whole = std::make_unique<KdRayTracer>(loaded.tree, mesh, chooseLeafRecords(loaded.tree, 0));
         const double prune = millisecondsOf([&] { pruned_ = visibleTree(loaded.tree, hidden); });
-        const double prunedTracer = addContender("pruned", pruned_, rtcore::LeafRecords::Shared);
+        const double prunedTracer =
+            addContender("pruned", [&] { return std::make_unique<KdRayTracer>(pruned_, *whole); });
         const double build =
-            millisecondsOf([&] { anew_ = buildVisibleTree(mesh, hidden, loaded.tree.bounds, {}); });
-        const double anewTracer = addContender("anew", anew_, chooseLeafRecords(anew_, 0));
+            millisecondsOf([&] { anew_ = buildVisibleTree(mesh, hidden, loaded.tree.bounds); });
+        const double anewTracer = addContender(
+            "anew", [&] { return std::make_unique<KdRayTracer>(anew_, mesh, chooseLeafRecords(anew_, 0)); });
         const double bits = millisecondsOf([&] { bits_ = bitsOf(hidden); });
-        auto masked = std::make_unique<KdRayTracer>(loaded.tree, mesh, chooseLeafRecords(loaded.tree, 0));
-        masked->setFilter({bits_.data(), nullptr});
-        contenders_.push_back({.name = "masked", .tracer = std::move(masked)});
+        whole->setFilter({bits_.data(), nullptr});
+        contenders_.push_back({.name = "masked", .tracer = std::move(whole)});
         std::printf(
             "  %.0f %% of the parts hidden, %td triangles left; ready after: mask %.1f ms, pruned %.1f "
             "(tree %.1f, tracer %.1f), anew %.1f (tree %.1f, tracer %.1f)\n",
@@ -111,10 +113,10 @@ class Hiding {
     }
 
   private:
-    double addContender(const char* name, const KdTree& tree, rtcore::LeafRecords records) {
+    template <typename Make>
+    double addContender(const char* name, Make&& make) {
         rtbench::Contender contender{.name = name, .tracer = nullptr};
-        const double time = millisecondsOf(
-            [&] { contender.tracer = std::make_unique<KdRayTracer>(tree, loaded_.scene.mesh(), records); });
+        const double time = millisecondsOf([&] { contender.tracer = make(); });
         contenders_.push_back(std::move(contender));
         return time;
     }

@@ -1,6 +1,7 @@
-// How soon RTServer shows that something changed, whatever it is drawing: keys, settings, lights, scenes.
-//   bench_reaction [--keys=N] [--settings=N] [--lights=N] [--loads=N] [--seed=N] [--size=WxH] [--scene=FILE]
-//                  [--turns=FILE] [--each] [SERVER]...
+// How soon RTServer shows that something changed, whatever it is drawing: keys, settings, lights, parts,
+// scenes.
+//   bench_reaction [--keys=N] [--settings=N] [--lights=N] [--parts=N] [--loads=N] [--seed=N] [--size=WxH]
+//                  [--scene=FILE] [--turns=FILE] [--each] [SERVER]...
 // Each SERVER is an RTServer, such as one of before a change; they take turns, so that whatever else the
 // machine does hits all alike. Without one: the one that was built. With the same FILE several
 // bench_reactions take turns, too: each speaks one version of the protocol.
@@ -37,7 +38,7 @@ constexpr auto kLongest = 5s;     ///< an image that does not come in this time 
 constexpr int kOneTurn = 20;      ///< measurements of one server, then it is the next one's turn
 
 struct Wishes {
-    int keys = 500, settings = 100, lights = 100, loads = 10;
+    int keys = 500, settings = 100, lights = 100, parts = 0, loads = 10;
     unsigned seed = 1;
     std::string size = "1920x1080";
     std::string scene = RT_SOURCE_FOLDER "/data/nave/nave.scn";
@@ -138,6 +139,17 @@ class Measured {
         }
     }
 
+    /// Every second one is hidden, then all are shown again.
+    void parts(int count, std::mt19937& random) {
+        std::uniform_int_distribution<int> stands(0, 2500);
+        for (int i = 0; i < count; ++i) {
+            const std::string command = i % 2 == 0 ? "part hide " + everySecondPart(i / 2) : "part show-all";
+            parts_.push_back(reaction([&] { client_->send(command); }, false));
+            tellEach(i % 2 == 0 ? "part hide ..." : "part show-all", parts_.back());
+            std::this_thread::sleep_for(std::chrono::milliseconds(stands(random)));
+        }
+    }
+
     // From the end of loading.
     void loads(int count) {
         for (int i = 0; i < count; ++i) {
@@ -158,6 +170,7 @@ class Measured {
         tell("key to the first changed image", keys_);
         tell("setting to the first changed image", settings_);
         tell("light to the first changed image", lights_);
+        tell("parts to the first changed image", parts_);
         tell("end of loading to the first image", loads_);
     }
 
@@ -175,6 +188,17 @@ class Measured {
         client_->request("walk", 60s);
         client_->request("wait-idle", 60s);
         light_.clear();
+    }
+
+    /// Of the model's first hundred parts, so that a command holds them.
+    std::string everySecondPart(int from) {
+        const std::string listed = client_->request("parts", 60s).text;
+        const auto lines = 1 + std::count(listed.begin(), listed.end(), '\n');
+        std::string numbers;
+        for (long i = 1; i <= std::min(lines, 100L); ++i) {
+            if ((i + from) % 2 == 0) numbers += (numbers.empty() ? "" : " ") + std::to_string(i);
+        }
+        return numbers;
     }
 
     static Clock::time_point publishedAt(const ipc::Frame& frame) {
@@ -239,7 +263,7 @@ class Measured {
     bool forwards_ = true;
     double frameSeconds_ = 0; ///< of the last frame that was looked at
     std::size_t setting_ = 0;
-    std::vector<double> keys_, settings_, lights_, loads_;
+    std::vector<double> keys_, settings_, lights_, parts_, loads_;
     std::string light_; ///< its id
 };
 
@@ -263,6 +287,8 @@ Wishes read(int count, char** words) {
             wishes.settings = std::stoi(value);
         else if (name == "--lights")
             wishes.lights = std::stoi(value);
+        else if (name == "--parts")
+            wishes.parts = std::stoi(value);
         else if (name == "--loads")
             wishes.loads = std::stoi(value);
         else if (name == "--seed")
@@ -302,6 +328,7 @@ void measure(const Wishes& wishes) {
     inTurns(wishes.keys, [&](Measured& one, int count) { one.keys(count, random); });
     inTurns(wishes.settings, [&](Measured& one, int count) { one.settings(count, random); });
     inTurns(wishes.lights, [&](Measured& one, int count) { one.lights(count, random); });
+    inTurns(wishes.parts, [&](Measured& one, int count) { one.parts(count, random); });
     inTurns(wishes.loads, [&](Measured& one, int count) { one.loads(count); });
     for (const auto& one : all) one->report();
 }

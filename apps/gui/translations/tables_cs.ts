@@ -751,6 +751,42 @@
         <translation>čím je scéna osvětlena namísto vlastních světel: sky, studio nebo headlight</translation>
     </message>
     <message>
+        <source>Parts and lights</source>
+        <translation>Části a světla</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>Pouze část</translation>
+    </message>
+    <message>
+        <source>show this part of the model alone; given several times, these</source>
+        <translation>zobrazí z modelu pouze tuto část; při opakování pouze tyto části</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Skrýt část</translation>
+    </message>
+    <message>
+        <source>leave this part of the model out; may be given several times</source>
+        <translation>vynechá tuto část modelu; lze opakovat</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zobrazit část</translation>
+    </message>
+    <message>
+        <source>show this part of the model where the scene hides it; may be given several times</source>
+        <translation>zobrazí tuto část modelu, i když ji scéna skrývá; lze opakovat</translation>
+    </message>
+    <message>
+        <source>Lights</source>
+        <translation>Světla</translation>
+    </message>
+    <message>
+        <source>switch these lights on and all others off: names and numbers, parted by commas; all; none</source>
+        <translation>zapne tato světla a všechna ostatní vypne: názvy a čísla oddělené čárkami; all (všechna); none (žádné)</translation>
+    </message>
+    <message>
         <source>Importing models</source>
         <translation>Import modelů</translation>
     </message>

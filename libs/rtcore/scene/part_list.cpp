@@ -40,6 +40,12 @@ HiddenParts withParts(const Model& model, std::span<const NamedPart> parts,
     return any ? std::make_shared<const std::vector<std::uint8_t>>(std::move(all)) : nullptr;
 }
 
+HiddenParts onlyParts(const Model& model, std::span<const NamedPart> parts,
+                      std::span<const std::uint8_t> chosen) {
+    const std::vector<std::uint8_t> every(parts.size(), 1);
+    return withParts(model, parts, chosen, false, withParts(model, parts, every, true, nullptr));
+}
+
 std::vector<std::uint8_t> hiddenTriangles(const Model& model, const HiddenParts& hidden) {
     std::vector<std::uint8_t> triangles(model.mesh.triangles.size());
     if (hidden == nullptr) return triangles;

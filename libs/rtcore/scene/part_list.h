@@ -33,6 +33,9 @@ bool isHidden(const NamedPart& part, const HiddenParts& hidden);
 /// `hidden` with these parts hidden or shown. `chosen` has one value for each of `parts`; those of 0 stay.
 HiddenParts withParts(const Model& model, std::span<const NamedPart> parts,
                       std::span<const std::uint8_t> chosen, bool hide, const HiddenParts& hidden);
+/// The chosen ones shown, all others hidden.
+HiddenParts onlyParts(const Model& model, std::span<const NamedPart> parts,
+                      std::span<const std::uint8_t> chosen);
 
 /// One value for each triangle: 1 where it is hidden.
 std::vector<std::uint8_t> hiddenTriangles(const Model& model, const HiddenParts& hidden);

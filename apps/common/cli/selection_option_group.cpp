@@ -1,0 +1,38 @@
+#include "common/cli/selection_option_group.h"
+
+namespace app {
+
+namespace {
+
+std::vector<std::string> suggestLights(std::span<const std::string> /*words*/) { return {"all", "none"}; }
+
+} // namespace
+
+OptionGroup selectionOptionGroup() {
+    return {"Parts and lights",
+            {{.name = "isolate",
+              .value = ValueKind::Text,
+              .argument = "PART",
+              .help = "show this part of the model alone; given several times, these",
+              .more = "A name, also with `*` and `?`, or a number, as the command `part isolate` takes them; "
+                      "`CUI parts` lists them. What else a `.scn` hides or shows does not count then"},
+             {.name = "hide",
+              .value = ValueKind::Text,
+              .argument = "PART",
+              .help = "leave this part of the model out; may be given several times",
+              .more = "`--hide` and `--show` count in their order, after `--isolate`"},
+             {.name = "show",
+              .value = ValueKind::Text,
+              .argument = "PART",
+              .help = "show this part of the model where the scene hides it; may be given several times"},
+             {.name = "lights",
+              .value = ValueKind::Text,
+              .argument = "LIST",
+              .help = "switch these lights on and all others off: names and numbers, parted by commas; all; "
+                      "none",
+              .more = "Numbers are those that `CUI lights` prints and `.cam` files have. It counts for every "
+                      "camera, whatever its `.cam` says. Sky and emitting surfaces stay",
+              .suggest = suggestLights}}};
+}
+
+} // namespace app

@@ -1,0 +1,33 @@
+/// Reads the options of selectionOptionGroup(), and does what they say.
+#pragma once
+
+#include "common/cli/command_line.h"
+
+#include "rtcore/scene/scene.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace app {
+
+/// Which parts are seen and which lights are on, in place of what the scene says.
+struct Selection {
+    struct Part {
+        std::string text; ///< as numbersNamed() takes it
+        bool hide = true;
+    };
+    std::vector<std::string> isolated; ///< these alone; empty: no change
+    std::vector<Part> parts;           ///< then, in order
+    std::optional<std::string> lights; ///< "all", "none", or names and ids, parted by commas
+};
+
+Selection readSelection(const Arguments& arguments);
+
+/// Of a scene of which `scene` is, or will be, a copy. Both throw UsageError where the scene has no such part
+/// or light; the message names some that it has.
+void selectParts(const Selection& selection, rtcore::Scene& scene);
+/// The lights must be numbered. After what a .cam says of them, which it overrules.
+void selectLights(const Selection& selection, rtcore::Scene& scene);
+
+} // namespace app
