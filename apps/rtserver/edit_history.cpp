@@ -2,13 +2,15 @@
 
 #include "rtcore/sky/scene_sky.h"
 
+#include <numeric>
 #include <utility>
 
 namespace rtserver {
 
 namespace {
 
-constexpr std::size_t kMostSteps = 500;
+constexpr std::size_t kMostSteps = 5000, kFewestSteps = 100;
+constexpr std::size_t kMostBytes = 256U << 20U;
 /// Maps of skies are 6 MB each: those of steps before the last are drawn again when they are needed.
 constexpr std::size_t kStepsWithMaps = 1;
 
@@ -16,6 +18,18 @@ void dropSkyMaps(EditStep& step) {
     const bool same = !changesScene(step);
     step.before.scene = rtcore::withoutSkyMap(step.before.scene);
     step.after.scene = same ? step.before.scene : rtcore::withoutSkyMap(step.after.scene);
+}
+
+/// What a scene takes of its own: the rest is shared.
+std::size_t bytesOf(const rtcore::Scene& scene) {
+    constexpr std::size_t kLight =
+        sizeof(rtcore::Light) + sizeof(rtcore::LightNotes) + 2 * sizeof(std::string);
+    return sizeof(scene) + scene.materials.size() * sizeof(rtcore::Material) + scene.lights.size() * kLight +
+           scene.materialEdits.size() * sizeof(rtcore::MaterialOverride);
+}
+
+std::size_t bytesOf(const EditStep& step) {
+    return sizeof(step) + (changesScene(step) ? 2 * bytesOf(*step.after.scene) : 0);
 }
 
 bool changesAnything(const EditStep& step) {
@@ -43,13 +57,20 @@ void EditHistory::add(EditStep step, bool goesOn) {
     if (goesOn && last() != nullptr && last()->label == step.label) return joinToLast(std::move(step.after));
     step.state = ++newest_;
     steps_.push_back(std::move(step));
-    if (steps_.size() > kMostSteps) {
+    forgetFirst();
+    done_ = steps_.size();
+    if (done_ > kStepsWithMaps) dropSkyMaps(steps_[done_ - 1 - kStepsWithMaps]);
+}
+
+void EditHistory::forgetFirst() {
+    const auto plus = [](std::size_t bytes, const EditStep& step) { return bytes + bytesOf(step); };
+    std::size_t bytes = std::accumulate(steps_.begin(), steps_.end(), std::size_t{0}, plus);
+    while (steps_.size() > kMostSteps || (steps_.size() > kFewestSteps && bytes > kMostBytes)) {
+        bytes -= bytesOf(steps_.front());
         base_ = steps_.front().state;
         steps_.pop_front();
         ++forgotten_;
     }
-    done_ = steps_.size();
-    if (done_ > kStepsWithMaps) dropSkyMaps(steps_[done_ - 1 - kStepsWithMaps]);
 }
 
 void EditHistory::joinToLast(Shown after) {

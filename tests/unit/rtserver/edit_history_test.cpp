@@ -207,9 +207,9 @@ TEST_F(Edits, OfAnotherSceneAreForgotten) {
     EXPECT_EQ(state.history().position(), 0U);
 }
 
-TEST_F(Edits, AreKeptUpToFiveHundred) {
-    for (int i = 0; i < 600; ++i) answer("camera set " + std::to_string(i + 1) + " 2 3 0 0 -1");
-    EXPECT_EQ(state.history().position(), 600U);
+TEST_F(Edits, AreKeptUpToFiveThousand) {
+    for (int i = 0; i < 5100; ++i) answer("camera set " + std::to_string(i + 1) + " 2 3 0 0 -1");
+    EXPECT_EQ(state.history().position(), 5100U);
     undoAll();
     EXPECT_EQ(state.history().position(), 100U);
     EXPECT_EQ(state.camera().eye.x, 100);

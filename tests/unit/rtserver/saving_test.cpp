@@ -127,7 +127,7 @@ TEST_F(Saving, TheMarkSeesAGestureThatGoesOn) {
 TEST_F(Saving, TheMarkOutlivesForgottenSteps) {
     answer("light 1 off");
     answer("save as DIR/b.scn");
-    for (int i = 0; i < 500; ++i) answer("camera set " + std::to_string(i + 1) + " 2 3 0 0 -1");
+    for (int i = 0; i < 5000; ++i) answer("camera set " + std::to_string(i + 1) + " 2 3 0 0 -1");
     while (state.history().last() != nullptr) answer("undo");
     EXPECT_FALSE(modified()) << "the step before those that are kept";
     answer("redo");
