@@ -82,6 +82,8 @@ rtcore::SceneFile describe(const ServerState& state) {
     file.lights = lightsOfScene(scene);
     if (const auto sun = rtcore::sunOf(scene))
         file.sun = {scene.lightNotes[*sun].id, scene.lights[*sun].on != 0};
+    else
+        file.sun = {0, !scene.sky}; // taken away, it comes back switched off
     file.environments = scene.environmentFiles;
     addModelEdits(scene, file);
     file.cameraFile.reset();

@@ -80,6 +80,7 @@ int ServerState::addLight(rtcore::LightDescription light) {
 void ServerState::removeLight(int id) {
     const std::size_t light = lightOf(id);
     rtcore::Scene edited = *scene_;
+    edited.removedLightId = std::max(edited.removedLightId, id);
     eraseAt(edited.lights, light);
     eraseAt(edited.lightNames, light);
     eraseAt(edited.lightNotes, light);

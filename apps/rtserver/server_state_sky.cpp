@@ -57,6 +57,7 @@ void ServerState::switchHeadlight(rtcore::Scene& scene, bool on) const {
 }
 
 void ServerState::addEnvironment(const rtcore::EnvironmentFile& file, rtcore::Environment environment) {
+    for (const std::filesystem::path& each : file.files) world_->inputs.add(each);
     rtcore::Scene edited = *scene_;
     rtcore::setSky(edited, std::nullopt);
     edited.activeEnvironment = static_cast<int>(rtcore::addEnvironment(edited, file, std::move(environment)));

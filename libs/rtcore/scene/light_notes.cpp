@@ -43,7 +43,7 @@ std::optional<std::size_t> lightWithId(const Scene& scene, int id) {
 
 int nextLightId(const Scene& scene) {
     const std::set<int> taken = idsOf(scene);
-    const int last = taken.empty() ? 0 : *taken.rbegin();
+    const int last = std::max(taken.empty() ? 0 : *taken.rbegin(), scene.removedLightId);
     return last < kMostLightId ? last + 1 : leastFree(taken, 1);
 }
 

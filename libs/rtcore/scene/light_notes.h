@@ -25,7 +25,8 @@ void numberLights(Scene& scene);
 
 /// Of a scene whose lights are numbered: which one has that id.
 std::optional<std::size_t> lightWithId(const Scene& scene, int id);
-/// For one more light: above all that there are, so that none follows in the place of one that was removed.
+/// For one more light: above all that there are and were, so that none follows in the place of one that was
+/// removed.
 int nextLightId(const Scene& scene);
 
 } // namespace rtcore

@@ -70,6 +70,7 @@ struct Scene : SceneLook {
     std::vector<Light> lights;
     std::vector<std::string> lightNames; ///< one per light, may be ""
     std::vector<LightNotes> lightNotes;  ///< one per light, once numberLights() was called
+    int removedLightId = 0; ///< the highest of those that were removed: nextLightId() is above it
     std::vector<std::shared_ptr<const Environment>> environments; ///< of files, then that of `sky`
     std::vector<EnvironmentFile> environmentFiles; ///< what those of files were loaded from, where known
     std::shared_ptr<const SkyGround> ground;       ///< below the model, once a sky was to show one

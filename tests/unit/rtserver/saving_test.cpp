@@ -134,6 +134,22 @@ TEST_F(Saving, TheMarkOutlivesForgottenSteps) {
     EXPECT_TRUE(modified());
 }
 
+TEST_F(Saving, ASunThatWasRemovedDoesNotComeBackOn) {
+    answer("sky on");
+    answer("light remove 3");
+    answer("save as DIR/b.scn");
+    EXPECT_TRUE(saved().sky);
+    EXPECT_FALSE(saved().sun.on);
+    answer("sky off");
+    answer("save");
+    EXPECT_EQ(saved().sun, rtcore::SunDescription{});
+}
+
+TEST_F(Saving, MapsThatAreShownAreNotWrittenOver) {
+    answer("environment open DIR/a.pfm");
+    EXPECT_NE(refusal("save as DIR/a.pfm").text.find("a.pfm"), std::string::npos);
+}
+
 TEST_F(Saving, EditsMeanwhileAreNotInTheFile) {
     const Result save = run("save as DIR/b.scn");
     answer("light 1 off");
