@@ -86,6 +86,9 @@ TEST_F(Skies, WhatMakesNoSenseIsRefused) {
     EXPECT_EQ(render("room.obj", {"--sky=date=2026-02-30"}).exitCode, 2);
     EXPECT_EQ(render("room.obj", {"--sky=9", "--environment=a.hdr"}).exitCode, 2);
     EXPECT_NE(render("room.obj", {"--sky=\"]\n["}).error.find("--sky"), std::string::npos);
+    for (const char* sky : {"--sky=banana", "--sky=hour=", "--sky=9,"})
+        EXPECT_NE(render("room.obj", {sky}).error.find("such as hour=17,latitude=48.2"), std::string::npos)
+            << sky;
     writeMap("odd.ppm", 5, 2);
     const test::ProgramResult odd = render("room.obj", {"--environment", file("odd.ppm")});
     EXPECT_EQ(odd.exitCode, 65);

@@ -42,12 +42,21 @@ std::string tableOf(std::string_view text) {
     return table;
 }
 
+/// What is no value of a table is no sky, in whichever words the parser says so.
+rtcore::TextValue contentOf(std::string_view text) {
+    try {
+        return rtcore::parseToml(tableOf(text), kPlace);
+    } catch (const rtcore::FileError&) {
+        throw UsageError("");
+    }
+}
+
 } // namespace
 
 rtcore::Sky readSkyOption(std::string_view text) {
     std::string reason;
     try {
-        const rtcore::TextValue content = rtcore::parseToml(tableOf(text), kPlace);
+        const rtcore::TextValue content = contentOf(text);
         rtcore::StrictTable table(content, kPlace);
         return rtcore::readSky(table);
     } catch (const rtcore::FileError& error) {
