@@ -23,6 +23,7 @@ namespace {
 namespace command = app::command;
 
 constexpr int kDay = 24 * 3600, kSliderStep = 300; ///< seconds
+constexpr int kDirectionDigits = 3;                ///< as many as are seen
 constexpr double kMostStrength = 1e6;
 
 rtcore::Vec3 upOf(const SceneState& state) {
@@ -35,9 +36,9 @@ rtcore::Vec3 upOf(const SceneState& state) {
 
 std::array<float, 3> componentsOf(const rtcore::Vec3& v) { return {v.x, v.y, v.z}; }
 
-void put(ValueBox* box, double value) {
-    const double digits = QString::number(value, 'g', 6).toDouble();
-    if (box->value() != digits) box->setValue(digits);
+void put(ValueBox* box, double value, int digits = 6) {
+    const double shown = QString::number(value, 'g', digits).toDouble();
+    if (box->value() != shown) box->setValue(shown);
 }
 
 } // namespace
@@ -96,6 +97,7 @@ void SkyFields::addTime() {
     hour_->setAccessibleName(tr("Time of day"));
     hour_->setRange(0, kDay / kSliderStep);
     hour_->setPageStep(3600 / kSliderStep);
+    hour_->setValue(kDay / 2 / kSliderStep);
     time_ = new QTimeEdit;
     time_->setAccessibleName(tr("Time"));
     time_->setDisplayFormat(QStringLiteral("HH:mm"));
@@ -113,6 +115,7 @@ void SkyFields::addTime() {
     date_ = new QDateEdit;
     date_->setAccessibleName(tr("Date"));
     date_->setCalendarPopup(true);
+    date_->setDisplayFormat(QStringLiteral("yyyy-MM-dd"));
     date_->setDateRange({1800, 1, 1}, {2200, 12, 31});
     form_->addRow(tr("Date"), date_);
     connect(date_, &QDateEdit::dateChanged, this, [this](const QDate& date) {
@@ -209,7 +212,7 @@ void SkyFields::showSky(const rtcore::Sky& sky) {
         put(zone_, sky.date->timeZone);
     }
     for (std::size_t i = 0; i < direction_.size(); ++i)
-        put(direction_.at(i), static_cast<double>(componentsOf(sky.direction).at(i)));
+        put(direction_.at(i), static_cast<double>(componentsOf(sky.direction).at(i)), kDirectionDigits);
     put(north_, static_cast<double>(sky.north));
     put(turbidity_, static_cast<double>(sky.turbidity));
     put(strength_, static_cast<double>(sky.strength));
