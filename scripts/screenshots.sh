@@ -101,7 +101,7 @@ job_dialogs() {
     close_dialog
 }
 
-# Settings, lights, bookmarks.
+# Bookmarks, lights and their marks, the model, settings; the sky last, which stays.
 panels() {
     for each in altar rose; do
         cui load camera "$scenes/$each.cam"
@@ -111,10 +111,15 @@ panels() {
     done
     keys ctrl+j F7
     whole_window bookmarks
-    keys F6
+    keys F6 F9
     whole_window lights
+    keys F9 F8
+    whole_window model
     keys F5
     whole_window settings
+    cui sky hour 17
+    keys F6
+    whole_window sky
 }
 
 # look THEME LANGUAGE SCALE: all pictures of one look.
@@ -140,10 +145,10 @@ look() {
     xdotool windowfocus --sync "$main"
     import -window "$main" "$pictures/window-$suffix.png"
     about="alt+h a"
-    menus="f c a o d s h"
+    menus="f c a l o d s h"
     if [ "$language" = cs ]; then
         about="alt+v o"
-        menus="s p a k z n v"
+        menus="s p a t k z n v"
     fi
     for menu in $menus; do
         xdotool windowfocus --sync "$main"
@@ -153,7 +158,8 @@ look() {
         xdotool key Escape Escape
         sleep 0.2
     done
-    for each in start:ctrl+s connect:ctrl+c export:ctrl+e recording:ctrl+shift+r statistics:ctrl+t log:ctrl+l keys:F1; do
+    for each in start:ctrl+n connect:ctrl+shift+o export:ctrl+e recording:ctrl+shift+r statistics:ctrl+t log:ctrl+l keys:F1 \
+        angle:ctrl+shift+f save:ctrl+shift+s; do
         dialog "${each%%:*}-$suffix" "${each##*:}"
         close_dialog
     done

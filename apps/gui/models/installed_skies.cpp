@@ -10,11 +10,11 @@ namespace gui {
 
 namespace {
 
-struct Known {
+struct KnownSky {
     const char* file; ///< without its suffix
     const char* name;
 };
-constexpr Known kKnownSkies[]{
+constexpr KnownSky kKnownSkies[]{
     {"day", QT_TRANSLATE_NOOP("Skies", "Day")},
     {"sunset", QT_TRANSLATE_NOOP("Skies", "Sunset")},
     {"night", QT_TRANSLATE_NOOP("Skies", "Night")},
@@ -24,7 +24,7 @@ constexpr Known kKnownSkies[]{
 
 QList<InstalledSky> installedSkiesIn(const QString& folder) {
     QList<InstalledSky> skies;
-    for (const Known& each : kKnownSkies) {
+    for (const KnownSky& each : kKnownSkies) {
         const QString path =
             QStringLiteral("%1/environments/generated/%2.hdr").arg(folder, QString::fromLatin1(each.file));
         if (QFileInfo(path).isReadable())
