@@ -36,7 +36,7 @@ TEST_F(RtBench, RacesEveryKindOfRay) {
     const std::string tiny = RT_SOURCE_FOLDER "/data/tiny/tiny.scn";
     const test::ProgramResult result = run({tiny, "room.obj", "--size=64", "--rounds=2", "--json=r.json"});
     EXPECT_EQ(result.exitCode, 0) << result.error; // hits agree
-    EXPECT_NE(result.output.find("\nroom: 168 triangles\n"), std::string::npos) << result.output;
+    EXPECT_NE(result.output.find("\nroom: 168 triangles, headlight\n"), std::string::npos) << result.output;
     const Json json = report();
     ASSERT_EQ(json["scenes"].size(), 2U);
     EXPECT_EQ(json["scenes"][0]["name"], "tiny");
