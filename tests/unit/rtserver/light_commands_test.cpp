@@ -100,7 +100,7 @@ TEST_F(LightCommands, IdsStayWhileOthersComeAndGo) {
     answer("light remove 3");
     EXPECT_EQ(refusal("light name 3 x").text, "there is no light 3; the scene has none");
     EXPECT_EQ(answer("lights"), "");
-    EXPECT_EQ(answer("light add point here"), "1");
+    EXPECT_EQ(answer("light add point here"), "4") << "none is given again";
 }
 
 TEST_F(LightCommands, KeysNameLightsByTheirIds) {
