@@ -89,6 +89,9 @@ for check in "$@"; do
         cmake --build --preset asan-ubsan --target test_rtserver
         RT_EDITS=${RT_EDITS:-10000} UBSAN_OPTIONS=print_stacktrace=1 \
             build/asan-ubsan/bin/test_rtserver --gtest_filter='RandomEdits.*'
+        # So many of the window and of CUI at once, all taken back to the first bits.
+        RT_EDITS=${RT_EDITS_AT_ONCE:-1000} QT_QPA_PLATFORM=offscreen \
+            build/release/bin/test_gui --gtest_filter='EditsAtOnce.*'
         ;;
     sanitizers)
         cmake --preset asan-ubsan -DRT_EVERY_INSTRUCTION_SET=ON >/dev/null
