@@ -118,7 +118,7 @@ panels() {
     keys F5
     whole_window settings
     cui sky hour 17
-    keys F6
+    keys F6 F6 # away, and to the front
     whole_window sky
 }
 
@@ -205,7 +205,7 @@ if [ "$docs" = yes ]; then
     convert "$pictures/jobs-light-en-1.png" -quality 88 docs/images/jobs.jpg
     convert "$pictures/settings-light-en-1.png" -quality 88 docs/images/settings.jpg
     convert -gravity NorthEast "$pictures/lights-light-en-1.png" "$pictures/bookmarks-light-en-1.png" \
-        -crop 279x621+0+19 +repage +append +dither -colors 192 docs/images/panels.png
+        -crop 312x621+0+19 +repage +append +dither -colors 192 docs/images/panels.png
     for each in start export recording statistics configure1 render-more; do
         convert "$pictures/$each-light-en-1.png" +dither -colors 128 "docs/images/$each.png"
     done
