@@ -204,8 +204,8 @@ if [ "$docs" = yes ]; then
     convert "$pictures/still.png" -quality 88 docs/images/window.jpg
     convert "$pictures/jobs-light-en-1.png" -quality 88 docs/images/jobs.jpg
     convert "$pictures/settings-light-en-1.png" -quality 88 docs/images/settings.jpg
-    convert -gravity NorthEast "$pictures/lights-light-en-1.png" "$pictures/bookmarks-light-en-1.png" \
-        -crop 312x621+0+19 +repage +append +dither -colors 192 docs/images/panels.png
+    convert -gravity NorthEast \( "$pictures/lights-light-en-1.png" -crop 312x621+0+19 +repage \) \
+        \( "$pictures/bookmarks-light-en-1.png" -crop 279x621+0+19 +repage \) +append +dither -colors 192 docs/images/panels.png
     for each in start export recording statistics configure1 render-more; do
         convert "$pictures/$each-light-en-1.png" +dither -colors 128 "docs/images/$each.png"
     done
