@@ -81,6 +81,32 @@ TEST_F(Textures, AnUnsetColourDoesNotDarkenThem) {
     EXPECT_EQ(emissive.emission, kWhite);
 }
 
+TEST_F(Textures, ScaleTheEmissionInFormatsMadeForOpenGlAndDirect3d) {
+    writeImage(folder_ / "a.png", picture(false));
+    const auto emissive = [&](const std::string& name, const std::string& text) {
+        test::writeText(folder_ / name, text);
+        const Model model = test::importFile(folder_ / name).model;
+        EXPECT_EQ(model.materials.size(), 1U) << name;
+        EXPECT_TRUE(test::near(model.materials[0].emission, {0.8F, 0.8F, 0.8F})) << name;
+        return model.materials[0];
+    };
+    const Material ac = emissive("m.ac", "AC3Db\nMATERIAL \"m\" rgb 1 1 1 amb 0 0 0 emis 0.8 0.8 0.8 "
+                                         "spec 0 0 0 shi 0 trans 0\nOBJECT world\nkids 1\nOBJECT poly\n"
+                                         "texture \"a.png\"\nnumvert 3\n0 0 0\n1 0 0\n0 1 0\nnumsurf 1\n"
+                                         "SURF 0x10\nmat 0\nrefs 3\n0 0 0\n1 1 0\n2 0 1\nkids 0\n");
+    const Material x = emissive("m.x", "xof 0303txt 0032\nMesh m { 3; 0;0;0;, 1;0;0;, 0;1;0;; 1; 3;0,1,2;;\n"
+                                       "MeshTextureCoords { 3; 0;0;, 1;0;, 0;1;; }\n"
+                                       "MeshMaterialList { 1; 1; 0;; Material a { 1;1;1;1;; 0; 0;0;0;;\n"
+                                       "0.8;0.8;0.8;; TextureFilename { \"a.png\"; } } } }\n");
+    for (const Material& material : {ac, x}) {
+        EXPECT_NE(material.diffuseTexture, kNoTexture);
+        EXPECT_EQ(material.emissionTexture, material.diffuseTexture);
+    }
+    EXPECT_EQ(ofMtl("Kd 1 1 1\nKe 0.8 0.8 0.8\nmap_Kd a.png\n").model.materials[0].emissionTexture,
+              kNoTexture);
+    EXPECT_EQ(ofMtl("Kd 1 1 1\nKe 0 0 0\nmap_Kd a.png\n").model.materials[0].emissionTexture, kNoTexture);
+}
+
 TEST_F(Textures, AlphaMaps) {
     LdrImage mask(2, 1);
     mask.at(0, 0) = {255, 255, 255, 255};

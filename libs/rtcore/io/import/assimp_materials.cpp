@@ -141,6 +141,7 @@ SourceMaterial sourceMaterialOf(const aiMaterial& material, const FormatQuirks& 
     m.rules = rulesOf(p);
     m.name = p.text(AI_MATKEY_NAME);
     m.mapReplacesDiffuse = quirks.mapReplacesDiffuse;
+    m.mapScalesEmission = quirks.mapScalesEmission;
     readColours(p, m);
     readNumbers(p, m);
     readAlpha(p, m);

@@ -1,6 +1,16 @@
 #include "rtcore/io/import/format_quirks.h"
 
+#include <algorithm>
+#include <array>
+
 namespace rtcore {
+
+namespace {
+
+// Formats made for OpenGL and Direct3D of old, where the texture multiplies the sum of all light.
+constexpr std::array kFixedFunction{"3DS", "ASE", "AC3D", "BlitzBasic", "LightWave", "Milkshape", "XFile"};
+
+} // namespace
 
 FormatQuirks quirksOf(const std::string& importer) {
     FormatQuirks q;
@@ -14,6 +24,7 @@ FormatQuirks quirksOf(const std::string& importer) {
     if (is("FBX")) q.mapReplacesDiffuse = q.ownAxes = true;
     if (is("3DS")) q.lightsInRoot = true;
     if (is("ASE")) q.cameraBackwards = true;
+    q.mapScalesEmission = std::ranges::any_of(kFixedFunction, is);
     return q;
 }
 

@@ -147,6 +147,8 @@ Material mapMaterial(const SourceMaterial& source, TextureStore& textures) {
     const bool unset = source.mapReplacesDiffuse || (!pbr && diffuseIsUnset(m.diffuse));
     if (m.diffuseTexture != kNoTexture && unset) m.diffuse = kWhite;
     if (m.emissionTexture != kNoTexture && !pbr && isBlack(m.emission)) m.emission = kWhite;
+    if (source.mapScalesEmission && source.emissionMap.empty() && !isBlack(m.emission))
+        m.emissionTexture = m.diffuseTexture;
     const Colour colour = m.diffuse;
     switch (source.rules) {
     case MaterialRules::Classic:

@@ -43,6 +43,8 @@ struct SourceMaterial {
     SourceMap specularGlossinessMap; ///< glossiness in alpha; only its mean is used
     bool alphaInDiffuseMap = false;
     bool mapReplacesDiffuse = false; ///< `diffuse` counts only without an image
+    bool mapScalesEmission =
+        false; ///< the diffuse image multiplies `emission`, where that has none of its own
 };
 
 /// Maps numbers and images; `textures` gets the images. Every number of the result is in the range that
