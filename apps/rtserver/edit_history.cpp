@@ -51,15 +51,24 @@ bool changesFrame(const EditStep& step) {
 
 bool changesBookmarks(const EditStep& step) { return step.before.bookmarks != step.after.bookmarks; }
 
+bool placesOnlyTheCamera(const EditStep& step) {
+    return changesCamera(step) && !changesScene(step) && !changesSettings(step) && !changesFrame(step) &&
+           !changesBookmarks(step);
+}
+
 void EditHistory::add(EditStep step, bool goesOn) {
     if (!changesAnything(step)) return;
     steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(done_), steps_.end());
     if (goesOn && last() != nullptr && last()->label == step.label) return joinToLast(std::move(step.after));
-    step.state = ++newest_;
+    step.state = stateBehind(step, state());
     steps_.push_back(std::move(step));
     forgetFirst();
     done_ = steps_.size();
     if (done_ > kStepsWithMaps) dropSkyMaps(steps_[done_ - 1 - kStepsWithMaps]);
+}
+
+std::uint64_t EditHistory::stateBehind(const EditStep& step, std::uint64_t before) {
+    return placesOnlyTheCamera(step) ? before : ++newest_;
 }
 
 void EditHistory::forgetFirst() {
@@ -74,9 +83,10 @@ void EditHistory::forgetFirst() {
 }
 
 void EditHistory::joinToLast(Shown after) {
-    steps_.back().after = std::move(after);
-    steps_.back().state = ++newest_;
-    if (changesAnything(steps_.back())) return;
+    EditStep& step = steps_.back();
+    step.after = std::move(after);
+    step.state = stateBehind(step, steps_.size() > 1 ? steps_[steps_.size() - 2].state : base_);
+    if (changesAnything(step)) return;
     steps_.pop_back();
     done_ = steps_.size();
 }

@@ -38,6 +38,8 @@ bool changesSettings(const EditStep& step);
 bool changesCamera(const EditStep& step);
 bool changesFrame(const EditStep& step);
 bool changesBookmarks(const EditStep& step);
+/// It changed nothing but the camera.
+bool placesOnlyTheCamera(const EditStep& step);
 
 /// The last 5,000 steps, or as many as take 256 MB, but 100 in any case: a step that changes the scene takes
 /// two times 132 bytes a material and about 300 a light. A new step takes the place of those that were taken
@@ -58,14 +60,15 @@ class EditHistory {
     /// How many steps are made and not taken back, since the last clear().
     std::uint64_t position() const { return forgotten_ + done_; }
 
-    /// A number of what all steps together have made: the same number, the same state. None is given twice,
-    /// and later ones are larger, over clear(), too.
+    /// A number of what all steps together have made, but for where they placed the camera: the same number,
+    /// the same state. None is given twice, and later ones are larger, over clear(), too.
     std::uint64_t state() const { return done_ > 0 ? steps_[done_ - 1].state : base_; }
     /// That of the last clear().
     std::uint64_t firstState() const { return first_; }
 
   private:
     void joinToLast(Shown after);
+    std::uint64_t stateBehind(const EditStep& step, std::uint64_t before);
     void forgetFirst();
 
     std::deque<EditStep> steps_;

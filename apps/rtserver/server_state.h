@@ -144,7 +144,7 @@ class ServerState {
     std::string undo();
     std::string redo();
     const EditHistory& history() const { return history_; }
-    /// Edits were made, or taken back, that the scene's file does not have.
+    /// Edits were made, or taken back, that the scene's file does not have. Where the camera stands is none.
     bool modified() const { return history_.state() != savedState_; }
     /// `path`, absolute, holds what was shown when history() was in that state. It is the scene's file from
     /// now on - unless another scene was shown since.

@@ -554,7 +554,7 @@ TEST(EditLabelTest, SaysWhatIsTakenBack) {
     EXPECT_EQ(editLabel(QStringLiteral("light 2")), QStringLiteral("light 2"));
     EXPECT_EQ(editLabel(QStringLiteral("load camera \"by the altar\"")),
               QStringLiteral("camera by the altar"));
-    EXPECT_EQ(editLabel(QStringLiteral("camera turn")), QStringLiteral("look there"));
+    EXPECT_EQ(editLabel(QStringLiteral("camera set")), QStringLiteral("look there"));
     EXPECT_EQ(editLabel(QStringLiteral("fold the room")), QStringLiteral("fold the room"));
 }
 

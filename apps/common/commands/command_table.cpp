@@ -213,7 +213,8 @@ std::vector<CommandSpec> editCommands() {
          .name = "undo",
          .help = "take the last edit back, whichever client or key made it, and print what it was",
          .more = "Edits are what changes settings, lights and environment, and commands that place the "
-                 "camera; flying and walking are none. The last 5,000 are kept until another scene is shown, "
+                 "camera; flying, walking and turning are none. The last 5,000 are kept until another scene "
+                 "is shown, "
                  "fewer of very large scenes"},
         {.id = CommandId::Redo, .name = "redo", .help = "make the edit again that was taken back"},
         {.id = CommandId::Also,
@@ -255,8 +256,7 @@ std::vector<CommandSpec> cameraCommands() {
          .name = "camera turn",
          .arguments = {number("RIGHT", -360, 360), number("UP", -360, 360)},
          .effect = Changes,
-         .edits = true,
-         .help = "turn by these angles, degrees"},
+         .help = "turn by these angles, degrees, as the mouse does"},
         {.id = CommandId::CameraReset,
          .name = "camera reset",
          .effect = Changes,

@@ -47,7 +47,7 @@ struct StateReport {
     std::vector<rtcore::SettingAssignment> settings; ///< all of them
     std::string undo = {}, redo = {};                ///< what these would do; "": there is nothing
     std::vector<std::string> bookmarks = {};         ///< names; none where there are very many
-    bool modified = false;                           ///< there is something to save
+    bool modified = false;                           ///< there is something to save, other than the camera
     int edits = 0;                                   ///< made and not taken back, since the scene was loaded
     friend bool operator==(const StateReport&, const StateReport&) = default;
 };

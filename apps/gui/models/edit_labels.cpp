@@ -98,7 +98,6 @@ QString editText(app::CommandId id) {
     case app::CommandId::CameraSet:
     case app::CommandId::CameraOrthographic:
     case app::CommandId::CameraLookAt:
-    case app::CommandId::CameraTurn:
         return text(QT_TRANSLATE_NOOP("Edits", "look there"));
     default:
         return {};

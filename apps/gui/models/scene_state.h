@@ -43,7 +43,7 @@ struct SceneState {
     std::optional<rtcore::Sky> sky;
     QString undo, redo;    ///< the steps that these would make (editLabel()); empty: none
     QStringList bookmarks; ///< names of the scene's own
-    bool modified = false; ///< there is something to save
+    bool modified = false; ///< there is something to save, other than the camera
     int edits = 0;         ///< made and not taken back
     friend bool operator==(const SceneState&, const SceneState&) = default;
 };

@@ -78,7 +78,7 @@ TEST_F(Edits, AreTakenBackAndMadeAgainOneByOne) {
         {"environment 1", "environment 1"},
         {"bloom on", "bloom"},
         {"camera set 1 2 3 0 0 -1", "camera set"},
-        {"camera turn 10 5", "camera turn"},
+        {"camera look-at 1 2 3 0 1 0", "camera look-at"},
         {"camera reset", "camera reset"},
         {"focus 0.5 0.9", "focus"},
         {"load camera DIR/a.cam", "load camera a"},
@@ -136,6 +136,18 @@ TEST_F(Edits, KeysMakeStepsAndMovementMakesNone) {
     EXPECT_TRUE(lightIsOn(0));
     EXPECT_EQ(state.camera(), there) << "the step did not place it";
     EXPECT_EQ(state.history().last(), nullptr);
+}
+
+TEST_F(Edits, LookingAroundIsNone) {
+    answer("light 1 off");
+    answer("camera turn 10 5");
+    const rtcore::Camera there = state.camera();
+    EXPECT_EQ(state.history().position(), 1U);
+    EXPECT_EQ(answer("undo"), "light 1");
+    EXPECT_EQ(state.camera(), there) << "one goes on looking there";
+    EXPECT_EQ(refusal("also camera turn 1 1").code, 2);
+    answer("camera turn 1 1");
+    EXPECT_EQ(answer("redo"), "light 1") << "nothing took its place";
 }
 
 TEST_F(Edits, WhatChangesNothingIsNoStep) {
@@ -226,8 +238,8 @@ TEST_F(Edits, TakenBackAllGiveTheFirstBits) {
                                               "set shadows true",
                                               "set exposure.key 0.3",
                                               "also set exposure.key",
-                                              "camera turn 3 1",
-                                              "also camera turn -2 0.5",
+                                              "camera angle 70",
+                                              "also camera angle 65",
                                               "load camera DIR/a.cam",
                                               "camera set 1 2 3 0 0 -1",
                                               "defaults",
@@ -254,7 +266,7 @@ TEST_F(Edits, TakenBackAllGiveTheFirstBits) {
 TEST_F(Edits, NoteWhatChangedForFramesAndCaches) {
     answer("light 1 off");
     answer("environment 2");
-    answer("camera turn 10 0");
+    answer("camera set 1 2 3 0 0 -1");
     changes();
     answer("undo");
     EXPECT_EQ(changes(), Changes{Change::View});
