@@ -124,6 +124,25 @@ TEST_F(PanelsTest, AChangeReachesTheServerAndIsTakenBack) {
     EXPECT_TRUE(becomes("shadows", "false"));
 }
 
+TEST_F(PanelsTest, AKeyBringsAPanelBehindAnotherToTheFront) {
+    const auto inFront = [](const QWidget& panel) {
+        return comes([&] { return panel.isVisible() && !panel.visibleRegion().isEmpty(); });
+    };
+    QTest::keyClick(&*window, Qt::Key_F5);
+    ASSERT_TRUE(inFront(settings()));
+    QTest::keyClick(&*window, Qt::Key_F6);
+    ASSERT_TRUE(inFront(lights()));
+    ASSERT_TRUE(settings().visibleRegion().isEmpty()) << "a tab behind the lights";
+    QTest::keyClick(&*window, Qt::Key_F5);
+    EXPECT_TRUE(inFront(settings()));
+    EXPECT_TRUE(action(ActionId::SettingsPanel)->isChecked());
+    EXPECT_TRUE(action(ActionId::LightsPanel)->isChecked());
+    QTest::keyClick(&*window, Qt::Key_F5);
+    EXPECT_FALSE(settings().isVisible()) << "it was in front";
+    EXPECT_FALSE(action(ActionId::SettingsPanel)->isChecked());
+    EXPECT_TRUE(inFront(lights()));
+}
+
 TEST_F(PanelsTest, AKeyLeadsToAPanelAndEscBack) {
     open();
     QTest::keyClick(&*window, Qt::Key_F5);

@@ -23,6 +23,8 @@ void focusFirst(const QWidget& panel) {
     }
 }
 
+bool isBehindAnother(const QDockWidget& dock) { return dock.isVisible() && dock.visibleRegion().isEmpty(); }
+
 } // namespace
 
 QDockWidget* addPanel(const GuiContext& context, QWidget* panel, const QString& title, const QString& name,
@@ -42,9 +44,11 @@ QDockWidget* addPanel(const GuiContext& context, QWidget* panel, const QString& 
     dock->hide();
     QAction* toggle = context.actions[action];
     // A panel behind another one comes to the front first.
-    QObject::connect(toggle, &QAction::triggered, dock, [dock, panel](bool on) {
-        dock->setVisible(on);
-        if (!on) return;
+    QObject::connect(toggle, &QAction::triggered, dock, [dock, panel, toggle](bool on) {
+        const bool show = on || isBehindAnother(*dock);
+        toggle->setChecked(show);
+        dock->setVisible(show);
+        if (!show) return;
         dock->raise();
         focusFirst(*panel);
     });

@@ -12,8 +12,8 @@ namespace gui {
 
 enum class ActionId;
 
-/// A panel at the right of the window, hidden at first, shown and hidden by a checkable action; Esc leads
-/// from it back to the image.
+/// A panel at the right of the window, hidden at first, shown and hidden by a checkable action, which brings
+/// one that is behind another to the front; Esc leads from it back to the image.
 QDockWidget* addPanel(const GuiContext& context, QWidget* panel, const QString& title, const QString& name,
                       ActionId action);
 
