@@ -4,6 +4,7 @@
 
 #include "gui/models/light_marks.h"
 #include "gui/operations/scene_editor.h"
+#include "gui/panels/column_area.h"
 #include "gui/panels/light_fields.h"
 #include "gui/panels/lights_panel.h"
 #include "gui/panels/value_box.h"
@@ -15,6 +16,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollBar>
 
 #include <gtest/gtest.h>
 
@@ -87,6 +89,29 @@ TEST_F(LightsTest, FieldsOfTheSelectedLightReachTheServer) {
     }
     EXPECT_EQ(light(2).position, (rtcore::Vec3{4, 5, 3}));
     EXPECT_EQ(light(2).kind, rtcore::LightKind::Point);
+}
+
+TEST_F(LightsTest, FieldsFitIntoTheirPanel) {
+    action(ActionId::LightsPanel)->trigger();
+    const auto* area = panel().findChild<ColumnArea*>();
+    for (const char* kind : {"point", "rectangle", "spot", "directional"}) {
+        emit panel().addWanted(kind);
+        const int id = static_cast<int>(state().lights.size()) + 1;
+        ASSERT_TRUE(comes([&] { return panel().selected() == id && panel().fields().isVisible(); })) << kind;
+        EXPECT_TRUE(comes([&] {
+            return area->viewport()->width() >= area->widget()->minimumSizeHint().width() &&
+                   area->widget()->width() == area->viewport()->width();
+        })) << kind;
+        EXPECT_FALSE(area->horizontalScrollBar()->isVisible()) << kind;
+    }
+}
+
+TEST_F(LightsTest, WithoutAServerNothingIsToBeChanged) {
+    action(ActionId::LightsPanel)->trigger();
+    EXPECT_TRUE(panel().isEnabled());
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("exit")).done);
+    EXPECT_TRUE(comes([&] { return !window->session().live(); }));
+    EXPECT_FALSE(panel().isEnabled());
 }
 
 TEST_F(LightsTest, ValuesThatFollowAHandAreOneStep) {

@@ -49,6 +49,9 @@ LightOperations::LightOperations(const GuiContext& context, QObject* parent)
     connect(&context_.preferences, &Preferences::changed, handles_, showMarks);
     showMarks();
     connect(&context_.editor, &SceneEditor::stateChanged, this, &LightOperations::showState);
+    const auto enable = [this] { panel_->setEnabled(context_.session.live()); };
+    connect(&context_.session, &Session::stateChanged, panel_, enable);
+    enable();
     connectPanel();
     connectHandles();
 }

@@ -1,5 +1,6 @@
 #include "gui/panels/lights_panel.h"
 
+#include "gui/panels/column_area.h"
 #include "gui/panels/light_fields.h"
 #include "gui/panels/sky_fields.h"
 
@@ -12,7 +13,6 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -47,14 +47,9 @@ LightsPanel::LightsPanel(QAction* marks, QAction* openMap, QWidget* parent)
     makeLights(*groups, marks);
     makeEnvironments(*groups, openMap);
     groups->addStretch(1);
-    auto* area = new QScrollArea;
-    area->setWidget(column);
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setFocusPolicy(Qt::NoFocus);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(area);
+    layout->addWidget(new ColumnArea(column));
     // clicked: by the user, not by us
     connect(environments_, &QButtonGroup::idClicked, this, &LightsPanel::environmentChosen);
     show(SceneState());
@@ -159,6 +154,7 @@ void LightsPanel::showEnvironments(const QList<NamedSwitch>& environments) {
         }
         for (int i = 0; i < environments.size(); ++i) {
             auto* button = new QRadioButton;
+            button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // names may be long
             environmentList_->addWidget(button);
             environments_->addButton(button, i);
         }

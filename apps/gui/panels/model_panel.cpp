@@ -1,12 +1,12 @@
 #include "gui/panels/model_panel.h"
 
+#include "gui/panels/column_area.h"
 #include "gui/panels/material_fields.h"
 
 #include <QGroupBox>
 #include <QHeaderView>
 #include <QLocale>
 #include <QMenu>
-#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QTreeWidget>
@@ -64,16 +64,11 @@ ModelPanel::ModelPanel(QWidget* parent)
     parts_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     parts_->setContextMenuPolicy(Qt::CustomContextMenu);
     materials_->setRootIsDecorated(false);
-    auto* area = new QScrollArea;
-    area->setWidget(fields_);
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setFocusPolicy(Qt::NoFocus);
     auto* below = new QWidget;
     auto* column = new QVBoxLayout(below);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(materials_, 2);
-    column->addWidget(area, 3);
+    column->addWidget(new ColumnArea(fields_), 3);
     auto* splitter = new QSplitter(Qt::Vertical);
     splitter->addWidget(boxOf(tr("Parts"), parts_));
     splitter->addWidget(boxOf(tr("Materials"), below));

@@ -2,6 +2,7 @@
 
 #include "gui/models/scene_state.h"
 #include "gui/models/setting_labels.h"
+#include "gui/panels/column_area.h"
 #include "gui/panels/fold_box.h"
 #include "gui/panels/value_box.h"
 
@@ -15,8 +16,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QSet>
 #include <QSignalBlocker>
 #include <QSpinBox>
@@ -79,17 +78,10 @@ SettingsPanel::SettingsPanel(QWidget* parent) : QWidget(parent), defaults_(new Q
     }
     alignLabels(*column);
     groups->addStretch(1);
-    auto* area = new QScrollArea;
-    area->setWidget(column);
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setFocusPolicy(Qt::NoFocus);
-    area->setMinimumWidth(column->minimumSizeHint().width() + area->verticalScrollBar()->sizeHint().width());
     defaults_->setToolTip(tr("All settings but the size as they are without any file"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(area, 1);
+    layout->addWidget(new ColumnArea(column), 1);
     auto* foot = new QHBoxLayout;
     foot->setContentsMargins(9, 0, 9, 9);
     foot->addStretch(1);
