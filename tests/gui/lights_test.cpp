@@ -190,6 +190,44 @@ TEST_F(LightsTest, ShiftMovesAlongSurfaces) {
     EXPECT_LT(light(1).position.y, 0.5F) << "near the floor";
 }
 
+TEST_F(LightsTest, ADirectionalLightIsMarkedWhereItComesFrom) {
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("camera look-at 0 1 6 0 1 0")).done);
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("light add directional")).done);
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("light aim 3 along 0.2 -0.1 1")).done);
+    action(ActionId::LightMarks)->trigger();
+    window->editor().refresh();
+    ASSERT_TRUE(comes([&] { return light(3).direction.x > 0; }));
+    ASSERT_TRUE(comes([&] { return status().idle && handles().place(3).has_value(); }));
+    const QPointF middle = window->view().pictureArea().center(), place = *handles().place(3);
+    EXPECT_LT(place.x(), middle.x()) << "it shines to the right";
+    EXPECT_LT(place.y(), middle.y()) << "and downwards";
+    EXPECT_FALSE(handles().handle(0));
+    const int edits = state().edits;
+    drag(place, {30, 0});
+    ASSERT_TRUE(comes([&] { return std::abs(handles().place(3)->x() - place.x() - 30) < 2; }));
+    ASSERT_TRUE(comes([&] { return light(3).direction.x < 0.19F && state().edits == edits + 1; }));
+    EXPECT_LT(light(3).direction.y, 0);
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("light aim 3 along 0 0 -1")).done);
+    window->editor().refresh();
+    EXPECT_TRUE(comes([&] { return !handles().place(3); })) << "behind the camera";
+}
+
+TEST_F(LightsTest, TheMarkOfTheSunTurnsTheSky) {
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("camera look-at 0 1 6 0 2 0")).done);
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("sky direction 0.1 0.3 -1")).done);
+    action(ActionId::LightMarks)->trigger();
+    window->editor().refresh();
+    ASSERT_TRUE(comes([&] { return state().sky && state().lights.size() == 3; }));
+    const int sun = state().lights.last().id;
+    ASSERT_TRUE(comes([&] { return status().idle && handles().place(sun).has_value(); }));
+    const rtcore::Vec3 before = light(sun).direction;
+    drag(*handles().place(sun), {-40, 0});
+    ASSERT_TRUE(comes([&] { return light(sun).direction.x > before.x + 0.05F; }));
+    EXPECT_FALSE(state().sky->date);
+    EXPECT_NEAR(state().sky->direction.x, -light(sun).direction.x, 1e-4);
+    EXPECT_EQ(state().undo, QStringLiteral("sky direction"));
+}
+
 TEST_F(LightsTest, WithoutMarksAClickIsTheCameras) {
     QTest::mouseClick(&window->view(), Qt::LeftButton);
     EXPECT_TRUE(window->view().input().captured());
@@ -207,6 +245,9 @@ TEST(ProjectionTest, FindsPointsAndRays) {
     EXPECT_NEAR(in.at({1, 0, -2})->x(), 150, 1e-4);
     EXPECT_NEAR(in.at({0, 1, -2})->y(), 0, 1e-4);
     EXPECT_FALSE(in.at({0, 0, 1}));
+    EXPECT_EQ(in.farAway({0, 0, -1}), QPointF(100, 50));
+    EXPECT_NEAR(in.farAway({0.5F, 0, -1})->x(), 150, 1e-4);
+    EXPECT_FALSE(in.farAway({0, 1, 0.1F}));
     EXPECT_LT((in.ray({200, 50}) - QVector3D(1, 0, -1).normalized()).length(), 1e-6F);
 }
 

@@ -18,10 +18,11 @@ double Projection::depth(const QVector3D& point) const {
 
 double Projection::unitsPerPixel(const QVector3D& point) const { return perPixel_ * depth(point); }
 
-std::optional<QPointF> Projection::at(const QVector3D& point) const {
-    const double scale = unitsPerPixel(point);
+std::optional<QPointF> Projection::at(const QVector3D& point) const { return farAway(point - eye_); }
+
+std::optional<QPointF> Projection::farAway(const QVector3D& off) const {
+    const double scale = perPixel_ * static_cast<double>(QVector3D::dotProduct(off, forward_));
     if (!(scale > 0)) return std::nullopt;
-    const QVector3D off = point - eye_;
     const QPointF place(static_cast<double>(QVector3D::dotProduct(off, right_)) / scale,
                         -static_cast<double>(QVector3D::dotProduct(off, up_)) / scale);
     return area_.center() + place;

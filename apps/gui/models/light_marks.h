@@ -19,6 +19,8 @@ class Projection {
 
     /// Nothing: it is not in front of the eye.
     std::optional<QPointF> at(const QVector3D& point) const;
+    /// Where what is endlessly far away in that direction stands; nothing: not in front of the eye.
+    std::optional<QPointF> farAway(const QVector3D& direction) const;
     /// Scene units by pixel at the depth of the point.
     double unitsPerPixel(const QVector3D& point) const;
     /// From the eye through a point of the area; unit length.

@@ -11,8 +11,11 @@
 #include "gui/view/light_handles.h"
 #include "gui/view/notice_bar.h"
 
+#include "rtcore/sky/scene_sky.h"
+
 #include <QAction>
 
+#include <algorithm>
 #include <utility>
 
 namespace gui {
@@ -24,17 +27,29 @@ QVector3D vectorOf(const rtcore::Vec3& v) { return {v.x, v.y, v.z}; }
 QList<LightMark> marksOf(const QList<ShownLight>& lights) {
     QList<LightMark> marks;
     for (const ShownLight& light : lights) {
-        if (!light.description || !traitsOf(light.description->light).position) continue;
+        if (!light.description) continue;
         const rtcore::Light& shines = light.description->light;
+        const rtcore::LightTraits& traits = traitsOf(shines);
         LightMark mark{.id = light.id,
                        .on = light.on,
                        .name = lightText(light),
                        .colour = lightColour(*light.description),
-                       .position = vectorOf(shines.position)};
-        if (traitsOf(shines).direction) mark.direction = vectorOf(shines.direction);
+                       .position = traits.position ? vectorOf(shines.position) : -vectorOf(shines.direction),
+                       .far = !traits.position};
+        if (traits.position && traits.direction) mark.direction = vectorOf(shines.direction);
         marks.append(mark);
     }
     return marks;
+}
+
+/// That of the sky, whose map shows it, too.
+bool isSun(const SceneState& state, int id) {
+    const auto named = [](const ShownLight& light) {
+        return light.name == QLatin1String(rtcore::kSunName) && light.description &&
+               light.description->light.kind == rtcore::LightKind::Directional;
+    };
+    const auto last = std::find_if(state.lights.rbegin(), state.lights.rend(), named);
+    return state.sky && last != state.lights.rend() && last->id == id;
 }
 
 } // namespace
@@ -83,10 +98,17 @@ void LightOperations::connectHandles() {
             [this, step](int id, const QVector3D& position, bool goesOn) {
                 follow(step(id), command::lightMove(id, numbersOf(position)), goesOn);
             });
+    connect(handles_, &LightHandles::turned, this, &LightOperations::turn);
     connect(handles_, &LightHandles::movedOntoSurface, this,
             [this, step](int id, const QPointF& place, bool goesOn) {
                 follow(step(id), command::lightMoveSeen(id, place.x(), place.y()), goesOn);
             });
+}
+
+void LightOperations::turn(int id, const QVector3D& towards, bool goesOn) {
+    if (isSun(context_.editor.state(), id))
+        return follow(QStringLiteral("sky direction"), command::skyDirection(numbersOf(towards)), goesOn);
+    follow(QStringLiteral("light aim %1").arg(id), command::lightAim(id, numbersOf(-towards)), goesOn);
 }
 
 void LightOperations::select(int id) {

@@ -24,6 +24,7 @@ class LightOperations : public QObject {
     void connectPanel();
     void connectHandles();
     void showState();
+    void turn(int id, const QVector3D& towards, bool goesOn);
     void select(int id);
     void follow(const QString& step, const std::string& line, std::optional<bool> goesOn);
     void add(const std::string& line);

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 
 namespace gui {
 
@@ -35,6 +37,16 @@ void drawLine(QPainter& painter, const QPointF& from, const QPointF& to, const Q
     painter.drawLine(from, to);
     painter.setPen(QPen(colour, 2, Qt::SolidLine, Qt::RoundCap));
     painter.drawLine(from, to);
+}
+
+/// Those of a sun, around its mark.
+void drawRays(QPainter& painter, const QPointF& centre, const QColor& colour) {
+    constexpr int kRays = 8;
+    for (int i = 0; i < kRays; ++i) {
+        const double angle = 2 * std::numbers::pi * i / kRays;
+        const QPointF towards(std::cos(angle), std::sin(angle));
+        drawLine(painter, centre + (kMarkRadius + 3) * towards, centre + (kMarkRadius + 8) * towards, colour);
+    }
 }
 
 } // namespace
@@ -86,13 +98,17 @@ std::optional<QPointF> LightHandles::place(int id) const {
     const std::optional<Projection> in = projection();
     if (mark == nullptr || !in) return std::nullopt;
     if (drag_ && drag_->onSurface && drag_->id == id) return drag_->now;
-    return in->at(positionOf(*mark));
+    return placeOf(*mark, *in);
+}
+
+std::optional<QPointF> LightHandles::placeOf(const LightMark& mark, const Projection& in) const {
+    return mark.far ? in.farAway(positionOf(mark)) : in.at(positionOf(mark));
 }
 
 std::optional<QPointF> LightHandles::handle(int axis) const {
     const LightMark* mark = find(selected_);
     const std::optional<QPointF> centre = place(selected_);
-    if (mark == nullptr || !centre) return std::nullopt;
+    if (mark == nullptr || mark->far || !centre) return std::nullopt;
     const std::optional<Projection> in = projection();
     const QVector3D position = positionOf(*mark);
     const auto length = static_cast<float>(kHandle * in->unitsPerPixel(position));
@@ -172,6 +188,8 @@ void LightHandles::drag(const QMouseEvent& event) {
     if (!in || (!goesOn && apart(drag_->from, drag_->now) < kLeastDrag)) return;
     drag_->moves = true;
     const int id = drag_->id;
+    const LightMark* mark = find(id);
+    if (mark != nullptr && mark->far) return dragFar(*in, goesOn);
     drag_->onSurface = !drag_->axis && (event.modifiers() & Qt::ShiftModifier) != 0;
     view_.update();
     if (drag_->onSurface) {
@@ -184,6 +202,15 @@ void LightHandles::drag(const QMouseEvent& event) {
                                             drag_->from, drag_->now)
                            : in->movedInPlane(drag_->start, drag_->from, drag_->now);
     emit moved(id, *dropped_, goesOn);
+}
+
+// As far as the hand goes, the mark goes.
+void LightHandles::dragFar(const Projection& in, bool goesOn) {
+    const std::optional<QPointF> start = in.farAway(drag_->start);
+    if (!start) return;
+    dropped_ = in.ray(*start + drag_->now - drag_->from);
+    view_.update();
+    emit turned(drag_->id, *dropped_, goesOn);
 }
 
 void LightHandles::showPointer(const QPointF& at) {
@@ -217,6 +244,7 @@ void LightHandles::drawMark(QPainter& painter, const Projection& in, const Light
         if (end) drawLine(painter, *centre, *end, mark.colour);
     }
     const bool selected = mark.id == selected_;
+    if (mark.far) drawRays(painter, *centre, mark.colour);
     if (selected) drawHandles(painter, *centre);
     painter.setPen(QPen(QColor(0, 0, 0, 190), selected ? 5 : 4));
     painter.setBrush(Qt::NoBrush);
@@ -224,9 +252,12 @@ void LightHandles::drawMark(QPainter& painter, const Projection& in, const Light
     painter.setPen(QPen(selected ? QColor(255, 200, 60) : QColor(Qt::white), selected ? 2.5 : 1.5));
     painter.setBrush(mark.on ? QBrush(mark.colour) : QBrush(QColor(0, 0, 0, 120)));
     painter.drawEllipse(*centre, kMarkRadius, kMarkRadius);
-    if (!selected) return;
+    if (selected) drawName(painter, mark, *centre);
+}
+
+void LightHandles::drawName(QPainter& painter, const LightMark& mark, const QPointF& centre) const {
     const QRect words = painter.fontMetrics().boundingRect(mark.name).adjusted(-4, -2, 4, 2);
-    const QRectF box(centre->x() - words.width() / 2.0, centre->y() + kMarkRadius + 6, words.width(),
+    const QRectF box(centre.x() - words.width() / 2.0, centre.y() + kMarkRadius + 6, words.width(),
                      words.height());
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(0, 0, 0, 140));

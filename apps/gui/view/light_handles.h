@@ -1,6 +1,7 @@
 /// The marks of lights in the image, and the mouse that selects and moves lights by them. A mark that is
 /// dragged moves its light parallel to the image, by one of its three handles along that axis, with Shift
-/// along the surfaces under the pointer. Marks are seen through walls.
+/// along the surfaces under the pointer. A light that has no position is marked where it comes from, as the
+/// sun in the sky; dragging that mark turns the light. Marks are seen through walls.
 #pragma once
 
 #include <QColor>
@@ -21,14 +22,14 @@ class FrameView;
 class Projection;
 class Session;
 
-/// A light that has a position.
 struct LightMark {
     int id = 0;
     bool on = true;
     QString name;
     QColor colour;
-    QVector3D position;
-    std::optional<QVector3D> direction = {}; ///< where it shines to, unit length
+    QVector3D position;                      ///< of one that is far: the direction to it
+    std::optional<QVector3D> direction = {}; ///< where it shines to, unit length; of one that is near
+    bool far = false;                        ///< endlessly
 };
 
 /// Keys and mouse stay the camera's while the view has captured them.
@@ -51,6 +52,8 @@ class LightHandles : public QObject {
     void picked(int id);
     /// `goesOn`: after the first one of a drag.
     void moved(int id, const QVector3D& position, bool goesOn);
+    /// A light that is far, so that it comes from this direction, of unit length.
+    void turned(int id, const QVector3D& towards, bool goesOn);
     /// To the surface at this place of the image, 0..1 from the left and from the top.
     void movedOntoSurface(int id, const QPointF& place, bool goesOn);
 
@@ -61,7 +64,7 @@ class LightHandles : public QObject {
     struct Drag {
         int id;
         std::optional<int> axis;
-        QVector3D start; ///< of the light
+        QVector3D start; ///< as in LightMark::position
         QPointF from, now;
         bool moves = false; ///< far enough for no mere click
         bool onSurface = false;
@@ -72,11 +75,14 @@ class LightHandles : public QObject {
     const LightMark* markAt(const QPointF& at) const;
     std::optional<int> axisAt(const QPointF& at) const;
     QVector3D positionOf(const LightMark& mark) const;
+    std::optional<QPointF> placeOf(const LightMark& mark, const Projection& in) const;
     bool press(const QMouseEvent& event);
     void drag(const QMouseEvent& event);
+    void dragFar(const Projection& in, bool goesOn);
     void showPointer(const QPointF& at);
     void draw(QPainter& painter) const;
     void drawMark(QPainter& painter, const Projection& in, const LightMark& mark) const;
+    void drawName(QPainter& painter, const LightMark& mark, const QPointF& centre) const;
     void drawHandles(QPainter& painter, const QPointF& centre) const;
 
     FrameView& view_;
