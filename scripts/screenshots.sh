@@ -2,7 +2,7 @@
 # Takes pictures of the window and of each dialog, light and dark, in English and in Czech, at scale 1 and 2, on a screen
 # of its own (Xvfb). Those that the manual and the README show go to docs/images.
 #   scripts/screenshots.sh [--docs] [FOLDER]     by default output/screenshots; --docs: renew docs/images, too
-# Build first: scripts/build.sh. LOOKS="dark-cs-1 ..." in the environment: only these.
+# Build first: scripts/build.sh, and make the nave: scripts/make_data.sh. LOOKS="dark-cs-1 ..." in the environment: only these.
 set -eu
 cd "$(dirname "$0")/.."
 docs=no
@@ -16,6 +16,8 @@ scenes=$PWD/data/nave
 for tool in Xvfb xdotool import convert; do
     command -v "$tool" >/dev/null || { echo "screenshots: $tool is missing (scripts/packages.txt)" >&2; exit 1; }
 done
+[ -s "$scenes/generated/nave.glb" ] || { echo "screenshots: $scenes/generated/nave.glb is missing; scripts/make_data.sh makes it" >&2; exit 1; }
+[ -x "$bin/GUI" ] || { echo "screenshots: $bin/GUI is missing; scripts/build.sh builds it" >&2; exit 1; }
 mkdir -p "$pictures"
 work=$(mktemp -d)
 name=nave-$$
@@ -118,7 +120,7 @@ panels() {
     keys F5
     whole_window settings
     cui sky hour 17
-    keys F6 F6 # away, and to the front
+    keys F6
     whole_window sky
 }
 
