@@ -68,9 +68,10 @@ class SavedScene : public LiveServer {
     }
     app::StateReport state() const { return app::parseStateReport(ask({"state"})); }
     /// Its live settings are the stills', too.
-    std::string rendered(const std::string& scene) const {
-        const ProgramResult result = renderer({scene, "-w", "64", "-h", "48", "-o", "still.png", "--force"},
-                                              {.folder = folder().path()});
+    std::string rendered(const std::string& scene, const Names& options = {}) const {
+        Names words{scene, "-w", "64", "-h", "48", "-o", "still.png", "--force"};
+        words.insert(words.end(), options.begin(), options.end());
+        const ProgramResult result = renderer(words, {.folder = folder().path()});
         EXPECT_EQ(result.exitCode, 0) << result.error;
         return bytes("still.png");
     }
@@ -169,6 +170,21 @@ TEST_F(SavedScene, OfABareModelKeepsWhatWasGuessedForIt) {
     EXPECT_TRUE(rendered("b.scn") == image);
     start({}, "b.scn");
     EXPECT_TRUE(shot("b.png") == image);
+}
+
+TEST_F(SavedScene, GroundIsTheSameInEachProgram) {
+    writeText(folder() / "block.obj",
+              "# units = metres\nv 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 2 0\nv 1 2 0\nv 1 2 1\nv 0 2 1\n"
+              "f 1 2 3 4\nf 8 7 6 5\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n");
+    const std::string fixed = "--setting=exposure.mode=fixed";
+    start({fixed}, "block.obj");
+    const std::string image = shot("a.png");
+    ask({"save", "as", "b.scn"});
+    ask({"sky", "ground", "off"});
+    EXPECT_FALSE(shot("none.png") == image) << "a first look has a ground";
+    ask({"exit"});
+    EXPECT_TRUE(rendered("block.obj", {fixed}) == image);
+    EXPECT_TRUE(rendered("b.scn") == image);
 }
 
 TEST_F(SavedScene, OverAFileOfTheUsersAsksAndKeepsIt) {
