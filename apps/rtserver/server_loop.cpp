@@ -5,6 +5,7 @@
 #include "common/process/stop.h"
 
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/raw_memory.h"
 
 #include <fmt/format.h>
 
@@ -79,6 +80,7 @@ void ServerLoop::turn() {
     const bool due = drawing_.wantsFrame(commands_.waits()) && Clock::now() >= drawing_.due();
     const bool published = due && draw();
     if (published || !drawing_.wantsFrame(commands_.waits())) record();
+    tidyUp();
     commands_.answerRequests(drawing_.idle());
     publishStatus();
     if (drawing_.idle()) drawing_.prepareToMove();
@@ -88,8 +90,18 @@ void ServerLoop::turn() {
 void ServerLoop::takeLoadedScene() {
     const std::optional<SceneUpkeep::Loaded> loaded = upkeep_.takeLoaded();
     if (!loaded) return;
-    if (!loaded->failure) moved_ = Clock::now(); // loading was no time to move in
+    if (!loaded->failure) {
+        moved_ = Clock::now(); // loading was no time to move in
+        untidy_ = true;
+    }
     commands_.loaded(loaded->failure);
+}
+
+// A scene before, or what was needed to read this one, may have been much larger.
+void ServerLoop::tidyUp() {
+    if (!untidy_ || !drawing_.idle() || upkeep_.works()) return;
+    untidy_ = false;
+    rtcore::returnFreedMemory();
 }
 
 // --- Around it ---

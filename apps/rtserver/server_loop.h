@@ -59,6 +59,7 @@ class ServerLoop : private Host, private Replies {
 
     void turn();
     void takeLoadedScene();
+    void tidyUp();
     std::vector<ipc::Command> takeCommands() { return server_.takeCommands(commands_.full()); }
     Arrivals lookDuringFrame();
     bool orphaned();
@@ -80,6 +81,7 @@ class ServerLoop : private Host, private Replies {
     KeyInbox keys_;
     std::optional<app::ProcessWatch> parent_;
     bool quit_ = false;
+    bool untidy_ = false;     ///< since another scene was shown, freed memory was not given back
     Clock::time_point moved_; ///< when keys acted last
 };
 

@@ -19,4 +19,9 @@ void preferLargePages(void* memory, std::size_t bytes);
 /// Writes into each page of memory that holds nothing yet, by the threads of OpenMP if it is much.
 void touchPages(void* memory, std::size_t bytes);
 
+/// Gives the system back what was freed and what the allocator keeps for later, as far as it can (glibc).
+/// Takes a while after much was freed: for a moment in which nothing else is to be done. Safe from any
+/// thread.
+void returnFreedMemory();
+
 } // namespace rtcore

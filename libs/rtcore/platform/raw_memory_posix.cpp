@@ -7,6 +7,9 @@
 #ifdef __linux__
 #include <sys/mman.h>
 #endif
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace rtcore {
 
@@ -48,5 +51,11 @@ void touchPages(void* memory, std::size_t bytes) {
 }
 
 void freeRaw(void* memory) { std::free(memory); }
+
+void returnFreedMemory() {
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
+}
 
 } // namespace rtcore
