@@ -121,6 +121,7 @@ HWY_INLINE Mask noLanes() { return Float(0) < Float(0); }
 
 HWY_INLINE float select(bool where, float a, float b) { return where ? a : b; }
 HWY_INLINE std::int32_t select(bool where, std::int32_t a, std::int32_t b) { return where ? a : b; }
+HWY_INLINE std::uint32_t select(bool where, std::uint32_t a, std::uint32_t b) { return where ? a : b; }
 HWY_INLINE std::int32_t selectOrZero(bool where, std::int32_t a) { return where ? a : 0; }
 HWY_INLINE float selectOrZero(bool where, float a) { return where ? a : 0; }
 HWY_INLINE bool none(bool a) { return !a; }
@@ -193,6 +194,15 @@ template <int bits>
 HWY_INLINE std::uint32_t shiftLeft(std::uint32_t a) {
     return a << bits;
 }
+/// By the same number of bits in all lanes; of signed numbers the sign follows to the right.
+template <typename T>
+HWY_INLINE Wide<T> operator<<(Wide<T> a, int bits) {
+    return hn::ShiftLeftSame(a.raw, bits);
+}
+template <typename T>
+HWY_INLINE Wide<T> operator>>(Wide<T> a, int bits) {
+    return hn::ShiftRightSame(a.raw, bits);
+}
 /// first, first + 1, ... (Iota of a variable would be built number by number.)
 HWY_INLINE Uint iota(std::size_t first) {
     return Uint(hn::Iota(Uint::Tag(), 0)) + static_cast<std::uint32_t>(first);
@@ -214,6 +224,11 @@ HWY_INLINE Float loadSome(const float* from, std::size_t count) {
 }
 /// from[index], each in its lane.
 HWY_INLINE Float gather(const float* from, Int index) { return hn::GatherIndex(FloatTag(), from, index.raw); }
+HWY_INLINE Uint gather(const std::uint32_t* from, Int index) {
+    return hn::GatherIndex(Uint::Tag(), from, index.raw);
+}
+HWY_INLINE float gather(const float* from, std::int32_t index) { return from[index]; }
+HWY_INLINE std::uint32_t gather(const std::uint32_t* from, std::int32_t index) { return from[index]; }
 /// Some of the lanes, to be stored side by side; what follows them in the vector becomes undefined.
 class Compressor {
   public:

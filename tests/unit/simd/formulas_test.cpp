@@ -24,7 +24,9 @@
 #include "rtcore/lights/light_sample-inl.h"
 #include "rtcore/math/triangle-inl.h"
 #include "rtcore/post/tone_map-inl.h"
+#include "rtcore/sampling/alias-inl.h"
 #include "rtcore/sampling/disc-inl.h"
+#include "rtcore/sampling/owen-inl.h"
 #include "rtcore/scattering/fresnel-inl.h"
 #include "rtcore/scattering/phong-inl.h"
 #include "rtcore/shading/surface/texture-inl.h"
@@ -48,11 +50,17 @@ enum class Formulas {
     Pictures,
     Shapes,
     Powers,
-    Textures
+    Textures,
+    Numbers
 };
-inline constexpr Formulas kFormulas[] = {Formulas::Scattering, Formulas::Mirrors,   Formulas::Lights,
-                                         Formulas::AreaLights, Formulas::Triangles, Formulas::Pictures,
-                                         Formulas::Shapes,     Formulas::Powers,    Formulas::Textures};
+inline constexpr Formulas kFormulas[] = {
+    Formulas::Scattering, Formulas::Mirrors, Formulas::Lights, Formulas::AreaLights, Formulas::Triangles,
+    Formulas::Pictures,   Formulas::Shapes,  Formulas::Powers, Formulas::Textures,   Formulas::Numbers};
+
+inline const AliasTable& someTable() {
+    static const AliasTable table(std::vector<double>{3, 0, 1, 0.125, 7});
+    return table;
+}
 
 inline Light lightOf(LightKind kind) {
     Light light;
@@ -174,6 +182,17 @@ HWY_INLINE void calculate(Formulas formulas, const F* x, Results<F>& out) {
         addTaps<F>(tapsAt<true, F>(x[9], 37U, 0U), out);
         for (const std::uint32_t wrap : {0U, 1U, 2U}) addTaps<F>(tapsAt<false, F>(x[9], 37U, wrap), out);
         break;
+    case Formulas::Numbers: {
+        const auto name = nameOfPixel(bitsOf(x[9]), bitsOf(x[10]));
+        const auto use = (bitsOf(x[11]) & UintOf<F>(0xFFFU)) | UintOf<F>(useBits(SampleDimension::Lobe, 0));
+        const auto point = pointInSequence<F>(name, bitsOf(x[12]), use);
+        out.add(point.u);
+        out.add(point.v);
+        const auto index = drawIndex<F>(someTable().rows(), bitsOf(x[13]));
+        out.add(asNumber(index));
+        out.add(probabilityOf<F>(someTable().rows(), index));
+        break;
+    }
     }
 }
 

@@ -1,0 +1,42 @@
+/// Drawing one of many things in proportion to weights, in constant time: Walker's alias method, with Vose's
+/// way to build the table (1991).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace rtcore {
+
+/// What vector code reads of a table, see alias-inl.h.
+struct AliasRows {
+    const std::uint32_t* threshold = nullptr; ///< of the bits below `shift` that keep to the row's own index
+    const std::uint32_t* other = nullptr;     ///< the index for the rest of them
+    const float* probability = nullptr;
+    int shift = 31; ///< the bits from here on are the row
+};
+
+/// Immutable once made; safe from many threads.
+class AliasTable {
+  public:
+    /// Draws nothing.
+    AliasTable() = default;
+    /// For at most 2^24 weights. Empty if one of them is negative or not finite, or if all are 0.
+    explicit AliasTable(std::span<const double> weights);
+
+    bool empty() const { return probability_.empty(); }
+    /// An index whose weight is above 0. `bits`: 32 random ones; a float has too few for large tables. The
+    /// table is not empty.
+    std::uint32_t draw(std::uint32_t bits) const;
+    /// How likely `index` is drawn: 0 for the weight 0, otherwise at least 2^-32; the fraction of all `bits`
+    /// that draw it, rounded to a float. `index` is below the number of weights.
+    float probability(std::uint32_t index) const { return probability_[index]; }
+    AliasRows rows() const { return {threshold_.data(), other_.data(), probability_.data(), shift_}; }
+
+  private:
+    std::vector<std::uint32_t> threshold_, other_;
+    std::vector<float> probability_;
+    int shift_ = 31;
+};
+
+} // namespace rtcore
