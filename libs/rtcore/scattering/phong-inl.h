@@ -2,6 +2,7 @@
 // inside the loop of foreach_target.h, or alone.
 #include "rtcore/math/constants.h"
 #include "rtcore/math/float3-inl.h"
+#include "rtcore/sampling/owen-inl.h"
 #include "rtcore/scattering/phong.h"
 #include "rtcore/simd/functions-inl.h"
 
@@ -21,6 +22,26 @@ namespace HWY_NAMESPACE {
 template <typename F>
 HWY_INLINE F phongLobe(F cosine, F shininess, F scale) {
     return scale * pow(cosine, shininess);
+}
+
+/// What times cos^n is the density of drawPhong() by solid angle.
+template <typename F>
+HWY_INLINE F phongDensityScale(F shininess) {
+    return (shininess + 1.0F) * (0.5F / kPi);
+}
+
+/// Density of drawPhong() by solid angle. `cosine`: as for phongLobe(), > 0.
+template <typename F>
+HWY_INLINE F phongDensity(F cosine, F shininess) {
+    return phongDensityScale<F>(shininess) * pow(cosine, shininess);
+}
+
+/// A direction about `mirrored`, both of unit length, with the density (n + 1) / 2 pi cos^n.
+template <typename F>
+HWY_INLINE Vec3Of<F> drawPhong(Vec3Of<F> mirrored, F shininess, SquarePointOf<F> point) {
+    const F cosine = min(pow(1.0F - point.u, 1.0F / (shininess + 1.0F)), F(1));
+    const F sine = sqrt(1.0F - cosine * cosine);
+    return mirrored * cosine + aroundAxis<F>(mirrored, unitCircle<F>(point.v)) * sine;
 }
 
 /// A lobe no narrower than the stratum of the light that is looked at; else narrow highlights of area lights

@@ -7,7 +7,7 @@ namespace rtcore {
 
 namespace {
 
-constexpr Colour kDielectric{0.04F, 0.04F, 0.04F}; ///< reflectance at normal incidence
+constexpr Colour kDielectric{kDielectricReflectance, kDielectricReflectance, kDielectricReflectance};
 constexpr float kLeastRoughness = 0.01F;
 constexpr float kMirrorsBelow = 0.3F; ///< roughness
 

@@ -5,6 +5,9 @@
 
 namespace rtcore {
 
+/// Reflectance of what is no metal, at normal incidence.
+inline constexpr float kDielectricReflectance = 0.04F;
+
 /// The reflectance `f0` at normal incidence as a highlight of the width that `roughness` (0..1) gives, and as
 /// mirrored rays that fade out where roughness would blur them.
 void setReflection(Material& material, Colour f0, float roughness);

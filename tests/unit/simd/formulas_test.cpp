@@ -28,7 +28,8 @@
 #include "rtcore/sampling/disc-inl.h"
 #include "rtcore/sampling/owen-inl.h"
 #include "rtcore/scattering/fresnel-inl.h"
-#include "rtcore/scattering/phong-inl.h"
+#include "rtcore/scattering/metallic-inl.h"
+#include "rtcore/scattering/phong_scattering-inl.h"
 #include "rtcore/shading/surface/texture-inl.h"
 
 #ifndef RT_TESTS_FORMULAS_
@@ -51,11 +52,16 @@ enum class Formulas {
     Shapes,
     Powers,
     Textures,
-    Numbers
+    Numbers,
+    Matte,
+    Microfacets,
+    Metals,
+    PhongPaths
 };
 inline constexpr Formulas kFormulas[] = {
-    Formulas::Scattering, Formulas::Mirrors, Formulas::Lights, Formulas::AreaLights, Formulas::Triangles,
-    Formulas::Pictures,   Formulas::Shapes,  Formulas::Powers, Formulas::Textures,   Formulas::Numbers};
+    Formulas::Scattering, Formulas::Mirrors,     Formulas::Lights, Formulas::AreaLights, Formulas::Triangles,
+    Formulas::Pictures,   Formulas::Shapes,      Formulas::Powers, Formulas::Textures,   Formulas::Numbers,
+    Formulas::Matte,      Formulas::Microfacets, Formulas::Metals, Formulas::PhongPaths};
 
 inline const AliasTable& someTable() {
     static const AliasTable table(std::vector<double>{3, 0, 1, 0.125, 7});
@@ -191,6 +197,49 @@ HWY_INLINE void calculate(Formulas formulas, const F* x, Results<F>& out) {
         const auto index = drawIndex<F>(someTable().rows(), bitsOf(x[13]));
         out.add(asNumber(index));
         out.add(probabilityOf<F>(someTable().rows(), index));
+        break;
+    }
+    case Formulas::Matte:
+        out.add(lambertDensity<F>(x[9]));
+        out.add(drawLambert<F>(a, {x[14], x[15]}));
+        break;
+    case Formulas::Microfacets: {
+        const F alpha = ggxAlpha<F>(x[9]);
+        const auto viewer = liftedViewer<F>(b, a);
+        out.add(viewer);
+        const auto scattering = scatterGgx<F>(a, viewer, c, alpha);
+        out.add(scattering.lobe);
+        out.add(scattering.density);
+        out.add(scattering.fresnelCosine);
+        out.add(drawGgx<F>(a, viewer, alpha, {x[14], x[15]}));
+        const auto albedo = ggxAlbedo<F>(ggxAlbedoTable(), x[10], x[9]);
+        out.add(albedo.straight);
+        out.add(albedo.grazing);
+        break;
+    }
+    case Formulas::Metals: { // also of both lobes in one vector
+        const auto lobes = metallicLobes<F>(ggxAlbedoTable(), a, x[9], x[10], F(0.04F), x[11]);
+        out.add(lobes.diffuse);
+        out.add(lobes.straight);
+        out.add(lobes.grazing);
+        out.add(glossProbability<F>(lobes));
+        const auto scattering = scatterMetallic<F>(lobes, b, c, a);
+        out.add(scattering.reflectance);
+        out.add(scattering.density);
+        out.add(drawMetallic<F>(lobes, b, c, x[13], {x[14], x[15]}));
+        break;
+    }
+    case Formulas::PhongPaths: { // cosines of unit vectors, as pow() asks for
+        const F length = max(abs(x[3]) + abs(x[4]) + abs(x[5]), F(1)) * F(2);
+        const auto ordinary = isFinite(length) & isFinite(c.x) & isFinite(c.y) & isFinite(c.z);
+        const auto toLight = selectOrZero(ordinary, b / length);
+        const auto toViewer = selectOrZero(ordinary, c / max(abs(c.x) + abs(c.y) + abs(c.z), F(1)));
+        const PhongLobes<F> lobes{b, c, 1.0F + x[15] * 1000.0F, x[9], x[10]};
+        const auto scattering = scatterPhong<F>(lobes, broadcast<F>(Vec3{0, 0.6F, 0.8F}), toViewer, toLight);
+        out.add(scattering.reflectance);
+        out.add(scattering.density);
+        out.add(drawPhongScattering<F>(lobes, broadcast<F>(Vec3{0, 0.6F, 0.8F}), toViewer, x[13],
+                                       {x[14], x[15]}));
         break;
     }
     }

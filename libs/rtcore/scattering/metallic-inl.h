@@ -1,0 +1,87 @@
+// The metallic-roughness model of glTF 2 as two lobes that lose no light, over the number F: float or Float.
+// Included once for each instruction set, inside the loop of foreach_target.h, or alone.
+#include "rtcore/scattering/ggx-inl.h"
+#include "rtcore/scattering/ggx_albedo-inl.h"
+#include "rtcore/scattering/lambert-inl.h"
+
+#if defined(RTCORE_SCATTERING_METALLIC_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RTCORE_SCATTERING_METALLIC_INL_H_
+#undef RTCORE_SCATTERING_METALLIC_INL_H_
+#else
+#define RTCORE_SCATTERING_METALLIC_INL_H_
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace rtcore {
+namespace HWY_NAMESPACE {
+
+/// A point's lobes as one viewer sees them.
+template <typename F>
+struct MetallicLobes {
+    Vec3Of<F> diffuse;           ///< albedo
+    Vec3Of<F> straight, grazing; ///< factors on the GGX lobe for facets seen straight on and at right angles
+    Vec3Of<F> glossAlbedo;       ///< of the GGX lobe, for even light
+    F alpha;
+};
+
+/// `base`, `metallic`, `roughness` as glTF has them, 0..1; `reflectance`: of what is no metal, straight on;
+/// `cosine`: of the viewer with the normal, lifted. Light that is scattered from facet to facet is put back
+/// by a factor (Turquin 2019, "Practical multiple scattering compensation for microfacet models"), and what
+/// is diffuse gets what the gloss leaves: white surfaces give off all that they get. Results of metal and
+/// dielectric are mixed, not their reflectances, since the factor is not linear in them.
+template <typename F>
+HWY_INLINE MetallicLobes<F> metallicLobes(const GgxAlbedoTable& table, Vec3Of<F> base, F metallic,
+                                          F roughness, F reflectance, F cosine) {
+    const GgxAlbedo<F> albedo = ggxAlbedo<F>(table, cosine, roughness);
+    const F lost = 1.0F / (albedo.straight + albedo.grazing) - 1.0F;
+    const F dielectric = 1.0F + reflectance * lost, isDielectric = 1.0F - metallic;
+    const F glossOfDielectric = (reflectance * albedo.straight + albedo.grazing) * dielectric;
+    const Vec3Of<F> metal = (broadcast<F>(kWhite) + base * lost) * metallic;
+    const Vec3Of<F> other = broadcast<F>(kWhite) * (dielectric * isDielectric);
+    MetallicLobes<F> lobes;
+    lobes.diffuse = base * (isDielectric * max(1.0F - glossOfDielectric, F(0)));
+    lobes.straight = base * metal + other * reflectance;
+    lobes.grazing = metal + other;
+    lobes.glossAlbedo = lobes.straight * albedo.straight + lobes.grazing * albedo.grazing;
+    lobes.alpha = ggxAlpha<F>(roughness);
+    return lobes;
+}
+
+/// The probability that drawMetallic() follows the glossy lobe: its part of all that is scattered.
+template <typename F>
+HWY_INLINE F glossProbability(const MetallicLobes<F>& lobes) {
+    const F gloss = luminance<F>(lobes.glossAlbedo), all = gloss + luminance<F>(lobes.diffuse);
+    return selectOrZero(all > 0.0F, gloss / all);
+}
+
+/// `toViewer` as liftedViewer() gives it, that of the lobes.
+template <typename F>
+HWY_INLINE Scattering<F> scatterMetallic(const MetallicLobes<F>& lobes, Vec3Of<F> normal, Vec3Of<F> toViewer,
+                                         Vec3Of<F> toLight) {
+    const GgxScattering<F> gloss = scatterGgx<F>(normal, toViewer, toLight, lobes.alpha);
+    const F cosine = dot(normal, toLight);
+    const F x = 1.0F - clamp(gloss.fresnelCosine, 0.0F, 1.0F);
+    const Vec3Of<F> factor = lobes.straight + (lobes.grazing - lobes.straight) * (x * x * x * x * x);
+    const F probability = glossProbability<F>(lobes);
+    const auto above = cosine > 0.0F;
+    return {
+        selectOrZero(above, lobes.diffuse * F(kLambertLobe) + factor * gloss.lobe),
+        selectOrZero(above, (1.0F - probability) * lambertDensity<F>(cosine) + probability * gloss.density)};
+}
+
+/// A direction of unit length with the density of scatterMetallic(). `lobe`: a random number in 0..1.
+template <typename F>
+HWY_INLINE Vec3Of<F> drawMetallic(const MetallicLobes<F>& lobes, Vec3Of<F> normal, Vec3Of<F> toViewer, F lobe,
+                                  SquarePointOf<F> point) {
+    const auto glossy = lobe < glossProbability<F>(lobes);
+    if (none(glossy)) return drawLambert<F>(normal, point);
+    const Vec3Of<F> reflected = drawGgx<F>(normal, toViewer, lobes.alpha, point);
+    if (all(glossy)) return reflected;
+    return select(glossy, reflected, drawLambert<F>(normal, point));
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace rtcore
+HWY_AFTER_NAMESPACE();
+
+#endif
