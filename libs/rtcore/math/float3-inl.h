@@ -22,9 +22,9 @@ namespace HWY_NAMESPACE {
 /// A vector of space, or the red, green and blue of a colour, in each lane.
 using Float3 = Vec3T<Float>;
 
-/// What formulas over the number F calculate with: Vec3 or Float3.
+/// What formulas over the number F calculate with: Vec3, Vec3d or Float3.
 template <typename F>
-using Vec3Of = std::conditional_t<std::is_same_v<F, float>, Vec3, Vec3T<F>>;
+using Vec3Of = std::conditional_t<std::is_floating_point_v<F>, rtcore::Vec3T<F>, Vec3T<F>>;
 
 /// The same in all lanes.
 template <typename F = Float>

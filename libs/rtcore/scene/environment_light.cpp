@@ -47,16 +47,8 @@ struct Texel {
 
 Vec3d unitOf(Vec3d d) { return d / std::sqrt(dot(d, d)); }
 
-/// The unfolded point (x, y), 0..1, as a direction that lies on the octahedron.
-Vec3d octahedronDirection(double x, double y) {
-    const double u = 2 * x - 1, v = 2 * y - 1;
-    const double height = 1 - std::fabs(u) - std::fabs(v);
-    if (height >= 0) return {u, height, v};
-    return {std::copysign(1 - std::fabs(v), u), height, std::copysign(1 - std::fabs(u), v)};
-}
-
 Vec3d middleOf(int column, int row) {
-    return octahedronDirection((column + 0.5) / kSide, (row + 0.5) / kSide);
+    return HWY_NAMESPACE::octahedronDirection<double>((column + 0.5) / kSide, (row + 0.5) / kSide);
 }
 
 /// Of each texel; all of them sum to 4 pi. A face of the octahedron lies 1 / sqrt(3) away, and its area is
@@ -160,8 +152,8 @@ std::vector<Colour> openOf(const std::vector<Energy>& energies, const std::vecto
     std::vector<Colour> open;
     for (int row = 0; row <= kSteps; ++row) {
         for (int column = 0; column <= kSteps; ++column) {
-            const Vec3d normal = unitOf(
-                octahedronDirection(static_cast<double>(column) / kSteps, static_cast<double>(row) / kSteps));
+            const Vec3d normal = unitOf(HWY_NAMESPACE::octahedronDirection<double>(
+                static_cast<double>(column) / kSteps, static_cast<double>(row) / kSteps));
             Energy sum;
             for (std::size_t i = 0; i < kTexels; ++i) {
                 const double cosine = dot(normal, towards[i]);

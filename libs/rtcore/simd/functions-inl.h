@@ -35,6 +35,8 @@ HWY_INLINE F polynomial(const C (&c)[n], F x) {
 HWY_INLINE double select(bool where, double a, double b) { return where ? a : b; }
 HWY_INLINE double selectOrZero(bool where, double a) { return where ? a : 0; }
 HWY_INLINE double floor(double a) { return std::floor(a); }
+HWY_INLINE double abs(double a) { return std::fabs(a); }
+HWY_INLINE double copySign(double size, double sign) { return std::copysign(size, sign); }
 HWY_INLINE Double floor(Double a) { return hn::Floor(a.raw); }
 
 /// x = mantissa * 2^exponent, 1 <= mantissa < 2, of normal x > 0.
@@ -193,19 +195,29 @@ HWY_INLINE Float fastAsinh(Float x) {
     return copySign(select(size < 0.05F, low, high), x);
 }
 
-/// Error below 3e-7. (Cephes atanf)
-HWY_INLINE Float fastAtan(Float x) {
-    const Float size = abs(x);
-    const Mask high = size > 2.414213562F;
-    const Mask middle = size > 0.4142135624F;
-    const Float over = select(high, -1.0F, size - 1.0F);
-    const Float under = select(high, size, size + 1.0F);
-    const Float y = select(middle, over / under, size);
-    const Float start = selectOrZero(middle, select(high, Float(1.570796327F), Float(0.785398163F)));
-    const Float z = y * y;
+/// Error below 3e-7, relative to small results, too. (Cephes atanf)
+template <typename F>
+HWY_INLINE F fastAtan(F x) {
+    const F size = abs(x);
+    const auto high = size > 2.414213562F;
+    const auto middle = size > 0.4142135624F;
+    const F over = select(high, F(-1), size - 1.0F);
+    const F under = select(high, size, size + 1.0F);
+    const F y = select(middle, over / under, size);
+    const F start = selectOrZero(middle, select(high, F(1.570796327F), F(0.785398163F)));
+    const F z = y * y;
     static constexpr float kSeries[] = {-3.33329491539e-1F, 1.99777106478e-1F, -1.38776856032e-1F,
                                         8.05374449538e-2F};
     return copySign(start + (polynomial(kSeries, z) * z * y + y), x);
+}
+
+/// The angle of (x, y), -pi to pi; 0 of (0, 0). Error below 5e-7, relative to angles below 1.
+template <typename F>
+HWY_INLINE F fastAtan2(F y, F x) {
+    const F along = abs(x), across = abs(y);
+    const F acute = fastAtan<F>(min(along, across) / max(max(along, across), F(1e-37F)));
+    const F ahead = select(across > along, 1.570796327F - acute, acute);
+    return copySign(select(x < 0.0F, 3.141592654F - ahead, ahead), y);
 }
 
 /// Of |x| <= pi / 4. (Cephes tanf)
@@ -235,6 +247,19 @@ HWY_INLINE UnitCircle<F> unitCircle(F turns) {
     const auto odd = (quarter & 1) != 0, half = (quarter & 2) != 0;
     const F x = select(odd, -s, c), y = select(odd, c, s);
     return {select(half, -x, x), select(half, -y, y)};
+}
+
+/// Of |angle| <= pi / 2, in radians; error below 3e-7, of the sine relative to it. (Cephes sinf and cosf of
+/// half the angle)
+template <typename F>
+HWY_INLINE UnitCircle<F> fastCircle(F angle) {
+    const F a = 0.5F * angle;
+    const F z = a * a;
+    static constexpr float kSine[] = {-1.6666654611e-1F, 8.3321608736e-3F, -1.9515295891e-4F};
+    static constexpr float kCosine[] = {4.166664568298827e-2F, -1.388731625493765e-3F, 2.443315711809948e-5F};
+    const F s = polynomial(kSine, z) * z * a + a;
+    const F c = polynomial(kCosine, z) * z * z - 0.5F * z + 1.0F;
+    return {(c - s) * (c + s), 2.0F * s * c};
 }
 
 } // namespace HWY_NAMESPACE
