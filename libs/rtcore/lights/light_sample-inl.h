@@ -60,27 +60,45 @@ HWY_INLINE F spotFactor(const Light& light, F cosine) {
     return smoothstep<F>((cosine - light.cosOuter) / (light.cosInner - light.cosOuter));
 }
 
-/// A stratum of a sphere, uniform in the cone that it fills (Shirley, Wang and Zimmerman 1996); with 1 - cos
-/// of small angles to full precision.
+/// The cone that a sphere fills, seen from a point; from inside of it, all directions towards its middle's
+/// side.
 template <typename F>
-HWY_INLINE LightSample<F> sampleSphere(const Light& light, Vec3Of<F> offset, const Stratum<F>& stratum) {
+struct SphereCone {
+    Vec3Of<F> axis; ///< unit; up where the distance is 0
+    F distance;     ///< of the sphere's middle
+    F counted;      ///< the same, not below the radius
+    F sine;         ///< of the cone's half-angle
+    F whole;        ///< 1 + its cosine
+
+    /// 1 - cosine of the half-angle, of small angles to full precision: the solid angle over 2 pi.
+    HWY_INLINE F widest() const { return sine * sine / whole; }
+};
+/// `offset`: from the point to the sphere's middle.
+template <typename F>
+HWY_INLINE SphereCone<F> sphereCone(const Light& light, Vec3Of<F> offset) {
     const F radius = light.radius;
     const F distance = sqrt(dot(offset, offset));
     const Vec3Of<F> axis = select(distance > 0.0F, offset / distance, broadcast<F>(Vec3{0, 1, 0}));
     const F counted = max(max(distance, radius), F(1e-18F));
     const F sine = radius / counted;
-    const F whole = 1.0F + sqrt(max(1.0F - sine * sine, F(0)));
-    const F widest = sine * sine / whole;
-    const F bent = stratum.u * widest; // 1 - cosine
+    return {axis, distance, counted, sine, 1.0F + sqrt(max(1.0F - sine * sine, F(0)))};
+}
+
+/// A stratum of a sphere, uniform in the cone that it fills (Shirley, Wang and Zimmerman 1996).
+template <typename F>
+HWY_INLINE LightSample<F> sampleSphere(const Light& light, Vec3Of<F> offset, const Stratum<F>& stratum) {
+    const SphereCone<F> cone = sphereCone<F>(light, offset);
+    const F radius = light.radius;
+    const F bent = stratum.u * cone.widest(); // 1 - cosine
     const F squareSine = bent * (2.0F - bent);
     const Vec3Of<F> toLight =
-        axis * (1.0F - bent) + aroundAxis<F>(axis, unitCircle(stratum.v)) * sqrt(squareSine);
-    const F aside = distance * distance * squareSine;
+        cone.axis * (1.0F - bent) + aroundAxis<F>(cone.axis, unitCircle(stratum.v)) * sqrt(squareSine);
+    const F aside = cone.distance * cone.distance * squareSine;
     const F depth = sqrt(max(radius * radius - aside, F(0)));
-    const F near = distance * (1.0F - bent) - depth;
-    const F scale = 2 * stratum.weight / (counted * counted * whole);
+    const F near = cone.distance * (1.0F - bent) - depth;
+    const F scale = 2 * stratum.weight / (cone.counted * cone.counted * cone.whole);
     return {toLight, max(near * 0.9999F, F(0)), broadcast<F>(light.intensity) * scale,
-            sine * sine * stratum.ofAll};
+            cone.sine * cone.sine * stratum.ofAll};
 }
 
 /// Of a flat light, which shines with the cosine: a point that is uniform by area, seen from the middle.

@@ -341,10 +341,7 @@ std::vector<EnvironmentCell> Environment::cells() const {
     for (int face = 0; cube_ && face < 6; ++face)
         addCellsOfFace(images[static_cast<std::size_t>(face)], face, cells);
     if (rotation_ == 0) return cells;
-    for (EnvironmentCell& cell : cells) {
-        const Vec3 d = cell.direction;
-        cell.direction = axes_[0] * d.x + axes_[1] * d.y + axes_[2] * d.z;
-    }
+    for (EnvironmentCell& cell : cells) cell.direction = turned(cell.direction);
     return cells;
 }
 

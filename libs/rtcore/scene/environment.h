@@ -9,6 +9,7 @@
 #include <array>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,13 @@ class Environment {
 
     /// All directions in some 10^5 cells of half a degree at most, without the intensity.
     std::vector<EnvironmentCell> cells() const;
+    /// Its image, or six faces as fromCube() takes them, each with a border of one texel around it; without
+    /// the intensity.
+    std::span<const HdrImage> images() const { return *images_; }
+    /// A direction of the images as it is seen: turned by rotation().
+    Vec3 turned(Vec3 ofImage) const {
+        return axes_[0] * ofImage.x + axes_[1] * ofImage.y + axes_[2] * ofImage.z;
+    }
     /// What it throws on surfaces, without the intensity. Made when first asked for, in some 10^-2 s for each
     /// 10^6 texels; other threads wait for that. A copy that is turned makes its own.
     const EnvironmentLight& light() const;

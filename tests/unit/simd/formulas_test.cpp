@@ -21,7 +21,9 @@
 #define HWY_TARGET_INCLUDE "unit/simd/formulas_test.cpp"
 #include "rtcore/simd/foreach_target.h"
 
-#include "rtcore/lights/light_sample-inl.h"
+#include "rtcore/lights/emitters-inl.h"
+#include "rtcore/lights/environment_draw-inl.h"
+#include "rtcore/lights/light_draw-inl.h"
 #include "rtcore/math/triangle-inl.h"
 #include "rtcore/post/tone_map-inl.h"
 #include "rtcore/sampling/alias-inl.h"
@@ -53,19 +55,37 @@ enum class Formulas {
     Powers,
     Textures,
     Numbers,
+    LightDraws,
+    Directions,
+    EmittingTriangles,
     Matte,
     Microfacets,
     Metals,
     PhongPaths
 };
 inline constexpr Formulas kFormulas[] = {
-    Formulas::Scattering, Formulas::Mirrors,     Formulas::Lights, Formulas::AreaLights, Formulas::Triangles,
-    Formulas::Pictures,   Formulas::Shapes,      Formulas::Powers, Formulas::Textures,   Formulas::Numbers,
-    Formulas::Matte,      Formulas::Microfacets, Formulas::Metals, Formulas::PhongPaths};
+    Formulas::Scattering,        Formulas::Mirrors,  Formulas::Lights,      Formulas::AreaLights,
+    Formulas::Triangles,         Formulas::Pictures, Formulas::Shapes,      Formulas::Powers,
+    Formulas::Textures,          Formulas::Numbers,  Formulas::LightDraws,  Formulas::Directions,
+    Formulas::EmittingTriangles, Formulas::Matte,    Formulas::Microfacets, Formulas::Metals,
+    Formulas::PhongPaths};
 
 inline const AliasTable& someTable() {
     static const AliasTable table(std::vector<double>{3, 0, 1, 0.125, 7});
     return table;
+}
+
+/// Of 4 x 4 directions, and of the five triangles in it.
+inline EnvironmentRows someDirections() {
+    static const AliasTable table(std::vector<double>{3, 1, 1, 0.125, 7, 1e-9, 2, 2, 5, 1, 2, 3, 4, 5, 6, 7});
+    return {table.rows(), 4, 2};
+}
+inline EmitterRows someTriangles() {
+    static constexpr std::uint32_t kNumbers[] = {1, 0, 4, 2, 3};
+    static constexpr std::uint32_t kCorners[] = {0, 1, 2, 1, 2, 3, 3, 2, 0, 4, 1, 0, 2, 3, 4};
+    static constexpr float kVertices[] = {0, 0.5F, 1,  0, 2,    -1, 0.25F, 0, 3, 1,
+                                          1, 0,    -1, 2, 0.1F, 0,  1,     1, 4, 0};
+    return {someTable().rows(), kNumbers, kCorners, kVertices};
 }
 
 inline Light lightOf(LightKind kind) {
@@ -109,6 +129,18 @@ struct Results {
         add(s.toLight), add(s.irradiance), add(s.free), add(s.spread);
     }
 };
+
+/// Samples of a light, and how the ray of the direction `d` meets it.
+template <LightKind kind, typename F>
+HWY_INLINE void addDraws(Vec3Of<F> position, Vec3Of<F> d, F u, F v, Results<F>& out) {
+    const Light light = lightOf(kind);
+    const LightDraw<F> draw = drawLight<kind, F>(light, position, u, v);
+    out.add(draw.toLight), out.add(draw.free), out.add(draw.irradiance), out.add(draw.density);
+    const F distance = hitLight<kind, F>(light, position, d);
+    out.add(distance);
+    out.add(sampleDensity<kind, F>(light, position, d, distance));
+    out.add(drawDensity<kind, F>(light, position, d, distance));
+}
 
 /// What each kind of light sends to `position`; of area lights, the stratum with these u, v.
 template <std::size_t i = 0, typename F>
@@ -188,6 +220,28 @@ HWY_INLINE void calculate(Formulas formulas, const F* x, Results<F>& out) {
         addTaps<F>(tapsAt<true, F>(x[9], 37U, 0U), out);
         for (const std::uint32_t wrap : {0U, 1U, 2U}) addTaps<F>(tapsAt<false, F>(x[9], 37U, wrap), out);
         break;
+    case Formulas::LightDraws: // u, v in [0, 1)
+        addDraws<LightKind::Sphere, F>(a, b, x[14], x[15], out);
+        addDraws<LightKind::Rectangle, F>(a, b, x[14], x[15], out);
+        addDraws<LightKind::Spot, F>(a, b, x[14], x[15], out);
+        break;
+    case Formulas::Directions: {
+        const DirectionDraw<F> draw = drawEnvironment<F>(someDirections(), x[14], x[15], bitsOf(x[9]));
+        out.add(draw.direction), out.add(draw.density);
+        out.add(environmentDensity<F>(someDirections(), a));
+        out.add(octahedronDirection<F>(x[14], x[15]));
+        out.add(fastAtan2<F>(x[10], x[11]));
+        const auto circle = fastCircle<F>(x[12]);
+        out.add(circle.cosine), out.add(circle.sine);
+        break;
+    }
+    case Formulas::EmittingTriangles: {
+        const EmitterDraw<F> draw = drawEmitter<F>(someTriangles(), x[14], x[15], bitsOf(x[9]));
+        out.add(asNumber(draw.triangle)), out.add(draw.u), out.add(draw.v), out.add(draw.position);
+        out.add(draw.normal), out.add(draw.density);
+        out.add(bySolidAngle<F>(x[10], x[11], x[12]));
+        break;
+    }
     case Formulas::Numbers: {
         const auto name = nameOfPixel(bitsOf(x[9]), bitsOf(x[10]));
         const auto use = (bitsOf(x[11]) & UintOf<F>(0xFFFU)) | UintOf<F>(useBits(SampleDimension::Lobe, 0));

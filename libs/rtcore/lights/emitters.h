@@ -1,0 +1,90 @@
+/// The triangles of a scene that emit light, as lights: points of them are drawn in proportion to their
+/// power.
+#pragma once
+
+#include "rtcore/sampling/alias_table.h"
+#include "rtcore/sampling/sample_id.h"
+#include "rtcore/scene/scene.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace rtcore {
+
+/// What vector code reads, see emitters-inl.h.
+struct EmitterRows {
+    AliasRows choice;                         ///< of emitters
+    const std::uint32_t* triangles = nullptr; ///< of each emitter, ascending
+    const std::uint32_t* corners = nullptr;   ///< of the mesh: three for each triangle
+    const float* vertices = nullptr;          ///< of the mesh: x, y, z and one more for each
+};
+
+/// Which triangles are left to rays that hit them by chance, or hit by none.
+struct EmitterChoice {
+    std::span<const std::uint8_t> hidden = {}; ///< by triangle of the model, not 0: it is (hiddenTriangles())
+    std::span<const std::uint8_t> dark = {}; ///< by material, not 0: its emission is seen, but lights nothing
+    bool textures = true;                    ///< as RenderSettings::textures
+};
+
+/// One point, see HWY_NAMESPACE::EmitterDraw.
+struct EmitterPoint {
+    std::uint32_t triangle = 0;
+    float u = 0, v = 0;
+    Vec3 position, normal;
+    float density = 0; ///< by area
+};
+
+/// Immutable once prepared; safe from many threads. About 20 bytes for each emitter. The scene's mesh must
+/// outlive it.
+///
+/// A triangle emits the same to both sides, as it is seen. Its power counts with the mean of its texture, and
+/// holes of an alpha texture count as solid: that costs noise only, since the radiance of a point is looked
+/// up where it is. Not among the emitters, since no number tells how likely they are drawn, are triangles
+/// without area, with corners or an emission that are not finite, and all of them where there are more than
+/// 2^24.
+class Emitters {
+  public:
+    /// Takes some 30 ns for each emissive triangle, and a nanosecond for each other one and each texel of
+    /// emission.
+    void prepare(const Scene& scene, const EmitterChoice& choice = {});
+
+    bool empty() const { return triangles_.empty(); }
+    std::size_t size() const { return triangles_.size(); }
+
+    /// Uniform by area within a triangle. There is an emitter. `bits`: 32 random ones.
+    EmitterPoint draw(SquarePoint point, std::uint32_t bits) const;
+    /// The density by solid angle with which draw() finds the point of a triangle that is seen at `distance`,
+    /// where the cosine between the ray and the triangle's normal is `cosine`, of either sign. 0 of what is
+    /// no emitter, and of cosines whose size is below 1e-6.
+    float density(std::uint32_t triangle, float distance, float cosine) const;
+    /// By area, the same number as in EmitterPoint.
+    float areaDensity(std::uint32_t triangle) const;
+
+    /// Luminance of all that is given off, to both sides, W.
+    double power() const { return power_; }
+    const Box3& bounds() const { return bounds_; }
+    /// Middle of the emitters, weighted by power.
+    Vec3 centre() const { return centre_; }
+    EmitterRows rows() const;
+
+  private:
+    /// Emitters whose triangles follow each other.
+    struct Run {
+        std::uint32_t firstTriangle, firstEmitter;
+    };
+
+    void addTriangles(const Scene& scene, const EmitterChoice& choice, std::vector<double>& powers);
+    std::uint32_t emitterOf(std::uint32_t triangle) const;
+
+    Mesh mesh_;
+    AliasTable table_;
+    std::vector<std::uint32_t> triangles_;
+    std::vector<Run> runs_;
+    double power_ = 0;
+    Box3 bounds_;
+    Vec3 centre_;
+};
+
+} // namespace rtcore

@@ -1,0 +1,239 @@
+// Directions drawn from environments: no light is lost, and densities are those of what is drawn.
+#include "rtcore/lights/environment_draw.h"
+
+#include "estimates.h"
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+namespace rtcore {
+namespace environment_draws {
+namespace {
+
+using test::Estimate;
+using test::expectMean;
+
+constexpr double kPiExact = std::numbers::pi;
+
+template <typename Radiance>
+HdrImage imageOf(int width, int height, Radiance radiance) {
+    HdrImage image(width, height);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) image.at(x, y) = kWhite * static_cast<float>(radiance(x, y));
+    return image;
+}
+
+DrawnDirection drawOne(const EnvironmentDraw& draws, test::Random& random) {
+    const float u = random.number(0, 1), v = random.number(0, 1);
+    return draws.draw({u, v}, random.index(std::size_t{1} << 32U));
+}
+
+/// Of f over all the light, by drawn directions.
+template <typename Weight>
+Estimate lightBy(const BackgroundLight& light, Weight weight, int count) {
+    EnvironmentDraw draws;
+    draws.prepare(light);
+    EXPECT_FALSE(draws.empty());
+    test::Random random(1);
+    Estimate e;
+    for (int i = 0; i < count; ++i) {
+        const DrawnDirection d = drawOne(draws, random);
+        EXPECT_GT(d.density, 0);
+        e.add(static_cast<double>(light.radiance(d.direction).g) * static_cast<double>(weight(d.direction)) /
+              static_cast<double>(d.density));
+    }
+    return e;
+}
+
+/// The integral of the radiance of an equirectangular image or a cube, by `parts` x `parts` points of each
+/// texel.
+double integralOf(const Environment& e, int parts) {
+    double sum = 0;
+    const int n = e.resolution() * parts;
+    const auto number = [](double v) { return static_cast<float>(v); };
+    const auto add = [&](Vec3 ofImage, double solidAngle) {
+        sum += static_cast<double>(e.radiance(e.turned(ofImage), TexelFilter::Bilinear).g) * solidAngle;
+    };
+    if (e.isCube()) {
+        for (int face = 0; face < 6; ++face)
+            for (int y = 0; y < n; ++y)
+                for (int x = 0; x < n; ++x)
+                    add(cubeDirection(face, number((x + 0.5) / n), number((y + 0.5) / n)),
+                        cubeTexelSolidAngle(n, x, y));
+        return sum;
+    }
+    const double step = 2 * kPiExact / n;
+    for (int y = 0; y < n / 2; ++y) {
+        const double polar = (y + 0.5) * step, area = 2 * std::sin(polar) * std::sin(step / 2) * step;
+        for (int x = 0; x < n; ++x) {
+            const double azimuth = (x + 0.5) * step - kPiExact;
+            add({number(std::sin(polar) * std::sin(azimuth)), number(std::cos(polar)),
+                 number(-std::sin(polar) * std::cos(azimuth))},
+                area);
+        }
+    }
+    return sum;
+}
+
+TEST(EnvironmentDraw, LightsAFloorAsTheClosedForm) {
+    for (const int power : {0, 1, 8, 50}) {
+        const HdrImage image = imageOf(512, 256, [&](int, int y) {
+            const double cosine = std::cos((y + 0.5) / 256 * kPiExact);
+            return std::pow(std::max(cosine, 0.0), power);
+        });
+        const Environment environment = Environment::fromEquirectangular(image, "");
+        const Estimate e = lightBy(
+            {&environment, {}, TexelFilter::Bilinear}, [](Vec3 d) { return std::max(d.y, 0.0F); }, 100000);
+        const double expected = 2 * kPiExact / (power + 2);
+        EXPECT_LT(e.deviation(), 0.005 * expected);
+        EXPECT_NEAR(e.mean(), expected, 5 * e.deviation() + 1e-3 * expected)
+            << power; // the image is filtered
+    }
+}
+
+TEST(EnvironmentDraw, LosesNoLightOfALoneBrightTexel) {
+    constexpr int kWidth = 64, kHeight = 32;
+    for (const auto& [column, row] :
+         std::vector<std::pair<int, int>>{{20, 10}, {0, 16}, {63, 15}, {31, 0}, {5, 31}, {48, 16}}) {
+        for (const float turn : {0.0F, 33.0F}) {
+            SCOPED_TRACE(testing::Message() << column << ", " << row << ", " << turn << " degrees");
+            const HdrImage image =
+                imageOf(kWidth, kHeight, [&](int x, int y) { return x == column && y == row ? 1e4 : 0; });
+            Environment environment = Environment::fromEquirectangular(image, "");
+            environment.turn(turn, {0, 1, 0});
+            const Estimate e = lightBy(
+                {&environment, {}, TexelFilter::Bilinear}, [](Vec3) { return 1; }, 40000);
+            expectMean(e, integralOf(environment, 8), 0.02);
+        }
+    }
+}
+
+TEST(EnvironmentDraw, LosesNoLightAtEdgesAndCornersOfACube) {
+    for (const auto& [column, row] : std::vector<std::pair<int, int>>{{4, 9}, {0, 7}, {15, 15}, {0, 0}}) {
+        for (const std::size_t bright : {0U, 2U, 5U}) {
+            std::array<HdrImage, 6> faces;
+            for (HdrImage& face : faces) face = HdrImage(16, 16);
+            faces[bright].at(column, row) = kWhite * 1000.0F;
+            Environment environment = Environment::fromCube(faces, "");
+            environment.intensity = 3;
+            environment.turn(-70, {0, 0, 1});
+            const Estimate e = lightBy(
+                {&environment, {}, TexelFilter::Bilinear}, [](Vec3) { return 1; }, 40000);
+            expectMean(e, integralOf(environment, 8), 0.02);
+        }
+    }
+}
+
+TEST(EnvironmentDraw, LosesNoLightOfUnfilteredImages) {
+    const HdrImage image = imageOf(64, 32, [](int x, int y) { return x == 40 && y == 12 ? 100 : 0.1; });
+    const Environment environment = Environment::fromEquirectangular(image, "");
+    const Estimate e = lightBy(
+        {&environment, {}, TexelFilter::Nearest}, [](Vec3) { return 1; }, 40000);
+    expectMean(e, static_cast<double>(environment.meanRadiance().g) * 4 * kPiExact + 1e-9, 0.02);
+}
+
+/// Bright and dark in a fine mixture.
+Environment motley() {
+    test::Random random(7);
+    return Environment::fromEquirectangular(
+        imageOf(128, 64, [&](int, int) { return std::pow(10.0F, random.number(-3, 1)); }), "");
+}
+
+TEST(EnvironmentDraw, HasADensityThatIntegratesToOne) {
+    const Environment environment = motley();
+    EnvironmentDraw draws;
+    draws.prepare({&environment, {}, TexelFilter::Bilinear});
+    test::Random random(2);
+    Estimate integral;
+    for (int i = 0; i < 200000; ++i) {
+        const float density = draws.density(test::uniformDirection(random));
+        ASSERT_GT(density, 0);
+        integral.add(static_cast<double>(density) * 4 * kPiExact);
+    }
+    expectMean(integral, 1);
+}
+
+TEST(EnvironmentDraw, DrawsDirectionsWithTheDensityThatItTells) {
+    const Environment environment = motley();
+    EnvironmentDraw draws;
+    draws.prepare({&environment, {}, TexelFilter::Bilinear});
+    test::Random random(3);
+    Estimate one;
+    std::array<Estimate, 8> octants;
+    for (int i = 0; i < 200000; ++i) {
+        const DrawnDirection d = drawOne(draws, random);
+        ASSERT_EQ(d.density, draws.density(d.direction));
+        ASSERT_NEAR(length(d.direction), 1, 1e-6F);
+        const double inverse = 1 / static_cast<double>(d.density);
+        const auto octant = static_cast<std::size_t>(
+            (d.direction.x > 0 ? 1 : 0) + (d.direction.y > 0 ? 2 : 0) + (d.direction.z > 0 ? 4 : 0));
+        for (std::size_t k = 0; k < 8; ++k) octants[k].add(k == octant ? inverse : 0);
+    }
+    for (const Estimate& octant : octants) expectMean(octant, kPiExact / 2);
+}
+
+TEST(EnvironmentDraw, OfAnEvenBackgroundIsEven) {
+    const BackgroundLight light{nullptr, {0.5F, 2, 0.25F}, TexelFilter::Bilinear};
+    const Estimate e = lightBy(
+        light, [](Vec3) { return 1; }, 10000);
+    expectMean(e, 2 * 4 * kPiExact, 1e-3);
+    EnvironmentDraw draws;
+    draws.prepare(light);
+    EXPECT_NEAR(draws.scalarIrradiance(), 4 * kPiExact * static_cast<double>(luminance(light.even)), 1e-5);
+    test::Random random(4);
+    for (int i = 0; i < 1000; ++i)
+        EXPECT_NEAR(draws.density(random.unitVector()) * 4 * std::numbers::pi_v<float>, 1, 0.12);
+}
+
+TEST(EnvironmentDraw, IsEmptyWhereNothingShines) {
+    const Environment black = Environment::fromEquirectangular(HdrImage(8, 4), "");
+    Environment off = motley();
+    off.intensity = 0;
+    for (const BackgroundLight& light :
+         {BackgroundLight{&black, {}, TexelFilter::Bilinear}, BackgroundLight{},
+          BackgroundLight{&off, {}, TexelFilter::Bilinear}}) {
+        EnvironmentDraw draws;
+        draws.prepare(light);
+        EXPECT_TRUE(draws.empty());
+        EXPECT_EQ(draws.density({0, 1, 0}), 0);
+        EXPECT_EQ(draws.scalarIrradiance(), 0);
+    }
+}
+
+TEST(EnvironmentDraw, TakesImagesOfOneTexelAndNegativeLight) {
+    const Environment one = Environment::fromEquirectangular(HdrImage(1, 1, {1, 2, 3}), "");
+    expectMean(lightBy(
+                   {&one, {}, TexelFilter::Bilinear}, [](Vec3) { return 1; }, 10000),
+               8 * kPiExact, 1e-3);
+
+    HdrImage image(16, 8, {1, 1, 1});
+    image.at(3, 3) = {-5, -5, -5};
+    const Environment negative = Environment::fromEquirectangular(image, "");
+    expectMean(lightBy(
+                   {&negative, {}, TexelFilter::Bilinear}, [](Vec3) { return 1; }, 40000),
+               integralOf(negative, 16), 0.01);
+}
+
+TEST(BackgroundLight, IsTheEnvironmentElseTheBackgroundElseWhatIsGiven) {
+    Scene scene;
+    const Colour ambient{0.1F, 0.2F, 0.3F};
+    const auto seen = [&](Colour instead) {
+        return backgroundLight(scene, TexelFilter::Bilinear, instead).radiance({0, 1, 0});
+    };
+    EXPECT_EQ(seen({}), Colour{});
+    EXPECT_EQ(seen(ambient), ambient);
+    scene.background = {1, 0, 0};
+    EXPECT_EQ(seen(ambient), scene.background);
+    scene.environments.push_back(
+        std::make_shared<const Environment>(Environment::fromEquirectangular(HdrImage(4, 2, {0, 7, 0}), "")));
+    EXPECT_EQ(seen(ambient), (Colour{0, 7, 0}));
+    scene.activeEnvironment = kNoEnvironment;
+    EXPECT_EQ(seen(ambient), scene.background);
+}
+
+} // namespace
+} // namespace environment_draws
+} // namespace rtcore
