@@ -1,0 +1,132 @@
+#include "rtcore/render/image_sums.h"
+
+#include "rtcore/platform/large_vector.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+namespace rtcore {
+
+namespace {
+
+constexpr int kBitsOfMean = 25;
+constexpr std::int64_t kMostUnits = (std::int64_t{1} << (kBitsOfMean + 18)) - 1;
+static_assert(kMostUnits <= INT64_MAX / ImageSums::kMostSamples);
+
+/// The least e with 2^e >= value.
+int ceilLog2(float value) {
+    int exponent = 0;
+    const float fraction = std::frexp(value, &exponent); // 0.5 <= fraction < 1
+    return fraction == 0.5F ? exponent - 1 : exponent;
+}
+
+/// Rounds to the nearest unit, halves away from 0. Exact: a double holds halves up to 2^52.
+std::int64_t toUnits(double units) {
+    constexpr auto kLimit = static_cast<double>(kMostUnits);
+    return static_cast<std::int64_t>(std::clamp(units, -kLimit, kLimit) + (units < 0 ? -0.5 : 0.5));
+}
+
+void increase(std::uint64_t& counter, std::uint64_t more) {
+    if (more != 0) std::atomic_ref(counter).fetch_add(more, std::memory_order_relaxed);
+}
+
+} // namespace
+
+ImageSums::ImageSums(int width, int height, float meanLuminance)
+    : width_(width), height_(height),
+      unitExponent_(ceilLog2(std::isfinite(meanLuminance) && meanLuminance > 0 ? meanLuminance : 1) -
+                    kBitsOfMean),
+      unit_(std::ldexp(1.0, unitExponent_)), unitsPerOne_(std::ldexp(1.0, -unitExponent_)) {
+    assert(width >= 0 && height >= 0);
+    const std::size_t pixels = index(0, height);
+    resizeLarge(sums_, 3 * pixels);
+    resizeLarge(samples_, pixels);
+}
+
+double ImageSums::largest() const { return static_cast<double>(kMostUnits) * unit_; }
+
+void ImageSums::addRow(int x, int y, std::span<const Colour> samples) {
+    assert(x >= 0 && y >= 0 && y < height_ && samples.size() <= static_cast<std::size_t>(width_ - x));
+    std::uint64_t dropped = 0, clipped = 0;
+    std::size_t i = index(x, y);
+    for (const Colour& sample : samples) {
+        const std::size_t pixel = i++;
+        if (!isFinite(sample)) {
+            ++dropped;
+            continue;
+        }
+        assert(samples_[pixel] < kMostSamples);
+        const std::array<double, 3> units{sample.r * unitsPerOne_, sample.g * unitsPerOne_,
+                                          sample.b * unitsPerOne_};
+        bool beyond = false;
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            sums_[3 * pixel + channel] += toUnits(units[channel]);
+            beyond |= std::fabs(units[channel]) > static_cast<double>(kMostUnits);
+        }
+        ++samples_[pixel];
+        clipped += beyond ? 1 : 0;
+    }
+    increase(dropped_, dropped);
+    increase(clipped_, clipped);
+}
+
+void ImageSums::checkMerge(const ImageSums& other) const {
+    if (other.width_ != width_ || other.height_ != height_) {
+        throw std::invalid_argument(fmt::format("the parts are of images of {} x {} and {} x {} pixels",
+                                                width_, height_, other.width_, other.height_));
+    }
+    if (other.unitExponent_ != unitExponent_) {
+        throw std::invalid_argument(
+            fmt::format("the parts count in units of 2^{} and 2^{}; they are of other "
+                        "scenes, views or settings",
+                        unitExponent_, other.unitExponent_));
+    }
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+        if (other.samples_[i] > kMostSamples - samples_[i]) {
+            throw std::invalid_argument(
+                fmt::format("the parts have more than {} samples of a pixel", kMostSamples));
+        }
+    }
+}
+
+void ImageSums::merge(const ImageSums& other) {
+    checkMerge(other);
+    for (std::size_t i = 0; i < sums_.size(); ++i) sums_[i] += other.sums_[i];
+    for (std::size_t i = 0; i < samples_.size(); ++i) samples_[i] += other.samples_[i];
+    dropped_ += other.dropped_;
+    clipped_ += other.clipped_;
+}
+
+void ImageSums::mean(HdrImage& image) const {
+    if (image.width != width_ || image.height != height_) image = HdrImage(width_, height_);
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+        const double samples = std::max(samples_[i], 1U);
+        const auto meanOf = [&](std::size_t channel) {
+            return static_cast<float>(static_cast<double>(sums_[3 * i + channel]) / samples * unit_);
+        };
+        image.pixels[i] = {meanOf(0), meanOf(1), meanOf(2)};
+    }
+}
+
+HdrImage ImageSums::mean() const {
+    HdrImage image;
+    mean(image);
+    return image;
+}
+
+ImageSums::Pixel ImageSums::pixel(int x, int y) const {
+    const std::size_t i = index(x, y);
+    return {{sums_[3 * i], sums_[3 * i + 1], sums_[3 * i + 2]}, samples_[i]};
+}
+
+std::uint64_t ImageSums::added() const {
+    return std::accumulate(samples_.begin(), samples_.end(), std::uint64_t{0});
+}
+
+} // namespace rtcore
