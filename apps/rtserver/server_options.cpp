@@ -108,6 +108,15 @@ void readResolution(const std::string& text, std::vector<rtcore::SettingAssignme
     settings.push_back(app::settingOf("resolution", "height", text.substr(cross + 1)));
 }
 
+void readSetting(const std::string& text, std::vector<rtcore::SettingAssignment>& settings) {
+    settings.push_back(app::settingOf(text));
+    try {
+        rtcore::checkLive(rtcore::requireSetting(settings.back().name), settings.back().value);
+    } catch (const std::invalid_argument& error) {
+        throw app::UsageError(std::string("option '--setting': ") + error.what());
+    }
+}
+
 std::optional<std::filesystem::path> readPath(const app::Arguments& arguments, const char* name) {
     const std::optional<std::string> text = arguments.text(name);
     if (!text) return std::nullopt;
@@ -146,7 +155,7 @@ Options readOptions(const app::Arguments& arguments) {
     options.cachedModel = readPath(arguments, "cached-model");
     for (const app::Occurrence& given : arguments.options()) {
         if (given.name == "resolution") readResolution(given.value, options.settings);
-        if (given.name == "setting") options.settings.push_back(app::settingOf(given.value));
+        if (given.name == "setting") readSetting(given.value, options.settings);
     }
     options.threads = app::threadsOf(arguments);
     options.framesPerSecond = arguments.number("fps-limit").value_or(0);

@@ -194,6 +194,7 @@ void ServerState::setCamera(const rtcore::Camera& camera) {
 }
 
 void ServerState::setSettings(const rtcore::RenderSettings& settings) {
+    rtcore::checkLive(settings);
     if (settings.width != settings_.width || settings.height != settings_.height) reserve_(settings);
     takeSettings(settings);
 }

@@ -90,7 +90,7 @@ class ServerState {
     bool walking() const;
 
     const rtcore::RenderSettings& settings() const { return settings_; }
-    /// Throws what `reserve` throws, with nothing changed.
+    /// Throws what `reserve` and rtcore::checkLive() throw, with nothing changed.
     void setSettings(const rtcore::RenderSettings& settings);
     /// Those of a frame that was published: there is room for it.
     void goBackTo(const rtcore::RenderSettings& settings);

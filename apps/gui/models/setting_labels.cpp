@@ -19,7 +19,15 @@ struct Label {
 constexpr Label kLabels[] = {{"antialiasing", "Anti-aliasing"},
                              {"maxDepth", "Max. bounces"},
                              {"minContribution", "Min. contribution"},
-                             {"ambientOcclusion.light", "Ambient light"}};
+                             {"ambientOcclusion.light", "Ambient light"},
+                             {"path", "Path tracing"},
+                             {"whitted", "Whitted ray tracing"},
+                             {"path.samples", "Samples per pixel"},
+                             {"path.bounces", "Max. bounces"},
+                             {"path.rouletteFrom", "Roulette from bounce"},
+                             {"path.clampIndirect", "Clamp indirect light"},
+                             {"path.emitters", "Light from emission"},
+                             {"path.seed", "Seed of the noise"}};
 
 QString translatedSetting(const QString& text) {
     return QCoreApplication::translate("Settings", text.toUtf8().constData());
@@ -40,14 +48,14 @@ QString words(const QString& name) {
 }
 
 // The texts as they are looked up.
-QString groupText(std::string_view group) {
-    return group.empty() ? QStringLiteral("Image") : words(fromView(group));
-}
 QString labelText(std::string_view name) {
     for (const Label& label : kLabels)
         if (label.setting == name) return fromView(label.text);
     const std::size_t dot = name.rfind('.');
     return words(fromView(dot == std::string_view::npos ? name : name.substr(dot + 1)));
+}
+QString groupText(std::string_view group) {
+    return group.empty() ? QStringLiteral("Image") : labelText(group);
 }
 
 QString number(double value) {

@@ -19,6 +19,7 @@
 #include <QSet>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <QStandardItemModel>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -53,6 +54,11 @@ QString fullName(const Setting& setting) {
     const bool grouped = setting.name.find('.') != std::string_view::npos;
     const QString label = settingLabel(setting.name);
     return grouped ? settingGroup(setting.group) + QStringLiteral(": ") + label : label;
+}
+
+void disableItem(QComboBox& box, const QString& value) {
+    const auto* items = qobject_cast<QStandardItemModel*>(box.model());
+    if (items != nullptr) items->item(box.findData(value))->setEnabled(false);
 }
 
 // The fields of all groups stand in one column.
@@ -185,6 +191,7 @@ QWidget* SettingsPanel::makeEditor(const Setting& setting) {
     }
     auto* box = new QComboBox;
     for (const std::string_view choice : setting.choices) box->addItem(settingLabel(choice), text(choice));
+    if (!setting.stillChoice.empty()) disableItem(*box, text(setting.stillChoice));
     connect(box, &QComboBox::currentIndexChanged, this,
             [this, name, box] { emit edited(name, box->currentData().toString()); });
     return box;

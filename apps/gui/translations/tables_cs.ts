@@ -208,6 +208,78 @@
         <translation>počet paprsků na jeden bod povrchu pro světlo oblohy</translation>
     </message>
     <message>
+        <source>Path tracing</source>
+        <translation>Sledování cest</translation>
+    </message>
+    <message>
+        <source>Integrator</source>
+        <translation>Integrátor</translation>
+    </message>
+    <message>
+        <source>whitted: mirrors, glass and light that comes straight; path: all light, also from surface to surface; only for stills</source>
+        <translation>whitted: zrcadla, sklo a přímé světlo; path: veškeré světlo, i to od povrchu k povrchu; jen pro výsledné obrazy</translation>
+    </message>
+    <message>
+        <source>Whitted ray tracing</source>
+        <translation>Sledování paprsků (Whitted)</translation>
+    </message>
+    <message>
+        <source>Samples per pixel</source>
+        <translation>Vzorků na pixel</translation>
+    </message>
+    <message>
+        <source>paths per pixel; 4 times as many halve the noise</source>
+        <translation>počet cest na pixel; čtyřnásobek zmenší šum na polovinu</translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation>vzorků</translation>
+    </message>
+    <message>
+        <source>most bounces of a path; 0: only light that comes straight</source>
+        <translation>nejvíce odrazů jedné cesty; 0: jen přímé světlo</translation>
+    </message>
+    <message>
+        <source>Roulette from bounce</source>
+        <translation>Ruleta od odrazu</translation>
+    </message>
+    <message>
+        <source>bounce from which weak paths may end by chance: less work, more noise, the same mean</source>
+        <translation>od kolikátého odrazu mohou slabé cesty náhodně skončit: méně práce, více šumu, stejný průměr</translation>
+    </message>
+    <message>
+        <source>Clamp indirect light</source>
+        <translation>Omezit nepřímé světlo</translation>
+    </message>
+    <message>
+        <source>most that a bounce after the first adds to a sample: fewer bright dots, but some light is lost</source>
+        <translation>nejvíce, co odraz po prvním přidá ke vzorku: méně jasných teček, ale trochu světla se ztratí</translation>
+    </message>
+    <message>
+        <source>Caustics</source>
+        <translation>Kaustiky</translation>
+    </message>
+    <message>
+        <source>light reaches surfaces by way of mirrors and glass, too: much more noise</source>
+        <translation>světlo dopadá na povrchy i přes zrcadla a sklo: mnohem více šumu</translation>
+    </message>
+    <message>
+        <source>Light from emission</source>
+        <translation>Světlo ze svítících povrchů</translation>
+    </message>
+    <message>
+        <source>surfaces that emit light others; automatic: unless lights stand in them</source>
+        <translation>svítící povrchy osvětlují ostatní; automaticky: pokud v nich nestojí světla</translation>
+    </message>
+    <message>
+        <source>Seed of the noise</source>
+        <translation>Semínko šumu</translation>
+    </message>
+    <message>
+        <source>another number gives other noise</source>
+        <translation>jiné číslo dá jiný šum</translation>
+    </message>
+    <message>
         <source>Depth of field</source>
         <translation>Hloubka ostrosti</translation>
     </message>
@@ -557,6 +629,22 @@
     <message>
         <source>Quality</source>
         <translation>Kvalita</translation>
+    </message>
+    <message>
+        <source>Integrator</source>
+        <translation>Integrátor</translation>
+    </message>
+    <message>
+        <source>whitted: mirrors, glass and light that comes straight; path: all light, also from surface to surface [whitted]</source>
+        <translation>whitted: zrcadla, sklo a přímé světlo; path: veškeré světlo, i to od povrchu k povrchu [whitted]</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Vzorky</translation>
+    </message>
+    <message>
+        <source>with --integrator=path: N paths per pixel [256]</source>
+        <translation>s --integrator=path: N cest na pixel [256]</translation>
     </message>
     <message>
         <source>Antialiasing</source>

@@ -4,6 +4,11 @@
 
 namespace rtcore {
 
+/// What follows the light: Whitted's rays (mirrors and glass, light that comes straight), or paths, which
+/// also bring the light that surfaces send to each other. Paths are for stills.
+enum class Integrator { Whitted, Path };
+/// Whether surfaces that emit light light others. Automatic: unless lights of the scene stand in their place.
+enum class EmitterLight { Automatic, On, Off };
 enum class ExposureMode { Automatic, Fixed };
 /// Luminance keeps hue and saturation (bright colours fade to white only at the very top), Channels maps each
 /// of red, green and blue by itself.
@@ -33,6 +38,19 @@ struct SkyLightSettings {
     int samples = 16; ///< rays per point
 
     friend bool operator==(const SkyLightSettings&, const SkyLightSettings&) = default;
+};
+
+/// Of Integrator::Path.
+struct PathSettings {
+    int samples = 256;       ///< paths per pixel
+    int bounces = 16;        ///< of a path, at most
+    int rouletteFrom = 3;    ///< bounce from which a weak path may end by chance; what remains counts more
+    float clampIndirect = 0; ///< radiance that a sample gets from one bounce after the first; 0 = any
+    bool caustics = false;   ///< light that reaches a surface by way of mirrors and glass
+    EmitterLight emitters = EmitterLight::Automatic;
+    int seed = 0; ///< another one gives other noise
+
+    friend bool operator==(const PathSettings&, const PathSettings&) = default;
 };
 
 /// A thin lens on a film 36 mm wide.
@@ -101,6 +119,8 @@ struct RenderSettings {
     bool textures = true;
     int maxDepth = 5;               ///< bounces by mirrors and glass
     float minContribution = 0.004F; ///< a ray that adds less than this fraction to its pixel is not traced
+    Integrator integrator = Integrator::Whitted;
+    PathSettings path;
     AmbientOcclusionSettings ambientOcclusion;
     SkyLightSettings skyLight;
     DepthOfFieldSettings depthOfField;

@@ -15,6 +15,8 @@ namespace rtcore {
 
 namespace {
 
+constexpr std::array<std::string_view, 2> kIntegrators{"whitted", "path"};
+constexpr std::array<std::string_view, 3> kEmitterLights{"automatic", "on", "off"};
 constexpr std::array<std::string_view, 2> kExposureModes{"automatic", "fixed"};
 constexpr std::array<std::string_view, 2> kToneMappings{"luminance", "channels"};
 constexpr std::array<std::string_view, 2> kEnvironmentFilters{"bilinear", "nearest"};
@@ -22,6 +24,10 @@ constexpr std::array<std::string_view, 5> kSamplingPatterns{"grid", "random", "j
                                                             "poisson"};
 constexpr std::array<std::string_view, 3> kOcclusionPatterns{"rotated", "regular", "random"};
 constexpr std::array<std::string_view, 2> kBloomKernels{"gaussian", "airy"};
+
+/// What paths do not use: settings, and groups of them.
+constexpr std::array<std::string_view, 7> kOfWhitted{
+    "antialiasing", "sampling", "adaptive", "maxDepth", "minContribution", "ambientOcclusion", "skyLight"};
 
 constexpr std::array<FormerName, 5> kFormerNames{{{"lampSamples", "areaLights.samples"},
                                                   {"denoise", "denoise.passes"},
@@ -34,6 +40,8 @@ using Choices = std::span<const std::string_view>;
 /// The names of an enumeration, in its order.
 template <typename Enum>
 Choices choicesOf() {
+    if constexpr (std::is_same_v<Enum, Integrator>) return kIntegrators;
+    if constexpr (std::is_same_v<Enum, EmitterLight>) return kEmitterLights;
     if constexpr (std::is_same_v<Enum, ExposureMode>) return kExposureModes;
     if constexpr (std::is_same_v<Enum, ToneMapping>) return kToneMappings;
     if constexpr (std::is_same_v<Enum, EnvironmentFilter>) return kEnvironmentFilters;
@@ -118,8 +126,15 @@ Setting with(std::string_view group, Setting setting) {
     return setting;
 }
 
+/// A choice that the live view does not draw with.
+Setting forStills(std::string_view choice, Setting setting) {
+    setting.stillChoice = choice;
+    return setting;
+}
+
 std::vector<Setting> makeTable() {
     using S = RenderSettings;
+    using Path = PathSettings;
     using Occlusion = AmbientOcclusionSettings;
     using Bloom = BloomSettings;
     using Exposure = ExposureSettings;
@@ -161,6 +176,26 @@ std::vector<Setting> makeTable() {
             "the environment lights what it is seen from; ambient light only with ambientOcclusion.on"),
         row<&S::skyLight, &SkyLightSettings::samples>("skyLight.samples", {1, 4096}, "rays",
                                                       "rays per point for the light of the sky"),
+        with("path", forStills("path", row<&S::integrator>(
+                                           "integrator",
+                                           "whitted: mirrors, glass and light that comes straight; path: all "
+                                           "light, also from surface to surface; only for stills"))),
+        row<&S::path, &Path::samples>("path.samples", {1, 1 << 20}, "samples",
+                                      "paths per pixel; 4 times as many halve the noise"),
+        row<&S::path, &Path::bounces>("path.bounces", {0, 128}, "bounces",
+                                      "most bounces of a path; 0: only light that comes straight"),
+        row<&S::path, &Path::rouletteFrom>(
+            "path.rouletteFrom", {0, 128}, "",
+            "bounce from which weak paths may end by chance: less work, more noise, the same mean"),
+        zeroIs("off", row<&S::path, &Path::clampIndirect>(
+                          "path.clampIndirect", {0, kUnlimited}, "radiance",
+                          "most that a bounce after the first adds to a sample: fewer bright dots, "
+                          "but some light is lost")),
+        row<&S::path, &Path::caustics>(
+            "path.caustics", "light reaches surfaces by way of mirrors and glass, too: much more noise"),
+        row<&S::path, &Path::emitters>(
+            "path.emitters", "surfaces that emit light others; automatic: unless lights stand in them"),
+        row<&S::path, &Path::seed>("path.seed", {0, (1 << 24) - 1}, "", "another number gives other noise"),
         row<&S::depthOfField, &Lens::on>("depthOfField.on", "only what is in focus is sharp"),
         row<&S::depthOfField, &Lens::fNumber>("depthOfField.fNumber", {0.1, 1000}, "",
                                               "focal length over the lens's diameter, of a film 36 mm wide: "
@@ -201,6 +236,12 @@ std::vector<Setting> makeTable() {
         row<&S::dithering>("dithering", "noise of less than one step hides bands in smooth gradients"),
         with("rays", row<&S::environmentFilter>("environmentFilter", "lookup in environment maps")),
     };
+}
+
+bool isUsed(const Setting& setting, Integrator integrator) {
+    if (integrator == Integrator::Whitted) return !setting.name.starts_with("path.");
+    return std::none_of(kOfWhitted.begin(), kOfWhitted.end(),
+                        [&](std::string_view each) { return setting.name == each || setting.group == each; });
 }
 
 const std::vector<Setting>& table() {
@@ -356,6 +397,31 @@ std::vector<SettingAssignment> settingAssignments(const RenderSettings& settings
             assignments.push_back({std::string(setting.name), std::move(value)});
     }
     return assignments;
+}
+
+void checkLive(const Setting& setting, const SettingValue& value) {
+    const std::string* choice = std::get_if<std::string>(&value);
+    if (setting.stillChoice.empty() || choice == nullptr || *choice != setting.stillChoice) return;
+    throw std::invalid_argument(fmt::format("{0} is {1}, which is for stills, not for the live view; put it "
+                                            "into [still], or use 'Renderer --setting {0}={1}'",
+                                            setting.name, *choice));
+}
+
+void checkLive(const RenderSettings& settings) {
+    for (const Setting& setting : table()) checkLive(setting, setting.get(settings));
+}
+
+std::vector<std::string_view> unusedSettings(const RenderSettings& settings,
+                                             std::span<const SettingAssignment> asked) {
+    std::vector<std::string_view> names;
+    for (const Setting& setting : table()) {
+        if (isUsed(setting, settings.integrator)) continue;
+        const bool given = std::any_of(asked.begin(), asked.end(), [&](const SettingAssignment& each) {
+            return findSetting(each.name) == &setting && each.value != setting.defaultValue;
+        });
+        if (given) names.push_back(setting.name);
+    }
+    return names;
 }
 
 std::string settingText(const SettingValue& value) {

@@ -35,6 +35,8 @@ struct Setting {
 
     SettingValue (*get)(const RenderSettings&);
     void (*set)(RenderSettings&, const SettingValue&); ///< takes only what checkSetting() returns
+
+    std::string_view stillChoice = {}; ///< Choice: the one that is for stills only, not for the live view
 };
 
 inline constexpr double kUnlimited = 3.4028234663852886e38; ///< the largest float
@@ -68,6 +70,11 @@ void setSetting(RenderSettings& settings, std::string_view name, const SettingVa
 void setSettingFromText(RenderSettings& settings, std::string_view name, std::string_view text);
 SettingValue getSetting(const RenderSettings& settings, std::string_view name);
 
+/// Throws std::invalid_argument that tells what to use where the live view is to draw with a value that is
+/// for stills only.
+void checkLive(const Setting& setting, const SettingValue& value);
+void checkLive(const RenderSettings& settings);
+
 /// A setting and the value that a file or a command line gives it.
 struct SettingAssignment {
     std::string name; ///< as in the table, where readers made it
@@ -78,6 +85,11 @@ struct SettingAssignment {
 void applySettings(RenderSettings& settings, std::span<const SettingAssignment> assignments);
 /// One assignment for every setting that differs from a default RenderSettings; for all with `everything`.
 std::vector<SettingAssignment> settingAssignments(const RenderSettings& settings, bool everything);
+
+/// The names of settings that `asked` gives another value than the default, and that the integrator of
+/// `settings` does not use; in the order of the table.
+std::vector<std::string_view> unusedSettings(const RenderSettings& settings,
+                                             std::span<const SettingAssignment> asked);
 
 /// The value as parseSetting reads it; numbers in the fewest digits that keep every bit.
 std::string settingText(const SettingValue& value);

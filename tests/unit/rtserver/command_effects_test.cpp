@@ -109,6 +109,18 @@ TEST_F(Commands, SteerHowTheServerWorks) {
     EXPECT_EQ(state.frameSeconds, 0);
 }
 
+TEST_F(Commands, DoNotDrawByPaths) {
+    const std::string text = "integrator is path, which is for stills, not for the live view; put it into "
+                             "[still], or use 'Renderer --setting integrator=path'";
+    EXPECT_EQ(refusal("set integrator path").text, text);
+    EXPECT_EQ(state.settings().integrator, rtcore::Integrator::Whitted);
+    EXPECT_EQ(changes(), Changes{});
+    answer("set path.samples 64");
+    EXPECT_EQ(state.settings().path.samples, 64);
+    std::ofstream(folder / "path.set") << "version = 1\n[live]\nintegrator = 'path'\n";
+    EXPECT_NE(refusal("load set DIR/path.set").text.find(text), std::string::npos);
+}
+
 TEST_F(Commands, WhoseFramesFindNoRoomAreRefused) {
     full = true;
     const Failure failure = refusal("resolution 64 48");

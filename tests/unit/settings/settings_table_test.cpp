@@ -239,6 +239,44 @@ TEST(SettingsTable, AWordMayStandForZero) {
               "maxDepth is 'off', but takes a whole number, 0 to 1000 bounces");
 }
 
+TEST(SettingsTable, TheLiveViewTakesAllButWhatIsForStills) {
+    RenderSettings settings;
+    EXPECT_NO_THROW(rtcore::checkLive(settings));
+    for (const Setting& setting : rtcore::settingsTable()) {
+        if (setting.name == "integrator") continue;
+        EXPECT_NO_THROW(rtcore::checkLive(setting, otherValue(setting))) << setting.name;
+    }
+    rtcore::setSettingFromText(settings, "integrator", "path");
+    try {
+        rtcore::checkLive(settings);
+        ADD_FAILURE() << "accepted";
+    } catch (const std::invalid_argument& error) {
+        EXPECT_STREQ(error.what(), "integrator is path, which is for stills, not for the live view; put it "
+                                   "into [still], or use 'Renderer --setting integrator=path'");
+    }
+}
+
+TEST(SettingsTable, TellsWhatAnIntegratorDoesNotUse) {
+    using Names = std::vector<std::string_view>;
+    const std::vector<rtcore::SettingAssignment> asked{
+        {"skyLight.samples", 4},        {"path.samples", 16}, {"antialiasing", 3},
+        {"ambientOcclusion.on", false}, {"antialiasing", 4},  {"shadows", false}};
+    RenderSettings settings;
+    EXPECT_EQ(rtcore::unusedSettings(settings, asked), (Names{"path.samples"}));
+    settings.integrator = rtcore::Integrator::Path;
+    EXPECT_EQ(rtcore::unusedSettings(settings, asked), (Names{"antialiasing", "skyLight.samples"}));
+    EXPECT_EQ(rtcore::unusedSettings(settings, {}), Names{});
+}
+
+TEST(SettingsTable, WhatWhittedAloneUsesIsInTheTable) {
+    RenderSettings settings;
+    settings.integrator = rtcore::Integrator::Path;
+    std::vector<rtcore::SettingAssignment> all;
+    for (const Setting& setting : rtcore::settingsTable())
+        all.push_back({std::string(setting.name), otherValue(setting)});
+    EXPECT_EQ(rtcore::unusedSettings(settings, all).size(), 12U);
+}
+
 TEST(SettingsTable, FailureLeavesEverythingAsItWas) {
     RenderSettings settings;
     settings.width = 123;

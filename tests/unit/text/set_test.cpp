@@ -79,6 +79,23 @@ TEST(Set, ASettingByBothOfItsNamesIsRefused) {
     EXPECT_EQ(file.still, still);
 }
 
+TEST(Set, PathsAreForStills) {
+    EXPECT_EQ(
+        problem("version = 1\n[live]\nintegrator = \"path\""),
+        "x.set:3:14: integrator is path, which is for stills, not for the live view; put it into [still], "
+        "or use 'Renderer --setting integrator=path'");
+    const SettingsFile file = parseSettingsFile(
+        "version = 1\n[live]\nintegrator = \"whitted\"\npath.samples = 4\n"
+        "[still]\nintegrator = \"path\"\n[still.path]\nclampIndirect = \"off\"\nemitters = \"on\"\n",
+        "x.set");
+    const std::vector<SettingAssignment> live{{"integrator", std::string("whitted")}, {"path.samples", 4}};
+    const std::vector<SettingAssignment> still{{"integrator", std::string("path")},
+                                               {"path.clampIndirect", 0.0F},
+                                               {"path.emitters", std::string("on")}};
+    EXPECT_EQ(file.live, live);
+    EXPECT_EQ(file.still, still);
+}
+
 TEST(Set, IsWrittenWithTheNamesOfToday) {
     EXPECT_EQ(rtcore::formatSettingsFile({{{"bloom", 3}}, {}}), "version = 1\n\n[live]\nbloom.radius = 3\n");
 }

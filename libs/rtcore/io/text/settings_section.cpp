@@ -12,7 +12,7 @@ namespace {
 
 class SectionReader {
   public:
-    explicit SectionReader(const std::string& file) : file_(file) {}
+    SectionReader(const std::string& file, bool live) : file_(file), live_(live) {}
 
     /// Recursion ends where names of the settings table end: two levels.
     void read(const TextTable& table, const std::string& prefix) {
@@ -46,8 +46,14 @@ class SectionReader {
         const Setting& setting = at(entry.position, [&]() -> const Setting& { return requireSetting(name); });
         refuseTwice({&setting, name, entry.position});
         assignments.push_back({std::string(setting.name), at(entry.value.position, [&] {
-                                   return checkSetting(setting, convert(name, entry.value));
+                                   return checked(setting, convert(name, entry.value));
                                })});
+    }
+
+    SettingValue checked(const Setting& setting, const SettingValue& value) const {
+        SettingValue taken = checkSetting(setting, value);
+        if (live_) checkLive(setting, taken);
+        return taken;
     }
 
     /// A name stands once in TOML, so a setting that is given twice is so by its former name as well.
@@ -90,6 +96,7 @@ class SectionReader {
     }
 
     const std::string& file_;
+    bool live_;
     std::vector<Given> given_;
 };
 
@@ -102,7 +109,7 @@ std::vector<SettingAssignment> readSettingsSection(StrictTable& parent, std::str
     if (table == nullptr)
         parent.fail(key, std::string(key) + " is " + std::string(describeType(*value)) +
                              ", but takes a table, [" + std::string(key) + "]");
-    SectionReader reader(parent.file());
+    SectionReader reader(parent.file(), key == "live");
     reader.read(*table, "");
     return std::move(reader.assignments);
 }

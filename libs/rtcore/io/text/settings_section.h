@@ -13,7 +13,8 @@ namespace rtcore {
 
 /// The assignments of the table `key` in the order of the file; tables within are parts of dotted names, and
 /// former names become those of today. Empty when absent. Throws FileError BadData at unknown names, at
-/// values that the settings table refuses, and where a setting stands by its former name as well.
+/// values that the settings table refuses, in "live" also those that are for stills only, and where a setting
+/// stands by its former name as well.
 std::vector<SettingAssignment> readSettingsSection(StrictTable& parent, std::string_view key);
 
 /// Nothing when there are no assignments. By the names of today; does not check them.
