@@ -3,6 +3,7 @@
 #include "common/settings/settings_merge.h"
 #include "renderer/aov_file.h"
 #include "renderer/load_phases.h"
+#include "renderer/unused_settings.h"
 
 #include "common/cli/command_line.h"
 #include "common/process/seconds_since.h"
@@ -99,10 +100,13 @@ rtcore::RenderSettings PictureMaker::prepare(const std::filesystem::path& camera
         if (!warning.empty() && !warned_) progress_.print("warning: " + warning);
         warned_ = warned_ || !warning.empty();
     }
-    return app::mergeSettings({.scene = loaded_.still,
-                               .settingsFile = settingsFile_,
-                               .camera = file ? &*file : nullptr,
-                               .commandLine = options_.settings});
+    const rtcore::RenderSettings settings = app::mergeSettings({.scene = loaded_.still,
+                                                                .settingsFile = settingsFile_,
+                                                                .camera = file ? &*file : nullptr,
+                                                                .commandLine = options_.settings});
+    const std::string unused = unusedSettingsWarning(settings, settingsFile_, options_.settings);
+    if (!unused.empty() && !std::exchange(warnedOfUnused_, true)) progress_.print(unused);
+    return settings;
 }
 
 void PictureMaker::focus(const rtcore::Camera& camera, rtcore::RenderSettings& settings) {

@@ -61,8 +61,9 @@ class PictureMaker {
     const RendererOptions& options_;
     app::Progress& progress_;
     Preview* preview_ = nullptr;
-    bool warned_ = false; ///< that a .cam is of another scene
-    rtcore::KdTree tree_; ///< of what is shown
+    bool warned_ = false;         ///< that a .cam is of another scene
+    bool warnedOfUnused_ = false; ///< of settings
+    rtcore::KdTree tree_;         ///< of what is shown
     std::shared_ptr<const rtcore::KdRayTracer> surfaces_;
     // Kept, so that their memory is reused.
     rtcore::FrameRenderer renderer_;

@@ -36,6 +36,8 @@ const std::vector<SettingOption>& settingOptions() {
     static const std::vector<SettingOption> table = {
         {"width", {{"width", nullptr}}},
         {"height", {{"height", nullptr}}},
+        {"integrator", {{"integrator", nullptr}}},
+        {"samples", {{"path.samples", nullptr}}},
         {"antialiasing", {{"antialiasing", nullptr}}},
         {"bloom", {{"bloom.radius", nullptr}}},
         {"ambient-occlusion", {{"ambientOcclusion.on", "true"}}},

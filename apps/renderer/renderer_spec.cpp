@@ -116,7 +116,17 @@ OptionGroup sequenceOptions() {
 
 OptionGroup qualityOptions() {
     return {"Quality",
-            {{.name = "antialiasing",
+            {{.name = "integrator",
+              .value = ValueKind::Choice,
+              .argument = "NAME",
+              .help = "whitted: mirrors, glass and light that comes straight; path: all light, also from "
+                      "surface to surface [whitted]",
+              .choices = {"whitted", "path"}},
+             {.name = "samples",
+              .value = ValueKind::Text,
+              .argument = "N",
+              .help = "with --integrator=path: N paths per pixel [256]"},
+             {.name = "antialiasing",
               .letter = 'a',
               .value = ValueKind::Text,
               .argument = "N",

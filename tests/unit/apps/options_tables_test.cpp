@@ -4,6 +4,7 @@
 #include "cui/cui_spec.h"
 #include "gui/gui_spec.h"
 #include "renderer/renderer_options.h"
+#include "renderer/unused_settings.h"
 #include "rtserver/server_options.h"
 
 #include <gtest/gtest.h>
@@ -95,10 +96,37 @@ TEST(RendererOptions, TheLastOneWinsAcrossSpellings) {
     EXPECT_EQ(settings.width, 20);
 }
 
+TEST(RendererOptions, RendersByPaths) {
+    const renderer::RendererOptions options = renderer::readRendererOptions(
+        parse(renderer::rendererSpec(), {"a.scn", "--integrator=path", "--samples=64"}));
+    rtcore::RenderSettings settings;
+    rtcore::applySettings(settings, options.settings);
+    EXPECT_EQ(settings.integrator, rtcore::Integrator::Path);
+    EXPECT_EQ(settings.path.samples, 64);
+}
+
+TEST(RendererOptions, WarnsOfSettingsThatAreNotUsed) {
+    const std::vector<rtcore::SettingAssignment> file{{"adaptive", 0.1F}},
+        line{{"antialiasing", 3}, {"path.bounces", 4}};
+    rtcore::RenderSettings settings;
+    EXPECT_EQ(renderer::unusedSettingsWarning(settings, file, line),
+              "warning: integrator whitted does not use path.bounces");
+    settings.integrator = rtcore::Integrator::Path;
+    EXPECT_EQ(renderer::unusedSettingsWarning(settings, file, line),
+              "warning: integrator path does not use antialiasing, adaptive");
+    EXPECT_EQ(renderer::unusedSettingsWarning(settings, {}, {}), "");
+}
+
+TEST(ServerOptions, RefuseSettingsForStills) {
+    const auto words = parse(rtserver::serverSpec(), {"a.scn", "--setting=integrator=path"});
+    EXPECT_THROW(rtserver::readOptions(words), app::UsageError);
+}
+
 TEST(RendererOptions, RefusesWhatMakesNoSense) {
     for (const std::vector<std::string>& words :
          std::vector<std::vector<std::string>>{{"a.scn", "-w", "0"},
                                                {"a.scn", "-a", "x"},
+                                               {"a.scn", "--samples", "0"},
                                                {"a.scn", "--setting", "width"},
                                                {"a.scn", "--setting", "widht=3"},
                                                {"a.scn", "--setting", "shadows=maybe"},
