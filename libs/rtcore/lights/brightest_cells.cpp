@@ -17,8 +17,8 @@ namespace plain = HWY_NAMESPACE;
 constexpr float kNotSeen = -1;
 
 float brightness(Colour radiance) {
-    const float l = luminance(radiance);
-    return l > 0 && std::isfinite(l) ? l : 0;
+    const float l = std::fabs(luminance(radiance));
+    return std::isfinite(l) ? l : 0;
 }
 
 class CellMaximum {
@@ -70,17 +70,39 @@ void CellMaximum::addFace(const Environment& environment, const HdrImage& padded
     }
 }
 
+/// Below which cosine with the axis of a map no cell is near its poles: within two rows and two cells of
+/// them.
+float leastPolarCosine(const Environment& environment, int side) {
+    if (environment.isCube()) return 2;
+    const float rows = 2 * 2 * kPi / static_cast<float>(environment.resolution()),
+                cells = 2 * kPi / static_cast<float>(side);
+    return portableCos(std::min(rows + cells, 0.5F * kPi));
+}
+
 void CellMaximum::lookUpRest(const Environment& environment) {
     Environment plainOne = environment;
     plainOne.intensity = 1;
     const float step = 1 / static_cast<float>(side_);
+    const auto direction = [&](int column, int row, float right, float down) {
+        return plain::octahedronDirection<float>((static_cast<float>(column) + right) * step,
+                                                 (static_cast<float>(row) + down) * step);
+    };
+    const Vec3 up = environment.turned({0, 1, 0});
+    const float polar = leastPolarCosine(environment, side_);
     std::size_t i = 0;
     for (int row = 0; row < side_; ++row) {
         for (int column = 0; column < side_; ++column, ++i) {
-            if (cells_[i] != kNotSeen) continue;
-            const Vec3 middle = plain::octahedronDirection<float>((static_cast<float>(column) + 0.5F) * step,
-                                                                  (static_cast<float>(row) + 0.5F) * step);
-            cells_[i] = brightness(plainOne.radiance(middle, TexelFilter::Bilinear));
+            const Vec3 middle = direction(column, row, 0.5F, 0.5F);
+            const bool nearPole = std::fabs(dot(middle, up)) > polar * length(middle);
+            if (!nearPole && cells_[i] != kNotSeen) continue;
+            const int points = nearPole ? 8 : 1;
+            for (int k = 0; k < points * points; ++k) {
+                const auto place = [&](int number) {
+                    return (static_cast<float>(number) + 0.5F) / static_cast<float>(points);
+                };
+                const Vec3 at = direction(column, row, place(k % points), place(k / points));
+                cells_[i] = std::max(cells_[i], brightness(plainOne.radiance(at, TexelFilter::Bilinear)));
+            }
         }
     }
 }

@@ -22,7 +22,7 @@ namespace HWY_NAMESPACE {
 
 /// Below it, in steradian, a rectangle is sampled by area: nothing is gained any more, and angles of float
 /// lose their digits.
-inline constexpr float kLeastSolidAngle = 1e-3F;
+inline constexpr float kLeastSolidAngle = 2e-3F;
 
 /// A rectangle light seen from a point, in the light's axes, with the foot of the point in its plane as
 /// origin.

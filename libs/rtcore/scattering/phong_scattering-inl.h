@@ -45,8 +45,9 @@ HWY_INLINE Scattering<F> scatterPhong(const PhongLobes<F>& lobes, Vec3Of<F> norm
     const auto above = cosine > 0.0F;
     const Vec3Of<F> mirrored = normal * (2.0F * cosine) - toLight;
     const F lobe = dot(mirrored, toViewer);
-    const auto seen = above & (lobe > 0.0F);
-    const F power = phongLobe<F>(select(seen, lobe, F(1)), lobes.shininess, F(1));
+    const auto seen = above & (lobe > 0.0F) & (maxComponent(lobes.specular) > 0.0F);
+    // Most surfaces are matte: this saves the power for them.
+    const F power = none(seen) ? F(0) : phongLobe<F>(select(seen, lobe, F(1)), lobes.shininess, F(1));
     const F gloss = selectOrZero(seen, lobes.lobeScale * power);
     const F rough = roughLobe<F>(max(cosine, F(0)), viewer, lobes.roughScale);
     const F probability = phongProbability<F>(lobes, viewer);

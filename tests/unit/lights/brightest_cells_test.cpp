@@ -54,10 +54,12 @@ TEST(BrightestCells, HaveTheTexelsInThem) {
     }
 }
 
-TEST(BrightestCells, CountNegativeLightAndNoNumbersAsBlack) {
-    HdrImage image(8, 4, {-1, -1, -1});
-    image.at(2, 1) = kWhite * std::numeric_limits<float>::quiet_NaN();
+TEST(BrightestCells, CountNegativeLightByItsSizeAndNoNumbersAsBlack) {
+    const HdrImage image(8, 4, {-1, -1, -1});
     for (const float cell : brightestInCells(Environment::fromEquirectangular(image, ""), 8))
+        EXPECT_NEAR(cell, 1, 1e-6F);
+    const HdrImage none(8, 4, kWhite * std::numeric_limits<float>::quiet_NaN());
+    for (const float cell : brightestInCells(Environment::fromEquirectangular(none, ""), 8))
         EXPECT_EQ(cell, 0);
 }
 
