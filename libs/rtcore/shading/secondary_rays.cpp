@@ -28,6 +28,31 @@ bool matters(Colour weight, const RenderSettings& settings) {
 
 } // namespace
 
+std::optional<Ray> rayThroughHole(const Surface& surface, Vec3 direction, Path& path) {
+    if (path.passes >= kMaxPasses) return std::nullopt;
+    ++path.passes;
+    return rayFrom(surface, -surface.geometricNormal, direction);
+}
+
+std::optional<Ray> rayBehind(const Surface& s, int maxDepth, Path& path) {
+    const Material& m = *s.material;
+    Vec3 direction = -s.toViewer;
+    if (!s.closed) {
+        path.weight *= m.transmission;
+        if (++path.passes > kMaxPasses) return std::nullopt;
+    } else {
+        if (path.depth >= maxDepth) return std::nullopt;
+        ++path.depth;
+        const float eta = s.fromInside ? 1 / m.indexOfRefraction : m.indexOfRefraction;
+        if (!refract(direction, s.shadingNormal, eta, direction)) return std::nullopt;
+        if (dot(direction, s.geometricNormal) >= 0) return std::nullopt; // a smooth normal bent it back out
+        if (!s.fromInside) path.weight *= tintOnEntering(m);
+        path.extinction = s.fromInside ? Colour{} : extinctionOf(m);
+        path.inside = !s.fromInside;
+    }
+    return rayFrom(s, -s.geometricNormal, direction);
+}
+
 void SecondaryRays::start() {
     mirrored_.clear();
     refracted_.clear();
@@ -42,9 +67,8 @@ void SecondaryRays::takeNext(Wave& wave) {
 }
 
 void SecondaryRays::addHole(const FrameContext& frame, const Surface& surface, Vec3 direction, Path path) {
-    if (!matters(path.weight, *frame.settings) || path.passes >= kMaxPasses) return;
-    ++path.passes;
-    refracted_.push(rayFrom(surface, -surface.geometricNormal, direction), path);
+    if (!matters(path.weight, *frame.settings)) return;
+    if (const auto ray = rayThroughHole(surface, direction, path)) refracted_.push(*ray, path);
 }
 
 void SecondaryRays::addTransparent(const Surface& surface, Colour transmitted, const Path& path) {
@@ -59,26 +83,10 @@ void SecondaryRays::makeSecondaryRays(const FrameContext& frame, const Wave& wav
 }
 
 void SecondaryRays::refract(const FrameContext& frame, const Transparent& point) {
-    const Surface& s = point.surface;
-    const Material& m = *s.material;
     Path path = point.path;
     if (isBlack(path.weight)) return;
-    Vec3 direction = -s.toViewer;
-    if (!s.closed) {
-        path.weight *= m.transmission;
-        if (++path.passes > kMaxPasses) return;
-    } else {
-        if (path.depth >= frame.settings->maxDepth) return;
-        ++path.depth;
-        const float eta = s.fromInside ? 1 / m.indexOfRefraction : m.indexOfRefraction;
-        if (!rtcore::refract(direction, s.shadingNormal, eta, direction)) return;
-        if (dot(direction, s.geometricNormal) >= 0) return; // a smooth normal bent it back out
-        if (!s.fromInside) path.weight *= tintOnEntering(m);
-        path.extinction = s.fromInside ? Colour{} : extinctionOf(m);
-        path.inside = !s.fromInside;
-    }
-    if (!matters(path.weight, *frame.settings)) return;
-    refracted_.push(rayFrom(s, -s.geometricNormal, direction), path);
+    const auto ray = rayBehind(point.surface, frame.settings->maxDepth, path);
+    if (ray && matters(path.weight, *frame.settings)) refracted_.push(*ray, path);
 }
 
 void SecondaryRays::evenMemory() {

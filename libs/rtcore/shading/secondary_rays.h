@@ -6,9 +6,18 @@
 #include "rtcore/shading/surface/surface_split.h"
 #include "rtcore/shading/wave.h"
 
+#include <optional>
 #include <vector>
 
 namespace rtcore {
+
+/// The ray that goes on as if a hole were all of the surface: an alpha texture lets it pass. Nothing where it
+/// has passed too many; `path` is the ray's.
+std::optional<Ray> rayThroughHole(const Surface& surface, Vec3 direction, Path& path);
+/// The ray that goes on behind a surface that lets light through, straight on or refracted, and `path` as it
+/// is there. Nothing where it is reflected as a whole, or has been bent `maxDepth` times or has passed too
+/// many surfaces.
+std::optional<Ray> rayBehind(const Surface& surface, int maxDepth, Path& path);
 
 /// They wait in queues, so that rays of one kind are traced together. One for each thread; keeps its memory.
 class SecondaryRays {

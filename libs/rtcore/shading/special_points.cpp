@@ -3,7 +3,6 @@
 #include "rtcore/math/constants.h"
 #include "rtcore/shading/paths/path_length-inl.h"
 #include "rtcore/shading/surface/surface_split.h"
-#include "rtcore/shading/surface/texture_wave.h"
 
 #include <algorithm>
 
@@ -12,35 +11,11 @@ namespace rtcore {
 void SpecialPoints::complete(const FrameContext& frame, Colour ambient, Wave& wave, SampleSums& sums,
                              SecondaryRays& secondary) {
     const Task task{frame, ambient, wave, sums, secondary};
-    const std::span<const std::uint32_t> points = wave.surfaces.notPlain();
-    emitted_.resize(points.size());
-    const auto textured = [&](std::size_t i) {
-        const std::uint32_t texture = frame.scene->material(wave.surfaces.material[i]).diffuseTexture;
-        return frame.settings->textures && texture != kNoTexture;
-    };
-    for (std::uint32_t k = 0; k < points.size(); ++k) {
-        const std::uint32_t i = points[k];
-        if ((wave.surfaces.traits[i] & traits::kGeneral) != 0) {
-            emitted_[k] = completeGeneral(task, i);
-        } else if (!textured(i)) {
-            emitted_[k] = setAlbedo(task, i, untexturedAt(*frame.scene, wave.hits.hit(i)));
-        } else {
-            textured_.point[textured_.count] = i;
-            textured_.index[textured_.count++] = k;
-            if (textured_.count == kWaveBlock) completeTextured(task);
-        }
-    }
-    completeTextured(task);
-}
-
-void SpecialPoints::completeTextured(const Task& task) {
-    if (textured_.count == 0) return;
-    Colour albedo[kWaveBlock];
-    texturedAlbedos(*task.frame.scene, task.wave.hits, {textured_.point, textured_.count}, albedo);
-    for (std::size_t i = 0; i < textured_.count; ++i) {
-        emitted_[textured_.index[i]] = setAlbedo(task, textured_.point[i], albedo[i]);
-    }
-    textured_.count = 0;
+    emitted_.resize(wave.surfaces.notPlain().size());
+    materials_.visit(
+        frame, wave,
+        [&](std::uint32_t k, std::uint32_t i, Colour albedo) { emitted_[k] = setAlbedo(task, i, albedo); },
+        [&](std::uint32_t k, std::uint32_t i) { emitted_[k] = completeGeneral(task, i); });
 }
 
 Colour SpecialPoints::setAlbedo(const Task& task, std::size_t i, Colour albedo) const {
@@ -55,32 +30,13 @@ Colour SpecialPoints::setAlbedo(const Task& task, std::size_t i, Colour albedo) 
     return surfaces.weight.colourAt(i) * (m.emission + ambient * (kWhite - mirroredOf(m, cosine)));
 }
 
-/// surfaceAt(), whose shape the wave has.
-Surface SpecialPoints::surfaceOf(const Task& task, std::size_t i) {
-    const SurfaceWave& surfaces = task.wave.surfaces;
-    const Scene& scene = *task.frame.scene;
-    const Hit hit = task.wave.hits.hit(i);
-    Surface s;
-    s.position = surfaces.position.at(i);
-    s.clearance = surfaces.clearance[i];
-    s.geometricNormal = surfaces.geometricNormal.at(i);
-    s.shadingNormal = surfaces.shadingNormal.at(i);
-    s.toViewer = surfaces.toViewer.at(i);
-    s.fromInside = (surfaces.traits[i] & traits::kFromInside) != 0;
-    s.closed = scene.isClosed(hit.triangle);
-    s.material = &scene.material(surfaces.material[i]);
-    const bool turned = (surfaces.traits[i] & traits::kTurned) != 0;
-    addMaterial(scene, task.frame.settings->textures, hit, turned, s);
-    return s;
-}
-
 Colour SpecialPoints::completeGeneral(const Task& task, std::size_t i) const {
     const SurfaceWave& surfaces = task.wave.surfaces;
     const RenderSettings& settings = *task.frame.settings;
     Path path = task.wave.paths.path(i);
     path.weight = surfaces.weight.colourAt(i);
     const Vec3 direction = task.wave.direction(i);
-    const Surface s = surfaceOf(task, i);
+    const Surface s = surfaceOfPoint(task.frame, task.wave, i);
     const float t = task.wave.hits.t[i];
     if (s.coverage < 1) {
         Path through = path;

@@ -2,13 +2,12 @@
 #pragma once
 
 #include "rtcore/shading/frame_context.h"
+#include "rtcore/shading/point_materials.h"
 #include "rtcore/shading/sample_sums.h"
 #include "rtcore/shading/secondary_rays.h"
-#include "rtcore/shading/surface/surface.h"
 #include "rtcore/shading/wave.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace rtcore {
@@ -32,17 +31,11 @@ class SpecialPoints {
         SampleSums& sums;
         SecondaryRays& secondary;
     };
-    static Surface surfaceOf(const Task& task, std::size_t point);
     Colour completeGeneral(const Task& task, std::size_t point) const;
     Colour setAlbedo(const Task& task, std::size_t point, Colour albedo) const;
-    void completeTextured(const Task& task);
 
     std::vector<Colour> emitted_;
-    /// Points that wait until there is a block of them: which, and their index in emitted_.
-    struct TexturedPoints {
-        std::size_t count = 0;
-        std::uint32_t point[kWaveBlock], index[kWaveBlock];
-    } textured_;
+    PointMaterials materials_;
 };
 
 } // namespace rtcore

@@ -39,9 +39,12 @@ void put(Colour c, float* to) {
 } // namespace
 
 void MaterialTable::prepare(const Scene& scene, const RenderSettings& settings) {
+    prepare(scene, settings, unoccludedAmbient(scene, settings));
+}
+
+void MaterialTable::prepare(const Scene& scene, const RenderSettings& settings, Colour ambientLight) {
     rows_.resize(scene.materials.size() + (scene.ground ? 1 : 0));
     clear_.resize(rows_.size());
-    const Colour ambientLight = unoccludedAmbient(scene, settings);
     traits_ = 0;
     anyEmission_ = tintedShadows_ = false;
     const bool colours = !scene.mesh().colours.empty();

@@ -47,8 +47,10 @@ static_assert(sizeof(MaterialRow) == sizeof(float) << kRowShift);
 /// Immutable while rays are traced; shared by all threads.
 class MaterialTable {
   public:
-    /// Keeps its memory from frame to frame.
+    /// For surfaces that reflect the ambient light of the scene. Keeps its memory from frame to frame.
     void prepare(const Scene& scene, const RenderSettings& settings);
+    /// For surfaces that reflect this ambient light, a radiance from all directions.
+    void prepare(const Scene& scene, const RenderSettings& settings, Colour ambientLight);
 
     const MaterialRow* rows() const { return rows_.data(); }
     bool anyEmission() const { return anyEmission_; }

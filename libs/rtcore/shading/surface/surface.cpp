@@ -121,6 +121,17 @@ Colour untexturedAt(const Scene& scene, const Hit& hit) {
     return mesh.colours.empty() ? diffuse : diffuse * interpolate(mesh.colours, shading, hit);
 }
 
+Colour emissionAt(const Scene& scene, bool textures, const Hit& hit) {
+    const ShadingTriangle& shading = scene.mesh().shading[hit.triangle];
+    const Material& material = scene.material(shading.material);
+    const bool plain = material.emissionTexture == kNoTexture && material.alphaTexture == kNoTexture;
+    if (!textures || plain) return material.emission;
+    const Vec2 uv = texcoordAt(scene, shading, hit);
+    const Colour emission = material.emission * coverageOf(scene, material, uv);
+    if (material.emissionTexture == kNoTexture) return emission;
+    return emission * textureColour(scene, material.emissionTexture, uv);
+}
+
 float coverageAt(const Scene& scene, bool textures, const Hit& hit) {
     const ShadingTriangle& shading = scene.mesh().shading[hit.triangle];
     const Material& material = scene.material(shading.material);
