@@ -11,7 +11,7 @@ GroundTracer::GroundTracer(std::shared_ptr<const RayTracer> surfaces, std::share
 
 void GroundTracer::intersect(RayKind kind, const RayWave& rays, HitWave& hits) const {
     surfaces_->intersect(kind, rays, hits);
-    if (kind == RayKind::Shadow || kind == RayKind::Occlusion) return;
+    if (kind == RayKind::Shadow || kind == RayKind::Occlusion || kind == RayKind::Scattered) return;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         const Ray ray = rays.ray(i);
         const auto t = distanceToGround(*ground_, ray.origin, ray.direction);

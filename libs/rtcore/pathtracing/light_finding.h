@@ -1,0 +1,24 @@
+/// How paths find light, and how much of it counts.
+#pragma once
+
+#include "rtcore/math/colour.h"
+
+#include <cstdint>
+
+namespace rtcore {
+
+/// What finds the light that comes from area lights, emitters and surroundings to points that scatter it. All
+/// give the same mean; one alone is for tests and comparisons.
+enum class LightFinding : std::uint8_t {
+    Both, ///< next event and scattered rays, by the power heuristic
+    NextEvent,
+    ScatteredRays ///< beside it next event of lights that no ray meets
+};
+
+/// Scaled down so that the mean of its channels is at most `most`; 0: as it is. (Cycles)
+inline Colour clampedTo(float most, Colour c) {
+    const float mean = (c.r + c.g + c.b) / 3;
+    return most > 0 && mean > most ? c * (most / mean) : c;
+}
+
+} // namespace rtcore

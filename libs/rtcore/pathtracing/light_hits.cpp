@@ -1,0 +1,118 @@
+#include "rtcore/pathtracing/light_hits.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "rtcore/pathtracing/light_hits.cpp"
+#include "rtcore/simd/foreach_target.h"
+
+#include "rtcore/lights/light_draw-inl.h"
+#include "rtcore/pathtracing/light_shares-inl.h"
+#include "rtcore/pathtracing/path_weights-inl.h"
+#include "rtcore/shading/surface/material_rows-inl.h"
+
+#ifndef RTCORE_PATHTRACING_LIGHT_HITS_TYPES
+#define RTCORE_PATHTRACING_LIGHT_HITS_TYPES
+namespace rtcore {
+
+/// The rays of a batch and what they hit.
+struct HitRays {
+    const RayWave& rays;
+    const float* distance;       ///< to the surface
+    const std::uint32_t* traits; ///< 0: none is hit
+    ArraysOf3 weight;
+};
+
+} // namespace rtcore
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace rtcore {
+namespace HWY_NAMESPACE {
+
+/// What rays meet of one light. `from`, `to`: of the ray's line, which part of it is free.
+HWY_INLINE Float3 lightMet(const LightRows& rows, LightFinding finding, std::uint32_t k,
+                           const ScatterState& s, std::size_t i, Float3 direction, Float from, Float to) {
+    const Light& light = rows.light[k];
+    return forKind(light.kind, [&]<LightKind kind>() HWY_ATTR {
+        if constexpr (!isAreaLight(kind)) {
+            return Float3{};
+        } else {
+            const Float3 point = loadAt(s.point, i);
+            const Float distance = hitLight<kind, Float>(light, point, direction);
+            const Float density = load(s.density + i);
+            // As far as shadow rays go: what lies in the light does not occlude it.
+            const Mask met =
+                (density > 0.0F) & (distance >= from) & (distance * 0.9999F <= to) & isFinite(distance);
+            if (none(met)) return Float3{};
+            const Float sampled =
+                drawDensity<kind, Float>(light, point, direction, select(met, distance, Float(1)));
+            const Float probability =
+                probabilityOfLight(rows, k, point, loadAt(s.normal, i), load(s.total + i));
+            const Float weight = weightOfScatteredRay<Float>(finding, select(met, density, Float(1)),
+                                                             select(met, sampled * probability, Float(0)));
+            return selectOrZero(met, broadcast(radianceOf<kind>(light)) * weight);
+        }
+    });
+}
+
+/// As many of the elements from `i` on as there are.
+HWY_INLINE Float loadRest(const float* values, std::size_t i, std::size_t count) {
+    return i + lanes() <= count ? load(values + i) : loadSome(values + i, count - i);
+}
+
+void meetLights(const LightRows& rows, LightFinding finding, const ScatterState& s, const HitRays& hits,
+                const ArraysOf3& added) {
+    const RayWave& rays = hits.rays;
+    const std::size_t count = rays.size();
+    const auto rest = [&](const std::vector<float>& values, std::size_t i)
+                          HWY_ATTR { return loadRest(values.data(), i, count); };
+    for (std::size_t i = 0; i < count; i += lanes()) {
+        Float3 sum{};
+        const Mask used = load(s.density + i) > 0.0F;
+        if (any(used)) {
+            const Float3 direction{rest(rays.dx, i), rest(rays.dy, i), rest(rays.dz, i)};
+            const Float3 origin{rest(rays.ox, i), rest(rays.oy, i), rest(rays.oz, i)};
+            const Float3 travelled = origin - loadAt(s.point, i);
+            const Float from = sqrt(dot(travelled, travelled));
+            const Mask hit = hasTrait(load(hits.traits + i), traits::kPoint);
+            const Float to = select(hit, from + loadRest(hits.distance, i, count),
+                                    Float(std::numeric_limits<float>::max()));
+            for (std::uint32_t k = 0; k < rows.lights; ++k) {
+                if (isAreaLight(rows.light[k])) sum += lightMet(rows, finding, k, s, i, direction, from, to);
+            }
+            sum = selectOrZero(used, sum * loadAt(hits.weight, i));
+        }
+        storeAt(sum, added, i);
+    }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace rtcore
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace rtcore {
+
+namespace plain = HWY_NAMESPACE;
+
+HWY_EXPORT(meetLights);
+
+void addLightHits(const LightRows& lights, LightFinding finding, PathBatch& batch, Wave& wave) {
+    PathQueue& queue = batch.queue;
+    const ArraysOf3 weight{queue.weight[0].data(), queue.weight[1].data(), queue.weight[2].data()};
+    const HitRays hits{*wave.rays, wave.hits.t.data(), wave.surfaces.traits, weight};
+    HWY_DYNAMIC_DISPATCH(meetLights)(lights, finding, batch.scattered(), hits, wave.surfaces.added);
+}
+
+float probabilityOfEmitters(const LightRows& lights, const PathBatch& batch, std::size_t i) {
+    if (!lights.emitters) return 0;
+    const ScatterState& s = batch.scattered();
+    return plain::probabilityOfEmitters<float>(lights, s.point.at(i), s.total[i]);
+}
+
+float probabilityOfSurroundings(const LightRows& lights, const PathBatch& batch, std::size_t i) {
+    if (!lights.surroundings) return 0;
+    return plain::probabilityOfSurroundings<float>(lights, batch.scattered().total[i]);
+}
+
+} // namespace rtcore
+#endif

@@ -1,0 +1,115 @@
+#include "rtcore/pathtracing/light_set.h"
+
+#include "rtcore/math/constants.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rtcore {
+
+namespace {
+
+/// By material: the box of its emissive triangles; empty where there is none.
+std::vector<Box3> boxesOfEmission(const Scene& scene) {
+    const Mesh& mesh = scene.mesh();
+    std::vector<Box3> boxes(scene.materials.size());
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        const std::uint32_t material = mesh.shading[t].material;
+        if (material >= boxes.size() || isBlack(scene.material(material).emission)) continue;
+        for (int corner = 0; corner < 3; ++corner) boxes[material].extend(mesh.position(t, corner));
+    }
+    return boxes;
+}
+
+/// By material, 1 where a light stands for its emission.
+std::vector<std::uint8_t> stoodFor(const Scene& scene) {
+    constexpr float kAround = 0.05F; // of the box's largest side
+    std::vector<std::uint8_t> result(scene.materials.size());
+    const std::vector<Box3> boxes = boxesOfEmission(scene);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const Box3& box = boxes[i];
+        if (box.empty()) continue;
+        const Vec3 margin = Vec3{1, 1, 1} * (kAround * std::max({box.size().x, box.size().y, box.size().z}));
+        const auto inside = [&](const Light& light) {
+            const Vec3 p = light.position, low = box.lo - margin, high = box.hi + margin;
+            return light.on != 0 && traitsOf(light).position && p.x >= low.x && p.y >= low.y &&
+                   p.z >= low.z && p.x <= high.x && p.y <= high.y && p.z <= high.z;
+        };
+        result[i] = std::ranges::any_of(scene.lights, inside) ? 1 : 0;
+    }
+    return result;
+}
+
+/// The luminance that a light gives off, W; of a directional one what it throws on a disc of radius `reach`.
+double powerOf(const Light& light, double reach) {
+    const double intensity = luminance(light.intensity);
+    switch (traitsOf(light).beam) {
+    case Beam::Even:
+        return traitsOf(light).position ? 4 * kPi * intensity : kPi * reach * reach * intensity;
+    case Beam::Cone:
+        return kPi * intensity * (2 - double{light.cosInner} - double{light.cosOuter});
+    case Beam::Cosine:
+        break;
+    }
+    return kPi * intensity;
+}
+
+} // namespace
+
+void LightSet::prepare(const Scene& scene, const RenderSettings& settings, const Box3& bounds,
+                       std::span<const std::uint8_t> hidden) {
+    const EmitterLight use = settings.path.emitters;
+    lights_.clear();
+    anyArea_ = false;
+    for (const Light& light : scene.lights) {
+        if (light.on == 0 || isBlack(light.intensity)) continue;
+        lights_.push_back(light);
+        anyArea_ = anyArea_ || isAreaLight(light);
+    }
+    dark_.assign(scene.materials.size(), use == EmitterLight::Off ? 1 : 0);
+    if (use == EmitterLight::Automatic) dark_ = stoodFor(scene);
+    emitters_ = {};
+    if (use != EmitterLight::Off)
+        emitters_.prepare(scene, {.hidden = hidden, .dark = dark_, .textures = settings.textures});
+    const TexelFilter filter = settings.environmentFilter == EnvironmentFilter::Bilinear
+                                   ? TexelFilter::Bilinear
+                                   : TexelFilter::Nearest;
+    background_ = backgroundLight(scene, filter, scene.ambient);
+    surroundings_ = {};
+    surroundings_.prepare(background_);
+    shares_ = {};
+    if (lights_.size() > kMostWeighed) shareByPower(0.5F * length(bounds.size()));
+}
+
+/// Each has a tenth of its share by number.
+void LightSet::shareByPower(float reach) {
+    const LightRows all = rows();
+    std::vector<double> powers;
+    for (const Light& light : lights_) powers.push_back(powerOf(light, reach));
+    if (all.emitters) powers.push_back(emitters_.power());
+    if (all.surroundings) powers.push_back(surroundings_.scalarIrradiance() * kPi * reach * reach);
+    double sum = 0;
+    for (const double power : powers) sum += power;
+    for (double& power : powers) power = power / sum + 0.1 / static_cast<double>(powers.size());
+    shares_ = AliasTable(powers);
+}
+
+LightRows LightSet::rows() const {
+    LightRows rows;
+    rows.light = lights_.data();
+    rows.lights = static_cast<std::uint32_t>(lights_.size());
+    rows.emitters = !emitters_.empty();
+    rows.surroundings = !surroundings_.empty();
+    rows.fixed = !shares_.empty();
+    rows.shares = shares_.rows();
+    if (rows.emitters) {
+        const Vec3 size = emitters_.bounds().size();
+        rows.emittersCentre = emitters_.centre();
+        rows.emittersIntensity = static_cast<float>(emitters_.power() / (4 * kPi));
+        rows.emittersSquare = std::max(0.25F * dot(size, size), 1e-30F);
+    }
+    if (rows.surroundings) rows.surroundingLight = static_cast<float>(surroundings_.scalarIrradiance() / 4);
+    return rows;
+}
+
+} // namespace rtcore

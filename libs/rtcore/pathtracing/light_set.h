@@ -1,0 +1,76 @@
+/// All lights of a scene for path tracing: the lights that shine by themselves, emissive triangles and what
+/// surrounds the scene; and with which probability a point samples each of them.
+#pragma once
+
+#include "rtcore/lights/background_light.h"
+#include "rtcore/lights/emitters.h"
+#include "rtcore/lights/environment_draw.h"
+#include "rtcore/sampling/alias_table.h"
+#include "rtcore/scene/light.h"
+#include "rtcore/scene/scene.h"
+#include "rtcore/settings/render_settings.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace rtcore {
+
+/// What vector code reads (light_shares-inl.h). Of `count` groups the first `lights` are lights, then come
+/// the emitters and the surroundings.
+struct LightRows {
+    const Light* light = nullptr;
+    std::uint32_t lights = 0;
+    bool emitters = false, surroundings = false;
+    bool fixed = false; ///< shares are the same everywhere: those of `shares`
+    AliasRows shares;
+    Vec3 emittersCentre; ///< seen from far away, the emitters are a point light there
+    float emittersIntensity = 0,
+          emittersSquare = 0;   ///< its luminance, W/sr; distances^2 below this count as it
+    float surroundingLight = 0; ///< luminance of what surroundings throw on a surface
+
+    std::uint32_t emitterGroup() const { return lights; }
+    std::uint32_t surroundingGroup() const { return lights + 1; }
+    std::uint32_t groups() const { return lights + (emitters ? 1U : 0U) + (surroundings ? 1U : 0U); }
+};
+
+/// Immutable once prepared, shared by all threads; the scene must outlive it.
+class LightSet {
+  public:
+    /// More lights than these are sampled by their power; so many by what each would throw on the point.
+    static constexpr std::size_t kMostWeighed = 32;
+
+    /// Takes what is on. `bounds`: of all that rays may hit. `hidden`: by triangle of the model, not 0 where
+    /// it is; may be empty.
+    void prepare(const Scene& scene, const RenderSettings& settings, const Box3& bounds,
+                 std::span<const std::uint8_t> hidden = {});
+
+    bool empty() const { return rows().groups() == 0; }
+    /// A ray that was scattered may find some of the light.
+    bool anyToHit() const { return anyArea_ || !emitters_.empty() || !surroundings_.empty(); }
+    bool anyArea() const { return anyArea_; }
+
+    LightRows rows() const;
+    std::span<const Light> lights() const { return lights_; }
+    const Emitters& emitters() const { return emitters_; }
+    const EnvironmentDraw& surroundings() const { return surroundings_; }
+    /// What scattered rays find where they leave the scene.
+    const BackgroundLight& background() const { return background_; }
+    /// By material: not 0 where its emission is seen, but lights nothing.
+    std::span<const std::uint8_t> dark() const { return dark_; }
+
+  private:
+    void shareByPower(float reach);
+
+    std::vector<Light> lights_;
+    Emitters emitters_;
+    EnvironmentDraw surroundings_;
+    BackgroundLight background_;
+    std::vector<std::uint8_t> dark_;
+    AliasTable shares_;
+    bool anyArea_ = false;
+};
+
+} // namespace rtcore

@@ -1,0 +1,124 @@
+// Which light a point samples: each with a probability near its share of the light that would arrive at the
+// point if nothing were in the way. Included once for each instruction set, inside the loop of
+// foreach_target.h.
+#include "rtcore/lights/light_sample-inl.h"
+#include "rtcore/pathtracing/light_set.h"
+#include "rtcore/sampling/alias-inl.h"
+
+#if defined(RTCORE_PATHTRACING_LIGHT_SHARES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RTCORE_PATHTRACING_LIGHT_SHARES_INL_H_
+#undef RTCORE_PATHTRACING_LIGHT_SHARES_INL_H_
+#else
+#define RTCORE_PATHTRACING_LIGHT_SHARES_INL_H_
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace rtcore {
+namespace HWY_NAMESPACE {
+
+/// Of all samples. With less, what shines behind a wall takes nearly all samples from a small light before
+/// it.
+inline constexpr float kEvenShare = 0.25F;
+
+/// What the middle of a light would throw on a surface there, as luminance; 0 from below the surface.
+HWY_INLINE Float expectedOf(const Light& light, Float3 point, Float3 normal) {
+    return forKind(light.kind, [&]<LightKind kind>() HWY_ATTR {
+        const LightSample<Float> sample = sampleLight<kind, Float>(light, point);
+        const Float arriving = luminance<Float>(sample.irradiance) * max(dot(normal, sample.toLight), 0.0F);
+        return selectOrZero(isFinite(arriving), arriving);
+    });
+}
+
+template <typename F>
+HWY_INLINE F expectedOfEmitters(const LightRows& rows, Vec3Of<F> point) {
+    const Vec3Of<F> offset = broadcast<F>(rows.emittersCentre) - point;
+    const F arriving = rows.emittersIntensity / max(dot(offset, offset), F(rows.emittersSquare));
+    return selectOrZero(isFinite(arriving), arriving);
+}
+
+/// Of the group `group`, the same for all lanes.
+HWY_INLINE Float expectedOfGroup(const LightRows& rows, std::uint32_t group, Float3 point, Float3 normal) {
+    if (group < rows.lights) return expectedOf(rows.light[group], point, normal);
+    if (group == rows.emitterGroup()) return expectedOfEmitters<Float>(rows, point);
+    return rows.surroundingLight;
+}
+
+/// A part goes to all groups alike: what a middle throws says little of a large light, and nothing of walls
+/// between; and what has the probability 0 would be missing.
+template <typename F>
+HWY_INLINE F probabilityOfShare(const LightRows& rows, F expected, F total) {
+    const float each = 1.0F / static_cast<float>(rows.groups());
+    const auto some = total > 0.0F;
+    return select(some, expected / select(some, total, F(1)) * (1 - kEvenShare) + kEvenShare * each, F(each));
+}
+
+/// Where shares are the same everywhere.
+HWY_INLINE float fixedProbability(const LightRows& rows, std::uint32_t group) {
+    return rows.shares.probability[group - (group > rows.emitterGroup() && !rows.emitters ? 1 : 0)];
+}
+
+/// With which probability a point samples a light, the emitters or the surroundings, where all of them are
+/// expected to throw `total` on it.
+HWY_INLINE Float probabilityOfLight(const LightRows& rows, std::uint32_t k, Float3 point, Float3 normal,
+                                    Float total) {
+    if (rows.fixed) return fixedProbability(rows, k);
+    return probabilityOfShare<Float>(rows, expectedOf(rows.light[k], point, normal), total);
+}
+template <typename F>
+HWY_INLINE F probabilityOfEmitters(const LightRows& rows, Vec3Of<F> point, F total) {
+    if (rows.fixed) return fixedProbability(rows, rows.emitterGroup());
+    return probabilityOfShare<F>(rows, expectedOfEmitters<F>(rows, point), total);
+}
+template <typename F>
+HWY_INLINE F probabilityOfSurroundings(const LightRows& rows, F total) {
+    if (rows.fixed) return fixedProbability(rows, rows.surroundingGroup());
+    return probabilityOfShare<F>(rows, F(rows.surroundingLight), total);
+}
+
+struct ChosenLight {
+    Uint group;
+    Float probability;
+    Float total; ///< what all are expected to throw
+};
+
+/// `bits`: 32 random ones. There is a group.
+HWY_INLINE ChosenLight chooseLight(const LightRows& rows, Float3 point, Float3 normal, Uint bits) {
+    if (rows.fixed) {
+        const Uint index = drawIndex<Float>(rows.shares, bits);
+        const Mask skips = rows.emitters ? noLanes() : index == rows.lights;
+        return {select(skips, index + 1U, index), probabilityOf<Float>(rows.shares, index), 0.0F};
+    }
+    HWY_ALIGN float expected[(LightSet::kMostWeighed + 2) * kLanes];
+    std::uint32_t groups[LightSet::kMostWeighed + 2];
+    std::uint32_t count = 0;
+    Float total = 0.0F;
+    const auto weigh = [&](std::uint32_t group) HWY_ATTR {
+        const Float e = expectedOfGroup(rows, group, point, normal);
+        store(e, expected + count * kLanes);
+        groups[count++] = group;
+        total += e;
+    };
+    for (std::uint32_t k = 0; k < rows.lights; ++k) weigh(k);
+    if (rows.emitters) weigh(rows.emitterGroup());
+    if (rows.surroundings) weigh(rows.surroundingGroup());
+    const Float u = toFloat(toInt(bits >> 8)) * 0x1p-24F;
+    Float before = 0.0F;
+    ChosenLight chosen{groups[count - 1], 0.0F, total};
+    Mask open = allLanes();
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const Float p = probabilityOfShare<Float>(rows, load(expected + k * kLanes), total);
+        before += p;
+        // What rounding leaves over goes to the last.
+        const Mask here = k + 1 < count ? open & (u < before) : open;
+        chosen.group = select(here, Uint(groups[k]), chosen.group);
+        chosen.probability = select(here, p, chosen.probability);
+        open = without(open, here);
+    }
+    return chosen;
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace rtcore
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,255 @@
+#include "rtcore/pathtracing/next_event.h"
+
+#include "rtcore/pathtracing/light_finding.h"
+#include "rtcore/pathtracing/path_batch.h"
+#include "rtcore/shading/surface/surface.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "rtcore/pathtracing/next_event.cpp"
+#include "rtcore/simd/foreach_target.h"
+
+#include "rtcore/lights/emitters-inl.h"
+#include "rtcore/lights/environment_draw-inl.h"
+#include "rtcore/lights/light_draw-inl.h"
+#include "rtcore/pathtracing/light_shares-inl.h"
+#include "rtcore/pathtracing/lobes-inl.h"
+#include "rtcore/pathtracing/path_numbers-inl.h"
+#include "rtcore/pathtracing/path_weights-inl.h"
+
+#ifndef RTCORE_PATHTRACING_NEXT_EVENT_TYPES
+#define RTCORE_PATHTRACING_NEXT_EVENT_TYPES
+namespace rtcore {
+
+/// What the kernels of next event read beside the surfaces.
+struct NextEventRows {
+    LightRows lights;
+    EmitterRows emitters;
+    EnvironmentRows surroundings;
+    PathNames names;
+    const std::uint32_t *sample, *bounces; ///< of PathQueue; null: of primary rays
+    const std::uint32_t* scatters;         ///< null: none yet
+    std::uint32_t mostScatters;
+};
+
+/// Where shadow rays go: arrays with room for every point and a block more.
+struct NextEventRays {
+    ArraysOf3 origin, direction;
+    float* tMax;
+    std::uint32_t* point;
+};
+
+/// Of an emitter that is sampled: as in Hit.
+struct EmitterHits {
+    std::uint32_t* triangle;
+    float *u, *v;
+};
+
+} // namespace rtcore
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace rtcore {
+namespace HWY_NAMESPACE {
+
+/// A sample of what some lanes chose.
+struct GroupSample {
+    Float3 toLight{};
+    Float3 irradiance{}; ///< of emitters and surroundings yet to be looked up
+    Float free{}, density{};
+};
+
+HWY_INLINE GroupSample sampleOfLight(const Light& light, Float3 position, Float u, Float v) {
+    return forKind(light.kind, [&]<LightKind kind>() HWY_ATTR {
+        const LightDraw<Float> draw = drawLight<kind, Float>(light, position, u, v);
+        return GroupSample{draw.toLight, draw.irradiance, draw.free, draw.density};
+    });
+}
+
+HWY_INLINE GroupSample sampleOfEmitters(const EmitterRows& rows, Float3 position, const PathNumbers& place,
+                                        Uint bits, const EmitterHits& hits, std::size_t i, Mask chosen) {
+    const EmitterDraw<Float> draw = drawEmitter<Float>(rows, place.u, place.v, bits);
+    const Float3 offset = draw.position - position;
+    const Float distance = sqrt(dot(offset, offset));
+    const Mask apart = chosen & (distance > 0.0F);
+    const Float3 toLight = normalize(select(apart, offset, broadcast(Vec3{0, 1, 0})), apart);
+    const Float density = bySolidAngle<Float>(draw.density, distance, dot(toLight, draw.normal));
+    store(select(chosen, draw.triangle, load(hits.triangle + i)), hits.triangle + i);
+    store(draw.u, hits.u + i);
+    store(draw.v, hits.v + i);
+    return {toLight, Float3{}, distance * 0.9999F, selectOrZero(apart & isFinite(density), density)};
+}
+
+HWY_INLINE GroupSample sampleOfSurroundings(const EnvironmentRows& rows, const PathNumbers& place,
+                                            Uint bits) {
+    const DirectionDraw<Float> draw = drawEnvironment<Float>(rows, place.u, place.v, bits);
+    return {draw.direction, Float3{}, std::numeric_limits<float>::max(), draw.density};
+}
+
+HWY_INLINE void take(GroupSample& all, Mask where, const GroupSample& some) {
+    all.toLight = select(where, some.toLight, all.toLight);
+    all.irradiance = select(where, some.irradiance, all.irradiance);
+    all.free = select(where, some.free, all.free);
+    all.density = select(where, some.density, all.density);
+}
+
+void sampleLights(const NextEventRows& rows, const SurfaceWave& s, const LightSamples& to,
+                  const EmitterHits& hits) {
+    for (std::size_t i = 0; i < s.size(); i += lanes()) {
+        Mask used = hasTrait(load(s.traits + i), traits::kPoint);
+        Uint visit = 0U;
+        if (rows.scatters != nullptr) {
+            const Uint scatters = load(rows.scatters + i) & Uint(path_state::kScatters);
+            used = used & (toInt(scatters) < static_cast<std::int32_t>(rows.mostScatters + 1));
+            visit = visitOf(scatters, load(rows.bounces + i));
+        }
+        if (none(used)) {
+            store(Uint(LightSamples::kNone), to.group + i);
+            continue;
+        }
+        const Float3 position = loadAt(s.position, i);
+        const Float3 start = position + loadAt(s.geometricNormal, i) * load(s.clearance + i);
+        const PathName name = pathName(rows.names, rows.sample, i, used);
+        const PathNumbers choice = numbersFor(name, SampleDimension::Light, visit);
+        const PathNumbers place = numbersFor(name, SampleDimension::AreaLight, visit);
+        const ChosenLight chosen =
+            chooseLight(rows.lights, start, loadAt(s.shadingNormal, i), choice.bitsOfU);
+        GroupSample sample;
+        Mask rest = used;
+        while (any(rest)) {
+            HWY_ALIGN std::uint32_t groups[kLanes];
+            store(chosen.group, groups);
+            const std::uint32_t group = groups[rest.first()];
+            const Mask these = rest & (chosen.group == group);
+            if (group < rows.lights.lights) {
+                const Light& light = rows.lights.light[group];
+                take(sample, these,
+                     sampleOfLight(light, isAreaLight(light) ? start : position, place.u, place.v));
+            } else if (group == rows.lights.emitterGroup()) {
+                take(sample, these,
+                     sampleOfEmitters(rows.emitters, start, place, choice.bitsOfV, hits, i, these));
+            } else {
+                take(sample, these, sampleOfSurroundings(rows.surroundings, place, choice.bitsOfV));
+            }
+            rest = without(rest, these);
+        }
+        const Float scale = 1.0F / select(used, chosen.probability, Float(1));
+        store(select(used, chosen.group, Uint(LightSamples::kNone)), to.group + i);
+        storeAt(sample.toLight, to.toLight, i);
+        storeAt(sample.irradiance * scale, to.irradiance, i);
+        store(sample.free, to.free + i);
+        store(sample.density * chosen.probability, to.density + i);
+        store(chosen.total, to.total + i);
+    }
+}
+
+/// Returns the number of shadow rays.
+std::size_t addSamples(const LightSamples& from, const MaterialRow* rows, LightFinding finding,
+                       const SurfaceWave& s, const NextEventRays& shadows) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < s.size(); i += lanes()) {
+        const Mask used = hasTrait(load(s.traits + i), traits::kPoint) &
+                          (load(from.group + i) != Uint(LightSamples::kNone));
+        if (none(used)) {
+            storeAt(Float3{}, s.added, i);
+            continue;
+        }
+        const PointLobes lobes = lobesOf(rows, s, i, used);
+        const Float3 toLight = loadAt(from.toLight, i);
+        const Scattered scattered = scatteredFrom(lobes, toLight);
+        const Float density = load(from.density + i);
+        const Mask byBoth = used & (density > 0.0F) & (scattered.density > 0.0F);
+        const Float weight = select(
+            byBoth, weightOfNextEvent<Float>(finding, select(byBoth, density, Float(1)), scattered.density),
+            Float(1));
+        const Float3 added = loadAt(s.weight, i) * scattered.value * loadAt(from.irradiance, i) * weight;
+        const Mask lit = without(used, isZero(added));
+        storeAt(selectOrZero(lit, added), s.added, i);
+        const Compressor some(lit);
+        const Float clearance = load(s.clearance + i);
+        storeAt(loadAt(s.position, i) + lobes.geometricNormal * clearance, some, shadows.origin, count);
+        storeAt(toLight, some, shadows.direction, count);
+        some.store(max(load(from.free + i) - clearance, 0.0F), shadows.tMax + count);
+        some.store(iota(i), shadows.point + count);
+        count += some.count();
+    }
+    return count;
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace rtcore
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace rtcore {
+
+HWY_EXPORT(sampleLights);
+HWY_EXPORT(addSamples);
+
+void NextEvents::resize(std::size_t count) {
+    memory_.resize(9, count);
+    const auto arrays = [&](std::size_t first) {
+        return ArraysOf3{memory_.array(first), memory_.array(first + 1), memory_.array(first + 2)};
+    };
+    const std::size_t room = count + kWaveBlock;
+    if (group_.size() < room) {
+        group_.resize(room);
+        triangle_.resize(room);
+        u_.resize(room);
+        v_.resize(room);
+    }
+    samples_ = {group_.data(), arrays(0), arrays(3), memory_.array(6), memory_.array(7), memory_.array(8)};
+}
+
+void NextEvents::sample(const NextEventTask& task, const Wave& wave) {
+    resize(wave.size());
+    const bool primary = wave.paths.primary();
+    const NextEventRows rows{task.rows,
+                             task.lights.emitters().rows(),
+                             task.lights.surroundings().rows(),
+                             task.names,
+                             primary ? nullptr : wave.paths.queue()->sample.data(),
+                             primary ? nullptr : wave.paths.queue()->bounces.data(),
+                             task.scatters,
+                             task.bounces};
+    HWY_DYNAMIC_DISPATCH(sampleLights)
+    (rows, wave.surfaces, samples_, {triangle_.data(), u_.data(), v_.data()});
+    if (task.rows.emitters || task.rows.surroundings) lookUp(task, wave);
+}
+
+/// The radiance of emitters and surroundings, which textures and images hold.
+void NextEvents::lookUp(const NextEventTask& task, const Wave& wave) {
+    for (std::size_t i = 0; i < wave.size(); ++i) {
+        const std::uint32_t group = group_[i];
+        if (group == LightSamples::kNone || group < task.rows.lights) continue;
+        const float density = samples_.density[i];
+        Colour radiance{};
+        if (!(density > 0)) {
+        } else if (group == task.rows.emitterGroup()) {
+            radiance = emissionAt(task.scene, task.textures, {0, triangle_[i], u_[i], v_[i]});
+        } else {
+            radiance = task.lights.background().radiance(samples_.toLight.at(i));
+        }
+        samples_.irradiance.set(i, density > 0 ? radiance / density : Colour{});
+    }
+}
+
+void NextEvents::add(const NextEventTask& task, const MaterialTable& materials, SurfaceWave& surfaces,
+                     ShadowRays& shadows) const {
+    RayWave& rays = shadows.rays;
+    const std::size_t room = surfaces.size() + kWaveBlock;
+    rays.resize(room);
+    if (shadows.point.size() < room) shadows.point.resize(room);
+    const NextEventRays arrays{{rays.ox.data(), rays.oy.data(), rays.oz.data()},
+                               {rays.dx.data(), rays.dy.data(), rays.dz.data()},
+                               rays.tMax.data(),
+                               shadows.point.data()};
+    rays.resize(HWY_DYNAMIC_DISPATCH(addSamples)(samples_, materials.rows(), task.finding, surfaces, arrays));
+    if (!(task.clamp > 0) || task.scatters == nullptr) return;
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        if ((task.scatters[i] & path_state::kScatters) == 0) continue;
+        surfaces.added.set(i, clampedTo(task.clamp, surfaces.added.colourAt(i)));
+    }
+}
+
+} // namespace rtcore
+#endif

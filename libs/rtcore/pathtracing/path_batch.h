@@ -1,0 +1,77 @@
+/// The rays of a step of many paths: a path goes on by one ray at most.
+#pragma once
+
+#include "rtcore/kernels/wave_memory.h"
+#include "rtcore/shading/paths/path_queue.h"
+#include "rtcore/shading/surface/surface_wave.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace rtcore {
+
+/// Of ScatterState::state: how often the path has scattered, and what its ray counts of what it finds.
+namespace path_state {
+inline constexpr std::uint32_t kScatters = 0xFFFF;
+inline constexpr std::uint32_t kDropped = 1U << 16; ///< neither emission nor surroundings
+inline constexpr std::uint32_t kWhole = 1U << 17;   ///< all of them: next event leaves them out
+} // namespace path_state
+
+/// Where each ray of a batch was scattered, for the weights of what it finds: one element for each ray, and
+/// room for a block more.
+struct ScatterState {
+    ArraysOf3 point, normal;  ///< the ray's line begins there; the shading normal, unit
+    float* total = nullptr;   ///< LightShares::total there
+    float* density = nullptr; ///< of the ray's direction by all lobes that scatter, 1/sr; 0: it comes from
+                              ///< the camera, or was mirrored or refracted since
+    std::uint32_t* state = nullptr; ///< path_state
+
+    void set(std::size_t i, Vec3 at, Vec3 facing, float all, float drawn, std::uint32_t what) const {
+        point.set(i, at);
+        normal.set(i, facing);
+        total[i] = all;
+        density[i] = drawn;
+        state[i] = what;
+    }
+};
+
+/// Keeps its memory.
+class PathBatch {
+  public:
+    PathQueue queue;
+
+    const ScatterState& scattered() const { return scattered_; }
+    /// Makes room for `count` rays and a block more, of which none is there yet.
+    void start(std::size_t count) {
+        queue.clear();
+        queue.grow(count + kWaveBlock);
+        queue.truncate(0);
+        memory_.resize(8, count + kWaveBlock);
+        if (states_.size() < count + 2 * kWaveBlock) states_.resize(count + 2 * kWaveBlock);
+        const auto arrays = [&](std::size_t first) {
+            return ArraysOf3{memory_.array(first), memory_.array(first + 1), memory_.array(first + 2)};
+        };
+        scattered_ = {arrays(0), arrays(3), memory_.array(6), memory_.array(7), states_.data()};
+    }
+
+    /// Adds a ray that goes on where it is, as straight as the one of `from` (null: of the camera) with index
+    /// `i`.
+    void pushStraight(const Ray& ray, const Path& path, const PathBatch* from, std::size_t i) {
+        const std::size_t to = queue.size();
+        queue.push(ray, path);
+        if (from == nullptr) {
+            scattered_.set(to, {}, {}, 0, 0, 0);
+            return;
+        }
+        const ScatterState& old = from->scattered_;
+        scattered_.set(to, old.point.at(i), old.normal.at(i), old.total[i], old.density[i], old.state[i]);
+    }
+
+  private:
+    WaveMemory memory_;
+    std::vector<std::uint32_t> states_;
+    ScatterState scattered_;
+};
+
+} // namespace rtcore

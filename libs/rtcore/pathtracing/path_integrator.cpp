@@ -1,0 +1,282 @@
+#include "rtcore/pathtracing/path_integrator.h"
+
+#include "rtcore/pathtracing/light_hits.h"
+#include "rtcore/pathtracing/path_weights-inl.h"
+#include "rtcore/pathtracing/scatter_wave.h"
+#include "rtcore/shading/mirror_wave.h"
+#include "rtcore/shading/surface/emission.h"
+#include "rtcore/shading/surface/medium.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rtcore {
+
+void PathIntegrator::begin(const PathFrame& frame) {
+    frame_.scene = &frame.scene;
+    frame_.tracer = &frame.tracer;
+    settings_ = frame.settings;
+    settings_.fog.shafts = 1; // of each ray; without, neighbours decide how exactly fog is integrated
+    frame_.settings = &settings_;
+    frame_.materials = &frame.materials;
+    frame_.statistics = &statistics_;
+    frame_.clock = &clock_;
+    lights_ = &frame.lights;
+    rows_ = frame.lights.rows();
+    limits_ = frame.settings.path;
+    finding_ = frame.finding;
+    statistics_ = {};
+    clock_.start(false);
+    fog_.begin(fogMedium(frame.scene, settings_));
+    fogLighting_.begin(frame_, fog_);
+    const FogMedium* const medium = fog_.on() ? &fog_.medium() : nullptr;
+    shadows_.begin(frame.scene, frame.tracer, settings_, frame.materials.clear(), medium);
+    RenderSettings opaque = settings_;
+    opaque.refractions = false;
+    opaqueGlass_.begin(frame.scene, frame.tracer, opaque, frame.materials.clear());
+}
+
+void PathIntegrator::nameSamples(std::span<const SampleId> samples) {
+    const std::size_t room = samples.size() + kWaveBlock;
+    if (pixelNames_.size() < room) {
+        pixelNames_.resize(room);
+        subs_.resize(room);
+    }
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        pixelNames_[i] = pixelName(samples[i], static_cast<std::uint32_t>(limits_.seed));
+        subs_[i] = samples[i].sub;
+    }
+}
+
+void PathIntegrator::trace(const RayWave& rays, std::span<const SampleId> samples) {
+    nameSamples(samples);
+    wave_.kind = RayKind::Primary;
+    wave_.rays = &rays;
+    wave_.paths = WavePaths();
+    wave_.samples = samples;
+    paths_ = nullptr;
+    for (;;) {
+        step();
+        if (frame_.stopped() || next_.queue.empty()) return;
+        std::swap(current_, next_);
+        paths_ = &current_;
+        wave_.kind = RayKind::Scattered;
+        wave_.rays = &current_.queue.rays;
+        wave_.paths = WavePaths(current_.queue);
+    }
+}
+
+/// From the rays of the wave to those that follow.
+void PathIntegrator::step() {
+    statistics_.count(wave_.kind, wave_.rays->size());
+    frame_.tracer->intersect(wave_.kind, *wave_.rays, wave_.hits);
+    clock_.lap(Stage::Trace);
+    wave_.surfaces.fill(frame_.scene->mesh(), *frame_.materials, *wave_.rays, wave_.hits);
+    next_.start(wave_.size());
+    setWeights();
+    if (fog_.on()) {
+        fog_.enter(*wave_.rays, wave_.hits, wave_.surfaces.traits, wave_.paths);
+        fogLighting_.addFog(frame_, wave_, sums_);
+        fog_.dimWeights(wave_.surfaces);
+    }
+    addFound();
+    clock_.lap(Stage::Surfaces);
+    if (frame_.stopped()) return;
+    sampleLights();
+    const ScatterTask task{*frame_.materials,
+                           *lights_,
+                           limits_,
+                           static_cast<std::uint32_t>(frame_.settings->maxDepth),
+                           {pixelNames_.data(), subs_.data()},
+                           rows_.groups() > 0 ? events_.samples().total : nullptr};
+    scatterPaths(task, wave_, paths_, next_);
+    clock_.lap(Stage::Secondary);
+}
+
+/// The weight of each hit in its sample, and which samples hit something.
+void PathIntegrator::setWeights() {
+    SurfaceWave& surfaces = wave_.surfaces;
+    if (paths_ == nullptr) {
+        sums_.start({}, wave_);
+        return;
+    }
+    const PathQueue& queue = paths_->queue;
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        if (surfaces.traits[i] == 0) continue;
+        const Path path = queue.path(i);
+        surfaces.weight.set(i, path.weight * absorption(path.extinction, wave_.hits.t[i]));
+        const bool seen = path.depth == 0 && paths_->scattered().state[i] == 0;
+        if (seen && (surfaces.traits[i] & traits::kGeneral) == 0) sums_.setHit(path.sample, true);
+    }
+}
+
+/// What the rays find by themselves: lights that they meet, surroundings, emission.
+void PathIntegrator::addFound() {
+    if (paths_ != nullptr && lights_->anyArea()) {
+        addLightHits(rows_, finding_, *paths_, wave_);
+        for (std::size_t i = 0; i < wave_.size(); ++i) {
+            const Colour met = wave_.surfaces.added.colourAt(i);
+            if (!isBlack(met)) addTo(i, met);
+        }
+    }
+    addSurroundings();
+    points_.complete({frame_, {pixelNames_.data(), subs_.data()}, limits_.caustics, paths_}, wave_, sums_,
+                     next_);
+    addEmission();
+}
+
+/// Adds light that the ray finds; from the second bounce on it may be clamped.
+void PathIntegrator::addTo(std::size_t ray, Colour light) {
+    if (paths_ != nullptr && (paths_->scattered().state[ray] & path_state::kScatters) > 1)
+        light = clampedTo(limits_.clampIndirect, light);
+    sums_.add(wave_.paths.sample(ray), light);
+}
+
+/// Of emission or surroundings that the ray found, which next event samples with the density `sampled`.
+float PathIntegrator::weightOfHit(std::size_t ray, float sampled) const {
+    if (paths_ == nullptr) return 1;
+    const ScatterState& scattered = paths_->scattered();
+    const std::uint32_t state = scattered.state[ray];
+    if ((state & path_state::kDropped) != 0) return 0;
+    const float density = scattered.density[ray];
+    if ((state & path_state::kWhole) != 0 || density == 0) return 1;
+    return HWY_NAMESPACE::weightOfScatteredRay<float>(finding_, density, sampled);
+}
+
+void PathIntegrator::addSurroundings() {
+    const Colour seen = frame_.scene->background;
+    const Environment* const environment = frame_.scene->environment();
+    const BackgroundLight& background = lights_->background();
+    if (paths_ == nullptr && environment == nullptr && isBlack(seen)) return;
+    if (paths_ != nullptr && lights_->surroundings().empty()) return;
+    const float* const transmittance = fog_.on() ? fog_.rays().transmittance : nullptr;
+    for (std::size_t i = 0; i < wave_.size(); ++i) {
+        if (wave_.surfaces.traits[i] != 0) continue;
+        const Vec3 direction = wave_.direction(i);
+        const bool scattered =
+            paths_ != nullptr && (paths_->scattered().state[i] & path_state::kScatters) != 0;
+        // Cameras do not see the ambient light.
+        Colour radiance = scattered || environment != nullptr ? background.radiance(direction) : seen;
+        if (scattered) {
+            const float share = probabilityOfSurroundings(rows_, *paths_, i);
+            radiance = radiance * weightOfHit(i, share * lights_->surroundings().density(direction));
+        }
+        if (transmittance != nullptr) radiance = radiance * transmittance[i];
+        if (!isBlack(radiance)) addTo(i, wave_.paths.path(i).weight * radiance);
+    }
+}
+
+void PathIntegrator::addEmission() {
+    const SurfaceWave& surfaces = wave_.surfaces;
+    if (frame_.materials->anyEmission()) {
+        const ArraysOf3& emitted = surfaces.added;
+        for (float* const array : {emitted.x, emitted.y, emitted.z}) std::fill_n(array, wave_.size(), 0.0F);
+        emissionOf(*frame_.materials, surfaces, emitted);
+        const std::span<const std::uint32_t> special = surfaces.notPlain();
+        for (std::size_t k = 0; k < special.size(); ++k) emitted.set(special[k], points_.emitted()[k]);
+        for (std::size_t i = 0; i < wave_.size(); ++i) {
+            const Colour light = emitted.colourAt(i);
+            if (!wave_.hits.isHit(i) || isBlack(light)) continue;
+            addTo(i, light * weightOfEmission(i));
+        }
+    }
+    if (frame_.materials->anyMirror()) splitAtMirrors(*frame_.materials, surfaces, nullptr);
+}
+
+float PathIntegrator::weightOfEmission(std::size_t i) const {
+    if (paths_ == nullptr) return 1;
+    const ScatterState& scattered = paths_->scattered();
+    if ((scattered.state[i] & path_state::kScatters) != 0) {
+        const std::uint32_t material = wave_.surfaces.material[i];
+        const std::span<const std::uint8_t> dark = lights_->dark();
+        if (material < dark.size() && dark[material] != 0) return 0;
+    }
+    if (scattered.density[i] == 0) return weightOfHit(i, 0);
+    const Vec3 offset = wave_.surfaces.position.at(i) - scattered.point.at(i);
+    const float cosine = dot(wave_.direction(i), wave_.surfaces.geometricNormal.at(i));
+    const float sampled = lights_->emitters().density(wave_.hits.triangle[i], length(offset), cosine);
+    return weightOfHit(i, sampled * probabilityOfEmitters(rows_, *paths_, i));
+}
+
+/// Next event: one light for each point.
+void PathIntegrator::sampleLights() {
+    if (rows_.groups() == 0) return;
+    const NextEventTask task{*lights_,
+                             rows_,
+                             *frame_.scene,
+                             frame_.settings->textures,
+                             {pixelNames_.data(), subs_.data()},
+                             paths_ != nullptr ? paths_->scattered().state : nullptr,
+                             static_cast<std::uint32_t>(limits_.bounces),
+                             limits_.clampIndirect,
+                             finding_};
+    events_.sample(task, wave_);
+    events_.add(task, *frame_.materials, wave_.surfaces, shadowRays_);
+    clock_.lap(Stage::Light);
+    if (frame_.settings->shadows && !shadowRays_.rays.empty()) takeShadows();
+    sums_.add(wave_);
+    clock_.lap(Stage::Shadows);
+}
+
+/// Takes from surfaces.added what does not arrive.
+void PathIntegrator::takeShadows() {
+    if (fog_.on()) {
+        for (std::uint32_t group = 0; group <= rows_.surroundingGroup(); ++group) {
+            takePart([&](std::uint32_t of) { return of == group; });
+            if (!part_.rays.empty()) tint(group);
+        }
+    } else if (!shadows_.tinted()) {
+        const std::vector<std::uint8_t>& occluded = shadows_.occluded(shadowRays_.rays, statistics_);
+        for (std::size_t i = 0; i < occluded.size(); ++i) {
+            if (occluded[i] != 0) wave_.surfaces.added.set(shadowRays_.point[i], Colour{});
+        }
+    } else if (limits_.caustics) {
+        takePart([&](std::uint32_t of) { return of < rows_.lights; });
+        if (!part_.rays.empty()) tintBy(shadows_.transmittance(part_.rays, statistics_));
+        takePart([&](std::uint32_t of) { return of >= rows_.lights; });
+        if (!part_.rays.empty()) tintBy(opaqueGlass_.transmittance(part_.rays, statistics_));
+    } else {
+        std::swap(part_, shadowRays_);
+        tintBy(shadows_.transmittance(part_.rays, statistics_));
+        std::swap(part_, shadowRays_);
+    }
+}
+
+/// The shadow rays to some groups of lights become part_.
+template <typename Wanted>
+void PathIntegrator::takePart(Wanted&& wanted) {
+    const std::uint32_t* const groups = events_.samples().group;
+    part_.rays.clear();
+    part_.point.clear();
+    for (std::size_t i = 0; i < shadowRays_.rays.size(); ++i) {
+        const std::uint32_t point = shadowRays_.point[i];
+        if (!wanted(groups[point])) continue;
+        part_.rays.push(shadowRays_.rays.ray(i));
+        part_.point.push_back(point);
+    }
+}
+
+/// Takes fog and shadows from the light of one group, to which part_ goes.
+void PathIntegrator::tint(std::uint32_t group) {
+    if (group < rows_.lights) {
+        tintBy(shadows_.transmittance(part_.rays, lights_->lights()[group], statistics_));
+        return;
+    }
+    ShadowTracer& tracer = limits_.caustics ? opaqueGlass_ : shadows_;
+    tintBy(tracer.transmittance(part_.rays, statistics_));
+    for (std::size_t i = 0; i < part_.rays.size(); ++i) {
+        const Ray ray = part_.rays.ray(i);
+        const float left = fogTransmittance(fog_.medium(), ray.origin, ray.direction, ray.tMax);
+        const Colour added = wave_.surfaces.added.colourAt(part_.point[i]);
+        wave_.surfaces.added.set(part_.point[i], added * left);
+    }
+}
+
+void PathIntegrator::tintBy(const std::vector<Colour>& arriving) {
+    const ArraysOf3& added = wave_.surfaces.added;
+    for (std::size_t i = 0; i < arriving.size(); ++i) {
+        added.set(part_.point[i], added.colourAt(part_.point[i]) * arriving[i]);
+    }
+}
+
+} // namespace rtcore

@@ -1,0 +1,106 @@
+/// Path tracing (Kajiya 1986), wave by wave: each camera ray goes on as one path, which samples a light at
+/// each point and scatters in a direction of a lobe; light that both find is shared by the power heuristic
+/// (Veach 1995). The mean over samples is the light of any number of bounces. What counts which light is a
+/// table in docs/shading.md.
+#pragma once
+
+#include "rtcore/kernels/ray_statistics.h"
+#include "rtcore/kernels/ray_tracer.h"
+#include "rtcore/pathtracing/light_finding.h"
+#include "rtcore/pathtracing/light_set.h"
+#include "rtcore/pathtracing/next_event.h"
+#include "rtcore/pathtracing/path_batch.h"
+#include "rtcore/pathtracing/path_points.h"
+#include "rtcore/sampling/sample_id.h"
+#include "rtcore/scene/scene.h"
+#include "rtcore/settings/render_settings.h"
+#include "rtcore/shading/fog/fog_wave.h"
+#include "rtcore/shading/frame_context.h"
+#include "rtcore/shading/light/shadows.h"
+#include "rtcore/shading/sample_sums.h"
+#include "rtcore/shading/stage_times.h"
+#include "rtcore/shading/wave.h"
+#include "rtcore/shading/wave_lighting.h"
+
+#include <atomic>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace rtcore {
+
+/// What all threads of a frame share; everything lives as long.
+struct PathFrame {
+    const Scene& scene;
+    const RayTracer& tracer;
+    const RenderSettings&
+        settings; ///< of them `path`, textures, shadows, reflections, refractions, maxDepth, fog
+    const MaterialTable& materials; ///< prepared for the scene without ambient light
+    const LightSet& lights;
+    LightFinding finding = LightFinding::Both;
+};
+
+/// One for each thread; reuses its memory. The result for a sample depends on nothing but the sample: not on
+/// what else is in its wave, not on threads or instruction set.
+class PathIntegrator {
+  public:
+    /// Starts a frame; the arguments must outlive it. Resets the statistics.
+    void begin(const PathFrame& frame);
+
+    /// Traces camera rays (directions of unit length) to the ends of their paths. `samples` names each of
+    /// them, and which of its pixel's samples it is.
+    void trace(const RayWave& rays, std::span<const SampleId> samples);
+    /// Of the last wave: radiance along each camera ray, and 1 where it hit something, else 0. Not finite
+    /// where numbers of the scene are not.
+    const ArraysOf3& radiance() const { return sums_.radiance(); }
+    const std::vector<std::uint8_t>& hit() const { return sums_.hit(); }
+
+    /// Becomes true: trace() returns soon, with radiance undefined. May be null.
+    void stopWhen(const std::atomic<bool>* flag) { frame_.stop = flag; }
+
+    /// All rays since the frame began.
+    const RayStatistics& statistics() const { return statistics_; }
+    StageClock& clock() { return clock_; }
+
+  private:
+    void nameSamples(std::span<const SampleId> samples);
+    void step();
+    void setWeights();
+    void addFound();
+    void addSurroundings();
+    void addEmission();
+    void addTo(std::size_t ray, Colour light);
+    float weightOfHit(std::size_t ray, float sampled) const;
+    float weightOfEmission(std::size_t point) const;
+    void sampleLights();
+    void takeShadows();
+    template <typename Wanted>
+    void takePart(Wanted&& wanted);
+    void tint(std::uint32_t group);
+    void tintBy(const std::vector<Colour>& arriving);
+
+    FrameContext frame_;
+    RenderSettings settings_;
+    const LightSet* lights_ = nullptr;
+    LightRows rows_;
+    PathSettings limits_;
+    LightFinding finding_ = LightFinding::Both;
+    RayStatistics statistics_;
+    StageClock clock_;
+
+    Wave wave_;
+    PathBatch current_, next_;
+    PathBatch* paths_ = nullptr; ///< of the wave's rays; null for those of the camera
+    SampleSums sums_;
+    std::vector<std::uint32_t> pixelNames_, subs_;
+    FogWave fog_;
+    WaveLighting fogLighting_;
+    PathPoints points_;
+    NextEvents events_;
+    ShadowTracer shadows_;
+    ShadowTracer
+        opaqueGlass_; ///< where caustics count, they are the light of emitters and surroundings behind glass
+    ShadowRays shadowRays_, part_;
+};
+
+} // namespace rtcore

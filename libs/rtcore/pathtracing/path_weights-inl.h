@@ -1,0 +1,42 @@
+// The power heuristic (Veach 1995). Included once for each instruction set, inside the loop of
+// foreach_target.h, or alone.
+#include "rtcore/pathtracing/light_finding.h"
+#include "rtcore/simd/wide-inl.h"
+
+#if defined(RTCORE_PATHTRACING_PATH_WEIGHTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RTCORE_PATHTRACING_PATH_WEIGHTS_INL_H_
+#undef RTCORE_PATHTRACING_PATH_WEIGHTS_INL_H_
+#else
+#define RTCORE_PATHTRACING_PATH_WEIGHTS_INL_H_
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace rtcore {
+namespace HWY_NAMESPACE {
+
+/// p^2 / (p^2 + q^2), of densities that are not negative, and not both 0; the weights of both sum to 1. The
+/// larger one divides, since squares of large densities leave the range of floats.
+template <typename F>
+HWY_INLINE F powerHeuristic(F p, F q) {
+    const F larger = max(p, q), a = p / larger, b = q / larger;
+    return a * a / (a * a + b * b);
+}
+
+/// Of what next event finds with the density p, and scattered rays with q > 0.
+template <typename F>
+HWY_INLINE F weightOfNextEvent(LightFinding finding, F p, F q) {
+    if (finding == LightFinding::Both) return powerHeuristic<F>(p, q);
+    return F(finding == LightFinding::NextEvent ? 1 : 0);
+}
+/// Of what scattered rays find with the density p > 0, and next event with q.
+template <typename F>
+HWY_INLINE F weightOfScatteredRay(LightFinding finding, F p, F q) {
+    if (finding == LightFinding::Both) return powerHeuristic<F>(p, q);
+    return select(q > 0.0F, F(finding == LightFinding::NextEvent ? 0 : 1), F(1));
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace rtcore
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,174 @@
+#include "rtcore/pathtracing/scatter_wave.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "rtcore/pathtracing/scatter_wave.cpp"
+#include "rtcore/simd/foreach_target.h"
+
+#include "rtcore/pathtracing/lobes-inl.h"
+#include "rtcore/pathtracing/path_numbers-inl.h"
+#include "rtcore/shading/paths/path_length-inl.h"
+
+#ifndef RTCORE_PATHTRACING_SCATTER_WAVE_TYPES
+#define RTCORE_PATHTRACING_SCATTER_WAVE_TYPES
+namespace rtcore {
+
+/// Arrays of a PathBatch, from some ray on.
+struct BatchArrays {
+    ArraysOf3 origin, direction, weight, extinction;
+    std::uint32_t *sample, *bounces, *state;
+    float *length, *total, *density;
+    ArraysOf3 point, normal;
+};
+
+struct ScatterRows {
+    const MaterialRow* materials;
+    PathNames names;
+    const float* totals;
+    const float* distance; ///< of the hits
+    PathSettings limits;
+    std::uint32_t maxDepth;
+    bool anyToHit; ///< paths that have scattered often enough may still find light
+};
+
+} // namespace rtcore
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace rtcore {
+namespace HWY_NAMESPACE {
+
+/// What is behind each point so far.
+struct Past {
+    Uint sample, bounces, state;
+    Float length{};
+    Float3 extinction{};
+};
+HWY_INLINE Past pastOf(const BatchArrays* paths, std::size_t i) {
+    if (paths == nullptr) return {iota(i), Uint(0U), Uint(0U), Float(0), Float3{}};
+    return {load(paths->sample + i), load(paths->bounces + i), load(paths->state + i),
+            load(paths->length + i), loadAt(paths->extinction, i)};
+}
+
+/// The chance that paths of these weights go on. Below the least, weights would grow too much.
+HWY_INLINE Float survival(Float3 weight) { return clamp<Float>(maxComponent(weight), 0.05F, 1.0F); }
+
+/// The first of `count` values, as many as there are.
+HWY_INLINE Float loadDistances(const float* values, std::size_t count) {
+    return count >= lanes() ? load(values) : loadSome(values, count);
+}
+
+/// Returns how many rays were appended.
+std::size_t scatterAll(const ScatterRows& rows, const SurfaceWave& s, const BatchArrays* paths,
+                       const BatchArrays& next) {
+    std::size_t count = 0;
+    const auto mostScatters = static_cast<std::int32_t>(rows.limits.bounces) + (rows.anyToHit ? 1 : 0);
+    for (std::size_t i = 0; i < s.size(); i += lanes()) {
+        const Mask points = hasTrait(load(s.traits + i), traits::kPoint);
+        if (none(points)) continue;
+        const Past past = pastOf(paths, i);
+        const Uint scatters = past.state & Uint(path_state::kScatters);
+        // A path that has scattered once more than it may only looks for lights.
+        const Mask open = points & (toInt(scatters) < rows.limits.bounces + 1);
+        if (none(open)) continue;
+        const PointLobes lobes = lobesOf(rows.materials, s, i, open);
+        if (none(lobes.drawable)) continue;
+        const PathName name = pathName(rows.names, paths == nullptr ? nullptr : paths->sample, i, open);
+        const Uint visit = visitOf(scatters, past.bounces);
+        const PathNumbers lobe = numbersFor(name, SampleDimension::Lobe, visit);
+        const PathNumbers place = numbersFor(name, SampleDimension::Direction, visit);
+        const DrawnWay way = drawWay(lobes, lobe.u, {place.u, place.v});
+
+        // Mirrored: the weight of mirrored light over the chance of it.
+        const Mask mirrored =
+            way.mirrored & (toInt(past.bounces & Uint(0xFFFFU)) < static_cast<std::int32_t>(rows.maxDepth));
+        const Mask scattered = without(lobes.drawable & (toInt(scatters) < mostScatters), way.mirrored);
+        const Scattered light = scatteredFrom(lobes, way.direction);
+        const Mask kept = scattered & (light.density > 0.0F);
+        const Float3 lobeWeight = loadAt(s.weight, i) * light.value / select(kept, light.density, Float(1));
+        const Float3 mirrorWeight = loadAt(s.specular, i) / select(mirrored, lobes.mirror, Float(1));
+        Float3 weight = select(mirrored, mirrorWeight, lobeWeight);
+        Mask going = (mirrored | kept) & (maxComponent(weight) > 0.0F) & isFinite(maxComponent(weight));
+
+        // Russian roulette, never for a mirror.
+        const Mask risky = without(going & !(toInt(scatters) < rows.limits.rouletteFrom), mirrored);
+        const Float chance = select(risky, survival(weight), Float(1));
+        going = going & (lobe.v < chance);
+        if (none(going)) continue;
+        weight = weight / select(going, chance, Float(1));
+
+        const Compressor some(going);
+        const Float3 normal = loadAt(s.geometricNormal, i);
+        const Float3 origin = loadAt(s.position, i) + normal * load(s.clearance + i);
+        const Float distance = loadDistances(rows.distance + i, s.size() - i);
+        const Mask flat = mirrored & isFlat<Float>(lobes.normal, normal);
+        storeAt(origin, some, next.origin, count);
+        storeAt(way.direction, some, next.direction, count);
+        storeAt(weight, some, next.weight, count);
+        storeAt(past.extinction, some, next.extinction, count);
+        some.store(past.sample, next.sample + count);
+        some.store(select(mirrored, past.bounces + 1U, past.bounces), next.bounces + count);
+        some.store(lengthAfter(past.length, distance, flat), next.length + count);
+        // After a mirror next event has no part in what is found; emission counts there only for what the
+        // camera sees, or as a caustic.
+        const Uint afterMirror = select(scatters == Uint(0U), past.state,
+                                        rows.limits.caustics ? past.state | Uint(path_state::kWhole)
+                                                             : past.state | Uint(path_state::kDropped));
+        some.store(select(mirrored, afterMirror, scatters + 1U), next.state + count);
+        storeAt(origin, some, next.point, count);
+        storeAt(lobes.normal, some, next.normal, count);
+        some.store(rows.totals != nullptr ? load(rows.totals + i) : Float(0), next.total + count);
+        some.store(selectOrZero(kept, light.density), next.density + count);
+        count += some.count();
+    }
+    return count;
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace rtcore
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace rtcore {
+
+HWY_EXPORT(scatterAll);
+
+namespace {
+
+BatchArrays arraysOf(PathBatch& batch, std::size_t first) {
+    PathQueue& queue = batch.queue;
+    const auto arrays = [&](std::vector<float>(&values)[3]) {
+        return ArraysOf3{values[0].data() + first, values[1].data() + first, values[2].data() + first};
+    };
+    const auto from = [&](ArraysOf3 all) { return ArraysOf3{all.x + first, all.y + first, all.z + first}; };
+    RayWave& rays = queue.rays;
+    const ScatterState& state = batch.scattered();
+    return {{rays.ox.data() + first, rays.oy.data() + first, rays.oz.data() + first},
+            {rays.dx.data() + first, rays.dy.data() + first, rays.dz.data() + first},
+            arrays(queue.weight),
+            arrays(queue.extinction),
+            queue.sample.data() + first,
+            queue.bounces.data() + first,
+            state.state + first,
+            queue.length.data() + first,
+            state.total + first,
+            state.density + first,
+            from(state.point),
+            from(state.normal)};
+}
+
+} // namespace
+
+void scatterPaths(const ScatterTask& task, const Wave& wave, PathBatch* paths, PathBatch& next) {
+    PathQueue& queue = next.queue;
+    const std::size_t before = queue.grow(wave.size() + kWaveBlock);
+    const ScatterRows rows{task.materials.rows(), task.names,    task.totals,           wave.hits.t.data(),
+                           task.limits,           task.maxDepth, task.lights.anyToHit()};
+    BatchArrays old{};
+    if (paths != nullptr) old = arraysOf(*paths, 0);
+    const std::size_t count = HWY_DYNAMIC_DISPATCH(scatterAll)(
+        rows, wave.surfaces, paths != nullptr ? &old : nullptr, arraysOf(next, before));
+    queue.truncate(before + count);
+}
+
+} // namespace rtcore
+#endif

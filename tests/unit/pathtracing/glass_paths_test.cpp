@@ -1,0 +1,120 @@
+// Glass and mirrors on paths: furnaces, caustics, and what is counted once.
+
+#include "path_support.h"
+
+#include <gtest/gtest.h>
+
+namespace rtcore {
+namespace {
+
+TEST(PathFurnace, ClearGlassAndWhiteMirrorsVanishInEvenSurroundings) {
+    for (const int kind : {0, 1, 2}) {
+        test::SceneBuilder b;
+        if (kind == 0) b.sphere({0, 0, 0}, 1, 24, b.material(test::glass()));
+        if (kind == 1) b.sphere({0, 0, 0}, 1, 24, b.material(test::mirror(1)));
+        if (kind == 2) b.square({0, 0, 0}, {0, 0, 1}, 3, b.material(test::glass()));
+        b.scene.background = {1, 1, 1};
+        const test::PathScene scene(b.finish(), test::exactSettings(200));
+        for (const float x : {0.0F, 0.3F, 0.7F}) {
+            const auto seen = scene.see({x, 0.1F, 4}, {0, 0, -1}, 4000, test::bouncesAlone(16));
+            EXPECT_NEAR(seen.mean[0], 1, 5 * seen.error[0] + 1e-3) << kind << ' ' << x;
+        }
+    }
+}
+
+TEST(PathFurnace, PhongHasItsAlbedo) {
+    // c = .5 of the notes' table: the lobe alone, by next event and by scattered rays.
+    for (const auto& [exponent, albedo] : std::array<std::pair<float, double>, 4>{
+             {{1.0F, .6090}, {5.0F, .5194}, {20.0F, .5005}, {100.0F, .5000}}}) {
+        test::SceneBuilder b;
+        Material m = test::matte(0);
+        m.specular = kWhite;
+        m.shininess = exponent;
+        b.square({0, 0, 0}, {0, 1, 0}, 1, b.material(m));
+        b.scene.background = {1, 1, 1};
+        const test::PathScene scene(b.finish());
+        const Vec3 eye = test::atAngle(60);
+        for (const LightFinding finding :
+             {LightFinding::Both, LightFinding::NextEvent, LightFinding::ScatteredRays}) {
+            test::PathLimits limits = test::bouncesAlone(0);
+            limits.finding = finding;
+            const auto seen = scene.see(eye, -eye, 65536, limits);
+            EXPECT_NEAR(seen.mean[0], albedo, 5 * seen.error[0] + 1e-4) << exponent;
+        }
+    }
+}
+
+/// A floor, a bright square above it, and a pane or a solid of glass between them.
+Scene behindGlass(bool solid) {
+    test::SceneBuilder b;
+    b.square({0, 0, 0}, {0, 1, 0}, 2, b.material(test::matte(1)));
+    b.quad({-.5F, 2, -.5F}, {.5F, 2, -.5F}, {.5F, 2, .5F}, {-.5F, 2, .5F},
+           b.material(test::emitter({1, 1, 1})));
+    const auto glass = b.material(test::glass());
+    if (solid) b.box({-2, 1, -2}, {2, 1.2F, 2}, glass);
+    if (!solid) b.square({0, 1, 0}, {0, 1, 0}, 2, glass);
+    return b.finish();
+}
+
+TEST(PathCaustics, APaneLetsTheSameLightPassByBothWaysToCount) {
+    const test::PathScene scene(behindGlass(false));
+    test::PathLimits limits = test::bouncesAlone(0);
+    const auto straight = scene.see({0, 0.1F, 0}, {0.2F, -1, 0}, 60000, limits);
+    limits.caustics = true;
+    const auto found = scene.see({0, 0.1F, 0}, {0.2F, -1, 0}, 60000, limits);
+    EXPECT_GT(straight.mean[0], 0.05);
+    EXPECT_NEAR(straight.mean[0], found.mean[0], 5 * std::hypot(straight.error[0], found.error[0]) + 2e-4);
+}
+
+TEST(PathCaustics, ASolidBendsItsLightOnlyWhereTheyCount) {
+    const test::PathScene scene(behindGlass(true));
+    test::PathLimits limits = test::bouncesAlone(0);
+    limits.caustics = true;
+    const auto bent = scene.see({0, 0.1F, 0}, {0.2F, -1, 0}, 60000, limits);
+    limits.caustics = false;
+    const auto straight = scene.see({0, 0.1F, 0}, {0.2F, -1, 0}, 60000, limits);
+    // A slab moves light a little nearer: somewhat brighter than straight through it.
+    EXPECT_GT(straight.mean[0], 0.04);
+    EXPECT_NEAR(bent.mean[0], straight.mean[0], 0.15 * straight.mean[0]);
+    limits.finding = LightFinding::ScatteredRays;
+    EXPECT_EQ(scene.see({0, 0.1F, 0}, {0.2F, -1, 0}, 2000, limits).mean[0], 0) << "bent rays are dropped";
+}
+
+TEST(PathClamp, ClampBoundsWhatComesAfterTheFirstBounce) {
+    test::SceneBuilder b;
+    b.square({0, 0, 0}, {0, 1, 0}, 2, b.material(test::matte(0.9F)));
+    b.square({0, 1, 0}, {0, -1, 0}, 2, b.material(test::matte(0.9F)));
+    b.scene.lights = {test::pointLight({0, 0.5F, 0.3F}, 1)};
+    const test::PathScene scene(b.finish());
+    test::PathLimits limits = test::bouncesAlone(3);
+    const Vec3 eye{1.5F, 0.5F, 0};
+    const auto whole = scene.see(eye, {-1, -0.8F, 0}, 8000, limits);
+    limits.clampIndirect = 0.05F;
+    const auto clamped = scene.see(eye, {-1, -0.8F, 0}, 8000, limits);
+    const auto direct = scene.see(eye, {-1, -0.8F, 0}, 8000, test::bouncesAlone(0));
+    EXPECT_LT(clamped.mean[0], whole.mean[0] - 0.01);
+    EXPECT_GT(clamped.mean[0], direct.mean[0]);
+    EXPECT_LE(clamped.mean[0], direct.mean[0] + 3 * 0.05);
+}
+
+TEST(PathEmission, LightsNothingWhereALightStandsForIt) {
+    test::SceneBuilder b;
+    b.square({0, 0, 0}, {0, 1, 0}, 2, b.material(test::matte(0.5F)));
+    b.sphere({0, 1, 0}, 0.1F, 8, b.material(test::emitter({30, 30, 30})));
+    Scene flame = b.finish();
+    const test::PathScene alone(flame, test::exactSettings(), EmitterLight::Automatic);
+    flame.lights = {test::pointLight({0, 1, 0}, 1)};
+    flame.lights[0].radius = 0.2F;
+    const test::PathScene both(flame, test::exactSettings(), EmitterLight::Automatic);
+    const test::PathScene counted(flame, test::exactSettings(), EmitterLight::On);
+    const auto floor = [](const test::PathScene& scene) {
+        return scene.see({1, 0.5F, 0}, {0, -1, 0}, 20000, test::bouncesAlone(0)).mean[0];
+    };
+    EXPECT_GT(floor(alone), 0.01);
+    EXPECT_NEAR(floor(both), 0.5 / test::kPi / (2 * std::sqrt(2.0)), 1e-3) << "the light alone";
+    EXPECT_NEAR(floor(counted), floor(alone) + floor(both), 0.01);
+    EXPECT_EQ(both.see({0, 1, 3}, {0, 0, -1}, 10).mean[0], 30) << "it is seen all the same";
+}
+
+} // namespace
+} // namespace rtcore
