@@ -83,6 +83,7 @@ std::uint64_t knownRays(const RendererOptions& options) {
     if (options.list || options.camera || options.settingsFile || options.scene.extension() == ".scn")
         return 0;
     const rtcore::RenderSettings s = app::mergeSettings({.commandLine = options.settings});
+    if (s.integrator == rtcore::Integrator::Path) return 0;
     return static_cast<std::uint64_t>(s.width) * static_cast<std::uint64_t>(s.height) *
            static_cast<std::uint64_t>(s.antialiasing) * static_cast<std::uint64_t>(s.antialiasing);
 }

@@ -136,20 +136,61 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
     }
     rtcore::RenderControl control{.threads = options_.threads};
     const auto fraction = [this, &control] {
-        if (preview_ != nullptr) return preview_->fraction(control);
-        const std::uint64_t tiles = control.tiles.load();
-        return tiles == 0 ? 0.0 : static_cast<double>(control.tilesDone.load()) / static_cast<double>(tiles);
+        return preview_ != nullptr ? preview_->fraction(control) : control.fraction();
     };
     const app::ProgressScope scope(progress_, {"rendering", fraction, &control.cancel}, index, count);
-    renderer_.collectAovs(options_.aovs || rtcore::effectsNeedAovs(settings));
+    const bool aovs = options_.aovs || rtcore::effectsNeedAovs(settings);
+    renderer_.collectAovs(aovs);
     const auto tracer = rtcore::withGround(surfaces_, loaded_.scene);
     const rtcore::View view{loaded_.scene, *tracer, camera, settings};
-    const bool whole = preview_ == nullptr ? renderer_.render(view, control, frame_)
-                                           : preview_->render(renderer_, view, control, frame_);
+    bool whole = false;
+    if (settings.integrator == rtcore::Integrator::Path) {
+        whole = renderPaths(view, control, aovs);
+    } else {
+        whole = preview_ == nullptr ? renderer_.render(view, control, frame_)
+                                    : preview_->render(renderer_, view, control, frame_);
+    }
     if (!whole) {
         throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "stopped");
     }
     app::throwIfStopped();
+}
+
+/// AOVs are those of rays, which see the same first.
+bool PictureMaker::renderPaths(const rtcore::View& view, rtcore::RenderControl& control, bool aovs) {
+    const bool whole = preview_ == nullptr ? paths_.render(view, control, frame_)
+                                           : preview_->render(paths_, view, control, frame_);
+    if (!whole) return false;
+    tellOfPaths(paths_);
+    if (!aovs) return true;
+    constexpr int kSamples = 4; // each way: edges are as smooth as those of the image
+    rtcore::RenderSettings rays = view.settings;
+    rays.integrator = rtcore::Integrator::Whitted;
+    rays.antialiasing = kSamples;
+    rays.adaptive = 0;
+    rays.ambientOcclusion.on = rays.skyLight.on = false;
+    rtcore::RenderControl quietly{.threads = control.threads};
+    if (!renderer_.render({view.scene, view.tracer, view.camera, rays}, quietly, aovFrame_)) return false;
+    std::swap(frame_.aovs, aovFrame_.aovs);
+    return true;
+}
+
+/// What light there is by paths, once a run, where --verbose asks; and what was lost, always.
+void PictureMaker::tellOfPaths(const rtcore::PathRenderer& paths) {
+    const std::uint64_t dropped = paths.sums().dropped();
+    if (dropped > 0) {
+        progress_.print(fmt::format("warning: {} samples were not finite and do not count; the scene has "
+                                    "numbers that are too large",
+                                    dropped));
+    }
+    if (!options_.verbose || std::exchange(toldOfPaths_, true)) return;
+    progress_.print(fmt::format("paths are lit by {} lights, {} emissive triangles{}",
+                                paths.lights().lights().size(), paths.lights().emitters().size(),
+                                paths.lights().surroundings().empty() ? "" : ", and the surroundings"));
+    for (std::size_t i = 0; i < paths.lights().dark().size(); ++i) {
+        if (paths.lights().dark()[i] == 0) continue;
+        progress_.print(fmt::format("material {} is seen to emit light, but lights nothing", i));
+    }
 }
 
 float PictureMaker::develop(const FrameTask& task, const rtcore::HdrImage& radiance,

@@ -12,6 +12,7 @@
 #include "rtcore/kernels/ray_tracer.h"
 #include "rtcore/post/develop.h"
 #include "rtcore/render/frame_renderer.h"
+#include "rtcore/render/path_renderer.h"
 
 #include <vector>
 
@@ -49,6 +50,8 @@ class PictureMaker {
     /// On what --focus-at names, if it does.
     void focus(const rtcore::Camera& camera, rtcore::RenderSettings& settings);
     void render(const rtcore::Camera& camera, const rtcore::RenderSettings& settings, int index, int count);
+    bool renderPaths(const rtcore::View& view, rtcore::RenderControl& control, bool aovs);
+    void tellOfPaths(const rtcore::PathRenderer& paths);
     /// The exposure; nothing is done when no output is wanted.
     float develop(const FrameTask& task, const rtcore::HdrImage& radiance,
                   const rtcore::RenderSettings& settings);
@@ -61,12 +64,15 @@ class PictureMaker {
     const RendererOptions& options_;
     app::Progress& progress_;
     Preview* preview_ = nullptr;
+    bool toldOfPaths_ = false;    ///< which lights they have
     bool warned_ = false;         ///< that a .cam is of another scene
     bool warnedOfUnused_ = false; ///< of settings
     rtcore::KdTree tree_;         ///< of what is shown
     std::shared_ptr<const rtcore::KdRayTracer> surfaces_;
     // Kept, so that their memory is reused.
     rtcore::FrameRenderer renderer_;
+    rtcore::PathRenderer paths_;
+    rtcore::Frame aovFrame_;
     rtcore::PictureDeveloper developer_;
     rtcore::Frame frame_;
     rtcore::LdrImage developed_;

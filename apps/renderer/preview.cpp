@@ -50,13 +50,32 @@ Preview::~Preview() {
 bool Preview::render(rtcore::FrameRenderer& renderer, const rtcore::View& view,
                      rtcore::RenderControl& control, rtcore::Frame& frame) {
     Work work{view, control, frame};
+    byPaths_ = false;
+    return during(work, [&] {
+        return refinement_.render(renderer, view, control, frame,
+                                  [this](const rtcore::RefinementPass& pass, const rtcore::Frame& picture) {
+                                      const int samples = pass.antialiasing * pass.antialiasing;
+                                      showPass(pass.block, static_cast<std::uint32_t>(samples), picture);
+                                  });
+    });
+}
+
+bool Preview::render(rtcore::PathRenderer& paths, const rtcore::View& view, rtcore::RenderControl& control,
+                     rtcore::Frame& frame) {
+    Work work{view, control, frame};
+    byPaths_ = true;
+    return during(work, [&] {
+        return paths.render(
+            view, control, frame,
+            [this](std::uint32_t samples, const rtcore::Frame& picture) { showPass(1, samples, picture); });
+    });
+}
+
+template <typename Render>
+bool Preview::during(Work& work, Render&& render) {
     begin(work);
     try {
-        const bool whole =
-            refinement_.render(renderer, view, control, frame,
-                               [this](const rtcore::RefinementPass& pass, const rtcore::Frame& picture) {
-                                   showPass(pass, picture);
-                               });
+        const bool whole = render();
         end();
         return whole;
     } catch (...) {
@@ -73,7 +92,8 @@ void Preview::begin(Work& work) {
     picture_ = rtcore::LdrImage(settings.width, settings.height);
     effects_ = {};
     samples_ = 0;
-    antialiasing_ = settings.antialiasing;
+    allSamples_ = static_cast<std::uint32_t>(byPaths_ ? settings.path.samples
+                                                      : settings.antialiasing * settings.antialiasing);
     status_ = {};
     status_.polygons = work.view.scene.model.mesh.triangles.size();
     app::setView(work.view.camera, settings.width, settings.height, status_);
@@ -89,7 +109,7 @@ void Preview::end() {
 void Preview::finish(const rtcore::LdrImage& picture, float exposure) {
     const std::lock_guard lock(mutex_);
     throwIfFailed();
-    samples_ = static_cast<std::uint32_t>(antialiasing_ * antialiasing_);
+    samples_ = allSamples_;
     status_.frameSeconds = app::secondsSince(begun_);
     status_.exposure = exposure;
     publish(picture, ipc::kPreviewDone);
@@ -107,22 +127,22 @@ void Preview::linger() {
     }
 }
 
-void Preview::showPass(const rtcore::RefinementPass& pass, const rtcore::Frame& frame) {
+void Preview::showPass(int block, std::uint32_t samples, const rtcore::Frame& frame) {
     const std::lock_guard lock(mutex_);
     throwIfFailed();
     const rtcore::RenderSettings& settings = work_->view.settings;
     // A small image is developed sooner than several threads have met: on a busy machine they wait long.
-    const int threads = pass.block > 1 ? 1 : work_->control.threads;
+    const int threads = block > 1 ? 1 : work_->control.threads;
     status_.exposure = developer_.exposure(frame, settings.exposure, threads);
-    effects_.beginRows(rtcore::EffectStage::Radiance, frame.radiance, pass.block,
+    effects_.beginRows(rtcore::EffectStage::Radiance, frame.radiance, block,
                        {.settings = settings, .threads = threads, .exposure = status_.exposure});
-    if (pass.block > 1) {
+    if (block > 1) {
         developer_.develop(frame, settings, status_.exposure, threads, small_);
-        rtcore::upsample(small_, pass.block, threads, picture_);
+        rtcore::upsample(small_, block, threads, picture_);
         for (rtcore::Rgba8& pixel : picture_.pixels) pixel.a = 0; // until it has a sample of its own
     } else {
         developer_.develop(frame, settings, status_.exposure, threads, picture_);
-        samples_ = static_cast<std::uint32_t>(pass.antialiasing * pass.antialiasing);
+        samples_ = samples;
     }
     publish(picture_, tagUnderWay());
     pace_.shown(Clock::now(), Clock::now());

@@ -8,8 +8,10 @@
 #include "ipc/endpoint/server.h"
 
 #include "rtcore/post/develop.h"
+#include "rtcore/render/path_renderer.h"
 #include "rtcore/render/refinement.h"
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
@@ -36,8 +38,13 @@ class Preview {
     /// there is no memory for frames, or the instance was lost.
     bool render(rtcore::FrameRenderer& renderer, const rtcore::View& view, rtcore::RenderControl& control,
                 rtcore::Frame& frame);
+    /// The same by paths, whose image is shown after each round of samples.
+    bool render(rtcore::PathRenderer& paths, const rtcore::View& view, rtcore::RenderControl& control,
+                rtcore::Frame& frame);
     /// Of render(). Any thread.
-    double fraction(const rtcore::RenderControl& control) const { return refinement_.fraction(control); }
+    double fraction(const rtcore::RenderControl& control) const {
+        return byPaths_ ? control.fraction() : refinement_.fraction(control);
+    }
 
     /// Shows the image that render() gave, developed with `exposure`: the last one of the run, when its
     /// files stand.
@@ -55,9 +62,12 @@ class Preview {
         const rtcore::Frame& frame;
     };
 
+    /// Calls `render` while `work` is under way.
+    template <typename Render>
+    bool during(Work& work, Render&& render);
     void begin(Work& work);
     void end();
-    void showPass(const rtcore::RefinementPass& pass, const rtcore::Frame& frame);
+    void showPass(int block, std::uint32_t samples, const rtcore::Frame& frame);
     void showTiles();
     std::uint64_t tagUnderWay() const;
     void publish(const rtcore::LdrImage& picture, std::uint64_t tag);
@@ -66,7 +76,8 @@ class Preview {
     void throwIfFailed() const;
 
     const PreviewOptions options_;
-    int antialiasing_ = 1;
+    std::atomic<bool> byPaths_{false};
+    std::uint32_t allSamples_ = 1; ///< of each pixel of the whole image
     rtcore::Refinement refinement_;
     rtcore::PictureDeveloper developer_;
     rtcore::LdrImage small_;

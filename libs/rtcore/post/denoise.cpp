@@ -238,7 +238,8 @@ const HdrImage& Denoiser::apply(const HdrImage& picture, const Aovs& aovs, const
     const bool whole = aovs.width() == picture.width && aovs.height() == picture.height;
     if (passes <= 0 || aovs.empty() || !whole) return picture;
     stop_ = run.stop;
-    const bool all = run.settings.depthOfField.on;
+    // Behind a lens the albedos of a pixel are mixed; of paths all light is sampled.
+    const bool all = run.settings.depthOfField.on || run.settings.integrator == Integrator::Path;
     resize(picture.width, picture.height);
     fillGuides(aovs, run.threads);
     if (!fillLight(picture, aovs, all, run.threads)) return picture;

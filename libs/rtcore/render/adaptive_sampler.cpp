@@ -28,7 +28,7 @@ bool isFirstSample(std::uint32_t sub, int n) {
 int firstSamples(int n) { return ((n + 1) / 2) * ((n + 1) / 2); }
 
 bool samplesAdaptively(const RenderSettings& settings) {
-    return settings.adaptive > 0 && settings.antialiasing > 1;
+    return settings.integrator == Integrator::Whitted && settings.adaptive > 0 && settings.antialiasing > 1;
 }
 
 void AdaptiveSampler::begin(const RenderSettings& settings) {

@@ -31,12 +31,12 @@ TileRenderer& FrameRenderer::rendererOfThread(int thread) {
 }
 
 bool FrameRenderer::render(const View& view, RenderControl& control, Frame& frame) {
-    aim(view);
+    aimSamples(view, focus_, samples_);
     return renderAimed(view, control, frame);
 }
 
 bool FrameRenderer::renderCoarse(const View& view, int block, RenderControl& control, Frame& frame) {
-    aim(view);
+    aimSamples(view, focus_, samples_);
     samples_.camera = samples_.camera.coarser(block);
     RenderSettings coarse = view.settings;
     coarse.width = (coarse.width + block - 1) / block;
@@ -44,21 +44,6 @@ bool FrameRenderer::renderCoarse(const View& view, int block, RenderControl& con
     coarse.antialiasing = 1;
     coarse.sampling = SamplingPattern::Grid;
     return renderAimed({view.scene, view.tracer, view.camera, coarse}, control, frame);
-}
-
-/// The camera and its lens; what is in the middle is that of the whole image.
-void FrameRenderer::aim(const View& view) {
-    const auto width = static_cast<float>(view.settings.width);
-    const auto height = static_cast<float>(view.settings.height);
-    CameraRays& rays = samples_.camera;
-    rays = CameraRays(view.camera, view.settings.width, view.settings.height);
-    samples_.lens = {};
-    const DepthOfFieldSettings& lens = view.settings.depthOfField;
-    if (!lens.on || rays.parallel()) return; // an orthographic view has no lens
-    const float focus =
-        lens.focus > 0 ? lens.focus : focus_.distance(view.tracer, rays, width * 0.5F, height * 0.5F);
-    samples_.lens = makeLens(rays, view.camera.horizontalFov, lens.fNumber, focus, view.scene.metresPerUnit);
-    samples_.aperture.prepare(lens.blades);
 }
 
 void FrameRenderer::beginAovs(const View& view, Frame& frame) const {
@@ -90,7 +75,7 @@ bool FrameRenderer::renderPixels(const View& view, std::span<const SampleId> pix
     // Samples of a part: enough that secondary rays share work, and few enough that all threads have some.
     // Not of the number of threads, since parts decide how sums are rounded.
     constexpr std::size_t kLeast = 512, kMost = 8192, kParts = 16;
-    aim(view);
+    aimSamples(view, focus_, samples_);
     prepare(view);
     const auto ofPixel = static_cast<std::size_t>(view.settings.antialiasing) *
                          static_cast<std::size_t>(view.settings.antialiasing);

@@ -30,6 +30,11 @@ struct RenderControl {
     std::atomic<std::uint64_t> tilesDone{0};
     std::atomic<std::uint64_t> tiles{0}; ///< of the whole frame; 0 before it starts
     FinishedTiles* finished = nullptr;   ///< gets each tile when its pixels are written; may be null
+
+    double fraction() const { ///< of the frame that is done, 0..1
+        const std::uint64_t all = tiles.load();
+        return all == 0 ? 0.0 : static_cast<double>(tilesDone.load()) / static_cast<double>(all);
+    }
 };
 
 /// Renders frames one after another and keeps the memory of its threads, so that a frame like the one before
@@ -77,7 +82,6 @@ class FrameRenderer {
         RenderControl& control;
         Frame& frame;
     };
-    void aim(const View& view);
     bool renderAimed(const View& view, RenderControl& control, Frame& frame);
     void beginAovs(const View& view, Frame& frame) const;
     void prepare(const View& view);

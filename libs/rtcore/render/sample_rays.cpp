@@ -70,7 +70,9 @@ namespace {
 void placeBlock(const SampleView& view, std::span<const SampleId> samples, SampleBlock& block) {
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const SampleId id = samples[i];
-        const SquarePoint inPixel = view.pattern.at(id);
+        const SquarePoint inPixel = view.pathSeed
+                                        ? pointInSequence(id, *view.pathSeed, SampleDimension::Position, 0)
+                                        : view.pattern.at(id);
         block.x[i] = static_cast<float>(id.x) + inPixel.u;
         block.y[i] = static_cast<float>(id.y) + inPixel.v;
     }
@@ -83,7 +85,9 @@ void placeOnLens(const SampleView& view, std::span<const SampleId> samples, Samp
         const SampleId id = samples[i];
         if (id.x != last.x || id.y != last.y) pixel = LensPattern::pixel(id.x, id.y);
         last = id;
-        const SquarePoint point = view.lensPattern.at(pixel, id.sub);
+        const SquarePoint point = view.pathSeed
+                                      ? pointInSequence(id, *view.pathSeed, SampleDimension::Lens, 0)
+                                      : view.lensPattern.at(pixel, id.sub);
         const Vec2 onLens = view.aperture.round() ? Vec2{point.u, point.v} : view.aperture.at(point);
         block.u[i] = onLens.x;
         block.v[i] = onLens.y;
@@ -91,6 +95,22 @@ void placeOnLens(const SampleView& view, std::span<const SampleId> samples, Samp
 }
 
 } // namespace
+
+void aimSamples(const View& view, FocusFinder& focus, SampleView& samples) {
+    const auto width = static_cast<float>(view.settings.width);
+    const auto height = static_cast<float>(view.settings.height);
+    CameraRays& rays = samples.camera;
+    rays = CameraRays(view.camera, view.settings.width, view.settings.height);
+    samples.lens = {};
+    const DepthOfFieldSettings& lens = view.settings.depthOfField;
+    if (!lens.on || rays.parallel()) return; // an orthographic view has no lens
+    // What is in the middle is that of the whole image.
+    const float distance =
+        lens.focus > 0 ? lens.focus : focus.distance(view.tracer, rays, width * 0.5F, height * 0.5F);
+    samples.lens =
+        makeLens(rays, view.camera.horizontalFov, lens.fNumber, distance, view.scene.metresPerUnit);
+    samples.aperture.prepare(lens.blades);
+}
 
 void makeSampleRays(const SampleView& view, std::span<const SampleId> samples, RayWave& rays) {
     rays.resize(samples.size());

@@ -26,8 +26,8 @@ constexpr std::array<std::string_view, 3> kOcclusionPatterns{"rotated", "regular
 constexpr std::array<std::string_view, 2> kBloomKernels{"gaussian", "airy"};
 
 /// What paths do not use: settings, and groups of them.
-constexpr std::array<std::string_view, 7> kOfWhitted{
-    "antialiasing", "sampling", "adaptive", "maxDepth", "minContribution", "ambientOcclusion", "skyLight"};
+constexpr std::array<std::string_view, 6> kOfWhitted{"antialiasing",    "sampling",         "adaptive",
+                                                     "minContribution", "ambientOcclusion", "skyLight"};
 
 constexpr std::array<FormerName, 5> kFormerNames{{{"lampSamples", "areaLights.samples"},
                                                   {"denoise", "denoise.passes"},
