@@ -147,7 +147,16 @@ TEST_F(PreferencesTest, StillsAreAsTheLivePictureUnlessTheUserWantsMore) {
     EXPECT_EQ(options, (QStringList{QStringLiteral("--antialiasing=5"), QStringLiteral("--bloom=40"),
                                     QStringLiteral("--ambient-occlusion"),
                                     QStringLiteral("--setting=ambientOcclusion.samples=16")}));
+    preferences.set(pref::globalIllumination, true);
+    preferences.set(pref::stillPathSamples, 2);
+    const QStringList byPaths = rendererOptions(stillQuality(preferences));
+    EXPECT_EQ(byPaths, (QStringList{QStringLiteral("--bloom=40"), QStringLiteral("--integrator=path"),
+                                    QStringLiteral("--samples=2"),
+                                    QStringLiteral("--setting=exposure.mode=automatic")}));
     std::vector<std::string> words{"room.obj", "-o", "a.png", "-w", "8", "-h", "8"};
+    for (const QString& option : byPaths) words.push_back(option.toStdString());
+    EXPECT_EQ(test::renderer(words, {.folder = folder().path()}).exitCode, 0);
+    words.resize(7);
     for (const QString& option : options) words.push_back(option.toStdString());
     EXPECT_EQ(test::renderer(words, {.folder = folder().path()}).exitCode, 0);
 }

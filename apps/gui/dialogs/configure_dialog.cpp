@@ -66,6 +66,7 @@ QWidget* ConfigureDialog::generalPage() {
               tr("none"));
     addSwitch(*form, tr("&Keep servers running when the window closes"), pref::keepServers);
     addSwitch(*form, tr("&Progressive rendering when the camera rests"), pref::progressiveRendering);
+    addSwitch(*form, tr("Global illumi&nation at rest"), pref::globalIllumination);
     return page;
 }
 
@@ -158,6 +159,8 @@ void ConfigureDialog::addScale(QFormLayout& form) {
 void ConfigureDialog::addStillQuality(QFormLayout& form) {
     constexpr int kMostSamples = 16, kMostBloom = 4096, kMostRays = 4096;
     const QString asLive = tr("same as viewport");
+    constexpr int kMostPaths = 65536;
+    addNumber(form, tr("Global illumination, sam&ples:"), pref::stillPathSamples, 1, kMostPaths, {}, {});
     addNumber(form, tr("&Quick render, anti-aliasing:"), pref::stillAntialiasing, 1, kMostSamples, {}, {});
     auto* occlusion = new QComboBox;
     occlusion->addItem(asLive, QStringLiteral("live"));

@@ -117,6 +117,9 @@ constexpr ActionRow kRows[]{
 
     ActionRow{ActionId::ProgressiveRendering, MenuId::Settings, TEXT("&Progressive rendering"),
               TEXT("When the camera rests, render the view in higher quality"), "Ctrl+H", Checkable},
+    ActionRow{ActionId::GlobalIllumination, MenuId::Settings, TEXT("&Global illumination at rest"),
+              TEXT("When the camera rests, render all light, also from surface to surface"), "Ctrl+G",
+              Checkable},
     ActionRow{ActionId::Configure, MenuId::Settings, TEXT("P&references…"), TEXT("Behaviour, image and keys"),
               "Ctrl+,"},
 

@@ -54,6 +54,7 @@ enum class ActionId {
     BookmarksPanel,
     FullScreen,
     ProgressiveRendering,
+    GlobalIllumination,
     Configure,
     Keys,
     About,

@@ -6,6 +6,7 @@ namespace gui {
 
 StillQuality stillQuality(const Preferences& preferences) {
     StillQuality quality;
+    if (preferences.get(pref::globalIllumination)) quality.paths = preferences.get(pref::stillPathSamples);
     quality.antialiasing = preferences.get(pref::stillAntialiasing);
     quality.bloom = preferences.get(pref::stillBloom);
     const QString occlusion = preferences.get(pref::stillOcclusion);
@@ -16,8 +17,15 @@ StillQuality stillQuality(const Preferences& preferences) {
 }
 
 QStringList rendererOptions(const StillQuality& quality) {
-    QStringList options{QStringLiteral("--antialiasing=%1").arg(quality.antialiasing)};
+    QStringList options;
     if (quality.bloom >= 0) options.append(QStringLiteral("--bloom=%1").arg(quality.bloom));
+    if (quality.paths > 0) {
+        // There is more light than in the live frame, whose exposure comes with the camera.
+        return options << QStringLiteral("--integrator=path")
+                       << QStringLiteral("--samples=%1").arg(quality.paths)
+                       << QStringLiteral("--setting=exposure.mode=automatic");
+    }
+    options.prepend(QStringLiteral("--antialiasing=%1").arg(quality.antialiasing));
     if (quality.occlusion == StillOcclusion::On) options.append(QStringLiteral("--ambient-occlusion"));
     if (quality.occlusion == StillOcclusion::Off) options.append(QStringLiteral("--no-ambient-occlusion"));
     // By its name, since --ao-samples switches it on.

@@ -11,10 +11,13 @@ class Preferences;
 enum class StillOcclusion { AsLive, On, Off };
 
 struct StillQuality {
-    int antialiasing = 1; ///< n x n samples per pixel
+    int paths = 0;        ///< per pixel, with all light that surfaces send to each other; 0 = not by paths
+    int antialiasing = 1; ///< n x n samples per pixel; not of paths, nor is occlusion
     int bloom = -1;       ///< pixels; -1 = as the live frame
     StillOcclusion occlusion = StillOcclusion::AsLive;
     int occlusionSamples = 0; ///< rays per point; 0 = as the live frame
+
+    friend bool operator==(const StillQuality&, const StillQuality&) = default;
 };
 
 /// What the user has chosen.

@@ -24,6 +24,7 @@ RenderOperations::RenderOperations(const GuiContext& context, QObject* parent)
     context_.actions.on(ActionId::QuickRender,
                         [this] { quickRender(context_.preferences.get(pref::stillAntialiasing)); });
     context_.actions.bind(ActionId::ProgressiveRendering, pref::progressiveRendering);
+    context_.actions.bind(ActionId::GlobalIllumination, pref::globalIllumination);
     rest_.setSingleShot(true);
     rest_.setInterval(kRest);
     listen();
@@ -77,6 +78,7 @@ void RenderOperations::render(const StillQuality& quality) {
     settled_ = true;
     const ServerStatus& status = context_.session.status();
     moment_ = {status.view, context_.session.frameNumber(), status.idle};
+    rendered_ = quality;
     preview_.render(quality);
 }
 
@@ -103,6 +105,7 @@ void RenderOperations::onFrame() {
 void RenderOperations::onPreferences() {
     const bool progressive = settled_ && !quick_;
     if (progressive && !context_.preferences.get(pref::progressiveRendering)) return interrupt();
+    if (progressive && !(stillQuality(context_.preferences) == rendered_)) return interrupt();
     if (!settled_ && mayRenderProgressively()) rest_.start();
 }
 

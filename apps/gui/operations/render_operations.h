@@ -1,6 +1,7 @@
 /// Better images than the live ones: progressive rendering when nothing moves, and quick render.
 #pragma once
 
+#include "gui/models/still_quality.h"
 #include "gui/operations/gui_context.h"
 #include "gui/processes/preview_process.h"
 
@@ -43,6 +44,7 @@ class RenderOperations : public QObject {
     bool quick_ = false;   ///< the image was asked for; else it is a progressive one
     bool settled_ = false; ///< this moment is rendered, is being rendered, or cannot be
     Moment moment_;
+    StillQuality rendered_; ///< of the last image
 };
 
 } // namespace gui

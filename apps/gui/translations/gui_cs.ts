@@ -922,6 +922,14 @@
         <source>&amp;Light</source>
         <translation>Svě&amp;tlo</translation>
     </message>
+    <message>
+        <source>&amp;Global illumination at rest</source>
+        <translation>&amp;Globální osvětlení v klidu</translation>
+    </message>
+    <message>
+        <source>When the camera rests, render all light, also from surface to surface</source>
+        <translation>Když kamera stojí, vykreslit všechno světlo, i mezi povrchy</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>
@@ -1321,6 +1329,14 @@ Alt+%2</translation>
     <message>
         <source>&amp;Shortcuts:</source>
         <translation>Zk&amp;ratky:</translation>
+    </message>
+    <message>
+        <source>Global illumi&amp;nation at rest</source>
+        <translation>Globální osvětlení v k&amp;lidu</translation>
+    </message>
+    <message>
+        <source>Global illumination, sam&amp;ples:</source>
+        <translation>&amp;Globální osvětlení, vzorků:</translation>
     </message>
 </context>
 <context>
