@@ -95,13 +95,12 @@ std::string materialText(const rtcore::Scene& scene, std::span<const rtcore::Mat
     };
     rtcore::MaterialOverride all;
     all.pattern = rtcore::printable(materialName(scene, index));
-    const bool mean = m.metallic > 0 && isTexture(m.diffuseTexture);
-    all.diffuse =
-        rtcore::baseColourOf(m, mean ? rtcore::textureMean(scene.model, m.diffuseTexture) : rtcore::kWhite);
+    const rtcore::TextureMeans means = rtcore::roughnessMeans(scene.model, m);
+    all.diffuse = m.diffuse;
     all.specular = m.specular;
     all.shininess = m.shininess;
-    all.roughness = rtcore::roughnessOf(m);
-    all.metallic = m.metallic;
+    all.roughness = rtcore::roughnessOf(m) * means.roughness;
+    all.metallic = m.metallic * means.metallic;
     all.reflectivity = m.mirror * m.mirrorScale;
     all.fresnel = m.fresnel != 0;
     all.opacity = m.opacity;

@@ -230,13 +230,15 @@ class Loader {
         const std::uint32_t seen = texture                                ? *texture
                                    : change.textures && !*change.textures ? kNoTexture
                                                                           : material.diffuseTexture;
-        Colour mean = kWhite;
-        if (change.needsTextureMean() && seen != kNoTexture) {
+        TextureMeans means;
+        if (change.needsMeans()) {
+            means = roughnessMeans(model, material);
             const std::size_t known = model.textures.size();
-            mean =
-                seen < known ? textureMean(model, seen) : summarise(pictures[seen - known].pixels).meanColour;
+            if (seen != kNoTexture)
+                means.diffuse = seen < known ? textureMean(model, seen)
+                                             : summarise(pictures[seen - known].pixels).meanColour;
         }
-        change.applyTo(material, mean);
+        change.applyTo(material, means);
         if (texture) material.diffuseTexture = *texture;
     }
 

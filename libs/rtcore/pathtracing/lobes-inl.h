@@ -3,6 +3,7 @@
 // of foreach_target.h.
 #include "rtcore/math/constants.h"
 #include "rtcore/scattering/fresnel-inl.h"
+#include "rtcore/scattering/metallic-inl.h"
 #include "rtcore/scattering/phong_scattering-inl.h"
 #include "rtcore/shading/surface/material_rows-inl.h"
 #include "rtcore/shading/surface/surface_wave.h"
@@ -22,14 +23,18 @@ namespace HWY_NAMESPACE {
 struct PointLobes {
     Float3 geometricNormal, normal, toViewer; ///< as in SurfaceWave
     PhongLobes<Float> phong;
-    Float mirror;  ///< with what probability the path goes on as the mirror does, 0..1
-    Mask drawable; ///< there is something to draw from
+    Mask metallic; ///< these have the lobes below in place of those above
+    MetallicLobes<Float> metal;
+    Float3 metalViewer; ///< lifted
+    Float mirror;       ///< with what probability the path goes on as the mirror does, 0..1
+    Mask drawable;      ///< there is something to draw from
 };
 
 /// Of the `used` points.
 HWY_INLINE PointLobes lobesOf(const MaterialRow* rows, const SurfaceWave& s, std::size_t i, Mask used) {
     const Uint traits = load(s.traits + i);
     PointLobes lobes{};
+    lobes.metallic = used & hasTrait(traits, traits::kMetallic);
     lobes.geometricNormal = loadAt(s.geometricNormal, i);
     lobes.normal = loadAt(s.shadingNormal, i);
     lobes.toViewer = loadAt(s.toViewer, i);
@@ -45,7 +50,13 @@ HWY_INLINE PointLobes lobesOf(const MaterialRow* rows, const SurfaceWave& s, std
     }
     const Mask mirrors = used & hasTrait(traits, traits::kSpecular);
     const Float mirrored = selectOrZero(mirrors, max(luminance<Float>(loadAt(s.specular, i)), 0.0F));
-    const Float3 albedo = lobes.phong.diffuse * kPi + lobes.phong.specular;
+    Float3 albedo = lobes.phong.diffuse * kPi + lobes.phong.specular;
+    if (any(lobes.metallic)) {
+        lobes.metal = {lobes.phong.diffuse * kPi, loadAt(s.straight, i), loadAt(s.grazing, i),
+                       loadAt(s.gloss, i), load(s.alpha + i)};
+        lobes.metalViewer = liftedViewer<Float>(lobes.toViewer, lobes.normal);
+        albedo = select(lobes.metallic, lobes.metal.diffuse + lobes.metal.glossAlbedo, albedo);
+    }
     const Float scattered = max(luminance<Float>(loadAt(s.weight, i) * albedo), 0.0F);
     const Float both = mirrored + scattered;
     lobes.drawable = used & ((both > 0.0F) & isFinite(both));
@@ -63,7 +74,13 @@ HWY_INLINE Scattered scatteredFrom(const PointLobes& lobes, Float3 toLight) {
     const Float geometric = dot(lobes.geometricNormal, toLight);
     const Float cosine = dot(lobes.normal, toLight);
     const Mask lit = (geometric > 0.0F) & (cosine > 0.0F);
-    const Scattering<Float> all = scatterPhong<Float>(lobes.phong, lobes.normal, lobes.toViewer, toLight);
+    Scattering<Float> all = scatterPhong<Float>(lobes.phong, lobes.normal, lobes.toViewer, toLight);
+    if (any(lobes.metallic)) {
+        const Scattering<Float> metal =
+            scatterMetallic<Float>(lobes.metal, lobes.normal, lobes.metalViewer, toLight);
+        all = {select(lobes.metallic, metal.reflectance, all.reflectance),
+               select(lobes.metallic, metal.density, all.density)};
+    }
     const Float factor =
         cosine * terminatorFactor<Float>(lobes.geometricNormal, lobes.normal, geometric, cosine);
     return {selectOrZero(lit, all.reflectance * factor),
@@ -80,6 +97,10 @@ HWY_INLINE DrawnWay drawWay(const PointLobes& lobes, Float lobe, SquarePointOf<F
     const Mask mirrored = lobes.drawable & (lobe < lobes.mirror);
     const Float rest = (lobe - lobes.mirror) / max(1.0F - lobes.mirror, 1e-6F);
     Float3 direction = drawPhongScattering<Float>(lobes.phong, lobes.normal, lobes.toViewer, rest, point);
+    if (any(lobes.metallic)) {
+        const Float3 drawn = drawMetallic<Float>(lobes.metal, lobes.normal, lobes.metalViewer, rest, point);
+        direction = select(lobes.metallic, drawn, direction);
+    }
     if (any(mirrored)) {
         const Float3 mirror = mirrorDirection<Float>(lobes.toViewer, lobes.normal, lobes.geometricNormal);
         direction = select(mirrored, normalize(mirror, mirrored), direction);

@@ -181,6 +181,7 @@ void PathIntegrator::addEmission() {
         }
     }
     if (frame_.materials->anyMirror()) splitAtMirrors(*frame_.materials, surfaces, nullptr);
+    if (frame_.materials->anyMetallic()) metallic_.complete(frame_, wave_, Mirroring::Exact, {}, nullptr);
 }
 
 float PathIntegrator::weightOfEmission(std::size_t i) const {

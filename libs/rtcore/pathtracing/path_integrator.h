@@ -17,6 +17,7 @@
 #include "rtcore/shading/fog/fog_wave.h"
 #include "rtcore/shading/frame_context.h"
 #include "rtcore/shading/light/shadows.h"
+#include "rtcore/shading/metallic_points.h"
 #include "rtcore/shading/sample_sums.h"
 #include "rtcore/shading/stage_times.h"
 #include "rtcore/shading/wave.h"
@@ -96,6 +97,7 @@ class PathIntegrator {
     FogWave fog_;
     WaveLighting fogLighting_;
     PathPoints points_;
+    MetallicPoints metallic_;
     NextEvents events_;
     ShadowTracer shadows_;
     ShadowTracer

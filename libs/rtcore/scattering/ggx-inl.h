@@ -24,6 +24,13 @@ HWY_INLINE F ggxAlpha(F roughness) {
     return max(roughness * roughness, F(kLeastAlpha));
 }
 
+/// Alpha of a lobe no narrower than the stratum of the light that is looked at, as widenLobe() has it for
+/// Phong's: of the same width, that has the exponent 1 / 2 alpha^2.
+template <typename F>
+HWY_INLINE F widenedAlpha(F alpha, F spread) {
+    return min(sqrt(alpha * alpha + 0.5F * spread), F(1));
+}
+
 /// The viewer's direction, brought to kLeastViewerCosine where it is below: what the functions here are to be
 /// given.
 template <typename F>

@@ -15,6 +15,12 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
+/// Each channel that is below 0 becomes 0.
+template <typename F>
+HWY_INLINE Vec3Of<F> atLeastZero(Vec3Of<F> v) {
+    return {max(v.x, F(0)), max(v.y, F(0)), max(v.z, F(0))};
+}
+
 /// A point's lobes as one viewer sees them.
 template <typename F>
 struct MetallicLobes {
@@ -31,20 +37,29 @@ struct MetallicLobes {
 /// dielectric are mixed, not their reflectances, since the factor is not linear in them.
 template <typename F>
 HWY_INLINE MetallicLobes<F> metallicLobes(const GgxAlbedoTable& table, Vec3Of<F> base, F metallic,
-                                          F roughness, F reflectance, F cosine) {
+                                          F roughness, Vec3Of<F> reflectance, F cosine) {
     const GgxAlbedo<F> albedo = ggxAlbedo<F>(table, cosine, roughness);
     const F lost = 1.0F / (albedo.straight + albedo.grazing) - 1.0F;
-    const F dielectric = 1.0F + reflectance * lost, isDielectric = 1.0F - metallic;
-    const F glossOfDielectric = (reflectance * albedo.straight + albedo.grazing) * dielectric;
-    const Vec3Of<F> metal = (broadcast<F>(kWhite) + base * lost) * metallic;
-    const Vec3Of<F> other = broadcast<F>(kWhite) * (dielectric * isDielectric);
+    const F isDielectric = 1.0F - metallic;
+    const Vec3Of<F> white = broadcast<F>(kWhite);
+    const Vec3Of<F> dielectric = white + reflectance * lost;
+    const Vec3Of<F> glossOfDielectric = (reflectance * albedo.straight + white * albedo.grazing) * dielectric;
+    const Vec3Of<F> metal = (white + base * lost) * metallic;
+    const Vec3Of<F> other = dielectric * isDielectric;
     MetallicLobes<F> lobes;
-    lobes.diffuse = base * (isDielectric * max(1.0F - glossOfDielectric, F(0)));
+    lobes.diffuse = base * atLeastZero<F>(white - glossOfDielectric) * isDielectric;
     lobes.straight = base * metal + other * reflectance;
     lobes.grazing = metal + other;
     lobes.glossAlbedo = lobes.straight * albedo.straight + lobes.grazing * albedo.grazing;
     lobes.alpha = ggxAlpha<F>(roughness);
     return lobes;
+}
+
+/// What `straight` and `grazing` come to for facets with this cosine to light and viewer: Schlick's curve.
+template <typename F>
+HWY_INLINE Vec3Of<F> glossFactor(Vec3Of<F> straight, Vec3Of<F> grazing, F cosine) {
+    const F x = 1.0F - clamp(cosine, 0.0F, 1.0F);
+    return straight + (grazing - straight) * (x * x * x * x * x);
 }
 
 /// The probability that drawMetallic() follows the glossy lobe: its part of all that is scattered.
@@ -60,8 +75,7 @@ HWY_INLINE Scattering<F> scatterMetallic(const MetallicLobes<F>& lobes, Vec3Of<F
                                          Vec3Of<F> toLight) {
     const GgxScattering<F> gloss = scatterGgx<F>(normal, toViewer, toLight, lobes.alpha);
     const F cosine = dot(normal, toLight);
-    const F x = 1.0F - clamp(gloss.fresnelCosine, 0.0F, 1.0F);
-    const Vec3Of<F> factor = lobes.straight + (lobes.grazing - lobes.straight) * (x * x * x * x * x);
+    const Vec3Of<F> factor = glossFactor<F>(lobes.straight, lobes.grazing, gloss.fresnelCosine);
     const F probability = glossProbability<F>(lobes);
     const auto above = cosine > 0.0F;
     return {

@@ -9,6 +9,9 @@
 ///   2. of the rest, (1 - opacity) passes through, tinted by `transmission`;
 ///   3. of the rest, `opacity` goes to the diffuse and the glossy lobe (physical Phong, notes in
 ///   scattering/phong-inl.h).
+/// Where `roughness` is given, the metallic-roughness model of glTF 2 takes the place of 1 and 3
+/// (scattering/metallic-inl.h): `diffuse` is its base colour, `specular` the reflectance at normal incidence
+/// of what is no metal; `shininess` and all of `mirror` have no effect.
 #pragma once
 
 #include "rtcore/math/colour.h"
@@ -24,7 +27,7 @@ inline constexpr float kNoRoughness = -1;
 struct Material {
     Colour diffuse{0.8F, 0.8F, 0.8F}; ///< albedo k_d, multiplied with texture and vertex colour; 0..1
     float opacity = 1;                ///< 0 (clear) .. 1 (opaque)
-    Colour specular;                  ///< albedo k_s of the Phong lobe; k_d + k_s <= 1
+    Colour specular;                  ///< albedo k_s of the Phong lobe; k_d + k_s <= 1 if that is there
     float shininess = 1;              ///< Phong exponent n, 0..100000
     Colour mirror;                    ///< reflectance at normal incidence, 0..1
     float mirrorScale = 1;            ///< 0..1; under 1 where roughness blurs mirrored rays away
@@ -51,6 +54,9 @@ struct Material {
     friend bool operator==(const Material&, const Material&) = default;
 };
 static_assert(std::is_trivially_copyable_v<Material> && sizeof(Material) == 132);
+
+/// It is one of the metallic-roughness model.
+inline bool hasRoughness(const Material& m) { return m.roughness != kNoRoughness; }
 
 /// A part of the light may pass, through the surface or through holes that an alpha texture cuts.
 inline bool isTransparent(const Material& m) { return m.opacity < 1 || m.alphaTexture != kNoTexture; }

@@ -21,25 +21,39 @@ MaterialOverride& editOf(Scene& scene, std::size_t index) {
 }
 
 Material edited(const Model& model, Material material, const MaterialOverride& edit) {
-    const bool textured = material.diffuseTexture != kNoTexture && edit.textures.value_or(true);
-    const bool asked = edit.needsTextureMean() && textured;
-    edit.applyTo(material, asked ? textureMean(model, material.diffuseTexture) : kWhite);
+    TextureMeans means;
+    if (edit.needsMeans()) {
+        means = roughnessMeans(model, material);
+        if (material.diffuseTexture != kNoTexture && edit.textures.value_or(true))
+            means.diffuse = textureMean(model, material.diffuseTexture);
+    }
+    edit.applyTo(material, means);
     return material;
+}
+
+ImageSummary summaryOf(const Model& model, std::uint32_t texture) {
+    const Texture& t = model.textures[texture];
+    return summarise(model.texels.subspan(t.firstTexel, std::size_t{t.width} * t.height));
 }
 
 } // namespace
 
-Colour textureMean(const Model& model, std::uint32_t texture) {
-    const Texture& t = model.textures[texture];
-    return summarise(model.texels.subspan(t.firstTexel, std::size_t{t.width} * t.height)).meanColour;
+Colour textureMean(const Model& model, std::uint32_t texture) { return summaryOf(model, texture).meanColour; }
+
+TextureMeans roughnessMeans(const Model& model, const Material& material) {
+    TextureMeans means;
+    if (material.metallicRoughnessTexture != kNoTexture) {
+        const ImageSummary summary = summaryOf(model, material.metallicRoughnessTexture);
+        means.roughness = summary.meanChannel[1];
+        means.metallic = summary.meanChannel[2];
+    }
+    return means;
 }
 
 void editMaterial(Scene& scene, std::span<const Material> loaded, std::size_t index,
                   const MaterialOverride& change) {
     MaterialOverride& edit = editOf(scene, index);
-    const float metallic = scene.materials[index].metallic;
     edit.add(change);
-    if (change.diffuse && metallic > 0 && !edit.metallic) edit.metallic = metallic;
     scene.materials[index] = edited(scene.model, loaded[index], edit);
 }
 

@@ -11,10 +11,11 @@ namespace rtcore {
 
 /// The mean colour of a texture of the model, linear.
 Colour textureMean(const Model& model, std::uint32_t texture);
+/// Of the material's texture of roughness and metal.
+TextureMeans roughnessMeans(const Model& model, const Material& material);
 
 /// Adds `change` (without a texture's path) to what edits made of a material; `loaded` are the materials as
-/// the files have them. A change of the diffuse colour is one of the base colour where the material is a
-/// metal. `index` counts from 0. Scene::closed is to be made again by closeSurfaces().
+/// the files have them. `index` counts from 0. Scene::closed is to be made again by closeSurfaces().
 void editMaterial(Scene& scene, std::span<const Material> loaded, std::size_t index,
                   const MaterialOverride& change);
 /// The material as the files have it.

@@ -1,7 +1,5 @@
 #include "rtcore/scene/material_override.h"
 
-#include "rtcore/scene/metallic_roughness.h"
-
 #include <algorithm>
 
 namespace rtcore {
@@ -31,20 +29,23 @@ void leaveOutTextures(Material& m) {
 
 } // namespace
 
-void MaterialOverride::applyTo(Material& material, Colour textureMean) const {
+void MaterialOverride::applyTo(Material& material, const TextureMeans& means) const {
     if (textures && !*textures) leaveOutTextures(material);
     apply(flipTextures, material.flipTextures);
-    const bool byRoughness = needsTextureMean();
-    if (byRoughness) {
-        setMetallicRoughness(material, diffuse.value_or(baseColourOf(material, textureMean)), textureMean,
-                             metallic.value_or(material.metallic), roughness.value_or(roughnessOf(material)));
-        conserveEnergy(material);
-    } else {
-        apply(diffuse, material.diffuse);
+    if (saysRoughness()) {
+        const bool textured = material.metallicRoughnessTexture != kNoTexture;
+        const float ownRoughness = roughnessOf(material) * (textured ? means.roughness : 1);
+        const float ownMetallic = material.metallic * (textured ? means.metallic : 1);
+        setMetallicRoughness(material, diffuse.value_or(material.diffuse), metallic.value_or(ownMetallic),
+                             roughness.value_or(ownRoughness));
+        material.metallicRoughnessTexture = kNoTexture;
     }
+    if (saysPhong()) setPhong(material, means);
+    if (!saysRoughness()) apply(diffuse, material.diffuse);
     apply(specular, material.specular);
-    if (diffuse && !specular && !byRoughness) material.specular = remainder(material.specular, *diffuse);
-    if (specular && (!diffuse || byRoughness)) material.diffuse = remainder(material.diffuse, *specular);
+    if (diffuse && !specular && !saysRoughness() && !hasRoughness(material))
+        material.specular = remainder(material.specular, *diffuse);
+    if (specular && (!diffuse || saysRoughness())) material.diffuse = remainder(material.diffuse, *specular);
     apply(shininess, material.shininess);
     apply(reflectivity, material.mirror);
     if (reflectivity) material.mirrorScale = 1;
@@ -57,7 +58,7 @@ void MaterialOverride::applyTo(Material& material, Colour textureMean) const {
 }
 
 void MaterialOverride::add(const MaterialOverride& later) {
-    if (later.needsTextureMean()) {
+    if (later.saysRoughness()) {
         specular.reset();
         shininess.reset();
         reflectivity.reset();

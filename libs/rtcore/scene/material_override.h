@@ -2,7 +2,7 @@
 #pragma once
 
 #include "rtcore/math/colour.h"
-#include "rtcore/scene/material.h"
+#include "rtcore/scene/metallic_roughness.h"
 
 #include <filesystem>
 #include <optional>
@@ -18,19 +18,23 @@ struct MaterialOverride {
     std::optional<Colour> diffuse = {}, specular = {}, transmission = {}, emission = {};
     std::optional<Colour> reflectivity = {}; ///< the material's `mirror`, with a mirrorScale of 1
     std::optional<float> shininess = {}, opacity = {}, attenuationDistance = {}, indexOfRefraction = {};
-    /// Each of them makes the material one of setMetallicRoughness(), whose base colour `diffuse` is then, or
-    /// what the material's own comes to. `specular`, `shininess`, `reflectivity`, `fresnel` win over it.
+    /// Each of them makes the material one of setMetallicRoughness() that is the same everywhere: its texture
+    /// of both goes. Each of `specular`, `shininess`, `reflectivity` and `fresnel` makes it one of
+    /// setPhong(); with both it is Phong's model of that roughness.
     std::optional<float> roughness = {}, metallic = {};
     std::optional<bool> fresnel = {};
     std::optional<bool> textures = {};                        ///< false: none of the material's own
     std::optional<bool> flipTextures = {};                    ///< whether these are turned upside down
     std::optional<std::filesystem::path> diffuseTexture = {}; ///< loaded by the scene loader
 
-    /// applyTo() needs the mean colour of the diffuse texture.
-    bool needsTextureMean() const { return roughness || metallic; }
+    bool saysRoughness() const { return roughness || metallic; }
+    bool saysPhong() const { return specular || shininess || reflectivity || fresnel; }
+    /// applyTo() needs the means of textures.
+    bool needsMeans() const { return saysRoughness() || saysPhong(); }
     /// All but the path of the texture. Where the sum of diffuse and specular would exceed 1, the one that is
-    /// not overridden gives way. `textureMean`: of what is the diffuse texture afterwards, linear.
-    void applyTo(Material& material, Colour textureMean = kWhite) const;
+    /// not overridden gives way. `means`: of what is the diffuse texture afterwards, and of the present one
+    /// of roughness and metal.
+    void applyTo(Material& material, const TextureMeans& means = {}) const;
     /// What `later` says in addition to or in place of this: one after the other would not always do the
     /// same, since what says the same in other words, such as shininess and roughness, takes the other's
     /// place. Whom it names stays.

@@ -25,7 +25,9 @@ Albedo albedoOf(const SurfaceWave& surfaces, std::size_t i) {
         const Colour rest = kWhite - scattered - mirrored;
         through = {std::max(rest.r, 0.0F), std::max(rest.g, 0.0F), std::max(rest.b, 0.0F)};
     }
-    return {surfaces.diffuse.colourAt(i) * kPi * scattered, mirrored, through};
+    Colour albedo = surfaces.diffuse.colourAt(i) * kPi;
+    if ((point & traits::kMetallic) != 0) albedo += surfaces.gloss.colourAt(i);
+    return {albedo * scattered, mirrored, through};
 }
 
 /// Half the divergence of the normals of the triangle's corners, seen from the side of `normal`.

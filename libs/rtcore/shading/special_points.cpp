@@ -23,6 +23,7 @@ Colour SpecialPoints::setAlbedo(const Task& task, std::size_t i, Colour albedo) 
     surfaces.diffuse.set(i, albedo / kPi);
     if (!task.frame.materials->anyEmission()) return {};
     const Material& m = task.frame.scene->material(surfaces.material[i]);
+    if (hasRoughness(m)) return surfaces.weight.colourAt(i) * m.emission;
     const Colour ambient = task.ambient * (albedo + m.specular);
     if ((surfaces.traits[i] & traits::kMirror) == 0)
         return surfaces.weight.colourAt(i) * (m.emission + ambient);
@@ -62,6 +63,7 @@ Colour SpecialPoints::completeGeneral(const Task& task, std::size_t i) const {
     const bool straight = !s.closed || HWY_NAMESPACE::isFlat<float>(s.shadingNormal, s.geometricNormal);
     path.length = HWY_NAMESPACE::lengthAfter(path.length, t, straight);
     if (!isBlack(split.transmitted)) task.secondary.addTransparent(s, split.transmitted, path);
+    if (hasRoughness(*s.material)) return path.weight * s.emission;
     const Colour ambient = task.ambient * (s.diffuse + s.material->specular) * split.scattered;
     return path.weight * (s.emission + ambient);
 }

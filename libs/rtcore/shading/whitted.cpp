@@ -137,10 +137,11 @@ void WhittedIntegrator::addEmission() {
     }
     if (any) emissionOf(materials, surfaces, emitted);
     if (materials.anyMirror()) splitAtMirrors(materials, surfaces, any ? &emitted : nullptr);
-    if (!any) return;
     const std::span<const std::uint32_t> special = surfaces.notPlain();
-    for (std::size_t i = 0; i < special.size(); ++i) emitted.set(special[i], special_.emitted()[i]);
-    if (!primary) sums_.add(wave_);
+    for (std::size_t i = 0; any && i < special.size(); ++i) emitted.set(special[i], special_.emitted()[i]);
+    if (materials.anyMetallic())
+        metallic_.complete(frame_, wave_, Mirroring::Faded, ambient_, any ? &emitted : nullptr);
+    if (any && !primary) sums_.add(wave_);
 }
 
 } // namespace rtcore

@@ -9,6 +9,7 @@
 #include "rtcore/settings/render_settings.h"
 #include "rtcore/shading/fog/fog_wave.h"
 #include "rtcore/shading/frame_context.h"
+#include "rtcore/shading/metallic_points.h"
 #include "rtcore/shading/primary_hits.h"
 #include "rtcore/shading/sample_sums.h"
 #include "rtcore/shading/secondary_rays.h"
@@ -83,6 +84,7 @@ class WhittedIntegrator {
     SampleSums sums_;
     FogWave fog_;
     SpecialPoints special_;
+    MetallicPoints metallic_;
     WaveLighting lighting_;
     SecondaryRays secondary_;
     PrimaryHitParts hitParts_ = PrimaryHitParts::None;

@@ -88,7 +88,7 @@ TEST(BspDamage, OtherFilesOfThisEndingAreNamedSo) {
 TEST(BspDamage, OtherVersionsAndByteOrdersAreNamedSo) {
     const Bytes bytes = test::sampleFile(1, 6);
     test::FileTable table = test::tableOf(bytes);
-    for (const std::uint32_t version : {0U, 1U, 4U, 0x03000000U}) {
+    for (const std::uint32_t version : {0U, 1U, rtcore::kBspVersion + 1, 0x04000000U}) {
         table.head.version = version;
         expectRefusal(bytes, table, "another version");
     }

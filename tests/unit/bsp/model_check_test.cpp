@@ -46,7 +46,7 @@ const std::vector<Fault>& faults() {
         {"materials", [](ModelBuffers& b) { b.materials[1].diffuse.r = 1.5F; }},
         {"materials",
          [](ModelBuffers& b) {
-             b.materials[1].diffuse = b.materials[1].specular = {0.6F, 0, 0};
+             b.materials[0].diffuse = b.materials[0].specular = {0.6F, 0, 0};
          }},
         {"materials", [](ModelBuffers& b) { b.materials[1].opacity = kNan; }},
         {"materials", [](ModelBuffers& b) { b.materials[1].specular.g = -1; }},

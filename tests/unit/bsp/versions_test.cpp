@@ -197,6 +197,42 @@ TEST(BspVersions, LongerElementsOfALaterWriterAreReadByTheirBeginning) {
     }
 }
 
+// Version 3 held the lobes that Phong's model gets from roughness and metal.
+TEST(BspVersions, MaterialsOfVersion3GetTheirBaseColoursBack) {
+    rtcore::Material plain, metal, mixed;
+    plain.roughness = 0.5F;
+    plain.diffuse = {0.5F, 0.25F, 0.125F};
+    plain.specular = rtcore::kWhite * 0.04F;
+    plain.shininess = 7.5F;
+    metal = plain;
+    metal.metallic = 1;
+    metal.diffuse = {};
+    metal.specular = {0.75F, 0.5F, 0.25F};
+    metal.mirror = metal.specular;
+    metal.fresnel = 1;
+    mixed = plain;
+    mixed.metallic = 0.5F;
+    mixed.diffuse = {0.375F, 0.25F, 0.125F};
+    const std::array materials{metal, plain, mixed};
+    Parts parts = sampleParts();
+    std::memcpy(parts.contents[parts.indexOf("materials")].data(), materials.data(), sizeof materials);
+    parts.table.head.version = 3;
+    const rtcore::BspContent content = test::readFrom(parts.file());
+    const std::span<const rtcore::Material> read = content.model.materials;
+    ASSERT_EQ(read.size(), 3U);
+    EXPECT_EQ(read[0].diffuse, (rtcore::Colour{0.75F, 0.5F, 0.25F}));
+    EXPECT_EQ(read[0].metallic, 1.0F);
+    EXPECT_EQ(read[1].diffuse, plain.diffuse);
+    EXPECT_EQ(read[2].diffuse, (rtcore::Colour{0.75F, 0.5F, 0.25F}));
+    for (const rtcore::Material& m : read) {
+        EXPECT_EQ(m.roughness, 0.5F);
+        EXPECT_EQ(m.specular, rtcore::kWhite * 0.04F);
+        EXPECT_EQ(m.mirror, rtcore::Colour{});
+    }
+    parts.table.head.version = rtcore::kBspVersion;
+    EXPECT_EQ(test::readFrom(parts.file()).model.materials[0].diffuse, rtcore::Colour{}) << "as it stands";
+}
+
 TEST(BspVersions, WhatShorterElementsLackHasItsDefault) {
     Parts parts = sampleParts();
     parts.resizeElements("materials", offsetof(rtcore::Material, metallic));

@@ -157,11 +157,13 @@ TEST_F(Textures, MaskAndBlend) {
     EXPECT_EQ(blend.alphaCutoff, 0);
 }
 
-TEST_F(Textures, RoughnessAndMetalByTheirMean) {
-    // Green (roughness) is 0 above and 1 below; blue (metal) 0: half rough, no metal.
+TEST_F(Textures, RoughnessAndMetalAreKept) {
     const Material m =
-        embedded(R"({"pbrMetallicRoughness":{"metallicRoughnessTexture":{"index":0}}})").model.materials[0];
-    EXPECT_NEAR(m.shininess, 7.5F, 1e-3F);
+        embedded(R"({"pbrMetallicRoughness":{"metallicRoughnessTexture":{"index":0},"roughnessFactor":0.5}})")
+            .model.materials[0];
+    EXPECT_EQ(m.metallicRoughnessTexture, 0U);
+    EXPECT_EQ(m.roughness, 0.5F);
+    EXPECT_EQ(m.metallic, 1.0F);
     EXPECT_EQ(m.diffuse, kWhite);
 }
 

@@ -103,7 +103,7 @@ TEST_F(ModelCommands, EditMaterialsByTheKeysOfAScene) {
     EXPECT_EQ(material(1).roughness, 0.1F);
     answer("material set steel metallic 1");
     answer("material set steel diffuse 0.9 0.8 0.7");
-    EXPECT_EQ(material(1).specular, (Colour{0.9F, 0.8F, 0.7F}));
+    EXPECT_EQ(material(1).diffuse, (Colour{0.9F, 0.8F, 0.7F}));
     EXPECT_EQ(answer("materials"), "1 - oak\n2 edited steel\n3 -");
     answer("material set 3 opacity 0.1");
     EXPECT_TRUE(state.scene()->isClosed(20)) << "the ball";

@@ -12,7 +12,8 @@ namespace formulas = rtcore::HWY_NAMESPACE;
 using Lobes = formulas::MetallicLobes<float>;
 
 Lobes lobesOf(Vec3 base, float metallic, float roughness, float cosine) {
-    return formulas::metallicLobes<float>(ggxAlbedoTable(), base, metallic, roughness, 0.04F, cosine);
+    return formulas::metallicLobes<float>(ggxAlbedoTable(), base, metallic, roughness, {0.04F, 0.04F, 0.04F},
+                                          cosine);
 }
 
 Vec3d albedoOf(const Lobes& lobes, Vec3 viewer, std::uint32_t count = 8192) {

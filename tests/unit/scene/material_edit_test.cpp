@@ -41,22 +41,29 @@ class MaterialEdits : public testing::Test {
 TEST(MetallicRoughness, ShininessAndRoughnessAreInverse) {
     for (const float roughness : {0.05F, 0.2F, 0.5F, 0.9F}) {
         Material m;
-        rtcore::setReflection(m, {0.5F, 0.5F, 0.5F}, roughness);
+        setMetallicRoughness(m, rtcore::kWhite, 1, roughness);
+        EXPECT_EQ(rtcore::roughnessOf(m), roughness);
+        setPhong(m, {});
+        EXPECT_FALSE(hasRoughness(m));
         EXPECT_NEAR(rtcore::roughnessOf(m), roughness, 1e-4F) << "from the shininess " << m.shininess;
     }
     EXPECT_EQ(rtcore::roughnessOf(test::matte(0.5F)), 1.0F) << "without a highlight";
 }
 
-TEST(MetallicRoughness, TheBaseColourIsFoundAgain) {
-    const Colour base{0.8F, 0.4F, 0.2F}, mean{0.5F, 0.5F, 0.25F};
-    for (const float metallic : {0.0F, 0.5F, 1.0F}) {
-        Material m;
-        setMetallicRoughness(m, base, mean, metallic, 0.4F);
-        const Colour found = baseColourOf(m, mean);
-        EXPECT_NEAR(found.r, base.r, 1e-6F);
-        EXPECT_NEAR(found.g, base.g, 1e-6F);
-        EXPECT_NEAR(found.b, base.b, 1e-6F);
-    }
+TEST(MetallicRoughness, PhongsModelGetsTheSameColours) {
+    const Colour base{0.8F, 0.4F, 0.2F};
+    Material m;
+    m.metallicRoughnessTexture = 0;
+    setMetallicRoughness(m, base, 1, 0.4F);
+    EXPECT_EQ(m.diffuse, base);
+    EXPECT_EQ(m.specular, rtcore::kWhite * 0.04F);
+    setPhong(m, {.diffuse = {0.5F, 0.5F, 0.25F}, .roughness = 0.5F, .metallic = 0.5F});
+    EXPECT_EQ(m.diffuse, base * 0.5F);
+    EXPECT_NEAR(m.specular.r, 0.5F * 0.04F + 0.5F * 0.4F, 1e-6F);
+    EXPECT_NEAR(m.specular.b, 0.5F * 0.04F + 0.5F * 0.05F, 1e-6F);
+    EXPECT_NEAR(m.mirrorScale, 1 - 0.2F / rtcore::kMirrorsBelow, 1e-6F);
+    EXPECT_EQ(m.mirror, m.specular);
+    EXPECT_EQ(m.metallicRoughnessTexture, rtcore::kNoTexture);
 }
 
 TEST_F(MaterialEdits, InAnyOrderAreTheSame) {
@@ -79,18 +86,19 @@ TEST_F(MaterialEdits, InAnyOrderAreTheSame) {
     EXPECT_TRUE(scene.materialEdits.empty());
 }
 
-TEST_F(MaterialEdits, TheColourOfAMetalIsThatOfItsReflection) {
+TEST_F(MaterialEdits, TheColourOfAMetalIsItsBaseColour) {
     edit(1, {.metallic = 1.0F});
     edit(1, {.roughness = 0.5F});
     edit(1, {.diffuse = Colour{0.9F, 0.7F, 0.3F}});
-    EXPECT_EQ(scene.materials[1].diffuse, Colour{});
-    EXPECT_EQ(scene.materials[1].specular, (Colour{0.9F, 0.7F, 0.3F}));
-    edit(1, {.metallic = 0.0F});
     EXPECT_EQ(scene.materials[1].diffuse, (Colour{0.9F, 0.7F, 0.3F}));
+    EXPECT_EQ(scene.materials[1].metallic, 1.0F);
+    EXPECT_EQ(scene.materials[1].specular, rtcore::kWhite * 0.04F);
 }
 
-TEST_F(MaterialEdits, ATexturesMeanTintsAMetal) {
+TEST_F(MaterialEdits, ATexturesMeanTintsTheHighlightOfAMetal) {
     edit(0, {.metallic = 1.0F});
+    EXPECT_EQ(scene.materials[0].diffuse, loaded[0].diffuse) << "the texture tints each point";
+    edit(0, {.fresnel = true});
     EXPECT_NEAR(scene.materials[0].specular.r, 0.5F, 1e-6F) << "half of it is white, half black";
     edit(0, {.textures = false});
     EXPECT_EQ(scene.materials[0].diffuseTexture, rtcore::kNoTexture);
@@ -101,12 +109,24 @@ TEST_F(MaterialEdits, ATexturesMeanTintsAMetal) {
     EXPECT_EQ(scene.materials[0].flipTextures, 1U);
 }
 
+TEST_F(MaterialEdits, ARoughnessIsTheSameEverywhere) {
+    loaded[0].metallicRoughnessTexture = loaded[0].diffuseTexture;
+    setMetallicRoughness(loaded[0], rtcore::kWhite, 1, 1);
+    scene.materials = loaded;
+    edit(0, {.roughness = 0.25F});
+    const Material& m = scene.materials[0];
+    EXPECT_EQ(m.roughness, 0.25F);
+    EXPECT_NEAR(m.metallic, 0.5F, 1e-6F) << "the mean of the texture";
+    EXPECT_EQ(m.metallicRoughnessTexture, rtcore::kNoTexture);
+}
+
 TEST_F(MaterialEdits, ShininessTakesThePlaceOfRoughnessAndTheOtherWayRound) {
     edit(1, {.roughness = 0.1F});
     edit(1, {.shininess = 7.0F});
     EXPECT_EQ(scene.materials[1].shininess, 7.0F);
+    EXPECT_FALSE(hasRoughness(scene.materials[1]));
     edit(1, {.roughness = 0.5F});
-    EXPECT_FLOAT_EQ(scene.materials[1].shininess, 7.5F);
+    EXPECT_EQ(scene.materials[1].roughness, 0.5F);
     EXPECT_FALSE(scene.materialEdits[0].shininess.has_value());
 }
 

@@ -272,7 +272,8 @@ HWY_INLINE void calculate(Formulas formulas, const F* x, Results<F>& out) {
         break;
     }
     case Formulas::Metals: { // also of both lobes in one vector
-        const auto lobes = metallicLobes<F>(ggxAlbedoTable(), a, x[9], x[10], F(0.04F), x[11]);
+        const auto lobes =
+            metallicLobes<F>(ggxAlbedoTable(), a, x[9], x[10], {F(0.04F), F(0.04F), F(0.04F)}, x[11]);
         out.add(lobes.diffuse);
         out.add(lobes.straight);
         out.add(lobes.grazing);

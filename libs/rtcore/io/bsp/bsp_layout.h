@@ -1,4 +1,4 @@
-/// The bytes of a .bsp file, version 3 (docs/formats.md): the head, a table of sections, then the sections in
+/// The bytes of a .bsp file, version 4 (docs/formats.md): the head, a table of sections, then the sections in
 /// the order of the table, each at the next multiple of 64 bytes behind what is before it, the gaps filled
 /// with zeros. Sections are known by name and say how large their elements are: a reader skips names that it
 /// does not know, and takes of an element what it knows. Numbers are in the byte order of the machine that
@@ -69,7 +69,7 @@ inline constexpr std::size_t kBspSections = kBspSectionKinds.size();
 /// them. No other format called .bsp begins so.
 inline constexpr std::array<std::uint8_t, 8> kBspMagic{0x89, 'R', 'T', 'K', '\r', '\n', 0x1A, '\n'};
 inline constexpr std::uint32_t kBspByteOrder = 0x01020304;
-inline constexpr std::uint32_t kBspVersion = 3;
+inline constexpr std::uint32_t kBspVersion = 4;
 inline constexpr std::uint64_t kBspAlignment = 64;      ///< of sections: a cache line
 inline constexpr std::uint32_t kMostBspSections = 1024; ///< known or not
 inline constexpr std::size_t kMostBspWarningBytes = 64 * 1024;

@@ -1,5 +1,6 @@
 #include "rtcore/io/bsp/bsp_file.h"
 #include "rtcore/io/bsp/bsp_table.h"
+#include "rtcore/io/bsp/bsp_version3.h"
 #include "rtcore/io/bsp/model_check.h"
 
 #include "rtcore/accel/validation.h"
@@ -33,8 +34,9 @@ class Reader {
         content.origin = readOrigin(readText(BspSection::Origin, kMostOriginBytes));
         KdTree tree{view<KdNode>(BspSection::Nodes), view<std::uint32_t>(BspSection::References),
                     table_.bounds, nullptr};
-        content.model.storage = tree.storage = storage();
         if (const auto problem = checkModel(content.model)) fail("section " + *problem);
+        if (table_.version < 4) convertMaterials(content.model);
+        content.model.storage = tree.storage = storage();
         if (table_.hasTree) {
             const auto problem = validateKdTree(tree, content.model.mesh.triangles.size());
             if (problem) fail("section nodes: " + *problem);
@@ -92,6 +94,13 @@ class Reader {
         if (table_.find(BspSection::Materials) == nullptr) model.materials = {&kPlain, 1};
         if (table_.find(BspSection::Strings) == nullptr) model.strings = kNoNames;
         return model;
+    }
+
+    void convertMaterials(Model& model) {
+        if (std::ranges::none_of(model.materials, hasRoughness)) return;
+        const auto materials = std::make_shared<const std::vector<Material>>(materialsOfVersion3(model));
+        model.materials = *materials;
+        copies_.push_back(materials);
     }
 
     /// Lines of printable text.

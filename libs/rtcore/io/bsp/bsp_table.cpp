@@ -43,7 +43,8 @@ class TableReader {
 
     BspTable read() {
         readCommon();
-        const std::uint64_t end = head_.version == 2 ? readVersion2() : readVersion3();
+        const std::uint64_t end = head_.version == 2 ? readVersion2() : readNamedSections();
+        table_.version = head_.version;
         table_.identity = {head_.sourceSize, head_.sourceCrc, head_.buildOptionsHash};
         table_.hasTree = head_.hasTree == 1;
         checkSections(end);
@@ -67,12 +68,12 @@ class TableReader {
         require(bytes_.size() >= sizeof(BspHead), "header: the file is cut off");
         std::memcpy(&head_, bytes_.data(), sizeof head_);
         require(head_.byteOrder == kBspByteOrder, "header: written by a machine of the other byte order");
-        require(head_.version == kBspVersion || head_.version == 2,
+        require(head_.version >= 2 && head_.version <= kBspVersion,
                 "header: written by another version of BSPBuilder");
     }
 
     /// The end of the head and of the table.
-    std::uint64_t readVersion3() {
+    std::uint64_t readNamedSections() {
         require(head_.headSize == sizeof(BspHead) && head_.sectionCount <= kMostBspSections,
                 "header: of the wrong size");
         checkHead(head_.headCrc);

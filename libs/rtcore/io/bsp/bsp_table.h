@@ -11,6 +11,7 @@
 namespace rtcore {
 
 struct BspTable {
+    std::uint32_t version = kBspVersion;
     BspIdentity identity;
     Box3 bounds;
     bool hasTree = false;

@@ -31,7 +31,8 @@ const char* problemOf(const Material& m, const Model& model) {
     if (!within(m.diffuse, 0, 1)) return "diffuse is not in 0..1";
     if (!within(m.opacity, 0, 1)) return "opacity is not in 0..1";
     if (!within(m.specular, 0, 1)) return "specular is not in 0..1";
-    if (!within(m.diffuse + m.specular, 0, 1 + kRounding)) return "diffuse and specular together exceed 1";
+    if (!hasRoughness(m) && !within(m.diffuse + m.specular, 0, 1 + kRounding))
+        return "diffuse and specular together exceed 1";
     if (!within(m.shininess, 0, 100000)) return "shininess is not in 0..100000";
     if (!within(m.mirror, 0, 1)) return "mirror is not in 0..1";
     if (!within(m.mirrorScale, 0, 1)) return "mirrorScale is not in 0..1";

@@ -84,14 +84,10 @@ void mapTransparency(const SourceMaterial& s, Material& m, float roughness, Colo
 }
 
 void mapMetallicRoughness(const SourceMaterial& s, Material& m, TextureStore& textures) {
-    float metallic = unit(s.metallic), roughness = unit(s.roughness, 1);
-    if (const auto map = textures.summary(s.metallicRoughnessMap)) {
-        roughness *= map->meanChannel[1];
-        metallic *= map->meanChannel[2];
-    }
-    const auto image = textures.summary(s.diffuseMap);
-    setMetallicRoughness(m, m.diffuse, image ? image->meanColour : kWhite, metallic, roughness);
-    mapTransparency(s, m, roughness, m.diffuse);
+    m.metallicRoughnessTexture = textures.texture(s.metallicRoughnessMap);
+    setMetallicRoughness(m, m.diffuse, unit(s.metallic), unit(s.roughness, 1));
+    const auto map = textures.summary(s.metallicRoughnessMap);
+    mapTransparency(s, m, m.roughness * (map ? map->meanChannel[1] : 1), m.diffuse);
 }
 
 void mapSpecularGlossiness(const SourceMaterial& s, Material& m, TextureStore& textures) {
@@ -101,10 +97,9 @@ void mapSpecularGlossiness(const SourceMaterial& s, Material& m, TextureStore& t
         f0 *= map->meanColour;
         glossiness *= map->meanChannel[3];
     }
-    m.roughness = 1 - glossiness;
-    setReflection(m, f0, 1 - glossiness);
-    m.diffuse = m.diffuse * (1 - maxComponent(f0));
-    mapTransparency(s, m, 1 - glossiness, m.diffuse);
+    setMetallicRoughness(m, m.diffuse, 0, 1 - glossiness);
+    m.specular = f0;
+    mapTransparency(s, m, m.roughness, m.diffuse);
 }
 
 /// Black, or the grey that Assimp gives where a file says nothing: an image is meant to be seen.
@@ -132,6 +127,9 @@ void makeUnlit(Material& m, Colour colour) {
     m.emissionTexture = m.diffuseTexture;
     m.diffuse = m.specular = m.mirror = {};
     m.fresnel = 0;
+    m.roughness = kNoRoughness;
+    m.metallic = 0;
+    m.metallicRoughnessTexture = kNoTexture;
 }
 
 } // namespace

@@ -39,7 +39,7 @@ struct SourceMaterial {
     float alphaCutoff = 0.5F;
 
     SourceMap diffuseMap, alphaMap, normalMap, emissionMap;
-    SourceMap metallicRoughnessMap;  ///< roughness in green, metal in blue; only its mean is used
+    SourceMap metallicRoughnessMap;  ///< roughness in green, metal in blue
     SourceMap specularGlossinessMap; ///< glossiness in alpha; only its mean is used
     bool alphaInDiffuseMap = false;
     bool mapReplacesDiffuse = false; ///< `diffuse` counts only without an image

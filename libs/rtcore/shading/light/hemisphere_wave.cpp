@@ -35,7 +35,9 @@ void HemisphereWave::begin(const MaterialTable& materials, const Rays& rays) {
 
 Colour HemisphereWave::scattered(const SurfaceWave& surfaces, std::size_t point) const {
     const MaterialRow& row = materials_->rows()[surfaces.material[point]];
-    const Colour specular{row.specular[0], row.specular[1], row.specular[2]};
+    const bool metallic = (surfaces.traits[point] & traits::kMetallic) != 0;
+    const Colour specular =
+        metallic ? surfaces.gloss.colourAt(point) : Colour{row.specular[0], row.specular[1], row.specular[2]};
     return surfaces.weight.colourAt(point) * (surfaces.diffuse.colourAt(point) * kPi + specular);
 }
 

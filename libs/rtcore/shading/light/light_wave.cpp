@@ -5,6 +5,7 @@
 #include "rtcore/simd/foreach_target.h"
 
 #include "rtcore/lights/light_sample-inl.h"
+#include "rtcore/scattering/metallic-inl.h"
 #include "rtcore/scattering/phong-inl.h"
 #include "rtcore/shading/surface/material_rows-inl.h"
 
@@ -61,6 +62,19 @@ HWY_INLINE Float3 roughReflectance(const MaterialRow* rows, const std::uint32_t*
     return selectOrZero(rough, ofPoints.get(&MaterialRow::specular) * reflected);
 }
 
+/// Reflectance of the GGX lobe of points of the metallic-roughness model; zero of others.
+template <LightKind kind>
+HWY_INLINE Float3 metallicReflectance(const SurfaceWave& s, std::size_t i, Mask metallic,
+                                      const LightSample<Float>& arriving, Float3 normal) {
+    Float alpha = load(s.alpha + i);
+    if constexpr (isAreaLight(kind)) alpha = widenedAlpha<Float>(alpha, arriving.spread);
+    const Float3 viewer = liftedViewer<Float>(loadAt(s.toViewer, i), normal);
+    const GgxScattering<Float> gloss = scatterGgx<Float>(normal, viewer, arriving.toLight, alpha);
+    const Float3 factor =
+        glossFactor<Float>(loadAt(s.straight, i), loadAt(s.grazing, i), gloss.fresnelCosine);
+    return selectOrZero(metallic, factor * gloss.lobe);
+}
+
 template <LightKind kind>
 HWY_INLINE std::size_t lightAll(const Light& light, const LightStrata* strata, const MaterialRow* rows,
                                 const SurfaceWave& s, const ShadowArrays* shadows,
@@ -97,6 +111,8 @@ HWY_INLINE std::size_t lightAll(const Light& light, const LightStrata* strata, c
             if (any(rough))
                 weight += roughReflectance(rows, s.material + i, rough, cosine, dot(normal, toViewer));
         }
+        const Mask metallic = lit & hasTrait(traits, traits::kMetallic);
+        if (any(metallic)) weight += metallicReflectance<kind>(s, i, metallic, arriving, normal);
         weight *= cosine * terminatorFactor<Float>(geometricNormal, normal, geometric, cosine);
         const Float3 added = selectOrZero(lit, loadAt(s.weight, i) * weight * arriving.irradiance);
         storeAt(added, s.added, i);

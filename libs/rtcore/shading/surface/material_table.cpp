@@ -3,6 +3,7 @@
 #include "rtcore/lights/ambient_light.h"
 #include "rtcore/math/constants.h"
 #include "rtcore/scattering/phong.h"
+#include "rtcore/scene/metallic_roughness.h"
 
 #include <algorithm>
 
@@ -13,7 +14,13 @@ namespace {
 std::uint32_t traitsOf(const Material& m, bool colours, const RenderSettings& settings) {
     const auto used = [&](std::uint32_t texture) { return settings.textures && texture != kNoTexture; };
     std::uint32_t result = traits::kPoint;
-    if (!isBlack(m.specular)) {
+    if (hasRoughness(m)) {
+        result |= traits::kMetallic;
+        if (used(m.metallicRoughnessTexture)) result |= traits::kVaried;
+        const bool opaque = !settings.refractions || m.opacity >= 1;
+        const bool smooth = m.roughness < kMirrorsBelow || used(m.metallicRoughnessTexture);
+        if (settings.reflections && opaque && smooth) result |= traits::kSharp;
+    } else if (!isBlack(m.specular)) {
         if (m.shininess > 0) result |= traits::kGlossy;
         if (m.shininess < kLeastShininess) result |= traits::kRough;
     }
@@ -22,7 +29,7 @@ std::uint32_t traitsOf(const Material& m, bool colours, const RenderSettings& se
         used(m.emissionTexture)) {
         result |= traits::kGeneral;
     }
-    if (settings.reflections && !isBlack(m.mirror * m.mirrorScale)) {
+    if (!hasRoughness(m) && settings.reflections && !isBlack(m.mirror * m.mirrorScale)) {
         if ((result & traits::kGeneral) != 0) return result;
         result |= traits::kMirror;
         if (m.fresnel != 0) result |= traits::kFresnel;
@@ -52,7 +59,8 @@ void MaterialTable::prepare(const Scene& scene, const RenderSettings& settings, 
         const Material& m = scene.material(static_cast<std::uint32_t>(i));
         MaterialRow& row = rows_[i];
         row.traits = traitsOf(m, colours, settings);
-        const Colour ambient = ambientLight * (m.diffuse + m.specular);
+        const bool varies = hasRoughness(m);
+        const Colour ambient = varies ? Colour{} : ambientLight * (m.diffuse + m.specular);
         const Colour emitted = m.emission + ambient;
         put(m.diffuse / kPi, row.diffuse);
         put(m.emission, row.emission);
@@ -66,7 +74,9 @@ void MaterialTable::prepare(const Scene& scene, const RenderSettings& settings, 
         row.lobeScale = phong * (row.shininess + 2) / (2 * kPi);
         row.roughScale = (1 - phong) / (2 * kPi);
         traits_ |= row.traits;
-        anyEmission_ = anyEmission_ || !isBlack(emitted);
+        row.roughness = m.roughness;
+        row.metallic = m.metallic;
+        anyEmission_ = anyEmission_ || !isBlack(emitted) || (varies && !isBlack(ambientLight));
         const bool clear =
             (settings.refractions && m.opacity < 1) || (settings.textures && m.alphaTexture != kNoTexture);
         clear_[i] = clear ? 1 : 0;

@@ -18,8 +18,12 @@ inline constexpr std::uint32_t kMirror = 4;    ///< opaque, reflects, and is not
 inline constexpr std::uint32_t kFresnel = 8;   ///< a mirror that reflects more at grazing angles
 inline constexpr std::uint32_t kColoured = 16; ///< the albedo varies: texture, colours of vertices
 inline constexpr std::uint32_t kGeneral = 32; ///< transparent, perforated, bump mapped, emitting by a texture
-inline constexpr std::uint32_t kSpecular = 64; ///< of points, not of materials: a mirrored ray follows
-inline constexpr std::uint32_t kRough = 128;   ///< it has a rough lobe (phong.h)
+inline constexpr std::uint32_t kSpecular = 64;   ///< of points, not of materials: a mirrored ray follows
+inline constexpr std::uint32_t kRough = 128;     ///< it has a rough lobe (phong.h)
+inline constexpr std::uint32_t kMetallic = 1024; ///< of the metallic-roughness model: has none of the lobes
+                                                 ///< and mirrors above
+inline constexpr std::uint32_t kSharp = 2048;  ///< of these: opaque, and somewhere so smooth that it mirrors
+inline constexpr std::uint32_t kVaried = 4096; ///< of these: a texture has roughness and metal
 /// Of points that vector code alone cannot shade: seen from behind; shading normal turned (surface.h).
 inline constexpr std::uint32_t kFromInside = 256, kTurned = 512;
 /// Vector code alone cannot shade such a point.
@@ -30,16 +34,17 @@ inline constexpr std::uint32_t kNotPlain = kColoured | kGeneral;
 struct alignas(64) MaterialRow {
     float diffuse[3] = {}; ///< albedo / pi
     std::uint32_t traits = 0;
-    float specular[3] = {};
-    float shininess = 0;  ///< of the Phong lobe, at least kLeastShininess
-    float lobeScale = 0;  ///< of the Phong lobe, (n + 2) / 2 pi times its fraction
-    float roughScale = 0; ///< of the rough lobe, its fraction over 2 pi
+    float specular[3] = {}; ///< kMetallic: reflectance of what is no metal, straight on
+    float shininess = 0;    ///< of the Phong lobe, at least kLeastShininess
+    float lobeScale = 0;    ///< of the Phong lobe, (n + 2) / 2 pi times its fraction
+    float roughScale = 0;   ///< of the rough lobe, its fraction over 2 pi
     float mirrorScale = 0;
     float mirror[3] = {};
     float emission[3] = {};
-    float ambient[3] = {}; ///< radiance of reflected ambient light
+    float ambient[3] = {}; ///< radiance of reflected ambient light; 0 of kMetallic, where it varies
     float emitted[3] = {}; ///< emission + ambient
-    float unused[9] = {};
+    float roughness = 0, metallic = 0; ///< of kMetallic
+    float unused[7] = {};
 };
 inline constexpr int kRowShift = 5; ///< a row has 2^kRowShift floats
 static_assert(sizeof(MaterialRow) == sizeof(float) << kRowShift);
@@ -55,8 +60,12 @@ class MaterialTable {
     const MaterialRow* rows() const { return rows_.data(); }
     bool anyEmission() const { return anyEmission_; }
     bool anyMirror() const { return (traits_ & traits::kMirror) != 0; }
+    bool anyMetallic() const { return (traits_ & traits::kMetallic) != 0; }
+    bool anyVaried() const { return (traits_ & traits::kVaried) != 0; }
     /// Mirrored rays may follow from points.
-    bool anySecondary() const { return (traits_ & (traits::kMirror | traits::kGeneral)) != 0; }
+    bool anySecondary() const {
+        return (traits_ & (traits::kMirror | traits::kGeneral | traits::kSharp)) != 0;
+    }
     /// Something lets light through, so that shadows may be tinted.
     bool tintedShadows() const { return tintedShadows_; }
     /// By material: 1 where it may let light through, else 0; empty where none does.

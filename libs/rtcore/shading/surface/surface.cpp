@@ -121,6 +121,14 @@ Colour untexturedAt(const Scene& scene, const Hit& hit) {
     return mesh.colours.empty() ? diffuse : diffuse * interpolate(mesh.colours, shading, hit);
 }
 
+RoughnessFactors roughnessAt(const Scene& scene, const Hit& hit) {
+    const ShadingTriangle& shading = scene.mesh().shading[hit.triangle];
+    const std::uint32_t texture = scene.material(shading.material).metallicRoughnessTexture;
+    const Vec2 uv = texcoordAt(scene, shading, hit);
+    const Vec3 stored = sampleTexture(scene.model, scene.model.textures[texture], uv).stored;
+    return {stored.y, stored.z};
+}
+
 Colour emissionAt(const Scene& scene, bool textures, const Hit& hit) {
     const ShadingTriangle& shading = scene.mesh().shading[hit.triangle];
     const Material& material = scene.material(shading.material);

@@ -34,6 +34,13 @@ Colour untexturedAt(const Scene& scene, const Hit& hit);
 /// The albedo alone, with texture and vertex colour.
 Colour diffuseAt(const Scene& scene, bool textures, const Hit& hit);
 
+/// What the material's texture of them multiplies roughness and metal by.
+struct RoughnessFactors {
+    float roughness, metallic;
+};
+/// Of a material that has such a texture.
+RoughnessFactors roughnessAt(const Scene& scene, const Hit& hit);
+
 /// Only what a ray towards an emitter needs to know: the radiance given off, as far as no hole is there.
 Colour emissionAt(const Scene& scene, bool textures, const Hit& hit);
 /// Only what a shadow ray needs to know: the fraction of it that an alpha texture lets pass.

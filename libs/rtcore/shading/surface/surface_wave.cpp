@@ -159,18 +159,21 @@ class LastRays {
 
 } // namespace
 
-void SurfaceWave::resize(std::size_t count) {
+void SurfaceWave::resize(std::size_t count, bool metallic) {
     size_ = count;
-    ArraysOf3* const vectors[] = {&position, &geometricNormal, &shadingNormal, &toViewer,
-                                  &diffuse,  &weight,          &specular,      &added};
-    memory_.resize(3 * std::size(vectors) + 1, count);
+    ArraysOf3* const vectors[] = {&position, &geometricNormal, &shadingNormal, &toViewer, &diffuse, &weight,
+                                  &specular, &added,           &straight,      &grazing,  &gloss};
+    straight = grazing = gloss = {};
+    const std::size_t used = std::size(vectors) - (metallic ? 0 : 3);
+    memory_.resize(3 * used + (metallic ? 2 : 1), count);
     std::size_t next = 0;
-    for (ArraysOf3* const v : vectors) {
+    for (ArraysOf3* const v : std::span(vectors).first(used)) {
         v->x = memory_.array(next++);
         v->y = memory_.array(next++);
         v->z = memory_.array(next++);
     }
     clearance = memory_.array(next++);
+    alpha = metallic ? memory_.array(next++) : nullptr;
     if (traits_.size() < count + kWaveBlock) {
         traits_.resize(count + kWaveBlock);
         materials_.resize(count + kWaveBlock);
@@ -182,7 +185,7 @@ void SurfaceWave::resize(std::size_t count) {
 
 void SurfaceWave::fill(const Mesh& mesh, const MaterialTable& materials, const RayWave& rays,
                        const HitWave& hits) {
-    resize(rays.size());
+    resize(rays.size(), materials.anyMetallic());
     const SurfaceSources sources{mesh.vertices.data(), mesh.triangles.data(), mesh.shading.data(),
                                  mesh.normals.data(), materials.rows()};
     notPlainCount_ = 0;

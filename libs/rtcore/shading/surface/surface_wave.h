@@ -44,13 +44,17 @@ class SurfaceWave {
     ArraysOf3 shadingNormal;    ///< unit, as in Surface
     ArraysOf3 toViewer;         ///< unit
     ArraysOf3 diffuse;          ///< albedo / pi
+    /// Where traits have kMetallic: factors on the GGX lobe, its albedo beside what is mirrored, and alpha
+    /// (MetallicLobes). Null where no material is of that model.
+    ArraysOf3 straight, grazing, gloss;
+    float* alpha = nullptr;
     ArraysOf3 weight; ///< throughput of the path up to here: the fraction of scattered light that reaches the
                       ///< sample
     ArraysOf3 specular; ///< weight of the mirrored ray, where traits have kSpecular
     ArraysOf3 added;    ///< radiance that the present light, emission or background adds to the sample
 
   private:
-    void resize(std::size_t count);
+    void resize(std::size_t count, bool metallic);
 
     std::size_t size_ = 0;
     WaveMemory memory_;

@@ -1,0 +1,118 @@
+#include "rtcore/shading/metallic_points.h"
+
+#include "rtcore/scattering/ggx_albedo.h"
+#include "rtcore/scene/metallic_roughness.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "rtcore/shading/metallic_points.cpp"
+#include "rtcore/simd/foreach_target.h"
+
+#include "rtcore/scattering/metallic-inl.h"
+#include "rtcore/shading/surface/material_rows-inl.h"
+
+#ifndef RTCORE_SHADING_METALLIC_POINTS_TYPES
+#define RTCORE_SHADING_METALLIC_POINTS_TYPES
+namespace rtcore {
+
+struct MetallicTask {
+    const MaterialRow* rows;
+    const GgxAlbedoTable* table;
+    const float *roughness, *metallic; ///< factors at each point; null: all 1
+    Mirroring mirroring;
+    Colour ambient;
+    const ArraysOf3* emitted;
+};
+
+} // namespace rtcore
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace rtcore {
+namespace HWY_NAMESPACE {
+
+/// The share of the gloss that a mirrored ray is to show.
+HWY_INLINE Float mirroredShare(Mirroring mirroring, Float roughness) {
+    const Mask narrow = roughness * roughness < kLeastAlpha;
+    if (mirroring == Mirroring::Exact) return selectOrZero(narrow, Float(1));
+    constexpr float kNarrow = 0.0316F; // its square is kLeastAlpha
+    const Float faded = clamp<Float>((kMirrorsBelow - roughness) / (kMirrorsBelow - kNarrow), 0.0F, 1.0F);
+    return select(narrow, Float(1), faded);
+}
+
+void completeMetallic(const MetallicTask& task, const SurfaceWave& s) {
+    for (std::size_t i = 0; i < s.size(); i += lanes()) {
+        const Uint traits = load(s.traits + i);
+        const Mask used = hasTrait(traits, traits::kPoint) & hasTrait(traits, traits::kMetallic);
+        if (none(used)) continue;
+        const Rows row(task.rows, s.material + i, used);
+        Float roughness = row.get(&MaterialRow::roughness), metallic = row.get(&MaterialRow::metallic);
+        if (task.roughness != nullptr) {
+            roughness = roughness * load(task.roughness + i);
+            metallic = metallic * load(task.metallic + i);
+        }
+        const Float3 normal = loadAt(s.shadingNormal, i), diffuse = loadAt(s.diffuse, i);
+        const Float cosine = dot(liftedViewer<Float>(loadAt(s.toViewer, i), normal), normal);
+        MetallicLobes<Float> lobes = metallicLobes<Float>(*task.table, diffuse * kPi, metallic, roughness,
+                                                          row.get(&MaterialRow::specular), cosine);
+        const Mask sharp = used & hasTrait(traits, traits::kSharp);
+        const Float share = selectOrZero(sharp, mirroredShare(task.mirroring, roughness));
+        const Mask mirrors = share > 0.0F;
+        const Float3 weight = loadAt(s.weight, i);
+        if (any(mirrors)) {
+            const Float3 mirrored = glossFactor<Float>(lobes.straight, lobes.grazing, cosine) * share;
+            storeAt(select(mirrors, weight * mirrored, loadAt(s.specular, i)), s.specular, i);
+            store(select(mirrors, traits | traits::kSpecular, traits), s.traits + i);
+            const Mask narrow = sharp & (roughness * roughness < kLeastAlpha);
+            lobes.straight = select(narrow, Float3{}, lobes.straight);
+            lobes.grazing = select(narrow, Float3{}, lobes.grazing);
+        }
+        const Float3 gloss = lobes.glossAlbedo * (1.0F - share);
+        storeAt(lobes.straight, s.straight, i);
+        storeAt(lobes.grazing, s.grazing, i);
+        storeAt(gloss, s.gloss, i);
+        store(lobes.alpha, s.alpha + i);
+        storeAt(select(used, lobes.diffuse / kPi, diffuse), s.diffuse, i);
+        if (task.emitted == nullptr) continue;
+        const Float3 reflected = weight * (lobes.diffuse + gloss) * broadcast(task.ambient);
+        const Float3 emitted = loadAt(*task.emitted, i);
+        storeAt(select(used, emitted + reflected, emitted), *task.emitted, i);
+    }
+}
+
+} // namespace HWY_NAMESPACE
+} // namespace rtcore
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace rtcore {
+
+HWY_EXPORT(completeMetallic);
+
+void MetallicPoints::lookUp(const FrameContext& frame, const Wave& wave) {
+    const SurfaceWave& surfaces = wave.surfaces;
+    roughness_.assign(surfaces.size() + kWaveBlock, 1);
+    metallic_.assign(surfaces.size() + kWaveBlock, 1);
+    for (std::size_t i = 0; i < surfaces.size(); ++i) {
+        if ((surfaces.traits[i] & traits::kVaried) == 0) continue;
+        const RoughnessFactors factors = roughnessAt(*frame.scene, wave.hits.hit(i));
+        roughness_[i] = factors.roughness;
+        metallic_[i] = factors.metallic;
+    }
+}
+
+void MetallicPoints::complete(const FrameContext& frame, const Wave& wave, Mirroring mirroring,
+                              Colour ambient, const ArraysOf3* emitted) {
+    const bool varied = frame.materials->anyVaried();
+    if (varied) lookUp(frame, wave);
+    const MetallicTask task{frame.materials->rows(),
+                            &ggxAlbedoTable(),
+                            varied ? roughness_.data() : nullptr,
+                            varied ? metallic_.data() : nullptr,
+                            mirroring,
+                            ambient,
+                            emitted};
+    HWY_DYNAMIC_DISPATCH(completeMetallic)(task, wave.surfaces);
+}
+
+} // namespace rtcore
+#endif

@@ -1,0 +1,142 @@
+// Materials of the metallic-roughness model: the same light by paths and by Whitted's ray tracing, and none
+// that is lost or gained.
+
+#include "path_support.h"
+
+#include "support/steps.h"
+
+#include "rtcore/scene/metallic_roughness.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace rtcore {
+namespace {
+
+Material metallicMaterial(Colour base, float metallic, float roughness) {
+    Material m;
+    setMetallicRoughness(m, base, metallic, roughness);
+    return m;
+}
+
+/// Metal and plastic from nearly smooth to rough, one with a texture of both.
+Scene metallicScene() {
+    test::SceneBuilder b;
+    b.square({0, 0, 0}, {0, 1, 0}, 4, b.material(metallicMaterial({0.6F, 0.5F, 0.4F}, 0, 0.5F)));
+    b.sphere({-1.5F, 1, 0}, 0.7F, 16, b.material(metallicMaterial({0.9F, 0.6F, 0.3F}, 1, 0.1F)));
+    b.sphere({1, 0.8F, 0.5F}, 0.7F, 16, b.material(metallicMaterial({0.2F, 0.4F, 0.9F}, 0.3F, 0.8F)));
+    Material varied = metallicMaterial({0.8F, 0.8F, 0.6F}, 1, 1);
+    varied.metallicRoughnessTexture =
+        b.texture(2, 2, {{0, 60, 255, 255}, {0, 255, 0, 255}, {0, 128, 128, 255}, {0, 200, 30, 255}});
+    b.square({0, 1, -1}, {0, 0, 1}, 1, b.material(varied));
+    return b.finish();
+}
+
+Light metallicSun() {
+    Light light;
+    light.kind = LightKind::Directional;
+    light.direction = normalize({-1, -2, -1.5F});
+    light.intensity = {3, 2, 1};
+    return light;
+}
+
+TEST(MetallicPaths, DirectLightIsThatOfWhitted) {
+    for (const Light& light : {test::pointLight({2, 3, 3}, 30), metallicSun()}) {
+        Scene lit = metallicScene();
+        lit.lights = {light};
+        RenderSettings settings = test::exactSettings();
+        settings.reflections = false; // of smooth surfaces Whitted's rays show the surroundings
+        const test::PathScene scene(std::move(lit), settings);
+        RayWave rays;
+        std::vector<SampleId> ids;
+        const Vec3 eye{0.3F, 2.5F, 6};
+        for (const float y : test::steps(-1.0F, 2.0F, 0.11F)) {
+            for (const float x : test::steps(-2.5F, 2.5F, 0.13F)) {
+                rays.push({eye, 0, normalize(Vec3{x, y, 0} - eye), std::numeric_limits<float>::max()});
+                ids.push_back({static_cast<std::uint16_t>(ids.size()), 0, 0});
+            }
+        }
+        const std::vector<Colour> seen = scene.trace(rays, ids, test::bouncesAlone(0));
+        std::size_t lightened = 0;
+        for (std::size_t i = 0; i < seen.size(); ++i) {
+            const Ray ray = rays.ray(i);
+            const Colour whitted = scene.traced.trace(ray.origin, ray.direction, settings).radiance;
+            EXPECT_NEAR(seen[i].r, whitted.r, 1e-5 * whitted.r + 1e-7) << i;
+            EXPECT_NEAR(seen[i].b, whitted.b, 1e-5 * whitted.b + 1e-7) << i;
+            lightened += whitted.r > 0 ? 1 : 0;
+        }
+        EXPECT_GT(lightened, seen.size() / 2);
+    }
+}
+
+TEST(MetallicPaths, WhiteSurfacesGiveOffAllLight) {
+    for (const float metallic : {0.0F, 0.5F, 1.0F}) {
+        for (const float roughness : {0.0F, 0.1F, 0.3F, 0.6F, 1.0F}) {
+            test::SceneBuilder b;
+            b.square({0, 0, 0}, {0, 1, 0}, 100, b.material(metallicMaterial(kWhite, metallic, roughness)));
+            Scene lit = b.finish();
+            lit.background = kWhite;
+            const test::PathScene scene(std::move(lit));
+            for (const double angle : {0.0, 60.0, 80.0}) {
+                const Vec3 to = -test::atAngle(angle);
+                const test::PathMean seen = scene.see(-to, to, 8192, test::bouncesAlone(3));
+                EXPECT_NEAR(seen.mean[1], 1, 5 * seen.error[1] + 0.006)
+                    << metallic << ' ' << roughness << ' ' << angle;
+            }
+        }
+    }
+}
+
+TEST(MetallicPaths, SmoothMetalsAreMirrors) {
+    const Colour base{0.9F, 0.6F, 0.3F};
+    test::SceneBuilder b;
+    b.square({0, 0, 0}, {0, 1, 0}, 2, b.material(metallicMaterial(base, 1, 0.02F)));
+    b.square({0, 3, 0}, {0, -1, 0}, 3, b.material(test::emitter({1, 2, 3})));
+    const test::PathScene scene(b.finish());
+    const Vec3 eye{0.5F, 1, 0}, to = normalize(Vec3{-0.1F, -1, 0.1F});
+    const test::PathMean paths = scene.see(eye, to, 64);
+    const Colour whitted = scene.traced.trace(eye, to).radiance;
+    const std::array<float, 3> expected{0.9F, 1.2F, 0.9F};
+    const std::array<float, 3> live{whitted.r, whitted.g, whitted.b};
+    for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_NEAR(paths.mean[k], expected[k], 2e-3);
+        EXPECT_NEAR(live[k], expected[k], 2e-3);
+        EXPECT_LT(paths.error[k], 1e-4) << "no path misses it";
+    }
+}
+
+TEST(MetallicPaths, MirroredRaysFadeWithTheRoughness) {
+    float last = 1;
+    for (const float roughness : {0.0F, 0.05F, 0.1F, 0.2F, 0.29F, 0.31F}) {
+        test::SceneBuilder b;
+        b.square({0, 0, 0}, {0, 1, 0}, 2, b.material(metallicMaterial(kWhite, 1, roughness)));
+        b.square({0, 3, 0}, {0, -1, 0}, 3, b.material(test::emitter(kWhite)));
+        const test::TracedScene scene(b.finish());
+        const float seen = scene.trace({0.5F, 1, 0}, {0, -1, 0}).radiance.g;
+        if (roughness <= 0.0F) {
+            EXPECT_NEAR(seen, 1, 1e-3);
+        } else {
+            EXPECT_LT(seen, last) << roughness;
+        }
+        last = seen;
+    }
+    EXPECT_EQ(last, 0);
+}
+
+TEST(MetallicPaths, TheTextureOfRoughnessCountsAtEachPoint) {
+    test::SceneBuilder b;
+    Material m = metallicMaterial(kWhite, 1, 1);
+    m.metallicRoughnessTexture = b.texture(1, 1, {{0, 0, 255, 255}});
+    Material rough = m;
+    rough.metallicRoughnessTexture = b.texture(1, 1, {{0, 255, 255, 255}});
+    b.square({-2, 0, 0}, {0, 1, 0}, 1, b.material(m));
+    b.square({2, 0, 0}, {0, 1, 0}, 1, b.material(rough));
+    b.square({0, 3, 0}, {0, -1, 0}, 9, b.material(test::emitter(kWhite)));
+    const test::TracedScene scene(b.finish());
+    EXPECT_NEAR(scene.trace({-2, 1, 0}, {0, -1, 0}).radiance.g, 1, 1e-3) << "a mirror";
+    EXPECT_EQ(scene.trace({2, 1, 0}, {0, -1, 0}).radiance.g, 0);
+}
+
+} // namespace
+} // namespace rtcore
