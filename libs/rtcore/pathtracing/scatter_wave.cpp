@@ -67,8 +67,10 @@ std::size_t scatterAll(const ScatterRows& rows, const SurfaceWave& s, const Batc
         if (none(points)) continue;
         const Past past = pastOf(paths, i);
         const Uint scatters = past.state & Uint(path_state::kScatters);
-        // A path that has scattered once more than it may only looks for lights.
-        const Mask open = points & (toInt(scatters) < rows.limits.bounces + 1);
+        // A path that has scattered once more than it may only looks for lights: where caustics count, in
+        // mirrors, too.
+        const Mask open = points & (toInt(scatters) <
+                                    rows.limits.bounces + (rows.anyToHit && rows.limits.caustics ? 2 : 1));
         if (none(open)) continue;
         const PointLobes lobes = lobesOf(rows.materials, s, i, open);
         if (none(lobes.drawable)) continue;
