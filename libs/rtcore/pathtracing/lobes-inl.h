@@ -90,6 +90,7 @@ HWY_INLINE Scattered scatteredFrom(const PointLobes& lobes, Float3 toLight) {
 struct DrawnWay {
     Float3 direction; ///< unit
     Mask mirrored;    ///< it is the one direction of a mirror
+    Mask matte;       ///< it is drawn for a lobe that has no highlight
 };
 
 /// A direction by `lobe` and `point`, each 0..1, without 1.
@@ -105,7 +106,10 @@ HWY_INLINE DrawnWay drawWay(const PointLobes& lobes, Float lobe, SquarePointOf<F
         const Float3 mirror = mirrorDirection<Float>(lobes.toViewer, lobes.normal, lobes.geometricNormal);
         direction = select(mirrored, normalize(mirror, mirrored), direction);
     }
-    return {direction, mirrored};
+    const Float cosine = dot(lobes.normal, lobes.toViewer);
+    Float gloss = phongProbability<Float>(lobes.phong, cosine);
+    if (any(lobes.metallic)) gloss = select(lobes.metallic, glossProbability<Float>(lobes.metal), gloss);
+    return {direction, mirrored, !(rest < gloss)};
 }
 
 } // namespace HWY_NAMESPACE

@@ -143,7 +143,7 @@ void sampleLights(const NextEventRows& rows, const SurfaceWave& s, const LightSa
 }
 
 /// Returns the number of shadow rays.
-std::size_t addSamples(const LightSamples& from, const MaterialRow* rows, LightFinding finding,
+std::size_t addSamples(const LightSamples& from, const MaterialRow* rows, LightFinding finding, bool apart,
                        const SurfaceWave& s, const NextEventRays& shadows) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < s.size(); i += lanes()) {
@@ -161,7 +161,9 @@ std::size_t addSamples(const LightSamples& from, const MaterialRow* rows, LightF
         const Float weight = select(
             byBoth, weightOfNextEvent<Float>(finding, select(byBoth, density, Float(1)), scattered.density),
             Float(1));
-        const Float3 added = loadAt(s.weight, i) * scattered.value * loadAt(from.irradiance, i) * weight;
+        store(weight, from.weight + i);
+        Float3 added = loadAt(s.weight, i) * scattered.value * loadAt(from.irradiance, i);
+        if (!apart) added = added * weight;
         const Mask lit = without(used, isZero(added));
         storeAt(selectOrZero(lit, added), s.added, i);
         const Compressor some(lit);
@@ -186,7 +188,7 @@ HWY_EXPORT(sampleLights);
 HWY_EXPORT(addSamples);
 
 void NextEvents::resize(std::size_t count) {
-    memory_.resize(9, count);
+    memory_.resize(10, count);
     const auto arrays = [&](std::size_t first) {
         return ArraysOf3{memory_.array(first), memory_.array(first + 1), memory_.array(first + 2)};
     };
@@ -197,7 +199,8 @@ void NextEvents::resize(std::size_t count) {
         u_.resize(room);
         v_.resize(room);
     }
-    samples_ = {group_.data(), arrays(0), arrays(3), memory_.array(6), memory_.array(7), memory_.array(8)};
+    samples_ = {group_.data(),    arrays(0),        arrays(3),       memory_.array(6),
+                memory_.array(7), memory_.array(8), memory_.array(9)};
 }
 
 void NextEvents::sample(const NextEventTask& task, const Wave& wave) {
@@ -243,12 +246,8 @@ void NextEvents::add(const NextEventTask& task, const MaterialTable& materials, 
                                {rays.dx.data(), rays.dy.data(), rays.dz.data()},
                                rays.tMax.data(),
                                shadows.point.data()};
-    rays.resize(HWY_DYNAMIC_DISPATCH(addSamples)(samples_, materials.rows(), task.finding, surfaces, arrays));
-    if (!(task.clamp > 0) || task.scatters == nullptr) return;
-    for (std::size_t i = 0; i < surfaces.size(); ++i) {
-        if ((task.scatters[i] & path_state::kScatters) == 0) continue;
-        surfaces.added.set(i, clampedTo(task.clamp, surfaces.added.colourAt(i)));
-    }
+    rays.resize(HWY_DYNAMIC_DISPATCH(addSamples)(samples_, materials.rows(), task.finding, task.apart,
+                                                 surfaces, arrays));
 }
 
 } // namespace rtcore

@@ -22,6 +22,7 @@ struct LightSamples {
     float* free = nullptr;          ///< length of the shadow ray
     float* density = nullptr;       ///< of the direction among all samples, 1/sr; 0: no ray meets this light
     float* total = nullptr;         ///< ChosenLight::total
+    float* weight = nullptr;        ///< NextEvents::add(): by the power heuristic
 
     static constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 };
@@ -35,8 +36,9 @@ struct NextEventTask {
     PathNames names;
     const std::uint32_t* scatters; ///< of each path of the wave (path_state); null: none yet
     std::uint32_t bounces;         ///< paths with more scatters sample nothing
-    float clamp;                   ///< PathSettings::clampIndirect
     LightFinding finding;
+    bool
+        apart; ///< the samples' weights are not multiplied in: glass may leave scattered rays no part in them
 };
 
 /// One for each thread; keeps its memory.
@@ -46,7 +48,7 @@ class NextEvents {
     void sample(const NextEventTask& task, const Wave& wave);
     const LightSamples& samples() const { return samples_; }
     /// Sets surfaces.added to what the samples add unshadowed, weighted by the power heuristic against the
-    /// lobes (lobes-inl.h), and `shadows` to a ray for each that adds something.
+    /// lobes (lobes-inl.h) unless task.apart, and `shadows` to a ray for each that adds something.
     void add(const NextEventTask& task, const MaterialTable& materials, SurfaceWave& surfaces,
              ShadowRays& shadows) const;
 

@@ -16,6 +16,7 @@ namespace path_state {
 inline constexpr std::uint32_t kScatters = 0xFFFF;
 inline constexpr std::uint32_t kDropped = 1U << 16; ///< neither emission nor surroundings
 inline constexpr std::uint32_t kWhole = 1U << 17;   ///< all of them: next event leaves them out
+inline constexpr std::uint32_t kMatte = 1U << 18;   ///< the last scattering was drawn for a matte lobe
 } // namespace path_state
 
 /// Where each ray of a batch was scattered, for the weights of what it finds: one element for each ray, and

@@ -209,14 +209,24 @@ void PathIntegrator::sampleLights() {
                              {pixelNames_.data(), subs_.data()},
                              paths_ != nullptr ? paths_->scattered().state : nullptr,
                              static_cast<std::uint32_t>(limits_.bounces),
-                             limits_.clampIndirect,
-                             finding_};
+                             finding_,
+                             frame_.settings->shadows && shadows_.tinted()};
     events_.sample(task, wave_);
     events_.add(task, *frame_.materials, wave_.surfaces, shadowRays_);
     clock_.lap(Stage::Light);
     if (frame_.settings->shadows && !shadowRays_.rays.empty()) takeShadows();
+    clampAdded();
     sums_.add(wave_);
     clock_.lap(Stage::Shadows);
+}
+
+/// What one bounce after the first adds.
+void PathIntegrator::clampAdded() {
+    if (!(limits_.clampIndirect > 0) || paths_ == nullptr) return;
+    for (std::size_t i = 0; i < wave_.size(); ++i) {
+        if ((paths_->scattered().state[i] & path_state::kScatters) == 0) continue;
+        wave_.surfaces.added.set(i, clampedTo(limits_.clampIndirect, wave_.surfaces.added.colourAt(i)));
+    }
 }
 
 /// Takes from surfaces.added what does not arrive.
@@ -233,12 +243,12 @@ void PathIntegrator::takeShadows() {
         }
     } else if (limits_.caustics) {
         takePart([&](std::uint32_t of) { return of < rows_.lights; });
-        if (!part_.rays.empty()) tintBy(shadows_.transmittance(part_.rays, statistics_));
+        if (!part_.rays.empty()) tintBy(shadows_, shadows_.transmittance(part_.rays, statistics_));
         takePart([&](std::uint32_t of) { return of >= rows_.lights; });
-        if (!part_.rays.empty()) tintBy(opaqueGlass_.transmittance(part_.rays, statistics_));
+        if (!part_.rays.empty()) tintBy(opaqueGlass_, opaqueGlass_.transmittance(part_.rays, statistics_));
     } else {
         std::swap(part_, shadowRays_);
-        tintBy(shadows_.transmittance(part_.rays, statistics_));
+        tintBy(shadows_, shadows_.transmittance(part_.rays, statistics_));
         std::swap(part_, shadowRays_);
     }
 }
@@ -260,11 +270,11 @@ void PathIntegrator::takePart(Wanted&& wanted) {
 /// Takes fog and shadows from the light of one group, to which part_ goes.
 void PathIntegrator::tint(std::uint32_t group) {
     if (group < rows_.lights) {
-        tintBy(shadows_.transmittance(part_.rays, lights_->lights()[group], statistics_));
+        tintBy(shadows_, shadows_.transmittance(part_.rays, lights_->lights()[group], statistics_));
         return;
     }
     ShadowTracer& tracer = limits_.caustics ? opaqueGlass_ : shadows_;
-    tintBy(tracer.transmittance(part_.rays, statistics_));
+    tintBy(tracer, tracer.transmittance(part_.rays, statistics_));
     for (std::size_t i = 0; i < part_.rays.size(); ++i) {
         const Ray ray = part_.rays.ray(i);
         const float left = fogTransmittance(fog_.medium(), ray.origin, ray.direction, ray.tMax);
@@ -273,10 +283,16 @@ void PathIntegrator::tint(std::uint32_t group) {
     }
 }
 
-void PathIntegrator::tintBy(const std::vector<Colour>& arriving) {
+/// Takes from the light of part_ what does not arrive, and what scattered rays find of it: nothing of what
+/// passes solids of glass, which bend them.
+void PathIntegrator::tintBy(const ShadowTracer& tracer, const std::vector<Colour>& arriving) {
     const ArraysOf3& added = wave_.surfaces.added;
+    const bool apart = shadows_.tinted();
     for (std::size_t i = 0; i < arriving.size(); ++i) {
-        added.set(part_.point[i], added.colourAt(part_.point[i]) * arriving[i]);
+        const std::uint32_t point = part_.point[i];
+        Colour left = arriving[i];
+        if (apart) left = (left - tracer.unbent()[i]) + tracer.unbent()[i] * events_.samples().weight[point];
+        added.set(point, added.colourAt(point) * left);
     }
 }
 

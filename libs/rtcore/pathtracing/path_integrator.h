@@ -75,10 +75,11 @@ class PathIntegrator {
     float weightOfEmission(std::size_t point) const;
     void sampleLights();
     void takeShadows();
+    void clampAdded();
     template <typename Wanted>
     void takePart(Wanted&& wanted);
     void tint(std::uint32_t group);
-    void tintBy(const std::vector<Colour>& arriving);
+    void tintBy(const ShadowTracer& tracer, const std::vector<Colour>& arriving);
 
     FrameContext frame_;
     RenderSettings settings_;

@@ -67,8 +67,10 @@ std::size_t scatterAll(const ScatterRows& rows, const SurfaceWave& s, const Batc
         if (none(points)) continue;
         const Past past = pastOf(paths, i);
         const Uint scatters = past.state & Uint(path_state::kScatters);
-        // A path that has scattered once more than it may only looks for lights.
-        const Mask open = points & (toInt(scatters) < rows.limits.bounces + 1);
+        // A path that has scattered once more than it may only looks for lights: where caustics count, in
+        // mirrors, too.
+        const Mask open = points & (toInt(scatters) <
+                                    rows.limits.bounces + (rows.anyToHit && rows.limits.caustics ? 2 : 1));
         if (none(open)) continue;
         const PointLobes lobes = lobesOf(rows.materials, s, i, open);
         if (none(lobes.drawable)) continue;
@@ -108,12 +110,14 @@ std::size_t scatterAll(const ScatterRows& rows, const SurfaceWave& s, const Batc
         some.store(past.sample, next.sample + count);
         some.store(select(mirrored, past.bounces + 1U, past.bounces), next.bounces + count);
         some.store(lengthAfter(past.length, distance, flat), next.length + count);
-        // After a mirror next event has no part in what is found; emission counts there only for what the
-        // camera sees, or as a caustic.
-        const Uint afterMirror = select(scatters == Uint(0U), past.state,
-                                        rows.limits.caustics ? past.state | Uint(path_state::kWhole)
-                                                             : past.state | Uint(path_state::kDropped));
-        some.store(select(mirrored, afterMirror, scatters + 1U), next.state + count);
+        // After a mirror next event has no part in what is found; where light of matte surfaces comes by one
+        // it is a caustic.
+        const Uint afterMatte =
+            past.state | Uint(rows.limits.caustics ? path_state::kWhole : path_state::kDropped);
+        const Mask ofMatte = (past.state & Uint(path_state::kMatte)) != Uint(0U);
+        const Uint afterMirror = select(ofMatte, afterMatte, past.state);
+        const Uint afterLobe = (scatters + 1U) | selectOrZero(way.matte, Uint(path_state::kMatte));
+        some.store(select(mirrored, afterMirror, afterLobe), next.state + count);
         storeAt(origin, some, next.point, count);
         storeAt(lobes.normal, some, next.normal, count);
         some.store(rows.totals != nullptr ? load(rows.totals + i) : Float(0), next.total + count);

@@ -106,6 +106,28 @@ TEST(MetallicPaths, SmoothMetalsAreMirrors) {
     }
 }
 
+TEST(MetallicPaths, GlossySurfacesShowMirrorsAndMatteOnesGetNoCaustics) {
+    for (const bool glossy : {true, false}) {
+        test::SceneBuilder b;
+        b.square({0, 0, 0}, {0, 1, 0}, 1,
+                 b.material(glossy ? metallicMaterial(kWhite, 1, 0.1F) : test::matte(0.8F)));
+        b.square({0, 2, 0}, {0, -1, 0}, 20, b.material(test::mirror(1)));
+        b.square({0, -0.5F, 0}, {0, 1, 0}, 20, b.material(test::emitter(kWhite)));
+        const test::PathScene scene(b.finish());
+        const Vec3 eye{2, 1, 0};
+        test::PathLimits limits = test::bouncesAlone(1);
+        const test::PathMean without = scene.see(eye, -eye, 8192, limits);
+        limits.caustics = true;
+        const test::PathMean with = scene.see(eye, -eye, 8192, limits);
+        EXPECT_GT(with.mean[0], 0.3);
+        if (glossy) {
+            EXPECT_EQ(without.mean[0], with.mean[0]);
+        } else {
+            EXPECT_EQ(without.mean[0], 0);
+        }
+    }
+}
+
 TEST(MetallicPaths, MirroredRaysFadeWithTheRoughness) {
     float last = 1;
     for (const float roughness : {0.0F, 0.05F, 0.1F, 0.2F, 0.29F, 0.31F}) {

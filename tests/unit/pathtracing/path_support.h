@@ -6,9 +6,12 @@
 
 #include "support/small_scene.h"
 
+#include <gtest/gtest.h>
+
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -95,6 +98,40 @@ inline PathLimits bouncesAlone(int bounces) {
     limits.bounces = bounces;
     limits.rouletteFrom = 1000;
     return limits;
+}
+
+/// The irradiance over pi of a convex polygon of radiance 1 at the origin, above whose horizon all of it is
+/// (Lambert 1760).
+template <std::size_t n>
+double lambertSum(const std::array<std::array<double, 3>, n>& corners, std::array<double, 3> normal) {
+    using V = std::array<double, 3>;
+    const auto dot = [](const V& a, const V& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
+    const auto cross = [](const V& a, const V& b) {
+        return V{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    };
+    double sum = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const V &a = corners[i], &b = corners[(i + 1) % n];
+        const V across = cross(a, b);
+        const double size = std::sqrt(dot(across, across));
+        sum += std::atan2(size, dot(a, b)) * dot(across, normal) / size;
+    }
+    return std::abs(sum) / (2 * kPi);
+}
+
+/// That lights alone, scattered rays alone and both together see `expected` within 5 standard errors, and
+/// `more`.
+inline void expectLight(const PathScene& scene, rtcore::Vec3 eye, rtcore::Vec3 direction,
+                        std::uint32_t samples, PathLimits limits, double expected, const std::string& what,
+                        double more = 0) {
+    using rtcore::LightFinding;
+    for (const LightFinding finding :
+         {LightFinding::Both, LightFinding::NextEvent, LightFinding::ScatteredRays}) {
+        limits.finding = finding;
+        const PathMean seen = scene.see(eye, direction, samples, limits);
+        EXPECT_NEAR(seen.mean[0], expected, 5 * seen.error[0] + 1e-5 + more)
+            << what << ", found by " << static_cast<int>(finding);
+    }
 }
 
 } // namespace test

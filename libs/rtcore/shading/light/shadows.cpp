@@ -36,14 +36,12 @@ const std::vector<std::uint8_t>& ShadowTracer::occluded(const RayWave& rays, Ray
 const std::vector<Colour>& ShadowTracer::transmittance(const RayWave& rays, const Light& light,
                                                        RayStatistics& statistics) {
     const Light* const fogLight = fog_ != nullptr ? &light : nullptr;
-    transmittance_.assign(rays.size(), kWhite);
     settle(rays, fogLight, statistics);
     traceTinted(fogLight, statistics);
     return transmittance_;
 }
 
 const std::vector<Colour>& ShadowTracer::transmittance(const RayWave& rays, RayStatistics& statistics) {
-    transmittance_.assign(rays.size(), kWhite);
     settle(rays, nullptr, statistics);
     traceTinted(nullptr, statistics);
     return transmittance_;
@@ -52,6 +50,8 @@ const std::vector<Colour>& ShadowTracer::transmittance(const RayWave& rays, RayS
 /// Rays that meet nothing, or something opaque, whatever lies before it; the others remain. `fogLight`: the
 /// light that fog weakens, null where none does.
 void ShadowTracer::settle(const RayWave& rays, const Light* fogLight, RayStatistics& statistics) {
+    transmittance_.assign(rays.size(), kWhite);
+    unbent_.assign(rays.size(), kWhite);
     statistics.count(kind_, rays.size());
     tracer_->findObstacles(rays, clear_, obstacles_);
     current_.clear();
@@ -65,9 +65,9 @@ void ShadowTracer::settle(const RayWave& rays, const Light* fogLight, RayStatist
             current_.push(rays.ray(i));
             currentIndex_.push_back(i);
         } else if (obstacles_[i] == Obstacle::Opaque) {
-            transmittance_[i] = {};
+            transmittance_[i] = unbent_[i] = {};
         } else if (fogLight != nullptr) {
-            transmittance_[i] =
+            transmittance_[i] = unbent_[i] =
                 transmittance_[i] * fogLightTransmittance(*fog_, *fogLight, rays.ray(i).origin);
         }
     }
@@ -107,7 +107,7 @@ const std::vector<LightEnd>& ShadowTracer::ends(const RayWave& rays) {
             travelled_[index] += hit.t;
             if (layer == 0) ends_[index].clear = hit.t;
             const Surface surface = shapeAt(*scene_, current_.ray(i).direction, hit);
-            const Colour left = ends_[index].tint * throughSurface(surface, hit);
+            const Colour left = ends_[index].tint * throughSurface(surface, hit).all;
             if (isBlack(left)) {
                 ends_[index].distance = travelled_[index];
                 continue;
@@ -131,23 +131,32 @@ void ShadowTracer::traceTinted(const Light* fogLight, RayStatistics& statistics)
         nextIndex_.clear();
         for (std::size_t i = 0; i < current_.size(); ++i) {
             Colour& arriving = transmittance_[currentIndex_[i]];
+            Colour& unbent = unbent_[currentIndex_[i]];
             const Ray ray = current_.ray(i);
             if (!hits_.isHit(i)) {
-                if (fogLight != nullptr)
-                    arriving = arriving * fogLightTransmittance(*fog_, *fogLight, ray.origin);
+                if (fogLight == nullptr) continue;
+                const float left = fogLightTransmittance(*fog_, *fogLight, ray.origin);
+                arriving = arriving * left;
+                unbent = unbent * left;
                 continue;
             }
             const Hit hit = hits_.hit(i);
             const Surface surface = shapeAt(*scene_, ray.direction, hit);
-            arriving *= throughSurface(surface, hit);
-            if (fogLight != nullptr) arriving = arriving * throughFog(surface, ray, *fogLight, hit);
+            const Passing passing = throughSurface(surface, hit);
+            arriving *= passing.all;
+            unbent *= passing.unbent;
+            if (fogLight != nullptr) {
+                const float left = throughFog(surface, ray, *fogLight, hit);
+                arriving = arriving * left;
+                unbent = unbent * left;
+            }
             if (isBlack(arriving)) continue;
             goOn(i, surface, hit);
         }
         std::swap(current_, next_);
         std::swap(currentIndex_, nextIndex_);
     }
-    for (const std::uint32_t lost : currentIndex_) transmittance_[lost] = {};
+    for (const std::uint32_t lost : currentIndex_) transmittance_[lost] = unbent_[lost] = {};
 }
 
 /// What the fog between two surfaces leaves of the light.
@@ -157,7 +166,7 @@ float ShadowTracer::throughFog(const Surface& end, const Ray& ray, const Light& 
     return fogTransmittance(*fog_, ray.origin, ray.direction, hit.t);
 }
 
-Colour ShadowTracer::throughSurface(const Surface& surface, const Hit& hit) const {
+ShadowTracer::Passing ShadowTracer::throughSurface(const Surface& surface, const Hit& hit) const {
     const Material& material = *surface.material;
     const float coverage = coverageAt(*scene_, textures_, hit);
     Colour through{};
@@ -174,7 +183,8 @@ Colour ShadowTracer::throughSurface(const Surface& surface, const Hit& hit) cons
             through = through * (1 - thinWallReflectance(reflected)) * material.transmission;
         }
     }
-    return kWhite * (1 - coverage) + through * coverage;
+    const Colour holes = kWhite * (1 - coverage), all = holes + through * coverage;
+    return {all, surface.closed ? holes : all};
 }
 
 } // namespace rtcore

@@ -46,6 +46,10 @@ class ShadowTracer {
                                              RayStatistics& statistics);
     /// The same of light from anywhere, without fog.
     const std::vector<Colour>& transmittance(const RayWave& rays, RayStatistics& statistics);
+    /// Of that, what passes through holes and thin panes alone: where a ray that is scattered in this
+    /// direction passes as straight. The rest of it passes solids, which would bend such a ray. Valid as long
+    /// as what transmittance() gave last.
+    const std::vector<Colour>& unbent() const { return unbent_; }
 
     /// The paths of light along rays that leave a light, in directions of unit length, without fog. Valid
     /// until the next call.
@@ -56,8 +60,12 @@ class ShadowTracer {
     void settle(const RayWave& rays, const Light* fogLight, RayStatistics& statistics);
     void goOn(std::size_t ray, const Surface& surface, const Hit& hit);
     void traceTinted(const Light* fogLight, RayStatistics& statistics);
-    /// What one surface leaves of the light; the ray came from the surface before it, hit.t away.
-    Colour throughSurface(const Surface& surface, const Hit& hit) const;
+    /// What one surface leaves of the light, and what of that passes a hole or a thin pane.
+    struct Passing {
+        Colour all, unbent;
+    };
+    /// The ray came from the surface before it, hit.t away.
+    Passing throughSurface(const Surface& surface, const Hit& hit) const;
     float throughFog(const Surface& end, const Ray& ray, const Light& light, const Hit& hit) const;
 
     const Scene* scene_ = nullptr;
@@ -67,7 +75,7 @@ class ShadowTracer {
     bool textures_ = true, refractions_ = true;
     std::span<const std::uint8_t> clear_; ///< by material
 
-    std::vector<Colour> transmittance_;
+    std::vector<Colour> transmittance_, unbent_;
     std::vector<LightEnd> ends_;
     std::vector<float> travelled_; ///< of ends_
     std::vector<std::uint8_t> occluded_;
