@@ -142,8 +142,9 @@ float PictureMaker::recordedScale(const std::filesystem::path& cameraFile) {
     const auto tracer = rtcore::withGround(surfaces_, loaded_.scene);
     scale_ = exposureScale({loaded_.scene, *tracer, shot.camera, shot.settings}, control, renderer_, paths_);
     if (options_.verbose)
-        progress_.print(fmt::format("recorded exposures are scaled by {:.4g}, as {} is brighter by paths",
-                                    *scale_, first.string()));
+        progress_.print(fmt::format(
+            "recorded exposures are scaled by {:.4g}: the mean of {} by paths over that by Whitted's rays",
+            *scale_, first.string()));
     prepare(cameraFile); // its lights, in place of those of the first
     return *scale_;
 }
