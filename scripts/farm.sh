@@ -14,6 +14,8 @@ them all. Frames that are there already are not rendered again.
 
   -o, --output=PATTERN      where frames go; #### becomes the number of the frame
       --video=FILE          make a film of the frames at the end (.mp4, .webm, .mkv, .gif; needs ffmpeg)
+      --integrator=NAME     whitted or path; as --samples=N and what follows --, for the Renderer
+      --samples=N           paths per pixel
       --engine=ENGINE       slurm or parallel [slurm where there is sbatch, else parallel]
       --parts=N             parts that the list is cut into [one for 8 frames, at most 500]
       --retries=N           how often a part is tried again that was stopped or lost its machine [5]
@@ -48,6 +50,7 @@ while [ $# -gt 0 ]; do
         -o | --output) [ $# -gt 1 ] || fail 2 "$1 needs a value"; output=$2; shift ;;
         --output=*) output=$value ;;
         --video=*) video=$value ;;
+        --integrator=* | --samples=*) renderer_options="$renderer_options$(quoted "$1")" ;;
         --engine=*) engine=$value ;;
         --parts=*) parts=$value ;;
         --retries=*) retries=$value ;;

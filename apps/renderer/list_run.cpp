@@ -36,6 +36,7 @@ class ListRun {
     app::ExitCode run(const Paths& cameras, const std::optional<std::filesystem::path>& ffmpeg) {
         std::vector<FrameTask> frames;
         if (!options_.follow) {
+            maker_.setFirstOfList(cameras.front());
             frames = framesOfChunk(framesOfList(cameras, options_.frames, patterns_), options_.chunk);
             if (frames.empty()) {
                 progress_.print("there are more chunks than frames; this one is empty");
@@ -86,6 +87,7 @@ class ListRun {
         while (known < static_cast<std::size_t>(options_.frames.last)) {
             const Paths cameras = follower.waitBeyond(known, progress_);
             const bool grown = cameras.size() > known;
+            if (grown) maker_.setFirstOfList(cameras.front());
             const int next = static_cast<int>(known) + 1;
             const FrameRange fresh{std::max(next, options_.frames.first), options_.frames.last};
             known = cameras.size();

@@ -2,6 +2,7 @@
 
 #include "common/settings/settings_merge.h"
 #include "renderer/aov_file.h"
+#include "renderer/exposure_scale.h"
 #include "renderer/load_phases.h"
 #include "renderer/unused_settings.h"
 
@@ -43,6 +44,11 @@ rtcore::KdTree visibleTreeOf(const rtcore::LoadedScene& loaded, const RendererOp
                            : rtcore::buildVisibleTree(loaded.tree, loaded.scene, build);
 }
 
+int seedOfFrame(int seed, int number) {
+    const int seeds = static_cast<int>(rtcore::requireSetting("path.seed").maximum) + 1;
+    return (seed + number % seeds) % seeds;
+}
+
 std::string_view asText(const std::vector<std::byte>& bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
@@ -58,8 +64,9 @@ PictureMaker::PictureMaker(rtcore::LoadedScene scene, std::vector<rtcore::Settin
                                                             chooseLeafRecords(tree_, knownRays(options)))) {}
 
 FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
-    rtcore::Camera camera = loaded_.camera;
-    rtcore::RenderSettings settings = prepare(task.camera, camera);
+    Shot shot = prepare(task);
+    const rtcore::Camera& camera = shot.camera;
+    rtcore::RenderSettings& settings = shot.settings;
     focus(camera, settings);
 
     FrameReport report{.width = settings.width, .height = settings.height, .rays = {}};
@@ -81,32 +88,65 @@ FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
 
 void PictureMaker::writeDebugScene(const std::filesystem::path& cameraFile,
                                    const std::filesystem::path& path) {
-    rtcore::Camera camera = loaded_.camera;
-    const rtcore::RenderSettings settings = prepare(cameraFile, camera);
-    rtcore::writeDebugScene(path, loaded_.scene, tree_, *surfaces_, camera, settings.width, settings.height);
+    const Shot shot = prepare(cameraFile);
+    rtcore::writeDebugScene(path, loaded_.scene, tree_, *surfaces_, shot.camera, shot.settings.width,
+                            shot.settings.height);
 }
 
-rtcore::RenderSettings PictureMaker::prepare(const std::filesystem::path& cameraFile,
-                                             rtcore::Camera& camera) {
+PictureMaker::Shot PictureMaker::prepare(const std::filesystem::path& cameraFile) {
+    Shot shot{.camera = loaded_.camera, .settings = {}};
     loaded_.scene.lights = lights_;
     loaded_.scene.activeEnvironment = environment_;
     std::optional<rtcore::CameraFile> file;
     if (!cameraFile.empty()) {
         file = rtcore::readCameraFile(cameraFile);
-        camera = file->camera;
+        shot.camera = file->camera;
+        shot.recorded = hasRecordedExposure(*file, options_.settings);
         const std::string warning = app::applyCameraToScene(*file, cameraFile, loaded_.scene);
         app::selectLights(options_.selection, loaded_.scene);
         // Once: the other cameras of a list say the same.
         if (!warning.empty() && !warned_) progress_.print("warning: " + warning);
         warned_ = warned_ || !warning.empty();
     }
-    const rtcore::RenderSettings settings = app::mergeSettings({.scene = loaded_.still,
-                                                                .settingsFile = settingsFile_,
-                                                                .camera = file ? &*file : nullptr,
-                                                                .commandLine = options_.settings});
-    const std::string unused = unusedSettingsWarning(settings, settingsFile_, options_.settings);
+    shot.settings = app::mergeSettings({.scene = loaded_.still,
+                                        .settingsFile = settingsFile_,
+                                        .camera = file ? &*file : nullptr,
+                                        .commandLine = options_.settings});
+    const std::string unused = unusedSettingsWarning(shot.settings, settingsFile_, options_.settings);
     if (!unused.empty() && !std::exchange(warnedOfUnused_, true)) progress_.print(unused);
-    return settings;
+    return shot;
+}
+
+PictureMaker::Shot PictureMaker::prepare(const FrameTask& task) {
+    Shot shot = prepare(task.camera);
+    rtcore::PathSettings& path = shot.settings.path;
+    if (options_.list && path.seedPerFrame) path.seed = seedOfFrame(path.seed, task.number);
+    if (!shot.recorded) return shot;
+    rtcore::ExposureSettings& exposure = shot.settings.exposure;
+    if (exposure.recorded == rtcore::RecordedExposure::Automatic)
+        exposure.mode = rtcore::ExposureMode::Automatic;
+    const bool scaled = exposure.recorded == rtcore::RecordedExposure::Scaled &&
+                        shot.settings.integrator == rtcore::Integrator::Path;
+    if (scaled) exposure.value = exposure.value * recordedScale(task.camera);
+    return shot;
+}
+
+/// Of the list's first frame, also where another machine renders that one.
+float PictureMaker::recordedScale(const std::filesystem::path& cameraFile) {
+    if (scale_) return *scale_;
+    const std::filesystem::path& first = firstOfList_.empty() ? cameraFile : firstOfList_;
+    const Shot shot = prepare(first);
+    rtcore::RenderControl control{.threads = options_.threads};
+    const app::ProgressScope scope(
+        progress_, {"measuring the light", [&control] { return control.fraction(); }, &control.cancel});
+    const auto tracer = rtcore::withGround(surfaces_, loaded_.scene);
+    scale_ = exposureScale({loaded_.scene, *tracer, shot.camera, shot.settings}, control, renderer_, paths_);
+    if (options_.verbose)
+        progress_.print(fmt::format(
+            "recorded exposures are scaled by {:.4g}: the mean of {} by paths over that by Whitted's rays",
+            *scale_, first.string()));
+    prepare(cameraFile); // its lights, in place of those of the first
+    return *scale_;
 }
 
 void PictureMaker::focus(const rtcore::Camera& camera, rtcore::RenderSettings& settings) {

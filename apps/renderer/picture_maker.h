@@ -14,6 +14,8 @@
 #include "rtcore/render/frame_renderer.h"
 #include "rtcore/render/path_renderer.h"
 
+#include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace renderer {
@@ -35,6 +37,10 @@ class PictureMaker {
     /// What is rendered from now on is shown there while it refines; null: nowhere.
     void showOn(Preview* preview) { preview_ = preview; }
 
+    /// The first camera of the list whose frames are rendered, whichever of them: by it the exposures of a
+    /// recording are scaled. Without one, each camera stands for itself.
+    void setFirstOfList(const std::filesystem::path& camera) { firstOfList_ = camera; }
+
     /// Renders the frame and writes all its outputs, each one complete or not at all; `index` of `count` is
     /// for the progress. Throws rtcore::FileError: a bad .cam, an output that cannot be written, Stopped.
     FrameReport make(const FrameTask& task, int index, int count);
@@ -46,7 +52,19 @@ class PictureMaker {
     const rtcore::LdrImage& developed() const { return developed_; }
 
   private:
-    rtcore::RenderSettings prepare(const std::filesystem::path& cameraFile, rtcore::Camera& camera);
+    /// A camera, with the settings of all places.
+    struct Shot {
+        rtcore::Camera camera;
+        rtcore::RenderSettings settings;
+        bool recorded = false; ///< its exposure is that of the .cam file
+    };
+
+    /// Of a .cam file, whose lights are switched on and off; "": of the scene itself.
+    Shot prepare(const std::filesystem::path& cameraFile);
+    /// The same for a frame, with the noise and the exposure that its list gives it.
+    Shot prepare(const FrameTask& task);
+    /// What a recorded exposure is multiplied by, for images by paths of that camera or of its list.
+    float recordedScale(const std::filesystem::path& cameraFile);
     /// On what --focus-at names, if it does.
     void focus(const rtcore::Camera& camera, rtcore::RenderSettings& settings);
     void render(const rtcore::Camera& camera, const rtcore::RenderSettings& settings, int index, int count);
@@ -64,6 +82,8 @@ class PictureMaker {
     const RendererOptions& options_;
     app::Progress& progress_;
     Preview* preview_ = nullptr;
+    std::filesystem::path firstOfList_;
+    std::optional<float> scale_;  ///< of recorded exposures, once it is known
     bool toldOfPaths_ = false;    ///< which lights they have
     bool warned_ = false;         ///< that a .cam is of another scene
     bool warnedOfUnused_ = false; ///< of settings

@@ -54,13 +54,14 @@ Result loadScene(const Call& call) {
 }
 
 // Writes what was true when the command was run.
-Result writeBeside(const Call& call, std::string_view replaces, std::function<void()> write) {
+Result writeBeside(const Call& call, std::string_view replaces, std::function<void()> write,
+                   const std::string& answer = "") {
     return {.when = ReplyWhen::Beside,
             .work = [path = pathOf(call[0]), replaces, inputs = call.state.world().inputs,
-                     write = std::move(write)]() -> Finish {
+                     write = std::move(write), answer]() -> Finish {
                 refuseInput(inputs, path, replaces);
                 write();
-                return [] { return std::string(); };
+                return [answer] { return answer; };
             }};
 }
 
@@ -122,6 +123,11 @@ Result stopPlaying(const Call& call) {
     return {};
 }
 
+// A window may show a better image, which the server does not know.
+std::string liveFrameText(const auto& frame) {
+    return fmt::format("live frame, {} x {}", frame.width, frame.height);
+}
+
 Result screenshot(const Call& call) {
     const std::filesystem::path path = pathOf(call[0]);
     if (!frameSuits(call)) return {.when = ReplyWhen::Again};
@@ -130,10 +136,12 @@ Result screenshot(const Call& call) {
         if (!frames.hasRadiance())
             throw std::runtime_error("the server was paused in the midst of a frame; resume it first");
         const auto picture = std::make_shared<const rtcore::HdrImage>(frames.radiance());
-        return writeBeside(call, "", [path, picture] { rtcore::writeHdrImage(path, *picture); });
+        return writeBeside(
+            call, "", [path, picture] { rtcore::writeHdrImage(path, *picture); }, liveFrameText(*picture));
     }
     const auto picture = std::make_shared<const rtcore::LdrImage>(frames.image());
-    return writeBeside(call, "", [path, picture] { rtcore::writeImage(path, *picture); });
+    return writeBeside(
+        call, "", [path, picture] { rtcore::writeImage(path, *picture); }, liveFrameText(*picture));
 }
 
 constexpr std::array kFileFunctions{

@@ -9,7 +9,7 @@ command -v parallel >/dev/null 2>&1 || {
 . "$(dirname "$0")/film.sh"
 trap 'rm -rf "$work"' EXIT
 scene=$2/data/tiny/tiny.scn
-quality="-w 32 -h 24"
+quality="-w 32 -h 24 --integrator=path --samples=2"
 write_film
 mkdir "$work/alone"
 submit() {

@@ -78,7 +78,8 @@ TEST_F(DialogsTest, EveryFieldHasANameAndEveryMnemonicAField) {
     StartServerDialog start(preferences, name(), QSize(640, 480));
     ExportCameraDialog exporting(file("a.cam"), QSize(640, 480), preferences);
     RecordingDialog recording(session, QStringLiteral("/tmp"));
-    StatisticsDialog statistics(session, [] { return 0.003; });
+    StatisticsDialog statistics(
+        session, [] { return 0.003; }, [] { return QStringLiteral("live"); });
     ConfigureDialog configure(preferences, session);
     ConnectDialog connecting(name());
     AboutDialog about;

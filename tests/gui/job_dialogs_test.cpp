@@ -114,6 +114,42 @@ TEST_F(JobDialogsTest, RenderDialogShowsTheCommandAndWhatIsWrong) {
     }
 }
 
+TEST_F(JobDialogsTest, WhatPathsDoNotUseIsGrey) {
+    RenderContext context;
+    context.scene = file("room.obj");
+    context.output = file("out.png");
+    RenderDialog dialog(context);
+    const auto has = [&](const char* word) { return dialog.arguments().contains(QLatin1String(word)); };
+    auto* integrator = field<QComboBox>(dialog, "Integrator");
+    auto* samples = field<QSpinBox>(dialog, "Samples of path tracing");
+    auto* occlusion = field<QComboBox>(dialog, "Ambient occlusion");
+    auto* rays = field<QSpinBox>(dialog, "Rays of the ambient occlusion");
+    auto* antialiasing = field<QSpinBox>(dialog, "Anti-aliasing");
+    auto* distance = field<QLineEdit>(dialog, "AO distance");
+    occlusion->setCurrentIndex(1);
+    rays->setValue(7);
+    distance->setText(QStringLiteral("2"));
+    const QStringList before = dialog.arguments();
+    EXPECT_TRUE(has("--ao-samples=7") && has("--ao-distance=2") && has("--antialiasing=3"));
+    EXPECT_FALSE(samples->isEnabled());
+
+    integrator->setCurrentIndex(2);
+    for (const QWidget* grey : std::initializer_list<QWidget*>{antialiasing, occlusion, rays, distance})
+        EXPECT_FALSE(grey->isEnabled()) << grey->metaObject()->className();
+    samples->setValue(64);
+    EXPECT_TRUE(has("--integrator=path") && has("--samples=64"));
+    for (const QString& word : dialog.arguments())
+        EXPECT_FALSE(word.startsWith(QLatin1String("--a"))) << text(word);
+    EXPECT_FALSE(has("--setting=path.seedPerFrame=true")) << "for lists";
+    dialog.setSource(RenderDialog::Source::List);
+    EXPECT_TRUE(has("--setting=path.seedPerFrame=true"));
+    dialog.setSource(RenderDialog::Source::Scene);
+
+    integrator->setCurrentIndex(0);
+    EXPECT_EQ(dialog.arguments(), before);
+    EXPECT_TRUE(rays->isEnabled() && antialiasing->isEnabled() && distance->isEnabled());
+}
+
 TEST_F(JobDialogsTest, AFilmIsNamedLikeItsListUntilSomebodyNamesIt) {
     RenderDialog dialog(RenderContext{});
     dialog.setAttribute(Qt::WA_DeleteOnClose, false);

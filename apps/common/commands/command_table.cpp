@@ -417,8 +417,10 @@ std::vector<CommandSpec> fileCommands() {
          .name = "screenshot",
          .arguments = {path()},
          .effect = Waits,
-         .help = "write the frame; the extension says the format",
-         .more = "`.exr`, `.hdr` and `.pfm` hold linear radiance"},
+         .help = "write the live frame; the extension says the format",
+         .more = "It is the server's, by Whitted's rays: not what a window renders of it at rest, which F12 "
+                 "there writes. `.exr`, `.hdr` and `.pfm` hold linear radiance. The answer says what was "
+                 "written: \"live frame, 640 x 480\""},
     };
 }
 

@@ -36,6 +36,8 @@ class JobDialog : public QDialog {
     /// After every change of a field.
     void check();
     const app::ProgramSpec& spec() const { return spec_; }
+    /// All options without a field of their own.
+    OptionFields& further() { return *further_; }
 
     /// Positionals and options by the fields of the dialog.
     virtual QStringList ownArguments() const = 0;

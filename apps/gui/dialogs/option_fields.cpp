@@ -52,6 +52,7 @@ void OptionFields::addField(QFormLayout& form, const app::Option& option) {
                      : option.value == app::ValueKind::Choice ? makeChoice(option)
                      : isFile                                 ? makeFile(option)
                                                               : makeLine(option);
+    fields_.back().widget = field;
     field->setToolTip(optionTip(option));
     if (isSwitch) return form.addRow(QString(), field);
     field->setAccessibleName(optionLabel(option));
@@ -102,9 +103,16 @@ QWidget* OptionFields::makeLine(const app::Option& option) {
     return line;
 }
 
+void OptionFields::setOptionEnabled(std::string_view name, bool on) {
+    for (const Field& field : fields_)
+        if (field.name == name) field.widget->setEnabled(on);
+    emit changed();
+}
+
 QStringList OptionFields::arguments() const {
     QStringList words;
     for (const Field& field : fields_) {
+        if (!field.widget->isEnabledTo(this)) continue;
         for (const QString& value : field.values()) {
             const QString name = QStringLiteral("--") + QString::fromStdString(field.name);
             words.append(field.isSwitch ? name : name + QLatin1Char('=') + value);

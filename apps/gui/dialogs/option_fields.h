@@ -8,6 +8,8 @@
 #include <QWidget>
 
 #include <functional>
+#include <string>
+#include <string_view>
 
 class QFormLayout;
 
@@ -23,6 +25,9 @@ class OptionFields : public QWidget {
     /// Of the fields that differ from the default, as the program takes them.
     QStringList arguments() const;
 
+    /// A field that is off is grey and gives no argument, whatever is in it.
+    void setOptionEnabled(std::string_view name, bool on);
+
   signals:
     void changed();
 
@@ -31,6 +36,7 @@ class OptionFields : public QWidget {
         std::string name;
         std::function<QStringList()> values; ///< one for each time that the option is given
         bool isSwitch = false;
+        QWidget* widget = nullptr;
     };
     void addField(QFormLayout& form, const app::Option& option);
     QWidget* makeSwitch(const app::Option& option);

@@ -2,12 +2,14 @@
 
 #include "gui/dialogs/fields.h"
 #include "gui/dialogs/file_field.h"
+#include "gui/dialogs/option_fields.h"
 #include "gui/models/option_names.h"
 #include "gui/processes/programs.h"
 
 #include "renderer/film_format.h"
 #include "renderer/renderer_spec.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
 #include <QFileInfo>
@@ -23,34 +25,21 @@ namespace {
 
 // Those with fields of their own, and those that make no sense here.
 QStringList ownOptions() {
-    static constexpr const char* kNames[] = {"output",
-                                             "width",
-                                             "height",
-                                             "camera",
-                                             "list",
-                                             "frames",
-                                             "video",
-                                             "antialiasing",
-                                             "bloom",
-                                             "ambient-occlusion",
-                                             "ao-samples",
-                                             "set",
-                                             "no-ambient-occlusion",
-                                             "format",
-                                             "preview",
-                                             "run-id",
-                                             "linger",
-                                             "progress",
-                                             "parent",
-                                             "requeue",
-                                             "verify",
-                                             "debug-scene"};
+    static constexpr const char* kNames[] = {"output",       "width",      "height",
+                                             "camera",       "list",       "frames",
+                                             "video",        "integrator", "samples",
+                                             "antialiasing", "bloom",      "ambient-occlusion",
+                                             "ao-samples",   "set",        "no-ambient-occlusion",
+                                             "format",       "preview",    "run-id",
+                                             "linger",       "progress",   "parent",
+                                             "requeue",      "verify",     "debug-scene"};
     QStringList names;
     for (const char* name : kNames) names.append(QLatin1String(name));
     return names;
 }
 
 enum Size { AsTheScene, Fixed };
+enum Integrator { IntegratorAsTheScene, Whitted, Path };
 enum Occlusion { OcclusionAsTheScene, OcclusionOn, OcclusionOff };
 
 QString filmFilter() {
@@ -102,7 +91,8 @@ void RenderDialog::makeFields(const RenderContext& context) {
     settings_ = new FileField(FileField::Kind::Open, tr("Settings"), tr("Settings (*.set)") + all);
     settings_->edit()->setPlaceholderText(tr("from scene"));
 
-    constexpr int kMostPixels = 32768, kMostSamples = 16, kMostBloom = 4096, kMostRays = 4096;
+    constexpr int kMostPixels = 32768, kMostSamples = 16, kMostBloom = 4096, kMostRays = 4096,
+                  kMostPaths = 1 << 20;
     constexpr QSize kUsual(1920, 1080);
     const QSize size = context.size.isEmpty() ? kUsual : context.size;
     size_ = new QComboBox;
@@ -112,6 +102,17 @@ void RenderDialog::makeFields(const RenderContext& context) {
     width_ = numberField(1, kMostPixels, size.width(), tr("Width"));
     height_ = numberField(1, kMostPixels, size.height(), tr("Height"));
     sizeRow_ = rowOfFields({size_, width_, sign(QStringLiteral("×")), height_});
+    integrator_ = new QComboBox;
+    integrator_->addItems({tr("from scene"), tr("Whitted ray tracing"), tr("path tracing")});
+    integrator_->setAccessibleName(tr("Integrator"));
+    samples_ = numberField(0, kMostPaths, 0, tr("Samples of path tracing"));
+    samples_->setSpecialValueText(tr("from scene"));
+    samples_->setSuffix(tr(" samples per pixel"));
+    integratorRow_ = rowOfFields({integrator_, samples_});
+    newNoise_ = new QCheckBox(tr("&New noise in each frame"));
+    newNoise_->setChecked(true);
+    newNoise_->setToolTip(tr("<qt>Noise that stands still in a film looks like dirt on the glass.<br>"
+                             "<code>path.seedPerFrame</code></qt>"));
     antialiasing_ = numberField(0, kMostSamples, context.antialiasing, tr("Anti-aliasing"));
     antialiasing_->setSpecialValueText(tr("from scene"));
     occlusion_ = new QComboBox;
@@ -135,6 +136,8 @@ void RenderDialog::layOut() {
     form().addRow(tr("F&ilm:"), film_);
     form().addRow(tr("&Output:"), output_);
     form().addRow(tr("&Resolution:"), sizeRow_);
+    form().addRow(tr("Inte&grator:"), integratorRow_);
+    form().addRow(QString(), newNoise_);
     form().addRow(tr("&Anti-aliasing:"), antialiasing_);
     form().addRow(tr("Ambient occl&usion:"), occlusionRow_);
     form().addRow(tr("&Bloom:"), bloom_);
@@ -144,6 +147,8 @@ void RenderDialog::layOut() {
                                                         {frames_, "frames"},
                                                         {film_, "video"},
                                                         {output_, "output"},
+                                                        {integrator_, "integrator"},
+                                                        {samples_, "samples"},
                                                         {antialiasing_, "antialiasing"},
                                                         {occlusionRays_, "ao-samples"},
                                                         {occlusion_, "ambient-occlusion"},
@@ -159,19 +164,30 @@ void RenderDialog::listen() {
     connect(list_, &FileField::pathChanged, this, &RenderDialog::proposeFilm);
     for (FileField* field : {scene_, camera_, list_, output_, film_, settings_})
         connect(field, &FileField::pathChanged, this, &RenderDialog::check);
-    for (QComboBox* box : {size_, occlusion_})
+    for (QComboBox* box : {size_, integrator_, occlusion_}) {
+        connect(box, &QComboBox::currentIndexChanged, this, &RenderDialog::enableFields);
         connect(box, &QComboBox::currentIndexChanged, this, &RenderDialog::check);
-    for (QSpinBox* box : {width_, height_, antialiasing_, occlusionRays_, bloom_})
+    }
+    for (QSpinBox* box : {width_, height_, samples_, antialiasing_, occlusionRays_, bloom_})
         connect(box, &QSpinBox::valueChanged, this, &RenderDialog::check);
+    connect(newNoise_, &QCheckBox::toggled, this, &RenderDialog::check);
     connect(frames_, &QLineEdit::textChanged, this, &RenderDialog::check);
-    const auto enable = [this] {
-        width_->setEnabled(size_->currentIndex() == Fixed);
-        height_->setEnabled(size_->currentIndex() == Fixed);
-        occlusionRays_->setEnabled(occlusion_->currentIndex() == OcclusionOn);
-    };
-    for (QComboBox* box : {size_, occlusion_}) connect(box, &QComboBox::currentIndexChanged, this, enable);
-    enable();
+    enableFields();
 }
+
+// What an integrator does not use is grey, and back as it was with the other one.
+void RenderDialog::enableFields() {
+    width_->setEnabled(size_->currentIndex() == Fixed);
+    height_->setEnabled(size_->currentIndex() == Fixed);
+    samples_->setEnabled(byPaths());
+    newNoise_->setEnabled(byPaths());
+    antialiasing_->setEnabled(!byPaths());
+    occlusion_->setEnabled(!byPaths());
+    occlusionRays_->setEnabled(!byPaths() && occlusion_->currentIndex() == OcclusionOn);
+    further().setOptionEnabled("ao-distance", !byPaths());
+}
+
+bool RenderDialog::byPaths() const { return integrator_->currentIndex() == Path; }
 
 RenderDialog::Source RenderDialog::source() const {
     return static_cast<Source>(source_->currentData().toInt());
@@ -186,7 +202,7 @@ void RenderDialog::onSource() {
     const Source now = source();
     form().setRowVisible(scene_, now != Source::View);
     form().setRowVisible(camera_, now == Source::Scene);
-    for (QWidget* field : std::initializer_list<QWidget*>{list_, frames_, film_})
+    for (QWidget* field : std::initializer_list<QWidget*>{list_, frames_, film_, newNoise_})
         form().setRowVisible(field, now == Source::List);
     size_->setItemText(AsTheScene, now == Source::View    ? tr("same as viewport")
                                    : now == Source::Scene ? tr("from scene")
@@ -244,12 +260,29 @@ QStringList RenderDialog::qualityArguments() const {
         number("height", height_->value());
     }
     if (!settings_->path().isEmpty()) words.append(QStringLiteral("--set=") + settings_->path());
-    if (antialiasing_->value() > 0) number("antialiasing", antialiasing_->value());
     if (bloom_->value() >= 0) number("bloom", bloom_->value());
+    if (byPaths()) return words + integratorArguments();
+    if (antialiasing_->value() > 0) number("antialiasing", antialiasing_->value());
+    return words + integratorArguments() + occlusionArguments();
+}
+
+QStringList RenderDialog::integratorArguments() const {
+    if (integrator_->currentIndex() == Whitted) return {QStringLiteral("--integrator=whitted")};
+    if (!byPaths()) return {};
+    QStringList words{QStringLiteral("--integrator=path")};
+    if (samples_->value() > 0) words.append(QStringLiteral("--samples=%1").arg(samples_->value()));
+    if (source() == Source::List && newNoise_->isChecked())
+        words.append(QStringLiteral("--setting=path.seedPerFrame=true"));
+    return words;
+}
+
+QStringList RenderDialog::occlusionArguments() const {
+    QStringList words;
     if (occlusion_->currentIndex() == OcclusionOff) words.append(QStringLiteral("--no-ambient-occlusion"));
     if (occlusion_->currentIndex() == OcclusionOn) {
         words.append(QStringLiteral("--ambient-occlusion"));
-        if (occlusionRays_->value() > 0) number("ao-samples", occlusionRays_->value());
+        if (occlusionRays_->value() > 0)
+            words.append(QStringLiteral("--ao-samples=%1").arg(occlusionRays_->value()));
     }
     return words;
 }

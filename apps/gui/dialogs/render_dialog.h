@@ -7,6 +7,7 @@
 
 #include <memory>
 
+class QCheckBox;
 class QComboBox;
 class QLineEdit;
 class QSpinBox;
@@ -61,6 +62,10 @@ class RenderDialog : public JobDialog {
     QString result() const;
     QString exported(const QString& name) const;
     QStringList qualityArguments() const;
+    QStringList integratorArguments() const;
+    QStringList occlusionArguments() const;
+    bool byPaths() const;
+    void enableFields();
 
     const bool live_;
     const QString proposedOutput_;
@@ -68,9 +73,10 @@ class RenderDialog : public JobDialog {
     QComboBox* source_;
     FileField *scene_, *camera_, *list_, *output_, *film_, *settings_;
     QLineEdit* frames_;
-    QComboBox *size_, *occlusion_;
-    QSpinBox *width_, *height_, *antialiasing_, *occlusionRays_, *bloom_;
-    QWidget *sizeRow_, *occlusionRow_;
+    QComboBox *size_, *integrator_, *occlusion_;
+    QSpinBox *width_, *height_, *samples_, *antialiasing_, *occlusionRays_, *bloom_;
+    QCheckBox* newNoise_; ///< in each frame of a list
+    QWidget *sizeRow_, *integratorRow_, *occlusionRow_;
     QString proposedFilm_;
 };
 

@@ -16,8 +16,9 @@ QString number(double value, int decimals) { return QLocale().toString(value, 'f
 
 } // namespace
 
-StatisticsDialog::StatisticsDialog(Session& session, std::function<double()> delay, QWidget* parent)
-    : QDialog(parent), session_(session), delay_(std::move(delay)) {
+StatisticsDialog::StatisticsDialog(Session& session, std::function<double()> delay,
+                                   std::function<QString()> origin, QWidget* parent)
+    : QDialog(parent), session_(session), delay_(std::move(delay)), origin_(std::move(origin)) {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Statistics"));
     auto* form = new QFormLayout(this);
@@ -27,6 +28,7 @@ StatisticsDialog::StatisticsDialog(Session& session, std::function<double()> del
     addRow(*form, tr("Frame time"), frameTime_);
     addRow(*form, tr("Displayed"), shown_);
     addRow(*form, tr("Display latency"), delayed_);
+    addRow(*form, tr("Image"), image_);
     addRow(*form, tr("Rays/s"), rays_);
     addRow(*form, tr("Resolution"), resolution_);
     addRow(*form, tr("Triangles"), polygons_);
@@ -74,6 +76,7 @@ void StatisticsDialog::refresh() {
     shown_->setText(tr("%1 frames/s").arg(seconds > 0 ? number(received_ / seconds, 1) : QString()));
     received_ = 0;
     delayed_->setText(tr("%1 ms").arg(number(delay_() * kMilli, 1)));
+    image_->setText(origin_());
     rays_->setText(tr("%1 million").arg(number(status.raysPerSecond / kMega, 2)));
     resolution_->setText(
         QStringLiteral("%1 × %2").arg(status.resolution.width()).arg(status.resolution.height()));

@@ -18,8 +18,10 @@ class StatisticsDialog : public QDialog {
     Q_OBJECT
 
   public:
-    /// `session` must outlive it. `delay`: seconds from a frame's publication until it is on the screen.
-    StatisticsDialog(Session& session, std::function<double()> delay, QWidget* parent = nullptr);
+    /// `session` must outlive it. `delay`: seconds from a frame's publication until it is on the screen;
+    /// `origin`: how the image that is seen was made.
+    StatisticsDialog(Session& session, std::function<double()> delay, std::function<QString()> origin,
+                     QWidget* parent = nullptr);
 
   private:
     void addRow(QFormLayout& form, const QString& name, QLabel*& value);
@@ -28,8 +30,9 @@ class StatisticsDialog : public QDialog {
 
     Session& session_;
     std::function<double()> delay_;
-    QLabel *server_, *state_, *frames_, *frameTime_, *shown_, *delayed_, *rays_, *resolution_, *polygons_,
-        *mode_, *eye_, *exposure_;
+    std::function<QString()> origin_;
+    QLabel *server_, *state_, *frames_, *frameTime_, *shown_, *delayed_, *image_, *rays_, *resolution_,
+        *polygons_, *mode_, *eye_, *exposure_;
     QTimer timer_;
     QElapsedTimer clock_;
     int received_ = 0; ///< frames since the clock's start

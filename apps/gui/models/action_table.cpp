@@ -51,6 +51,8 @@ constexpr ActionRow kRows[]{
               Checkable},
     ActionRow{ActionId::Screenshot, MenuId::Action, TEXT("S&creenshot"),
               TEXT("Save the image under the next free name"), "F12", NeedsServer},
+    ActionRow{ActionId::CopyImage, MenuId::Action, TEXT("Copy &image"), TEXT("Copy the image that is shown"),
+              "Ctrl+Alt+C", NeedsServer},
     ActionRow{ActionId::CopyCamera, MenuId::Action, TEXT("Cop&y camera"), TEXT("Copy the camera as text"),
               "Ctrl+C", NeedsServer | SeparatorBefore, "Ctrl+Shift+C"},
     ActionRow{ActionId::PasteCamera, MenuId::Action, TEXT("&Paste camera"),

@@ -26,6 +26,7 @@ enum class ActionId {
     BuildTree,
     Jobs,
     Screenshot,
+    CopyImage,
     CopyCamera,
     PasteCamera,
     ResetCamera,

@@ -27,7 +27,8 @@ constexpr Label kLabels[] = {{"antialiasing", "Anti-aliasing"},
                              {"path.rouletteFrom", "Roulette from bounce"},
                              {"path.clampIndirect", "Clamp indirect light"},
                              {"path.emitters", "Light from emission"},
-                             {"path.seed", "Seed of the noise"}};
+                             {"path.seed", "Seed of the noise"},
+                             {"exposure.recorded", "Recorded exposures"}};
 
 QString translatedSetting(const QString& text) {
     return QCoreApplication::translate("Settings", text.toUtf8().constData());

@@ -23,6 +23,7 @@ CameraOperations::CameraOperations(const GuiContext& context, QObject* parent)
     actions.on(ActionId::ImportCamera, [this] { importCamera(); });
     actions.on(ActionId::Recording, [this] { record(); });
     actions.on(ActionId::Screenshot, [this] { takeScreenshot(); });
+    actions.on(ActionId::CopyImage, [this] { copyImage(); });
     actions.on(ActionId::CopyCamera, [this] { copy(); });
     actions.on(ActionId::PasteCamera, [this] { paste(); });
     connect(&context_.view.input(), &InputCapture::commandKey, this, [this](int code, bool) {
@@ -98,15 +99,28 @@ void CameraOperations::record() {
 void CameraOperations::takeScreenshot() {
     const QString path = nextFreeName(context_.preferences.picturesFolder(), QStringLiteral("screenshot"),
                                       QStringLiteral("png"));
-    const auto tell = [this, path](bool done, const QString& trouble) {
-        done ? context_.view.tell(tr("The image was written to %1.").arg(path))
-             : context_.notice.explain(trouble, {});
+    const auto tell = [this](bool done, const QString& what, const QString& trouble) {
+        done ? context_.view.tell(what) : context_.notice.explain(trouble, {});
     };
     // A better image than the server's is ours to write.
-    if (!context_.view.showsLive())
-        return tell(context_.view.picture().save(path), tr("%1 cannot be written.").arg(path));
+    if (!context_.view.showsLive()) {
+        const PictureOrigin origin = context_.view.origin();
+        QImage picture = context_.view.picture();
+        describe(picture, origin);
+        return tell(picture.save(path), tr("The image was written to %1 (%2).").arg(path, originText(origin)),
+                    tr("%1 cannot be written.").arg(path));
+    }
+    const QString written = tr("The live frame was written to %1.").arg(path);
     context_.session.send(command::screenshot(path.toStdString()), this,
-                          [tell](const Answer& answer) { tell(answer.done, answer.text); });
+                          [tell, written](const Answer& answer) { tell(answer.done, written, answer.text); });
+}
+
+void CameraOperations::copyImage() {
+    const FrameView& view = context_.view;
+    if (view.shown().isNull()) return;
+    QGuiApplication::clipboard()->setImage(view.shown().copy()); // not in the server's memory
+    context_.view.tell(view.showsLive() ? tr("The live frame was copied.")
+                                        : tr("The image was copied (%1).").arg(originText(view.origin())));
 }
 
 void CameraOperations::copy() {

@@ -29,6 +29,7 @@ class CameraOperations : public QObject {
     void importCamera();
     void record();
     void takeScreenshot();
+    void copyImage();
     void copy();
     void paste();
     QString cameraFolder() const;

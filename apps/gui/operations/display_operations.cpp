@@ -86,7 +86,12 @@ void DisplayOperations::showKeys() {
 void DisplayOperations::showStatistics() {
     if (statistics_ == nullptr)
         statistics_ = new StatisticsDialog(
-            context_.session, [this] { return context_.view.paintDelay(); }, &context_.window);
+            context_.session, [this] { return context_.view.paintDelay(); },
+            [this] {
+                const FrameView& view = context_.view;
+                return view.showsLive() ? tr("live") : originText(view.origin());
+            },
+            &context_.window);
     present(*statistics_);
 }
 

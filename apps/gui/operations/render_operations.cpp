@@ -111,8 +111,8 @@ void RenderOperations::onPreferences() {
 
 // --- What ---
 
-void RenderOperations::onRefined(const QImage& picture, bool last) {
-    context_.view.showPicture(picture);
+void RenderOperations::onRefined(const QImage& picture, bool last, const PictureOrigin& origin) {
+    context_.view.showPicture(picture, origin);
     if (last && quick_) context_.view.tell(tr("Refined. The next movement shows the live frame again."));
     showActivity();
 }
@@ -123,13 +123,18 @@ void RenderOperations::onFailed(const QString& text) {
 }
 
 void RenderOperations::showActivity() {
+    QStringList words;
+    const FrameView& view = context_.view;
+    if (preview_.active()) words.append(progressText());
+    if (!preview_.active() && !view.showsLive()) words.append(tr("refined"));
+    if (!view.showsLive() && view.origin().paths) words.append(samplesText(view.origin().samples));
+    context_.view.setActivity(words.join(QStringLiteral("  ·  ")));
+}
+
+QString RenderOperations::progressText() const {
     constexpr double kHundred = 100;
-    if (preview_.active()) {
-        if (preview_.progress() <= 0) return context_.view.setActivity(tr("rendering…"));
-        const QString percent = QLocale().toString(kHundred * preview_.progress(), 'f', 0);
-        return context_.view.setActivity(tr("rendering %1 %").arg(percent));
-    }
-    context_.view.setActivity(context_.view.showsLive() ? QString() : tr("refined"));
+    if (preview_.progress() <= 0) return tr("rendering…");
+    return tr("rendering %1 %").arg(QLocale().toString(kHundred * preview_.progress(), 'f', 0));
 }
 
 } // namespace gui

@@ -27,9 +27,10 @@ class RenderOperations : public QObject {
     void onStatus();
     void onFrame();
     void onPreferences();
-    void onRefined(const QImage& picture, bool last);
+    void onRefined(const QImage& picture, bool last, const PictureOrigin& origin);
     void onFailed(const QString& text);
     void showActivity();
+    QString progressText() const;
 
     /// What an image is an image of.
     struct Moment {

@@ -1,6 +1,7 @@
 /// The current view, rendered in higher quality by the Renderer, shown while it refines.
 #pragma once
 
+#include "gui/models/picture_origin.h"
 #include "gui/models/still_quality.h"
 #include "gui/session/preview_reader.h"
 #include "gui/session/session.h"
@@ -40,7 +41,7 @@ class PreviewProcess : public QObject {
 
   signals:
     /// A better image than the one before; after the last one the Renderer is gone.
-    void refined(const QImage& picture, bool last);
+    void refined(const QImage& picture, bool last, const PictureOrigin& origin);
     void failed(const QString& text);
     void progressed(); ///< also when it begins and ends
 

@@ -71,7 +71,7 @@ std::optional<PreviewPicture> PreviewReader::read(const QImage& live) {
     if (!whole && !fits) return std::nullopt;
     QImage image = imageOf(frame, whole ? nullptr : &live);
     if (image.isNull()) return std::nullopt;
-    return PreviewPicture{std::move(image), isLast(frame.info)};
+    return PreviewPicture{std::move(image), isLast(frame.info), static_cast<int>(frame.info.samples)};
 }
 
 QString previewPrefix() { return QString::fromUtf8(app::kPreviewPrefix.data(), app::kPreviewPrefix.size()); }

@@ -12,6 +12,7 @@ namespace gui {
 struct PreviewPicture {
     QImage image; ///< memory of its own
     bool last = false;
+    int samples = 0; ///< of each pixel, at least
 };
 
 /// One thread. Nothing waits: read() is called every few milliseconds.

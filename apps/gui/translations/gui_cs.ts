@@ -930,6 +930,30 @@
         <source>When the camera rests, render all light, also from surface to surface</source>
         <translation>Když kamera stojí, vykreslit všechno světlo, i mezi povrchy</translation>
     </message>
+    <message>
+        <source>Copy &amp;image</source>
+        <translation>Kopírovat o&amp;braz</translation>
+    </message>
+    <message>
+        <source>Copy the image that is shown</source>
+        <translation>Zkopírovat obraz, který je vidět</translation>
+    </message>
+    <message>
+        <source>samples: %1</source>
+        <translation>vzorků: %1</translation>
+    </message>
+    <message>
+        <source>path tracing</source>
+        <translation>sledování cest</translation>
+    </message>
+    <message>
+        <source>Whitted ray tracing</source>
+        <translation>sledování paprsků (Whitted)</translation>
+    </message>
+    <message>
+        <source>%1, samples per pixel: %2</source>
+        <translation>%1, vzorků na pixel: %2</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>
@@ -1144,10 +1168,6 @@ Alt+%2</translation>
         <translation>Kamery (*.cam);;Všechny soubory (*)</translation>
     </message>
     <message>
-        <source>The image was written to %1.</source>
-        <translation>Obraz byl zapsán do %1.</translation>
-    </message>
-    <message>
         <source>%1 cannot be written.</source>
         <translation>Soubor %1 nelze zapsat.</translation>
     </message>
@@ -1162,6 +1182,22 @@ Alt+%2</translation>
     <message>
         <source>The clipboard holds no camera.</source>
         <translation>Ve schránce není kamera.</translation>
+    </message>
+    <message>
+        <source>The image was written to %1 (%2).</source>
+        <translation>Obraz byl zapsán do %1 (%2).</translation>
+    </message>
+    <message>
+        <source>The live frame was written to %1.</source>
+        <translation>Živý snímek byl zapsán do %1.</translation>
+    </message>
+    <message>
+        <source>The live frame was copied.</source>
+        <translation>Živý snímek byl zkopírován.</translation>
+    </message>
+    <message>
+        <source>The image was copied (%1).</source>
+        <translation>Obraz byl zkopírován (%1).</translation>
     </message>
 </context>
 <context>
@@ -1423,6 +1459,13 @@ Alt+%2</translation>
     <message>
         <source>&amp;Stop</source>
         <translation>&amp;Zastavit</translation>
+    </message>
+</context>
+<context>
+    <name>gui::DisplayOperations</name>
+    <message>
+        <source>live</source>
+        <translation>živý</translation>
     </message>
 </context>
 <context>
@@ -2610,6 +2653,38 @@ Alt+%2</translation>
         <source>Name the file to write.</source>
         <translation>Zadejte výstupní soubor.</translation>
     </message>
+    <message>
+        <source>Whitted ray tracing</source>
+        <translation>sledování paprsků (Whitted)</translation>
+    </message>
+    <message>
+        <source>path tracing</source>
+        <translation>sledování cest</translation>
+    </message>
+    <message>
+        <source>Integrator</source>
+        <translation>Integrátor</translation>
+    </message>
+    <message>
+        <source>Samples of path tracing</source>
+        <translation>Vzorky sledování cest</translation>
+    </message>
+    <message>
+        <source> samples per pixel</source>
+        <translation> vzorků na pixel</translation>
+    </message>
+    <message>
+        <source>&amp;New noise in each frame</source>
+        <translation>Nový š&amp;um v každém snímku</translation>
+    </message>
+    <message>
+        <source>&lt;qt&gt;Noise that stands still in a film looks like dirt on the glass.&lt;br&gt;&lt;code&gt;path.seedPerFrame&lt;/code&gt;&lt;/qt&gt;</source>
+        <translation>&lt;qt&gt;Šum, který ve filmu stojí, vypadá jako špína na skle.&lt;br&gt;&lt;code&gt;path.seedPerFrame&lt;/code&gt;&lt;/qt&gt;</translation>
+    </message>
+    <message>
+        <source>Inte&amp;grator:</source>
+        <translation>Inte&amp;grátor:</translation>
+    </message>
 </context>
 <context>
     <name>gui::RenderOperations</name>
@@ -3151,6 +3226,10 @@ Dvojklik se podívá na místo. F1 ukáže všechny klávesy.</translation>
     <message>
         <source>Fly</source>
         <translation>létání</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Obraz</translation>
     </message>
 </context>
 <context>

@@ -280,6 +280,14 @@
         <translation>jiné číslo dá jiný šum</translation>
     </message>
     <message>
+        <source>Seed per frame</source>
+        <translation>Semínko podle snímku</translation>
+    </message>
+    <message>
+        <source>the number of a list's frame is added to the seed, so that noise does not stand still in a film</source>
+        <translation>k semínku se přičte číslo snímku seznamu, aby šum ve filmu nestál</translation>
+    </message>
+    <message>
         <source>Depth of field</source>
         <translation>Hloubka ostrosti</translation>
     </message>
@@ -450,6 +458,22 @@
     <message>
         <source>how much the exposure of a region follows its own brightness</source>
         <translation>jak moc se expozice místa řídí jeho vlastním jasem</translation>
+    </message>
+    <message>
+        <source>Recorded exposures</source>
+        <translation>Zaznamenané expozice</translation>
+    </message>
+    <message>
+        <source>exposures of .cam files in stills; scaled: brighter light of paths looks as bright as recorded, by the list's first frame; automatic: measured anew</source>
+        <translation>expozice ze souborů .cam při vykreslování; přepočtená: jasnější světlo cest vypadá stejně jasně jako v záznamu, podle prvního snímku seznamu; automatická: změří se znovu</translation>
+    </message>
+    <message>
+        <source>Scaled</source>
+        <translation>Přepočtená</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Přesná</translation>
     </message>
     <message>
         <source>Tone mapping</source>

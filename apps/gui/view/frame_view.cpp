@@ -41,6 +41,7 @@ FrameView::FrameView(Session& session, QWidget* parent)
     });
     connect(&session_, &Session::statusChanged, this, &FrameView::onStatus);
     connect(&session_, &Session::stateChanged, this, qOverload<>(&QWidget::update));
+    connect(&fade_, &Fade::stepped, this, qOverload<>(&QWidget::update));
     connect(input_, &InputCapture::capturedChanged, this, [this](bool captured) {
         tell(captured ? tr("Mouse and keyboard captured. Esc releases them.") : QString());
     });
@@ -82,14 +83,17 @@ void FrameView::setActivity(const QString& text) {
     update();
 }
 
-void FrameView::showPicture(const QImage& picture) {
+void FrameView::showPicture(const QImage& picture, const PictureOrigin& origin) {
+    if (origin.paths && showsLive()) fade_.begin(session_.frame().copy()); // which the next frame takes
     picture_ = picture;
+    origin_ = origin;
     update();
 }
 
 void FrameView::showLive() {
     if (showsLive()) return;
     picture_ = {};
+    fade_.end();
     update();
 }
 
@@ -134,6 +138,13 @@ void FrameView::drawPicture(QPainter& painter, const QImage& picture, const QRec
     painter.setCompositionMode(QPainter::CompositionMode_SourceOver);
 }
 
+void FrameView::drawFading(QPainter& painter, const QRect& dirty) const {
+    drawPicture(painter, fade_.from(), dirty);
+    painter.setOpacity(fade_.share());
+    painter.drawImage(target(picture_.size()), picture_);
+    painter.setOpacity(1);
+}
+
 void FrameView::countDelay() {
     if (painted_ == session_.frameNumber()) return; // the same frame once more
     painted_ = session_.frameNumber();
@@ -147,8 +158,8 @@ void FrameView::countDelay() {
 
 void FrameView::paintEvent(QPaintEvent* event) {
     QPainter painter(this);
-    const QImage picture = showsLive() ? session_.frame() : picture_;
-    drawPicture(painter, picture, event->rect());
+    const QImage picture = shown();
+    fades() ? drawFading(painter, event->rect()) : drawPicture(painter, picture, event->rect());
     if (!mark_.isNull() && !picture.isNull()) painter.drawImage(target(picture.size()), mark_);
     if (showsLive()) countDelay();
     if (drawMarks_) drawMarks_(painter);

@@ -1,7 +1,9 @@
 /// The viewport: the server's newest frame, or a better image rendered by another program.
 #pragma once
 
+#include "gui/models/picture_origin.h"
 #include "gui/session/session.h"
+#include "gui/view/fade.h"
 
 #include <QImage>
 #include <QTimer>
@@ -32,16 +34,21 @@ class FrameView : public QWidget {
     /// Appended to the overlay: other activity, such as rendering; empty = nothing.
     void setActivity(const QString& text);
 
-    /// Shows this one instead of the live frames, until showLive().
-    void showPicture(const QImage& picture);
+    /// Shows this one instead of the live frames, until showLive(). The first one by paths, which bring more
+    /// light, fades in.
+    void showPicture(const QImage& picture, const PictureOrigin& origin = {});
     void showLive();
     /// Drawn over the image, stretched to its size; null: nothing.
     void setMark(const QImage& mark);
     const QImage& mark() const { return mark_; }
     bool showsLive() const { return picture_.isNull(); }
-    const QString& activity() const { return activity_; } ///< what goes on, in a word
-    const QString& told() const { return told_; }         ///< by tell(), as long as it is seen
-    const QImage& picture() const { return picture_; }    ///< null while it shows live frames
+    const QString& activity() const { return activity_; }   ///< what goes on, in a word
+    const QString& told() const { return told_; }           ///< by tell(), as long as it is seen
+    const QImage& picture() const { return picture_; }      ///< null while it shows live frames
+    const PictureOrigin& origin() const { return origin_; } ///< of picture()
+    /// What is seen, but for words, marks and a fade: picture(), or the live frame.
+    QImage shown() const { return showsLive() ? session_.frame() : picture_; }
+    bool fades() const { return fade_.active(); }
 
     /// Draws over the image, below words; called with each painting.
     void setMarks(std::function<void(QPainter&)> draw) { drawMarks_ = std::move(draw); }
@@ -69,11 +76,14 @@ class FrameView : public QWidget {
     void onStatus();
     void countDelay();
     void drawPicture(QPainter& painter, const QImage& picture, const QRect& dirty) const;
+    void drawFading(QPainter& painter, const QRect& dirty) const;
 
     Session& session_;
     InputCapture* input_;
     std::function<void(QPainter&)> drawMarks_;
     QImage picture_; ///< null: the live frame
+    PictureOrigin origin_;
+    Fade fade_;
     QImage mark_;
     bool ignoreAspectRatio_ = false, smooth_ = true, showOverlay_ = true;
     QString told_, activity_, words_; ///< the last: in the middle, as painted

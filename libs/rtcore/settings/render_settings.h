@@ -10,6 +10,9 @@ enum class Integrator { Whitted, Path };
 /// Whether surfaces that emit light light others. Automatic: unless lights of the scene stand in their place.
 enum class EmitterLight { Automatic, On, Off };
 enum class ExposureMode { Automatic, Fixed };
+/// What becomes of the exposure in a .cam file, which suits Whitted's image: by paths there is more light.
+/// Scaled: multiplied by the mean by paths over that by Whitted, both of the list's first frame.
+enum class RecordedExposure { Scaled, Exact, Automatic };
 /// Luminance keeps hue and saturation (bright colours fade to white only at the very top), Channels maps each
 /// of red, green and blue by itself.
 enum class ToneMapping { Luminance, Channels };
@@ -48,7 +51,8 @@ struct PathSettings {
     float clampIndirect = 0; ///< radiance that a sample gets from one bounce after the first; 0 = any
     bool caustics = false;   ///< light that reaches a surface by way of mirrors and glass
     EmitterLight emitters = EmitterLight::Automatic;
-    int seed = 0; ///< another one gives other noise
+    int seed = 0;              ///< another one gives other noise
+    bool seedPerFrame = false; ///< of a list: its number is added to the seed, so that noise is not static
 
     friend bool operator==(const PathSettings&, const PathSettings&) = default;
 };
@@ -101,6 +105,7 @@ struct ExposureSettings {
     float brighterSeconds = 0.1F; ///< Automatic: time in which an eye gets used to 63 % of more light
     float darkerSeconds = 0.4F;   ///< and of less
     float local = 0;              ///< 0..1: how much of the exposure follows a pixel's own surroundings
+    RecordedExposure recorded = RecordedExposure::Scaled; ///< of stills from .cam files
 
     friend bool operator==(const ExposureSettings&, const ExposureSettings&) = default;
 };

@@ -18,6 +18,7 @@ namespace {
 constexpr std::array<std::string_view, 2> kIntegrators{"whitted", "path"};
 constexpr std::array<std::string_view, 3> kEmitterLights{"automatic", "on", "off"};
 constexpr std::array<std::string_view, 2> kExposureModes{"automatic", "fixed"};
+constexpr std::array<std::string_view, 3> kRecordedExposures{"scaled", "exact", "automatic"};
 constexpr std::array<std::string_view, 2> kToneMappings{"luminance", "channels"};
 constexpr std::array<std::string_view, 2> kEnvironmentFilters{"bilinear", "nearest"};
 constexpr std::array<std::string_view, 5> kSamplingPatterns{"grid", "random", "jittered", "rotated",
@@ -43,6 +44,7 @@ Choices choicesOf() {
     if constexpr (std::is_same_v<Enum, Integrator>) return kIntegrators;
     if constexpr (std::is_same_v<Enum, EmitterLight>) return kEmitterLights;
     if constexpr (std::is_same_v<Enum, ExposureMode>) return kExposureModes;
+    if constexpr (std::is_same_v<Enum, RecordedExposure>) return kRecordedExposures;
     if constexpr (std::is_same_v<Enum, ToneMapping>) return kToneMappings;
     if constexpr (std::is_same_v<Enum, EnvironmentFilter>) return kEnvironmentFilters;
     if constexpr (std::is_same_v<Enum, SamplingPattern>) return kSamplingPatterns;
@@ -196,6 +198,9 @@ std::vector<Setting> makeTable() {
         row<&S::path, &Path::emitters>(
             "path.emitters", "surfaces that emit light others; automatic: unless lights stand in them"),
         row<&S::path, &Path::seed>("path.seed", {0, (1 << 24) - 1}, "", "another number gives other noise"),
+        row<&S::path, &Path::seedPerFrame>("path.seedPerFrame",
+                                           "the number of a list's frame is added to the seed, so that noise "
+                                           "does not stand still in a film"),
         row<&S::depthOfField, &Lens::on>("depthOfField.on", "only what is in focus is sharp"),
         row<&S::depthOfField, &Lens::fNumber>("depthOfField.fNumber", {0.1, 1000}, "",
                                               "focal length over the lens's diameter, of a film 36 mm wide: "
@@ -230,6 +235,10 @@ std::vector<Setting> makeTable() {
                                                     "time to get used to less light, in real time"),
         row<&S::exposure, &Exposure::local>("exposure.local", {0, 1}, "",
                                             "how much the exposure of a region follows its own brightness"),
+        row<&S::exposure, &Exposure::recorded>("exposure.recorded",
+                                               "exposures of .cam files in stills; scaled: brighter light of "
+                                               "paths looks as bright as recorded, by "
+                                               "the list's first frame; automatic: measured anew"),
         with("exposure",
              row<&S::toneMapping>("toneMapping",
                                   "luminance keeps hues, channels lets bright colours fade to white")),

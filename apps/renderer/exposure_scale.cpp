@@ -1,0 +1,63 @@
+#include "renderer/exposure_scale.h"
+
+#include "rtcore/platform/error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace renderer {
+
+namespace {
+
+constexpr int kWidth = 64;
+constexpr int kSamples = 64;     ///< paths of a pixel: 147,000 of an image of 16:9
+constexpr int kAntialiasing = 2; ///< each way
+
+rtcore::RenderSettings smallSettings(const rtcore::RenderSettings& whole, rtcore::Integrator integrator) {
+    rtcore::RenderSettings small = whole;
+    small.width = kWidth;
+    small.height =
+        std::clamp(static_cast<int>(std::lround(kWidth * static_cast<double>(whole.height) / whole.width)), 1,
+                   2 * kWidth);
+    small.integrator = integrator;
+    small.path.samples = kSamples;
+    small.antialiasing = kAntialiasing;
+    small.adaptive = 0;
+    return small;
+}
+
+/// In the order of the pixels, so that the bits are always the same.
+double meanLuminance(const rtcore::HdrImage& image) {
+    double sum = 0;
+    for (const rtcore::Colour& pixel : image.pixels) {
+        const double seen = rtcore::luminance(pixel);
+        if (std::isfinite(seen)) sum += seen;
+    }
+    return sum / static_cast<double>(std::max<std::size_t>(image.pixels.size(), 1));
+}
+
+} // namespace
+
+bool hasRecordedExposure(const rtcore::CameraFile& camera,
+                         std::span<const rtcore::SettingAssignment> commandLine) {
+    return camera.exposure && std::none_of(commandLine.begin(), commandLine.end(), [](const auto& each) {
+               return each.name == "exposure.mode" || each.name == "exposure.value";
+           });
+}
+
+float exposureScale(const rtcore::View& view, rtcore::RenderControl& control, rtcore::FrameRenderer& whitted,
+                    rtcore::PathRenderer& paths) {
+    rtcore::Frame frame;
+    const auto mean = [&](auto& renderer, rtcore::Integrator integrator) {
+        const rtcore::RenderSettings small = smallSettings(view.settings, integrator);
+        if (!renderer.render({view.scene, view.tracer, view.camera, small}, control, frame))
+            throw rtcore::FileError(rtcore::FailureKind::Stopped, "", "stopped");
+        return meanLuminance(frame.radiance);
+    };
+    whitted.collectAovs(false);
+    const double straight = mean(whitted, rtcore::Integrator::Whitted);
+    const double all = mean(paths, rtcore::Integrator::Path);
+    return straight > 0 && all > 0 ? static_cast<float>(all / straight) : 1.0F;
+}
+
+} // namespace renderer

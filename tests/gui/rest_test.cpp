@@ -1,0 +1,170 @@
+/// The image at rest by paths: how many samples it says it has, how it fades in, and what is saved of it.
+#include "gui/window_support.h"
+
+#include "gui/dialogs/statistics_dialog.h"
+
+#include <QClipboard>
+#include <QElapsedTimer>
+#include <QGuiApplication>
+#include <QLabel>
+
+#include <algorithm>
+#include <array>
+
+namespace {
+
+namespace rest_test {
+
+using namespace test;
+using namespace gui;
+
+class RestTest : public WindowFixture {
+  protected:
+    void openByPaths(int samples) {
+        window->preferences().set(pref::globalIllumination, true);
+        window->preferences().set(pref::stillPathSamples, samples);
+        ASSERT_NO_FATAL_FAILURE(open());
+    }
+    int samples() { return window->view().origin().samples; }
+};
+
+TEST_F(RestTest, SaysHowManySamplesItHas) {
+    ASSERT_NO_FATAL_FAILURE(openByPaths(5));
+    ASSERT_TRUE(comes([&] { return window->view().activity() == QStringLiteral("refined  ·  samples: 5"); }))
+        << window->view().activity().toStdString();
+    EXPECT_EQ(window->view().origin(), (PictureOrigin{true, 5}));
+    action(ActionId::Statistics)->trigger();
+    const auto* statistics = window->findChild<StatisticsDialog*>();
+    ASSERT_NE(statistics, nullptr);
+    const auto says = [&](const QString& words) {
+        return comes([&] {
+            for (const QLabel* label : statistics->findChildren<QLabel*>())
+                if (label->text() == words) return true;
+            return false;
+        });
+    };
+    EXPECT_TRUE(says(QStringLiteral("path tracing, samples per pixel: 5")));
+    window->preferences().set(pref::progressiveRendering, false);
+    EXPECT_TRUE(says(QStringLiteral("live")));
+}
+
+TEST_F(RestTest, SamplesGrowUntilSomethingMoves) {
+    ASSERT_NO_FATAL_FAILURE(openByPaths(1 << 20));
+    int seen = 0, grown = 0;
+    ASSERT_TRUE(comes([&] {
+        if (samples() > seen) {
+            ++grown;
+            seen = samples();
+        }
+        EXPECT_GE(samples(), window->view().showsLive() ? 0 : seen);
+        return grown >= 3;
+    }));
+    EXPECT_TRUE(window->view().activity().contains(QStringLiteral("samples: ")));
+    QTest::keyPress(&window->view(), Qt::Key_W);
+    EXPECT_TRUE(window->view().showsLive());
+    EXPECT_FALSE(window->view().fades());
+    EXPECT_FALSE(window->view().activity().contains(QStringLiteral("samples"))) << "at once";
+    QTest::keyRelease(&window->view(), Qt::Key_W);
+}
+
+TEST_F(RestTest, WhatIsShownIsSavedAndSaysHowItWasMade) {
+    ASSERT_NO_FATAL_FAILURE(openByPaths(3));
+    ASSERT_TRUE(comes([&] { return samples() == 3 && !window->view().fades(); }));
+    action(ActionId::Screenshot)->trigger();
+    const QImage saved(file("screenshot-0001.png"));
+    EXPECT_EQ(saved.convertToFormat(QImage::Format_RGB32), window->view().picture());
+    EXPECT_EQ(saved.text(QStringLiteral("integrator")), QStringLiteral("path"));
+    EXPECT_EQ(saved.text(QStringLiteral("samples")), QStringLiteral("3"));
+    EXPECT_TRUE(window->view().told().contains(QStringLiteral("path tracing, samples per pixel: 3")))
+        << window->view().told().toStdString();
+
+    action(ActionId::CopyImage)->trigger();
+    EXPECT_EQ(QGuiApplication::clipboard()->image().convertToFormat(QImage::Format_RGB32),
+              window->view().picture());
+    EXPECT_TRUE(window->view().told().contains(QStringLiteral("path tracing")));
+
+    window->preferences().set(pref::progressiveRendering, false);
+    ASSERT_TRUE(window->view().showsLive());
+    action(ActionId::CopyImage)->trigger();
+    EXPECT_EQ(QGuiApplication::clipboard()->image().convertToFormat(QImage::Format_RGB32),
+              window->session().frame().convertToFormat(QImage::Format_RGB32));
+    EXPECT_EQ(window->view().told(), QStringLiteral("The live frame was copied."));
+}
+
+class FadeTest : public GuiTest {
+  protected:
+    void SetUp() override {
+        GuiTest::SetUp();
+        startServer();
+        session.connectTo(name());
+        ASSERT_TRUE(shows(session));
+        view.emplace(session);
+        view->setShowOverlay(false);
+        view->setIgnoreAspectRatio(true);
+        view->resize(160, 120);
+        view->show();
+        still = QImage(view->devicePixels(), QImage::Format_RGB32);
+        still.fill(QColor(250, 10, 250));
+    }
+    QImage grabbed() { return view->grab().toImage().convertToFormat(QImage::Format_RGB32); }
+    using Channel = int (*)(QRgb);
+    static constexpr std::array<Channel, 3> kChannels{&qRed, &qGreen, &qBlue};
+    /// Whether each channel of `image` lies between those of the others; one level is rounding.
+    static bool isBetween(const QImage& image, const QImage& a, const QImage& b) {
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                for (const Channel channel : kChannels) {
+                    const auto [low, high] = std::minmax({channel(a.pixel(x, y)), channel(b.pixel(x, y))});
+                    const int value = channel(image.pixel(x, y));
+                    if (value < low - 1 || value > high + 1) return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    Session session;
+    std::optional<FrameView> view;
+    QImage still;
+};
+
+TEST_F(FadeTest, ByPathsItFadesInAndEndsOnItsOwnPixels) {
+    const QImage live = grabbed();
+    QElapsedTimer clock;
+    clock.start();
+    view->showPicture(still, {true, 1});
+    EXPECT_TRUE(view->fades());
+    EXPECT_EQ(view->picture(), still);
+    ASSERT_TRUE(comes([&] {
+        const QImage now = grabbed();
+        EXPECT_TRUE(isBetween(now, live, still));
+        return now != live && now != still;
+    })) << "something between";
+    QImage better = still;
+    better.fill(QColor(240, 20, 240));
+    view->showPicture(better, {true, 2});
+    ASSERT_TRUE(comes([&] { return !view->fades(); }));
+    EXPECT_GE(clock.elapsed(), 290);
+    EXPECT_EQ(grabbed(), better);
+    view->showPicture(still, {true, 4});
+    EXPECT_FALSE(view->fades()) << "the light is the same as before";
+}
+
+TEST_F(FadeTest, AMovementEndsItAtOnce) {
+    const QImage live = grabbed();
+    view->showPicture(still, {true, 1});
+    ASSERT_TRUE(comes([&] { return grabbed() != live; }));
+    view->showLive();
+    EXPECT_FALSE(view->fades());
+    EXPECT_EQ(grabbed(), live);
+}
+
+TEST_F(FadeTest, TheSameLightNeedsNone) {
+    view->showPicture(still, {false, 4});
+    EXPECT_FALSE(view->fades());
+    EXPECT_EQ(grabbed(), still);
+}
+
+} // namespace rest_test
+
+} // namespace
