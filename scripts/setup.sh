@@ -1,8 +1,19 @@
 #!/bin/sh
 # Installs the packages of packages.txt that are missing. Never removes one.
-#   scripts/setup.sh [--no-apt]     --no-apt: only say what is missing, and fail if anything is
+#   scripts/setup.sh [--no-apt] [--peers]
+# --no-apt: only say what is missing, and fail if anything is. --peers: those of packages-peers.txt, too.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
+apt=yes peers=""
+for option in "$@"; do
+    case $option in
+        --no-apt) apt=no ;;
+        --peers) peers=$here/packages-peers.txt ;;
+        *)
+            echo "usage: setup.sh [--no-apt] [--peers]" >&2
+            exit 2 ;;
+    esac
+done
 
 installed() {
     [ "$(dpkg-query -W -f '${db:Status-Abbrev}' "$1" 2>/dev/null | cut -c1-2)" = "ii" ]
@@ -18,6 +29,7 @@ fi
 
 # One entry a line that is not served: its alternatives, joined by "|".
 missing=""
+lines=$(cat "$here/packages.txt" ${peers:+"$peers"})
 while IFS= read -r line; do
     alternatives=$(echo "${line%%#*}" | tr -d ' ')
     [ -n "$alternatives" ] || continue
@@ -26,10 +38,12 @@ while IFS= read -r line; do
         if installed "$package"; then served=yes; fi
     done
     [ "$served" = yes ] || missing="$missing $alternatives"
-done <"$here/packages.txt"
+done <<TEXT
+$lines
+TEXT
 [ -n "$missing" ] || exit 0
 
-if [ "${1:-}" = "--no-apt" ]; then
+if [ "$apt" = no ]; then
     echo "setup: missing packages:$missing" >&2
     exit 1
 fi
