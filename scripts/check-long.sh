@@ -1,14 +1,15 @@
 #!/bin/sh
 # The checks that take too long for every run; their output belongs into the note that closes an issue.
 #   scripts/check-long.sh [formulas] [leaks] [leaving] [trees] [waves] [oracle] [mutations] [scn] [kills] [formats] [ipc] [server]
-#                         [reaction] [soak] [edits] [preview] [window] [walks] [tutorial] [models] [sanitizers] [mutants] [arm64]
+#                         [reaction] [soak] [edits] [scenes] [preview] [window] [walks] [tutorial] [models] [sanitizers] [mutants]
+#                         [arm64]
 # Without arguments: all. RT_ISA chooses the instruction set of the kernels.
 set -eu
 cd "$(dirname "$0")/.."
 scripts/build.sh
 [ $# -gt 0 ] ||
-    set -- formulas leaks leaving trees waves oracle mutations scn kills formats ipc server reaction soak edits preview window walks \
-        tutorial models sanitizers mutants arm64
+    set -- formulas leaks leaving trees waves oracle mutations scn kills formats ipc server reaction soak edits scenes preview window \
+        walks tutorial models sanitizers mutants arm64
 release=build/release/bin
 for check in "$@"; do
     echo "== $check"
@@ -92,6 +93,13 @@ for check in "$@"; do
         # So many of the window and of CUI at once, all taken back to the first bits.
         RT_EDITS=${RT_EDITS_AT_ONCE:-1000} QT_QPA_PLATFORM=offscreen \
             build/release/bin/test_gui --gtest_filter='EditsAtOnce.*'
+        ;;
+    scenes)
+        # So many scenes and settings of random numbers, by paths and by Whitted's ray tracing.
+        cmake --preset asan-ubsan -DRT_EVERY_INSTRUCTION_SET=ON >/dev/null
+        cmake --build --preset asan-ubsan --target test_render
+        RT_RANDOM_SCENES=${RT_RANDOM_SCENES:-1000} UBSAN_OPTIONS=print_stacktrace=1 \
+            build/asan-ubsan/bin/test_render --gtest_filter='RandomScenes.*:OddNumbers.*'
         ;;
     sanitizers)
         cmake --preset asan-ubsan -DRT_EVERY_INSTRUCTION_SET=ON >/dev/null

@@ -7,6 +7,9 @@
 #include "rtcore/scene/part_list.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace rtcore {
 
@@ -22,6 +25,20 @@ PixelArea areaOf(int tile, int width, int height) {
     return {x, y, std::min(kSide, width - x), std::min(kSide, height - y)};
 }
 int tilesOf(int width, int height) { return ((width + kSide - 1) / kSide) * ((height + kSide - 1) / kSide); }
+
+/// The mean, in which the brightest sixteenth counts as at most 4096 times the mean of the others: one
+/// number that is far too large must not make the unit so large that nothing is left of the rest.
+double usualMean(std::vector<double>& values) {
+    constexpr double kMostTimes = 4096;
+    std::ranges::sort(values);
+    const auto bright = values.end() - static_cast<std::ptrdiff_t>(values.size() / 16);
+    const double rest = std::accumulate(values.begin(), bright, 0.0);
+    double most = rest * kMostTimes / static_cast<double>(bright - values.begin());
+    if (!(most > 0)) most = std::numeric_limits<double>::max();
+    double sum = rest;
+    for (auto value = bright; value != values.end(); ++value) sum += std::min(*value, most);
+    return sum / static_cast<double>(values.size());
+}
 
 } // namespace
 
@@ -112,16 +129,15 @@ void PathRenderer::measure() {
     const std::atomic<bool> never{false};
     Worker& worker = workerOfThread(0);
     worker.begin({view_->scene, view_->tracer, view_->settings, materials_, lights_}, samples, nullptr);
-    double sum = 0;
+    std::vector<double> seen;
     for (int tile = 0; tile < tilesOf(small.width, small.height); ++tile) {
         worker.render(areaOf(tile, small.width, small.height), {0, 1}, never,
                       [&](int, int, Colour radiance, int) {
-                          const double seen = luminance(radiance);
-                          if (seen > 0 && seen < 1e30) sum += seen;
+                          const double light = luminance(radiance);
+                          seen.push_back(std::isfinite(light) ? std::max(light, 0.0) : 0);
                       });
     }
-    const double count = static_cast<double>(small.width) * small.height;
-    sums_ = ImageSums(view_->settings.width, view_->settings.height, static_cast<float>(sum / count));
+    sums_ = ImageSums(view_->settings.width, view_->settings.height, static_cast<float>(usualMean(seen)));
 }
 
 bool PathRenderer::render(const View& view, RenderControl& control, Frame& frame, const Show& show) {
