@@ -92,6 +92,11 @@ class RandomScene {
         if (random_.index(4) == 0) m.normalTexture = texture(b);
         if (random_.index(4) == 0) m.emissionTexture = texture(b);
         m.alphaCutoff = random_.coin() ? 0 : 0.5F;
+        if (random_.index(3) == 0) {
+            m.roughness = random_.index(8) == 0 ? number(1) : random_.number(0, 1);
+            m.metallic = random_.index(8) == 0 ? number(1) : random_.number(0, 1);
+            if (random_.coin()) m.metallicRoughnessTexture = texture(b);
+        }
         return m;
     }
     std::uint32_t texture(SceneBuilder& b) {
