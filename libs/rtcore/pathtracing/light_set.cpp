@@ -89,7 +89,11 @@ void LightSet::shareByPower(float reach) {
     if (all.emitters) powers.push_back(emitters_.power());
     if (all.surroundings) powers.push_back(surroundings_.scalarIrradiance() * kPi * reach * reach);
     double sum = 0;
-    for (const double power : powers) sum += power;
+    for (double& power : powers) {
+        if (!(power >= 0) || !std::isfinite(power)) power = 0;
+        sum += power;
+    }
+    if (!(sum > 0)) sum = 1;
     for (double& power : powers) power = power / sum + 0.1 / static_cast<double>(powers.size());
     shares_ = AliasTable(powers);
 }

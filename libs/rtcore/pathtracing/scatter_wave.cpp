@@ -67,10 +67,14 @@ std::size_t scatterAll(const ScatterRows& rows, const SurfaceWave& s, const Batc
         if (none(points)) continue;
         const Past past = pastOf(paths, i);
         const Uint scatters = past.state & Uint(path_state::kScatters);
-        // A path that has scattered once more than it may only looks for lights: where caustics count, in
-        // mirrors, too.
-        const Mask open = points & (toInt(scatters) <
-                                    rows.limits.bounces + (rows.anyToHit && rows.limits.caustics ? 2 : 1));
+        // A path that has scattered once more than it may only looks for lights: in mirrors, too, where what
+        // they show counts.
+        const auto most = static_cast<std::int32_t>(rows.limits.bounces + 1);
+        const Mask within = toInt(scatters) < most;
+        const Mask looking = without(toInt(scatters) < most + (rows.anyToHit ? 1 : 0), within);
+        const Mask matte = (past.state & Uint(path_state::kMatte)) != Uint(0U);
+        const Mask shown = rows.limits.caustics ? looking : without(looking, matte);
+        const Mask open = points & (within | shown);
         if (none(open)) continue;
         const PointLobes lobes = lobesOf(rows.materials, s, i, open);
         if (none(lobes.drawable)) continue;
@@ -114,8 +118,7 @@ std::size_t scatterAll(const ScatterRows& rows, const SurfaceWave& s, const Batc
         // it is a caustic.
         const Uint afterMatte =
             past.state | Uint(rows.limits.caustics ? path_state::kWhole : path_state::kDropped);
-        const Mask ofMatte = (past.state & Uint(path_state::kMatte)) != Uint(0U);
-        const Uint afterMirror = select(ofMatte, afterMatte, past.state);
+        const Uint afterMirror = select(matte, afterMatte, past.state);
         const Uint afterLobe = (scatters + 1U) | selectOrZero(way.matte, Uint(path_state::kMatte));
         some.store(select(mirrored, afterMirror, afterLobe), next.state + count);
         storeAt(origin, some, next.point, count);

@@ -101,6 +101,24 @@ TEST(DirectLight, OfManyLightsIsTheirSumInTheMean) {
     }
 }
 
+TEST(DirectLight, OfManyLightsSurvivesIntensitiesThatAreNoNumbers) {
+    Scene lit = lobedScene();
+    for (int i = 0; i < 40; ++i) lit.lights.push_back(test::pointLight({0, 3, 2}, 30));
+    for (const float odd : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()})
+        lit.lights.push_back(test::pointLight({2, 3, 2}, odd));
+    const test::PathScene scene(std::move(lit));
+    RayWave rays;
+    std::vector<SampleId> ids;
+    forEachRay([&](Vec3 eye, Vec3 direction) {
+        rays.push({eye, 0, direction, std::numeric_limits<float>::max()});
+        ids.push_back({static_cast<std::uint16_t>(ids.size()), 0, 0});
+    });
+    std::size_t lightened = 0;
+    for (const Colour seen : scene.trace(rays, ids, test::bouncesAlone(0)))
+        lightened += std::isfinite(seen.g) && seen.g > 0 ? 1 : 0;
+    EXPECT_GT(lightened, ids.size() / 4);
+}
+
 TEST(DirectLight, ThroughMirrorsPanesAndHolesIsThatOfWhittedInTheMean) {
     test::SceneBuilder b;
     Material half = test::mirror(0.4F);
