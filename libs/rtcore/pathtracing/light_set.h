@@ -47,7 +47,6 @@ class LightSet {
     void prepare(const Scene& scene, const RenderSettings& settings, const Box3& bounds,
                  std::span<const std::uint8_t> hidden = {});
 
-    bool empty() const { return rows().groups() == 0; }
     /// A ray that was scattered may find some of the light.
     bool anyToHit() const { return anyArea_ || !emitters_.empty() || !surroundings_.empty(); }
     bool anyArea() const { return anyArea_; }

@@ -8,8 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 namespace rtcore {
 
@@ -26,18 +24,18 @@ PixelArea areaOf(int tile, int width, int height) {
 }
 int tilesOf(int width, int height) { return ((width + kSide - 1) / kSide) * ((height + kSide - 1) / kSide); }
 
-/// The mean, in which the brightest sixteenth counts as at most 4096 times the mean of the others: one
-/// number that is far too large must not make the unit so large that nothing is left of the rest.
+/// The mean, in which none counts more than 4096 times what a quarter of the lit ones stay below: numbers
+/// that are far too large must not make the unit so large that nothing is left of the rest.
 double usualMean(std::vector<double>& values) {
     constexpr double kMostTimes = 4096;
+    const auto count = static_cast<double>(values.size());
+    std::erase_if(values, [](double value) { return !(value > 0); });
+    if (values.empty()) return 0;
     std::ranges::sort(values);
-    const auto bright = values.end() - static_cast<std::ptrdiff_t>(values.size() / 16);
-    const double rest = std::accumulate(values.begin(), bright, 0.0);
-    double most = rest * kMostTimes / static_cast<double>(bright - values.begin());
-    if (!(most > 0)) most = std::numeric_limits<double>::max();
-    double sum = rest;
-    for (auto value = bright; value != values.end(); ++value) sum += std::min(*value, most);
-    return sum / static_cast<double>(values.size());
+    const double most = kMostTimes * values[values.size() / 4];
+    double sum = 0;
+    for (const double value : values) sum += std::min(value, most);
+    return sum / count;
 }
 
 } // namespace
