@@ -59,7 +59,7 @@ TEST_P(DeathAt, IsSurvived) {
         if (GetParam().beforeRunning) expectNoServer();
         if (server()) troupe.start(0, "server", kServer);
         troupe.start(1, "client");
-        ASSERT_TRUE(troupe.progresses(troupe.all(), 2s));
+        ASSERT_TRUE(troupe.progresses(troupe.all()));
         EXPECT_EQ(troupe.sum(&Counters::torn), 0u);
         EXPECT_EQ(troupe.sum(&Counters::wrong), 0u);
         EXPECT_TRUE(troupe.leavesNothing());

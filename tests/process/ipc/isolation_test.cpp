@@ -62,7 +62,7 @@ TEST(Isolation, OfTwoServersAfterTheNamesWereRemovedOneStays) {
         Troupe troupe;
         troupe.start(0, "server");
         troupe.start(2, "client");
-        ASSERT_TRUE(troupe.progresses({0, 2}, 3s));
+        ASSERT_TRUE(troupe.progresses({0, 2}));
         for (const std::string& name : troupe.instance.segments()) ipc::Segment::remove(name);
         troupe.start(1, "server", {"patience=50"});
         int loser = -1, status = -1;
@@ -76,7 +76,7 @@ TEST(Isolation, OfTwoServersAfterTheNamesWereRemovedOneStays) {
             },
             5s));
         EXPECT_EQ(WEXITSTATUS(status), 75);
-        ASSERT_TRUE(troupe.progresses({1 - loser, 2}, 3s));
+        ASSERT_TRUE(troupe.progresses({1 - loser, 2}));
         EXPECT_EQ(ipc::Viewer(troupe.instance.name()).serverProcess(), troupe[1 - loser].process());
     }
 }
@@ -87,13 +87,13 @@ TEST(Isolation, AnInstanceFeelsNothingOfAnothersDeath) {
         troupes.push_back(std::make_unique<Troupe>());
         troupes.back()->start(0, "server", {"pause=2000"});
         troupes.back()->start(1, "client", {"pause=2000"});
-        ASSERT_TRUE(troupes.back()->progresses({0, 1}, 3s));
+        ASSERT_TRUE(troupes.back()->progresses({0, 1}));
     }
     for (int round = 0; round < rounds(20); ++round) {
         const std::size_t victim = static_cast<std::size_t>(round) % troupes.size();
         (*troupes[victim])[0].kill();
         troupes[victim]->start(0, "server", {"pause=2000"});
-        for (const auto& troupe : troupes) ASSERT_TRUE(troupe->progresses({0, 1}, 1s));
+        for (const auto& troupe : troupes) ASSERT_TRUE(troupe->progresses({0, 1}));
     }
     for (std::size_t i = 0; i < troupes.size(); ++i) {
         const std::size_t deaths =
@@ -122,7 +122,7 @@ TEST(Isolation, AnotherUserCanReadNothing) {
     if (::getuid() != 0) GTEST_SKIP() << "only root can be another user";
     Troupe troupe;
     troupe.start(0, "server");
-    ASSERT_TRUE(troupe.progresses({0}, 3s));
+    ASSERT_TRUE(troupe.progresses({0}));
     const auto names = troupe.instance.segments();
     ASSERT_EQ(names.size(), 2u);
     EXPECT_EQ(asAnotherUser([&] {
@@ -174,7 +174,7 @@ TEST(Isolation, RemovedFoldersAreNobodysMatter) {
     const ChildSettings settings{.environment = {{"XDG_RUNTIME_DIR", path}, {"TMPDIR", path}}};
     for (const auto& [index, role] : {std::pair{0, "server"}, std::pair{1, "client"}})
         troupe.put(index, troupe.participant(index, role, {}, settings));
-    ASSERT_TRUE(troupe.progresses({0, 1}, 3s));
+    ASSERT_TRUE(troupe.progresses({0, 1}));
     std::filesystem::remove_all(path);
     for (int i = 0; i < 3; ++i) {
         std::this_thread::sleep_for(500ms);
@@ -189,7 +189,7 @@ TEST(Isolation, WithoutDescriptorsForAWhileNobodyIsLost) {
     Troupe troupe;
     troupe.start(0, "server");
     troupe.start(1, "client");
-    ASSERT_TRUE(troupe.progresses({0, 1}, 3s));
+    ASSERT_TRUE(troupe.progresses({0, 1}));
     const auto limit = [&](int index, rlim_t descriptors) {
         rlimit now{};
         ::prlimit(troupe[index].process(), RLIMIT_NOFILE, nullptr, &now);
@@ -203,7 +203,7 @@ TEST(Isolation, WithoutDescriptorsForAWhileNobodyIsLost) {
         troupe[0].send(SIGSTOP); // so that the client looks whether it lives
         std::this_thread::sleep_for(150ms);
         troupe[0].send(SIGCONT);
-        ASSERT_TRUE(troupe.progresses({0, 1}, 2s)) << round;
+        ASSERT_TRUE(troupe.progresses({0, 1})) << round;
         std::this_thread::sleep_for(1200ms); // the server's housekeeping
         for (int i = 0; i < 2; ++i) limit(i, 1024);
         ASSERT_TRUE(troupe.progresses({0, 1})) << round;
@@ -217,7 +217,7 @@ TEST(Isolation, RemovedNamesComeBack) {
     Troupe troupe;
     troupe.start(0, "server");
     troupe.start(1, "client");
-    ASSERT_TRUE(troupe.progresses({0, 1}, 3s));
+    ASSERT_TRUE(troupe.progresses({0, 1}));
     for (int round = 1; round <= rounds(3); ++round) {
         for (const std::string& name : troupe.instance.segments()) ipc::Segment::remove(name);
         ASSERT_TRUE(

@@ -55,7 +55,7 @@ void killAtRandom(Troupe& troupe, int kills, const std::string& clientRole,
         troupe[victim].kill();
         troupe.start(victim, victim == 0 ? "server" : victim == 4 ? "client" : clientRole, server);
         const auto start = Clock::now();
-        ASSERT_TRUE(troupe.progresses(troupe.all(), 1s))
+        ASSERT_TRUE(troupe.progresses(troupe.all()))
             << "kill " << i << " of " << (victim == 0 ? "server" : "client");
         recovery.milliseconds.push_back(
             std::chrono::duration<double, std::milli>(Clock::now() - start).count());
@@ -71,7 +71,7 @@ void killAtRandom(Troupe& troupe, int kills, const std::string& clientRole,
     // A last death of the server, so that its names are left; the next one removes them.
     troupe[0].kill();
     troupe.start(0, "server", server);
-    ASSERT_TRUE(troupe.progresses(troupe.all(), 1s));
+    ASSERT_TRUE(troupe.progresses(troupe.all()));
     EXPECT_TRUE(troupe.leavesNothing());
 }
 
@@ -143,7 +143,7 @@ TEST(Killed, WhileWaitingForABusyServer) {
         for (const int victim : dead) troupe[victim].kill();
         troupe[0].send(SIGCONT);
         for (const int victim : dead) troupe.start(victim, victim == 5 ? "flood" : "client", {"pause=0"});
-        ASSERT_TRUE(troupe.progresses(troupe.all(), 1s)) << "round " << round;
+        ASSERT_TRUE(troupe.progresses(troupe.all())) << "round " << round;
     }
     EXPECT_EQ(troupe.sum(&Counters::wrong), 0u);
     for (int i = 1; i <= 5; ++i) EXPECT_LE(troupe.board[i].epochs, 1u + static_cast<unsigned>(rounds(30)));

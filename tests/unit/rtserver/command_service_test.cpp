@@ -71,7 +71,7 @@ TEST_F(CommandServiceTest, WhatNeedsAFrameIsRunAgain) {
     EXPECT_TRUE(service.worksBeside());
     finishFiles();
     serve({});
-    EXPECT_EQ(told.take(), (Lines{inFolder("screenshot DIR/b.png: "), "ping: pong"}));
+    EXPECT_EQ(told.take(), (Lines{inFolder("screenshot DIR/b.png: live frame, 32 x 24"), "ping: pong"}));
     EXPECT_TRUE(exists("b.png"));
 }
 
