@@ -88,7 +88,7 @@ TEST_F(ProgramTest, AKilledWindowsServerEndsWithTheLastWhoLooks) {
     QTest::qWait(500);
     EXPECT_TRUE(ask(session, QStringLiteral("ping")).done) << "it is ours now";
     session.leave();
-    EXPECT_TRUE(comes([&] { return instance.segments().empty(); }, 2000));
+    EXPECT_TRUE(comes([&] { return instance.segments().empty(); }));
 }
 
 TEST_F(ProgramTest, TwoWindowsAndACommandAtOnce) {
