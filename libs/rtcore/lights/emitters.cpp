@@ -129,6 +129,7 @@ std::uint32_t Emitters::emitterOf(std::uint32_t triangle) const {
 }
 
 EmitterRows Emitters::rows() const {
+    if (empty()) return {table_.rows(), nullptr, nullptr, nullptr};
     return {table_.rows(), triangles_.data(), mesh_.triangles.data()->v, &mesh_.vertices.data()->x};
 }
 
