@@ -13,9 +13,10 @@ import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 DATA = os.path.dirname(HERE)
-sys.path[:0] = [HERE] + [os.path.join(DATA, folder) for folder in ("tools", "environments", "organic")]
+sys.path[:0] = [HERE] + [os.path.join(DATA, folder) for folder in ("tools", "environments", "organic", "nave", "mirrors")]
 
-NAMES = ("meadow", "toys", "chess", "orbit", "space", "terrace", "cube")     # those that take longest first
+NAMES = ("meadow", "toys", "chess", "orbit", "space", "terrace", "cube",        # those that take longest first
+         "cloister", "room", "box", "rings", "eclipse", "rough", "caustics")
 
 
 def output(name):
