@@ -30,7 +30,7 @@ def build(model):
     slab(model, (-3.0, 0.0, -1.0), (-2.7, 3.1, 4.3), "blue")
     slab(model, (2.7, 0.0, -1.0), (3.0, 3.1, 4.3), "wall")
     rim = [(0, 0.0), (0.86, 0.0), (0.88, 0.02), (0.86, 0.04), (0, 0.04)]
-    model.add(tilted(lathe(rim, 128).shaded(30), "x", 90).moved(0.0, 1.62, -0.55), "disc")
+    model.add(tilted(lathe(rim, 128).shaded(30), "x", 90).moved(0.0, 1.62, -0.36), "disc")
     for x, high in ((-1.5, 0.55), (1.5, 0.8)):
         model.add(beveled_box((x - 0.27, 0.0, -0.2), (x + 0.27, high, 0.34), 0.012).shaded(20), "plinth")
     stand(model, plain(knight.build(0.03), "marble"), -1.5, 0.07, -35, 0.55, 0.72)
