@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Renders the gallery, docs/gallery: a counterpart of every figure of the thesis that this project grew from.
+# Renders the gallery, docs/gallery: a counterpart of every figure of the thesis that this project grew from, and what only
+# path tracing shows.
 #   scripts/gallery.sh [--quick] [--output FOLDER] [NAME...]
 #   scripts/gallery.sh --list | --commands
-# NAME: the number of a figure (8.6), the name of a picture (cube-bloom), or the beginning of one (cube); all without it.
-# --quick: a quarter of the size, one sample per pixel, into output/gallery unless told where.
+# NAME: the number of a figure (8.6), more or paths, the name of a picture (cube-bloom), or the beginning of one (cube); all without it.
+# --quick: a quarter of the size, one sample per pixel or eight paths, into output/gallery unless told where.
 # --list: figures and pictures. --commands: the Renderer's command for each.
 # RT_BIN names a folder of programs to be used as they are; without it scripts/build.sh is run first.
 set -euo pipefail
@@ -61,7 +62,10 @@ while read -r figure name _ arguments; do
     number=$((number + 1)) started=$SECONDS
     echo "[$number/$count] $figure $name ..."
     read -ra words <<<"$arguments"
-    if ((quick)); then words+=(--setting width=240 --setting height=135 --setting antialiasing=1); fi
+    if ((quick)); then
+        words+=(--setting width=240 --setting height=135 --setting antialiasing=1)
+        [[ $arguments != *--integrator=path* ]] || words+=(--setting path.samples=8)
+    fi
     "$RT_BIN/Renderer" "${words[@]}" -o "$part" --progress=none </dev/null
     mv -f "$part" "$folder/$name.jpg"
     echo "        $folder/$name.jpg: $((SECONDS - started)) s"

@@ -13,9 +13,11 @@ import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 DATA = os.path.dirname(HERE)
-sys.path[:0] = [HERE] + [os.path.join(DATA, folder) for folder in ("tools", "environments", "organic")]
+SHARED = [os.path.join(DATA, folder) for folder in ("tools", "environments", "organic", "nave", "mirrors")]
+sys.path[:0] = [HERE] + SHARED
 
-NAMES = ("meadow", "toys", "chess", "orbit", "space", "terrace", "cube")     # those that take longest first
+NAMES = ("meadow", "toys", "chess", "orbit", "space", "terrace", "cube",        # those that take longest first
+         "cloister", "room", "box", "rings", "eclipse", "rough", "caustics")
 
 
 def output(name):
@@ -23,8 +25,7 @@ def output(name):
 
 
 def fresh(name):
-    scripts = [f for folder in (HERE, *(os.path.join(DATA, d) for d in ("tools", "environments", "organic")))
-               for f in glob.glob(os.path.join(folder, "*.py"))]
+    scripts = [f for folder in (HERE, *SHARED) for f in glob.glob(os.path.join(folder, "*.py"))]
     path = output(name)
     return os.path.exists(path) and os.path.getmtime(path) >= max(map(os.path.getmtime, scripts))
 
