@@ -10,13 +10,13 @@
 namespace rtcore {
 
 /// One for each thread; kept from wave to wave, since making it anew costs more than tracing. Takes about
-/// 80 MB of address space, of which a wave touches what it needs.
+/// 330 MB of address space, of which a wave touches what it needs.
 class StreamScratch {
   public:
     StreamScratch();
 
     /// Rays that are traced together at most.
-    static constexpr std::size_t kRays = 16384;
+    static constexpr std::size_t kRays = 65536;
     static constexpr std::size_t kGroup = 64; ///< rays that are judged coherent or not together
     static constexpr std::size_t kPadding = 64;
     /// What a list carries for each ray: slot, t0, t1, origin, direction.

@@ -13,16 +13,41 @@ namespace rtcore {
 
 namespace {
 
-/// Pixels of a task's side, and the most samples of each in one wave: 16,384 paths, a full stream.
-constexpr int kSide = 32;
-constexpr std::uint32_t kSamplesAtOnce = 16;
+/// Paths of a wave at most, a full stream: the longer a stream, the more rays share each node that it
+/// fetches. More would save little, and a thread needs 1 KB for each.
+constexpr std::uint32_t kPaths = 65536;
+constexpr std::uint32_t kShownSamples = 16; ///< between two images that are shown
 
-PixelArea areaOf(int tile, int width, int height) {
-    const int columns = (width + kSide - 1) / kSide;
-    const int x = tile % columns * kSide, y = tile / columns * kSide;
-    return {x, y, std::min(kSide, width - x), std::min(kSide, height - y)};
+/// How a range of samples is cut into tasks: squares of the image, and samples of each pixel in one wave.
+struct Cut {
+    int width, height;
+    int side;
+    std::uint32_t samples;
+
+    int columns() const { return (width + side - 1) / side; }
+    int count() const { return columns() * ((height + side - 1) / side); }
+    PixelArea area(int task) const {
+        const int x = task % columns() * side, y = task / columns() * side;
+        return {x, y, std::min(side, width - x), std::min(side, height - y)};
+    }
+};
+
+/// Squares whose samples fill one wave, but enough of them for all threads. Many samples of few pixels are
+/// better than few of many: what is near takes the same way.
+Cut cutOf(int width, int height, std::uint32_t samples, int threads) {
+    constexpr int kMostSide = 256, kLeastSide = 16, kTasksOfThread = 8;
+    const std::uint32_t most = std::clamp(samples, 1U, 256U);
+    Cut cut{width, height, kMostSide, 1};
+    const auto pathsOf = [&] { return static_cast<std::uint32_t>(cut.side * cut.side); };
+    while (cut.side > kLeastSide && (pathsOf() * most > kPaths || cut.count() < kTasksOfThread * threads))
+        cut.side /= 2;
+    cut.samples = kPaths / pathsOf();
+    return cut;
 }
-int tilesOf(int width, int height) { return ((width + kSide - 1) / kSide) * ((height + kSide - 1) / kSide); }
+
+std::uint64_t pixelsOf(const RenderSettings& settings) {
+    return static_cast<std::uint64_t>(settings.width) * static_cast<std::uint64_t>(settings.height);
+}
 
 /// The mean, in which none counts more than 4096 times what a quarter of the lit ones stay below: numbers
 /// that are far too large must not make the unit so large that nothing is left of the rest.
@@ -51,9 +76,10 @@ class PathRenderer::Worker {
 
     /// Calls use(x, y, radiance, hit) with each sample, pixel by pixel. False when it was stopped.
     template <typename Use>
-    bool render(const PixelArea& area, const SampleRange& range, const std::atomic<bool>& stop, Use&& use) {
-        for (std::uint32_t first = range.first; first < range.last; first += kSamplesAtOnce) {
-            nameSamples(area, {first, std::min(range.last, first + kSamplesAtOnce)});
+    bool render(const Cut& cut, int task, const SampleRange& range, const std::atomic<bool>& stop,
+                Use&& use) {
+        for (std::uint32_t first = range.first; first < range.last; first += cut.samples) {
+            nameSamples(cut.area(task), {first, std::min(range.last, first + cut.samples)});
             makeSampleRays(*view_, samples_, rays_);
             integrator_.trace(rays_, samples_);
             if (stop.load(std::memory_order_relaxed)) return false;
@@ -128,12 +154,12 @@ void PathRenderer::measure() {
     Worker& worker = workerOfThread(0);
     worker.begin({view_->scene, view_->tracer, view_->settings, materials_, lights_}, samples, nullptr);
     std::vector<double> seen;
-    for (int tile = 0; tile < tilesOf(small.width, small.height); ++tile) {
-        worker.render(areaOf(tile, small.width, small.height), {0, 1}, never,
-                      [&](int, int, Colour radiance, int) {
-                          const double light = luminance(radiance);
-                          seen.push_back(std::isfinite(light) ? std::max(light, 0.0) : 0);
-                      });
+    const Cut cut = cutOf(small.width, small.height, 1, 0);
+    for (int task = 0; task < cut.count(); ++task) {
+        worker.render(cut, task, {0, 1}, never, [&](int, int, Colour radiance, int) {
+            const double light = luminance(radiance);
+            seen.push_back(std::isfinite(light) ? std::max(light, 0.0) : 0);
+        });
     }
     sums_ = ImageSums(view_->settings.width, view_->settings.height, static_cast<float>(usualMean(seen)));
 }
@@ -141,13 +167,12 @@ void PathRenderer::measure() {
 bool PathRenderer::render(const View& view, RenderControl& control, Frame& frame, const Show& show) {
     const auto samples = static_cast<std::uint32_t>(view.settings.path.samples);
     control.tilesDone = 0;
-    control.tiles = std::uint64_t{samples} *
-                    static_cast<std::uint64_t>(tilesOf(view.settings.width, view.settings.height));
+    control.tiles = samples * pixelsOf(view.settings);
     begin(view, control.threads);
     std::uint32_t done = 0;
     while (done < samples) {
-        // Rounds double until each is a whole wave of a tile.
-        const std::uint32_t round = show ? std::clamp(done, 1U, kSamplesAtOnce) : samples;
+        // Rounds double at first.
+        const std::uint32_t round = show ? std::clamp(done, 1U, kShownSamples) : samples;
         const SampleRange range{done, std::min(samples, done + round)};
         if (!add(range, control)) return false;
         done = range.last;
@@ -161,8 +186,9 @@ bool PathRenderer::render(const View& view, RenderControl& control, Frame& frame
 
 bool PathRenderer::add(const SampleRange& range, RenderControl& control) {
     const RenderSettings& settings = view_->settings;
-    const int tiles = tilesOf(settings.width, settings.height);
     const int team = threadsFor(control.threads);
+    const Cut cut = cutOf(settings.width, settings.height, range.count(), team);
+    const int tasks = cut.count();
     workers_.resize(std::max(workers_.size(), static_cast<std::size_t>(team)));
     TaskErrors errors;
     const PathFrame frame{view_->scene, view_->tracer, settings, materials_, lights_};
@@ -171,18 +197,19 @@ bool PathRenderer::add(const SampleRange& range, RenderControl& control) {
         Worker& worker = workerOfThread(threadNumber());
         worker.begin(frame, samples_, &control.cancel);
 #pragma omp for schedule(dynamic, 1) nowait
-        for (int tile = 0; tile < tiles; ++tile) {
+        for (int task = 0; task < tasks; ++task) {
             if (control.cancel.load(std::memory_order_relaxed) || errors.any()) continue;
             errors.guard([&] {
-                worker.render(
-                    areaOf(tile, settings.width, settings.height), range, control.cancel,
-                    [&](int x, int y, Colour radiance, int hit) {
-                        sums_.add(x, y, radiance);
-                        hits_[static_cast<std::size_t>(y) * static_cast<std::size_t>(settings.width) +
-                              static_cast<std::size_t>(x)] += hit != 0 ? 1U : 0U;
-                    });
+                worker.render(cut, task, range, control.cancel, [&](int x, int y, Colour radiance, int hit) {
+                    sums_.add(x, y, radiance);
+                    hits_[static_cast<std::size_t>(y) * static_cast<std::size_t>(settings.width) +
+                          static_cast<std::size_t>(x)] += hit != 0 ? 1U : 0U;
+                });
             });
-            control.tilesDone.fetch_add(range.count(), std::memory_order_relaxed);
+            const PixelArea area = cut.area(task);
+            control.tilesDone.fetch_add(static_cast<std::uint64_t>(area.columns) *
+                                            static_cast<std::uint64_t>(area.rows) * range.count(),
+                                        std::memory_order_relaxed);
         }
 #pragma omp critical(rtcore_statistics)
         statistics_.add(worker.statistics());

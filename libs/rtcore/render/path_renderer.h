@@ -38,8 +38,8 @@ class PathRenderer {
     using Show = std::function<void(std::uint32_t samples, const Frame&)>;
 
     /// Renders view.settings.path.samples of each pixel into `frame`; with `show`, in rounds that it gets,
-    /// from one sample on. control.tilesDone over control.tiles is how far it is. False when control.cancel
-    /// was set, with `frame` undefined.
+    /// from one sample on. control.tilesDone over control.tiles, here in samples, is how far it is. False
+    /// when control.cancel was set, with `frame` undefined.
     bool render(const View& view, RenderControl& control, Frame& frame, const Show& show = {});
 
     /// Begins an image without samples, of view.settings.width x height. Everything of the view must live,
