@@ -9,12 +9,10 @@
 
 namespace rtcore {
 
-/// One for each thread; kept from wave to wave, since making it anew costs more than tracing. Takes about
-/// 330 MB of address space, of which a wave touches what it needs.
+/// One for each thread; kept from wave to wave, since making it anew costs more than tracing. Takes 83 MB of
+/// address space for streams of up to 16,384 rays and 331 MB for longer ones; a wave touches what it needs.
 class StreamScratch {
   public:
-    StreamScratch();
-
     /// Rays that are traced together at most.
     static constexpr std::size_t kRays = 65536;
     static constexpr std::size_t kGroup = 64; ///< rays that are judged coherent or not together
@@ -23,6 +21,10 @@ class StreamScratch {
     static constexpr std::size_t kColumns = 9;
 
     static constexpr std::size_t kTurns = 2; ///< walks that take turns, each with columns of its own
+
+    /// Before a stream of `rays` is walked. Whatever the columns held may be lost, and `column` moves.
+    /// @throws std::bad_alloc
+    void makeRoom(std::size_t rays);
 
     float* column(std::size_t turn, std::size_t i) {
         return columns_.data() + (turn * kColumns + i) * stride_;
@@ -45,7 +47,8 @@ class StreamScratch {
     BundleChoice bundleChoice;
 
   private:
-    std::size_t stride_;
+    std::size_t rays_ = 0; ///< that the columns have room for
+    std::size_t stride_ = 0;
     UninitializedArray<float> columns_;
 };
 

@@ -56,6 +56,7 @@ HWY_INLINE void traverseWave(const KernelScene& scene, const RaySpan& rays, Stre
         output.fromPacket(packets.packet, first, kGroup);
     };
     const auto asStream = [&]() HWY_ATTR {
+        scratch.makeRoom(scratch.groupCount * kGroup);
         StreamWalk<kSearch> stream(scene, scratch);
         stream.run(rays);
         for (std::size_t g = 0; g < scratch.groupCount; ++g) output.fromSlots(scratch, g);
