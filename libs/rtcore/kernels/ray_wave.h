@@ -2,6 +2,7 @@
 /// directly.
 #pragma once
 
+#include "rtcore/kernels/arrays_of_3.h"
 #include "rtcore/math/vec.h"
 
 #include <cstddef>
@@ -48,6 +49,8 @@ struct RayWave {
     /// Keeps the first `count` rays; those beyond the present ones are all zero.
     void resize(std::size_t count);
     Ray ray(std::size_t i) const { return {{ox[i], oy[i], oz[i]}, tMin[i], {dx[i], dy[i], dz[i]}, tMax[i]}; }
+    ArraysOf3 origins() { return {ox.data(), oy.data(), oz.data()}; }
+    ArraysOf3 directions() { return {dx.data(), dy.data(), dz.data()}; }
 };
 
 /// One hit for each ray of a wave; a miss has triangle = kNoTriangle and undefined t, u, v.

@@ -2,6 +2,8 @@
 /// room for whole blocks of 64.
 #pragma once
 
+#include "rtcore/kernels/arrays_of_3.h"
+
 #include <cstddef>
 #include <vector>
 
@@ -21,6 +23,7 @@ class WaveMemory {
         if (lines_.size() < arrays * stride_) lines_.resize(arrays * stride_);
     }
     float* array(std::size_t i) { return lines_[i * stride_].values; }
+    ArraysOf3 arraysOf3(std::size_t first) { return {array(first), array(first + 1), array(first + 2)}; }
 
   private:
     static constexpr std::size_t kLine = 16;

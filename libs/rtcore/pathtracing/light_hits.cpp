@@ -98,8 +98,7 @@ HWY_EXPORT(meetLights);
 
 void addLightHits(const LightRows& lights, LightFinding finding, PathBatch& batch, Wave& wave) {
     PathQueue& queue = batch.queue;
-    const ArraysOf3 weight{queue.weight[0].data(), queue.weight[1].data(), queue.weight[2].data()};
-    const HitRays hits{*wave.rays, wave.hits.t.data(), wave.surfaces.traits, weight};
+    const HitRays hits{*wave.rays, wave.hits.t.data(), wave.surfaces.traits, queue.weights()};
     HWY_DYNAMIC_DISPATCH(meetLights)(lights, finding, batch.scattered(), hits, wave.surfaces.added);
 }
 

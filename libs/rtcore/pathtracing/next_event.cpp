@@ -189,9 +189,6 @@ HWY_EXPORT(addSamples);
 
 void NextEvents::resize(std::size_t count) {
     memory_.resize(10, count);
-    const auto arrays = [&](std::size_t first) {
-        return ArraysOf3{memory_.array(first), memory_.array(first + 1), memory_.array(first + 2)};
-    };
     const std::size_t room = count + kWaveBlock;
     if (group_.size() < room) {
         group_.resize(room);
@@ -199,8 +196,8 @@ void NextEvents::resize(std::size_t count) {
         u_.resize(room);
         v_.resize(room);
     }
-    samples_ = {group_.data(),    arrays(0),        arrays(3),       memory_.array(6),
-                memory_.array(7), memory_.array(8), memory_.array(9)};
+    samples_ = {group_.data(),    memory_.arraysOf3(0), memory_.arraysOf3(3), memory_.array(6),
+                memory_.array(7), memory_.array(8),     memory_.array(9)};
 }
 
 void NextEvents::sample(const NextEventTask& task, const Wave& wave) {
@@ -242,10 +239,7 @@ void NextEvents::add(const NextEventTask& task, const MaterialTable& materials, 
     const std::size_t room = surfaces.size() + kWaveBlock;
     rays.resize(room);
     if (shadows.point.size() < room) shadows.point.resize(room);
-    const NextEventRays arrays{{rays.ox.data(), rays.oy.data(), rays.oz.data()},
-                               {rays.dx.data(), rays.dy.data(), rays.dz.data()},
-                               rays.tMax.data(),
-                               shadows.point.data()};
+    const NextEventRays arrays{rays.origins(), rays.directions(), rays.tMax.data(), shadows.point.data()};
     rays.resize(HWY_DYNAMIC_DISPATCH(addSamples)(samples_, materials.rows(), task.finding, task.apart,
                                                  surfaces, arrays));
 }

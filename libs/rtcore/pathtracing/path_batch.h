@@ -50,10 +50,8 @@ class PathBatch {
         queue.truncate(0);
         memory_.resize(8, count + kWaveBlock);
         if (states_.size() < count + 2 * kWaveBlock) states_.resize(count + 2 * kWaveBlock);
-        const auto arrays = [&](std::size_t first) {
-            return ArraysOf3{memory_.array(first), memory_.array(first + 1), memory_.array(first + 2)};
-        };
-        scattered_ = {arrays(0), arrays(3), memory_.array(6), memory_.array(7), states_.data()};
+        scattered_ = {memory_.arraysOf3(0), memory_.arraysOf3(3), memory_.array(6), memory_.array(7),
+                      states_.data()};
     }
 
     /// Adds a ray that goes on where it is, as straight as the one of `from` (null: of the camera) with index

@@ -143,24 +143,19 @@ namespace {
 
 BatchArrays arraysOf(PathBatch& batch, std::size_t first) {
     PathQueue& queue = batch.queue;
-    const auto arrays = [&](std::vector<float>(&values)[3]) {
-        return ArraysOf3{values[0].data() + first, values[1].data() + first, values[2].data() + first};
-    };
-    const auto from = [&](ArraysOf3 all) { return ArraysOf3{all.x + first, all.y + first, all.z + first}; };
-    RayWave& rays = queue.rays;
     const ScatterState& state = batch.scattered();
-    return {{rays.ox.data() + first, rays.oy.data() + first, rays.oz.data() + first},
-            {rays.dx.data() + first, rays.dy.data() + first, rays.dz.data() + first},
-            arrays(queue.weight),
-            arrays(queue.extinction),
+    return {queue.rays.origins().from(first),
+            queue.rays.directions().from(first),
+            queue.weights().from(first),
+            queue.extinctions().from(first),
             queue.sample.data() + first,
             queue.bounces.data() + first,
             state.state + first,
             queue.length.data() + first,
             state.total + first,
             state.density + first,
-            from(state.point),
-            from(state.normal)};
+            state.point.from(first),
+            state.normal.from(first)};
 }
 
 } // namespace

@@ -125,11 +125,8 @@ HWY_EXPORT(mirrorAll);
 namespace {
 
 PathArrays pathsFrom(PathQueue& queue, std::size_t first) {
-    const auto arrays = [first](std::vector<float>(&values)[3]) {
-        return ArraysOf3{values[0].data() + first, values[1].data() + first, values[2].data() + first};
-    };
-    return {queue.sample.data() + first, queue.bounces.data() + first, arrays(queue.weight),
-            arrays(queue.extinction), queue.length.data() + first};
+    return {queue.sample.data() + first, queue.bounces.data() + first, queue.weights().from(first),
+            queue.extinctions().from(first), queue.length.data() + first};
 }
 
 } // namespace
@@ -142,9 +139,7 @@ void addMirroredRays(const Wave& wave, const RenderSettings& settings, PathQueue
     const SurfaceWave& surfaces = wave.surfaces;
     PathQueue* const paths = wave.paths.queue();
     const std::size_t before = queue.grow(surfaces.size() + kWaveBlock);
-    RayWave& rays = queue.rays;
-    const RayArrays to{{&rays.ox[before], &rays.oy[before], &rays.oz[before]},
-                       {&rays.dx[before], &rays.dy[before], &rays.dz[before]}};
+    const RayArrays to{queue.rays.origins().from(before), queue.rays.directions().from(before)};
     const PathArrays newPaths = pathsFrom(queue, before);
     const MirrorLimits limits{static_cast<std::uint32_t>(settings.maxDepth), settings.minContribution};
     PathArrays old{};

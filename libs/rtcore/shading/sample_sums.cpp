@@ -40,7 +40,7 @@ HWY_EXPORT(addAll);
 void SampleSums::start(Colour background, Wave& wave) {
     const std::size_t count = wave.size();
     memory_.resize(3, count);
-    radiance_ = {memory_.array(0), memory_.array(1), memory_.array(2)};
+    radiance_ = memory_.arraysOf3(0);
     hit_.resize(count + kWaveBlock);
     HWY_DYNAMIC_DISPATCH(startAll)(background, wave.surfaces, radiance_, hit_.data());
 }

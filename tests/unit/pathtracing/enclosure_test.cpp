@@ -71,6 +71,57 @@ TEST(Enclosure, WithAPointLightHasTheMeanOfItsPower) {
     EXPECT_LT(seen.error[0], 0.01);
 }
 
+/// A unit sphere seen from inside; `cap` is the share of its area, around its highest point, of the first
+/// material.
+Scene hollowSphere(const Material& first, const Material& rest, double cap) {
+    test::SceneBuilder b;
+    const auto above = b.material(first), below = b.material(rest);
+    constexpr int kSlices = 96, kCapRings = 12, kRings = 60;
+    const double edge = std::acos(1 - 2 * cap);
+    const auto polar = [&](int ring) {
+        if (ring <= kCapRings) return edge * ring / kCapRings;
+        return edge + (test::kPi - edge) * (ring - kCapRings) / (kRings - kCapRings);
+    };
+    const auto at = [&](int ring, int slice) {
+        const double azimuth = 2 * test::kPi * (slice % kSlices) / kSlices, across = std::sin(polar(ring));
+        return Vec3{static_cast<float>(across * std::cos(azimuth)), static_cast<float>(std::cos(polar(ring))),
+                    static_cast<float>(across * std::sin(azimuth))};
+    };
+    for (int slice = 0; slice < kSlices; ++slice) {
+        b.triangle(at(0, 0), at(1, slice), at(1, slice + 1), above);
+        b.triangle(at(kRings, 0), at(kRings - 1, slice + 1), at(kRings - 1, slice), below);
+        for (int ring = 1; ring + 1 < kRings; ++ring) {
+            b.quad(at(ring, slice), at(ring + 1, slice), at(ring + 1, slice + 1), at(ring, slice + 1),
+                   ring < kCapRings ? above : below);
+        }
+    }
+    return b.finish();
+}
+
+TEST(Enclosure, SphereWithABlackCapIsAsBrightEverywhere) {
+    // E / pi = f Le / (1 - (1 - f) rho); the facets of the sphere change it by less than 0.0005.
+    constexpr double kShare = 0.1, kAlbedo = 0.7;
+    const double expected = kAlbedo * kShare / (1 - (1 - kShare) * kAlbedo);
+    const test::PathScene scene(
+        hollowSphere(test::emitter({1, 1, 1}), test::matte(static_cast<float>(kAlbedo)), kShare));
+    test::PathLimits limits = test::bouncesAlone(64);
+    limits.rouletteFrom = 4;
+    for (const Vec3 to : {Vec3{0.1F, -1, 0.2F}, Vec3{1, 0.3F, 0.2F}}) {
+        test::expectLight(scene, {0.05F, 0.1F, 0.02F}, to, 30000, limits, expected,
+                          "towards y = " + std::to_string(to.y), 5e-4);
+    }
+}
+
+TEST(Enclosure, SphereWithALightInItsMiddleIsAsBrightEverywhere) {
+    // rho I / (pi R^2 (1 - rho)); facets are a little nearer, and here seen where they are nearest.
+    Scene lit = hollowSphere(test::matte(0.5F), test::matte(0.5F), 0.1);
+    lit.lights = {test::pointLight({0, 0, 0}, static_cast<float>(test::kPi))};
+    const test::PathScene scene(std::move(lit));
+    const auto seen = scene.see({0.2F, 0.1F, 0}, {1, 0.2F, 0.1F}, 40000, test::bouncesAlone(40));
+    EXPECT_NEAR(seen.mean[0], 1, 5 * seen.error[0] + 0.003);
+    EXPECT_LT(seen.error[0], 0.003);
+}
+
 // --- The closed Cornell cube; the table was made by an independent program ---
 
 struct CornellPoint {
@@ -187,6 +238,37 @@ TEST(CornellCube, HasTheLightOfEachBounceByARectangle) {
     expectCornell(scene, LightFinding::Both, 16384);
     expectCornell(scene, LightFinding::NextEvent, 8192);
     expectCornell(scene, LightFinding::ScatteredRays, 16384);
+}
+
+TEST(CornellCube, SamplesOfOnePixelConvergeFasterThanIndependentOnes) {
+    // Of the first bounce: root mean square of the means of 256 samples.
+    constexpr std::uint32_t kPixels = 512, kSamples = 256;
+    const test::PathScene scene(cornell(true));
+    const CornellPoint& point = kCornell[0];
+    const double expected = point.first[0] * point.albedo.r / test::kPi;
+    test::PathLimits direct = test::bouncesAlone(0), both = test::bouncesAlone(1);
+    direct.finding = both.finding = LightFinding::NextEvent;
+    const auto error = [&](bool ofOnePixel) {
+        double squares = 0;
+        for (std::uint32_t pixel = 0; pixel < kPixels; ++pixel) {
+            RayWave rays;
+            std::vector<SampleId> ids;
+            for (std::uint32_t i = 0; i < kSamples; ++i) {
+                rays.push(
+                    {point.place + point.normal * 0.1F, 0, -point.normal, std::numeric_limits<float>::max()});
+                const auto x = static_cast<std::uint16_t>(pixel), y = static_cast<std::uint16_t>(i);
+                ids.push_back(ofOnePixel ? SampleId{x, 0, i} : SampleId{x, y, 0});
+            }
+            double sum = 0;
+            for (const Colour c : scene.trace(rays, ids, both)) sum += c.r;
+            for (const Colour c : scene.trace(rays, ids, direct)) sum -= c.r;
+            squares += std::pow(sum / kSamples - expected, 2);
+        }
+        return std::sqrt(squares / kPixels);
+    };
+    const double independent = error(false);
+    EXPECT_LT(error(true), 0.6 * independent);
+    EXPECT_LT(independent, 0.1 * expected);
 }
 
 } // namespace

@@ -174,12 +174,8 @@ void FogShafts::draw(const FogWave& fog, const Light& light, Rays rays, int samp
     }
     const FogMedium& medium = fog.medium();
     scale_ = light.intensity * medium.scattered * (traitsOf(light).position ? medium.density : 1.0F);
-    const ShaftSamples to{{rays_.ox.data(), rays_.oy.data(), rays_.oz.data()},
-                          {rays_.dx.data(), rays_.dy.data(), rays_.dz.data()},
-                          rays_.tMax.data(),
-                          value_.data(),
-                          of_.data(),
-                          0};
+    const ShaftSamples to{rays_.origins(), rays_.directions(), rays_.tMax.data(),
+                          value_.data(),   of_.data(),         0};
     const ShaftOrder order{rays.first, rays.first + rays.count, shift, samples, counted};
     rays_.resize(HWY_DYNAMIC_DISPATCH(drawShafts)(medium, light, fog.rays(), order, to));
 }

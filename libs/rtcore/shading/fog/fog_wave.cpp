@@ -104,7 +104,8 @@ void FogWave::enter(const RayWave& rays, const HitWave& hits, const std::uint32_
     memory_.resize(3 * std::size(vectors) + std::size(values), count);
     std::size_t next = 0;
     for (ArraysOf3* const v : vectors) {
-        for (float** const array : {&v->x, &v->y, &v->z}) *array = memory_.array(next++);
+        *v = memory_.arraysOf3(next);
+        next += 3;
     }
     for (float** const value : values) *value = memory_.array(next++);
     rays_.count = count;

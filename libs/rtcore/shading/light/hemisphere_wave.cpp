@@ -94,7 +94,7 @@ void HemisphereWave::place(std::span<const Point> points, float ring, const Surf
     std::size_t next = 0;
     for (ArraysOf3* const arrays :
          {&frames_.origin, &frames_.tangent, &frames_.bitangent, &frames_.normal, &frames_.side}) {
-        *arrays = {memory_.array(next), memory_.array(next + 1), memory_.array(next + 2)};
+        *arrays = memory_.arraysOf3(next);
         next += 3;
     }
     frames_.shift = memory_.array(next);

@@ -161,10 +161,7 @@ void addLight(const Light& light, const LightStrata* strata, const MaterialTable
     const std::size_t room = surfaces.size() + kWaveBlock;
     rays.resize(room);
     if (shadows->point.size() < room) shadows->point.resize(room);
-    const ShadowArrays arrays{{rays.ox.data(), rays.oy.data(), rays.oz.data()},
-                              {rays.dx.data(), rays.dy.data(), rays.dz.data()},
-                              rays.tMax.data(),
-                              shadows->point.data()};
+    const ShadowArrays arrays{rays.origins(), rays.directions(), rays.tMax.data(), shadows->point.data()};
     rays.resize(
         HWY_DYNAMIC_DISPATCH(lightSurfaces)(light, strata, materials.rows(), surfaces, &arrays, known));
 }

@@ -27,7 +27,7 @@ void SkyWave::start(std::size_t points) {
     memory_.resize(9, points);
     std::size_t next = 0;
     for (ArraysOf3* const sums : {&sums_.arrived, &sums_.passing, &sums_.whole}) {
-        *sums = {memory_.array(next), memory_.array(next + 1), memory_.array(next + 2)};
+        *sums = memory_.arraysOf3(next);
         next += 3;
     }
     for (std::size_t i = 0; i < next; ++i) std::fill_n(memory_.array(i), points, 0.0F);

@@ -1,6 +1,7 @@
 /// Rays that wait to be traced, and what each is for.
 #pragma once
 
+#include "rtcore/kernels/arrays_of_3.h"
 #include "rtcore/kernels/ray_wave.h"
 #include "rtcore/kernels/wave_memory.h"
 #include "rtcore/math/colour.h"
@@ -39,6 +40,8 @@ struct PathQueue {
     void clear() { rays.clear(); }
     void push(const Ray& ray, const Path& path);
     Path path(std::size_t i) const;
+    ArraysOf3 weights() { return {weight[0].data(), weight[1].data(), weight[2].data()}; }
+    ArraysOf3 extinctions() { return {extinction[0].data(), extinction[1].data(), extinction[2].data()}; }
 
     /// Appends `count` rays with undefined origins, directions and paths, from 0 to infinity, and returns how
     /// many there were before.

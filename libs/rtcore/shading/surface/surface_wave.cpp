@@ -168,9 +168,8 @@ void SurfaceWave::resize(std::size_t count, bool metallic) {
     memory_.resize(3 * used + (metallic ? 2 : 1), count);
     std::size_t next = 0;
     for (ArraysOf3* const v : std::span(vectors).first(used)) {
-        v->x = memory_.array(next++);
-        v->y = memory_.array(next++);
-        v->z = memory_.array(next++);
+        *v = memory_.arraysOf3(next);
+        next += 3;
     }
     clearance = memory_.array(next++);
     alpha = metallic ? memory_.array(next++) : nullptr;

@@ -1,6 +1,7 @@
 /// The surfaces that a wave of rays found, one array for each value, so that vector code lights them.
 #pragma once
 
+#include "rtcore/kernels/arrays_of_3.h"
 #include "rtcore/kernels/ray_wave.h"
 #include "rtcore/kernels/wave_memory.h"
 #include "rtcore/scene/mesh.h"
@@ -13,16 +14,6 @@
 #include <vector>
 
 namespace rtcore {
-
-/// Three arrays that are one array of vectors or colours.
-struct ArraysOf3 {
-    float *x = nullptr, *y = nullptr, *z = nullptr;
-
-    Vec3 at(std::size_t i) const { return {x[i], y[i], z[i]}; }
-    void set(std::size_t i, Vec3 v) const { x[i] = v.x, y[i] = v.y, z[i] = v.z; }
-    Colour colourAt(std::size_t i) const { return {x[i], y[i], z[i]}; }
-    void set(std::size_t i, Colour c) const { x[i] = c.r, y[i] = c.g, z[i] = c.b; }
-};
 
 /// One element for each ray of the wave, and room for whole blocks of kWaveBlock. One for each thread; keeps
 /// its memory.
