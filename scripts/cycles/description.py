@@ -6,7 +6,7 @@ from geometry import Soup
 
 @dataclass
 class Material:
-    """A Lambert surface under a mirror, smooth glass, a pane that only tints, or (when both programs have it) a metal."""
+    """A Lambert surface under a mirror, smooth glass, a pane that only tints, or a rough metal."""
     diffuse: tuple = (0.0, 0.0, 0.0)
     texture: str = ""            # a PNG of three channels; times `diffuse`
     emission: tuple = (0.0, 0.0, 0.0)

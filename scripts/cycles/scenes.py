@@ -143,7 +143,7 @@ def glass():
 
 
 def metals():
-    """Rough metals; of use once the Renderer scatters by GGX."""
+    """Balls of rough metal in the same room."""
     scene = Scene((0.4, 1.5, 2.8), (0.0, 0.6, -0.6), 65.0, bounces=24, caustics=True)
     room(scene, (5.0, 4.6, 4.0))
     for i, roughness in enumerate((0.2, 0.4, 0.7, 1.0)):

@@ -14,10 +14,10 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// Of reflectance F0: F0 straight + grazing.
+/// Of reflectance F0: F0 straight + grazing. `mean`: of perfect mirrors, for light from all sides.
 template <typename F>
 struct GgxAlbedo {
-    F straight, grazing;
+    F straight, grazing, mean;
 };
 
 /// `cosine`: of the viewer with the normal; numbers outside 0..1 count as the nearest, NaN as 0.
@@ -37,7 +37,10 @@ HWY_INLINE GgxAlbedo<F> ggxAlbedo(const GgxAlbedoTable& table, F cosine, F rough
         const F above = upper + right * (upperRight - upper);
         return above + down * (lower + right * (lowerRight - lower) - above);
     };
-    return {between(table.straight), between(table.grazing)};
+    const IntOf<F> line = truncate(row);
+    const F mean = gather(table.mean, line);
+    return {between(table.straight), between(table.grazing),
+            mean + down * (gather(table.mean + 1, line) - mean)};
 }
 
 } // namespace HWY_NAMESPACE

@@ -70,6 +70,26 @@ Albedo albedoOf(double cosine, double alpha, const std::array<DiscPoint, kDiscPo
     return sum;
 }
 
+/// The integral of 2 c E(c) over the cosines c, where E is linear in the square root of c between the columns
+/// of a row, as ggxAlbedo() has it: 4 r^3 E over the roots r.
+double meanOfRow(const GgxAlbedoTable& table, int row) {
+    constexpr int kSteps = kGgxAlbedoSide - 1;
+    const auto albedo = [&](int column) {
+        const int at = row * kGgxAlbedoSide + column;
+        return double{table.straight[at]} + double{table.grazing[at]};
+    };
+    double sum = 0;
+    for (int column = 0; column < kSteps; ++column) {
+        const double from = static_cast<double>(column) / kSteps;
+        const double to = static_cast<double>(column + 1) / kSteps;
+        const double slope = (albedo(column + 1) - albedo(column)) * kSteps;
+        const double fourth = to * to * to * to - from * from * from * from;
+        const double fifth = to * to * to * to * to - from * from * from * from * from;
+        sum += (albedo(column) - slope * from) * fourth + slope * 0.8 * fifth;
+    }
+    return sum;
+}
+
 GgxAlbedoTable madeTable() {
     const std::array<DiscPoint, kDiscPoints> points = discPoints();
     GgxAlbedoTable table;
@@ -82,6 +102,7 @@ GgxAlbedoTable madeTable() {
             table.straight[row * kGgxAlbedoSide + column] = static_cast<float>(albedo.straight);
             table.grazing[row * kGgxAlbedoSide + column] = static_cast<float>(albedo.grazing);
         }
+        table.mean[row] = static_cast<float>(meanOfRow(table, row));
     }
     return table;
 }

@@ -30,21 +30,39 @@ struct MetallicLobes {
     F alpha;
 };
 
+/// The factor on a GGX lobe that puts back what is scattered from facet to facet before it leaves: of even
+/// light one reflection takes `once`, and of the rest each further one the mean over all angles of Schlick's
+/// curve (Kulla and Conty 2017, "Revisiting physically based shading", for the albedo; as a factor, so that
+/// directions are drawn as before: Turquin 2019, "Practical multiple scattering compensation"). Perfect
+/// mirrors give off all that they get.
+template <typename F>
+HWY_INLINE F factorOfFurtherFacets(const GgxAlbedo<F>& albedo, F reflectance) {
+    constexpr float kLeastAlbedo = 1e-3F;
+    const F once = reflectance * albedo.straight + albedo.grazing;
+    const F rest = 1.0F - albedo.straight - albedo.grazing;
+    const F further = reflectance + (1.0F - reflectance) * (1.0F / 21.0F);
+    const F leaving = further * further * albedo.mean / (1.0F - further * (1.0F - albedo.mean));
+    return 1.0F + rest * leaving / max(once, F(kLeastAlbedo));
+}
+template <typename F>
+HWY_INLINE Vec3Of<F> factorOfFurtherFacets(const GgxAlbedo<F>& albedo, Vec3Of<F> reflectance) {
+    return {factorOfFurtherFacets<F>(albedo, reflectance.x), factorOfFurtherFacets<F>(albedo, reflectance.y),
+            factorOfFurtherFacets<F>(albedo, reflectance.z)};
+}
+
 /// `base`, `metallic`, `roughness` as glTF has them, 0..1; `reflectance`: of what is no metal, straight on;
-/// `cosine`: of the viewer with the normal, lifted. Light that is scattered from facet to facet is put back
-/// by a factor (Turquin 2019, "Practical multiple scattering compensation for microfacet models"), and what
-/// is diffuse gets what the gloss leaves: white surfaces give off all that they get. Results of metal and
-/// dielectric are mixed, not their reflectances, since the factor is not linear in them.
+/// `cosine`: of the viewer with the normal, lifted. What is diffuse gets what the gloss leaves: white
+/// surfaces give off all that they get. Results of metal and dielectric are mixed, not their reflectances,
+/// since the factor is not linear in them.
 template <typename F>
 HWY_INLINE MetallicLobes<F> metallicLobes(const GgxAlbedoTable& table, Vec3Of<F> base, F metallic,
                                           F roughness, Vec3Of<F> reflectance, F cosine) {
     const GgxAlbedo<F> albedo = ggxAlbedo<F>(table, cosine, roughness);
-    const F lost = 1.0F / (albedo.straight + albedo.grazing) - 1.0F;
     const F isDielectric = 1.0F - metallic;
     const Vec3Of<F> white = broadcast<F>(kWhite);
-    const Vec3Of<F> dielectric = white + reflectance * lost;
+    const Vec3Of<F> dielectric = factorOfFurtherFacets<F>(albedo, reflectance);
     const Vec3Of<F> glossOfDielectric = (reflectance * albedo.straight + white * albedo.grazing) * dielectric;
-    const Vec3Of<F> metal = (white + base * lost) * metallic;
+    const Vec3Of<F> metal = factorOfFurtherFacets<F>(albedo, base) * metallic;
     const Vec3Of<F> other = dielectric * isDielectric;
     MetallicLobes<F> lobes;
     lobes.diffuse = base * atLeastZero<F>(white - glossOfDielectric) * isDielectric;

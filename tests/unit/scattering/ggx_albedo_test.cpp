@@ -77,5 +77,18 @@ TEST(GgxAlbedo, OutsideItsRangeTheNearestHolds) {
     EXPECT_EQ(last.straight, table.straight[kGgxAlbedoSide * kGgxAlbedoSide - 1]);
 }
 
+// By quadrature in double, elsewhere.
+TEST(GgxAlbedo, MeanOverAllAngles) {
+    struct Case {
+        float roughness;
+        double mean;
+    };
+    for (const Case& c :
+         {Case{0.1F, 0.9997}, {0.2F, 0.9956}, {0.3F, 0.9771}, {0.5F, 0.8823}, {0.7F, 0.7074}, {1, 0.4092}}) {
+        const auto albedo = formulas::ggxAlbedo<float>(ggxAlbedoTable(), 0.5F, c.roughness);
+        EXPECT_NEAR(albedo.mean, c.mean, 0.002) << c.roughness;
+    }
+}
+
 } // namespace
 } // namespace rtcore
