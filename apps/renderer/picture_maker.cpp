@@ -196,23 +196,33 @@ void PictureMaker::render(const rtcore::Camera& camera, const rtcore::RenderSett
     app::throwIfStopped();
 }
 
-/// AOVs are those of rays, which see the same first.
 bool PictureMaker::renderPaths(const rtcore::View& view, rtcore::RenderControl& control, bool aovs) {
-    const bool whole = preview_ == nullptr ? paths_.render(view, control, frame_)
-                                           : preview_->render(paths_, view, control, frame_);
+    bool whole = false;
+    if (preview_ == nullptr) {
+        whole = paths_.render(view, control, frame_);
+    } else {
+        whole = findSurfaces(view, control.threads, 1) &&
+                preview_->render(paths_, view, control, frame_, aovFrame_.aovs);
+    }
     if (!whole) return false;
     tellOfPaths(paths_);
     if (!aovs) return true;
     constexpr int kSamples = 4; // each way: edges are as smooth as those of the image
-    rtcore::RenderSettings rays = view.settings;
-    rays.integrator = rtcore::Integrator::Whitted;
-    rays.antialiasing = kSamples;
-    rays.adaptive = 0;
-    rays.ambientOcclusion.on = rays.skyLight.on = false;
-    rtcore::RenderControl quietly{.threads = control.threads};
-    if (!renderer_.render({view.scene, view.tracer, view.camera, rays}, quietly, aovFrame_)) return false;
+    if (!findSurfaces(view, control.threads, kSamples)) return false;
     std::swap(frame_.aovs, aovFrame_.aovs);
     return true;
+}
+
+/// AOVs of paths are those of rays, which see the same first.
+bool PictureMaker::findSurfaces(const rtcore::View& view, int threads, int samples) {
+    rtcore::RenderSettings rays = view.settings;
+    rays.integrator = rtcore::Integrator::Whitted;
+    rays.antialiasing = samples;
+    rays.adaptive = 0;
+    rays.ambientOcclusion.on = rays.skyLight.on = false;
+    rtcore::RenderControl quietly{.threads = threads};
+    renderer_.collectAovs(true);
+    return renderer_.render({view.scene, view.tracer, view.camera, rays}, quietly, aovFrame_);
 }
 
 /// What light there is by paths, once a run, where --verbose asks; and what was lost, always.

@@ -69,6 +69,7 @@ class PictureMaker {
     void focus(const rtcore::Camera& camera, rtcore::RenderSettings& settings);
     void render(const rtcore::Camera& camera, const rtcore::RenderSettings& settings, int index, int count);
     bool renderPaths(const rtcore::View& view, rtcore::RenderControl& control, bool aovs);
+    bool findSurfaces(const rtcore::View& view, int threads, int samples);
     void tellOfPaths(const rtcore::PathRenderer& paths);
     /// The exposure; nothing is done when no output is wanted.
     float develop(const FrameTask& task, const rtcore::HdrImage& radiance,

@@ -61,13 +61,15 @@ bool Preview::render(rtcore::FrameRenderer& renderer, const rtcore::View& view,
 }
 
 bool Preview::render(rtcore::PathRenderer& paths, const rtcore::View& view, rtcore::RenderControl& control,
-                     rtcore::Frame& frame) {
+                     rtcore::Frame& frame, const rtcore::Aovs& surfaces) {
     Work work{view, control, frame};
     byPaths_ = true;
     return during(work, [&] {
-        return paths.render(
-            view, control, frame,
-            [this](std::uint32_t samples, const rtcore::Frame& picture) { showPass(1, samples, picture); });
+        return paths.render(view, control, frame, [&](std::uint32_t samples, const rtcore::Frame& picture) {
+            const rtcore::Frame& shown =
+                filter_.apply(picture, surfaces, view.settings, samples, control.threads, control.cancel);
+            if (!control.cancel) showPass(1, samples, shown);
+        });
     });
 }
 

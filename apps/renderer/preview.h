@@ -2,6 +2,7 @@
 /// commands. docs/protocol.md, "A preview".
 #pragma once
 
+#include "renderer/preview_filter.h"
 #include "renderer/preview_options.h"
 #include "renderer/preview_pace.h"
 
@@ -38,9 +39,10 @@ class Preview {
     /// there is no memory for frames, or the instance was lost.
     bool render(rtcore::FrameRenderer& renderer, const rtcore::View& view, rtcore::RenderControl& control,
                 rtcore::Frame& frame);
-    /// The same by paths, whose image is shown after each round of samples.
+    /// The same by paths, whose image is shown after each round of samples, with less noise (PreviewFilter)
+    /// where `surfaces` has the view's AOVs.
     bool render(rtcore::PathRenderer& paths, const rtcore::View& view, rtcore::RenderControl& control,
-                rtcore::Frame& frame);
+                rtcore::Frame& frame, const rtcore::Aovs& surfaces);
     /// Of render(). Any thread.
     double fraction(const rtcore::RenderControl& control) const {
         return byPaths_ ? control.fraction() : refinement_.fraction(control);
@@ -80,6 +82,7 @@ class Preview {
     std::uint32_t allSamples_ = 1; ///< of each pixel of the whole image
     rtcore::Refinement refinement_;
     rtcore::PictureDeveloper developer_;
+    PreviewFilter filter_;
     rtcore::LdrImage small_;
 
     std::mutex mutex_; ///< guards all below
