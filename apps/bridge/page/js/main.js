@@ -72,6 +72,7 @@ const link = new Link(() => ({ token: forThisTab.get("rt.token") ?? "", instance
     view: pixels(), codecs: ["jpeg", "png"] }));
 app.edits = new Edits((what, keys) => link.request(what, keys), ({ text }) => text && app.notices.show("failed", text, { warn: true }));
 const held = new Held((message) => app.drives() && link.send(message));
+app.pixels = pixels;
 const picture = (app.picture = new Picture(canvas, (ack) => link.send(ack), onDrawn));
 const panels = new Panels([viewsPanel, lightsPanel, skyPanel, modelPanel, settingsPanel, peoplePanel, pagePanel].map((make) => make(app)), onResize);
 app.statistics.onChange = () => panels.show();

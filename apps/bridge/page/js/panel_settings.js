@@ -44,6 +44,12 @@ export function settingsPanel(app) {
         }
     }
 
+    /** The pixels of this screen's part for the frame, or as many as the bridge allows. */
+    function fitted() {
+        const { w, h } = app.pixels(), scale = Math.min(1, Math.sqrt((app.welcome.limits.maxPixels ?? w * h) / (w * h)));
+        return { width: Math.max(1, Math.floor(w * scale)), height: Math.max(1, Math.floor(h * scale)) };
+    }
+
     function addSize(place) {
         const width = make("input", { type: "number", min: 1, max: 32767, id: freshId(), "aria-label": settingLabel("width") });
         const height = make("input", { type: "number", min: 1, max: 32767, "aria-label": settingLabel("height") });
@@ -51,9 +57,10 @@ export function settingsPanel(app) {
             if (width.checkValidity() && height.checkValidity())
                 app.ask("resolution", { width: Number(width.value), height: Number(height.value) });
         });
+        const fit = button(t("fit"), () => app.ask("resolution", fitted()));
         place.append(make("div", { className: "actions", role: "group", "aria-label": t("size") }, make("label", { for: width.id }, t("size")),
-            width, "×", height, apply));
-        size = { width, height, apply };
+            width, "×", height, apply, fit));
+        size = { width, height, apply, fit };
     }
 
     return {
@@ -88,7 +95,7 @@ export function settingsPanel(app) {
                 if (size[side] !== document.activeElement) size[side].value = values[side] ?? "";
                 size[side].disabled = !may;
             }
-            size.apply.disabled = !may;
+            size.apply.disabled = size.fit.disabled = !may;
         },
     };
 }
