@@ -3,6 +3,7 @@ set(BRIDGE_PAGE_FILES
     index.html
     page.css
     icon.svg
+    js/around.js
     js/bookmarks.js
     js/dom.js
     js/edits.js
@@ -33,6 +34,7 @@ set(BRIDGE_PAGE_FILES
     js/texts_cs.js
     js/texts_en.js
     js/touch.js
+    js/wake_lock.js
     js/wire.js)
 
 # Made from the translations of the window, without Qt.

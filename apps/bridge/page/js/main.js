@@ -1,5 +1,6 @@
 /** Wires the page: what the bridge says goes to the image, the panels and the notices; what hands do goes to the bridge. */
-import { byId, name } from "./dom.js";
+import { Around } from "./around.js";
+import { byId } from "./dom.js";
 import { Edits } from "./edits.js";
 import { readFragment } from "./fragment.js";
 import { Gamepad } from "./gamepad.js";
@@ -16,11 +17,11 @@ import { skyPanel } from "./panel_sky.js";
 import { download, viewsPanel } from "./panel_views.js";
 import { Panels } from "./panels.js";
 import { Picture } from "./picture.js";
-import { editLabel } from "./setting_labels.js";
 import { Statistics } from "./statistics.js";
 import { followPreference, forThisTab, preference } from "./storage.js";
 import { number, t } from "./texts.js";
 import { Touch } from "./touch.js";
+import { keepAwake } from "./wake_lock.js";
 import { viewMessage } from "./wire.js";
 
 const canvas = byId("view"), stage = byId("stage");
@@ -33,6 +34,7 @@ const app = {
     roles: { driver: null, asking: [], people: [] },
     notices: new Notices(),
     statistics: new Statistics(),
+    driver: () => app.roles.people.find(({ id }) => id === app.roles.driver),
     drives: () => link.greeted && app.roles.driver === app.welcome?.you,
     mayEdit: () => app.drives() && !app.welcome.locked.includes("edits"),
     /** A request whose failure is told. */
@@ -74,11 +76,12 @@ app.edits = new Edits((what, keys) => link.request(what, keys), ({ text }) => te
 const held = new Held((message) => app.drives() && link.send(message));
 app.pixels = pixels;
 const picture = (app.picture = new Picture(canvas, (ack) => link.send(ack), onDrawn));
-const panels = new Panels([viewsPanel, lightsPanel, skyPanel, modelPanel, settingsPanel, peoplePanel, pagePanel].map((make) => make(app)), onResize);
+const panels = new Panels([viewsPanel, lightsPanel, skyPanel, modelPanel, settingsPanel, peoplePanel, pagePanel].map((make) => make(app)), () => sendView());
 app.statistics.onChange = () => panels.show();
+const around = new Around(app);
 
 // Hands
-let speed = 1, walked = false;
+let speed = 1;
 const hands = {
     mayCapture: () => app.drives() || (offerDriving(), false),
     mayDrive: () => app.drives() || (offerDriving(), false),
@@ -100,33 +103,28 @@ const hands = {
         if (at && app.drives() && (await app.ask("focus", at)).ok) app.notices.show("focus", t("focusSet"));
     },
     used() {
-        walked = true;
+        around.walked = true;
         byId("pads").hidden = false;
-        showHint();
+        around.showHint();
     },
 };
 const input = new Input(canvas, held, hands);
 new Touch(canvas, held, hands);
 new Gamepad(held, () => app.drives());
 
-let wake = null;
-async function onCaptured(kind) {
-    walked ||= kind !== "";
+function onCaptured(kind) {
+    around.walked ||= kind !== "";
     stage.classList.toggle("captured", kind !== "");
     canvas.classList.toggle("captured", kind === "drag");
-    if (kind !== "") app.notices.show("captured", t(kind === "lock" ? "captured" : "capturedDrag"));
-    else app.notices.hide("captured");
-    showHint();
-    if (kind === "" || wake) return void (kind === "" && (wake?.release(), (wake = null)));
-    try {
-        wake = await navigator.wakeLock?.request("screen");
-    } catch { /* not everywhere allowed */ }
+    if (kind === "") app.notices.hide("captured");
+    else app.notices.show("captured", t(kind === "lock" ? "captured" : "capturedDrag"));
+    around.showHint();
+    keepAwake(kind !== "");
 }
 
 function offerDriving() {
     if (!link.greeted) return;
-    const driver = app.roles.people.find(({ id }) => id === app.roles.driver);
-    const text = driver ? t("watching", personName(driver)) : t("watchingFree");
+    const text = around.driverText();
     const actions = app.welcome.mayDrive ? [[t("ask"), () => app.askToDrive()]] : [];
     app.notices.show("driver", app.welcome.mayDrive ? text : text + " · " + t("viewOnly"), { actions });
 }
@@ -145,28 +143,16 @@ function offerView() {
 }
 
 // The image
-let seen = false, exact = false;
 function onDrawn(header) {
-    if (!seen) {
-        seen = true;
-        showWaiting();
-        showHint();
-    }
-    exact = header.exact;
-    byId("save").disabled = !exact;
-    name(byId("save"), t(exact ? "save" : "saveWait"));
+    around.showFrame(header.exact);
     app.statistics.drawn(header, header.input ? held.since(header.input) : null);
-    showPill();
 }
 
-function onResize() {
-    sendView();
-}
 function sendView() {
     const { w, h } = pixels();
     link.send(viewMessage({ visible: !document.hidden, rung: Number(preference("rung", "255")), save: preference("saveData", "false") === "true", width: w, height: h }));
 }
-new ResizeObserver(onResize).observe(canvas);
+new ResizeObserver(sendView).observe(canvas);
 document.addEventListener("visibilitychange", sendView);
 for (const what of ["rung", "saveData"]) followPreference(what, "", sendView);
 followPreference("theme", "", (theme) => {
@@ -177,13 +163,6 @@ followPreference("theme", "", (theme) => {
 // What the bridge says
 const on = (event, what) => link.addEventListener(event, ({ detail }) => what(detail));
 
-let waitingFor = "connecting";
-function showWaiting(what = waitingFor) {
-    waitingFor = what;
-    byId("waiting").hidden = seen || what === "";
-    byId("waiting-text").textContent = what === "" ? "" : t(what);
-}
-
 on("binary", (buffer) => picture.take(buffer));
 on("welcome", (welcome) => {
     const other = JSON.stringify(app.welcome?.settings) !== JSON.stringify(welcome.settings) || app.welcome?.instance !== welcome.instance;
@@ -192,7 +171,7 @@ on("welcome", (welcome) => {
     app.welcome = welcome;
     canvas.classList.remove("stale");
     if (other) panels.empty();
-    showWaiting("firstFrame");
+    around.showWaiting("firstFrame");
     sendView();
 });
 on("roles", (roles) => {
@@ -201,21 +180,21 @@ on("roles", (roles) => {
     if (drove && !app.drives()) letGo();
     if (!drove && app.drives()) app.notices.hide("driver");
     canvas.classList.toggle("drives", app.drives());
-    showHint();
-    showPill();
+    around.showHint();
+    around.showStatus();
     offerView();
     panels.show();
 });
 on("state", ({ event: _, values, ...rest }) => {
     app.state = { ...app.state, ...rest, values: { ...app.state.values, ...values } };
-    showHeader();
+    around.showHeader();
     panels.show();
 });
 on("status", ({ event: _, ...status }) => {
     const first = !app.status.eye;
     app.status = app.statistics.status = status;
     if (first) offerView();
-    showPill();
+    around.showStatus();
     panels.show();
 });
 on("link", (facts) => {
@@ -227,11 +206,11 @@ on("server", ({ state, text }) => {
     canvas.classList.toggle("stale", state === "gone" || state === "refused");
     if (state === "there") {
         app.notices.hide(key);
-        if (!seen) showWaiting("firstFrame");
+        if (!around.seen) around.showWaiting("firstFrame");
         return;
     }
     if (state !== "busy") letGo();
-    if (state === "gone" && !seen) return showWaiting("noServer");
+    if (state === "gone" && !around.seen) return around.showWaiting("noServer");
     app.notices.show(key, state === "refused" ? t("refused", text) : t(state), { lasting: true, warn: true });
 });
 on("message", ({ kind, text }) => app.notices.show("message", text, { warn: kind === "warning" }));
@@ -254,9 +233,9 @@ on("lost", ({ code, reason, final }) => {
     app.lost = wasGreeted;
     app.roles = { driver: null, asking: [], people: [] };
     panels.show();
-    showHint();
-    if (!final) return wasGreeted ? app.notices.show("link", t("lost"), { lasting: true, warn: true, actions: [[t("tryAgain"), () => link.hurry()]] }) : showWaiting("connecting");
-    showWaiting("");
+    around.showHint();
+    if (!final) return wasGreeted ? app.notices.show("link", t("lost"), { lasting: true, warn: true, actions: [[t("tryAgain"), () => link.hurry()]] }) : around.showWaiting("connecting");
+    around.showWaiting("");
     const reload = [t("reload"), () => location.reload()];
     if (code === 4004) {
         const names = reason.split(" ").filter(Boolean);
@@ -271,38 +250,7 @@ function letGo() {
     held.release();
 }
 
-// What stands around the image
-function showHeader() {
-    const { scene = "", undo = "", redo = "", mayUndo, mayRedo } = app.state;
-    byId("scene").textContent = scene;
-    document.title = scene ? t("titleOf", scene) : t("title");
-    byId("title").textContent = document.title;
-    byId("undo").disabled = !mayUndo;
-    byId("redo").disabled = !mayRedo;
-    name(byId("undo"), undo ? t("undoOf", editLabel(undo)) : t("undo"));
-    name(byId("redo"), redo ? t("redoOf", editLabel(redo)) : t("redo"));
-}
-
-let said = "";
-function showPill() {
-    const { mode, fps = 0, idle, paused } = app.status;
-    if (!mode) return;
-    const motion = paused ? t("paused") : exact ? t("refined") : idle ? t("idle") : t("fps", number(fps));
-    const driver = app.roles.people.find(({ id }) => id === app.roles.driver);
-    const role = app.drives() ? "" : " · " + (driver ? t("watching", personName(driver)) : t("watchingFree"));
-    byId("pill-text").textContent = t(mode) + " · " + motion + role;
-    // Screen readers hear what changed, not each rate.
-    const quiet = t(mode) + (idle ? ", " + t("idle") : "") + role;
-    if (quiet !== said) byId("live").textContent = said = quiet;
-}
-
-const byTouch = matchMedia("(pointer: coarse)").matches;
-function showHint() {
-    const hint = byId("hint");
-    hint.hidden = walked || !seen || !app.drives();
-    hint.textContent = hint.hidden ? "" : t(byTouch ? "hintTouch" : "hint");
-}
-
+// Buttons and keys of the page
 byId("full").addEventListener("click", toggleFullScreen);
 byId("full").hidden = !document.fullscreenEnabled;
 byId("undo").addEventListener("click", () => app.ask("undo"));
@@ -321,14 +269,4 @@ addEventListener("keydown", (event) => {
     }
 });
 
-for (const [id, text] of [["menu", "menu"], ["close", "close"], ["full", "full"], ["pad-fly", "padFly"], ["pad-jump", "padJump"], ["pad-crouch", "padCrouch"], ["save", "saveWait"]])
-    name(byId(id), t(text));
-byId("save").disabled = true;
-canvas.setAttribute("aria-label", t("view"));
-byId("corner").setAttribute("aria-label", t("menu"));
-byId("pads").setAttribute("aria-label", t("pads"));
-byId("tabs").setAttribute("aria-label", t("menu"));
-byId("drawer").setAttribute("aria-label", t("menu"));
-showHeader();
-showWaiting();
 link.connect();
