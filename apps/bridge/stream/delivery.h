@@ -13,7 +13,7 @@ namespace bridge {
 /// What a page says of itself.
 struct PageView {
     bool visible = true;
-    std::optional<int> rung; ///< chosen by hand
+    std::optional<int> rung = {}; ///< chosen by hand
     bool saveData = false;   ///< half size at most, no exact image
     bool noStill = false;
     int width = 0, height = 0; ///< pixels that it has; 0: not said

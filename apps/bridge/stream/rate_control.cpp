@@ -7,7 +7,7 @@ namespace bridge {
 
 namespace {
 
-constexpr Seconds kBaseMemory = 10;
+constexpr Seconds kBaseMemory = 60; // frames alone never show the delay of a link that they fill
 constexpr double kLate = 1.5, kVeryLate = 5, kGood = 0.3; ///< of a frame's time
 constexpr int kLateAcks = 3;                              ///< so many running make frames coarser
 constexpr Seconds kBetweenChanges = 0.3;

@@ -22,7 +22,7 @@ struct LinkReport {
     int rung = kFirstRung;
 };
 
-/// Pure: it is told all times. A frame's time on its way is `rtt`; `base` is the least delay of the last 10 s, which
+/// Pure: it is told all times. A frame's time on its way is `rtt`; `base` is the least delay of the last minute, which
 /// latency alone explains; what is left without the decoding is time in queues, and that alone makes frames
 /// coarser. One thread.
 class RateControl {
