@@ -11,16 +11,28 @@ namespace test {
 
 namespace {
 
-// The browser reads commands from 3 and writes answers to 4. exec keeps both; the shell moves them there.
-constexpr const char* kMoved = R"(exec 3<&"$0" 4>&"$1"; shift; exec "$@")";
-
 std::array<int, 2> makePipe() {
     std::array<int, 2> ends{};
-    if (::pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
     return ends;
 }
 
-void keepFromChildren(int descriptor) { ::fcntl(descriptor, F_SETFD, FD_CLOEXEC); }
+/// In the new process: the browser reads commands from 3 and writes answers to 4.
+void becomeBrowser(int commands, int answers, const std::string& output, std::vector<std::string> words) {
+    constexpr int kBeyond = 10; // neither end may lie where the other goes
+    const int in = ::fcntl(commands, F_DUPFD_CLOEXEC, kBeyond),
+              out = ::fcntl(answers, F_DUPFD_CLOEXEC, kBeyond);
+    const int file = ::open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
+    ::dup2(file, 1);
+    ::dup2(file, 2);
+    ::dup2(in, 3);
+    ::dup2(out, 4);
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    ::execv(arguments[0], arguments.data());
+    ::_exit(127);
+}
 
 } // namespace
 
@@ -39,13 +51,7 @@ Chromium::Chromium(const std::vector<std::string>& options) {
     const auto commands = makePipe(), answers = makePipe();
     commands_ = commands[1];
     answers_ = answers[0];
-    keepFromChildren(commands_);
-    keepFromChildren(answers_);
-    std::vector<std::string> words{"-c",
-                                   kMoved,
-                                   std::to_string(commands[0]),
-                                   std::to_string(answers[1]),
-                                   chromiumProgram().value(),
+    std::vector<std::string> words{chromiumProgram().value(),
                                    "--headless",
                                    "--no-sandbox",
                                    "--disable-dev-shm-usage",
@@ -55,8 +61,8 @@ Chromium::Chromium(const std::vector<std::string>& options) {
                                    "--window-size=800,600"};
     words.insert(words.end(), options.begin(), options.end());
     words.emplace_back("about:blank");
-    process_ = std::make_unique<ChildProcess>(
-        "/bin/sh", words, ChildSettings{.outputFile = (profile_ / "output.txt").string()});
+    const std::string output = (profile_ / "output.txt").string();
+    process_ = std::make_unique<ChildProcess>([&] { becomeBrowser(commands[0], answers[1], output, words); });
     ::close(commands[0]);
     ::close(answers[1]);
     call("Browser.getVersion");

@@ -53,7 +53,7 @@ TEST_F(PageModules, KeysHaveTheNumbersOfTheServer) {
     EXPECT_EQ(with("key_table.js", "m.keyCode('ControlLeft', true)"), rtcore::KeyControl) << "in full screen";
 }
 
-TEST_F(PageModules, LinksAreRead) {
+TEST_F(PageModules, LinksAndBookmarksAreChecked) {
     const auto read = [&](const std::string& hash) {
         return with("fragment.js", "m.readFragment('" + hash + "')");
     };
@@ -68,17 +68,26 @@ TEST_F(PageModules, LinksAreRead) {
         EXPECT_TRUE(read(bad)["view"].is_null()) << bad;
     EXPECT_EQ(with("fragment.js", "m.readFragment(m.viewText([0.1234567894, -2, 1e-7, 0, 0, -1, 60])).view"),
               (Json{0.123456789, -2, 1e-7, 0, 0, -1, 60}));
+
+    const std::string good = "{name: 'a', view: [0,1,2,3,4,5,6,7,8,60], image: ''}";
+    EXPECT_EQ(with("bookmarks.js", "m.checked([" + good + "]).length"), 1);
+    for (const char* const bad : {"null", "{}", "'text'", "[null]", "[{name: 1, view: []}]",
+                                  "[{name: 'a', view: [1]}]", "[{name: 'a', view: Array(10).fill(NaN)}]"})
+        EXPECT_EQ(with("bookmarks.js", "m.checked(" + std::string(bad) + ").length"), 0) << bad;
+    EXPECT_EQ(
+        with("bookmarks.js",
+             "m.checked([{name: 'a', view: Array(10).fill(1), image: 'https://elsewhere/x.png'}])[0].image"),
+        "");
 }
 
-TEST_F(PageModules, AStickWalksIntoEightDirections) {
+// Sticks of thumbs and of gamepads.
+TEST_F(PageModules, SticksHoldKeys) {
     EXPECT_EQ(with("touch.js", "m.stickKeys(0, -0.2)"), Json::array());
     EXPECT_EQ(with("touch.js", "m.stickKeys(0, -1)"), Json{'W'});
     EXPECT_EQ(with("touch.js", "m.stickKeys(1, 0)"), Json{'D'});
     EXPECT_EQ(with("touch.js", "m.stickKeys(-0.7, 0.7)"), (Json{'S', 'A'}));
     EXPECT_EQ(with("touch.js", "m.stickKeys(0, -1.3)"), (Json{'W', static_cast<int>(rtcore::KeyShift)}));
-}
 
-TEST_F(PageModules, AGamepadsStickHoldsItsKeyUntilItIsWellBack) {
     EXPECT_EQ(with("gamepad.js", "[...m.axisKeys(0, -0.4, new Set())]"), Json::array());
     EXPECT_EQ(with("gamepad.js", "[...m.axisKeys(0, -0.4, new Set([87]))]"), Json{'W'});
     EXPECT_EQ(with("gamepad.js", "[...m.axisKeys(0, -0.2, new Set([87]))]"), Json::array());
@@ -113,18 +122,6 @@ TEST_F(PageModules, SettingsAreCalledAsInTheWindow) {
     EXPECT_EQ(with("setting_labels.js", "m.labels"), labels);
     EXPECT_EQ(with("setting_labels.js", "m.settingLabel('exposure.brighterSeconds')"), "Brighter seconds");
     EXPECT_EQ(with("setting_labels.js", "m.editLabel('light power 2')"), "power of light 2");
-}
-
-TEST_F(PageModules, BookmarksOfAFileAreChecked) {
-    const std::string good = "{name: 'a', view: [0,1,2,3,4,5,6,7,8,60], image: ''}";
-    EXPECT_EQ(with("bookmarks.js", "m.checked([" + good + "]).length"), 1);
-    for (const char* const bad : {"null", "{}", "'text'", "[null]", "[{name: 1, view: []}]",
-                                  "[{name: 'a', view: [1]}]", "[{name: 'a', view: Array(10).fill(NaN)}]"})
-        EXPECT_EQ(with("bookmarks.js", "m.checked(" + std::string(bad) + ").length"), 0) << bad;
-    EXPECT_EQ(
-        with("bookmarks.js",
-             "m.checked([{name: 'a', view: Array(10).fill(1), image: 'https://elsewhere/x.png'}])[0].image"),
-        "");
 }
 
 } // namespace

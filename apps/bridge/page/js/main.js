@@ -218,7 +218,7 @@ on("notice", ({ code, text, by }) => {
     const person = (id) => personName(app.roles.people.find((one) => one.id === id) ?? { id });
     const told = {
         asked: () => app.notices.show("asked", t("asksYou", person(by)), { lasting: true, actions: [[t("giveTo"), () => app.ask("give", { to: by })], [t("keep"), () => app.ask("keep")]] }),
-        handed: () => app.notices.show("role", t("handed")),
+        handed: () => app.roles.people.length > 1 && app.notices.show("role", t("handed")), // alone, that is no news
         taken: () => (app.notices.hide("asked"), app.notices.show("role", t("taken", person(app.roles.driver)))),
         elsewhere: () => app.notices.show("elsewhere", t("elsewhere")),
         released: () => app.notices.show("released", t("released")),
