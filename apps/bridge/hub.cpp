@@ -104,7 +104,7 @@ json Hub::status() const {
 HttpAnswer Hub::answer(std::string_view path, std::string_view bearer) const {
     if (path == "/health") {
         bool there = false;
-        for (const auto& each : rooms_) there |= each->server() == ServerState::There || each->server() == ServerState::Busy;
+        for (const auto& each : rooms_) there |= each->hasServer();
         return there ? HttpAnswer{200, "text/plain; charset=utf-8", "ok\n"}
                      : HttpAnswer{503, "text/plain; charset=utf-8", "no server\n"};
     }

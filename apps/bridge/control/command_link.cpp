@@ -71,7 +71,7 @@ struct CommandLink::State {
 
     mutable std::mutex mutex;
     std::condition_variable wake;
-    bool stopping = false, anyone = false, news = false, wantsState = false;
+    bool stopping = false, anyone = false, news = true, wantsState = false;
     KeySet keys;
     std::vector<std::uint8_t> taps;
     double right = 0, up = 0;

@@ -97,7 +97,7 @@ void Room::join(SessionId id, std::string name, bool mayDrive, const PageView& v
     session.outlet->ping(); // the delay of the link, before frames fill it
     session.lastPing = now;
     rolesChanged(before);
-    send(session, {{"event", "server"}, {"state", nameOf(server_)}, {"text", serverWhy_}});
+    if (server_) send(session, {{"event", "server"}, {"state", nameOf(*server_)}, {"text", serverWhy_}});
     if (facts_.known()) sendState(session, facts_.all());
     if (hasStatus_) send(session, statusJson(status_));
     commands_->setAnyone(true);
@@ -210,7 +210,7 @@ void Room::request(Session& session, const json& content, std::uint32_t id) {
     const PlannedCommand planned = planRequest(content, {limits_, facts_.bookmarks()});
     if (!planned.anyone && !roles_.drives(session.id)) throw Refused("only the driver may do that; ask to drive first");
     if (session.requests >= kMostRequests) throw Refused("too many requests at once");
-    if (server_ == ServerState::Gone || server_ == ServerState::Refused) throw Refused("there is no server");
+    if (server_ && !hasServer()) throw Refused("there is no server");
     checkUndo(session, planned);
     watchSetting(planned);
     if (!planned.anyone) lastInput_ = nowSeconds();
@@ -426,7 +426,7 @@ json Room::report() const {
     }
     const FrameFigures figures = frames_->figures();
     return {{"name", instance_},
-            {"state", nameOf(server_)},
+            {"state", server_ ? nameOf(*server_) : "unknown"},
             {"fps", status_.framesPerSecond},
             {"width", status_.width},
             {"height", status_.height},

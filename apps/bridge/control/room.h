@@ -33,7 +33,9 @@ class Room {
     Room& operator=(const Room&) = delete;
 
     const std::string& instance() const { return instance_; }
-    ServerState server() const { return server_; }
+    /// Nothing until it was looked for.
+    std::optional<ServerState> server() const { return server_; }
+    bool hasServer() const { return server_ == ServerState::There || server_ == ServerState::Busy; }
     std::size_t sessions() const { return sessions_.size(); }
 
     /// `welcome` is sent first; the room adds the role.
@@ -102,7 +104,7 @@ class Room {
     SceneFacts facts_;
     OwnEdits edits_;
     std::optional<SessionId> editor_; ///< whose edit the next state tells of
-    ServerState server_ = ServerState::Gone;
+    std::optional<ServerState> server_;
     std::string serverWhy_;
     ipc::Status status_;
     bool hasStatus_ = false;

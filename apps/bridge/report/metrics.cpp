@@ -15,7 +15,7 @@ struct Metric {
 
 constexpr Metric kMetrics[] = {
     {"rtbridge_server_up", "gauge", "1 while the server answers",
-     [](const Room& room) { return room.server() == ServerState::There || room.server() == ServerState::Busy ? 1.0 : 0.0; }},
+     [](const Room& room) { return room.hasServer() ? 1.0 : 0.0; }},
     {"rtbridge_sessions", "gauge", "pages that are open", [](const Room& room) { return double(room.sessions()); }},
     {"rtbridge_frames_total", "counter", "frames that were sent", [](const Room& room) { return double(room.framesSent()); }},
     {"rtbridge_skipped_total", "counter", "frames that a viewer was not sent, since it had not drawn those before",
