@@ -30,6 +30,7 @@ class WebPage {
     /// Another page comes before this one, as another tab does; and back.
     void hide();
     void show() const;
+    void close() const { browser_->call("Target.closeTarget", {{"targetId", target_}}); }
     /// The image that is shown, 3 bytes a pixel.
     std::string pixels() const;
     void screenshot(const std::string& file) const;
