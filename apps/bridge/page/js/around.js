@@ -13,6 +13,7 @@ export class Around {
         this.exact = false;  // the exact image is shown
         this.walked = false; // the hint has done its work
         this.said = "";
+        this.live = true;    // what is shown is of a server that is there
         this.waitingFor = "connecting";
         this.nameAll();
         this.showHeader();
@@ -58,9 +59,17 @@ export class Around {
         this.showStatus();
     }
 
+    /** False: what is shown is all that is left of a server. */
+    setLive(live) {
+        this.live = live;
+        byId("view").classList.toggle("stale", !live);
+        this.showHint();
+        this.showStatus();
+    }
+
     showHint() {
         const hint = byId("hint");
-        hint.hidden = this.walked || !this.seen || !this.app.drives();
+        hint.hidden = this.walked || !this.seen || !this.live || !this.app.drives();
         hint.textContent = hint.hidden ? "" : t(byTouch ? "hintTouch" : "hint");
     }
 
@@ -71,7 +80,7 @@ export class Around {
 
     showStatus() {
         const { mode, fps = 0, idle, paused } = this.app.status;
-        if (!mode) return;
+        if (!mode || !this.live) return void (byId("pill-text").textContent = "");
         const motion = paused ? t("paused") : this.exact ? t("refined") : idle ? t("idle") : t("fps", number(fps));
         const role = this.app.drives() ? "" : " · " + this.driverText();
         byId("pill-text").textContent = t(mode) + " · " + motion + role;

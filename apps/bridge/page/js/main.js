@@ -169,7 +169,7 @@ on("welcome", (welcome) => {
     if (app.lost) app.notices.show("link", t("back"));
     app.lost = false;
     app.welcome = welcome;
-    canvas.classList.remove("stale");
+    around.setLive(true);
     if (other) panels.empty();
     around.showWaiting("firstFrame");
     sendView();
@@ -203,7 +203,7 @@ on("link", (facts) => {
 });
 on("server", ({ state, text }) => {
     const key = "server";
-    canvas.classList.toggle("stale", state === "gone" || state === "refused");
+    around.setLive(state === "there" || state === "busy");
     if (state === "there") {
         app.notices.hide(key);
         if (!around.seen) around.showWaiting("firstFrame");
@@ -228,7 +228,8 @@ on("notice", ({ code, text, by }) => {
 });
 on("lost", ({ code, reason, final }) => {
     letGo();
-    canvas.classList.add("stale");
+    around.setLive(false);
+    app.notices.hide("server");
     const wasGreeted = Boolean(app.welcome);
     app.lost = wasGreeted;
     app.roles = { driver: null, asking: [], people: [] };
