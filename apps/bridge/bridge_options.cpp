@@ -27,78 +27,84 @@ std::vector<std::string> suggestServers(std::span<const std::string>) {
 }
 
 app::OptionGroup serverOptions() {
-    return {"Server",
-            {{.name = "instance",
-              .letter = 'i',
-              .value = ValueKind::Text,
-              .argument = "NAME",
-              .help = "the server's name; may be given several times, and pages choose [that of the only one that "
-                      "runs]",
-              .suggest = suggestServers},
-             {.name = "start",
-              .value = ValueKind::Text,
-              .argument = "FILE",
-              .help = "start an RTServer with this scene or model, which ends with the bridge",
-              .files = app::sceneExtensions()}}};
+    return {
+        "Server",
+        {{.name = "instance",
+          .letter = 'i',
+          .value = ValueKind::Text,
+          .argument = "NAME",
+          .help =
+              "the server's name; may be given several times, and pages choose [that of the only one that "
+              "runs]",
+          .suggest = suggestServers},
+         {.name = "start",
+          .value = ValueKind::Text,
+          .argument = "FILE",
+          .help = "start an RTServer with this scene or model, which ends with the bridge",
+          .files = app::sceneExtensions()}}};
 }
 
 app::OptionGroup addressOptions() {
-    return {"Address",
-            {{.name = "listen",
-              .value = ValueKind::Text,
-              .argument = "ADDRESS",
-              .help = "HOST:PORT, or unix for a socket that only this user can open [127.0.0.1:8931, or the next free "
-                      "port]",
-              .more = "With `unix` the command line for `ssh -L` is printed. An address that other machines reach "
-                      "takes TLS"},
-             {.name = "origin",
-              .value = ValueKind::Text,
-              .argument = "URL",
-              .help = "the page's address behind a proxy, such as https://viz.example/node7/"},
-             {.name = "allow-no-origin",
-              .help = "serve clients that send no Origin: programs, which are no web pages"},
-             {.name = "tls-cert",
-              .value = ValueKind::Text,
-              .argument = "FILE",
-              .help = "certificates in PEM, for https",
-              .files = {"pem", "crt"}},
-             {.name = "tls-key",
-              .value = ValueKind::Text,
-              .argument = "FILE",
-              .help = "the key of the certificate",
-              .files = {"pem", "key"}},
-             {.name = "insecure", .help = "let other machines in without TLS: who listens can read all of it"}}};
+    return {
+        "Address",
+        {{.name = "listen",
+          .value = ValueKind::Text,
+          .argument = "ADDRESS",
+          .help = "HOST:PORT, or unix for a socket that only this user can open [127.0.0.1:8931, or the next "
+                  "free "
+                  "port]",
+          .more =
+              "With `unix` the command line for `ssh -L` is printed. An address that other machines reach "
+              "takes TLS"},
+         {.name = "origin",
+          .value = ValueKind::Text,
+          .argument = "URL",
+          .help = "the page's address behind a proxy, such as https://viz.example/node7/"},
+         {.name = "allow-no-origin",
+          .help = "serve clients that send no Origin: programs, which are no web pages"},
+         {.name = "tls-cert",
+          .value = ValueKind::Text,
+          .argument = "FILE",
+          .help = "certificates in PEM, for https",
+          .files = {"pem", "crt"}},
+         {.name = "tls-key",
+          .value = ValueKind::Text,
+          .argument = "FILE",
+          .help = "the key of the certificate",
+          .files = {"pem", "key"}},
+         {.name = "insecure", .help = "let other machines in without TLS: who listens can read all of it"}}};
 }
 
 app::OptionGroup permissionOptions() {
-    return {"Permissions",
-            {{.name = "view-only", .help = "nobody drives from a page"},
-             {.name = "token-file",
-              .value = ValueKind::Text,
-              .argument = "FILE",
-              .help = "keep the links: tokens are read from this file, or written to it [new ones each time]"},
-             {.name = "lock",
-              .value = ValueKind::Text,
-              .argument = "NAME,...",
-              .help = "settings that nobody may change from a page; edits: no settings, lights or materials at all"},
-             {.name = "clients",
-              .value = ValueKind::Integer,
-              .argument = "N",
-              .help = "most pages at once [64]",
-              .minimum = 1,
-              .maximum = 1000},
-             {.name = "max-pixels",
-              .value = ValueKind::Integer,
-              .argument = "N",
-              .help = "most pixels of a frame that a page may ask for [2073600]",
-              .minimum = 1,
-              .maximum = 1 << 28},
-             {.name = "max-mbit",
-              .value = ValueKind::Number,
-              .argument = "X",
-              .help = "most megabits per second for all pages together; 0 is no limit [0]",
-              .minimum = 0,
-              .maximum = 1e6}}};
+    return {
+        "Permissions",
+        {{.name = "view-only", .help = "pages cannot drive"},
+         {.name = "token-file",
+          .value = ValueKind::Text,
+          .argument = "FILE",
+          .help = "keep the links: tokens are read from this file, or written to it [new ones each time]"},
+         {.name = "lock",
+          .value = ValueKind::Text,
+          .argument = "NAME,...",
+          .help = "settings that pages cannot change; edits: no settings, lights or materials at all"},
+         {.name = "clients",
+          .value = ValueKind::Integer,
+          .argument = "N",
+          .help = "most pages at once [64]",
+          .minimum = 1,
+          .maximum = 1000},
+         {.name = "max-pixels",
+          .value = ValueKind::Integer,
+          .argument = "N",
+          .help = "most pixels of a frame that a page may ask for [2073600]",
+          .minimum = 1,
+          .maximum = 1 << 28},
+         {.name = "max-mbit",
+          .value = ValueKind::Number,
+          .argument = "X",
+          .help = "most megabits per second for all pages together; 0 is no limit [0]",
+          .minimum = 0,
+          .maximum = 1e6}}};
 }
 
 std::string onlyServer() {
@@ -114,7 +120,8 @@ std::vector<std::string> instancesOf(const app::Arguments& arguments) {
     for (std::string& each : arguments.all("instance"))
         if (std::ranges::find(names, each) == names.end()) names.push_back(std::move(each));
     if (names.empty())
-        names.push_back(app::instanceOf(arguments).value_or(arguments.has("start") ? ipc::availableName("default") : onlyServer()));
+        names.push_back(app::instanceOf(arguments).value_or(
+            arguments.has("start") ? ipc::availableName("default") : onlyServer()));
     for (const std::string& each : names) {
         try {
             ipc::Names checked(each);
@@ -128,7 +135,9 @@ std::vector<std::string> instancesOf(const app::Arguments& arguments) {
 ListenAddress listenOf(const std::optional<std::string>& given) {
     if (!given) return {"127.0.0.1", kPort, {}, kPorts};
     if (*given == "unix") return {{}, 0, "unix", 1};
-    const auto fail = [&] { return app::UsageError("option '--listen' takes HOST:PORT or unix, not '" + *given + "'"); };
+    const auto fail = [&] {
+        return app::UsageError("option '--listen' takes HOST:PORT or unix, not '" + *given + "'");
+    };
     const std::size_t colon = given->rfind(':');
     if (colon == std::string::npos) throw fail();
     std::string host = given->substr(0, colon);
@@ -158,11 +167,13 @@ std::vector<std::string> lockedOf(const std::string& list) {
 }
 
 void checkSafety(const BridgeOptions& options, bool insecure) {
-    const bool here = !options.listen.socketPath.empty() || options.listen.host.starts_with("127.") || options.listen.host == "::1";
+    const bool here = !options.listen.socketPath.empty() || options.listen.host.starts_with("127.") ||
+                      options.listen.host == "::1";
     if (here || insecure || !options.tls.certificate.empty()) return;
-    throw app::UsageError("other machines reach " + options.listen.host +
-                          ": listen to 127.0.0.1 and use 'ssh -L 8931:127.0.0.1:8931', or give --tls-cert and --tls-key; "
-                          "--insecure lets everybody in between read pictures and tokens");
+    throw app::UsageError(
+        "other machines reach " + options.listen.host +
+        ": listen to 127.0.0.1 and use 'ssh -L 8931:127.0.0.1:8931', or give --tls-cert and --tls-key; "
+        "--insecure lets everybody in between read pictures and tokens");
 }
 
 } // namespace
@@ -170,7 +181,8 @@ void checkSafety(const BridgeOptions& options, bool insecure) {
 const app::ProgramSpec& bridgeSpec() {
     static const app::ProgramSpec spec{
         .name = "RTBridge",
-        .purpose = "Shows what an RTServer renders in web pages, in which one walks. Prints the links, which hold tokens.",
+        .purpose = "Shows what an RTServer renders in web pages, in which one walks. Prints the links, which "
+                   "hold tokens.",
         .positionals = {},
         .groups = {serverOptions(), addressOptions(), permissionOptions()},
         .examples = {{"RTBridge", "beside a running server; open the link that it prints"},
@@ -180,6 +192,7 @@ const app::ProgramSpec& bridgeSpec() {
         .environment = {app::instanceEnvironmentNote(),
                         {"RT_SERVER", "the program that --start runs [RTServer, beside RTBridge]"},
                         {"XDG_RUNTIME_DIR", "the folder for the socket of --listen=unix"}},
+        .features = {{"OpenSSL", HttpServer::hasTls(), "no --tls-cert: https by a proxy or ssh"}},
     };
     return spec;
 }

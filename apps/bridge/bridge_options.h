@@ -25,7 +25,7 @@ struct BridgeOptions {
     Limits limits;
     bool viewOnly = false;
     std::size_t clients = 64;
-    double mostBits = 0;                       ///< per second; 0: no limit
+    double mostBits = 0; ///< per second; 0: no limit
     std::optional<std::filesystem::path> tokenFile, start;
 };
 

@@ -11,7 +11,8 @@ namespace bridge {
 using nlohmann::json;
 
 Hub::Hub(const BridgeOptions& options, Tokens tokens, const Post& post)
-    : options_(options), tokens_(std::move(tokens)), settings_(settingsTableJson(options.limits)), began_(nowSeconds()) {
+    : options_(options), tokens_(std::move(tokens)), settings_(settingsTableJson(options.limits)),
+      began_(nowSeconds()) {
     for (const std::string& name : options.instances) {
         rooms_.push_back(std::make_unique<Room>(name, options.limits, post));
         rooms_.back()->setMostBits(options.mostBits / static_cast<double>(options.instances.size()));
@@ -109,8 +110,10 @@ HttpAnswer Hub::answer(std::string_view path, std::string_view bearer) const {
                      : HttpAnswer{503, "text/plain; charset=utf-8", "no server\n"};
     }
     if (path != "/status" && path != "/metrics") return {};
-    if (rightOf(bearer) == Right::None) return {401, "text/plain; charset=utf-8", "a token is needed: Authorization: Bearer TOKEN\n"};
-    if (path == "/status") return {200, "application/json", status().dump(2, ' ', false, json::error_handler_t::replace) + "\n"};
+    if (rightOf(bearer) == Right::None)
+        return {401, "text/plain; charset=utf-8", "a token is needed: Authorization: Bearer TOKEN\n"};
+    if (path == "/status")
+        return {200, "application/json", status().dump(2, ' ', false, json::error_handler_t::replace) + "\n"};
     std::vector<const Room*> rooms;
     for (const auto& each : rooms_) rooms.push_back(each.get());
     return {200, "text/plain; version=0.0.4; charset=utf-8", metricsText(rooms, refused_)};

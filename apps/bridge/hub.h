@@ -1,4 +1,5 @@
-/// The rooms of all instances, who comes in by which token, and what /status tells. On the thread of the sockets.
+/// The rooms of all instances, who comes in by which token, and what /status tells. On the thread of the
+/// sockets.
 #pragma once
 
 #include "bridge/bridge_options.h"

@@ -4,4 +4,6 @@
 
 #include "common/cli/run_program.h"
 
-int main(int argc, char** argv) { return app::runProgram(argc, argv, bridge::bridgeSpec(), bridge::runBridge); }
+int main(int argc, char** argv) {
+    return app::runProgram(argc, argv, bridge::bridgeSpec(), bridge::runBridge);
+}

@@ -1,31 +1,17 @@
-/// An RTServer that the bridge starts, and that ends with it.
+/// The RTServer that --start runs.
 #pragma once
 
-#include "common/process/exit_codes.h"
+#include "common/process/started_process.h"
 
 #include <filesystem>
-#include <optional>
+#include <memory>
 #include <string>
-
-#include <sys/types.h>
 
 namespace bridge {
 
-class StartedServer {
-  public:
-    /// Throws rtcore::FileError: NoInput when the program or the scene is missing.
-    StartedServer(const std::filesystem::path& scene, const std::string& instance);
-    /// Asks it to end, and waits for it, three seconds at most.
-    ~StartedServer();
-    StartedServer(const StartedServer&) = delete;
-    StartedServer& operator=(const StartedServer&) = delete;
-
-    /// Its exit code once it has ended.
-    std::optional<int> ended();
-
-  private:
-    pid_t process_ = -1;
-    std::optional<int> code_;
-};
+/// It ends with the bridge, however that ends. Throws rtcore::FileError NoInput when the program or the scene
+/// is missing.
+std::unique_ptr<app::StartedProcess> startServer(const std::filesystem::path& scene,
+                                                 const std::string& instance);
 
 } // namespace bridge

@@ -33,7 +33,9 @@ PageView viewOf(const json& message) {
 
 } // namespace
 
-void Visitor::text(std::string_view message) { room_ == nullptr ? hello(message) : room_->text(id_, message); }
+void Visitor::text(std::string_view message) {
+    room_ == nullptr ? hello(message) : room_->text(id_, message);
+}
 
 void Visitor::binary(std::span<const std::uint8_t> message) {
     if (room_ == nullptr) return outlet_->close(CloseCode::BadMessage, "hello comes first");
@@ -52,7 +54,8 @@ void Visitor::hello(std::string_view text) {
     const Hub::Right right = hub_.rightOf(textOf(message, "token"));
     if (right == Hub::Right::None) {
         hub_.wrongToken(outlet_->address());
-        return outlet_->close(CloseCode::BadToken, "the token is wrong; open the link that the bridge printed last");
+        return outlet_->close(CloseCode::BadToken,
+                              "the token is wrong; open the link that the bridge printed last");
     }
     Room* const room = hub_.room(textOf(message, "instance"));
     if (room == nullptr) return outlet_->close(CloseCode::NoInstance, hub_.instanceList());
@@ -77,7 +80,8 @@ void Visitor::closed() {
 }
 
 void Visitor::tick(double now) {
-    if (room_ == nullptr && outlet_ && now - began_ > kHelloTime) outlet_->close(CloseCode::NoHello, "no hello within 5 s");
+    if (room_ == nullptr && outlet_ && now - began_ > kHelloTime)
+        outlet_->close(CloseCode::NoHello, "no hello within 5 s");
 }
 
 } // namespace bridge

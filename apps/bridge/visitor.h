@@ -9,7 +9,9 @@ namespace bridge {
 
 class Visitor : public Receiver {
   public:
-    Visitor(Hub& hub, std::shared_ptr<Outlet> outlet) : hub_(hub), outlet_(std::move(outlet)) { hub_.visitorCame(); }
+    Visitor(Hub& hub, std::shared_ptr<Outlet> outlet) : hub_(hub), outlet_(std::move(outlet)) {
+        hub_.visitorCame();
+    }
 
     void text(std::string_view message) override;
     void binary(std::span<const std::uint8_t> message) override;

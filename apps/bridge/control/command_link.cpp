@@ -111,7 +111,8 @@ void CommandLink::State::run() {
             client.reset();
             viewer.reset();
             fail(error.what());
-            tellServer(error.problem == ipc::Problem::NoServer ? ServerState::Gone : ServerState::Refused, error.what());
+            tellServer(error.problem == ipc::Problem::NoServer ? ServerState::Gone : ServerState::Refused,
+                       error.what());
             std::this_thread::sleep_for(kSearch);
         }
     }
@@ -122,7 +123,9 @@ void CommandLink::State::run() {
 void CommandLink::State::waitForWork() {
     const bool answers = turning || !requests.empty();
     std::unique_lock lock(mutex);
-    const auto longest = answers ? LinkClock::duration(kAnswerLook) : anyone ? LinkClock::duration(20ms) : LinkClock::duration(kIdleLook);
+    const auto longest = answers  ? LinkClock::duration(kAnswerLook)
+                         : anyone ? LinkClock::duration(20ms)
+                                  : LinkClock::duration(kIdleLook);
     wake.wait_for(lock, longest, [&] { return stopping || news; });
     news = false;
 }
@@ -133,10 +136,13 @@ void CommandLink::State::watchOnly() {
         pressed.reset();
         lastReport.clear();
     }
-    fail("nobody asks any more");
+    fail("no page is open any more");
     if (!viewer) viewer.emplace(instance, 0ns);
     const ipc::LinkState now = viewer->update();
-    tellServer(now == ipc::LinkState::Gone ? ServerState::Gone : now == ipc::LinkState::Busy ? ServerState::Busy : ServerState::There, "");
+    tellServer(now == ipc::LinkState::Gone   ? ServerState::Gone
+               : now == ipc::LinkState::Busy ? ServerState::Busy
+                                             : ServerState::There,
+               "");
 }
 
 bool CommandLink::State::findServer() {

@@ -1,4 +1,5 @@
-/// Commands and keys of one instance, by a client of its own: one that waits for frames cannot press keys meanwhile.
+/// Commands and keys of one instance, by a client of its own: one that waits for frames cannot press keys
+/// meanwhile.
 #pragma once
 
 #include "ipc/endpoint/client.h"
@@ -24,7 +25,8 @@ struct CommandLinkEvents {
     std::function<void(std::string lines)> messages;          ///< new ones of the server
 };
 
-/// One thread of its own. Without anyone() it leaves the server's slot to others and only looks whether it lives.
+/// One thread of its own. Without anyone() it leaves the server's slot to others and only looks whether it
+/// lives.
 class CommandLink {
   public:
     CommandLink(std::string instance, CommandLinkEvents events);

@@ -63,9 +63,11 @@ class RequestFields {
     std::string onOff(std::string_view key) const { return boolean(key) ? "on" : "off"; }
     CommandWords vector(std::string_view key) const {
         constexpr std::size_t kThree = 3;
-        if (!isArray(key) || value(key).size() != kThree) throw Refused(fmt::format("'{}' is three numbers", key));
+        if (!isArray(key) || value(key).size() != kThree)
+            throw Refused(fmt::format("'{}' is three numbers", key));
         CommandWords words;
-        for (const nlohmann::json& each : value(key)) words.push_back(rtcore::shortestText(numberOf(each, key)));
+        for (const nlohmann::json& each : value(key))
+            words.push_back(rtcore::shortestText(numberOf(each, key)));
         return words;
     }
 

@@ -64,7 +64,8 @@ Words defaults(Fields, const RequestSurroundings& around) {
 }
 Words resolution(Fields f, const RequestSurroundings& around) {
     const std::int64_t width = f.integer("width"), height = f.integer("height");
-    if (around.limits.isLocked("width") || around.limits.isLocked("height")) throw Refused("the size is locked");
+    if (around.limits.isLocked("width") || around.limits.isLocked("height"))
+        throw Refused("the size is locked");
     constexpr std::int64_t kMostSide = 16384;
     if (width < 1 || height < 1 || width > kMostSide || height > kMostSide)
         throw Refused("width and height are from 1 to 16384");
@@ -99,7 +100,9 @@ Words lightAim(Fields f, const RequestSurroundings&) {
     const Words light{f.whole("light")};
     return f.has("along") ? light + Words{"along"} + f.vector("along") : light + place(f, "ahead");
 }
-Words lightColour(Fields f, const RequestSurroundings&) { return Words{f.whole("light")} + f.vector("colour"); }
+Words lightColour(Fields f, const RequestSurroundings&) {
+    return Words{f.whole("light")} + f.vector("colour");
+}
 Words lightTemperature(Fields f, const RequestSurroundings&) {
     return {f.whole("light"), f.isNull("kelvin") ? "none" : f.word("kelvin")};
 }
@@ -118,7 +121,9 @@ Words environment(Fields f, const RequestSurroundings&) { return {f.whole("numbe
 Words degrees(Fields f, const RequestSurroundings&) { return {f.word("degrees")}; }
 Words factor(Fields f, const RequestSurroundings&) { return {f.word("factor")}; }
 Words onOff(Fields f, const RequestSurroundings&) { return {f.onOff("on")}; }
-Words look(Fields f, const RequestSurroundings&) { return {f.choice("name", {"sky", "studio", "headlight"})}; }
+Words look(Fields f, const RequestSurroundings&) {
+    return {f.choice("name", {"sky", "studio", "headlight"})};
+}
 Words skyHour(Fields f, const RequestSurroundings&) { return {f.word("hour")}; }
 Words skyDate(Fields f, const RequestSurroundings&) {
     const std::int64_t year = f.integer("year"), month = f.integer("month"), day = f.integer("day");
@@ -142,7 +147,8 @@ Words partList(Fields f, const RequestSurroundings&) {
         throw Refused("'parts' is a list of 1 to 64 numbers");
     Words words;
     for (const nlohmann::json& each : parts)
-        words.push_back(fmt::format("{}", std::max<std::int64_t>(0, RequestFields::integerOf(each, "parts"))));
+        words.push_back(
+            fmt::format("{}", std::max<std::int64_t>(0, RequestFields::integerOf(each, "parts"))));
     return words;
 }
 std::string materialNumber(Fields f) {
@@ -151,10 +157,11 @@ std::string materialNumber(Fields f) {
 }
 Words material(Fields f, const RequestSurroundings&) { return {materialNumber(f)}; }
 Words materialSet(Fields f, const RequestSurroundings&) {
-    const Words start{materialNumber(f),
-                      f.choice("key", {"diffuse", "specular", "shininess", "roughness", "metallic", "reflectivity",
-                                       "fresnel", "opacity", "transmission", "attenuationDistance",
-                                       "indexOfRefraction", "emission", "textures", "flipTextures"})};
+    const Words start{
+        materialNumber(f),
+        f.choice("key", {"diffuse", "specular", "shininess", "roughness", "metallic", "reflectivity",
+                         "fresnel", "opacity", "transmission", "attenuationDistance", "indexOfRefraction",
+                         "emission", "textures", "flipTextures"})};
     if (f.isArray("value")) return start + f.vector("value");
     if (f.value("value").is_boolean()) return start + Words{f.boolean("value") ? "true" : "false"};
     return start + Words{f.word("value")};
@@ -170,7 +177,8 @@ constexpr std::array kRows{
     RequestRow{"lookAt", CommandId::CameraLookAt, lookAt},
     RequestRow{"reset", CommandId::CameraReset, none},
     RequestRow{"angle", CommandId::CameraAngle, degrees},
-    RequestRow{"lens", CommandId::CameraLens, [](Fields f, const RequestSurroundings&) { return Words{f.word("mm")}; }},
+    RequestRow{"lens", CommandId::CameraLens,
+               [](Fields f, const RequestSurroundings&) { return Words{f.word("mm")}; }},
     RequestRow{"zoom", CommandId::CameraZoom, factor},
     RequestRow{"focus", CommandId::Focus, focus},
     RequestRow{"speed", CommandId::Speed, factor},
@@ -222,8 +230,8 @@ constexpr std::array kRows{
 const RequestRow& rowOf(Fields fields) {
     const std::string name = fields.text("do");
     const bool noEnvironment = name == "environment" && fields.isNull("number");
-    const auto* const found =
-        std::ranges::find(kRows, noEnvironment ? std::string_view("environmentNone") : name, &RequestRow::name);
+    const auto* const found = std::ranges::find(
+        kRows, noEnvironment ? std::string_view("environmentNone") : name, &RequestRow::name);
     if (found == kRows.end()) throw Refused("there is no such request");
     return *found;
 }
@@ -254,8 +262,9 @@ PlannedCommand planRequest(const nlohmann::json& request, const RequestSurroundi
     } catch (const app::UsageError& error) {
         throw Refused(error.what());
     }
-    PlannedCommand planned{row.command, lineOf(spec, words), row.anyone, spec.edits, row.shape,
-                           row.command == CommandId::Set ? words.front() : std::string()};
+    PlannedCommand planned{row.command, lineOf(spec, words),
+                           row.anyone,  spec.edits,
+                           row.shape,   row.command == CommandId::Set ? words.front() : std::string()};
     const bool also = fields.has("also") && fields.boolean("also");
     if (also && spec.edits) planned.line = "also " + planned.line;
     return planned;

@@ -1,5 +1,5 @@
-/// What pages ask for, by name, and the commands that this becomes. Text is composed from numbers and words of
-/// tables alone: what a page writes is never part of a command.
+/// What pages ask for, by name, and the commands that this becomes. Text is composed from numbers and words
+/// of tables alone: what a page writes is never part of a command.
 #pragma once
 
 #include "bridge/control/caps.h"
@@ -28,11 +28,11 @@ enum class AnswerShape { Text, Light, Parts, Materials, Material, Seen };
 
 struct PlannedCommand {
     app::CommandId id{};
-    std::string line;       ///< for the server
-    bool anyone = false;    ///< viewers may, too
-    bool edits = false;     ///< one step of undo
+    std::string line;    ///< for the server
+    bool anyone = false; ///< viewers may, too
+    bool edits = false;  ///< one step of undo
     AnswerShape shape = AnswerShape::Text;
-    std::string setting;    ///< that `set` changes
+    std::string setting; ///< that `set` changes
 };
 
 /// What requests are held against.

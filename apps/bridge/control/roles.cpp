@@ -66,7 +66,7 @@ bool Roles::keep(SessionId id) {
     return true;
 }
 
-/// To the first who asks, else to nobody.
+/// To the first who asks, else there is no driver.
 bool Roles::release(SessionId id) {
     if (driver_ != id) return false;
     driver_.reset();

@@ -16,7 +16,8 @@ struct Person {
     bool mayDrive = false;
 };
 
-/// Times are seconds of any clock. One thread. A change of driver is seen by comparing driver() before and after.
+/// Times are seconds of any clock. One thread. A change of driver is seen by comparing driver() before and
+/// after.
 class Roles {
   public:
     void join(Person person, double now);

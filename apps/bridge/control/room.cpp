@@ -18,7 +18,9 @@ using nlohmann::json;
 constexpr double kStatusEvery = 0.5, kPingEvery = 2, kLinkEvery = 1;
 
 std::int64_t nowNanoseconds() {
-    return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(
+               std::chrono::steady_clock::now().time_since_epoch())
+        .count();
 }
 
 const char* nameOf(ServerState state) {
@@ -54,7 +56,9 @@ Room::Room(std::string instance, const Limits& limits, Post post)
     events.server = [this, later](ServerState state, std::string why) {
         later([this, state, why = std::move(why)] { serverChanged(state, why); });
     };
-    events.status = [this, later](const ipc::Status& status) { later([this, status] { statusChanged(status); }); };
+    events.status = [this, later](const ipc::Status& status) {
+        later([this, status] { statusChanged(status); });
+    };
     events.state = [this, later](std::string report) {
         later([this, report = std::move(report)] { stateChanged(report); });
     };
@@ -79,8 +83,8 @@ Session* Room::find(SessionId id) {
 
 // --- Coming and going ---
 
-void Room::join(SessionId id, std::string name, bool mayDrive, const PageView& view, std::shared_ptr<Outlet> outlet,
-                json welcome) {
+void Room::join(SessionId id, std::string name, bool mayDrive, const PageView& view,
+                std::shared_ptr<Outlet> outlet, json welcome) {
     const double now = nowSeconds();
     const std::optional<SessionId> before = roles_.driver();
     roles_.join({id, name, mayDrive}, now);
@@ -145,7 +149,8 @@ void Room::binary(SessionId id, std::span<const std::uint8_t> bytes) {
     Session* const session = find(id);
     if (session == nullptr) return;
     const std::optional<ClientMessage> message = parseClientMessage(bytes);
-    if (!message) return session->outlet->close(CloseCode::BadMessage, "a binary message that is none of the protocol");
+    if (!message)
+        return session->outlet->close(CloseCode::BadMessage, "a binary message that is none of the protocol");
     if (const auto* ack = std::get_if<AckMessage>(&*message)) {
         session->delivery.rate().acked(ack->stream, ack->number, ack->part, ack->decodeSeconds, nowSeconds());
     } else if (const auto* input = std::get_if<InputMessage>(&*message)) {
@@ -181,10 +186,12 @@ void Room::text(SessionId id, std::string_view message) {
         return depth <= kDepth;
     };
     const json content = json::parse(message, shallow, false);
-    if (!content.is_object()) return session->outlet->close(CloseCode::BadMessage, "a text message is a JSON object");
+    if (!content.is_object())
+        return session->outlet->close(CloseCode::BadMessage, "a text message is a JSON object");
     const auto number = content.find("id");
     constexpr double kMost = 4294967295.0;
-    if (number == content.end() || !number->is_number_integer() || number->get<double>() < 0 || number->get<double>() > kMost)
+    if (number == content.end() || !number->is_number_integer() || number->get<double>() < 0 ||
+        number->get<double>() > kMost)
         return session->outlet->close(CloseCode::BadMessage, "a request has an id from 0 to 4294967295");
     const auto requestId = number->get<std::uint32_t>();
     try {
@@ -208,7 +215,8 @@ void Room::answer(Session& session, std::uint32_t id, bool ok, const std::string
 void Room::request(Session& session, const json& content, std::uint32_t id) {
     constexpr int kMostRequests = 4;
     const PlannedCommand planned = planRequest(content, {limits_, facts_.bookmarks()});
-    if (!planned.anyone && !roles_.drives(session.id)) throw Refused("only the driver may do that; ask to drive first");
+    if (!planned.anyone && !roles_.drives(session.id))
+        throw Refused("only the driver may do that; ask to drive first");
     if (session.requests >= kMostRequests) throw Refused("too many requests at once");
     if (server_ && !hasServer()) throw Refused("there is no server");
     checkUndo(session, planned);
@@ -216,11 +224,12 @@ void Room::request(Session& session, const json& content, std::uint32_t id) {
     if (!planned.anyone) lastInput_ = nowSeconds();
     roles_.touch(session.id, nowSeconds());
     ++session.requests;
-    commands_->request(planned.line, [this, alive = std::weak_ptr(alive_), by = session.id, id, planned](ipc::Reply reply) {
-        post_([this, alive, by, id, planned, reply = std::move(reply)] {
-            if (!alive.expired()) answered(by, id, planned, reply);
-        });
-    });
+    commands_->request(planned.line,
+                       [this, alive = std::weak_ptr(alive_), by = session.id, id, planned](ipc::Reply reply) {
+                           post_([this, alive, by, id, planned, reply = std::move(reply)] {
+                               if (!alive.expired()) answered(by, id, planned, reply);
+                           });
+                       });
 }
 
 void Room::checkUndo(const Session& session, const PlannedCommand& planned) const {
@@ -255,8 +264,8 @@ void Room::guardSetting() {
     if (!watched_ || watched_->value.empty()) return;
     constexpr double kLongFrame = 5, kWatched = 15;
     const double now = nowSeconds();
-    const bool waits = now - watched_->since > kLongFrame && lastFrame_ < watched_->since && status_.idle == 0 &&
-                       status_.paused == 0 && hasStatus_;
+    const bool waits = now - watched_->since > kLongFrame && lastFrame_ < watched_->since &&
+                       status_.idle == 0 && status_.paused == 0 && hasStatus_;
     if (waits || (lastFrame_ > watched_->since && status_.frameSeconds > kLongFrame)) {
         const std::string name = watched_->name;
         commands_->request(app::command::set(name, watched_->value), [](const ipc::Reply&) {});
@@ -290,7 +299,7 @@ void Room::statusChanged(const ipc::Status& status) {
     hasStatus_ = true;
 }
 
-/// Somebody at the window or a shell moves the camera.
+/// A window or a shell moves the camera.
 void Room::watchOthers(const ipc::Status& status) {
     constexpr double kOwn = 2, kBetween = 10;
     const double now = nowSeconds();
@@ -299,7 +308,8 @@ void Room::watchOthers(const ipc::Status& status) {
     if (!moved || now - lastInput_ < kOwn || now - lastElsewhere_ < kBetween) return;
     lastElsewhere_ = now;
     if (!roles_.driver()) return;
-    if (Session* const driver = find(*roles_.driver())) notice(*driver, "elsewhere", "another client moves the camera");
+    if (Session* const driver = find(*roles_.driver()))
+        notice(*driver, "elsewhere", "another client moves the camera");
 }
 
 void Room::stateChanged(const std::string& report) {
@@ -335,7 +345,7 @@ void Room::rolesChanged(std::optional<SessionId> before) {
         releaseKeys();
         if (Session* const last = before ? find(*before) : nullptr) {
             last->input.release();
-            notice(*last, "taken", roles_.driver() ? "another drives now" : "nobody drives now");
+            notice(*last, "taken", roles_.driver() ? "another drives now" : "there is no driver now");
         }
         if (Session* const next = roles_.driver() ? find(*roles_.driver()) : nullptr)
             notice(*next, "handed", "you drive now");
@@ -376,14 +386,18 @@ bool Room::roleRequest(Session& session, const json& request, std::uint32_t id) 
     if (what == "ask") {
         const Roles::Asked asked = roles_.ask(session.id, now);
         ok = asked != Roles::Asked::NotAllowed;
-        text = ok ? (asked == Roles::Asked::Waits ? "the driver is asked" : "") : "this link is for looking only";
+        text = ok ? (asked == Roles::Asked::Waits ? "the driver is asked" : "")
+                  : "this link is for looking only";
         Session* const driver = asked == Roles::Asked::Waits ? find(*roles_.driver()) : nullptr;
         if (driver != nullptr)
-            send(*driver, {{"event", "notice"}, {"code", "asked"}, {"by", session.id},
-                           {"text", (session.name.empty() ? "Somebody" : session.name) + " asks to drive"}});
+            send(*driver, {{"event", "notice"},
+                           {"code", "asked"},
+                           {"by", session.id},
+                           {"text", (session.name.empty() ? "A viewer" : session.name) + " asks to drive"}});
     } else if (what == "give") {
         const auto to = request.find("to");
-        ok = to != request.end() && to->is_number_unsigned() && roles_.give(session.id, to->get<SessionId>(), now);
+        ok = to != request.end() && to->is_number_unsigned() &&
+             roles_.give(session.id, to->get<SessionId>(), now);
         if (!ok) text = "only the driver hands over, to one with a driver's link";
     } else if (what == "keep" || what == "release") {
         ok = what == "keep" ? roles_.keep(session.id) : roles_.release(session.id);
@@ -470,7 +484,8 @@ void Room::tick() {
         }
         const std::uint64_t sent = session.delivery.framesSent();
         if (now - session.lastLink < kLinkEvery) continue;
-        const double mbit = 8e-6 * static_cast<double>(session.bytes - session.lastLinkBytes) / (now - session.lastLink);
+        const double mbit =
+            8e-6 * static_cast<double>(session.bytes - session.lastLinkBytes) / (now - session.lastLink);
         session.lastLink = now;
         session.lastLinkBytes = session.bytes;
         if (sent == session.linkSent || session.outlet->busy()) continue;
@@ -478,9 +493,16 @@ void Room::tick() {
         const LinkReport link = session.delivery.rate().report();
         const Rung& rung = kRungs[static_cast<std::size_t>(link.rung)];
         constexpr double kMs = 1000;
-        send(session, {{"event", "link"}, {"rung", link.rung}, {"divide", rung.divide}, {"quality", rung.quality},
-                       {"window", link.window}, {"rttMs", link.rtt * kMs}, {"baseMs", link.base * kMs},
-                       {"queueMs", link.queue * kMs}, {"mbit", mbit}, {"sent", sent},
+        send(session, {{"event", "link"},
+                       {"rung", link.rung},
+                       {"divide", rung.divide},
+                       {"quality", rung.quality},
+                       {"window", link.window},
+                       {"rttMs", link.rtt * kMs},
+                       {"baseMs", link.base * kMs},
+                       {"queueMs", link.queue * kMs},
+                       {"mbit", mbit},
+                       {"sent", sent},
                        {"skipped", session.delivery.framesSkipped()}});
         // Behind a frame a ping would measure that frame.
         if (now - session.lastPing < kPingEvery || session.delivery.rate().inFlight() > 0) continue;

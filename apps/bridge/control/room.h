@@ -1,8 +1,8 @@
 /// One instance: its server, and all pages that look at it.
 #pragma once
 
-#include "bridge/control/command_link.h"
 #include "bridge/control/caps.h"
+#include "bridge/control/command_link.h"
 #include "bridge/control/own_edits.h"
 #include "bridge/control/requests.h"
 #include "bridge/control/roles.h"
@@ -39,8 +39,8 @@ class Room {
     std::size_t sessions() const { return sessions_.size(); }
 
     /// `welcome` is sent first; the room adds the role.
-    void join(SessionId id, std::string name, bool mayDrive, const PageView& view, std::shared_ptr<Outlet> outlet,
-              nlohmann::json welcome);
+    void join(SessionId id, std::string name, bool mayDrive, const PageView& view,
+              std::shared_ptr<Outlet> outlet, nlohmann::json welcome);
     void leave(SessionId id);
 
     void text(SessionId id, std::string_view message);
@@ -85,7 +85,8 @@ class Room {
     void answer(Session& session, std::uint32_t id, bool ok, const std::string& text, nlohmann::json content);
     void request(Session& session, const nlohmann::json& request, std::uint32_t id);
     void checkUndo(const Session& session, const PlannedCommand& planned) const;
-    void answered(SessionId id, std::uint32_t request, const PlannedCommand& planned, const ipc::Reply& reply);
+    void answered(SessionId id, std::uint32_t request, const PlannedCommand& planned,
+                  const ipc::Reply& reply);
     void watchSetting(const PlannedCommand& planned);
     void guardSetting();
 

@@ -9,7 +9,9 @@ namespace bridge {
 namespace {
 
 std::int64_t steadyNanoseconds() {
-    return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(
+               std::chrono::steady_clock::now().time_since_epoch())
+        .count();
 }
 
 /// The last input that was given before `ns`; what is older than that is forgotten.
@@ -50,12 +52,13 @@ void Room::pump(Session& session) {
     const std::optional<Shipment> shipment = session.delivery.next(newest_, nowSeconds());
     if (!shipment) return;
     const std::int64_t published = shipment->frame->facts.publishedNs;
-    const std::int64_t age = std::clamp<std::int64_t>((steadyNanoseconds() - published) / 1000, 0, 0xffffffff);
+    const std::int64_t age =
+        std::clamp<std::int64_t>((steadyNanoseconds() - published) / 1000, 0, 0xffffffff);
     session.bytes += kHeaderBytes + shipment->size;
     bytesSent_ += kHeaderBytes + shipment->size;
     if (!shipment->part) ++framesSent_;
-    session.outlet->sendBinary(headerOf(*shipment, inputBefore(session, published), static_cast<std::uint32_t>(age)),
-                               &*shipment);
+    session.outlet->sendBinary(
+        headerOf(*shipment, inputBefore(session, published), static_cast<std::uint32_t>(age)), &*shipment);
 }
 
 void Room::updateDemand() {
@@ -101,6 +104,5 @@ void Room::shareLimit() {
         }
     }
 }
-
 
 } // namespace bridge

@@ -76,7 +76,8 @@ json settingsTableJson(const Limits& limits) {
 
 std::string settingValueText(const std::string& name, const json& value, const Limits& limits) {
     const rtcore::Setting* const setting = rtcore::findSetting(name);
-    if (setting == nullptr || setting->name != name || !isOffered(*setting)) throw Refused("there is no such setting");
+    if (setting == nullptr || setting->name != name || !isOffered(*setting))
+        throw Refused("there is no such setting");
     if (limits.isLocked(setting->name)) throw Refused(fmt::format("{} is locked", setting->name));
     try {
         const rtcore::SettingValue checked = rtcore::checkSetting(*setting, valueOf(*setting, value));

@@ -1,12 +1,9 @@
 #include "bridge/net/doorkeeper.h"
 
 #include "common/cli/command_line.h"
-
-#include <sys/random.h>
+#include "common/process/secrets.h"
 
 #include <array>
-#include <cerrno>
-#include <stdexcept>
 
 namespace bridge {
 
@@ -24,7 +21,8 @@ std::string lower(std::string_view text) {
 
 bool isPort(std::string_view text) {
     constexpr std::size_t kDigits = 5;
-    return !text.empty() && text.size() <= kDigits && text.find_first_not_of("0123456789") == std::string_view::npos;
+    return !text.empty() && text.size() <= kDigits &&
+           text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
 bool isLoopback(std::string_view host) {
@@ -51,7 +49,10 @@ bool isOurOrigin(const Names& names, std::string_view host, std::optional<std::s
 }
 
 OriginOption parseOrigin(const std::string& text) {
-    const auto fail = [&] { return app::UsageError("option '--origin' takes an address such as https://viz.example/node7/, not '" + text + "'"); };
+    const auto fail = [&] {
+        return app::UsageError(
+            "option '--origin' takes an address such as https://viz.example/node7/, not '" + text + "'");
+    };
     const std::size_t scheme = text.find("://");
     if (scheme == std::string::npos) throw fail();
     const std::string protocol = lower(text.substr(0, scheme));
@@ -69,7 +70,8 @@ OriginOption parseOrigin(const std::string& text) {
 
 void WrongTokens::add(const std::string& address, double now) {
     if (address == "unix" || address.starts_with("127.") || address == "::1") return;
-    if (times_.size() >= kMostAddresses) std::erase_if(times_, [&](const auto& each) { return now - each.second.back() > kMinute; });
+    if (times_.size() >= kMostAddresses)
+        std::erase_if(times_, [&](const auto& each) { return now - each.second.back() > kMinute; });
     if (times_.size() >= kMostAddresses) times_.clear();
     std::deque<double>& times = times_[address];
     times.push_back(now);
@@ -80,18 +82,14 @@ bool WrongTokens::shutOut(const std::string& address, double now) {
     const auto found = times_.find(address);
     if (found == times_.end()) return false;
     const std::deque<double>& times = found->second;
-    return times.size() >= kMostWrong && times.back() - times.front() < kMinute && now - times.back() < kMinute;
+    return times.size() >= kMostWrong && times.back() - times.front() < kMinute &&
+           now - times.back() < kMinute;
 }
 
 std::string newToken() {
     constexpr std::size_t kBytes = 32;
     std::array<unsigned char, kBytes> bytes{};
-    std::size_t got = 0;
-    while (got < bytes.size()) {
-        const ssize_t count = ::getrandom(bytes.data() + got, bytes.size() - got, 0);
-        if (count < 0 && errno != EINTR) throw std::runtime_error("the system has no random numbers");
-        if (count > 0) got += static_cast<std::size_t>(count);
-    }
+    app::fillWithRandomBytes(bytes);
     constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
     std::string token;
     unsigned value = 0;
@@ -108,7 +106,8 @@ bool sameToken(std::string_view given, std::string_view token) {
     unsigned char difference = given.size() == token.size() && !token.empty() ? 0 : 1;
     for (std::size_t i = 0; i < token.size(); ++i) {
         const char c = i < given.size() ? given[i] : '\0';
-        difference = static_cast<unsigned char>(difference | (static_cast<unsigned char>(c) ^ static_cast<unsigned char>(token[i])));
+        difference = static_cast<unsigned char>(
+            difference | (static_cast<unsigned char>(c) ^ static_cast<unsigned char>(token[i])));
     }
     return difference == 0;
 }

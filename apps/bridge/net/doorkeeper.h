@@ -21,10 +21,11 @@ struct Names {
     bool allowNoOrigin = false;
 };
 
-/// Whether the `Host` of a request is ours: one of `hosts`, or a name of the loopback with any port, as a tunnel
-/// chooses one. Other names lead to us only when somebody lies about names (DNS rebinding).
+/// Whether the `Host` of a request is ours: one of `hosts`, or a name of the loopback with any port, as a
+/// tunnel chooses one. Other names lead to us only by DNS rebinding.
 bool isOurHost(const Names& names, std::string_view host);
-/// Whether the `Origin` of a WebSocket is a page of ours: of the very host that the request names, or of --origin.
+/// Whether the `Origin` of a WebSocket is a page of ours: of the very host that the request names, or of
+/// --origin.
 bool isOurOrigin(const Names& names, std::string_view host, std::optional<std::string_view> origin);
 
 /// "https://viz.example/node7" taken apart. Throws app::UsageError.
@@ -49,8 +50,8 @@ class TokenBucket {
     double rate_, burst_, level_, last_ = -1;
 };
 
-/// Addresses that try tokens: ten wrong ones within a minute shut an address out for a minute. Not those of the
-/// machine itself, which proxies and tunnels share.
+/// Addresses that try tokens: ten wrong ones within a minute shut an address out for a minute. Not those of
+/// the machine itself, which proxies and tunnels share.
 class WrongTokens {
   public:
     void add(const std::string& address, double now);

@@ -1,5 +1,5 @@
-/// One connection: requests for pages, and the WebSocket that one of them may become. A template over plain and TLS
-/// streams, included by one source for each, since Beast takes half a minute to compile.
+/// One connection: requests for pages, and the WebSocket that one of them may become. A template over plain
+/// and TLS streams, included by one source for each, since Beast takes half a minute to compile.
 #pragma once
 
 #include "bridge/net/http_state.h"
@@ -38,9 +38,10 @@ inline double steadySeconds() {
 template <typename Message>
 void addHeaders(Message& message) {
     message.set(http::field::server, "RTBridge");
-    message.set("Content-Security-Policy",
-                "default-src 'none'; script-src 'self'; worker-src 'self'; style-src 'self'; img-src 'self' blob: data:; "
-                "connect-src 'self'; manifest-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'");
+    message.set("Content-Security-Policy", "default-src 'none'; script-src 'self'; worker-src 'self'; "
+                                           "style-src 'self'; img-src 'self' blob: data:; "
+                                           "connect-src 'self'; manifest-src 'self'; base-uri 'none'; "
+                                           "form-action 'none'; frame-ancestors 'none'");
     message.set("X-Content-Type-Options", "nosniff");
     message.set("Referrer-Policy", "no-referrer");
     message.set("Cross-Origin-Opener-Policy", "same-origin");
@@ -106,7 +107,8 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
         closing_ = true;
         queue_.clear();
         constexpr std::size_t kMostReason = 120;
-        const websocket::close_reason why(static_cast<websocket::close_code>(code), reason.substr(0, kMostReason).c_str());
+        const websocket::close_reason why(static_cast<websocket::close_code>(code),
+                                          reason.substr(0, kMostReason).c_str());
         socket_.async_close(why, [self = this->shared_from_this()](ErrorCode) { self->tellClosed(); });
     }
     const std::string& address() const override { return address_; }
@@ -133,7 +135,9 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
     }
 
     void read() {
-        socket_.async_read(buffer_, [self = this->shared_from_this()](ErrorCode error, std::size_t) { self->haveRead(error); });
+        socket_.async_read(buffer_, [self = this->shared_from_this()](ErrorCode error, std::size_t) {
+            self->haveRead(error);
+        });
     }
     void haveRead(ErrorCode error) {
         if (error) {
@@ -161,11 +165,15 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
         queue_.pop_front();
         const bool text = !current_->binary;
         socket_.text(text);
-        const auto done = [self = this->shared_from_this()](ErrorCode error, std::size_t) { self->wrote(error); };
+        const auto done = [self = this->shared_from_this()](ErrorCode error, std::size_t) {
+            self->wrote(error);
+        };
         if (text) return socket_.async_write(asio::buffer(current_->text), done);
         const Shipment& shipment = current_->shipment;
-        const std::uint8_t* const payload = shipment.frame ? shipment.frame->bytes.data() + shipment.offset : nullptr;
-        const std::array<asio::const_buffer, 2> buffers{asio::buffer(current_->header), asio::const_buffer(payload, shipment.frame ? shipment.size : 0)};
+        const std::uint8_t* const payload =
+            shipment.frame ? shipment.frame->bytes.data() + shipment.offset : nullptr;
+        const std::array<asio::const_buffer, 2> buffers{
+            asio::buffer(current_->header), asio::const_buffer(payload, shipment.frame ? shipment.size : 0)};
         socket_.async_write(buffers, done);
     }
     void wrote(ErrorCode error) {
@@ -199,7 +207,8 @@ template <typename Stream>
 class HttpConnection : public Pending, public std::enable_shared_from_this<HttpConnection<Stream>> {
   public:
     HttpConnection(Stream stream, std::string address, HttpShared& shared)
-        : stream_(std::move(stream)), address_(std::move(address)), shared_(shared), timer_(stream_->get_executor()) {}
+        : stream_(std::move(stream)), address_(std::move(address)), shared_(shared),
+          timer_(stream_->get_executor()) {}
     ~HttpConnection() override { shared_.waiting.remove(this); }
 
     void start() {
@@ -232,7 +241,9 @@ class HttpConnection : public Pending, public std::enable_shared_from_this<HttpC
         parser_.emplace();
         parser_->header_limit(kMostHeader);
         parser_->body_limit(0);
-        http::async_read(*stream_, buffer_, *parser_, [self = this->shared_from_this()](ErrorCode error, std::size_t) { self->haveRead(error); });
+        http::async_read(
+            *stream_, buffer_, *parser_,
+            [self = this->shared_from_this()](ErrorCode error, std::size_t) { self->haveRead(error); });
     }
     void haveRead(ErrorCode error) {
         if (error == http::error::end_of_stream) return finish();
@@ -273,7 +284,8 @@ class HttpConnection : public Pending, public std::enable_shared_from_this<HttpC
         if (!prefix.empty() && path.starts_with(prefix + "/")) path.remove_prefix(prefix.size());
         if (path == "/ws") return upgrade(request);
         for (const PageFile& file : pageFiles())
-            if (file.path == path || (path == "/" && &file == pageFiles().data())) return answer(pageOf(file, request), stays);
+            if (file.path == path || (path == "/" && &file == pageFiles().data()))
+                return answer(pageOf(file, request), stays);
         std::string_view bearer = fieldOf(request, http::field::authorization);
         bearer = bearer.starts_with("Bearer ") ? bearer.substr(7) : std::string_view();
         HttpAnswer made = shared_.handlers.answer(path, bearer);
@@ -285,10 +297,12 @@ class HttpConnection : public Pending, public std::enable_shared_from_this<HttpC
     std::optional<Response> refusalOf(const Request& request) {
         if (request.count(http::field::host) != 1 || request.count(http::field::origin) > 1)
             return refuse(http::status::bad_request, "malformed", "one Host, and one Origin at most\n");
-        if (request.version() != 11) return refuse(http::status::http_version_not_supported, "malformed", "HTTP/1.1 only\n");
+        if (request.version() != 11)
+            return refuse(http::status::http_version_not_supported, "malformed", "HTTP/1.1 only\n");
         if (!isOurHost(shared_.names, fieldOf(request, http::field::host)))
             return refuse(http::status::misdirected_request, "host", "this bridge has another name\n");
-        if (!view(request.target()).starts_with('/')) return refuse(http::status::bad_request, "malformed", "this is no path\n");
+        if (!view(request.target()).starts_with('/'))
+            return refuse(http::status::bad_request, "malformed", "this is no path\n");
         if (request.method() != http::verb::get && request.method() != http::verb::head) {
             Response response = refuse(http::status::method_not_allowed, "method", "GET and HEAD only\n");
             response.set(http::field::allow, "GET, HEAD");
@@ -313,7 +327,8 @@ class HttpConnection : public Pending, public std::enable_shared_from_this<HttpC
     }
 
     void upgrade(const Request& request) {
-        if (std::optional<Response> refusal = upgradeRefusal(request)) return answer(std::move(*refusal), false);
+        if (std::optional<Response> refusal = upgradeRefusal(request))
+            return answer(std::move(*refusal), false);
         timer_.cancel();
         shared_.waiting.remove(this);
         const auto session = std::make_shared<WebSession<Stream>>(std::move(*stream_), address_, shared_);
@@ -324,18 +339,22 @@ class HttpConnection : public Pending, public std::enable_shared_from_this<HttpC
         if (!isOurOrigin(shared_.names, fieldOf(request, http::field::host), originOf(request)))
             return refuse(http::status::forbidden, "origin", "this page is not the bridge's\n");
         if (!websocket::is_upgrade(request)) {
-            Response response = refuse(http::status::upgrade_required, "upgrade", "a WebSocket is expected here\n");
+            Response response =
+                refuse(http::status::upgrade_required, "upgrade", "a WebSocket is expected here\n");
             response.set(http::field::upgrade, "websocket");
             return response;
         }
         http::token_list offered(request[http::field::sec_websocket_protocol]);
-        if (!offered.exists(kSubprotocol)) return refuse(http::status::bad_request, "protocol", "the protocol rtbridge.1 is expected\n");
+        if (!offered.exists(kSubprotocol))
+            return refuse(http::status::bad_request, "protocol", "the protocol rtbridge.1 is expected\n");
         if (shared_.handlers.shutOut(address_)) {
             Response response = refuse(http::status::too_many_requests, "tokens", "too many wrong tokens\n");
             response.set(http::field::retry_after, "60");
             return response;
         }
-        if (shared_.handlers.full()) return refuse(http::status::service_unavailable, "full", "the bridge has as many viewers as it may\n");
+        if (shared_.handlers.full())
+            return refuse(http::status::service_unavailable, "full",
+                          "the bridge has as many viewers as it may\n");
         return {};
     }
 
@@ -346,12 +365,13 @@ class HttpConnection : public Pending, public std::enable_shared_from_this<HttpC
         response.prepare_payload();
         if (head) response.body().clear(); // its length stays told
         const auto sent = std::make_shared<Response>(std::move(response));
-        http::async_write(*stream_, *sent, [self = this->shared_from_this(), sent, stays](ErrorCode error, std::size_t) {
-            if (error) return;
-            if (!stays) return self->finish();
-            self->setDeadline();
-            self->read();
-        });
+        http::async_write(*stream_, *sent,
+                          [self = this->shared_from_this(), sent, stays](ErrorCode error, std::size_t) {
+                              if (error) return;
+                              if (!stays) return self->finish();
+                              self->setDeadline();
+                              self->read();
+                          });
     }
     void finish() {
         ErrorCode ignored;

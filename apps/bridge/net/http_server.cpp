@@ -8,9 +8,7 @@
 #include <boost/asio/local/stream_protocol.hpp>
 #include <fmt/core.h>
 
-#include <netinet/tcp.h>
-#include <sys/stat.h>
-#include <unistd.h>
+#include <filesystem>
 
 namespace bridge {
 
@@ -40,21 +38,21 @@ Tcp::acceptor listenTcp(asio::io_context& context, const ListenAddress& address)
     refuseAddress(fmt::format("{}:{}", address.host, address.port), error);
 }
 
-/// Mode 0600 before anybody can connect; one that a dead bridge left is replaced.
+/// In a folder of this user alone; one that a dead bridge left is replaced.
 Local::acceptor listenLocal(asio::io_context& context, const std::string& path) {
     ErrorCode error;
     Local::socket probe(context);
     probe.connect(Local::endpoint(path), error);
     if (!error) refuseAddress(path, asio::error::make_error_code(asio::error::address_in_use));
-    struct stat there {};
-    if (::lstat(path.c_str(), &there) == 0 && S_ISSOCK(there.st_mode) && there.st_uid == ::getuid()) ::unlink(path.c_str());
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    if (fs::is_socket(fs::symlink_status(path, ignored))) fs::remove(path, ignored);
     Local::acceptor acceptor(context);
     acceptor.open(Local(), error);
-    const mode_t before = ::umask(0177);
     if (!error) acceptor.bind(Local::endpoint(path), error);
-    ::umask(before);
     if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
     if (error) refuseAddress(path, error);
+    fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
     return acceptor;
 }
 
@@ -62,8 +60,7 @@ Local::acceptor listenLocal(asio::io_context& context, const std::string& path) 
 void tune(Tcp::socket& socket) {
     ErrorCode ignored;
     socket.set_option(Tcp::no_delay(true), ignored);
-    const int most = 65536;
-    ::setsockopt(socket.native_handle(), IPPROTO_TCP, TCP_NOTSENT_LOWAT, &most, sizeof most);
+    socket.set_option(asio::detail::socket_option::integer<IPPROTO_TCP, TCP_NOTSENT_LOWAT>(65536), ignored);
 }
 void tune(Local::socket&) {}
 
@@ -81,10 +78,15 @@ const char* typeOfPath(std::string_view path) {
         std::string_view ending;
         const char* type;
     };
-    constexpr Row kTypes[] = {{".html", "text/html; charset=utf-8"}, {".css", "text/css; charset=utf-8"},
-                              {".js", "text/javascript; charset=utf-8"}, {".mjs", "text/javascript; charset=utf-8"},
-                              {".svg", "image/svg+xml"}, {".png", "image/png"}, {".ico", "image/x-icon"},
-                              {".json", "application/json"}, {".webmanifest", "application/manifest+json"}};
+    constexpr Row kTypes[] = {{".html", "text/html; charset=utf-8"},
+                              {".css", "text/css; charset=utf-8"},
+                              {".js", "text/javascript; charset=utf-8"},
+                              {".mjs", "text/javascript; charset=utf-8"},
+                              {".svg", "image/svg+xml"},
+                              {".png", "image/png"},
+                              {".ico", "image/x-icon"},
+                              {".json", "application/json"},
+                              {".webmanifest", "application/manifest+json"}};
     for (const Row& row : kTypes)
         if (path.ends_with(row.ending)) return row.type;
     return "application/octet-stream";
@@ -114,7 +116,8 @@ struct HttpServer::State {
         }
     }
     ~State() {
-        if (!socketPath.empty()) ::unlink(socketPath.c_str());
+        std::error_code ignored;
+        if (!socketPath.empty()) std::filesystem::remove(socketPath, ignored);
     }
 
     template <typename Acceptor>
@@ -130,7 +133,8 @@ struct HttpServer::State {
             const std::string address = nameOf(socket);
             tune(socket);
             try {
-                tls ? tls->serve(std::move(socket), address, shared) : servePlain(std::move(socket), address, shared);
+                tls ? tls->serve(std::move(socket), address, shared)
+                    : servePlain(std::move(socket), address, shared);
             } catch (const std::exception&) { // that connection alone is lost
             }
             accept(acceptor);
@@ -181,7 +185,8 @@ void HttpServer::stop() { state_->context.stop(); }
 void HttpServer::post(std::function<void()> work) { asio::post(state_->context, std::move(work)); }
 
 void HttpServer::every(double seconds, std::function<void()> work) {
-    const auto period = std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(seconds));
+    const auto period = std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+        std::chrono::duration<double>(seconds));
     state_->repeated.push_back({asio::steady_timer(state_->context), period, std::move(work)});
     state_->repeat(state_->repeated.back());
 }

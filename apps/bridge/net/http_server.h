@@ -1,4 +1,5 @@
-/// HTTP and WebSockets, on one thread. What is behind it is told by functions; it knows no server and no frames.
+/// HTTP and WebSockets, on one thread. What is behind it is told by functions; it knows no server and no
+/// frames.
 #pragma once
 
 #include "bridge/net/doorkeeper.h"
@@ -15,10 +16,10 @@ namespace bridge {
 
 /// Where it listens.
 struct ListenAddress {
-    std::string host;         ///< a numeric address; "" with a socket
+    std::string host; ///< a numeric address; "" with a socket
     std::uint16_t port = 0;
-    std::string socketPath;   ///< of a Unix socket; "" = none
-    int ports = 1;            ///< tries so many, from `port` on
+    std::string socketPath; ///< of a Unix socket; "" = none
+    int ports = 1;          ///< tries so many, from `port` on
 };
 
 struct TlsFiles {

@@ -31,7 +31,8 @@ class Waiting {
         }
     }
     void remove(const Pending* connection) {
-        std::erase_if(connections_, [&](const auto& each) { return each.expired() || each.lock().get() == connection; });
+        std::erase_if(connections_,
+                      [&](const auto& each) { return each.expired() || each.lock().get() == connection; });
     }
 
   private:

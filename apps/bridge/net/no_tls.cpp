@@ -6,8 +6,9 @@
 namespace bridge {
 
 std::unique_ptr<TlsDoor> openTlsDoor(const TlsFiles& files) {
-    throw rtcore::FileError(rtcore::FailureKind::NoInput, files.certificate,
-                            "this RTBridge was built without OpenSSL; use ssh or a proxy, or build it with OpenSSL");
+    throw rtcore::FileError(
+        rtcore::FailureKind::NoInput, files.certificate,
+        "this RTBridge was built without OpenSSL; use ssh or a proxy, or build it with OpenSSL");
 }
 
 bool HttpServer::hasTls() { return false; }

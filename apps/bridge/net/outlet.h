@@ -1,4 +1,5 @@
-/// Between the sockets and what is sent over them: neither side knows the other's libraries. All of it on one thread.
+/// Between the sockets and what is sent over them: neither side knows the other's libraries. All of it on one
+/// thread.
 #pragma once
 
 #include "bridge/stream/wire.h"
@@ -23,11 +24,13 @@ enum class CloseCode : std::uint16_t {
     OtherVersion = 4010,
 };
 
-/// One WebSocket, towards the client. Nothing throws but std::bad_alloc; after a close all of it does nothing.
+/// One WebSocket, towards the client. Nothing throws but std::bad_alloc; after a close all of it does
+/// nothing.
 class Outlet {
   public:
     virtual ~Outlet() = default;
-    /// A JSON message, kept until there is room. A client that lets more than a few megabytes pile up is closed.
+    /// A JSON message, kept until there is room. A client that lets more than a few megabytes pile up is
+    /// closed.
     virtual void sendText(std::string text) = 0;
     /// A binary message; of `shipment` nothing for an echo.
     virtual void sendBinary(const Header& header, const Shipment* shipment) = 0;

@@ -10,6 +10,7 @@
 
 namespace bridge {
 
-std::string metricsText(std::span<const Room* const> rooms, const std::map<std::string, std::uint64_t>& refused);
+std::string metricsText(std::span<const Room* const> rooms,
+                        const std::map<std::string, std::uint64_t>& refused);
 
 } // namespace bridge

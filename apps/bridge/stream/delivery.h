@@ -1,5 +1,5 @@
-/// What one viewer is sent next. It holds no frame but the one whose parts are under way, and nothing is queued:
-/// the newest frame wins.
+/// What one viewer is sent next. It holds no frame but the one whose parts are under way, and nothing is
+/// queued: the newest frame wins.
 #pragma once
 
 #include "bridge/stream/encoded_frame.h"
@@ -14,7 +14,7 @@ namespace bridge {
 struct PageView {
     bool visible = true;
     std::optional<int> rung = {}; ///< chosen by hand
-    bool saveData = false;   ///< half size at most, no exact image
+    bool saveData = false;        ///< half size at most, no exact image
     bool noStill = false;
     int width = 0, height = 0; ///< pixels that it has; 0: not said
 };
@@ -34,8 +34,8 @@ class Delivery {
     RateControl& rate() { return rate_; }
     const RateControl& rate() const { return rate_; }
 
-    /// The rung that it waits for; nothing while it is hidden or its window is full. It waits for frames whose
-    /// number is above `sentNumber()`.
+    /// The rung that it waits for; nothing while it is hidden or its window is full. It waits for frames
+    /// whose number is above `sentNumber()`.
     std::optional<int> wanted() const;
     std::uint64_t sentNumber() const { return sentNumber_; }
     std::uint32_t sentStream() const { return sentStream_; }
@@ -61,7 +61,7 @@ class Delivery {
     RateControl rate_;
     std::uint32_t sentStream_ = 0;
     std::uint64_t sentNumber_ = 0;
-    SharedFrame partial_;          ///< whose parts are under way, or were sent last
+    SharedFrame partial_; ///< whose parts are under way, or were sent last
     std::size_t partialOffset_ = 0;
     std::uint64_t framesSent_ = 0, framesSkipped_ = 0;
     bool sized_ = false; ///< the first rung was chosen by the page's size

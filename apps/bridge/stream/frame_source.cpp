@@ -26,8 +26,8 @@ using FrameClock = std::chrono::steady_clock;
 using HeldFrame = std::shared_ptr<const ipc::Frame>;
 
 constexpr auto kBetweenFrames = 1000000us / 60;
-constexpr auto kSlice = 10ms;      ///< longest wait for a frame: demands change meanwhile
-constexpr auto kRetry = 200ms;     ///< to find a server
+constexpr auto kSlice = 10ms;  ///< longest wait for a frame: demands change meanwhile
+constexpr auto kRetry = 200ms; ///< to find a server
 constexpr std::uint32_t kMostSide = 16384;
 
 double threadSeconds() {
@@ -118,7 +118,7 @@ void FrameSource::State::runFrames() {
         }
         try {
             lookAtServer();
-        } catch (const std::exception&) { // whoever commands the server says why it cannot be attached to
+        } catch (const std::exception&) { // CommandLink tells why
             client.reset();
             std::this_thread::sleep_for(kRetry);
         }
@@ -158,7 +158,7 @@ void FrameSource::State::lookAtServer() {
         client->update();
         return;
     }
-    // `current` may still be encoded: its memory is used again only when nobody else has it.
+    // `current` may still be encoded: its memory is used again only when no other thread has it.
     if (!spare || spare.use_count() > 1) spare = std::make_shared<ipc::Frame>();
     if (current) {
         spare->info = current->info;
@@ -190,7 +190,8 @@ FrameFacts FrameSource::State::factsOf(const ipc::Frame& frame, const ipc::Statu
     next.width = static_cast<std::uint16_t>(frame.info.width);
     next.height = static_cast<std::uint16_t>(frame.info.height);
     const bool coarse = frame.info.samples == 0 && status.width >= frame.info.width &&
-                        status.height >= frame.info.height && status.width <= kMostSide && status.height <= kMostSide;
+                        status.height >= frame.info.height && status.width <= kMostSide &&
+                        status.height <= kMostSide;
     next.shownWidth = coarse ? static_cast<std::uint16_t>(status.width) : next.width;
     next.shownHeight = coarse ? static_cast<std::uint16_t>(status.height) : next.height;
     if (frame.epoch != epoch || next.shownWidth != facts.shownWidth || next.shownHeight != facts.shownHeight)

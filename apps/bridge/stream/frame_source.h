@@ -1,4 +1,5 @@
-/// Takes frames from a server and encodes what viewers wait for: each frame once for each rung, whoever they are.
+/// Takes frames from a server and encodes what viewers wait for: each frame once for each rung, however many
+/// they are.
 #pragma once
 
 #include "bridge/stream/encoded_frame.h"
@@ -16,10 +17,10 @@ namespace bridge {
 struct FrameDemand {
     static constexpr std::uint64_t kNothing = std::numeric_limits<std::uint64_t>::max();
 
-    bool anyone = false;                                ///< somebody looks; else the server is left alone
+    bool anyone = false;      ///< a page is open; else the server is left alone
     std::uint32_t stream = 0; ///< that the numbers are of: of another one every frame is wanted
-    std::array<std::uint64_t, kRungCount> above{};      ///< of each rung: frames above this number; kNothing
-    bool still = false, fine = false;                   ///< at rest
+    std::array<std::uint64_t, kRungCount> above{}; ///< of each rung: frames above this number; kNothing
+    bool still = false, fine = false;              ///< at rest
     FrameDemand() { above.fill(kNothing); }
     friend bool operator==(const FrameDemand&, const FrameDemand&) = default;
 };
@@ -34,8 +35,8 @@ struct FrameFigures {
 /// Two threads of its own: one waits for frames and encodes, one, of low priority, encodes what rests.
 class FrameSource {
   public:
-    /// `deliver` is called from these threads with what there is of the newest frame, again when more of it is
-    /// encoded; it must not throw.
+    /// `deliver` is called from these threads with what there is of the newest frame, again when more of it
+    /// is encoded; it must not throw.
     FrameSource(std::string instance, std::function<void(FrameSet)> deliver);
     ~FrameSource();
     FrameSource(const FrameSource&) = delete;

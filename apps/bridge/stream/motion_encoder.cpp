@@ -15,7 +15,8 @@ constexpr int kFineQuality = 90;
 } // namespace
 
 MotionEncoder::MotionEncoder() : library_(tjInitCompress()) {
-    if (library_ == nullptr) throw std::runtime_error(std::string("no JPEG encoder: ") + tjGetErrorStr2(nullptr));
+    if (library_ == nullptr)
+        throw std::runtime_error(std::string("no JPEG encoder: ") + tjGetErrorStr2(nullptr));
 }
 
 MotionEncoder::~MotionEncoder() { tjDestroy(library_); }
@@ -31,11 +32,12 @@ SharedFrame MotionEncoder::encodeFine(const Pixels& pixels, FrameFacts facts) {
 
 SharedFrame MotionEncoder::compress(const Pixels& pixels, int quality, int subsampling, FrameFacts facts) {
     const auto* const source = reinterpret_cast<const unsigned char*>(pixels.bytes.data());
-    buffer_.resize(std::max<std::size_t>(buffer_.size(), tjBufSize(pixels.width, pixels.height, subsampling)));
+    buffer_.resize(
+        std::max<std::size_t>(buffer_.size(), tjBufSize(pixels.width, pixels.height, subsampling)));
     unsigned char* out = buffer_.data();
     unsigned long size = buffer_.size();
-    if (tjCompress2(library_, source, pixels.width, 0, pixels.height, TJPF_RGBX, &out, &size, subsampling, quality,
-                    TJFLAG_NOREALLOC) != 0)
+    if (tjCompress2(library_, source, pixels.width, 0, pixels.height, TJPF_RGBX, &out, &size, subsampling,
+                    quality, TJFLAG_NOREALLOC) != 0)
         throw std::runtime_error(std::string("the JPEG encoder: ") + tjGetErrorStr2(library_));
     auto frame = std::make_shared<EncodedFrame>();
     frame->facts = facts;
@@ -58,7 +60,8 @@ Pixels shrink(const Pixels& pixels, int divide, std::vector<std::byte>& out) {
         for (int x = 0; x < width; ++x, to += 4) {
             unsigned sums[3] = {count / 2, count / 2, count / 2};
             for (int j = 0; j < down; ++j) {
-                const unsigned char* from = line + row * static_cast<std::size_t>(j) + 4 * static_cast<std::size_t>(x * divide);
+                const unsigned char* from =
+                    line + row * static_cast<std::size_t>(j) + 4 * static_cast<std::size_t>(x * divide);
                 for (int i = 0; i < across; ++i, from += 4)
                     for (int c = 0; c < 3; ++c) sums[c] += from[c];
             }

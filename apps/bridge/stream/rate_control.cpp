@@ -31,7 +31,8 @@ void RateControl::noteBase(Seconds rtt, Seconds now) {
 
 Seconds RateControl::base() const { return bases_.empty() ? 0 : bases_.front().rtt; }
 
-void RateControl::sent(std::uint32_t stream, std::uint64_t number, bool part, std::size_t bytes, Seconds now) {
+void RateControl::sent(std::uint32_t stream, std::uint64_t number, bool part, std::size_t bytes,
+                       Seconds now) {
     flight_.push_back({stream, number, part, bytes, now});
     recent_ = sentBits(now) / 8 + static_cast<double>(bytes);
     lastSent_ = now;
@@ -85,7 +86,8 @@ void RateControl::decide(const Entry& entry, Seconds decode, Seconds now) {
 void RateControl::lower(const Entry& entry, Seconds now) {
     const bool failed = now - lastClimb_ < kFailedClimb;
     climbWait_ = failed ? std::min(2 * climbWait_, kLongestClimbWait) : kFirstClimbWait;
-    const double perUnit = static_cast<double>(entry.bytes) / kRungs[static_cast<std::size_t>(rung_)].relative;
+    const double perUnit =
+        static_cast<double>(entry.bytes) / kRungs[static_cast<std::size_t>(rung_)].relative;
     const double room = bandwidth_ * std::max(frameTime_, kFluent);
     int next = std::min(rung_ + 1, kRungCount - 1);
     while (next < kRungCount - 1 && perUnit * kRungs[static_cast<std::size_t>(next)].relative > room) ++next;
@@ -106,7 +108,8 @@ bool RateControl::fallsBehind(Seconds now) {
 }
 
 bool RateControl::windowOpen() const {
-    const auto frames = std::count_if(flight_.begin(), flight_.end(), [](const Entry& each) { return !each.part; });
+    const auto frames =
+        std::count_if(flight_.begin(), flight_.end(), [](const Entry& each) { return !each.part; });
     return frames < window();
 }
 

@@ -1,5 +1,5 @@
-/// How fast and how fine one viewer is served, from its acknowledgements alone: behind a tunnel or a proxy the
-/// system's own figures describe the way to the tunnel.
+/// How fast and how fine one viewer is served, from its acknowledgements alone: behind a tunnel or a proxy
+/// the system's own figures describe the way to the tunnel.
 #pragma once
 
 #include "bridge/stream/rung.h"
@@ -22,9 +22,9 @@ struct LinkReport {
     int rung = kFirstRung;
 };
 
-/// Pure: it is told all times. A frame's time on its way is `rtt`; `base` is the least delay of the last minute, which
-/// latency alone explains; what is left without the decoding is time in queues, and that alone makes frames
-/// coarser. One thread.
+/// Pure: it is told all times. A frame's time on its way is `rtt`; `base` is the least delay of the last
+/// minute, which latency alone explains; what is left without the decoding is time in queues, and that alone
+/// makes frames coarser. One thread.
 class RateControl {
   public:
     explicit RateControl(int firstRung = kFirstRung) : rung_(firstRung) {}

@@ -38,7 +38,8 @@ PngBytes headerOf(const Pixels& pixels) {
 
 /// Each row less the one above it; the first one as it is.
 void filterRows(const Pixels& pixels, std::vector<unsigned char>& out) {
-    const auto width = static_cast<std::size_t>(pixels.width), height = static_cast<std::size_t>(pixels.height);
+    const auto width = static_cast<std::size_t>(pixels.width),
+               height = static_cast<std::size_t>(pixels.height);
     out.resize((3 * width + 1) * height);
     const auto* in = reinterpret_cast<const unsigned char*>(pixels.bytes.data());
     unsigned char* to = out.data();

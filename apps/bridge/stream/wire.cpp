@@ -35,8 +35,8 @@ std::uint32_t bytesOf(std::size_t size) { return static_cast<std::uint32_t>(size
 std::optional<ClientMessage> parseAck(std::span<const std::uint8_t> bytes) {
     if (bytes.size() != kAckBytes) return {};
     constexpr double kUnit = 1e-4;
-    return AckMessage{bytes[0] == kPartAck, get<std::uint16_t>(bytes, 2) * kUnit, get<std::uint32_t>(bytes, 4),
-                      get<std::uint64_t>(bytes, 8)};
+    return AckMessage{bytes[0] == kPartAck, get<std::uint16_t>(bytes, 2) * kUnit,
+                      get<std::uint32_t>(bytes, 4), get<std::uint64_t>(bytes, 8)};
 }
 
 std::optional<ClientMessage> parseInput(std::span<const std::uint8_t> bytes) {
@@ -47,7 +47,8 @@ std::optional<ClientMessage> parseInput(std::span<const std::uint8_t> bytes) {
     input.sequence = get<std::uint32_t>(bytes, 4);
     input.right = get<std::int32_t>(bytes, 8);
     input.up = get<std::int32_t>(bytes, 12);
-    if (std::max(input.right, input.up) > kMostTurn || std::min(input.right, input.up) < -kMostTurn) return {};
+    if (std::max(input.right, input.up) > kMostTurn || std::min(input.right, input.up) < -kMostTurn)
+        return {};
     const auto keys = bytes.subspan(kInputBytes);
     input.held.assign(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(held));
     input.taps.assign(keys.begin() + static_cast<std::ptrdiff_t>(held), keys.end());
@@ -75,8 +76,9 @@ Header headerOf(const Shipment& shipment, std::uint32_t input, std::uint32_t age
     const bool last = shipment.part && shipment.offset + shipment.size == frame.bytes.size();
     header[0] = shipment.part ? kPartMessage : kFrameMessage;
     header[1] = static_cast<std::uint8_t>(frame.codec);
-    put<std::uint16_t>(header, 2,
-                       static_cast<std::uint16_t>(kKeyFrame | (frame.exact ? kExact : 0) | (last ? kLastPart : 0)));
+    put<std::uint16_t>(
+        header, 2,
+        static_cast<std::uint16_t>(kKeyFrame | (frame.exact ? kExact : 0) | (last ? kLastPart : 0)));
     put(header, 4, frame.facts.stream);
     put(header, 8, frame.facts.number);
     put(header, 16, frame.facts.width);

@@ -39,7 +39,8 @@ class FakeServer {
     void move(int framesPerSecond) { rate_ = framesPerSecond; }
     std::vector<std::uint8_t> pixels() {
         const std::lock_guard lock(mutex_);
-        return {reinterpret_cast<const std::uint8_t*>(pixels_.data()), reinterpret_cast<const std::uint8_t*>(pixels_.data()) + pixels_.size()};
+        return {reinterpret_cast<const std::uint8_t*>(pixels_.data()),
+                reinterpret_cast<const std::uint8_t*>(pixels_.data()) + pixels_.size()};
     }
     bool isHeld(int key) {
         const std::lock_guard lock(mutex_);
@@ -69,7 +70,7 @@ class FakeServer {
         app::StateReport state;
         state.scene = "/secret/folder/hall.scn";
         state.settings = rtcore::settingAssignments({}, true);
-        state.lights = {{3, true, "lamp"}};
+        state.lights = {{3, true, "pendant"}};
         state.bookmarks = {"altar"};
         return state;
     }
@@ -96,7 +97,8 @@ class FakeServer {
     void publish(ipc::Server& server) {
         const std::lock_guard lock(mutex_);
         pixels_.resize(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
-        for (std::size_t i = 0; i < pixels_.size(); ++i) pixels_[i] = static_cast<std::byte>((i / 4 * (i % 4 + 1) + frame_ * 7) >> 3);
+        for (std::size_t i = 0; i < pixels_.size(); ++i)
+            pixels_[i] = static_cast<std::byte>((i / 4 * (i % 4 + 1) + frame_ * 7) >> 3);
         ++frame_;
         ipc::Status status;
         status.width = static_cast<std::uint32_t>(width_);
@@ -147,11 +149,14 @@ class BridgeTest : public testing::Test {
 
     void startServer() { server = std::make_unique<FakeServer>(instance.name()); }
     void startBridge(std::vector<std::string> options = {}, const std::string& listen = "127.0.0.1:0") {
-        const std::string tokens = (instance.folder() / "tokens").string(), output = (instance.folder() / "links").string();
+        const std::string tokens = (instance.folder() / "tokens").string(),
+                          output = (instance.folder() / "links").string();
         std::ofstream(tokens) << kDriver << "\n" << kViewer << "\n";
-        std::filesystem::permissions(tokens, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+        std::filesystem::permissions(tokens, std::filesystem::perms::owner_read |
+                                                 std::filesystem::perms::owner_write);
         std::filesystem::remove(output);
-        std::vector<std::string> words{"--instance=" + instance.name(), "--listen=" + listen, "--token-file=" + tokens};
+        std::vector<std::string> words{"--instance=" + instance.name(), "--listen=" + listen,
+                                       "--token-file=" + tokens};
         words.insert(words.end(), options.begin(), options.end());
         bridge = ChildProcess(std::string(RT_PROGRAM_FOLDER) + "/RTBridge", words, {.outputFile = output});
         eventually([&] { return links().find("Viewer: ") != std::string::npos; }, 10s);
@@ -182,7 +187,8 @@ class BridgeTest : public testing::Test {
         return socket.readAll(3s);
     }
     std::string page(const std::string& path, const std::string& more = "") {
-        return get("GET " + path + " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port) + "\r\nConnection: close\r\n" + more + "\r\n");
+        return get("GET " + path + " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port) +
+                   "\r\nConnection: close\r\n" + more + "\r\n");
     }
 
     IpcInstance instance;

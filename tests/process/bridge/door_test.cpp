@@ -14,12 +14,15 @@ class Door : public BridgeTest {
     /// The status of a raw request; `%` stands for the port.
     int statusOf(std::string request) {
         for (std::size_t at = 0; (at = request.find('%', at)) != std::string::npos;)
-            if (request.compare(at, 2, "%p") == 0) request.replace(at, 2, std::to_string(port));
-            else ++at;
+            if (request.compare(at, 2, "%p") == 0)
+                request.replace(at, 2, std::to_string(port));
+            else
+                ++at;
         RawSocket socket(port);
         socket.write(request);
         std::string answer;
-        for (int i = 0; i < 30 && answer.find("\r\n") == std::string::npos && !socket.closed(); ++i) answer += socket.read(100ms);
+        for (int i = 0; i < 30 && answer.find("\r\n") == std::string::npos && !socket.closed(); ++i)
+            answer += socket.read(100ms);
         return answer.starts_with("HTTP/1.1 ") ? std::stoi(answer.substr(9, 3)) : 0;
     }
 };
@@ -27,13 +30,17 @@ class Door : public BridgeTest {
 TEST_F(Door, OpensForPagesOfThisVeryBridgeOnly) {
     const std::string own = std::to_string(port);
     EXPECT_EQ(WebClient(port).status(), 101);
-    for (const std::string& origin : {std::string("-"), std::string("null"), std::string("http://evil.example"), "http://localhost:" + own, "https://127.0.0.1:" + own,
-                                      "http://127.0.0.1:" + std::to_string(port + 1), "http://127.0.0.1:" + own + "0", "http://127.0.0.1:" + own + ".evil.example"})
+    for (const std::string& origin :
+         {std::string("-"), std::string("null"), std::string("http://evil.example"),
+          "http://localhost:" + own, "https://127.0.0.1:" + own,
+          "http://127.0.0.1:" + std::to_string(port + 1), "http://127.0.0.1:" + own + "0",
+          "http://127.0.0.1:" + own + ".evil.example"})
         EXPECT_EQ(WebClient(port, origin).status(), 403) << origin;
 }
 
 TEST_F(Door, AnswersOnlyToItsOwnNames) {
-    for (const char* host : {"evil.example", "evil.example:%p", "127.0.0.1.evil.example:%p", "169.254.169.254", "0.0.0.0:%p"})
+    for (const char* host :
+         {"evil.example", "evil.example:%p", "127.0.0.1.evil.example:%p", "169.254.169.254", "0.0.0.0:%p"})
         for (const char* path : {"/", "/ws", "/health", "/nothing"})
             EXPECT_EQ(statusOf(fmt::format("GET {} HTTP/1.1\r\nHost: {}\r\n\r\n", path, host)), 421) << host;
     EXPECT_EQ(statusOf("GET / HTTP/1.1\r\nHost: localhost:%p\r\n\r\n"), 200);
@@ -46,7 +53,10 @@ TEST_F(Door, RefusesRequestsThatAreNone) {
         int status;
     } rows[] = {
         {"GET /ws HTTP/1.1\r\n" + host + "Origin: http://127.0.0.1:%p\r\n\r\n", 426},
-        {"GET /ws HTTP/1.1\r\n" + host + "Origin: http://127.0.0.1:%p\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n", 400},
+        {"GET /ws HTTP/1.1\r\n" + host +
+             "Origin: http://127.0.0.1:%p\r\nUpgrade: websocket\r\nConnection: "
+             "Upgrade\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n",
+         400},
         {"GET / HTTP/1.1\r\n\r\n", 400},
         {"GET / HTTP/1.1\r\n" + host + host + "\r\n", 400},
         {"GET http://127.0.0.1:%p/ HTTP/1.1\r\n" + host + "\r\n", 400},
@@ -74,8 +84,9 @@ TEST_F(Door, RefusesRequestsThatAreNone) {
 TEST_F(Door, GivesPagesThatTrustNothingElse) {
     const std::string answer = page("/");
     EXPECT_TRUE(answer.starts_with("HTTP/1.1 200"));
-    for (const char* header : {"Content-Security-Policy: default-src 'none'; script-src 'self'", "X-Content-Type-Options: nosniff", "Referrer-Policy: no-referrer",
-                               "Cross-Origin-Opener-Policy: same-origin", "text/html"})
+    for (const char* header :
+         {"Content-Security-Policy: default-src 'none'; script-src 'self'", "X-Content-Type-Options: nosniff",
+          "Referrer-Policy: no-referrer", "Cross-Origin-Opener-Policy: same-origin", "text/html"})
         EXPECT_NE(answer.find(header), std::string::npos) << header;
     EXPECT_EQ(answer.find("Set-Cookie"), std::string::npos);
     EXPECT_EQ(answer.find(kDriver), std::string::npos);
@@ -94,7 +105,9 @@ TEST_F(Door, TellsFiguresOnlyWithAToken) {
     const auto content = nlohmann::json::parse(status.substr(status.find("\r\n\r\n") + 4));
     EXPECT_EQ(content["instances"][0]["sessions"].size(), 1U);
     EXPECT_EQ(status.find(kDriver), std::string::npos);
-    EXPECT_NE(page("/metrics", std::string("Authorization: Bearer ") + kViewer + "\r\n").find("\nrtbridge_sessions{"), std::string::npos);
+    EXPECT_NE(page("/metrics", std::string("Authorization: Bearer ") + kViewer + "\r\n")
+                  .find("\nrtbridge_sessions{"),
+              std::string::npos);
 }
 
 TEST_F(Door, TakesTheRightTokenOfTheRightVersion) {
@@ -102,7 +115,12 @@ TEST_F(Door, TakesTheRightTokenOfTheRightVersion) {
         std::string token;
         nlohmann::json more;
         int code;
-    } rows[] = {{"", {}, 4003}, {"wrong", {}, 4003}, {std::string(kDriver) + "x", {}, 4003}, {kDriver, {{"v", 2}}, 4010}, {kDriver, {{"v", "1"}}, 4010}, {kDriver, {{"instance", "no"}}, 4004}};
+    } rows[] = {{"", {}, 4003},
+                {"wrong", {}, 4003},
+                {std::string(kDriver) + "x", {}, 4003},
+                {kDriver, {{"v", 2}}, 4010},
+                {kDriver, {{"v", "1"}}, 4010},
+                {kDriver, {{"instance", "no"}}, 4004}};
     for (const auto& row : rows) {
         WebClient client(port);
         client.hello(row.token, "", row.more.is_null() ? nlohmann::json::object() : row.more);

@@ -20,8 +20,9 @@ TEST_F(Requests, ReachTheServerAsCommands) {
 
 TEST_F(Requests, ThatAreNotOnTheListNeverDo) {
     const auto client = join();
-    for (const char* name : {"exit", "quit", "load scene", "loadScene", "save", "screenshot", "export scene", "key press", "bind", "parent", "idle", "scene",
-                             "environmentOpen", "play", "hello", "", "walk\nexit"}) {
+    for (const char* name :
+         {"exit", "quit", "load scene", "loadScene", "save", "screenshot", "export scene", "key press",
+          "bind", "parent", "idle", "scene", "environmentOpen", "play", "hello", "", "walk\nexit"}) {
         const json answer = client->request({{"do", name}, {"file", "/etc/passwd"}});
         EXPECT_EQ(answer["ok"], false) << name;
     }
@@ -64,7 +65,8 @@ TEST_F(Requests, UndoOnlyTheSessionsOwnEdit) {
 }
 
 TEST_F(Requests, ThatAreNoObjectsCloseTheConnection) {
-    for (const char* text : {"", "x", "1", "[]", "{\"do\":\"walk\"}", "{\"do\":\"walk\",\"id\":-1}", "{\"do\":\"walk\",\"id\":1e99}", "{\"do\":\"walk\",\"id\":\"1\"}"}) {
+    for (const char* text : {"", "x", "1", "[]", "{\"do\":\"walk\"}", "{\"do\":\"walk\",\"id\":-1}",
+                             "{\"do\":\"walk\",\"id\":1e99}", "{\"do\":\"walk\",\"id\":\"1\"}"}) {
         const auto client = join();
         client->sendText(text);
         EXPECT_EQ(client->closeCode(), 4002) << text;
@@ -84,8 +86,10 @@ class LockedEdits : public BridgeTest {
 
 TEST_F(LockedEdits, ChangeNothingButTheView) {
     const auto client = join();
-    for (const json& request : {json{{"do", "set"}, {"name", "maxDepth"}, {"value", 3}}, json{{"do", "light"}, {"light", 3}, {"on", false}}, json{{"do", "undo"}},
-                                json{{"do", "partHide"}, {"parts", {1}}}, json{{"do", "resolution"}, {"width", 64}, {"height", 64}}})
+    for (const json& request : {json{{"do", "set"}, {"name", "maxDepth"}, {"value", 3}},
+                                json{{"do", "light"}, {"light", 3}, {"on", false}}, json{{"do", "undo"}},
+                                json{{"do", "partHide"}, {"parts", {1}}},
+                                json{{"do", "resolution"}, {"width", 64}, {"height", 64}}})
         EXPECT_EQ(client->request(request)["ok"], false) << request;
     EXPECT_EQ(client->request({{"do", "fly"}})["ok"], true);
     EXPECT_EQ(server->commands(), std::vector<std::string>{"fly"});
@@ -104,9 +108,13 @@ bool heard(WebClient& client) {
 TEST_F(Requests, OfAnyBytesHarmNobody) {
     const char* const asked = std::getenv("RT_BRIDGE_FUZZ");
     const int messages = asked != nullptr ? std::atoi(asked) : 10'000;
-    const std::vector<std::string> samples{R"({"id":1,"do":"camera","eye":[0,1,2],"forward":[0,0,-1],"fov":60})", R"({"id":2,"do":"set","name":"maxDepth","value":3})",
-                                           R"({"id":3,"do":"materialSet","number":1,"key":"diffuse","value":[1,1,1]})", R"({"id":4,"do":"ask"})",
-                                           R"({"do":"hello","v":1,"token":"x"})", R"({"id":5,"do":"partHide","parts":[1,2,3]})"};
+    const std::vector<std::string> samples{
+        R"({"id":1,"do":"camera","eye":[0,1,2],"forward":[0,0,-1],"fov":60})",
+        R"({"id":2,"do":"set","name":"maxDepth","value":3})",
+        R"({"id":3,"do":"materialSet","number":1,"key":"diffuse","value":[1,1,1]})",
+        R"({"id":4,"do":"ask"})",
+        R"({"do":"hello","v":1,"token":"x"})",
+        R"({"id":5,"do":"partHide","parts":[1,2,3]})"};
     std::mt19937 random(11);
     const auto honest = join(kViewer);
     std::unique_ptr<WebClient> client;
@@ -114,7 +122,9 @@ TEST_F(Requests, OfAnyBytesHarmNobody) {
     for (int i = 0; i < messages; ++i) {
         if (!client || sent++ % 200 == 199) client = join(); // below the limit of a burst
         std::string text = samples[random() % samples.size()];
-        for (unsigned k = random() % 4; k > 0; --k) text[random() % text.size()] = random() % 2 == 0 ? static_cast<char>(32 + random() % 95) : "{}[]\",:\\0e-"[random() % 11];
+        for (unsigned k = random() % 4; k > 0; --k)
+            text[random() % text.size()] =
+                random() % 2 == 0 ? static_cast<char>(32 + random() % 95) : "{}[]\",:\\0e-"[random() % 11];
         const bool binary = random() % 4 == 0;
         if (random() % 50 == 0) text.resize(random() % 30);
         if (binary) text[0] = static_cast<char>(random() % 6);
@@ -122,7 +132,11 @@ TEST_F(Requests, OfAnyBytesHarmNobody) {
         if (!heard(*client)) client.reset();
     }
     EXPECT_FALSE(honest->request({{"do", "parts"}}, 10s).is_null()) << "the bridge serves on";
-    for (const std::string& command : server->commands()) EXPECT_TRUE(command.starts_with("camera ") || command.starts_with("set maxDepth") || command.starts_with("material set") || command.starts_with("part") || command.starts_with("also ")) << command;
+    for (const std::string& command : server->commands())
+        EXPECT_TRUE(command.starts_with("camera ") || command.starts_with("set maxDepth") ||
+                    command.starts_with("material set") || command.starts_with("part") ||
+                    command.starts_with("also "))
+            << command;
 }
 
 } // namespace

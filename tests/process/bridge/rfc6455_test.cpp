@@ -49,7 +49,8 @@ TEST_F(Rfc6455, WrongFramesAreClosedWithTheirCode) {
         {"4097 bytes", webFrame(0x82, std::string(4097, 'x')), 1009},
         {"a length of 2 GB", webFrame(0x82, "", true, 1ULL << 31), 1009},
         {"a length of 2^62", webFrame(0x82, "", true, 1ULL << 62), 1009},
-        {"parts of 4097 bytes", webFrame(0x02, std::string(4000, 'x')) + webFrame(0x80, std::string(97, 'x')), 1009},
+        {"parts of 4097 bytes", webFrame(0x02, std::string(4000, 'x')) + webFrame(0x80, std::string(97, 'x')),
+         1009},
     };
     for (const auto& row : rows) {
         const auto client = join(kViewer);
@@ -65,12 +66,16 @@ TEST_F(Rfc6455, WhatIsOddButRightIsServed) {
         const char* what;
         std::string bytes;
     } rows[] = {
-        {"one byte a part", [&] {
+        {"one byte a part",
+         [&] {
              std::string parts;
-             for (std::size_t i = 0; i < request.size(); ++i) parts += webFrame((i == 0 ? 1 : 0) | (i + 1 == request.size() ? 0x80 : 0), request.substr(i, 1));
+             for (std::size_t i = 0; i < request.size(); ++i)
+                 parts +=
+                     webFrame((i == 0 ? 1 : 0) | (i + 1 == request.size() ? 0x80 : 0), request.substr(i, 1));
              return parts;
          }()},
-        {"a ping between the parts", webFrame(0x01, request.substr(0, 5)) + webFrame(0x89, "hi") + webFrame(0x80, request.substr(5))},
+        {"a ping between the parts",
+         webFrame(0x01, request.substr(0, 5)) + webFrame(0x89, "hi") + webFrame(0x80, request.substr(5))},
         {"empty parts", webFrame(0x01, "") + webFrame(0x00, request) + webFrame(0x80, "")},
         {"a pong that nobody asked for", webFrame(0x8A, "x") + webFrame(0x81, request)},
     };

@@ -49,7 +49,8 @@ TEST_F(Driving, TapsAndTurns) {
     client->input({}, 1500, -250, {' '});
     EXPECT_TRUE(eventually([&] { return server->presses(' ') == 1; }));
     EXPECT_FALSE(server->isHeld(' '));
-    EXPECT_TRUE(eventually([&] { return server->commands() == std::vector<std::string>{"camera turn 1.5 -0.25"}; }));
+    EXPECT_TRUE(
+        eventually([&] { return server->commands() == std::vector<std::string>{"camera turn 1.5 -0.25"}; }));
 }
 
 TEST_F(Driving, IsForTheDriverAlone) {

@@ -4,6 +4,7 @@
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
+#include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <sys/un.h>
@@ -26,7 +27,8 @@ std::chrono::milliseconds leftUntil(SteadyClock::time_point end) {
 
 std::uint64_t number(std::string_view bytes, std::size_t at, int size) {
     std::uint64_t value = 0;
-    for (int i = size - 1; i >= 0; --i) value = value << 8 | static_cast<std::uint8_t>(bytes[at + static_cast<std::size_t>(i)]);
+    for (int i = size - 1; i >= 0; --i)
+        value = value << 8 | static_cast<std::uint8_t>(bytes[at + static_cast<std::size_t>(i)]);
     return value;
 }
 
@@ -42,6 +44,8 @@ RawSocket::RawSocket(int port) : socket_(::socket(AF_INET, SOCK_STREAM | SOCK_CL
     address.sin_port = htons(static_cast<std::uint16_t>(port));
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     closed_ = ::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0;
+    const int on = 1; // as browsers do
+    ::setsockopt(socket_, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
 }
 
 RawSocket::RawSocket(const std::string& path) : socket_(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
@@ -54,7 +58,8 @@ RawSocket::RawSocket(const std::string& path) : socket_(::socket(AF_UNIX, SOCK_S
 RawSocket::~RawSocket() {
     if (socket_ >= 0) ::close(socket_);
 }
-RawSocket::RawSocket(RawSocket&& other) noexcept : socket_(std::exchange(other.socket_, -1)), closed_(other.closed_) {}
+RawSocket::RawSocket(RawSocket&& other) noexcept
+    : socket_(std::exchange(other.socket_, -1)), closed_(other.closed_) {}
 RawSocket& RawSocket::operator=(RawSocket&& other) noexcept {
     std::swap(socket_, other.socket_);
     std::swap(closed_, other.closed_);
@@ -87,7 +92,8 @@ std::string RawSocket::readAll(std::chrono::milliseconds within) {
     return all;
 }
 
-std::string webFrame(int first, std::string_view payload, bool masked, std::optional<std::uint64_t> saidLength) {
+std::string webFrame(int first, std::string_view payload, bool masked,
+                     std::optional<std::uint64_t> saidLength) {
     const std::uint64_t length = saidLength.value_or(payload.size());
     std::string frame(1, static_cast<char>(first));
     const int mask = masked ? 0x80 : 0;
@@ -104,7 +110,8 @@ std::string webFrame(int first, std::string_view payload, bool masked, std::opti
     }
     const std::array<char, 4> key{0x11, 0x22, 0x33, 0x44};
     if (masked) frame.append(key.data(), key.size());
-    for (std::size_t i = 0; i < payload.size(); ++i) frame += static_cast<char>(payload[i] ^ (masked ? key[i % 4] : 0));
+    for (std::size_t i = 0; i < payload.size(); ++i)
+        frame += static_cast<char>(payload[i] ^ (masked ? key[i % 4] : 0));
     return frame;
 }
 
@@ -132,17 +139,20 @@ WebClient::WebClient(int port, const std::string& origin, const std::string& pat
     shakeHands(host, origin.empty() ? "http://" + host : origin, path);
 }
 
-WebClient::WebClient(RawSocket socket, const std::string& host, const std::string& origin) : socket_(std::move(socket)) {
+WebClient::WebClient(RawSocket socket, const std::string& host, const std::string& origin)
+    : socket_(std::move(socket)) {
     shakeHands(host, origin, "/ws");
 }
 
 void WebClient::shakeHands(const std::string& host, const std::string& origin, const std::string& path) {
-    socket_.write(fmt::format("GET {} HTTP/1.1\r\nHost: {}\r\n{}Upgrade: websocket\r\nConnection: Upgrade\r\n"
-                              "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
-                              "Sec-WebSocket-Protocol: rtbridge.1\r\nSec-WebSocket-Extensions: permessage-deflate\r\n\r\n",
-                              path, host, origin == "-" ? "" : "Origin: " + origin + "\r\n"));
+    socket_.write(fmt::format(
+        "GET {} HTTP/1.1\r\nHost: {}\r\n{}Upgrade: websocket\r\nConnection: Upgrade\r\n"
+        "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
+        "Sec-WebSocket-Protocol: rtbridge.1\r\nSec-WebSocket-Extensions: permessage-deflate\r\n\r\n",
+        path, host, origin == "-" ? "" : "Origin: " + origin + "\r\n"));
     const auto end = SteadyClock::now() + 5s;
-    while (buffer_.find("\r\n\r\n") == std::string::npos && !socket_.closed() && SteadyClock::now() < end) buffer_ += socket_.read(leftUntil(end));
+    while (buffer_.find("\r\n\r\n") == std::string::npos && !socket_.closed() && SteadyClock::now() < end)
+        buffer_ += socket_.read(leftUntil(end));
     const std::size_t head = buffer_.find("\r\n\r\n");
     if (head == std::string::npos) return;
     status_ = std::stoi(buffer_.substr(9, 3));
@@ -165,7 +175,8 @@ std::optional<WebFrame> WebClient::parse() {
     const std::size_t more = length == 126 ? 2 : length == 127 ? 8 : 0;
     if (buffer_.size() < start + more) return {};
     if (more > 0) length = 0;
-    for (std::size_t i = 0; i < more; ++i) length = length << 8 | static_cast<std::uint8_t>(buffer_[start + i]);
+    for (std::size_t i = 0; i < more; ++i)
+        length = length << 8 | static_cast<std::uint8_t>(buffer_[start + i]);
     start += more;
     if (buffer_.size() < start + length) return {};
     WebFrame frame{static_cast<std::uint8_t>(buffer_[0]) & 15, buffer_.substr(start, length)};

@@ -25,7 +25,7 @@ class RawSocket {
     RawSocket(RawSocket&& other) noexcept;
     RawSocket& operator=(RawSocket&& other) noexcept;
 
-    bool write(std::string_view bytes) const;           ///< false: it is closed
+    bool write(std::string_view bytes) const; ///< false: it is closed
     /// What is there, within the time; "" and closed() when the other side has ended it.
     std::string read(std::chrono::milliseconds within);
     bool closed() const { return closed_; }
@@ -40,11 +40,16 @@ class RawSocket {
 struct WebFrame {
     int opcode = 0; ///< 1 text, 2 binary, 8 close, 9 ping, 10 pong
     std::string payload;
-    int closeCode() const { return opcode == 8 && payload.size() >= 2 ? static_cast<std::uint8_t>(payload[0]) << 8 | static_cast<std::uint8_t>(payload[1]) : 0; }
+    int closeCode() const {
+        return opcode == 8 && payload.size() >= 2
+                   ? static_cast<std::uint8_t>(payload[0]) << 8 | static_cast<std::uint8_t>(payload[1])
+                   : 0;
+    }
 };
 
 /// One masked frame; `first` is its first byte (0x81: a whole text).
-std::string webFrame(int first, std::string_view payload, bool masked = true, std::optional<std::uint64_t> saidLength = {});
+std::string webFrame(int first, std::string_view payload, bool masked = true,
+                     std::optional<std::uint64_t> saidLength = {});
 
 struct FrameHeader {
     int type = 0, codec = 0, flags = 0, width = 0, height = 0, shownWidth = 0, shownHeight = 0;
@@ -60,12 +65,16 @@ class WebClient {
     WebClient(RawSocket socket, const std::string& host, const std::string& origin);
     int status() const { return status_; }
 
-    bool hello(const std::string& token, const std::string& name = "test", nlohmann::json more = nlohmann::json::object());
+    bool hello(const std::string& token, const std::string& name = "test",
+               nlohmann::json more = nlohmann::json::object());
     bool sendText(const std::string& text) { return socket_.write(webFrame(0x81, text)); }
-    bool sendBinary(const Bytes& bytes) { return socket_.write(webFrame(0x82, {reinterpret_cast<const char*>(bytes.data()), bytes.size()})); }
+    bool sendBinary(const Bytes& bytes) {
+        return socket_.write(webFrame(0x82, {reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
+    }
     RawSocket& socket() { return socket_; }
 
-    /// The next frame of whatever kind; pings are answered meanwhile unless told. Nothing: closed, or out of time.
+    /// The next frame of whatever kind; pings are answered meanwhile unless told. Nothing: closed, or out of
+    /// time.
     std::optional<WebFrame> next(std::chrono::milliseconds within = 5s);
     /// The next event of that name; frames on the way are acknowledged. Null: none came.
     nlohmann::json event(const std::string& name, std::chrono::milliseconds within = 5s);

@@ -7,7 +7,8 @@ namespace {
 using bridge::Delivery;
 using bridge::FrameSet;
 
-bridge::SharedFrame frameOf(std::uint32_t stream, std::uint64_t number, std::size_t bytes, bool exact = false) {
+bridge::SharedFrame frameOf(std::uint32_t stream, std::uint64_t number, std::size_t bytes,
+                            bool exact = false) {
     auto frame = std::make_shared<bridge::EncodedFrame>();
     frame->facts = {stream, number, 1280, 720, 1280, 720, 0};
     frame->exact = exact;

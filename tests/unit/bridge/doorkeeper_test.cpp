@@ -16,10 +16,12 @@ bridge::Names namesOf() {
 
 TEST(Hosts, OnlyOurOwnNames) {
     const bridge::Names names = namesOf();
-    for (const char* host : {"127.0.0.1:8931", "localhost:8931", "LOCALHOST:8931", "[::1]:8931", "localhost", "192.168.1.7:8443"})
+    for (const char* host : {"127.0.0.1:8931", "localhost:8931", "LOCALHOST:8931", "[::1]:8931", "localhost",
+                             "192.168.1.7:8443"})
         EXPECT_TRUE(bridge::isOurHost(names, host)) << host;
-    for (const char* host : {"", "evil.example", "evil.example:8931", "127.0.0.1.evil.example:8931", "localhost.evil.example",
-                             "192.168.1.7", "192.168.1.7:80", "127.0.0.1:", "127.0.0.1:x", "127.0.0.1:123456", "localhost:8931@evil", " localhost"})
+    for (const char* host : {"", "evil.example", "evil.example:8931", "127.0.0.1.evil.example:8931",
+                             "localhost.evil.example", "192.168.1.7", "192.168.1.7:80", "127.0.0.1:",
+                             "127.0.0.1:x", "127.0.0.1:123456", "localhost:8931@evil", " localhost"})
         EXPECT_FALSE(bridge::isOurHost(names, host)) << host;
 }
 
@@ -27,15 +29,19 @@ TEST(Origins, OnlyThePageOfTheVeryHost) {
     bridge::Names names = namesOf();
     names.origins = {"https://viz.example"};
     EXPECT_TRUE(bridge::isOurOrigin(names, "127.0.0.1:8931", "http://127.0.0.1:8931"));
-    EXPECT_TRUE(bridge::isOurOrigin(names, "127.0.0.1:9000", "http://127.0.0.1:9000")) << "a tunnel's own port";
+    EXPECT_TRUE(bridge::isOurOrigin(names, "127.0.0.1:9000", "http://127.0.0.1:9000"))
+        << "a tunnel's own port";
     EXPECT_TRUE(bridge::isOurOrigin(names, "127.0.0.1:8931", "https://viz.example"));
-    for (const char* origin : {"http://127.0.0.1:8932", "http://localhost:8931", "https://127.0.0.1:8931", "null", "", "http://evil.example",
-                               "http://127.0.0.1:8931.evil.example", "http://127.0.0.1:89310", "https://viz.example.evil", "https://viz.example:444"})
+    for (const char* origin :
+         {"http://127.0.0.1:8932", "http://localhost:8931", "https://127.0.0.1:8931", "null", "",
+          "http://evil.example", "http://127.0.0.1:8931.evil.example", "http://127.0.0.1:89310",
+          "https://viz.example.evil", "https://viz.example:444"})
         EXPECT_FALSE(bridge::isOurOrigin(names, "127.0.0.1:8931", origin)) << origin;
     EXPECT_FALSE(bridge::isOurOrigin(names, "127.0.0.1:8931", std::nullopt));
     names.allowNoOrigin = true;
     EXPECT_TRUE(bridge::isOurOrigin(names, "127.0.0.1:8931", std::nullopt));
-    EXPECT_FALSE(bridge::isOurOrigin(names, "127.0.0.1:8931", "http://evil.example")) << "a page is still a page";
+    EXPECT_FALSE(bridge::isOurOrigin(names, "127.0.0.1:8931", "http://evil.example"))
+        << "a page is still a page";
     names.tls = true;
     EXPECT_TRUE(bridge::isOurOrigin(names, "192.168.1.7:8443", "https://192.168.1.7:8443"));
     EXPECT_FALSE(bridge::isOurOrigin(names, "192.168.1.7:8443", "http://192.168.1.7:8443"));
@@ -46,7 +52,8 @@ TEST(Origins, AreTakenApart) {
     EXPECT_EQ(option.origin, "https://viz.example:444");
     EXPECT_EQ(option.host, "viz.example:444");
     EXPECT_EQ(option.prefix, "/node7/8931");
-    for (const char* wrong : {"", "viz.example", "ftp://viz.example", "https://", "https:///x", "https://a@b/", "https://a/?x"})
+    for (const char* wrong :
+         {"", "viz.example", "ftp://viz.example", "https://", "https:///x", "https://a@b/", "https://a/?x"})
         EXPECT_THROW(bridge::parseOrigin(wrong), app::UsageError) << wrong;
 }
 
@@ -80,14 +87,16 @@ TEST(Tokens, AreLongAndNeverTheSame) {
     for (int i = 0; i < 1000; ++i) {
         const std::string token = bridge::newToken();
         EXPECT_EQ(token.size(), 43U);
-        EXPECT_EQ(token.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_"), std::string::npos);
+        EXPECT_EQ(token.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_"),
+                  std::string::npos);
         EXPECT_TRUE(seen.insert(token).second);
     }
 }
 
 TEST(Tokens, AreEqualAsAWhole) {
     EXPECT_TRUE(bridge::sameToken("abc", "abc"));
-    for (const char* given : {"", "ab", "abcd", "abd", "xbc"}) EXPECT_FALSE(bridge::sameToken(given, "abc")) << given;
+    for (const char* given : {"", "ab", "abcd", "abd", "xbc"})
+        EXPECT_FALSE(bridge::sameToken(given, "abc")) << given;
     EXPECT_FALSE(bridge::sameToken("", "")) << "no token is none that fits";
 }
 

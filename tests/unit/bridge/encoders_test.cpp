@@ -20,7 +20,8 @@ std::vector<std::byte> randomPixels(int width, int height) {
     return bytes;
 }
 
-std::vector<unsigned char> decodePng(const std::vector<std::uint8_t>& file, unsigned& width, unsigned& height) {
+std::vector<unsigned char> decodePng(const std::vector<std::uint8_t>& file, unsigned& width,
+                                     unsigned& height) {
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
     if (png_image_begin_read_from_memory(&image, file.data(), file.size()) == 0) return {};
@@ -47,7 +48,8 @@ void sizeOfJpeg(const std::vector<std::uint8_t>& file, unsigned& width, unsigned
 
 TEST(StillEncoder, KeepsEveryPixel) {
     bridge::StillEncoder encoder;
-    for (const auto& [width, height] : {std::pair(1, 1), std::pair(7, 3), std::pair(64, 48), std::pair(3, 200)}) {
+    for (const auto& [width, height] :
+         {std::pair(1, 1), std::pair(7, 3), std::pair(64, 48), std::pair(3, 200)}) {
         const std::vector<std::byte> bytes = randomPixels(width, height);
         const bridge::SharedFrame frame = encoder.encode({bytes, width, height}, {});
         EXPECT_TRUE(frame->exact);
@@ -77,7 +79,8 @@ TEST(MotionEncoder, MakesJpegsOfEachRungsSize) {
 TEST(MotionEncoder, TakesFramesOfOnePixel) {
     const std::vector<std::byte> bytes = randomPixels(1, 1);
     bridge::MotionEncoder encoder;
-    for (const bridge::Rung& rung : bridge::kRungs) EXPECT_EQ(encoder.encode({bytes, 1, 1}, rung, {})->facts.width, 1);
+    for (const bridge::Rung& rung : bridge::kRungs)
+        EXPECT_EQ(encoder.encode({bytes, 1, 1}, rung, {})->facts.width, 1);
 }
 
 TEST(Shrink, IsTheMeanOfSquares) {

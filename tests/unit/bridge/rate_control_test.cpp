@@ -153,7 +153,8 @@ TEST(RateControl, MergesRungsDownwardsUntilThreeAreLeft) {
         const bridge::RungMask merged = bridge::mergedRungs(mask);
         EXPECT_EQ(merged & ~mask, 0U);
         EXPECT_LE(std::popcount(merged), bridge::kMostRungs);
-        EXPECT_EQ(std::bit_width(merged), std::bit_width(mask)) << "the coarsest one stays: it serves all others";
+        EXPECT_EQ(std::bit_width(merged), std::bit_width(mask))
+            << "the coarsest one stays: it serves all others";
     }
 }
 

@@ -15,7 +15,7 @@ app::StateReport sample() {
     spot.light.intensity = {2, 1, 0};
     spot.light.cosInner = 1;
     spot.light.cosOuter = 0.5F;
-    state.lights = {{4, true, "lamp", spot}};
+    state.lights = {{4, true, "pendant", spot}};
     state.environments = {{false, "sunset"}};
     state.settings = rtcore::settingAssignments({}, true);
     state.bookmarks = {"altar"};
@@ -70,7 +70,8 @@ TEST(SceneFacts, RefuseWhatIsNoState) {
 
 TEST(Messages, AreTakenApartAndCutFromFolders) {
     const std::vector<json> events =
-        bridge::messageEvents("3 warning /home/anna/room.obj: the texture textures/wall.png is missing\nrubbish\n4 event light 2 off");
+        bridge::messageEvents("3 warning /home/anna/room.obj: the texture textures/wall.png is "
+                              "missing\nrubbish\n4 event light 2 off");
     ASSERT_EQ(events.size(), 2U);
     EXPECT_EQ(events[0]["text"], "room.obj: the texture wall.png is missing");
     EXPECT_EQ(events[0]["kind"], "warning");

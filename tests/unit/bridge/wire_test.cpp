@@ -15,8 +15,9 @@ TEST(Wire, PutsAFramesHeaderAsDocumented) {
     frame->codec = bridge::Codec::Png;
     frame->exact = true;
     const bridge::Header header = bridge::headerOf({frame, true, 65536, 70'000 - 65536}, 9, 1000);
-    const Bytes expected{2,    1,    7, 0, 4,    3,    2,    1,    0x88, 0x77, 0x66, 0x55, 0x44, 0x33, 0x22, 0x11, 0x80, 2, 0x68, 1,
-                         0,    5,    0xD0, 2, 9, 0,    0,    0,    0xE8, 3,    0,    0,    0,    0,    1,    0,    0x70, 0x11, 1, 0};
+    const Bytes expected{2,    1,    7,    0, 4,    3, 2, 1, 0x88, 0x77, 0x66, 0x55, 0x44, 0x33,
+                         0x22, 0x11, 0x80, 2, 0x68, 1, 0, 5, 0xD0, 2,    9,    0,    0,    0,
+                         0xE8, 3,    0,    0, 0,    0, 1, 0, 0x70, 0x11, 1,    0};
     EXPECT_EQ(Bytes(header.begin(), header.end()), expected);
     const bridge::Header whole = bridge::headerOf({frame, false, 0, frame->bytes.size()}, 0, 0);
     EXPECT_EQ(whole[0], 1);
@@ -58,10 +59,12 @@ TEST(Wire, RefusesOtherLengthsAndTypes) {
                                    {3, 1, 6, 0, 0, 0, 0, 0},
                                    {3, 1, 255, 0, 0, 0, 0},
                                    {2, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
-                                   Bytes{2, 17, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1},
+                                   Bytes{2, 17, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1,
+                                         1, 1,  1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1},
                                    {2, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0x7F, 0, 0, 0, 0},
                                    {5, 0, 0, 0}};
-    for (const Bytes& bytes : wrong) EXPECT_FALSE(bridge::parseClientMessage(bytes)) << testing::PrintToString(bytes);
+    for (const Bytes& bytes : wrong)
+        EXPECT_FALSE(bridge::parseClientMessage(bytes)) << testing::PrintToString(bytes);
 }
 
 TEST(Wire, SurvivesAnyBytes) {
