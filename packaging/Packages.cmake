@@ -6,8 +6,9 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "interactive ray tracing on processors")
 set(CPACK_PACKAGE_DESCRIPTION
 "Renders 3D models of many formats by ray tracing, at interactive rates and
 without a graphics card. RTServer shows a scene in which one walks about, CUI
-commands it from a shell, Renderer makes stills and films in high quality, and
-BSPBuilder prepares models so that they load quickly.")
+commands it from a shell, RTBridge shows it in a browser, Renderer makes stills
+and films in high quality, and BSPBuilder prepares models so that they load
+quickly.")
 set(CPACK_RESOURCE_FILE_LICENSE ${CMAKE_SOURCE_DIR}/LICENSE)
 set(CPACK_GENERATOR DEB TGZ)
 set(CPACK_STRIP_FILES ON)

@@ -75,6 +75,13 @@ struct Example {
     std::string meaning;
 };
 
+/// What a program was built with or without, for --version.
+struct Feature {
+    std::string name;
+    bool present;
+    std::string without; ///< what is missing then
+};
+
 struct ProgramSpec {
     std::string name;
     std::string purpose; ///< one or two sentences
@@ -83,6 +90,7 @@ struct ProgramSpec {
     std::vector<Example> examples;
     std::vector<Operand> operands = {};
     std::vector<HelpWord> environment = {}, files = {}; ///< for the manual page
+    std::vector<Feature> features = {};                 ///< beside those of all programs
 
     const Option* find(const std::string& longName) const;
     std::size_t requiredPositionals() const;

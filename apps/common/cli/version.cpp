@@ -26,6 +26,7 @@ std::string versionText(const ProgramSpec& spec) {
     text += feature("OpenMP", kOpenMp, "one thread renders");
     text += feature("ImageMagick", RT_HAS_MAGICK != 0, "only the common image formats");
     text += feature("OpenEXR", RT_HAS_OPENEXR != 0, "no .exr images");
+    for (const Feature& each : spec.features) text += feature(each.name, each.present, each.without);
     text += "Vector code: " + rtcore::instructionSet() + ", of";
     for (const std::string& name : rtcore::instructionSets()) text += " " + name;
     return text + "; RT_ISA chooses another\n";

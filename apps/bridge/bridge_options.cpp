@@ -1,0 +1,222 @@
+#include "bridge/bridge_options.h"
+
+#include "common/cli/file_notes.h"
+#include "common/cli/instance_option.h"
+
+#include "ipc/endpoint/instances.h"
+#include "ipc/platform/names.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace bridge {
+
+namespace {
+
+using app::ValueKind;
+
+constexpr std::uint16_t kPort = 8931;
+constexpr int kPorts = 20; ///< that are tried where none is asked for
+
+std::vector<std::string> suggestServers(std::span<const std::string>) {
+    std::vector<std::string> names;
+    for (const ipc::Instance& each : ipc::listInstances())
+        if (each.running) names.push_back(each.name);
+    return names;
+}
+
+app::OptionGroup serverOptions() {
+    return {
+        "Server",
+        {{.name = "instance",
+          .letter = 'i',
+          .value = ValueKind::Text,
+          .argument = "NAME",
+          .help =
+              "the server's name; may be given several times, and pages choose [that of the only one that "
+              "runs]",
+          .suggest = suggestServers},
+         {.name = "start",
+          .value = ValueKind::Text,
+          .argument = "FILE",
+          .help = "start an RTServer with this scene or model, which ends with the bridge",
+          .files = app::sceneExtensions()}}};
+}
+
+app::OptionGroup addressOptions() {
+    return {
+        "Address",
+        {{.name = "listen",
+          .value = ValueKind::Text,
+          .argument = "ADDRESS",
+          .help = "HOST:PORT, or unix for a socket that only this user can open [127.0.0.1:8931, or the next "
+                  "free "
+                  "port]",
+          .more =
+              "With `unix` the command line for `ssh -L` is printed. An address that other machines reach "
+              "takes TLS"},
+         {.name = "origin",
+          .value = ValueKind::Text,
+          .argument = "URL",
+          .help = "the page's address behind a proxy, such as https://viz.example/node7/"},
+         {.name = "allow-no-origin",
+          .help = "serve clients that send no Origin: programs, which are no web pages"},
+         {.name = "tls-cert",
+          .value = ValueKind::Text,
+          .argument = "FILE",
+          .help = "certificates in PEM, for https",
+          .files = {"pem", "crt"}},
+         {.name = "tls-key",
+          .value = ValueKind::Text,
+          .argument = "FILE",
+          .help = "the key of the certificate",
+          .files = {"pem", "key"}},
+         {.name = "insecure", .help = "let other machines in without TLS: who listens can read all of it"}}};
+}
+
+app::OptionGroup permissionOptions() {
+    return {
+        "Permissions",
+        {{.name = "view-only", .help = "pages cannot drive"},
+         {.name = "token-file",
+          .value = ValueKind::Text,
+          .argument = "FILE",
+          .help = "keep the links: tokens are read from this file, or written to it [new ones each time]"},
+         {.name = "lock",
+          .value = ValueKind::Text,
+          .argument = "NAME,...",
+          .help = "settings that pages cannot change; edits: no settings, lights or materials at all"},
+         {.name = "clients",
+          .value = ValueKind::Integer,
+          .argument = "N",
+          .help = "most pages at once [64]",
+          .minimum = 1,
+          .maximum = 1000},
+         {.name = "max-pixels",
+          .value = ValueKind::Integer,
+          .argument = "N",
+          .help = "most pixels of a frame that a page may ask for [2073600]",
+          .minimum = 1,
+          .maximum = 1 << 28},
+         {.name = "max-mbit",
+          .value = ValueKind::Number,
+          .argument = "X",
+          .help = "most megabits per second for all pages together; 0 is no limit [0]",
+          .minimum = 0,
+          .maximum = 1e6}}};
+}
+
+std::string onlyServer() {
+    std::vector<std::string> running;
+    for (const ipc::Instance& each : ipc::listInstances())
+        if (each.running && !each.name.starts_with(app::kPreviewPrefix)) running.push_back(each.name);
+    return running.size() == 1 ? running.front() : "default";
+}
+
+/// Each once.
+std::vector<std::string> instancesOf(const app::Arguments& arguments) {
+    std::vector<std::string> names;
+    for (std::string& each : arguments.all("instance"))
+        if (std::ranges::find(names, each) == names.end()) names.push_back(std::move(each));
+    if (names.empty())
+        names.push_back(app::instanceOf(arguments).value_or(
+            arguments.has("start") ? ipc::availableName("default") : onlyServer()));
+    for (const std::string& each : names) {
+        try {
+            ipc::Names checked(each);
+        } catch (const ipc::Error& error) {
+            throw app::UsageError(error.what());
+        }
+    }
+    return names;
+}
+
+ListenAddress listenOf(const std::optional<std::string>& given) {
+    if (!given) return {"127.0.0.1", kPort, {}, kPorts};
+    if (*given == "unix") return {{}, 0, "unix", 1};
+    const auto fail = [&] {
+        return app::UsageError("option '--listen' takes HOST:PORT or unix, not '" + *given + "'");
+    };
+    const std::size_t colon = given->rfind(':');
+    if (colon == std::string::npos) throw fail();
+    std::string host = given->substr(0, colon);
+    if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
+    if (host == "localhost") host = "127.0.0.1";
+    constexpr std::int64_t kMostPort = 65535;
+    const auto port = app::parseInteger(given->substr(colon + 1));
+    if (host.empty() || !port || *port < 0 || *port > kMostPort) throw fail();
+    return {host, static_cast<std::uint16_t>(*port), {}, 1};
+}
+
+std::vector<std::string> lockedOf(const std::string& list) {
+    std::vector<std::string> names;
+    for (std::size_t start = 0; start <= list.size();) {
+        const std::size_t end = std::min(list.find(',', start), list.size());
+        std::string name = list.substr(start, end - start);
+        start = end + 1;
+        if (name.empty()) continue;
+        try {
+            if (name != "edits") name = rtcore::requireSetting(name).name;
+        } catch (const std::invalid_argument& error) {
+            throw app::UsageError(std::string("option '--lock': ") + error.what());
+        }
+        names.push_back(std::move(name));
+    }
+    return names;
+}
+
+void checkSafety(const BridgeOptions& options, bool insecure) {
+    const bool here = !options.listen.socketPath.empty() || options.listen.host.starts_with("127.") ||
+                      options.listen.host == "::1";
+    if (here || insecure || !options.tls.certificate.empty()) return;
+    throw app::UsageError(
+        "other machines reach " + options.listen.host +
+        ": listen to 127.0.0.1 and use 'ssh -L 8931:127.0.0.1:8931', or give --tls-cert and --tls-key; "
+        "--insecure lets everybody in between read pictures and tokens");
+}
+
+} // namespace
+
+const app::ProgramSpec& bridgeSpec() {
+    static const app::ProgramSpec spec{
+        .name = "RTBridge",
+        .purpose = "Shows what an RTServer renders in web pages, in which one walks. Prints the links, which "
+                   "hold tokens.",
+        .positionals = {},
+        .groups = {serverOptions(), addressOptions(), permissionOptions()},
+        .examples = {{"RTBridge", "beside a running server; open the link that it prints"},
+                     {"RTBridge --start nave.scn", "with a server of its own"},
+                     {"RTBridge --listen=unix", "on a node of a cluster; prints how to get there by ssh"},
+                     {"RTBridge --lock=edits -i hall", "pages may walk, but change nothing"}},
+        .environment = {app::instanceEnvironmentNote(),
+                        {"RT_SERVER", "the program that --start runs [RTServer, beside RTBridge]"},
+                        {"XDG_RUNTIME_DIR", "the folder for the socket of --listen=unix"}},
+        .features = {{"OpenSSL", HttpServer::hasTls(), "no --tls-cert: https by a proxy or ssh"}},
+    };
+    return spec;
+}
+
+BridgeOptions readBridgeOptions(const app::Arguments& arguments) {
+    BridgeOptions options;
+    options.instances = instancesOf(arguments);
+    options.listen = listenOf(arguments.text("listen"));
+    options.tls = {arguments.text("tls-cert").value_or(""), arguments.text("tls-key").value_or("")};
+    if (options.tls.certificate.empty() != options.tls.key.empty())
+        throw app::UsageError("--tls-cert and --tls-key belong together");
+    options.names.tls = !options.tls.certificate.empty();
+    options.names.allowNoOrigin = arguments.has("allow-no-origin");
+    if (const auto origin = arguments.text("origin")) options.origin = parseOrigin(*origin);
+    options.limits.locked = lockedOf(arguments.text("lock").value_or(""));
+    options.limits.maxPixels = arguments.integer("max-pixels").value_or(options.limits.maxPixels);
+    options.viewOnly = arguments.has("view-only");
+    options.clients = static_cast<std::size_t>(arguments.integer("clients").value_or(64));
+    options.mostBits = 1e6 * arguments.number("max-mbit").value_or(0);
+    if (const auto file = arguments.text("token-file")) options.tokenFile = *file;
+    if (const auto scene = arguments.text("start")) options.start = *scene;
+    if (options.start && options.instances.size() > 1) throw app::UsageError("--start takes one --instance");
+    checkSafety(options, arguments.has("insecure"));
+    return options;
+}
+
+} // namespace bridge

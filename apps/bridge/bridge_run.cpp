@@ -1,0 +1,153 @@
+#include "bridge/bridge_run.h"
+
+#include "bridge/bridge_options.h"
+#include "bridge/hub.h"
+#include "bridge/server_start.h"
+
+#include "common/process/message.h"
+#include "common/process/private_files.h"
+#include "common/process/secrets.h"
+#include "common/process/stop.h"
+#include "common/process/terminal.h"
+#include "common/process/threads.h"
+
+#include "rtcore/platform/error.h"
+
+#include <fmt/core.h>
+
+namespace bridge {
+
+namespace {
+
+std::string socketPathFor(const std::string& instance) {
+    constexpr std::size_t kMostPath = 107;
+    std::string path = app::privateRuntimeFolder("rts") + "/" + instance + ".web";
+    if (path.size() > kMostPath)
+        throw rtcore::FileError(rtcore::FailureKind::CannotWrite, path,
+                                "the path of the socket is too long; set XDG_RUNTIME_DIR to a shorter one");
+    return path;
+}
+
+bool isEverywhere(const std::string& host) { return host == "0.0.0.0" || host == "::"; }
+
+std::string hostWithPort(const std::string& host, std::uint16_t port) {
+    return host.find(':') == std::string::npos ? fmt::format("{}:{}", host, port)
+                                               : fmt::format("[{}]:{}", host, port);
+}
+
+/// Names by which other machines may call this one.
+std::vector<std::string> hostsOf(const ListenAddress& address, std::uint16_t port) {
+    if (!address.socketPath.empty()) return {};
+    std::vector<std::string> hosts{hostWithPort(address.host, port)};
+    if (isEverywhere(address.host)) hosts = {hostWithPort(app::hostName(), port)};
+    return hosts;
+}
+
+std::string pageAddress(const BridgeOptions& options, std::uint16_t port) {
+    if (options.origin) return options.origin->origin + options.origin->prefix + "/";
+    const ListenAddress& listen = options.listen;
+    if (!listen.socketPath.empty()) return "http://127.0.0.1:8931/";
+    const std::string host = isEverywhere(listen.host) ? app::hostName() : listen.host;
+    return std::string(options.names.tls ? "https://" : "http://") + hostWithPort(host, port) + "/";
+}
+
+void printLinks(const BridgeOptions& options, const Tokens& tokens, std::uint16_t port) {
+    const std::string page = pageAddress(options, port);
+    std::string text;
+    if (!options.listen.socketPath.empty())
+        text += fmt::format("Tunnel: ssh -L 8931:{} {}\n", options.listen.socketPath, app::hostName());
+    if (!tokens.driver.empty()) text += fmt::format("Driver: {}#t={}\n", page, tokens.driver);
+    text += fmt::format("Viewer: {}#t={}\n", page, tokens.viewer);
+    app::writeOutput(text);
+}
+
+/// One run, with all that lives as long.
+class Serving {
+  public:
+    explicit Serving(const app::Arguments& arguments)
+        : options_(readBridgeOptions(arguments)), tokens_(openTokens(options_.tokenFile, options_.viewOnly)) {
+        if (!options_.listen.socketPath.empty())
+            options_.listen.socketPath = socketPathFor(options_.instances.front());
+        if (options_.origin) {
+            options_.names.origins = {options_.origin->origin};
+            options_.names.prefix = options_.origin->prefix;
+        }
+        if (options_.start) started_ = startServer(*options_.start, options_.instances.front());
+        server_ = std::make_unique<HttpServer>(options_.listen, options_.names, options_.tls, handlers());
+        server_->addHosts(hostsOf(options_.listen, server_->port()));
+        if (options_.origin) server_->addHosts({options_.origin->host});
+        hub_ = std::make_unique<Hub>(options_, tokens_,
+                                     [this](std::function<void()> work) { server_->post(std::move(work)); });
+    }
+    ~Serving() {
+        // The rooms' threads post to the server, whose sockets tell the rooms.
+        hub_.reset();
+        server_.reset();
+    }
+    Serving(const Serving&) = delete;
+    Serving& operator=(const Serving&) = delete;
+
+    app::ExitCode run() {
+        printLinks(options_, tokens_, server_->port());
+        server_->every(0.05, [this] { tick(); });
+        server_->run();
+        return code_;
+    }
+
+  private:
+    HttpHandlers handlers() {
+        return {.opened = [this](const std::shared_ptr<Outlet>& outlet) { return hub_->opened(outlet); },
+                .answer = [this](std::string_view path,
+                                 std::string_view bearer) { return hub_->answer(path, bearer); },
+                .shutOut = [this](const std::string& address) { return hub_->shutOut(address); },
+                .full = [this] { return hub_->full(); },
+                .refused = [this](const char* reason) { hub_->refused(reason); }};
+    }
+
+    void tick() {
+        if (app::takeRenewalRequest()) renew();
+        hub_->tick();
+        if (started_ && started_->ended() && !app::stopRequested()) {
+            app::printMessage("RTBridge", "the server has ended");
+            code_ = *started_->ended() == 0 ? app::ExitCode::Done
+                                            : static_cast<app::ExitCode>(*started_->ended());
+            return end();
+        }
+        if (app::stopRequested()) {
+            code_ = app::stopExitCode();
+            end();
+        }
+    }
+    void renew() {
+        if (options_.tokenFile)
+            return app::printMessage("RTBridge", "the tokens are those of --token-file; change them there");
+        tokens_ = openTokens({}, options_.viewOnly);
+        hub_->renew(tokens_);
+        printLinks(options_, tokens_, server_->port());
+    }
+    /// Pages are told; a moment later it is over.
+    void end() {
+        constexpr int kTicks = 2;
+        if (ending_ == 0) hub_->end();
+        if (++ending_ > kTicks) server_->stop();
+    }
+
+    BridgeOptions options_;
+    Tokens tokens_;
+    std::unique_ptr<app::StartedProcess> started_;
+    std::unique_ptr<HttpServer> server_;
+    std::unique_ptr<Hub> hub_;
+    app::ExitCode code_ = app::ExitCode::Done;
+    int ending_ = 0;
+};
+
+} // namespace
+
+app::ExitCode runBridge(const app::Arguments& arguments) {
+    app::protectSecrets();
+    app::installRenewalHandler();
+    app::shareMemoryAmongThreads();
+    return Serving(arguments).run();
+}
+
+} // namespace bridge

@@ -1,0 +1,363 @@
+#include "bridge/control/command_link.h"
+
+#include "common/commands/command_lines.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <ctime>
+#include <deque>
+#include <list>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace bridge {
+
+namespace {
+
+using namespace std::chrono_literals;
+using LinkClock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds kAnswerLook = 1ms, kStatusLook = 100ms, kStateLook = 1s, kSearch = 200ms,
+                                    kIdleLook = 500ms;
+constexpr auto kPatience = 60s;
+
+double ownThreadSeconds() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+} // namespace
+
+struct CommandLink::State {
+    State(std::string name, CommandLinkEvents take)
+        : instance(std::move(name)), events(std::move(take)), thread([this] { run(); }) {}
+    ~State() {
+        {
+            const std::lock_guard lock(mutex);
+            stopping = true;
+        }
+        wake.notify_all();
+        thread.join();
+    }
+
+    struct Request {
+        std::string command;
+        std::function<void(ipc::Reply)> done;
+        ipc::Ticket ticket = 0; ///< 0: not sent yet
+        LinkClock::time_point deadline;
+    };
+
+    void run();
+    void waitForWork();
+    void work();
+    void watchOnly();
+    bool findServer();
+    void tellServer(ServerState now, const std::string& why);
+    void moveKeys();
+    void sendTurn();
+    void sendRequests();
+    void collectAnswers();
+    void lookAtStatus();
+    void askForState();
+    void askForMessages(std::uint32_t count);
+    void fail(const std::string& why);
+    void ask(std::string command, std::function<void(ipc::Reply)> done);
+
+    const std::string instance;
+    const CommandLinkEvents events;
+
+    mutable std::mutex mutex;
+    std::condition_variable wake;
+    bool stopping = false, anyone = false, news = true, wantsState = false;
+    KeySet keys;
+    std::vector<std::uint8_t> taps;
+    double right = 0, up = 0;
+    std::deque<Request> incoming;
+    double cpu = 0;
+
+    // Of the thread alone.
+    std::optional<ipc::Client> client;
+    std::optional<ipc::Viewer> viewer;
+    std::optional<ServerState> told;
+    KeySet pressed;
+    std::list<Request> requests; ///< sent, or to be sent
+    bool turning = false, stateUnderWay = false, messagesUnderWay = false;
+    LinkClock::time_point lastStatus, lastState, lastSearch;
+    ipc::Status status;
+    std::uint32_t knownMessages = 0;
+    bool knowsMessages = false;
+    std::uint64_t epoch = 0;
+    std::string lastReport;
+
+    std::thread thread; // last: it uses all of the above
+};
+
+void CommandLink::State::run() {
+    for (;;) {
+        waitForWork();
+        bool someone = false;
+        {
+            const std::lock_guard lock(mutex);
+            if (stopping) break;
+            someone = anyone;
+            cpu = ownThreadSeconds();
+        }
+        try {
+            someone ? work() : watchOnly();
+        } catch (const ipc::Error& error) {
+            client.reset();
+            viewer.reset();
+            fail(error.what());
+            tellServer(error.problem == ipc::Problem::NoServer ? ServerState::Gone : ServerState::Refused,
+                       error.what());
+            std::this_thread::sleep_for(kSearch);
+        }
+    }
+    fail("the bridge ends");
+    client.reset();
+}
+
+void CommandLink::State::waitForWork() {
+    const bool answers = turning || !requests.empty();
+    std::unique_lock lock(mutex);
+    const auto longest = answers  ? LinkClock::duration(kAnswerLook)
+                         : anyone ? LinkClock::duration(20ms)
+                                  : LinkClock::duration(kIdleLook);
+    wake.wait_for(lock, longest, [&] { return stopping || news; });
+    news = false;
+}
+
+void CommandLink::State::watchOnly() {
+    if (client) {
+        client.reset();
+        pressed.reset();
+        lastReport.clear();
+    }
+    fail("no page is open any more");
+    if (!viewer) viewer.emplace(instance, 0ns);
+    const ipc::LinkState now = viewer->update();
+    tellServer(now == ipc::LinkState::Gone   ? ServerState::Gone
+               : now == ipc::LinkState::Busy ? ServerState::Busy
+                                             : ServerState::There,
+               "");
+}
+
+bool CommandLink::State::findServer() {
+    viewer.reset();
+    if (client) return true;
+    if (LinkClock::now() - lastSearch < kSearch) return false;
+    lastSearch = LinkClock::now();
+    client.emplace(instance, 0ns);
+    pressed.reset();
+    return true;
+}
+
+void CommandLink::State::tellServer(ServerState now, const std::string& why) {
+    if (told == now) return;
+    told = now;
+    if (now == ServerState::Gone || now == ServerState::Refused) {
+        lastReport.clear();
+        knowsMessages = false;
+    }
+    events.server(now, why.empty() && now == ServerState::Gone ? "no server '" + instance + "' runs" : why);
+}
+
+void CommandLink::State::work() {
+    {
+        const std::lock_guard lock(mutex);
+        for (Request& each : incoming) requests.push_back(std::move(each));
+        incoming.clear();
+    }
+    if (!findServer()) return;
+    const ipc::LinkState now = client->update();
+    if (client->epoch() != epoch && now != ipc::LinkState::Gone) {
+        epoch = client->epoch();
+        lastReport.clear();
+        knowsMessages = false;
+        wantsState = true;
+    }
+    tellServer(now == ipc::LinkState::Gone   ? ServerState::Gone
+               : now == ipc::LinkState::Busy ? ServerState::Busy
+                                             : ServerState::There,
+               "");
+    moveKeys();
+    sendTurn();
+    lookAtStatus();
+    askForState();
+    sendRequests();
+    collectAnswers();
+}
+
+void CommandLink::State::moveKeys() {
+    KeySet wanted;
+    std::vector<std::uint8_t> tapped;
+    {
+        const std::lock_guard lock(mutex);
+        wanted = keys;
+        tapped.swap(taps);
+    }
+    for (int key = 0; key < 256; ++key) {
+        const auto k = static_cast<std::size_t>(key);
+        if (wanted[k] && !pressed[k]) client->pressKey(key);
+        if (!wanted[k] && pressed[k]) client->releaseKey(key);
+    }
+    pressed = wanted;
+    for (const std::uint8_t key : tapped) {
+        client->pressKey(key);
+        if (!pressed[key]) client->releaseKey(key);
+    }
+}
+
+void CommandLink::State::sendTurn() {
+    if (turning) return;
+    double byRight = 0, byUp = 0;
+    {
+        const std::lock_guard lock(mutex);
+        std::swap(byRight, right);
+        std::swap(byUp, up);
+    }
+    if (byRight == 0 && byUp == 0) return;
+    constexpr double kMost = 360;
+    turning = true;
+    ask(app::command::cameraTurn(std::clamp(byRight, -kMost, kMost), std::clamp(byUp, -kMost, kMost)),
+        [this](const ipc::Reply&) { turning = false; });
+}
+
+void CommandLink::State::ask(std::string command, std::function<void(ipc::Reply)> done) {
+    requests.push_back({std::move(command), std::move(done), 0, LinkClock::now() + kPatience});
+}
+
+void CommandLink::State::lookAtStatus() {
+    if (LinkClock::now() - lastStatus < kStatusLook) return;
+    lastStatus = LinkClock::now();
+    const ipc::Status now = client->status();
+    if (now == status) return;
+    if (knowsMessages && now.messages != knownMessages) askForMessages(now.messages);
+    if (!knowsMessages) knownMessages = now.messages;
+    knowsMessages = true;
+    status = now;
+    events.status(status);
+}
+
+void CommandLink::State::askForMessages(std::uint32_t count) {
+    if (messagesUnderWay) return;
+    messagesUnderWay = true;
+    ask(app::command::messages(knownMessages), [this, count](const ipc::Reply& reply) {
+        messagesUnderWay = false;
+        knownMessages = count;
+        if (reply.status == ipc::ReplyStatus::Done && !reply.text.empty()) events.messages(reply.text);
+    });
+}
+
+void CommandLink::State::askForState() {
+    bool soon = false;
+    {
+        const std::lock_guard lock(mutex);
+        soon = wantsState;
+    }
+    if (stateUnderWay || told != ServerState::There) return;
+    if (!soon && LinkClock::now() - lastState < kStateLook) return;
+    lastState = LinkClock::now();
+    stateUnderWay = true;
+    {
+        const std::lock_guard lock(mutex);
+        wantsState = false;
+    }
+    ask(app::command::state(), [this](ipc::Reply reply) {
+        stateUnderWay = false;
+        if (reply.status != ipc::ReplyStatus::Done || reply.text == lastReport) return;
+        lastReport = reply.text;
+        events.state(std::move(reply.text));
+    });
+}
+
+void CommandLink::State::sendRequests() {
+    for (Request& each : requests) {
+        if (each.ticket != 0) continue;
+        const ipc::SendStatus sent = client->send(each.command, &each.ticket);
+        if (sent != ipc::SendStatus::Sent) each.ticket = 0;
+        if (sent == ipc::SendStatus::NoServer) return fail("there is no server");
+        if (sent == ipc::SendStatus::Full) return;
+    }
+}
+
+void CommandLink::State::collectAnswers() {
+    for (auto each = requests.begin(); each != requests.end();) {
+        ipc::Reply reply{ipc::ReplyStatus::TimedOut, "the server did not answer in time"};
+        if (each->ticket != 0) reply = client->wait(each->ticket, 0ns);
+        if (reply.status == ipc::ReplyStatus::TimedOut && LinkClock::now() < each->deadline) {
+            ++each;
+            continue;
+        }
+        const auto done = std::move(each->done);
+        each = requests.erase(each);
+        done(std::move(reply));
+    }
+}
+
+void CommandLink::State::fail(const std::string& why) {
+    std::list<Request> lost;
+    lost.swap(requests);
+    {
+        const std::lock_guard lock(mutex);
+        for (Request& each : incoming) lost.push_back(std::move(each));
+        incoming.clear();
+    }
+    for (const Request& each : lost) each.done({ipc::ReplyStatus::NotSent, why});
+}
+
+CommandLink::CommandLink(std::string instance, CommandLinkEvents events)
+    : state_(std::make_unique<State>(std::move(instance), std::move(events))) {}
+
+CommandLink::~CommandLink() = default;
+
+namespace {
+
+/// Changes something under the lock and wakes the thread.
+template <typename Shared, typename Change>
+void change(Shared& shared, Change&& apply) {
+    {
+        const std::lock_guard lock(shared.mutex);
+        apply();
+        shared.news = true;
+    }
+    shared.wake.notify_one();
+}
+
+} // namespace
+
+void CommandLink::setAnyone(bool anyone) {
+    change(*state_, [&] { state_->anyone = anyone; });
+}
+void CommandLink::setKeys(const KeySet& down) {
+    change(*state_, [&] { state_->keys = down; });
+}
+void CommandLink::tap(std::span<const std::uint8_t> keys) {
+    change(*state_, [&] { state_->taps.insert(state_->taps.end(), keys.begin(), keys.end()); });
+}
+void CommandLink::turn(double right, double up) {
+    change(*state_, [&] {
+        state_->right += right;
+        state_->up += up;
+    });
+}
+void CommandLink::dropTurn() {
+    change(*state_, [&] { state_->right = state_->up = 0; });
+}
+void CommandLink::request(std::string command, std::function<void(ipc::Reply)> done) {
+    change(*state_, [&] {
+        state_->incoming.push_back({std::move(command), std::move(done), 0, LinkClock::now() + kPatience});
+    });
+}
+void CommandLink::refresh() {
+    change(*state_, [&] { state_->wantsState = true; });
+}
+double CommandLink::cpuSeconds() const {
+    const std::lock_guard lock(state_->mutex);
+    return state_->cpu;
+}
+
+} // namespace bridge

@@ -1,0 +1,129 @@
+#include "bridge/control/command_use.h"
+
+namespace bridge {
+
+// Without a default: the compiler asks about each new command.
+CommandUse commandUse(app::CommandId id) {
+    using enum app::CommandId;
+    switch (id) {
+    case State:
+    case Messages:
+    case CameraTurn:
+        return CommandUse::Own;
+    case Pause:
+    case Resume:
+    case Resolution:
+    case Set:
+    case Defaults:
+    case Undo:
+    case Redo:
+    case Also:
+    case CameraSet:
+    case CameraOrthographic:
+    case CameraLookAt:
+    case CameraReset:
+    case CameraAngle:
+    case CameraLens:
+    case CameraZoom:
+    case Focus:
+    case Speed:
+    case Walk:
+    case Fly:
+    case Bloom:
+    case Light:
+    case LightAdd:
+    case LightCopy:
+    case LightRemove:
+    case LightMove:
+    case LightAim:
+    case LightColour:
+    case LightTemperature:
+    case LightPower:
+    case LightKind:
+    case LightSize:
+    case LightAngles:
+    case Environment:
+    case EnvironmentNone:
+    case EnvironmentRotation:
+    case EnvironmentStrength:
+    case Sky:
+    case SkyHour:
+    case SkyDate:
+    case SkyPlace:
+    case SkyNorth:
+    case SkyDirection:
+    case SkyTurbidity:
+    case SkyStrength:
+    case SkyGround:
+    case Look:
+    case BookmarkGo:
+    case Materials:
+    case MaterialGet:
+    case MaterialSet:
+    case MaterialReset:
+    case Parts:
+    case PartHide:
+    case PartShow:
+    case PartIsolate:
+    case PartShowAll:
+    case Seen:
+        return CommandUse::Request;
+    case Status:
+    case Fps:
+    case Watch:
+    case List:
+    case Free:
+    case About:
+    case Script:
+    case Render:
+    case Ping:
+    case Exit:
+    case Quit:
+    case Parent:
+    case Idle:
+    case FrameTime:
+    case WaitIdle:
+    case Get:
+    case Settings:
+    case CameraGet:
+    case CameraPaste:
+    case Up:
+    case Units:
+    case LoadCamera:
+    case LoadScene:
+    case LoadSet:
+    case Save:
+    case SaveAs:
+    case Pack:
+    case ExportCamera:
+    case ExportScene:
+    case ExportVideoStart:
+    case ExportVideo:
+    case ExportVideoStop:
+    case Play:
+    case PlayStop:
+    case Screenshot:
+    case LightGet:
+    case LightName:
+    case EnvironmentOpen:
+    case Lights:
+    case Environments:
+    case Scene:
+    case Bookmarks:
+    case BookmarkAdd:
+    case BookmarkRename:
+    case BookmarkRemove:
+    case Mask:
+    case KeyPress:
+    case KeyRelease:
+    case KeyTap:
+    case Bindings:
+    case BindingsDefault:
+    case Bind:
+    case Unbind:
+        break;
+    }
+    return CommandUse::Forbidden;
+}
+
+} // namespace bridge

@@ -1,0 +1,514 @@
+#include "bridge/control/room.h"
+
+#include "bridge/control/plain_name.h"
+
+#include "common/commands/command_lines.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace bridge {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr double kStatusEvery = 0.5, kPingEvery = 2, kLinkEvery = 1;
+
+std::int64_t nowNanoseconds() {
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(
+               std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+const char* nameOf(ServerState state) {
+    switch (state) {
+    case ServerState::There:
+        return "there";
+    case ServerState::Busy:
+        return "busy";
+    case ServerState::Gone:
+        return "gone";
+    case ServerState::Refused:
+        break;
+    }
+    return "refused";
+}
+
+} // namespace
+
+double nowSeconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+Room::Room(std::string instance, const Limits& limits, Post post)
+    : instance_(std::move(instance)), limits_(limits), post_(std::move(post)) {
+    const auto later = [this](auto work) {
+        post_([alive = std::weak_ptr(alive_), work = std::move(work)] {
+            if (!alive.expired()) work();
+        });
+    };
+    frames_ = std::make_unique<FrameSource>(
+        instance_, [this, later](FrameSet set) { later([this, set = std::move(set)] { newFrames(set); }); });
+    CommandLinkEvents events;
+    events.server = [this, later](ServerState state, std::string why) {
+        later([this, state, why = std::move(why)] { serverChanged(state, why); });
+    };
+    events.status = [this, later](const ipc::Status& status) {
+        later([this, status] { statusChanged(status); });
+    };
+    events.state = [this, later](std::string report) {
+        later([this, report = std::move(report)] { stateChanged(report); });
+    };
+    events.messages = [this, later](const std::string& lines) {
+        later([this, lines] {
+            for (const json& event : messageEvents(lines)) sendAll(event);
+        });
+    };
+    commands_ = std::make_unique<CommandLink>(instance_, std::move(events));
+}
+
+Room::~Room() {
+    alive_.reset();
+    frames_.reset();
+    commands_.reset();
+}
+
+Session* Room::find(SessionId id) {
+    const auto found = sessions_.find(id);
+    return found == sessions_.end() ? nullptr : &found->second;
+}
+
+// --- Coming and going ---
+
+void Room::join(SessionId id, std::string name, bool mayDrive, const PageView& view,
+                std::shared_ptr<Outlet> outlet, json welcome) {
+    const double now = nowSeconds();
+    const std::optional<SessionId> before = roles_.driver();
+    roles_.join({id, name, mayDrive}, now);
+    Session& session = sessions_[id];
+    session.id = id;
+    session.name = std::move(name);
+    session.mayDrive = mayDrive;
+    session.outlet = std::move(outlet);
+    session.began = session.lastLink = now;
+    session.delivery.setView(view);
+    session.delivery.rate().setFrameTime(frameTime_);
+    welcome["role"] = roles_.drives(id) ? "driver" : "viewer";
+    send(session, welcome);
+    session.outlet->ping(); // the delay of the link, before frames fill it
+    session.lastPing = now;
+    rolesChanged(before);
+    if (server_) send(session, {{"event", "server"}, {"state", nameOf(*server_)}, {"text", serverWhy_}});
+    if (facts_.known()) sendState(session, facts_.all());
+    if (hasStatus_) send(session, statusJson(status_));
+    commands_->setAnyone(true);
+    commands_->refresh();
+    pump(session);
+    updateDemand();
+}
+
+void Room::leave(SessionId id) {
+    const auto found = sessions_.find(id);
+    if (found == sessions_.end()) return;
+    const std::optional<SessionId> before = roles_.driver();
+    skippedBefore_ += found->second.delivery.framesSkipped();
+    sessions_.erase(found);
+    roles_.leave(id);
+    if (editor_ == id) editor_.reset();
+    rolesChanged(before);
+    if (sessions_.empty()) {
+        newest_ = FrameSet();
+        commands_->setAnyone(false);
+    }
+    updateDemand();
+}
+
+void Room::closeAll(CloseCode code, const std::string& reason) {
+    for (auto& [id, session] : sessions_) session.outlet->close(code, reason);
+}
+
+void Room::send(Session& session, const json& event) {
+    session.outlet->sendText(event.dump(-1, ' ', false, json::error_handler_t::replace));
+}
+
+void Room::sendAll(const json& event) {
+    const std::string text = event.dump(-1, ' ', false, json::error_handler_t::replace);
+    for (auto& [id, session] : sessions_) session.outlet->sendText(text);
+}
+
+void Room::notice(Session& session, const char* code, const std::string& text) {
+    send(session, {{"event", "notice"}, {"code", code}, {"text", text}});
+}
+
+// --- Messages of pages ---
+
+void Room::binary(SessionId id, std::span<const std::uint8_t> bytes) {
+    Session* const session = find(id);
+    if (session == nullptr) return;
+    const std::optional<ClientMessage> message = parseClientMessage(bytes);
+    if (!message)
+        return session->outlet->close(CloseCode::BadMessage, "a binary message that is none of the protocol");
+    if (const auto* ack = std::get_if<AckMessage>(&*message)) {
+        session->delivery.rate().acked(ack->stream, ack->number, ack->part, ack->decodeSeconds, nowSeconds());
+    } else if (const auto* input = std::get_if<InputMessage>(&*message)) {
+        return applyInput(*session, *input);
+    } else if (const auto* view = std::get_if<PageView>(&*message)) {
+        session->delivery.setView(*view);
+    } else if (const auto* ping = std::get_if<PingMessage>(&*message)) {
+        return session->outlet->sendBinary(echoHeader(ping->stamp), nullptr);
+    }
+    pump(*session);
+    updateDemand();
+}
+
+void Room::ponged(SessionId id, double seconds) {
+    if (Session* const session = find(id)) session->delivery.rate().ponged(seconds, nowSeconds());
+}
+
+void Room::writable(SessionId id) {
+    Session* const session = find(id);
+    if (session == nullptr) return;
+    pump(*session);
+    updateDemand();
+}
+
+void Room::text(SessionId id, std::string_view message) {
+    Session* const session = find(id);
+    if (session == nullptr) return;
+    constexpr int kDepth = 16;
+    int depth = 0;
+    const auto shallow = [&](int, json::parse_event_t event, json&) {
+        if (event == json::parse_event_t::object_start || event == json::parse_event_t::array_start) ++depth;
+        if (event == json::parse_event_t::object_end || event == json::parse_event_t::array_end) --depth;
+        return depth <= kDepth;
+    };
+    const json content = json::parse(message, shallow, false);
+    if (!content.is_object())
+        return session->outlet->close(CloseCode::BadMessage, "a text message is a JSON object");
+    const auto number = content.find("id");
+    constexpr double kMost = 4294967295.0;
+    if (number == content.end() || !number->is_number_integer() || number->get<double>() < 0 ||
+        number->get<double>() > kMost)
+        return session->outlet->close(CloseCode::BadMessage, "a request has an id from 0 to 4294967295");
+    const auto requestId = number->get<std::uint32_t>();
+    try {
+        if (!roleRequest(*session, content, requestId)) request(*session, content, requestId);
+    } catch (const Refused& refusal) {
+        answer(*session, requestId, false, refusal.what(), {});
+    }
+}
+
+// --- Requests ---
+
+void Room::answer(Session& session, std::uint32_t id, bool ok, const std::string& text, json content) {
+    if (!content.is_object()) content = json::object();
+    content["event"] = "answer";
+    content["id"] = id;
+    content["ok"] = ok;
+    content["text"] = withoutFolders(text);
+    send(session, content);
+}
+
+void Room::request(Session& session, const json& content, std::uint32_t id) {
+    constexpr int kMostRequests = 4;
+    const PlannedCommand planned = planRequest(content, {limits_, facts_.bookmarks()});
+    if (!planned.anyone && !roles_.drives(session.id))
+        throw Refused("only the driver may do that; ask to drive first");
+    if (session.requests >= kMostRequests) throw Refused("too many requests at once");
+    if (server_ && !hasServer()) throw Refused("there is no server");
+    checkUndo(session, planned);
+    watchSetting(planned);
+    if (!planned.anyone) lastInput_ = nowSeconds();
+    roles_.touch(session.id, nowSeconds());
+    ++session.requests;
+    commands_->request(planned.line,
+                       [this, alive = std::weak_ptr(alive_), by = session.id, id, planned](ipc::Reply reply) {
+                           post_([this, alive, by, id, planned, reply = std::move(reply)] {
+                               if (!alive.expired()) answered(by, id, planned, reply);
+                           });
+                       });
+}
+
+void Room::checkUndo(const Session& session, const PlannedCommand& planned) const {
+    using app::CommandId;
+    if (planned.id == CommandId::Undo && !edits_.mayUndo(session.id, facts_.edits(), facts_.undo()))
+        throw Refused("the last edit is not yours");
+    if (planned.id == CommandId::Redo && !edits_.mayRedo(session.id, facts_.edits(), facts_.redo()))
+        throw Refused("there is no edit of yours to make again");
+}
+
+void Room::answered(SessionId by, std::uint32_t id, const PlannedCommand& planned, const ipc::Reply& reply) {
+    const bool done = reply.status == ipc::ReplyStatus::Done;
+    if (done && planned.id == app::CommandId::Undo) edits_.undone();
+    if (done && planned.id == app::CommandId::Redo) edits_.redone();
+    if (done && planned.edits) editor_ = by;
+    if (!planned.anyone) commands_->refresh();
+    Session* const session = find(by);
+    if (session == nullptr) return;
+    --session->requests;
+    answer(*session, id, done, planned.shape == AnswerShape::Text || !done ? reply.text : std::string(),
+           done ? answerContent(planned.shape, reply.text) : json::object());
+}
+
+// A setting that makes frames last for seconds locks its own author out: the old value comes back.
+
+void Room::watchSetting(const PlannedCommand& planned) {
+    if (planned.setting.empty()) return;
+    watched_ = WatchedSetting{planned.setting, facts_.settingText(planned.setting), nowSeconds()};
+}
+
+void Room::guardSetting() {
+    if (!watched_ || watched_->value.empty()) return;
+    constexpr double kLongFrame = 5, kWatched = 15;
+    const double now = nowSeconds();
+    const bool waits = now - watched_->since > kLongFrame && lastFrame_ < watched_->since &&
+                       status_.idle == 0 && status_.paused == 0 && hasStatus_;
+    if (waits || (lastFrame_ > watched_->since && status_.frameSeconds > kLongFrame)) {
+        const std::string name = watched_->name;
+        commands_->request(app::command::set(name, watched_->value), [](const ipc::Reply&) {});
+        commands_->refresh();
+        for (auto& [id, session] : sessions_)
+            notice(session, "heavy", name + " was set back: a frame took more than 5 s");
+        watched_.reset();
+    } else if (now - watched_->since > kWatched) {
+        watched_.reset();
+    }
+}
+
+// --- The server ---
+
+void Room::serverChanged(ServerState state, const std::string& why) {
+    server_ = state;
+    serverWhy_ = why;
+    if (state == ServerState::Gone || state == ServerState::Refused) {
+        facts_.clear();
+        edits_.clear();
+        editor_.reset();
+        watched_.reset();
+        hasStatus_ = false;
+    }
+    sendAll({{"event", "server"}, {"state", nameOf(state)}, {"text", why}});
+}
+
+void Room::statusChanged(const ipc::Status& status) {
+    watchOthers(status);
+    status_ = status;
+    hasStatus_ = true;
+}
+
+/// A window or a shell moves the camera.
+void Room::watchOthers(const ipc::Status& status) {
+    constexpr double kOwn = 2, kBetween = 10;
+    const double now = nowSeconds();
+    const bool moved = hasStatus_ && (!std::equal(status.eye, status.eye + 3, status_.eye) ||
+                                      !std::equal(status.forward, status.forward + 3, status_.forward));
+    if (!moved || now - lastInput_ < kOwn || now - lastElsewhere_ < kBetween) return;
+    lastElsewhere_ = now;
+    if (!roles_.driver()) return;
+    if (Session* const driver = find(*roles_.driver()))
+        notice(*driver, "elsewhere", "another client moves the camera");
+}
+
+void Room::stateChanged(const std::string& report) {
+    const bool first = !facts_.known();
+    if (!facts_.read(report)) return;
+    if (editor_) edits_.made(*editor_, facts_.edits(), facts_.undo());
+    editor_.reset();
+    if (facts_.changes().empty()) return;
+    for (auto& [id, session] : sessions_) sendState(session, first ? facts_.all() : facts_.changes());
+}
+
+void Room::sendState(Session& session, const json& content) {
+    json event = content;
+    event["event"] = "state";
+    event["mayUndo"] = edits_.mayUndo(session.id, facts_.edits(), facts_.undo());
+    event["mayRedo"] = edits_.mayRedo(session.id, facts_.edits(), facts_.redo());
+    send(session, event);
+}
+
+// --- Roles and input ---
+
+json Room::rolesEvent() const {
+    json people = json::array();
+    for (const Person& each : roles_.people())
+        people.push_back({{"id", each.id}, {"name", each.name}, {"mayDrive", each.mayDrive}});
+    json event{{"event", "roles"}, {"driver", nullptr}, {"asking", roles_.asking()}, {"people", people}};
+    if (roles_.driver()) event["driver"] = *roles_.driver();
+    return event;
+}
+
+void Room::rolesChanged(std::optional<SessionId> before) {
+    if (before != roles_.driver()) {
+        releaseKeys();
+        if (Session* const last = before ? find(*before) : nullptr) {
+            last->input.release();
+            notice(*last, "taken", roles_.driver() ? "another drives now" : "there is no driver now");
+        }
+        if (Session* const next = roles_.driver() ? find(*roles_.driver()) : nullptr)
+            notice(*next, "handed", "you drive now");
+    }
+    sendAll(rolesEvent());
+}
+
+void Room::releaseKeys() {
+    commands_->setKeys({});
+    commands_->dropTurn();
+}
+
+void Room::applyInput(Session& session, const InputMessage& input) {
+    if (!roles_.drives(session.id)) return;
+    const double now = nowSeconds();
+    if (!session.input.apply(input, now)) return;
+    const bool acts = input.right != 0 || input.up != 0 || !input.held.empty() || !input.taps.empty();
+    commands_->setKeys(session.input.held());
+    if (!input.taps.empty()) commands_->tap(input.taps);
+    constexpr double kDegrees = 1e-3;
+    if (input.right != 0 || input.up != 0) commands_->turn(input.right * kDegrees, input.up * kDegrees);
+    if (acts) {
+        lastInput_ = now;
+        roles_.touch(session.id, now);
+    }
+    constexpr std::size_t kKept = 64;
+    session.given.push_back({input.sequence, nowNanoseconds()});
+    if (session.given.size() > kKept) session.given.pop_front();
+}
+
+bool Room::roleRequest(Session& session, const json& request, std::uint32_t id) {
+    const auto found = request.find("do");
+    const std::string what = found != request.end() && found->is_string() ? found->get<std::string>() : "";
+    const std::optional<SessionId> before = roles_.driver();
+    const double now = nowSeconds();
+    bool ok = true;
+    std::string text;
+    if (what == "ask") {
+        const Roles::Asked asked = roles_.ask(session.id, now);
+        ok = asked != Roles::Asked::NotAllowed;
+        text = ok ? (asked == Roles::Asked::Waits ? "the driver is asked" : "")
+                  : "this link is for looking only";
+        Session* const driver = asked == Roles::Asked::Waits ? find(*roles_.driver()) : nullptr;
+        if (driver != nullptr)
+            send(*driver, {{"event", "notice"},
+                           {"code", "asked"},
+                           {"by", session.id},
+                           {"text", (session.name.empty() ? "A viewer" : session.name) + " asks to drive"}});
+    } else if (what == "give") {
+        const auto to = request.find("to");
+        ok = to != request.end() && to->is_number_unsigned() &&
+             roles_.give(session.id, to->get<SessionId>(), now);
+        if (!ok) text = "only the driver hands over, to one with a driver's link";
+    } else if (what == "keep" || what == "release") {
+        ok = what == "keep" ? roles_.keep(session.id) : roles_.release(session.id);
+        if (!ok) text = "only the driver may do that";
+    } else if (what == "name") {
+        const auto name = request.find("name");
+        ok = name != request.end() && name->is_string();
+        if (ok) session.name = plainName(name->get<std::string>());
+        if (ok) roles_.rename(session.id, session.name);
+        if (!ok) text = "'name' is a text";
+    } else if (what == "state") {
+        if (facts_.known()) sendState(session, facts_.all());
+        answer(session, id, facts_.known(), facts_.known() ? "" : "there is no state yet", {});
+        return true;
+    } else {
+        return false;
+    }
+    answer(session, id, ok, text, {});
+    if (ok) rolesChanged(before);
+    return true;
+}
+
+json Room::report() const {
+    json sessions = json::array();
+    for (const auto& [id, session] : sessions_) {
+        const LinkReport link = session.delivery.rate().report();
+        constexpr double kMs = 1000;
+        sessions.push_back({{"id", id},
+                            {"name", session.name},
+                            {"role", roles_.drives(id) ? "driver" : "viewer"},
+                            {"rung", link.rung},
+                            {"window", link.window},
+                            {"rttMs", link.rtt * kMs},
+                            {"baseMs", link.base * kMs},
+                            {"queueMs", link.queue * kMs},
+                            {"bitsPerSecond", session.delivery.rate().sentBits(nowSeconds())},
+                            {"sent", session.delivery.framesSent()},
+                            {"skipped", session.delivery.framesSkipped()},
+                            {"seconds", nowSeconds() - session.began}});
+    }
+    const FrameFigures figures = frames_->figures();
+    return {{"name", instance_},
+            {"state", server_ ? nameOf(*server_) : "unknown"},
+            {"fps", status_.framesPerSecond},
+            {"width", status_.width},
+            {"height", status_.height},
+            {"idle", status_.idle != 0},
+            {"encoded", figures.encoded},
+            {"encodeSeconds", figures.encodeSeconds},
+            {"stills", figures.stills},
+            {"cpuSeconds", figures.cpuSeconds + commands_->cpuSeconds()},
+            {"sessions", sessions}};
+}
+
+std::uint64_t Room::framesSkipped() const {
+    std::uint64_t skipped = skippedBefore_;
+    for (const auto& [id, session] : sessions_) skipped += session.delivery.framesSkipped();
+    return skipped;
+}
+
+// --- Time ---
+
+void Room::tick() {
+    const double now = nowSeconds();
+    const std::optional<SessionId> before = roles_.driver();
+    if (roles_.tick(now)) rolesChanged(before);
+    Session* const driver = roles_.driver() ? find(*roles_.driver()) : nullptr;
+    if (driver != nullptr && driver->input.expire(now)) {
+        releaseKeys();
+        notice(*driver, "released", "keys were released: nothing came for half a second");
+    }
+    guardSetting();
+    const bool statusDue = hasStatus_ && now - lastStatusSent_ >= kStatusEvery && !sessions_.empty();
+    std::string status;
+    if (statusDue) {
+        shareLimit();
+        lastStatusSent_ = now;
+        status = statusJson(status_).dump();
+    }
+    for (auto& [id, session] : sessions_) {
+        if (statusDue && !session.outlet->busy() && session.lastStatus != status) {
+            session.lastStatus = status;
+            session.outlet->sendText(status);
+        }
+        const std::uint64_t sent = session.delivery.framesSent();
+        if (now - session.lastLink < kLinkEvery) continue;
+        const double mbit =
+            8e-6 * static_cast<double>(session.bytes - session.lastLinkBytes) / (now - session.lastLink);
+        session.lastLink = now;
+        session.lastLinkBytes = session.bytes;
+        if (sent == session.linkSent || session.outlet->busy()) continue;
+        session.linkSent = sent;
+        const LinkReport link = session.delivery.rate().report();
+        const Rung& rung = kRungs[static_cast<std::size_t>(link.rung)];
+        constexpr double kMs = 1000;
+        send(session, {{"event", "link"},
+                       {"rung", link.rung},
+                       {"divide", rung.divide},
+                       {"quality", rung.quality},
+                       {"window", link.window},
+                       {"rttMs", link.rtt * kMs},
+                       {"baseMs", link.base * kMs},
+                       {"queueMs", link.queue * kMs},
+                       {"mbit", mbit},
+                       {"sent", sent},
+                       {"skipped", session.delivery.framesSkipped()}});
+        // Behind a frame a ping would measure that frame.
+        if (now - session.lastPing < kPingEvery || session.delivery.rate().inFlight() > 0) continue;
+        session.lastPing = now;
+        session.outlet->ping();
+    }
+}
+
+} // namespace bridge

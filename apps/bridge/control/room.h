@@ -1,0 +1,129 @@
+/// One instance: its server, and all pages that look at it.
+#pragma once
+
+#include "bridge/control/caps.h"
+#include "bridge/control/command_link.h"
+#include "bridge/control/own_edits.h"
+#include "bridge/control/requests.h"
+#include "bridge/control/roles.h"
+#include "bridge/control/scene_facts.h"
+#include "bridge/control/session.h"
+#include "bridge/stream/frame_source.h"
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace bridge {
+
+/// Runs a function on the thread of the sockets, soon; safe from any thread.
+using Post = std::function<void(std::function<void()>)>;
+
+/// All of it on the thread of the sockets.
+class Room {
+  public:
+    Room(std::string instance, const Limits& limits, Post post);
+    /// Ends its threads; nothing that they posted does anything afterwards.
+    ~Room();
+    Room(const Room&) = delete;
+    Room& operator=(const Room&) = delete;
+
+    const std::string& instance() const { return instance_; }
+    /// Nothing until it was looked for.
+    std::optional<ServerState> server() const { return server_; }
+    bool hasServer() const { return server_ == ServerState::There || server_ == ServerState::Busy; }
+    std::size_t sessions() const { return sessions_.size(); }
+
+    /// `welcome` is sent first; the room adds the role.
+    void join(SessionId id, std::string name, bool mayDrive, const PageView& view,
+              std::shared_ptr<Outlet> outlet, nlohmann::json welcome);
+    void leave(SessionId id);
+
+    void text(SessionId id, std::string_view message);
+    void binary(SessionId id, std::span<const std::uint8_t> message);
+    void ponged(SessionId id, double seconds);
+    void writable(SessionId id);
+    void tick(); ///< about every 50 ms
+
+    /// For /status and /metrics.
+    nlohmann::json report() const;
+    FrameFigures frameFigures() const { return frames_->figures(); }
+    double commandCpu() const { return commands_->cpuSeconds(); }
+    std::uint64_t framesSent() const { return framesSent_; }
+    std::uint64_t framesSkipped() const;
+    std::uint64_t bytesSent() const { return bytesSent_; }
+    void closeAll(CloseCode code, const std::string& reason);
+    /// So many bits per second for all viewers together; 0: no limit.
+    void setMostBits(double bits) { mostBits_ = bits; }
+
+  private:
+    Session* find(SessionId id);
+    void send(Session& session, const nlohmann::json& event);
+    void sendAll(const nlohmann::json& event);
+    void sendState(Session& session, const nlohmann::json& content);
+    void notice(Session& session, const char* code, const std::string& text);
+
+    // Frames.
+    void newFrames(FrameSet set);
+    void pump(Session& session);
+    void updateDemand();
+    void measureFrameTime(std::int64_t publishedNs);
+    void shareLimit();
+
+    // Roles and input.
+    void rolesChanged(std::optional<SessionId> before);
+    nlohmann::json rolesEvent() const;
+    void applyInput(Session& session, const InputMessage& input);
+    void releaseKeys();
+    bool roleRequest(Session& session, const nlohmann::json& request, std::uint32_t id);
+
+    // Requests.
+    void answer(Session& session, std::uint32_t id, bool ok, const std::string& text, nlohmann::json content);
+    void request(Session& session, const nlohmann::json& request, std::uint32_t id);
+    void checkUndo(const Session& session, const PlannedCommand& planned) const;
+    void answered(SessionId id, std::uint32_t request, const PlannedCommand& planned,
+                  const ipc::Reply& reply);
+    void watchSetting(const PlannedCommand& planned);
+    void guardSetting();
+
+    // The server.
+    void serverChanged(ServerState state, const std::string& why);
+    void statusChanged(const ipc::Status& status);
+    void stateChanged(const std::string& report);
+    void watchOthers(const ipc::Status& status);
+
+    const std::string instance_;
+    const Limits& limits_;
+    Post post_;
+    std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
+    std::map<SessionId, Session> sessions_;
+    Roles roles_;
+    SceneFacts facts_;
+    OwnEdits edits_;
+    std::optional<SessionId> editor_; ///< whose edit the next state tells of
+    std::optional<ServerState> server_;
+    std::string serverWhy_;
+    ipc::Status status_;
+    bool hasStatus_ = false;
+    FrameSet newest_;
+    std::int64_t lastPublishedNs_ = 0;
+    double frameTime_ = 1.0 / 30;
+    double lastFrame_ = 0, lastStatusSent_ = 0, mostBits_ = 0, lastInput_ = -1e9, lastElsewhere_ = -1e9;
+    std::uint64_t framesSent_ = 0, bytesSent_ = 0, skippedBefore_ = 0;
+    struct WatchedSetting {
+        std::string name, value; ///< before
+        double since;
+    };
+    std::optional<WatchedSetting> watched_;
+    std::unique_ptr<FrameSource> frames_;
+    std::unique_ptr<CommandLink> commands_; ///< last: their threads post to this
+};
+
+/// Seconds of the steady clock.
+double nowSeconds();
+
+} // namespace bridge

@@ -1,0 +1,108 @@
+// The frames of a room: who gets which, and what is asked of the source.
+#include "bridge/control/room.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace bridge {
+
+namespace {
+
+std::int64_t steadyNanoseconds() {
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(
+               std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+/// The last input that was given before `ns`; what is older than that is forgotten.
+std::uint32_t inputBefore(Session& session, std::int64_t ns) {
+    while (session.given.size() > 1 && session.given[1].ns <= ns) session.given.pop_front();
+    return !session.given.empty() && session.given.front().ns <= ns ? session.given.front().sequence : 0;
+}
+
+} // namespace
+
+void Room::newFrames(FrameSet set) {
+    const bool newer = set.stream != newest_.stream || set.number > newest_.number;
+    if (!newer && set.number < newest_.number) return;
+    newest_ = std::move(set);
+    if (newer) {
+        lastFrame_ = nowSeconds();
+        for (const SharedFrame& frame : newest_.byRung)
+            if (frame) measureFrameTime(frame->facts.publishedNs);
+        for (auto& [id, session] : sessions_) {
+            session.delivery.offered();
+            session.delivery.rate().setFrameTime(frameTime_);
+        }
+    }
+    for (auto& [id, session] : sessions_) pump(session);
+    updateDemand();
+}
+
+void Room::measureFrameTime(std::int64_t publishedNs) {
+    constexpr double kShortest = 1.0 / 60, kLongest = 0.5, kNew = 0.1;
+    const double seconds = 1e-9 * static_cast<double>(publishedNs - lastPublishedNs_);
+    if (lastPublishedNs_ != 0 && seconds > 0 && seconds < kLongest)
+        frameTime_ += kNew * (std::max(seconds, kShortest) - frameTime_);
+    if (publishedNs > lastPublishedNs_) lastPublishedNs_ = publishedNs;
+}
+
+void Room::pump(Session& session) {
+    if (session.outlet->busy()) return;
+    const std::optional<Shipment> shipment = session.delivery.next(newest_, nowSeconds());
+    if (!shipment) return;
+    const std::int64_t published = shipment->frame->facts.publishedNs;
+    const std::int64_t age =
+        std::clamp<std::int64_t>((steadyNanoseconds() - published) / 1000, 0, 0xffffffff);
+    session.bytes += kHeaderBytes + shipment->size;
+    bytesSent_ += kHeaderBytes + shipment->size;
+    if (!shipment->part) ++framesSent_;
+    session.outlet->sendBinary(
+        headerOf(*shipment, inputBefore(session, published), static_cast<std::uint32_t>(age)), &*shipment);
+}
+
+void Room::updateDemand() {
+    FrameDemand demand;
+    demand.stream = newest_.stream;
+    for (const auto& [id, session] : sessions_) {
+        const Delivery& delivery = session.delivery;
+        demand.anyone |= delivery.view().visible;
+        demand.still |= delivery.wantsStill();
+        demand.fine |= delivery.wantsFine();
+        const std::optional<int> rung = session.outlet->busy() ? std::nullopt : delivery.wanted();
+        if (!rung) continue;
+        std::uint64_t& above = demand.above[static_cast<std::size_t>(*rung)];
+        const bool same = delivery.sentStream() == newest_.stream;
+        above = std::min(above, same ? delivery.sentNumber() : 0);
+    }
+    frames_->setDemand(demand);
+}
+
+/// The dearest viewers get coarser frames first.
+void Room::shareLimit() {
+    if (mostBits_ <= 0) return;
+    double all = 0;
+    std::vector<std::pair<double, Session*>> dear;
+    for (auto& [id, session] : sessions_) {
+        const double bits = session.delivery.rate().sentBits(nowSeconds());
+        all += bits;
+        dear.emplace_back(bits, &session);
+    }
+    std::ranges::sort(dear, [](const auto& a, const auto& b) { return a.first > b.first; });
+    for (auto& [bits, session] : dear) {
+        RateControl& rate = session->delivery.rate();
+        const int floor = session->delivery.view().saveData ? kFirstHalfRung : 0;
+        const int now = std::max(rate.finest(), floor);
+        constexpr double kRoom = 0.6;
+        if (all > mostBits_ && now < kRungCount - 1) {
+            rate.limit(std::min(std::max(rate.rung(), now) + 1, kRungCount - 1));
+            return;
+        }
+        if (all < kRoom * mostBits_ && now > floor) {
+            rate.limit(now - 1);
+            return;
+        }
+    }
+}
+
+} // namespace bridge

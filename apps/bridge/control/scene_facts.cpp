@@ -1,0 +1,209 @@
+#include "bridge/control/scene_facts.h"
+
+#include "bridge/control/setting_value.h"
+
+#include "common/cli/command_line.h"
+
+#include "rtcore/io/text/cosine.h"
+#include "rtcore/scene/light_power.h"
+
+#include <array>
+#include <filesystem>
+
+namespace bridge {
+
+namespace {
+
+using nlohmann::json;
+using rtcore::Vec3;
+
+json vectorJson(Vec3 v) { return {v.x, v.y, v.z}; }
+json vectorJson(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
+
+json cameraJson(const rtcore::Camera& camera) {
+    const bool orthographic = camera.kind == rtcore::CameraKind::Orthographic;
+    return {{"eye", vectorJson(camera.eye)},
+            {"forward", vectorJson(camera.forward)},
+            {"up", vectorJson(camera.up)},
+            {"fov", orthographic ? 0 : camera.horizontalFov},
+            {"orthographic", orthographic ? camera.orthographicWidth : 0}};
+}
+
+void describe(json& row, const rtcore::LightDescription& description) {
+    const rtcore::Light& light = description.light;
+    const float most = rtcore::maxComponent(light.intensity);
+    const rtcore::Colour colour = most > 0 ? light.intensity / most : rtcore::Colour{1, 1, 1};
+    row["kind"] = rtcore::traitsOf(light).name;
+    row["position"] = vectorJson(light.position);
+    row["direction"] = vectorJson(light.direction);
+    row["colour"] = {colour.r, colour.g, colour.b};
+    row["temperature"] = description.temperature;
+    row["power"] = luminance(rtcore::tintedLight(description).intensity) * rtcore::powerFactor(light);
+    row["radius"] = light.radius;
+    row["width"] = light.width;
+    row["height"] = light.height;
+    const bool spot = light.kind == rtcore::LightKind::Spot;
+    row["inner"] = spot ? rtcore::degreesOfCosine(light.cosInner) : 0;
+    row["outer"] = spot ? rtcore::degreesOfCosine(light.cosOuter) : 0;
+}
+
+json lightsJson(const std::vector<app::ReportedLight>& lights) {
+    json rows = json::array();
+    for (const app::ReportedLight& light : lights) {
+        json row{{"id", light.id}, {"on", light.on}, {"name", light.name}};
+        if (light.description) describe(row, *light.description);
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+json environmentsJson(const std::vector<app::NamedSwitch>& environments) {
+    json rows = json::array();
+    for (const app::NamedSwitch& each : environments)
+        rows.push_back({{"number", rows.size() + 1}, {"on", each.on}, {"name", each.name}});
+    return rows;
+}
+
+json skyJson(const app::StateReport& state) {
+    if (!state.sky) return nullptr;
+    const rtcore::Sky& sky = *state.sky;
+    json row{{"on", !state.environments.empty() && state.environments.back().on},
+             {"date", nullptr},
+             {"direction", vectorJson(sky.direction)},
+             {"north", sky.north},
+             {"turbidity", sky.turbidity},
+             {"strength", sky.strength},
+             {"ground", sky.ground}};
+    if (!sky.date) return row;
+    constexpr double kHour = 3600;
+    row["date"] = {{"year", sky.date->year}, {"month", sky.date->month}, {"day", sky.date->day}};
+    row["hour"] = sky.date->second / kHour;
+    row["zone"] = sky.date->timeZone;
+    row["latitude"] = sky.date->latitude;
+    row["longitude"] = sky.date->longitude;
+    return row;
+}
+
+json valuesJson(const std::vector<rtcore::SettingAssignment>& settings) {
+    json values = json::object();
+    for (const rtcore::SettingAssignment& each : settings) values[each.name] = settingJson(each.value);
+    return values;
+}
+
+/// The keys of `now` that are not the same in `before`.
+json difference(const json& now, const json& before) {
+    json changed = json::object();
+    for (const auto& [key, value] : now.items()) {
+        const auto old = before.find(key);
+        if (old != before.end() && *old == value) continue;
+        changed[key] = key == "values" && old != before.end() ? difference(value, *old) : value;
+    }
+    return changed;
+}
+
+constexpr std::array<const char*, 3> kModes{"fly", "walk", "floor"};
+
+} // namespace
+
+json sceneJson(const app::StateReport& state) {
+    json scene{{"scene", std::filesystem::path(state.scene).filename().string()},
+               {"up", vectorJson(state.up)},
+               {"metresPerUnit", state.metresPerUnit},
+               {"values", valuesJson(state.settings)},
+               {"camera", cameraJson(state.camera)},
+               {"lights", lightsJson(state.lights)},
+               {"environments", environmentsJson(state.environments)},
+               {"map", nullptr},
+               {"sky", skyJson(state)},
+               {"bookmarks", state.bookmarks},
+               {"undo", withoutFolders(state.undo)},
+               {"redo", withoutFolders(state.redo)},
+               {"edits", state.edits},
+               {"modified", state.modified}};
+    if (state.map) scene["map"] = {{"rotation", state.map->rotation}, {"strength", state.map->strength}};
+    return scene;
+}
+
+bool SceneFacts::read(std::string_view report) {
+    try {
+        const app::StateReport state = app::parseStateReport(report);
+        json now = sceneJson(state);
+        changes_ = difference(now, all_);
+        all_ = std::move(now);
+        bookmarks_ = state.bookmarks;
+        settings_ = state.settings;
+        undo_ = state.undo;
+        redo_ = state.redo;
+        edits_ = state.edits;
+        known_ = true;
+        return true;
+    } catch (const std::exception&) { // of a server that is no RTServer
+        changes_ = json::object();
+        return false;
+    }
+}
+
+void SceneFacts::clear() { *this = SceneFacts(); }
+
+std::string SceneFacts::settingText(const std::string& name) const {
+    for (const rtcore::SettingAssignment& each : settings_)
+        if (each.name == name) return rtcore::settingText(each.value);
+    return {};
+}
+
+json statusJson(const ipc::Status& status) {
+    const std::size_t mode = std::min<std::size_t>(status.mode, kModes.size() - 1);
+    constexpr double kMilliseconds = 1000;
+    return {{"event", "status"},
+            {"fps", status.framesPerSecond},
+            {"frameMs", status.frameSeconds * kMilliseconds},
+            {"rays", status.raysPerSecond},
+            {"triangles", status.polygons},
+            {"width", status.width},
+            {"height", status.height},
+            {"eye", vectorJson(status.eye)},
+            {"forward", vectorJson(status.forward)},
+            {"up", vectorJson(status.up)},
+            {"fov", status.fieldOfView},
+            {"exposure", status.exposure},
+            {"mode", kModes[mode]},
+            {"idle", status.idle != 0},
+            {"paused", status.paused != 0},
+            {"recording", status.recording != 0},
+            {"progress", status.progress},
+            {"kept", status.kept}};
+}
+
+std::string withoutFolders(std::string_view text) {
+    std::string kept;
+    std::size_t word = 0; // where the present one begins in `kept`
+    for (const char c : text) {
+        const bool ends = c == ' ' || c == '"' || c == '\'' || c == '\n' || c == '(' || c == '=';
+        if (c == '/') {
+            kept.resize(word);
+        } else {
+            kept += c;
+            if (ends) word = kept.size();
+        }
+    }
+    return kept;
+}
+
+std::vector<json> messageEvents(std::string_view lines) {
+    std::vector<json> events;
+    while (!lines.empty()) {
+        std::string_view line = lines.substr(0, lines.find('\n'));
+        lines.remove_prefix(std::min(line.size() + 1, lines.size()));
+        const std::size_t first = line.find(' ');
+        const std::size_t second = first == std::string_view::npos ? first : line.find(' ', first + 1);
+        const auto number = app::parseInteger(line.substr(0, first));
+        if (!number || second == std::string_view::npos) continue;
+        events.push_back({{"event", "message"},
+                          {"number", *number},
+                          {"kind", line.substr(first + 1, second - first - 1)},
+                          {"text", withoutFolders(line.substr(second + 1))}});
+    }
+    return events;
+}
+
+} // namespace bridge

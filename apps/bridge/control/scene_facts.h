@@ -1,0 +1,55 @@
+/// What panels show of a scene, as pages get it: whole at first, then what changed.
+#pragma once
+
+#include "common/commands/state_report.h"
+
+#include "ipc/layout/status.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bridge {
+
+/// One thread.
+class SceneFacts {
+  public:
+    /// The answer to `state`. False: it is none.
+    bool read(std::string_view report);
+    /// Of a server that is gone.
+    void clear();
+    bool known() const { return known_; }
+
+    /// All keys of the event `state` but the session's own (`mayUndo`, `mayRedo`).
+    const nlohmann::json& all() const { return all_; }
+    /// Those that the last read() changed; of `values` only what changed. Empty: none.
+    const nlohmann::json& changes() const { return changes_; }
+
+    const std::vector<std::string>& bookmarks() const { return bookmarks_; }
+    const std::string& undo() const { return undo_; }
+    const std::string& redo() const { return redo_; }
+    int edits() const { return edits_; }
+    /// As text that the server reads; "": not known.
+    std::string settingText(const std::string& name) const;
+
+  private:
+    bool known_ = false;
+    nlohmann::json all_ = nlohmann::json::object(), changes_ = nlohmann::json::object();
+    std::vector<std::string> bookmarks_;
+    std::vector<rtcore::SettingAssignment> settings_;
+    std::string undo_, redo_;
+    int edits_ = 0;
+};
+
+nlohmann::json sceneJson(const app::StateReport& state);
+/// The event `status`.
+nlohmann::json statusJson(const ipc::Status& status);
+/// Events `message` of lines as `messages` answers them, without folders.
+std::vector<nlohmann::json> messageEvents(std::string_view lines);
+/// The text with folders cut from the paths in it.
+std::string withoutFolders(std::string_view text);
+
+} // namespace bridge

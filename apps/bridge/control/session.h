@@ -1,0 +1,39 @@
+/// One page: what it may do, what it is sent.
+#pragma once
+
+#include "bridge/control/input_state.h"
+#include "bridge/control/roles.h"
+#include "bridge/net/outlet.h"
+#include "bridge/stream/delivery.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <string>
+
+namespace bridge {
+
+struct Session {
+    SessionId id = 0;
+    std::string name;
+    bool mayDrive = false;
+    std::shared_ptr<Outlet> outlet;
+    Delivery delivery;
+    InputState input;
+    int requests = 0; ///< without an answer
+    double began = 0;
+    double lastLink = 0, lastPing = 0;
+    std::uint64_t linkSent = 0, linkBytes = 0, bytes = 0, lastLinkBytes = 0;
+    std::string lastStatus;
+
+    /// When which input was given to the server.
+    struct Given {
+        std::uint32_t sequence;
+        std::int64_t ns; ///< of the steady clock
+    };
+    std::deque<Given> given;
+};
+
+} // namespace bridge

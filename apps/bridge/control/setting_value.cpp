@@ -1,0 +1,96 @@
+#include "bridge/control/setting_value.h"
+
+#include "bridge/control/requests.h"
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace bridge {
+
+namespace {
+
+using nlohmann::json;
+
+const char* typeName(rtcore::SettingType type) {
+    switch (type) {
+    case rtcore::SettingType::Boolean:
+        return "boolean";
+    case rtcore::SettingType::Integer:
+        return "integer";
+    case rtcore::SettingType::Number:
+        return "number";
+    case rtcore::SettingType::Choice:
+        break;
+    }
+    return "choice";
+}
+
+bool isNumber(rtcore::SettingType type) {
+    return type == rtcore::SettingType::Integer || type == rtcore::SettingType::Number;
+}
+
+json rowJson(const rtcore::Setting& setting, const Limits& limits) {
+    json row{{"name", setting.name},
+             {"group", setting.group},
+             {"type", typeName(setting.type)},
+             {"default", settingJson(setting.defaultValue)},
+             {"unit", setting.unit},
+             {"help", setting.help},
+             {"locked", limits.isLocked("edits") || limits.isLocked(setting.name)}};
+    if (isNumber(setting.type)) {
+        row["min"] = setting.minimum;
+        if (mostOf(setting) < rtcore::kUnlimited) row["max"] = mostOf(setting);
+        if (!setting.zero.empty()) row["zero"] = setting.zero;
+    }
+    if (setting.type == rtcore::SettingType::Choice) row["choices"] = setting.choices;
+    return row;
+}
+
+/// The word that the table reads.
+rtcore::SettingValue valueOf(const rtcore::Setting& setting, const json& value) {
+    if (value.is_boolean()) return value.get<bool>();
+    if (value.is_string()) return value.get<std::string>();
+    if (!value.is_number()) throw Refused("a value is a boolean, a number or a text");
+    const auto number = value.get<double>();
+    constexpr double kMostInteger = 2147483647;
+    if (setting.type == rtcore::SettingType::Integer && number == std::floor(number) &&
+        std::abs(number) <= kMostInteger)
+        return static_cast<int>(number);
+    return static_cast<float>(number);
+}
+
+} // namespace
+
+json settingJson(const rtcore::SettingValue& value) {
+    return std::visit([](const auto& each) { return json(each); }, value);
+}
+
+json settingsTableJson(const Limits& limits) {
+    json rows = json::array();
+    for (const rtcore::Setting& setting : rtcore::settingsTable())
+        if (isOffered(setting)) rows.push_back(rowJson(setting, limits));
+    return rows;
+}
+
+std::string settingValueText(const std::string& name, const json& value, const Limits& limits) {
+    const rtcore::Setting* const setting = rtcore::findSetting(name);
+    if (setting == nullptr || setting->name != name || !isOffered(*setting))
+        throw Refused("there is no such setting");
+    if (limits.isLocked(setting->name)) throw Refused(fmt::format("{} is locked", setting->name));
+    try {
+        const rtcore::SettingValue checked = rtcore::checkSetting(*setting, valueOf(*setting, value));
+        rtcore::checkLive(*setting, checked);
+        double number = 0;
+        if (const int* whole = std::get_if<int>(&checked)) number = *whole;
+        if (const float* real = std::get_if<float>(&checked)) number = static_cast<double>(*real);
+        if (isNumber(setting->type) && number > mostOf(*setting))
+            throw Refused(fmt::format("{} is {} at most here", setting->name, mostOf(*setting)));
+        return rtcore::settingText(checked);
+    } catch (const std::invalid_argument& error) {
+        throw Refused(error.what());
+    }
+}
+
+} // namespace bridge

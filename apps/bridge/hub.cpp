@@ -1,0 +1,122 @@
+#include "bridge/hub.h"
+
+#include "bridge/control/setting_value.h"
+#include "bridge/report/metrics.h"
+#include "bridge/visitor.h"
+
+#include "common/cli/help_text.h"
+
+namespace bridge {
+
+using nlohmann::json;
+
+Hub::Hub(const BridgeOptions& options, Tokens tokens, const Post& post)
+    : options_(options), tokens_(std::move(tokens)), settings_(settingsTableJson(options.limits)),
+      began_(nowSeconds()) {
+    for (const std::string& name : options.instances) {
+        rooms_.push_back(std::make_unique<Room>(name, options.limits, post));
+        rooms_.back()->setMostBits(options.mostBits / static_cast<double>(options.instances.size()));
+    }
+}
+
+std::shared_ptr<Receiver> Hub::opened(const std::shared_ptr<Outlet>& outlet) {
+    std::erase_if(outlets_, [](const auto& each) { return each.expired(); });
+    outlets_.push_back(outlet);
+    auto visitor = std::make_shared<Visitor>(*this, outlet);
+    newcomers_.push_back(visitor);
+    return visitor;
+}
+
+bool Hub::shutOut(const std::string& address) { return wrong_.shutOut(address, nowSeconds()); }
+
+void Hub::wrongToken(const std::string& address) {
+    wrong_.add(address, nowSeconds());
+    refused("token");
+}
+
+Hub::Right Hub::rightOf(std::string_view token) const {
+    const bool drives = sameToken(token, tokens_.driver), views = sameToken(token, tokens_.viewer);
+    return drives ? Right::Drive : views ? Right::View : Right::None;
+}
+
+Room* Hub::room(const std::string& name) {
+    if (name.empty()) return rooms_.front().get();
+    for (const auto& each : rooms_)
+        if (each->instance() == name) return each.get();
+    return nullptr;
+}
+
+std::string Hub::instanceList() const {
+    std::string list;
+    for (const auto& each : rooms_) list += (list.empty() ? "" : " ") + each->instance();
+    return list;
+}
+
+json Hub::welcome(const Room& room, SessionId id, Right right) const {
+    json rungs = json::array();
+    for (const Rung& rung : kRungs) rungs.push_back({{"divide", rung.divide}, {"quality", rung.quality}});
+    constexpr int kMessage = 4096, kRequests = 4;
+    constexpr double kMs = 1000;
+    return {{"event", "welcome"},
+            {"v", 1},
+            {"version", app::suiteVersion()},
+            {"you", id},
+            {"instance", room.instance()},
+            {"instances", options_.instances},
+            {"mayDrive", right == Right::Drive},
+            {"limits",
+             {{"maxPixels", options_.limits.maxPixels},
+              {"message", kMessage},
+              {"requests", kRequests},
+              {"heartbeat", InputState::kHeartbeat * kMs}}},
+            {"locked", options_.limits.locked},
+            {"rungs", rungs},
+            {"settings", settings_}};
+}
+
+void Hub::tick() {
+    for (const auto& each : rooms_) each->tick();
+    std::erase_if(newcomers_, [](const auto& each) { return each.expired(); });
+    for (const auto& each : newcomers_)
+        if (const auto visitor = each.lock()) visitor->tick(nowSeconds());
+}
+
+void Hub::renew(Tokens tokens) {
+    tokens_ = std::move(tokens);
+    for (const auto& each : outlets_)
+        if (const auto outlet = each.lock()) outlet->close(CloseCode::BadToken, "the links were renewed");
+}
+
+void Hub::end() {
+    for (const auto& each : outlets_)
+        if (const auto outlet = each.lock()) outlet->close(CloseCode::GoingAway, "the bridge ends");
+}
+
+json Hub::status() const {
+    json instances = json::array();
+    for (const auto& each : rooms_) instances.push_back(each->report());
+    return {{"version", app::suiteVersion()},
+            {"seconds", nowSeconds() - began_},
+            {"clients", visitors_},
+            {"refused", refused_},
+            {"instances", instances}};
+}
+
+HttpAnswer Hub::answer(std::string_view path, std::string_view bearer) const {
+    if (path == "/health") {
+        bool there = false;
+        for (const auto& each : rooms_) there |= each->hasServer();
+        return there ? HttpAnswer{200, "text/plain; charset=utf-8", "ok\n"}
+                     : HttpAnswer{503, "text/plain; charset=utf-8", "no server\n"};
+    }
+    if (path != "/status" && path != "/metrics") return {};
+    if (rightOf(bearer) == Right::None)
+        return {401, "text/plain; charset=utf-8", "a token is needed: Authorization: Bearer TOKEN\n"};
+    if (path == "/status")
+        return {200, "application/json", status().dump(2, ' ', false, json::error_handler_t::replace) + "\n"};
+    std::vector<const Room*> rooms;
+    for (const auto& each : rooms_) rooms.push_back(each.get());
+    return {200, "text/plain; version=0.0.4; charset=utf-8", metricsText(rooms, refused_)};
+}
+
+} // namespace bridge

@@ -1,0 +1,61 @@
+/// The rooms of all instances, who comes in by which token, and what /status tells. On the thread of the
+/// sockets.
+#pragma once
+
+#include "bridge/bridge_options.h"
+#include "bridge/control/room.h"
+#include "bridge/tokens.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bridge {
+
+class Visitor;
+
+class Hub {
+  public:
+    Hub(const BridgeOptions& options, Tokens tokens, const Post& post);
+
+    std::shared_ptr<Receiver> opened(const std::shared_ptr<Outlet>& outlet);
+    HttpAnswer answer(std::string_view path, std::string_view bearer) const;
+    bool full() const { return visitors_ >= options_.clients; }
+    bool shutOut(const std::string& address);
+    void refused(const char* reason) { ++refused_[reason]; }
+    void tick();
+
+    /// All pages are closed; the old links lead nowhere.
+    void renew(Tokens tokens);
+    void end();
+
+    // For visitors.
+    enum class Right { None, View, Drive };
+    Right rightOf(std::string_view token) const;
+    void wrongToken(const std::string& address);
+    Room* room(const std::string& name); ///< "": the first; null: none
+    SessionId newId() { return ++lastId_; }
+    nlohmann::json welcome(const Room& room, SessionId id, Right right) const;
+    std::string instanceList() const;
+    void visitorCame() { ++visitors_; }
+    void visitorLeft() { --visitors_; }
+
+  private:
+    nlohmann::json status() const;
+
+    const BridgeOptions& options_;
+    Tokens tokens_;
+    std::vector<std::unique_ptr<Room>> rooms_;
+    nlohmann::json settings_;
+    WrongTokens wrong_;
+    std::map<std::string, std::uint64_t> refused_;
+    std::size_t visitors_ = 0;
+    SessionId lastId_ = 0;
+    double began_;
+    std::vector<std::weak_ptr<Outlet>> outlets_;
+    std::vector<std::weak_ptr<Visitor>> newcomers_;
+};
+
+} // namespace bridge

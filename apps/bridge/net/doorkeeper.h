@@ -1,0 +1,69 @@
+/// Who is let in: names of hosts and pages, tokens, and limits against floods. Pure.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bridge {
+
+/// What a bridge answers to.
+struct Names {
+    std::vector<std::string> hosts;   ///< "192.168.1.7:8443", in small letters, besides the loopback's
+    std::vector<std::string> origins; ///< "https://viz.example": of --origin, exactly
+    std::string prefix;               ///< "/node7/8931" of --origin; "" without one
+    bool tls = false;
+    bool allowNoOrigin = false;
+};
+
+/// Whether the `Host` of a request is ours: one of `hosts`, or a name of the loopback with any port, as a
+/// tunnel chooses one. Other names lead to us only by DNS rebinding.
+bool isOurHost(const Names& names, std::string_view host);
+/// Whether the `Origin` of a WebSocket is a page of ours: of the very host that the request names, or of
+/// --origin.
+bool isOurOrigin(const Names& names, std::string_view host, std::optional<std::string_view> origin);
+
+/// "https://viz.example/node7" taken apart. Throws app::UsageError.
+struct OriginOption {
+    std::string origin, host, prefix;
+};
+OriginOption parseOrigin(const std::string& text);
+
+/// Refills by `rate` a second up to `burst`. Seconds of any clock.
+class TokenBucket {
+  public:
+    TokenBucket(double rate, double burst) : rate_(rate), burst_(burst), level_(burst) {}
+    bool take(double now) {
+        if (last_ >= 0) level_ = std::min(burst_, level_ + rate_ * (now - last_));
+        last_ = now;
+        if (level_ < 1) return false;
+        level_ -= 1;
+        return true;
+    }
+
+  private:
+    double rate_, burst_, level_, last_ = -1;
+};
+
+/// Addresses that try tokens: ten wrong ones within a minute shut an address out for a minute. Not those of
+/// the machine itself, which proxies and tunnels share.
+class WrongTokens {
+  public:
+    void add(const std::string& address, double now);
+    bool shutOut(const std::string& address, double now);
+
+  private:
+    std::map<std::string, std::deque<double>> times_;
+};
+
+/// 32 bytes of the system's, as base64url: 43 characters.
+std::string newToken();
+/// In a time that does not tell how much of it is right.
+bool sameToken(std::string_view given, std::string_view token);
+
+} // namespace bridge

@@ -1,0 +1,17 @@
+/// The files of the page, built into the program.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace bridge {
+
+struct PageFile {
+    std::string_view path; ///< "/picture.js"
+    std::string_view bytes;
+};
+
+/// The first one is what `/` shows. Valid for the whole run of the program; safe from many threads.
+std::span<const PageFile> pageFiles();
+
+} // namespace bridge

@@ -1,0 +1,91 @@
+/** What stands around the image: the scene's name, undo and redo, the line of status, the hint, what is waited for. */
+import { byId, name } from "./dom.js";
+import { personName } from "./panel_people.js";
+import { editLabel } from "./setting_labels.js";
+import { number, t } from "./texts.js";
+
+const byTouch = matchMedia("(pointer: coarse)").matches;
+
+export class Around {
+    constructor(app) {
+        this.app = app;
+        this.seen = false;   // a frame was shown
+        this.exact = false;  // the exact image is shown
+        this.walked = false; // the hint has done its work
+        this.said = "";
+        this.live = true;    // what is shown is of a server that is there
+        this.waitingFor = "connecting";
+        this.nameAll();
+        this.showHeader();
+        this.showWaiting();
+    }
+
+    nameAll() {
+        const buttons = { menu: "menu", close: "close", full: "full", "pad-fly": "padFly", "pad-jump": "padJump", "pad-crouch": "padCrouch", save: "saveWait" };
+        for (const [id, text] of Object.entries(buttons)) name(byId(id), t(text));
+        const places = { view: "view", corner: "menu", pads: "pads", tabs: "menu", drawer: "menu" };
+        for (const [id, text] of Object.entries(places)) byId(id).setAttribute("aria-label", t(text));
+        byId("save").disabled = true;
+    }
+
+    showHeader() {
+        const { scene = "", undo = "", redo = "", mayUndo, mayRedo } = this.app.state;
+        byId("scene").textContent = scene;
+        document.title = scene ? t("titleOf", scene) : t("title");
+        byId("title").textContent = document.title;
+        byId("undo").disabled = !mayUndo;
+        byId("redo").disabled = !mayRedo;
+        name(byId("undo"), undo ? t("undoOf", editLabel(undo)) : t("undo"));
+        name(byId("redo"), redo ? t("redoOf", editLabel(redo)) : t("redo"));
+    }
+
+    /** Text of what is waited for, as long as no frame was shown; "": nothing. */
+    showWaiting(what = this.waitingFor) {
+        this.waitingFor = what;
+        byId("waiting").hidden = this.seen || what === "";
+        byId("waiting-text").textContent = what === "" ? "" : t(what);
+    }
+
+    showFrame(exact) {
+        const first = !this.seen;
+        this.seen = true;
+        if (first) {
+            this.showWaiting();
+            this.showHint();
+        }
+        if (exact !== this.exact) name(byId("save"), t(exact ? "save" : "saveWait"));
+        this.exact = exact;
+        byId("save").disabled = !exact;
+        this.showStatus();
+    }
+
+    /** False: what is shown is all that is left of a server. */
+    setLive(live) {
+        this.live = live;
+        byId("view").classList.toggle("stale", !live);
+        this.showHint();
+        this.showStatus();
+    }
+
+    showHint() {
+        const hint = byId("hint");
+        hint.hidden = this.walked || !this.seen || !this.live || !this.app.drives();
+        hint.textContent = hint.hidden ? "" : t(byTouch ? "hintTouch" : "hint");
+    }
+
+    driverText() {
+        const driver = this.app.driver();
+        return driver ? t("watching", personName(driver)) : t("watchingFree");
+    }
+
+    showStatus() {
+        const { mode, fps = 0, idle, paused } = this.app.status;
+        if (!mode || !this.live) return void (byId("pill-text").textContent = "");
+        const motion = paused ? t("paused") : this.exact ? t("refined") : idle ? t("idle") : t("fps", number(fps));
+        const role = this.app.drives() ? "" : " · " + this.driverText();
+        byId("pill-text").textContent = t(mode) + " · " + motion + role;
+        // Screen readers hear what changed, not each rate.
+        const quiet = t(mode) + (idle ? ", " + t("idle") : "") + role;
+        if (quiet !== this.said) byId("live").textContent = this.said = quiet;
+    }
+}

@@ -1,0 +1,31 @@
+/** Bookmarks of this browser, by instance and scene: name, view, a small picture. */
+import { forGood } from "./storage.js";
+
+const MOST = 200, MOST_NAME = 40;
+
+const key = (instance, scene) => `rt.bookmarks.${instance}.${scene}`;
+
+/** What of `list` is a bookmark. A file of another program may hold anything. */
+export function checked(list) {
+    if (!Array.isArray(list)) return [];
+    const number = (value) => typeof value === "number" && Number.isFinite(value);
+    return list.filter((one) => one && typeof one.name === "string" && Array.isArray(one.view) && one.view.length === 10 && one.view.every(number))
+        .map(({ name, view, image }) => ({ name: name.slice(0, MOST_NAME), view,
+            image: typeof image === "string" && /^data:image\/(jpeg|png);base64,[\w+/=]+$/.test(image) ? image : "" })).slice(0, MOST);
+}
+
+export function load(instance, scene) {
+    try {
+        return checked(JSON.parse(forGood.get(key(instance, scene)) ?? "[]"));
+    } catch {
+        return [];
+    }
+}
+
+/** False: there is no room. */
+export const store = (instance, scene, list) => forGood.set(key(instance, scene), JSON.stringify(list));
+
+/** A view as a bookmark has it: eye, direction, up, field of view. */
+export const viewOf = ({ eye, forward, up, fov }) => [...eye, ...forward, ...up, fov];
+/** The keys of the request `camera` that goes there. */
+export const cameraOf = (view) => ({ eye: view.slice(0, 3), forward: view.slice(3, 6), up: view.slice(6, 9), ...(view[9] > 0 ? { fov: view[9] } : {}) });

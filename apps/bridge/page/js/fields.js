@@ -1,0 +1,129 @@
+/** Rows of fields for panels: a label, a control, a reset. A row shows what the server says, but not while it is edited. */
+import { button, freshId, make } from "./dom.js";
+import { t } from "./texts.js";
+
+/** @returns {Row} `element`, `show(value, enabled)` */
+function row(label, controls, { help, unit, reset } = {}) {
+    const id = freshId();
+    controls[0].id = id;
+    if (help) for (const control of controls) control.title = help;
+    const back = reset && button(reset.text, reset.run, "undo");
+    back?.classList.add("reset");
+    const said = make("label", { for: id, title: help }, label, ...(unit ? [make("span", { className: "unit" }, unit)] : []));
+    const field = make("div", { className: "field" }, ...controls);
+    const element = make("div", { className: reset ? "row" : "row wide" }, said, field, ...(back ? [back] : []));
+    return { element, back };
+}
+
+const isEdited = (control) => control === document.activeElement;
+
+export function toggle(label, onChange, how = {}) {
+    const box = make("input", { type: "checkbox", onchange: () => onChange(box.checked) });
+    const { element, back } = row(label, [box], how);
+    return { element, back, show: (on, enabled) => ((box.checked = on), (box.disabled = !enabled)) };
+}
+
+/** @param {[string, string][]} choices value and text */
+export function choice(label, choices, onChange, how = {}) {
+    const box = make("select", { onchange: () => onChange(box.value) }, ...choices.map(([value, text]) => make("option", { value }, text)));
+    const { element, back } = row(label, [box], how);
+    return { element, back, show: (value, enabled) => ((box.value = value), (box.disabled = !enabled)) };
+}
+
+export function text(label, onChange, how = {}) {
+    const box = make("input", { type: "text", maxLength: 40, onchange: () => onChange(box.value) });
+    const { element } = row(label, [box], how);
+    return { element, show: (value, enabled) => (isEdited(box) || (box.value = value), (box.disabled = !enabled)) };
+}
+
+const short = (value) => String(Number(Number(value).toPrecision(6)));
+
+/** A typed number counts when it is finished; one that the arrows change, at once. */
+function numberBox(onValue, { min, max, whole, label }) {
+    const box = make("input", { type: "number", step: whole ? "1" : "any", inputMode: "decimal", "aria-label": label });
+    if (min !== undefined) box.min = min;
+    if (max !== undefined) box.max = max;
+    box.onchange = () => {
+        if (box.value !== "" && box.checkValidity()) onValue(Number(box.value));
+        else box.value = box.dataset.shown;
+    };
+    const show = (value, enabled) => {
+        box.dataset.shown = short(value);
+        if (!isEdited(box)) box.value = box.dataset.shown;
+        box.disabled = !enabled;
+    };
+    return { box, show };
+}
+
+/** A number, with a slider where both ends are known. `onValue(value, goesOn)`: later values of one drag go on. */
+export function numeric(label, onValue, how = {}) {
+    const { min, max, whole, name = label } = how;
+    const { box, show } = numberBox((value) => onValue(value, false), { min, max, whole, label: how.slider === false ? undefined : name });
+    if (how.slider === false || min === undefined || max === undefined || max - min > 5000) {
+        box.removeAttribute("aria-label");
+        const { element, back } = row(label, [box], how);
+        return { element, back, show };
+    }
+    const slider = make("input", { type: "range", min, max, step: whole ? 1 : (max - min) / 500 });
+    let dragging = false;
+    slider.oninput = () => {
+        box.value = slider.value;
+        onValue(Number(slider.value), dragging);
+        dragging = true;
+    };
+    slider.onchange = () => (dragging = false);
+    const { element, back } = row(label, [slider, box], how);
+    return { element, back, show(value, enabled) {
+        show(value, enabled);
+        if (!dragging) slider.value = value;
+        slider.disabled = !enabled;
+    } };
+}
+
+/** Three numbers. */
+export function vector(label, onValue, how = {}) {
+    let now = [0, 0, 0];
+    const boxes = ["x", "y", "z"].map((axis, index) => numberBox((value) => {
+        now = now.map((old, at) => (at === index ? value : old));
+        onValue(now);
+    }, { ...how, label: label + " " + axis }));
+    const field = make("div", { className: "field" }, ...boxes.map(({ box }) => box));
+    const element = make("div", { className: "row wide", role: "group", "aria-label": label }, make("span", { className: "label" }, label), field);
+    return { element, show(value, enabled) {
+        now = value;
+        boxes.forEach(({ show }, index) => show(value[index], enabled));
+    } };
+}
+
+const encode = (linear) => (linear <= 0.0031308 ? 12.92 * linear : 1.055 * linear ** (1 / 2.4) - 0.055);
+const decode = (code) => (code <= 0.04045 ? code / 12.92 : ((code + 0.055) / 1.055) ** 2.4);
+/** A linear colour as a screen shows it, as bright as it can be where `scaled`. */
+export function screenColour(linear, scaled = false) {
+    const most = scaled ? Math.max(...linear, 1e-30) : 1;
+    return "#" + linear.map((part) => Math.round(255 * encode(Math.min(1, Math.max(0, part / most)))).toString(16).padStart(2, "0")).join("");
+}
+export const linearColour = (screen) => [1, 3, 5].map((at) => decode(parseInt(screen.slice(at, at + 2), 16) / 255));
+
+/** A linear colour. */
+export function colour(label, onValue, how = {}) {
+    let dragging = false;
+    const box = make("input", { type: "color" });
+    box.oninput = () => {
+        onValue(linearColour(box.value), dragging);
+        dragging = true;
+    };
+    box.onchange = () => (dragging = false);
+    const { element } = row(label, [box], how);
+    return { element, show(linear, enabled) {
+        if (!dragging) box.value = screenColour(linear, how.scaled);
+        box.disabled = !enabled;
+    } };
+}
+
+/** A folding group; `fill` is called when it is first open. */
+export function group(title, ...children) {
+    return make("details", {}, make("summary", {}, title), ...children);
+}
+
+/** A reset to a value that is told. */
+export const resetOf = (label, value, run) => ({ text: t("reset", label, value), run });

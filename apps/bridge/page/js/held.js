@@ -1,0 +1,89 @@
+/**
+ * The state of all input: which keys are held, whoever holds them (keyboard, thumb, gamepad), and how far the view is
+ * to turn. Sent as a whole, so that a lost message cannot leave a key down; repeated while anything is held.
+ */
+import { inputMessage, MOST_HELD } from "./wire.js";
+
+const LEAST_MS = 8, REPEAT_MS = 200;
+
+export class Held {
+    /** @param {(message: ArrayBuffer) => boolean} send false: it cannot be sent now */
+    constructor(send) {
+        this.send = send;
+        this.sources = new Map();
+        this.sequence = 0;
+        this.turned = { right: 0, up: 0 };
+        this.taps = [];
+        this.lastSent = -Infinity;
+        this.timer = 0;
+        this.sentAt = new Map(); // of the last inputs, for the delay that statistics show
+    }
+
+    /** The keys that `source` holds now. @param {string} source @param {Iterable<number>} keys */
+    hold(source, keys) {
+        this.sources.set(source, new Set(keys));
+        this.wake();
+    }
+
+    /** A key that goes down and up at once. */
+    tap(key) {
+        this.taps.push(key);
+        this.wake();
+    }
+
+    /** Degrees. */
+    turn(right, up) {
+        this.turned.right += right;
+        this.turned.up += up;
+        this.wake();
+    }
+
+    get keys() {
+        const all = new Set();
+        for (const keys of this.sources.values()) for (const key of keys) all.add(key);
+        return [...all].slice(0, MOST_HELD);
+    }
+
+    /** Everything is let go, and told at once. */
+    release() {
+        this.sources.clear();
+        this.turned = { right: 0, up: 0 };
+        this.taps = [];
+        clearTimeout(this.timer);
+        this.timer = 0;
+        this.flush();
+    }
+
+    wake() {
+        if (this.timer) return;
+        const wait = this.lastSent + LEAST_MS - performance.now();
+        if (wait <= 0) this.flush();
+        else this.timer = setTimeout(() => this.flush(), wait);
+    }
+
+    flush() {
+        clearTimeout(this.timer);
+        this.timer = 0;
+        const held = this.keys;
+        const right = Math.round(this.turned.right * 1000), up = Math.round(this.turned.up * 1000);
+        this.sequence = (this.sequence + 1) >>> 0;
+        this.lastSent = performance.now();
+        if (this.send(inputMessage(this.sequence, right, up, this.taps.splice(0), held))) this.remember();
+        this.turned.right -= right / 1000; // what is too little to be sent stays
+        this.turned.up -= up / 1000;
+        if (held.length) this.timer = setTimeout(() => this.flush(), REPEAT_MS);
+    }
+
+    remember() {
+        this.sentAt.set(this.sequence, this.lastSent);
+        if (this.sentAt.size > 256) this.sentAt.delete(this.sentAt.keys().next().value);
+    }
+
+    /** Milliseconds since that input was sent; null where it is not known (any more). */
+    since(sequence) {
+        const at = this.sentAt.get(sequence);
+        if (at === undefined) return null;
+        this.sentAt.delete(sequence);
+        return performance.now() - at;
+    }
+}

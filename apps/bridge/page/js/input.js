@@ -1,0 +1,192 @@
+/**
+ * Keyboard and mouse. Keys are the server's only while captured, by click or Enter; with the mouse locked where the browser
+ * allows it, else by dragging. Whatever ends the capture lets all keys go.
+ */
+import { keyCode, lockedPlaces, pageKeys } from "./key_table.js";
+import { preference } from "./storage.js";
+
+const DEGREES_PER_PIXEL = 0.12; // as in the window
+const TURN_RATE = 90;           // degrees per second, of Q and E
+const RETRY_MS = 1300;          // Chromium refuses the lock for a while after Esc
+const STRAY = 400;              // pixels: no hand moves so far between two events
+
+export class Input {
+    /**
+     * @param {HTMLCanvasElement} canvas
+     * @param {Held} held
+     * @param {Object} on `mayCapture()`, `captured(kind)` ("lock", "drag", "retry", ""), `wheel(steps)`, `pointed(x, y)`,
+     *     `focused(x, y)` with places in the window
+     */
+    constructor(canvas, held, on) {
+        this.canvas = canvas;
+        this.held = held;
+        this.on = on;
+        this.kind = "";
+        this.down = new Set(); // places of keys
+        this.turning = 0;
+        this.listen();
+    }
+
+    listen() {
+        const { canvas } = this;
+        addEventListener("keydown", (event) => this.onKey(event, true), true);
+        addEventListener("keyup", (event) => this.onKey(event, false), true);
+        canvas.addEventListener("pointerdown", (event) => this.onDown(event));
+        canvas.addEventListener("pointermove", (event) => this.onMove(event));
+        canvas.addEventListener("pointerup", () => (this.dragging = false));
+        canvas.addEventListener("wheel", (event) => this.onWheel(event), { passive: false });
+        canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+        canvas.addEventListener("blur", () => this.release());
+        addEventListener("blur", () => this.release());
+        addEventListener("pagehide", () => this.release());
+        document.addEventListener("visibilitychange", () => document.hidden && this.release());
+        document.addEventListener("pointerlockchange", () => this.onLockChange());
+        addEventListener("beforeunload", (event) => this.kind && event.preventDefault());
+    }
+
+    get captured() {
+        return this.kind !== "";
+    }
+
+    async capture() {
+        if (this.captured || !this.on.mayCapture()) return;
+        this.canvas.focus({ preventScroll: true });
+        this.set("drag");
+        await this.lock();
+    }
+
+    async lock(again = true) {
+        const ask = async (how) => this.canvas.requestPointerLock(how);
+        try {
+            await ask({ unadjustedMovement: true }).catch((error) => {
+                if (error.name !== "NotSupportedError") throw error;
+                return ask();
+            });
+        } catch {
+            // The keyboard is captured in any case, and dragging looks around.
+            if (again && this.captured && "requestPointerLock" in this.canvas) {
+                this.retry = setTimeout(() => this.captured && this.kind === "drag" && this.lock(false), RETRY_MS);
+            }
+        }
+    }
+
+    onLockChange() {
+        if (document.pointerLockElement === this.canvas) {
+            if (this.captured) this.set("lock");
+            else document.exitPointerLock();
+        } else if (this.kind === "lock") this.release();
+    }
+
+    set(kind) {
+        this.kind = kind;
+        this.on.captured(kind);
+    }
+
+    /** Lets keyboard, mouse and all keys go. */
+    release() {
+        clearTimeout(this.retry);
+        this.down.clear();
+        this.stopTurning();
+        this.dragging = false;
+        const was = this.captured;
+        this.kind = "";
+        if (document.pointerLockElement === this.canvas) document.exitPointerLock();
+        if (!was) return;
+        this.held.release();
+        this.on.captured("");
+    }
+
+    onKey(event, isDown) {
+        const place = event.code;
+        if (!isDown && this.down.delete(place)) return void this.tell();
+        if (!isDown || event.target !== this.canvas) return;
+        if (!this.captured) {
+            if (place !== "Enter" || event.ctrlKey || event.metaKey || event.altKey) return;
+            event.preventDefault();
+            return void this.capture();
+        }
+        if (place === "Escape") {
+            event.preventDefault();
+            return this.release();
+        }
+        const full = document.fullscreenElement !== null;
+        const known = keyCode(place, full) !== 0 || place in pageKeys;
+        // A keydown can come after the blur that should have let it go.
+        if (!known || event.metaKey || event.altKey || (event.ctrlKey && !full) || !document.hasFocus()) return;
+        event.preventDefault();
+        if (event.repeat || this.down.has(place)) return;
+        this.down.add(place);
+        this.tell();
+    }
+
+    tell() {
+        const full = document.fullscreenElement !== null;
+        this.held.hold("keys", [...this.down].map((place) => keyCode(place, full)).filter((code) => code !== 0));
+        const turn = (this.down.has("KeyE") ? 1 : 0) - (this.down.has("KeyQ") ? 1 : 0);
+        if (turn === 0) this.stopTurning();
+        else this.startTurning(turn);
+    }
+
+    startTurning(direction) {
+        this.direction = direction;
+        if (this.turning) return;
+        let last = performance.now();
+        this.turning = setInterval(() => {
+            const now = performance.now();
+            this.held.turn(this.direction * TURN_RATE * Math.min(0.1, (now - last) / 1000), 0);
+            last = now;
+        }, 16);
+    }
+
+    stopTurning() {
+        clearInterval(this.turning);
+        this.turning = 0;
+    }
+
+    onDown(event) {
+        if (event.pointerType === "touch" || event.button !== 0) return;
+        const now = performance.now(), first = this.first;
+        this.first = { at: now, x: event.clientX, y: event.clientY };
+        if (event.ctrlKey) return this.on.focused(event.clientX, event.clientY);
+        if (this.captured) {
+            this.dragging = true;
+            if (this.kind === "drag") this.canvas.setPointerCapture(event.pointerId);
+            // The second click of a pair, the first of which captured.
+            if (this.byClick && first && now - first.at < 400 && !this.moved) {
+                this.release();
+                this.on.pointed(first.x, first.y);
+            }
+            return;
+        }
+        this.byClick = true;
+        this.moved = false;
+        this.dragging = true;
+        this.capture();
+    }
+
+    onMove(event) {
+        if (event.pointerType === "touch" || !this.captured) return;
+        if (this.kind === "drag" && !(this.dragging && event.buttons & 1)) return;
+        const { movementX: x, movementY: y } = event;
+        if (Math.abs(x) > STRAY || Math.abs(y) > STRAY) return; // jumps that some browsers make when they lock
+        if (Math.abs(x) + Math.abs(y) > 1) this.moved = true;
+        const scale = DEGREES_PER_PIXEL * Number(preference("mouse", "1"));
+        const up = preference("invert", "false") === "true" ? 1 : -1;
+        this.held.turn(x * scale, up * y * scale);
+    }
+
+    onWheel(event) {
+        if (event.ctrlKey) return; // the page's size
+        event.preventDefault();
+        if (event.deltaY !== 0) this.on.wheel(event.deltaY < 0 ? 1 : -1);
+    }
+}
+
+/** Full screen; there the page may have Control and the keys that would close its tab. */
+export async function toggleFullScreen() {
+    if (document.fullscreenElement) return void document.exitFullscreen();
+    try {
+        await document.documentElement.requestFullscreen({ navigationUI: "hide" });
+        await navigator.keyboard?.lock?.(lockedPlaces);
+    } catch { /* iPhones have no full screen, plain http no lock of keys */ }
+}

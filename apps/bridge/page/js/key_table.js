@@ -1,0 +1,34 @@
+/**
+ * Keys by their place on the keyboard (`KeyboardEvent.code`), as the numbers that servers know
+ * (libs/rtcore/motion/key_codes.h): ASCII of the unshifted key on an American keyboard, letters as capitals.
+ */
+
+const named = {
+    Enter: 13, NumpadEnter: 13, Space: 32, ArrowLeft: 128, ArrowRight: 129, ArrowUp: 130, ArrowDown: 131,
+    ShiftLeft: 132, ShiftRight: 132, PageUp: 136, PageDown: 137, Home: 138, End: 139, Insert: 140, Delete: 141,
+    Backspace: 142, Minus: 45, Equal: 61, BracketLeft: 91, BracketRight: 93, Backslash: 92, Semicolon: 59, Quote: 39,
+    Comma: 44, Period: 46, Slash: 47, Backquote: 96,
+};
+
+export const CRAWL = 133; // Control on the server
+
+/** Keys of this page, which no server sees as such: X crawls (Ctrl+W would close the tab), Q and E turn. */
+export const pageKeys = { KeyX: "crawl", KeyQ: "left", KeyE: "right" };
+
+/**
+ * @param {string} place as in KeyboardEvent.code
+ * @param {boolean} full whether the page has the full screen, where Control is its own
+ * @returns {number} 0: no key of the server
+ */
+export function keyCode(place, full) {
+    if (place === "KeyX") return CRAWL;
+    if (place in pageKeys) return 0;
+    if (/^Key[A-Z]$/.test(place)) return place.charCodeAt(3);
+    if (/^Digit[0-9]$/.test(place)) return place.charCodeAt(5);
+    if (/^Numpad[0-9]$/.test(place)) return place.charCodeAt(6);
+    if (full && /^Control(Left|Right)$/.test(place)) return CRAWL;
+    return named[place] ?? 0;
+}
+
+/** The places that a captured page asks the browser for in full screen. */
+export const lockedPlaces = ["KeyW", "KeyA", "KeyS", "KeyD", "KeyF", "KeyN", "KeyT", "ControlLeft", "ControlRight", "Space"];

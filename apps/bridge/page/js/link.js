@@ -1,0 +1,131 @@
+/**
+ * The connection to the bridge: identifies, comes back by itself after a loss, and knows which requests are under way.
+ */
+const FIRST_WAIT = 250, MOST_WAIT = 5000, REQUEST_MS = 30000;
+/** Close codes after which another try would end the same way. */
+const FINAL = new Set([4002, 4003, 4004, 4010]);
+
+export class Link extends EventTarget {
+    /** @param {() => Object} hello what the first message says, without `do` and `v` */
+    constructor(hello) {
+        super();
+        this.hello = hello;
+        this.wait = FIRST_WAIT;
+        this.open = new Map(); // requests under way
+        this.queue = [];
+        this.lastId = 0;
+        this.limit = 4;
+        this.greeted = false;
+        this.ended = false;
+        addEventListener("online", () => this.hurry());
+        document.addEventListener("visibilitychange", () => document.visibilityState === "visible" && this.hurry());
+    }
+
+    connect() {
+        clearTimeout(this.timer);
+        this.timer = 0;
+        this.ended = false;
+        const address = new URL("ws", location.href.replace(/[?#].*$/, ""));
+        address.protocol = address.protocol === "https:" ? "wss:" : "ws:";
+        const socket = new WebSocket(address, "rtbridge.1");
+        socket.binaryType = "arraybuffer";
+        this.socket = socket;
+        socket.onopen = () => socket.send(JSON.stringify({ do: "hello", v: 1, ...this.hello() }));
+        socket.onmessage = ({ data }) => socket === this.socket && this.onMessage(data);
+        socket.onclose = ({ code, reason }) => socket === this.socket && this.onClose(code, reason);
+    }
+
+    /** Another token, instance or a press of the user: at once. */
+    again() {
+        const old = this.socket;
+        this.socket = null;
+        this.drop();
+        old?.close(1000);
+        this.wait = FIRST_WAIT;
+        this.connect();
+    }
+
+    hurry() {
+        if (!this.timer) return;
+        this.wait = FIRST_WAIT;
+        this.connect();
+    }
+
+    onMessage(data) {
+        if (typeof data !== "string") return this.tell("binary", data);
+        const said = JSON.parse(data);
+        if (said.event === "answer") return this.onAnswer(said);
+        if (said.event === "welcome") {
+            this.greeted = true;
+            this.wait = FIRST_WAIT;
+            this.limit = said.limits?.requests ?? 4;
+        }
+        this.tell(said.event, said);
+    }
+
+    tell(type, detail) {
+        this.dispatchEvent(new CustomEvent(type, { detail }));
+    }
+
+    onClose(code, reason) {
+        const greeted = this.greeted;
+        this.socket = null;
+        this.drop();
+        this.ended = FINAL.has(code);
+        if (!this.ended) {
+            // Many pages that lose one bridge shall not come back in one moment.
+            const wait = Math.max(code === 4008 ? 1000 : 0, this.wait * (0.5 + Math.random() / 2));
+            this.timer = setTimeout(() => this.connect(), wait);
+            this.wait = Math.min(MOST_WAIT, this.wait * 2);
+        }
+        this.tell("lost", { code, reason, greeted, final: this.ended });
+    }
+
+    drop() {
+        this.greeted = false;
+        for (const { resolve, timer } of this.open.values()) {
+            clearTimeout(timer);
+            resolve({ ok: false, lost: true, text: "" });
+        }
+        for (const { resolve } of this.queue.splice(0)) resolve({ ok: false, lost: true, text: "" });
+        this.open.clear();
+    }
+
+    /** Binary. False: there is no connection now. */
+    send(message) {
+        if (!this.greeted || this.socket?.readyState !== WebSocket.OPEN) return false;
+        this.socket.send(message);
+        return true;
+    }
+
+    /**
+     * Asks for something; more than the bridge takes at once waits here.
+     * @returns {Promise<{ok: boolean, text: string, lost?: boolean}>} never rejects
+     */
+    request(what, keys = {}) {
+        return new Promise((resolve) => {
+            if (!this.greeted) return resolve({ ok: false, lost: true, text: "" });
+            this.queue.push({ what, keys, resolve });
+            this.pump();
+        });
+    }
+
+    pump() {
+        while (this.queue.length && this.open.size < this.limit) {
+            const { what, keys, resolve } = this.queue.shift();
+            const id = (this.lastId = (this.lastId + 1) >>> 0);
+            const timer = setTimeout(() => this.onAnswer({ id, ok: false, lost: true, text: "" }), REQUEST_MS);
+            this.open.set(id, { resolve, timer });
+            this.socket.send(JSON.stringify({ id, do: what, ...keys }));
+        }
+    }
+
+    onAnswer(answer) {
+        const waiting = this.open.get(answer.id);
+        if (!waiting) return;
+        clearTimeout(waiting.timer);
+        this.open.delete(answer.id);
+        waiting.resolve(answer);
+        this.pump();
+    }
+}

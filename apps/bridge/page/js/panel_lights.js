@@ -1,0 +1,130 @@
+/** Lights: a switch for each, and the fields of the chosen one, as its kind has them. */
+import { button, make } from "./dom.js";
+import { choice, colour, numeric, toggle, vector } from "./fields.js";
+import { of, t } from "./texts.js";
+
+const kinds = () => [
+    ["point", of("LightFields", "Point")], ["directional", of("LightFields", "Directional")], ["spot", of("LightFields", "Spot")],
+    ["sphere", of("LightFields", "Sphere")], ["rectangle", of("LightFields", "Rectangle")],
+];
+const hasPlace = (kind) => kind !== "directional";
+const hasDirection = (kind) => kind === "directional" || kind === "spot" || kind === "rectangle";
+
+export const lightName = (light) => light.name || of("LightFields", "Light %1").replace("%1", light.id);
+
+export function lightsPanel(app) {
+    let chosen = 0, list, fields, rows = [], empty, addKind, plus;
+
+    const light = () => app.state.lights?.find(({ id }) => id === chosen);
+    const edit = (what, keys, goesOn) => app.edit(what + " " + chosen, what, { light: chosen, ...keys }, goesOn);
+
+    /** A row of fields: when it is shown, and what it shows of a light. */
+    const add = (made, when, show) => {
+        fields.append(made.element);
+        rows.push({ element: made.element, when, show: (one, enabled) => made.show(show(one), enabled) });
+    };
+    const buttons = (when, ...all) => {
+        const element = make("div", { className: "actions" }, ...all);
+        fields.append(element);
+        rows.push({ element, when, show: (_, enabled) => all.forEach((each) => (each.disabled = !enabled)) });
+    };
+    const tipped = (text, help, run) => {
+        const made = button(text, run);
+        made.title = help;
+        return made;
+    };
+
+    function addFields() {
+        const always = () => true;
+        add(choice(of("LightFields", "Kind"), kinds(), (kind) => edit("lightKind", { kind })), always, ({ kind }) => kind);
+        add(numeric(of("LightFields", "Power"), (watts) => edit("lightPower", { watts }), { min: 0, slider: false, unit: "W" }), always, ({ power }) => power);
+        add(colour(of("LightFields", "Colour"), (value, goesOn) => edit("lightColour", { colour: value }, goesOn),
+            { scaled: true, help: of("LightFields", "Choose a colour; the power stays") }), ({ temperature }) => !temperature, (one) => one.colour);
+        add(toggle(of("LightFields", "Colour by temperature"), (on) => edit("lightTemperature", { kelvin: on ? 4000 : null })), always,
+            ({ temperature }) => temperature > 0);
+        add(numeric(of("LightFields", "Temperature"), (kelvin, goesOn) => edit("lightTemperature", { kelvin }, goesOn),
+            { min: 1667, max: 6500, whole: true, unit: "K", help: of("LightFields", "Of a black body: candle 1900 K, bulb 2700 K, sun 5800 K") }),
+        ({ temperature }) => temperature > 0, ({ temperature }) => temperature);
+        addPlaces();
+        addShape();
+    }
+
+    function addPlaces() {
+        add(vector(of("LightFields", "Position"), (to) => edit("lightMove", { to })), ({ kind }) => hasPlace(kind), ({ position }) => position);
+        buttons(({ kind }) => hasPlace(kind),
+            tipped(of("LightFields", "Here"), of("LightFields", "Put the light at the camera"), () => edit("lightMove", { to: "here" })),
+            tipped(of("LightFields", "Where I look"), of("LightFields", "Put it before the surface in the middle of the image"),
+                () => edit("lightMove", { to: "seen" })));
+        add(vector(of("LightFields", "Direction"), (along) => along.some((part) => part !== 0) && edit("lightAim", { along })),
+            ({ kind }) => hasDirection(kind), ({ direction }) => direction);
+        buttons(({ kind }) => hasDirection(kind),
+            tipped(of("LightFields", "Ahead"), of("LightFields", "Let it shine as the camera looks"), () => edit("lightAim", { to: "ahead" })),
+            tipped(of("LightFields", "To where I look"), of("LightFields", "Let it shine to what is in the middle of the image"),
+                () => edit("lightAim", { to: "seen" })));
+    }
+
+    function addShape() {
+        const sizes = { min: 0, slider: false }, rectangle = ({ kind }) => kind === "rectangle", spot = ({ kind }) => kind === "spot";
+        add(numeric(of("LightFields", "Size"), (radius) => edit("lightSize", { radius }), sizes), ({ kind }) => kind === "sphere", ({ radius }) => radius);
+        add(numeric(of("Settings", "Width"), (width) => edit("lightSize", { width, height: light().height }), sizes), rectangle, ({ width }) => width);
+        add(numeric(of("LightFields", "Height"), (height) => edit("lightSize", { width: light().width, height }), sizes), rectangle, ({ height }) => height);
+        add(numeric(of("LightFields", "Angle of full brightness"),
+            (inner, goesOn) => edit("lightAngles", { inner, outer: Math.max(inner, light().outer) }, goesOn), { min: 0, max: 180, unit: "°" }), spot, ({ inner }) => inner);
+        add(numeric(of("LightFields", "Angle where it ends"),
+            (outer, goesOn) => edit("lightAngles", { inner: Math.min(light().inner, outer), outer }, goesOn), { min: 0, max: 180, unit: "°" }), spot, ({ outer }) => outer);
+    }
+
+    const item = (one) => {
+        const name = lightName(one);
+        const box = make("input", { type: "checkbox", checked: one.on, disabled: !app.mayEdit(), "aria-label": name,
+            onchange: () => app.ask("light", { light: one.id, on: box.checked }) });
+        const choose = make("button", { type: "button", className: "name", "aria-current": String(one.id === chosen),
+            onclick: () => {
+                chosen = one.id === chosen ? 0 : one.id;
+                panel.show();
+                list.querySelector("[aria-current=true]")?.focus();
+            } }, name);
+        return make("li", {}, box, choose, ...(one.kind ? [make("span", { className: "dim" }, kinds().find(([kind]) => kind === one.kind)?.[1] ?? "")] : []));
+    };
+
+    let last = "";
+    const panel = {
+        id: "lights",
+        fill(place) {
+            rows = [];
+            last = "";
+            list = make("ul", { className: "list" });
+            empty = make("p", {}, t("lightsNone"));
+            fields = make("div", { role: "group", "aria-label": t("lights") });
+            addKind = make("select", { "aria-label": of("LightFields", "Kind of the light") }, ...kinds().map(([value, text]) => make("option", { value }, text)));
+            plus = tipped(of("LightsPanel", "Add"), of("LightsPanel", "Add a light where you look"), async () => {
+                const { ok, light: id } = await app.ask("lightAdd", { kind: addKind.value });
+                if (ok) chosen = id ?? 0;
+                panel.show();
+            });
+            const copy = tipped(of("LightsPanel", "Copy"), of("LightsPanel", "Add a light like the selected one, in its place"), () => app.ask("lightCopy", { light: chosen }));
+            const remove = tipped(of("LightsPanel", "Remove"), of("LightsPanel", "Remove the selected light"), () => app.ask("lightRemove", { light: chosen }));
+            place.append(list, empty, make("div", { className: "actions" }, addKind, plus), make("div", { className: "actions" }, copy, remove), fields);
+            addFields();
+            rows.push({ element: copy.parentElement, when: () => true, show: (_, enabled) => ((copy.disabled = !enabled), (remove.disabled = !enabled)) });
+        },
+        show() {
+            const lights = app.state.lights ?? [], one = light(), may = app.mayEdit();
+            const now = JSON.stringify([lights.map(({ id, on, name, kind }) => [id, on, name, kind]), chosen, may]);
+            if (now !== last) {
+                const focused = [...list.querySelectorAll("input, button")].indexOf(document.activeElement);
+                list.replaceChildren(...lights.map(item));
+                if (focused >= 0) list.querySelectorAll("input, button")[focused]?.focus();
+            }
+            last = now;
+            empty.hidden = lights.length > 0;
+            fields.hidden = !one?.kind;
+            for (const each of [plus, addKind]) each.disabled = !may;
+            for (const { element, when, show } of rows) {
+                element.hidden = !one?.kind || !when(one);
+                if (!element.hidden) show(one, may);
+            }
+        },
+    };
+    return panel;
+}

@@ -1,0 +1,101 @@
+/** Settings, made from the table that the bridge sends: groups, fields by type, a reset for each value. */
+import { button, make, freshId } from "./dom.js";
+import { choice, group, numeric, resetOf, toggle } from "./fields.js";
+import { settingGroup, settingHelp, settingLabel, settingUnit, settingValue } from "./setting_labels.js";
+import { forThisTab } from "./storage.js";
+import { t } from "./texts.js";
+
+export function settingsPanel(app) {
+    let rows = [], groups = new Map(), size = null;
+
+    const set = (row) => (value, goesOn = false) => app.edit("set " + row.name, "set", { name: row.name, value }, goesOn);
+
+    function field(row, onChange) {
+        const label = settingLabel(row.name), grouped = row.name.includes(".");
+        const name = grouped ? t("group", settingGroup(row.group), label) : label;
+        let help = settingHelp(row.help);
+        help = help.charAt(0).toUpperCase() + help.slice(1) + (row.locked ? ". " + t("locked") : "");
+        const reset = resetOf(name, settingValue(row, row.default), () => onChange(row.default));
+        const how = { help, reset, name, unit: row.zero ? "0: " + settingLabel(row.zero) : settingUnit(row.unit) };
+        if (row.type === "boolean") return toggle(label, onChange, { help, reset });
+        if (row.type === "choice") return choice(label, row.choices.map((one) => [one, settingLabel(one)]), onChange, { help, reset });
+        return numeric(label, onChange, { ...how, min: row.min, max: row.max, whole: row.type === "integer" });
+    }
+
+    function folded(name, title) {
+        const place = group(title), dot = make("span", { className: "changed", hidden: true, role: "img", "aria-label": t("changed") });
+        place.firstChild.append(dot);
+        place.open = forThisTab.get("rt.open." + name) === "true";
+        place.addEventListener("toggle", () => forThisTab.set("rt.open." + name, String(place.open)));
+        return { place, dot };
+    }
+
+    /** What is looked for opens the groups that hold it. */
+    function find(words) {
+        const wanted = words.trim().toLowerCase();
+        for (const { place } of groups.values()) place.hidden = wanted !== "";
+        for (const { row, made } of rows) {
+            const said = [row.name, settingLabel(row.name), settingGroup(row.group), settingHelp(row.help)].join(" ").toLowerCase();
+            made.element.hidden = wanted !== "" && !said.includes(wanted);
+            if (wanted === "" || made.element.hidden) continue;
+            const { place } = groups.get(row.group);
+            place.hidden = false;
+            place.open = true;
+        }
+    }
+
+    /** The pixels of this screen's part for the frame, or as many as the bridge allows. */
+    function fitted() {
+        const { w, h } = app.pixels(), scale = Math.min(1, Math.sqrt((app.welcome.limits.maxPixels ?? w * h) / (w * h)));
+        return { width: Math.max(1, Math.floor(w * scale)), height: Math.max(1, Math.floor(h * scale)) };
+    }
+
+    function addSize(place) {
+        const width = make("input", { type: "number", min: 1, max: 32767, id: freshId(), "aria-label": settingLabel("width") });
+        const height = make("input", { type: "number", min: 1, max: 32767, "aria-label": settingLabel("height") });
+        const apply = button(t("apply"), () => {
+            if (width.checkValidity() && height.checkValidity())
+                app.ask("resolution", { width: Number(width.value), height: Number(height.value) });
+        });
+        const fit = button(t("fit"), () => app.ask("resolution", fitted()));
+        place.append(make("div", { className: "actions", role: "group", "aria-label": t("size") }, make("label", { for: width.id }, t("size")),
+            width, "×", height, apply, fit));
+        size = { width, height, apply, fit };
+    }
+
+    return {
+        id: "settings",
+        fill(place) {
+            rows = [];
+            groups = new Map();
+            place.append(make("input", { type: "search", placeholder: t("find"), "aria-label": t("find"), oninput: (event) => find(event.target.value) }));
+            addSize(place);
+            for (const row of app.welcome?.settings ?? []) {
+                if (!groups.has(row.group)) {
+                    groups.set(row.group, folded(row.group, settingGroup(row.group)));
+                    place.append(groups.get(row.group).place);
+                }
+                const made = field(row, set(row));
+                groups.get(row.group).place.append(made.element);
+                rows.push({ row, made });
+            }
+            place.append(make("div", { className: "actions" }, button(t("defaults"), () => app.ask("defaults"))));
+        },
+        show() {
+            const values = app.state.values ?? {}, changed = new Set(), may = app.mayEdit();
+            for (const { row, made } of rows) {
+                const value = values[row.name] ?? row.default, enabled = may && !row.locked;
+                if (value !== row.default) changed.add(row.group);
+                if (!app.edits.isBusy("set " + row.name)) made.show(value, enabled);
+                made.back.disabled = !enabled;
+                made.back.hidden = value === row.default;
+            }
+            for (const [name, { dot }] of groups) dot.hidden = !changed.has(name);
+            for (const side of ["width", "height"]) {
+                if (size[side] !== document.activeElement) size[side].value = values[side] ?? "";
+                size[side].disabled = !may;
+            }
+            size.apply.disabled = size.fit.disabled = !may;
+        },
+    };
+}

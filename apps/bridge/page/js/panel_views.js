@@ -1,0 +1,105 @@
+/** Views: walk or fly, field of view, bookmarks of the scene and of this browser, a link to what is seen. */
+import { cameraOf, checked, load, store, viewOf } from "./bookmarks.js";
+import { button, make } from "./dom.js";
+import { choice, numeric } from "./fields.js";
+import { viewText } from "./fragment.js";
+import { t } from "./texts.js";
+
+/** Offers bytes as a file. */
+export function download(name, blob) {
+    const link = make("a", { href: URL.createObjectURL(blob), download: name });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
+export function viewsPanel(app) {
+    let motion, angle, own, here, name, last = "";
+
+    const instance = () => app.welcome?.instance ?? "", scene = () => app.state.scene ?? "";
+    const stored = () => load(instance(), scene());
+    const keep = (list) => {
+        if (!store(instance(), scene(), list)) app.notices.show("bookmarks", t("bookmarkFull"), { warn: true });
+        last = "";
+        panel.show();
+    };
+
+    async function copyLink() {
+        const { eye, forward, fov } = app.status;
+        const address = location.href.replace(/#.*/, "") + "#" + viewText([...eye, ...forward, ...(fov > 0 ? [fov] : [])]);
+        try {
+            await navigator.clipboard.writeText(address);
+            app.notices.show("link", t("copied"));
+        } catch {
+            app.notices.show("link", t("copyByHand") + " " + address, { lasting: true, actions: [[t("close"), () => {}]] });
+        }
+    }
+
+    function add() {
+        const list = stored();
+        list.push({ name: name.value.trim() || t("bookmarkNew", list.length + 1), view: viewOf(app.status), image: app.picture.thumbnail(160, 90) });
+        name.value = "";
+        keep(list);
+    }
+
+    async function importFile(event) {
+        const [file] = event.target.files;
+        event.target.value = "";
+        if (!file) return;
+        let read = [];
+        try {
+            read = checked(JSON.parse(await file.text()).bookmarks);
+        } catch { /* told below */ }
+        if (read.length === 0) return app.notices.show("bookmarks", t("importBad"), { warn: true });
+        keep([...stored(), ...read]);
+        app.notices.show("bookmarks", t("importGood", read.length));
+    }
+
+    function exportFile() {
+        const text = JSON.stringify({ scene: scene(), bookmarks: stored() }, null, 1);
+        download((scene().replace(/\.\w+$/, "") || "scene") + "-bookmarks.json", new Blob([text], { type: "application/json" }));
+    }
+
+    const item = (one, index, list) => make("li", {}, ...(one.image ? [make("img", { src: one.image, alt: "" })] : []),
+        make("button", { type: "button", className: "name", title: t("bookmarkGo", one.name), disabled: !app.drives(),
+            onclick: () => app.ask("camera", cameraOf(one.view)) }, one.name),
+        button(t("bookmarkRemove", one.name), () => keep(list.filter((_, at) => at !== index)), "close"));
+    const ownItem = (text, index) => make("li", {}, make("button", { type: "button", className: "name", title: t("bookmarkGo", text), disabled: !app.drives(),
+        onclick: () => app.ask("bookmark", { number: index + 1 }) }, text));
+
+    function addMotion(place) {
+        motion = choice(t("motion"), [["walk", t("walk")], ["fly", t("fly")]], (what) => app.ask(what));
+        angle = numeric(t("fieldOfView"), (degrees, goesOn) => app.edit("angle", "angle", { degrees }, goesOn), { min: 10, max: 150, unit: "°" });
+        place.append(motion.element, angle.element, make("div", { className: "actions" }, button(t("copyLink"), copyLink),
+            button(t("resetView"), () => app.ask("reset"))));
+    }
+
+    const panel = {
+        id: "views",
+        fill(place) {
+            last = "";
+            addMotion(place);
+            own = make("ul", { className: "list" });
+            here = make("ul", { className: "list" });
+            name = make("input", { type: "text", maxLength: 40, placeholder: t("bookmarkName"), "aria-label": t("bookmarkName"),
+                onkeydown: (event) => event.key === "Enter" && add() });
+            const file = make("input", { type: "file", accept: "application/json,.json", onchange: importFile, "aria-label": t("importAll") });
+            place.append(make("h3", {}, t("bookmarksHere")), here, make("div", { className: "row wide" }, name, make("div", { className: "field" }, button(t("bookmarkAdd"), add))),
+                make("div", { className: "actions" }, button(t("exportAll"), exportFile), make("label", { className: "file" }, t("importAll"), file)),
+                make("h3", {}, t("bookmarksOwn")), own);
+        },
+        show() {
+            const { mode, fov } = app.status, drives = app.drives();
+            motion.show(mode === "fly" ? "fly" : "walk", drives);
+            angle.element.hidden = !fov;
+            if (fov && !app.edits.isBusy("angle")) angle.show(fov, drives);
+            const list = stored(), scenes = app.state.bookmarks ?? [];
+            const now = JSON.stringify([list, scenes, drives]);
+            if (now === last) return;
+            last = now;
+            here.replaceChildren(...(list.length ? list.map(item) : [make("li", {}, make("span", { className: "dim" }, t("bookmarksNone")))]));
+            own.replaceChildren(...scenes.map(ownItem));
+            own.previousElementSibling.hidden = scenes.length === 0;
+        },
+    };
+    return panel;
+}

@@ -1,0 +1,32 @@
+/** The language of the page: its own texts (texts_en, texts_cs), and those that it shares with the window (tables_cs). */
+import english from "./texts_en.js";
+import { preference, setPreference } from "./storage.js";
+
+export const languages = [["", "auto"], ["en", "English"], ["cs", "Čeština"]];
+
+const chosen = preference("language", "");
+export const language = (chosen || navigator.language || "en").startsWith("cs") ? "cs" : "en";
+const own = language === "cs" ? (await import("./texts_cs.js")).default : english;
+const shared = language === "cs" ? (await import("./tables_cs.js")).default : {};
+document.documentElement.lang = language;
+
+export function chooseLanguage(name) {
+    setPreference("language", name);
+    location.reload();
+}
+
+/** A text of the page, `{0}`, `{1}` replaced. @param {keyof typeof english} key */
+export function t(key, ...values) {
+    return own[key].replace(/\{(\d)\}/g, (_, index) => values[index]);
+}
+
+/** An English text of the window, in the page's language; as it is where there is no translation. */
+export const of = (context, text) => shared[context]?.[text] ?? text;
+
+const formats = new Map();
+/** A number for people, with so many digits after the point. */
+export function number(value, digits = 0) {
+    if (!formats.has(digits))
+        formats.set(digits, new Intl.NumberFormat(language, { minimumFractionDigits: digits, maximumFractionDigits: digits }));
+    return formats.get(digits).format(value);
+}

@@ -1,0 +1,305 @@
+#include "bridge/stream/frame_source.h"
+
+#include "bridge/stream/motion_encoder.h"
+#include "bridge/stream/rest.h"
+#include "bridge/stream/still_encoder.h"
+
+#include "common/process/background.h"
+#include "common/process/seconds_since.h"
+
+#include "ipc/endpoint/client.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <ctime>
+#include <mutex>
+#include <optional>
+#include <random>
+#include <thread>
+
+namespace bridge {
+
+namespace {
+
+using namespace std::chrono_literals;
+using FrameClock = std::chrono::steady_clock;
+using HeldFrame = std::shared_ptr<const ipc::Frame>;
+
+constexpr auto kBetweenFrames = 1000000us / 60;
+constexpr auto kSlice = 10ms;  ///< longest wait for a frame: demands change meanwhile
+constexpr auto kRetry = 200ms; ///< to find a server
+constexpr std::uint32_t kMostSide = 16384;
+
+double threadSeconds() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+Pixels pixelsOf(const ipc::Frame& frame) {
+    return {frame.pixels, static_cast<int>(frame.info.width), static_cast<int>(frame.info.height)};
+}
+
+bool isUsable(const ipc::Frame& frame) {
+    const ipc::FrameInfo& info = frame.info;
+    return info.width > 0 && info.height > 0 && info.width <= kMostSide && info.height <= kMostSide &&
+           frame.pixels.size() >= std::size_t(4) * info.width * info.height;
+}
+
+} // namespace
+
+struct FrameSource::State {
+    State(std::string name, std::function<void(FrameSet)> take)
+        : instance(std::move(name)), deliver(std::move(take)), streams(std::random_device{}()),
+          frames([this] { runFrames(); }), stills([this] { runStills(); }) {}
+    ~State() {
+        {
+            const std::lock_guard lock(mutex);
+            stopping = true;
+        }
+        wake.notify_all();
+        wakeStills.notify_all();
+        frames.join();
+        stills.join();
+    }
+
+    void runFrames();
+    void lookAtServer();
+    bool findServer();
+    void takeFrame(std::shared_ptr<ipc::Frame> frame);
+    FrameFacts factsOf(const ipc::Frame& frame, const ipc::Status& status);
+    void encodeWanted(const FrameDemand& wanted);
+    void considerRest(const FrameDemand& wanted);
+    void runStills();
+    void publish();
+
+    const std::string instance;
+    const std::function<void(FrameSet)> deliver;
+
+    mutable std::mutex mutex;
+    std::condition_variable wake, wakeStills;
+    bool stopping = false;
+    FrameDemand demand;
+    FrameFigures counted;
+    FrameSet set; ///< of the newest frame
+    struct StillTask {
+        HeldFrame frame;
+        FrameFacts facts;
+        bool fine = false;
+    };
+    std::optional<StillTask> still;
+
+    // Of the frames' thread alone.
+    std::optional<ipc::Client> client;
+    FrameClock::time_point lastSearch, lastEncoded;
+    std::shared_ptr<ipc::Frame> spare;
+    HeldFrame current;
+    FrameFacts facts;
+    std::uint64_t epoch = 0;
+    std::uint32_t streams;
+    RestWatch rest;
+    MotionEncoder encoder;
+
+    std::thread frames, stills; // last: they use all of the above
+};
+
+void FrameSource::State::runFrames() {
+    for (;;) {
+        {
+            std::unique_lock lock(mutex);
+            counted.cpuSeconds = threadSeconds();
+            if (!stopping && !demand.anyone && client) {
+                lock.unlock();
+                client.reset(); // leaves its slot to others
+                lock.lock();
+            }
+            wake.wait(lock, [&] { return stopping || demand.anyone; });
+            if (stopping) break;
+        }
+        try {
+            lookAtServer();
+        } catch (const std::exception&) { // CommandLink tells why
+            client.reset();
+            std::this_thread::sleep_for(kRetry);
+        }
+    }
+    client.reset();
+}
+
+bool FrameSource::State::findServer() {
+    if (client) return true;
+    const auto now = FrameClock::now();
+    if (now - lastSearch >= kRetry) {
+        lastSearch = now;
+        try {
+            client.emplace(instance, 0ns);
+            return true;
+        } catch (const ipc::Error&) { // none yet
+        }
+    }
+    std::unique_lock lock(mutex);
+    wake.wait_for(lock, 50ms, [&] { return stopping; });
+    return false;
+}
+
+void FrameSource::State::lookAtServer() {
+    if (!findServer()) return;
+    FrameDemand wanted;
+    {
+        const std::lock_guard lock(mutex);
+        wanted = demand;
+    }
+    const auto waits = FrameClock::now() - lastEncoded;
+    const bool pending = wanted.above != FrameDemand().above;
+    if (pending && waits < kBetweenFrames) std::this_thread::sleep_for(kBetweenFrames - waits);
+    if (!pending) { // every window is full: leave frames alone until an acknowledgement
+        std::unique_lock lock(mutex);
+        wake.wait_for(lock, kSlice, [&] { return stopping || demand != wanted; });
+        client->update();
+        return;
+    }
+    // `current` may still be encoded: its memory is used again only when no other thread has it.
+    if (!spare || spare.use_count() > 1) spare = std::make_shared<ipc::Frame>();
+    if (current) {
+        spare->info = current->info;
+        spare->epoch = current->epoch;
+    }
+    if (client->waitForFrame(*spare, kSlice) && isUsable(*spare)) takeFrame(spare);
+    if (!current) return;
+    encodeWanted(wanted);
+    considerRest(wanted);
+}
+
+void FrameSource::State::takeFrame(std::shared_ptr<ipc::Frame> frame) {
+    const ipc::Status status = client->status();
+    facts = factsOf(*frame, status);
+    spare = std::const_pointer_cast<ipc::Frame>(current);
+    current = std::move(frame);
+    rest.frameCame(app::secondsSince({}), status.eye, status.forward);
+    const std::lock_guard lock(mutex);
+    ++counted.published;
+    set = FrameSet{facts.stream, facts.number, {}, nullptr, nullptr};
+    still.reset();
+}
+
+/// A coarse frame is shown as large as whole ones.
+FrameFacts FrameSource::State::factsOf(const ipc::Frame& frame, const ipc::Status& status) {
+    FrameFacts next = facts;
+    next.number = frame.info.number;
+    next.publishedNs = frame.info.nanoseconds;
+    next.width = static_cast<std::uint16_t>(frame.info.width);
+    next.height = static_cast<std::uint16_t>(frame.info.height);
+    const bool coarse = frame.info.samples == 0 && status.width >= frame.info.width &&
+                        status.height >= frame.info.height && status.width <= kMostSide &&
+                        status.height <= kMostSide;
+    next.shownWidth = coarse ? static_cast<std::uint16_t>(status.width) : next.width;
+    next.shownHeight = coarse ? static_cast<std::uint16_t>(status.height) : next.height;
+    if (frame.epoch != epoch || next.shownWidth != facts.shownWidth || next.shownHeight != facts.shownHeight)
+        next.stream = ++streams;
+    epoch = frame.epoch;
+    return next;
+}
+
+void FrameSource::State::encodeWanted(const FrameDemand& wanted) {
+    RungMask mask = 0;
+    {
+        const std::lock_guard lock(mutex);
+        const bool sameStream = wanted.stream == facts.stream;
+        for (std::size_t rung = 0; rung < kRungs.size(); ++rung) {
+            const bool asked = wanted.above[rung] != FrameDemand::kNothing &&
+                               (!sameStream || facts.number > wanted.above[rung]);
+            if (asked) mask |= RungMask(1) << rung;
+        }
+        mask = mergedRungs(mask);
+        for (std::size_t rung = 0; rung < kRungs.size(); ++rung)
+            if (set.byRung[rung]) mask &= ~(RungMask(1) << rung);
+    }
+    if (mask == 0) return;
+    lastEncoded = FrameClock::now();
+    for (std::size_t rung = 0; rung < kRungs.size(); ++rung) {
+        if ((mask >> rung & 1) == 0) continue;
+        const auto start = FrameClock::now();
+        SharedFrame frame = encoder.encode(pixelsOf(*current), kRungs[rung], facts);
+        const std::lock_guard lock(mutex);
+        counted.lastEncodeSeconds = app::secondsSince(start);
+        counted.encodeSeconds += counted.lastEncodeSeconds;
+        ++counted.encoded;
+        counted.bytes += frame->bytes.size();
+        set.byRung[rung] = std::move(frame);
+    }
+    publish();
+}
+
+void FrameSource::State::considerRest(const FrameDemand& wanted) {
+    if (!wanted.still || facts.shownWidth != facts.width || facts.shownHeight != facts.height) return;
+    if (!rest.takeStill(app::secondsSince({}), client->status().idle != 0)) return;
+    const std::lock_guard lock(mutex);
+    still = StillTask{current, facts, wanted.fine};
+    wakeStills.notify_one();
+}
+
+void FrameSource::State::publish() {
+    FrameSet copy;
+    {
+        const std::lock_guard lock(mutex);
+        copy = set;
+    }
+    deliver(std::move(copy));
+}
+
+void FrameSource::State::runStills() {
+    app::lowerPriority(); // of this thread alone
+    StillEncoder exact;
+    MotionEncoder jpeg;
+    for (;;) {
+        StillTask task;
+        {
+            std::unique_lock lock(mutex);
+            wakeStills.wait(lock, [&] { return stopping || still; });
+            if (stopping) return;
+            task = std::move(*still);
+            still.reset();
+        }
+        for (const bool fine : {true, false}) {
+            if (fine && !task.fine) continue;
+            SharedFrame frame;
+            const auto start = FrameClock::now();
+            try {
+                frame = fine ? jpeg.encodeFine(pixelsOf(*task.frame), task.facts)
+                             : exact.encode(pixelsOf(*task.frame), task.facts);
+            } catch (const std::exception&) { // without memory the moving frame stays
+                break;
+            }
+            {
+                const std::lock_guard lock(mutex);
+                if (set.stream != task.facts.stream || set.number != task.facts.number) break;
+                ++counted.stills;
+                counted.stillSeconds += app::secondsSince(start);
+                counted.bytes += frame->bytes.size();
+                (fine ? set.fine : set.still) = std::move(frame);
+            }
+            publish();
+        }
+    }
+}
+
+FrameSource::FrameSource(std::string instance, std::function<void(FrameSet)> deliver)
+    : state_(std::make_unique<State>(std::move(instance), std::move(deliver))) {}
+
+FrameSource::~FrameSource() = default;
+
+void FrameSource::setDemand(const FrameDemand& demand) {
+    {
+        const std::lock_guard lock(state_->mutex);
+        if (state_->demand == demand) return;
+        state_->demand = demand;
+    }
+    state_->wake.notify_all();
+}
+
+FrameFigures FrameSource::figures() const {
+    const std::lock_guard lock(state_->mutex);
+    return state_->counted;
+}
+
+} // namespace bridge

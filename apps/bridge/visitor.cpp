@@ -1,0 +1,87 @@
+#include "bridge/visitor.h"
+
+#include "bridge/control/plain_name.h"
+
+namespace bridge {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr double kHelloTime = 5;
+
+std::string textOf(const json& message, const char* key) {
+    const auto found = message.find(key);
+    return found != message.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+PageView viewOf(const json& message) {
+    PageView view;
+    const auto found = message.find("view");
+    if (found == message.end() || !found->is_object()) return view;
+    const auto side = [&](const char* key) {
+        constexpr double kMost = 32767;
+        const auto value = found->find(key);
+        if (value == found->end() || !value->is_number()) return 0;
+        const auto pixels = value->get<double>();
+        return pixels >= 1 && pixels <= kMost ? static_cast<int>(pixels) : 0;
+    };
+    view.width = side("w");
+    view.height = side("h");
+    return view;
+}
+
+} // namespace
+
+void Visitor::text(std::string_view message) {
+    room_ == nullptr ? hello(message) : room_->text(id_, message);
+}
+
+void Visitor::binary(std::span<const std::uint8_t> message) {
+    if (room_ == nullptr) return outlet_->close(CloseCode::BadMessage, "hello comes first");
+    room_->binary(id_, message);
+}
+
+void Visitor::hello(std::string_view text) {
+    constexpr int kDepth = 8;
+    const auto shallow = [](int depth, json::parse_event_t, json&) { return depth < kDepth; };
+    const json message = json::parse(text, shallow, false);
+    if (!message.is_object() || textOf(message, "do") != "hello")
+        return outlet_->close(CloseCode::BadMessage, "hello comes first");
+    const auto version = message.find("v");
+    if (version == message.end() || !version->is_number_integer() || *version != 1)
+        return outlet_->close(CloseCode::OtherVersion, "this bridge speaks version 1");
+    const Hub::Right right = hub_.rightOf(textOf(message, "token"));
+    if (right == Hub::Right::None) {
+        hub_.wrongToken(outlet_->address());
+        return outlet_->close(CloseCode::BadToken,
+                              "the token is wrong; open the link that the bridge printed last");
+    }
+    Room* const room = hub_.room(textOf(message, "instance"));
+    if (room == nullptr) return outlet_->close(CloseCode::NoInstance, hub_.instanceList());
+    room_ = room;
+    id_ = hub_.newId();
+    room->join(id_, plainName(textOf(message, "name")), right == Hub::Right::Drive, viewOf(message), outlet_,
+               hub_.welcome(*room, id_, right));
+}
+
+void Visitor::ponged(double seconds) {
+    if (room_ != nullptr) room_->ponged(id_, seconds);
+}
+
+void Visitor::writable() {
+    if (room_ != nullptr) room_->writable(id_);
+}
+
+void Visitor::closed() {
+    outlet_.reset();
+    hub_.visitorLeft();
+    if (room_ != nullptr) room_->leave(id_);
+}
+
+void Visitor::tick(double now) {
+    if (room_ == nullptr && outlet_ && now - began_ > kHelloTime)
+        outlet_->close(CloseCode::NoHello, "no hello within 5 s");
+}
+
+} // namespace bridge

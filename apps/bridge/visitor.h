@@ -1,0 +1,34 @@
+/// A WebSocket until it has said who it is, and the way to its room from then on.
+#pragma once
+
+#include "bridge/hub.h"
+
+#include <memory>
+
+namespace bridge {
+
+class Visitor : public Receiver {
+  public:
+    Visitor(Hub& hub, std::shared_ptr<Outlet> outlet) : hub_(hub), outlet_(std::move(outlet)) {
+        hub_.visitorCame();
+    }
+
+    void text(std::string_view message) override;
+    void binary(std::span<const std::uint8_t> message) override;
+    void ponged(double seconds) override;
+    void writable() override;
+    void closed() override;
+    /// Closes it where it said nothing for too long.
+    void tick(double now);
+
+  private:
+    void hello(std::string_view message);
+
+    Hub& hub_;
+    std::shared_ptr<Outlet> outlet_; ///< null once closed
+    Room* room_ = nullptr;           ///< null: before `hello`
+    SessionId id_ = 0;
+    double began_ = nowSeconds();
+};
+
+} // namespace bridge

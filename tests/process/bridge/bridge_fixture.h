@@ -1,0 +1,200 @@
+/// A server that shows what the test says, and a bridge beside it.
+#pragma once
+
+#include "process/bridge/web_client.h"
+
+#include "common/commands/state_report.h"
+#include "ipc/endpoint/server.h"
+#include "support/child_process.h"
+#include "support/ipc_instance.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <fstream>
+#include <mutex>
+#include <sstream>
+#include <thread>
+
+namespace test {
+
+/// Takes all commands, and remembers them. Frames are noise that differs from frame to frame.
+class FakeServer {
+  public:
+    explicit FakeServer(const std::string& instance) : thread_([this, instance] { run(instance); }) {
+        eventually([&] { return running_.load(); });
+    }
+    ~FakeServer() {
+        stopping_ = true;
+        thread_.join();
+    }
+
+    /// Another frame of this size, at rest, or so many a second while moving.
+    void show(int width, int height) {
+        const std::lock_guard lock(mutex_);
+        width_ = width;
+        height_ = height;
+        showOne_ = true;
+    }
+    void move(int framesPerSecond) { rate_ = framesPerSecond; }
+    std::vector<std::uint8_t> pixels() {
+        const std::lock_guard lock(mutex_);
+        return {reinterpret_cast<const std::uint8_t*>(pixels_.data()),
+                reinterpret_cast<const std::uint8_t*>(pixels_.data()) + pixels_.size()};
+    }
+    bool isHeld(int key) {
+        const std::lock_guard lock(mutex_);
+        return keys_.down[static_cast<std::size_t>(key)];
+    }
+    bool anyHeld() {
+        const std::lock_guard lock(mutex_);
+        return keys_.down.any();
+    }
+    std::uint32_t presses(int key) {
+        const std::lock_guard lock(mutex_);
+        return presses_[static_cast<std::size_t>(key)];
+    }
+    int clients() const { return clients_; }
+    /// All but those that the bridge sends on its own account.
+    std::vector<std::string> commands() {
+        const std::lock_guard lock(mutex_);
+        return commands_;
+    }
+    void setState(const app::StateReport& state) {
+        const std::lock_guard lock(mutex_);
+        state_ = state;
+    }
+    /// Instead of doing what it says; "": done.
+    std::function<std::string(const std::string&)> onCommand = {};
+    static app::StateReport plainState() {
+        app::StateReport state;
+        state.scene = "/secret/folder/hall.scn";
+        state.settings = rtcore::settingAssignments({}, true);
+        state.lights = {{3, true, "pendant"}};
+        state.bookmarks = {"altar"};
+        return state;
+    }
+
+  private:
+    void run(const std::string& instance) {
+        ipc::Server server({.instance = instance, .width = 320, .height = 200});
+        publish(server);
+        running_ = true;
+        auto last = Clock::now();
+        while (!stopping_) {
+            server.wait(1ms);
+            serve(server);
+            const int rate = rate_;
+            const bool due = rate > 0 && Clock::now() - last >= std::chrono::microseconds(1'000'000) / rate;
+            if (due) last = Clock::now();
+            if (due || takeShowOne()) publish(server);
+        }
+    }
+    bool takeShowOne() {
+        const std::lock_guard lock(mutex_);
+        return std::exchange(showOne_, false);
+    }
+    void publish(ipc::Server& server) {
+        const std::lock_guard lock(mutex_);
+        pixels_.resize(4 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+        for (std::size_t i = 0; i < pixels_.size(); ++i)
+            pixels_[i] = static_cast<std::byte>((i / 4 * (i % 4 + 1) + frame_ * 7) >> 3);
+        ++frame_;
+        ipc::Status status;
+        status.width = static_cast<std::uint32_t>(width_);
+        status.height = static_cast<std::uint32_t>(height_);
+        status.idle = rate_ == 0 ? 1 : 0;
+        status.eye[0] = static_cast<float>(rate_ > 0 ? frame_ : 0);
+        server.setStatus(status);
+        ipc::FrameInfo info;
+        info.width = status.width;
+        info.height = status.height;
+        server.publishFrame(info, pixels_);
+    }
+    void serve(ipc::Server& server) {
+        clients_ = server.clients();
+        {
+            const std::lock_guard lock(mutex_);
+            keys_ = server.keys();
+            for (std::size_t key = 0; key < presses_.size(); ++key) presses_[key] += keys_.presses[key];
+        }
+        for (const ipc::Command& command : server.takeCommands()) answer(server, command);
+    }
+    void answer(ipc::Server& server, const ipc::Command& command) {
+        const std::lock_guard lock(mutex_);
+        if (command.text == "state") return server.answer(command, app::formatStateReport(state_, 65520));
+        if (command.text.starts_with("messages")) return server.answer(command);
+        commands_.push_back(command.text);
+        server.answer(command, onCommand ? onCommand(command.text) : "");
+    }
+
+    std::mutex mutex_;
+    std::vector<std::byte> pixels_;
+    ipc::KeyState keys_;
+    std::array<std::uint32_t, 256> presses_{};
+    std::vector<std::string> commands_;
+    app::StateReport state_ = plainState();
+    int width_ = 320, height_ = 200;
+    std::size_t frame_ = 0;
+    bool showOne_ = false;
+    std::atomic<int> rate_ = 0, clients_ = 0;
+    std::atomic<bool> running_ = false, stopping_ = false;
+    std::thread thread_; // last
+};
+
+class BridgeTest : public testing::Test {
+  protected:
+    static constexpr const char* kDriver = "driver-driver-driver-driver";
+    static constexpr const char* kViewer = "viewer-viewer-viewer-viewer";
+
+    void startServer() { server = std::make_unique<FakeServer>(instance.name()); }
+    void startBridge(std::vector<std::string> options = {}, const std::string& listen = "127.0.0.1:0") {
+        const std::string tokens = (instance.folder() / "tokens").string(),
+                          output = (instance.folder() / "links").string();
+        std::ofstream(tokens) << kDriver << "\n" << kViewer << "\n";
+        std::filesystem::permissions(tokens, std::filesystem::perms::owner_read |
+                                                 std::filesystem::perms::owner_write);
+        std::filesystem::remove(output);
+        std::vector<std::string> words{"--instance=" + instance.name(), "--listen=" + listen,
+                                       "--token-file=" + tokens};
+        words.insert(words.end(), options.begin(), options.end());
+        bridge = ChildProcess(std::string(RT_PROGRAM_FOLDER) + "/RTBridge", words, {.outputFile = output});
+        eventually([&] { return links().find("Viewer: ") != std::string::npos; }, 10s);
+        const std::string text = links(), before = "http://127.0.0.1:";
+        const std::size_t at = text.find(before);
+        if (at != std::string::npos) port = std::atoi(text.c_str() + at + before.size());
+    }
+    std::string links() const {
+        std::ostringstream text;
+        text << std::ifstream((instance.folder() / "links")).rdbuf();
+        return text.str();
+    }
+    void SetUp() override {
+        startServer();
+        startBridge();
+    }
+
+    /// One that has said hello and is welcome.
+    std::unique_ptr<WebClient> join(const char* token = kDriver, const std::string& name = "test") {
+        auto client = std::make_unique<WebClient>(port);
+        client->hello(token, name);
+        EXPECT_FALSE(client->event("welcome").is_null());
+        return client;
+    }
+    std::string get(const std::string& request) {
+        RawSocket socket(port);
+        socket.write(request);
+        return socket.readAll(3s);
+    }
+    std::string page(const std::string& path, const std::string& more = "") {
+        return get("GET " + path + " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port) +
+                   "\r\nConnection: close\r\n" + more + "\r\n");
+    }
+
+    IpcInstance instance;
+    std::unique_ptr<FakeServer> server;
+    ChildProcess bridge;
+    int port = 0;
+};
+
+} // namespace test

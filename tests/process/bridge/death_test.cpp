@@ -1,0 +1,79 @@
+// Server and bridge may die at any moment, and come again. RT_BRIDGE_DEATHS asks for more rounds.
+#include "process/bridge/bridge_fixture.h"
+
+#include <random>
+
+namespace {
+
+using namespace test;
+using nlohmann::json;
+
+class Deaths : public BridgeTest {
+  protected:
+    static int rounds() {
+        const char* const asked = std::getenv("RT_BRIDGE_DEATHS");
+        return asked != nullptr ? std::atoi(asked) : 10;
+    }
+    static bool becomes(WebClient& client, const std::string& state) {
+        for (json event = client.event("server", 10s); !event.is_null(); event = client.event("server", 10s))
+            if (event["state"] == state) return true;
+        return false;
+    }
+};
+
+TEST_F(Deaths, OfTheServerAreToldAndItsSuccessorIsFound) {
+    const auto client = join();
+    std::mt19937 random(5);
+    ASSERT_TRUE(becomes(*client, "there"));
+    for (int round = 0; round < rounds(); ++round) {
+        server->move(50);
+        client->input({'W'});
+        ASSERT_TRUE(client->binary(1)) << round;
+        std::this_thread::sleep_for(std::chrono::milliseconds(random() % 50));
+        server.reset();
+        ASSERT_TRUE(becomes(*client, "gone")) << round;
+        startServer();
+        ASSERT_TRUE(becomes(*client, "there")) << round;
+        client->input({});
+        server->move(50);
+        const auto frame = client->binary(1);
+        ASSERT_TRUE(frame) << round;
+        client->acknowledge(*frame);
+        EXPECT_EQ(client->request({{"do", "walk"}})["ok"], true) << round;
+        EXPECT_TRUE(eventually([&] { return !server->anyHeld(); }));
+    }
+}
+
+TEST_F(Deaths, OfTheBridgeLeaveNothingBehind) {
+    const std::string listen = "127.0.0.1:" + std::to_string(port);
+    for (int round = 0; round < rounds() / 2; ++round) {
+        const auto client = join();
+        client->input({'W'});
+        ASSERT_TRUE(eventually([&] { return server->isHeld('W'); }));
+        bridge.kill();
+        EXPECT_TRUE(eventually([&] { return !server->anyHeld() && server->clients() == 0; }, 3s)) << round;
+        startBridge({}, listen);
+    }
+    EXPECT_TRUE(join()->binary(1));
+}
+
+TEST_F(Deaths, BeforeAServerThereIsAPageAndNoHealth) {
+    server.reset();
+    EXPECT_TRUE(eventually([&] { return page("/health").starts_with("HTTP/1.1 503"); }, 5s));
+    EXPECT_TRUE(page("/").starts_with("HTTP/1.1 200"));
+    const auto client = join();
+    EXPECT_EQ(client->request({{"do", "walk"}})["ok"], false);
+    startServer();
+    EXPECT_TRUE(client->binary(1, 10s));
+}
+
+TEST_F(Deaths, InGoodOrderAreToldToPages) {
+    const auto client = join();
+    bridge.send(SIGTERM);
+    EXPECT_EQ(client->closeCode(), 1001);
+    const int status = bridge.wait(5s);
+    EXPECT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 143);
+}
+
+} // namespace

@@ -1,0 +1,103 @@
+#include "bridge/net/doorkeeper.h"
+
+#include "common/cli/command_line.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace {
+
+bridge::Names namesOf() {
+    bridge::Names names;
+    names.hosts = {"192.168.1.7:8443"};
+    return names;
+}
+
+TEST(Hosts, OnlyOurOwnNames) {
+    const bridge::Names names = namesOf();
+    for (const char* host : {"127.0.0.1:8931", "localhost:8931", "LOCALHOST:8931", "[::1]:8931", "localhost",
+                             "192.168.1.7:8443"})
+        EXPECT_TRUE(bridge::isOurHost(names, host)) << host;
+    for (const char* host : {"", "evil.example", "evil.example:8931", "127.0.0.1.evil.example:8931",
+                             "localhost.evil.example", "192.168.1.7", "192.168.1.7:80", "127.0.0.1:",
+                             "127.0.0.1:x", "127.0.0.1:123456", "localhost:8931@evil", " localhost"})
+        EXPECT_FALSE(bridge::isOurHost(names, host)) << host;
+}
+
+TEST(Origins, OnlyThePageOfTheVeryHost) {
+    bridge::Names names = namesOf();
+    names.origins = {"https://viz.example"};
+    EXPECT_TRUE(bridge::isOurOrigin(names, "127.0.0.1:8931", "http://127.0.0.1:8931"));
+    EXPECT_TRUE(bridge::isOurOrigin(names, "127.0.0.1:9000", "http://127.0.0.1:9000"))
+        << "a tunnel's own port";
+    EXPECT_TRUE(bridge::isOurOrigin(names, "127.0.0.1:8931", "https://viz.example"));
+    for (const char* origin :
+         {"http://127.0.0.1:8932", "http://localhost:8931", "https://127.0.0.1:8931", "null", "",
+          "http://evil.example", "http://127.0.0.1:8931.evil.example", "http://127.0.0.1:89310",
+          "https://viz.example.evil", "https://viz.example:444"})
+        EXPECT_FALSE(bridge::isOurOrigin(names, "127.0.0.1:8931", origin)) << origin;
+    EXPECT_FALSE(bridge::isOurOrigin(names, "127.0.0.1:8931", std::nullopt));
+    names.allowNoOrigin = true;
+    EXPECT_TRUE(bridge::isOurOrigin(names, "127.0.0.1:8931", std::nullopt));
+    EXPECT_FALSE(bridge::isOurOrigin(names, "127.0.0.1:8931", "http://evil.example"))
+        << "a page is still a page";
+    names.tls = true;
+    EXPECT_TRUE(bridge::isOurOrigin(names, "192.168.1.7:8443", "https://192.168.1.7:8443"));
+    EXPECT_FALSE(bridge::isOurOrigin(names, "192.168.1.7:8443", "http://192.168.1.7:8443"));
+}
+
+TEST(Origins, AreTakenApart) {
+    const bridge::OriginOption option = bridge::parseOrigin("https://Viz.example:444/node7/8931/");
+    EXPECT_EQ(option.origin, "https://viz.example:444");
+    EXPECT_EQ(option.host, "viz.example:444");
+    EXPECT_EQ(option.prefix, "/node7/8931");
+    for (const char* wrong :
+         {"", "viz.example", "ftp://viz.example", "https://", "https:///x", "https://a@b/", "https://a/?x"})
+        EXPECT_THROW(bridge::parseOrigin(wrong), app::UsageError) << wrong;
+}
+
+TEST(TokenBucket, LetsBurstsThroughAndFloodsNot) {
+    bridge::TokenBucket bucket(250, 500);
+    int taken = 0;
+    for (int i = 0; i < 1000; ++i) taken += bucket.take(0) ? 1 : 0;
+    EXPECT_EQ(taken, 500);
+    for (int i = 0; i < 1000; ++i) taken += bucket.take(1) ? 1 : 0;
+    EXPECT_EQ(taken, 750);
+}
+
+TEST(WrongTokens, ShutAnAddressOutForAMinute) {
+    bridge::WrongTokens wrong;
+    for (int i = 0; i < 9; ++i) wrong.add("10.0.0.1", i);
+    EXPECT_FALSE(wrong.shutOut("10.0.0.1", 9));
+    wrong.add("10.0.0.1", 9);
+    EXPECT_TRUE(wrong.shutOut("10.0.0.1", 10));
+    EXPECT_FALSE(wrong.shutOut("10.0.0.2", 10));
+    EXPECT_FALSE(wrong.shutOut("10.0.0.1", 70));
+}
+
+TEST(WrongTokens, NeverShutOutTheMachineItself) {
+    bridge::WrongTokens wrong;
+    for (int i = 0; i < 100; ++i) wrong.add("127.0.0.1", 0.01 * i);
+    EXPECT_FALSE(wrong.shutOut("127.0.0.1", 1)) << "others come by the same tunnel or proxy";
+}
+
+TEST(Tokens, AreLongAndNeverTheSame) {
+    std::set<std::string> seen;
+    for (int i = 0; i < 1000; ++i) {
+        const std::string token = bridge::newToken();
+        EXPECT_EQ(token.size(), 43U);
+        EXPECT_EQ(token.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_"),
+                  std::string::npos);
+        EXPECT_TRUE(seen.insert(token).second);
+    }
+}
+
+TEST(Tokens, AreEqualAsAWhole) {
+    EXPECT_TRUE(bridge::sameToken("abc", "abc"));
+    for (const char* given : {"", "ab", "abcd", "abd", "xbc"})
+        EXPECT_FALSE(bridge::sameToken(given, "abc")) << given;
+    EXPECT_FALSE(bridge::sameToken("", "")) << "no token is none that fits";
+}
+
+} // namespace

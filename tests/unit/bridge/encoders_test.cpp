@@ -1,0 +1,97 @@
+#include "bridge/stream/motion_encoder.h"
+#include "bridge/stream/still_encoder.h"
+
+#include <gtest/gtest.h>
+
+#include <csetjmp>
+#include <cstdio>
+#include <jpeglib.h>
+#include <png.h>
+#include <random>
+
+namespace {
+
+using bridge::Pixels;
+
+std::vector<std::byte> randomPixels(int width, int height) {
+    std::mt19937 random(7);
+    std::vector<std::byte> bytes(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    for (std::byte& byte : bytes) byte = static_cast<std::byte>(random());
+    return bytes;
+}
+
+std::vector<unsigned char> decodePng(const std::vector<std::uint8_t>& file, unsigned& width,
+                                     unsigned& height) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    if (png_image_begin_read_from_memory(&image, file.data(), file.size()) == 0) return {};
+    EXPECT_EQ(image.format & PNG_FORMAT_FLAG_ALPHA, 0U);
+    image.format = PNG_FORMAT_RGB;
+    std::vector<unsigned char> out(PNG_IMAGE_SIZE(image));
+    if (png_image_finish_read(&image, nullptr, out.data(), 0, nullptr) == 0) return {};
+    width = image.width;
+    height = image.height;
+    return out;
+}
+
+void sizeOfJpeg(const std::vector<std::uint8_t>& file, unsigned& width, unsigned& height) {
+    jpeg_error_mgr errors{};
+    jpeg_decompress_struct jpeg{};
+    jpeg.err = jpeg_std_error(&errors);
+    jpeg_create_decompress(&jpeg);
+    jpeg_mem_src(&jpeg, file.data(), file.size());
+    jpeg_read_header(&jpeg, TRUE);
+    width = jpeg.image_width;
+    height = jpeg.image_height;
+    jpeg_destroy_decompress(&jpeg);
+}
+
+TEST(StillEncoder, KeepsEveryPixel) {
+    bridge::StillEncoder encoder;
+    for (const auto& [width, height] :
+         {std::pair(1, 1), std::pair(7, 3), std::pair(64, 48), std::pair(3, 200)}) {
+        const std::vector<std::byte> bytes = randomPixels(width, height);
+        const bridge::SharedFrame frame = encoder.encode({bytes, width, height}, {});
+        EXPECT_TRUE(frame->exact);
+        unsigned w = 0, h = 0;
+        const std::vector<unsigned char> decoded = decodePng(frame->bytes, w, h);
+        ASSERT_EQ(w, static_cast<unsigned>(width));
+        ASSERT_EQ(h, static_cast<unsigned>(height));
+        for (std::size_t i = 0; i < decoded.size(); ++i)
+            ASSERT_EQ(decoded[i], static_cast<unsigned char>(bytes[i / 3 * 4 + i % 3])) << i;
+    }
+}
+
+TEST(MotionEncoder, MakesJpegsOfEachRungsSize) {
+    const std::vector<std::byte> bytes = randomPixels(61, 40);
+    bridge::MotionEncoder encoder;
+    for (const bridge::Rung& rung : bridge::kRungs) {
+        const bridge::SharedFrame frame = encoder.encode({bytes, 61, 40}, rung, {});
+        unsigned w = 0, h = 0;
+        sizeOfJpeg(frame->bytes, w, h);
+        EXPECT_EQ(w, static_cast<unsigned>(61 / rung.divide));
+        EXPECT_EQ(h, static_cast<unsigned>(40 / rung.divide));
+        EXPECT_EQ(frame->facts.width, w);
+        EXPECT_FALSE(frame->exact);
+    }
+}
+
+TEST(MotionEncoder, TakesFramesOfOnePixel) {
+    const std::vector<std::byte> bytes = randomPixels(1, 1);
+    bridge::MotionEncoder encoder;
+    for (const bridge::Rung& rung : bridge::kRungs)
+        EXPECT_EQ(encoder.encode({bytes, 1, 1}, rung, {})->facts.width, 1);
+}
+
+TEST(Shrink, IsTheMeanOfSquares) {
+    std::vector<std::byte> bytes(4 * 5 * 4, std::byte(0)), out;
+    for (std::size_t i = 0; i < bytes.size(); i += 4) bytes[i] = static_cast<std::byte>(i / 4 * 10);
+    const Pixels half = bridge::shrink({bytes, 5, 4}, 2, out);
+    ASSERT_EQ(half.width, 2);
+    ASSERT_EQ(half.height, 2);
+    EXPECT_EQ(static_cast<int>(half.bytes[0]), 30); // of 0, 10, 50, 60
+    EXPECT_EQ(static_cast<int>(half.bytes[4]), 50);
+    EXPECT_EQ(static_cast<int>(half.bytes[1]), 0);
+}
+
+} // namespace

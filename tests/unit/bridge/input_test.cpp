@@ -1,0 +1,65 @@
+#include "bridge/control/input_state.h"
+#include "bridge/control/own_edits.h"
+#include "bridge/control/plain_name.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using bridge::InputState;
+
+bridge::InputMessage holding(std::uint32_t sequence, std::vector<std::uint8_t> keys) {
+    return {sequence, 0, 0, std::move(keys), {}};
+}
+
+TEST(InputState, HoldsWhatTheLastMessageSays) {
+    InputState input;
+    EXPECT_TRUE(input.apply(holding(1, {'W', 'A'}), 0));
+    EXPECT_TRUE(input.apply(holding(2, {'A'}), 0.1));
+    EXPECT_FALSE(input.held()['W']);
+    EXPECT_TRUE(input.held()['A']);
+    EXPECT_FALSE(input.apply(holding(1, {'W'}), 0.2)) << "an old message";
+    EXPECT_FALSE(input.held()['W']);
+}
+
+TEST(InputState, ReleasesAllAfterHalfASecondOfSilence) {
+    InputState input;
+    input.apply(holding(1, {'W'}), 0);
+    EXPECT_FALSE(input.expire(0.4));
+    input.apply(holding(2, {'W'}), 0.4);
+    EXPECT_FALSE(input.expire(0.8)) << "the heartbeat came";
+    EXPECT_TRUE(input.expire(0.91));
+    EXPECT_TRUE(input.held().none());
+    EXPECT_FALSE(input.expire(2)) << "told once";
+}
+
+TEST(OwnEdits, TakeBackOnlyWhatTheSessionItselfDid) {
+    bridge::OwnEdits edits;
+    edits.made(7, 1, "set maxDepth");
+    EXPECT_TRUE(edits.mayUndo(7, 1, "set maxDepth"));
+    EXPECT_FALSE(edits.mayUndo(8, 1, "set maxDepth")) << "another session";
+    EXPECT_FALSE(edits.mayUndo(7, 2, "light 1")) << "somebody else's edit came after it";
+    edits.undone();
+    EXPECT_FALSE(edits.mayUndo(7, 0, ""));
+    EXPECT_TRUE(edits.mayRedo(7, 0, "set maxDepth"));
+    edits.redone();
+    EXPECT_TRUE(edits.mayUndo(7, 1, "set maxDepth"));
+}
+
+TEST(OwnEdits, JoinEditsOfOneGesture) {
+    bridge::OwnEdits edits;
+    edits.made(7, 1, "set bloom.radius");
+    edits.made(7, 1, "set bloom.radius");
+    edits.undone();
+    EXPECT_FALSE(edits.mayUndo(7, 1, "set bloom.radius"));
+}
+
+TEST(PlainName, HasNoControlCharactersAndFortyAtMost) {
+    EXPECT_EQ(bridge::plainName("An\nna\x7F\x01"), "Anna");
+    EXPECT_EQ(bridge::plainName(std::string(100, 'x')).size(), 40U);
+    std::string accents;
+    for (int i = 0; i < 50; ++i) accents += "\u00e9";
+    EXPECT_EQ(bridge::plainName(accents).size(), 80U) << "characters, not bytes";
+}
+
+} // namespace

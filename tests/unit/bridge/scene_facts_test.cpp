@@ -1,0 +1,82 @@
+#include "bridge/control/scene_facts.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using nlohmann::json;
+
+app::StateReport sample() {
+    app::StateReport state;
+    state.scene = "/home/anna/secret/nave.scn";
+    rtcore::LightDescription spot;
+    spot.id = 4;
+    spot.light.kind = rtcore::LightKind::Spot;
+    spot.light.intensity = {2, 1, 0};
+    spot.light.cosInner = 1;
+    spot.light.cosOuter = 0.5F;
+    state.lights = {{4, true, "pendant", spot}};
+    state.environments = {{false, "sunset"}};
+    state.settings = rtcore::settingAssignments({}, true);
+    state.bookmarks = {"altar"};
+    state.undo = "load camera /home/anna/secret/altar.cam";
+    return state;
+}
+
+bool readState(bridge::SceneFacts& facts, const app::StateReport& state) {
+    return facts.read(app::formatStateReport(state, 65520));
+}
+
+TEST(SceneFacts, HoldNoFolders) {
+    bridge::SceneFacts facts;
+    ASSERT_TRUE(readState(facts, sample()));
+    EXPECT_EQ(facts.all()["scene"], "nave.scn");
+    EXPECT_EQ(facts.all()["undo"], "load camera altar.cam");
+    EXPECT_EQ(facts.all().dump().find("anna"), std::string::npos);
+    EXPECT_EQ(facts.all().dump().find("secret"), std::string::npos);
+}
+
+TEST(SceneFacts, DescribeLights) {
+    bridge::SceneFacts facts;
+    ASSERT_TRUE(readState(facts, sample()));
+    const json light = facts.all()["lights"][0];
+    EXPECT_EQ(light["id"], 4);
+    EXPECT_EQ(light["kind"], "spot");
+    EXPECT_EQ(light["colour"], json({1.0, 0.5, 0.0}));
+    EXPECT_EQ(light["outer"], 60);
+    EXPECT_GT(light["power"].get<double>(), 0);
+}
+
+TEST(SceneFacts, TellOnlyWhatChanged) {
+    bridge::SceneFacts facts;
+    app::StateReport state = sample();
+    ASSERT_TRUE(readState(facts, state));
+    EXPECT_EQ(facts.changes(), facts.all());
+    ASSERT_TRUE(readState(facts, state));
+    EXPECT_TRUE(facts.changes().empty());
+    for (rtcore::SettingAssignment& each : state.settings)
+        if (each.name == "maxDepth") each.value = 9;
+    state.edits = 1;
+    ASSERT_TRUE(readState(facts, state));
+    EXPECT_EQ(facts.changes(), (json{{"values", {{"maxDepth", 9}}}, {"edits", 1}}));
+    EXPECT_EQ(facts.settingText("maxDepth"), "9");
+}
+
+TEST(SceneFacts, RefuseWhatIsNoState) {
+    bridge::SceneFacts facts;
+    for (const char* text : {"", "pong", "version = 99", "scene = 1"}) EXPECT_FALSE(facts.read(text)) << text;
+    EXPECT_FALSE(facts.known());
+}
+
+TEST(Messages, AreTakenApartAndCutFromFolders) {
+    const std::vector<json> events =
+        bridge::messageEvents("3 warning /home/anna/room.obj: the texture textures/wall.png is "
+                              "missing\nrubbish\n4 event light 2 off");
+    ASSERT_EQ(events.size(), 2U);
+    EXPECT_EQ(events[0]["text"], "room.obj: the texture wall.png is missing");
+    EXPECT_EQ(events[0]["kind"], "warning");
+    EXPECT_EQ(events[1]["number"], 4);
+    EXPECT_EQ(events[1]["text"], "light 2 off");
+}
+
+} // namespace

@@ -1,0 +1,70 @@
+/// An RTServer, an RTBridge beside it and a Chromium, for tests of the page.
+#pragma once
+
+#include "ipc/endpoint/client.h"
+#include "process/sample_scene.h"
+#include "support/ipc_instance.h"
+#include "support/run_program.h"
+#include "web/web_page.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace test {
+
+/// Fixture. Skips where there is no Chromium.
+class BridgedServer : public testing::Test {
+  protected:
+    void SetUp() override;
+
+    void startServer(const std::string& size = "160x120");
+    /// On a port that the system chooses; the links are known then.
+    void startBridge(const std::vector<std::string>& options = {});
+    /// Beside the first one, which goes on; the links are its own from then on.
+    void startSecondBridge() {
+        first_ = std::move(bridge_);
+        startBridge({"--view-only"});
+    }
+    void startBrowser(const std::vector<std::string>& options = {}) {
+        browser_ = std::make_unique<Chromium>(options);
+    }
+    /// All three, and a page of the driver that shows the first frame.
+    WebPage drive();
+
+    /// The page has shown a frame.
+    static bool showsFrame(const WebPage& page) {
+        return page.becomes("document.getElementById('waiting')?.hidden");
+    }
+    /// The exact image is shown.
+    static bool isExact(const WebPage& page) {
+        return page.becomes("document.getElementById('save')?.disabled === false");
+    }
+    /// Takes keyboard and mouse, by keyboard.
+    static void capture(const WebPage& page);
+
+    /// A command to the server that must succeed; its answer.
+    std::string ask(const std::string& command);
+    ipc::Client& client();
+    Chromium& browser() { return *browser_; }
+    const std::string& driverLink() const { return driverLink_; }
+    const std::string& viewerLink() const { return viewerLink_; }
+    /// "127.0.0.1:8931"
+    std::string host() const;
+    RunningProgram& bridge() { return *bridge_; }
+    const TemporaryFolder& folder() const { return instance_.folder(); }
+
+  private:
+    IpcInstance instance_;
+    std::optional<RunningProgram> server_;
+    std::unique_ptr<RunningProgram> bridge_, first_;
+    std::unique_ptr<Chromium> browser_;
+    std::unique_ptr<ipc::Client> client_;
+    std::string driverLink_, viewerLink_;
+    int bridges_ = 0;
+};
+
+} // namespace test

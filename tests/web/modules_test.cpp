@@ -1,0 +1,127 @@
+// Modules of the page that know no document: tables of keys, links, sticks, texts.
+#include "web/bridged_server.h"
+
+#include "rtcore/motion/key_codes.h"
+
+#include <regex>
+
+namespace {
+
+using test::Json;
+using test::WebPage;
+
+class PageModules : public test::BridgedServer {
+  protected:
+    void SetUp() override {
+        BridgedServer::SetUp();
+        if (IsSkipped()) return;
+        startBridge({"--view-only"});
+        startBrowser();
+        page_.emplace(browser(), viewerLink());
+        ASSERT_TRUE(page_->becomes("document.readyState === 'complete' && location.hash === ''"));
+    }
+    /// An expression that has the module as `m`.
+    Json with(const std::string& module, const std::string& expression) const {
+        return page_->value("import('/js/" + module + "').then((m) => " + expression + ")");
+    }
+
+  private:
+    std::optional<WebPage> page_;
+};
+
+TEST_F(PageModules, KeysHaveTheNumbersOfTheServer) {
+    const auto code = [&](const std::string& place) {
+        return with("key_table.js", "m.keyCode('" + place + "', false)").get<int>();
+    };
+    for (char letter = 'A'; letter <= 'Z'; ++letter) {
+        if (letter == 'Q' || letter == 'E' || letter == 'X') continue; // the page's own
+        EXPECT_EQ(code(std::string("Key") + letter), letter);
+    }
+    for (char digit = '0'; digit <= '9'; ++digit) EXPECT_EQ(code(std::string("Digit") + digit), digit);
+    const std::pair<const char*, int> named[] = {
+        {"ArrowLeft", rtcore::KeyLeft},      {"ArrowRight", rtcore::KeyRight},
+        {"ArrowUp", rtcore::KeyUp},          {"ArrowDown", rtcore::KeyDown},
+        {"ShiftLeft", rtcore::KeyShift},     {"ShiftRight", rtcore::KeyShift},
+        {"Space", rtcore::KeySpace},         {"Enter", rtcore::KeyReturn},
+        {"PageUp", rtcore::KeyPageUp},       {"PageDown", rtcore::KeyPageDown},
+        {"Home", rtcore::KeyHome},           {"End", rtcore::KeyEnd},
+        {"Insert", rtcore::KeyInsert},       {"Delete", rtcore::KeyDelete},
+        {"Backspace", rtcore::KeyBackspace}, {"KeyX", rtcore::KeyControl}};
+    for (const auto& [place, number] : named) EXPECT_EQ(code(place), number) << place;
+    for (const char* const place : {"KeyQ", "KeyE", "F5", "F12", "Tab", "MetaLeft", "ControlLeft", ""})
+        EXPECT_EQ(code(place), 0) << place;
+    EXPECT_EQ(with("key_table.js", "m.keyCode('ControlLeft', true)"), rtcore::KeyControl) << "in full screen";
+}
+
+TEST_F(PageModules, LinksAndBookmarksAreChecked) {
+    const auto read = [&](const std::string& hash) {
+        return with("fragment.js", "m.readFragment('" + hash + "')");
+    };
+    const std::string token(43, 'k');
+    EXPECT_EQ(read("#t=" + token)["token"], token);
+    EXPECT_TRUE(read("#t=short")["token"].is_null());
+    EXPECT_TRUE(read("")["token"].is_null());
+    EXPECT_EQ(read("#v=1,2,3,0,0,-1,60")["view"], (Json{1, 2, 3, 0, 0, -1, 60}));
+    EXPECT_EQ(read("#v=1,2,3,0,0,-1")["view"], (Json{1, 2, 3, 0, 0, -1}));
+    for (const char* const bad : {"#v=1,2,3", "#v=1,2,3,0,0,0,60", "#v=1,2,3,0,0,-1,180", "#v=a,2,3,0,0,-1",
+                                  "#v=1,,3,0,0,-1", "#v=1,2,1e999,0,0,-1"})
+        EXPECT_TRUE(read(bad)["view"].is_null()) << bad;
+    EXPECT_EQ(with("fragment.js", "m.readFragment(m.viewText([0.1234567894, -2, 1e-7, 0, 0, -1, 60])).view"),
+              (Json{0.123456789, -2, 1e-7, 0, 0, -1, 60}));
+
+    const std::string good = "{name: 'a', view: [0,1,2,3,4,5,6,7,8,60], image: ''}";
+    EXPECT_EQ(with("bookmarks.js", "m.checked([" + good + "]).length"), 1);
+    for (const char* const bad : {"null", "{}", "'text'", "[null]", "[{name: 1, view: []}]",
+                                  "[{name: 'a', view: [1]}]", "[{name: 'a', view: Array(10).fill(NaN)}]"})
+        EXPECT_EQ(with("bookmarks.js", "m.checked(" + std::string(bad) + ").length"), 0) << bad;
+    EXPECT_EQ(
+        with("bookmarks.js",
+             "m.checked([{name: 'a', view: Array(10).fill(1), image: 'https://elsewhere/x.png'}])[0].image"),
+        "");
+}
+
+// Sticks of thumbs and of gamepads.
+TEST_F(PageModules, SticksHoldKeys) {
+    EXPECT_EQ(with("touch.js", "m.stickKeys(0, -0.2)"), Json::array());
+    EXPECT_EQ(with("touch.js", "m.stickKeys(0, -1)"), Json{'W'});
+    EXPECT_EQ(with("touch.js", "m.stickKeys(1, 0)"), Json{'D'});
+    EXPECT_EQ(with("touch.js", "m.stickKeys(-0.7, 0.7)"), (Json{'S', 'A'}));
+    EXPECT_EQ(with("touch.js", "m.stickKeys(0, -1.3)"), (Json{'W', static_cast<int>(rtcore::KeyShift)}));
+
+    EXPECT_EQ(with("gamepad.js", "[...m.axisKeys(0, -0.4, new Set())]"), Json::array());
+    EXPECT_EQ(with("gamepad.js", "[...m.axisKeys(0, -0.4, new Set([87]))]"), Json{'W'});
+    EXPECT_EQ(with("gamepad.js", "[...m.axisKeys(0, -0.2, new Set([87]))]"), Json::array());
+    EXPECT_EQ(with("gamepad.js", "m.turnRate(0.1)"), 0);
+    EXPECT_EQ(with("gamepad.js", "m.turnRate(-1)"), -120);
+}
+
+TEST_F(PageModules, EachTextIsInBothLanguages) {
+    const Json english = with("texts_en.js", "m.default"), czech = with("texts_cs.js", "m.default");
+    for (const auto& [key, text] : english.items()) {
+        ASSERT_TRUE(czech.contains(key)) << key;
+        const auto places = [](const std::string& of) { return std::count(of.begin(), of.end(), '{'); };
+        EXPECT_EQ(places(text), places(czech[key])) << key;
+        EXPECT_NE(czech[key], "") << key;
+    }
+    EXPECT_EQ(english.size(), czech.size());
+    EXPECT_EQ(with("tables_cs.js", "m.default.Settings.Shadows"), "Stíny");
+}
+
+// Two tables, since the window has no JavaScript and the page no C++.
+TEST_F(PageModules, SettingsAreCalledAsInTheWindow) {
+    const std::string source =
+        test::readBytes(std::string(RT_SOURCE_FOLDER) + "/apps/gui/models/setting_labels.cpp");
+    const std::size_t from = source.find("kLabels[]"), until = source.find("};", from);
+    ASSERT_LT(from, until);
+    const std::string rows = source.substr(from, until - from);
+    const std::regex row(R"re(\{"([\w.]+)", "([^"]+)"\})re");
+    Json labels = Json::object();
+    for (std::sregex_iterator at(rows.begin(), rows.end(), row), end; at != end; ++at)
+        labels[(*at)[1].str()] = (*at)[2].str();
+    EXPECT_GT(labels.size(), 5U);
+    EXPECT_EQ(with("setting_labels.js", "m.labels"), labels);
+    EXPECT_EQ(with("setting_labels.js", "m.settingLabel('exposure.brighterSeconds')"), "Brighter seconds");
+    EXPECT_EQ(with("setting_labels.js", "m.editLabel('light power 2')"), "power of light 2");
+}
+
+} // namespace

@@ -1,0 +1,142 @@
+// Walking in the page moves the eye of the server; whatever takes the keyboard away lets go of the keys.
+#include "web/bridged_server.h"
+
+#include "rtcore/math/vec.h"
+
+namespace {
+
+using namespace std::chrono_literals;
+using test::WebPage;
+
+class PageInput : public test::BridgedServer {
+  protected:
+    rtcore::Vec3 eye() {
+        client().update();
+        const ipc::Status now = client().status();
+        return {now.eye[0], now.eye[1], now.eye[2]};
+    }
+    /// How far the eye is from `from` along the view.
+    float walked(const rtcore::Vec3& from) {
+        const ipc::Status now = client().status();
+        return dot(eye() - from, {now.forward[0], now.forward[1], now.forward[2]});
+    }
+    /// Flying never ends by itself while a key is down: there is nothing to run into.
+    bool comesToRest() {
+        return test::eventually(
+            [&] {
+                client().update();
+                return client().status().idle == 1;
+            },
+            20s);
+    }
+    /// W is down, and the eye moves.
+    void walk(const WebPage& page) {
+        ask("fly");
+        capture(page);
+        const rtcore::Vec3 start = eye();
+        page.keyDown("KeyW");
+        ASSERT_TRUE(test::eventually([&] { return walked(start) > 0.1F; }, 20s));
+    }
+};
+
+TEST_F(PageInput, WalksAlongTheViewAndStops) {
+    const WebPage page = drive();
+    const std::string before = page.pixels();
+    walk(page);
+    EXPECT_TRUE(test::eventually([&] { return page.pixels() != before; }, 20s));
+    page.keyUp("KeyW");
+    EXPECT_TRUE(comesToRest());
+}
+
+TEST_F(PageInput, TurnsByMouseMovement) {
+    const WebPage page = drive();
+    capture(page);
+    const float before = client().status().forward[0];
+    for (int x = 100; x < 200; x += 10)
+        page.call("Input.dispatchMouseEvent",
+                  {{"type", "mouseMoved"}, {"x", x}, {"y", 300}, {"buttons", 1}, {"button", "left"}});
+    EXPECT_TRUE(test::eventually(
+        [&] {
+            client().update();
+            return client().status().forward[0] != before;
+        },
+        20s));
+}
+
+TEST_F(PageInput, ReleasesKeysWhenTheWindowLosesTheFocus) {
+    const WebPage page = drive();
+    walk(page);
+    page.value("dispatchEvent(new Event('blur'))");
+    EXPECT_TRUE(comesToRest());
+}
+
+TEST_F(PageInput, ReleasesKeysWhenTheTabIsHidden) {
+    WebPage page = drive();
+    walk(page);
+    page.hide();
+    EXPECT_TRUE(comesToRest());
+}
+
+TEST_F(PageInput, ReleasesKeysWhenTheFocusGoesToAnotherElement) {
+    const WebPage page = drive();
+    walk(page);
+    page.value("document.getElementById('menu').focus()");
+    EXPECT_TRUE(comesToRest());
+}
+
+TEST_F(PageInput, ReleasesKeysWhenTheBrowserIsKilled) {
+    const WebPage page = drive();
+    walk(page);
+    browser().kill();
+    EXPECT_TRUE(comesToRest());
+}
+
+TEST_F(PageInput, ReleasesKeysWhenTheBridgeIsKilled) {
+    const WebPage page = drive();
+    walk(page);
+    bridge().send(SIGKILL);
+    EXPECT_TRUE(comesToRest());
+}
+
+// The page is alive, but its scripts stand still, as in a debugger.
+TEST_F(PageInput, ReleasesKeysWhenThePageIsFrozen) {
+    const WebPage page = drive();
+    walk(page);
+    page.call("Debugger.enable");
+    page.call("Debugger.pause");
+    EXPECT_TRUE(comesToRest());
+}
+
+TEST_F(PageInput, IgnoresKeysThatComeWithoutCapture) {
+    const WebPage page = drive();
+    ask("fly");
+    ASSERT_TRUE(comesToRest());
+    const rtcore::Vec3 start = eye();
+    page.value("document.getElementById('view').focus()");
+    page.keyDown("KeyW");
+    // A later key that is taken shows that the first one had its chance.
+    capture(page);
+    page.keyDown("KeyE");
+    page.keyUp("KeyE");
+    EXPECT_TRUE(comesToRest());
+    EXPECT_EQ(eye(), start);
+}
+
+TEST_F(PageInput, AViewerMovesNothing) {
+    startServer();
+    startBridge();
+    startBrowser();
+    const WebPage page(browser(), viewerLink());
+    ASSERT_TRUE(showsFrame(page));
+    ASSERT_TRUE(comesToRest());
+    const rtcore::Vec3 start = eye();
+    page.value("document.getElementById('view').focus()");
+    page.keyDown("Enter");
+    page.keyUp("Enter");
+    page.keyDown("KeyW");
+    EXPECT_TRUE(page.becomes("document.getElementById('notices').textContent !== ''"))
+        << "it should say who drives";
+    EXPECT_EQ(eye(), start);
+}
+
+} // namespace
