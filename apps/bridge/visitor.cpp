@@ -38,30 +38,35 @@ void Visitor::text(std::string_view message) {
 }
 
 void Visitor::binary(std::span<const std::uint8_t> message) {
-    if (room_ == nullptr) return outlet_->close(CloseCode::BadMessage, "hello comes first");
+    if (room_ == nullptr) return close(CloseCode::BadMessage, "hello comes first");
     room_->binary(id_, message);
 }
 
+void Visitor::close(CloseCode code, const std::string& reason) {
+    if (const auto outlet = outlet_.lock()) outlet->close(code, reason);
+}
+
 void Visitor::hello(std::string_view text) {
+    const std::shared_ptr<Outlet> outlet = outlet_.lock();
+    if (!outlet) return;
     constexpr int kDepth = 8;
     const auto shallow = [](int depth, json::parse_event_t, json&) { return depth < kDepth; };
     const json message = json::parse(text, shallow, false);
     if (!message.is_object() || textOf(message, "do") != "hello")
-        return outlet_->close(CloseCode::BadMessage, "hello comes first");
+        return close(CloseCode::BadMessage, "hello comes first");
     const auto version = message.find("v");
     if (version == message.end() || !version->is_number_integer() || *version != 1)
-        return outlet_->close(CloseCode::OtherVersion, "this bridge speaks version 1");
+        return close(CloseCode::OtherVersion, "this bridge speaks version 1");
     const Hub::Right right = hub_.rightOf(textOf(message, "token"));
     if (right == Hub::Right::None) {
-        hub_.wrongToken(outlet_->address());
-        return outlet_->close(CloseCode::BadToken,
-                              "the token is wrong; open the link that the bridge printed last");
+        hub_.wrongToken(outlet->address());
+        return close(CloseCode::BadToken, "the token is wrong; open the link that the bridge printed last");
     }
     Room* const room = hub_.room(textOf(message, "instance"));
-    if (room == nullptr) return outlet_->close(CloseCode::NoInstance, hub_.instanceList());
+    if (room == nullptr) return close(CloseCode::NoInstance, hub_.instanceList());
     room_ = room;
     id_ = hub_.newId();
-    room->join(id_, plainName(textOf(message, "name")), right == Hub::Right::Drive, viewOf(message), outlet_,
+    room->join(id_, plainName(textOf(message, "name")), right == Hub::Right::Drive, viewOf(message), outlet,
                hub_.welcome(*room, id_, right));
 }
 
@@ -74,14 +79,14 @@ void Visitor::writable() {
 }
 
 void Visitor::closed() {
-    outlet_.reset();
+    isClosed_ = true;
     hub_.visitorLeft();
     if (room_ != nullptr) room_->leave(id_);
 }
 
 void Visitor::tick(double now) {
-    if (room_ == nullptr && outlet_ && now - began_ > kHelloTime)
-        outlet_->close(CloseCode::NoHello, "no hello within 5 s");
+    if (room_ == nullptr && !isClosed_ && now - began_ > kHelloTime)
+        close(CloseCode::NoHello, "no hello within 5 s");
 }
 
 } // namespace bridge

@@ -9,7 +9,7 @@ namespace bridge {
 
 class Visitor : public Receiver {
   public:
-    Visitor(Hub& hub, std::shared_ptr<Outlet> outlet) : hub_(hub), outlet_(std::move(outlet)) {
+    Visitor(Hub& hub, const std::shared_ptr<Outlet>& outlet) : hub_(hub), outlet_(outlet) {
         hub_.visitorCame();
     }
 
@@ -23,11 +23,13 @@ class Visitor : public Receiver {
 
   private:
     void hello(std::string_view message);
+    void close(CloseCode code, const std::string& reason);
 
     Hub& hub_;
-    std::shared_ptr<Outlet> outlet_; ///< null once closed
-    Room* room_ = nullptr;           ///< null: before `hello`
+    std::weak_ptr<Outlet> outlet_; ///< which holds this
+    Room* room_ = nullptr;         ///< null: before `hello`
     SessionId id_ = 0;
+    bool isClosed_ = false;
     double began_ = nowSeconds();
 };
 

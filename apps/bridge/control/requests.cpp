@@ -27,11 +27,20 @@ struct RequestRow {
     AnswerShape shape = AnswerShape::Text;
 };
 
+/// The arguments are whole before the list begins: when one of them throws within braces, GCC 12 may destroy
+/// strings that were never made.
+template <typename... Each>
+Words wordList(Each&&... each) {
+    Words words;
+    (words.emplace_back(std::forward<Each>(each)), ...);
+    return words;
+}
+
 Words none(Fields, const RequestSurroundings&) { return {}; }
 
 // --- Camera ---
 
-Words ifGiven(Fields f, std::string_view key) { return f.has(key) ? Words{f.word(key)} : Words{}; }
+Words ifGiven(Fields f, std::string_view key) { return f.has(key) ? wordList(f.word(key)) : Words(); }
 
 /// `camera set` takes what is up only behind the field of view, so without that the server's stays.
 Words camera(Fields f, const RequestSurroundings&) {
@@ -39,24 +48,24 @@ Words camera(Fields f, const RequestSurroundings&) {
     return f.has("up") && f.has("fov") ? words + f.vector("up") : words;
 }
 Words orthographic(Fields f, const RequestSurroundings&) {
-    Words words = f.vector("eye") + f.vector("forward") + Words{f.word("width")};
+    Words words = f.vector("eye") + f.vector("forward") + wordList(f.word("width"));
     return f.has("up") ? words + f.vector("up") : words;
 }
 Words lookAt(Fields f, const RequestSurroundings&) {
     return f.vector("eye") + f.vector("target") + ifGiven(f, "fov");
 }
-Words focus(Fields f, const RequestSurroundings&) { return {f.word("x"), f.word("y")}; }
+Words focus(Fields f, const RequestSurroundings&) { return wordList(f.word("x"), f.word("y")); }
 Words bookmark(Fields f, const RequestSurroundings& around) {
     const std::int64_t number = f.integer("number");
     if (number < 1 || number > static_cast<std::int64_t>(around.bookmarks.size()))
         throw Refused("there is no such bookmark");
-    return {around.bookmarks[static_cast<std::size_t>(number - 1)]};
+    return wordList(around.bookmarks[static_cast<std::size_t>(number - 1)]);
 }
 
 // --- Settings ---
 
 Words set(Fields f, const RequestSurroundings& around) {
-    return {f.text("name"), settingValueText(f.text("name"), f.value("value"), around.limits)};
+    return wordList(f.text("name"), settingValueText(f.text("name"), f.value("value"), around.limits));
 }
 Words defaults(Fields, const RequestSurroundings& around) {
     if (!around.limits.locked.empty()) throw Refused("some settings are locked; reset others one by one");
@@ -71,11 +80,11 @@ Words resolution(Fields f, const RequestSurroundings& around) {
         throw Refused("width and height are from 1 to 16384");
     if (width * height > around.limits.maxPixels)
         throw Refused(fmt::format("{} x {} are more than {} pixels", width, height, around.limits.maxPixels));
-    return {f.whole("width"), f.whole("height")};
+    return wordList(f.whole("width"), f.whole("height"));
 }
 Words bloom(Fields f, const RequestSurroundings& around) {
     if (around.limits.isLocked("bloom.radius")) throw Refused("bloom.radius is locked");
-    return {f.onOff("on")};
+    return wordList(f.onOff("on"));
 }
 
 // --- Lights ---
@@ -83,63 +92,67 @@ Words bloom(Fields f, const RequestSurroundings& around) {
 std::string kind(Fields f) {
     return f.choice("kind", {"point", "directional", "spot", "sphere", "rectangle"});
 }
-Words light(Fields f, const RequestSurroundings&) { return {f.whole("light"), f.onOff("on")}; }
-Words lightAdd(Fields f, const RequestSurroundings&) { return {kind(f)}; }
-Words lightOnly(Fields f, const RequestSurroundings&) { return {f.whole("light")}; }
-Words lightKind(Fields f, const RequestSurroundings&) { return {f.whole("light"), kind(f)}; }
+Words light(Fields f, const RequestSurroundings&) { return wordList(f.whole("light"), f.onOff("on")); }
+Words lightAdd(Fields f, const RequestSurroundings&) { return wordList(kind(f)); }
+Words lightOnly(Fields f, const RequestSurroundings&) { return wordList(f.whole("light")); }
+Words lightKind(Fields f, const RequestSurroundings&) { return wordList(f.whole("light"), kind(f)); }
 Words seenAt(Fields f) {
-    return f.has("x") || f.has("y") ? Words{"seen", f.word("x"), f.word("y")} : Words{"seen"};
+    return f.has("x") || f.has("y") ? wordList("seen", f.word("x"), f.word("y")) : wordList("seen");
 }
 Words place(Fields f, std::string_view other) {
-    if (f.isArray("to")) return Words{"at"} + f.vector("to");
+    if (f.isArray("to")) return wordList("at") + f.vector("to");
     const std::string to = f.choice("to", {other, "seen"});
-    return to == "seen" ? seenAt(f) : Words{to};
+    return to == "seen" ? seenAt(f) : wordList(to);
 }
-Words lightMove(Fields f, const RequestSurroundings&) { return Words{f.whole("light")} + place(f, "here"); }
+Words lightMove(Fields f, const RequestSurroundings&) {
+    return wordList(f.whole("light")) + place(f, "here");
+}
 Words lightAim(Fields f, const RequestSurroundings&) {
-    const Words light{f.whole("light")};
-    return f.has("along") ? light + Words{"along"} + f.vector("along") : light + place(f, "ahead");
+    const Words light = wordList(f.whole("light"));
+    return f.has("along") ? light + wordList("along") + f.vector("along") : light + place(f, "ahead");
 }
 Words lightColour(Fields f, const RequestSurroundings&) {
-    return Words{f.whole("light")} + f.vector("colour");
+    return wordList(f.whole("light")) + f.vector("colour");
 }
 Words lightTemperature(Fields f, const RequestSurroundings&) {
-    return {f.whole("light"), f.isNull("kelvin") ? "none" : f.word("kelvin")};
+    return wordList(f.whole("light"), f.isNull("kelvin") ? "none" : f.word("kelvin"));
 }
-Words lightPower(Fields f, const RequestSurroundings&) { return {f.whole("light"), f.word("watts")}; }
+Words lightPower(Fields f, const RequestSurroundings&) { return wordList(f.whole("light"), f.word("watts")); }
 Words lightSize(Fields f, const RequestSurroundings&) {
-    if (f.has("radius")) return {f.whole("light"), f.word("radius")};
-    return {f.whole("light"), f.word("width"), f.word("height")};
+    if (f.has("radius")) return wordList(f.whole("light"), f.word("radius"));
+    return wordList(f.whole("light"), f.word("width"), f.word("height"));
 }
 Words lightAngles(Fields f, const RequestSurroundings&) {
-    return {f.whole("light"), f.word("inner"), f.word("outer")};
+    return wordList(f.whole("light"), f.word("inner"), f.word("outer"));
 }
 
 // --- Surroundings ---
 
-Words environment(Fields f, const RequestSurroundings&) { return {f.whole("number")}; }
-Words degrees(Fields f, const RequestSurroundings&) { return {f.word("degrees")}; }
-Words factor(Fields f, const RequestSurroundings&) { return {f.word("factor")}; }
-Words onOff(Fields f, const RequestSurroundings&) { return {f.onOff("on")}; }
+Words environment(Fields f, const RequestSurroundings&) { return wordList(f.whole("number")); }
+Words degrees(Fields f, const RequestSurroundings&) { return wordList(f.word("degrees")); }
+Words factor(Fields f, const RequestSurroundings&) { return wordList(f.word("factor")); }
+Words onOff(Fields f, const RequestSurroundings&) { return wordList(f.onOff("on")); }
 Words look(Fields f, const RequestSurroundings&) {
-    return {f.choice("name", {"sky", "studio", "headlight"})};
+    return wordList(f.choice("name", {"sky", "studio", "headlight"}));
 }
-Words skyHour(Fields f, const RequestSurroundings&) { return {f.word("hour")}; }
+Words skyHour(Fields f, const RequestSurroundings&) { return wordList(f.word("hour")); }
 Words skyDate(Fields f, const RequestSurroundings&) {
     const std::int64_t year = f.integer("year"), month = f.integer("month"), day = f.integer("day");
     if (year < 1800 || year > 2200 || month < 1 || month > 12 || day < 1 || day > 31)
         throw Refused("there is no such day from 1800 to 2200");
-    return {fmt::format("{:04}-{:02}-{:02}", year, month, day)};
+    return wordList(fmt::format("{:04}-{:02}-{:02}", year, month, day));
 }
 Words skyPlace(Fields f, const RequestSurroundings&) {
-    return Words{f.word("latitude"), f.word("longitude")} + ifGiven(f, "zone");
+    return wordList(f.word("latitude"), f.word("longitude")) + ifGiven(f, "zone");
 }
 Words skyDirection(Fields f, const RequestSurroundings&) { return f.vector("direction"); }
-Words skyTurbidity(Fields f, const RequestSurroundings&) { return {f.word("turbidity")}; }
+Words skyTurbidity(Fields f, const RequestSurroundings&) { return wordList(f.word("turbidity")); }
 
 // --- The model ---
 
-Words from(Fields f, const RequestSurroundings&) { return f.has("from") ? Words{f.whole("from")} : Words{}; }
+Words from(Fields f, const RequestSurroundings&) {
+    return f.has("from") ? wordList(f.whole("from")) : Words();
+}
 Words partList(Fields f, const RequestSurroundings&) {
     constexpr std::size_t kMostParts = 64;
     const nlohmann::json& parts = f.value("parts");
@@ -155,16 +168,16 @@ std::string materialNumber(Fields f) {
     if (f.integer("number") < 1) throw Refused("'number' is from 1");
     return f.whole("number");
 }
-Words material(Fields f, const RequestSurroundings&) { return {materialNumber(f)}; }
+Words material(Fields f, const RequestSurroundings&) { return wordList(materialNumber(f)); }
 Words materialSet(Fields f, const RequestSurroundings&) {
-    const Words start{
-        materialNumber(f),
-        f.choice("key", {"diffuse", "specular", "shininess", "roughness", "metallic", "reflectivity",
-                         "fresnel", "opacity", "transmission", "attenuationDistance", "indexOfRefraction",
-                         "emission", "textures", "flipTextures"})};
+    const Words start =
+        wordList(materialNumber(f),
+                 f.choice("key", {"diffuse", "specular", "shininess", "roughness", "metallic", "reflectivity",
+                                  "fresnel", "opacity", "transmission", "attenuationDistance",
+                                  "indexOfRefraction", "emission", "textures", "flipTextures"}));
     if (f.isArray("value")) return start + f.vector("value");
-    if (f.value("value").is_boolean()) return start + Words{f.boolean("value") ? "true" : "false"};
-    return start + Words{f.word("value")};
+    if (f.value("value").is_boolean()) return start + wordList(f.boolean("value") ? "true" : "false");
+    return start + wordList(f.word("value"));
 }
 
 constexpr std::array kRows{
@@ -178,7 +191,7 @@ constexpr std::array kRows{
     RequestRow{"reset", CommandId::CameraReset, none},
     RequestRow{"angle", CommandId::CameraAngle, degrees},
     RequestRow{"lens", CommandId::CameraLens,
-               [](Fields f, const RequestSurroundings&) { return Words{f.word("mm")}; }},
+               [](Fields f, const RequestSurroundings&) { return wordList(f.word("mm")); }},
     RequestRow{"zoom", CommandId::CameraZoom, factor},
     RequestRow{"focus", CommandId::Focus, focus},
     RequestRow{"speed", CommandId::Speed, factor},

@@ -46,7 +46,9 @@ TEST_F(Floods, OfViewersThatNeitherReadNorAcknowledge) {
     const std::size_t before = memoryKb();
     EXPECT_GE(framesWithin(*honest, 2s), 10);
     EXPECT_LT(memoryKb(), before + 16'000) << "nothing is queued";
-    EXPECT_LT(memoryKb(), 100'000U);
+    if (!kSanitized) {
+        EXPECT_LT(memoryKb(), 100'000U);
+    }
 }
 
 TEST_F(Floods, OfMessagesCloseTheirOwnConnection) {

@@ -191,8 +191,10 @@ std::optional<WebFrame> WebClient::next(std::chrono::milliseconds within) {
             if (frame->opcode != 9) return frame;
             if (answersPings) socket_.write(webFrame(0x8A, frame->payload));
         }
-        if (socket_.closed() || SteadyClock::now() >= end) return {};
-        buffer_ += socket_.read(leftUntil(end));
+        if (socket_.closed()) return {};
+        const std::string more = socket_.read(leftUntil(end));
+        if (more.empty() && SteadyClock::now() >= end) return {};
+        buffer_ += more;
     }
 }
 
