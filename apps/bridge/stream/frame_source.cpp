@@ -202,6 +202,7 @@ FrameFacts FrameSource::State::factsOf(const ipc::Frame& frame, const ipc::Statu
 
 void FrameSource::State::encodeWanted(const FrameDemand& wanted) {
     RungMask mask = 0;
+    bool anyAsked = false;
     {
         const std::lock_guard lock(mutex);
         const bool sameStream = wanted.stream == facts.stream;
@@ -211,10 +212,15 @@ void FrameSource::State::encodeWanted(const FrameDemand& wanted) {
             if (asked) mask |= RungMask(1) << rung;
         }
         mask = mergedRungs(mask);
+        anyAsked = mask != 0;
         for (std::size_t rung = 0; rung < kRungs.size(); ++rung)
             if (set.byRung[rung]) mask &= ~(RungMask(1) << rung);
     }
-    if (mask == 0) return;
+    if (mask == 0) {
+        // Whoever comes after all others have left asks for a frame that is encoded already.
+        if (anyAsked) publish();
+        return;
+    }
     lastEncoded = FrameClock::now();
     for (std::size_t rung = 0; rung < kRungs.size(); ++rung) {
         if ((mask >> rung & 1) == 0) continue;
