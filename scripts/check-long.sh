@@ -2,14 +2,14 @@
 # The checks that take too long for every run; their output belongs into the note that closes an issue.
 #   scripts/check-long.sh [formulas] [leaks] [leaving] [trees] [waves] [oracle] [mutations] [scn] [kills] [formats] [ipc] [server]
 #                         [reaction] [soak] [edits] [scenes] [preview] [window] [walks] [tutorial] [models] [sanitizers] [mutants]
-#                         [arm64]
+#                         [web] [arm64]
 # Without arguments: all. RT_ISA chooses the instruction set of the kernels.
 set -eu
 cd "$(dirname "$0")/.."
 scripts/build.sh
 [ $# -gt 0 ] ||
     set -- formulas leaks leaving trees waves oracle mutations scn kills formats ipc server reaction soak edits scenes preview window \
-        walks tutorial models sanitizers mutants arm64
+        walks tutorial models sanitizers mutants web arm64
 release=build/release/bin
 for check in "$@"; do
     echo "== $check"
@@ -22,6 +22,10 @@ for check in "$@"; do
             QT_QPA_PLATFORM=offscreen python3 scripts/known_models.py "$RT_KNOWN_MODELS"
         }
         RT_KNOWN_MODELS=$(realpath "$RT_KNOWN_MODELS") $release/test_known_models
+        ;;
+    web)
+        # The bridge's page in a real Chromium (Debian package chromium); without it all are skipped.
+        $release/test_web
         ;;
     formulas)
         # Each formula for one number and for vectors of them, on so many inputs.
