@@ -478,7 +478,7 @@ void Room::tick() {
         status = statusJson(status_).dump();
     }
     for (auto& [id, session] : sessions_) {
-        if (statusDue && !session.outlet->busy() && session.lastStatus != status) {
+        if (statusDue && session.lastStatus != status) {
             session.lastStatus = status;
             session.outlet->sendText(status);
         }
@@ -488,7 +488,7 @@ void Room::tick() {
             8e-6 * static_cast<double>(session.bytes - session.lastLinkBytes) / (now - session.lastLink);
         session.lastLink = now;
         session.lastLinkBytes = session.bytes;
-        if (sent == session.linkSent || session.outlet->busy()) continue;
+        if (sent == session.linkSent) continue;
         session.linkSent = sent;
         const LinkReport link = session.delivery.rate().report();
         const Rung& rung = kRungs[static_cast<std::size_t>(link.rung)];

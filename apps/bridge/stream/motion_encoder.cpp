@@ -22,7 +22,9 @@ MotionEncoder::MotionEncoder() : library_(tjInitCompress()) {
 MotionEncoder::~MotionEncoder() { tjDestroy(library_); }
 
 SharedFrame MotionEncoder::encode(const Pixels& pixels, const Rung& rung, FrameFacts facts) {
-    const Pixels input = rung.divide == 1 ? pixels : shrink(pixels, rung.divide, small_);
+    const int shown = std::max<int>(facts.shownWidth, pixels.width);
+    const int divide = std::max(1, rung.divide * pixels.width / shown);
+    const Pixels input = divide == 1 ? pixels : shrink(pixels, divide, small_);
     return compress(input, rung.quality, TJSAMP_420, facts);
 }
 

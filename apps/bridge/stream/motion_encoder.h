@@ -24,7 +24,8 @@ class MotionEncoder {
     MotionEncoder(const MotionEncoder&) = delete;
     MotionEncoder& operator=(const MotionEncoder&) = delete;
 
-    /// `facts` as they are to be, but for width and height, which follow from the rung. Throws
+    /// `facts` as they are to be, but for width and height, which follow from the rung: so many times smaller
+    /// than what is shown, or as the frame is where the server made it as small itself. Throws
     /// std::runtime_error where the library refuses.
     SharedFrame encode(const Pixels& pixels, const Rung& rung, FrameFacts facts);
     /// For narrow links at rest: full size, colours not subsampled.

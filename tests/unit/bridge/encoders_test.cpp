@@ -76,6 +76,20 @@ TEST(MotionEncoder, MakesJpegsOfEachRungsSize) {
     }
 }
 
+TEST(MotionEncoder, MakesNoCoarseFrameCoarserThanTheRungAsksFor) {
+    const std::vector<std::byte> bytes = randomPixels(40, 20);
+    bridge::FrameFacts facts;
+    bridge::MotionEncoder encoder;
+    const auto widthOf = [&](std::uint16_t shown, int divide) {
+        facts.shownWidth = shown;
+        return encoder.encode({bytes, 40, 20}, {divide, 60, 1}, facts)->facts.width;
+    };
+    EXPECT_EQ(widthOf(40, 2), 20);
+    EXPECT_EQ(widthOf(80, 2), 40);
+    EXPECT_EQ(widthOf(120, 3), 40);
+    EXPECT_EQ(widthOf(60, 3), 20);
+}
+
 TEST(MotionEncoder, TakesFramesOfOnePixel) {
     const std::vector<std::byte> bytes = randomPixels(1, 1);
     bridge::MotionEncoder encoder;
