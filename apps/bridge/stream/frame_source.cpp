@@ -217,7 +217,7 @@ void FrameSource::State::encodeWanted(const FrameDemand& wanted) {
             if (set.byRung[rung]) mask &= ~(RungMask(1) << rung);
     }
     if (mask == 0) {
-        // Whoever comes after all others have left asks for a frame that is encoded already.
+        // A page that comes after all others have left asks for a frame that is encoded already.
         if (anyAsked) publish();
         return;
     }
