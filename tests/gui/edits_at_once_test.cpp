@@ -2,6 +2,7 @@
 #include "gui/lit_scene.h"
 #include "gui/window_support.h"
 
+#include "common/commands/state_report.h"
 #include "gui/operations/scene_editor.h"
 
 #include <QProcess>
@@ -28,12 +29,15 @@ class EditsAtOnce : public test::WindowFixture {
     QStringList command(const QString& line) {
         return QStringList{QStringLiteral("--instance=") + name()} + line.split(QLatin1Char(' '));
     }
-    void run(const QString& line) {
+    QByteArray run(const QString& line) {
         QProcess cui;
         cui.start(QString::fromStdString(test::programPath("CUI")), command(line));
-        ASSERT_TRUE(comes([&] { return cui.state() == QProcess::NotRunning; })) << line.toStdString();
-        ASSERT_EQ(cui.exitCode(), 0) << line.toStdString() << cui.readAllStandardError().toStdString();
+        EXPECT_TRUE(comes([&] { return cui.state() == QProcess::NotRunning; })) << line.toStdString();
+        EXPECT_EQ(cui.exitCode(), 0) << line.toStdString() << cui.readAllStandardError().toStdString();
+        return cui.readAllStandardOutput();
     }
+    /// As the server counts them: on a busy machine the window learns of those of others later.
+    int madeEdits() { return app::parseStateReport(run(QStringLiteral("state")).toStdString()).edits; }
     /// All that can be seen and saved of what is shown.
     std::string shown() {
         run(QStringLiteral("wait-idle"));
@@ -134,7 +138,8 @@ TEST_F(EditsAtOnce, OfTheWindowAndOfCuiAreTakenBackToTheFirstBits) {
     ASSERT_TRUE(comes([&] { return !window->editor().undoText().isEmpty(); }));
     const std::string last = shown();
     EXPECT_NE(last, first);
-    const int made = state().edits;
+    const int made = madeEdits();
+    ASSERT_TRUE(comes([&] { return state().edits == made; }));
     EXPECT_GT(made, edits / 4);
     RecordProperty("edits", made);
     go(ActionId::Undo);
