@@ -70,12 +70,12 @@ class Serving {
             options_.listen.socketPath = socketPathFor(options_.instances.front());
         if (options_.origin) {
             options_.names.origins = {options_.origin->origin};
+            options_.names.proxyHost = options_.origin->host;
             options_.names.prefix = options_.origin->prefix;
         }
         if (options_.start) started_ = startServer(*options_.start, options_.instances.front());
         server_ = std::make_unique<HttpServer>(options_.listen, options_.names, options_.tls, handlers());
         server_->addHosts(hostsOf(options_.listen, server_->port()));
-        if (options_.origin) server_->addHosts({options_.origin->host});
         hub_ = std::make_unique<Hub>(options_, tokens_,
                                      [this](std::function<void()> work) { server_->post(std::move(work)); });
     }

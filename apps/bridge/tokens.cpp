@@ -6,6 +6,10 @@
 
 #include "rtcore/platform/error.h"
 
+#include <fmt/core.h>
+
+#include <sstream>
+
 namespace bridge {
 
 namespace {
@@ -18,17 +22,14 @@ bool isToken(const std::string& text) {
     return plain && text.size() >= kLeast && text.size() <= kMost;
 }
 
-Tokens tokensOf(const std::string& path) {
+/// What the file holds takes the place of `tokens`; where there is none they are written to it.
+void keepTokens(const std::string& path, Tokens& tokens) {
     const std::optional<std::string> text = app::readPrivateFile(path);
-    if (!text) {
-        Tokens tokens{newToken(), newToken()};
-        app::writePrivateFile(path, tokens.driver + "\n" + tokens.viewer + "\n");
-        return tokens;
-    }
-    const std::size_t line = std::min(text->find('\n'), text->size());
-    const std::string rest = line < text->size() ? text->substr(line + 1) : "";
-    Tokens tokens{text->substr(0, line), rest.substr(0, rest.find('\n'))};
-    if (isToken(tokens.driver) && isToken(tokens.viewer) && tokens.driver != tokens.viewer) return tokens;
+    if (!text) return app::writePrivateFile(path, fmt::format("{}\n{}\n", tokens.driver, tokens.viewer));
+    std::istringstream lines(*text);
+    std::getline(lines, tokens.driver);
+    std::getline(lines, tokens.viewer);
+    if (isToken(tokens.driver) && isToken(tokens.viewer) && tokens.driver != tokens.viewer) return;
     throw rtcore::FileError(
         rtcore::FailureKind::BadData, path,
         "it takes two lines, the driver's and the viewer's token, of at least 22 letters, "
@@ -38,7 +39,8 @@ Tokens tokensOf(const std::string& path) {
 } // namespace
 
 Tokens openTokens(const std::optional<std::filesystem::path>& file, bool viewOnly) {
-    Tokens tokens = file ? tokensOf(file->string()) : Tokens{newToken(), newToken()};
+    Tokens tokens{newToken(), newToken()};
+    if (file) keepTokens(file->string(), tokens);
     if (viewOnly) tokens.driver.clear();
     return tokens;
 }

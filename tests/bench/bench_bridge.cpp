@@ -259,7 +259,7 @@ void measureInput(const std::vector<std::byte>& pixels) {
         toKey.push_back(1e-6 * static_cast<double>(server.pressedNs - start.time_since_epoch().count()));
         client.acknowledge(*frame);
         std::this_thread::sleep_for(
-            std::chrono::milliseconds(20 + 7 * i % 31)); // 60 frames per second are the most
+            std::chrono::milliseconds(20 + 7 * i % 31)); // the bridge takes 60 per second
         if (i % 10 != 0) continue;
         for (auto part = client.binary(2); part; part = client.binary(2)) {
             client.acknowledge(*part);

@@ -1,9 +1,5 @@
 #include "bridge/control/room.h"
 
-#include "bridge/control/plain_name.h"
-
-#include "common/commands/command_lines.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -16,12 +12,6 @@ namespace {
 using nlohmann::json;
 
 constexpr double kStatusEvery = 0.5, kPingEvery = 2, kLinkEvery = 1;
-
-std::int64_t nowNanoseconds() {
-    return std::chrono::duration_cast<std::chrono::nanoseconds>(
-               std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-}
 
 const char* nameOf(ServerState state) {
     switch (state) {
@@ -201,83 +191,6 @@ void Room::text(SessionId id, std::string_view message) {
     }
 }
 
-// --- Requests ---
-
-void Room::answer(Session& session, std::uint32_t id, bool ok, const std::string& text, json content) {
-    if (!content.is_object()) content = json::object();
-    content["event"] = "answer";
-    content["id"] = id;
-    content["ok"] = ok;
-    content["text"] = withoutFolders(text);
-    send(session, content);
-}
-
-void Room::request(Session& session, const json& content, std::uint32_t id) {
-    constexpr int kMostRequests = 4;
-    const PlannedCommand planned = planRequest(content, {limits_, facts_.bookmarks()});
-    if (!planned.anyone && !roles_.drives(session.id))
-        throw Refused("only the driver may do that; ask to drive first");
-    if (session.requests >= kMostRequests) throw Refused("too many requests at once");
-    if (server_ && !hasServer()) throw Refused("there is no server");
-    checkUndo(session, planned);
-    watchSetting(planned);
-    if (!planned.anyone) lastInput_ = nowSeconds();
-    roles_.touch(session.id, nowSeconds());
-    ++session.requests;
-    commands_->request(planned.line,
-                       [this, alive = std::weak_ptr(alive_), by = session.id, id, planned](ipc::Reply reply) {
-                           post_([this, alive, by, id, planned, reply = std::move(reply)] {
-                               if (!alive.expired()) answered(by, id, planned, reply);
-                           });
-                       });
-}
-
-void Room::checkUndo(const Session& session, const PlannedCommand& planned) const {
-    using app::CommandId;
-    if (planned.id == CommandId::Undo && !edits_.mayUndo(session.id, facts_.edits(), facts_.undo()))
-        throw Refused("the last edit is not yours");
-    if (planned.id == CommandId::Redo && !edits_.mayRedo(session.id, facts_.edits(), facts_.redo()))
-        throw Refused("there is no edit of yours to make again");
-}
-
-void Room::answered(SessionId by, std::uint32_t id, const PlannedCommand& planned, const ipc::Reply& reply) {
-    const bool done = reply.status == ipc::ReplyStatus::Done;
-    if (done && planned.id == app::CommandId::Undo) edits_.undone();
-    if (done && planned.id == app::CommandId::Redo) edits_.redone();
-    if (done && planned.edits) editor_ = by;
-    if (!planned.anyone) commands_->refresh();
-    Session* const session = find(by);
-    if (session == nullptr) return;
-    --session->requests;
-    answer(*session, id, done, planned.shape == AnswerShape::Text || !done ? reply.text : std::string(),
-           done ? answerContent(planned.shape, reply.text) : json::object());
-}
-
-// A setting that makes frames last for seconds locks its own author out: the old value comes back.
-
-void Room::watchSetting(const PlannedCommand& planned) {
-    if (planned.setting.empty()) return;
-    watched_ = WatchedSetting{planned.setting, facts_.settingText(planned.setting), nowSeconds()};
-}
-
-void Room::guardSetting() {
-    if (!watched_ || watched_->value.empty()) return;
-    constexpr double kLongFrame = 5, kWatched = 15;
-    const double now = nowSeconds();
-    const bool waits = now - watched_->since > kLongFrame && lastFrame_ < watched_->since &&
-                       status_.idle == 0 && status_.paused == 0 && hasStatus_;
-    if (waits || (lastFrame_ > watched_->since && status_.frameSeconds > kLongFrame)) {
-        const std::string name = watched_->name;
-        commands_->request(app::command::set(name, watched_->value), [](const ipc::Reply&) {});
-        commands_->refresh();
-        for (auto& [id, session] : sessions_)
-            notice(session, "heavy", name + " was set back: a frame took more than 5 s");
-        watched_.reset();
-    } else if (now - watched_->since > kWatched) {
-        watched_.reset();
-    }
-}
-
 // --- The server ---
 
 void Room::serverChanged(ServerState state, const std::string& why) {
@@ -327,97 +240,6 @@ void Room::sendState(Session& session, const json& content) {
     event["mayUndo"] = edits_.mayUndo(session.id, facts_.edits(), facts_.undo());
     event["mayRedo"] = edits_.mayRedo(session.id, facts_.edits(), facts_.redo());
     send(session, event);
-}
-
-// --- Roles and input ---
-
-json Room::rolesEvent() const {
-    json people = json::array();
-    for (const Person& each : roles_.people())
-        people.push_back({{"id", each.id}, {"name", each.name}, {"mayDrive", each.mayDrive}});
-    json event{{"event", "roles"}, {"driver", nullptr}, {"asking", roles_.asking()}, {"people", people}};
-    if (roles_.driver()) event["driver"] = *roles_.driver();
-    return event;
-}
-
-void Room::rolesChanged(std::optional<SessionId> before) {
-    if (before != roles_.driver()) {
-        releaseKeys();
-        if (Session* const last = before ? find(*before) : nullptr) {
-            last->input.release();
-            notice(*last, "taken", roles_.driver() ? "another drives now" : "there is no driver now");
-        }
-        if (Session* const next = roles_.driver() ? find(*roles_.driver()) : nullptr)
-            notice(*next, "handed", "you drive now");
-    }
-    sendAll(rolesEvent());
-}
-
-void Room::releaseKeys() {
-    commands_->setKeys({});
-    commands_->dropTurn();
-}
-
-void Room::applyInput(Session& session, const InputMessage& input) {
-    if (!roles_.drives(session.id)) return;
-    const double now = nowSeconds();
-    if (!session.input.apply(input, now)) return;
-    const bool acts = input.right != 0 || input.up != 0 || !input.held.empty() || !input.taps.empty();
-    commands_->setKeys(session.input.held());
-    if (!input.taps.empty()) commands_->tap(input.taps);
-    constexpr double kDegrees = 1e-3;
-    if (input.right != 0 || input.up != 0) commands_->turn(input.right * kDegrees, input.up * kDegrees);
-    if (acts) {
-        lastInput_ = now;
-        roles_.touch(session.id, now);
-    }
-    constexpr std::size_t kKept = 64;
-    session.given.push_back({input.sequence, nowNanoseconds()});
-    if (session.given.size() > kKept) session.given.pop_front();
-}
-
-bool Room::roleRequest(Session& session, const json& request, std::uint32_t id) {
-    const auto found = request.find("do");
-    const std::string what = found != request.end() && found->is_string() ? found->get<std::string>() : "";
-    const std::optional<SessionId> before = roles_.driver();
-    const double now = nowSeconds();
-    bool ok = true;
-    std::string text;
-    if (what == "ask") {
-        const Roles::Asked asked = roles_.ask(session.id, now);
-        ok = asked != Roles::Asked::NotAllowed;
-        text = ok ? (asked == Roles::Asked::Waits ? "the driver is asked" : "")
-                  : "this link is for looking only";
-        Session* const driver = asked == Roles::Asked::Waits ? find(*roles_.driver()) : nullptr;
-        if (driver != nullptr)
-            send(*driver, {{"event", "notice"},
-                           {"code", "asked"},
-                           {"by", session.id},
-                           {"text", (session.name.empty() ? "A viewer" : session.name) + " asks to drive"}});
-    } else if (what == "give") {
-        const auto to = request.find("to");
-        ok = to != request.end() && to->is_number_unsigned() &&
-             roles_.give(session.id, to->get<SessionId>(), now);
-        if (!ok) text = "only the driver hands over, to one with a driver's link";
-    } else if (what == "keep" || what == "release") {
-        ok = what == "keep" ? roles_.keep(session.id) : roles_.release(session.id);
-        if (!ok) text = "only the driver may do that";
-    } else if (what == "name") {
-        const auto name = request.find("name");
-        ok = name != request.end() && name->is_string();
-        if (ok) session.name = plainName(name->get<std::string>());
-        if (ok) roles_.rename(session.id, session.name);
-        if (!ok) text = "'name' is a text";
-    } else if (what == "state") {
-        if (facts_.known()) sendState(session, facts_.all());
-        answer(session, id, facts_.known(), facts_.known() ? "" : "there is no state yet", {});
-        return true;
-    } else {
-        return false;
-    }
-    answer(session, id, ok, text, {});
-    if (ok) rolesChanged(before);
-    return true;
 }
 
 json Room::report() const {

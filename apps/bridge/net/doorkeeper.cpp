@@ -38,13 +38,15 @@ bool isLoopback(std::string_view host) {
 
 bool isOurHost(const Names& names, std::string_view host) {
     const std::string small = lower(host);
-    return isLoopback(small) || std::ranges::find(names.hosts, small) != names.hosts.end();
+    return isLoopback(small) || (!small.empty() && small == names.proxyHost) ||
+           std::ranges::find(names.hosts, small) != names.hosts.end();
 }
 
 bool isOurOrigin(const Names& names, std::string_view host, std::optional<std::string_view> origin) {
     if (!origin) return names.allowNoOrigin;
     const std::string small = lower(*origin);
     if (std::ranges::find(names.origins, small) != names.origins.end()) return true;
+    if (!names.proxyHost.empty() && lower(host) == names.proxyHost) return false;
     return small == (names.tls ? "https://" : "http://") + lower(host);
 }
 

@@ -16,6 +16,7 @@ namespace bridge {
 struct Names {
     std::vector<std::string> hosts;   ///< "192.168.1.7:8443", in small letters, besides the loopback's
     std::vector<std::string> origins; ///< "https://viz.example": of --origin, exactly
+    std::string proxyHost;            ///< "viz.example", that of --origin: its pages have its `origins` only
     std::string prefix;               ///< "/node7/8931" of --origin; "" without one
     bool tls = false;
     bool allowNoOrigin = false;

@@ -214,7 +214,7 @@ class HttpConnection : public Pending, public std::enable_shared_from_this<HttpC
     void start() {
         shared_.waiting.add(this->weak_from_this());
         setDeadline();
-        if constexpr (requires { stream_->async_handshake(0, [](ErrorCode) {}); }) {
+        if constexpr (requires { typename Stream::handshake_type; }) {
             stream_->async_handshake(Stream::server, [self = this->shared_from_this()](ErrorCode error) {
                 if (!error) self->read();
             });
