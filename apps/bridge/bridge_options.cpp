@@ -192,6 +192,8 @@ const app::ProgramSpec& bridgeSpec() {
         .environment = {app::instanceEnvironmentNote(),
                         {"RT_SERVER", "the program that --start runs [RTServer, beside RTBridge]"},
                         {"XDG_RUNTIME_DIR", "the folder for the socket of --listen=unix"}},
+        .files = {{"TOKENS", "of --token-file: a line with the driver's token, one with the viewer's"},
+                  {"$XDG_RUNTIME_DIR/rts/NAME.web", "the socket of --listen=unix"}},
         .features = {{"OpenSSL", HttpServer::hasTls(), "no --tls-cert: https by a proxy or ssh"}},
     };
     return spec;
