@@ -182,6 +182,14 @@ class BridgeTest : public testing::Test {
         startServer();
         startBridge();
     }
+    /// What sanitizers say of the bridge fails the test.
+    void TearDown() override {
+        if (!kSanitized || bridge.process() <= 0) return;
+        bridge.send(SIGTERM);
+        const int status = bridge.wait(20s);
+        EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 143) << status << links();
+        EXPECT_EQ(links().find("runtime error"), std::string::npos) << links();
+    }
 
     /// One that has said hello and is welcome.
     std::unique_ptr<WebClient> join(const char* token = kDriver, const std::string& name = "test") {

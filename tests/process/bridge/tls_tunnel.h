@@ -19,13 +19,15 @@ struct TlsPair {
     std::string certificate, key; ///< files; empty: there is no openssl
 };
 
-/// Of its own signature, in this folder.
-inline TlsPair makeCertificate(const std::filesystem::path& folder) {
+/// Of its own signature, in this folder, for a name such as "DNS:localhost".
+inline TlsPair makeCertificate(const std::filesystem::path& folder,
+                               const std::string& name = "DNS:localhost") {
     const TlsPair made{(folder / "cert.pem").string(), (folder / "key.pem").string()};
     if (!std::filesystem::exists(kOpenssl)) return {};
     const ProgramResult result =
         runProgram(kOpenssl, {"req", "-x509", "-newkey", "rsa:2048", "-nodes", "-keyout", made.key, "-out",
-                              made.certificate, "-days", "2", "-subj", "/CN=localhost"});
+                              made.certificate, "-days", "2", "-subj", "/CN=localhost", "-addext",
+                              "subjectAltName=" + name});
     return result.exitCode == 0 ? made : TlsPair{};
 }
 
