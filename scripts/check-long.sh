@@ -2,14 +2,14 @@
 # The checks that take too long for every run; their output belongs into the note that closes an issue.
 #   scripts/check-long.sh [formulas] [leaks] [leaving] [trees] [waves] [oracle] [mutations] [scn] [kills] [formats] [ipc] [server]
 #                         [reaction] [soak] [edits] [scenes] [preview] [window] [walks] [tutorial] [models] [sanitizers] [mutants]
-#                         [web] [arm64]
+#                         [bridge] [web] [arm64]
 # Without arguments: all. RT_ISA chooses the instruction set of the kernels.
 set -eu
 cd "$(dirname "$0")/.."
 scripts/build.sh
 [ $# -gt 0 ] ||
     set -- formulas leaks leaving trees waves oracle mutations scn kills formats ipc server reaction soak edits scenes preview window \
-        walks tutorial models sanitizers mutants web arm64
+        walks tutorial models sanitizers mutants bridge web arm64
 release=build/release/bin
 for check in "$@"; do
     echo "== $check"
@@ -23,9 +23,21 @@ for check in "$@"; do
         }
         RT_KNOWN_MODELS=$(realpath "$RT_KNOWN_MODELS") $release/test_known_models
         ;;
+    bridge)
+        # So many seconds of frames, so many deaths, a minute beside 100 bad clients, five minutes of silence behind nginx.
+        RT_BRIDGE_SOAK=${RT_BRIDGE_SOAK:-1800} RT_BRIDGE_DEATHS=${RT_BRIDGE_DEATHS:-200} \
+            RT_BRIDGE_FLOOD=${RT_BRIDGE_FLOOD:-60} RT_BRIDGE_IDLE=${RT_BRIDGE_IDLE:-300} $release/test_bridge_process
+        # So many damaged messages.
+        cmake --preset asan-ubsan -DRT_EVERY_INSTRUCTION_SET=ON >/dev/null
+        cmake --build --preset asan-ubsan --target test_bridge_process
+        RT_BRIDGE_FUZZ=${RT_BRIDGE_FUZZ:-1000000} UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 \
+            build/asan-ubsan/bin/test_bridge_process --gtest_filter='Requests.OfAnyBytesHarmNobody'
+        $release/bench_bridge
+        ;;
     web)
-        # The bridge's page in a real Chromium (Debian package chromium); without it all are skipped.
-        $release/test_web
+        # The bridge's page in a real Chromium (Debian package chromium), which walks for so many seconds; without it all
+        # are skipped.
+        RT_BRIDGE_SOAK=${RT_BRIDGE_SOAK:-1800} $release/test_web
         ;;
     formulas)
         # Each formula for one number and for vectors of them, on so many inputs.
@@ -107,13 +119,15 @@ for check in "$@"; do
         ;;
     sanitizers)
         cmake --preset asan-ubsan -DRT_EVERY_INSTRUCTION_SET=ON >/dev/null
-        cmake --build --preset asan-ubsan --target unit_tests --target test_server_process --target test_server_faults
+        cmake --build --preset asan-ubsan --target unit_tests --target test_server_process --target test_server_faults \
+            --target test_bridge_process
         sanitized=build/asan-ubsan/bin
         UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=allocator_may_return_null=1 \
             ctest --preset asan-ubsan -j "$(nproc)" -L unit
         RT_MUTATIONS=${RT_SCRIBBLES:-100000} $sanitized/test_ipc --gtest_filter='Scribble.*:Queues.*'
         UBSAN_OPTIONS=print_stacktrace=1 $sanitized/test_server_process
         UBSAN_OPTIONS=print_stacktrace=1 $sanitized/test_server_faults
+        UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 $sanitized/test_bridge_process
         ;;
     preview)
         RT_PREVIEW_KILLS=${RT_PREVIEW_KILLS:-1000} $release/test_preview_process

@@ -55,6 +55,10 @@ class FakeServer {
         return presses_[static_cast<std::size_t>(key)];
     }
     int clients() const { return clients_; }
+    std::size_t published() {
+        const std::lock_guard lock(mutex_);
+        return frame_;
+    }
     /// All but those that the bridge sends on its own account.
     std::vector<std::string> commands() {
         const std::lock_guard lock(mutex_);
@@ -141,6 +145,12 @@ class FakeServer {
     std::atomic<bool> running_ = false, stopping_ = false;
     std::thread thread_; // last
 };
+
+/// Seconds or rounds that a test takes: what this variable of the environment asks for.
+inline int asked(const char* variable, int unlessTold) {
+    const char* const text = std::getenv(variable);
+    return text != nullptr ? std::atoi(text) : unlessTold;
+}
 
 class BridgeTest : public testing::Test {
   protected:

@@ -10,10 +10,7 @@ using nlohmann::json;
 
 class Deaths : public BridgeTest {
   protected:
-    static int rounds() {
-        const char* const asked = std::getenv("RT_BRIDGE_DEATHS");
-        return asked != nullptr ? std::atoi(asked) : 10;
-    }
+    static int rounds() { return asked("RT_BRIDGE_DEATHS", 10); }
     static bool becomes(WebClient& client, const std::string& state) {
         for (json event = client.event("server", 10s); !event.is_null(); event = client.event("server", 10s))
             if (event["state"] == state) return true;

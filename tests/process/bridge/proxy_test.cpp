@@ -148,11 +148,11 @@ TEST_F(Nginx, LetsOneWalk) {
 }
 
 TEST_F(Nginx, KeepsSilentPagesByTheirPings) {
-    const char* const asked = std::getenv("RT_BRIDGE_IDLE");
-    asked != nullptr ? start(60) : start(2, {"--ping=1"});
+    const int idle = asked("RT_BRIDGE_IDLE", 0);
+    idle > 0 ? start(60) : start(2, {"--ping=1"});
     WebClient client = connect();
     client.hello(kDriver);
-    const auto end = Clock::now() + (asked != nullptr ? std::chrono::seconds(std::atoi(asked)) : 5s);
+    const auto end = Clock::now() + std::chrono::seconds(idle > 0 ? idle : 5);
     while (Clock::now() < end)
         if (const auto frame = client.next(100ms); frame && frame->opcode == 2) client.acknowledge(*frame);
     EXPECT_FALSE(client.socket().closed());

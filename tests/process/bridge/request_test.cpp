@@ -106,8 +106,7 @@ bool heard(WebClient& client) {
 
 /// So many messages that differ from good ones in a few places; RT_BRIDGE_FUZZ asks for more.
 TEST_F(Requests, OfAnyBytesHarmNobody) {
-    const char* const asked = std::getenv("RT_BRIDGE_FUZZ");
-    const int messages = asked != nullptr ? std::atoi(asked) : 10'000;
+    const int messages = asked("RT_BRIDGE_FUZZ", 10'000);
     const std::vector<std::string> samples{
         R"({"id":1,"do":"camera","eye":[0,1,2],"forward":[0,0,-1],"fov":60})",
         R"({"id":2,"do":"set","name":"maxDepth","value":3})",

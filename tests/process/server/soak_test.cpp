@@ -1,5 +1,6 @@
 /// RTServer in random use for RT_SOAK_SECONDS: what it holds of the system does not grow.
 #include "process/server/besieged_server.h"
+#include "support/holdings.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -12,41 +13,6 @@
 namespace {
 
 using namespace test;
-
-// What a process holds, when it has nothing to do.
-struct Holdings {
-    std::size_t privateBytes = 0; ///< resident, of its own
-    std::size_t sharedBytes = 0;  ///< resident, of shared memory
-    std::size_t descriptors = 0, threads = 0, children = 0, names = 0;
-};
-
-std::size_t entries(const std::string& folder) {
-    std::error_code none;
-    const std::filesystem::directory_iterator begin(folder, none);
-    return static_cast<std::size_t>(std::distance(begin, {}));
-}
-
-Holdings holdingsOf(pid_t process, const IpcInstance& instance) {
-    const std::string folder = "/proc/" + std::to_string(process);
-    Holdings result;
-    std::ifstream status(folder + "/status");
-    for (std::string line; std::getline(status, line);) {
-        std::istringstream words(line);
-        std::string name;
-        std::size_t value = 0;
-        words >> name >> value;
-        if (name == "RssAnon:") result.privateBytes = value * 1024;
-        if (name == "RssShmem:") result.sharedBytes = value * 1024;
-        if (name == "Threads:") result.threads = value;
-    }
-    result.descriptors = entries(folder + "/fd");
-    for (const auto& task : std::filesystem::directory_iterator(folder + "/task")) {
-        std::ifstream children(task.path() / "children");
-        for (std::string child; children >> child;) ++result.children;
-    }
-    result.names = instance.segments().size();
-    return result;
-}
 
 using Names = std::vector<std::string>;
 
@@ -184,11 +150,12 @@ class Soak : public Besieged {
         must({"wait-idle"});
         EXPECT_TRUE(eventually([&] { return troupe.instance.segments().size() == 2; }, 3s));
         // It looks through the names now and then, and files of clients that are gone may still be written.
-        Holdings holdings = holdingsOf(troupe[0].process(), troupe.instance);
+        Holdings holdings = holdingsOf(troupe[0].process());
+        holdings.names = troupe.instance.segments().size();
         const auto begin = Clock::now();
         eventually(
             [&] {
-                const Holdings again = holdingsOf(troupe[0].process(), troupe.instance);
+                const Holdings again = holdingsOf(troupe[0].process());
                 holdings.descriptors = std::min(holdings.descriptors, again.descriptors);
                 holdings.threads = std::min(holdings.threads, again.threads);
                 const bool quiet =
@@ -275,7 +242,7 @@ TEST_F(Soak, OfALargeSceneMostIsGivenBack) {
     const std::size_t before = rest().privateBytes;
     must({"load", "scene", "large.scn"});
     must({"wait-idle"});
-    const std::size_t large = holdingsOf(troupe[0].process(), troupe.instance).privateBytes;
+    const std::size_t large = holdingsOf(troupe[0].process()).privateBytes;
     std::printf("%.1f MB before, %.1f MB with the large scene, ", megabytes(before), megabytes(large));
     ASSERT_GT(large, before + 50'000'000);
     // Buffers of the renderer's threads are kept for the next large scene.
