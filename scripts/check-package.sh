@@ -54,7 +54,9 @@ prefix=$1
 cd "$2"
 bin=$prefix/bin
 programs="Renderer RTServer BSPBuilder CUI"
-[ ! -x "$bin/GUI" ] || programs="$programs GUI"
+for name in RTBridge GUI; do
+    [ ! -x "$bin/$name" ] || programs="$programs $name"
+done
 for name in $programs; do
     QT_QPA_PLATFORM=offscreen "$bin/$name" --version >version.txt
     QT_QPA_PLATFORM=offscreen "$bin/$name" --help >help.txt
@@ -70,6 +72,13 @@ instance=package-$$
 "$bin/CUI" --instance=$instance wait-idle
 "$bin/CUI" --instance=$instance screenshot live.png
 "$bin/CUI" --instance=$instance render rendered.png
+if [ -x "$bin/RTBridge" ]; then
+    # The links of both, and not a word more, before it is ended.
+    code=0
+    timeout --preserve-status -s TERM 5 "$bin/RTBridge" --instance=$instance --listen=unix >links.txt || code=$?
+    test $code -eq 143
+    test "$(grep -c '#t=' links.txt)" -eq 2
+fi
 "$bin/CUI" --instance=$instance exit
 cmp live.png rendered.png
 test -s still.png

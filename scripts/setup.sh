@@ -1,16 +1,17 @@
 #!/bin/sh
 # Installs the packages of packages.txt that are missing. Never removes one.
-#   scripts/setup.sh [--no-apt] [--peers]
-# --no-apt: only say what is missing, and fail if anything is. --peers: those of packages-peers.txt, too.
+#   scripts/setup.sh [--no-apt] [--peers] [--services]
+# --no-apt: only say what is missing, and fail if anything is. --peers: those of packages-peers.txt, too. --services:
+# those of packages-services.txt, too. What is installed is not started.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-apt=yes peers=""
+apt=yes more=""
 for option in "$@"; do
     case $option in
         --no-apt) apt=no ;;
-        --peers) peers=$here/packages-peers.txt ;;
+        --peers | --services) more="$more $here/packages-${option#--}.txt" ;;
         *)
-            echo "usage: setup.sh [--no-apt] [--peers]" >&2
+            echo "usage: setup.sh [--no-apt] [--peers] [--services]" >&2
             exit 2 ;;
     esac
 done
@@ -29,7 +30,8 @@ fi
 
 # One entry a line that is not served: its alternatives, joined by "|".
 missing=""
-lines=$(cat "$here/packages.txt" ${peers:+"$peers"})
+# shellcheck disable=SC2086
+lines=$(cat "$here/packages.txt" $more)
 while IFS= read -r line; do
     alternatives=$(echo "${line%%#*}" | tr -d ' ')
     [ -n "$alternatives" ] || continue
@@ -68,6 +70,20 @@ for alternatives in $missing; do
     done
     names="$names ${chosen:-${alternatives%%|*}}"
 done
+# Debian's packages ask this program before they start a service.
+policy=/usr/sbin/policy-rc.d
+if [ ! -e $policy ]; then
+    trap '$root rm -f $policy' EXIT
+    trap 'exit 130' INT TERM
+    printf '#!/bin/sh\nexit 101\n' | $root tee $policy >/dev/null
+    $root chmod 755 $policy
+fi
 # --no-remove: a machine with other versions keeps them, and this fails with a reason instead.
 # shellcheck disable=SC2086
 $root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 install -y -q --no-remove --no-install-recommends $names
+case " $names " in
+*" nginx-light "*)
+    # Nor at the next start of the machine.
+    if command -v systemctl >/dev/null 2>&1; then $root systemctl disable -q nginx || true; fi
+    ;;
+esac

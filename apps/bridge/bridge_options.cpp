@@ -60,6 +60,12 @@ app::OptionGroup addressOptions() {
           .value = ValueKind::Text,
           .argument = "URL",
           .help = "the page's address behind a proxy, such as https://viz.example/node7/"},
+         {.name = "ping",
+          .value = ValueKind::Number,
+          .argument = "S",
+          .help = "seconds after which a silent connection gets a ping, for proxies that cut those [15]",
+          .minimum = 1,
+          .maximum = kPingSeconds},
          {.name = "allow-no-origin",
           .help = "serve clients that send no Origin: programs, which are no web pages"},
          {.name = "tls-cert",
@@ -192,6 +198,8 @@ const app::ProgramSpec& bridgeSpec() {
         .environment = {app::instanceEnvironmentNote(),
                         {"RT_SERVER", "the program that --start runs [RTServer, beside RTBridge]"},
                         {"XDG_RUNTIME_DIR", "the folder for the socket of --listen=unix"}},
+        .files = {{"TOKENS", "of --token-file: a line with the driver's token, one with the viewer's"},
+                  {"$XDG_RUNTIME_DIR/rts/NAME.web", "the socket of --listen=unix"}},
         .features = {{"OpenSSL", HttpServer::hasTls(), "no --tls-cert: https by a proxy or ssh"}},
     };
     return spec;
@@ -212,6 +220,7 @@ BridgeOptions readBridgeOptions(const app::Arguments& arguments) {
     options.viewOnly = arguments.has("view-only");
     options.clients = static_cast<std::size_t>(arguments.integer("clients").value_or(64));
     options.mostBits = 1e6 * arguments.number("max-mbit").value_or(0);
+    options.pingSeconds = arguments.number("ping").value_or(kPingSeconds);
     if (const auto file = arguments.text("token-file")) options.tokenFile = *file;
     if (const auto scene = arguments.text("start")) options.start = *scene;
     if (options.start && options.instances.size() > 1) throw app::UsageError("--start takes one --instance");

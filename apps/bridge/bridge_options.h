@@ -16,6 +16,8 @@ namespace bridge {
 
 const app::ProgramSpec& bridgeSpec();
 
+constexpr double kPingSeconds = 15; ///< half of the time after which a page is gone
+
 struct BridgeOptions {
     std::vector<std::string> instances; ///< at least one
     ListenAddress listen;
@@ -26,6 +28,7 @@ struct BridgeOptions {
     bool viewOnly = false;
     std::size_t clients = 64;
     double mostBits = 0; ///< per second; 0: no limit
+    double pingSeconds = kPingSeconds;
     std::optional<std::filesystem::path> tokenFile, start;
 };
 

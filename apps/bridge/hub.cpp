@@ -15,6 +15,7 @@ Hub::Hub(const BridgeOptions& options, Tokens tokens, const Post& post)
       began_(nowSeconds()) {
     for (const std::string& name : options.instances) {
         rooms_.push_back(std::make_unique<Room>(name, options.limits, post));
+        rooms_.back()->setPing(options.pingSeconds);
         rooms_.back()->setMostBits(options.mostBits / static_cast<double>(options.instances.size()));
     }
 }

@@ -186,7 +186,11 @@ TEST_F(Failures, ThePictureStandsBesideWarnings) {
 }
 
 TEST_F(Failures, WhoReadsTheFirstLineOnlyIsNoFailure) {
-    for (const char* program : {"Renderer", "BSPBuilder", "RTServer", "CUI"}) {
+    std::vector<const char*> programs{"Renderer", "BSPBuilder", "RTServer", "CUI"};
+#ifdef RT_HAS_BRIDGE
+    programs.push_back("RTBridge");
+#endif
+    for (const char* program : programs) {
         const std::string command =
             "{ '" + test::programPath(program).string() + "' --help; echo $? > code; } | head -n 1";
         const test::ProgramResult result =

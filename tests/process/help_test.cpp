@@ -6,6 +6,10 @@
 #include "renderer/renderer_options.h"
 #include "rtserver/server_options.h"
 
+#ifdef RT_HAS_BRIDGE
+#include "bridge/bridge_options.h"
+#endif
+
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -22,6 +26,7 @@ class Program : public testing::TestWithParam<const app::ProgramSpec*> {
 };
 
 TEST_P(Program, WithoutArgumentsExplainsItselfBriefly) {
+    if (GetParam()->positionals.empty()) GTEST_SKIP() << "it begins at once";
     const test::ProgramResult result = run({});
     EXPECT_EQ(result.exitCode, 2);
     EXPECT_EQ(result.output, "");
@@ -71,8 +76,9 @@ TEST_P(Program, UsageErrorsNameTheHelp) {
 }
 
 TEST_P(Program, TheManualHasEachOption) {
-    const std::string manual =
-        test::readBytes(std::filesystem::path(RT_SOURCE_FOLDER) / "docs" / "manual.md");
+    std::string manual;
+    for (const char* page : {"manual.md", "bridge.md"})
+        manual += test::readBytes(std::filesystem::path(RT_SOURCE_FOLDER) / "docs" / page);
     ASSERT_FALSE(manual.empty());
     const std::string help = run({"--help"}).output;
     const std::regex option("--[a-z][a-z-]*");
@@ -80,6 +86,11 @@ TEST_P(Program, TheManualHasEachOption) {
         EXPECT_TRUE(std::regex_search(manual, std::regex(found->str() + "(?![a-z-])"))) << found->str();
     }
 }
+
+#ifdef RT_HAS_BRIDGE
+INSTANTIATE_TEST_SUITE_P(Bridge, Program, testing::Values(&bridge::bridgeSpec()),
+                         [](const auto& program) { return program.param->name; });
+#endif
 
 INSTANTIATE_TEST_SUITE_P(All, Program,
                          testing::Values(&renderer::rendererSpec(), &bspbuilder::builderSpec(),

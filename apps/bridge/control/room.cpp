@@ -304,6 +304,7 @@ void Room::tick() {
             session.lastStatus = status;
             session.outlet->sendText(status);
         }
+        pingAfter(session, pingSeconds_, now);
         const std::uint64_t sent = session.delivery.framesSent();
         if (now - session.lastLink < kLinkEvery) continue;
         const double mbit =
@@ -326,11 +327,15 @@ void Room::tick() {
                        {"mbit", mbit},
                        {"sent", sent},
                        {"skipped", session.delivery.framesSkipped()}});
-        // Behind a frame a ping would measure that frame.
-        if (now - session.lastPing < kPingEvery || session.delivery.rate().inFlight() > 0) continue;
-        session.lastPing = now;
-        session.outlet->ping();
+        pingAfter(session, kPingEvery, now);
     }
+}
+
+void Room::pingAfter(Session& session, double seconds, double now) {
+    // Behind a frame a ping would measure that frame.
+    if (now - session.lastPing < seconds || session.delivery.rate().inFlight() > 0) return;
+    session.lastPing = now;
+    session.outlet->ping();
 }
 
 } // namespace bridge

@@ -59,6 +59,8 @@ class Room {
     void closeAll(CloseCode code, const std::string& reason);
     /// So many bits per second for all viewers together; 0: no limit.
     void setMostBits(double bits) { mostBits_ = bits; }
+    /// Seconds of silence after which pages get a ping.
+    void setPing(double seconds) { pingSeconds_ = seconds; }
 
   private:
     Session* find(SessionId id);
@@ -73,6 +75,7 @@ class Room {
     void updateDemand();
     void measureFrameTime(std::int64_t publishedNs);
     void shareLimit();
+    static void pingAfter(Session& session, double seconds, double now);
 
     // Roles and input.
     void rolesChanged(std::optional<SessionId> before);
@@ -113,6 +116,7 @@ class Room {
     std::int64_t lastPublishedNs_ = 0;
     double frameTime_ = 1.0 / 30;
     double lastFrame_ = 0, lastStatusSent_ = 0, mostBits_ = 0, lastInput_ = -1e9, lastElsewhere_ = -1e9;
+    double pingSeconds_ = 15;
     std::uint64_t framesSent_ = 0, bytesSent_ = 0, skippedBefore_ = 0;
     struct WatchedSetting {
         std::string name, value; ///< before

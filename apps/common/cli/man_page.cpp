@@ -11,7 +11,8 @@ namespace app {
 
 namespace {
 
-constexpr std::array<const char*, 5> kPrograms = {"BSPBuilder", "CUI", "GUI", "Renderer", "RTServer"};
+constexpr std::array<const char*, 6> kPrograms = {"BSPBuilder", "CUI",      "GUI",
+                                                  "Renderer",   "RTBridge", "RTServer"};
 
 // Roff's own characters; a minus that it may not take for a hyphen.
 std::string escaped(std::string_view text) {

@@ -164,6 +164,15 @@ class BridgeTest : public testing::Test {
         const std::size_t at = text.find(before);
         if (at != std::string::npos) port = std::atoi(text.c_str() + at + before.size());
     }
+    /// Behind a proxy the links do not tell the port: one is chosen, and another one when that is taken.
+    void startBridgeBehind(const std::string& origin, std::vector<std::string> options = {}) {
+        options.push_back("--origin=" + origin);
+        port = 0;
+        for (int candidate = 20'000 + static_cast<int>(ipc::randomTag() % 20'000); port == 0; ++candidate) {
+            startBridge(options, "127.0.0.1:" + std::to_string(candidate));
+            if (links().find(origin + "#t=") != std::string::npos) port = candidate;
+        }
+    }
     std::string links() const {
         std::ostringstream text;
         text << std::ifstream((instance.folder() / "links")).rdbuf();
@@ -172,6 +181,14 @@ class BridgeTest : public testing::Test {
     void SetUp() override {
         startServer();
         startBridge();
+    }
+    /// What sanitizers say of the bridge fails the test.
+    void TearDown() override {
+        if (!kSanitized || bridge.process() <= 0) return;
+        bridge.send(SIGTERM);
+        const int status = bridge.wait(20s);
+        EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 143) << status << links();
+        EXPECT_EQ(links().find("runtime error"), std::string::npos) << links();
     }
 
     /// One that has said hello and is welcome.

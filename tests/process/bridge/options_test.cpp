@@ -20,6 +20,7 @@ TEST(BridgeOptions, WrongOnesEndWithTwo) {
                                                       {"--tls-cert=x.pem"},
                                                       {"--clients=0"},
                                                       {"--max-mbit=-1"},
+                                                      {"--ping=16"},
                                                       {"extra"}};
     for (const auto& words : wrong) {
         const test::ProgramResult result = test::runProgram(kBridge, words);

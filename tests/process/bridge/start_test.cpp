@@ -1,5 +1,6 @@
 // --start, TLS and --origin, without a browser.
 #include "process/bridge/bridge_fixture.h"
+#include "process/bridge/tls_tunnel.h"
 #include "support/run_program.h"
 
 namespace {
@@ -29,48 +30,43 @@ TEST(StartedServer, EndsTheBridgeWithItsOwnCode) {
 
 class Tls : public BridgeTest {
     void SetUp() override {
-        const std::string key = (instance.folder() / "key.pem").string(),
-                          certificate = (instance.folder() / "cert.pem").string();
-        const ProgramResult made =
-            runProgram("/usr/bin/openssl", {"req", "-x509", "-newkey", "rsa:2048", "-nodes", "-keyout", key,
-                                            "-out", certificate, "-days", "2", "-subj", "/CN=localhost"});
-        if (made.exitCode != 0) GTEST_SKIP() << "there is no openssl";
+        const TlsPair files = makeCertificate(instance.folder().path());
+        if (files.key.empty()) GTEST_SKIP() << "there is no openssl";
         if (runProgram(kBridge, {"--version"}).output.find("OpenSSL: yes") == std::string::npos)
             GTEST_SKIP() << "built without OpenSSL";
         startServer();
-        startBridge({"--tls-cert=" + certificate, "--tls-key=" + key});
+        startBridge({"--tls-cert=" + files.certificate, "--tls-key=" + files.key});
         const std::string text = links(), before = "https://127.0.0.1:";
         ASSERT_NE(text.find(before), std::string::npos) << text;
         port = std::atoi(text.c_str() + text.find(before) + before.size());
     }
 };
 
-TEST_F(Tls, ServesPagesAndHealth) {
+TEST_F(Tls, ServesPagesAndWalks) {
     const std::string own = "127.0.0.1:" + std::to_string(port);
-    std::string answer;
-    const auto served = [&] {
-        answer =
-            runProgram("/bin/sh",
-                       {"-c", "printf 'GET /health HTTP/1.1\\r\\nHost: " + own +
-                                  "\\r\\nConnection: close\\r\\n\\r\\n' | openssl s_client -quiet -connect " +
-                                  own + " 2>/dev/null"},
-                       {.timeoutSeconds = 20})
-                .output;
-        return answer.starts_with("HTTP/1.1 200");
-    };
-    EXPECT_TRUE(eventually(served, 5s)) << answer;
+    TlsTunnel page(port), ws(port), foreign(port);
+    RawSocket socket = page.socket();
+    socket.write("GET / HTTP/1.1\r\nHost: " + own + "\r\nConnection: close\r\n\r\n");
+    EXPECT_TRUE(socket.readAll(10s).starts_with("HTTP/1.1 200"));
+    WebClient client(ws.socket(), own, "https://" + own);
+    ASSERT_EQ(client.status(), 101);
+    client.hello(kDriver);
+    EXPECT_TRUE(client.binary(1));
+    client.input({'W'});
+    EXPECT_TRUE(eventually([&] { return server->isHeld('W'); }));
+    EXPECT_EQ(WebClient(foreign.socket(), own, "http://" + own).status(), 403);
+}
+
+TEST_F(Tls, ServesNothingWithoutIt) {
     RawSocket plain(port);
-    plain.write("GET / HTTP/1.1\r\nHost: " + own + "\r\n\r\n");
-    EXPECT_EQ(plain.readAll(3s).find("200"), std::string::npos) << "nothing without TLS";
+    plain.write("GET / HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port) + "\r\n\r\n");
+    EXPECT_EQ(plain.readAll(3s).find("200"), std::string::npos);
 }
 
 class Proxied : public BridgeTest {
     void SetUp() override {
         startServer();
-        for (int candidate = 20'000 + static_cast<int>(ipc::randomTag() % 20'000); port == 0; ++candidate) {
-            startBridge({"--origin=https://viz.example/node7/"}, "127.0.0.1:" + std::to_string(candidate));
-            if (links().find("https://viz.example/node7/#t=") != std::string::npos) port = candidate;
-        }
+        startBridgeBehind("https://viz.example/node7/");
     }
 
   protected:

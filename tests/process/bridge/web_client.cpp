@@ -55,6 +55,12 @@ RawSocket::RawSocket(const std::string& path) : socket_(::socket(AF_UNIX, SOCK_S
     closed_ = ::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0;
 }
 
+RawSocket RawSocket::ofDescriptor(int descriptor) {
+    RawSocket socket;
+    socket.socket_ = descriptor;
+    return socket;
+}
+
 RawSocket::~RawSocket() {
     if (socket_ >= 0) ::close(socket_);
 }
@@ -139,9 +145,10 @@ WebClient::WebClient(int port, const std::string& origin, const std::string& pat
     shakeHands(host, origin.empty() ? "http://" + host : origin, path);
 }
 
-WebClient::WebClient(RawSocket socket, const std::string& host, const std::string& origin)
+WebClient::WebClient(RawSocket socket, const std::string& host, const std::string& origin,
+                     const std::string& path)
     : socket_(std::move(socket)) {
-    shakeHands(host, origin, "/ws");
+    shakeHands(host, origin, path);
 }
 
 void WebClient::shakeHands(const std::string& host, const std::string& origin, const std::string& path) {

@@ -21,6 +21,8 @@ class RawSocket {
   public:
     explicit RawSocket(int port);
     explicit RawSocket(const std::string& path);
+    /// Takes over a stream socket that is connected.
+    static RawSocket ofDescriptor(int descriptor);
     ~RawSocket();
     RawSocket(RawSocket&& other) noexcept;
     RawSocket& operator=(RawSocket&& other) noexcept;
@@ -33,6 +35,7 @@ class RawSocket {
     std::string readAll(std::chrono::milliseconds within);
 
   private:
+    RawSocket() = default;
     int socket_ = -1;
     bool closed_ = false;
 };
@@ -62,7 +65,8 @@ class WebClient {
   public:
     /// Shakes hands; `status()` is the answer's.
     explicit WebClient(int port, const std::string& origin = "", const std::string& path = "/ws");
-    WebClient(RawSocket socket, const std::string& host, const std::string& origin);
+    WebClient(RawSocket socket, const std::string& host, const std::string& origin,
+              const std::string& path = "/ws");
     int status() const { return status_; }
 
     bool hello(const std::string& token, const std::string& name = "test",

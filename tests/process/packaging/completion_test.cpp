@@ -142,6 +142,10 @@ TEST_F(Completion, OfInstancesThatRun) {
     start();
     EXPECT_TRUE(complete("CUI --instance=").contains(instance.name()));
     EXPECT_EQ(complete("CUI -i " + instance.name()), Replies{instance.name()});
+#ifdef RT_HAS_BRIDGE
+    EXPECT_EQ(complete("RTBridge -i " + instance.name()), Replies{instance.name()});
+    EXPECT_EQ(complete("RTBridge --start="), (Replies{"a.scn", "b.bsp", "room.obj", "sub"}));
+#endif
 }
 
 } // namespace

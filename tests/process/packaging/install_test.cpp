@@ -11,6 +11,12 @@ namespace {
 using namespace test;
 namespace fs = std::filesystem;
 
+#ifdef RT_HAS_BRIDGE
+constexpr bool kHasBridge = true;
+#else
+constexpr bool kHasBridge = false;
+#endif
+
 TEST(Installation, WorksWhereverItIsMoved) {
     const IpcInstance instance;
     const TemporaryFolder& folder = instance.folder();
@@ -22,6 +28,7 @@ TEST(Installation, WorksWhereverItIsMoved) {
 
     for (const char* program : {"BSPBuilder", "CUI", "RTServer", "Renderer"})
         EXPECT_TRUE(fs::exists(bin / program)) << program;
+    EXPECT_EQ(fs::exists(bin / "RTBridge"), kHasBridge);
     for (const std::string& program : filesIn(bin)) {
         EXPECT_EQ(runProgram(bin / program, {"--version"}).exitCode, 0) << program;
         EXPECT_TRUE(fs::exists(prefix / "share" / "bash-completion" / "completions" / program)) << program;

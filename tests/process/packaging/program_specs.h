@@ -6,6 +6,9 @@
 #include "renderer/renderer_options.h"
 #include "rtserver/server_options.h"
 
+#ifdef RT_HAS_BRIDGE
+#include "bridge/bridge_options.h"
+#endif
 #ifdef RT_HAS_GUI
 #include "gui/gui_spec.h"
 #endif
@@ -16,6 +19,9 @@ namespace test {
 
 inline std::vector<const app::ProgramSpec*> packagedPrograms() {
     return {
+#ifdef RT_HAS_BRIDGE
+        &bridge::bridgeSpec(),
+#endif
 #ifdef RT_HAS_GUI
         &gui::guiSpec(),
 #endif

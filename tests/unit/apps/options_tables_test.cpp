@@ -7,6 +7,10 @@
 #include "renderer/unused_settings.h"
 #include "rtserver/server_options.h"
 
+#ifdef RT_HAS_BRIDGE
+#include "bridge/bridge_options.h"
+#endif
+
 #include <gtest/gtest.h>
 
 #include <set>
@@ -42,6 +46,11 @@ TEST_P(OptionsTable, EachOptionSaysWhatItIs) {
         }
     }
 }
+
+#ifdef RT_HAS_BRIDGE
+INSTANTIATE_TEST_SUITE_P(Bridge, OptionsTable, testing::Values(&bridge::bridgeSpec()),
+                         [](const auto& program) { return program.param->name; });
+#endif
 
 INSTANTIATE_TEST_SUITE_P(Programs, OptionsTable,
                          testing::Values(&renderer::rendererSpec(), &bspbuilder::builderSpec(),
