@@ -81,7 +81,7 @@ for check in "$@"; do
         RT_KILLS=${RT_KILLS:-500} ctest --preset release -R Kill --verbose
         ;;
     ipc)
-        RT_IPC_ROUNDS=${RT_IPC_ROUNDS:-10} $release/test_ipc_process
+        RT_IPC_ROUNDS=${RT_IPC_ROUNDS:-25} $release/test_ipc_process
         RT_MUTATIONS=${RT_MUTATIONS:-1000000} $release/test_ipc
         $release/bench_ipc
         # Once more for what others on this machine take.

@@ -79,8 +79,10 @@ TEST(ProgressOutput, NoTerminalMeansNoControlCharacters) {
 TEST(ProgressOutput, TheBarLeavesAnEmptyLine) {
     const test::TemporaryFolder folder;
     test::writeWaves(folder / "waves.obj", 100);
-    const test::ProgramResult result = test::renderer(
-        {"waves.obj", "--progress=bar", "-w", "1000", "-h", "750", "-a", "10"}, {.folder = folder.path()});
+    // Long enough for a bar, by however many processors there are.
+    const test::ProgramResult result =
+        test::renderer({"waves.obj", "--progress=bar", "-t", "1", "-w", "400", "-h", "300", "-a", "10"},
+                       {.folder = folder.path()});
     ASSERT_EQ(result.exitCode, 0) << result.error;
     ASSERT_NE(result.error.find('%'), std::string::npos) << result.error;
     EXPECT_EQ(result.error.substr(result.error.size() - 4), "\r\x1b[K");

@@ -202,6 +202,7 @@ void Room::serverChanged(ServerState state, const std::string& why) {
         editor_.reset();
         watched_.reset();
         hasStatus_ = false;
+        camera_.restart(nowSeconds());
     }
     sendAll({{"event", "server"}, {"state", nameOf(state)}, {"text", why}});
 }
@@ -214,15 +215,20 @@ void Room::statusChanged(const ipc::Status& status) {
 
 /// A window or a shell moves the camera.
 void Room::watchOthers(const ipc::Status& status) {
-    constexpr double kOwn = 2, kBetween = 10;
+    constexpr double kBetween = 10;
     const double now = nowSeconds();
-    const bool moved = hasStatus_ && (!std::equal(status.eye, status.eye + 3, status_.eye) ||
-                                      !std::equal(status.forward, status.forward + 3, status_.forward));
-    if (!moved || now - lastInput_ < kOwn || now - lastElsewhere_ < kBetween) return;
+    noteOwnMovement();
+    if (!camera_.moved(status, now) || now - lastElsewhere_ < kBetween) return;
     lastElsewhere_ = now;
     if (!roles_.driver()) return;
     if (Session* const driver = find(*roles_.driver()))
         notice(*driver, "elsewhere", "another client moves the camera");
+}
+
+/// What is held or under way goes on moving it.
+void Room::noteOwnMovement() {
+    Session* const driver = roles_.driver() ? find(*roles_.driver()) : nullptr;
+    if (moving_ > 0 || (driver != nullptr && driver->input.held().any())) camera_.acted(nowSeconds());
 }
 
 void Room::stateChanged(const std::string& report) {

@@ -1,6 +1,7 @@
 /// One instance: its server, and all pages that look at it.
 #pragma once
 
+#include "bridge/control/camera_watch.h"
 #include "bridge/control/caps.h"
 #include "bridge/control/command_link.h"
 #include "bridge/control/own_edits.h"
@@ -98,6 +99,7 @@ class Room {
     void statusChanged(const ipc::Status& status);
     void stateChanged(const std::string& report);
     void watchOthers(const ipc::Status& status);
+    void noteOwnMovement();
 
     const std::string instance_;
     const Limits& limits_;
@@ -112,11 +114,17 @@ class Room {
     std::string serverWhy_;
     ipc::Status status_;
     bool hasStatus_ = false;
+    CameraWatch camera_;
+    int moving_ = 0; ///< requests without an answer that may move the camera
     FrameSet newest_;
     std::int64_t lastPublishedNs_ = 0;
     double frameTime_ = 1.0 / 30;
+<<<<<<< HEAD
     double lastFrame_ = 0, lastStatusSent_ = 0, mostBits_ = 0, lastInput_ = -1e9, lastElsewhere_ = -1e9;
     double pingSeconds_ = 15;
+=======
+    double lastFrame_ = 0, lastStatusSent_ = 0, mostBits_ = 0, lastElsewhere_ = -1e9;
+>>>>>>> d1428d6cf184892b22b471a395261b94921b92fe
     std::uint64_t framesSent_ = 0, bytesSent_ = 0, skippedBefore_ = 0;
     struct WatchedSetting {
         std::string name, value; ///< before

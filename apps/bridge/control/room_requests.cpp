@@ -25,7 +25,10 @@ void Room::request(Session& session, const json& content, std::uint32_t id) {
     if (server_ && !hasServer()) throw Refused("there is no server");
     checkUndo(session, planned);
     watchSetting(planned);
-    if (!planned.anyone) lastInput_ = nowSeconds();
+    if (!planned.anyone) {
+        ++moving_;
+        noteOwnMovement();
+    }
     roles_.touch(session.id, nowSeconds());
     ++session.requests;
     commands_->request(planned.line,
@@ -46,6 +49,10 @@ void Room::checkUndo(const Session& session, const PlannedCommand& planned) cons
 
 void Room::answered(SessionId by, std::uint32_t id, const PlannedCommand& planned, const ipc::Reply& reply) {
     const bool done = reply.status == ipc::ReplyStatus::Done;
+    if (!planned.anyone) {
+        noteOwnMovement();
+        --moving_;
+    }
     if (done && planned.id == app::CommandId::Undo) edits_.undone();
     if (done && planned.id == app::CommandId::Redo) edits_.redone();
     if (done && planned.edits) editor_ = by;

@@ -42,6 +42,7 @@ void Room::rolesChanged(std::optional<SessionId> before) {
 }
 
 void Room::releaseKeys() {
+    camera_.acted(nowSeconds());
     commands_->setKeys({});
     commands_->dropTurn();
 }
@@ -49,6 +50,7 @@ void Room::releaseKeys() {
 void Room::applyInput(Session& session, const InputMessage& input) {
     if (!roles_.drives(session.id)) return;
     const double now = nowSeconds();
+    noteOwnMovement(); // what is let go of now
     if (!session.input.apply(input, now)) return;
     const bool acts = input.right != 0 || input.up != 0 || !input.held.empty() || !input.taps.empty();
     commands_->setKeys(session.input.held());
@@ -56,7 +58,7 @@ void Room::applyInput(Session& session, const InputMessage& input) {
     constexpr double kDegrees = 1e-3;
     if (input.right != 0 || input.up != 0) commands_->turn(input.right * kDegrees, input.up * kDegrees);
     if (acts) {
-        lastInput_ = now;
+        camera_.acted(now);
         roles_.touch(session.id, now);
     }
     constexpr std::size_t kKept = 64;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bridge/net/http_state.h"
+#include "bridge/net/page_choice.h"
 #include "bridge/net/page_files.h"
 
 #include <boost/asio/steady_timer.hpp>
@@ -53,7 +54,6 @@ void addHeaders(Message& message) {
 inline std::string_view view(boost::beast::string_view text) { return {text.data(), text.size()}; }
 
 const char* typeOfPath(std::string_view path);
-std::string tagOf(std::string_view bytes);
 
 /// A WebSocket that is open.
 template <typename Stream>
@@ -313,16 +313,19 @@ class HttpConnection : public Pending, public std::enable_shared_from_this<HttpC
         return {};
     }
 
-    Response pageOf(const PageFile& file, const Request& request) {
-        const std::string tag = tagOf(file.bytes);
+    static Response pageOf(const PageFile& file, const Request& request) {
+        const bool packed = takesGzip(fieldOf(request, http::field::accept_encoding));
+        const PageBody& body = packed ? file.packed : file.plain;
         Response response(http::status::ok, 11);
-        if (fieldOf(request, http::field::if_none_match) == tag) {
+        if (namesTag(fieldOf(request, http::field::if_none_match), body.tag)) {
             response.result(http::status::not_modified);
         } else {
-            response.body() = file.bytes;
+            response.body() = body.bytes;
+            if (packed) response.set(http::field::content_encoding, "gzip");
         }
         response.set(http::field::content_type, typeOfPath(file.path));
-        response.set(http::field::etag, tag);
+        response.set(http::field::etag, body.tag);
+        response.set(http::field::vary, "Accept-Encoding");
         return response;
     }
 

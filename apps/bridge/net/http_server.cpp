@@ -92,12 +92,6 @@ const char* typeOfPath(std::string_view path) {
     return "application/octet-stream";
 }
 
-std::string tagOf(std::string_view bytes) {
-    std::uint64_t hash = 14695981039346656037ULL; // FNV-1a
-    for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-    return fmt::format("\"{:016x}\"", hash);
-}
-
 void servePlain(StreamSocket socket, const std::string& address, HttpShared& shared) {
     std::make_shared<HttpConnection<StreamSocket>>(std::move(socket), address, shared)->start();
 }

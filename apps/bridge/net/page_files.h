@@ -6,9 +6,14 @@
 
 namespace bridge {
 
-struct PageFile {
-    std::string_view path; ///< "/picture.js"
+struct PageBody {
     std::string_view bytes;
+    std::string_view tag; ///< entity tag, with its quotes
+};
+
+struct PageFile {
+    std::string_view path;  ///< "/picture.js"
+    PageBody plain, packed; ///< packed: by gzip
 };
 
 /// The first one is what `/` shows. Valid for the whole run of the program; safe from many threads.

@@ -1,52 +1,35 @@
-# The files of the page that are built into RTBridge. The first one is what `/` shows.
-set(BRIDGE_PAGE_FILES
-    index.html
-    page.css
-    icon.svg
-    js/around.js
-    js/bookmarks.js
-    js/dom.js
-    js/edits.js
-    js/fields.js
-    js/fragment.js
-    js/gamepad.js
-    js/held.js
-    js/input.js
-    js/key_table.js
-    js/link.js
-    js/main.js
-    js/notices.js
-    js/painter.js
-    js/panel_lights.js
-    js/panel_model.js
-    js/panel_page.js
-    js/panel_people.js
-    js/panel_settings.js
-    js/panel_sky.js
-    js/panel_views.js
-    js/panels.js
-    js/picture.js
-    js/picture_worker.js
-    js/setting_labels.js
-    js/statistics.js
-    js/storage.js
-    js/texts.js
-    js/texts_cs.js
-    js/texts_en.js
-    js/touch.js
-    js/wake_lock.js
-    js/wire.js)
-
-# Made from the translations of the window, without Qt.
-set(BRIDGE_PAGE_MADE_FILES js/tables_cs.js)
+# The files of the page that are built into RTBridge: those of this folder, and those that are made of it. The first one is
+# what `/` shows.
+set(BRIDGE_PAGE_FILES index.html page.css icon.svg js/texts_cs.js)
+set(BRIDGE_PAGE_MADE_FILES js/main.js js/picture_worker.js js/tables_cs.js)
 set(BRIDGE_PAGE_MADE_FOLDER ${CMAKE_CURRENT_BINARY_DIR}/page_made)
+
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
+set(page ${CMAKE_CURRENT_LIST_DIR})
+set(made ${BRIDGE_PAGE_MADE_FOLDER}/js)
+set(parts ${CMAKE_CURRENT_BINARY_DIR}/page_parts) # made, and joined into others
+file(MAKE_DIRECTORY ${made} ${parts})
+file(GLOB modules CONFIGURE_DEPENDS ${page}/js/*.js)
+
+# Texts that the window has, too, without Qt.
 set(translations ${CMAKE_SOURCE_DIR}/apps/gui/translations/tables_cs.ts ${CMAKE_SOURCE_DIR}/apps/gui/translations/gui_cs.ts)
-file(GLOB modules CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/js/*.js)
 add_custom_command(
-    OUTPUT ${BRIDGE_PAGE_MADE_FOLDER}/js/tables_cs.js
-    COMMAND ${CMAKE_COMMAND} -E make_directory ${BRIDGE_PAGE_MADE_FOLDER}/js
-    COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_LIST_DIR}/tables_cs.py ${translations} ${modules}
-            -o ${BRIDGE_PAGE_MADE_FOLDER}/js/tables_cs.js
-    DEPENDS ${CMAKE_CURRENT_LIST_DIR}/tables_cs.py ${translations} ${modules}
-    COMMENT "Czech texts of the page's tables")
+    OUTPUT ${made}/tables_cs.js
+    COMMAND ${Python3_EXECUTABLE} ${page}/tables_cs.py ${translations} ${modules} -o ${made}/tables_cs.js
+    DEPENDS ${page}/tables_cs.py ${translations} ${modules}
+    COMMENT "Czech texts of the page's tables" VERBATIM)
+set(labels ${CMAKE_SOURCE_DIR}/apps/gui/models/setting_labels.cpp)
+add_custom_command(
+    OUTPUT ${parts}/setting_label_table.js
+    COMMAND ${Python3_EXECUTABLE} ${page}/setting_labels.py ${labels} -o ${parts}/setting_label_table.js
+    DEPENDS ${page}/setting_labels.py ${labels}
+    COMMENT "Labels of the page's settings" VERBATIM)
+
+# One request each for the page and for its worker.
+foreach(entry main.js picture_worker.js)
+    add_custom_command(
+        OUTPUT ${made}/${entry}
+        COMMAND ${Python3_EXECUTABLE} ${page}/bundle.py ${entry} ${page}/js ${parts} -o ${made}/${entry}
+        DEPENDS ${page}/bundle.py ${modules} ${parts}/setting_label_table.js
+        COMMENT "Joining the modules of ${entry}" VERBATIM)
+endforeach()

@@ -78,7 +78,7 @@ void killAtRandom(Troupe& troupe, int kills, const std::string& clientRole,
 TEST(Killed, ServersAndClients) {
     Troupe troupe;
     PoisonedQueues poisoned(troupe);
-    killAtRandom(troupe, rounds(1000), "client", {}, poisoned);
+    killAtRandom(troupe, rounds(400), "client", {}, poisoned);
 }
 
 // Finds deaths inside the queue, where Boost's mutex is.

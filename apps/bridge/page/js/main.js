@@ -72,6 +72,7 @@ addEventListener("hashchange", () => {
 const pixels = () => ({ w: Math.max(1, Math.round(canvas.clientWidth * devicePixelRatio)), h: Math.max(1, Math.round(canvas.clientHeight * devicePixelRatio)) });
 const link = new Link(() => ({ token: forThisTab.get("rt.token") ?? "", instance: forThisTab.get("rt.instance") ?? "", name: preference("name", ""),
     view: pixels(), codecs: ["jpeg", "png"] }));
+link.connect(); // what it says comes after the last line of this module
 app.edits = new Edits((what, keys) => link.request(what, keys), ({ text }) => text && app.notices.show("failed", text, { warn: true }));
 const held = new Held((message) => app.drives() && link.send(message));
 app.pixels = pixels;
@@ -269,5 +270,3 @@ addEventListener("keydown", (event) => {
         app.ask(event.shiftKey ? "redo" : "undo");
     }
 });
-
-link.connect();

@@ -1,22 +1,6 @@
-/** What settings, edits and values are called: as in the window (apps/gui/models/setting_labels.cpp). */
+/** What settings, edits and values are called: as in the window, whose table the build makes setting_label_table.js of. */
+import labels from "./setting_label_table.js";
 import { of, number, t } from "./texts.js";
-
-/** Labels of settings whose name alone says too little. */
-export const labels = {
-    antialiasing: "Anti-aliasing",
-    maxDepth: "Max. bounces",
-    minContribution: "Min. contribution",
-    "ambientOcclusion.light": "Ambient light",
-    path: "Path tracing",
-    whitted: "Whitted ray tracing",
-    "path.samples": "Samples per pixel",
-    "path.bounces": "Max. bounces",
-    "path.rouletteFrom": "Roulette from bounce",
-    "path.clampIndirect": "Clamp indirect light",
-    "path.emitters": "Light from emission",
-    "path.seed": "Seed of the noise",
-    "exposure.recorded": "Recorded exposures",
-};
 
 /** "brighterSeconds" is "Brighter seconds". */
 function words(name) {

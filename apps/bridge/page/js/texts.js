@@ -6,8 +6,8 @@ export const languages = [["", "auto"], ["en", "English"], ["cs", "Čeština"]];
 
 const chosen = preference("language", "");
 export const language = (chosen || navigator.language || "en").startsWith("cs") ? "cs" : "en";
-const own = language === "cs" ? (await import("./texts_cs.js")).default : english;
-const shared = language === "cs" ? (await import("./tables_cs.js")).default : {};
+const [own, shared] = language === "cs"
+    ? (await Promise.all([import("./texts_cs.js"), import("./tables_cs.js")])).map((module) => module.default) : [english, {}];
 document.documentElement.lang = language;
 
 export function chooseLanguage(name) {
