@@ -119,12 +119,8 @@ class Room {
     FrameSet newest_;
     std::int64_t lastPublishedNs_ = 0;
     double frameTime_ = 1.0 / 30;
-<<<<<<< HEAD
-    double lastFrame_ = 0, lastStatusSent_ = 0, mostBits_ = 0, lastInput_ = -1e9, lastElsewhere_ = -1e9;
-    double pingSeconds_ = 15;
-=======
     double lastFrame_ = 0, lastStatusSent_ = 0, mostBits_ = 0, lastElsewhere_ = -1e9;
->>>>>>> d1428d6cf184892b22b471a395261b94921b92fe
+    double pingSeconds_ = 15;
     std::uint64_t framesSent_ = 0, bytesSent_ = 0, skippedBefore_ = 0;
     struct WatchedSetting {
         std::string name, value; ///< before
