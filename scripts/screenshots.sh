@@ -14,7 +14,7 @@ pictures=${1:-output/screenshots}
 bin=$PWD/build/release/bin
 scenes=$PWD/data/nave
 for tool in Xvfb xdotool import convert; do
-    command -v "$tool" >/dev/null || { echo "screenshots: $tool is missing (scripts/packages.txt)" >&2; exit 1; }
+    command -v "$tool" >/dev/null || { echo "screenshots: $tool is missing (scripts/packages-tests.txt)" >&2; exit 1; }
 done
 [ -s "$scenes/generated/nave.glb" ] || { echo "screenshots: $scenes/generated/nave.glb is missing; scripts/make_data.sh makes it" >&2; exit 1; }
 [ -x "$bin/GUI" ] || { echo "screenshots: $bin/GUI is missing; scripts/build.sh builds it" >&2; exit 1; }

@@ -1,17 +1,17 @@
 #!/bin/sh
 # Installs the packages of packages.txt that are missing. Never removes one.
-#   scripts/setup.sh [--no-apt] [--peers] [--services]
-# --no-apt: only say what is missing, and fail if anything is. --peers: those of packages-peers.txt, too. --services:
-# those of packages-services.txt, too. What is installed is not started.
+#   scripts/setup.sh [--no-apt] [--tests] [--peers] [--services]
+# --no-apt: only say what is missing, and fail if anything is. --tests, --peers, --services: those of packages-tests.txt and
+# so on, too. What is installed is not started.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 apt=yes more=""
 for option in "$@"; do
     case $option in
         --no-apt) apt=no ;;
-        --peers | --services) more="$more $here/packages-${option#--}.txt" ;;
+        --tests | --peers | --services) more="$more $here/packages-${option#--}.txt" ;;
         *)
-            echo "usage: setup.sh [--no-apt] [--peers] [--services]" >&2
+            echo "usage: setup.sh [--no-apt] [--tests] [--peers] [--services]" >&2
             exit 2 ;;
     esac
 done

@@ -20,6 +20,9 @@ stage() {
     tell "$from" "$1"
 }
 
+install() {
+    scripts/setup.sh --tests
+}
 build() {
     # Warnings are errors, except in what was built without: that is not built again.
     [ -f build/release/CMakeCache.txt ] || export RT_WERROR=ON
@@ -57,6 +60,7 @@ check_threads() {
     build/tsan/bin/test_ipc --gtest_brief=1
 }
 
+stage "installing" install
 stage "building" build
 stage "tests" check_release
 stage "building with sanitizers" build_sanitized

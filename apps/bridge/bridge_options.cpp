@@ -16,6 +16,12 @@ namespace {
 
 using app::ValueKind;
 
+#ifdef RT_BRIDGE_TLS
+constexpr bool kHasTls = true;
+#else
+constexpr bool kHasTls = false;
+#endif
+
 constexpr std::uint16_t kPort = 8931;
 constexpr int kPorts = 20; ///< that are tried where none is asked for
 
@@ -200,7 +206,7 @@ const app::ProgramSpec& bridgeSpec() {
                         {"XDG_RUNTIME_DIR", "the folder for the socket of --listen=unix"}},
         .files = {{"TOKENS", "of --token-file: a line with the driver's token, one with the viewer's"},
                   {"$XDG_RUNTIME_DIR/rts/NAME.web", "the socket of --listen=unix"}},
-        .features = {{"OpenSSL", HttpServer::hasTls(), "no --tls-cert: https by a proxy or ssh"}},
+        .features = {{"OpenSSL", kHasTls, "no --tls-cert: https by a proxy or ssh"}},
     };
     return spec;
 }

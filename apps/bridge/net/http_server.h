@@ -60,8 +60,6 @@ class HttpServer {
     /// Calls `work` again and again; before run().
     void every(double seconds, std::function<void()> work);
 
-    static bool hasTls();
-
   private:
     struct State;
     std::unique_ptr<State> state_;

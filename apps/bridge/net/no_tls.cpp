@@ -11,6 +11,4 @@ std::unique_ptr<TlsDoor> openTlsDoor(const TlsFiles& files) {
         "this RTBridge was built without OpenSSL; use ssh or a proxy, or build it with OpenSSL");
 }
 
-bool HttpServer::hasTls() { return false; }
-
 } // namespace bridge

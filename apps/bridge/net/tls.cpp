@@ -41,6 +41,4 @@ class OpenDoor : public TlsDoor {
 
 std::unique_ptr<TlsDoor> openTlsDoor(const TlsFiles& files) { return std::make_unique<OpenDoor>(files); }
 
-bool HttpServer::hasTls() { return true; }
-
 } // namespace bridge
