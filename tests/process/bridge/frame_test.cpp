@@ -1,44 +1,12 @@
 // Frames: each is whole, no older than it says, and exact at rest.
 #include "process/bridge/bridge_fixture.h"
-
-#include <png.h>
+#include "process/bridge/png_pixels.h"
 
 namespace {
 
 using namespace test;
 
 class Frames : public BridgeTest {};
-
-std::vector<std::uint8_t> rgbOf(const std::string& png) {
-    png_image image{};
-    image.version = PNG_IMAGE_VERSION;
-    if (png_image_begin_read_from_memory(&image, png.data(), png.size()) == 0) return {};
-    image.format = PNG_FORMAT_RGB;
-    std::vector<std::uint8_t> out(PNG_IMAGE_SIZE(image));
-    png_image_finish_read(&image, nullptr, out.data(), 0, nullptr);
-    return out;
-}
-
-/// All parts of the next still; "" when none comes.
-std::string stillOf(WebClient& client) {
-    std::string bytes;
-    for (;;) {
-        const auto part = client.binary(2);
-        if (!part) return {};
-        const FrameHeader header = headerOf(part->payload);
-        if (header.offset != bytes.size()) return {};
-        bytes += part->payload.substr(40);
-        client.acknowledge(*part);
-        if ((header.flags & 4) != 0) return bytes.size() == header.total ? bytes : std::string();
-    }
-}
-
-bool areSame(const std::vector<std::uint8_t>& rgb, const std::vector<std::uint8_t>& rgba) {
-    if (rgb.size() / 3 != rgba.size() / 4) return false;
-    for (std::size_t i = 0; i < rgb.size(); ++i)
-        if (rgb[i] != rgba[i / 3 * 4 + i % 3]) return false;
-    return true;
-}
 
 TEST_F(Frames, BeginWithWhatIsShown) {
     const auto client = join();
