@@ -28,7 +28,7 @@ constexpr int kPorts = 20; ///< that are tried where none is asked for
 std::vector<std::string> suggestServers(std::span<const std::string>) {
     std::vector<std::string> names;
     for (const ipc::Instance& each : ipc::listInstances())
-        if (each.running) names.push_back(each.name);
+        if (each.running) names.emplace_back(each.name);
     return names;
 }
 
@@ -98,7 +98,9 @@ app::OptionGroup permissionOptions() {
          {.name = "lock",
           .value = ValueKind::Text,
           .argument = "NAME,...",
-          .help = "settings that pages cannot change; edits: no settings, lights or materials at all"},
+          .help =
+              "settings that pages cannot change; fog.*: all of that group; edits: no settings, lights or "
+              "materials at all"},
          {.name = "clients",
           .value = ValueKind::Integer,
           .argument = "N",
@@ -117,6 +119,26 @@ app::OptionGroup permissionOptions() {
           .help = "most megabits per second for all pages together; 0 is no limit [0]",
           .minimum = 0,
           .maximum = 1e6}}};
+}
+
+app::OptionGroup runningOptions() {
+    return {
+        "Running",
+        {{.name = "quality",
+          .value = ValueKind::Text,
+          .argument = "Q",
+          .help = "of moving frames: auto, by the link of each page; or 50 to 95, the quality of JPEG, at "
+                  "full size [auto]",
+          .more = "Pages may still choose another, and `--max-mbit` counts first. At rest each pixel is "
+                  "exact in any case",
+          .suggest =
+              [](std::span<const std::string>) {
+                  return std::vector<std::string>{"auto", "60", "75", "85", "95"};
+              }},
+         {.name = "watch",
+          .help =
+              "print a line a second for each server on standard error: pages, driver, frames and bits that "
+              "are sent, processor time"}}};
 }
 
 std::string onlyServer() {
@@ -161,21 +183,41 @@ ListenAddress listenOf(const std::optional<std::string>& given) {
     return {host, static_cast<std::uint16_t>(*port), {}, 1};
 }
 
+/// "fog.*": all settings of that group; else the one of that name, or "edits".
+std::vector<std::string> lockedBy(const std::string& name) {
+    if (name == "edits") return {name};
+    if (!name.ends_with(".*")) return {std::string(rtcore::requireSetting(name).name)};
+    std::vector<std::string> names;
+    for (const rtcore::Setting& each : rtcore::settingsTable())
+        if (each.name.starts_with(name.substr(0, name.size() - 1))) names.emplace_back(each.name);
+    if (names.empty()) throw std::invalid_argument("there are no settings '" + name + "'");
+    return names;
+}
+
 std::vector<std::string> lockedOf(const std::string& list) {
     std::vector<std::string> names;
     for (std::size_t start = 0; start <= list.size();) {
         const std::size_t end = std::min(list.find(',', start), list.size());
-        std::string name = list.substr(start, end - start);
+        const std::string name = list.substr(start, end - start);
         start = end + 1;
         if (name.empty()) continue;
         try {
-            if (name != "edits") name = rtcore::requireSetting(name).name;
+            for (std::string& each : lockedBy(name))
+                if (std::ranges::find(names, each) == names.end()) names.push_back(std::move(each));
         } catch (const std::invalid_argument& error) {
             throw app::UsageError(std::string("option '--lock': ") + error.what());
         }
-        names.push_back(std::move(name));
     }
     return names;
+}
+
+std::optional<int> qualityOf(const std::optional<std::string>& given) {
+    if (!given || *given == "auto") return {};
+    constexpr std::int64_t kLeast = 50, kMost = 95;
+    const auto quality = app::parseInteger(*given);
+    if (!quality || *quality < kLeast || *quality > kMost)
+        throw app::UsageError("option '--quality' takes auto or 50 to 95, not '" + *given + "'");
+    return static_cast<int>(*quality);
 }
 
 void checkSafety(const BridgeOptions& options, bool insecure) {
@@ -196,7 +238,7 @@ const app::ProgramSpec& bridgeSpec() {
         .purpose = "Shows what an RTServer renders in web pages, in which one walks. Prints the links, which "
                    "hold tokens.",
         .positionals = {},
-        .groups = {serverOptions(), addressOptions(), permissionOptions()},
+        .groups = {serverOptions(), addressOptions(), permissionOptions(), runningOptions()},
         .examples = {{"RTBridge", "beside a running server; open the link that it prints"},
                      {"RTBridge --start nave.scn", "with a server of its own"},
                      {"RTBridge --listen=unix", "on a node of a cluster; prints how to get there by ssh"},
@@ -225,8 +267,10 @@ BridgeOptions readBridgeOptions(const app::Arguments& arguments) {
     options.limits.maxPixels = arguments.integer("max-pixels").value_or(options.limits.maxPixels);
     options.viewOnly = arguments.has("view-only");
     options.clients = static_cast<std::size_t>(arguments.integer("clients").value_or(64));
-    options.mostBits = 1e6 * arguments.number("max-mbit").value_or(0);
-    options.pingSeconds = arguments.number("ping").value_or(kPingSeconds);
+    options.stream.mostBits = 1e6 * arguments.number("max-mbit").value_or(0);
+    options.stream.quality = qualityOf(arguments.text("quality"));
+    options.watch = arguments.has("watch");
+    options.stream.pingSeconds = arguments.number("ping").value_or(kPingSeconds);
     if (const auto file = arguments.text("token-file")) options.tokenFile = *file;
     if (const auto scene = arguments.text("start")) options.start = *scene;
     if (options.start && options.instances.size() > 1) throw app::UsageError("--start takes one --instance");

@@ -3,6 +3,7 @@
 
 #include "bridge/control/caps.h"
 #include "bridge/net/http_server.h"
+#include "bridge/stream/stream_options.h"
 
 #include "common/cli/command_line.h"
 #include "common/cli/options.h"
@@ -16,8 +17,6 @@ namespace bridge {
 
 const app::ProgramSpec& bridgeSpec();
 
-constexpr double kPingSeconds = 15; ///< half of the time after which a page is gone
-
 struct BridgeOptions {
     std::vector<std::string> instances; ///< at least one
     ListenAddress listen;
@@ -27,8 +26,8 @@ struct BridgeOptions {
     Limits limits;
     bool viewOnly = false;
     std::size_t clients = 64;
-    double mostBits = 0; ///< per second; 0: no limit
-    double pingSeconds = kPingSeconds;
+    StreamOptions stream;
+    bool watch = false; ///< print a line a second
     std::optional<std::filesystem::path> tokenFile, start;
 };
 

@@ -90,6 +90,7 @@ class Serving {
     app::ExitCode run() {
         printLinks(options_, tokens_, server_->port());
         server_->every(0.05, [this] { tick(); });
+        if (options_.watch) server_->every(1, [this] { printWatch(); });
         server_->run();
         return code_;
     }
@@ -117,6 +118,11 @@ class Serving {
             code_ = app::stopExitCode();
             end();
         }
+    }
+    /// A terminal that is stopped loses lines; it must not stop the pages.
+    void printWatch() {
+        const std::string lines = hub_->watchLines();
+        if (app::errorTakesMore()) app::writeError(lines);
     }
     void renew() {
         if (options_.tokenFile)

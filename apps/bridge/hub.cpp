@@ -2,9 +2,11 @@
 
 #include "bridge/control/setting_value.h"
 #include "bridge/report/metrics.h"
+#include "bridge/report/status.h"
 #include "bridge/visitor.h"
 
 #include "common/cli/help_text.h"
+#include "common/process/thread_seconds.h"
 
 namespace bridge {
 
@@ -13,11 +15,13 @@ using nlohmann::json;
 Hub::Hub(const BridgeOptions& options, Tokens tokens, const Post& post)
     : options_(options), tokens_(std::move(tokens)), settings_(settingsTableJson(options.limits)),
       began_(nowSeconds()) {
-    for (const std::string& name : options.instances) {
-        rooms_.push_back(std::make_unique<Room>(name, options.limits, post));
-        rooms_.back()->setPing(options.pingSeconds);
-        rooms_.back()->setMostBits(options.mostBits / static_cast<double>(options.instances.size()));
-    }
+    StreamOptions stream = options.stream;
+    stream.mostBits /= static_cast<double>(options.instances.size());
+    for (const std::string& name : options.instances)
+        rooms_.push_back(std::make_unique<Room>(name, options.limits, stream, post));
+    rungs_ = json::array();
+    for (const Rung& rung : stream.rungs())
+        rungs_.push_back({{"divide", rung.divide}, {"quality", rung.quality}});
 }
 
 std::shared_ptr<Receiver> Hub::opened(const std::shared_ptr<Outlet>& outlet) {
@@ -54,8 +58,6 @@ std::string Hub::instanceList() const {
 }
 
 json Hub::welcome(const Room& room, SessionId id, Right right) const {
-    json rungs = json::array();
-    for (const Rung& rung : kRungs) rungs.push_back({{"divide", rung.divide}, {"quality", rung.quality}});
     constexpr int kMessage = 4096, kRequests = 4;
     constexpr double kMs = 1000;
     return {{"event", "welcome"},
@@ -71,7 +73,7 @@ json Hub::welcome(const Room& room, SessionId id, Right right) const {
               {"requests", kRequests},
               {"heartbeat", InputState::kHeartbeat * kMs}}},
             {"locked", options_.limits.locked},
-            {"rungs", rungs},
+            {"rungs", rungs_},
             {"settings", settings_}};
 }
 
@@ -93,13 +95,22 @@ void Hub::end() {
         if (const auto outlet = each.lock()) outlet->close(CloseCode::GoingAway, "the bridge ends");
 }
 
+std::vector<RoomFigures> Hub::figures() const {
+    std::vector<RoomFigures> all;
+    for (const auto& each : rooms_) all.push_back(each->figures());
+    return all;
+}
+
+std::string Hub::watchLines() { return watch_.lines(figures(), app::threadSeconds(), nowSeconds()); }
+
 json Hub::status() const {
     json instances = json::array();
-    for (const auto& each : rooms_) instances.push_back(each->report());
+    for (const RoomFigures& each : figures()) instances.push_back(statusOf(each));
     return {{"version", app::suiteVersion()},
             {"seconds", nowSeconds() - began_},
             {"clients", visitors_},
             {"refused", refused_},
+            {"ioCpuSeconds", app::threadSeconds()},
             {"instances", instances}};
 }
 
@@ -115,9 +126,8 @@ HttpAnswer Hub::answer(std::string_view path, std::string_view bearer) const {
         return {401, "text/plain; charset=utf-8", "a token is needed: Authorization: Bearer TOKEN\n"};
     if (path == "/status")
         return {200, "application/json", status().dump(2, ' ', false, json::error_handler_t::replace) + "\n"};
-    std::vector<const Room*> rooms;
-    for (const auto& each : rooms_) rooms.push_back(each.get());
-    return {200, "text/plain; version=0.0.4; charset=utf-8", metricsText(rooms, refused_)};
+    return {200, "text/plain; version=0.0.4; charset=utf-8",
+            metricsText(figures(), refused_, app::threadSeconds())};
 }
 
 } // namespace bridge

@@ -4,6 +4,7 @@
 
 #include "bridge/bridge_options.h"
 #include "bridge/control/room.h"
+#include "bridge/report/watch.h"
 #include "bridge/tokens.h"
 
 #include <map>
@@ -21,6 +22,8 @@ class Hub {
     Hub(const BridgeOptions& options, Tokens tokens, const Post& post);
 
     std::shared_ptr<Receiver> opened(const std::shared_ptr<Outlet>& outlet);
+    /// A line for each instance, for a terminal.
+    std::string watchLines();
     HttpAnswer answer(std::string_view path, std::string_view bearer) const;
     bool full() const { return visitors_ >= options_.clients; }
     bool shutOut(const std::string& address);
@@ -44,11 +47,13 @@ class Hub {
 
   private:
     nlohmann::json status() const;
+    std::vector<RoomFigures> figures() const;
 
     const BridgeOptions& options_;
     Tokens tokens_;
     std::vector<std::unique_ptr<Room>> rooms_;
-    nlohmann::json settings_;
+    nlohmann::json settings_, rungs_;
+    Watch watch_;
     WrongTokens wrong_;
     std::map<std::string, std::uint64_t> refused_;
     std::size_t visitors_ = 0;

@@ -15,9 +15,12 @@ namespace bridge {
 struct SettingCap {
     std::string_view name;
     double most;
+    double least = -rtcore::kUnlimited;
 };
-inline constexpr std::array<SettingCap, 7> kCaps{{{"antialiasing", 4},
+inline constexpr std::array<SettingCap, 8> kCaps{{{"antialiasing", 4},
                                                   {"maxDepth", 64},
+                                                  // Else bounces by mirrors and glass double without end.
+                                                  {"minContribution", 1, 0.001},
                                                   {"ambientOcclusion.samples", 256},
                                                   {"skyLight.samples", 256},
                                                   {"fog.shafts", 64},
@@ -35,6 +38,14 @@ inline bool isOffered(const rtcore::Setting& setting) {
     return setting.stillChoice.empty() && setting.group != "path" && setting.name != "width" &&
            setting.name != "height";
 }
+
+/// The larger of the table's minimum and the cap.
+inline double leastOf(const rtcore::Setting& setting) {
+    const auto* const cap = std::ranges::find(kCaps, setting.name, &SettingCap::name);
+    return cap == kCaps.end() ? setting.minimum : std::max(cap->least, setting.minimum);
+}
+
+inline constexpr std::size_t kMostLights = 64; ///< no page adds one beyond them
 
 struct Limits {
     std::int64_t maxPixels = 1920 * 1080;

@@ -1,10 +1,11 @@
 #include "bridge/control/command_link.h"
 
 #include "common/commands/command_lines.h"
+#include "common/process/seconds_since.h"
+#include "common/process/thread_seconds.h"
 
 #include <chrono>
 #include <condition_variable>
-#include <ctime>
 #include <deque>
 #include <list>
 #include <mutex>
@@ -22,12 +23,6 @@ using LinkClock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kAnswerLook = 1ms, kStatusLook = 100ms, kStateLook = 1s, kSearch = 200ms,
                                     kIdleLook = 500ms;
 constexpr auto kPatience = 60s;
-
-double ownThreadSeconds() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 } // namespace
 
@@ -65,6 +60,10 @@ struct CommandLink::State {
     void askForMessages(std::uint32_t count);
     void fail(const std::string& why);
     void ask(std::string command, std::function<void(ipc::Reply)> done);
+    /// Under the lock.
+    void keysChanged() {
+        if (!keysSince) keysSince = LinkClock::now();
+    }
 
     const std::string instance;
     const CommandLinkEvents events;
@@ -76,7 +75,8 @@ struct CommandLink::State {
     std::vector<std::uint8_t> taps;
     double right = 0, up = 0;
     std::deque<Request> incoming;
-    double cpu = 0;
+    CommandFigures counted;
+    std::optional<LinkClock::time_point> keysSince; ///< the oldest change that the server does not know yet
 
     // Of the thread alone.
     std::optional<ipc::Client> client;
@@ -103,7 +103,7 @@ void CommandLink::State::run() {
             const std::lock_guard lock(mutex);
             if (stopping) break;
             someone = anyone;
-            cpu = ownThreadSeconds();
+            counted.cpuSeconds = app::threadSeconds();
         }
         try {
             someone ? work() : watchOnly();
@@ -175,6 +175,10 @@ void CommandLink::State::work() {
     const ipc::LinkState now = client->update();
     if (client->epoch() != epoch && now != ipc::LinkState::Gone) {
         epoch = client->epoch();
+        {
+            const std::lock_guard lock(mutex);
+            counted.epoch = epoch;
+        }
         lastReport.clear();
         knowsMessages = false;
         wantsState = true;
@@ -194,10 +198,12 @@ void CommandLink::State::work() {
 void CommandLink::State::moveKeys() {
     KeySet wanted;
     std::vector<std::uint8_t> tapped;
+    std::optional<LinkClock::time_point> since;
     {
         const std::lock_guard lock(mutex);
         wanted = keys;
         tapped.swap(taps);
+        since.swap(keysSince);
     }
     for (int key = 0; key < 256; ++key) {
         const auto k = static_cast<std::size_t>(key);
@@ -209,6 +215,9 @@ void CommandLink::State::moveKeys() {
         client->pressKey(key);
         if (!pressed[key]) client->releaseKey(key);
     }
+    if (!since) return;
+    const std::lock_guard lock(mutex);
+    counted.keys.add(app::secondsSince(*since));
 }
 
 void CommandLink::State::sendTurn() {
@@ -333,10 +342,17 @@ void CommandLink::setAnyone(bool anyone) {
     change(*state_, [&] { state_->anyone = anyone; });
 }
 void CommandLink::setKeys(const KeySet& down) {
-    change(*state_, [&] { state_->keys = down; });
+    change(*state_, [&] {
+        if (state_->keys == down) return;
+        state_->keys = down;
+        state_->keysChanged();
+    });
 }
 void CommandLink::tap(std::span<const std::uint8_t> keys) {
-    change(*state_, [&] { state_->taps.insert(state_->taps.end(), keys.begin(), keys.end()); });
+    change(*state_, [&] {
+        state_->taps.insert(state_->taps.end(), keys.begin(), keys.end());
+        state_->keysChanged();
+    });
 }
 void CommandLink::turn(double right, double up) {
     change(*state_, [&] {
@@ -355,9 +371,9 @@ void CommandLink::request(std::string command, std::function<void(ipc::Reply)> d
 void CommandLink::refresh() {
     change(*state_, [&] { state_->wantsState = true; });
 }
-double CommandLink::cpuSeconds() const {
+CommandFigures CommandLink::figures() const {
     const std::lock_guard lock(state_->mutex);
-    return state_->cpu;
+    return state_->counted;
 }
 
 } // namespace bridge

@@ -2,6 +2,8 @@
 /// meanwhile.
 #pragma once
 
+#include "bridge/stream/histogram.h"
+
 #include "ipc/endpoint/client.h"
 
 #include <bitset>
@@ -23,6 +25,13 @@ struct CommandLinkEvents {
     std::function<void(const ipc::Status&)> status;           ///< when it changed, ten times a second at most
     std::function<void(std::string report)> state;            ///< the answer to `state`, when it changed
     std::function<void(std::string lines)> messages;          ///< new ones of the server
+};
+
+/// Figures of a CommandLink so far.
+struct CommandFigures {
+    double cpuSeconds = 0;   ///< of its thread
+    std::uint64_t epoch = 0; ///< of the server that it found last
+    Histogram keys;          ///< from setKeys() or tap() to the key bits of the server
 };
 
 /// One thread of its own. Without anyone() it leaves the server's slot to others and only looks whether it
@@ -48,7 +57,7 @@ class CommandLink {
     void request(std::string command, std::function<void(ipc::Reply)> done);
     /// Asks for the state soon.
     void refresh();
-    double cpuSeconds() const;
+    CommandFigures figures() const;
 
   private:
     struct State;

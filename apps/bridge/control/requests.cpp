@@ -93,7 +93,18 @@ std::string kind(Fields f) {
     return f.choice("kind", {"point", "directional", "spot", "sphere", "rectangle"});
 }
 Words light(Fields f, const RequestSurroundings&) { return wordList(f.whole("light"), f.onOff("on")); }
-Words lightAdd(Fields f, const RequestSurroundings&) { return wordList(kind(f)); }
+void checkRoomForLight(const RequestSurroundings& around) {
+    if (around.lights >= kMostLights)
+        throw Refused(fmt::format("there are {} lights, the most that pages may have", around.lights));
+}
+Words lightAdd(Fields f, const RequestSurroundings& around) {
+    checkRoomForLight(around);
+    return wordList(kind(f));
+}
+Words lightCopy(Fields f, const RequestSurroundings& around) {
+    checkRoomForLight(around);
+    return wordList(f.whole("light"));
+}
 Words lightOnly(Fields f, const RequestSurroundings&) { return wordList(f.whole("light")); }
 Words lightKind(Fields f, const RequestSurroundings&) { return wordList(f.whole("light"), kind(f)); }
 Words seenAt(Fields f) {
@@ -208,7 +219,7 @@ constexpr std::array kRows{
     RequestRow{"redo", CommandId::Redo, none},
     RequestRow{"light", CommandId::Light, light},
     RequestRow{"lightAdd", CommandId::LightAdd, lightAdd, false, AnswerShape::Light},
-    RequestRow{"lightCopy", CommandId::LightCopy, lightOnly, false, AnswerShape::Light},
+    RequestRow{"lightCopy", CommandId::LightCopy, lightCopy, false, AnswerShape::Light},
     RequestRow{"lightRemove", CommandId::LightRemove, lightOnly},
     RequestRow{"lightKind", CommandId::LightKind, lightKind},
     RequestRow{"lightMove", CommandId::LightMove, lightMove},

@@ -39,6 +39,7 @@ struct PlannedCommand {
 struct RequestSurroundings {
     const Limits& limits;
     std::span<const std::string> bookmarks; ///< of the scene
+    std::size_t lights = 0;                 ///< that it has
 };
 
 /// Throws Refused for an unknown name, a key that is missing, of another type or out of range, and what is

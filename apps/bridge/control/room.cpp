@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace bridge {
 
@@ -13,35 +14,23 @@ using nlohmann::json;
 
 constexpr double kStatusEvery = 0.5, kPingEvery = 2, kLinkEvery = 1;
 
-const char* nameOf(ServerState state) {
-    switch (state) {
-    case ServerState::There:
-        return "there";
-    case ServerState::Busy:
-        return "busy";
-    case ServerState::Gone:
-        return "gone";
-    case ServerState::Refused:
-        break;
-    }
-    return "refused";
-}
-
 } // namespace
 
 double nowSeconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-Room::Room(std::string instance, const Limits& limits, Post post)
-    : instance_(std::move(instance)), limits_(limits), post_(std::move(post)) {
+Room::Room(std::string instance, const Limits& limits, const StreamOptions& stream, Post post)
+    : instance_(std::move(instance)), limits_(limits), stream_(stream), rungs_(stream.rungs()),
+      post_(std::move(post)) {
     const auto later = [this](auto work) {
         post_([alive = std::weak_ptr(alive_), work = std::move(work)] {
             if (!alive.expired()) work();
         });
     };
-    frames_ = std::make_unique<FrameSource>(
-        instance_, [this, later](FrameSet set) { later([this, set = std::move(set)] { newFrames(set); }); });
+    frames_ = std::make_unique<FrameSource>(instance_, rungs_, [this, later](FrameSet set) {
+        later([this, set = std::move(set)] { newFrames(set); });
+    });
     CommandLinkEvents events;
     events.server = [this, later](ServerState state, std::string why) {
         later([this, state, why = std::move(why)] { serverChanged(state, why); });
@@ -84,12 +73,13 @@ void Room::join(SessionId id, std::string name, bool mayDrive, const PageView& v
     session.mayDrive = mayDrive;
     session.outlet = std::move(outlet);
     session.began = session.lastLink = now;
+    session.delivery.prefer(stream_.fixedRung());
     session.delivery.setView(view);
     session.delivery.rate().setFrameTime(frameTime_);
+    session.outlet->ping(); // the delay of the link, before anything fills it
+    session.lastPing = now;
     welcome["role"] = roles_.drives(id) ? "driver" : "viewer";
     send(session, welcome);
-    session.outlet->ping(); // the delay of the link, before frames fill it
-    session.lastPing = now;
     rolesChanged(before);
     if (server_) send(session, {{"event", "server"}, {"state", nameOf(*server_)}, {"text", serverWhy_}});
     if (facts_.known()) sendState(session, facts_.all());
@@ -161,6 +151,8 @@ void Room::ponged(SessionId id, double seconds) {
 void Room::writable(SessionId id) {
     Session* const session = find(id);
     if (session == nullptr) return;
+    if (const std::int64_t published = std::exchange(session->writing, 0); published != 0)
+        publishToSocket_.add(nowSeconds() - 1e-9 * static_cast<double>(published));
     pump(*session);
     updateDemand();
 }
@@ -248,44 +240,6 @@ void Room::sendState(Session& session, const json& content) {
     send(session, event);
 }
 
-json Room::report() const {
-    json sessions = json::array();
-    for (const auto& [id, session] : sessions_) {
-        const LinkReport link = session.delivery.rate().report();
-        constexpr double kMs = 1000;
-        sessions.push_back({{"id", id},
-                            {"name", session.name},
-                            {"role", roles_.drives(id) ? "driver" : "viewer"},
-                            {"rung", link.rung},
-                            {"window", link.window},
-                            {"rttMs", link.rtt * kMs},
-                            {"baseMs", link.base * kMs},
-                            {"queueMs", link.queue * kMs},
-                            {"bitsPerSecond", session.delivery.rate().sentBits(nowSeconds())},
-                            {"sent", session.delivery.framesSent()},
-                            {"skipped", session.delivery.framesSkipped()},
-                            {"seconds", nowSeconds() - session.began}});
-    }
-    const FrameFigures figures = frames_->figures();
-    return {{"name", instance_},
-            {"state", server_ ? nameOf(*server_) : "unknown"},
-            {"fps", status_.framesPerSecond},
-            {"width", status_.width},
-            {"height", status_.height},
-            {"idle", status_.idle != 0},
-            {"encoded", figures.encoded},
-            {"encodeSeconds", figures.encodeSeconds},
-            {"stills", figures.stills},
-            {"cpuSeconds", figures.cpuSeconds + commands_->cpuSeconds()},
-            {"sessions", sessions}};
-}
-
-std::uint64_t Room::framesSkipped() const {
-    std::uint64_t skipped = skippedBefore_;
-    for (const auto& [id, session] : sessions_) skipped += session.delivery.framesSkipped();
-    return skipped;
-}
-
 // --- Time ---
 
 void Room::tick() {
@@ -310,7 +264,7 @@ void Room::tick() {
             session.lastStatus = status;
             session.outlet->sendText(status);
         }
-        pingAfter(session, pingSeconds_, now);
+        pingAfter(session, stream_.pingSeconds, now);
         const std::uint64_t sent = session.delivery.framesSent();
         if (now - session.lastLink < kLinkEvery) continue;
         const double mbit =
@@ -320,7 +274,7 @@ void Room::tick() {
         if (sent == session.linkSent) continue;
         session.linkSent = sent;
         const LinkReport link = session.delivery.rate().report();
-        const Rung& rung = kRungs[static_cast<std::size_t>(link.rung)];
+        const Rung& rung = rungs_[static_cast<std::size_t>(link.rung)];
         constexpr double kMs = 1000;
         send(session, {{"event", "link"},
                        {"rung", link.rung},

@@ -7,9 +7,11 @@
 #include "bridge/control/own_edits.h"
 #include "bridge/control/requests.h"
 #include "bridge/control/roles.h"
+#include "bridge/control/room_figures.h"
 #include "bridge/control/scene_facts.h"
 #include "bridge/control/session.h"
 #include "bridge/stream/frame_source.h"
+#include "bridge/stream/stream_options.h"
 
 #include <nlohmann/json.hpp>
 
@@ -27,7 +29,8 @@ using Post = std::function<void(std::function<void()>)>;
 /// All of it on the thread of the sockets.
 class Room {
   public:
-    Room(std::string instance, const Limits& limits, Post post);
+    /// `limits` must outlive it.
+    Room(std::string instance, const Limits& limits, const StreamOptions& stream, Post post);
     /// Ends its threads; nothing that they posted does anything afterwards.
     ~Room();
     Room(const Room&) = delete;
@@ -50,18 +53,8 @@ class Room {
     void writable(SessionId id);
     void tick(); ///< about every 50 ms
 
-    /// For /status and /metrics.
-    nlohmann::json report() const;
-    FrameFigures frameFigures() const { return frames_->figures(); }
-    double commandCpu() const { return commands_->cpuSeconds(); }
-    std::uint64_t framesSent() const { return framesSent_; }
-    std::uint64_t framesSkipped() const;
-    std::uint64_t bytesSent() const { return bytesSent_; }
+    RoomFigures figures() const; ///< for reports
     void closeAll(CloseCode code, const std::string& reason);
-    /// So many bits per second for all viewers together; 0: no limit.
-    void setMostBits(double bits) { mostBits_ = bits; }
-    /// Seconds of silence after which pages get a ping.
-    void setPing(double seconds) { pingSeconds_ = seconds; }
 
   private:
     Session* find(SessionId id);
@@ -72,7 +65,8 @@ class Room {
 
     // Frames.
     void newFrames(FrameSet set);
-    void pump(Session& session);
+    /// `fresh`: because a frame came.
+    void pump(Session& session, bool fresh = false);
     void updateDemand();
     void measureFrameTime(std::int64_t publishedNs);
     void shareLimit();
@@ -103,6 +97,8 @@ class Room {
 
     const std::string instance_;
     const Limits& limits_;
+    const StreamOptions stream_;
+    const RungTable rungs_;
     Post post_;
     std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
     std::map<SessionId, Session> sessions_;
@@ -119,9 +115,10 @@ class Room {
     FrameSet newest_;
     std::int64_t lastPublishedNs_ = 0;
     double frameTime_ = 1.0 / 30;
-    double lastFrame_ = 0, lastStatusSent_ = 0, mostBits_ = 0, lastElsewhere_ = -1e9;
-    double pingSeconds_ = 15;
-    std::uint64_t framesSent_ = 0, bytesSent_ = 0, skippedBefore_ = 0;
+    double lastFrame_ = 0, lastStatusSent_ = 0, lastElsewhere_ = -1e9;
+    std::array<std::uint64_t, kRungCount> framesSent_{};
+    std::uint64_t partsSent_ = 0, bytesSent_ = 0, skippedBefore_ = 0;
+    Histogram publishToSocket_;
     struct WatchedSetting {
         std::string name, value; ///< before
         double since;
@@ -130,6 +127,9 @@ class Room {
     std::unique_ptr<FrameSource> frames_;
     std::unique_ptr<CommandLink> commands_; ///< last: their threads post to this
 };
+
+/// For messages and reports.
+const char* nameOf(ServerState state);
 
 /// Seconds of the steady clock.
 double nowSeconds();

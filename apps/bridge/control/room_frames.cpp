@@ -35,7 +35,7 @@ void Room::newFrames(FrameSet set) {
             session.delivery.rate().setFrameTime(frameTime_);
         }
     }
-    for (auto& [id, session] : sessions_) pump(session);
+    for (auto& [id, session] : sessions_) pump(session, newer);
     updateDemand();
 }
 
@@ -47,7 +47,7 @@ void Room::measureFrameTime(std::int64_t publishedNs) {
     if (publishedNs > lastPublishedNs_) lastPublishedNs_ = publishedNs;
 }
 
-void Room::pump(Session& session) {
+void Room::pump(Session& session, bool fresh) {
     if (session.outlet->busy()) return;
     const std::optional<Shipment> shipment = session.delivery.next(newest_, nowSeconds());
     if (!shipment) return;
@@ -56,7 +56,13 @@ void Room::pump(Session& session) {
         std::clamp<std::int64_t>((steadyNanoseconds() - published) / 1000, 0, 0xffffffff);
     session.bytes += kHeaderBytes + shipment->size;
     bytesSent_ += kHeaderBytes + shipment->size;
-    if (!shipment->part) ++framesSent_;
+    if (shipment->part) {
+        ++partsSent_;
+    } else {
+        ++framesSent_[static_cast<std::size_t>(shipment->rung)];
+        const bool saw = published > static_cast<std::int64_t>(1e9 * session.began);
+        session.writing = fresh && saw ? published : 0;
+    }
     session.outlet->sendBinary(
         headerOf(*shipment, inputBefore(session, published), static_cast<std::uint32_t>(age)), &*shipment);
 }
@@ -80,7 +86,7 @@ void Room::updateDemand() {
 
 /// The dearest viewers get coarser frames first.
 void Room::shareLimit() {
-    if (mostBits_ <= 0) return;
+    if (stream_.mostBits <= 0) return;
     double all = 0;
     std::vector<std::pair<double, Session*>> dear;
     for (auto& [id, session] : sessions_) {
@@ -94,11 +100,11 @@ void Room::shareLimit() {
         const int floor = session->delivery.view().saveData ? kFirstHalfRung : 0;
         const int now = std::max(rate.finest(), floor);
         constexpr double kRoom = 0.6;
-        if (all > mostBits_ && now < kRungCount - 1) {
+        if (all > stream_.mostBits && now < kRungCount - 1) {
             rate.limit(std::min(std::max(rate.rung(), now) + 1, kRungCount - 1));
             return;
         }
-        if (all < kRoom * mostBits_ && now > floor) {
+        if (all < kRoom * stream_.mostBits && now > floor) {
             rate.limit(now - 1);
             return;
         }

@@ -18,7 +18,7 @@ void Room::answer(Session& session, std::uint32_t id, bool ok, const std::string
 
 void Room::request(Session& session, const json& content, std::uint32_t id) {
     constexpr int kMostRequests = 4;
-    const PlannedCommand planned = planRequest(content, {limits_, facts_.bookmarks()});
+    const PlannedCommand planned = planRequest(content, {limits_, facts_.bookmarks(), facts_.lights()});
     if (!planned.anyone && !roles_.drives(session.id))
         throw Refused("only the driver may do that; ask to drive first");
     if (session.requests >= kMostRequests) throw Refused("too many requests at once");

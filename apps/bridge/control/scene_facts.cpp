@@ -131,6 +131,7 @@ bool SceneFacts::read(std::string_view report) {
         changes_ = difference(now, all_);
         all_ = std::move(now);
         bookmarks_ = state.bookmarks;
+        lights_ = state.lights.size();
         settings_ = state.settings;
         undo_ = state.undo;
         redo_ = state.redo;

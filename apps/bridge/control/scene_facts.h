@@ -29,6 +29,7 @@ class SceneFacts {
     const nlohmann::json& changes() const { return changes_; }
 
     const std::vector<std::string>& bookmarks() const { return bookmarks_; }
+    std::size_t lights() const { return lights_; } ///< how many
     const std::string& undo() const { return undo_; }
     const std::string& redo() const { return redo_; }
     int edits() const { return edits_; }
@@ -42,6 +43,7 @@ class SceneFacts {
     std::vector<rtcore::SettingAssignment> settings_;
     std::string undo_, redo_;
     int edits_ = 0;
+    std::size_t lights_ = 0;
 };
 
 nlohmann::json sceneJson(const app::StateReport& state);

@@ -34,6 +34,7 @@ struct Session {
         std::int64_t ns; ///< of the steady clock
     };
     std::deque<Given> given;
+    std::int64_t writing = 0; ///< when the frame was published that is being written, if it came just then
 };
 
 } // namespace bridge

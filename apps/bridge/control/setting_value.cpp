@@ -40,7 +40,7 @@ json rowJson(const rtcore::Setting& setting, const Limits& limits) {
              {"help", setting.help},
              {"locked", limits.isLocked("edits") || limits.isLocked(setting.name)}};
     if (isNumber(setting.type)) {
-        row["min"] = setting.minimum;
+        row["min"] = leastOf(setting);
         if (mostOf(setting) < rtcore::kUnlimited) row["max"] = mostOf(setting);
         if (!setting.zero.empty()) row["zero"] = setting.zero;
     }
@@ -85,8 +85,12 @@ std::string settingValueText(const std::string& name, const json& value, const L
         double number = 0;
         if (const int* whole = std::get_if<int>(&checked)) number = *whole;
         if (const float* real = std::get_if<float>(&checked)) number = static_cast<double>(*real);
-        if (isNumber(setting->type) && number > mostOf(*setting))
+        // The caps are decimal numbers, most values floats.
+        const auto rounded = [](double bound) { return static_cast<double>(static_cast<float>(bound)); };
+        if (isNumber(setting->type) && number > rounded(mostOf(*setting)))
             throw Refused(fmt::format("{} is {} at most here", setting->name, mostOf(*setting)));
+        if (isNumber(setting->type) && number < rounded(leastOf(*setting)))
+            throw Refused(fmt::format("{} is {} at least here", setting->name, leastOf(*setting)));
         return rtcore::settingText(checked);
     } catch (const std::invalid_argument& error) {
         throw Refused(error.what());

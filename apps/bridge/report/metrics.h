@@ -1,7 +1,7 @@
-/// What /metrics tells, in the text format of Prometheus.
+/// What /metrics tells, in the text format of Prometheus, version 0.0.4.
 #pragma once
 
-#include "bridge/control/room.h"
+#include "bridge/control/room_figures.h"
 
 #include <cstdint>
 #include <map>
@@ -10,7 +10,8 @@
 
 namespace bridge {
 
-std::string metricsText(std::span<const Room* const> rooms,
-                        const std::map<std::string, std::uint64_t>& refused);
+/// `refused`: connections, by reason. `ioCpu`: processor seconds of the thread of the sockets.
+std::string metricsText(std::span<const RoomFigures> rooms,
+                        const std::map<std::string, std::uint64_t>& refused, double ioCpu);
 
 } // namespace bridge

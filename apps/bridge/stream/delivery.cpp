@@ -6,7 +6,7 @@ namespace bridge {
 
 void Delivery::setView(const PageView& view) {
     view_ = view;
-    rate_.pin(view.rung ? std::optional(std::clamp(*view.rung, 0, kRungCount - 1)) : std::nullopt);
+    rate_.pin(view.rung ? std::optional(std::clamp(*view.rung, 0, kRungCount - 1)) : preferred_);
     rate_.limit(view.saveData ? kFirstHalfRung : 0);
 }
 
@@ -47,7 +47,7 @@ std::optional<Shipment> Delivery::nextFrame(const FrameSet& newest, Seconds now)
         rate_.sent(newest.stream, newest.number, false, frame->bytes.size(), now);
         ++framesSent_;
         if (framesSkipped_ > 0) --framesSkipped_;
-        return Shipment{frame, false, 0, frame->bytes.size()};
+        return Shipment{frame, false, 0, frame->bytes.size(), rung};
     }
     return {};
 }

@@ -24,12 +24,15 @@ struct Shipment {
     SharedFrame frame;
     bool part = false; ///< of a still; else all of it
     std::size_t offset = 0, size = 0;
+    int rung = 0; ///< of what is no part
 };
 
 /// One thread, no clock, no socket.
 class Delivery {
   public:
     void setView(const PageView& view);
+    /// The rung of a page that chooses none; nothing: by its link.
+    void prefer(std::optional<int> rung) { preferred_ = rung; }
     const PageView& view() const { return view_; }
     RateControl& rate() { return rate_; }
     const RateControl& rate() const { return rate_; }
@@ -58,6 +61,7 @@ class Delivery {
     bool isSmall(const FrameFacts& facts) const;
 
     PageView view_;
+    std::optional<int> preferred_;
     RateControl rate_;
     std::uint32_t sentStream_ = 0;
     std::uint64_t sentNumber_ = 0;

@@ -6,16 +6,19 @@
 
 #include "common/process/background.h"
 #include "common/process/seconds_since.h"
+#include "common/process/thread_seconds.h"
 
 #include "ipc/endpoint/client.h"
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
-#include <ctime>
 #include <mutex>
 #include <optional>
 #include <random>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace bridge {
 
@@ -26,18 +29,25 @@ using FrameClock = std::chrono::steady_clock;
 using HeldFrame = std::shared_ptr<const ipc::Frame>;
 
 constexpr auto kBetweenFrames = 1000000us / 60;
-constexpr auto kSlice = 10ms;  ///< longest wait for a frame: demands change meanwhile
-constexpr auto kRetry = 200ms; ///< to find a server
+constexpr auto kSlice = 10ms;     ///< longest wait for a frame: demands change meanwhile
+constexpr auto kRestSlice = 25ms; ///< between looks at a picture that rests and improves
+constexpr auto kRetry = 200ms;    ///< to find a server
 constexpr std::uint32_t kMostSide = 16384;
-
-double threadSeconds() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 Pixels pixelsOf(const ipc::Frame& frame) {
     return {frame.pixels, static_cast<int>(frame.info.width), static_cast<int>(frame.info.height)};
+}
+
+FrameStep stepOf(const ipc::Frame& frame, const ipc::Status& status) {
+    FrameStep step{.epoch = frame.epoch,
+                   .run = frame.info.run,
+                   .width = frame.info.width,
+                   .height = frame.info.height,
+                   .samples = frame.info.samples,
+                   .tag = frame.info.tag};
+    std::copy_n(status.eye, 3, step.view.begin());
+    std::copy_n(status.forward, 3, step.view.begin() + 3);
+    return step;
 }
 
 bool isUsable(const ipc::Frame& frame) {
@@ -49,8 +59,8 @@ bool isUsable(const ipc::Frame& frame) {
 } // namespace
 
 struct FrameSource::State {
-    State(std::string name, std::function<void(FrameSet)> take)
-        : instance(std::move(name)), deliver(std::move(take)), streams(std::random_device{}()),
+    State(std::string name, const RungTable& table, std::function<void(FrameSet)> take)
+        : instance(std::move(name)), rungs(table), deliver(std::move(take)), streams(std::random_device{}()),
           frames([this] { runFrames(); }), stills([this] { runStills(); }) {}
     ~State() {
         {
@@ -66,7 +76,9 @@ struct FrameSource::State {
     void runFrames();
     void lookAtServer();
     bool findServer();
-    void takeFrame(std::shared_ptr<ipc::Frame> frame);
+    std::shared_ptr<ipc::Frame> freeMemory();
+    void lookForFrame();
+    void showFrame(HeldFrame frame, const ipc::Status& status);
     FrameFacts factsOf(const ipc::Frame& frame, const ipc::Status& status);
     void encodeWanted(const FrameDemand& wanted);
     void considerRest(const FrameDemand& wanted);
@@ -74,6 +86,7 @@ struct FrameSource::State {
     void publish();
 
     const std::string instance;
+    const RungTable rungs;
     const std::function<void(FrameSet)> deliver;
 
     mutable std::mutex mutex;
@@ -92,8 +105,8 @@ struct FrameSource::State {
     // Of the frames' thread alone.
     std::optional<ipc::Client> client;
     FrameClock::time_point lastSearch, lastEncoded;
-    std::shared_ptr<ipc::Frame> spare;
-    HeldFrame current;
+    std::vector<std::shared_ptr<ipc::Frame>> memory; ///< used again once no other thread holds it
+    HeldFrame current, waiting; ///< the one that is shown; a newer one that only improves it
     FrameFacts facts;
     std::uint64_t epoch = 0;
     std::uint32_t streams;
@@ -107,7 +120,7 @@ void FrameSource::State::runFrames() {
     for (;;) {
         {
             std::unique_lock lock(mutex);
-            counted.cpuSeconds = threadSeconds();
+            counted.framesCpu = app::threadSeconds();
             if (!stopping && !demand.anyone && client) {
                 lock.unlock();
                 client.reset(); // leaves its slot to others
@@ -158,24 +171,43 @@ void FrameSource::State::lookAtServer() {
         client->update();
         return;
     }
-    // `current` may still be encoded: its memory is used again only when no other thread has it.
-    if (!spare || spare.use_count() > 1) spare = std::make_shared<ipc::Frame>();
-    if (current) {
-        spare->info = current->info;
-        spare->epoch = current->epoch;
-    }
-    if (client->waitForFrame(*spare, kSlice) && isUsable(*spare)) takeFrame(spare);
+    lookForFrame();
     if (!current) return;
     encodeWanted(wanted);
     considerRest(wanted);
 }
 
-void FrameSource::State::takeFrame(std::shared_ptr<ipc::Frame> frame) {
+std::shared_ptr<ipc::Frame> FrameSource::State::freeMemory() {
+    for (const auto& each : memory)
+        if (each.use_count() == 1) return each;
+    return memory.emplace_back(std::make_shared<ipc::Frame>());
+}
+
+void FrameSource::State::lookForFrame() {
+    const std::shared_ptr<ipc::Frame> next = freeMemory();
+    if (const ipc::Frame* const newest = waiting ? waiting.get() : current.get()) {
+        next->info = newest->info;
+        next->epoch = newest->epoch;
+    }
+    // Steps of a resting picture are not waited for: none of them is urgent.
+    const bool came = client->waitForFrame(*next, waiting ? 0ns : kSlice) && isUsable(*next);
     const ipc::Status status = client->status();
+    const double now = app::secondsSince({});
+    if (came) {
+        waiting.reset();
+        if (rest.comes(now, stepOf(*next, status))) return showFrame(next, status);
+        waiting = next;
+    }
+    if (!waiting) return;
+    if (rest.due(now, status.idle != 0)) return showFrame(std::exchange(waiting, nullptr), status);
+    std::unique_lock lock(mutex);
+    wake.wait_for(lock, kRestSlice, [&] { return stopping; });
+}
+
+void FrameSource::State::showFrame(HeldFrame frame, const ipc::Status& status) {
     facts = factsOf(*frame, status);
-    spare = std::const_pointer_cast<ipc::Frame>(current);
     current = std::move(frame);
-    rest.frameCame(app::secondsSince({}), status.eye, status.forward);
+    rest.shown(app::secondsSince({}));
     const std::lock_guard lock(mutex);
     ++counted.published;
     set = FrameSet{facts.stream, facts.number, {}, nullptr, nullptr};
@@ -225,12 +257,9 @@ void FrameSource::State::encodeWanted(const FrameDemand& wanted) {
     for (std::size_t rung = 0; rung < kRungs.size(); ++rung) {
         if ((mask >> rung & 1) == 0) continue;
         const auto start = FrameClock::now();
-        SharedFrame frame = encoder.encode(pixelsOf(*current), kRungs[rung], facts);
+        SharedFrame frame = encoder.encode(pixelsOf(*current), rungs[rung], facts);
         const std::lock_guard lock(mutex);
-        counted.lastEncodeSeconds = app::secondsSince(start);
-        counted.encodeSeconds += counted.lastEncodeSeconds;
-        ++counted.encoded;
-        counted.bytes += frame->bytes.size();
+        counted.encode[rung].add(app::secondsSince(start));
         set.byRung[rung] = std::move(frame);
     }
     publish();
@@ -261,6 +290,7 @@ void FrameSource::State::runStills() {
         StillTask task;
         {
             std::unique_lock lock(mutex);
+            counted.stillsCpu = app::threadSeconds();
             wakeStills.wait(lock, [&] { return stopping || still; });
             if (stopping) return;
             task = std::move(*still);
@@ -279,9 +309,7 @@ void FrameSource::State::runStills() {
             {
                 const std::lock_guard lock(mutex);
                 if (set.stream != task.facts.stream || set.number != task.facts.number) break;
-                ++counted.stills;
-                counted.stillSeconds += app::secondsSince(start);
-                counted.bytes += frame->bytes.size();
+                counted.still.add(app::secondsSince(start));
                 (fine ? set.fine : set.still) = std::move(frame);
             }
             publish();
@@ -289,8 +317,8 @@ void FrameSource::State::runStills() {
     }
 }
 
-FrameSource::FrameSource(std::string instance, std::function<void(FrameSet)> deliver)
-    : state_(std::make_unique<State>(std::move(instance), std::move(deliver))) {}
+FrameSource::FrameSource(std::string instance, const RungTable& rungs, std::function<void(FrameSet)> deliver)
+    : state_(std::make_unique<State>(std::move(instance), rungs, std::move(deliver))) {}
 
 FrameSource::~FrameSource() = default;
 

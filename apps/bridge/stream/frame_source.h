@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bridge/stream/encoded_frame.h"
+#include "bridge/stream/histogram.h"
 
 #include <array>
 #include <cstdint>
@@ -27,9 +28,10 @@ struct FrameDemand {
 
 /// Figures of all frames so far.
 struct FrameFigures {
-    std::uint64_t published = 0, encoded = 0, stills = 0, bytes = 0;
-    double encodeSeconds = 0, stillSeconds = 0, cpuSeconds = 0; ///< the last one of the thread
-    double lastEncodeSeconds = 0;
+    std::uint64_t published = 0;              ///< by the server, and taken
+    std::array<Histogram, kRungCount> encode; ///< of moving frames
+    Histogram still;                          ///< of what is sent at rest
+    double framesCpu = 0, stillsCpu = 0;      ///< seconds of the two threads
 };
 
 /// Two threads of its own: one waits for frames and encodes, one, of low priority, encodes what rests.
@@ -37,7 +39,7 @@ class FrameSource {
   public:
     /// `deliver` is called from these threads with what there is of the newest frame, again when more of it
     /// is encoded; it must not throw.
-    FrameSource(std::string instance, std::function<void(FrameSet)> deliver);
+    FrameSource(std::string instance, const RungTable& rungs, std::function<void(FrameSet)> deliver);
     ~FrameSource();
     FrameSource(const FrameSource&) = delete;
     FrameSource& operator=(const FrameSource&) = delete;

@@ -16,15 +16,17 @@ using Seconds = double;
 
 /// A figure of the link, for people.
 struct LinkReport {
-    Seconds rtt = 0, base = 0, queue = 0; ///< of the last acknowledged frame
-    double bitsPerSecond = 0;             ///< that the link carried at least; 0: not known
+    Seconds rtt = 0, base = 0, queue = 0, decode = 0; ///< of the last acknowledged frame
+    double bitsPerSecond = 0;                         ///< that the link carried at least; 0: not known
     int window = 2;
     int rung = kFirstRung;
 };
 
 /// Pure: it is told all times. A frame's time on its way is `rtt`; `base` is the least delay of the last
-/// minute, which latency alone explains; what is left without the decoding is time in queues, and that alone
-/// makes frames coarser. One thread.
+/// minute, which latency alone explains; what is left without the decoding is time in queues. These may be
+/// the link's, or those of processors that are busy: a link that carries so many bytes needs the time for
+/// each of them, while others now and then let one through at once, and so show what the link can do. Frames
+/// get coarser where the link is not known to carry them, or where the page decodes too slowly. One thread.
 class RateControl {
   public:
     explicit RateControl(int firstRung = kFirstRung) : rung_(firstRung) {}
@@ -32,7 +34,7 @@ class RateControl {
     /// Between two frames of the server.
     void setFrameTime(Seconds seconds) { frameTime_ = seconds; }
     /// A small message went there and back.
-    void ponged(Seconds rtt, Seconds now) { noteBase(rtt, now); }
+    void ponged(Seconds rtt, Seconds now) { noteBase(rtt, 0, now); }
     /// The finest rung to be used, so that all viewers together keep within a limit; kRungs's first: none.
     void limit(int finest) { finest_ = finest; }
     int finest() const { return finest_; }
@@ -72,11 +74,18 @@ class RateControl {
         Seconds time;
     };
 
-    void noteBase(Seconds rtt, Seconds now);
+    void noteBase(Seconds rtt, std::size_t bytes, Seconds now);
     Seconds base() const;
     void noteBandwidth(std::size_t bytes, Seconds transit, Seconds sinceAck);
-    void decide(const Entry& entry, Seconds decode, Seconds now);
-    void lower(const Entry& entry, Seconds now);
+    void noteProof(std::size_t bytes, Seconds way, Seconds now);
+    double bandwidth() const;
+    double provenBandwidth() const;
+    /// Whether the link carries frames of a rung with ease, as far as `entry` and those before it show.
+    bool carries(int rung, const Entry& entry) const;
+    bool mayClimb(const Entry& entry) const;
+    void decide(const Entry& entry, Seconds now);
+    /// `failed`: a climb is taken back.
+    void lower(const Entry& entry, bool failed, Seconds now);
     bool fallsBehind(Seconds now);
 
     Seconds frameTime_ = 1.0 / 30;
@@ -87,13 +96,25 @@ class RateControl {
     /// Least delays, the oldest first, each less than all later ones.
     struct Sample {
         Seconds time, rtt;
+        std::size_t bytes; ///< of the message
     };
     std::deque<Sample> bases_;
-    double bandwidth_ = 0; ///< bytes per second
-    double recent_ = 0;    ///< bytes of the last second, older ones fading
+    /// What the link carried, bytes per second, the fastest first, each more than all later ones.
+    struct Proof {
+        Seconds time;
+        int ack; ///< counted
+        double bytesPerSecond;
+    };
+    std::deque<Proof> proofs_;
+    int acks_ = 0;
+    double carried_ = 0; ///< bytes, and the seconds that took: older ones fade
+    Seconds carriedIn_ = 0;
+    double recent_ = 0; ///< bytes of the last second, older ones fading
     Seconds lastSent_ = 0;
-    Seconds lastAck_ = -1, rtt_ = 0, queue_ = 0;
-    int lateAcks_ = 0;
+    Seconds lastAck_ = -1, rtt_ = 0, queue_ = 0, decode_ = 0, usualDecode_ = 0;
+    Seconds onLink_ = 0; ///< what the last frame took of it, about
+    int lateAcks_ = 0, drawn_ = 0;
+    bool climbedByProof_ = false; ///< the last time
     Seconds lastChange_ = -1e9, lastClimb_ = -1e9, goodSince_ = -1, climbWait_ = 2;
     Seconds countedFrom_ = -1;
     int offered_ = 0, sent_ = 0;

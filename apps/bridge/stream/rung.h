@@ -14,7 +14,8 @@ struct Rung {
 };
 
 /// Finest first.
-inline constexpr std::array<Rung, 6> kRungs{
+using RungTable = std::array<Rung, 6>;
+inline constexpr RungTable kRungs{
     {{1, 88, 1.37}, {1, 75, 1}, {1, 60, 0.74}, {2, 80, 0.33}, {2, 60, 0.22}, {3, 60, 0.11}}};
 inline constexpr int kRungCount = static_cast<int>(kRungs.size());
 inline constexpr int kFirstRung = 1;     ///< which viewers begin with

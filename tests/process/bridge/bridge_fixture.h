@@ -36,7 +36,20 @@ class FakeServer {
         height_ = height;
         showOne_ = true;
     }
-    void move(int framesPerSecond) { rate_ = framesPerSecond; }
+    void move(int framesPerSecond) {
+        improves_ = false;
+        rate_ = framesPerSecond;
+    }
+    /// So many steps a second of a picture of one view, each of which tells that it is further.
+    void improve(int stepsPerSecond) {
+        improves_ = true;
+        rate_ = stepsPerSecond;
+    }
+    /// No better step follows.
+    void finish() {
+        rate_ = 0;
+        show(width_, height_);
+    }
     std::vector<std::uint8_t> pixels() {
         const std::lock_guard lock(mutex_);
         return {reinterpret_cast<const std::uint8_t*>(pixels_.data()),
@@ -108,11 +121,12 @@ class FakeServer {
         status.width = static_cast<std::uint32_t>(width_);
         status.height = static_cast<std::uint32_t>(height_);
         status.idle = rate_ == 0 ? 1 : 0;
-        status.eye[0] = static_cast<float>(rate_ > 0 ? frame_ : 0);
+        status.eye[0] = static_cast<float>(rate_ > 0 && !improves_ ? frame_ : 0);
         server.setStatus(status);
         ipc::FrameInfo info;
         info.width = status.width;
         info.height = status.height;
+        info.tag = improves_ ? frame_ : 0;
         server.publishFrame(info, pixels_);
     }
     void serve(ipc::Server& server) {
@@ -142,7 +156,7 @@ class FakeServer {
     std::size_t frame_ = 0;
     bool showOne_ = false;
     std::atomic<int> rate_ = 0, clients_ = 0;
-    std::atomic<bool> running_ = false, stopping_ = false;
+    std::atomic<bool> running_ = false, stopping_ = false, improves_ = false;
     std::thread thread_; // last
 };
 

@@ -8,27 +8,6 @@ using namespace test;
 
 class Frames : public BridgeTest {};
 
-/// All parts of the next still; "" when none comes.
-std::string stillOf(WebClient& client) {
-    std::string bytes;
-    for (;;) {
-        const auto part = client.binary(2);
-        if (!part) return {};
-        const FrameHeader header = headerOf(part->payload);
-        if (header.offset != bytes.size()) return {};
-        bytes += part->payload.substr(40);
-        client.acknowledge(*part);
-        if ((header.flags & 4) != 0) return bytes.size() == header.total ? bytes : std::string();
-    }
-}
-
-bool areSame(const std::vector<std::uint8_t>& rgb, const std::vector<std::uint8_t>& rgba) {
-    if (rgb.size() / 3 != rgba.size() / 4) return false;
-    for (std::size_t i = 0; i < rgb.size(); ++i)
-        if (rgb[i] != rgba[i / 3 * 4 + i % 3]) return false;
-    return true;
-}
-
 TEST_F(Frames, BeginWithWhatIsShown) {
     const auto client = join();
     const auto frame = client->binary(1);

@@ -1,5 +1,7 @@
-/// Pixels of PNG bytes, by libpng.
+/// Stills of the bridge, as pixels.
 #pragma once
+
+#include "process/bridge/web_client.h"
 
 #include <png.h>
 
@@ -9,7 +11,7 @@
 
 namespace test {
 
-/// Three bytes a pixel; empty: no PNG.
+/// "" and what is no PNG: none.
 inline std::vector<std::uint8_t> rgbOf(const std::string& png) {
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
@@ -18,6 +20,28 @@ inline std::vector<std::uint8_t> rgbOf(const std::string& png) {
     std::vector<std::uint8_t> out(PNG_IMAGE_SIZE(image));
     png_image_finish_read(&image, nullptr, out.data(), 0, nullptr);
     return out;
+}
+
+/// All parts of the next still; "" when none comes.
+inline std::string stillOf(WebClient& client) {
+    std::string bytes;
+    for (;;) {
+        const auto part = client.binary(2);
+        if (!part) return {};
+        const FrameHeader header = headerOf(part->payload);
+        if (header.offset != bytes.size()) return {};
+        bytes += part->payload.substr(40);
+        client.acknowledge(*part);
+        if ((header.flags & 4) != 0) return bytes.size() == header.total ? bytes : std::string();
+    }
+}
+
+/// Whether they are the same pixels.
+inline bool areSame(const std::vector<std::uint8_t>& rgb, const std::vector<std::uint8_t>& rgba) {
+    if (rgb.size() / 3 != rgba.size() / 4) return false;
+    for (std::size_t i = 0; i < rgb.size(); ++i)
+        if (rgb[i] != rgba[i / 3 * 4 + i % 3]) return false;
+    return true;
 }
 
 } // namespace test

@@ -116,4 +116,22 @@ TEST(Delivery, SendsNoStillToWhomSavesData) {
     EXPECT_FALSE(delivery.next(set, 0.1));
 }
 
+TEST(Delivery, PrefersARungWherePagesChooseNone) {
+    Delivery delivery;
+    delivery.prefer(2);
+    delivery.setView({});
+    EXPECT_EQ(delivery.rate().rung(), 2);
+    delivery.setView({.rung = 4});
+    EXPECT_EQ(delivery.rate().rung(), 4) << "a page's own choice";
+    delivery.setView({.saveData = true});
+    EXPECT_EQ(delivery.rate().rung(), bridge::kFirstHalfRung) << "less data counts first";
+}
+
+TEST(Delivery, TellsTheRungOfWhatIsSent) {
+    Delivery delivery;
+    const auto shipment = delivery.next(setOf(1, 3), 0);
+    ASSERT_TRUE(shipment);
+    EXPECT_EQ(shipment->rung, 3);
+}
+
 } // namespace

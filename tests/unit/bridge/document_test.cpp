@@ -2,10 +2,16 @@
 /// options anew.
 #include "bridge/bridge_options.h"
 #include "bridge/control/requests.h"
+#include "bridge/report/metrics.h"
+#include "bridge/report/status.h"
 #include "bridge/stream/rung.h"
 
 #include "common/cli/command_names.h"
 #include "support/document_section.h"
+
+#include <nlohmann/json.hpp>
+
+#include <sstream>
 
 namespace {
 
@@ -42,6 +48,36 @@ TEST(BridgeDocument, HasTheCapsThatItNames) {
     };
     EXPECT_EQ(most("antialiasing"), 4);
     EXPECT_EQ(most("areaLights.samples"), 64);
+    EXPECT_EQ(bridge::kMostLights, 64U);
+}
+
+TEST(BridgeDocument, HasEveryMetric) {
+    const std::string page = pageText();
+    std::istringstream lines(bridge::metricsText(std::vector<bridge::RoomFigures>(1), {}, 0));
+    int metrics = 0;
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string hash, what, name;
+        words >> hash >> what >> name;
+        if (what != "TYPE") continue;
+        ++metrics;
+        EXPECT_NE(page.find("`" + name), std::string::npos) << name;
+    }
+    EXPECT_GT(metrics, 8);
+}
+
+TEST(BridgeDocument, HasEveryKeyOfStatus) {
+    const std::string page = pageText();
+    bridge::RoomFigures room;
+    room.sessions.resize(1);
+    const nlohmann::json status = bridge::statusOf(room);
+    const auto expectKeys = [&](const nlohmann::json& object) {
+        for (const auto& [key, value] : object.items())
+            EXPECT_NE(page.find("`" + key + "`"), std::string::npos) << key;
+    };
+    for (const nlohmann::json& each :
+         {status, status["cpuSeconds"], status["encode"][0], status["sessions"][0]})
+        expectKeys(each);
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <deque>
+#include <random>
 
 namespace {
 
@@ -62,6 +63,108 @@ struct LinkModel {
         rate.sent(1, number, false, static_cast<std::size_t>(bytes), now);
     }
 };
+
+/// A link that carries all at once, beside processors that are busy: acknowledgements come late, now and then
+/// much so, whatever was sent. The page pauses once.
+struct BusyModel {
+    double fps, usual;                ///< usual lateness, seconds: exponential
+    double spike = 0.15, part = 0.02; ///< so late in this part of all frames
+    double decode = 0.006;
+    double pauseAt = 1e9, pause = 0;
+    std::mt19937 random = std::mt19937(5);
+    RateControl rate = RateControl();
+    double coarse = 0, longest = 0; ///< seconds below the first rung; at a stretch
+
+    double lateness() {
+        std::exponential_distribution<double> late(1 / usual);
+        return std::uniform_real_distribution<double>()(random) < part ? spike + late(random) : late(random);
+    }
+    void run(double seconds) {
+        constexpr double kStep = 0.001;
+        rate.setFrameTime(1 / fps);
+        rate.ponged(0.001, 0);
+        struct Flying {
+            std::uint64_t number;
+            double drawn;
+        };
+        std::deque<Flying> flying;
+        std::uint64_t number = 0;
+        double nextFrame = 0, stretch = 0, last = 0;
+        bool fresh = false;
+        for (double now = 0; now < seconds; now += kStep) {
+            const bool stands = now >= pauseAt && now < pauseAt + pause;
+            for (; !stands && !flying.empty() && flying.front().drawn <= now; flying.pop_front())
+                rate.acked(1, flying.front().number, false, decode, now);
+            if (now >= nextFrame) {
+                nextFrame += 1 / fps;
+                ++number;
+                rate.offered();
+                fresh = true;
+            }
+            if (fresh && rate.windowOpen()) {
+                fresh = false;
+                last = std::max(last + decode, now + decode + lateness()); // in order
+                flying.push_back({number, last});
+                const double size = bridge::kRungs[static_cast<std::size_t>(rate.rung())].relative;
+                rate.sent(1, number, false, static_cast<std::size_t>(kBytesAtFirst * size), now);
+            }
+            stretch = rate.rung() > bridge::kFirstRung ? stretch + kStep : 0;
+            coarse += stretch > 0 ? kStep : 0;
+            longest = std::max(longest, stretch);
+        }
+    }
+};
+
+TEST(RateControl, StaysFineWhereOnlyProcessorsAreBusy) {
+    for (const double fps : {10.0, 20.0, 30.0, 60.0})
+        for (const double usual : {0.01, 0.03, 0.05}) {
+            BusyModel busy{fps, usual};
+            busy.run(60);
+            EXPECT_LE(busy.longest, 4) << fps << " frames/s, late by " << usual;
+            EXPECT_LE(busy.coarse, 6) << fps << " frames/s, late by " << usual;
+        }
+}
+
+TEST(RateControl, IsFineAgainSoonAfterThePagePaused) {
+    for (const double pause : {0.3, 1.0, 3.0, 10.0}) {
+        BusyModel busy{.fps = 30, .usual = 0.01, .pauseAt = 5, .pause = pause};
+        busy.run(20);
+        EXPECT_LE(busy.longest, 2.5) << "after " << pause << " s";
+    }
+}
+
+TEST(RateControl, MakesFramesCoarserForAPageThatDecodesTooSlowly) {
+    BusyModel slow{.fps = 30, .usual = 0.001, .part = 0, .decode = 0.08};
+    slow.run(5);
+    EXPECT_GT(slow.rate.rung(), bridge::kFirstRung);
+}
+
+TEST(RateControl, FollowsALinkThatBecomesNarrow) {
+    LinkModel link{0.02, 20e6};
+    link.rate.ponged(0.02, 0);
+    link.run(5);
+    ASSERT_LE(link.rate.rung(), bridge::kFirstRung);
+    link.bytesPerSecond = 2e6 / 8;
+    link.run(4);
+    EXPECT_GE(link.rate.rung(), bridge::kFirstHalfRung);
+    link.run(4);
+    EXPECT_GE(link.shown, 4 * 8);
+    EXPECT_LT(link.oldest, 0.02 + 3 * 4.0 / link.shown);
+}
+
+/// At each rate of the server, for larger and smaller frames.
+TEST(RateControl, KeepsANarrowLinkFluentAndItsFramesYoung) {
+    for (const double fps : {10.0, 15.0, 22.0, 30.0, 60.0})
+        for (const double bytesPerSecond : {1.5e6 / 8, 2e6 / 8, 3e6 / 8, 6e6 / 8}) {
+            LinkModel link{0.1, bytesPerSecond, fps};
+            link.rate.ponged(0.1, 0);
+            link.run(2);
+            link.run(20);
+            const double shown = link.shown / 20.0;
+            EXPECT_GE(shown, 9) << fps << " frames/s, " << bytesPerSecond;
+            EXPECT_LT(link.oldest, 0.1 + 3 / shown) << fps << " frames/s, " << bytesPerSecond;
+        }
+}
 
 TEST(RateControl, KeepsTwoFramesUnderWayOnAShortLink) {
     RateControl rate;

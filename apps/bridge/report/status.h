@@ -1,0 +1,12 @@
+/// What /status tells of an instance.
+#pragma once
+
+#include "bridge/control/room_figures.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace bridge {
+
+nlohmann::json statusOf(const RoomFigures& room);
+
+} // namespace bridge
