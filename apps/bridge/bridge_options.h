@@ -7,6 +7,7 @@
 #include "common/cli/command_line.h"
 #include "common/cli/options.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -27,6 +28,7 @@ struct BridgeOptions {
     std::size_t clients = 64;
     double mostBits = 0; ///< per second; 0: no limit
     std::optional<std::filesystem::path> tokenFile, start;
+    std::optional<std::int64_t> parent; ///< ends with this process
 };
 
 /// Throws app::UsageError.
