@@ -21,7 +21,7 @@ struct BridgeRequest {
 QStringList bridgeWords(const BridgeRequest& request);
 
 struct BridgeLinks {
-    QString driver, viewer; ///< the driver's is empty where nobody may drive
+    QString driver, viewer; ///< the driver's is empty where pages cannot drive
     friend bool operator==(const BridgeLinks&, const BridgeLinks&) = default;
 };
 
