@@ -146,10 +146,10 @@ look() {
     sleep 1
     xdotool windowfocus --sync "$main"
     import -window "$main" "$pictures/window-$suffix.png"
-    about="alt+h a"
+    about="alt+h a" sharing="alt+c b" stop_sharing=alt+t
     menus="f c a l o d s h"
     if [ "$language" = cs ]; then
-        about="alt+v o"
+        about="alt+v o" sharing="alt+p h" stop_sharing=alt+u
         menus="s p a t k z n v"
     fi
     for menu in $menus; do
@@ -165,6 +165,14 @@ look() {
         dialog "${each%%:*}-$suffix" "${each##*:}"
         close_dialog
     done
+    # From the menu: before and after the links are there.
+    # shellcheck disable=SC2086
+    dialog "share-plan-$suffix" $sharing
+    xdotool key --clearmodifiers Return
+    sleep 2
+    import -window "$(front)" "$pictures/share-$suffix.png"
+    xdotool key --clearmodifiers "$stop_sharing"
+    close_dialog
     # shellcheck disable=SC2086
     dialog "about-$suffix" $about
     close_dialog
@@ -208,7 +216,7 @@ if [ "$docs" = yes ]; then
     convert "$pictures/settings-light-en-1.png" -quality 88 docs/images/settings.jpg
     convert -gravity NorthEast \( "$pictures/lights-light-en-1.png" -crop 312x621+0+19 +repage \) \
         \( "$pictures/bookmarks-light-en-1.png" -crop 279x621+0+19 +repage \) +append +dither -colors 192 docs/images/panels.png
-    for each in start export recording statistics configure1 render-more; do
+    for each in start share export recording statistics configure1 render-more; do
         convert "$pictures/$each-light-en-1.png" +dither -colors 128 "docs/images/$each.png"
     done
 fi

@@ -2,6 +2,7 @@
 
 #include "common/cli/file_notes.h"
 #include "common/cli/instance_option.h"
+#include "common/cli/parent_option.h"
 
 #include "ipc/endpoint/instances.h"
 #include "ipc/platform/names.h"
@@ -47,7 +48,8 @@ app::OptionGroup serverOptions() {
           .value = ValueKind::Text,
           .argument = "FILE",
           .help = "start an RTServer with this scene or model, which ends with the bridge",
-          .files = app::sceneExtensions()}}};
+          .files = app::sceneExtensions()},
+         app::parentOption()}};
 }
 
 app::OptionGroup addressOptions() {
@@ -56,12 +58,10 @@ app::OptionGroup addressOptions() {
         {{.name = "listen",
           .value = ValueKind::Text,
           .argument = "ADDRESS",
-          .help = "HOST:PORT, or unix for a socket that only this user can open [127.0.0.1:8931, or the next "
-                  "free "
-                  "port]",
+          .help = "HOST, HOST:PORT, or unix for a socket that only this user can open [127.0.0.1]",
           .more =
-              "With `unix` the command line for `ssh -L` is printed. An address that other machines reach "
-              "takes TLS"},
+              "Without a port it is 8931, or the next free one. With `unix` the command line for `ssh -L` "
+              "is printed. An address that other machines reach takes TLS"},
          {.name = "origin",
           .value = ValueKind::Text,
           .argument = "URL",
@@ -170,16 +170,18 @@ ListenAddress listenOf(const std::optional<std::string>& given) {
     if (!given) return {"127.0.0.1", kPort, {}, kPorts};
     if (*given == "unix") return {{}, 0, "unix", 1};
     const auto fail = [&] {
-        return app::UsageError("option '--listen' takes HOST:PORT or unix, not '" + *given + "'");
+        return app::UsageError("option '--listen' takes HOST, HOST:PORT or unix, not '" + *given + "'");
     };
-    const std::size_t colon = given->rfind(':');
-    if (colon == std::string::npos) throw fail();
+    const std::size_t colon = given->ends_with(']') ? std::string::npos : given->rfind(':');
+    const bool hasPort = colon != std::string::npos;
     std::string host = given->substr(0, colon);
     if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
     if (host == "localhost") host = "127.0.0.1";
+    if (host.find_first_not_of("0123456789") == std::string::npos) throw fail(); // a port alone
+    if (!hasPort) return {host, kPort, {}, kPorts};
     constexpr std::int64_t kMostPort = 65535;
     const auto port = app::parseInteger(given->substr(colon + 1));
-    if (host.empty() || !port || *port < 0 || *port > kMostPort) throw fail();
+    if (!port || *port < 0 || *port > kMostPort) throw fail();
     return {host, static_cast<std::uint16_t>(*port), {}, 1};
 }
 
@@ -273,6 +275,7 @@ BridgeOptions readBridgeOptions(const app::Arguments& arguments) {
     options.stream.pingSeconds = arguments.number("ping").value_or(kPingSeconds);
     if (const auto file = arguments.text("token-file")) options.tokenFile = *file;
     if (const auto scene = arguments.text("start")) options.start = *scene;
+    if (arguments.has("parent")) options.parent = app::parentOf(arguments);
     if (options.start && options.instances.size() > 1) throw app::UsageError("--start takes one --instance");
     checkSafety(options, arguments.has("insecure"));
     return options;

@@ -8,6 +8,7 @@
 #include "common/cli/command_line.h"
 #include "common/cli/options.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -29,6 +30,7 @@ struct BridgeOptions {
     StreamOptions stream;
     bool watch = false; ///< print a line a second
     std::optional<std::filesystem::path> tokenFile, start;
+    std::optional<std::int64_t> parent; ///< ends with this process
 };
 
 /// Throws app::UsageError.

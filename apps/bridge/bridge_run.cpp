@@ -5,6 +5,7 @@
 #include "bridge/server_start.h"
 
 #include "common/process/message.h"
+#include "common/process/parent.h"
 #include "common/process/private_files.h"
 #include "common/process/secrets.h"
 #include "common/process/stop.h"
@@ -73,6 +74,7 @@ class Serving {
             options_.names.proxyHost = options_.origin->host;
             options_.names.prefix = options_.origin->prefix;
         }
+        if (options_.parent) app::stopWithParent(*options_.parent);
         if (options_.start) started_ = startServer(*options_.start, options_.instances.front());
         server_ = std::make_unique<HttpServer>(options_.listen, options_.names, options_.tls, handlers());
         server_->addHosts(hostsOf(options_.listen, server_->port()));

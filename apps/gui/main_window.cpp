@@ -15,6 +15,7 @@
 #include "gui/operations/panel_operations.h"
 #include "gui/operations/render_operations.h"
 #include "gui/operations/save_operations.h"
+#include "gui/operations/share_operations.h"
 #include "gui/operations/surroundings_operations.h"
 #include "gui/operations/up_and_unit_operations.h"
 #include "gui/view/frame_view.h"
@@ -44,6 +45,7 @@ MainWindow::MainWindow(const QString& instance, QWidget* parent)
                              *view_, *fullScreen_, *notice_, editor_};
     connection_ = new ConnectionOperations(context, this);
     connection_->setInstance(instance);
+    new ShareOperations(context, this);
     auto* camera = new CameraOperations(context, this);
     new DisplayOperations(context, this);
     new MotionOperations(context, this);

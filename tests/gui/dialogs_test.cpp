@@ -10,6 +10,7 @@
 #include "gui/dialogs/keys_dialog.h"
 #include "gui/dialogs/log_dialog.h"
 #include "gui/dialogs/recording_dialog.h"
+#include "gui/dialogs/share_dialog.h"
 #include "gui/dialogs/start_server_dialog.h"
 #include "gui/dialogs/statistics_dialog.h"
 
@@ -85,8 +86,10 @@ TEST_F(DialogsTest, EveryFieldHasANameAndEveryMnemonicAField) {
     AboutDialog about;
     KeysDialog keys(session);
     LogDialog log([] { return QStringLiteral("text"); });
-    for (QDialog* dialog : std::initializer_list<QDialog*>{&start, &exporting, &recording, &statistics,
-                                                           &configure, &connecting, &about, &keys, &log})
+    ShareDialog share(preferences, {});
+    for (QDialog* dialog :
+         std::initializer_list<QDialog*>{&start, &exporting, &recording, &statistics, &configure, &connecting,
+                                         &about, &keys, &log, &share})
         check(*dialog);
 }
 

@@ -4,6 +4,7 @@
 #include "gui/dialogs/export_camera_dialog.h"
 #include "gui/dialogs/log_dialog.h"
 #include "gui/dialogs/recording_dialog.h"
+#include "gui/dialogs/share_dialog.h"
 #include "gui/dialogs/start_server_dialog.h"
 #include "gui/models/action_table.h"
 #include "gui/models/bookmark_store.h"
@@ -13,6 +14,7 @@
 
 #include <QAbstractButton>
 #include <QCoreApplication>
+#include <QDialogButtonBox>
 #include <QLabel>
 #include <QRegularExpression>
 #include <QTabBar>
@@ -115,6 +117,13 @@ TEST_P(LanguageTest, EachDialogHasEachMnemonicOnce) {
         dialog->setAttribute(Qt::WA_DeleteOnClose, false);
         checkPage(*dialog, {});
     }
+    ShareDialog share(preferences, {});
+    share.setAttribute(Qt::WA_DeleteOnClose, false);
+    QSet<QChar> buttons;
+    for (const QAbstractButton* each : share.findChild<QDialogButtonBox*>()->buttons())
+        once(buttons, each->text(), "sharing");
+    checkPage(*share.findChild<SharePlanPage*>(), buttons);
+    checkPage(share.links(), buttons);
     ConfigureDialog configure(preferences, session);
     configure.setAttribute(Qt::WA_DeleteOnClose, false);
     const auto* tabs = configure.findChild<QTabWidget*>();

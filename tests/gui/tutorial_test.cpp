@@ -9,6 +9,7 @@
 #include "gui/dialogs/keys_dialog.h"
 #include "gui/dialogs/recording_dialog.h"
 #include "gui/dialogs/render_dialog.h"
+#include "gui/dialogs/share_dialog.h"
 #include "gui/dialogs/start_server_dialog.h"
 #include "gui/dialogs/statistics_dialog.h"
 #include "gui/models/action_table.h"
@@ -122,6 +123,7 @@ class Tutorial : public WithJobs<WindowFixture> {
     void keepAView();
     void renderAStill();
     void record();
+    void share();
     void end();
 
     QString page;
@@ -296,6 +298,20 @@ void Tutorial::record() {
     leave(dialog);
 }
 
+void Tutorial::share() {
+    choose("Connection > Share in a browser");
+    auto* dialog = opened<ShareDialog>();
+    ASSERT_NE(dialog, nullptr);
+    if (hasBridge()) {
+        says("gives two links");
+        ASSERT_TRUE(press(*dialog, "Share"));
+        ASSERT_TRUE(comes([&] { return action(ActionId::ShareInBrowser)->isChecked(); }));
+        for (const char* whose : {"Driver's link", "Viewer's link"})
+            EXPECT_FALSE(field<QLineEdit>(*dialog, whose)->text().isEmpty()) << whose;
+    }
+    leave(dialog);
+}
+
 void Tutorial::end() {
     says("(Ctrl+K) ends the server, once you have confirmed it");
     choose("Commands > Stop server");
@@ -312,6 +328,7 @@ TEST_F(Tutorial, IsPlayedWordByWord) {
     ASSERT_NO_FATAL_FAILURE(keepAView());
     ASSERT_NO_FATAL_FAILURE(renderAStill());
     ASSERT_NO_FATAL_FAILURE(record());
+    ASSERT_NO_FATAL_FAILURE(share());
     ASSERT_NO_FATAL_FAILURE(end());
     for (auto each = kMention.globalMatch(page); each.hasNext();) {
         const QRegularExpressionMatch mention = each.next();

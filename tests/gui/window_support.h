@@ -11,7 +11,12 @@
 #include <QAction>
 #include <QImage>
 
+#include <filesystem>
+
 namespace test {
+
+/// A program that is optional at build.
+inline bool hasBridge() { return std::filesystem::exists(programPath("RTBridge")); }
 
 /// Fixture: a small window, seen and active, whose images go to the folder.
 class WindowFixture : public GuiTest {

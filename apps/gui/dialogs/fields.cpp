@@ -26,4 +26,10 @@ QWidget* rowOfFields(std::initializer_list<QWidget*> fields) {
 
 QWidget* sign(const QString& text) { return new QLabel(text); }
 
+QLabel* wrappedLabel(const QString& text) {
+    auto* label = new QLabel(text);
+    label->setWordWrap(true);
+    return label;
+}
+
 } // namespace gui

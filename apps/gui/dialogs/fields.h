@@ -5,6 +5,7 @@
 
 #include <initializer_list>
 
+class QLabel;
 class QSpinBox;
 class QWidget;
 
@@ -18,5 +19,8 @@ QWidget* rowOfFields(std::initializer_list<QWidget*> fields);
 
 /// A sign between two fields.
 QWidget* sign(const QString& text);
+
+/// Sentences, over as many lines as they take.
+QLabel* wrappedLabel(const QString& text = {});
 
 } // namespace gui

@@ -34,6 +34,9 @@ constexpr ActionRow kRows[]{
               TEXT("Start a server with a scene or a model, and connect to it"), "Ctrl+N", 0, "Ctrl+S"},
     ActionRow{ActionId::Disconnect, MenuId::Connection, TEXT("&Disconnect"),
               TEXT("Leave the server; it goes on"), "Ctrl+D", NeedsServer},
+    ActionRow{ActionId::ShareInBrowser, MenuId::Connection, TEXT("Share in a &browser…"),
+              TEXT("Let others look at it, and walk in it, in web pages"), "",
+              NeedsServer | Checkable | SeparatorBefore},
     ActionRow{ActionId::ServerLog, MenuId::Connection, TEXT("Server &log"), TEXT("Messages of the server"),
               "Ctrl+L", SeparatorBefore},
 

@@ -18,6 +18,7 @@ enum class ActionId {
     Connect,
     StartServer,
     Disconnect,
+    ShareInBrowser,
     ServerLog,
     ExportCamera,
     Recording,

@@ -35,6 +35,10 @@ inline const Preference<int> pictureScale{"server/pictureScale", 100}; ///< perc
 inline const Preference<int> frameTime{"server/frameTime", 33}; ///< ms while something moves; 0 = no limit
 inline const Preference<bool> keepServers{"server/keepRunning", false};
 inline const Preference<QString> instance{"server/instance", QStringLiteral("default")};
+inline const Preference<bool> shareDriving{"share/driving", true}; ///< pages may walk
+inline const Preference<bool> shareEdits{"share/edits", true};     ///< and change settings and lights
+inline const Preference<QString> shareCertificate{"share/certificate", QString()};
+inline const Preference<QString> shareKey{"share/key", QString()};
 inline const Preference<double> mouseSensitivity{"input/mouseSensitivity", 0.12}; ///< degrees per pixel
 inline const Preference<bool> invertMouse{"input/invertMouse", false};
 inline const Preference<QString> shortcuts{"input/shortcuts", QStringLiteral("desktop")}; ///< thesis

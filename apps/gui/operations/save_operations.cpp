@@ -3,7 +3,6 @@
 #include "gui/operations/actions.h"
 #include "gui/operations/scene_editor.h"
 #include "gui/processes/server_keeper.h"
-#include "gui/session/server_list.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/notice_bar.h"
 
@@ -169,7 +168,7 @@ void SaveOperations::ask(const Then& go) {
 }
 
 bool SaveOperations::othersWatch() const {
-    return context_.session.live() && clientsOf(context_.session.instance()) > 1;
+    return context_.session.live() && context_.keeper.othersUse(context_.session.instance());
 }
 
 } // namespace gui

@@ -9,7 +9,6 @@
 
 #include <QCoreApplication>
 #include <QDateTime>
-#include <QDir>
 #include <QFile>
 #include <QProcess>
 #include <QTemporaryDir>
@@ -31,12 +30,6 @@ constexpr auto kEndPatience = 1s;  ///< with a Renderer that does not end when i
 int nextNumber() {
     static int number = 0;
     return ++number;
-}
-
-// Of this session, where there is such a thing: what a killed window leaves goes with it.
-QString privateFolder() {
-    const QString session = qEnvironmentVariable("XDG_RUNTIME_DIR");
-    return (session.isEmpty() ? QDir::tempPath() : session) + QStringLiteral("/rtsuite-view-XXXXXX");
 }
 
 // What was not asked for is not waited for. Until it is a Renderer, a process may lose the request to end.
@@ -77,7 +70,8 @@ QString PreviewProcess::file(const QString& extension) const {
 
 void PreviewProcess::render(const StillQuality& quality) {
     cancel();
-    if (folder_ == nullptr) folder_ = std::make_unique<QTemporaryDir>(privateFolder());
+    if (folder_ == nullptr)
+        folder_ = std::make_unique<QTemporaryDir>(sessionFolder() + QStringLiteral("/rtsuite-view-XXXXXX"));
     if (!folder_->isValid()) return fail(std::exchange(folder_, nullptr)->errorString());
     active_ = true;
     tries_ = 0;

@@ -19,6 +19,11 @@ QString logPath(const QString& name) {
     return QStringLiteral("%1/%2.log").arg(folder, name);
 }
 
+QString sessionFolder() {
+    const QString session = qEnvironmentVariable("XDG_RUNTIME_DIR");
+    return session.isEmpty() ? QDir::tempPath() : session;
+}
+
 QString sceneFilter() {
     const QString models = QStringLiteral(
         "*.3ds *.ac *.ase *.b3d *.blend *.bvh *.cob *.dae *.dxf *.fbx *.glb *.gltf *.ifc *.irr "

@@ -12,6 +12,10 @@ QString programPath(const QString& name);
 /// not to be writable.
 QString logPath(const QString& name);
 
+/// Of this session, where there is such a thing: what a killed window leaves there goes with it. Else the
+/// folder for temporary files.
+QString sessionFolder();
+
 /// A file filter for scenes, kd-trees and models, for file dialogs.
 QString sceneFilter();
 

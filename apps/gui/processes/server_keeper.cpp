@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QEventLoop>
 #include <QFileInfo>
+#include <QScopedValueRollback>
 #include <QTimer>
 
 #include <utility>
@@ -72,7 +73,7 @@ void ServerKeeper::connectTo(const QString& instance) {
 // Our own server is ended, unless other clients are connected to it.
 void ServerKeeper::leaveOurs() {
     if (!server_.running()) return;
-    const bool shared = clientsOf(server_.request().instance) > (ours() ? 1 : 0);
+    const bool shared = othersUseOurs();
     session_.leave();
     if (shared) return server_.release();
     asked_ = true;
@@ -94,7 +95,20 @@ void ServerKeeper::stop() {
     });
 }
 
+bool ServerKeeper::othersUse(const QString& instance) const {
+    const bool own = session_.instance() == instance && session_.state() != SessionState::Disconnected;
+    return clientsOf(instance, companion_) > (own ? 1 : 0);
+}
+
+bool ServerKeeper::othersUseOurs() const { return othersUse(server_.request().instance); }
+
+bool ServerKeeper::mayComeBack(const QString& instance) const {
+    const bool left = session_.state() == SessionState::Disconnected || session_.instance() != instance;
+    return last_.instance == instance && (restarting_ || (canRestart() && !asked_ && !left));
+}
+
 void ServerKeeper::restart() {
+    const QScopedValueRollback<bool> during(restarting_, true);
     if (session_.lastView().fieldOfView > 0) view_ = session_.lastView();
     if (server_.running()) leaveOurs();
     removeLeftovers(last_.instance);
@@ -115,7 +129,7 @@ void ServerKeeper::keepServers(bool keep) {
 }
 
 void ServerKeeper::close() {
-    const bool shared = server_.running() && clientsOf(server_.request().instance) > (ours() ? 1 : 0);
+    const bool shared = server_.running() && othersUseOurs();
     asked_ = true;
     session_.leave();
     // Otherwise the server ends with its ServerProcess.

@@ -34,6 +34,13 @@ class ServerKeeper : public QObject {
     /// Our server shows another scene now.
     void sceneLoaded(const QString& scene);
 
+    /// A process that this window started beside its server; it is not one of the others. 0: none.
+    void setCompanion(qint64 process) { companion_ = process; }
+    /// Whether a program commands the server that is neither this window nor its companion.
+    bool othersUse(const QString& instance) const;
+    /// The server has ended, or is about to, and restart() starts one of that name again.
+    bool mayComeBack(const QString& instance) const;
+
     /// The session's server is the one that we started.
     bool ours() const;
     /// What the window does when it closes; may take a few seconds when a server takes its time to end.
@@ -52,6 +59,7 @@ class ServerKeeper : public QObject {
   private:
     void launch(const ServerRequest& request);
     void leaveOurs();
+    bool othersUseOurs() const;
     void onEnded(const QString& text);
     void onState(SessionState state);
 
@@ -64,6 +72,8 @@ class ServerKeeper : public QObject {
     bool waitsForFrame_ = false;
     bool keep_ = false;
     bool asked_ = false; ///< the end of the server is our wish
+    bool restarting_ = false;
+    qint64 companion_ = 0;
 };
 
 } // namespace gui

@@ -7,6 +7,7 @@
 
 #include <QRegularExpression>
 
+#include <algorithm>
 #include <chrono>
 
 namespace gui {
@@ -17,7 +18,7 @@ RunningServer describe(const ipc::Instance& instance) {
     RunningServer server;
     server.instance = QString::fromStdString(instance.name);
     server.process = instance.process;
-    server.clients = instance.clients;
+    server.clients = static_cast<int>(instance.clients.size());
     try {
         ipc::Viewer viewer(instance.name, std::chrono::nanoseconds(0));
         const ipc::Status status = viewer.status();
@@ -49,9 +50,12 @@ bool isInstanceName(const QString& name) {
     return pattern.match(name).hasMatch();
 }
 
-int clientsOf(const QString& instance) {
+int clientsOf(const QString& instance, qint64 besides) {
     for (const ipc::Instance& each : ipc::listInstances()) {
-        if (each.running && each.name == instance.toStdString()) return each.clients;
+        if (!each.running || each.name != instance.toStdString()) continue;
+        return static_cast<int>(
+            std::count_if(each.clients.begin(), each.clients.end(),
+                          [besides](qint64 process) { return besides == 0 || process != besides; }));
     }
     return 0;
 }

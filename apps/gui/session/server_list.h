@@ -25,8 +25,8 @@ QString freeInstanceName(const QString& wanted);
 /// 1 to 32 letters, digits, '_' and '-'.
 bool isInstanceName(const QString& name);
 
-/// Programs that command the server, 0 when there is none.
-int clientsOf(const QString& instance);
+/// Programs that command the server, 0 when there is none; without the clients of the process `besides`.
+int clientsOf(const QString& instance, qint64 besides = 0);
 
 /// Removes the shared memory that a dead server left. Does nothing while it lives.
 void removeLeftovers(const QString& instance);

@@ -954,6 +954,14 @@
         <source>%1, samples per pixel: %2</source>
         <translation>%1, vzorků na pixel: %2</translation>
     </message>
+    <message>
+        <source>Share in a &amp;browser…</source>
+        <translation>Sdílet v pro&amp;hlížeči…</translation>
+    </message>
+    <message>
+        <source>Let others look at it, and walk in it, in web pages</source>
+        <translation>Ostatní se mohou dívat a chodit na webových stránkách</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>
@@ -1076,6 +1084,25 @@ Qt %1</translation>
 Alt+%2</source>
         <translation>%1
 Alt+%2</translation>
+    </message>
+</context>
+<context>
+    <name>gui::BridgeProcess</name>
+    <message>
+        <source>RTBridge cannot be started: %1</source>
+        <translation>RTBridge nelze spustit: %1</translation>
+    </message>
+    <message>
+        <source>The program RTBridge was found neither beside this one nor in PATH. It is part of the package, and of a build that finds libturbojpeg and libdeflate.</source>
+        <translation>Program RTBridge nebyl nalezen vedle tohoto programu ani v PATH. Je součástí balíčku a sestavení, které najde libturbojpeg a libdeflate.</translation>
+    </message>
+    <message>
+        <source>RTBridge was killed or has crashed (signal %1).</source>
+        <translation>RTBridge byl násilně ukončen nebo havaroval (signál %1).</translation>
+    </message>
+    <message>
+        <source>RTBridge ended with exit code %1.</source>
+        <translation>RTBridge skončil s návratovým kódem %1.</translation>
     </message>
 </context>
 <context>
@@ -2842,6 +2869,202 @@ Alt+%2</translation>
     <message>
         <source>Back to the default: %1</source>
         <translation>Zpět na výchozí hodnotu: %1</translation>
+    </message>
+</context>
+<context>
+    <name>gui::ShareDialog</name>
+    <message>
+        <source>Share in a browser</source>
+        <translation>Sdílet v prohlížeči</translation>
+    </message>
+    <message>
+        <source>&amp;Share</source>
+        <translation>&amp;Sdílet</translation>
+    </message>
+    <message>
+        <source>Starting…</source>
+        <translation>Spouští se…</translation>
+    </message>
+    <message>
+        <source>S&amp;top sharing</source>
+        <translation>&amp;Ukončit sdílení</translation>
+    </message>
+</context>
+<context>
+    <name>gui::ShareLinksPage</name>
+    <message>
+        <source>without a name</source>
+        <translation>beze jména</translation>
+    </message>
+    <message>
+        <source>%1 (drives)</source>
+        <translation>%1 (řídí)</translation>
+    </message>
+    <message>
+        <source>From another machine: ssh -L %1:127.0.0.1:%1 %2, and then the same links.</source>
+        <translation>Z jiného počítače: ssh -L %1:127.0.0.1:%1 %2 a pak tytéž odkazy.</translation>
+    </message>
+    <message>
+        <source>&amp;Driver&apos;s link:</source>
+        <translation>Odkaz pro ř&amp;idiče:</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopírovat</translation>
+    </message>
+    <message>
+        <source>&amp;Open here</source>
+        <translation>&amp;Otevřít zde</translation>
+    </message>
+    <message>
+        <source>&amp;Viewer&apos;s link:</source>
+        <translation>Odkaz pro &amp;diváka:</translation>
+    </message>
+    <message>
+        <source>Co&amp;py</source>
+        <translation>Kopíro&amp;vat</translation>
+    </message>
+    <message>
+        <source>Open &amp;here</source>
+        <translation>Otevřít &amp;zde</translation>
+    </message>
+    <message>
+        <source>Visitors</source>
+        <translation>Návštěvníci</translation>
+    </message>
+    <message>
+        <source>The link was copied.</source>
+        <translation>Odkaz byl zkopírován.</translation>
+    </message>
+    <message>
+        <source>No visitors at the moment.</source>
+        <translation>Právě teď se nikdo nedívá.</translation>
+    </message>
+    <message>
+        <source>Visitors at the moment: %1 – %2</source>
+        <translation>Právě se dívají: %1 – %2</translation>
+    </message>
+    <message>
+        <source>Not encrypted: everybody in between can read images and links.</source>
+        <translation>Bez šifrování: kdokoli po cestě může číst obraz i odkazy.</translation>
+    </message>
+    <message>
+        <source>For any number of visitors who only look.</source>
+        <translation>Pro libovolný počet návštěvníků, kteří se jen dívají.</translation>
+    </message>
+    <message>
+        <source>For visitors who may walk, one at a time, and change settings, lights and materials. They cannot load or save anything, nor end the server.</source>
+        <translation>Pro návštěvníky, kteří smějí chodit, vždy jeden, a měnit nastavení, světla a materiály. Nemohou nic načíst ani uložit, ani ukončit server.</translation>
+    </message>
+    <message>
+        <source>For visitors who may walk, one at a time. They cannot change, load or save anything, nor end the server.</source>
+        <translation>Pro návštěvníky, kteří smějí chodit, vždy jeden. Nemohou nic změnit, načíst ani uložit, ani ukončit server.</translation>
+    </message>
+</context>
+<context>
+    <name>gui::ShareOperations</name>
+    <message>
+        <source>The browser opens the page.</source>
+        <translation>Stránku otevírá prohlížeč.</translation>
+    </message>
+    <message>
+        <source>No browser could be started; copy the link.</source>
+        <translation>Žádný prohlížeč nelze spustit; zkopírujte odkaz.</translation>
+    </message>
+    <message>
+        <source>● shared: %1</source>
+        <translation>● sdíleno: %1</translation>
+    </message>
+    <message>
+        <source>● shared</source>
+        <translation>● sdíleno</translation>
+    </message>
+    <message>
+        <source>The server is no longer shared in browsers: %1</source>
+        <translation>Server se už v prohlížečích nesdílí: %1</translation>
+    </message>
+</context>
+<context>
+    <name>gui::SharePlanPage</name>
+    <message>
+        <source>Certificate</source>
+        <translation>Certifikát</translation>
+    </message>
+    <message>
+        <source>Certificates (*.pem *.crt);;All files (*)</source>
+        <translation>Certifikáty (*.pem *.crt);;Všechny soubory (*)</translation>
+    </message>
+    <message>
+        <source>Key of the certificate</source>
+        <translation>Klíč certifikátu</translation>
+    </message>
+    <message>
+        <source>Keys (*.pem *.key);;All files (*)</source>
+        <translation>Klíče (*.pem *.key);;Všechny soubory (*)</translation>
+    </message>
+    <message>
+        <source>this machine only</source>
+        <translation>jen z tohoto počítače</translation>
+    </message>
+    <message>
+        <source>other machines, by %1 (%2)</source>
+        <translation>z jiných počítačů přes %1 (%2)</translation>
+    </message>
+    <message>
+        <source>TLS, by a certificate</source>
+        <translation>TLS s certifikátem</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>žádné</translation>
+    </message>
+    <message>
+        <source>&amp;From:</source>
+        <translation>O&amp;dkud:</translation>
+    </message>
+    <message>
+        <source>&amp;Encryption:</source>
+        <translation>Ši&amp;frování:</translation>
+    </message>
+    <message>
+        <source>&amp;Certificate:</source>
+        <translation>&amp;Certifikát:</translation>
+    </message>
+    <message>
+        <source>&amp;Key:</source>
+        <translation>&amp;Klíč:</translation>
+    </message>
+    <message>
+        <source>Other machines get there by ssh; the next page shows how.</source>
+        <translation>Z jiných počítačů se sem dá dostat přes ssh; jak, ukáže další stránka.</translation>
+    </message>
+    <message>
+        <source>Browsers warn of a certificate that they do not know.</source>
+        <translation>Prohlížeče varují před certifikátem, který neznají.</translation>
+    </message>
+    <message>
+        <source>&amp;Visitors may walk, one at a time</source>
+        <translation>&amp;Návštěvníci smějí chodit, vždy jeden</translation>
+    </message>
+    <message>
+        <source>They may also change settings, &amp;lights and materials</source>
+        <translation>Smějí také měnit nastavení, s&amp;větla a materiály</translation>
+    </message>
+    <message>
+        <source>Show what this server renders in web pages: visitors walk or look there and need to install nothing. Anyone with a link can do what it allows, until you stop sharing.</source>
+        <translation>Ukáže na webových stránkách, co tento server vykresluje: návštěvníci tam chodí nebo se dívají a nemusejí nic instalovat. Kdo má odkaz, může, co odkaz dovoluje, dokud sdílení neukončíte.</translation>
+    </message>
+    <message>
+        <source>Without encryption everybody in between can read images and links, and use the links. Choose this only in a network that you trust.</source>
+        <translation>Bez šifrování může kdokoli po cestě číst obraz i odkazy a odkazy použít. Volte to jen v síti, které důvěřujete.</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Odkud</translation>
+    </message>
+    <message>
+        <source>Encryption</source>
+        <translation>Šifrování</translation>
     </message>
 </context>
 <context>

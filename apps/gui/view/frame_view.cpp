@@ -83,6 +83,12 @@ void FrameView::setActivity(const QString& text) {
     update();
 }
 
+void FrameView::setSharing(const QString& text) {
+    if (text == sharing_) return;
+    sharing_ = text;
+    update();
+}
+
 void FrameView::showPicture(const QImage& picture, const PictureOrigin& origin) {
     if (origin.paths && showsLive()) fade_.begin(session_.frame().copy()); // which the next frame takes
     picture_ = picture;
@@ -167,7 +173,8 @@ void FrameView::paintEvent(QPaintEvent* event) {
     if (!words_.isEmpty() && !picture.isNull()) painter.fillRect(rect(), QColor(0, 0, 0, 90));
     drawWords(painter, rect(), words_);
     if (showOverlay_ && session_.live())
-        drawOverlay(painter, rect(), overlayText(session_.status(), picture.size(), still_, activity_));
+        drawOverlay(painter, rect(),
+                    overlayText(session_.status(), picture.size(), still_, activity_, sharing_));
     if (told_.isEmpty()) return;
     const int line = 4 * painter.fontMetrics().height();
     drawWords(painter, QRect(0, height() - line, width(), line), told_);

@@ -33,6 +33,8 @@ class FrameView : public QWidget {
     void tell(const QString& text);
     /// Appended to the overlay: other activity, such as rendering; empty = nothing.
     void setActivity(const QString& text);
+    /// The same for sharing in web pages.
+    void setSharing(const QString& text);
 
     /// Shows this one instead of the live frames, until showLive(). The first one by paths, which bring more
     /// light, fades in.
@@ -42,7 +44,8 @@ class FrameView : public QWidget {
     void setMark(const QImage& mark);
     const QImage& mark() const { return mark_; }
     bool showsLive() const { return picture_.isNull(); }
-    const QString& activity() const { return activity_; }   ///< what goes on, in a word
+    const QString& activity() const { return activity_; } ///< what goes on, in a word
+    const QString& sharing() const { return sharing_; }
     const QString& told() const { return told_; }           ///< by tell(), as long as it is seen
     const QImage& picture() const { return picture_; }      ///< null while it shows live frames
     const PictureOrigin& origin() const { return origin_; } ///< of picture()
@@ -86,7 +89,7 @@ class FrameView : public QWidget {
     Fade fade_;
     QImage mark_;
     bool ignoreAspectRatio_ = false, smooth_ = true, showOverlay_ = true;
-    QString told_, activity_, words_; ///< the last: in the middle, as painted
+    QString told_, activity_, sharing_, words_; ///< the last: in the middle, as painted
     QTimer tellTimer_, resizeTimer_;
     View view_;           ///< of the last frame
     bool still_ = false;  ///< it was the same as that of the frame before

@@ -36,7 +36,8 @@ void drawBox(QPainter& painter, const QRect& box) {
 
 } // namespace
 
-QString overlayText(const ServerStatus& status, const QSize& frame, bool still, const QString& rendering) {
+QString overlayText(const ServerStatus& status, const QSize& frame, bool still, const QString& rendering,
+                    const QString& sharing) {
     if (status.resolution.isEmpty()) return {};
     QString size = QStringLiteral("%1 × %2").arg(status.resolution.width()).arg(status.resolution.height());
     constexpr int kPercent = 100;
@@ -51,6 +52,7 @@ QString overlayText(const ServerStatus& status, const QSize& frame, bool still, 
     const bool counts = !status.idle && !status.paused && status.framesPerSecond >= 1;
     if (counts) parts.prepend(tr("%1 fps").arg(QLocale().toString(status.framesPerSecond, 'f', 0)));
     if (status.recording) parts.append(tr("● recording"));
+    if (!sharing.isEmpty()) parts.append(sharing);
     if (!rendering.isEmpty()) parts.append(rendering);
     return parts.join(QStringLiteral("  ·  "));
 }

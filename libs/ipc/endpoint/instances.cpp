@@ -3,25 +3,25 @@
 #include "ipc/endpoint/link.h"
 #include "ipc/endpoint/server_lock.h"
 
-#include <algorithm>
-#include <iterator>
 #include <set>
 
 namespace ipc {
 
 namespace {
 
-int clientsOf(const Segment& segment, const ControlFacts& facts) {
-    if (facts.handshake != ownHandshake() || segment.bytes() < sizeof(ControlBlock)) return 0;
-    const ControlBlock& block = *static_cast<const ControlBlock*>(segment.data());
-    return static_cast<int>(
-        std::count_if(std::begin(block.clients), std::end(block.clients), [](const ClientSlot& slot) {
-            return slot.servedTag.load(std::memory_order_acquire) != 0;
-        }));
+std::vector<std::int64_t> clientsOf(const Segment& segment, const ControlFacts& facts) {
+    std::vector<std::int64_t> processes;
+    if (facts.handshake != ownHandshake() || segment.bytes() < sizeof(ControlBlock)) return processes;
+    for (const ClientSlot& slot : static_cast<const ControlBlock*>(segment.data())->clients) {
+        if (slot.servedTag.load(std::memory_order_acquire) != 0)
+            processes.push_back(slot.clientProcess.load(std::memory_order_relaxed));
+    }
+    return processes;
 }
 
 Instance describe(const std::string& name) {
-    Instance instance{.name = name};
+    Instance instance;
+    instance.name = name;
     try {
         const std::optional<Segment> segment = Segment::open(Names(name).control(), Access::Read, 0);
         instance.running = segment && serverLives(*segment);

@@ -12,6 +12,8 @@ const std::string kBridge = std::string(RT_PROGRAM_FOLDER) + "/RTBridge";
 
 TEST(BridgeOptions, WrongOnesEndWithTwo) {
     const std::vector<std::vector<std::string>> wrong{{"--listen=8931"},
+                                                      {"--listen="},
+                                                      {"--listen=[]:80"},
                                                       {"--listen=127.0.0.1:x"},
                                                       {"--listen=127.0.0.1:70000"},
                                                       {"--lock=nothing"},
@@ -34,6 +36,21 @@ TEST(BridgeOptions, OtherMachinesNeedTls) {
     EXPECT_EQ(result.exitCode, 2);
     EXPECT_NE(result.error.find("ssh -L"), std::string::npos) << result.error;
     EXPECT_NE(result.error.find("--tls-cert"), std::string::npos);
+}
+
+// One that is not the process that started it has ended already.
+TEST(BridgeOptions, EndsWithItsParentAndHasPortsOfItsOwn) {
+    for (const std::string host : {"127.0.0.1", "localhost"}) {
+        const test::ProgramResult result =
+            test::runProgram(kBridge, {"--instance=nobody", "--listen=" + host, "--parent=1"});
+        EXPECT_EQ(result.exitCode, 143) << result.error;
+        const std::string before = "Viewer: http://127.0.0.1:";
+        const std::size_t link = result.output.find(before);
+        ASSERT_NE(link, std::string::npos) << result.output << result.error;
+        const int port = std::stoi(result.output.substr(link + before.size()));
+        EXPECT_GE(port, 8931);
+        EXPECT_LT(port, 8951);
+    }
 }
 
 TEST(BridgeOptions, TokensThatOthersMayReadAreRefused) {

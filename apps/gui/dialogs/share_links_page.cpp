@@ -1,0 +1,111 @@
+#include "gui/dialogs/share_links_page.h"
+
+#include "gui/dialogs/fields.h"
+
+#include <QClipboard>
+#include <QGridLayout>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSysInfo>
+#include <QUrl>
+#include <QVBoxLayout>
+
+namespace gui {
+
+namespace {
+
+// The start, with the address, is what one looks for.
+void set(QLineEdit& field, const QString& text) {
+    field.setText(text);
+    field.setCursorPosition(0);
+}
+
+QString visitorsText(const QList<Visitor>& visitors) {
+    if (visitors.isEmpty()) return ShareLinksPage::tr("No visitors at the moment.");
+    QStringList names;
+    for (const Visitor& each : visitors) {
+        const QString name = each.name.isEmpty() ? ShareLinksPage::tr("without a name") : each.name;
+        names.append(each.drives ? ShareLinksPage::tr("%1 (drives)").arg(name) : name);
+    }
+    return ShareLinksPage::tr("Visitors at the moment: %1 – %2")
+        .arg(visitors.size())
+        .arg(names.join(QStringLiteral(", ")));
+}
+
+QString wayText(const BridgeRequest& request, const BridgeLinks& links) {
+    if (!request.address.isEmpty() && request.certificate.isEmpty())
+        return ShareLinksPage::tr("Not encrypted: everybody in between can read images and links.");
+    if (!request.address.isEmpty()) return {};
+    return ShareLinksPage::tr("From another machine: ssh -L %1:127.0.0.1:%1 %2, and then the same links.")
+        .arg(QUrl(links.viewer).port())
+        .arg(QSysInfo::machineHostName());
+}
+
+} // namespace
+
+ShareLinksPage::ShareLinksPage(QWidget* parent)
+    : QWidget(parent), column_(new QVBoxLayout(this)),
+      driver_(addRow(tr("&Driver's link:"), tr("&Copy"), tr("&Open here"), {})),
+      viewer_(addRow(tr("&Viewer's link:"), tr("Co&py"), tr("Open &here"),
+                     tr("For any number of visitors who only look."))),
+      way_(wrappedLabel()), visitors_(wrappedLabel()), told_(wrappedLabel()) {
+    column_->setContentsMargins(0, 0, 0, 0);
+    for (QLabel* label : {way_, visitors_, told_}) column_->addWidget(label);
+    column_->addStretch();
+    way_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    visitors_->setTextFormat(Qt::PlainText); // names are theirs
+    visitors_->setAccessibleName(tr("Visitors"));
+}
+
+ShareLinksPage::Row ShareLinksPage::addRow(const QString& title, const QString& copy, const QString& open,
+                                           const QString& meaning) {
+    const Row row{new QWidget, new QLineEdit, wrappedLabel(meaning)};
+    const QString name = QString(title).remove(QLatin1Char('&')).remove(QLatin1Char(':'));
+    auto* label = new QLabel(title);
+    label->setBuddy(row.link);
+    row.link->setReadOnly(true);
+    row.link->setAccessibleName(name);
+    auto* copyButton = new QPushButton(copy);
+    auto* openButton = new QPushButton(open);
+    auto* grid = new QGridLayout(row.box);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->addWidget(label, 0, 0, 1, 3);
+    grid->addWidget(row.link, 1, 0);
+    grid->addWidget(copyButton, 1, 1);
+    grid->addWidget(openButton, 1, 2);
+    grid->addWidget(row.meaning, 2, 0, 1, 3);
+    column_->addWidget(row.box);
+    for (QPushButton* button : {copyButton, openButton}) {
+        button->setAutoDefault(false);
+        button->setAccessibleDescription(name);
+    }
+    connect(copyButton, &QPushButton::clicked, this, [this, link = row.link] {
+        QGuiApplication::clipboard()->setText(link->text());
+        tell(tr("The link was copied."));
+    });
+    connect(openButton, &QPushButton::clicked, this,
+            [this, link = row.link] { emit openWanted(link->text()); });
+    return row;
+}
+
+void ShareLinksPage::show(const BridgeRequest& request, const BridgeLinks& links) {
+    driver_.box->setVisible(!links.driver.isEmpty());
+    set(*driver_.link, links.driver);
+    set(*viewer_.link, links.viewer);
+    driver_.meaning->setText(
+        request.mayEdit ? tr("For visitors who may walk, one at a time, and change settings, lights and "
+                             "materials. They cannot load or save anything, nor end the server.")
+                        : tr("For visitors who may walk, one at a time. They cannot change, load or save "
+                             "anything, nor end the server."));
+    const QString way = wayText(request, links);
+    way_->setText(way);
+    way_->setVisible(!way.isEmpty());
+    told_->clear();
+}
+
+void ShareLinksPage::show(const QList<Visitor>& visitors) { visitors_->setText(visitorsText(visitors)); }
+void ShareLinksPage::tell(const QString& text) { told_->setText(text); }
+
+} // namespace gui

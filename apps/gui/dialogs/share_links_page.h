@@ -1,0 +1,43 @@
+/// The links of a server that is shared in web pages, and who looks.
+#pragma once
+
+#include "gui/processes/bridge_process.h"
+#include "gui/processes/bridge_watch.h"
+
+#include <QWidget>
+
+class QLabel;
+class QLineEdit;
+class QVBoxLayout;
+
+namespace gui {
+
+class ShareLinksPage : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit ShareLinksPage(QWidget* parent = nullptr);
+
+    void show(const BridgeRequest& request, const BridgeLinks& links);
+    void show(const QList<Visitor>& visitors);
+    void tell(const QString& text); ///< what was done last
+
+  signals:
+    void openWanted(const QString& link);
+
+  private:
+    struct Row {
+        QWidget* box;
+        QLineEdit* link;
+        QLabel* meaning;
+    };
+    Row addRow(const QString& title, const QString& copy, const QString& open, const QString& meaning);
+
+    QVBoxLayout* column_;
+    Row driver_, viewer_;
+    QLabel* way_; ///< how other machines get there
+    QLabel* visitors_;
+    QLabel* told_;
+};
+
+} // namespace gui
