@@ -40,7 +40,7 @@ class CameraWatch {
         return others && !first;
     }
 
-    /// Another server: where its camera comes from is nobody's doing.
+    /// Another server, whose camera begins elsewhere.
     void restart(double now) {
         known_ = false;
         acted(now);
