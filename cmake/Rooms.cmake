@@ -94,7 +94,8 @@ endfunction()
 
 # A test program, its tests found by name. Without LABELS it is a unit test: the target `unit_tests` builds all of
 # these, and most run under sanitizers too. `ctest -L unit` runs them, `ctest -L quick` all but those that the pattern
-# THOROUGH names, in less than a minute on two cores. QT: its flags are not those of other tests. ALONE: sources
+# THOROUGH names, in less than a minute on two cores. With LABELS, those that THOROUGH does not name have the label
+# with `.short` behind it. QT: its flags are not those of other tests. ALONE: sources
 # with names that others have (rt_compile_together).
 #   rt_test(accel SOURCES a_test.cpp LINK rtcore_accel [THOROUGH "Slow.*:Other.OneTest"] [ALONE b.cpp] [QT] [LABELS slow])
 add_custom_target(unit_tests)
@@ -109,16 +110,22 @@ function(rt_test name)
     if(NOT ARG_QT)
         rt_share_headers(test_${name} test)
     endif()
-    set(others "*")
+    # One label for both kinds, since labels are searched for a pattern.
+    set(thorough ${ARG_LABELS})
+    set(others ${ARG_LABELS})
     if(NOT ARG_LABELS)
         add_dependencies(unit_tests test_${name})
-        set(ARG_LABELS unit.quick) # one label for both, since labels are searched for a pattern
-        if(ARG_THOROUGH)
-            gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST TEST_FILTER "${ARG_THOROUGH}"
-                PROPERTIES TIMEOUT 3600 LABELS unit)
-            set(others "-${ARG_THOROUGH}")
-        endif()
+        set(thorough unit)
+        set(others unit.quick)
+    elseif(ARG_THOROUGH)
+        set(others ${ARG_LABELS}.short)
     endif()
-    gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST TEST_FILTER "${others}"
-        PROPERTIES TIMEOUT 3600 LABELS "${ARG_LABELS}")
+    set(filter "*")
+    if(ARG_THOROUGH)
+        gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST TEST_FILTER "${ARG_THOROUGH}"
+            PROPERTIES TIMEOUT 3600 LABELS "${thorough}")
+        set(filter "-${ARG_THOROUGH}")
+    endif()
+    gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST TEST_FILTER "${filter}"
+        PROPERTIES TIMEOUT 3600 LABELS "${others}")
 endfunction()

@@ -2,6 +2,8 @@
 
 #include <sstream>
 
+#include <png.h>
+
 namespace test {
 
 namespace {
@@ -21,11 +23,11 @@ void BridgedServer::SetUp() {
     writeRoom(folder() / "room.obj");
 }
 
-void BridgedServer::startServer(const std::string& size) {
-    server_.emplace(
-        programPath("RTServer"),
-        std::vector<std::string>{"room.obj", "--instance=" + instance_.name(), "--resolution=" + size},
-        ProgramSettings{.folder = folder().path()});
+void BridgedServer::startServer(const std::string& size, const std::vector<std::string>& options) {
+    killServer();
+    std::vector<std::string> words{"room.obj", "--instance=" + instance_.name(), "--resolution=" + size};
+    words.insert(words.end(), options.begin(), options.end());
+    server_.emplace(programPath("RTServer"), words, ProgramSettings{.folder = folder().path()});
     ASSERT_TRUE(server_->waitForError("ready: ")) << server_->wait().error;
 }
 
@@ -70,6 +72,24 @@ std::string BridgedServer::ask(const std::string& command) {
     const ipc::Reply reply = client().request(command, 60s);
     EXPECT_EQ(reply.status, ipc::ReplyStatus::Done) << command << ": " << reply.text;
     return reply.text;
+}
+
+std::string BridgedServer::screenshotPixels() {
+    const auto file = folder() / ("screenshot" + std::to_string(++screenshots_) + ".png");
+    const ProgramResult told =
+        runProgram(programPath("CUI"), {"--instance=" + instance_.name(), "screenshot", file.string()});
+    EXPECT_EQ(told.exitCode, 0) << told.error;
+    return pngPixels(file);
+}
+
+std::string BridgedServer::pngPixels(const std::filesystem::path& file) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    if (png_image_begin_read_from_file(&image, file.c_str()) == 0) return {};
+    image.format = PNG_FORMAT_RGB;
+    std::string pixels(PNG_IMAGE_SIZE(image), '\0');
+    if (png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr) == 0) return {};
+    return pixels;
 }
 
 std::string BridgedServer::host() const {

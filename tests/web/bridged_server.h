@@ -21,7 +21,12 @@ class BridgedServer : public testing::Test {
   protected:
     void SetUp() override;
 
-    void startServer(const std::string& size = "160x120");
+    /// In place of the one before, which is killed. `options`: added to its command line.
+    void startServer(const std::string& size = "160x120", const std::vector<std::string>& options = {});
+    void killServer() {
+        client_.reset();
+        server_.reset();
+    }
     /// On a port that the system chooses; the links are known then.
     void startBridge(const std::vector<std::string>& options = {});
     /// Beside the first one, which goes on; the links are its own from then on.
@@ -48,6 +53,10 @@ class BridgedServer : public testing::Test {
 
     /// A command to the server that must succeed; its answer.
     std::string ask(const std::string& command);
+    /// What `CUI screenshot` writes of the frame that is shown, 3 bytes a pixel.
+    std::string screenshotPixels();
+    /// The pixels of a PNG file, 3 bytes each; "" while there is none.
+    static std::string pngPixels(const std::filesystem::path& file);
     ipc::Client& client();
     Chromium& browser() { return *browser_; }
     const std::string& driverLink() const { return driverLink_; }
@@ -64,7 +73,7 @@ class BridgedServer : public testing::Test {
     std::unique_ptr<Chromium> browser_;
     std::unique_ptr<ipc::Client> client_;
     std::string driverLink_, viewerLink_;
-    int bridges_ = 0;
+    int bridges_ = 0, screenshots_ = 0;
 };
 
 } // namespace test

@@ -17,8 +17,13 @@ std::array<int, 2> makePipe() {
     return ends;
 }
 
-/// In the new process: the browser reads commands from 3 and writes answers to 4.
-void becomeBrowser(int commands, int answers, const std::string& output, std::vector<std::string> words) {
+/// In the new process: the browser reads commands from 3 and writes answers to 4. What it leaves for the time
+/// of its run lies in its own folder.
+void becomeBrowser(int commands, int answers, const std::filesystem::path& folder,
+                   std::vector<std::string> words) {
+    ::setpgid(0, 0);
+    ::setenv("TMPDIR", folder.c_str(), 1);
+    const std::string output = (folder / "output.txt").string();
     constexpr int kBeyond = 10; // neither end may lie where the other goes
     const int in = ::fcntl(commands, F_DUPFD_CLOEXEC, kBeyond),
               out = ::fcntl(answers, F_DUPFD_CLOEXEC, kBeyond);
@@ -48,6 +53,7 @@ std::optional<std::string> chromiumProgram() {
 }
 
 Chromium::Chromium(const std::vector<std::string>& options) {
+    ::prctl(PR_SET_CHILD_SUBREAPER, 1); // helpers that outlive the browser are this process's to wait for
     const auto commands = makePipe(), answers = makePipe();
     commands_ = commands[1];
     answers_ = answers[0];
@@ -61,8 +67,9 @@ Chromium::Chromium(const std::vector<std::string>& options) {
                                    "--window-size=800,600"};
     words.insert(words.end(), options.begin(), options.end());
     words.emplace_back("about:blank");
-    const std::string output = (profile_ / "output.txt").string();
-    process_ = std::make_unique<ChildProcess>([&] { becomeBrowser(commands[0], answers[1], output, words); });
+    process_ = std::make_unique<ChildProcess>(
+        [&] { becomeBrowser(commands[0], answers[1], profile_.path(), words); });
+    group_ = process_->process();
     ::close(commands[0]);
     ::close(answers[1]);
     call("Browser.getVersion");
@@ -71,9 +78,17 @@ Chromium::Chromium(const std::vector<std::string>& options) {
 Chromium::~Chromium() {
     ::close(commands_);
     ::close(answers_);
+    process_->wait(10s); // it ends by itself without the pipe, and its helpers before it
+    kill();
 }
 
-void Chromium::kill() { process_->kill(); }
+void Chromium::kill() {
+    process_->kill();
+    // Helpers that outlive it would still write into its folder.
+    ::kill(-group_, SIGKILL);
+    while (::waitpid(-group_, nullptr, 0) > 0) {
+    }
+}
 
 std::optional<Json> Chromium::read(Clock::time_point deadline) {
     for (;;) {

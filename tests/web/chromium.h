@@ -43,6 +43,7 @@ class Chromium {
 
     TemporaryFolder profile_;
     std::unique_ptr<ChildProcess> process_;
+    pid_t group_ = 0; ///< of the browser and its helpers
     int commands_ = -1, answers_ = -1;
     int lastId_ = 0;
     std::string unread_;

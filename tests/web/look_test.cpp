@@ -2,6 +2,8 @@
 // browser has nothing to complain about; in each theme, on a desk and on a phone.
 #include "web/bridged_server.h"
 
+#include <ostream>
+
 namespace {
 
 using test::Json;
@@ -61,6 +63,7 @@ struct Setting {
     const char* theme;
     int width, height;
     bool phone;
+    friend std::ostream& operator<<(std::ostream& out, const Setting& one) { return out << one.name; }
 };
 
 class Look : public test::BridgedServer, public testing::WithParamInterface<Setting> {

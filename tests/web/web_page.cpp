@@ -43,7 +43,8 @@ struct NamedKey {
     const char *code, *key;
     int number; ///< as Windows has it, which the browser asks for
 };
-constexpr std::array<NamedKey, 5> kNamed{{{"Enter", "Enter", 13},
+constexpr std::array<NamedKey, 6> kNamed{{{"Enter", "Enter", 13},
+                                          {"ControlLeft", "Control", 17},
                                           {"Escape", "Escape", 27},
                                           {"Space", " ", 32},
                                           {"Tab", "Tab", 9},

@@ -40,7 +40,7 @@ class CameraWatch {
         return others && !first;
     }
 
-    /// Another server: no client moved its camera to where it is.
+    /// Another server, whose camera begins elsewhere.
     void restart(double now) {
         known_ = false;
         acted(now);

@@ -9,7 +9,7 @@ function row(label, controls, { help, unit, reset } = {}) {
     if (help) for (const control of controls) control.title = help;
     const back = reset && button(reset.text, reset.run, "undo");
     back?.classList.add("reset");
-    const said = make("label", { for: id, title: help }, label, ...(unit ? [make("span", { className: "unit" }, unit)] : []));
+    const said = make("label", { for: id, title: help }, label, ...(unit ? [make("span", { className: unit.length > 2 ? "unit" : "unit short" }, unit)] : []));
     const field = make("div", { className: "field" }, ...controls);
     const element = make("div", { className: reset ? "row" : "row wide" }, said, field, ...(back ? [back] : []));
     return { element, back };

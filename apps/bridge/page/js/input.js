@@ -2,7 +2,8 @@
  * Keyboard and mouse. Keys are the server's only while captured, by click or Enter; with the mouse locked where the browser
  * allows it, else by dragging. Whatever ends the capture lets all keys go.
  */
-import { keyCode, lockedPlaces, pageKeys } from "./key_table.js";
+import { hasControl, onFullScreenEnd } from "./full_screen.js";
+import { keyCode, pageKeys } from "./key_table.js";
 import { preference } from "./storage.js";
 
 const DEGREES_PER_PIXEL = 0.12; // as in the window
@@ -41,6 +42,7 @@ export class Input {
         addEventListener("pagehide", () => this.release());
         document.addEventListener("visibilitychange", () => document.hidden && this.release());
         document.addEventListener("pointerlockchange", () => this.onLockChange());
+        onFullScreenEnd(() => this.captured && this.tell()); // without Control
         addEventListener("beforeunload", (event) => this.kind && event.preventDefault());
     }
 
@@ -109,10 +111,10 @@ export class Input {
             event.preventDefault();
             return this.release();
         }
-        const full = document.fullscreenElement !== null;
-        const known = keyCode(place, full) !== 0 || place in pageKeys;
+        const control = hasControl();
+        const known = keyCode(place, control) !== 0 || place in pageKeys;
         // A keydown can come after the blur that should have let it go.
-        if (!known || event.metaKey || event.altKey || (event.ctrlKey && !full) || !document.hasFocus()) return;
+        if (!known || event.metaKey || event.altKey || (event.ctrlKey && !control) || !document.hasFocus()) return;
         event.preventDefault();
         if (event.repeat || this.down.has(place)) return;
         this.down.add(place);
@@ -120,8 +122,8 @@ export class Input {
     }
 
     tell() {
-        const full = document.fullscreenElement !== null;
-        this.held.hold("keys", [...this.down].map((place) => keyCode(place, full)).filter((code) => code !== 0));
+        const control = hasControl();
+        this.held.hold("keys", [...this.down].map((place) => keyCode(place, control)).filter((code) => code !== 0));
         const turn = (this.down.has("KeyE") ? 1 : 0) - (this.down.has("KeyQ") ? 1 : 0);
         if (turn === 0) this.stopTurning();
         else this.startTurning(turn);
@@ -180,13 +182,4 @@ export class Input {
         event.preventDefault();
         if (event.deltaY !== 0) this.on.wheel(event.deltaY < 0 ? 1 : -1);
     }
-}
-
-/** Full screen; there the page may have Control and the keys that would close its tab. */
-export async function toggleFullScreen() {
-    if (document.fullscreenElement) return void document.exitFullscreen();
-    try {
-        await document.documentElement.requestFullscreen({ navigationUI: "hide" });
-        await navigator.keyboard?.lock?.(lockedPlaces);
-    } catch { /* iPhones have no full screen, plain http no lock of keys */ }
 }

@@ -17,16 +17,16 @@ export const pageKeys = { KeyX: "crawl", KeyQ: "left", KeyE: "right" };
 
 /**
  * @param {string} place as in KeyboardEvent.code
- * @param {boolean} full whether the page has the full screen, where Control is its own
+ * @param {boolean} control whether Control is the page's
  * @returns {number} 0: no key of the server
  */
-export function keyCode(place, full) {
+export function keyCode(place, control) {
     if (place === "KeyX") return CRAWL;
     if (place in pageKeys) return 0;
     if (/^Key[A-Z]$/.test(place)) return place.charCodeAt(3);
     if (/^Digit[0-9]$/.test(place)) return place.charCodeAt(5);
     if (/^Numpad[0-9]$/.test(place)) return place.charCodeAt(6);
-    if (full && /^Control(Left|Right)$/.test(place)) return CRAWL;
+    if (control && /^Control(Left|Right)$/.test(place)) return CRAWL;
     return named[place] ?? 0;
 }
 

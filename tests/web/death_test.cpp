@@ -1,0 +1,62 @@
+// Servers that die and come again: the page lives on, and shows nothing that is not so any more.
+#include "web/bridged_server.h"
+
+namespace {
+
+using test::WebPage;
+
+class LostServer : public test::BridgedServer {
+  protected:
+    static bool isStale(const WebPage& page) {
+        return page.becomes("document.getElementById('view').classList.contains('stale')");
+    }
+    static bool isLive(const WebPage& page) {
+        return page.becomes("!document.getElementById('view').classList.contains('stale')");
+    }
+    static std::string widthField() { return "document.querySelector('#panel-settings .actions input')"; }
+};
+
+TEST_F(LostServer, AnotherServerIsShownAsSoonAsItRuns) {
+    const WebPage page = drive();
+    ask("wait-idle");
+    ASSERT_TRUE(isExact(page));
+    page.value(
+        "document.getElementById('menu').click(); document.getElementById('tab-settings').click();"
+        "document.querySelectorAll('#panels details').forEach((one) => one.open = true); window.mark = 1");
+    ASSERT_TRUE(page.becomes(widthField() + "?.value === '160'"));
+    const std::string before = page.pixels();
+    killServer();
+    ASSERT_TRUE(isStale(page));
+    EXPECT_TRUE(page.becomes("document.querySelector('#notices .warn')"));
+    EXPECT_EQ(page.pixels(), before) << "what is left of it";
+    EXPECT_TRUE(page.becomes("document.getElementById('pill-text').textContent === ''"));
+
+    startServer("200x150", {"--setting=shadows=false"});
+    ask("wait-idle");
+    ASSERT_TRUE(isLive(page));
+    EXPECT_TRUE(page.becomes("!document.querySelector('#notices .warn')"));
+    const std::string drawn = screenshotPixels();
+    EXPECT_TRUE(test::eventually([&] { return page.pixels() == drawn; }, std::chrono::seconds(20)));
+    EXPECT_TRUE(isExact(page));
+    EXPECT_TRUE(page.becomes(widthField() + ".value === '200'"));
+    EXPECT_TRUE(page.becomes("![...document.querySelectorAll('#panel-settings .row')].find((row) => "
+                             "row.textContent === 'Shadows').querySelector('input').checked"));
+    EXPECT_EQ(page.value("window.mark"), 1) << "without being loaded again";
+
+    // And the new one is driven.
+    capture(page);
+    page.keyDown("KeyE");
+    EXPECT_TRUE(test::eventually([&] { return page.pixels() != drawn; }, std::chrono::seconds(20)));
+    page.keyUp("KeyE");
+}
+
+TEST_F(LostServer, ThePageWaitsForTheFirstOne) {
+    startBridge();
+    startBrowser();
+    const WebPage page(browser(), driverLink());
+    ASSERT_TRUE(page.becomes("document.getElementById('waiting-text').textContent.includes('RTServer')"));
+    startServer();
+    EXPECT_TRUE(showsFrame(page));
+}
+
+} // namespace
