@@ -57,14 +57,12 @@ Chromium::Chromium(const std::vector<std::string>& options) {
     const auto commands = makePipe(), answers = makePipe();
     commands_ = commands[1];
     answers_ = answers[0];
-    std::vector<std::string> words{chromiumProgram().value(),
-                                   "--headless",
-                                   "--no-sandbox",
-                                   "--disable-dev-shm-usage",
-                                   "--remote-debugging-pipe",
-                                   "--no-first-run",
-                                   "--user-data-dir=" + profile_.path().string(),
-                                   "--window-size=800,600"};
+    std::vector<std::string> words{chromiumProgram().value(), "--headless", "--no-sandbox",
+                                   "--disable-dev-shm-usage", "--remote-debugging-pipe", "--no-first-run",
+                                   // No traffic of the browser's own.
+                                   "--disable-background-networking", "--disable-component-update",
+                                   "--disable-default-apps", "--disable-extensions", "--disable-sync",
+                                   "--user-data-dir=" + profile_.path().string(), "--window-size=800,600"};
     words.insert(words.end(), options.begin(), options.end());
     words.emplace_back("about:blank");
     process_ = std::make_unique<ChildProcess>(
@@ -78,7 +76,6 @@ Chromium::Chromium(const std::vector<std::string>& options) {
 Chromium::~Chromium() {
     ::close(commands_);
     ::close(answers_);
-    process_->wait(10s); // it ends by itself without the pipe, and its helpers before it
     kill();
 }
 
