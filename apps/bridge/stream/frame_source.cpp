@@ -178,9 +178,16 @@ void FrameSource::State::lookAtServer() {
 }
 
 std::shared_ptr<ipc::Frame> FrameSource::State::freeMemory() {
-    for (const auto& each : memory)
-        if (each.use_count() == 1) return each;
-    return memory.emplace_back(std::make_shared<ipc::Frame>());
+    std::shared_ptr<ipc::Frame> spare;
+    std::erase_if(memory, [&](std::shared_ptr<ipc::Frame>& each) { // one is enough
+        const bool isFree = each.use_count() == 1;
+        if (isFree && !spare) {
+            spare = each;
+            return false;
+        }
+        return isFree;
+    });
+    return spare ? spare : memory.emplace_back(std::make_shared<ipc::Frame>());
 }
 
 void FrameSource::State::lookForFrame() {
