@@ -43,6 +43,8 @@ add_feature_info(GUI RT_HAS_GUI "the window, by Qt 6")
 if(RT_HAS_GUI)
     find_package(Qt6LinguistTools QUIET)
     add_feature_info(Translations Qt6LinguistTools_FOUND "the window in Czech")
+    pkg_check_modules(QRENCODE QUIET IMPORTED_TARGET libqrencode)
+    add_feature_info(QrCodes QRENCODE_FOUND "links of the bridge as QR codes")
 endif()
 
 if(RT_WITH_BRIDGE)

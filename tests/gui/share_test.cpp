@@ -3,10 +3,12 @@
 #include "gui/processes_of.h"
 #include "gui/window_support.h"
 
+#include "gui/dialogs/qr_dialog.h"
 #include "gui/dialogs/share_dialog.h"
 #include "gui/models/own_addresses.h"
 #include "gui/processes/bridge_watch.h"
 #include "gui/session/server_list.h"
+#include "gui/view/qr_code.h"
 
 #include <QCheckBox>
 #include <QClipboard>
@@ -286,6 +288,31 @@ TEST_F(ShareTest, AnotherNetworkIsAChoiceThatSaysWhatItCosts) {
     EXPECT_TRUE(fetched(viewer).startsWith("HTTP/1.1 200"));
     by.showLinks(*wanted, bridge.links());
     EXPECT_TRUE(says(by, "Not encrypted"));
+    by.show();
+    EXPECT_EQ(press(by, "QR code"), hasQrCodes());
+    const auto* code = by.findChild<QrDialog*>();
+    ASSERT_EQ(code != nullptr, hasQrCodes());
+    if (code == nullptr) return;
+    // Its three marks in the corners, and light around it.
+    const QImage image = code->findChild<QLabel*>()->pixmap().toImage();
+    ASSERT_EQ(image.width(), image.height());
+    const int unit = 6, last = image.width() - 1;
+    for (const QPoint& corner : {QPoint(0, 0), QPoint(last, 0), QPoint(0, last)}) {
+        EXPECT_EQ(image.pixelColor(corner), QColor(Qt::white));
+        const QPoint inwards(corner.x() == 0 ? 1 : -1, corner.y() == 0 ? 1 : -1);
+        for (int i = 4; i < 11; ++i)
+            EXPECT_EQ(image.pixelColor(corner + inwards * (i * unit + 1)),
+                      i == 5 || i == 9 ? QColor(Qt::white) : QColor(Qt::black));
+    }
+}
+
+// Every bit of a link counts; no link is too long.
+TEST(QrCode, DiffersWithTheText) {
+    if (!hasQrCodes()) GTEST_SKIP() << "skipped: built without libqrencode";
+    const QString link = QStringLiteral("https://viz.example/#t=") + QString(43, QLatin1Char('a'));
+    EXPECT_NE(qrCode(link), qrCode(link.left(link.size() - 1) + QLatin1Char('b')));
+    EXPECT_FALSE(qrCode(QStringLiteral("https://") + QString(255, QLatin1Char('h')) + link).isNull());
+    EXPECT_TRUE(qrCode(QString(10'000, QLatin1Char('a'))).isNull());
 }
 
 TEST_F(ShareTest, WhatTheBridgeRefusesIsToldInItsWords) {

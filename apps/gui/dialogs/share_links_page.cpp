@@ -1,6 +1,8 @@
 #include "gui/dialogs/share_links_page.h"
 
 #include "gui/dialogs/fields.h"
+#include "gui/dialogs/qr_dialog.h"
+#include "gui/view/qr_code.h"
 
 #include <QClipboard>
 #include <QGridLayout>
@@ -11,6 +13,8 @@
 #include <QSysInfo>
 #include <QUrl>
 #include <QVBoxLayout>
+
+#include <initializer_list>
 
 namespace gui {
 
@@ -47,9 +51,9 @@ QString wayText(const BridgeRequest& request, const BridgeLinks& links) {
 
 ShareLinksPage::ShareLinksPage(QWidget* parent)
     : QWidget(parent), column_(new QVBoxLayout(this)),
-      driver_(addRow(tr("&Driver's link:"), tr("&Copy"), tr("&Open here"), {})),
-      viewer_(addRow(tr("&Viewer's link:"), tr("Co&py"), tr("Open &here"),
-                     tr("For any number of visitors who only look."))),
+      driver_(addRow({tr("&Driver's link:"), tr("&Copy"), tr("&Open here"), tr("&QR code"), {}})),
+      viewer_(addRow({tr("&Viewer's link:"), tr("Co&py"), tr("Open &here"), tr("Q&R code"),
+                      tr("For any number of visitors who only look.")})),
       way_(wrappedLabel()), visitors_(wrappedLabel()), told_(wrappedLabel()) {
     column_->setContentsMargins(0, 0, 0, 0);
     for (QLabel* label : {way_, visitors_, told_}) column_->addWidget(label);
@@ -59,34 +63,34 @@ ShareLinksPage::ShareLinksPage(QWidget* parent)
     visitors_->setAccessibleName(tr("Visitors"));
 }
 
-ShareLinksPage::Row ShareLinksPage::addRow(const QString& title, const QString& copy, const QString& open,
-                                           const QString& meaning) {
-    const Row row{new QWidget, new QLineEdit, wrappedLabel(meaning)};
-    const QString name = QString(title).remove(QLatin1Char('&')).remove(QLatin1Char(':'));
-    auto* label = new QLabel(title);
+ShareLinksPage::Row ShareLinksPage::addRow(const RowTexts& texts) {
+    const Row row{new QWidget, new QLineEdit, wrappedLabel(texts.meaning), new QPushButton(texts.code)};
+    const QString name = QString(texts.title).remove(QLatin1Char('&')).remove(QLatin1Char(':'));
+    auto* label = new QLabel(texts.title);
     label->setBuddy(row.link);
     row.link->setReadOnly(true);
     row.link->setAccessibleName(name);
-    auto* copyButton = new QPushButton(copy);
-    auto* openButton = new QPushButton(open);
+    auto* copy = new QPushButton(texts.copy);
+    auto* open = new QPushButton(texts.open);
     auto* grid = new QGridLayout(row.box);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->addWidget(label, 0, 0, 1, 3);
-    grid->addWidget(row.link, 1, 0);
-    grid->addWidget(copyButton, 1, 1);
-    grid->addWidget(openButton, 1, 2);
-    grid->addWidget(row.meaning, 2, 0, 1, 3);
+    grid->addWidget(label, 0, 0, 1, -1);
+    int column = 0;
+    for (QWidget* each : std::initializer_list<QWidget*>{row.link, copy, open, row.code})
+        grid->addWidget(each, 1, column++);
+    grid->addWidget(row.meaning, 2, 0, 1, -1);
     column_->addWidget(row.box);
-    for (QPushButton* button : {copyButton, openButton}) {
+    for (QPushButton* button : {copy, open, row.code}) {
         button->setAutoDefault(false);
         button->setAccessibleDescription(name);
     }
-    connect(copyButton, &QPushButton::clicked, this, [this, link = row.link] {
+    connect(copy, &QPushButton::clicked, this, [this, link = row.link] {
         QGuiApplication::clipboard()->setText(link->text());
         tell(tr("The link was copied."));
     });
-    connect(openButton, &QPushButton::clicked, this,
-            [this, link = row.link] { emit openWanted(link->text()); });
+    connect(open, &QPushButton::clicked, this, [this, link = row.link] { emit openWanted(link->text()); });
+    connect(row.code, &QPushButton::clicked, this,
+            [this, name, link = row.link] { (new QrDialog(name, link->text(), this))->open(); });
     return row;
 }
 
@@ -99,6 +103,9 @@ void ShareLinksPage::show(const BridgeRequest& request, const BridgeLinks& links
                              "materials. They cannot load or save anything, nor end the server.")
                         : tr("For visitors who may walk, one at a time. They cannot change, load or save "
                              "anything, nor end the server."));
+    // A phone does not reach an address that only this machine knows.
+    for (const Row& row : {driver_, viewer_})
+        row.code->setVisible(hasQrCodes() && !request.address.isEmpty());
     const QString way = wayText(request, links);
     way_->setText(way);
     way_->setVisible(!way.isEmpty());

@@ -8,6 +8,7 @@
 
 class QLabel;
 class QLineEdit;
+class QPushButton;
 class QVBoxLayout;
 
 namespace gui {
@@ -30,8 +31,12 @@ class ShareLinksPage : public QWidget {
         QWidget* box;
         QLineEdit* link;
         QLabel* meaning;
+        QPushButton* code; ///< shows the link as a QR code
     };
-    Row addRow(const QString& title, const QString& copy, const QString& open, const QString& meaning);
+    struct RowTexts {
+        QString title, copy, open, code, meaning;
+    };
+    Row addRow(const RowTexts& texts);
 
     QVBoxLayout* column_;
     Row driver_, viewer_;

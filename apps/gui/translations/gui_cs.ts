@@ -2416,6 +2416,17 @@ Alt+%2</translation>
     </message>
 </context>
 <context>
+    <name>gui::QrDialog</name>
+    <message>
+        <source>QR code: %1</source>
+        <translation>QR kód: %1</translation>
+    </message>
+    <message>
+        <source>The camera of a phone or a tablet opens the page by it.</source>
+        <translation>Stránku pomocí něj otevře fotoaparát telefonu nebo tabletu.</translation>
+    </message>
+</context>
+<context>
     <name>gui::RecordingDialog</name>
     <message>
         <source>List of cameras</source>
@@ -2959,6 +2970,14 @@ Alt+%2</translation>
     <message>
         <source>For visitors who may walk, one at a time. They cannot change, load or save anything, nor end the server.</source>
         <translation>Pro návštěvníky, kteří smějí chodit, vždy jeden. Nemohou nic změnit, načíst ani uložit, ani ukončit server.</translation>
+    </message>
+    <message>
+        <source>&amp;QR code</source>
+        <translation>&amp;QR kód</translation>
+    </message>
+    <message>
+        <source>Q&amp;R code</source>
+        <translation>Q&amp;R kód</translation>
     </message>
 </context>
 <context>
