@@ -28,23 +28,21 @@ build() {
     [ -f build/release/CMakeCache.txt ] || export RT_WERROR=ON
     scripts/build.sh
 }
+# Tests wait for much: what the next stage needs is compiled meanwhile, in the processor time that they leave.
 check_release() {
+    setsid nice -n 19 scripts/build_sanitized.sh >build/sanitized.log 2>&1 &
+    builder=$!
+    trap 'kill -s TERM -- -$builder 2>/dev/null || true' EXIT
+    trap 'exit 130' INT TERM
     scripts/check-style.sh
     ctest --preset release -j "$jobs" -LE '^web$' # those start a browser each: check-long.sh web
 }
-# Unit tests of arithmetic on numbers of their own are left to check-long.sh.
-build_sanitized() {
-    cmake --preset asan-ubsan -DRT_WERROR=ON -DRT_EVERY_INSTRUCTION_SET=OFF >/dev/null
-    targets=""
-    for folder in tests/unit/*/; do
-        name=$(basename "$folder")
-        case $name in
-        accel_validation | math | rtbench | sampling | settings | simd | steady_frame) ;;
-        *) targets="$targets --target test_$name" ;;
-        esac
-    done
-    # shellcheck disable=SC2086
-    cmake --build --preset asan-ubsan $targets
+await_sanitized() {
+    wait $builder || {
+        cat build/sanitized.log
+        exit 1
+    }
+    trap - EXIT
 }
 # Whole programs: with sanitizers a process takes long to begin, and ctest begins one for each test. The longest ones in
 # part; check-long.sh runs all of them.
@@ -63,7 +61,7 @@ check_threads() {
 stage "installing" install
 stage "building" build
 stage "tests" check_release
-stage "building with sanitizers" build_sanitized
+stage "building with sanitizers" await_sanitized
 stage "tests with sanitizers" check_sanitized
 stage "tests of threads" check_threads
 tell "$begun" "all"

@@ -1,0 +1,16 @@
+#!/bin/sh
+# Builds those tests that test.sh runs under the address and undefined-behaviour sanitizers, into build/asan-ubsan. Unit
+# tests of arithmetic on numbers of their own are left to check-long.sh.
+set -eu
+cd "$(dirname "$0")/.."
+cmake --preset asan-ubsan -DRT_WERROR=ON -DRT_EVERY_INSTRUCTION_SET=OFF >/dev/null
+targets=""
+for folder in tests/unit/*/; do
+    name=$(basename "$folder")
+    case $name in
+    accel_validation | math | rtbench | sampling | settings | simd | steady_frame) ;;
+    *) targets="$targets --target test_$name" ;;
+    esac
+done
+# shellcheck disable=SC2086
+cmake --build --preset asan-ubsan $targets
