@@ -14,7 +14,7 @@ struct StreamOptions {
     /// Of the JPEG of moving frames, 50..95: these have full size then, unless a page or `mostBits` asks for
     /// less. Nothing: by the link of each page.
     std::optional<int> quality;
-    double mostBits = 0; ///< a second, for all viewers together; 0: no limit
+    double mostBits = 0;               ///< a second, for all viewers together; 0: no limit
     double pingSeconds = kPingSeconds; ///< of silence, after which a page gets a ping
 
     /// The rung of pages that choose none; nothing: by their links.

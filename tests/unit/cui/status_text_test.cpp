@@ -61,7 +61,7 @@ TEST(StatusText, SaysHowManyPixelsAreNewWhereOthersAreKept) {
 }
 
 TEST(ListText, NamesLivingAndDead) {
-    const std::vector<ipc::Instance> instances{{"cow", true, 12}, {"nave", false, 0}};
+    const std::vector<ipc::Instance> instances{{"cow", true, 12, {}}, {"nave", false, 0, {}}};
     EXPECT_EQ(cui::listText(instances), "cow  process 12\nnave  dead; 'CUI free' removes it\n");
     EXPECT_EQ(cui::listJson(instances), "[{\"instance\":\"cow\",\"running\":true,\"process\":12},"
                                         "{\"instance\":\"nave\",\"running\":false,\"process\":0}]\n");
