@@ -38,6 +38,7 @@ for check in "$@"; do
         # The bridge's page in a real Chromium (Debian package chromium), which walks for so many seconds; without it all
         # are skipped.
         RT_BRIDGE_SOAK=${RT_BRIDGE_SOAK:-1800} $release/test_web
+        $release/test_web_painter
         ;;
     formulas)
         # Each formula for one number and for vectors of them, on so many inputs.
@@ -120,7 +121,7 @@ for check in "$@"; do
     sanitizers)
         cmake --preset asan-ubsan -DRT_EVERY_INSTRUCTION_SET=ON >/dev/null
         cmake --build --preset asan-ubsan --target unit_tests --target test_server_process --target test_server_faults \
-            --target test_bridge_process
+            --target test_bridge_process --target test_bridge_beside_server
         sanitized=build/asan-ubsan/bin
         UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=allocator_may_return_null=1 \
             ctest --preset asan-ubsan -j "$(nproc)" -L unit
@@ -128,6 +129,7 @@ for check in "$@"; do
         UBSAN_OPTIONS=print_stacktrace=1 $sanitized/test_server_process
         UBSAN_OPTIONS=print_stacktrace=1 $sanitized/test_server_faults
         UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 $sanitized/test_bridge_process
+        UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 $sanitized/test_bridge_beside_server
         ;;
     preview)
         RT_PREVIEW_KILLS=${RT_PREVIEW_KILLS:-1000} $release/test_preview_process
@@ -149,6 +151,7 @@ for check in "$@"; do
     mutants)
         scripts/check-mutants.sh
         scripts/check_kernel_mutants.py
+        scripts/check_bridge_mutants.py
         ;;
     arm64)
         # Root, and the network for the first time; skipped without.

@@ -3,15 +3,12 @@
 copy of the sources. A mutant that survives is an error: something that no test guards.
   scripts/check_kernel_mutants.py [part of a name...]     without: all; with --list: their names"""
 import os
-import pathlib
-import re
-import shutil
-import subprocess
 import sys
-import tempfile
+
+import mutants
 
 KERNELS = "libs/rtcore/kernels/"
-PROGRAMS = ["test_kernels", "test_leaks"]
+PROGRAMS = [["test_kernels"], ["test_leaks"]]
 # What is broken; where, what stands there, what comes in its place.
 MUTANTS = [
     ("packets: planes are not widened", [
@@ -155,102 +152,9 @@ MUTANTS = [
 ]
 
 
-def main():
-    if sys.argv[1:] == ["--list"]:
-        print("\n".join(name for name, *_ in MUTANTS))
-        return 0
-    wanted = [m for m in MUTANTS if not sys.argv[1:] or any(part in m[0] for part in sys.argv[1:])]
-    if not wanted:
-        print("check_kernel_mutants: no mutant is called so; --list names them", file=sys.stderr)
-        return 2
-    root = pathlib.Path(__file__).resolve().parent.parent
-    with tempfile.TemporaryDirectory(prefix="rtsuite-mutants-") as work:
-        return check(wanted, root, pathlib.Path(work))
-
-
-def check(mutants, root, work):
-    sources = work / "sources"
-    names = subprocess.run(["git", "ls-files", "-z"], cwd=root, check=True, capture_output=True).stdout
-    for name in names.split(b"\0"):
-        path = pathlib.Path(os.fsdecode(name))
-        if not name or not (root / path).is_file():
-            continue
-        (sources / path).parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy2(root / path, sources / path)
-    print("check_kernel_mutants: building", flush=True)
-    run(["cmake", "--preset", "headless", "-B", str(work / "build")], sources)
-    survivor = caught(work)
-    if survivor:
-        print(f"check_kernel_mutants: {survivor} fails with nothing broken", file=sys.stderr)
-        return 1
-    survived = 0
-    for name, changes in mutants:
-        with Broken(sources / KERNELS, changes):
-            test = caught(work)
-        print(f"{name}: {test or 'SURVIVED'}", flush=True)
-        survived += test is None
-    if survived:
-        return 1
-    print("check_kernel_mutants: every mutant is noticed")
-    return 0
-
-
-class Broken:
-    """Files of a folder with changes (file, what stands there, what comes in its place), until the end of the block."""
-
-    def __init__(self, folder, changes):
-        self.folder, self.changes = folder, changes
-        self.whole = {file: (folder / file).read_text() for file, _, _ in changes}
-
-    def __enter__(self):
-        texts = dict(self.whole)
-        for file, old, new in self.changes:
-            flat = re.escape(old).replace(r"\ ", r"\s+")  # however the lines are broken
-            if len(re.findall(flat, texts[file])) != 1:
-                sys.exit(f"check_kernel_mutants: '{old}' does not stand once in {KERNELS}{file}")
-            texts[file] = re.sub(flat, lambda _, new=new: new, texts[file])
-        for file, text in texts.items():
-            (self.folder / file).write_text(text)
-
-    def __exit__(self, *_):
-        for file, text in self.whole.items():
-            (self.folder / file).write_text(text)
-
-
-def caught(work):
-    """The first test that fails or hangs; None when all pass."""
-    jobs = os.environ.get("RT_JOBS", str(os.cpu_count()))
-    run(["cmake", "--build", str(work / "build"), "--target", *PROGRAMS, "--parallel", jobs], work)
-    for program in PROGRAMS:
-        test = first_failure(work / "build/bin" / program)
-        if test:
-            return test
-    return None
-
-
-def first_failure(program):
-    try:
-        result = subprocess.run([str(program), "--gtest_fail_fast"], capture_output=True, text=True, timeout=900,
-                                env=os.environ | {"RT_LEAK_RAYS": "3000000"})
-    except subprocess.TimeoutExpired as expired:
-        started = re.findall(r"^\[ RUN      \] (\S+)", (expired.stdout or b"").decode(errors="replace"), re.M)
-        return f"{started[-1] if started else program.name} (hangs)"
-    if result.returncode == 0:
-        return None
-    failed = re.search(r"^\[  FAILED  \] ([^ ,]+)", result.stdout, re.M)
-    started = re.findall(r"^\[ RUN      \] (\S+)", result.stdout, re.M)
-    return failed.group(1) if failed else f"{started[-1] if started else program.name} (ended with {result.returncode})"
-
-
-def run(command, place):
-    result = subprocess.run(command, cwd=place, capture_output=True, text=True)
-    if result.returncode != 0:
-        print((result.stdout + result.stderr)[-4000:], file=sys.stderr)
-        sys.exit(f"check_kernel_mutants: '{' '.join(command)}' failed")
+def caught(build):
+    return mutants.first_failure_of(build, PROGRAMS, os.environ | {"RT_LEAK_RAYS": "3000000"})
 
 
 if __name__ == "__main__":
-    try:
-        sys.exit(main())
-    except KeyboardInterrupt:
-        sys.exit(130)
+    sys.exit(mutants.main("check_kernel_mutants", KERNELS, MUTANTS, [program for program, *_ in PROGRAMS], caught))

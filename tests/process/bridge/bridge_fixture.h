@@ -197,11 +197,12 @@ class BridgeTest : public testing::Test {
             if (links().find(origin + "#t=") != std::string::npos) port = candidate;
         }
     }
-    std::string links() const {
+    static std::string readAll(const std::filesystem::path& file) {
         std::ostringstream text;
-        text << std::ifstream((instance.folder() / "links")).rdbuf();
+        text << std::ifstream(file).rdbuf();
         return text.str();
     }
+    std::string links() const { return readAll(instance.folder() / "links"); }
     void SetUp() override {
         startServer();
         startBridge();

@@ -1,0 +1,125 @@
+#!/usr/bin/env python3
+"""Breaks the bridge and its page, one rule at a time, and looks whether their quick tests notice. Builds in a copy of
+the sources. A mutant that survives is an error: a rule that no test guards.
+  scripts/check_bridge_mutants.py [part of a name...]     without: all; with --list: their names
+Mutants of the page need Chromium, and survive without."""
+import os
+import sys
+
+import mutants
+
+BRIDGE = "apps/bridge/"
+SLOW = "-Floods.OfSlow*:BridgeSoak.*:Nginx.*:Requests.OfAny*:Deaths.*"
+PROGRAMS = [["test_bridge"], ["test_bridge_process", "--gtest_filter=" + SLOW], ["test_web_painter"]]
+# What is broken; where, what stands there, what comes in its place.
+MUTANTS = [
+    ("frames: acknowledgements are ignored", [
+        ("stream/rate_control.cpp", "if (found == flight_.end()) return false;",
+         "return false;"),
+    ]),
+    ("frames: any number is on the way", [
+        ("stream/rate_control.cpp", "return frames < std::min(window(), kLeastWindow + drawn_);",
+         "return frames < 1000;"),
+    ]),
+    ("frames: one is sent twice", [
+        ("stream/delivery.cpp", "newest.number > sentNumber_;",
+         "newest.number >= sentNumber_;"),
+    ]),
+    ("frames: hidden pages get them, too", [
+        ("stream/delivery.cpp", "if (!view_.visible || newest.number == 0) return {};",
+         "if (newest.number == 0) return {};"),
+        ("stream/delivery.cpp", "if (!view_.visible || !rate_.windowOpen()) return {};",
+         "if (!rate_.windowOpen()) return {};"),
+    ]),
+    ("stills: those of frames that were not sent begin", [
+        ("stream/delivery.cpp", "const bool shown = newest.stream == sentStream_ && newest.number == sentNumber_;",
+         "const bool shown = true;"),
+    ]),
+    ("input: the heartbeat is not checked", [
+        ("control/input_state.h", "now - last_ < kHeartbeat",
+         "now - last_ < 1e9"),
+    ]),
+    ("input: old messages count", [
+        ("control/input_state.h", "if (input.sequence <= sequence_) return false;",
+         ""),
+    ]),
+    ("input: viewers walk", [
+        ("control/room_roles.cpp", "if (!roles_.drives(session.id)) return;",
+         ""),
+    ]),
+    ("input: keys stay when another drives", [
+        ("control/room_roles.cpp", "if (before != roles_.driver()) { releaseKeys();",
+         "if (before != roles_.driver()) {"),
+        ("control/room_roles.cpp", "last->input.release();",
+         ""),
+    ]),
+    ("requests: viewers command", [
+        ("control/room_requests.cpp", "if (!planned.anyone && !roles_.drives(session.id))",
+         "if (false)"),
+    ]),
+    ("requests: edits are not locked", [
+        ("control/requests.cpp", "if (isEdit(spec) && surroundings.limits.isLocked(\"edits\"))",
+         "if (false)"),
+    ]),
+    ("requests: settings have no caps", [
+        ("control/caps.h", "std::min(cap->most, setting.maximum)",
+         "setting.maximum"),
+    ]),
+    ("requests: edits of others are taken back", [
+        ("control/own_edits.h", "return !done_.empty() && done_.back() == Edit{by, edits, label};",
+         "return !done_.empty();"),
+    ]),
+    ("roles: a viewer's link drives", [
+        ("control/roles.cpp", "const bool drives = person.mayDrive && !driver_;",
+         "const bool drives = !driver_;"),
+    ]),
+    ("door: Origin is compared by its beginning", [
+        ("net/doorkeeper.cpp", "return small == (names.tls ? \"https://\" : \"http://\") + lower(host);",
+         "return small.starts_with((names.tls ? \"https://\" : \"http://\") + lower(host));"),
+    ]),
+    ("door: Origin is not compared", [
+        ("net/doorkeeper.cpp", "return small == (names.tls ? \"https://\" : \"http://\") + lower(host);",
+         "return true;"),
+    ]),
+    ("door: any Host is the bridge's", [
+        ("net/doorkeeper.cpp", "return isLoopback(small) ||",
+         "return !small.empty() || isLoopback(small) ||"),
+    ]),
+    ("door: a token is compared by its beginning", [
+        ("net/doorkeeper.cpp", "given.size() == token.size() && !token.empty() ? 0 : 1;",
+         "!token.empty() ? 0 : 1;"),
+    ]),
+    ("door: wrong tokens may be tried for ever", [
+        ("net/doorkeeper.cpp", "return times.size() >= kMostWrong &&",
+         "return times.size() > 1000 * kMostWrong &&"),
+    ]),
+    ("door: messages are not counted", [
+        ("net/http_connection-inl.h", "return tellClosed(); } if (!bucket_.take(steadySeconds()))",
+         "return tellClosed(); } if (false)"),
+    ]),
+    ("page: a still is drawn over a newer frame", [
+        ("page/js/painter.js", "(type === STILL && number === this.shown.number && !this.shown.exact)",
+         "type === STILL"),
+    ]),
+    ("page: an old frame is drawn", [
+        ("page/js/painter.js", "return number > this.shown.number ||",
+         "return true ||"),
+    ]),
+    ("page: frames that are not drawn are not acknowledged", [
+        ("page/js/painter.js", "if (header.type === FRAME) this.skipped.push(",
+         "if (false) this.skipped.push("),
+    ]),
+    ("page: a still of missing parts is drawn", [
+        ("page/js/painter.js", "header.offset === still.filled && still.filled + part.length <= still.bytes.length;",
+         "true;"),
+    ]),
+]
+
+
+def caught(build):
+    page = build.parent / "sources" / BRIDGE / "page" / "js"
+    return mutants.first_failure_of(build, PROGRAMS, os.environ | {"RT_PAGE_MODULES": str(page)})
+
+
+if __name__ == "__main__":
+    sys.exit(mutants.main("check_bridge_mutants", BRIDGE, MUTANTS, [program for program, *_ in PROGRAMS], caught))

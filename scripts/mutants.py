@@ -1,0 +1,127 @@
+"""Breaks sources in a copy of them, one change at a time, and looks whether tests notice. For check_*_mutants.py."""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+PATIENCE = 900  # seconds that a program of tests may take
+
+
+def main(script, folder, mutants, targets, caught):
+    """The exit code of a script.
+
+    mutants: (name, [(file below `folder`, what stands there once, what comes in its place)]).
+    targets: what is built before each look.
+    caught(build folder): the first test that fails, None when all pass.
+    """
+    wanted = [m for m in mutants if not sys.argv[1:] or any(part in m[0] for part in sys.argv[1:])]
+    if sys.argv[1:] == ["--list"]:
+        print("\n".join(name for name, _ in mutants))
+        return 0
+    if not wanted:
+        print(f"{script}: no mutant is called so; --list names them", file=sys.stderr)
+        return 2
+    root = pathlib.Path(__file__).resolve().parent.parent
+    try:
+        with tempfile.TemporaryDirectory(prefix="rtsuite-mutants-") as work:
+            return check(script, folder, wanted, targets, caught, root, pathlib.Path(work))
+    except Failure as failure:
+        print(f"{script}: {failure}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        return 130
+
+
+class Failure(Exception):
+    pass
+
+
+def check(script, folder, mutants, targets, caught, root, work):
+    sources, build = work / "sources", work / "build"
+    copy(root, sources)
+    print(f"{script}: building", flush=True)
+    run(["cmake", "--preset", "headless", "-B", str(build)], sources)
+
+    def look():
+        jobs = os.environ.get("RT_JOBS", str(os.cpu_count()))
+        run(["cmake", "--build", str(build), "--target", *targets, "--parallel", jobs], work)
+        return caught(build)
+
+    failed = look()
+    if failed:
+        raise Failure(f"{failed} fails with nothing broken")
+    survived = 0
+    for name, changes in mutants:
+        with Broken(sources / folder, changes):
+            test = look()
+        print(f"{name}: {test or 'SURVIVED'}", flush=True)
+        survived += test is None
+    if survived:
+        return 1
+    print(f"{script}: every mutant is noticed")
+    return 0
+
+
+def copy(root, sources):
+    names = subprocess.run(["git", "ls-files", "-z"], cwd=root, check=True, capture_output=True).stdout
+    for name in names.split(b"\0"):
+        path = pathlib.Path(os.fsdecode(name))
+        if not name or not (root / path).is_file():
+            continue
+        (sources / path).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy2(root / path, sources / path)
+
+
+class Broken:
+    """Files of a folder with changes, until the end of the block."""
+
+    def __init__(self, folder, changes):
+        self.folder, self.changes = folder, changes
+        self.whole = {file: (folder / file).read_text() for file, _, _ in changes}
+
+    def __enter__(self):
+        texts = dict(self.whole)
+        for file, old, new in self.changes:
+            flat = re.escape(old).replace(r"\ ", r"\s+")  # however the lines are broken
+            if len(re.findall(flat, texts[file])) != 1:
+                raise Failure(f"'{old}' does not stand once in {self.folder / file}")
+            texts[file] = re.sub(flat, lambda _, new=new: new, texts[file])
+        for file, text in texts.items():
+            (self.folder / file).write_text(text)
+
+    def __exit__(self, *_):
+        for file, text in self.whole.items():
+            (self.folder / file).write_text(text)
+
+
+def first_failure_of(build, programs, environment=None):
+    """The first test of the programs, each with its options, that fails or hangs; None when all pass."""
+    for name, *options in programs:
+        test = first_failure(build / "bin" / name, options, environment)
+        if test:
+            return test
+    return None
+
+
+def first_failure(program, options, environment):
+    try:
+        result = subprocess.run([str(program), "--gtest_fail_fast", *options], capture_output=True, text=True,
+                                timeout=PATIENCE, env=environment, errors="replace")
+    except subprocess.TimeoutExpired as expired:
+        started = re.findall(r"^\[ RUN      \] (\S+)", (expired.stdout or b"").decode(errors="replace"), re.M)
+        return f"{started[-1] if started else program.name} (hangs)"
+    if result.returncode == 0:
+        return None
+    failed = re.search(r"^\[  FAILED  \] ([^ ,]+)", result.stdout, re.M)
+    started = re.findall(r"^\[ RUN      \] (\S+)", result.stdout, re.M)
+    return failed.group(1) if failed else f"{started[-1] if started else program.name} (ended with {result.returncode})"
+
+
+def run(command, place):
+    result = subprocess.run(command, cwd=place, capture_output=True, text=True, errors="replace")
+    if result.returncode != 0:
+        print((result.stdout + result.stderr)[-4000:], file=sys.stderr)
+        raise Failure(f"'{' '.join(command)}' failed")

@@ -1,0 +1,108 @@
+// What is drawn of what comes, and what is acknowledged: the painter of the page, by itself. RT_PAGE_MODULES
+// names another folder of modules.
+#include "support/temporary_folder.h"
+#include "web/web_page.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+namespace {
+
+using test::Json;
+using test::WebPage;
+
+// `take(type, number, colour, {from, until, total})` hands it an image of that colour, or bytes of it;
+// `quiet()` waits for all decodes; `colour()` is what is shown.
+const char* const kStage = R"(
+import('./painter.js').then(({ Painter }) => {
+    const surface = new OffscreenCanvas(4, 4);
+    const told = [];
+    const painter = new Painter(surface, (what) => told.push(what));
+    const encode = async (colour, type) => {
+        const canvas = new OffscreenCanvas(4, 4), context = canvas.getContext("2d");
+        context.fillStyle = colour;
+        context.fillRect(0, 0, 4, 4);
+        return new Uint8Array(await (await canvas.convertToBlob({ type, quality: 1 })).arrayBuffer());
+    };
+    const take = async (type, number, colour, cut = []) => {
+        const bytes = await encode(colour, type === 1 ? "image/jpeg" : "image/png");
+        const [from = 0, until = bytes.length] = cut;
+        const part = bytes.subarray(from, until);
+        const message = new Uint8Array(40 + part.length);
+        message.set(part, 40);
+        painter.take({ type, codec: type - 1, stream: 1, number: BigInt(number), atRest: type === 2, last: true,
+            width: 4, height: 4, shownWidth: 4, shownHeight: 4, offset: from, total: bytes.length }, message.buffer);
+    };
+    const quiet = async () => {
+        while (painter.decodes > 0 || painter.waiting) await new Promise((done) => setTimeout(done, 5));
+    };
+    const colour = () => {
+        const [red, green, blue] = surface.getContext("2d").getImageData(1, 1, 1, 1).data;
+        return red > 200 && green < 60 ? "red" : green > 200 && red < 60 ? "lime" : blue > 200 && red < 60 ? "blue" : "";
+    };
+    const acknowledged = () => told.flatMap((what) => what.acks).map(([type, , number]) => type + ":" + number);
+    globalThis.stage = { take, quiet, colour, acknowledged };
+    return true;
+}))";
+
+class Painter : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (!test::chromiumProgram()) GTEST_SKIP() << "there is no Chromium";
+        const char* const asked = std::getenv("RT_PAGE_MODULES");
+        namespace fs = std::filesystem;
+        for (const char* const name : {"painter.js", "wire.js"})
+            fs::copy_file(fs::path(asked != nullptr ? asked : RT_PAGE_MODULES) / name, folder_ / name);
+        std::ofstream(folder_ / "page.html") << "<!doctype html>";
+        browser_.emplace(std::vector<std::string>{"--allow-file-access-from-files"});
+        page_.emplace(*browser_, "file://" + (folder_ / "page.html").string());
+        ASSERT_TRUE(page_->becomes("location.protocol === 'file:' && document.readyState === 'complete'"));
+        page_->value(kStage);
+    }
+    /// The value at the end of these steps.
+    Json after(const std::string& steps, const std::string& value) const {
+        return page_->value("(async () => { const { take, quiet, colour, acknowledged } = stage; " + steps +
+                            "; await quiet(); return " + value + "; })()");
+    }
+
+  private:
+    test::TemporaryFolder folder_;
+    std::optional<test::Chromium> browser_;
+    std::optional<WebPage> page_;
+};
+
+TEST_F(Painter, DrawsNewerFramesOnly) {
+    EXPECT_EQ(after("await take(1, 5, 'red')", "colour()"), "red");
+    EXPECT_EQ(after("await take(1, 6, 'lime')", "colour()"), "lime");
+    EXPECT_EQ(after("await take(1, 4, 'blue')", "colour()"), "lime");
+    EXPECT_EQ(after("", "acknowledged()"), (Json{"1:5", "1:6", "1:4"})) << "also what is not drawn";
+}
+
+TEST_F(Painter, DrawsAStillOverItsOwnFrameOnly) {
+    EXPECT_EQ(after("await take(1, 5, 'red'); await quiet(); await take(2, 5, 'lime')", "colour()"), "lime");
+    EXPECT_EQ(after("await take(1, 6, 'red'); await quiet(); await take(2, 5, 'blue')", "colour()"), "red");
+    EXPECT_EQ(after("await take(1, 6, 'blue')", "colour()"), "red") << "the same frame again";
+}
+
+TEST_F(Painter, DrawsNoStillOfMissingParts) {
+    EXPECT_EQ(after("await take(1, 5, 'red'); await quiet(); await take(2, 5, 'lime', [0, 20]);"
+                    "await take(2, 5, 'lime', [20])",
+                    "colour()"),
+              "lime");
+    EXPECT_EQ(after("await take(1, 6, 'red'); await quiet(); await take(2, 6, 'blue', [0, 40]);"
+                    "await take(2, 6, 'blue', [20]); await take(2, 6, 'blue', [40])",
+                    "colour()"),
+              "red");
+}
+
+TEST_F(Painter, AcknowledgesWhatItSkips) {
+    const Json all = after("for (let i = 1; i <= 30; ++i) take(1, i, 'red'); await new Promise((done) => "
+                           "setTimeout(done, 300))",
+                           "acknowledged()");
+    EXPECT_EQ(all.size(), 30U) << all;
+}
+
+} // namespace
