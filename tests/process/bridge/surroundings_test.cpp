@@ -96,6 +96,7 @@ TEST_F(Surroundings, BothPagesAreToldOfADeathAndSeeTheSuccessor) {
     server.reset();
     for (WebClient* const each : {first.get(), second.get()}) EXPECT_TRUE(becomes(*each, "gone"));
     startServer();
+    server->move(30);
     for (WebClient* const each : {first.get(), second.get()}) {
         EXPECT_TRUE(becomes(*each, "there"));
         EXPECT_TRUE(each->binary(1));
