@@ -81,7 +81,7 @@ TEST(ProgressOutput, TheBarLeavesAnEmptyLine) {
     test::writeWaves(folder / "waves.obj", 100);
     // Long enough for a bar, by however many processors there are.
     const test::ProgramResult result =
-        test::renderer({"waves.obj", "--progress=bar", "-t", "1", "-w", "400", "-h", "300", "-a", "10"},
+        test::renderer({"waves.obj", "--progress=bar", "--threads=1", "-w", "400", "-h", "300", "-a", "10"},
                        {.folder = folder.path()});
     ASSERT_EQ(result.exitCode, 0) << result.error;
     ASSERT_NE(result.error.find('%'), std::string::npos) << result.error;
