@@ -111,7 +111,7 @@ class Serving {
         if (app::takeRenewalRequest()) renew();
         hub_->tick();
         if (started_ && started_->ended() && !app::stopRequested()) {
-            app::printMessage("RTBridge", "the server has ended");
+            if (ending_ == 0) app::printMessage("RTBridge", "the server has ended");
             code_ = *started_->ended() == 0 ? app::ExitCode::Done
                                             : static_cast<app::ExitCode>(*started_->ended());
             return end();

@@ -7,6 +7,8 @@
 #include <boost/asio/ssl/stream.hpp>
 #include <boost/beast/websocket/ssl.hpp>
 
+#include <filesystem>
+
 namespace bridge {
 
 namespace {
@@ -17,6 +19,11 @@ using TlsStream = ssl::stream<StreamSocket>;
 class OpenDoor : public TlsDoor {
   public:
     explicit OpenDoor(const TlsFiles& files) : context_(ssl::context::tls_server) {
+        for (const std::string& file : {files.certificate, files.key}) {
+            std::error_code unknown;
+            if (!std::filesystem::exists(file, unknown))
+                throw rtcore::FileError(rtcore::FailureKind::NoInput, file, "there is no such file");
+        }
         ErrorCode error;
         context_.set_options(ssl::context::default_workarounds | ssl::context::no_sslv2 |
                              ssl::context::no_sslv3 | ssl::context::no_tlsv1 | ssl::context::no_tlsv1_1);

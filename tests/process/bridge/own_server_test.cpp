@@ -25,6 +25,9 @@ TEST_F(OwnServer, ThatCannotLoadItsSceneEndsTheBridge) {
         runProgram(programPath("RTBridge"), words("broken.scn"), {.timeoutSeconds = 60});
     EXPECT_EQ(result.exitCode, 65) << result.error;
     EXPECT_NE(result.error.find("modell"), std::string::npos) << result.error;
+    const std::size_t told = result.error.find("the server has ended");
+    EXPECT_NE(told, std::string::npos) << result.error;
+    EXPECT_EQ(told, result.error.rfind("the server has ended")) << result.error;
     EXPECT_TRUE(instance.segments().empty());
 }
 
