@@ -16,6 +16,12 @@ constexpr double kStatusEvery = 0.5, kPingEvery = 2, kLinkEvery = 1;
 
 } // namespace
 
+std::int64_t nowNanoseconds() {
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(
+               std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
 double nowSeconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }

@@ -131,7 +131,8 @@ class Room {
 /// For messages and reports.
 const char* nameOf(ServerState state);
 
-/// Seconds of the steady clock.
+/// The steady clock.
 double nowSeconds();
+std::int64_t nowNanoseconds();
 
 } // namespace bridge

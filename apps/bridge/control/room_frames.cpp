@@ -2,17 +2,10 @@
 #include "bridge/control/room.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace bridge {
 
 namespace {
-
-std::int64_t steadyNanoseconds() {
-    return std::chrono::duration_cast<std::chrono::nanoseconds>(
-               std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-}
 
 /// The last input that was given before `ns`; what is older than that is forgotten.
 std::uint32_t inputBefore(Session& session, std::int64_t ns) {
@@ -52,8 +45,7 @@ void Room::pump(Session& session, bool fresh) {
     const std::optional<Shipment> shipment = session.delivery.next(newest_, nowSeconds());
     if (!shipment) return;
     const std::int64_t published = shipment->frame->facts.publishedNs;
-    const std::int64_t age =
-        std::clamp<std::int64_t>((steadyNanoseconds() - published) / 1000, 0, 0xffffffff);
+    const std::int64_t age = std::clamp<std::int64_t>((nowNanoseconds() - published) / 1000, 0, 0xffffffff);
     session.bytes += kHeaderBytes + shipment->size;
     bytesSent_ += kHeaderBytes + shipment->size;
     if (shipment->part) {

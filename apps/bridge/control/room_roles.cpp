@@ -3,19 +3,7 @@
 
 #include "bridge/control/plain_name.h"
 
-#include <chrono>
-
 namespace bridge {
-
-namespace {
-
-std::int64_t inputNanoseconds() {
-    return std::chrono::duration_cast<std::chrono::nanoseconds>(
-               std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-}
-
-} // namespace
 
 using nlohmann::json;
 
@@ -62,7 +50,7 @@ void Room::applyInput(Session& session, const InputMessage& input) {
         roles_.touch(session.id, now);
     }
     constexpr std::size_t kKept = 64;
-    session.given.push_back({input.sequence, inputNanoseconds()});
+    session.given.push_back({input.sequence, nowNanoseconds()});
     if (session.given.size() > kKept) session.given.pop_front();
 }
 
