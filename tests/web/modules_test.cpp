@@ -107,6 +107,28 @@ TEST_F(PageModules, SticksHoldKeys) {
     EXPECT_EQ(with("gamepad.js", "m.turnRate(-1)"), -120);
 }
 
+// What hands do is told at once, also while a key that is held waits to be told again.
+TEST_F(PageModules, AHeldKeyDelaysNothing) {
+    const Json told = with("held.js", R"((async () => {
+        let last = null;
+        const held = new m.Held((message) => {
+            const view = new DataView(message);
+            last = [view.getInt32(8, true), view.getUint8(1), view.getUint8(2)];
+            return true;
+        });
+        const told = [];
+        for (const what of [() => held.hold("keys", [87]), () => held.turn(1, 0), () => held.hold("keys", [87, 65]),
+            () => held.tap(32), () => held.hold("keys", [])]) {
+            last = null;
+            what();
+            told.push(last);
+            await new Promise((done) => setTimeout(done, 12));
+        }
+        return told;
+    })())");
+    EXPECT_EQ(told, (Json{{0, 1, 0}, {1000, 1, 0}, {0, 2, 0}, {0, 2, 1}, {0, 0, 0}})) << "turn, keys, taps";
+}
+
 TEST_F(PageModules, EachTextIsInBothLanguages) {
     const Json english = with("texts_en.js", "m.default"), czech = with("texts_cs.js", "m.default");
     for (const auto& [key, text] : english.items()) {

@@ -49,21 +49,23 @@ export class Held {
         this.sources.clear();
         this.turned = { right: 0, up: 0 };
         this.taps = [];
-        clearTimeout(this.timer);
-        this.timer = 0;
         this.flush();
     }
 
     wake() {
-        if (this.timer) return;
         const wait = this.lastSent + LEAST_MS - performance.now();
         if (wait <= 0) this.flush();
-        else this.timer = setTimeout(() => this.flush(), wait);
+        else this.flushIn(wait);
+    }
+
+    /** Milliseconds; in place of what was to be sent at another time. */
+    flushIn(wait) {
+        clearTimeout(this.timer);
+        this.timer = setTimeout(() => this.flush(), wait);
     }
 
     flush() {
         clearTimeout(this.timer);
-        this.timer = 0;
         const held = this.keys;
         const right = Math.round(this.turned.right * 1000), up = Math.round(this.turned.up * 1000);
         this.sequence = (this.sequence + 1) >>> 0;
@@ -71,7 +73,7 @@ export class Held {
         if (this.send(inputMessage(this.sequence, right, up, this.taps.splice(0), held))) this.remember();
         this.turned.right -= right / 1000; // what is too little to be sent stays
         this.turned.up -= up / 1000;
-        if (held.length) this.timer = setTimeout(() => this.flush(), REPEAT_MS);
+        if (held.length) this.flushIn(REPEAT_MS);
     }
 
     remember() {
