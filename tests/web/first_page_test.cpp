@@ -12,18 +12,11 @@ using test::WebPage;
 constexpr const char* kWatchSteps = R"(
 window.steps = {};
 const note = (step) => (window.steps[step] ??= Math.round(performance.now()));
-window.WebSocket = class extends WebSocket {
-    constructor(...words) {
-        super(...words);
-        note("socket made");
-        this.addEventListener("open", () => note("socket open"));
-        this.addEventListener("message", ({ data }) => note(typeof data === "string" ? JSON.parse(data).event : "frame"));
-    }
-};
 window.Worker = class extends Worker {
     constructor(...words) {
         super(...words);
-        this.addEventListener("message", ({ data }) => data.drawn && note("drawn"));
+        note("worker made");
+        this.addEventListener("message", ({ data }) => note(data.said ? JSON.parse(data.said).event : data.drawn ? "drawn" : "closed"));
     }
 };)";
 

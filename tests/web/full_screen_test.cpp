@@ -13,13 +13,14 @@ constexpr const char* kNoMouse = "delete Element.prototype.requestPointerLock;";
 // What the page says is held, by the last input that it sent.
 constexpr const char* kWatchKeys = R"(
 window.heldNow = "";
-const send = WebSocket.prototype.send;
-WebSocket.prototype.send = function (message) {
-    if (message instanceof ArrayBuffer) {
+const post = Worker.prototype.postMessage;
+Worker.prototype.postMessage = function (what, ...moved) {
+    const [method, message] = what;
+    if (method === "send" && message instanceof ArrayBuffer) {
         const bytes = new Uint8Array(message);
         if (bytes[0] === 2) window.heldNow = [...bytes.slice(16, 16 + bytes[1])].sort().join();
     }
-    return send.call(this, message);
+    return post.call(this, what, ...moved);
 };)";
 
 class FullScreen : public test::BridgedServer {

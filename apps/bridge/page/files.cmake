@@ -1,7 +1,7 @@
 # The files of the page that are built into RTBridge: those of this folder, and those that are made of it. The first one is
 # what `/` shows.
 set(BRIDGE_PAGE_FILES index.html page.css icon.svg js/texts_cs.js)
-set(BRIDGE_PAGE_MADE_FILES js/main.js js/picture_worker.js js/tables_cs.js)
+set(BRIDGE_PAGE_MADE_FILES js/main.js js/stream_worker.js js/tables_cs.js)
 set(BRIDGE_PAGE_MADE_FOLDER ${CMAKE_CURRENT_BINARY_DIR}/page_made)
 
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
@@ -26,7 +26,7 @@ add_custom_command(
     COMMENT "Labels of the page's settings" VERBATIM)
 
 # One request each for the page and for its worker.
-foreach(entry main.js picture_worker.js)
+foreach(entry main.js stream_worker.js)
     add_custom_command(
         OUTPUT ${made}/${entry}
         COMMAND ${Python3_EXECUTABLE} ${page}/bundle.py ${entry} ${page}/js ${parts} -o ${made}/${entry}

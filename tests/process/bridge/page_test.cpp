@@ -38,7 +38,7 @@ class PageOverTheWire : public BridgeTest {
     }
 };
 
-constexpr const char* kFiles[] = {"/", "/page.css", "/js/main.js", "/js/picture_worker.js",
+constexpr const char* kFiles[] = {"/", "/page.css", "/js/main.js", "/js/stream_worker.js",
                                   "/js/texts_cs.js"};
 
 TEST_F(PageOverTheWire, IsPackedForThoseWhoTakeIt) {

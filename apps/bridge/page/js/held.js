@@ -81,11 +81,11 @@ export class Held {
         if (this.sentAt.size > 256) this.sentAt.delete(this.sentAt.keys().next().value);
     }
 
-    /** Milliseconds since that input was sent; null where it is not known (any more). */
-    since(sequence) {
-        const at = this.sentAt.get(sequence);
-        if (at === undefined) return null;
+    /** Milliseconds from when that input was sent until `at`; null where that is not known (any more). */
+    until(at, sequence) {
+        const sent = this.sentAt.get(sequence);
+        if (sent === undefined) return null;
         this.sentAt.delete(sequence);
-        return performance.now() - at;
+        return at - performance.timeOrigin - sent;
     }
 }

@@ -1,15 +1,20 @@
 /**
- * The connection to the bridge: identifies, comes back by itself after a loss, and knows which requests are under way.
+ * The talk with the bridge: identifies, comes back by itself after a loss, and knows which requests are under way.
  */
 const FIRST_WAIT = 250, MOST_WAIT = 5000, REQUEST_MS = 30000;
 /** Close codes after which another try would end the same way. */
 const FINAL = new Set([4002, 4003, 4004, 4010]);
 
 export class Link extends EventTarget {
-    /** @param {() => Object} hello what the first message says, without `do` and `v` */
-    constructor(hello) {
+    /**
+     * @param {{open: Function, send: Function}} stream where the connection is
+     * @param {() => Object} hello what the first message says, without `do` and `v`
+     */
+    constructor(stream, hello) {
         super();
+        this.stream = stream;
         this.hello = hello;
+        this.serial = 0; // of the connection
         this.wait = FIRST_WAIT;
         this.open = new Map(); // requests under way
         this.queue = [];
@@ -27,20 +32,19 @@ export class Link extends EventTarget {
         this.ended = false;
         const address = new URL("ws", location.href.replace(/[?#].*$/, ""));
         address.protocol = address.protocol === "https:" ? "wss:" : "ws:";
-        const socket = new WebSocket(address, "rtbridge.1");
-        socket.binaryType = "arraybuffer";
-        this.socket = socket;
-        socket.onopen = () => socket.send(JSON.stringify({ do: "hello", v: 1, ...this.hello() }));
-        socket.onmessage = ({ data }) => socket === this.socket && this.onMessage(data);
-        socket.onclose = ({ code, reason }) => socket === this.socket && this.onClose(code, reason);
+        this.stream.open(++this.serial, address.href, JSON.stringify({ do: "hello", v: 1, ...this.hello() }));
+    }
+
+    /** What the stream tells of a connection. */
+    heard({ serial, said, closed }) {
+        if (serial !== this.serial) return;
+        if (closed) this.onClose(closed.code, closed.reason);
+        else this.onMessage(JSON.parse(said));
     }
 
     /** Another token, instance or a press of the user: at once. */
     again() {
-        const old = this.socket;
-        this.socket = null;
         this.drop();
-        old?.close(1000);
         this.wait = FIRST_WAIT;
         this.connect();
     }
@@ -51,9 +55,7 @@ export class Link extends EventTarget {
         this.connect();
     }
 
-    onMessage(data) {
-        if (typeof data !== "string") return this.tell("binary", data);
-        const said = JSON.parse(data);
+    onMessage(said) {
         if (said.event === "answer") return this.onAnswer(said);
         if (said.event === "welcome") {
             this.greeted = true;
@@ -68,8 +70,7 @@ export class Link extends EventTarget {
     }
 
     onClose(code, reason) {
-        const greeted = this.greeted;
-        this.socket = null;
+        const { greeted } = this;
         this.drop();
         this.ended = FINAL.has(code);
         if (!this.ended) {
@@ -93,9 +94,8 @@ export class Link extends EventTarget {
 
     /** Binary. False: there is no connection now. */
     send(message) {
-        if (!this.greeted || this.socket?.readyState !== WebSocket.OPEN) return false;
-        this.socket.send(message);
-        return true;
+        if (this.greeted) this.stream.send(message);
+        return this.greeted;
     }
 
     /**
@@ -116,7 +116,7 @@ export class Link extends EventTarget {
             const id = (this.lastId = (this.lastId + 1) >>> 0);
             const timer = setTimeout(() => this.onAnswer({ id, ok: false, lost: true, text: "" }), REQUEST_MS);
             this.open.set(id, { resolve, timer });
-            this.socket.send(JSON.stringify({ id, do: what, ...keys }));
+            this.stream.send(JSON.stringify({ id, do: what, ...keys }));
         }
     }
 

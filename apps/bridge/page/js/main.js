@@ -19,6 +19,7 @@ import { download, viewsPanel } from "./panel_views.js";
 import { Panels } from "./panels.js";
 import { Picture } from "./picture.js";
 import { Statistics } from "./statistics.js";
+import { startStream } from "./stream_start.js";
 import { followPreference, forThisTab, preference } from "./storage.js";
 import { number, t } from "./texts.js";
 import { Touch } from "./touch.js";
@@ -71,13 +72,14 @@ addEventListener("hashchange", () => {
 });
 
 const pixels = () => ({ w: Math.max(1, Math.round(canvas.clientWidth * devicePixelRatio)), h: Math.max(1, Math.round(canvas.clientHeight * devicePixelRatio)) });
-const link = new Link(() => ({ token: forThisTab.get("rt.token") ?? "", instance: forThisTab.get("rt.instance") ?? "", name: preference("name", ""),
+const stream = startStream(canvas, (what) => (what.drawn ? onDrawn(what) : link.heard(what)));
+const link = new Link(stream, () => ({ token: forThisTab.get("rt.token") ?? "", instance: forThisTab.get("rt.instance") ?? "", name: preference("name", ""),
     view: pixels(), codecs: ["jpeg", "png"] }));
 link.connect(); // what it says comes after the last line of this module
 app.edits = new Edits((what, keys) => link.request(what, keys), ({ text }) => text && app.notices.show("failed", text, { warn: true }));
 const held = new Held((message) => app.drives() && link.send(message));
 app.pixels = pixels;
-const picture = (app.picture = new Picture(canvas, (ack) => link.send(ack), onDrawn));
+const picture = (app.picture = new Picture(canvas));
 const panels = new Panels([viewsPanel, lightsPanel, skyPanel, modelPanel, settingsPanel, peoplePanel, pagePanel].map((make) => make(app)), () => sendView());
 app.statistics.onChange = () => panels.show();
 const around = new Around(app);
@@ -145,9 +147,10 @@ function offerView() {
 }
 
 // The image
-function onDrawn(header) {
-    around.showFrame(header.exact);
-    app.statistics.drawn(header, header.input ? held.since(header.input) : null);
+function onDrawn({ drawn, still }) {
+    picture.drew(drawn, still);
+    around.showFrame(still !== undefined);
+    app.statistics.drawn(drawn, drawn.input ? held.until(drawn.at, drawn.input) : null);
 }
 
 function sendView() {
@@ -165,7 +168,6 @@ followPreference("theme", "", (theme) => {
 // What the bridge says
 const on = (event, what) => link.addEventListener(event, ({ detail }) => what(detail));
 
-on("binary", (buffer) => picture.take(buffer));
 on("welcome", (welcome) => {
     const other = JSON.stringify(app.welcome?.settings) !== JSON.stringify(welcome.settings) || app.welcome?.instance !== welcome.instance;
     if (app.lost) app.notices.show("link", t("back"));

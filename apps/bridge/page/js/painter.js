@@ -1,13 +1,12 @@
 /**
- * Decodes what comes and draws it, newest first; in a worker where there can be one. Two decodes at a time; of what waits
- * meanwhile only the newest is decoded. A still is put together of its parts and drawn only over what it is the still of.
+ * Decodes what comes and draws it, newest first; two decodes at a time; of what waits meanwhile only the newest is decoded.
+ * A still is put together of its parts and drawn only over what it is the still of.
  */
+import { decode } from "./decoder.js";
 import { FRAME, STILL, payloadOf } from "./wire.js";
 
 const MOST_DECODES = 2, MOST_STILL = 1 << 28;
 const media = ["image/jpeg", "image/png"];
-// No conversion of colours: at rest each byte is the server's.
-const exactly = { colorSpaceConversion: "none", premultiplyAlpha: "none" };
 
 export class Painter {
     /**
@@ -57,7 +56,7 @@ export class Painter {
     }
 
     queue(image) {
-        if (this.decodes < MOST_DECODES) return void this.decode(image);
+        if (this.decodes < MOST_DECODES) return void this.begin(image);
         if (this.waiting) this.skip(this.waiting);
         this.waiting = image;
     }
@@ -66,17 +65,17 @@ export class Painter {
         if (header.type === FRAME) this.skipped.push([FRAME, header.stream, header.number, performance.now() - received]);
     }
 
-    async decode(image) {
+    async begin(image) {
         ++this.decodes;
-        let bitmap = null;
+        let picture = null;
         try {
-            bitmap = await createImageBitmap(new Blob([image.bytes], { type: media[image.header.codec] }), exactly);
+            picture = await decode(image.bytes, media[image.header.codec]);
         } catch { /* a broken image is acknowledged and not drawn */ }
         --this.decodes;
-        this.draw(image, bitmap);
+        this.draw(image, picture);
         const next = this.waiting;
         this.waiting = null;
-        if (next) this.decode(next);
+        if (next) this.begin(next);
     }
 
     isNewer({ type, stream, number }) {
@@ -84,27 +83,26 @@ export class Painter {
         return number > this.shown.number || (type === STILL && number === this.shown.number && !this.shown.exact);
     }
 
-    draw({ header, received, bytes }, bitmap) {
-        const drawn = bitmap !== null && this.isNewer(header);
-        if (drawn) this.put(header, bitmap);
-        bitmap?.close();
+    draw({ header, received, bytes }, picture) {
+        const drawn = picture !== null && this.isNewer(header);
+        if (drawn) this.put(header, picture);
+        picture?.close();
         const acks = header.type === FRAME ? [[FRAME, header.stream, header.number, performance.now() - received]] : [];
         if (acks.length) acks.unshift(...this.skipped.splice(0));
         const exact = drawn && header.type === STILL && header.atRest && header.codec === 1;
         if (drawn) this.shown.exact = exact;
-        this.tell({ acks, drawn: drawn ? { ...header, decodeMs: performance.now() - received } : undefined,
+        this.tell({ acks, drawn: drawn ? { ...header, decodeMs: performance.now() - received, at: performance.timeOrigin + performance.now() } : undefined,
             still: exact ? bytes : undefined });
     }
 
-    put({ stream, number, shownWidth, shownHeight }, bitmap) {
+    put({ stream, number, shownWidth, shownHeight }, picture) {
         this.shown = { stream, number, exact: false };
         const { canvas, context } = this;
         if (canvas.width !== shownWidth || canvas.height !== shownHeight) {
             canvas.width = shownWidth;
             canvas.height = shownHeight;
         }
-        context.imageSmoothingEnabled = bitmap.width !== shownWidth || bitmap.height !== shownHeight;
-        context.imageSmoothingQuality = "low";
-        context.drawImage(bitmap, 0, 0, shownWidth, shownHeight);
+        context.imageSmoothingQuality = "low"; // of an image that is smaller than shown
+        picture.drawOn(context, shownWidth, shownHeight);
     }
 }

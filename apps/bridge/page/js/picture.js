@@ -1,47 +1,16 @@
-/** The image: hands what comes to the painter, acknowledges what it drew, and keeps the exact bytes of an image at rest. */
-import { Painter } from "./painter.js";
-import { FRAME, STILL, ackMessage, readHeader } from "./wire.js";
-
+/** The image in the page: its place, and the exact bytes of an image at rest. The stream draws it. */
 export class Picture {
-    /**
-     * @param {HTMLCanvasElement} canvas
-     * @param {(ack: ArrayBuffer) => void} send
-     * @param {(header: Object) => void} onDrawn after each image that was drawn; `decodeMs`, and `exact`
-     */
-    constructor(canvas, send, onDrawn) {
+    /** @param {HTMLCanvasElement} canvas */
+    constructor(canvas) {
         this.canvas = canvas;
-        this.send = send;
-        this.onDrawn = onDrawn;
         this.exact = null; // the bytes of the PNG that is shown
         this.aspect = 16 / 9;
-        this.start();
     }
 
-    start() {
-        const told = (what) => this.told(what);
-        const offscreen = typeof this.canvas.transferControlToOffscreen === "function" && typeof OffscreenCanvas === "function";
-        if (!offscreen) return void (this.painter = new Painter(this.canvas, told));
-        this.worker = new Worker(new URL("picture_worker.js", import.meta.url), { type: "module" });
-        this.worker.onmessage = ({ data }) => told(data);
-        const canvas = this.canvas.transferControlToOffscreen();
-        this.worker.postMessage({ canvas }, [canvas]);
-    }
-
-    /** A binary message of the bridge. */
-    take(buffer) {
-        const header = readHeader(buffer);
-        if (!header || (header.type !== FRAME && header.type !== STILL)) return header;
-        if (this.worker) this.worker.postMessage({ header, buffer }, [buffer]);
-        else this.painter.take(header, buffer);
-        return header;
-    }
-
-    told({ acks, drawn, still }) {
-        for (const [type, stream, number, ms] of acks) this.send(ackMessage(type, stream, number, ms));
-        if (!drawn) return;
+    /** An image was drawn; `still`: the bytes of an exact one. */
+    drew({ shownWidth, shownHeight }, still) {
         this.exact = still ?? null;
-        this.aspect = drawn.shownWidth / drawn.shownHeight;
-        this.onDrawn({ ...drawn, exact: still !== undefined });
+        this.aspect = shownWidth / shownHeight;
     }
 
     /** Where the image lies in the canvas, CSS pixels of the window. */

@@ -1,6 +1,6 @@
 /** Binary messages, as docs/bridge.md ("Binary") lays them out; all little-endian. */
 
-export const FRAME = 1, STILL = 2, ECHO = 3;
+export const FRAME = 1, STILL = 2;
 export const MOST_HELD = 16, MOST_TAPS = 8;
 const HEADER = 40, MOST_TURN = 360000, MOST_DECODE = 65535;
 
@@ -67,12 +67,5 @@ export function viewMessage({ visible, rung, save, width, height }) {
     message.setUint8(3, save ? 1 : 0);
     message.setUint16(4, Math.max(1, Math.min(32767, width)), true);
     message.setUint16(6, Math.max(1, Math.min(32767, height)), true);
-    return message.buffer;
-}
-
-export function pingMessage(stamp) {
-    const message = new DataView(new ArrayBuffer(16));
-    message.setUint8(0, 5);
-    message.setBigUint64(8, BigInt(stamp), true);
     return message.buffer;
 }
