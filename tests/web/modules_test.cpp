@@ -1,6 +1,8 @@
 // Modules of the page that know no document: tables of keys, links, sticks, texts.
 #include "web/web_page.h"
 
+#include "bridge/stream/motion_encoder.h"
+
 #include "rtcore/motion/key_codes.h"
 #include "support/temporary_folder.h"
 
@@ -33,6 +35,7 @@ class PageModules : public testing::Test {
     Json with(const std::string& module, const std::string& expression) const {
         return page_->value("import('./" + module + "').then((m) => " + expression + ")");
     }
+    std::filesystem::path folder() const { return folder_.path(); }
 
   private:
     test::TemporaryFolder folder_;
@@ -127,6 +130,44 @@ TEST_F(PageModules, AHeldKeyDelaysNothing) {
         return told;
     })())");
     EXPECT_EQ(told, (Json{{0, 1, 0}, {1000, 1, 0}, {0, 2, 0}, {0, 2, 1}, {0, 0, 0}})) << "turn, keys, taps";
+}
+
+// A frame in strips is decoded in parts, to what the browser makes of the whole.
+TEST_F(PageModules, AJpegOfStripsIsDecodedInParts) {
+    constexpr int kWidth = 1280, kHeight = 720;
+    std::vector<std::byte> pixels(std::size_t(4) * kWidth * kHeight);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const std::size_t x = i / 4 % kWidth, y = i / 4 / kWidth;
+        pixels[i] = static_cast<std::byte>(i % 4 == 0 ? x / 5 : i % 4 == 1 ? y / 3 : (x + y) / 8);
+    }
+    const bridge::SharedFrame frame =
+        bridge::MotionEncoder().encode({pixels, kWidth, kHeight}, bridge::kRungs[0], {});
+    std::ofstream(folder() / "strips.txt") << Json(frame->bytes).dump();
+    const Json told = with("decoder.js", R"((async () => {
+        const bytes = new Uint8Array(await new Promise((done) => {
+            const asked = new XMLHttpRequest();
+            asked.onload = () => done(JSON.parse(asked.responseText));
+            asked.open("GET", "strips.txt");
+            asked.send();
+        }));
+        const { stripsOf } = await import("./jpeg_strips.js");
+        const size = [1280, 720], context = new OffscreenCanvas(...size).getContext("2d", { willReadFrequently: true });
+        const read = () => context.getImageData(0, 0, ...size).data;
+        const whole = await createImageBitmap(new Blob([bytes], { type: "image/jpeg" }));
+        context.drawImage(whole, 0, 0);
+        const expected = read();
+        context.clearRect(0, 0, ...size);
+        (await m.decode(bytes, "image/jpeg")).drawOn(context, ...size);
+        const most = read().reduce((most, value, i) => Math.max(most, Math.abs(value - expected[i])), 0);
+        const cut = await m.decode(bytes.slice(0, 3000), "image/jpeg").then(() => "decoded", () => "refused");
+        return { decoder: typeof ImageDecoder, tops: stripsOf(bytes).strips.map(({ top }) => top), most, cut,
+            of: [bytes.slice(0, 3000), bytes.slice(0, 12), new Uint8Array(), new Uint8Array(40)].map(stripsOf) };
+    })())");
+    EXPECT_EQ(told["decoder"], "function");
+    EXPECT_EQ(told["tops"], (Json{0, 400}));
+    EXPECT_LE(told["most"], 8);
+    EXPECT_EQ(told["cut"], "refused");
+    EXPECT_EQ(told["of"], (Json{nullptr, nullptr, nullptr, nullptr}));
 }
 
 TEST_F(PageModules, EachTextIsInBothLanguages) {

@@ -54,7 +54,7 @@ class Painter : public testing::Test {
         if (!test::chromiumProgram()) GTEST_SKIP() << "there is no Chromium";
         const char* const asked = std::getenv("RT_PAGE_MODULES");
         namespace fs = std::filesystem;
-        for (const char* const name : {"decoder.js", "painter.js", "wire.js"})
+        for (const char* const name : {"decoder.js", "jpeg_strips.js", "painter.js", "wire.js"})
             fs::copy_file(fs::path(asked != nullptr ? asked : RT_PAGE_MODULES) / name, folder_ / name);
         std::ofstream(folder_ / "page.html") << "<!doctype html>";
         browser_.emplace(std::vector<std::string>{"--allow-file-access-from-files"});

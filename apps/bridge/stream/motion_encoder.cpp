@@ -1,5 +1,7 @@
 #include "bridge/stream/motion_encoder.h"
 
+#include "bridge/stream/jpeg_strips.h"
+
 #include <turbojpeg.h>
 
 #include <algorithm>
@@ -33,19 +35,26 @@ SharedFrame MotionEncoder::encodeFine(const Pixels& pixels, FrameFacts facts) {
 }
 
 SharedFrame MotionEncoder::compress(const Pixels& pixels, int quality, int subsampling, FrameFacts facts) {
-    const auto* const source = reinterpret_cast<const unsigned char*>(pixels.bytes.data());
-    buffer_.resize(
-        std::max<std::size_t>(buffer_.size(), tjBufSize(pixels.width, pixels.height, subsampling)));
-    unsigned char* out = buffer_.data();
-    unsigned long size = buffer_.size();
-    if (tjCompress2(library_, source, pixels.width, 0, pixels.height, TJPF_RGBX, &out, &size, subsampling,
-                    quality, TJFLAG_NOREALLOC) != 0)
-        throw std::runtime_error(std::string("the JPEG encoder: ") + tjGetErrorStr2(library_));
+    const int rows = stripHeight(pixels.width);
+    const std::size_t room = tjBufSize(pixels.width, std::min(rows, pixels.height), subsampling);
+    const auto count = static_cast<std::size_t>((pixels.height + rows - 1) / rows);
+    buffer_.resize(std::max(buffer_.size(), count * room));
+    strips_.clear();
+    for (int top = 0; top < pixels.height; top += rows) {
+        const std::size_t before = 4 * static_cast<std::size_t>(pixels.width) * static_cast<std::size_t>(top);
+        const auto* const source = reinterpret_cast<const unsigned char*>(pixels.bytes.data()) + before;
+        unsigned char* out = buffer_.data() + strips_.size() * room;
+        unsigned long size = room;
+        if (tjCompress2(library_, source, pixels.width, 0, std::min(rows, pixels.height - top), TJPF_RGBX,
+                        &out, &size, subsampling, quality, TJFLAG_NOREALLOC) != 0)
+            throw std::runtime_error(std::string("the JPEG encoder: ") + tjGetErrorStr2(library_));
+        strips_.emplace_back(out, size);
+    }
     auto frame = std::make_shared<EncodedFrame>();
     frame->facts = facts;
     frame->facts.width = static_cast<std::uint16_t>(pixels.width);
     frame->facts.height = static_cast<std::uint16_t>(pixels.height);
-    frame->bytes.assign(out, out + size);
+    frame->bytes = joinStrips(strips_, pixels.height);
     return frame;
 }
 

@@ -36,7 +36,8 @@ class MotionEncoder {
 
     void* library_;
     std::vector<std::byte> small_;
-    std::vector<unsigned char> buffer_;
+    std::vector<unsigned char> buffer_; ///< strips of the frame, each with room for the worst
+    std::vector<std::span<const std::uint8_t>> strips_;
 };
 
 /// The mean of squares of `divide` x `divide` pixels, rounded; what is left over at the right and the bottom

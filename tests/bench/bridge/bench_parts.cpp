@@ -118,6 +118,9 @@ void InstantServer::run(const std::string& instance) {
     status.idle = 1;
     server.setStatus(status);
     server.publishFrame(info, pixels_);
+    // Other rows on top: the frame differs from the last, and costs as much.
+    next_ = pixels_;
+    std::rotate(next_.begin(), next_.begin() + std::ptrdiff_t(4) * kWidth * 2, next_.end());
     ready_ = true;
     auto next = Clock::now();
     while (!stopping_) {
@@ -128,8 +131,7 @@ void InstantServer::run(const std::string& instance) {
         const bool due = rate_ > 0 && Clock::now() >= next;
         if (due) next += std::chrono::microseconds(1'000'000 / rate_);
         if (!pressed && !due) continue;
-        // Another row on top: the frame differs from the last, and costs as much.
-        std::rotate(pixels_.begin(), pixels_.begin() + std::ptrdiff_t(4) * kWidth * 2, pixels_.end());
+        pixels_.swap(next_);
         server.publishFrame(info, pixels_);
         ++published;
     }

@@ -88,7 +88,7 @@ class InstantServer {
 
   private:
     void run(const std::string& instance);
-    PixelBytes pixels_;
+    PixelBytes pixels_, next_;
     int rate_;
     std::atomic<bool> ready_ = false, stopping_ = false;
     std::thread thread_;

@@ -38,8 +38,7 @@ class PageOverTheWire : public BridgeTest {
     }
 };
 
-constexpr const char* kFiles[] = {"/", "/page.css", "/js/main.js", "/js/stream_worker.js",
-                                  "/js/texts_cs.js"};
+constexpr const char* kFiles[] = {"/", "/page.css", "/js/main.js", "/js/stream_worker.js", "/js/texts_cs.js"};
 
 TEST_F(PageOverTheWire, IsPackedForThoseWhoTakeIt) {
     std::size_t all = 0;

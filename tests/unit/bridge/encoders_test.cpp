@@ -1,3 +1,4 @@
+#include "bridge/stream/jpeg_strips.h"
 #include "bridge/stream/motion_encoder.h"
 #include "bridge/stream/still_encoder.h"
 
@@ -34,16 +35,31 @@ std::vector<unsigned char> decodePng(const std::vector<std::uint8_t>& file, unsi
     return out;
 }
 
-void sizeOfJpeg(const std::vector<std::uint8_t>& file, unsigned& width, unsigned& height) {
+std::vector<unsigned char> decodeJpeg(std::span<const std::uint8_t> file, unsigned& width, unsigned& height) {
     jpeg_error_mgr errors{};
     jpeg_decompress_struct jpeg{};
     jpeg.err = jpeg_std_error(&errors);
     jpeg_create_decompress(&jpeg);
     jpeg_mem_src(&jpeg, file.data(), file.size());
     jpeg_read_header(&jpeg, TRUE);
+    jpeg.do_fancy_upsampling = FALSE; // rows know nothing of their neighbours
+    jpeg_start_decompress(&jpeg);
     width = jpeg.image_width;
     height = jpeg.image_height;
+    const std::size_t row = 3 * static_cast<std::size_t>(width);
+    std::vector<unsigned char> out(row * height);
+    while (jpeg.output_scanline < height) {
+        unsigned char* to = out.data() + row * jpeg.output_scanline;
+        jpeg_read_scanlines(&jpeg, &to, 1);
+    }
+    EXPECT_EQ(errors.num_warnings, 0);
+    jpeg_finish_decompress(&jpeg);
     jpeg_destroy_decompress(&jpeg);
+    return out;
+}
+
+void sizeOfJpeg(std::span<const std::uint8_t> file, unsigned& width, unsigned& height) {
+    decodeJpeg(file, width, height);
 }
 
 TEST(StillEncoder, KeepsEveryPixel) {
@@ -88,6 +104,40 @@ TEST(MotionEncoder, MakesNoCoarseFrameCoarserThanTheRungAsksFor) {
     EXPECT_EQ(widthOf(80, 2), 40);
     EXPECT_EQ(widthOf(120, 3), 40);
     EXPECT_EQ(widthOf(60, 3), 20);
+}
+
+// A frame of several strips is one image, and is what its strips are.
+TEST(MotionEncoder, JoinsStripsIntoOneJpeg) {
+    constexpr int kWidth = 16000, kHeight = 300; // ten strips, so that restarts are counted beyond 8
+    const int rows = bridge::stripHeight(kWidth);
+    EXPECT_EQ(rows, 32);
+    std::vector<std::byte> bytes(std::size_t(4) * kWidth * kHeight);
+    for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::byte>(i / 8 + i % 4 * 90);
+    bridge::MotionEncoder encoder;
+    for (const bool fine : {false, true}) {
+        const auto encoded = [&](int top, int height) {
+            const std::size_t row = 4 * kWidth;
+            const Pixels part{std::span(bytes).subspan(row * static_cast<std::size_t>(top),
+                                                       row * static_cast<std::size_t>(height)),
+                              kWidth, height};
+            const bridge::SharedFrame frame =
+                fine ? encoder.encodeFine(part, {}) : encoder.encode(part, bridge::kRungs[1], {});
+            unsigned w = 0, h = 0;
+            std::vector<unsigned char> pixels = decodeJpeg(frame->bytes, w, h);
+            EXPECT_EQ(w, static_cast<unsigned>(kWidth));
+            EXPECT_EQ(h, static_cast<unsigned>(height));
+            return pixels;
+        };
+        const std::vector<unsigned char> whole = encoded(0, kHeight);
+        std::vector<unsigned char> parts;
+        for (int top = 0; top < kHeight; top += rows) {
+            const std::vector<unsigned char> part = encoded(top, std::min(rows, kHeight - top));
+            parts.insert(parts.end(), part.begin(), part.end());
+        }
+        EXPECT_TRUE(whole == parts) << fine;
+    }
+    EXPECT_EQ(bridge::stripHeight(1), 16 * (1 << 15));
+    EXPECT_EQ(bridge::stripHeight(1 << 20), 16);
 }
 
 TEST(MotionEncoder, TakesFramesOfOnePixel) {

@@ -2,6 +2,7 @@
  * Bytes of a JPEG or PNG to what a canvas can draw. ImageDecoder, which only secure pages of some browsers have, takes the
  * bytes as they are and gives pixels in a third of the time of createImageBitmap, which takes them as a file.
  */
+import { stripsOf } from "./jpeg_strips.js";
 
 // No conversion of colours: at rest each byte is the server's.
 const exactly = { colorSpaceConversion: "none", premultiplyAlpha: "none" };
@@ -28,25 +29,34 @@ class Pixels {
 
 const MOST_SPARE = 2, spare = []; // memory for the next images of the same size
 
-function roomFor(width, height) {
+function roomOf({ width, height }) {
     const same = spare.findIndex((image) => image.width === width && image.height === height);
     return same < 0 ? new ImageData(width, height) : spare.splice(same, 1)[0];
 }
 
-async function decodePixels(bytes, type) {
-    const decoder = new ImageDecoder({ data: bytes, type, colorSpaceConversion: "none" });
+/** `roomFor` gets width and height of what was decoded, and gives where its pixels go; `transfer`: buffers that go to the decoder. */
+async function decodeInto(roomFor, bytes, type, transfer = []) {
+    const decoder = new ImageDecoder({ data: bytes, type, transfer, colorSpaceConversion: "none" });
     try {
         const { image: frame } = await decoder.decode();
         try {
-            const image = roomFor(frame.visibleRect.width, frame.visibleRect.height);
-            await frame.copyTo(image.data, { format: "RGBA", colorSpace: "srgb" });
-            return new Pixels(image);
+            await frame.copyTo(roomFor(frame.visibleRect), { format: "RGBA", colorSpace: "srgb" });
         } finally {
             frame.close();
         }
     } finally {
         decoder.close();
     }
+}
+
+async function decodePixels(bytes, type) {
+    const parts = type === "image/jpeg" ? stripsOf(bytes) : null;
+    let image = parts && roomOf(parts);
+    const whole = (size) => (image = roomOf(size)).data;
+    const strip = (top) => () => image.data.subarray(4 * image.width * top);
+    if (parts) await Promise.all(parts.strips.map((part) => decodeInto(strip(part.top), part.bytes, type, [part.bytes.buffer])));
+    else await decodeInto(whole, bytes, type);
+    return new Pixels(image);
 }
 
 /** What every browser has. */
