@@ -4,6 +4,7 @@
 #include "rtcore/live/image_plane.h"
 #include "rtcore/live/packed_light.h"
 #include "rtcore/math/vec.h"
+#include "rtcore/platform/large_vector.h"
 #include "rtcore/shading/light/light_visibility.h"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ template <typename T>
 class PixelArray {
   public:
     explicit PixelArray(std::size_t number) : before_(number * kApart / sizeof(T)) {}
-    void resize(std::size_t pixels) { values_.resize(before_ + pixels + kRoom); }
+    void resize(std::size_t pixels) { resizeLarge(values_, before_ + pixels + kRoom); }
     /// Of the pixels, and of the room behind them.
     void fill(std::size_t from, T value) {
         std::fill(values_.begin() + static_cast<std::ptrdiff_t>(before_ + from), values_.end(), value);
