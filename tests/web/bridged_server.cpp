@@ -1,5 +1,6 @@
 #include "web/bridged_server.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include <png.h>
@@ -32,8 +33,11 @@ void BridgedServer::startServer(const std::string& size, const std::vector<std::
 }
 
 void BridgedServer::startBridge(const std::vector<std::string>& options) {
-    std::vector<std::string> words{"--instance=" + instance_.name(), "--listen=127.0.0.1:0"};
+    std::vector<std::string> words{"--instance=" + instance_.name()};
     words.insert(words.end(), options.begin(), options.end());
+    if (std::none_of(words.begin(), words.end(),
+                     [](const auto& word) { return word.starts_with("--listen="); }))
+        words.emplace_back("--listen=127.0.0.1:0");
     const std::filesystem::path output = folder() / ("links" + std::to_string(++bridges_) + ".txt");
     bridge_ = std::make_unique<RunningProgram>(
         programPath("RTBridge"), words, ProgramSettings{.folder = folder().path(), .outputFile = output});

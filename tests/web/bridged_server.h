@@ -27,7 +27,7 @@ class BridgedServer : public testing::Test {
         client_.reset();
         server_.reset();
     }
-    /// On a port that the system chooses; the links are known then.
+    /// On a port that the system chooses, or `options` do; the links are known then.
     void startBridge(const std::vector<std::string>& options = {});
     /// Beside the first one, which goes on; the links are its own from then on.
     void startSecondBridge() {
@@ -63,6 +63,7 @@ class BridgedServer : public testing::Test {
     const std::string& viewerLink() const { return viewerLink_; }
     /// "127.0.0.1:8931"
     std::string host() const;
+    const std::string& instance() const { return instance_.name(); }
     RunningProgram& bridge() { return *bridge_; }
     const TemporaryFolder& folder() const { return instance_.folder(); }
 

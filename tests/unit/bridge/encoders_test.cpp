@@ -1,5 +1,6 @@
 #include "bridge/stream/jpeg_strips.h"
 #include "bridge/stream/motion_encoder.h"
+#include "bridge/stream/shrink.h"
 #include "bridge/stream/still_encoder.h"
 
 #include <gtest/gtest.h>
@@ -92,18 +93,23 @@ TEST(MotionEncoder, MakesJpegsOfEachRungsSize) {
     }
 }
 
-TEST(MotionEncoder, MakesNoCoarseFrameCoarserThanTheRungAsksFor) {
+TEST(MotionEncoder, MakesFramesAsFineAsTheRungAsksForWhateverTheServerDraws) {
     const std::vector<std::byte> bytes = randomPixels(40, 20);
     bridge::FrameFacts facts;
     bridge::MotionEncoder encoder;
     const auto widthOf = [&](std::uint16_t shown, int divide) {
         facts.shownWidth = shown;
-        return encoder.encode({bytes, 40, 20}, {divide, 60, 1}, facts)->facts.width;
+        facts.shownHeight = shown / 2;
+        const bridge::SharedFrame frame = encoder.encode({bytes, 40, 20}, {divide, 60, 1}, facts);
+        EXPECT_EQ(frame->facts.height, frame->facts.width / 2);
+        return frame->facts.width;
     };
     EXPECT_EQ(widthOf(40, 2), 20);
     EXPECT_EQ(widthOf(80, 2), 40);
     EXPECT_EQ(widthOf(120, 3), 40);
     EXPECT_EQ(widthOf(60, 3), 20);
+    EXPECT_EQ(widthOf(72, 2), 36);
+    EXPECT_EQ(widthOf(200, 2), 40) << "no finer than it is drawn";
 }
 
 // A frame of several strips is one image, and is what its strips are.
@@ -147,15 +153,26 @@ TEST(MotionEncoder, TakesFramesOfOnePixel) {
         EXPECT_EQ(encoder.encode({bytes, 1, 1}, rung, {})->facts.width, 1);
 }
 
-TEST(Shrink, IsTheMeanOfSquares) {
+TEST(Shrink, IsTheMeanOfWhatIsCovered) {
     std::vector<std::byte> bytes(4 * 5 * 4, std::byte(0)), out;
     for (std::size_t i = 0; i < bytes.size(); i += 4) bytes[i] = static_cast<std::byte>(i / 4 * 10);
-    const Pixels half = bridge::shrink({bytes, 5, 4}, 2, out);
-    ASSERT_EQ(half.width, 2);
-    ASSERT_EQ(half.height, 2);
-    EXPECT_EQ(static_cast<int>(half.bytes[0]), 30); // of 0, 10, 50, 60
-    EXPECT_EQ(static_cast<int>(half.bytes[4]), 50);
-    EXPECT_EQ(static_cast<int>(half.bytes[1]), 0);
+    const Pixels whole{bytes, 5, 4};
+    const Pixels small = bridge::shrink(whole, 2, 2, out);
+    ASSERT_EQ(small.width, 2);
+    ASSERT_EQ(small.height, 2);
+    EXPECT_EQ(static_cast<int>(small.bytes[0]), 33); // of 0, 10, half of 20, 50, 60, half of 70
+    EXPECT_EQ(static_cast<int>(small.bytes[4]), 57);
+    EXPECT_EQ(static_cast<int>(small.bytes[8]), 133);
+    EXPECT_EQ(static_cast<int>(small.bytes[1]), 0);
+    EXPECT_EQ(static_cast<int>(small.bytes[3]), 255);
+    EXPECT_EQ(static_cast<int>(bridge::shrink(whole, 1, 1, out).bytes[0]), 95);
+    const Pixels same = bridge::shrink(whole, 5, 4, out);
+    for (std::size_t i = 0; i < bytes.size(); i += 4) EXPECT_EQ(same.bytes[i], bytes[i]);
+
+    const std::vector<std::byte> white(4 * 7 * 9, std::byte(255));
+    for (const auto& [width, height] : {std::pair(1, 1), std::pair(3, 4), std::pair(6, 5), std::pair(7, 8)})
+        for (const std::byte byte : bridge::shrink({white, 7, 9}, width, height, out).bytes)
+            ASSERT_EQ(byte, std::byte(255));
 }
 
 } // namespace
