@@ -1,6 +1,6 @@
 #!/bin/sh
-# Builds those tests that test.sh runs under the address and undefined-behaviour sanitizers, into build/asan-ubsan. Unit
-# tests of arithmetic on numbers of their own are left to check-long.sh.
+# Builds those tests that test.sh runs under the address and undefined-behaviour sanitizers, into build/asan-ubsan, and
+# under the thread sanitizer, into build/tsan. Unit tests of arithmetic on numbers of their own are left to check-long.sh.
 set -eu
 cd "$(dirname "$0")/.."
 cmake --preset asan-ubsan -DRT_WERROR=ON -DRT_EVERY_INSTRUCTION_SET=OFF >/dev/null
@@ -14,3 +14,5 @@ for folder in tests/unit/*/; do
 done
 # shellcheck disable=SC2086
 cmake --build --preset asan-ubsan $targets
+cmake --preset tsan -DRT_WERROR=ON -DRT_EVERY_INSTRUCTION_SET=OFF >/dev/null
+cmake --build --preset tsan --target test_ipc

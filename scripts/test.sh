@@ -53,8 +53,6 @@ check_sanitized() {
 }
 # Shared memory is where programs meet without a lock.
 check_threads() {
-    cmake --preset tsan -DRT_WERROR=ON -DRT_EVERY_INSTRUCTION_SET=OFF >/dev/null
-    cmake --build --preset tsan --target test_ipc
     build/tsan/bin/test_ipc --gtest_brief=1
 }
 

@@ -169,8 +169,9 @@ void ServerLoop::publish(const ipc::FrameInfo& info, const rtcore::LdrImage& ima
     server_.publishFrame(info, std::as_bytes(std::span(image.pixels)));
     if (!onReady_) return;
     publishStatus();
+    const rtcore::RenderSettings& view = state_.settings(); // the first frame may be a coarse one
     Messages::print(fmt::format("ready: instance '{}', {}, {} x {}", options_.instance, state_.title(),
-                                info.width, info.height));
+                                view.width, view.height));
     std::exchange(onReady_, nullptr)();
 }
 

@@ -9,6 +9,7 @@
 #include "gui/processes/bridge_watch.h"
 #include "gui/session/server_list.h"
 #include "gui/view/qr_code.h"
+#include "process/bridge/tls_tunnel.h"
 
 #include <QCheckBox>
 #include <QClipboard>
@@ -21,6 +22,9 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSslCertificate>
+#include <QSslConfiguration>
+#include <QSslSocket>
 #include <QTcpSocket>
 #include <QTextBrowser>
 #include <QUrl>
@@ -304,6 +308,42 @@ TEST_F(ShareTest, AnotherNetworkIsAChoiceThatSaysWhatItCosts) {
             EXPECT_EQ(image.pixelColor(corner + inwards * (i * unit + 1)),
                       i == 5 || i == 9 ? QColor(Qt::white) : QColor(Qt::black));
     }
+}
+
+// A certificate of the user's own, as a browser sees it.
+TEST_F(ShareTest, AnotherNetworkIsReachedByTls) {
+    const TlsPair pair = makeCertificate(folder().path(), "IP:127.0.0.2");
+    if (pair.key.empty() || !QSslSocket::supportsSsl()) GTEST_SKIP() << "skipped: there is no openssl";
+    window->preferences().set(pref::shareCertificate, QString::fromStdString(pair.certificate));
+    window->preferences().set(pref::shareKey, QString::fromStdString(pair.key));
+    ShareDialog by(window->preferences(), {{QStringLiteral("127.0.0.2"), QStringLiteral("test0")}});
+    std::optional<BridgeRequest> wanted;
+    QObject::connect(&by, &ShareDialog::startWanted, &by,
+                     [&](const BridgeRequest& request) { wanted = request; });
+    field<QComboBox>(by, "From")->setCurrentIndex(1);
+    ASSERT_TRUE(press(by, "Share"));
+    wanted->instance = name();
+    BridgeProcess bridge;
+    bridge.start(*wanted);
+    ASSERT_TRUE(comes([&] { return !bridge.links().viewer.isEmpty(); }));
+    const QUrl viewer(bridge.links().viewer);
+    EXPECT_EQ(viewer.scheme(), QStringLiteral("https"));
+    EXPECT_EQ(viewer.host(), QStringLiteral("127.0.0.2"));
+    by.showLinks(*wanted, bridge.links());
+    EXPECT_FALSE(says(by, "Not encrypted"));
+
+    QSslSocket browser;
+    const QList<QSslCertificate> known = QSslCertificate::fromPath(QString::fromStdString(pair.certificate));
+    ASSERT_EQ(known.size(), 1);
+    QSslConfiguration trusting = QSslConfiguration::defaultConfiguration();
+    trusting.setCaCertificates(known);
+    browser.setSslConfiguration(trusting);
+    browser.connectToHostEncrypted(viewer.host(), static_cast<quint16>(viewer.port()));
+    ASSERT_TRUE(browser.waitForEncrypted(kPatience)) << browser.errorString().toStdString();
+    browser.write("GET / HTTP/1.1\r\nHost: " + viewer.authority().toUtf8() + "\r\nConnection: close\r\n\r\n");
+    ASSERT_TRUE(browser.waitForReadyRead(kPatience));
+    EXPECT_TRUE(browser.readAll().startsWith("HTTP/1.1 200"));
+    EXPECT_FALSE(fetched(viewer).startsWith("HTTP/1.1 200")) << "not without TLS";
 }
 
 // Every bit of a link counts; no link is too long.

@@ -170,6 +170,34 @@ TEST_F(PageModules, AJpegOfStripsIsDecodedInParts) {
     EXPECT_EQ(told["of"], (Json{nullptr, nullptr, nullptr, nullptr}));
 }
 
+// Browsers without ImageDecoder, and pages that are not secure, decode otherwise, to the same.
+TEST_F(PageModules, BothWaysOfDecodingKeepEachPixel) {
+    const Json told = with("decoder.js", R"((async () => {
+        const size = [61, 33], count = size[0] * size[1];
+        const make = () => new OffscreenCanvas(...size).getContext("2d", { alpha: false, willReadFrequently: true });
+        const drawn = new ImageData(...size), source = make();
+        for (let i = 0; i < 4 * count; ++i) drawn.data[i] = i % 4 === 3 ? 255 : (i * 7919) >> 3;
+        source.putImageData(drawn, 0, 0);
+        const bytes = new Uint8Array(await (await source.canvas.convertToBlob({ type: "image/png" })).arrayBuffer());
+        const kinds = [], equal = [];
+        const look = async ({ decode }) => {
+            const picture = await decode(bytes, "image/png"), target = make();
+            picture.drawOn(target, ...size);
+            kinds.push(picture.constructor.name);
+            equal.push(target.getImageData(0, 0, ...size).data.every((value, i) => value === drawn.data[i]));
+            picture.drawOn(target, 30, 16); // smaller, too
+            picture.close();
+        };
+        await look(m);
+        await look(m); // in memory that was used before
+        delete globalThis.ImageDecoder;
+        await look(await import("./decoder.js?without"));
+        return { kinds, equal };
+    })())");
+    EXPECT_EQ(told["kinds"], (Json{"Pixels", "Pixels", "Bitmap"}));
+    EXPECT_EQ(told["equal"], (Json{true, true, true}));
+}
+
 TEST_F(PageModules, EachTextIsInBothLanguages) {
     const Json english = with("texts_en.js", "m.default"), czech = with("texts_cs.js", "m.default");
     for (const auto& [key, text] : english.items()) {

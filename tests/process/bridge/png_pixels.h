@@ -22,16 +22,17 @@ inline std::vector<std::uint8_t> rgbOf(const std::string& png) {
     return out;
 }
 
-/// All parts of the next still; "" when none comes.
+/// All parts of the next still that is finished; "" when none comes.
 inline std::string stillOf(WebClient& client) {
     std::string bytes;
     for (;;) {
         const auto part = client.binary(2);
         if (!part) return {};
         const FrameHeader header = headerOf(part->payload);
+        client.acknowledge(*part);
+        if (header.offset == 0) bytes.clear(); // the one before was given up
         if (header.offset != bytes.size()) return {};
         bytes += part->payload.substr(40);
-        client.acknowledge(*part);
         if ((header.flags & 4) != 0) return bytes.size() == header.total ? bytes : std::string();
     }
 }
