@@ -134,6 +134,10 @@ void NarrowLink::run() {
             ::connect(server, reinterpret_cast<const sockaddr*>(&address), sizeof address);
             connections.emplace_back(client, server);
         }
+        if (cut_) {
+            connections.clear();
+            there = back = {};
+        }
         for (Connection& one : connections)
             for (const auto& [stream, way] : {std::pair(&one.there, &there), std::pair(&one.back, &back)}) {
                 stream->give(*way);

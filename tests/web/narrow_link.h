@@ -18,13 +18,16 @@ class NarrowLink {
     int port() const { return port_; }
     /// Where connections lead: free when the link was made.
     int target() const { return target_; }
+    /// Ends all connections, and each new one at once, until the link is mended.
+    void cut() { cut_ = true; }
+    void mend() { cut_ = false; }
 
   private:
     void run();
 
     double rate_, delay_;
     int listener_ = -1, port_ = 0, target_ = 0;
-    std::atomic<bool> stopping_ = false;
+    std::atomic<bool> cut_ = false, stopping_ = false;
     std::thread thread_;
 };
 

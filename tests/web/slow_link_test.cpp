@@ -14,21 +14,33 @@ using namespace std::chrono_literals;
 using test::Json;
 using test::WebPage;
 
-class SlowLink : public test::BridgedServer {};
+class SlowLink : public test::BridgedServer {
+  protected:
+    /// What the links lead to is the narrow link.
+    void startBridge() {
+        BridgedServer::startBridge({"--listen=127.0.0.1:" + std::to_string(link_.target()),
+                                    "--origin=http://127.0.0.1:" + std::to_string(link_.port())});
+    }
+
+    // As a tunnel to a far node may be: 2 Mbit/s.
+    static constexpr double kBytesPerSecond = 250'000, kRoundTrip = 0.1;
+    test::NarrowLink link_{kBytesPerSecond, kRoundTrip};
+};
 
 TEST_F(SlowLink, TheLastFrameIsShownAfterAWalk) {
-    const WebPage page = drive();
-    page.call("Network.emulateNetworkConditions", {{"offline", false},
-                                                   {"latency", 100},
-                                                   {"downloadThroughput", 250'000},
-                                                   {"uploadThroughput", 250'000}});
+    startServer();
     ask("fly");
+    startBridge();
+    startBrowser();
+    const WebPage page(browser(), driverLink());
+    ASSERT_TRUE(showsFrame(page));
     capture(page);
     page.keyDown("KeyE");
     browser().listen(2s);
     page.keyUp("KeyE");
     ask("wait-idle");
     EXPECT_TRUE(isExact(page)) << "nothing is queued for minutes";
+    EXPECT_EQ(page.pixels(), screenshotPixels());
     EXPECT_EQ(testing::PrintToString(page.complaints()), "{}");
 }
 
@@ -110,15 +122,11 @@ Walk walk(const WebPage& page, const Publications& published, std::size_t second
     return all;
 }
 
-// 2 Mbit/s and 100 ms, which a tunnel to a far node may be.
 TEST_F(SlowLink, WalksFluently) {
-    constexpr double kRoundTrip = 0.1, kBytesPerSecond = 250'000;
-    const test::NarrowLink link(kBytesPerSecond, kRoundTrip);
     startServer("1280x720", {"--frame-time=33"});
     ask("load scene " RT_SOURCE_FOLDER "/data/nave/nave.scn");
     ask("fly");
-    startBridge({"--listen=127.0.0.1:" + std::to_string(link.target()),
-                 "--origin=http://127.0.0.1:" + std::to_string(link.port())});
+    startBridge();
     startBrowser();
     const Publications published(instance());
     const WebPage page(browser(), "about:blank");
@@ -143,17 +151,30 @@ TEST_F(SlowLink, WalksFluently) {
     EXPECT_EQ(testing::PrintToString(page.complaints()), "{}");
 }
 
-// The page comes back by itself, with the token that its tab keeps.
+// The page comes back by itself, to the same place.
 TEST_F(SlowLink, ALostLinkComesBack) {
-    const WebPage page = drive();
-    page.call("Network.emulateNetworkConditions",
-              {{"offline", true}, {"latency", 0}, {"downloadThroughput", -1}, {"uploadThroughput", -1}});
-    page.open("about:blank");
-    page.call("Network.emulateNetworkConditions",
-              {{"offline", false}, {"latency", 0}, {"downloadThroughput", -1}, {"uploadThroughput", -1}});
-    page.open(driverLink().substr(0, driverLink().find('#')));
-    EXPECT_TRUE(showsFrame(page));
+    startServer();
+    startBridge();
+    startBrowser();
+    const WebPage page(browser(), driverLink());
+    ASSERT_TRUE(showsFrame(page));
+    ASSERT_TRUE(isExact(page));
+    const std::string before = page.pixels();
+    page.value("window.mark = 1");
+    link_.cut();
+    EXPECT_TRUE(page.becomes("document.getElementById('notices').textContent.includes('Connection lost')"));
+    EXPECT_EQ(page.pixels(), before) << "what is left of it";
+    browser().listen(1s);
+    link_.mend();
+    EXPECT_TRUE(page.becomes("document.getElementById('notices').textContent.includes('Connected again')"));
+    ask("fly");
+    capture(page);
+    page.keyDown("KeyE");
+    EXPECT_TRUE(test::eventually([&] { return page.pixels() != before; }, 20s));
+    page.keyUp("KeyE");
+    ask("wait-idle");
     EXPECT_TRUE(isExact(page));
+    EXPECT_EQ(page.value("window.mark"), 1) << "without being loaded again";
 }
 
 } // namespace

@@ -45,8 +45,9 @@ TEST_F(Deaths, OfTheBridgeLeaveNothingBehind) {
     const std::string listen = "127.0.0.1:" + std::to_string(port);
     for (int round = 0; round < rounds() / 2; ++round) {
         const auto client = join();
+        ASSERT_TRUE(becomes(*client, "there")) << round;
         client->input({'W'});
-        ASSERT_TRUE(eventually([&] { return server->isHeld('W'); }));
+        ASSERT_TRUE(eventually([&] { return server->isHeld('W'); })) << round;
         bridge.kill();
         EXPECT_TRUE(eventually([&] { return !server->anyHeld() && server->clients() == 0; }, 3s)) << round;
         startBridge({}, listen);
