@@ -39,6 +39,15 @@ class Failure(Exception):
     pass
 
 
+class Test(str):
+    """The name of a test that fails, with what it printed."""
+
+    def __new__(cls, name, output=""):
+        test = super().__new__(cls, name)
+        test.output = output
+        return test
+
+
 def check(script, folder, mutants, targets, caught, root, work):
     sources, build = work / "sources", work / "build"
     copy(root, sources)
@@ -52,6 +61,7 @@ def check(script, folder, mutants, targets, caught, root, work):
 
     failed = look()
     if failed:
+        print(failed.output, file=sys.stderr)
         raise Failure(f"{failed} fails with nothing broken")
     survived = 0
     for name, changes in mutants:
@@ -112,12 +122,13 @@ def first_failure(program, options, environment):
                                 timeout=PATIENCE, env=environment, errors="replace")
     except subprocess.TimeoutExpired as expired:
         started = re.findall(r"^\[ RUN      \] (\S+)", (expired.stdout or b"").decode(errors="replace"), re.M)
-        return f"{started[-1] if started else program.name} (hangs)"
+        return Test(f"{started[-1] if started else program.name} (hangs)")
     if result.returncode == 0:
         return None
     failed = re.search(r"^\[  FAILED  \] ([^ ,]+)", result.stdout, re.M)
     started = re.findall(r"^\[ RUN      \] (\S+)", result.stdout, re.M)
-    return failed.group(1) if failed else f"{started[-1] if started else program.name} (ended with {result.returncode})"
+    name = failed.group(1) if failed else f"{started[-1] if started else program.name} (ended with {result.returncode})"
+    return Test(name, result.stdout[result.stdout.rfind("[ RUN"):] + result.stderr[-4000:])
 
 
 def run(command, place):

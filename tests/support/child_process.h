@@ -89,7 +89,16 @@ class ChildProcess {
         return *this;
     }
 
-    void send(int signal) const { ::kill(process_, signal); }
+    /// A process that is told to stop does stand when this returns: the kernel only marks it at first.
+    void send(int signal) const {
+        ::kill(process_, signal);
+        siginfo_t info{};
+        if (signal == SIGSTOP && process_ > 0)
+            eventually([&] {
+                return ::waitid(P_PID, static_cast<id_t>(process_), &info, WSTOPPED | WNOHANG) < 0 ||
+                       info.si_pid != 0;
+            });
+    }
     void kill() {
         if (process_ <= 0) return;
         ::kill(process_, SIGKILL);

@@ -98,13 +98,14 @@ TEST(Killed, AServerIsNoticedAndItsLastFrameStays) {
     troupe.start(0, "server");
     ipc::Client client(troupe.instance.name());
     ipc::Viewer viewer(troupe.instance.name());
+    ASSERT_TRUE(troupe.progresses({0})) << "it has published frames";
     ASSERT_EQ(client.request("echo").status, ipc::ReplyStatus::Done);
     ipc::Ticket ticket = 0;
     troupe[0].send(SIGSTOP);
     EXPECT_EQ(client.send("echo", &ticket), ipc::SendStatus::Sent);
     troupe[0].kill();
-    EXPECT_EQ(client.wait(ticket, 500ms).status, ipc::ReplyStatus::Lost);
-    EXPECT_TRUE(eventually([&] { return viewer.update() == ipc::LinkState::Gone; }, 500ms));
+    EXPECT_EQ(client.wait(ticket, kLongest).status, ipc::ReplyStatus::Lost);
+    EXPECT_TRUE(eventually([&] { return viewer.update() == ipc::LinkState::Gone; }, kLongest));
     ipc::Frame frame;
     EXPECT_TRUE(viewer.readFrame(frame));
     EXPECT_EQ(client.send("echo"), ipc::SendStatus::NoServer);
@@ -118,7 +119,7 @@ TEST(Killed, AServerThatIsReplacedUnseenIsNoticed) {
     ipc::Client client(troupe.instance.name());
     ipc::Viewer viewer(troupe.instance.name());
     ipc::Frame frame;
-    ASSERT_TRUE(viewer.waitForFrame(frame, 1s));
+    ASSERT_TRUE(viewer.waitForFrame(frame, kLongest));
     ASSERT_EQ(client.request("echo").status, ipc::ReplyStatus::Done);
     troupe[0].kill();
     troupe.start(0, "server");
