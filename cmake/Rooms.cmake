@@ -96,11 +96,13 @@ endfunction()
 # these, and most run under sanitizers too. `ctest -L unit` runs them, `ctest -L quick` all but those that the pattern
 # THOROUGH names, in less than a minute on two cores. With LABELS, those that THOROUGH does not name have the label
 # with `.short` behind it. QT: its flags are not those of other tests. ALONE: sources
-# with names that others have (rt_compile_together).
-#   rt_test(accel SOURCES a_test.cpp LINK rtcore_accel [THOROUGH "Slow.*:Other.OneTest"] [ALONE b.cpp] [QT] [LABELS slow])
+# with names that others have (rt_compile_together). TOGETHER: those that THOROUGH does not name are run by one process,
+# since they share what takes long to start, and count as skipped where they say this of it.
+#   rt_test(accel SOURCES a_test.cpp LINK rtcore_accel [THOROUGH "Slow.*:Other.OneTest"] [ALONE b.cpp] [QT] [LABELS slow]
+#           [TOGETHER "there is no piano"])
 add_custom_target(unit_tests)
 function(rt_test name)
-    cmake_parse_arguments(ARG "QT" "THOROUGH" "SOURCES;LINK;ALONE;LABELS" ${ARGN})
+    cmake_parse_arguments(ARG "QT" "THOROUGH;TOGETHER" "SOURCES;LINK;ALONE;LABELS" ${ARGN})
     add_executable(test_${name} ${ARG_SOURCES})
     target_link_libraries(test_${name} PRIVATE rt_compile_options ${ARG_LINK} GTest::gtest GTest::gtest_main)
     target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
@@ -126,6 +128,12 @@ function(rt_test name)
             PROPERTIES TIMEOUT 3600 LABELS "${thorough}")
         set(filter "-${ARG_THOROUGH}")
     endif()
-    gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST TEST_FILTER "${filter}"
-        PROPERTIES TIMEOUT 3600 LABELS "${others}")
+    if(ARG_TOGETHER)
+        add_test(NAME ${name} COMMAND test_${name} --gtest_brief=1 --gtest_filter=${filter})
+        set_tests_properties(${name} PROPERTIES TIMEOUT 3600 LABELS "${others}" COST 1000 # long, so it begins first
+                             SKIP_REGULAR_EXPRESSION "${ARG_TOGETHER}")
+    else()
+        gtest_discover_tests(test_${name} DISCOVERY_MODE PRE_TEST TEST_FILTER "${filter}"
+            PROPERTIES TIMEOUT 3600 LABELS "${others}")
+    endif()
 endfunction()

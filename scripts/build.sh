@@ -1,17 +1,18 @@
 #!/bin/sh
 # Installs what is missing and builds everything, optimised, into build/release (programs in build/release/bin).
-#   scripts/build.sh [--no-apt] [--programs]     --programs: no tests
+#   scripts/build.sh [--no-apt] [--programs | --tests]     --programs: no tests; --tests: no benchmarks but rtbench
 # In the environment: RT_WERROR=ON makes warnings errors (unset: as in build/release, so that nothing is built again),
 # RT_WITH_GUI=OFF leaves the window out.
 set -eu
 cd "$(dirname "$0")/.."
-target=all
+target="all benches"
 apt=""
 for option in "$@"; do
     case $option in
         --no-apt) apt=--no-apt ;;
         --programs) target=programs ;;
-        *) echo "usage: build.sh [--no-apt] [--programs]" >&2; exit 2 ;;
+        --tests) target=all ;;
+        *) echo "usage: build.sh [--no-apt] [--programs | --tests]" >&2; exit 2 ;;
     esac
 done
 scripts/setup.sh $apt
@@ -20,6 +21,7 @@ cmake --preset release ${RT_WERROR:+"-DRT_WERROR=$RT_WERROR"} -DRT_WITH_GUI="${R
     exit 1
 }
 mv build-configure.log build/release/configure.log
-cmake --build --preset release --target "$target"
+# shellcheck disable=SC2086
+cmake --build --preset release --target $target
 scripts/make_data.sh
 echo "build: programs are in build/release/bin"

@@ -26,7 +26,7 @@ install() {
 build() {
     # Warnings are errors, except in what was built without: that is not built again.
     [ -f build/release/CMakeCache.txt ] || export RT_WERROR=ON
-    scripts/build.sh
+    scripts/build.sh --tests
 }
 # Tests wait for much: what the next stage needs is compiled meanwhile, in the processor time that they leave.
 check_release() {

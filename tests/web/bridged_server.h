@@ -34,9 +34,7 @@ class BridgedServer : public testing::Test {
         first_ = std::move(bridge_);
         startBridge({"--view-only"});
     }
-    void startBrowser(const std::vector<std::string>& options = {}) {
-        browser_ = std::make_unique<Chromium>(options);
-    }
+    void startBrowser(const std::vector<std::string>& options = {}) { browser_ = &sharedChromium(options); }
     /// All three, and a page of the driver that shows the first frame.
     WebPage drive();
 
@@ -71,7 +69,7 @@ class BridgedServer : public testing::Test {
     IpcInstance instance_;
     std::optional<RunningProgram> server_;
     std::unique_ptr<RunningProgram> bridge_, first_;
-    std::unique_ptr<Chromium> browser_;
+    Chromium* browser_ = nullptr;
     std::unique_ptr<ipc::Client> client_;
     std::string driverLink_, viewerLink_;
     int bridges_ = 0, screenshots_ = 0;

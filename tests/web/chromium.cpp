@@ -42,7 +42,8 @@ void becomeBrowser(int commands, int answers, const std::filesystem::path& folde
 } // namespace
 
 std::optional<std::string> chromiumProgram() {
-    if (const char* const asked = std::getenv("RT_CHROMIUM"); asked != nullptr) return asked;
+    if (const char* const asked = std::getenv("RT_CHROMIUM"); asked != nullptr)
+        return *asked != '\0' ? std::optional<std::string>(asked) : std::nullopt;
     const char* const path = std::getenv("PATH");
     std::istringstream folders(path == nullptr ? "" : path);
     for (std::string folder; std::getline(folders, folder, ':');) {
@@ -138,6 +139,25 @@ std::vector<Json> Chromium::events(const std::string& session) const {
     for (const Json& event : events_)
         if (event.value("sessionId", "") == session) mine.push_back(event);
     return mine;
+}
+
+void Chromium::closePages() {
+    for (const Json& context : call("Target.getBrowserContexts")["browserContextIds"])
+        call("Target.disposeBrowserContext", {{"browserContextId", context}});
+    events_.clear();
+}
+
+Chromium& sharedChromium(const std::vector<std::string>& options) {
+    static std::unique_ptr<Chromium> shared;
+    static std::vector<std::string> its;
+    if (shared && !shared->killed() && its == options) {
+        shared->closePages();
+    } else {
+        shared.reset(); // one at a time
+        shared = std::make_unique<Chromium>(options);
+        its = options;
+    }
+    return *shared;
 }
 
 } // namespace test

@@ -17,7 +17,7 @@ namespace test {
 
 using Json = nlohmann::json;
 
-/// The Chromium of RT_CHROMIUM or of PATH; nothing where there is none.
+/// The Chromium of RT_CHROMIUM (empty: as if there were none) or of PATH; nothing where there is none.
 std::optional<std::string> chromiumProgram();
 
 class Chromium {
@@ -36,7 +36,10 @@ class Chromium {
     void listen(std::chrono::milliseconds time);
     /// All events of a session so far.
     std::vector<Json> events(const std::string& session) const;
+    /// All that were opened, with what they keep; their events are forgotten.
+    void closePages();
     void kill();
+    bool killed() const { return process_->process() < 0; }
 
   private:
     std::optional<Json> read(Clock::time_point deadline);
@@ -49,5 +52,9 @@ class Chromium {
     std::string unread_;
     std::vector<Json> events_;
 };
+
+/// The one that the tests of a program share, since it takes seconds to start: it has these options and no
+/// page.
+Chromium& sharedChromium(const std::vector<std::string>& options = {});
 
 } // namespace test

@@ -27,8 +27,8 @@ class PageModules : public testing::Test {
                 fs::copy_file(file.path(), folder_.path() / file.path().filename(),
                               fs::copy_options::skip_existing);
         std::ofstream(folder_ / "page.html") << "<!doctype html>";
-        browser_.emplace(std::vector<std::string>{"--allow-file-access-from-files"});
-        page_.emplace(*browser_, "file://" + (folder_ / "page.html").string());
+        page_.emplace(test::sharedChromium({"--allow-file-access-from-files"}),
+                      "file://" + (folder_ / "page.html").string());
         ASSERT_TRUE(page_->becomes("location.protocol === 'file:' && document.readyState === 'complete'"));
     }
     /// An expression that has the module as `m`.
@@ -39,7 +39,6 @@ class PageModules : public testing::Test {
 
   private:
     test::TemporaryFolder folder_;
-    std::optional<test::Chromium> browser_;
     std::optional<WebPage> page_;
 };
 

@@ -57,8 +57,8 @@ class Painter : public testing::Test {
         for (const char* const name : {"decoder.js", "jpeg_strips.js", "painter.js", "wire.js"})
             fs::copy_file(fs::path(asked != nullptr ? asked : RT_PAGE_MODULES) / name, folder_ / name);
         std::ofstream(folder_ / "page.html") << "<!doctype html>";
-        browser_.emplace(std::vector<std::string>{"--allow-file-access-from-files"});
-        page_.emplace(*browser_, "file://" + (folder_ / "page.html").string());
+        page_.emplace(test::sharedChromium({"--allow-file-access-from-files"}),
+                      "file://" + (folder_ / "page.html").string());
         ASSERT_TRUE(page_->becomes("location.protocol === 'file:' && document.readyState === 'complete'"));
         page_->value(kStage);
     }
@@ -70,7 +70,6 @@ class Painter : public testing::Test {
 
   private:
     test::TemporaryFolder folder_;
-    std::optional<test::Chromium> browser_;
     std::optional<WebPage> page_;
 };
 
@@ -99,8 +98,9 @@ TEST_F(Painter, DrawsNoStillOfMissingParts) {
 }
 
 TEST_F(Painter, AcknowledgesWhatItSkips) {
-    const Json all = after("for (let i = 1; i <= 30; ++i) take(1, i, 'red'); await new Promise((done) => "
-                           "setTimeout(done, 300))",
+    const Json all = after("for (let i = 1; i <= 30; ++i) take(1, i, 'red');"
+                           "for (let i = 0; i < 1000 && acknowledged().length < 30; ++i) "
+                           "await new Promise((done) => setTimeout(done, 10))",
                            "acknowledged()");
     EXPECT_EQ(all.size(), 30U) << all;
 }

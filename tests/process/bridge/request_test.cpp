@@ -1,6 +1,7 @@
 // What a page may ask for.
 #include "process/bridge/bridge_fixture.h"
 
+#include <iostream>
 #include <random>
 
 namespace {
@@ -119,6 +120,7 @@ TEST_F(Requests, OfAnyBytesHarmNobody) {
     std::unique_ptr<WebClient> client;
     int sent = 0;
     for (int i = 0; i < messages; ++i) {
+        if (i > 0 && i % 100'000 == 0) std::cout << i << " messages" << std::endl;
         if (!client || sent++ % 200 == 199) client = join(); // below the limit of a burst
         std::string text = samples[random() % samples.size()];
         for (unsigned k = random() % 4; k > 0; --k)
