@@ -76,6 +76,18 @@ class PageVisitor {
     QTcpSocket socket_;
 };
 
+/// A dialog that offers another network: an address that is this machine's alone.
+struct OtherNetwork {
+    explicit OtherNetwork(Preferences& preferences)
+        : dialog(preferences, {{QStringLiteral("127.0.0.2"), QStringLiteral("test0")}}) {
+        dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+        QObject::connect(&dialog, &ShareDialog::startWanted, &dialog,
+                         [this](const BridgeRequest& request) { wanted = request; });
+    }
+    ShareDialog dialog;
+    std::optional<BridgeRequest> wanted;
+};
+
 /// The desktop's browser, for files.
 struct Browser {
     Browser() { QDesktopServices::setUrlHandler(QStringLiteral("file"), &page, "setSource"); }
@@ -261,13 +273,9 @@ TEST_F(ShareTest, ClosingTheWindowEndsBridgeAndServer) {
     EXPECT_TRUE(instance.segments().empty());
 }
 
-// As another network would be, with an address that is this machine's alone.
 TEST_F(ShareTest, AnotherNetworkIsAChoiceThatSaysWhatItCosts) {
-    ShareDialog by(window->preferences(), {{QStringLiteral("127.0.0.2"), QStringLiteral("test0")}});
-    by.setAttribute(Qt::WA_DeleteOnClose, false);
-    std::optional<BridgeRequest> wanted;
-    QObject::connect(&by, &ShareDialog::startWanted, &by,
-                     [&](const BridgeRequest& request) { wanted = request; });
+    OtherNetwork network(window->preferences());
+    auto& [by, wanted] = network;
     ASSERT_TRUE(press(by, "Share"));
     EXPECT_TRUE(wanted && wanted->address.isEmpty()) << "this machine alone at first";
     field<QComboBox>(by, "From")->setCurrentIndex(1);
@@ -309,10 +317,8 @@ TEST_F(ShareTest, AnotherNetworkIsReachedByTls) {
     if (pair.key.empty() || !QSslSocket::supportsSsl()) GTEST_SKIP() << "skipped: there is no openssl";
     window->preferences().set(pref::shareCertificate, QString::fromStdString(pair.certificate));
     window->preferences().set(pref::shareKey, QString::fromStdString(pair.key));
-    ShareDialog by(window->preferences(), {{QStringLiteral("127.0.0.2"), QStringLiteral("test0")}});
-    std::optional<BridgeRequest> wanted;
-    QObject::connect(&by, &ShareDialog::startWanted, &by,
-                     [&](const BridgeRequest& request) { wanted = request; });
+    OtherNetwork network(window->preferences());
+    auto& [by, wanted] = network;
     field<QComboBox>(by, "From")->setCurrentIndex(1);
     ASSERT_TRUE(press(by, "Share"));
     wanted->instance = name();
