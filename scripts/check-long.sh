@@ -38,7 +38,7 @@ for check in "$@"; do
         # The bridge's page in a real Chromium (Debian package chromium), which walks for so many seconds; without it all
         # are skipped.
         RT_BRIDGE_SOAK=${RT_BRIDGE_SOAK:-1800} $release/test_web
-        $release/test_web_painter
+        $release/test_web_modules
         ;;
     formulas)
         # Each formula for one number and for vectors of them, on so many inputs.

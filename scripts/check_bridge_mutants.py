@@ -10,7 +10,7 @@ import mutants
 
 BRIDGE = "apps/bridge/"
 SLOW = "-Floods.OfSlow*:BridgeSoak.*:Nginx.*:Requests.OfAny*:Deaths.*"
-PROGRAMS = [["test_bridge"], ["test_bridge_process", "--gtest_filter=" + SLOW], ["test_web_painter"]]
+PROGRAMS = [["test_bridge"], ["test_bridge_process", "--gtest_filter=" + SLOW], ["test_web_modules"]]
 # What is broken; where, what stands there, what comes in its place.
 MUTANTS = [
     ("frames: acknowledgements are ignored", [
@@ -108,6 +108,14 @@ MUTANTS = [
     ("page: frames that are not drawn are not acknowledged", [
         ("page/js/painter.js", "if (header.type === FRAME) this.skipped.push(",
          "if (false) this.skipped.push("),
+    ]),
+    ("page: a key waits until the last message is repeated", [
+        ("page/js/held.js", "clearTimeout(this.timer); this.timer = setTimeout(() => this.flush(), wait);",
+         "if (!this.timer) this.timer = setTimeout(() => { this.timer = 0; this.flush(); }, wait);"),
+    ]),
+    ("page: strips are drawn one over another", [
+        ("page/js/jpeg_strips.js", "strips.push({ top, bytes:",
+         "strips.push({ top: 0, bytes:"),
     ]),
     ("page: a still of missing parts is drawn", [
         ("page/js/painter.js", "header.offset === still.filled && still.filled + part.length <= still.bytes.length;",

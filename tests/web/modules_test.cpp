@@ -1,12 +1,9 @@
 // Modules of the page that know no document: tables of keys, links, sticks, texts.
-#include "web/web_page.h"
+#include "web/module_page.h"
 
 #include "bridge/stream/motion_encoder.h"
 
 #include "rtcore/motion/key_codes.h"
-#include "support/temporary_folder.h"
-
-#include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
@@ -14,33 +11,8 @@
 namespace {
 
 using test::Json;
-using test::WebPage;
 
-/// A page of files: the modules as they are, and those that the build makes.
-class PageModules : public testing::Test {
-  protected:
-    void SetUp() override {
-        if (!test::chromiumProgram()) GTEST_SKIP() << "there is no Chromium";
-        namespace fs = std::filesystem;
-        for (const char* const from : {RT_PAGE_MODULES, RT_PAGE_MADE, RT_PAGE_PARTS})
-            for (const fs::directory_entry& file : fs::directory_iterator(from))
-                fs::copy_file(file.path(), folder_.path() / file.path().filename(),
-                              fs::copy_options::skip_existing);
-        std::ofstream(folder_ / "page.html") << "<!doctype html>";
-        page_.emplace(test::sharedChromium({"--allow-file-access-from-files"}),
-                      "file://" + (folder_ / "page.html").string());
-        ASSERT_TRUE(page_->becomes("location.protocol === 'file:' && document.readyState === 'complete'"));
-    }
-    /// An expression that has the module as `m`.
-    Json with(const std::string& module, const std::string& expression) const {
-        return page_->value("import('./" + module + "').then((m) => " + expression + ")");
-    }
-    std::filesystem::path folder() const { return folder_.path(); }
-
-  private:
-    test::TemporaryFolder folder_;
-    std::optional<WebPage> page_;
-};
+class PageModules : public test::ModulePage {};
 
 TEST_F(PageModules, KeysHaveTheNumbersOfTheServer) {
     const auto code = [&](const std::string& place) {
@@ -126,9 +98,15 @@ TEST_F(PageModules, AHeldKeyDelaysNothing) {
             told.push(last);
             await new Promise((done) => setTimeout(done, 12));
         }
+        held.hold("keys", [87]);
+        held.turn(2, 0);
+        await new Promise((done) => setTimeout(done, 60));
+        told.push(last);
         return told;
     })())");
-    EXPECT_EQ(told, (Json{{0, 1, 0}, {1000, 1, 0}, {0, 2, 0}, {0, 2, 1}, {0, 0, 0}})) << "turn, keys, taps";
+    EXPECT_EQ(told, (Json{{0, 1, 0}, {1000, 1, 0}, {0, 2, 0}, {0, 2, 1}, {0, 0, 0}, {2000, 1, 0}}))
+        << "turn, keys, taps; the last one came at once after another, and waits no longer than that asks "
+           "for";
 }
 
 // A frame in strips is decoded in parts, to what the browser makes of the whole.

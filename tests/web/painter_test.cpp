@@ -1,18 +1,9 @@
-// What is drawn of what comes, and what is acknowledged: the painter of the page, by itself. RT_PAGE_MODULES
-// names another folder of modules.
-#include "support/temporary_folder.h"
-#include "web/web_page.h"
-
-#include <gtest/gtest.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
+// What is drawn of what comes, and what is acknowledged: the painter of the page, by itself.
+#include "web/module_page.h"
 
 namespace {
 
 using test::Json;
-using test::WebPage;
 
 // `take(type, number, colour, {from, until, total})` hands it an image of that colour, or bytes of it;
 // `quiet()` waits for all decodes; `colour()` is what is shown.
@@ -48,29 +39,17 @@ import('./painter.js').then(({ Painter }) => {
     return true;
 }))";
 
-class Painter : public testing::Test {
+class Painter : public test::ModulePage {
   protected:
     void SetUp() override {
-        if (!test::chromiumProgram()) GTEST_SKIP() << "there is no Chromium";
-        const char* const asked = std::getenv("RT_PAGE_MODULES");
-        namespace fs = std::filesystem;
-        for (const char* const name : {"decoder.js", "jpeg_strips.js", "painter.js", "wire.js"})
-            fs::copy_file(fs::path(asked != nullptr ? asked : RT_PAGE_MODULES) / name, folder_ / name);
-        std::ofstream(folder_ / "page.html") << "<!doctype html>";
-        page_.emplace(test::sharedChromium({"--allow-file-access-from-files"}),
-                      "file://" + (folder_ / "page.html").string());
-        ASSERT_TRUE(page_->becomes("location.protocol === 'file:' && document.readyState === 'complete'"));
-        page_->value(kStage);
+        ModulePage::SetUp();
+        if (!IsSkipped() && !HasFatalFailure()) page().value(kStage);
     }
     /// The value at the end of these steps.
     Json after(const std::string& steps, const std::string& value) const {
-        return page_->value("(async () => { const { take, quiet, colour, acknowledged } = stage; " + steps +
+        return page().value("(async () => { const { take, quiet, colour, acknowledged } = stage; " + steps +
                             "; await quiet(); return " + value + "; })()");
     }
-
-  private:
-    test::TemporaryFolder folder_;
-    std::optional<WebPage> page_;
 };
 
 TEST_F(Painter, DrawsNewerFramesOnly) {
