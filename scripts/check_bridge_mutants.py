@@ -97,6 +97,10 @@ MUTANTS = [
         ("net/http_connection-inl.h", "return tellClosed(); } if (!bucket_.take(steadySeconds()))",
          "return tellClosed(); } if (false)"),
     ]),
+    ("door: a close may last for ever", [
+        ("net/http_connection-inl.h", "if (!error && self) self->abandon();",
+         "(void)self;"),
+    ]),
     ("page: a still is drawn over a newer frame", [
         ("page/js/painter.js", "(type === STILL && number === this.shown.number && !this.shown.exact)",
          "type === STILL"),

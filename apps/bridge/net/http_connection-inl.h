@@ -26,7 +26,7 @@ namespace asio = boost::asio;
 using ErrorCode = boost::system::error_code;
 using namespace std::chrono_literals;
 
-constexpr auto kRequestTime = 10s, kSilence = 30s;
+constexpr auto kRequestTime = 10s, kSilence = 30s, kClosing = 5s, kEnding = 1s;
 constexpr std::size_t kMostMessage = 4096, kMostHeader = 8192, kMostQueued = 4U << 20;
 constexpr double kMessageRate = 250, kMessageBurst = 500;
 constexpr const char* kSubprotocol = "rtbridge.1";
@@ -60,24 +60,24 @@ template <typename Stream>
 class WebSession : public Outlet, public std::enable_shared_from_this<WebSession<Stream>> {
   public:
     WebSession(Stream stream, std::string address, HttpShared& shared)
-        : socket_(std::move(stream)), address_(std::move(address)), shared_(shared),
-          bucket_(kMessageRate, kMessageBurst) {
+        : socket_(std::in_place, std::move(stream)), deadline_(socket_->get_executor()),
+          address_(std::move(address)), shared_(shared), bucket_(kMessageRate, kMessageBurst) {
         websocket::stream_base::timeout times{};
         times.handshake_timeout = kRequestTime;
         times.idle_timeout = kSilence;
         times.keep_alive_pings = true;
-        socket_.set_option(times);
-        socket_.set_option(websocket::stream_base::decorator([](websocket::response_type& response) {
+        socket_->set_option(times);
+        socket_->set_option(websocket::stream_base::decorator([](websocket::response_type& response) {
             response.set(http::field::server, "RTBridge");
             response.set(http::field::sec_websocket_protocol, kSubprotocol);
         }));
-        socket_.read_message_max(kMostMessage);
-        socket_.auto_fragment(false);
+        socket_->read_message_max(kMostMessage);
+        socket_->auto_fragment(false);
     }
 
     template <typename Request>
     void accept(const Request& request) {
-        socket_.async_accept(request, [self = this->shared_from_this()](ErrorCode error) {
+        socket_->async_accept(request, [self = this->shared_from_this()](ErrorCode error) {
             if (!error) self->opened();
         });
     }
@@ -100,7 +100,7 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
         if (closing_ || pinging_) return;
         pinging_ = true;
         pinged_ = steadySeconds();
-        socket_.async_ping({}, [self = this->shared_from_this()](ErrorCode) { self->pinging_ = false; });
+        socket_->async_ping({}, [self = this->shared_from_this()](ErrorCode) { self->pinging_ = false; });
     }
     void close(CloseCode code, const std::string& reason) override {
         if (closing_) return;
@@ -109,7 +109,12 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
         constexpr std::size_t kMostReason = 120;
         const websocket::close_reason why(static_cast<websocket::close_code>(code),
                                           reason.substr(0, kMostReason).c_str());
-        socket_.async_close(why, [self = this->shared_from_this()](ErrorCode) { self->tellClosed(); });
+        socket_->async_close(why, [self = this->shared_from_this()](ErrorCode) { self->tellClosed(); });
+        deadline_.expires_after(kClosing);
+        deadline_.async_wait([weak = this->weak_from_this()](ErrorCode error) {
+            const auto self = weak.lock();
+            if (!error && self) self->abandon();
+        });
     }
     const std::string& address() const override { return address_; }
 
@@ -122,7 +127,7 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
     };
 
     void opened() {
-        socket_.control_callback([this](websocket::frame_type type, boost::beast::string_view) {
+        socket_->control_callback([this](websocket::frame_type type, boost::beast::string_view) {
             if (type == websocket::frame_type::pong && pinged_ > 0) {
                 const double rtt = steadySeconds() - std::exchange(pinged_, 0);
                 if (receiver_) receiver_->ponged(rtt);
@@ -135,7 +140,7 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
     }
 
     void read() {
-        socket_.async_read(buffer_, [self = this->shared_from_this()](ErrorCode error, std::size_t) {
+        socket_->async_read(buffer_, [self = this->shared_from_this()](ErrorCode error, std::size_t) {
             self->haveRead(error);
         });
     }
@@ -148,14 +153,14 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
         if (!closing_ && receiver_) {
             const auto data = buffer_.cdata();
             const auto* const bytes = static_cast<const std::uint8_t*>(data.data());
-            if (socket_.got_text()) {
+            if (socket_->got_text()) {
                 receiver_->text({reinterpret_cast<const char*>(bytes), data.size()});
             } else {
                 receiver_->binary({bytes, data.size()});
             }
         }
         buffer_.consume(buffer_.size());
-        read(); // also after a close: its answer is read
+        if (!closing_) read(); // else the close reads on
     }
 
     void writeNext() {
@@ -164,17 +169,17 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
         current_.emplace(std::move(queue_.front()));
         queue_.pop_front();
         const bool text = !current_->binary;
-        socket_.text(text);
+        socket_->text(text);
         const auto done = [self = this->shared_from_this()](ErrorCode error, std::size_t) {
             self->wrote(error);
         };
-        if (text) return socket_.async_write(asio::buffer(current_->text), done);
+        if (text) return socket_->async_write(asio::buffer(current_->text), done);
         const Shipment& shipment = current_->shipment;
         const std::uint8_t* const payload =
             shipment.frame ? shipment.frame->bytes.data() + shipment.offset : nullptr;
         const std::array<asio::const_buffer, 2> buffers{
             asio::buffer(current_->header), asio::const_buffer(payload, shipment.frame ? shipment.size : 0)};
-        socket_.async_write(buffers, done);
+        socket_->async_write(buffers, done);
     }
     void wrote(ErrorCode error) {
         writing_ = false;
@@ -185,11 +190,22 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
         if (!busy() && receiver_) receiver_->writable();
     }
 
+    /// A read that meets a wrong message while a close is under way waits for it, and the close for the read
+    /// (Boost 1.81): neither ends, and Beast's timeouts close the connection only. They go with the stream,
+    /// once all others have ended with the connection.
+    void abandon() {
+        tellClosed();
+        ErrorCode ignored;
+        boost::beast::get_lowest_layer(*socket_).close(ignored);
+        deadline_.expires_after(kEnding);
+        deadline_.async_wait([self = this->shared_from_this()](ErrorCode) { self->socket_.reset(); });
+    }
     void tellClosed() {
         if (const auto receiver = std::exchange(receiver_, nullptr)) receiver->closed();
     }
 
-    websocket::stream<Stream> socket_;
+    std::optional<websocket::stream<Stream>> socket_; ///< nothing once it was abandoned
+    asio::steady_timer deadline_;                     ///< of closing
     std::string address_;
     HttpShared& shared_;
     TokenBucket bucket_;

@@ -233,6 +233,15 @@ class BridgeTest : public testing::Test {
                    "\r\nConnection: close\r\n" + more + "\r\n");
     }
 
+    /// Connections, as the bridge counts them.
+    int visitors() {
+        const std::string answer = page("/status", "Authorization: Bearer " + std::string(kViewer) + "\r\n");
+        const auto body = answer.find("\r\n\r\n");
+        const nlohmann::json status =
+            nlohmann::json::parse(body == std::string::npos ? "" : answer.substr(body), nullptr, false);
+        return status.is_object() ? status.value("clients", -1) : -1;
+    }
+
     IpcInstance instance;
     std::unique_ptr<FakeServer> server;
     ChildProcess bridge;

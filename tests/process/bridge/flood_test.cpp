@@ -63,6 +63,32 @@ TEST_F(Floods, OfViewersThatNeitherReadNorAcknowledge) {
     EXPECT_LT(after, 64'000'000U);
 }
 
+// The second message comes while the connection is being closed for the first one, or for too many pings.
+TEST_F(Floods, OfWrongAndTooLargeMessagesLeaveNobody) {
+    std::string pings;
+    for (int i = 0; i < 600; ++i) pings += webFrame(0x89, "");
+    const std::string large = webFrame(0x81, std::string(6000, 'x'));
+    Clients open; // some do not leave
+    for (int i = 0; i < 130; ++i) {
+        auto client = std::make_unique<WebClient>(port);
+        ASSERT_EQ(client->status(), 101) << i;
+        client->socket().write((i % 10 == 0 ? pings : webFrame(0x81, "wrong")) + large);
+        if (i % 20 == 0 || i % 21 == 0) open.push_back(std::move(client));
+    }
+    EXPECT_TRUE(eventually([&] { return visitors() == 0; }, 20s)) << visitors();
+}
+
+// The half of it that is no text comes while the connection is being closed since no hello came.
+TEST_F(Floods, OfHalfMessagesThatTurnOutWrongLeaveNobody) {
+    const std::string message = webFrame(0x81, std::string(50, 'x') + std::string(50, '\xff'));
+    const std::size_t half = message.size() - 50;
+    WebClient client(port);
+    client.socket().write(message.substr(0, half));
+    EXPECT_EQ(client.closeCode(10s), 4001);
+    client.socket().write(message.substr(half));
+    EXPECT_TRUE(eventually([&] { return visitors() == 0; }, 20s)) << visitors();
+}
+
 TEST_F(Floods, OfMessagesCloseTheirOwnConnection) {
     const auto honest = join(), bad = join(kViewer);
     for (int i = 0; i < 2000; ++i)

@@ -198,6 +198,8 @@ TEST_F(Requests, OfAnyBytesHarmNobody) {
         told += 100'000;
     }
     EXPECT_FALSE(honest->request({{"do", "parts"}}, 10s).is_null()) << "the bridge serves on";
+    client.reset();
+    EXPECT_TRUE(eventually([&] { return visitors() == 1; }, 20s)) << visitors() << " are said to be there";
     for (const std::string& command : server->commands())
         EXPECT_TRUE(command.starts_with("camera ") || command.starts_with("set maxDepth") ||
                     command.starts_with("material set") || command.starts_with("part") ||
