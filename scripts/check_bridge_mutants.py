@@ -99,7 +99,7 @@ MUTANTS = [
     ]),
     ("door: a close may last for ever", [
         ("net/http_connection-inl.h", "if (!error && self) self->abandon();",
-         "(void)self;"),
+         "if (error && self) self->abandon();"),
     ]),
     ("page: a still is drawn over a newer frame", [
         ("page/js/painter.js", "(type === STILL && number === this.shown.number && !this.shown.exact)",
