@@ -97,6 +97,14 @@ MUTANTS = [
         ("net/http_connection-inl.h", "return tellClosed(); } if (!bucket_.take(steadySeconds()))",
          "return tellClosed(); } if (false)"),
     ]),
+    ("door: an address may send any number at once", [
+        ("hub.cpp", "newcomers(address).size() >= kMostNewcomers &&",
+         "false &&"),
+    ]),
+    ("door: the silent keep their places", [
+        ("visitor.cpp", "now - began_ > kPatience ||",
+         ""),
+    ]),
     ("door: a close may last for ever", [
         ("net/http_connection-inl.h", "if (!error && self) self->abandon();",
          "if (error && self) self->abandon();"),

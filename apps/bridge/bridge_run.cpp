@@ -102,8 +102,7 @@ class Serving {
         return {.opened = [this](const std::shared_ptr<Outlet>& outlet) { return hub_->opened(outlet); },
                 .answer = [this](std::string_view path,
                                  std::string_view bearer) { return hub_->answer(path, bearer); },
-                .shutOut = [this](const std::string& address) { return hub_->shutOut(address); },
-                .full = [this] { return hub_->full(); },
+                .entry = [this](const std::string& address) { return hub_->entry(address); },
                 .refused = [this](const char* reason) { hub_->refused(reason); }};
     }
 

@@ -8,6 +8,8 @@
 #include "common/cli/help_text.h"
 #include "common/process/thread_seconds.h"
 
+#include <algorithm>
+
 namespace bridge {
 
 using nlohmann::json;
@@ -28,11 +30,36 @@ std::shared_ptr<Receiver> Hub::opened(const std::shared_ptr<Outlet>& outlet) {
     std::erase_if(outlets_, [](const auto& each) { return each.expired(); });
     outlets_.push_back(outlet);
     auto visitor = std::make_shared<Visitor>(*this, outlet);
-    newcomers_.push_back(visitor);
+    came_.push_back(visitor);
     return visitor;
 }
 
-bool Hub::shutOut(const std::string& address) { return wrong_.shutOut(address, nowSeconds()); }
+std::vector<std::shared_ptr<Visitor>> Hub::newcomers(const std::string& address) const {
+    std::vector<std::shared_ptr<Visitor>> all;
+    for (const auto& each : came_) {
+        const auto visitor = each.lock();
+        if (visitor && visitor->isNewcomer() && (address.empty() || visitor->address() == address))
+            all.push_back(visitor);
+    }
+    return all;
+}
+
+bool Hub::makeRoom(const std::string& address) {
+    const auto all = newcomers(address);
+    const auto first =
+        std::ranges::find_if(all, [now = nowSeconds()](const auto& each) { return each->givesWay(now); });
+    if (first == all.end()) return false;
+    (*first)->drop();
+    return true;
+}
+
+Entry Hub::entry(const std::string& address) {
+    constexpr std::size_t kMostNewcomers = 8;
+    if (wrong_.shutOut(address, nowSeconds())) return Entry::WrongTokens;
+    if (newcomers(address).size() >= kMostNewcomers && !makeRoom(address)) return Entry::Crowded;
+    if (visitors_ >= options_.clients && !makeRoom("")) return Entry::Full;
+    return Entry::Free;
+}
 
 void Hub::wrongToken(const std::string& address) {
     wrong_.add(address, nowSeconds());
@@ -79,8 +106,8 @@ json Hub::welcome(const Room& room, SessionId id, Right right) const {
 
 void Hub::tick() {
     for (const auto& each : rooms_) each->tick();
-    std::erase_if(newcomers_, [](const auto& each) { return each.expired(); });
-    for (const auto& each : newcomers_)
+    std::erase_if(came_, [](const auto& each) { return each.expired(); });
+    for (const auto& each : came_)
         if (const auto visitor = each.lock()) visitor->tick(nowSeconds());
 }
 

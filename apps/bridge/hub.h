@@ -25,8 +25,8 @@ class Hub {
     /// A line for each instance, for a terminal.
     std::string watchLines();
     HttpAnswer answer(std::string_view path, std::string_view bearer) const;
-    bool full() const { return visitors_ >= options_.clients; }
-    bool shutOut(const std::string& address);
+    /// Of the next WebSocket from there. Others that wait without a word make room for it.
+    Entry entry(const std::string& address);
     void refused(const char* reason) { ++refused_[reason]; }
     void tick();
 
@@ -48,6 +48,8 @@ class Hub {
   private:
     nlohmann::json status() const;
     std::vector<RoomFigures> figures() const;
+    std::vector<std::shared_ptr<Visitor>> newcomers(const std::string& address) const; ///< "": of all
+    bool makeRoom(const std::string& address);
 
     const BridgeOptions& options_;
     Tokens tokens_;
@@ -60,7 +62,7 @@ class Hub {
     SessionId lastId_ = 0;
     double began_;
     std::vector<std::weak_ptr<Outlet>> outlets_;
-    std::vector<std::weak_ptr<Visitor>> newcomers_;
+    std::vector<std::weak_ptr<Visitor>> came_; ///< as they came
 };
 
 } // namespace bridge

@@ -84,9 +84,18 @@ void Visitor::closed() {
     if (room_ != nullptr) room_->leave(id_);
 }
 
+bool Visitor::givesWay(double now) const {
+    constexpr double kPatience = 1;
+    const auto outlet = outlet_.lock();
+    return isNewcomer() && (now - began_ > kPatience || !outlet || outlet->closing());
+}
+
+void Visitor::drop() {
+    if (const auto outlet = outlet_.lock()) outlet->drop();
+}
+
 void Visitor::tick(double now) {
-    if (room_ == nullptr && !isClosed_ && now - began_ > kHelloTime)
-        close(CloseCode::NoHello, "no hello within 5 s");
+    if (isNewcomer() && now - began_ > kHelloTime) close(CloseCode::NoHello, "no hello within 5 s");
 }
 
 } // namespace bridge

@@ -9,7 +9,8 @@ namespace bridge {
 
 class Visitor : public Receiver {
   public:
-    Visitor(Hub& hub, const std::shared_ptr<Outlet>& outlet) : hub_(hub), outlet_(outlet) {
+    Visitor(Hub& hub, const std::shared_ptr<Outlet>& outlet)
+        : hub_(hub), outlet_(outlet), address_(outlet->address()) {
         hub_.visitorCame();
     }
 
@@ -21,13 +22,21 @@ class Visitor : public Receiver {
     /// Closes it where it said nothing for too long.
     void tick(double now);
 
+    const std::string& address() const { return address_; }
+    /// It has a place, and has not said hello.
+    bool isNewcomer() const { return room_ == nullptr && !isClosed_; }
+    /// A newcomer that others may have the place of: longer there than a hello takes to come, or closing.
+    bool givesWay(double now) const;
+    void drop();
+
   private:
     void hello(std::string_view message);
     void close(CloseCode code, const std::string& reason);
 
     Hub& hub_;
     std::weak_ptr<Outlet> outlet_; ///< which holds this
-    Room* room_ = nullptr;         ///< null: before `hello`
+    std::string address_;
+    Room* room_ = nullptr; ///< null: before `hello`
     SessionId id_ = 0;
     bool isClosed_ = false;
     double began_ = nowSeconds();

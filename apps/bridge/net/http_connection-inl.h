@@ -116,6 +116,13 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
             if (!error && self) self->abandon();
         });
     }
+    bool closing() const override { return closing_; }
+    void drop() override {
+        if (!receiver_) return;
+        closing_ = true;
+        queue_.clear();
+        abandon();
+    }
     const std::string& address() const override { return address_; }
 
   private:
@@ -366,15 +373,23 @@ class HttpConnection : public Pending, public std::enable_shared_from_this<HttpC
         http::token_list offered(request[http::field::sec_websocket_protocol]);
         if (!offered.exists(kSubprotocol))
             return refuse(http::status::bad_request, "protocol", "the protocol rtbridge.1 is expected\n");
-        if (shared_.handlers.shutOut(address_)) {
-            Response response = refuse(http::status::too_many_requests, "tokens", "too many wrong tokens\n");
-            response.set(http::field::retry_after, "60");
-            return response;
+        switch (shared_.handlers.entry(address_)) {
+        case Entry::Free:
+            return {};
+        case Entry::WrongTokens:
+            return refuseForNow("tokens", "too many wrong tokens\n", "60");
+        case Entry::Crowded:
+            return refuseForNow("crowded", "too many connections at once\n", "1");
+        case Entry::Full:
+            break;
         }
-        if (shared_.handlers.full())
-            return refuse(http::status::service_unavailable, "full",
-                          "the bridge has as many viewers as it may\n");
-        return {};
+        return refuse(http::status::service_unavailable, "full",
+                      "the bridge has as many viewers as it may\n");
+    }
+    Response refuseForNow(const char* reason, std::string text, const char* seconds) {
+        Response response = refuse(http::status::too_many_requests, reason, std::move(text));
+        response.set(http::field::retry_after, seconds);
+        return response;
     }
 
     void answer(Response response, bool stays) {

@@ -31,14 +31,21 @@ struct HttpAnswer {
     std::string type = "text/plain; charset=utf-8", body = "not found\n";
 };
 
+/// Whether a WebSocket may open.
+enum class Entry : std::uint8_t {
+    Free,
+    WrongTokens, ///< 429: its address tried too many
+    Crowded,     ///< 429: too many of its address came at once
+    Full,        ///< 503
+};
+
 struct HttpHandlers {
     /// A WebSocket is open. The receiver lives until it is told closed().
     std::function<std::shared_ptr<Receiver>(const std::shared_ptr<Outlet>&)> opened;
     /// For paths that are no files of the page. `bearer`: of `Authorization`, or "".
     std::function<HttpAnswer(std::string_view path, std::string_view bearer)> answer;
-    std::function<bool(const std::string& address)> shutOut; ///< 429
-    std::function<bool()> full;                              ///< no more sessions: 503
-    std::function<void(const char* reason)> refused;         ///< counted
+    std::function<Entry(const std::string& address)> entry;
+    std::function<void(const char* reason)> refused; ///< counted
 };
 
 /// Throws rtcore::FileError (TryAgain when the address is taken; NoInput and BadData for the files of TLS).

@@ -131,15 +131,64 @@ TEST_F(Floods, OfSlowRequestsLeaveTheDoorOpen) {
 }
 
 TEST_F(Floods, OfOpenedPagesEndAtTheLimit) {
-    std::vector<std::unique_ptr<WebClient>> all;
-    int refused = 0;
-    for (int i = 0; i < 130; ++i) {
-        all.push_back(std::make_unique<WebClient>(port));
-        refused += all.back()->status() == 503 ? 1 : 0;
-    }
-    EXPECT_EQ(refused, 10);
+    Clients all;
+    for (int i = 0; i < 120; ++i) all.push_back(join(kViewer));
+    for (int i = 0; i < 10; ++i) EXPECT_EQ(WebClient(port).status(), 503) << i;
     all.clear();
     EXPECT_TRUE(eventually([&] { return WebClient(port).status() == 101; }, 5s));
+}
+
+/// Those that say nothing hold no place for long.
+class SilentCrowds : public BridgeTest {
+    void SetUp() override { startServer(); }
+
+  protected:
+    using Clients = std::vector<std::unique_ptr<WebClient>>;
+
+    /// So many at once: within so little time that none of them has to give way.
+    Clients silent(int count) {
+        Clients all;
+        for (auto start = Clock::now(); all.size() < static_cast<std::size_t>(count);) {
+            all.push_back(std::make_unique<WebClient>(port));
+            if (Clock::now() - start < 500ms) continue;
+            all.clear(); // a busy machine
+            eventually([&] { return visitors() == 0; });
+            start = Clock::now();
+        }
+        return all;
+    }
+    static std::size_t thatWereClosed(Clients& clients) {
+        return static_cast<std::size_t>(std::ranges::count_if(
+            clients, [](const auto& each) { return each->status() == 101 && each->closeCode(10ms) == 0; }));
+    }
+};
+
+TEST_F(SilentCrowds, OfAnAddressAreFew) {
+    startBridge();
+    const auto honest = join();
+    Clients all = silent(12);
+    const auto status = [](int code) { return [code](const auto& each) { return each->status() == code; }; };
+    EXPECT_EQ(std::ranges::count_if(all, status(101)), 8);
+    EXPECT_EQ(std::ranges::count_if(all, status(429)), 4);
+    EXPECT_EQ(honest->request({{"do", "walk"}})["ok"], true);
+    std::this_thread::sleep_for(1100ms);
+    join(kViewer);
+    EXPECT_EQ(thatWereClosed(all), 1U) << "the oldest made room";
+    EXPECT_NE(page("/metrics", "Authorization: Bearer " + std::string(kViewer) + "\r\n")
+                  .find("rtbridge_refused_total{reason=\"crowded\"} 4"),
+              std::string::npos);
+}
+
+TEST_F(SilentCrowds, MakeRoomWhereAllPlacesAreTaken) {
+    startBridge({"--clients=4"});
+    const auto honest = join();
+    Clients all = silent(3);
+    EXPECT_EQ(WebClient(port).status(), 503) << "they may be about to say hello";
+    std::this_thread::sleep_for(1100ms);
+    const auto late = join(kViewer);
+    EXPECT_EQ(thatWereClosed(all), 1U);
+    EXPECT_EQ(late->request({{"do", "walk"}})["ok"], false) << "a viewer";
+    EXPECT_EQ(honest->request({{"do", "walk"}})["ok"], true);
 }
 
 } // namespace
