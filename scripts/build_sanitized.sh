@@ -1,6 +1,7 @@
 #!/bin/sh
 # Builds those tests that test.sh runs under the address and undefined-behaviour sanitizers, into build/asan-ubsan, and
-# under the thread sanitizer, into build/tsan. Unit tests of arithmetic on numbers of their own are left to check-long.sh.
+# under the thread sanitizer, into build/tsan. Those of arithmetic on numbers and scenes of their own, which no input of
+# a user's reaches but through other tests, are left to check-long.sh.
 set -eu
 cd "$(dirname "$0")/.."
 cmake --preset asan-ubsan -DRT_WERROR=ON -DRT_EVERY_INSTRUCTION_SET=OFF >/dev/null
@@ -8,7 +9,8 @@ targets=""
 for folder in tests/unit/*/; do
     name=$(basename "$folder")
     case $name in
-    accel_validation | math | rtbench | sampling | settings | simd | steady_frame) ;;
+    accel_validation | lights | look | math | motion | pathtracing | post | rtbench | sampling | scattering | settings) ;;
+    shading | simd | sky | steady_frame) ;;
     *) targets="$targets --target test_$name" ;;
     esac
 done

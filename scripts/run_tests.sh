@@ -1,13 +1,20 @@
 #!/bin/sh
 # Runs the tests of one program, and prints what they say only when one fails.
-#   scripts/run_tests.sh PROGRAM
+#   scripts/run_tests.sh PROGRAM[:SHARD/SHARDS]     such a part of them, from 0
 # RT_QUARTER: names of programs with blanks between, of which each fourth test is run.
 set -u
 begun=$(date +%s)
-case " ${RT_QUARTER:-} " in
-*" $(basename "$1") "*) export GTEST_TOTAL_SHARDS=4 GTEST_SHARD_INDEX=0 ;;
+program=${1%%:*}
+case $1 in
+*:*)
+    part=${1#*:}
+    export GTEST_TOTAL_SHARDS="${part#*/}" GTEST_SHARD_INDEX="${part%/*}"
+    ;;
 esac
-if output=$("$1" --gtest_brief=1 2>&1); then
+case " ${RT_QUARTER:-} " in
+*" $(basename "$program") "*) export GTEST_TOTAL_SHARDS=4 GTEST_SHARD_INDEX=0 ;;
+esac
+if output=$("$program" --gtest_brief=1 2>&1); then
     echo "passed in $(($(date +%s) - begun)) s: $1"
 else
     printf '%s\nFAILED: %s\n' "$output" "$1"

@@ -28,12 +28,15 @@ build() {
     [ -f build/release/CMakeCache.txt ] || export RT_WERROR=ON
     scripts/build.sh --tests
 }
-# Unit tests as whole programs, since ctest begins a process for each of 2,400 tests; by the names of their folders.
-check_units() {
-    for folder in tests/unit/*/; do
-        program=build/release/bin/test_$(basename "$folder")
-        [ ! -x "$program" ] || echo "$program"
-    done | xargs -n 1 -P "$jobs" scripts/run_tests.sh
+# Unit tests and those of the window as whole programs, since ctest begins a process for each of 2,700 tests.
+check_programs() {
+    {
+        [ ! -x build/release/bin/test_gui ] || printf 'build/release/bin/test_gui:%s\n' 0/2 1/2
+        for folder in tests/unit/*/; do
+            program=build/release/bin/test_$(basename "$folder")
+            [ ! -x "$program" ] || echo "$program"
+        done
+    } | xargs -n 1 -P "$jobs" scripts/run_tests.sh
 }
 # Tests wait for much: what the next stage needs is compiled meanwhile, in the processor time that they leave.
 check_release() {
@@ -42,8 +45,8 @@ check_release() {
     trap 'kill -s TERM -- -$builder 2>/dev/null || true' EXIT
     trap 'exit 130' INT TERM
     scripts/check-style.sh
-    check_units
-    ctest --preset release -j "$jobs" -LE '^(unit|unit[.]quick|web)$' # the last ones: check-long.sh web
+    check_programs
+    ctest --preset release -j "$jobs" -LE '^(unit|unit[.]quick|gui|web)$' # the last ones: check-long.sh web
 }
 await_sanitized() {
     wait $builder || {
@@ -55,7 +58,7 @@ await_sanitized() {
 # Whole programs: with sanitizers a process takes long to begin, and ctest begins one for each test. The longest ones in
 # part; check-long.sh runs all of them.
 check_sanitized() {
-    export RT_QUARTER="test_accel test_import test_kernels test_render test_shading"
+    export RT_QUARTER="test_accel test_import test_kernels test_render"
     export UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=allocator_may_return_null=1
     find build/asan-ubsan/bin -name 'test_*' -print0 | xargs -0 -n 1 -P "$jobs" scripts/run_tests.sh
 }

@@ -100,8 +100,8 @@ class Serving {
   private:
     HttpHandlers handlers() {
         return {.opened = [this](const std::shared_ptr<Outlet>& outlet) { return hub_->opened(outlet); },
-                .answer = [this](std::string_view path,
-                                 std::string_view bearer) { return hub_->answer(path, bearer); },
+                .answer = [this](std::string_view path, std::string_view bearer,
+                                 const std::string& address) { return hub_->answer(path, bearer, address); },
                 .entry = [this](const std::string& address) { return hub_->entry(address); },
                 .refused = [this](const char* reason) { hub_->refused(reason); }};
     }

@@ -141,7 +141,7 @@ json Hub::status() const {
             {"instances", instances}};
 }
 
-HttpAnswer Hub::answer(std::string_view path, std::string_view bearer) const {
+HttpAnswer Hub::answer(std::string_view path, std::string_view bearer, const std::string& address) {
     if (path == "/health") {
         bool there = false;
         for (const auto& each : rooms_) there |= each->hasServer();
@@ -149,8 +149,12 @@ HttpAnswer Hub::answer(std::string_view path, std::string_view bearer) const {
                      : HttpAnswer{503, "text/plain; charset=utf-8", "no server\n"};
     }
     if (path != "/status" && path != "/metrics") return {};
-    if (rightOf(bearer) == Right::None)
+    if (wrong_.shutOut(address, nowSeconds()))
+        return {429, "text/plain; charset=utf-8", "too many wrong tokens; wait for a minute\n"};
+    if (rightOf(bearer) == Right::None) {
+        if (!bearer.empty()) wrongToken(address);
         return {401, "text/plain; charset=utf-8", "a token is needed: Authorization: Bearer TOKEN\n"};
+    }
     if (path == "/status")
         return {200, "application/json", status().dump(2, ' ', false, json::error_handler_t::replace) + "\n"};
     return {200, "text/plain; version=0.0.4; charset=utf-8",

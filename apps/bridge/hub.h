@@ -24,7 +24,7 @@ class Hub {
     std::shared_ptr<Receiver> opened(const std::shared_ptr<Outlet>& outlet);
     /// A line for each instance, for a terminal.
     std::string watchLines();
-    HttpAnswer answer(std::string_view path, std::string_view bearer) const;
+    HttpAnswer answer(std::string_view path, std::string_view bearer, const std::string& address);
     /// Of the next WebSocket from there. Others that wait without a word make room for it.
     Entry entry(const std::string& address);
     void refused(const char* reason) { ++refused_[reason]; }

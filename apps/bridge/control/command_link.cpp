@@ -281,6 +281,10 @@ void CommandLink::State::askForState() {
         lastReport = reply.text;
         events.state(std::move(reply.text));
     });
+    if (!events.bindings) return;
+    ask(app::command::bindings(), [this](ipc::Reply reply) {
+        if (reply.status == ipc::ReplyStatus::Done) events.bindings(std::move(reply.text));
+    });
 }
 
 void CommandLink::State::sendRequests() {

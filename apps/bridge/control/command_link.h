@@ -25,6 +25,7 @@ struct CommandLinkEvents {
     std::function<void(const ipc::Status&)> status;           ///< when it changed, ten times a second at most
     std::function<void(std::string report)> state;            ///< the answer to `state`, when it changed
     std::function<void(std::string lines)> messages;          ///< new ones of the server
+    std::function<void(std::string lines)> bindings; ///< the answer to `bindings`, asked for with the state
 };
 
 /// Figures of a CommandLink so far.

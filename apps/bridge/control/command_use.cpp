@@ -9,6 +9,7 @@ CommandUse commandUse(app::CommandId id) {
     case State:
     case Messages:
     case CameraTurn:
+    case Bindings:
         return CommandUse::Own;
     case Pause:
     case Resume:
@@ -117,7 +118,6 @@ CommandUse commandUse(app::CommandId id) {
     case KeyPress:
     case KeyRelease:
     case KeyTap:
-    case Bindings:
     case BindingsDefault:
     case Bind:
     case Unbind:

@@ -54,7 +54,12 @@ Words orthographic(Fields f, const RequestSurroundings&) {
 Words lookAt(Fields f, const RequestSurroundings&) {
     return f.vector("eye") + f.vector("target") + ifGiven(f, "fov");
 }
-Words focus(Fields f, const RequestSurroundings&) { return wordList(f.word("x"), f.word("y")); }
+Words seen(Fields f, const RequestSurroundings&) { return wordList(f.word("x"), f.word("y")); }
+Words focus(Fields f, const RequestSurroundings& around) {
+    for (const char* name : {"depthOfField.on", "depthOfField.focus"})
+        if (around.limits.isLocked(name)) throw Refused(fmt::format("{} is locked", name));
+    return seen(f, around);
+}
 Words bookmark(Fields f, const RequestSurroundings& around) {
     const std::int64_t number = f.integer("number");
     if (number < 1 || number > static_cast<std::int64_t>(around.bookmarks.size()))
@@ -195,7 +200,7 @@ constexpr std::array kRows{
     RequestRow{"parts", CommandId::Parts, from, true, AnswerShape::Parts},
     RequestRow{"materials", CommandId::Materials, from, true, AnswerShape::Materials},
     RequestRow{"material", CommandId::MaterialGet, material, true, AnswerShape::Material},
-    RequestRow{"seen", CommandId::Seen, focus, true, AnswerShape::Seen},
+    RequestRow{"seen", CommandId::Seen, seen, true, AnswerShape::Seen},
     RequestRow{"camera", CommandId::CameraSet, camera},
     RequestRow{"orthographic", CommandId::CameraOrthographic, orthographic},
     RequestRow{"lookAt", CommandId::CameraLookAt, lookAt},

@@ -28,7 +28,7 @@ double nowSeconds() {
 
 Room::Room(std::string instance, const Limits& limits, const StreamOptions& stream, Post post)
     : instance_(std::move(instance)), limits_(limits), stream_(stream), rungs_(stream.rungs()),
-      post_(std::move(post)) {
+      post_(std::move(post)), lockedKeys_(limits) {
     const auto later = [this](auto work) {
         post_([alive = std::weak_ptr(alive_), work = std::move(work)] {
             if (!alive.expired()) work();
@@ -52,6 +52,10 @@ Room::Room(std::string instance, const Limits& limits, const StreamOptions& stre
             for (const json& event : messageEvents(lines)) sendAll(event);
         });
     };
+    if (lockedKeys_.possible())
+        events.bindings = [this, later](std::string lines) {
+            later([this, lines = std::move(lines)] { lockedKeys_.read(lines); });
+        };
     commands_ = std::make_unique<CommandLink>(instance_, std::move(events));
 }
 
@@ -87,6 +91,7 @@ void Room::join(SessionId id, std::string name, bool mayDrive, const PageView& v
     welcome["role"] = roles_.drives(id) ? "driver" : "viewer";
     send(session, welcome);
     rolesChanged(before);
+    tellRoles();
     if (server_) send(session, {{"event", "server"}, {"state", nameOf(*server_)}, {"text", serverWhy_}});
     if (facts_.known()) sendState(session, facts_.all());
     if (hasStatus_) send(session, statusJson(status_));
@@ -198,7 +203,8 @@ void Room::serverChanged(ServerState state, const std::string& why) {
         facts_.clear();
         edits_.clear();
         editor_.reset();
-        watched_.reset();
+        watched_.clear();
+        lockedKeys_.forget();
         hasStatus_ = false;
         camera_.restart(nowSeconds());
     }
@@ -257,7 +263,8 @@ void Room::tick() {
         releaseKeys();
         notice(*driver, "released", "keys were released: nothing came for half a second");
     }
-    guardSetting();
+    guardEdits();
+    tellRoles();
     const bool statusDue = hasStatus_ && now - lastStatusSent_ >= kStatusEvery && !sessions_.empty();
     std::string status;
     if (statusDue) {

@@ -4,6 +4,7 @@
 #include "bridge/control/camera_watch.h"
 #include "bridge/control/caps.h"
 #include "bridge/control/command_link.h"
+#include "bridge/control/locked_keys.h"
 #include "bridge/control/own_edits.h"
 #include "bridge/control/requests.h"
 #include "bridge/control/roles.h"
@@ -74,8 +75,9 @@ class Room {
 
     // Roles and input.
     void rolesChanged(std::optional<SessionId> before);
+    void tellRoles();
     nlohmann::json rolesEvent() const;
-    void applyInput(Session& session, const InputMessage& input);
+    void applyInput(Session& session, const InputMessage& sent);
     void releaseKeys();
     bool roleRequest(Session& session, const nlohmann::json& request, std::uint32_t id);
 
@@ -85,8 +87,8 @@ class Room {
     void checkUndo(const Session& session, const PlannedCommand& planned) const;
     void answered(SessionId id, std::uint32_t request, const PlannedCommand& planned,
                   const ipc::Reply& reply);
-    void watchSetting(const PlannedCommand& planned);
-    void guardSetting();
+    void watchEdit(const PlannedCommand& planned);
+    void guardEdits();
 
     // The server.
     void serverChanged(ServerState state, const std::string& why);
@@ -103,6 +105,7 @@ class Room {
     std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);
     std::map<SessionId, Session> sessions_;
     Roles roles_;
+    bool rolesUntold_ = false;
     SceneFacts facts_;
     OwnEdits edits_;
     std::optional<SessionId> editor_; ///< whose edit the next state tells of
@@ -111,6 +114,7 @@ class Room {
     ipc::Status status_;
     bool hasStatus_ = false;
     CameraWatch camera_;
+    LockedKeys lockedKeys_;
     int moving_ = 0; ///< requests without an answer that may move the camera
     FrameSet newest_;
     std::int64_t lastPublishedNs_ = 0;
@@ -119,11 +123,11 @@ class Room {
     std::array<std::uint64_t, kRungCount> framesSent_{};
     std::uint64_t partsSent_ = 0, bytesSent_ = 0, skippedBefore_ = 0;
     Histogram publishToSocket_;
-    struct WatchedSetting {
-        std::string name, value; ///< before
-        double since;
+    struct WatchedEdit {
+        std::string back; ///< the command that brings back what was before
+        double since;     ///< the last time
     };
-    std::optional<WatchedSetting> watched_;
+    std::map<std::string, WatchedEdit> watched_; ///< by what it changed
     std::unique_ptr<FrameSource> frames_;
     std::unique_ptr<CommandLink> commands_; ///< last: their threads post to this
 };

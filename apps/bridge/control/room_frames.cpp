@@ -76,30 +76,19 @@ void Room::updateDemand() {
     frames_->setDemand(demand);
 }
 
-/// The dearest viewers get coarser frames first.
+/// Those that take more than an equal share get coarser frames first.
 void Room::shareLimit() {
-    if (stream_.mostBits <= 0) return;
+    if (stream_.mostBits <= 0 || sessions_.empty()) return;
+    const double now = nowSeconds(), share = stream_.mostBits / static_cast<double>(sessions_.size());
     double all = 0;
-    std::vector<std::pair<double, Session*>> dear;
+    for (const auto& [id, session] : sessions_) all += session.delivery.rate().sentBits(now);
     for (auto& [id, session] : sessions_) {
-        const double bits = session.delivery.rate().sentBits(nowSeconds());
-        all += bits;
-        dear.emplace_back(bits, &session);
-    }
-    std::ranges::sort(dear, [](const auto& a, const auto& b) { return a.first > b.first; });
-    for (auto& [bits, session] : dear) {
-        RateControl& rate = session->delivery.rate();
-        const int floor = session->delivery.view().saveData ? kFirstHalfRung : 0;
-        const int now = std::max(rate.finest(), floor);
+        RateControl& rate = session.delivery.rate();
         constexpr double kRoom = 0.6;
-        if (all > stream_.mostBits && now < kRungCount - 1) {
-            rate.limit(std::min(std::max(rate.rung(), now) + 1, kRungCount - 1));
-            return;
-        }
-        if (all < kRoom * stream_.mostBits && now > floor) {
-            rate.limit(now - 1);
-            return;
-        }
+        if (all > stream_.mostBits && rate.sentBits(now) > share)
+            rate.limit(std::min(std::max(rate.rung(), rate.finest()) + 1, kRungCount - 1));
+        else if (all < kRoom * stream_.mostBits)
+            rate.limit(std::max(rate.finest() - 1, 0));
     }
 }
 

@@ -3,6 +3,8 @@
 
 #include "common/commands/command_lines.h"
 
+#include <algorithm>
+
 namespace bridge {
 
 using nlohmann::json;
@@ -24,7 +26,7 @@ void Room::request(Session& session, const json& content, std::uint32_t id) {
     if (session.requests >= kMostRequests) throw Refused("too many requests at once");
     if (server_ && !hasServer()) throw Refused("there is no server");
     checkUndo(session, planned);
-    watchSetting(planned);
+    watchEdit(planned);
     if (!planned.anyone) {
         ++moving_;
         noteOwnMovement();
@@ -64,29 +66,48 @@ void Room::answered(SessionId by, std::uint32_t id, const PlannedCommand& planne
            done ? answerContent(planned.shape, reply.text) : json::object());
 }
 
-// A setting that makes frames last for seconds locks its own author out: the old value comes back.
+// A setting or a size that makes frames last for seconds locks its own author out: what was before comes
+// back.
 
-void Room::watchSetting(const PlannedCommand& planned) {
-    if (planned.setting.empty()) return;
-    watched_ = WatchedSetting{planned.setting, facts_.settingText(planned.setting), nowSeconds()};
+void Room::watchEdit(const PlannedCommand& planned) {
+    using app::CommandId;
+    std::string name = planned.setting, back;
+    if (planned.id == CommandId::Bloom) name = "bloom.radius";
+    if (!name.empty()) {
+        const std::string before = facts_.settingText(name);
+        if (!before.empty()) back = app::command::set(name, before);
+    } else if (planned.id == CommandId::Resolution) {
+        name = "the size";
+        const std::string width = facts_.settingText("width"), height = facts_.settingText("height");
+        if (!width.empty() && !height.empty())
+            back = app::command::resolution(std::stoi(width), std::stoi(height));
+    }
+    if (back.empty()) return;
+    // While a slider is drawn, the value from before that.
+    watched_.try_emplace(name, WatchedEdit{back, 0}).first->second.since = nowSeconds();
 }
 
-void Room::guardSetting() {
-    if (!watched_ || watched_->value.empty()) return;
+void Room::guardEdits() {
     constexpr double kLongFrame = 5, kWatched = 15;
     const double now = nowSeconds();
-    const bool waits = now - watched_->since > kLongFrame && lastFrame_ < watched_->since &&
-                       status_.idle == 0 && status_.paused == 0 && hasStatus_;
-    if (waits || (lastFrame_ > watched_->since && status_.frameSeconds > kLongFrame)) {
-        const std::string name = watched_->name;
-        commands_->request(app::command::set(name, watched_->value), [](const ipc::Reply&) {});
+    const auto tooLong = [&](const WatchedEdit& edit) {
+        const bool waits = now - edit.since > kLongFrame && lastFrame_ < edit.since && status_.idle == 0 &&
+                           status_.paused == 0 && hasStatus_;
+        return waits || (lastFrame_ > edit.since && status_.frameSeconds > kLongFrame);
+    };
+    const bool heavy = std::ranges::any_of(watched_, [&](const auto& each) { return tooLong(each.second); });
+    if (heavy) {
+        std::string names;
+        for (const auto& [name, edit] : watched_) {
+            commands_->request(edit.back, [](const ipc::Reply&) {});
+            names += (names.empty() ? "" : ", ") + name;
+        }
         commands_->refresh();
         for (auto& [id, session] : sessions_)
-            notice(session, "heavy", name + " was set back: a frame took more than 5 s");
-        watched_.reset();
-    } else if (now - watched_->since > kWatched) {
-        watched_.reset();
+            notice(session, "heavy", names + " was set back: a frame took more than 5 s");
+        watched_.clear();
     }
+    std::erase_if(watched_, [&](const auto& each) { return now - each.second.since > kWatched; });
 }
 
 } // namespace bridge

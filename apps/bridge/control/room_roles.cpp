@@ -3,6 +3,10 @@
 
 #include "bridge/control/plain_name.h"
 
+#include <algorithm>
+#include <array>
+#include <utility>
+
 namespace bridge {
 
 using nlohmann::json;
@@ -26,7 +30,12 @@ void Room::rolesChanged(std::optional<SessionId> before) {
         if (Session* const next = roles_.driver() ? find(*roles_.driver()) : nullptr)
             notice(*next, "handed", "you drive now");
     }
-    sendAll(rolesEvent());
+    rolesUntold_ = true;
+}
+
+/// Many changes at once are told as one.
+void Room::tellRoles() {
+    if (std::exchange(rolesUntold_, false)) sendAll(rolesEvent());
 }
 
 void Room::releaseKeys() {
@@ -35,8 +44,9 @@ void Room::releaseKeys() {
     commands_->dropTurn();
 }
 
-void Room::applyInput(Session& session, const InputMessage& input) {
+void Room::applyInput(Session& session, const InputMessage& sent) {
     if (!roles_.drives(session.id)) return;
+    const InputMessage input = lockedKeys_.allowed(sent);
     const double now = nowSeconds();
     noteOwnMovement(); // what is let go of now
     if (!session.input.apply(input, now)) return;
@@ -59,6 +69,9 @@ bool Room::roleRequest(Session& session, const json& request, std::uint32_t id) 
     const std::string what = found != request.end() && found->is_string() ? found->get<std::string>() : "";
     const std::optional<SessionId> before = roles_.driver();
     const double now = nowSeconds();
+    constexpr std::array<std::string_view, 6> kOwn{"ask", "give", "keep", "release", "name", "state"};
+    if (std::ranges::find(kOwn, what) == kOwn.end()) return false;
+    if (!session.own.take(now)) throw Refused("too many requests at once");
     bool ok = true;
     std::string text;
     if (what == "ask") {
@@ -86,12 +99,10 @@ bool Room::roleRequest(Session& session, const json& request, std::uint32_t id) 
         if (ok) session.name = plainName(name->get<std::string>());
         if (ok) roles_.rename(session.id, session.name);
         if (!ok) text = "'name' is a text";
-    } else if (what == "state") {
+    } else { // state
         if (facts_.known()) sendState(session, facts_.all());
         answer(session, id, facts_.known(), facts_.known() ? "" : "there is no state yet", {});
         return true;
-    } else {
-        return false;
     }
     answer(session, id, ok, text, {});
     if (ok) rolesChanged(before);

@@ -3,6 +3,7 @@
 
 #include "bridge/control/input_state.h"
 #include "bridge/control/roles.h"
+#include "bridge/net/doorkeeper.h"
 #include "bridge/net/outlet.h"
 #include "bridge/stream/delivery.h"
 
@@ -22,7 +23,8 @@ struct Session {
     std::shared_ptr<Outlet> outlet;
     Delivery delivery;
     InputState input;
-    int requests = 0; ///< without an answer
+    int requests = 0;      ///< without an answer
+    TokenBucket own{4, 8}; ///< of requests that the bridge answers itself, a second
     double began = 0;
     double lastLink = 0, lastPing = 0;
     std::uint64_t linkSent = 0, linkBytes = 0, bytes = 0, lastLinkBytes = 0;

@@ -82,18 +82,9 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
         });
     }
 
-    void sendText(std::string text) override {
-        if (closing_) return;
-        queued_ += text.size();
-        if (queued_ > kMostQueued) return close(CloseCode::Silent, "messages are not read");
-        queue_.push_back({std::move(text), {}, {}, false});
-        writeNext();
-    }
+    void sendText(std::string text) override { enqueue({std::move(text), {}, {}, false}); }
     void sendBinary(const Header& header, const Shipment* shipment) override {
-        if (closing_) return;
-        queued_ += header.size();
-        queue_.push_back({{}, header, shipment != nullptr ? *shipment : Shipment{}, true});
-        writeNext();
+        enqueue({{}, header, shipment != nullptr ? *shipment : Shipment{}, true});
     }
     bool busy() const override { return writing_ || !queue_.empty() || closing_; }
     void ping() override {
@@ -131,7 +122,15 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
         Header header{};
         Shipment shipment;
         bool binary;
+        std::size_t size() const { return sizeof(Item) + text.size(); }
     };
+    void enqueue(Item item) {
+        if (closing_) return;
+        queued_ += item.size();
+        if (queued_ > kMostQueued) return close(CloseCode::Silent, "messages are not read");
+        queue_.push_back(std::move(item));
+        writeNext();
+    }
 
     void opened() {
         socket_->control_callback([this](websocket::frame_type type, boost::beast::string_view) {
@@ -190,7 +189,7 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
     }
     void wrote(ErrorCode error) {
         writing_ = false;
-        queued_ -= std::min(queued_, current_->binary ? current_->header.size() : current_->text.size());
+        queued_ -= std::min(queued_, current_->size());
         current_.reset();
         if (error || closing_) return;
         writeNext();
@@ -311,7 +310,7 @@ class HttpConnection : public Pending, public std::enable_shared_from_this<HttpC
                 return answer(pageOf(file, request), stays);
         std::string_view bearer = fieldOf(request, http::field::authorization);
         bearer = bearer.starts_with("Bearer ") ? bearer.substr(7) : std::string_view();
-        HttpAnswer made = shared_.handlers.answer(path, bearer);
+        HttpAnswer made = shared_.handlers.answer(path, bearer, address_);
         Response response = status(static_cast<http::status>(made.status), std::move(made.body));
         response.set(http::field::content_type, made.type);
         answer(std::move(response), stays);

@@ -43,7 +43,8 @@ struct HttpHandlers {
     /// A WebSocket is open. The receiver lives until it is told closed().
     std::function<std::shared_ptr<Receiver>(const std::shared_ptr<Outlet>&)> opened;
     /// For paths that are no files of the page. `bearer`: of `Authorization`, or "".
-    std::function<HttpAnswer(std::string_view path, std::string_view bearer)> answer;
+    std::function<HttpAnswer(std::string_view path, std::string_view bearer, const std::string& address)>
+        answer;
     std::function<Entry(const std::string& address)> entry;
     std::function<void(const char* reason)> refused; ///< counted
 };

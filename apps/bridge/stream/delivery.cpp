@@ -7,7 +7,7 @@ namespace bridge {
 void Delivery::setView(const PageView& view) {
     view_ = view;
     rate_.pin(view.rung ? std::optional(std::clamp(*view.rung, 0, kRungCount - 1)) : preferred_);
-    rate_.limit(view.saveData ? kFirstHalfRung : 0);
+    rate_.floor(view.saveData ? kFirstHalfRung : 0);
 }
 
 std::optional<int> Delivery::wanted() const {

@@ -129,7 +129,7 @@ void RateControl::decide(const Entry& entry, Seconds now) {
 
 /// To a finer rung, after a while.
 bool RateControl::mayClimb(const Entry& entry) const {
-    if (rung_ <= finest_) return false;
+    if (rung_ <= finest()) return false;
     if (usualDecode_ > frameTime_) return false;
     return queue_ <= kGood * frameTime_ || carries(rung_ - 1, entry);
 }
@@ -184,8 +184,8 @@ int RateControl::window() const {
 }
 
 int RateControl::rung() const {
-    if (pinned_) return std::max(*pinned_, finest_);
-    return std::max(rung_, finest_);
+    if (pinned_) return std::max(*pinned_, finest());
+    return std::max(rung_, finest());
 }
 
 double RateControl::sentBits(Seconds now) const { return 8 * recent_ * std::exp(lastSent_ - now); }

@@ -4,6 +4,7 @@
 
 #include "bridge/stream/rung.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -36,8 +37,10 @@ class RateControl {
     /// A small message went there and back.
     void ponged(Seconds rtt, Seconds now) { noteBase(rtt, 0, now); }
     /// The finest rung to be used, so that all viewers together keep within a limit; kRungs's first: none.
-    void limit(int finest) { finest_ = finest; }
-    int finest() const { return finest_; }
+    void limit(int finest) { limit_ = finest; }
+    /// The finest one that the page wants.
+    void floor(int finest) { floor_ = finest; }
+    int finest() const { return std::max(limit_, floor_); }
     /// Bits per second that are sent, over the last second or so.
     double sentBits(Seconds now) const;
     /// The rung to begin with.
@@ -90,7 +93,7 @@ class RateControl {
 
     Seconds frameTime_ = 1.0 / 30;
     int rung_;
-    int finest_ = 0;
+    int limit_ = 0, floor_ = 0;
     std::optional<int> pinned_;
     std::deque<Entry> flight_;
     /// Least delays, the oldest first, each less than all later ones.

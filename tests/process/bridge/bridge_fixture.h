@@ -40,6 +40,8 @@ class FakeServer {
         improves_ = false;
         rate_ = framesPerSecond;
     }
+    /// Its next frame never comes.
+    void hang() { hangs_ = true; }
     /// So many steps a second of a picture of one view, each of which tells that it is further.
     void improve(int stepsPerSecond) {
         improves_ = true;
@@ -83,6 +85,8 @@ class FakeServer {
     }
     /// Instead of doing what it says; "": done.
     std::function<std::string(const std::string&)> onCommand = {};
+    const std::string bindings =
+        "W forward\nF toggleWalk\nB toggleBloom\n1 toggleLight 1\nM+2 selectEnvironment 2";
     static app::StateReport plainState() {
         app::StateReport state;
         state.scene = "/secret/folder/hall.scn";
@@ -102,7 +106,8 @@ class FakeServer {
             server.wait(1ms);
             serve(server);
             const int rate = rate_;
-            const bool due = rate > 0 && Clock::now() - last >= std::chrono::microseconds(1'000'000) / rate;
+            const bool due =
+                rate > 0 && !hangs_ && Clock::now() - last >= std::chrono::microseconds(1'000'000) / rate;
             if (due) last = Clock::now();
             if (due || takeShowOne()) publish(server);
         }
@@ -142,6 +147,7 @@ class FakeServer {
         const std::lock_guard lock(mutex_);
         if (command.text == "state") return server.answer(command, app::formatStateReport(state_, 65520));
         if (command.text.starts_with("messages")) return server.answer(command);
+        if (command.text == "bindings") return server.answer(command, bindings);
         commands_.push_back(command.text);
         server.answer(command, onCommand ? onCommand(command.text) : "");
     }
@@ -156,7 +162,7 @@ class FakeServer {
     std::size_t frame_ = 0;
     bool showOne_ = false;
     std::atomic<int> rate_ = 0, clients_ = 0;
-    std::atomic<bool> running_ = false, stopping_ = false, improves_ = false;
+    std::atomic<bool> running_ = false, stopping_ = false, improves_ = false, hangs_ = false;
     std::thread thread_; // last
 };
 

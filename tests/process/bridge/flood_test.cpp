@@ -98,6 +98,22 @@ TEST_F(Floods, OfMessagesCloseTheirOwnConnection) {
     EXPECT_EQ(honest->request({{"do", "walk"}})["ok"], true);
 }
 
+TEST_F(Floods, OfNamesAreToldNowAndThen) {
+    const auto honest = join(), bad = join(kViewer);
+    for (int i = 0; i < 200; ++i) bad->sendText(fmt::format(R"({{"id":{},"do":"name","name":"{}"}})", i, i));
+    int answers = 0, refused = 0;
+    for (; answers < 200; ++answers) {
+        const auto answer = bad->event("answer");
+        if (answer.is_null()) break;
+        refused += answer["ok"] == false ? 1 : 0;
+    }
+    EXPECT_EQ(answers, 200);
+    EXPECT_GT(refused, 150);
+    int told = 0;
+    while (!honest->event("roles", 300ms).is_null()) ++told;
+    EXPECT_LT(told, 40) << "the others are told of some";
+}
+
 TEST_F(Floods, OfRequestsAreAnsweredInTurn) {
     const auto client = join();
     for (int i = 0; i < 100; ++i) client->sendText(fmt::format(R"({{"id":{},"do":"walk"}})", i));

@@ -1,6 +1,10 @@
 // What a page may ask for.
 #include "process/bridge/bridge_fixture.h"
 
+#include "rtcore/settings/render_settings.h"
+
+#include <fmt/core.h>
+
 #include <iostream>
 #include <random>
 #include <span>
@@ -95,6 +99,42 @@ TEST_F(LockedEdits, ChangeNothingButTheView) {
         EXPECT_EQ(client->request(request)["ok"], false) << request;
     EXPECT_EQ(client->request({{"do", "fly"}})["ok"], true);
     EXPECT_EQ(server->commands(), std::vector<std::string>{"fly"});
+}
+
+TEST_F(LockedEdits, LetKeysMoveAndDoNothingElse) {
+    const auto client = join();
+    EXPECT_FALSE(client->event("state").is_null());
+    EXPECT_TRUE(eventually([&] { // once the server has told what its keys do
+        client->input({'W'});
+        return server->isHeld('W');
+    }));
+    client->input({'W', 'B', '1', 'M', '2'}, 0, 0, {'B', '1', '2', 'F'});
+    EXPECT_TRUE(eventually([&] { return server->presses('F') == 1; }));
+    EXPECT_TRUE(server->isHeld('W'));
+    for (const char key : {'B', '1', '2'}) EXPECT_EQ(server->presses(key), 0U) << key;
+}
+
+TEST_F(Requests, WhatMakesFramesLastForSecondsIsSetBack) {
+    const auto client = join();
+    EXPECT_FALSE(client->event("state").is_null());
+    server->move(20);
+    EXPECT_TRUE(eventually([&] { return server->published() > 4; }));
+    server->hang();
+    std::this_thread::sleep_for(200ms);
+    for (const int value : {7, 8})
+        EXPECT_EQ(client->request({{"do", "set"}, {"name", "maxDepth"}, {"value", value}})["ok"], true);
+    EXPECT_EQ(client->request({{"do", "set"}, {"name", "antialiasing"}, {"value", 4}})["ok"], true);
+    EXPECT_EQ(client->request({{"do", "resolution"}, {"width", 1600}, {"height", 900}})["ok"], true);
+    json notice = client->event("notice", 8s);
+    while (!notice.is_null() && notice["code"] != "heavy") notice = client->event("notice", 8s);
+    ASSERT_FALSE(notice.is_null());
+    ASSERT_TRUE(eventually([&] { return server->commands().size() == 7; })) << "four of the page, three back";
+    const std::vector<std::string> commands = server->commands();
+    const rtcore::RenderSettings before;
+    EXPECT_EQ(commands[4], fmt::format("set antialiasing {}", before.antialiasing));
+    EXPECT_EQ(commands[5], fmt::format("set maxDepth {}", before.maxDepth))
+        << "the value from before the first";
+    EXPECT_EQ(commands[6], fmt::format("resolution {} {}", before.width, before.height));
 }
 
 /// How many of these the bridge has read. The last one of them may have ended the connection: then there is

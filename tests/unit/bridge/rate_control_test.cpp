@@ -233,6 +233,10 @@ TEST(RateControl, KeepsPinnedRungs) {
     EXPECT_EQ(link.rate.rung(), 0);
     link.rate.limit(3);
     EXPECT_EQ(link.rate.rung(), 3);
+    link.rate.floor(1);
+    EXPECT_EQ(link.rate.rung(), 3) << "what the page wants does not lift the limit";
+    link.rate.limit(0);
+    EXPECT_EQ(link.rate.rung(), 1);
 }
 
 TEST(RateControl, SendsSmallPartsOverNarrowLinks) {

@@ -152,6 +152,9 @@ TEST(Requests, OfWhatIsLockedAreRefused) {
     EXPECT_REFUSED({{"do", "resolution"}, {"width", 64}, {"height", 64}}, some);
     EXPECT_REFUSED({{"do", "defaults"}}, some);
     EXPECT_EQ(lineOf({{"do", "light"}, {"light", 1}, {"on", true}}, some), "light 1 on");
+    some.locked = {"depthOfField.focus"};
+    EXPECT_REFUSED({{"do", "focus"}, {"x", 0.5}, {"y", 0.5}}, some);
+    EXPECT_EQ(lineOf({{"do", "seen"}, {"x", 0.5}, {"y", 0.5}}, some), "seen 0.5 0.5");
 }
 
 TEST(Requests, ChangeNothingButTheViewWhereEditsAreLocked) {
@@ -200,6 +203,9 @@ TEST(Requests, ChangeNothingButTheViewWhereEditsAreLocked) {
         EXPECT_EQ(refusalOf(request, edits) != "edits are locked here", stay.contains(row.name))
             << row.name << ": " << refusalOf(request, edits);
         EXPECT_TRUE(refusalOf(request).starts_with("taken as ")) << row.name << ": " << refusalOf(request);
+        const std::set<std::string_view> look{"parts", "materials", "material", "seen"};
+        EXPECT_EQ(bridge::planRequest(request, {Limits(), kBookmarks}).anyone, look.contains(row.name))
+            << row.name;
     }
 }
 

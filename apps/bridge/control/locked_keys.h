@@ -1,0 +1,34 @@
+/// Keys of the server that change what pages may not change. Pure.
+#pragma once
+
+#include "bridge/control/caps.h"
+#include "bridge/control/command_link.h"
+#include "bridge/stream/wire.h"
+
+#include <optional>
+#include <string_view>
+
+namespace bridge {
+
+/// Which ones is known from the server's answer to `bindings`; none is let through before. One thread.
+class LockedKeys {
+  public:
+    /// `limits` must outlive it.
+    explicit LockedKeys(const Limits& limits) : limits_(limits) {}
+
+    /// Whether any could be.
+    bool possible() const { return limits_.isLocked("edits") || limits_.isLocked("bloom.radius"); }
+    /// Lines such as "M+1 selectEnvironment 1".
+    void read(std::string_view bindings);
+    void forget() { locked_.reset(); }
+    /// The input without them.
+    InputMessage allowed(InputMessage input) const;
+
+  private:
+    bool isLocked(std::string_view action) const;
+
+    const Limits& limits_;
+    std::optional<KeySet> locked_;
+};
+
+} // namespace bridge
