@@ -1,6 +1,8 @@
 // Servers that die and come again: the page lives on, and shows nothing that is not so any more.
 #include "web/bridged_server.h"
 
+#include <csignal>
+
 namespace {
 
 using test::WebPage;
@@ -48,6 +50,21 @@ TEST_F(LostServer, AnotherServerIsShownAsSoonAsItRuns) {
     page.keyDown("KeyE");
     EXPECT_TRUE(test::eventually([&] { return page.pixels() != drawn; }, std::chrono::seconds(20)));
     page.keyUp("KeyE");
+}
+
+/// As after a sleep of the computer, or in another network.
+TEST_F(LostServer, ALinkThatBreaksWithoutAWordIsNoticed) {
+    const WebPage page = drive();
+    const auto lost = [&](std::chrono::seconds within) {
+        return page.becomes("document.querySelector('#notices .warn') !== null", within);
+    };
+    kill(bridge().process(), SIGSTOP);
+    page.value("dispatchEvent(new Event('online'))");
+    EXPECT_TRUE(lost(std::chrono::seconds(10)));
+    kill(bridge().process(), SIGCONT);
+    EXPECT_TRUE(page.becomes("!document.querySelector('#notices .warn')"));
+    page.value("window.mark = 1; dispatchEvent(new Event('online'))");
+    EXPECT_FALSE(lost(std::chrono::seconds(6))) << "one that is whole answers";
 }
 
 TEST_F(LostServer, ThePageWaitsForTheFirstOne) {

@@ -7,7 +7,7 @@ const FINAL = new Set([4002, 4003, 4004, 4010]);
 
 export class Link extends EventTarget {
     /**
-     * @param {{open: Function, send: Function}} stream where the connection is
+     * @param {{open: Function, send: Function, check: Function}} stream where the connection is
      * @param {() => Object} hello what the first message says, without `do` and `v`
      */
     constructor(stream, hello) {
@@ -49,8 +49,9 @@ export class Link extends EventTarget {
         this.connect();
     }
 
+    /** The next try at once; or a look whether the link still is one. */
     hurry() {
-        if (!this.timer) return;
+        if (!this.timer) return this.stream.check();
         this.wait = FIRST_WAIT;
         this.connect();
     }

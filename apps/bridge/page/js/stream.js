@@ -3,7 +3,10 @@
  * where a canvas cannot leave it.
  */
 import { Painter } from "./painter.js";
-import { FRAME, STILL, ackMessage, readHeader } from "./wire.js";
+import { FRAME, STILL, ackMessage, pingMessage, readHeader } from "./wire.js";
+
+const SILENCE_MS = 15000, ANSWER_MS = 4000;
+const BROKEN = 1006; // as browsers call it
 
 export class Stream {
     /**
@@ -15,6 +18,12 @@ export class Stream {
         this.tell = tell;
         this.painter = new Painter(canvas, (told) => this.onPainted(told));
         this.socket = null;
+        this.received = 0; // messages
+        let before = 0;
+        setInterval(() => {
+            if (this.received === before) this.check();
+            before = this.received;
+        }, SILENCE_MS);
     }
 
     /** Connects in place of the last connection, and says `hello`. */
@@ -24,13 +33,31 @@ export class Stream {
         const mine = (what) => (event) => socket === this.socket && what(event);
         socket.binaryType = "arraybuffer";
         socket.onopen = mine(() => socket.send(hello));
-        socket.onmessage = mine(({ data }) => (typeof data === "string" ? this.tell({ serial, said: data }) : this.take(data)));
+        socket.onmessage = mine(({ data }) => {
+            ++this.received;
+            if (typeof data === "string") this.tell({ serial, said: data });
+            else this.take(data);
+        });
         socket.onclose = mine(({ code, reason }) => this.tell({ serial, closed: { code, reason } }));
+        this.lose = mine(() => {
+            this.close();
+            this.tell({ serial, closed: { code: BROKEN, reason: "" } });
+        });
     }
 
     /** Text or binary; lost where there is no connection now. */
     send(message) {
         if (this.socket?.readyState === WebSocket.OPEN) this.socket.send(message);
+    }
+
+    /**
+     * After a sleep, or in another network, a connection may be gone without a word: then nothing answers a ping.
+     */
+    check() {
+        if (this.socket?.readyState !== WebSocket.OPEN) return;
+        const { lose, received } = this;
+        this.send(pingMessage());
+        setTimeout(() => this.received === received && lose(), ANSWER_MS);
     }
 
     close() {

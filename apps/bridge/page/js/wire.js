@@ -58,6 +58,13 @@ export function inputMessage(sequence, right, up, taps, held) {
     return bytes.buffer;
 }
 
+/** Its echo comes at once. */
+export function pingMessage() {
+    const message = new DataView(new ArrayBuffer(16));
+    message.setUint8(0, 5);
+    return message.buffer;
+}
+
 /** @param {{visible: boolean, rung: number, save: boolean, width: number, height: number}} view */
 export function viewMessage({ visible, rung, save, width, height }) {
     const message = new DataView(new ArrayBuffer(8));
