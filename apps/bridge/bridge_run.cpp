@@ -40,7 +40,7 @@ std::string hostWithPort(const std::string& host, std::uint16_t port) {
 std::vector<std::string> hostsOf(const ListenAddress& address, std::uint16_t port) {
     if (!address.socketPath.empty()) return {};
     std::vector<std::string> hosts{hostWithPort(address.host, port)};
-    if (isEverywhere(address.host)) hosts = {hostWithPort(app::hostName(), port)};
+    if (isEverywhere(address.host)) hosts = {hostWithPort(app::hostName(), port), hostWithPort("*", port)};
     return hosts;
 }
 
@@ -103,7 +103,8 @@ class Serving {
                 .answer = [this](std::string_view path, std::string_view bearer,
                                  const std::string& address) { return hub_->answer(path, bearer, address); },
                 .entry = [this](const std::string& address) { return hub_->entry(address); },
-                .refused = [this](const char* reason) { hub_->refused(reason); }};
+                .refused = [this](const char* reason,
+                                  const std::string& address) { hub_->refused(reason, address); }};
     }
 
     void tick() {

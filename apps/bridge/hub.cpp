@@ -8,6 +8,8 @@
 #include "common/cli/help_text.h"
 #include "common/process/thread_seconds.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 namespace bridge {
@@ -63,7 +65,22 @@ Entry Hub::entry(const std::string& address) {
 
 void Hub::wrongToken(const std::string& address) {
     wrong_.add(address, nowSeconds());
-    refused("token");
+    refused("token", address);
+}
+
+void Hub::refused(const char* reason, const std::string& address) {
+    ++refused_[reason];
+    note(fmt::format("refused {}: {}", address, reason));
+}
+
+void Hub::noteServers() {
+    for (const auto& room : rooms_) {
+        if (!room->server()) continue;
+        const auto [at, first] = noted_.try_emplace(room->instance(), *room->server());
+        if (!first && at->second == *room->server()) continue;
+        at->second = *room->server();
+        note(fmt::format("{}: server {}", room->instance(), nameOf(at->second)));
+    }
 }
 
 Hub::Right Hub::rightOf(std::string_view token) const {
@@ -106,6 +123,7 @@ json Hub::welcome(const Room& room, SessionId id, Right right) const {
 
 void Hub::tick() {
     for (const auto& each : rooms_) each->tick();
+    noteServers();
     std::erase_if(came_, [](const auto& each) { return each.expired(); });
     for (const auto& each : came_)
         if (const auto visitor = each.lock()) visitor->tick(nowSeconds());

@@ -4,6 +4,7 @@
 
 #include "bridge/bridge_options.h"
 #include "bridge/control/room.h"
+#include "bridge/report/journal.h"
 #include "bridge/report/watch.h"
 #include "bridge/tokens.h"
 
@@ -27,7 +28,7 @@ class Hub {
     HttpAnswer answer(std::string_view path, std::string_view bearer, const std::string& address);
     /// Of the next WebSocket from there. Others that wait without a word make room for it.
     Entry entry(const std::string& address);
-    void refused(const char* reason) { ++refused_[reason]; }
+    void refused(const char* reason, const std::string& address);
     void tick();
 
     /// All pages are closed; the old links lead nowhere.
@@ -44,18 +45,22 @@ class Hub {
     std::string instanceList() const;
     void visitorCame() { ++visitors_; }
     void visitorLeft() { --visitors_; }
+    void note(const std::string& text) { journal_.note(text); }
 
   private:
     nlohmann::json status() const;
     std::vector<RoomFigures> figures() const;
     std::vector<std::shared_ptr<Visitor>> newcomers(const std::string& address) const; ///< "": of all
     bool makeRoom(const std::string& address);
+    void noteServers();
 
     const BridgeOptions& options_;
     Tokens tokens_;
     std::vector<std::unique_ptr<Room>> rooms_;
     nlohmann::json settings_, rungs_;
     Watch watch_;
+    Journal journal_;
+    std::map<std::string, ServerState> noted_; ///< of each instance, in the journal
     WrongTokens wrong_;
     std::map<std::string, std::uint64_t> refused_;
     std::size_t visitors_ = 0;

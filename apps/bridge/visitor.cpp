@@ -2,6 +2,8 @@
 
 #include "bridge/control/plain_name.h"
 
+#include <fmt/core.h>
+
 namespace bridge {
 
 namespace {
@@ -66,7 +68,11 @@ void Visitor::hello(std::string_view text) {
     if (room == nullptr) return close(CloseCode::NoInstance, hub_.instanceList());
     room_ = room;
     id_ = hub_.newId();
-    room->join(id_, plainName(textOf(message, "name")), right == Hub::Right::Drive, viewOf(message), outlet,
+    const std::string name = plainName(textOf(message, "name"));
+    person_ = fmt::format("{}: {} {}{}", room->instance(), right == Hub::Right::Drive ? "driver" : "viewer",
+                          id_, name.empty() ? "" : ", " + name + ",");
+    hub_.note(fmt::format("{} came from {}", person_, address_));
+    room->join(id_, name, right == Hub::Right::Drive, viewOf(message), outlet,
                hub_.welcome(*room, id_, right));
 }
 
@@ -81,7 +87,9 @@ void Visitor::writable() {
 void Visitor::closed() {
     isClosed_ = true;
     hub_.visitorLeft();
-    if (room_ != nullptr) room_->leave(id_);
+    if (room_ == nullptr) return;
+    room_->leave(id_);
+    hub_.note(fmt::format("{} left after {:.0f} s", person_, nowSeconds() - began_));
 }
 
 bool Visitor::givesWay(double now) const {

@@ -35,8 +35,8 @@ class Visitor : public Receiver {
 
     Hub& hub_;
     std::weak_ptr<Outlet> outlet_; ///< which holds this
-    std::string address_;
-    Room* room_ = nullptr; ///< null: before `hello`
+    std::string address_, person_; ///< for the journal
+    Room* room_ = nullptr;         ///< null: before `hello`
     SessionId id_ = 0;
     bool isClosed_ = false;
     double began_ = nowSeconds();

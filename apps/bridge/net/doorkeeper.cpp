@@ -34,12 +34,25 @@ bool isLoopback(std::string_view host) {
     return false;
 }
 
+/// "192.168.1.7:8443" or "[fe80::1]:8443" as "*:8443"; "" for names.
+std::string anyNumericHost(std::string_view host) {
+    const std::size_t end = std::min(host.rfind(':'), host.size());
+    const std::string_view address = host.substr(0, end);
+    const bool isSix = address.size() > 2 && address.starts_with('[') && address.ends_with(']') &&
+                       address.substr(1, address.size() - 2).find_first_not_of("0123456789abcdef:.") ==
+                           std::string_view::npos;
+    const bool isFour =
+        !address.empty() && address.find_first_not_of("0123456789.") == std::string_view::npos;
+    return isFour || isSix ? "*" + std::string(host.substr(end)) : "";
+}
+
 } // namespace
 
 bool isOurHost(const Names& names, std::string_view host) {
     const std::string small = lower(host);
     return isLoopback(small) || (!small.empty() && small == names.proxyHost) ||
-           std::ranges::find(names.hosts, small) != names.hosts.end();
+           std::ranges::find(names.hosts, small) != names.hosts.end() ||
+           std::ranges::find(names.hosts, anyNumericHost(small)) != names.hosts.end();
 }
 
 bool isOurOrigin(const Names& names, std::string_view host, std::optional<std::string_view> origin) {

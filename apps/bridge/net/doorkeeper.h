@@ -14,7 +14,9 @@ namespace bridge {
 
 /// What a bridge answers to.
 struct Names {
-    std::vector<std::string> hosts;   ///< "192.168.1.7:8443", in small letters, besides the loopback's
+    /// "192.168.1.7:8443", in small letters, besides the loopback's; "*:8443": any numeric address, as DNS
+    /// leads to none of them.
+    std::vector<std::string> hosts;
     std::vector<std::string> origins; ///< "https://viz.example": of --origin, exactly
     std::string proxyHost;            ///< "viz.example", that of --origin: its pages have its `origins` only
     std::string prefix;               ///< "/node7/8931" of --origin; "" without one

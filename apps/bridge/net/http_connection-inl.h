@@ -286,7 +286,7 @@ class HttpConnection : public Pending, public std::enable_shared_from_this<HttpC
         return response;
     }
     Response refuse(http::status code, const char* reason, std::string text) {
-        if (shared_.handlers.refused) shared_.handlers.refused(reason);
+        if (shared_.handlers.refused) shared_.handlers.refused(reason, address_);
         return status(code, std::move(text));
     }
 

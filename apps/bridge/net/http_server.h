@@ -46,7 +46,7 @@ struct HttpHandlers {
     std::function<HttpAnswer(std::string_view path, std::string_view bearer, const std::string& address)>
         answer;
     std::function<Entry(const std::string& address)> entry;
-    std::function<void(const char* reason)> refused; ///< counted
+    std::function<void(const char* reason, const std::string& address)> refused; ///< counted, noted
 };
 
 /// Throws rtcore::FileError (TryAgain when the address is taken; NoInput and BadData for the files of TLS).

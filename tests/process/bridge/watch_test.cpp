@@ -27,6 +27,43 @@ TEST_F(Watched, PrintsALineASecondOfEachServer) {
     EXPECT_TRUE(told(instance.name() + ": server there, 1 page, driver Anna")) << links();
 }
 
+class Journal : public BridgeTest {
+  protected:
+    bool told(const std::string& text) {
+        return eventually([&] { return links().find(text) != std::string::npos; }, 10s);
+    }
+};
+
+TEST_F(Journal, TellsWhoComesAndWhoIsRefused) {
+    const std::string room = "RTBridge: " + instance.name() + ": ";
+    EXPECT_TRUE(told(room + "server there\n")) << links();
+    join(kDriver, "An\u009bna");
+    EXPECT_TRUE(told(room + "driver 1, Anna, came from 127.0.0.1\n")) << links();
+    EXPECT_TRUE(told(room + "driver 1, Anna, left after 0 s\n")) << links();
+    join(kViewer, "");
+    EXPECT_TRUE(told(room + "viewer 2 came from 127.0.0.1\n")) << links();
+    EXPECT_EQ(WebClient(port, "http://evil.example").status(), 403);
+    EXPECT_TRUE(told("RTBridge: refused 127.0.0.1: origin\n")) << links();
+    WebClient wrong(port);
+    wrong.hello("no-token-of-this-bridge");
+    EXPECT_TRUE(told("RTBridge: refused 127.0.0.1: token\n")) << links();
+    server.reset();
+    EXPECT_TRUE(told(room + "server gone\n")) << links();
+    EXPECT_EQ(links().find("no-token"), std::string::npos);
+}
+
+TEST_F(Journal, HasTenLinesASecondAtMost) {
+    EXPECT_TRUE(told("server there\n"));
+    for (int i = 0; i < 100; ++i) WebClient(port, "http://evil.example");
+    std::this_thread::sleep_for(300ms);
+    WebClient(port, "http://evil.example");
+    EXPECT_TRUE(told("lines before it were left out")) << links();
+    const std::string text = links(), line = "refused 127.0.0.1";
+    int lines = 0;
+    for (std::size_t at = 0; (at = text.find(line, at)) != std::string::npos; ++at) ++lines;
+    EXPECT_LT(lines, 60);
+}
+
 TEST_F(Watched, KeepsTheQualityThatIsAskedFor) {
     WebClient client(port);
     client.hello(kDriver);
