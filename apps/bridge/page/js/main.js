@@ -108,6 +108,7 @@ const hands = {
     },
     used() {
         around.walked = true;
+        keepAwakeForNow();
         byId("pads").hidden = false;
         around.showHint();
     },
@@ -115,6 +116,14 @@ const hands = {
 const input = new Input(canvas, held, hands);
 new Touch(canvas, held, hands);
 new Gamepad(held, () => app.drives());
+
+/** Hands that capture nothing tell of no end. */
+let awakeUntil = 0;
+function keepAwakeForNow() {
+    clearTimeout(awakeUntil);
+    awakeUntil = setTimeout(() => stage.classList.contains("captured") || keepAwake(false), 60000);
+    keepAwake(true);
+}
 
 function onCaptured(kind) {
     around.walked ||= kind !== "";
