@@ -58,7 +58,7 @@ app::OptionGroup addressOptions() {
         {{.name = "listen",
           .value = ValueKind::Text,
           .argument = "ADDRESS",
-          .help = "HOST, HOST:PORT, or unix for a socket that only this user can open [127.0.0.1]",
+          .help = "an address, ADDRESS:PORT, or unix for a socket that only this user can open [127.0.0.1]",
           .more =
               "Without a port it is 8931, or the next free one. With `unix` the command line for `ssh -L` "
               "is printed. An address that other machines reach takes TLS"},
@@ -116,7 +116,8 @@ app::OptionGroup permissionOptions() {
          {.name = "max-mbit",
           .value = ValueKind::Number,
           .argument = "X",
-          .help = "most megabits per second for all pages together; 0 is no limit [0]",
+          .help = "most megabits per second for all pages together, shared evenly by the servers of "
+                  "`--instance`; 0 is no limit [0]",
           .minimum = 0,
           .maximum = 1e6}}};
 }
@@ -170,9 +171,11 @@ ListenAddress listenOf(const std::optional<std::string>& given) {
     if (!given) return {"127.0.0.1", kPort, {}, kPorts};
     if (*given == "unix") return {{}, 0, "unix", 1};
     const auto fail = [&] {
-        return app::UsageError("option '--listen' takes HOST, HOST:PORT or unix, not '" + *given + "'");
+        return app::UsageError("option '--listen' takes an address, ADDRESS:PORT or unix, not '" + *given +
+                               "'");
     };
-    const std::size_t colon = given->ends_with(']') ? std::string::npos : given->rfind(':');
+    const bool isSix = given->find(':') != given->rfind(':') && !given->starts_with('[');
+    const std::size_t colon = given->ends_with(']') || isSix ? std::string::npos : given->rfind(':');
     const bool hasPort = colon != std::string::npos;
     std::string host = given->substr(0, colon);
     if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);

@@ -36,11 +36,19 @@ std::string hostWithPort(const std::string& host, std::uint16_t port) {
                                                : fmt::format("[{}]:{}", host, port);
 }
 
+constexpr std::uint16_t kHttpPort = 80, kHttpsPort = 443; // which browsers leave out
+
 /// Names by which other machines may call this one.
-std::vector<std::string> hostsOf(const ListenAddress& address, std::uint16_t port) {
+std::vector<std::string> hostsOf(const ListenAddress& address, std::uint16_t port, bool tls) {
     if (!address.socketPath.empty()) return {};
-    std::vector<std::string> hosts{hostWithPort(address.host, port)};
-    if (isEverywhere(address.host)) hosts = {hostWithPort(app::hostName(), port), hostWithPort("*", port)};
+    std::vector<std::string> names{address.host};
+    if (isEverywhere(address.host)) names = {app::hostName(), "*"};
+    std::vector<std::string> hosts;
+    for (const std::string& name : names) {
+        const std::string whole = hostWithPort(name, port);
+        hosts.push_back(whole);
+        if (port == (tls ? kHttpsPort : kHttpPort)) hosts.push_back(whole.substr(0, whole.rfind(':')));
+    }
     return hosts;
 }
 
@@ -77,7 +85,7 @@ class Serving {
         if (options_.parent) app::stopWithParent(*options_.parent);
         if (options_.start) started_ = startServer(*options_.start, options_.instances.front());
         server_ = std::make_unique<HttpServer>(options_.listen, options_.names, options_.tls, handlers());
-        server_->addHosts(hostsOf(options_.listen, server_->port()));
+        server_->addHosts(hostsOf(options_.listen, server_->port(), options_.names.tls));
         hub_ = std::make_unique<Hub>(options_, tokens_,
                                      [this](std::function<void()> work) { server_->post(std::move(work)); });
     }
@@ -127,9 +135,11 @@ class Serving {
         if (app::errorTakesMore()) app::writeError(lines);
     }
     void renew() {
-        if (options_.tokenFile)
-            return app::printMessage("RTBridge", "the tokens are those of --token-file; change them there");
-        tokens_ = openTokens({}, options_.viewOnly);
+        try {
+            tokens_ = openTokens(options_.tokenFile, options_.viewOnly);
+        } catch (const rtcore::FileError& error) {
+            return app::printMessage("RTBridge", std::string(error.what()) + "; the links stay");
+        }
         hub_->renew(tokens_);
         printLinks(options_, tokens_, server_->port());
     }

@@ -46,10 +46,10 @@ std::vector<std::shared_ptr<Visitor>> Hub::newcomers(const std::string& address)
     return all;
 }
 
-bool Hub::makeRoom(const std::string& address) {
+bool Hub::makeRoom(const std::string& address, double patience) {
     const auto all = newcomers(address);
-    const auto first =
-        std::ranges::find_if(all, [now = nowSeconds()](const auto& each) { return each->givesWay(now); });
+    const auto first = std::ranges::find_if(
+        all, [&, now = nowSeconds()](const auto& each) { return each->givesWay(now, patience); });
     if (first == all.end()) return false;
     (*first)->drop();
     return true;
@@ -57,9 +57,14 @@ bool Hub::makeRoom(const std::string& address) {
 
 Entry Hub::entry(const std::string& address) {
     constexpr std::size_t kMostNewcomers = 8;
+    constexpr double kPatience = 1;
     if (wrong_.shutOut(address, nowSeconds())) return Entry::WrongTokens;
-    if (newcomers(address).size() >= kMostNewcomers && !makeRoom(address)) return Entry::Crowded;
-    if (visitors_ >= options_.clients && !makeRoom("")) return Entry::Full;
+    // All visitors of a proxy have its address; there the oldest newcomer gives way once all places are
+    // taken.
+    const bool shared = isShared(address) && (options_.origin || address == "unix");
+    if (!shared && newcomers(address).size() >= kMostNewcomers && !makeRoom(address, kPatience))
+        return Entry::Crowded;
+    if (visitors_ >= options_.clients && !makeRoom("", shared ? 0 : kPatience)) return Entry::Full;
     return Entry::Free;
 }
 

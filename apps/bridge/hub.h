@@ -51,7 +51,7 @@ class Hub {
     nlohmann::json status() const;
     std::vector<RoomFigures> figures() const;
     std::vector<std::shared_ptr<Visitor>> newcomers(const std::string& address) const; ///< "": of all
-    bool makeRoom(const std::string& address);
+    bool makeRoom(const std::string& address, double patience);
     void noteServers();
 
     const BridgeOptions& options_;

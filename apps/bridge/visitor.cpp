@@ -92,10 +92,9 @@ void Visitor::closed() {
     hub_.note(fmt::format("{} left after {:.0f} s", person_, nowSeconds() - began_));
 }
 
-bool Visitor::givesWay(double now) const {
-    constexpr double kPatience = 1;
+bool Visitor::givesWay(double now, double patience) const {
     const auto outlet = outlet_.lock();
-    return isNewcomer() && (now - began_ > kPatience || !outlet || outlet->closing());
+    return isNewcomer() && (now - began_ > patience || !outlet || outlet->closing());
 }
 
 void Visitor::drop() {

@@ -25,8 +25,8 @@ class Visitor : public Receiver {
     const std::string& address() const { return address_; }
     /// It has a place, and has not said hello.
     bool isNewcomer() const { return room_ == nullptr && !isClosed_; }
-    /// A newcomer that others may have the place of: longer there than a hello takes to come, or closing.
-    bool givesWay(double now) const;
+    /// A newcomer that others may have the place of: longer there than `patience`, or closing.
+    bool givesWay(double now, double patience) const;
     void drop();
 
   private:

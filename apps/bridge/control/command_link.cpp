@@ -1,5 +1,6 @@
 #include "bridge/control/command_link.h"
 
+#include "common/cli/command_line.h"
 #include "common/commands/command_lines.h"
 #include "common/process/seconds_since.h"
 #include "common/process/thread_seconds.h"
@@ -23,6 +24,14 @@ using LinkClock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kAnswerLook = 1ms, kStatusLook = 100ms, kStateLook = 1s, kSearch = 200ms,
                                     kIdleLook = 500ms;
 constexpr auto kPatience = 60s;
+
+/// Of lines that each begin with their number.
+std::uint32_t lastNumberOf(std::string_view lines, std::uint32_t otherwise) {
+    if (lines.ends_with('\n')) lines.remove_suffix(1);
+    const std::string_view last = lines.substr(lines.rfind('\n') + 1);
+    const auto number = app::parseInteger(last.substr(0, last.find(' ')));
+    return number ? static_cast<std::uint32_t>(*number) : otherwise;
+}
 
 } // namespace
 
@@ -51,12 +60,17 @@ struct CommandLink::State {
     void watchOnly();
     bool findServer();
     void tellServer(ServerState now, const std::string& why);
+    void dropInput();
     void moveKeys();
     void sendTurn();
     void sendRequests();
     void collectAnswers();
     void lookAtStatus();
     void askForState();
+    void wantState(bool again) {
+        const std::lock_guard lock(mutex);
+        wantsState = wantsState || again;
+    }
     void askForMessages(std::uint32_t count);
     void fail(const std::string& why);
     void ask(std::string command, std::function<void(ipc::Reply)> done);
@@ -86,7 +100,7 @@ struct CommandLink::State {
     std::list<Request> requests; ///< sent, or to be sent
     bool turning = false, stateUnderWay = false, messagesUnderWay = false;
     LinkClock::time_point lastStatus, lastState, lastSearch;
-    ipc::Status status;
+    std::optional<ipc::Status> status; ///< that was told last
     std::uint32_t knownMessages = 0;
     bool knowsMessages = false;
     std::uint64_t epoch = 0;
@@ -113,6 +127,12 @@ void CommandLink::State::run() {
             fail(error.what());
             tellServer(error.problem == ipc::Problem::NoServer ? ServerState::Gone : ServerState::Refused,
                        error.what());
+            dropInput();
+            std::this_thread::sleep_for(kSearch);
+        } catch (const std::exception& error) { // no memory
+            client.reset();
+            viewer.reset();
+            fail(error.what());
             std::this_thread::sleep_for(kSearch);
         }
     }
@@ -137,6 +157,7 @@ void CommandLink::State::watchOnly() {
         lastReport.clear();
     }
     fail("no page is open any more");
+    dropInput();
     if (!viewer) viewer.emplace(instance, 0ns);
     const ipc::LinkState now = viewer->update();
     tellServer(now == ipc::LinkState::Gone   ? ServerState::Gone
@@ -155,11 +176,19 @@ bool CommandLink::State::findServer() {
     return true;
 }
 
+/// What was tapped and turned without a server is none of the next one's.
+void CommandLink::State::dropInput() {
+    const std::lock_guard lock(mutex);
+    taps.clear();
+    right = up = 0;
+}
+
 void CommandLink::State::tellServer(ServerState now, const std::string& why) {
     if (told == now) return;
     told = now;
     if (now == ServerState::Gone || now == ServerState::Refused) {
         lastReport.clear();
+        status.reset();
         knowsMessages = false;
     }
     events.server(now, why.empty() && now == ServerState::Gone ? "no server '" + instance + "' runs" : why);
@@ -171,16 +200,13 @@ void CommandLink::State::work() {
         for (Request& each : incoming) requests.push_back(std::move(each));
         incoming.clear();
     }
-    if (!findServer()) return;
+    if (!findServer()) return dropInput();
     const ipc::LinkState now = client->update();
     if (client->epoch() != epoch && now != ipc::LinkState::Gone) {
+        if (epoch != 0) tellServer(ServerState::Gone, ""); // the one before, seen to go or not
         epoch = client->epoch();
-        {
-            const std::lock_guard lock(mutex);
-            counted.epoch = epoch;
-        }
-        lastReport.clear();
-        knowsMessages = false;
+        const std::lock_guard lock(mutex);
+        counted.epoch = epoch;
         wantsState = true;
     }
     tellServer(now == ipc::LinkState::Gone   ? ServerState::Gone
@@ -242,13 +268,14 @@ void CommandLink::State::ask(std::string command, std::function<void(ipc::Reply)
 void CommandLink::State::lookAtStatus() {
     if (LinkClock::now() - lastStatus < kStatusLook) return;
     lastStatus = LinkClock::now();
+    if (told == ServerState::Gone) return;
     const ipc::Status now = client->status();
-    if (now == status) return;
     if (knowsMessages && now.messages != knownMessages) askForMessages(now.messages);
     if (!knowsMessages) knownMessages = now.messages;
     knowsMessages = true;
+    if (now == status) return;
     status = now;
-    events.status(status);
+    events.status(now);
 }
 
 void CommandLink::State::askForMessages(std::uint32_t count) {
@@ -256,8 +283,9 @@ void CommandLink::State::askForMessages(std::uint32_t count) {
     messagesUnderWay = true;
     ask(app::command::messages(knownMessages), [this, count](const ipc::Reply& reply) {
         messagesUnderWay = false;
-        knownMessages = count;
-        if (reply.status == ipc::ReplyStatus::Done && !reply.text.empty()) events.messages(reply.text);
+        const bool any = reply.status == ipc::ReplyStatus::Done && !reply.text.empty();
+        knownMessages = any ? lastNumberOf(reply.text, count) : count; // more may have come meanwhile
+        if (any) events.messages(reply.text);
     });
 }
 
@@ -275,9 +303,10 @@ void CommandLink::State::askForState() {
         const std::lock_guard lock(mutex);
         wantsState = false;
     }
-    ask(app::command::state(), [this](ipc::Reply reply) {
+    ask(app::command::state(), [this, soon](ipc::Reply reply) {
         stateUnderWay = false;
-        if (reply.status != ipc::ReplyStatus::Done || reply.text == lastReport) return;
+        if (reply.status != ipc::ReplyStatus::Done) return wantState(soon);
+        if (reply.text == lastReport && !soon) return;
         lastReport = reply.text;
         events.state(std::move(reply.text));
     });

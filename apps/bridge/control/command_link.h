@@ -23,8 +23,9 @@ enum class ServerState { There, Busy, Gone, Refused };
 struct CommandLinkEvents {
     std::function<void(ServerState, std::string why)> server; ///< at first, and when it changes
     std::function<void(const ipc::Status&)> status;           ///< when it changed, ten times a second at most
-    std::function<void(std::string report)> state;            ///< the answer to `state`, when it changed
-    std::function<void(std::string lines)> messages;          ///< new ones of the server
+    std::function<void(std::string report)>
+        state; ///< the answer to `state`, when it changed, or after refresh()
+    std::function<void(std::string lines)> messages; ///< new ones of the server
     std::function<void(std::string lines)> bindings; ///< the answer to `bindings`, asked for with the state
 };
 

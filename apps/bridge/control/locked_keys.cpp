@@ -23,7 +23,7 @@ void LockedKeys::read(std::string_view bindings) {
         std::istringstream words(line);
         std::string key, action;
         words >> key >> action;
-        if (const std::size_t with = key.find('+'); with != std::string::npos) key.erase(0, with + 1);
+        if (const std::size_t with = key.find('+', 1); with != std::string::npos) key.erase(0, with + 1);
         const std::optional<int> code = rtcore::keyNamed(key);
         if (code && isLocked(action)) locked_->set(static_cast<std::size_t>(*code));
     }

@@ -25,7 +25,20 @@ struct RequestRow {
     Words (*words)(Fields, const RequestSurroundings&);
     bool anyone = false;
     AnswerShape shape = AnswerShape::Text;
+    std::span<const std::string_view> sets{}; ///< settings that it changes
 };
+
+constexpr std::array<std::string_view, 2> kSize{"width", "height"};
+constexpr std::array<std::string_view, 1> kBloom{"bloom.radius"};
+constexpr std::array<std::string_view, 2> kFocus{"depthOfField.on", "depthOfField.focus"};
+constexpr std::array<std::string_view, 3> kLook{"skyLight.on", "ambientOcclusion.on", "exposure.key"};
+constexpr std::array<std::string_view, 1> kFirstSky{"skyLight.on"}; // of a scene that has none
+
+void checkLocks(const RequestRow& row, const RequestSurroundings& around) {
+    if (row.sets.data() == kFirstSky.data() && around.sky) return;
+    for (const std::string_view name : row.sets)
+        if (around.limits.isLocked(name)) throw Refused(fmt::format("{} is locked", name));
+}
 
 /// The arguments are whole before the list begins: when one of them throws within braces, GCC 12 may destroy
 /// strings that were never made.
@@ -55,11 +68,6 @@ Words lookAt(Fields f, const RequestSurroundings&) {
     return f.vector("eye") + f.vector("target") + ifGiven(f, "fov");
 }
 Words seen(Fields f, const RequestSurroundings&) { return wordList(f.word("x"), f.word("y")); }
-Words focus(Fields f, const RequestSurroundings& around) {
-    for (const char* name : {"depthOfField.on", "depthOfField.focus"})
-        if (around.limits.isLocked(name)) throw Refused(fmt::format("{} is locked", name));
-    return seen(f, around);
-}
 Words bookmark(Fields f, const RequestSurroundings& around) {
     const std::int64_t number = f.integer("number");
     if (number < 1 || number > static_cast<std::int64_t>(around.bookmarks.size()))
@@ -78,18 +86,12 @@ Words defaults(Fields, const RequestSurroundings& around) {
 }
 Words resolution(Fields f, const RequestSurroundings& around) {
     const std::int64_t width = f.integer("width"), height = f.integer("height");
-    if (around.limits.isLocked("width") || around.limits.isLocked("height"))
-        throw Refused("the size is locked");
     constexpr std::int64_t kMostSide = 16384;
     if (width < 1 || height < 1 || width > kMostSide || height > kMostSide)
         throw Refused("width and height are from 1 to 16384");
     if (width * height > around.limits.maxPixels)
         throw Refused(fmt::format("{} x {} are more than {} pixels", width, height, around.limits.maxPixels));
     return wordList(f.whole("width"), f.whole("height"));
-}
-Words bloom(Fields f, const RequestSurroundings& around) {
-    if (around.limits.isLocked("bloom.radius")) throw Refused("bloom.radius is locked");
-    return wordList(f.onOff("on"));
 }
 
 // --- Lights ---
@@ -209,7 +211,7 @@ constexpr std::array kRows{
     RequestRow{"lens", CommandId::CameraLens,
                [](Fields f, const RequestSurroundings&) { return wordList(f.word("mm")); }},
     RequestRow{"zoom", CommandId::CameraZoom, factor},
-    RequestRow{"focus", CommandId::Focus, focus},
+    RequestRow{"focus", CommandId::Focus, seen, false, AnswerShape::Text, kFocus},
     RequestRow{"speed", CommandId::Speed, factor},
     RequestRow{"walk", CommandId::Walk, none},
     RequestRow{"fly", CommandId::Fly, none},
@@ -218,8 +220,8 @@ constexpr std::array kRows{
     RequestRow{"resume", CommandId::Resume, none},
     RequestRow{"set", CommandId::Set, set},
     RequestRow{"defaults", CommandId::Defaults, defaults},
-    RequestRow{"resolution", CommandId::Resolution, resolution},
-    RequestRow{"bloom", CommandId::Bloom, bloom},
+    RequestRow{"resolution", CommandId::Resolution, resolution, false, AnswerShape::Text, kSize},
+    RequestRow{"bloom", CommandId::Bloom, onOff, false, AnswerShape::Text, kBloom},
     RequestRow{"undo", CommandId::Undo, none},
     RequestRow{"redo", CommandId::Redo, none},
     RequestRow{"light", CommandId::Light, light},
@@ -238,16 +240,16 @@ constexpr std::array kRows{
     RequestRow{"environmentNone", CommandId::EnvironmentNone, none},
     RequestRow{"environmentRotation", CommandId::EnvironmentRotation, degrees},
     RequestRow{"environmentStrength", CommandId::EnvironmentStrength, factor},
-    RequestRow{"look", CommandId::Look, look},
-    RequestRow{"sky", CommandId::Sky, onOff},
-    RequestRow{"skyHour", CommandId::SkyHour, skyHour},
-    RequestRow{"skyDate", CommandId::SkyDate, skyDate},
-    RequestRow{"skyPlace", CommandId::SkyPlace, skyPlace},
-    RequestRow{"skyNorth", CommandId::SkyNorth, degrees},
-    RequestRow{"skyDirection", CommandId::SkyDirection, skyDirection},
-    RequestRow{"skyTurbidity", CommandId::SkyTurbidity, skyTurbidity},
-    RequestRow{"skyStrength", CommandId::SkyStrength, factor},
-    RequestRow{"skyGround", CommandId::SkyGround, onOff},
+    RequestRow{"look", CommandId::Look, look, false, AnswerShape::Text, kLook},
+    RequestRow{"sky", CommandId::Sky, onOff, false, AnswerShape::Text, kFirstSky},
+    RequestRow{"skyHour", CommandId::SkyHour, skyHour, false, AnswerShape::Text, kFirstSky},
+    RequestRow{"skyDate", CommandId::SkyDate, skyDate, false, AnswerShape::Text, kFirstSky},
+    RequestRow{"skyPlace", CommandId::SkyPlace, skyPlace, false, AnswerShape::Text, kFirstSky},
+    RequestRow{"skyNorth", CommandId::SkyNorth, degrees, false, AnswerShape::Text, kFirstSky},
+    RequestRow{"skyDirection", CommandId::SkyDirection, skyDirection, false, AnswerShape::Text, kFirstSky},
+    RequestRow{"skyTurbidity", CommandId::SkyTurbidity, skyTurbidity, false, AnswerShape::Text, kFirstSky},
+    RequestRow{"skyStrength", CommandId::SkyStrength, factor, false, AnswerShape::Text, kFirstSky},
+    RequestRow{"skyGround", CommandId::SkyGround, onOff, false, AnswerShape::Text, kFirstSky},
     RequestRow{"partHide", CommandId::PartHide, partList},
     RequestRow{"partShow", CommandId::PartShow, partList},
     RequestRow{"partIsolate", CommandId::PartIsolate, partList},
@@ -265,11 +267,13 @@ const RequestRow& rowOf(Fields fields) {
     return *found;
 }
 
-/// What a page changes that is no step of the camera's way.
+/// What a page changes for all, but the way of the camera.
 bool isEdit(const app::CommandSpec& spec) {
     const bool camera = spec.name.starts_with("camera ") || spec.id == CommandId::BookmarkGo;
-    return (spec.edits && !camera && spec.id != CommandId::Focus) || spec.id == CommandId::Resolution ||
-           spec.id == CommandId::Undo || spec.id == CommandId::Redo;
+    constexpr std::array kOthers{CommandId::Resolution, CommandId::Undo, CommandId::Redo, CommandId::Pause,
+                                 CommandId::Resume};
+    return (spec.edits && !camera && spec.id != CommandId::Focus) ||
+           std::ranges::find(kOthers, spec.id) != kOthers.end();
 }
 
 std::string lineOf(const app::CommandSpec& spec, const Words& words) {
@@ -285,6 +289,7 @@ PlannedCommand planRequest(const nlohmann::json& request, const RequestSurroundi
     const RequestRow& row = rowOf(fields);
     const app::CommandSpec& spec = app::commandOf(row.command);
     if (isEdit(spec) && surroundings.limits.isLocked("edits")) throw Refused("edits are locked here");
+    checkLocks(row, surroundings);
     const Words words = row.words(fields, surroundings);
     try {
         app::checkArguments(spec, words);
@@ -295,7 +300,7 @@ PlannedCommand planRequest(const nlohmann::json& request, const RequestSurroundi
                            row.anyone,  spec.edits,
                            row.shape,   row.command == CommandId::Set ? words.front() : std::string()};
     const bool also = fields.has("also") && fields.boolean("also");
-    if (also && spec.edits) planned.line = "also " + planned.line;
+    if (also && spec.edits && surroundings.goesOn) planned.line = "also " + planned.line;
     return planned;
 }
 

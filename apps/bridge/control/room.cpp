@@ -108,17 +108,12 @@ void Room::leave(SessionId id) {
     skippedBefore_ += found->second.delivery.framesSkipped();
     sessions_.erase(found);
     roles_.leave(id);
-    if (editor_ == id) editor_.reset();
     rolesChanged(before);
     if (sessions_.empty()) {
         newest_ = FrameSet();
         commands_->setAnyone(false);
     }
     updateDemand();
-}
-
-void Room::closeAll(CloseCode code, const std::string& reason) {
-    for (auto& [id, session] : sessions_) session.outlet->close(code, reason);
 }
 
 void Room::send(Session& session, const json& event) {
@@ -202,7 +197,6 @@ void Room::serverChanged(ServerState state, const std::string& why) {
     if (state == ServerState::Gone || state == ServerState::Refused) {
         facts_.clear();
         edits_.clear();
-        editor_.reset();
         watched_.clear();
         lockedKeys_.forget();
         hasStatus_ = false;
@@ -213,6 +207,7 @@ void Room::serverChanged(ServerState state, const std::string& why) {
 
 void Room::statusChanged(const ipc::Status& status) {
     watchOthers(status);
+    if (status.frameSeconds != status_.frameSeconds) lastFrame_ = nowSeconds(); // pages may take none
     status_ = status;
     hasStatus_ = true;
 }
@@ -238,9 +233,9 @@ void Room::noteOwnMovement() {
 void Room::stateChanged(const std::string& report) {
     const bool first = !facts_.known();
     if (!facts_.read(report)) return;
-    if (editor_) edits_.made(*editor_, facts_.edits(), facts_.undo());
-    editor_.reset();
-    if (facts_.changes().empty()) return;
+    const bool waited = edits_.busy();
+    edits_.read(facts_.edits(), facts_.undo());
+    if (facts_.changes().empty() && waited == edits_.busy()) return;
     for (auto& [id, session] : sessions_) sendState(session, first ? facts_.all() : facts_.changes());
 }
 
@@ -272,6 +267,8 @@ void Room::tick() {
         lastStatusSent_ = now;
         status = statusJson(status_).dump();
     }
+    if (stream_.mostBits > 0)
+        for (auto& [id, session] : sessions_) pump(session); // what waited for its turn
     for (auto& [id, session] : sessions_) {
         if (statusDue && session.lastStatus != status) {
             session.lastStatus = status;

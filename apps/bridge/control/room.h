@@ -41,7 +41,6 @@ class Room {
     /// Nothing until it was looked for.
     std::optional<ServerState> server() const { return server_; }
     bool hasServer() const { return server_ == ServerState::There || server_ == ServerState::Busy; }
-    std::size_t sessions() const { return sessions_.size(); }
 
     /// `welcome` is sent first; the room adds the role.
     void join(SessionId id, std::string name, bool mayDrive, const PageView& view,
@@ -55,7 +54,6 @@ class Room {
     void tick(); ///< about every 50 ms
 
     RoomFigures figures() const; ///< for reports
-    void closeAll(CloseCode code, const std::string& reason);
 
   private:
     Session* find(SessionId id);
@@ -70,6 +68,7 @@ class Room {
     void pump(Session& session, bool fresh = false);
     void updateDemand();
     void measureFrameTime(std::int64_t publishedNs);
+    double sentBits(double now) const; ///< to all pages, within the last second or so
     void shareLimit();
     static void pingAfter(Session& session, double seconds, double now);
 
@@ -108,7 +107,6 @@ class Room {
     bool rolesUntold_ = false;
     SceneFacts facts_;
     OwnEdits edits_;
-    std::optional<SessionId> editor_; ///< whose edit the next state tells of
     std::optional<ServerState> server_;
     std::string serverWhy_;
     ipc::Status status_;

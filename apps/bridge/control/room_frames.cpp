@@ -42,7 +42,9 @@ void Room::measureFrameTime(std::int64_t publishedNs) {
 
 void Room::pump(Session& session, bool fresh) {
     if (session.outlet->busy()) return;
-    const std::optional<Shipment> shipment = session.delivery.next(newest_, nowSeconds());
+    const double now = nowSeconds();
+    const bool full = stream_.mostBits > 0 && sentBits(now) > stream_.mostBits;
+    const std::optional<Shipment> shipment = session.delivery.next(newest_, now, !full);
     if (!shipment) return;
     const std::int64_t published = shipment->frame->facts.publishedNs;
     const std::int64_t age = std::clamp<std::int64_t>((nowNanoseconds() - published) / 1000, 0, 0xffffffff);
@@ -76,12 +78,17 @@ void Room::updateDemand() {
     frames_->setDemand(demand);
 }
 
-/// Those that take more than an equal share get coarser frames first.
+double Room::sentBits(double now) const {
+    double all = 0;
+    for (const auto& [id, session] : sessions_) all += session.delivery.rate().sentBits(now);
+    return all;
+}
+
+/// Those that take more than an equal share get coarser frames first; parts of stills wait for their turn.
 void Room::shareLimit() {
     if (stream_.mostBits <= 0 || sessions_.empty()) return;
     const double now = nowSeconds(), share = stream_.mostBits / static_cast<double>(sessions_.size());
-    double all = 0;
-    for (const auto& [id, session] : sessions_) all += session.delivery.rate().sentBits(now);
+    const double all = sentBits(now);
     for (auto& [id, session] : sessions_) {
         RateControl& rate = session.delivery.rate();
         constexpr double kRoom = 0.6;

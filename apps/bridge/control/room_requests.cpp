@@ -9,6 +9,19 @@ namespace bridge {
 
 using nlohmann::json;
 
+namespace {
+
+constexpr double kLongFrame = 5, kWatched = 15; // seconds
+
+std::optional<OwnEdits::Step> stepOf(const PlannedCommand& planned) {
+    if (planned.id == app::CommandId::Undo) return OwnEdits::Step::Undo;
+    if (planned.id == app::CommandId::Redo) return OwnEdits::Step::Redo;
+    if (planned.edits) return OwnEdits::Step::Edit;
+    return {};
+}
+
+} // namespace
+
 void Room::answer(Session& session, std::uint32_t id, bool ok, const std::string& text, json content) {
     if (!content.is_object()) content = json::object();
     content["event"] = "answer";
@@ -20,13 +33,17 @@ void Room::answer(Session& session, std::uint32_t id, bool ok, const std::string
 
 void Room::request(Session& session, const json& content, std::uint32_t id) {
     constexpr int kMostRequests = 4;
-    const PlannedCommand planned = planRequest(content, {limits_, facts_.bookmarks(), facts_.lights()});
+    const bool goesOn = edits_.mayGoOn(session.id, facts_.edits(), facts_.undo());
+    const PlannedCommand planned =
+        planRequest(content, {limits_, facts_.bookmarks(), facts_.lights(), facts_.hasSky(), goesOn});
     if (!planned.anyone && !roles_.drives(session.id))
         throw Refused("only the driver may do that; ask to drive first");
-    if (session.requests >= kMostRequests) throw Refused("too many requests at once");
+    if (session.requests >= kMostRequests || (planned.anyone && !session.asked.take(nowSeconds())))
+        throw Refused("too many requests at once");
     if (server_ && !hasServer()) throw Refused("there is no server");
     checkUndo(session, planned);
     watchEdit(planned);
+    if (stepOf(planned)) edits_.sent(facts_.edits());
     if (!planned.anyone) {
         ++moving_;
         noteOwnMovement();
@@ -43,6 +60,8 @@ void Room::request(Session& session, const json& content, std::uint32_t id) {
 
 void Room::checkUndo(const Session& session, const PlannedCommand& planned) const {
     using app::CommandId;
+    const bool isStep = planned.id == CommandId::Undo || planned.id == CommandId::Redo;
+    if (isStep && edits_.busy()) throw Refused("the last edit is still under way");
     if (planned.id == CommandId::Undo && !edits_.mayUndo(session.id, facts_.edits(), facts_.undo()))
         throw Refused("the last edit is not yours");
     if (planned.id == CommandId::Redo && !edits_.mayRedo(session.id, facts_.edits(), facts_.redo()))
@@ -55,9 +74,7 @@ void Room::answered(SessionId by, std::uint32_t id, const PlannedCommand& planne
         noteOwnMovement();
         --moving_;
     }
-    if (done && planned.id == app::CommandId::Undo) edits_.undone();
-    if (done && planned.id == app::CommandId::Redo) edits_.redone();
-    if (done && planned.edits) editor_ = by;
+    if (const auto step = stepOf(planned)) edits_.answered(by, *step, done);
     if (!planned.anyone) commands_->refresh();
     Session* const session = find(by);
     if (session == nullptr) return;
@@ -71,6 +88,7 @@ void Room::answered(SessionId by, std::uint32_t id, const PlannedCommand& planne
 
 void Room::watchEdit(const PlannedCommand& planned) {
     using app::CommandId;
+    if (hasStatus_ && status_.frameSeconds > kLongFrame) return; // it may be the edit that mends that
     std::string name = planned.setting, back;
     if (planned.id == CommandId::Bloom) name = "bloom.radius";
     if (!name.empty()) {
@@ -88,7 +106,6 @@ void Room::watchEdit(const PlannedCommand& planned) {
 }
 
 void Room::guardEdits() {
-    constexpr double kLongFrame = 5, kWatched = 15;
     const double now = nowSeconds();
     const auto tooLong = [&](const WatchedEdit& edit) {
         const bool waits = now - edit.since > kLongFrame && lastFrame_ < edit.since && status_.idle == 0 &&

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 
 namespace bridge {
@@ -88,6 +89,7 @@ bool Room::roleRequest(Session& session, const json& request, std::uint32_t id) 
     } else if (what == "give") {
         const auto to = request.find("to");
         ok = to != request.end() && to->is_number_unsigned() &&
+             to->get<std::uint64_t>() <= std::numeric_limits<SessionId>::max() &&
              roles_.give(session.id, to->get<SessionId>(), now);
         if (!ok) text = "only the driver hands over, to one with a driver's link";
     } else if (what == "keep" || what == "release") {

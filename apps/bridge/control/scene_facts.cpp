@@ -132,6 +132,7 @@ bool SceneFacts::read(std::string_view report) {
         all_ = std::move(now);
         bookmarks_ = state.bookmarks;
         lights_ = state.lights.size();
+        hasSky_ = state.sky.has_value();
         settings_ = state.settings;
         undo_ = state.undo;
         redo_ = state.redo;

@@ -30,6 +30,7 @@ class SceneFacts {
 
     const std::vector<std::string>& bookmarks() const { return bookmarks_; }
     std::size_t lights() const { return lights_; } ///< how many
+    bool hasSky() const { return hasSky_; }
     const std::string& undo() const { return undo_; }
     const std::string& redo() const { return redo_; }
     int edits() const { return edits_; }
@@ -44,6 +45,7 @@ class SceneFacts {
     std::string undo_, redo_;
     int edits_ = 0;
     std::size_t lights_ = 0;
+    bool hasSky_ = false;
 };
 
 nlohmann::json sceneJson(const app::StateReport& state);

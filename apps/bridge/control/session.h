@@ -23,8 +23,9 @@ struct Session {
     std::shared_ptr<Outlet> outlet;
     Delivery delivery;
     InputState input;
-    int requests = 0;      ///< without an answer
-    TokenBucket own{4, 8}; ///< of requests that the bridge answers itself, a second
+    int requests = 0;           ///< without an answer
+    TokenBucket own{4, 8};      ///< of requests that the bridge answers itself, a second
+    TokenBucket asked{50, 100}; ///< of those that viewers may send
     double began = 0;
     double lastLink = 0, lastPing = 0;
     std::uint64_t linkSent = 0, linkBytes = 0, bytes = 0, lastLinkBytes = 0;

@@ -34,9 +34,9 @@ bool isLoopback(std::string_view host) {
     return false;
 }
 
-/// "192.168.1.7:8443" or "[fe80::1]:8443" as "*:8443"; "" for names.
+/// "192.168.1.7:8443" or "[fe80::1]:8443" as "*:8443", without a port as "*"; "" for names.
 std::string anyNumericHost(std::string_view host) {
-    const std::size_t end = std::min(host.rfind(':'), host.size());
+    const std::size_t end = host.ends_with(']') ? host.size() : std::min(host.rfind(':'), host.size());
     const std::string_view address = host.substr(0, end);
     const bool isSix = address.size() > 2 && address.starts_with('[') && address.ends_with(']') &&
                        address.substr(1, address.size() - 2).find_first_not_of("0123456789abcdef:.") ==
@@ -76,6 +76,9 @@ OriginOption parseOrigin(const std::string& text) {
     OriginOption option;
     option.host = lower(text.substr(start, slash - start));
     if (option.host.empty() || option.host.find_first_of("@?# \\") != std::string::npos) throw fail();
+    // As browsers write it.
+    const std::string_view usual = protocol == "https" ? ":443" : ":80";
+    if (option.host.ends_with(usual)) option.host.resize(option.host.size() - usual.size());
     option.origin = protocol + "://" + option.host;
     option.prefix = text.substr(slash);
     if (option.prefix.find_first_of("?#") != std::string::npos) throw fail();
@@ -83,8 +86,12 @@ OriginOption parseOrigin(const std::string& text) {
     return option;
 }
 
+bool isShared(std::string_view address) {
+    return address == "unix" || address.starts_with("127.") || address == "::1";
+}
+
 void WrongTokens::add(const std::string& address, double now) {
-    if (address == "unix" || address.starts_with("127.") || address == "::1") return;
+    if (isShared(address)) return;
     if (times_.size() >= kMostAddresses)
         std::erase_if(times_, [&](const auto& each) { return now - each.second.back() > kMinute; });
     if (times_.size() >= kMostAddresses) times_.clear();

@@ -53,8 +53,11 @@ class TokenBucket {
     double rate_, burst_, level_, last_ = -1;
 };
 
-/// Addresses that try tokens: ten wrong ones within a minute shut an address out for a minute. Not those of
-/// the machine itself, which proxies and tunnels share.
+/// Of the machine itself: proxies and tunnels share them.
+bool isShared(std::string_view address);
+
+/// Addresses that try tokens: ten wrong ones within a minute shut an address out for a minute. Not shared
+/// ones.
 class WrongTokens {
   public:
     void add(const std::string& address, double now);

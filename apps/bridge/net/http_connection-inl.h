@@ -134,11 +134,12 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
 
     void opened() {
         socket_->control_callback([this](websocket::frame_type type, boost::beast::string_view) {
-            if (type == websocket::frame_type::pong && pinged_ > 0) {
+            const bool asked = type == websocket::frame_type::pong && pinged_ > 0;
+            if (asked) {
                 const double rtt = steadySeconds() - std::exchange(pinged_, 0);
                 if (receiver_) receiver_->ponged(rtt);
             }
-            if (type == websocket::frame_type::ping && !bucket_.take(steadySeconds()))
+            if (type != websocket::frame_type::close && !asked && !bucket_.take(steadySeconds()))
                 close(CloseCode::Flood, "too many messages");
         });
         receiver_ = shared_.handlers.opened(this->shared_from_this());
@@ -395,7 +396,7 @@ class HttpConnection : public Pending, public std::enable_shared_from_this<HttpC
         addHeaders(response);
         response.keep_alive(stays);
         const bool head = parser_ && parser_->is_header_done() && parser_->get().method() == http::verb::head;
-        response.prepare_payload();
+        if (response.result() != http::status::not_modified) response.prepare_payload();
         if (head) response.body().clear(); // its length stays told
         const auto sent = std::make_shared<Response>(std::move(response));
         http::async_write(*stream_, *sent,

@@ -2,6 +2,8 @@
 
 #include "bridge/net/http_connection-inl.h"
 
+#include "common/cli/command_line.h"
+
 #include "rtcore/platform/error.h"
 
 #include <boost/asio/ip/tcp.hpp>
@@ -24,7 +26,10 @@ using Local = asio::local::stream_protocol;
 Tcp::acceptor listenTcp(asio::io_context& context, const ListenAddress& address) {
     ErrorCode error;
     const auto host = asio::ip::make_address(address.host, error);
-    if (error) refuseAddress(address.host, error);
+    if (error)
+        throw app::UsageError(
+            "option '--listen' takes an address such as 192.168.1.7, 0.0.0.0 or ::1, not '" + address.host +
+            "'");
     for (int i = 0; i < address.ports; ++i) {
         Tcp::acceptor acceptor(context);
         const Tcp::endpoint endpoint(host, static_cast<std::uint16_t>(address.port + i));
@@ -67,7 +72,11 @@ void tune(Local::socket&) {}
 std::string nameOf(const Tcp::socket& socket) {
     ErrorCode error;
     const auto endpoint = socket.remote_endpoint(error);
-    return error ? "unknown" : endpoint.address().to_string();
+    if (error) return "unknown";
+    const asio::ip::address address = endpoint.address();
+    return address.is_v6() && address.to_v6().is_v4_mapped()
+               ? asio::ip::make_address_v4(asio::ip::v4_mapped, address.to_v6()).to_string()
+               : address.to_string();
 }
 std::string nameOf(const Local::socket&) { return "unix"; }
 

@@ -13,7 +13,6 @@
 namespace bridge {
 
 enum class CloseCode : std::uint16_t {
-    Normal = 1000,
     GoingAway = 1001,
     NoHello = 4001,
     BadMessage = 4002,

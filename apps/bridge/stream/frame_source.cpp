@@ -11,6 +11,7 @@
 #include "ipc/endpoint/client.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -181,6 +182,7 @@ std::shared_ptr<ipc::Frame> FrameSource::State::freeMemory() {
     std::shared_ptr<ipc::Frame> spare;
     std::erase_if(memory, [&](std::shared_ptr<ipc::Frame>& each) { // one is enough
         const bool isFree = each.use_count() == 1;
+        std::atomic_thread_fence(std::memory_order_acquire); // behind what the other thread read of it
         if (isFree && !spare) {
             spare = each;
             return false;

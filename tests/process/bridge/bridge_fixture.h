@@ -83,6 +83,13 @@ class FakeServer {
         const std::lock_guard lock(mutex_);
         state_ = state;
     }
+    /// Another client's edit. Of pages, it counts `set`, and what `undo` takes back.
+    void edit(const std::string& label) {
+        const std::lock_guard lock(mutex_);
+        count(label);
+    }
+    /// What it says that a frame takes.
+    void tellFrameSeconds(double seconds) { frameSeconds_ = seconds; }
     /// Instead of doing what it says; "": done.
     std::function<std::string(const std::string&)> onCommand = {};
     const std::string bindings =
@@ -125,6 +132,7 @@ class FakeServer {
         ipc::Status status;
         status.width = static_cast<std::uint32_t>(width_);
         status.height = static_cast<std::uint32_t>(height_);
+        status.frameSeconds = frameSeconds_;
         status.idle = rate_ == 0 ? 1 : 0;
         status.eye[0] = static_cast<float>(rate_ > 0 && !improves_ ? frame_ : 0);
         server.setStatus(status);
@@ -143,12 +151,27 @@ class FakeServer {
         }
         for (const ipc::Command& command : server.takeCommands()) answer(server, command);
     }
+    void count(const std::string& label) {
+        labels_.push_back(label);
+        tellEdits();
+    }
+    void tellEdits() {
+        state_.edits = static_cast<int>(labels_.size());
+        state_.undo = labels_.empty() ? "" : labels_.back();
+    }
+    void follow(const std::string& command) {
+        if (command.starts_with("set ")) count(command.substr(0, command.rfind(' ')));
+        if (command != "undo" || labels_.empty()) return;
+        labels_.pop_back();
+        tellEdits();
+    }
     void answer(ipc::Server& server, const ipc::Command& command) {
         const std::lock_guard lock(mutex_);
         if (command.text == "state") return server.answer(command, app::formatStateReport(state_, 65520));
         if (command.text.starts_with("messages")) return server.answer(command);
         if (command.text == "bindings") return server.answer(command, bindings);
         commands_.push_back(command.text);
+        follow(command.text);
         server.answer(command, onCommand ? onCommand(command.text) : "");
     }
 
@@ -158,9 +181,11 @@ class FakeServer {
     std::array<std::uint32_t, 256> presses_{};
     std::vector<std::string> commands_;
     app::StateReport state_ = plainState();
+    std::vector<std::string> labels_;
     int width_ = 320, height_ = 200;
     std::size_t frame_ = 0;
     bool showOne_ = false;
+    std::atomic<double> frameSeconds_ = 0;
     std::atomic<int> rate_ = 0, clients_ = 0;
     std::atomic<bool> running_ = false, stopping_ = false, improves_ = false, hangs_ = false;
     std::thread thread_; // last

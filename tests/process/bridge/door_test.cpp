@@ -138,10 +138,23 @@ TEST_F(Door, ClosesOnWhoeverSaysNothing) {
     EXPECT_EQ(client.closeCode(10s), 4001);
 }
 
-TEST_F(Door, LocksOldLinksOutWhenTokensAreRenewedOnlyWithoutAFile) {
-    const auto client = join();
+TEST_F(Door, LocksOldLinksOutWhenTheFileOfTokensIsReadAgain) {
+    auto client = join();
+    const std::filesystem::path tokens = instance.folder() / "tokens";
+    std::ofstream(tokens) << "too short\n";
     bridge.send(SIGUSR1);
-    EXPECT_EQ(client->request({{"do", "walk"}})["ok"], true) << "the file's tokens stay";
+    EXPECT_EQ(client->request({{"do", "walk"}})["ok"], true) << "a wrong file changes nothing";
+    std::ofstream(tokens) << "other-driver-other-driver\n" << kViewer << "\n";
+    bridge.send(SIGUSR1);
+    EXPECT_EQ(client->closeCode(), 4003);
+    client.reset(); // the connection, too
+    WebClient old(port);
+    old.hello(kDriver);
+    EXPECT_EQ(old.closeCode(), 4003);
+    EXPECT_TRUE(eventually( // once the first one's session is gone
+        [&] {
+            return join("other-driver-other-driver")->request({{"do", "walk"}})["ok"] == true;
+        }));
 }
 
 class UnixDoor : public BridgeTest {

@@ -16,6 +16,13 @@ using nlohmann::json;
 
 class Requests : public BridgeTest {};
 
+/// The next state that says so, if one does.
+bool mayUndo(WebClient& client) {
+    json told = client.event("state");
+    while (!told.is_null() && told["mayUndo"] != true) told = client.event("state");
+    return !told.is_null();
+}
+
 TEST_F(Requests, ReachTheServerAsCommands) {
     const auto client = join();
     EXPECT_EQ(client->request({{"do", "walk"}})["ok"], true);
@@ -52,22 +59,45 @@ TEST_F(Requests, TellTheStateWithoutFolders) {
 }
 
 TEST_F(Requests, UndoOnlyTheSessionsOwnEdit) {
-    app::StateReport state = FakeServer::plainState();
-    state.edits = 1;
-    state.undo = "set bloom.radius"; // of the window
-    server->setState(state);
+    server->edit("set bloom.radius"); // of the window
     const auto client = join();
     EXPECT_EQ(client->event("state")["mayUndo"], false);
     EXPECT_EQ(client->request({{"do", "undo"}})["ok"], false);
-    state.edits = 2;
-    state.undo = "set maxDepth";
-    server->setState(state);
     EXPECT_EQ(client->request({{"do", "set"}, {"name", "maxDepth"}, {"value", 3}})["ok"], true);
-    json told = client->event("state");
-    while (!told.is_null() && told["mayUndo"] != true) told = client->event("state");
-    ASSERT_FALSE(told.is_null());
+    ASSERT_TRUE(mayUndo(*client));
     EXPECT_EQ(client->request({{"do", "undo"}})["ok"], true);
     EXPECT_EQ(server->commands(), (std::vector<std::string>{"set maxDepth 3", "undo"}));
+}
+
+TEST_F(Requests, UndoOnceHoweverOftenTheyAskAtOnce) {
+    server->edit("set bloom.radius"); // of the window
+    const auto client = join();
+    EXPECT_FALSE(client->event("state").is_null());
+    EXPECT_EQ(client->request({{"do", "set"}, {"name", "maxDepth"}, {"value", 3}})["ok"], true);
+    ASSERT_TRUE(mayUndo(*client));
+    for (int id = 100; id < 103; ++id) client->sendText(fmt::format(R"({{"id":{},"do":"undo"}})", id));
+    int done = 0;
+    for (int k = 0; k < 3; ++k) done += client->event("answer")["ok"] == true ? 1 : 0;
+    EXPECT_EQ(done, 1);
+    EXPECT_EQ(client->request({{"do", "walk"}})["ok"], true);
+    EXPECT_EQ(server->commands(), (std::vector<std::string>{"set maxDepth 3", "undo", "walk"}));
+}
+
+TEST_F(Requests, ThatChangeNothingMakeNobodysEditOnesOwn) {
+    server->edit("set bloom.radius"); // of the window
+    const auto client = join();
+    EXPECT_FALSE(client->event("state").is_null());
+    EXPECT_EQ(client->request({{"do", "light"}, {"light", 3}, {"on", true}})["ok"], true);
+    EXPECT_EQ(client->request({{"do", "undo"}})["ok"], false);
+    std::this_thread::sleep_for(100ms); // the state is told
+    server->edit("set maxDepth");
+    for (json told; told["edits"] != 2;) {
+        told = client->event("state");
+        ASSERT_FALSE(told.is_null());
+        EXPECT_EQ(told["mayUndo"], false);
+    }
+    EXPECT_EQ(client->request({{"do", "undo"}})["ok"], false);
+    EXPECT_EQ(server->commands(), std::vector<std::string>{"light 3 on"});
 }
 
 TEST_F(Requests, ThatAreNoObjectsCloseTheConnection) {
@@ -94,7 +124,7 @@ TEST_F(LockedEdits, ChangeNothingButTheView) {
     const auto client = join();
     for (const json& request : {json{{"do", "set"}, {"name", "maxDepth"}, {"value", 3}},
                                 json{{"do", "light"}, {"light", 3}, {"on", false}}, json{{"do", "undo"}},
-                                json{{"do", "partHide"}, {"parts", {1}}},
+                                json{{"do", "pause"}}, json{{"do", "partHide"}, {"parts", {1}}},
                                 json{{"do", "resolution"}, {"width", 64}, {"height", 64}}})
         EXPECT_EQ(client->request(request)["ok"], false) << request;
     EXPECT_EQ(client->request({{"do", "fly"}})["ok"], true);
@@ -112,6 +142,20 @@ TEST_F(LockedEdits, LetKeysMoveAndDoNothingElse) {
     EXPECT_TRUE(eventually([&] { return server->presses('F') == 1; }));
     EXPECT_TRUE(server->isHeld('W'));
     for (const char key : {'B', '1', '2'}) EXPECT_EQ(server->presses(key), 0U) << key;
+}
+
+TEST_F(Requests, ThatMendHeavyFramesAreNotSetBack) {
+    server->tellFrameSeconds(7); // by an edit of the window
+    server->move(20);
+    const auto client = join();
+    EXPECT_FALSE(client->event("state").is_null());
+    for (json status; status["frameMs"] != 7000;) {
+        status = client->event("status");
+        ASSERT_FALSE(status.is_null());
+    }
+    EXPECT_EQ(client->request({{"do", "set"}, {"name", "antialiasing"}, {"value", 1}})["ok"], true);
+    std::this_thread::sleep_for(500ms);
+    EXPECT_EQ(server->commands(), std::vector<std::string>{"set antialiasing 1"});
 }
 
 TEST_F(Requests, WhatMakesFramesLastForSecondsIsSetBack) {

@@ -25,6 +25,15 @@ TEST(Hosts, OnlyOurOwnNames) {
         EXPECT_FALSE(bridge::isOurHost(names, host)) << host;
 }
 
+TEST(Hosts, NeedNoPortWhereBrowsersLeaveItOut) {
+    bridge::Names names;
+    names.hosts = {"node7:443", "node7", "*:443", "*"};
+    for (const char* host : {"node7", "node7:443", "10.0.0.1", "[fe80::1]", "10.0.0.1:443"})
+        EXPECT_TRUE(bridge::isOurHost(names, host)) << host;
+    for (const char* host : {"node8", "10.0.0.1:80", "evil.example", ""})
+        EXPECT_FALSE(bridge::isOurHost(names, host)) << host;
+}
+
 TEST(Hosts, AreAllNumericOnesWhereAllAddressesAreListenedTo) {
     bridge::Names names;
     names.hosts = {"node7:8443", "*:8443"};
@@ -59,6 +68,10 @@ TEST(Origins, OnlyThePageOfTheVeryHost) {
 }
 
 TEST(Origins, AreTakenApart) {
+    EXPECT_EQ(bridge::parseOrigin("https://viz.example:443/").origin, "https://viz.example")
+        << "as browsers say";
+    EXPECT_EQ(bridge::parseOrigin("http://viz.example:80").host, "viz.example");
+    EXPECT_EQ(bridge::parseOrigin("http://viz.example:443").host, "viz.example:443");
     const bridge::OriginOption option = bridge::parseOrigin("https://Viz.example:444/node7/8931/");
     EXPECT_EQ(option.origin, "https://viz.example:444");
     EXPECT_EQ(option.host, "viz.example:444");

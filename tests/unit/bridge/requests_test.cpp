@@ -21,7 +21,7 @@ using nlohmann::json;
 const std::vector<std::string> kBookmarks{"altar", "a \"name\" \\ with; words"};
 
 std::string lineOf(const json& request, const Limits& limits = {}) {
-    return bridge::planRequest(request, {limits, kBookmarks}).line;
+    return bridge::planRequest(request, {limits, kBookmarks, 0, false, true}).line;
 }
 
 std::string refusalOf(const json& request, const Limits& limits = {}) {
@@ -69,6 +69,9 @@ TEST(Requests, BecomeLinesOfTheServersCommands) {
         "camera set 0 1 2 0 0 -1 70 0 1 0");
     EXPECT_EQ(lineOf({{"do", "set"}, {"name", "bloom.radius"}, {"value", 8}, {"also", true}}),
               "also set bloom.radius 8");
+    const json goesOn{{"do", "set"}, {"name", "bloom.radius"}, {"value", 8}, {"also", true}};
+    EXPECT_EQ(bridge::planRequest(goesOn, {Limits(), kBookmarks}).line, "set bloom.radius 8")
+        << "the last edit is another's";
     EXPECT_EQ(lineOf({{"do", "set"}, {"name", "exposure.mode"}, {"value", "fixed"}}),
               "set exposure.mode fixed");
     EXPECT_EQ(lineOf({{"do", "light"}, {"light", 3}, {"on", false}}), "light 3 off");
@@ -155,6 +158,14 @@ TEST(Requests, OfWhatIsLockedAreRefused) {
     some.locked = {"depthOfField.focus"};
     EXPECT_REFUSED({{"do", "focus"}, {"x", 0.5}, {"y", 0.5}}, some);
     EXPECT_EQ(lineOf({{"do", "seen"}, {"x", 0.5}, {"y", 0.5}}, some), "seen 0.5 0.5");
+    some.locked = {"exposure.key"};
+    EXPECT_REFUSED({{"do", "look"}, {"name", "sky"}}, some);
+    some.locked = {"skyLight.on"};
+    EXPECT_REFUSED({{"do", "look"}, {"name", "studio"}}, some);
+    EXPECT_REFUSED({{"do", "skyHour"}, {"hour", 12}}, some); // makes a sky, which lights
+    EXPECT_REFUSED({{"do", "sky"}, {"on", true}}, some);
+    EXPECT_EQ(bridge::planRequest(json{{"do", "skyHour"}, {"hour", 12}}, {some, {}, 0, true}).line,
+              "sky hour 12");
 }
 
 TEST(Requests, ChangeNothingButTheViewWhereEditsAreLocked) {
@@ -194,8 +205,8 @@ TEST(Requests, ChangeNothingButTheViewWhereEditsAreLocked) {
                    {"parts", {1}},
                    {"key", "opacity"}};
     const std::set<std::string_view> stay{
-        "parts", "materials", "material", "seen",  "camera", "orthographic", "lookAt",   "reset", "angle",
-        "lens",  "zoom",      "focus",    "speed", "walk",   "fly",          "bookmark", "pause", "resume"};
+        "parts", "materials", "material", "seen",  "camera", "orthographic", "lookAt", "reset",
+        "angle", "lens",      "zoom",     "focus", "speed",  "walk",         "fly",    "bookmark"};
     for (const bridge::RequestName& row : bridge::requestNames()) {
         json request = any;
         request["do"] = row.name;
