@@ -121,7 +121,9 @@ INSTANTIATE_TEST_SUITE_P(EachScreen, Look,
                          testing::Values(Setting{"DarkDesk", "dark", 1280, 800, false},
                                          Setting{"LightDesk", "light", 1280, 800, false},
                                          Setting{"Portrait", "light", 390, 844, true},
-                                         Setting{"Landscape", "dark", 844, 390, true}),
+                                         Setting{"Landscape", "dark", 844, 390, true},
+                                         Setting{"SmallPortrait", "dark", 320, 568, true},
+                                         Setting{"SmallLandscape", "light", 568, 320, true}),
                          [](const auto& about) { return about.param.name; });
 
 } // namespace

@@ -23,7 +23,7 @@ export class Around {
     nameAll() {
         const buttons = { menu: "menu", close: "close", full: "full", "pad-fly": "padFly", "pad-jump": "padJump", "pad-crouch": "padCrouch", save: "saveWait" };
         for (const [id, text] of Object.entries(buttons)) name(byId(id), t(text));
-        const places = { view: "view", corner: "menu", pads: "pads", tabs: "menu", drawer: "menu" };
+        const places = { view: "view", corner: "corner", pads: "pads", tabs: "tabs" };
         for (const [id, text] of Object.entries(places)) byId(id).setAttribute("aria-label", t(text));
         byId("save").disabled = true;
     }
@@ -33,8 +33,8 @@ export class Around {
         byId("scene").textContent = scene;
         document.title = scene ? t("titleOf", scene) : t("title");
         byId("title").textContent = document.title;
-        byId("undo").disabled = !mayUndo;
-        byId("redo").disabled = !mayRedo;
+        byId("undo").disabled = !mayUndo || !this.app.mayEdit();
+        byId("redo").disabled = !mayRedo || !this.app.mayEdit();
         name(byId("undo"), undo ? t("undoOf", editLabel(undo)) : t("undo"));
         name(byId("redo"), redo ? t("redoOf", editLabel(redo)) : t("redo"));
     }
@@ -50,12 +50,24 @@ export class Around {
         const first = !this.seen;
         this.seen = true;
         if (first) {
+            byId("view").classList.remove("unseen");
             this.showWaiting();
             this.showHint();
         }
         if (exact !== this.exact) name(byId("save"), t(exact ? "save" : "saveWait"));
         this.exact = exact;
         byId("save").disabled = !exact;
+        this.showStatus();
+    }
+
+    /** Another server is to be shown. */
+    forget() {
+        this.seen = false;
+        this.exact = false;
+        byId("view").classList.add("unseen");
+        byId("save").disabled = true;
+        name(byId("save"), t("saveWait"));
+        this.showHeader();
         this.showStatus();
     }
 
@@ -79,13 +91,13 @@ export class Around {
     }
 
     showStatus() {
-        const { mode, fps = 0, idle, paused } = this.app.status;
+        const { mode, fps = 0, idle, paused, eye = [] } = this.app.status;
         if (!mode || !this.live) return void (byId("pill-text").textContent = "");
         const motion = paused ? t("paused") : this.exact ? t("refined") : idle ? t("idle") : t("fps", number(fps));
         const role = this.app.drives() ? "" : " · " + this.driverText();
         byId("pill-text").textContent = t(mode) + " · " + motion + role;
-        // Screen readers hear what changed, not each rate.
-        const quiet = t(mode) + (idle ? ", " + t("idle") : "") + role;
+        // Screen readers hear what changed, not each rate, and the place once it is reached.
+        const quiet = t(mode) + ", " + (idle ? t("idleAt", eye.map((part) => number(part, 1)).join("; ")) : t("moving")) + role;
         if (quiet !== this.said) byId("live").textContent = this.said = quiet;
     }
 }

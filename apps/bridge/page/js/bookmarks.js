@@ -1,7 +1,8 @@
 /** Bookmarks of this browser, by instance and scene: name, view, a small picture. */
 import { forGood } from "./storage.js";
 
-const MOST = 200, MOST_NAME = 40;
+export const MOST = 200;
+const MOST_NAME = 40;
 
 const key = (instance, scene) => `rt.bookmarks.${instance}.${scene}`;
 

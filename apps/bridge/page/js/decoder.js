@@ -7,6 +7,16 @@ import { stripsOf } from "./jpeg_strips.js";
 // No conversion of colours: at rest each byte is the server's.
 const exactly = { colorSpaceConversion: "none", premultiplyAlpha: "none" };
 
+let canvas = null; // the last one, of smaller images
+
+/** A canvas with these pixels, until the next one is asked for: they are put as they are, never scaled. */
+function canvasOf(image) {
+    const fits = canvas?.width === image.width && canvas.height === image.height;
+    if (!fits) canvas = new OffscreenCanvas(image.width, image.height);
+    canvas.getContext("2d", { alpha: false }).putImageData(image, 0, 0);
+    return canvas;
+}
+
 /** Pixels that were copied out of the decoder. */
 class Pixels {
     constructor(image) {
@@ -16,9 +26,7 @@ class Pixels {
     drawOn(context, width, height) {
         const { image } = this;
         if (image.width === width && image.height === height) return context.putImageData(image, 0, 0);
-        const own = new OffscreenCanvas(image.width, image.height); // pixels are put as they are, never scaled
-        own.getContext("2d", { alpha: false }).putImageData(image, 0, 0);
-        context.drawImage(own, 0, 0, width, height);
+        context.drawImage(canvasOf(image), 0, 0, width, height);
     }
 
     close() {

@@ -36,6 +36,17 @@ export function symbol(name) {
     return svg;
 }
 
+/** Other rows in a list. Where a control of it has the focus, the one in its place gets it. */
+export function refill(list, items) {
+    const controls = () => [...list.querySelectorAll("input, button")];
+    const at = controls().indexOf(document.activeElement);
+    list.replaceChildren(...items);
+    if (at < 0) return;
+    const now = controls();
+    list.tabIndex = -1;
+    ([...now.slice(at), ...now.slice(0, at).reverse()].find((one) => !one.disabled) ?? list).focus();
+}
+
 /** Names a control for screen readers and by its tip. */
 export function name(element, text) {
     element.title = text;

@@ -36,6 +36,12 @@ export function text(label, onChange, how = {}) {
     return { element, show: (value, enabled) => (isEdited(box) || (box.value = value), (box.disabled = !enabled)) };
 }
 
+/** The number that has the focus is the server's again, in place of one that was refused. */
+export function showFocusedAgain() {
+    const box = document.activeElement;
+    if (box?.dataset?.shown !== undefined) box.value = box.dataset.shown;
+}
+
 const short = (value) => String(Number(Number(value).toPrecision(6)));
 
 /** A typed number counts when it is finished; one that the arrows change, at once. */
@@ -55,16 +61,16 @@ function numberBox(onValue, { min, max, whole, label }) {
     return { box, show };
 }
 
-/** A number, with a slider where both ends are known. `onValue(value, goesOn)`: later values of one drag go on. */
+/** A number, with a slider where both ends are known; it ends at `until` where few want more. `onValue(value, goesOn)`: later values of one drag go on. */
 export function numeric(label, onValue, how = {}) {
-    const { min, max, whole, name = label } = how;
+    const { min, max, whole, name = label, until = max } = how;
     const { box, show } = numberBox((value) => onValue(value, false), { min, max, whole, label: how.slider === false ? undefined : name });
-    if (how.slider === false || min === undefined || max === undefined || max - min > 5000) {
+    if (how.slider === false || min === undefined || max === undefined || until - min > 5000) {
         box.removeAttribute("aria-label");
         const { element, back } = row(label, [box], how);
         return { element, back, show };
     }
-    const slider = make("input", { type: "range", min, max, step: whole ? 1 : (max - min) / 500 });
+    const slider = make("input", { type: "range", min, max: until, step: whole ? 1 : (until - min) / 500 });
     let dragging = false;
     slider.oninput = () => {
         box.value = slider.value;

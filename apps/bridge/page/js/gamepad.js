@@ -1,6 +1,7 @@
 /** Gamepads: the left stick walks, the right one turns, A jumps, B crouches, Y walks or flies, a trigger runs. */
+import { KEYS } from "./key_table.js";
+
 const ON = 0.45, OFF = 0.3, DEAD = 0.12, RATE = 120; // parts of the way; degrees per second
-const KEYS = { forward: 87, back: 83, left: 65, right: 68, shift: 132, jump: 32, crouch: 67, fly: 70 };
 
 /** Keys of a stick; one that is down stays down until the stick is well back. */
 export function axisKeys(x, y, before) {
@@ -19,10 +20,15 @@ export class Gamepad {
     constructor(held, mayDrive) {
         this.held = held;
         this.mayDrive = mayDrive;
-        this.keys = new Set();
         this.flew = false;
+        const release = () => this.apply(new Set()); // a page that is hidden is asked for no frames
         addEventListener("gamepadconnected", () => this.start());
-        addEventListener("gamepaddisconnected", () => this.apply(new Set()));
+        for (const type of ["gamepaddisconnected", "blur", "pagehide"]) addEventListener(type, release);
+        document.addEventListener("visibilitychange", () => document.hidden && release());
+    }
+
+    get keys() {
+        return this.held.sources.get("gamepad") ?? new Set();
     }
 
     start() {
@@ -56,8 +62,8 @@ export class Gamepad {
     }
 
     apply(keys) {
-        const same = keys.size === this.keys.size && [...keys].every((key) => this.keys.has(key));
-        this.keys = keys;
+        const { keys: before } = this;
+        const same = keys.size === before.size && [...keys].every((key) => before.has(key));
         if (!same) this.held.hold("gamepad", keys);
     }
 }

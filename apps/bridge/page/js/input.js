@@ -7,8 +7,9 @@ import { keyCode, pageKeys } from "./key_table.js";
 import { preference } from "./storage.js";
 
 const DEGREES_PER_PIXEL = 0.12; // as in the window
-const TURN_RATE = 90;           // degrees per second, of Q and E
+const TURN_RATE = 90;           // degrees per second, of Q and E, R and V
 const RETRY_MS = 1300;          // Chromium refuses the lock for a while after Esc
+const STEP = 100, LINE = STEP / 3; // pixels of the wheel for one step of the speed; of a line
 const STRAY = 400;              // pixels: no hand moves so far between two events
 
 export class Input {
@@ -25,6 +26,7 @@ export class Input {
         this.kind = "";
         this.down = new Set(); // places of keys
         this.turning = 0;
+        this.rolled = 0; // pixels of the wheel that are no whole step yet
         this.listen();
     }
 
@@ -100,6 +102,10 @@ export class Input {
 
     onKey(event, isDown) {
         const place = event.code;
+        if (/^Meta(Left|Right)$/.test(place) && this.down.size) { // a Mac tells of no other key that comes up meanwhile
+            this.down.clear();
+            return void this.tell();
+        }
         if (!isDown && this.down.delete(place)) return void this.tell();
         if (!isDown || event.target !== this.canvas) return;
         if (!this.captured) {
@@ -124,18 +130,19 @@ export class Input {
     tell() {
         const control = hasControl();
         this.held.hold("keys", [...this.down].map((place) => keyCode(place, control)).filter((code) => code !== 0));
-        const turn = (this.down.has("KeyE") ? 1 : 0) - (this.down.has("KeyQ") ? 1 : 0);
-        if (turn === 0) this.stopTurning();
-        else this.startTurning(turn);
+        const right = this.down.has("KeyE") - this.down.has("KeyQ"), up = this.down.has("KeyR") - this.down.has("KeyV");
+        if (right === 0 && up === 0) this.stopTurning();
+        else this.startTurning(right, up);
     }
 
-    startTurning(direction) {
-        this.direction = direction;
+    /** Each: 1, 0 or -1. */
+    startTurning(right, up) {
+        this.direction = { right, up };
         if (this.turning) return;
         let last = performance.now();
         this.turning = setInterval(() => {
-            const now = performance.now();
-            this.held.turn(this.direction * TURN_RATE * Math.min(0.1, (now - last) / 1000), 0);
+            const now = performance.now(), degrees = TURN_RATE * Math.min(0.1, (now - last) / 1000);
+            this.held.turn(this.direction.right * degrees, this.direction.up * degrees);
             last = now;
         }, 16);
     }
@@ -180,6 +187,11 @@ export class Input {
     onWheel(event) {
         if (event.ctrlKey) return; // the page's size
         event.preventDefault();
-        if (event.deltaY !== 0) this.on.wheel(event.deltaY < 0 ? 1 : -1);
+        const moved = (event.deltaMode === 1 ? LINE : 1) * event.deltaY;
+        if (moved * this.rolled < 0) this.rolled = 0;
+        this.rolled += moved;
+        const steps = Math.trunc(this.rolled / STEP);
+        this.rolled -= steps * STEP;
+        if (steps !== 0) this.on.wheel(-steps);
     }
 }

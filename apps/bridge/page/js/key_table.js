@@ -12,8 +12,11 @@ const named = {
 
 export const CRAWL = 133; // Control on the server
 
-/** Keys of this page, which no server sees as such: X crawls (Ctrl+W would close the tab), Q and E turn. */
-export const pageKeys = { KeyX: "crawl", KeyQ: "left", KeyE: "right" };
+/** What the server's own bindings are by default. */
+export const KEYS = { forward: 87, back: 83, left: 65, right: 68, shift: 132, jump: 32, crouch: 67, fly: 70 };
+
+/** Keys of this page, which no server sees as such: X crawls (Ctrl+W would close the tab), Q E R V turn. */
+export const pageKeys = { KeyX: "crawl", KeyQ: "left", KeyE: "right", KeyR: "up", KeyV: "down" };
 
 /**
  * @param {string} place as in KeyboardEvent.code

@@ -51,7 +51,7 @@ export class Link extends EventTarget {
 
     /** The next try at once; or a look whether the link still is one. */
     hurry() {
-        if (!this.timer) return this.stream.check();
+        if (this.greeted || this.ended) return this.stream.check();
         this.wait = FIRST_WAIT;
         this.connect();
     }
@@ -71,7 +71,6 @@ export class Link extends EventTarget {
     }
 
     onClose(code, reason) {
-        const { greeted } = this;
         this.drop();
         this.ended = FINAL.has(code);
         if (!this.ended) {
@@ -80,7 +79,7 @@ export class Link extends EventTarget {
             this.timer = setTimeout(() => this.connect(), wait);
             this.wait = Math.min(MOST_WAIT, this.wait * 2);
         }
-        this.tell("lost", { code, reason, greeted, final: this.ended });
+        this.tell("lost", { code, reason, final: this.ended });
     }
 
     drop() {

@@ -1,7 +1,10 @@
 /** Wires the page: what the bridge says goes to the image, the panels and the notices; what hands do goes to the bridge. */
 import { Around } from "./around.js";
+import { directionThrough, turnTo } from "./directions.js";
 import { byId } from "./dom.js";
+import { Driving } from "./driving.js";
 import { Edits } from "./edits.js";
+import { showFocusedAgain } from "./fields.js";
 import { readFragment } from "./fragment.js";
 import { toggleFullScreen } from "./full_screen.js";
 import { Gamepad } from "./gamepad.js";
@@ -12,14 +15,16 @@ import { Notices } from "./notices.js";
 import { lightsPanel } from "./panel_lights.js";
 import { modelPanel } from "./panel_model.js";
 import { pagePanel } from "./panel_page.js";
-import { peoplePanel, personName } from "./panel_people.js";
+import { peoplePanel } from "./panel_people.js";
 import { settingsPanel } from "./panel_settings.js";
+import { settingLabel } from "./setting_labels.js";
 import { skyPanel } from "./panel_sky.js";
 import { download, viewsPanel } from "./panel_views.js";
 import { Panels } from "./panels.js";
 import { Picture } from "./picture.js";
 import { Statistics } from "./statistics.js";
 import { startStream } from "./stream_start.js";
+import { Steps } from "./steps.js";
 import { followPreference, forThisTab, preference } from "./storage.js";
 import { number, t } from "./texts.js";
 import { Touch } from "./touch.js";
@@ -37,18 +42,24 @@ const app = {
     notices: new Notices(),
     statistics: new Statistics(),
     driver: () => app.roles.people.find(({ id }) => id === app.roles.driver),
+    speed: 1, // factor of flying, as long as this page knows the server
     drives: () => link.greeted && app.roles.driver === app.welcome?.you,
     mayEdit: () => app.drives() && !app.welcome.locked.includes("edits"),
     /** A request whose failure is told. */
     async ask(what, keys) {
         const answer = await link.request(what, keys);
-        if (!answer.ok && answer.text) app.notices.show("failed", answer.text, { warn: true });
+        if (!answer.ok) tellRefusal(answer);
         return answer;
     },
     edit: (thing, what, keys, goesOn) => app.edits.edit(thing, what, keys, goesOn),
-    async askToDrive() {
-        const { ok } = await app.ask("ask");
-        if (ok && !app.drives()) app.notices.show("ask", t("asking"));
+    askToDrive: () => app.ask("ask"), // roles tell the rest
+    setSpeed(factor) {
+        app.speed = Math.min(1000, Math.max(0.001, factor));
+        app.edit("speed", "speed", { factor: app.speed });
+        panels.show();
+    },
+    async focus(at) {
+        if ((await app.ask("focus", at)).ok) app.notices.show("focus", t("focusSet"));
     },
     goTo(instance) {
         forThisTab.set("rt.instance", instance);
@@ -57,11 +68,14 @@ const app = {
 };
 
 // The token leaves the address at once: it stands in no history, and in no picture of the window.
-let asked = null;
+let asked = null, wasOffered = false;
 function takeFragment() {
     const { token, view } = readFragment(location.hash);
     if (token) forThisTab.set("rt.token", token);
-    if (view) asked = view;
+    if (view) {
+        asked = view;
+        wasOffered = false;
+    }
     if (location.hash) history.replaceState(null, "", location.pathname + location.search);
     return Boolean(token);
 }
@@ -76,35 +90,41 @@ const stream = startStream(canvas, (what) => (what.drawn ? onDrawn(what) : link.
 const link = new Link(stream, () => ({ token: forThisTab.get("rt.token") ?? "", instance: forThisTab.get("rt.instance") ?? "", name: preference("name", ""),
     view: pixels(), codecs: ["jpeg", "png"] }));
 link.connect(); // what it says comes after the last line of this module
-app.edits = new Edits((what, keys) => link.request(what, keys), ({ text }) => text && app.notices.show("failed", text, { warn: true }));
+app.edits = new Edits((what, keys) => link.request(what, keys), tellRefusal);
 const held = new Held((message) => app.drives() && link.send(message));
 app.pixels = pixels;
 const picture = (app.picture = new Picture(canvas));
 const panels = new Panels([viewsPanel, lightsPanel, skyPanel, modelPanel, settingsPanel, peoplePanel, pagePanel].map((make) => make(app)), () => sendView());
 app.statistics.onChange = () => panels.show();
-const around = new Around(app);
+const around = new Around(app), driving = new Driving(app);
+
+/** What was asked for is not so: panels show what is. */
+function tellRefusal({ text }) {
+    if (text) app.notices.show("failed", text, { warn: true });
+    panels.show();
+    showFocusedAgain();
+}
 
 // Hands
-let speed = 1;
 const hands = {
     mayCapture: () => app.drives() || (offerDriving(), false),
     mayDrive: () => app.drives() || (offerDriving(), false),
     captured: onCaptured,
     wheel(steps) {
         if (!app.drives()) return;
-        speed = Math.min(1000, Math.max(0.001, speed * 1.15 ** steps));
-        app.edit("speed", "speed", { factor: speed });
-        app.notices.show("speed", t("speed", number(speed, 2)));
+        app.setSpeed(app.speed * 1.15 ** steps);
+        app.notices.show("speed", t(app.status.mode === "fly" ? "speed" : "speedLater", number(app.speed, 2)));
     },
     pointed(clientX, clientY) {
-        const at = picture.at(clientX, clientY), { fov } = app.status;
-        if (!at || !fov || !app.drives()) return;
-        const wide = Math.tan((fov * Math.PI) / 360), degrees = 180 / Math.PI;
-        held.turn(Math.atan((2 * at.x - 1) * wide) * degrees, Math.atan(((1 - 2 * at.y) * wide) / picture.aspect) * degrees);
+        const at = picture.at(clientX, clientY), { status } = app;
+        if (!at || !status.fov || !app.drives()) return;
+        const direction = directionThrough(status, 2 * at.x - 1, 1 - 2 * at.y, picture.aspect);
+        const { right, up } = turnTo(status, app.state.up ?? status.up, direction);
+        held.turn(right, up);
     },
-    async focused(clientX, clientY) {
+    focused(clientX, clientY) {
         const at = picture.at(clientX, clientY);
-        if (at && app.drives() && (await app.ask("focus", at)).ok) app.notices.show("focus", t("focusSet"));
+        if (at && app.drives()) app.focus(at);
     },
     used() {
         around.walked = true;
@@ -148,9 +168,12 @@ function offerView() {
     const go = () => {
         const [ex, ey, ez, fx, fy, fz, fov] = asked;
         asked = null;
+        app.notices.hide("view");
         app.ask("camera", { eye: [ex, ey, ez], forward: [fx, fy, fz], ...(fov ? { fov } : {}) });
     };
     if (app.drives()) return go();
+    if (wasOffered) return;
+    wasOffered = true;
     const actions = app.welcome?.mayDrive ? [[t("ask"), () => app.askToDrive()]] : [];
     app.notices.show("view", t("viewAsked"), { lasting: true, actions: [...actions, [t("close"), () => (asked = null)]] });
 }
@@ -180,19 +203,33 @@ const on = (event, what) => link.addEventListener(event, ({ detail }) => what(de
 on("welcome", (welcome) => {
     const other = JSON.stringify(app.welcome?.settings) !== JSON.stringify(welcome.settings) || app.welcome?.instance !== welcome.instance;
     if (app.lost) app.notices.show("link", t("back"));
+    else app.notices.hide("link");
     app.lost = false;
+    driving.forget();
+    if (app.welcome && app.welcome.instance !== welcome.instance) forgetServer();
     app.welcome = welcome;
     around.setLive(true);
     if (other) panels.empty();
     around.showWaiting("firstFrame");
     sendView();
 });
+/** Another instance: nothing of what was shown is its. */
+function forgetServer() {
+    app.state = {};
+    app.status = app.statistics.status = {};
+    app.speed = 1;
+    picture.exact = null;
+    around.forget();
+}
 on("roles", (roles) => {
     const drove = app.drives();
     app.roles = roles;
     if (drove && !app.drives()) letGo();
     if (!drove && app.drives()) app.notices.hide("driver");
+    if (!app.drives()) byId("pads").hidden = true;
+    driving.follow(drove);
     canvas.classList.toggle("drives", app.drives());
+    around.showHeader();
     around.showHint();
     around.showStatus();
     offerView();
@@ -214,41 +251,65 @@ on("link", (facts) => {
     if (app.statistics.link && facts.divide > app.statistics.link.divide) app.notices.show("slow", t("slow", facts.divide));
     app.statistics.link = facts;
 });
+/** Shorter ones are not worth a word. */
+const BUSY_MS = 500;
+let busyTimer = 0;
+function tellBusy() {
+    byId("busy").hidden = !around.seen; // before the first frame another one turns
+    app.notices.show("server", t("busy"), { lasting: true, warn: true });
+}
 on("server", ({ state, text }) => {
     const key = "server";
+    clearTimeout(busyTimer);
+    if (state === "busy") busyTimer = setTimeout(tellBusy, BUSY_MS);
+    else byId("busy").hidden = true;
     around.setLive(state === "there" || state === "busy");
     if (state === "there") {
         app.notices.hide(key);
         if (!around.seen) around.showWaiting("firstFrame");
         return;
     }
-    if (state !== "busy") letGo();
+    if (state === "busy") return;
+    letGo();
+    app.speed = 1;
     if (state === "gone" && !around.seen) return around.showWaiting("noServer");
     app.notices.show(key, state === "refused" ? t("refused", text) : t(state), { lasting: true, warn: true });
 });
 on("message", ({ kind, text }) => app.notices.show("message", text, { warn: kind === "warning" }));
-on("notice", ({ code, text, by }) => {
-    const person = (id) => personName(app.roles.people.find((one) => one.id === id) ?? { id });
+on("notice", ({ code, text }) => {
     const told = {
-        asked: () => app.notices.show("asked", t("asksYou", person(by)), { lasting: true, actions: [[t("giveTo"), () => app.ask("give", { to: by })], [t("keep"), () => app.ask("keep")]] }),
+        asked: () => {}, // the roles that follow tell it, as what `taken` says
         handed: () => app.roles.people.length > 1 && app.notices.show("role", t("handed")), // alone, that is no news
-        taken: () => (app.notices.hide("asked"), app.notices.show("role", t("taken", person(app.roles.driver)))),
+        taken: () => app.notices.hide("asked"),
+        heavy: () => app.notices.show("notice", heavyText(text), { warn: true }),
         elsewhere: () => app.notices.show("elsewhere", t("elsewhere")),
         released: () => app.notices.show("released", t("released")),
     }[code];
     if (told) told();
     else app.notices.show("notice", text, { warn: true });
 });
+/** "maxDepth, the size was set back: ..." in the page's language, with the names of panels. */
+function heavyText(text) {
+    const [, names] = /^(.+) was set back: /.exec(text) ?? [];
+    if (!names) return text;
+    return t("heavy", names.split(", ").map((one) => (one === "the size" ? t("size") : settingLabel(one))).join(", "));
+}
+
 on("lost", ({ code, reason, final }) => {
     letGo();
+    clearTimeout(busyTimer);
+    byId("busy").hidden = true;
     around.setLive(false);
     app.notices.hide("server");
     const wasGreeted = Boolean(app.welcome);
     app.lost = wasGreeted;
     app.roles = { driver: null, asking: [], people: [] };
+    driving.forget();
+    byId("pads").hidden = true;
     panels.show();
+    around.showHeader();
     around.showHint();
-    if (!final) return wasGreeted ? app.notices.show("link", t("lost"), { lasting: true, warn: true, actions: [[t("tryAgain"), () => link.hurry()]] }) : around.showWaiting("connecting");
+    if (!final) return wasGreeted ? app.notices.show("link", t("lost"), { lasting: true, warn: true, stays: true, actions: [[t("tryAgain"), () => link.hurry()]] }) : around.showWaiting("connecting");
     around.showWaiting("");
     const reload = [t("reload"), () => location.reload()];
     if (code === 4004) {
@@ -267,18 +328,22 @@ function letGo() {
 // Buttons and keys of the page
 byId("full").addEventListener("click", toggleFullScreen);
 byId("full").hidden = !document.fullscreenEnabled;
-byId("undo").addEventListener("click", () => app.ask("undo"));
-byId("redo").addEventListener("click", () => app.ask("redo"));
+const steps = new Steps(app.ask, link);
+for (const what of ["undo", "redo"]) byId(what).addEventListener("click", () => steps.take(what));
 byId("save").addEventListener("click", () => {
     if (!picture.exact) return;
     download((app.state.scene?.replace(/\.\w+$/, "") || "image") + ".png", new Blob([picture.exact], { type: "image/png" }));
 });
+/** Whether an element takes its own typing back. */
+const holdsText = (element) => element instanceof HTMLInputElement && !/^(range|checkbox|color|file)$/.test(element.type);
+
 addEventListener("keydown", (event) => {
+    if (event.defaultPrevented) return;
     if (event.code === "F3" && !event.ctrlKey && !event.metaKey && !event.altKey) {
         event.preventDefault();
         app.statistics.toggle();
-    } else if (event.code === "KeyZ" && (event.ctrlKey || event.metaKey) && !event.altKey && !(event.target instanceof HTMLInputElement)) {
+    } else if (event.key?.toLowerCase() === "z" && (event.ctrlKey || event.metaKey) && !event.altKey && !holdsText(event.target)) {
         event.preventDefault();
-        app.ask(event.shiftKey ? "redo" : "undo");
+        steps.take(event.shiftKey ? "redo" : "undo");
     }
 });

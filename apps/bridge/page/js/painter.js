@@ -17,7 +17,7 @@ export class Painter {
         this.canvas = canvas;
         this.context = canvas.getContext("2d", { alpha: false });
         this.tell = tell;
-        this.shown = { stream: -1, number: -1n, rest: false };
+        this.shown = { stream: -1, number: -1n, exact: false };
         this.decodes = 0;
         this.waiting = null;
         this.skipped = []; // acknowledged with the next one that is drawn

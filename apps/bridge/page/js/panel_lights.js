@@ -1,5 +1,5 @@
 /** Lights: a switch for each, and the fields of the chosen one, as its kind has them. */
-import { button, make } from "./dom.js";
+import { button, make, refill } from "./dom.js";
 import { choice, colour, numeric, toggle, vector } from "./fields.js";
 import { of, t } from "./texts.js";
 
@@ -43,7 +43,7 @@ export function lightsPanel(app) {
         add(toggle(of("LightFields", "Colour by temperature"), (on) => edit("lightTemperature", { kelvin: on ? 4000 : null })), always,
             ({ temperature }) => temperature > 0);
         add(numeric(of("LightFields", "Temperature"), (kelvin, goesOn) => edit("lightTemperature", { kelvin }, goesOn),
-            { min: 1667, max: 6500, whole: true, unit: "K", help: of("LightFields", "Of a black body: candle 1900 K, bulb 2700 K, sun 5800 K") }),
+            { min: 1667, max: 25000, until: 6500, whole: true, unit: "K", help: of("LightFields", "Of a black body: candle 1900 K, bulb 2700 K, sun 5800 K") }),
         ({ temperature }) => temperature > 0, ({ temperature }) => temperature);
         addPlaces();
         addShape();
@@ -77,7 +77,10 @@ export function lightsPanel(app) {
     const item = (one) => {
         const name = lightName(one);
         const box = make("input", { type: "checkbox", checked: one.on, disabled: !app.mayEdit(), "aria-label": name,
-            onchange: () => app.ask("light", { light: one.id, on: box.checked }) });
+            onchange: async () => {
+                const { ok } = await app.ask("light", { light: one.id, on: box.checked });
+                if (!ok) box.checked = one.on;
+            } });
         const choose = make("button", { type: "button", className: "name", "aria-current": String(one.id === chosen),
             onclick: () => {
                 chosen = one.id === chosen ? 0 : one.id;
@@ -111,11 +114,7 @@ export function lightsPanel(app) {
         show() {
             const lights = app.state.lights ?? [], one = light(), may = app.mayEdit();
             const now = JSON.stringify([lights.map(({ id, on, name, kind }) => [id, on, name, kind]), chosen, may]);
-            if (now !== last) {
-                const focused = [...list.querySelectorAll("input, button")].indexOf(document.activeElement);
-                list.replaceChildren(...lights.map(item));
-                if (focused >= 0) list.querySelectorAll("input, button")[focused]?.focus();
-            }
+            if (now !== last) refill(list, lights.map(item));
             last = now;
             empty.hidden = lights.length > 0;
             fields.hidden = !one?.kind;

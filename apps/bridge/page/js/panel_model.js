@@ -1,5 +1,5 @@
 /** Parts and materials of the model. Lists are long and seldom needed: they are asked for when the panel is opened. */
-import { button, make } from "./dom.js";
+import { button, make, refill } from "./dom.js";
 import { colour, group, numeric, toggle } from "./fields.js";
 import { number, of, t } from "./texts.js";
 
@@ -21,25 +21,29 @@ const fieldsOf = () => [
 
 export function modelPanel(app) {
     const lists = { parts: [], materials: [] };
-    let chosen = 0, material = null, places, fields, find, all, scene = null;
+    // `picked`: what is looked for is the name of a part that was picked in the image, no material's.
+    let chosen = 0, material = null, places, fields, find, picked = false, showAll, scene = null;
 
-    /** All rows, asked for piece by piece. */
+    /** All rows, asked for piece by piece; null where one was refused. */
     async function load(what) {
         const rows = [];
         for (let from = 1; from; ) {
             const answer = await app.ask(what, { from });
-            if (!answer.ok) break;
+            if (!answer.ok) return null;
             rows.push(...answer[what]);
             from = answer.next;
         }
-        lists[what] = rows;
+        return rows;
     }
 
     const nameOf = (row) => row.name || of("ModelPanel", "Without a name (%1)").replace("%1", row.number);
 
     const partItem = (row) => {
         const box = make("input", { type: "checkbox", checked: row.shown, disabled: !app.mayEdit(), "aria-label": nameOf(row),
-            onchange: () => app.ask(box.checked ? "partShow" : "partHide", { parts: [row.number] }) });
+            onchange: async () => {
+                const { ok } = await app.ask(box.checked ? "partShow" : "partHide", { parts: [row.number] });
+                if (!ok) box.checked = row.shown;
+            } });
         const alone = button(t("isolate", nameOf(row)), () => app.ask("partIsolate", { parts: [row.number] }), "model");
         alone.disabled = !app.mayEdit();
         return make("li", {}, box, make("span", { className: "name", title: t("triangles", number(row.triangles)) }, nameOf(row)),
@@ -62,14 +66,18 @@ export function modelPanel(app) {
         if (!material) return;
         for (const { key, made } of fields.made) {
             made.element.hidden = !(key in material);
-            if (key in material) made.show(material[key], app.mayEdit());
+            if (key in material) made.show(key === "reflectivity" ? Math.max(...material[key]) : material[key], app.mayEdit());
         }
         fields.back.disabled = !app.mayEdit();
     }
 
     function addFields(place) {
         fields = make("div", { role: "group", "aria-label": t("model"), hidden: true });
-        const set = (key) => (value, goesOn) => app.edit("materialSet " + chosen + key, "materialSet", { number: chosen, key, value }, goesOn === true);
+        const set = (key) => async (value, goesOn) => {
+            const which = chosen;
+            const ok = await app.edit("materialSet " + which + key, "materialSet", { number: which, key, value }, goesOn === true);
+            if (!ok) showMaterial();
+        };
         fields.made = fieldsOf().map(([key, label, kind]) => {
             const made = kind === "colour" ? colour(label, set(key)) : kind === "switch" ? toggle(label, set(key))
                 : numeric(label, set(key), { min: kind[0], max: kind[1] });
@@ -86,9 +94,9 @@ export function modelPanel(app) {
         const wanted = find.value.trim().toLowerCase();
         const fits = (row) => wanted === "" || nameOf(row).toLowerCase().includes(wanted);
         for (const [what, item] of [["parts", partItem], ["materials", materialItem]]) {
-            const rows = lists[what].filter(fits);
-            places[what].replaceChildren(...rows.slice(0, MOST_SHOWN).map(item),
-                ...(rows.length > MOST_SHOWN ? [make("li", {}, make("span", { className: "dim" }, t("more")))] : []));
+            const rows = what === "materials" && picked ? lists[what] : lists[what].filter(fits);
+            refill(places[what], [...rows.slice(0, MOST_SHOWN).map(item),
+                ...(rows.length > MOST_SHOWN ? [make("li", {}, make("span", { className: "dim" }, t("more")))] : [])]);
         }
     }
 
@@ -97,13 +105,16 @@ export function modelPanel(app) {
         const answer = await app.ask("seen", { x: 0.5, y: 0.5 });
         if (!answer.ok) return;
         find.value = "";
+        picked = true;
         if (answer.material) await choose(answer.material.number);
-        if (answer.part) find.value = answer.part.name ?? "";
+        find.value = answer.part?.name ?? "";
         list();
     }
 
     async function refresh() {
-        await Promise.all([load("parts"), load("materials")]);
+        const now = scene, [parts, materials] = await Promise.all([load("parts"), load("materials")]);
+        if (now !== scene) return; // a later one is under way
+        if (parts && materials) Object.assign(lists, { parts, materials });
         await showMaterial();
         list();
     }
@@ -112,10 +123,13 @@ export function modelPanel(app) {
         id: "model",
         fill(place) {
             scene = null;
-            find = make("input", { type: "search", placeholder: t("findPart"), "aria-label": t("findPart"), oninput: list });
+            find = make("input", { type: "search", placeholder: t("findPart"), "aria-label": t("findPart"), oninput: () => {
+                picked = false;
+                list();
+            } });
             places = { parts: make("ul", { className: "list" }), materials: make("ul", { className: "list" }) };
-            all = button(of("ModelPanel", "Show all"), () => app.ask("partShowAll"));
-            const parts = group(of("ModelPanel", "Parts"), make("div", { className: "actions" }, all), places.parts);
+            showAll = button(of("ModelPanel", "Show all"), () => app.ask("partShowAll"));
+            const parts = group(of("ModelPanel", "Parts"), make("div", { className: "actions" }, showAll), places.parts);
             const materials = group(of("ModelPanel", "Materials"), places.materials);
             parts.open = true;
             materials.open = true;
@@ -124,8 +138,8 @@ export function modelPanel(app) {
             place.append(materials, parts);
         },
         show() {
-            all.disabled = !app.mayEdit();
-            const now = [app.state.scene, app.state.edits, app.state.redo, app.mayEdit()].join("|");
+            showAll.disabled = !app.mayEdit();
+            const now = [app.state.scene, app.state.edits, app.state.redo, app.mayEdit(), app.welcome?.you].join("|");
             if (now === scene) return;
             scene = now;
             refresh();

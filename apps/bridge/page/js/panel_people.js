@@ -1,5 +1,5 @@
 /** Who is here, who drives, and how another comes to drive. */
-import { button, make } from "./dom.js";
+import { button, make, refill } from "./dom.js";
 import { text } from "./fields.js";
 import { preference, setPreference } from "./storage.js";
 import { t } from "./texts.js";
@@ -33,11 +33,9 @@ export function peoplePanel(app) {
             const now = JSON.stringify([app.roles, app.welcome?.you, app.welcome?.mayDrive]);
             if (now === last) return;
             last = now;
-            list.replaceChildren(...app.roles.people.map(item));
-            actions.replaceChildren();
-            if (app.drives()) actions.append(button(t("stop"), () => app.ask("release")));
-            else if (app.welcome?.mayDrive) actions.append(button(t("ask"), () => app.askToDrive()));
-            else actions.append(make("p", {}, t("viewOnly")));
+            refill(list, app.roles.people.map(item));
+            refill(actions, [app.drives() ? button(t("stop"), () => app.ask("release"))
+                : app.welcome?.mayDrive ? button(t("ask"), () => app.askToDrive()) : make("p", {}, t("viewOnly"))]);
         },
     };
 }

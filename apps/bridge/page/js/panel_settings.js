@@ -5,8 +5,10 @@ import { settingGroup, settingHelp, settingLabel, settingUnit, settingValue } fr
 import { forThisTab } from "./storage.js";
 import { t } from "./texts.js";
 
+const MOST_SIDE = 16384; // pixels
+
 export function settingsPanel(app) {
-    let rows = [], groups = new Map(), size = null;
+    let rows = [], groups = new Map(), size = null, defaults;
 
     const set = (row) => (value, goesOn = false) => app.edit("set " + row.name, "set", { name: row.name, value }, goesOn);
 
@@ -51,8 +53,8 @@ export function settingsPanel(app) {
     }
 
     function addSize(place) {
-        const width = make("input", { type: "number", min: 1, max: 32767, id: freshId(), "aria-label": settingLabel("width") });
-        const height = make("input", { type: "number", min: 1, max: 32767, "aria-label": settingLabel("height") });
+        const width = make("input", { type: "number", min: 1, max: MOST_SIDE, id: freshId(), "aria-label": settingLabel("width") });
+        const height = make("input", { type: "number", min: 1, max: MOST_SIDE, "aria-label": settingLabel("height") });
         const apply = button(t("apply"), () => {
             if (width.checkValidity() && height.checkValidity())
                 app.ask("resolution", { width: Number(width.value), height: Number(height.value) });
@@ -79,16 +81,20 @@ export function settingsPanel(app) {
                 groups.get(row.group).place.append(made.element);
                 rows.push({ row, made });
             }
-            place.append(make("div", { className: "actions" }, button(t("defaults"), () => app.ask("defaults"))));
+            defaults = button(t("defaults"), () => app.ask("defaults"));
+            place.append(make("div", { className: "actions" }, defaults));
         },
         show() {
             const values = app.state.values ?? {}, changed = new Set(), may = app.mayEdit();
             for (const { row, made } of rows) {
                 const value = values[row.name] ?? row.default, enabled = may && !row.locked;
                 if (value !== row.default) changed.add(row.group);
-                if (!app.edits.isBusy("set " + row.name)) made.show(value, enabled);
                 made.back.disabled = !enabled;
+                if (app.edits.isBusy("set " + row.name)) continue;
+                made.show(value, enabled);
+                const focused = made.back === document.activeElement;
                 made.back.hidden = value === row.default;
+                if (focused && made.back.hidden) made.element.querySelector("input, select").focus();
             }
             for (const [name, { dot }] of groups) dot.hidden = !changed.has(name);
             for (const side of ["width", "height"]) {
@@ -96,6 +102,7 @@ export function settingsPanel(app) {
                 size[side].disabled = !may;
             }
             size.apply.disabled = size.fit.disabled = !may;
+            defaults.disabled = !may || app.welcome.locked.length > 0;
         },
     };
 }

@@ -1,9 +1,11 @@
 /** Views: walk or fly, field of view, bookmarks of the scene and of this browser, a link to what is seen. */
-import { cameraOf, checked, load, store, viewOf } from "./bookmarks.js";
-import { button, make } from "./dom.js";
+import { MOST, cameraOf, checked, load, store, viewOf } from "./bookmarks.js";
+import { button, make, refill } from "./dom.js";
 import { choice, numeric } from "./fields.js";
 import { viewText } from "./fragment.js";
-import { t } from "./texts.js";
+import { counted, t } from "./texts.js";
+
+const SPEED_STEP = 1.5;
 
 /** Offers bytes as a file. */
 export function download(name, blob) {
@@ -13,14 +15,17 @@ export function download(name, blob) {
 }
 
 export function viewsPanel(app) {
-    let motion, angle, own, here, name, last = "";
+    let motion, angle, speed, middle, own, here, name, plus, copy, reset, last = "";
 
     const instance = () => app.welcome?.instance ?? "", scene = () => app.state.scene ?? "";
     const stored = () => load(instance(), scene());
+    /** False: there is no room. */
     const keep = (list) => {
-        if (!store(instance(), scene(), list)) app.notices.show("bookmarks", t("bookmarkFull"), { warn: true });
+        const kept = store(instance(), scene(), list);
+        if (!kept) app.notices.show("bookmarks", t("bookmarkFull"), { warn: true });
         last = "";
         panel.show();
+        return kept;
     };
 
     async function copyLink() {
@@ -28,14 +33,18 @@ export function viewsPanel(app) {
         const address = location.href.replace(/#.*/, "") + "#" + viewText([...eye, ...forward, ...(fov > 0 ? [fov] : [])]);
         try {
             await navigator.clipboard.writeText(address);
-            app.notices.show("link", t("copied"));
+            app.notices.show("copy", t("copied"));
         } catch {
-            app.notices.show("link", t("copyByHand") + " " + address, { lasting: true, actions: [[t("close"), () => {}]] });
+            app.notices.show("copy", t("copyByHand") + " " + address, { lasting: true, actions: [[t("close"), () => {}]] });
         }
     }
 
+    const tellFull = () => app.notices.show("bookmarks", t("bookmarkMost", MOST), { warn: true });
+
     function add() {
         const list = stored();
+        if (!app.status.eye) return;
+        if (list.length >= MOST) return tellFull();
         list.push({ name: name.value.trim() || t("bookmarkNew", list.length + 1), view: viewOf(app.status), image: app.picture.thumbnail(160, 90) });
         name.value = "";
         keep(list);
@@ -50,8 +59,10 @@ export function viewsPanel(app) {
             read = checked(JSON.parse(await file.text()).bookmarks);
         } catch { /* told below */ }
         if (read.length === 0) return app.notices.show("bookmarks", t("importBad"), { warn: true });
-        keep([...stored(), ...read]);
-        app.notices.show("bookmarks", t("importGood", read.length));
+        const before = stored(), taken = read.slice(0, MOST - before.length);
+        if (!keep([...before, ...taken])) return;
+        if (taken.length < read.length) tellFull();
+        else app.notices.show("bookmarks", counted("importGood", taken.length));
     }
 
     function exportFile() {
@@ -69,8 +80,14 @@ export function viewsPanel(app) {
     function addMotion(place) {
         motion = choice(t("motion"), [["walk", t("walk")], ["fly", t("fly")]], (what) => app.ask(what));
         angle = numeric(t("fieldOfView"), (degrees, goesOn) => app.edit("angle", "angle", { degrees }, goesOn), { min: 10, max: 150, unit: "°" });
-        place.append(motion.element, angle.element, make("div", { className: "actions" }, button(t("copyLink"), copyLink),
-            button(t("resetView"), () => app.ask("reset"))));
+        speed = numeric(t("flightSpeed"), app.setSpeed, { min: 0.001, max: 1000, slider: false, unit: "×" });
+        const step = (text, factor) => button(t(text), () => app.setSpeed(app.speed * factor));
+        speed.steps = [step("slower", 1 / SPEED_STEP), step("faster", SPEED_STEP)];
+        middle = button(t("focusMiddle"), () => app.focus({ x: 0.5, y: 0.5 }));
+        copy = button(t("copyLink"), copyLink);
+        reset = button(t("resetView"), () => app.ask("reset"));
+        place.append(motion.element, angle.element, speed.element, make("div", { className: "actions" }, ...speed.steps, middle),
+            make("div", { className: "actions" }, copy, reset));
     }
 
     const panel = {
@@ -82,8 +99,9 @@ export function viewsPanel(app) {
             here = make("ul", { className: "list" });
             name = make("input", { type: "text", maxLength: 40, placeholder: t("bookmarkName"), "aria-label": t("bookmarkName"),
                 onkeydown: (event) => event.key === "Enter" && add() });
+            plus = button(t("bookmarkAdd"), add);
             const file = make("input", { type: "file", accept: "application/json,.json", onchange: importFile, "aria-label": t("importAll") });
-            place.append(make("h3", {}, t("bookmarksHere")), here, make("div", { className: "row wide" }, name, make("div", { className: "field" }, button(t("bookmarkAdd"), add))),
+            place.append(make("h3", {}, t("bookmarksHere")), here, make("div", { className: "row wide" }, name, make("div", { className: "field" }, plus)),
                 make("div", { className: "actions" }, button(t("exportAll"), exportFile), make("label", { className: "file" }, t("importAll"), file)),
                 make("h3", {}, t("bookmarksOwn")), own);
         },
@@ -92,12 +110,15 @@ export function viewsPanel(app) {
             motion.show(mode === "fly" ? "fly" : "walk", drives);
             angle.element.hidden = !fov;
             if (fov && !app.edits.isBusy("angle")) angle.show(fov, drives);
+            speed.show(app.speed, drives);
+            for (const each of [...speed.steps, middle, reset]) each.disabled = !drives;
+            copy.disabled = plus.disabled = !app.status.eye;
             const list = stored(), scenes = app.state.bookmarks ?? [];
             const now = JSON.stringify([list, scenes, drives]);
             if (now === last) return;
             last = now;
-            here.replaceChildren(...(list.length ? list.map(item) : [make("li", {}, make("span", { className: "dim" }, t("bookmarksNone")))]));
-            own.replaceChildren(...scenes.map(ownItem));
+            refill(here, list.length ? list.map(item) : [make("li", {}, make("span", { className: "dim" }, t("bookmarksNone")))]);
+            refill(own, scenes.map(ownItem));
             own.previousElementSibling.hidden = scenes.length === 0;
         },
     };

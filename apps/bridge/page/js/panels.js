@@ -43,18 +43,13 @@ export class Panels {
             tab.tabIndex = tab === one.tab ? 0 : -1;
             panel.hidden = panel !== one.panel;
         }
+        this.drawer.setAttribute("aria-label", t(one.id + "Title"));
         byId("panels").scrollTop = 0;
         this.show();
     }
 
     get isOpen() {
         return !this.drawer.hidden;
-    }
-
-    /** Opens at a subject. */
-    open(id) {
-        this.toggle(true);
-        this.choose(this.subjects.find((one) => one.id === id));
     }
 
     toggle(open = !this.isOpen) {

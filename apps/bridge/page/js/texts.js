@@ -20,6 +20,13 @@ export function t(key, ...values) {
     return own[key].replace(/\{(\d)\}/g, (_, index) => values[index]);
 }
 
+const plurals = new Intl.PluralRules(language);
+/** A text of so many things: `key` with One, Few or Other. */
+export function counted(key, count) {
+    const form = plurals.select(count);
+    return t(key + (form === "one" ? "One" : form === "few" ? "Few" : "Other"), count);
+}
+
 /** An English text of the window, in the page's language; as it is where there is no translation. */
 export const of = (context, text) => shared[context]?.[text] ?? text;
 

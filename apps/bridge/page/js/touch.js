@@ -1,9 +1,9 @@
 /** Thumbs: on the left half a stick that walks, on the right half the view turns. Two fingers there change the speed. */
 import { byId } from "./dom.js";
+import { KEYS } from "./key_table.js";
 
 const RADIUS = 56, DEAD = 0.25, RUN = 1.15; // pixels; parts of the radius
 const DEGREES_PER_PIXEL = 0.25, TAP_MS = 300, TAP_MOVE = 12, PINCH_STEP = 24;
-const KEYS = { forward: 87, back: 83, left: 65, right: 68, shift: 132, jump: 32, crouch: 67, fly: 70 };
 
 /** The keys of a thumb that is so far from its start, in radii, to the right and down. */
 export function stickKeys(x, y) {
@@ -42,6 +42,7 @@ export class Touch {
         });
         for (const type of ["pointerup", "pointercancel", "lostpointercapture"])
             element.addEventListener(type, () => this.held.hold(id, []));
+        element.addEventListener("click", (event) => event.detail === 0 && this.held.tap(key)); // by keyboard
     }
 
     onDown(event) {
@@ -76,6 +77,7 @@ export class Touch {
         const finger = this.fingers.get(event.pointerId);
         if (!finger) return;
         this.fingers.delete(event.pointerId);
+        this.apart = this.distance();
         if (finger.walks) {
             this.stick.hidden = true;
             this.held.hold("stick", []);

@@ -1,5 +1,5 @@
 /** Keeps the screen on during a walk, where the browser allows it. */
-let lock = null, wanted = false;
+let lock = null, wanted = false, asked = false;
 
 export async function keepAwake(on) {
     wanted = on;
@@ -8,10 +8,11 @@ export async function keepAwake(on) {
         lock = null;
         return;
     }
-    if (lock) return;
+    if (asked || (lock && !lock.released)) return;
+    asked = true;
     try {
-        const got = await navigator.wakeLock?.request("screen");
-        if (wanted) lock = got ?? null;
-        else got?.release();
+        lock = (await navigator.wakeLock?.request("screen")) ?? null;
     } catch { /* refused: the battery is low, or the page is hidden */ }
+    asked = false;
+    if (!wanted) keepAwake(false);
 }

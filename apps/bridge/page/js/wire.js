@@ -16,7 +16,6 @@ export function readHeader(buffer) {
         type: view.getUint8(0),
         codec: view.getUint8(1),
         atRest: (flags & 2) !== 0,
-        last: (flags & 4) !== 0,
         stream: view.getUint32(4, true),
         number: view.getBigUint64(8, true),
         width: view.getUint16(16, true),
@@ -24,7 +23,6 @@ export function readHeader(buffer) {
         shownWidth: view.getUint16(20, true),
         shownHeight: view.getUint16(22, true),
         input: view.getUint32(24, true),
-        age: view.getUint32(28, true),
         offset: view.getUint32(32, true),
         total: view.getUint32(36, true),
     };
