@@ -66,8 +66,36 @@ MUTANTS = [
          "setting.maximum"),
     ]),
     ("requests: edits of others are taken back", [
-        ("control/own_edits.h", "return !done_.empty() && done_.back() == Edit{by, edits, label};",
-         "return !done_.empty();"),
+        ("control/own_edits.h", "return !busy() && !done_.empty() && done_.back() == Edit{by, edits, label};",
+         "return !busy() && !done_.empty();"),
+    ]),
+    ("requests: an edit that changed nothing is one's own", [
+        ("control/own_edits.h", "if (edits > before_ && edits <= before_ + made_)",
+         "if (made_ > 0)"),
+    ]),
+    ("requests: several undos are taken at once", [
+        ("control/own_edits.h", "bool busy() const { return underWay_ > 0 || unread_; }",
+         "bool busy() const { return false; }"),
+    ]),
+    ("requests: commands change what is locked", [
+        ("control/requests.cpp", "if (around.limits.isLocked(name)) throw",
+         "if (false) throw"),
+    ]),
+    ("requests: any size is taken", [
+        ("control/requests.cpp", "if (width * height > around.limits.maxPixels)",
+         "if (false)"),
+    ]),
+    ("requests: heavy edits stay", [
+        ("control/room_requests.cpp", "if (heavy) {",
+         "if (false) {"),
+    ]),
+    ("requests: edits that mend heavy frames are set back", [
+        ("control/room_requests.cpp", "if (hasStatus_ && status_.frameSeconds > kLongFrame) return;",
+         ""),
+    ]),
+    ("input: what was tapped without a server goes to the next one", [
+        ("control/command_link.cpp", "taps.clear(); right = up = 0;",
+         ""),
     ]),
     ("roles: a viewer's link drives", [
         ("control/roles.cpp", "const bool drives = person.mayDrive && !driver_;",
@@ -102,7 +130,7 @@ MUTANTS = [
          "false &&"),
     ]),
     ("door: the silent keep their places", [
-        ("visitor.cpp", "now - began_ > kPatience ||",
+        ("visitor.cpp", "now - began_ > patience ||",
          ""),
     ]),
     ("door: a close may last for ever", [
