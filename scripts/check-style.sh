@@ -1,6 +1,6 @@
 #!/bin/sh
-# The layout of the code by clang-format 14, the words of docs/style.md, the rooms that may call the system and the syntax
-# of the scripts; with --tidy also clang-tidy over the release build (takes a while).
+# The layout of the code by clang-format 14, the words of docs/style.md, the rooms that may call the system, the files that
+# the bridge opens and the syntax of the scripts; with --tidy also clang-tidy over the release build (takes a while).
 #   scripts/check-style.sh [--tidy]
 set -eu
 cd "$(dirname "$0")/.."
@@ -14,6 +14,12 @@ scripts/check_words.py
 echo "check-style: the words are those of docs/style.md"
 scripts/check_system_headers.py
 echo "check-style: system headers are included in their rooms only"
+if git grep -nE '\b[io]?fstream\b|\b(fopen|open|read[A-Za-z]*(File|Text)|write[A-Za-z]*File|use_[a-z_]*file)\(' -- \
+    'apps/bridge/*.cpp' 'apps/bridge/*.h' | grep -vE '^apps/bridge/(tokens|net/tls)\.cpp:|acceptor\.open\('; then
+    echo "check-style: the bridge opens no file but those of its tokens and its certificate" >&2
+    exit 1
+fi
+echo "check-style: the bridge opens its tokens and certificate only"
 # Each by the shell that its first line names.
 git ls-files '*.sh' .ci/run | while read -r script; do
     shell=$(sed -n '1s/^#![^ ]*[/ ]\([a-z]*\)$/\1/p' "$script")

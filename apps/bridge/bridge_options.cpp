@@ -116,8 +116,8 @@ app::OptionGroup permissionOptions() {
          {.name = "max-mbit",
           .value = ValueKind::Number,
           .argument = "X",
-          .help = "most megabits per second for all pages together, shared evenly by the servers of "
-                  "`--instance`; 0 is no limit [0]",
+          .help = "most megabits per second for all pages together, shared evenly by the servers; 0 is no "
+                  "limit [0]",
           .minimum = 0,
           .maximum = 1e6}}};
 }

@@ -1,7 +1,11 @@
 // Server and bridge may die at any moment, and come again. RT_BRIDGE_DEATHS asks for more rounds.
 #include "process/bridge/bridge_fixture.h"
 
+#include "ipc/endpoint/client.h"
+
+#include <memory>
 #include <random>
+#include <vector>
 
 namespace {
 
@@ -78,6 +82,22 @@ TEST_F(Deaths, LeaveNothingThatWasTappedMeanwhileToTheSuccessor) {
     EXPECT_TRUE(eventually([&] { return server->isHeld('W') && server->presses('J') == 1; }));
     EXPECT_EQ(server->presses('F') + server->presses('B'), 0U);
     EXPECT_TRUE(server->commands().empty()) << "no turn either";
+}
+
+TEST_F(Deaths, OfNoneButNoPlaceIsToldUntilThereIsOne) {
+    std::vector<std::unique_ptr<ipc::Client>> others;
+    const auto takeAll = [&] {
+        for (;;) others.push_back(std::make_unique<ipc::Client>(instance.name(), 0ns));
+    };
+    EXPECT_THROW(takeAll(), ipc::Error);
+    const auto client = join();
+    ASSERT_TRUE(becomes(*client, "refused"));
+    EXPECT_EQ(client->request({{"do", "walk"}})["ok"], false);
+    EXPECT_TRUE(page("/health").starts_with("HTTP/1.1 503"));
+    others.clear();
+    ASSERT_TRUE(becomes(*client, "there"));
+    server->move(50);
+    EXPECT_TRUE(client->binary(1));
 }
 
 TEST_F(Deaths, InGoodOrderAreToldToPages) {

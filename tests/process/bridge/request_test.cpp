@@ -31,6 +31,21 @@ TEST_F(Requests, ReachTheServerAsCommands) {
     EXPECT_EQ(server->commands(), (std::vector<std::string>{"walk", "set maxDepth 3", "light 3 off"}));
 }
 
+TEST_F(Requests, AreFourAtOnceAtMost) {
+    server->onCommand = [](const std::string&) {
+        std::this_thread::sleep_for(200ms);
+        return "";
+    };
+    const auto client = join();
+    for (int id = 1; id <= 6; ++id) client->sendText(fmt::format(R"({{"id":{},"do":"walk"}})", id));
+    std::vector<int> refused;
+    for (int k = 0; k < 6; ++k)
+        if (const json answer = client->event("answer"); answer["ok"] != true)
+            refused.push_back(answer["id"]);
+    EXPECT_EQ(refused, (std::vector{5, 6}));
+    EXPECT_EQ(server->commands().size(), 4U);
+}
+
 TEST_F(Requests, ThatAreNotOnTheListNeverDo) {
     const auto client = join();
     for (const char* name :

@@ -73,6 +73,19 @@ TEST_F(Surroundings, RenewalMakesOtherLinksAndClosesAllPages) {
     EXPECT_FALSE(join(renewed.c_str())->event("roles").is_null());
 }
 
+TEST_F(Surroundings, NoCoreIsWrittenAndNoRightsAreGained) {
+    const std::string process = fmt::format("/proc/{}/", bridge.process());
+    const std::string limits = readAll(process + "limits"), core = "Max core file size";
+    const std::size_t at = limits.find(core);
+    ASSERT_NE(at, std::string::npos);
+    std::istringstream row(limits.substr(at + core.size()));
+    std::string soft, hard;
+    row >> soft >> hard;
+    EXPECT_EQ(soft, "0");
+    EXPECT_EQ(hard, "0");
+    EXPECT_NE(readAll(process + "status").find("NoNewPrivs:\t1"), std::string::npos);
+}
+
 TEST_F(Surroundings, TheEndDoesNotWaitForAStill) {
     const auto client = join();
     server->show(1600, 1200);
