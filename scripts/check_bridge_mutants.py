@@ -31,6 +31,10 @@ MUTANTS = [
         ("stream/delivery.cpp", "if (!view_.visible || !rate_.windowOpen()) return {};",
          "if (!rate_.windowOpen()) return {};"),
     ]),
+    ("frames: the limit of all pages holds nothing back", [
+        ("control/room_frames.cpp", "if (stream_.mostBits <= 0 || sentBits(now) <= stream_.mostBits) return false;",
+         "if (stream_.mostBits <= 0 || sentBits(now) <= 1e12) return false;"),
+    ]),
     ("stills: those of frames that were not sent begin", [
         ("stream/delivery.cpp", "const bool shown = newest.stream == sentStream_ && newest.number == sentNumber_;",
          "const bool shown = true;"),

@@ -29,6 +29,18 @@ class PageInput : public test::BridgedServer {
             },
             20s);
     }
+    bool turnsFrom(const rtcore::Vec3& before) {
+        return test::eventually([&] { return length(forward() - before) > 0.01F; }, 20s);
+    }
+    rtcore::Vec3 forward() {
+        client().update();
+        const ipc::Status now = client().status();
+        return {now.forward[0], now.forward[1], now.forward[2]};
+    }
+    /// "touchStart", "touchMove" with one finger; "touchEnd" with none.
+    static void touch(const WebPage& page, const char* type, test::Json points = test::Json::array()) {
+        page.call("Input.dispatchTouchEvent", {{"type", type}, {"touchPoints", std::move(points)}});
+    }
     /// W is down, and the eye moves.
     void walk(const WebPage& page) {
         ask("fly");
@@ -61,6 +73,56 @@ TEST_F(PageInput, TurnsByMouseMovement) {
             return client().status().forward[0] != before;
         },
         20s));
+}
+
+TEST_F(PageInput, AClickLocksTheMouseAndEscapeFreesIt) {
+    const WebPage page = drive();
+    ask("fly");
+    page.click(300, 300);
+    ASSERT_TRUE(page.becomes("document.pointerLockElement === document.getElementById('view')"));
+    const rtcore::Vec3 before = forward(), start = eye();
+    // No button is down: the mouse itself looks around.
+    for (int x = 300; x < 400; x += 10)
+        page.call("Input.dispatchMouseEvent", {{"type", "mouseMoved"}, {"x", x}, {"y", 300}});
+    EXPECT_TRUE(turnsFrom(before));
+    page.keyDown("KeyW");
+    EXPECT_TRUE(test::eventually([&] { return walked(start) > 0.1F; }, 20s));
+    page.keyDown("Escape");
+    EXPECT_TRUE(page.becomes("document.pointerLockElement === null"));
+    EXPECT_TRUE(comesToRest());
+}
+
+TEST_F(PageInput, OneThumbWalksAndTheOtherTurns) {
+    const WebPage page = drive();
+    ask("fly");
+    page.call("Emulation.setTouchEmulationEnabled", {{"enabled", true}, {"maxTouchPoints", 2}});
+    const rtcore::Vec3 start = eye(), before = forward();
+    touch(page, "touchStart", {{{"x", 150}, {"y", 400}}});
+    touch(page, "touchMove", {{{"x", 150}, {"y", 340}}});
+    EXPECT_TRUE(test::eventually([&] { return walked(start) > 0.1F; }, 20s)) << "forward";
+    touch(page, "touchEnd");
+    EXPECT_TRUE(comesToRest());
+    const double right = page.value("innerWidth - 150").get<double>();
+    touch(page, "touchStart", {{{"x", right}, {"y", 300}}});
+    touch(page, "touchMove", {{{"x", right - 60}, {"y", 300}}});
+    EXPECT_TRUE(turnsFrom(before));
+    touch(page, "touchEnd");
+    EXPECT_TRUE(comesToRest());
+}
+
+// A browser without a hand has no gamepad: what the page asks for tells of one.
+TEST_F(PageInput, AGamepadWalksAndTurns) {
+    const WebPage page = drive();
+    ask("fly");
+    page.value("(globalThis.pad = { connected: true, mapping: 'standard', axes: [0, -1, 0, 0],"
+               " buttons: Array.from({ length: 17 }, () => ({ pressed: false, value: 0 })) },"
+               " navigator.getGamepads = () => [pad], dispatchEvent(new Event('gamepadconnected')))");
+    const rtcore::Vec3 start = eye(), before = forward();
+    EXPECT_TRUE(test::eventually([&] { return walked(start) > 0.1F; }, 20s)) << "forward";
+    page.value("pad.axes = [0, 0, 1, 0]");
+    EXPECT_TRUE(turnsFrom(before));
+    page.value("pad.axes = [0, 0, 0, 0]");
+    EXPECT_TRUE(comesToRest());
 }
 
 TEST_F(PageInput, ReleasesKeysWhenTheWindowLosesTheFocus) {

@@ -267,8 +267,10 @@ void Room::tick() {
         lastStatusSent_ = now;
         status = statusJson(status_).dump();
     }
-    if (stream_.mostBits > 0)
+    if (stream_.mostBits > 0) {
         for (auto& [id, session] : sessions_) pump(session); // what waited for its turn
+        updateDemand();
+    }
     for (auto& [id, session] : sessions_) {
         if (statusDue && session.lastStatus != status) {
             session.lastStatus = status;

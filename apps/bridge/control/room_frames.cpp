@@ -41,10 +41,9 @@ void Room::measureFrameTime(std::int64_t publishedNs) {
 }
 
 void Room::pump(Session& session, bool fresh) {
-    if (session.outlet->busy()) return;
     const double now = nowSeconds();
-    const bool full = stream_.mostBits > 0 && sentBits(now) > stream_.mostBits;
-    const std::optional<Shipment> shipment = session.delivery.next(newest_, now, !full);
+    if (session.outlet->busy() || mustWait(session, now)) return;
+    const std::optional<Shipment> shipment = session.delivery.next(newest_, now);
     if (!shipment) return;
     const std::int64_t published = shipment->frame->facts.publishedNs;
     const std::int64_t age = std::clamp<std::int64_t>((nowNanoseconds() - published) / 1000, 0, 0xffffffff);
@@ -62,6 +61,7 @@ void Room::pump(Session& session, bool fresh) {
 }
 
 void Room::updateDemand() {
+    const double now = nowSeconds();
     FrameDemand demand;
     demand.stream = newest_.stream;
     for (const auto& [id, session] : sessions_) {
@@ -69,7 +69,8 @@ void Room::updateDemand() {
         demand.anyone |= delivery.view().visible;
         demand.still |= delivery.wantsStill();
         demand.fine |= delivery.wantsFine();
-        const std::optional<int> rung = session.outlet->busy() ? std::nullopt : delivery.wanted();
+        if (session.outlet->busy() || mustWait(session, now)) continue;
+        const std::optional<int> rung = delivery.wanted();
         if (!rung) continue;
         std::uint64_t& above = demand.above[static_cast<std::size_t>(*rung)];
         const bool same = delivery.sentStream() == newest_.stream;
@@ -84,7 +85,12 @@ double Room::sentBits(double now) const {
     return all;
 }
 
-/// Those that take more than an equal share get coarser frames first; parts of stills wait for their turn.
+bool Room::mustWait(const Session& session, double now) const {
+    if (stream_.mostBits <= 0 || sentBits(now) <= stream_.mostBits) return false;
+    return session.delivery.rate().sentBits(now) > stream_.mostBits / static_cast<double>(sessions_.size());
+}
+
+/// Those that take more than an equal share get coarser frames: more of them than if they only waited.
 void Room::shareLimit() {
     if (stream_.mostBits <= 0 || sessions_.empty()) return;
     const double now = nowSeconds(), share = stream_.mostBits / static_cast<double>(sessions_.size());

@@ -21,10 +21,10 @@ void Delivery::offered() {
     ++framesSkipped_; // until it is sent
 }
 
-std::optional<Shipment> Delivery::next(const FrameSet& newest, Seconds now, bool parts) {
+std::optional<Shipment> Delivery::next(const FrameSet& newest, Seconds now) {
     if (!view_.visible || newest.number == 0) return {};
     if (std::optional<Shipment> frame = nextFrame(newest, now)) return frame;
-    return parts ? nextPart(newest, now) : std::nullopt;
+    return nextPart(newest, now);
 }
 
 bool Delivery::isSmall(const FrameFacts& facts) const {

@@ -47,8 +47,8 @@ class Delivery {
     bool wantsFine() const { return wantsStill() && rate_.narrow(); }
 
     /// What to send of the newest frame now; nothing: wait for an acknowledgement or for another one. What is
-    /// returned counts as sent. Without `parts` those of stills wait.
-    std::optional<Shipment> next(const FrameSet& newest, Seconds now, bool parts = true);
+    /// returned counts as sent.
+    std::optional<Shipment> next(const FrameSet& newest, Seconds now);
 
     std::uint64_t framesSent() const { return framesSent_; }
     std::uint64_t framesSkipped() const { return framesSkipped_; }

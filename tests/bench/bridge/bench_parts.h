@@ -96,7 +96,8 @@ class InstantServer {
 
 // The measurements; each prints its figures. `pixels`: a frame of the scene.
 
-void measureEncoders(const PixelBytes& pixels);
+/// `goalMs`: of the first rung.
+void measureEncoders(const std::string& scene, const PixelBytes& pixels, double goalMs);
 void measureInput(const PixelBytes& pixels);
 void measureAtThirty(const PixelBytes& pixels, double seconds);
 void measureBrowser(const PixelBytes& pixels);

@@ -42,6 +42,8 @@ class FakeServer {
     }
     /// Its next frame never comes.
     void hang() { hangs_ = true; }
+    /// It takes commands, and answers none any more.
+    void fallSilent() { silent_ = true; }
     /// So many steps a second of a picture of one view, each of which tells that it is further.
     void improve(int stepsPerSecond) {
         improves_ = true;
@@ -171,6 +173,7 @@ class FakeServer {
         if (command.text.starts_with("messages")) return server.answer(command);
         if (command.text == "bindings") return server.answer(command, bindings);
         commands_.push_back(command.text);
+        if (silent_) return;
         follow(command.text);
         server.answer(command, onCommand ? onCommand(command.text) : "");
     }
@@ -187,7 +190,7 @@ class FakeServer {
     bool showOne_ = false;
     std::atomic<double> frameSeconds_ = 0;
     std::atomic<int> rate_ = 0, clients_ = 0;
-    std::atomic<bool> running_ = false, stopping_ = false, improves_ = false, hangs_ = false;
+    std::atomic<bool> running_ = false, stopping_ = false, improves_ = false, hangs_ = false, silent_ = false;
     std::thread thread_; // last
 };
 

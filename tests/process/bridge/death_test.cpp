@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <random>
+#include <thread>
 #include <vector>
 
 namespace {
@@ -82,6 +83,23 @@ TEST_F(Deaths, LeaveNothingThatWasTappedMeanwhileToTheSuccessor) {
     EXPECT_TRUE(eventually([&] { return server->isHeld('W') && server->presses('J') == 1; }));
     EXPECT_EQ(server->presses('F') + server->presses('B'), 0U);
     EXPECT_TRUE(server->commands().empty()) << "no turn either";
+}
+
+TEST_F(Deaths, OfTheServerAnswerWhatWasUnderWay) {
+    const auto client = join();
+    ASSERT_TRUE(becomes(*client, "there"));
+    server->fallSilent();
+    std::thread killer([&] {
+        eventually([&] { return !server->commands().empty(); });
+        server.reset();
+    });
+    const json answer = client->request({{"do", "walk"}}, 20s);
+    killer.join();
+    EXPECT_EQ(answer["ok"], false) << answer;
+    EXPECT_FALSE(answer["error"].empty()) << answer;
+    startServer();
+    ASSERT_TRUE(becomes(*client, "there"));
+    EXPECT_EQ(client->request({{"do", "walk"}})["ok"], true);
 }
 
 TEST_F(Deaths, OfNoneButNoPlaceIsToldUntilThereIsOne) {

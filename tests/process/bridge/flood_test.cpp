@@ -98,6 +98,17 @@ TEST_F(Floods, OfMessagesCloseTheirOwnConnection) {
     EXPECT_EQ(honest->request({{"do", "walk"}})["ok"], true);
 }
 
+// A link that is gone without a word keeps nothing.
+TEST_F(Floods, OfPingsWithoutAPongEndTheConnection) {
+    if (asked("RT_BRIDGE_IDLE", 0) == 0) GTEST_SKIP() << "RT_BRIDGE_IDLE is not set: it takes half a minute";
+    const auto client = join();
+    client->answersPings = false;
+    const auto begin = Clock::now();
+    EXPECT_NE(client->closeCode(60s), -1);
+    EXPECT_GT(Clock::now() - begin, 20s);
+    EXPECT_TRUE(eventually([&] { return visitors() == 0; }, 10s));
+}
+
 TEST_F(Floods, OfNamesAreToldNowAndThen) {
     const auto honest = join(), bad = join(kViewer);
     for (int i = 0; i < 200; ++i) bad->sendText(fmt::format(R"({{"id":{},"do":"name","name":"{}"}})", i, i));

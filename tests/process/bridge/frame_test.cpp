@@ -2,11 +2,20 @@
 #include "process/bridge/bridge_fixture.h"
 #include "process/bridge/png_pixels.h"
 
+#include <array>
+
 namespace {
 
 using namespace test;
 
 class Frames : public BridgeTest {};
+
+class LimitedFrames : public BridgeTest {
+    void SetUp() override {
+        startServer();
+        startBridge({"--max-mbit=6"});
+    }
+};
 
 TEST_F(Frames, BeginWithWhatIsShown) {
     const auto client = join();
@@ -124,6 +133,34 @@ TEST_F(Frames, TellWhichInputWasBeforeThem) {
         if (headerOf(frame->payload).input == 1) return;
     }
     FAIL() << "no frame tells of the input";
+}
+
+TEST_F(LimitedFrames, OfAllPagesTogetherKeepTheLimit) {
+    constexpr double kMbit = 6;
+    const auto one = join(), other = join(kViewer);
+    server->show(1280, 720);
+    server->move(40);
+    // Bytes of both within a time.
+    const auto received = [&](std::chrono::milliseconds time) {
+        std::array<double, 2> bytes{};
+        for (const auto end = Clock::now() + time; Clock::now() < end;)
+            for (std::size_t i = 0; i < bytes.size(); ++i)
+                if (const auto frame = (i == 0 ? one : other)->binary(1, 5ms)) {
+                    bytes[i] += static_cast<double>(frame->payload.size());
+                    (i == 0 ? one : other)->acknowledge(*frame);
+                }
+        return bytes;
+    };
+    received(3s); // until coarser frames are chosen
+    const auto bytes = received(4s);
+    EXPECT_LT(8e-6 * (bytes[0] + bytes[1]) / 4, 1.3 * kMbit);
+    EXPECT_GT(bytes[0], 0.2 * bytes[1]) << "both are served";
+    EXPECT_GT(bytes[1], 0.2 * bytes[0]);
+    server->finish();
+    for (WebClient* const client : {one.get(), other.get()}) {
+        const std::vector<std::uint8_t> still = rgbOf(stillOf(*client));
+        EXPECT_TRUE(areSame(still, server->pixels())) << "what waited comes";
+    }
 }
 
 TEST_F(Frames, PingsComeBack) {

@@ -91,6 +91,25 @@ TEST_F(Roles, AreHandedOverWithoutStuckKeys) {
     EXPECT_FALSE(eventually([&] { return server->isHeld('W'); }, 200ms));
 }
 
+// One who drives and does nothing is told what a window or CUI does; one that moves the view is not.
+TEST_F(Roles, AreToldThatAnotherClientMovesTheCamera) {
+    const auto driver = join();
+    driver->input({'W'});
+    server->move(50);
+    const auto told = [&](std::chrono::milliseconds within) {
+        bool odd = false; // each frame takes another time, by which they are told apart
+        for (const auto end = Clock::now() + within; Clock::now() < end; odd = !odd) {
+            server->tellFrameSeconds(odd ? 0.02 : 0.021);
+            const nlohmann::json notice = driver->event("notice", 50ms);
+            if (!notice.is_null() && notice["code"] == "elsewhere") return true;
+        }
+        return false;
+    };
+    EXPECT_FALSE(told(300ms)) << "of its own movement";
+    driver->input({});
+    EXPECT_TRUE(told(20s));
+}
+
 TEST_F(Roles, ViewersNeverGet) {
     const auto viewer = join(kViewer);
     EXPECT_EQ(viewer->request({{"do", "ask"}})["ok"], false);

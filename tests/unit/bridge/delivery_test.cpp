@@ -106,17 +106,6 @@ TEST(Delivery, SendsNoStillOfAnotherFrameThanTheOneShown) {
     EXPECT_FALSE(delivery.next(set, 0.1));
 }
 
-TEST(Delivery, HoldsPartsOfAStillBack) {
-    Delivery delivery;
-    FrameSet set = setOf(1);
-    set.still = frameOf(1, 1, 1000, true);
-    EXPECT_TRUE(delivery.next(set, 0, false)) << "the frame itself does not wait";
-    EXPECT_FALSE(delivery.next(set, 0.1, false));
-    const auto part = delivery.next(set, 0.2, true);
-    ASSERT_TRUE(part);
-    EXPECT_TRUE(part->part);
-}
-
 TEST(Delivery, SendsNoStillToWhomSavesData) {
     Delivery delivery;
     delivery.setView({.saveData = true});
