@@ -141,6 +141,10 @@ MUTANTS = [
         ("net/http_connection-inl.h", "if (!error && self) self->abandon();",
          "if (error && self) self->abandon();"),
     ]),
+    ("door: who leaves stays in the room", [
+        ("net/http_connection-inl.h", "if (receiver_) receiver_->leaves();",
+         ""),
+    ]),
     ("page: a still is drawn over a newer frame", [
         ("page/js/painter.js", "(type === STILL && number === this.shown.number && !this.shown.exact)",
          "type === STILL"),

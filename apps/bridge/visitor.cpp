@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include <utility>
+
 namespace bridge {
 
 namespace {
@@ -84,12 +86,16 @@ void Visitor::writable() {
     if (room_ != nullptr) room_->writable(id_);
 }
 
+void Visitor::leaves() {
+    if (room_ == nullptr) return;
+    std::exchange(room_, nullptr)->leave(id_);
+    hub_.note(fmt::format("{} left after {:.0f} s", person_, nowSeconds() - began_));
+}
+
 void Visitor::closed() {
     isClosed_ = true;
+    leaves();
     hub_.visitorLeft();
-    if (room_ == nullptr) return;
-    room_->leave(id_);
-    hub_.note(fmt::format("{} left after {:.0f} s", person_, nowSeconds() - began_));
 }
 
 bool Visitor::givesWay(double now, double patience) const {

@@ -18,12 +18,13 @@ class Visitor : public Receiver {
     void binary(std::span<const std::uint8_t> message) override;
     void ponged(double seconds) override;
     void writable() override;
+    void leaves() override;
     void closed() override;
     /// Closes it where it said nothing for too long.
     void tick(double now);
 
     const std::string& address() const { return address_; }
-    /// It has a place, and has not said hello.
+    /// It has a place, but is in no room: it has not said hello, or leaves.
     bool isNewcomer() const { return room_ == nullptr && !isClosed_; }
     /// A newcomer that others may have the place of: longer there than `patience`, or closing.
     bool givesWay(double now, double patience) const;
@@ -36,7 +37,7 @@ class Visitor : public Receiver {
     Hub& hub_;
     std::weak_ptr<Outlet> outlet_; ///< which holds this
     std::string address_, person_; ///< for the journal
-    Room* room_ = nullptr;         ///< null: before `hello`
+    Room* room_ = nullptr;         ///< null: before `hello`, and at the end
     SessionId id_ = 0;
     bool isClosed_ = false;
     double began_ = nowSeconds();

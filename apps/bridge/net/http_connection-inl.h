@@ -101,11 +101,7 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
         const websocket::close_reason why(static_cast<websocket::close_code>(code),
                                           reason.substr(0, kMostReason).c_str());
         socket_->async_close(why, [self = this->shared_from_this()](ErrorCode) { self->tellClosed(); });
-        deadline_.expires_after(kClosing);
-        deadline_.async_wait([weak = this->weak_from_this()](ErrorCode error) {
-            const auto self = weak.lock();
-            if (!error && self) self->abandon();
-        });
+        abandonLater();
     }
     bool closing() const override { return closing_; }
     void drop() override {
@@ -139,8 +135,8 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
                 const double rtt = steadySeconds() - std::exchange(pinged_, 0);
                 if (receiver_) receiver_->ponged(rtt);
             }
-            if (type != websocket::frame_type::close && !asked && !bucket_.take(steadySeconds()))
-                close(CloseCode::Flood, "too many messages");
+            if (type == websocket::frame_type::close) return leave();
+            if (!asked && !bucket_.take(steadySeconds())) close(CloseCode::Flood, "too many messages");
         });
         receiver_ = shared_.handlers.opened(this->shared_from_this());
         read();
@@ -197,6 +193,22 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
         if (!busy() && receiver_) receiver_->writable();
     }
 
+    /// A page that says so leaves the room at once, also where the connection stays for a while. Beast
+    /// answers.
+    void leave() {
+        if (closing_) return;
+        closing_ = true;
+        queue_.clear();
+        if (receiver_) receiver_->leaves();
+        abandonLater();
+    }
+    void abandonLater() {
+        deadline_.expires_after(kClosing);
+        deadline_.async_wait([weak = this->weak_from_this()](ErrorCode error) {
+            const auto self = weak.lock();
+            if (!error && self) self->abandon();
+        });
+    }
     /// A read that meets a wrong message while a close is under way waits for it, and the close for the read
     /// (Boost 1.81): neither ends, and Beast's timeouts close the connection only. They go with the stream,
     /// once all others have ended with the connection.

@@ -51,6 +51,7 @@ class Receiver {
     virtual void binary(std::span<const std::uint8_t> message) = 0;
     virtual void ponged(double seconds) = 0; ///< after ping(): there and back
     virtual void writable() = 0;             ///< not busy any more
+    virtual void leaves() = 0;               ///< it says that it closes; nothing follows but closed()
     virtual void closed() = 0;
 };
 
