@@ -9,7 +9,7 @@ import sys
 import mutants
 
 BRIDGE = "apps/bridge/"
-SLOW = "-Floods.OfSlow*:BridgeSoak.*:Nginx.*:Requests.OfAny*:Deaths.*"
+SLOW = "-Floods.OfSlow*:BridgeSoak.*:Nginx.*:Requests.OfAny*"
 PROGRAMS = [["test_bridge"], ["test_bridge_process", "--gtest_filter=" + SLOW], ["test_web_modules"]]
 # What is broken; where, what stands there, what comes in its place.
 MUTANTS = [

@@ -21,6 +21,16 @@ class Deaths : public BridgeTest {
             if (event["state"] == state) return true;
         return false;
     }
+    void tapWithoutServer(WebClient& client) {
+        for (int k = 0; k < 5; ++k) client.input({}, 10'000, 0, {'F', 'B'});
+        std::this_thread::sleep_for(300ms); // the bridge looks for a server meanwhile
+        startServer();
+        ASSERT_TRUE(becomes(client, "there"));
+        client.input({'W'}, 0, 0, {'J'});
+        EXPECT_TRUE(eventually([&] { return server->isHeld('W') && server->presses('J') == 1; }));
+        EXPECT_EQ(server->presses('F') + server->presses('B'), 0U);
+        EXPECT_TRUE(server->commands().empty()) << "no turn either";
+    }
 };
 
 TEST_F(Deaths, OfTheServerAreToldAndItsSuccessorIsFound) {
@@ -75,14 +85,15 @@ TEST_F(Deaths, LeaveNothingThatWasTappedMeanwhileToTheSuccessor) {
     ASSERT_TRUE(becomes(*client, "there"));
     server.reset();
     ASSERT_TRUE(becomes(*client, "gone"));
-    for (int k = 0; k < 5; ++k) client->input({}, 10'000, 0, {'F', 'B'});
-    std::this_thread::sleep_for(300ms); // the bridge looks for a server meanwhile
-    startServer();
-    ASSERT_TRUE(becomes(*client, "there"));
-    client->input({'W'}, 0, 0, {'J'});
-    EXPECT_TRUE(eventually([&] { return server->isHeld('W') && server->presses('J') == 1; }));
-    EXPECT_EQ(server->presses('F') + server->presses('B'), 0U);
-    EXPECT_TRUE(server->commands().empty()) << "no turn either";
+    tapWithoutServer(*client);
+}
+
+TEST_F(Deaths, LeaveNothingThatWasTappedBeforeTheFirstServerToIt) {
+    server.reset();
+    startBridge();
+    const auto client = join();
+    ASSERT_TRUE(becomes(*client, "gone"));
+    tapWithoutServer(*client);
 }
 
 TEST_F(Deaths, OfTheServerAnswerWhatWasUnderWay) {
