@@ -78,6 +78,7 @@ nlohmann::json Bridge::status() const {
 void Viewer::run(int port) {
     WebClient client(port);
     client.hello(kToken);
+    joined = !client.event("welcome").is_null();
     while (!stopping_) {
         const auto message = client.next(50ms);
         if (!message || message->opcode != 2) continue;
@@ -89,7 +90,12 @@ void Viewer::run(int port) {
 
 Viewers startViewers(int port, int count) {
     Viewers viewers;
-    for (int i = 0; i < count; ++i) viewers.push_back(std::make_unique<Viewer>(port));
+    // One after the other: the bridge lets in few at once of one address.
+    for (int i = 0; i < count; ++i) {
+        viewers.push_back(std::make_unique<Viewer>(port));
+        if (!eventually([&] { return viewers.back()->joined.load(); }, 5s))
+            throw std::runtime_error("a viewer is not let in");
+    }
     return viewers;
 }
 

@@ -58,6 +58,7 @@ class Viewer {
         stopping_ = true;
         thread_.join();
     }
+    std::atomic<bool> joined = false;
     std::atomic<int> frames = 0;
     std::atomic<std::uint64_t> bytes = 0;
 
