@@ -6,14 +6,28 @@
 # RT_WITH_GUI=OFF builds no window.
 set -eu
 here=$(cd "$(dirname "$0")/.." && pwd)
+case ${1:-} in
+    -h | --help)
+        sed -n '2,/^set/s/^# \{0,1\}//p' "$0"
+        exit 0
+        ;;
+    -*)
+        echo "run: there is no option $1; scripts/run.sh --help tells what there is" >&2
+        exit 2
+        ;;
+esac
 scene=${1:-$here/data/nave/nave.scn}
 case $scene in /*) ;; *) scene=$PWD/$scene ;; esac
-cd "$here"
-scripts/build.sh --programs
-[ -f "$scene" ] || {
+must_exist() {
+    [ -f "$scene" ] && return
     echo "run: $scene: there is no such file" >&2
     exit 66
 }
+# Before minutes of building; what is in data/ is made by it.
+case $scene in "$here"/data/*) ;; *) must_exist ;; esac
+cd "$here"
+scripts/build.sh --programs
+must_exist
 bin=$here/build/release/bin
 output=$here/output
 name=$(basename "${scene%.*}")

@@ -69,8 +69,9 @@ class Room {
     void updateDemand();
     void measureFrameTime(std::int64_t publishedNs);
     double sentBits(double now) const; ///< to all pages, within the last second or so
-    /// All pages together are above the limit, and this one above its share: nothing is sent to it now.
-    bool mustWait(const Session& session, double now) const;
+    /// The bits per second above which a page must wait: its share, where all pages together are above their
+    /// limit; else none.
+    double allowance(double now) const;
     void shareLimit();
     static void pingAfter(Session& session, double seconds, double now);
 

@@ -2,6 +2,7 @@
 #include "bridge/control/room.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace bridge {
 
@@ -42,7 +43,7 @@ void Room::measureFrameTime(std::int64_t publishedNs) {
 
 void Room::pump(Session& session, bool fresh) {
     const double now = nowSeconds();
-    if (session.outlet->busy() || mustWait(session, now)) return;
+    if (session.outlet->busy() || session.delivery.rate().sentBits(now) > allowance(now)) return;
     const std::optional<Shipment> shipment = session.delivery.next(newest_, now);
     if (!shipment) return;
     const std::int64_t published = shipment->frame->facts.publishedNs;
@@ -61,7 +62,7 @@ void Room::pump(Session& session, bool fresh) {
 }
 
 void Room::updateDemand() {
-    const double now = nowSeconds();
+    const double now = nowSeconds(), most = allowance(now);
     FrameDemand demand;
     demand.stream = newest_.stream;
     for (const auto& [id, session] : sessions_) {
@@ -69,7 +70,7 @@ void Room::updateDemand() {
         demand.anyone |= delivery.view().visible;
         demand.still |= delivery.wantsStill();
         demand.fine |= delivery.wantsFine();
-        if (session.outlet->busy() || mustWait(session, now)) continue;
+        if (session.outlet->busy() || delivery.rate().sentBits(now) > most) continue;
         const std::optional<int> rung = delivery.wanted();
         if (!rung) continue;
         std::uint64_t& above = demand.above[static_cast<std::size_t>(*rung)];
@@ -85,9 +86,10 @@ double Room::sentBits(double now) const {
     return all;
 }
 
-bool Room::mustWait(const Session& session, double now) const {
-    if (stream_.mostBits <= 0 || sentBits(now) <= stream_.mostBits) return false;
-    return session.delivery.rate().sentBits(now) > stream_.mostBits / static_cast<double>(sessions_.size());
+double Room::allowance(double now) const {
+    const bool free = stream_.mostBits <= 0 || sentBits(now) <= stream_.mostBits;
+    return free ? std::numeric_limits<double>::infinity()
+                : stream_.mostBits / static_cast<double>(sessions_.size());
 }
 
 /// Those that take more than an equal share get coarser frames: more of them than if they only waited.
