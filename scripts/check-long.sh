@@ -27,11 +27,13 @@ for check in "$@"; do
         # So many seconds of frames, so many deaths, a minute beside 100 bad clients, five minutes of silence behind nginx.
         RT_BRIDGE_SOAK=${RT_BRIDGE_SOAK:-1800} RT_BRIDGE_DEATHS=${RT_BRIDGE_DEATHS:-200} \
             RT_BRIDGE_FLOOD=${RT_BRIDGE_FLOOD:-60} RT_BRIDGE_IDLE=${RT_BRIDGE_IDLE:-300} $release/test_bridge_process
-        # So many damaged messages.
+        # So many damaged messages and heads of requests.
         cmake --preset asan-ubsan -DRT_EVERY_INSTRUCTION_SET=ON >/dev/null
         cmake --build --preset asan-ubsan --target test_bridge_process
         RT_BRIDGE_FUZZ=${RT_BRIDGE_FUZZ:-1000000} UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 \
             build/asan-ubsan/bin/test_bridge_process --gtest_filter='Requests.OfAnyBytesHarmNobody'
+        RT_MUTATIONS=${RT_MUTATIONS:-1000000} UBSAN_OPTIONS=print_stacktrace=1:halt_on_error=1 \
+            build/asan-ubsan/bin/test_bridge_process --gtest_filter='DamagedHeads.HarmNobody'
         $release/bench_bridge
         ;;
     web)
@@ -68,8 +70,10 @@ for check in "$@"; do
     mutations)
         cmake --preset asan-ubsan -DRT_EVERY_INSTRUCTION_SET=ON >/dev/null
         cmake --build --preset asan-ubsan --target unit_tests
-        RT_MUTATIONS=${RT_MUTATIONS:-1000000} ctest --preset asan-ubsan -R Mutat -j "$(nproc)" --verbose
-        RT_MUTATIONS=${RT_IMAGE_MUTATIONS:-20000} ctest --preset asan-ubsan -R ChangedAnywhere -j "$(nproc)" --verbose
+        # Files of scenes, models, scans, cameras, settings and lists, answers to state, messages.
+        RT_MUTATIONS=${RT_MUTATIONS:-1000000} ctest --preset asan-ubsan -R 'Mutat|DamagedFilesAreSoundOrRefused' -j "$(nproc)" --verbose
+        # So many of each of 21 kinds of image files.
+        RT_MUTATIONS=${RT_IMAGE_MUTATIONS:-50000} ctest --preset asan-ubsan -R ChangedAnywhere -j "$(nproc)" --verbose
         ;;
     scn)
         # So many damaged scenes of both versions; what is still read is written and read again.

@@ -24,7 +24,9 @@ class ChosenImporter {
     ChosenImporter& operator=(const ChosenImporter&) = delete;
 };
 
+/// A new file, also where there is one: file systems wait for the disk when one is emptied and closed.
 inline void writeText(const std::filesystem::path& path, const std::string& text) {
+    std::filesystem::remove(path);
     std::ofstream(path, std::ios::binary) << text;
 }
 
