@@ -5,6 +5,7 @@
 #include "rtcore/shading/surface/surface.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace rtcore {
@@ -86,7 +87,9 @@ void ShadowTracer::startLayers(const RayWave& rays) {
 void ShadowTracer::goOn(std::size_t ray, const Surface& surface, const Hit& hit) {
     Ray rest = current_.ray(ray);
     rest.origin = surface.position - surface.geometricNormal * surface.clearance;
-    rest.tMax = rest.tMax - hit.t;
+    // The step off each surface counts: else behind many of them a ray would go on into the light itself.
+    const float step = surface.clearance * std::fabs(dot(surface.geometricNormal, rest.direction));
+    rest.tMax = rest.tMax - hit.t - step;
     if (!(rest.tMax > 0)) return;
     next_.push(rest);
     nextIndex_.push_back(currentIndex_[ray]);
