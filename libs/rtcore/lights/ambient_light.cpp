@@ -15,7 +15,8 @@ constexpr float kUsualReach = 0.15F;
 /// around.
 constexpr float kFractionOfLights = 0.25F;
 
-/// What reaches a surface near the middle of the scene that faces the light: as of a point light of its power.
+/// What reaches a surface near the middle of the scene that faces the light: as of a point light of its
+/// power.
 Colour irradianceNear(const Light& light, Vec3 middle, float diagonal) {
     if (!traitsOf(light).position) return light.intensity;
     // A light close to the middle must not count as if it lit the whole scene that brightly.

@@ -28,7 +28,8 @@ std::vector<Light> lightsOfEachKind() {
         lights.push_back(light);
     }
     Light spot = lights[static_cast<std::size_t>(LightKind::Spot)];
-    for (const auto& [inner, outer] : {std::pair(0.9F, 0.3F), std::pair(0.2F, -0.6F), std::pair(0.99F, 0.98F)}) {
+    for (const auto& [inner, outer] :
+         {std::pair(0.9F, 0.3F), std::pair(0.2F, -0.6F), std::pair(0.99F, 0.98F)}) {
         spot.cosInner = inner;
         spot.cosOuter = outer;
         lights.push_back(spot);

@@ -109,7 +109,7 @@ const std::vector<LightEnd>& ShadowTracer::ends(const RayWave& rays) {
             const std::uint32_t index = currentIndex_[i];
             travelled_[index] += hit.t;
             if (layer == 0) ends_[index].clear = hit.t;
-            const Surface surface = shapeAt(*scene_, current_.ray(i).direction, hit);
+            const Surface surface = shapeAt(*scene_, current_.ray(i).direction, hit, hits_.clearanceOf(i));
             const Colour left = ends_[index].tint * throughSurface(surface, hit).all;
             if (isBlack(left)) {
                 ends_[index].distance = travelled_[index];
@@ -144,7 +144,7 @@ void ShadowTracer::traceTinted(const Light* fogLight, RayStatistics& statistics)
                 continue;
             }
             const Hit hit = hits_.hit(i);
-            const Surface surface = shapeAt(*scene_, ray.direction, hit);
+            const Surface surface = shapeAt(*scene_, ray.direction, hit, hits_.clearanceOf(i));
             const Passing passing = throughSurface(surface, hit);
             arriving *= passing.all;
             unbent *= passing.unbent;
