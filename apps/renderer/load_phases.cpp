@@ -5,9 +5,11 @@
 #include "common/process/stop.h"
 
 #include "rtcore/platform/error.h"
+#include "rtcore/scene/closed_surfaces.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <utility>
@@ -77,6 +79,22 @@ class PhaseWatch {
     Clock::time_point begun_;
 };
 
+/// Glass that light passes unbent, since it bounds no solid.
+void tellOpenGlass(const rtcore::Scene& scene, app::Progress& progress) {
+    constexpr std::size_t kMost = 10;
+    const std::vector<rtcore::OpenGlass> open = rtcore::findOpenGlass(scene.model, scene.materials);
+    for (std::size_t i = 0; i < std::min(open.size(), kMost); ++i) {
+        const rtcore::OpenGlass& glass = open[i];
+        progress.print(fmt::format(
+            "the glass of {} is open (edges that do not join two triangles: {}): light passes it unbent, as "
+            "through a thin wall; fill its holes and turn all faces outwards to make it a solid",
+            glass.part.empty() ? "a part without a name" : fmt::format("\"{}\"", glass.part),
+            glass.openEdges));
+    }
+    if (open.size() > kMost)
+        progress.print(fmt::format("the glass of {} other parts is open, too", open.size() - kMost));
+}
+
 } // namespace
 
 std::uint64_t knownRays(const RendererOptions& options) {
@@ -105,6 +123,7 @@ rtcore::LoadedScene loadWithProgress(const RendererOptions& options, app::Progre
         for (const std::string& warning : loaded.warnings) progress.print("warning: " + warning);
         app::selectParts(options.selection, loaded.scene);
         app::selectLights(options.selection, loaded.scene);
+        if (options.verbose) tellOpenGlass(loaded.scene, progress);
         return loaded;
     } catch (const rtcore::BuildCancelled&) {
         giveUp();

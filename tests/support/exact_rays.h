@@ -5,7 +5,9 @@
 #pragma once
 
 #include "rtcore/kernels/hit_distance.h"
+#include "rtcore/kernels/one_surface.h"
 #include "rtcore/kernels/ray_wave.h"
+#include "rtcore/kernels/rounding.h"
 #include "rtcore/kernels/watertight.h"
 #include "rtcore/scene/mesh.h"
 
@@ -15,21 +17,47 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace test {
 
-/// The closest hit among all triangles by the kernels' own arithmetic: what a tree must find, bit for bit.
+/// How far apart hits on one surface may be along a ray, in its own units.
+inline float reachOfTies(const rtcore::Box3& bounds, const rtcore::Ray& ray) {
+    float far = 0, size = 0, length = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const float o = ray.origin[axis];
+        far += std::max(std::fabs(bounds.lo[axis] - o), std::fabs(bounds.hi[axis] - o));
+        size += std::max(std::fabs(bounds.lo[axis]), std::fabs(bounds.hi[axis]));
+        length = std::max(length, std::fabs(ray.direction[axis]));
+    }
+    return rtcore::kDistanceError * (far + size) / length * rtcore::kTieFraction;
+}
+
+inline rtcore::SurfacePlane planeOf(const rtcore::Mesh& mesh, std::uint32_t triangle) {
+    return {mesh.position(triangle, 0), mesh.position(triangle, 1), mesh.position(triangle, 2)};
+}
+
+/// The hit among all triangles by the kernels' own arithmetic, those of one surface told by the nearest: what
+/// a tree must find, bit for bit.
 inline bool bruteForce(const rtcore::Mesh& mesh, const rtcore::Ray& ray, rtcore::Hit& hit) {
     const rtcore::RayShear shear(ray.direction);
-    rtcore::Hit best;
-    best.t = ray.tMax;
+    std::vector<rtcore::Hit> all;
     rtcore::alongAxis(shear.kz, [&](auto kz) {
         for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-            rtcore::testTriangle<kz>(mesh, i, ray, shear, best);
+            rtcore::Hit one;
+            one.t = ray.tMax;
+            if (rtcore::testTriangle<kz>(mesh, i, ray, shear, one)) all.push_back(one);
         }
     });
-    if (best.triangle == rtcore::kNoTriangle) return false;
-    hit = best;
+    if (all.empty()) return false;
+    const rtcore::Hit nearest = *std::ranges::min_element(all, {}, &rtcore::Hit::t); // of several the first
+    const float last = nearest.t + reachOfTies(mesh.bounds(), ray);
+    const rtcore::MetSurface surface(planeOf(mesh, nearest.triangle), ray);
+    hit = nearest;
+    for (const rtcore::Hit& one : all) {
+        const bool isLower = one.triangle < hit.triangle && one.t <= last;
+        if (isLower && surface.has(planeOf(mesh, one.triangle))) hit = one;
+    }
     if (isNear(ray, hit, rtcore::nearLimit(mesh.bounds()))) refineDistance(mesh, ray, hit);
     return true;
 }

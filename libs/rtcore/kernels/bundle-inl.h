@@ -222,7 +222,7 @@ class BundleWalk {
             if (candidates[b] == 0) continue;
             for (std::size_t k = 0; k < kBeamVectors; ++k) {
                 const std::size_t at = b * BundledPacket::kBeamRays + k * kLanes;
-                Found found = foundSoFar(packet, at);
+                Found found = foundSoFar(packet, bundle_.slack[p], at);
                 test(candidates[b], at, found);
                 keep(found, packet, at);
                 changed = hn::Or(changed, found.changed);
@@ -240,7 +240,7 @@ class BundleWalk {
                 hn::Set(d, from[packet.along.kz]), hn::Load(d, packet.sx + at),
                 hn::Load(d, packet.sy + at),       hn::Load(d, packet.minusSz + at)};
     }
-    HWY_INLINE static Found foundSoFar(const BundledPacket& packet, std::size_t at) {
+    HWY_INLINE static Found foundSoFar(const BundledPacket& packet, float slack, std::size_t at) {
         const FloatTag d;
         return {hn::Load(d, packet.best + at),
                 hn::Load(IntTag(), packet.triangle + at),
@@ -249,6 +249,7 @@ class BundleWalk {
                 hn::Load(d, packet.det + at),
                 hn::FirstN(d, 0),
                 hn::FirstN(d, 0),
+                hn::Set(d, slack * kTieFraction),
                 startsAt(packet.startTriangle, at)};
     }
     HWY_INLINE static void keep(const Found& found, BundledPacket& packet, std::size_t at) {

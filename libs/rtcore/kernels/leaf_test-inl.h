@@ -34,6 +34,10 @@ constexpr std::size_t kLanes = hn::MaxLanes(FloatTag());
 /// While a kernel works, "no triangle" is the largest index, so that comparisons of signed numbers order it.
 constexpr std::int32_t kNone = std::numeric_limits<std::int32_t>::max();
 
+/// In a triangle's number: kTiedHit.
+constexpr std::int32_t kTied = std::numeric_limits<std::int32_t>::min();
+static_assert(static_cast<std::uint32_t>(kTied) == kTiedHit);
+
 /// What the rays of a packet have in common, which decides how corners are brought to them.
 enum class Shared {
     Origin, ///< the origin and the dominant axis
@@ -216,11 +220,12 @@ HWY_INLINE Outcome edgeTest(Offset a, Offset b, Offset c, const ShearedRays& ray
 
 /// What a vector of rays has found so far.
 struct Found {
-    Floats best; ///< distance of the closest hit; for any hit tMax, or -1 once hit
-    Ints triangle;
+    Floats best;      ///< distance of the closest hit; for any hit tMax, or -1 once hit
+    Ints triangle;    ///< with kTied, one of several as close, of which only `best` is known
     Floats v, w, det; ///< only of the lanes in `changed`
     Mask changed;     ///< by the leaf
     Mask passed;      ///< any hit: through triangles that let light through
+    Floats tie;       ///< closest hit: others no further from `best` than this are ties; any hit: unused
     const std::uint32_t* startTriangle =
         nullptr; ///< of these rays, as RaySpan's; for filtered searches alone
 };
@@ -287,7 +292,8 @@ HWY_INLINE void filter(const KernelScene& scene, std::int32_t triangle, Floats t
         outcome.inside = hn::AndNot(own, outcome.inside);
     }
     if (scene.filter.holes == nullptr) return;
-    const Mask within = hn::And(hn::Ge(outcome.t, tMin), hn::Le(outcome.t, found.best));
+    const Floats farthest = kSearch.any ? found.best : hn::Add(found.best, found.tie);
+    const Mask within = hn::And(hn::Ge(outcome.t, tMin), hn::Le(outcome.t, farthest));
     const Mask candidates = hn::And(hn::And(outcome.inside, inCell), within);
     outcome.inside = hn::AllFalse(d, candidates)
                          ? candidates
@@ -307,12 +313,14 @@ HWY_INLINE Mask keepHits(const Outcome& outcome, std::int32_t triangle, Floats t
         hit = hn::And(open, hn::Le(outcome.t, found.best));
         found.best = hn::IfThenElse(hit, hn::Set(d, -1.0F), found.best);
     } else {
+        // A triangle is met once more in each leaf that has it.
         const Ints index = hn::Set(di, triangle);
-        const Mask lower = hn::RebindMask(d, hn::Lt(index, found.triangle));
-        hit = hn::And(open,
-                      hn::Or(hn::Lt(outcome.t, found.best), hn::And(hn::Eq(outcome.t, found.best), lower)));
-        found.best = hn::IfThenElse(hit, outcome.t, found.best);
-        found.triangle = hn::IfThenElse(hn::RebindMask(di, hit), index, found.triangle);
+        const Mask other = hn::RebindMask(d, hn::Ne(index, found.triangle));
+        hit = hn::And(hn::And(open, other), hn::Le(outcome.t, hn::Add(found.best, found.tie)));
+        const Mask tied = hn::Ge(outcome.t, hn::Sub(found.best, found.tie));
+        const Ints mark = hn::IfThenElseZero(hn::RebindMask(di, tied), hn::Set(di, kTied));
+        found.best = hn::IfThenElse(hit, hn::Min(outcome.t, found.best), found.best);
+        found.triangle = hn::IfThenElse(hn::RebindMask(di, hit), hn::Or(index, mark), found.triangle);
         found.v = hn::IfThenElse(hit, outcome.v, found.v);
         found.w = hn::IfThenElse(hit, outcome.w, found.w);
         found.det = hn::IfThenElse(hit, outcome.det, found.det);

@@ -272,6 +272,7 @@ class PacketLeaves {
                         hn::Zero(d),
                         hn::FirstN(d, 0),
                         hn::FirstN(d, 0),
+                        hn::Set(d, packet_.slack * kTieFraction),
                         startsAt(packet_.startTriangle, at)};
             if constexpr (!kSearch.any) found.triangle = hn::Load(di, packet_.triangle + at);
             test(at, inCell, found);
@@ -351,7 +352,12 @@ class PacketLeaves {
         ray.sx = sheared_[3][i];
         ray.sy = sheared_[4][i];
         ray.minusSz = sheared_[5][i];
-        FoundByRay found{packet_.best[i], kSearch.any ? kNone : packet_.triangle[i], 0, 0, 0};
+        FoundByRay found{packet_.best[i],
+                         kSearch.any ? kNone : packet_.triangle[i],
+                         0,
+                         0,
+                         0,
+                         packet_.slack * kTieFraction};
         bool hit = false;
         if constexpr (kNarrow) {
             hit = block.testNarrow<kSearch>(ray, packet_.tMin[i], startOf(i), found);

@@ -2,6 +2,7 @@
 
 #include "rtcore/kernels/hit_distance.h"
 #include "rtcore/kernels/leaf_records.h"
+#include "rtcore/kernels/single_ray.h"
 #include "rtcore/kernels/wave_kernels.h"
 
 #include <memory>
@@ -14,7 +15,7 @@ namespace {
 /// What each thread works in. It lives as long as the thread: the pages of a fresh one cost more than a wave.
 struct ThreadMemory {
     StreamScratch streams;
-    std::vector<std::uint32_t> near;
+    std::vector<std::uint32_t> indices; ///< of some of a wave's rays
 };
 
 ThreadMemory& threadMemory() {
@@ -67,13 +68,29 @@ void KdRayTracer::intersect(RayKind /*kind*/, const RayWave& rays, HitWave& hits
     const HitSpan found{hits.t.data(), hits.triangle.data(), hits.u.data(), hits.v.data()};
     ThreadMemory& memory = threadMemory();
     traceClosest(scene_, span, memory.streams, found);
-    memory.near.resize(rays.size());
-    const std::size_t near = findNear(span, found, nearLimit_, memory.near.data());
+    memory.indices.resize(rays.size());
+    std::uint32_t* const indices = memory.indices.data();
+    settleTies(rays, {indices, findTied(found, rays.size(), indices)}, hits);
+    const std::size_t near = findNear(span, found, nearLimit_, indices);
     for (std::size_t i = 0; i < near; ++i) {
-        const std::uint32_t ray = memory.near[i];
+        const std::uint32_t ray = indices[i];
         Hit hit = hits.hit(ray);
         refineDistance(mesh_, narrow_.noiseOf(hit.triangle), rays.ray(ray), hit);
         hits.t[ray] = hit.t;
+    }
+}
+
+void KdRayTracer::settleTies(const RayWave& rays, std::span<const std::uint32_t> tied, HitWave& hits) const {
+    if (tied.empty()) return;
+    hits.clearance.assign(rays.size(), 0);
+    const bool start = rays.startTriangle.size() == rays.size();
+    for (const std::uint32_t i : tied) {
+        Hit hit = hits.hit(i);
+        const auto clearance =
+            settleTie(scene_, &narrow_, rays.ray(i), start ? rays.startTriangle[i] : kNoTriangle, hit);
+        if (!clearance) hit = {};
+        hits.set(i, hit);
+        hits.clearance[i] = clearance.value_or(0);
     }
 }
 

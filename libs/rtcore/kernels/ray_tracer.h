@@ -26,8 +26,8 @@ class RayTracer {
   public:
     virtual ~RayTracer() = default;
 
-    /// Closest hit of each ray in [tMin, tMax]; at equal distance the triangle with the lower index. Resizes
-    /// `hits`.
+    /// Closest hit of each ray in [tMin, tMax]; of several on one surface (one_surface.h) the triangle with
+    /// the lowest index. Resizes `hits`.
     virtual void intersect(RayKind kind, const RayWave& rays, HitWave& hits) const = 0;
     /// 1 for each ray that hits anything in [tMin, tMax], else 0. Resizes `occluded`.
     virtual void occluded(RayKind kind, const RayWave& rays, std::vector<std::uint8_t>& occluded) const = 0;
@@ -74,6 +74,8 @@ class KdRayTracer final : public RayTracer {
 
   private:
     KdRayTracer(const KdTree& tree, const Mesh& mesh, NarrowTriangles narrow, LeafRecords records);
+    /// Of the hits with these indices, which have kTiedHit.
+    void settleTies(const RayWave& rays, std::span<const std::uint32_t> tied, HitWave& hits) const;
 
     KdTree tree_;
     Mesh mesh_;

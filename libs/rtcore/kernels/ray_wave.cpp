@@ -30,6 +30,7 @@ void RayWave::resize(std::size_t count) {
 void HitWave::resize(std::size_t count) {
     for (auto* array : {&t, &u, &v}) array->resize(count);
     triangle.resize(count);
+    clearance.clear();
 }
 
 } // namespace rtcore

@@ -12,6 +12,8 @@
 namespace rtcore {
 
 inline constexpr std::uint32_t kNoTriangle = 0xFFFFFFFFU;
+/// While rays are traced, a bit in the number of a triangle that is one of several as near.
+inline constexpr std::uint32_t kTiedHit = 0x80000000U;
 
 /// A half-line or segment: origin + t * direction, 0 <= tMin <= t <= tMax; empty where tMin > tMax or tMax <
 /// 0. The direction must be finite and not zero; its length is free (t is in units of it) from 1e-30 to 1e30:
@@ -57,11 +59,22 @@ struct RayWave {
 struct HitWave {
     std::vector<float> t, u, v;
     std::vector<std::uint32_t> triangle;
+    /// Empty, or for each hit how far off it, at least, rays have to start that leave: more than
+    /// surfaceClearance() of its triangle where other surfaces lie in its plane (one_surface.h), else 0.
+    std::vector<float> clearance;
 
     std::size_t size() const { return t.size(); }
+    /// Forgets `clearance`.
     void resize(std::size_t count);
+    float clearanceOf(std::size_t i) const { return clearance.empty() ? 0 : clearance[i]; }
     bool isHit(std::size_t i) const { return triangle[i] != kNoTriangle; }
     Hit hit(std::size_t i) const { return {t[i], triangle[i], u[i], v[i]}; }
+    void set(std::size_t i, const Hit& hit) {
+        t[i] = hit.t;
+        triangle[i] = hit.triangle;
+        u[i] = hit.u;
+        v[i] = hit.v;
+    }
 };
 
 } // namespace rtcore

@@ -9,7 +9,21 @@ namespace rtcore {
 inline constexpr float kPlaneDown = 1 - 6 * 0x1p-24F;
 inline constexpr float kPlaneUp = 1 + 6 * 0x1p-24F;
 
-/// What rounding may do to the leaf test's distance, as a fraction of that of the farthest corner.
+/// What rounding may do to distances, as a fraction of what it grows with: in the leaf test the distance of a
+/// triangle's farthest corner, from one surface to another in its plane coordinateSize().
 inline constexpr float kDistanceError = 0x1p-17F;
+
+/// Hits that lie no further apart than this fraction of what traversal allows for are looked at again: they
+/// may be on one surface (one_surface.h).
+inline constexpr float kTieFraction = 0.5F;
+
+/// The sum over the axes of the largest coordinate of the box [lo, hi].
+inline float coordinateSize(const float (&lo)[3], const float (&hi)[3]) {
+    const auto size = [](float x) { return x < 0 ? -x : x; };
+    float sum = 0;
+    for (int axis = 0; axis < 3; ++axis)
+        sum += size(lo[axis]) > size(hi[axis]) ? size(lo[axis]) : size(hi[axis]);
+    return sum;
+}
 
 } // namespace rtcore

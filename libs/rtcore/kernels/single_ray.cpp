@@ -1,12 +1,14 @@
 #include "rtcore/kernels/single_ray.h"
 
 #include "rtcore/kernels/hit_distance.h"
+#include "rtcore/kernels/one_surface.h"
 #include "rtcore/kernels/rounding.h"
 #include "rtcore/kernels/watertight.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace rtcore {
 
@@ -28,9 +30,8 @@ struct Interval {
     float t0, t1;
 };
 
-/// By how much the distance of a hit may be off from where the tree says that its cell lies: the leaf test's
-/// error grows with the distance of a triangle's farthest corner (kDistanceError), which is at most that of
-/// the box.
+/// By how much the distance of a hit may be off from where the tree says that its cell lies, or that of
+/// another surface in its plane.
 float slackOf(const KernelScene& scene, const Ray& ray) {
     float far = 0;
     float length = 0;
@@ -39,7 +40,7 @@ float slackOf(const KernelScene& scene, const Ray& ray) {
         far += std::max(std::fabs(scene.lo[axis] - o), std::fabs(scene.hi[axis] - o));
         length = std::max(length, std::fabs(ray.direction[axis]));
     }
-    return kDistanceError * far / length;
+    return kDistanceError * (far + coordinateSize(scene.lo, scene.hi)) / length;
 }
 
 /// The part of [tMin - slack, tMax + slack] inside the box, nothing of it behind the origin. 0 * infinity (a
@@ -113,47 +114,146 @@ void traverse(const KernelScene& scene, const Ray& ray, const float& closest, Vi
     }
 }
 
-/// Tests the triangles of a leaf; with `kAny`, true at the first hit.
-template <int kz, bool kAny>
-[[gnu::always_inline]] inline bool testLeaf(const KernelScene& scene, const KdNode& leaf, const Ray& ray,
-                                            const RayShear& shear, std::uint32_t startTriangle, Hit& best) {
-    for (std::uint32_t i = 0; i < leaf.count(); ++i) {
-        const TriangleCorners corners = cornersOf(scene, leaf.firstReference + i);
-        if (corners.index == startTriangle) continue;
-        if (kAny && scene.clear != nullptr && scene.letsThrough(corners.index)) continue;
-        Hit hit = best;
-        if (!testTriangle<kz>(corners, ray, shear, hit)) continue;
-        if (!scene.filter.empty() && !scene.filter.keeps(hit.triangle, hit.u, hit.v)) continue;
-        best = hit;
-        if (kAny) return true;
+/// What the tests of leaves need to know of a ray.
+struct HitSearch {
+    HitSearch(const KernelScene& in, const Ray& along, std::uint32_t from,
+              const NarrowTriangles* known = nullptr)
+        : scene(in), narrow(known), ray(along), shear(along.direction), startTriangle(from) {}
+
+    const KernelScene& scene;
+    const NarrowTriangles* narrow; ///< null: to be found out
+    Ray ray;
+    RayShear shear;
+    std::uint32_t startTriangle;
+
+    /// Calls `use` with each hit of a triangle in the leaf from ray.tMin to `farthest`, until it returns
+    /// true.
+    template <int kz, typename Use>
+    [[gnu::always_inline]] bool eachHit(const KdNode& leaf, const float& farthest, Use&& use) const {
+        const auto noiseOf = [&](const TriangleCorners& of) {
+            return narrow != nullptr ? narrow->noiseOf(of.index) : noiseByCorners(of);
+        };
+        for (std::uint32_t i = 0; i < leaf.count(); ++i) {
+            const TriangleCorners corners = cornersOf(scene, leaf.firstReference + i);
+            if (corners.index == startTriangle) continue;
+            Hit hit;
+            hit.t = farthest;
+            if (!testTriangle<kz>(corners, ray, shear, hit, noiseOf)) continue;
+            if (!scene.filter.empty() && !scene.filter.keeps(hit.triangle, hit.u, hit.v)) continue;
+            if (use(hit)) return true;
+        }
+        return false;
     }
-    return false;
+    /// The same along the ray, up to ray.tMax. `closest`: beyond it nothing matters.
+    template <typename Use>
+    void eachHitAlong(const float& closest, const float& farthest, Use&& use) const {
+        alongAxis(shear.kz, [&](auto kz) {
+            traverse(scene, ray, closest,
+                     [&](const KdNode& leaf) { return eachHit<kz>(leaf, farthest, use); });
+        });
+    }
+};
+
+/// Hits that are no further apart may be on one surface.
+float tieOf(const KernelScene& scene, const Ray& ray) { return slackOf(scene, ray) * kTieFraction; }
+
+/// Different hits, as many as there is room for.
+class FewHits {
+  public:
+    void add(const Hit& hit) {
+        const auto known = hits();
+        if (std::ranges::find(known, hit.triangle, &Hit::triangle) != known.end()) return;
+        if (count_ < hits_.size()) hits_[count_] = hit;
+        ++count_;
+    }
+    bool complete() const { return count_ <= hits_.size(); }
+    std::span<const Hit> hits() const { return std::span(hits_).first(std::min(count_, hits_.size())); }
+
+  private:
+    std::array<Hit, 8> hits_;
+    std::size_t count_ = 0;
+};
+
+SurfacePlane planeOf(const KernelScene& scene, std::uint32_t triangle) {
+    const Triangle& t = scene.triangles[triangle];
+    return {scene.vertices[t.v[0]].position(), scene.vertices[t.v[1]].position(),
+            scene.vertices[t.v[2]].position()};
 }
 
-template <bool kAny>
-bool find(const KernelScene& scene, const Ray& ray, std::uint32_t startTriangle, Hit& hit) {
-    const RayShear shear(ray.direction);
+} // namespace
+
+bool findNearest(const KernelScene& scene, const Ray& ray, Hit& hit, std::uint32_t startTriangle) {
+    const float tie = tieOf(scene, ray);
     Hit best;
     best.t = ray.tMax;
-    alongAxis(shear.kz, [&](auto kz) {
-        traverse(scene, ray, best.t, [&](const KdNode& leaf) {
-            return testLeaf<kz, kAny>(scene, leaf, ray, shear, startTriangle, best);
-        });
+    float farthest = best.t + tie;
+    HitSearch(scene, ray, startTriangle).eachHitAlong(best.t, farthest, [&](const Hit& found) {
+        if (found.triangle == best.triangle) return false; // met in another leaf before
+        const bool tied = found.t >= best.t - tie;
+        best = {std::min(best.t, found.t), tied ? found.triangle | kTiedHit : found.triangle, found.u,
+                found.v};
+        farthest = best.t + tie;
+        return false;
     });
     if (best.triangle == kNoTriangle) return false;
     hit = best;
     return true;
 }
 
-} // namespace
+std::optional<float> settleTie(const KernelScene& scene, const NarrowTriangles* narrow, const Ray& ray,
+                               std::uint32_t startTriangle, Hit& hit) {
+    HitSearch search(scene, ray, startTriangle, narrow);
+    search.ray.tMin = hit.t;
+    search.ray.tMax = std::min(hit.t + tieOf(scene, ray), ray.tMax);
+    const auto eachTie = [&](auto&& use) {
+        search.eachHitAlong(search.ray.tMax, search.ray.tMax,
+                            [&](const Hit& found) { return use(found), false; });
+    };
+    FewHits ties;
+    Hit nearest;
+    eachTie([&](const Hit& found) {
+        if (found.t == hit.t && found.triangle < nearest.triangle) nearest = found;
+        ties.add(found);
+    });
+    if (nearest.triangle == kNoTriangle) return std::nullopt;
+    hit = nearest;
+    const SurfacePlane plane = planeOf(scene, nearest.triangle);
+    const MetSurface surface(plane, ray);
+    float clearance = 0;
+    float gap = 0; // between the nearest and the chosen one
+    const auto choose = [&](const Hit& found) {
+        if (found.triangle == nearest.triangle) return;
+        const SurfacePlane other = planeOf(scene, found.triangle);
+        if (!surface.has(other)) return;
+        clearance = std::max(clearance, surface.gapTo(other) + other.clearance);
+        if (found.triangle > hit.triangle) return;
+        hit = found;
+        gap = surface.gapTo(other);
+    };
+    if (ties.complete()) {
+        for (const Hit& found : ties.hits()) choose(found);
+    } else {
+        eachTie(choose);
+    }
+    return hit.triangle == nearest.triangle ? clearance : std::max(clearance, plane.clearance) + gap;
+}
 
 bool findClosest(const KernelScene& scene, const Ray& ray, Hit& hit, std::uint32_t startTriangle) {
-    return find<false>(scene, ray, startTriangle, hit);
+    Hit found;
+    if (!findNearest(scene, ray, found, startTriangle)) return false;
+    if ((found.triangle & kTiedHit) != 0 && !settleTie(scene, nullptr, ray, startTriangle, found))
+        return false;
+    hit = found;
+    return true;
 }
 
 bool findAny(const KernelScene& scene, const Ray& ray, std::uint32_t startTriangle) {
-    Hit any;
-    return find<true>(scene, ray, startTriangle, any);
+    bool any = false;
+    HitSearch(scene, ray, startTriangle).eachHitAlong(ray.tMax, ray.tMax, [&](const Hit& found) {
+        any = scene.clear == nullptr || !scene.letsThrough(found.triangle);
+        return any;
+    });
+    return any;
 }
 
 bool intersect(const KdTree& tree, const Mesh& mesh, const Ray& ray, Hit& hit) {

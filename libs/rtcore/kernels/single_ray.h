@@ -9,11 +9,13 @@
 #include "rtcore/scene/mesh.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace rtcore {
 
-/// Closest hit in [ray.tMin, ray.tMax]; at equal distance the triangle with the lower index.
-/// Does not allocate. Safe from many threads. Miss: returns false and leaves `hit` untouched.
+/// Closest hit in [ray.tMin, ray.tMax]; of several on one surface (one_surface.h) the triangle with the
+/// lowest index, with its own distance. Does not allocate. Safe from many threads. Miss: returns false and
+/// leaves `hit` untouched.
 bool intersect(const KdTree& tree, const Mesh& mesh, const Ray& ray, Hit& hit);
 
 /// Whether anything is hit in [ray.tMin, ray.tMax]. Agrees with intersect().
@@ -25,5 +27,14 @@ bool findClosest(const KernelScene& scene, const Ray& ray, Hit& hit,
                  std::uint32_t startTriangle = kNoTriangle);
 /// As occluded(), with the same exceptions, and those of `clear`.
 bool findAny(const KernelScene& scene, const Ray& ray, std::uint32_t startTriangle = kNoTriangle);
+
+/// The first half of findClosest(): whatever is nearest. Where the number of the triangle has kTiedHit others
+/// may be as near; then `hit.t` alone is known, or the ray hits nothing at all.
+bool findNearest(const KernelScene& scene, const Ray& ray, Hit& hit,
+                 std::uint32_t startTriangle = kNoTriangle);
+/// The second half, for such hits: chooses among those on one surface with the nearest, at `hit.t`. Returns
+/// HitWave::clearance; nothing where the ray hits nothing. `narrow`: the scene's; null: to be found out.
+std::optional<float> settleTie(const KernelScene& scene, const NarrowTriangles* narrow, const Ray& ray,
+                               std::uint32_t startTriangle, Hit& hit);
 
 } // namespace rtcore

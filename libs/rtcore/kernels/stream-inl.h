@@ -314,6 +314,7 @@ class OctantWalk {
                     hn::Zero(d),
                     hn::FirstN(d, 0),
                     hn::FirstN(d, 0),
+                    hn::Set(d, slack_ * kTieFraction),
                     startsOf(slot, starts)};
         if constexpr (!kSearch.any) found.triangle = hn::GatherIndex(di, scratch_.triangle, slot);
         const auto forget = [](const Corners&) HWY_ATTR {}; // a stream has too many occluders
@@ -432,7 +433,8 @@ class OctantWalk {
                 found_ += short_.best[i] < 0 ? 1 : 0;
                 scratch_.best[slot] = short_.best[i];
                 scratch_.triangle[slot] = short_.triangle[i];
-            } else if (scratch_.triangle[slot] != short_.triangle[i]) {
+            } else if (scratch_.triangle[slot] != short_.triangle[i] ||
+                       scratch_.best[slot] != short_.best[i]) { // of ties the last met is kept
                 ++found_;
                 scratch_.best[slot] = short_.best[i];
                 scratch_.triangle[slot] = short_.triangle[i];

@@ -23,8 +23,22 @@ struct FoundByRay {
     float best; ///< for any hit tMax, or -1 once hit
     std::int32_t triangle;
     float v, w, det;
+    float tie = 0;       ///< closest hit: as in Found
     bool passed = false; ///< any hit: through a triangle that lets light through
 };
+
+/// Keeps a hit as keepHits() does; true where it counts.
+HWY_INLINE bool keepHit(const FoundByRay& hit, FoundByRay& found) {
+    if (hit.triangle == found.triangle || !(hit.best <= found.best + found.tie)) return false;
+    const bool tied = hit.best >= found.best - found.tie;
+    found = {std::min(hit.best, found.best),
+             tied ? hit.triangle | kTied : hit.triangle,
+             hit.v,
+             hit.w,
+             hit.det,
+             found.tie};
+    return true;
+}
 
 /// Triangles of a leaf, as many as a vector has lanes, one array for each coordinate.
 class TriangleBlock {
@@ -49,15 +63,15 @@ class TriangleBlock {
     HWY_INLINE Corners corners(std::uint32_t i) const { return cornersOf(scene_, leaf_, first_ + i); }
 
     /// Of common triangles: returns whether the ray hits one of them, closer than what it has found or as
-    /// close and of lower index.
+    /// close.
     template <Search kSearch>
     HWY_INLINE bool test(const ShearedRay& ray, float tMin, std::uint32_t startTriangle,
                          FoundByRay& found) const {
         const FloatTag d;
         const Outcome outcome = edgeTestOf(ray);
-        const Floats best = hn::Set(d, found.best);
+        const Floats farthest = hn::Set(d, kSearch.any ? found.best : found.best + found.tie);
         Mask open = hn::And(hn::And(outcome.inside, hn::FirstN(d, count_)),
-                            hn::And(hn::Ge(outcome.t, hn::Set(d, tMin)), hn::Le(outcome.t, best)));
+                            hn::And(hn::Ge(outcome.t, hn::Set(d, tMin)), hn::Le(outcome.t, farthest)));
         if (hn::AllFalse(d, open)) return false;
         if constexpr (kSearch.filtered) {
             open = hitsOf(open, outcome, startTriangle);
@@ -69,17 +83,17 @@ class TriangleBlock {
             found.triangle = static_cast<std::int32_t>(firstOf(open));
             return true;
         }
-        // References ascend inside a leaf: of several as close the first has the lowest index.
-        const Floats far = hn::Set(d, std::numeric_limits<float>::infinity());
-        const Floats t = hn::IfThenElse(open, outcome.t, far);
-        const Floats closest = hn::MinOfLanes(d, t);
-        const std::size_t lane = firstOf(hn::And(open, hn::Eq(t, closest)));
-        const float distance = hn::GetLane(closest);
-        const std::int32_t triangle = triangle_[lane];
-        if (distance == found.best && triangle >= found.triangle) return false;
-        found = {distance, triangle, laneOf(outcome.v, lane), laneOf(outcome.w, lane),
-                 laneOf(outcome.det, lane)};
-        return true;
+        alignas(64) float hits[4][kLanes];
+        hn::Store(outcome.t, d, hits[0]);
+        hn::Store(outcome.v, d, hits[1]);
+        hn::Store(outcome.w, d, hits[2]);
+        hn::Store(outcome.det, d, hits[3]);
+        bool hit = false;
+        forEachLane(open, [&](std::size_t lane) {
+            hit |=
+                keepHit({hits[0][lane], triangle_[lane], hits[1][lane], hits[2][lane], hits[3][lane]}, found);
+        });
+        return hit;
     }
 
     /// The same of narrow triangles. For any hit `found.triangle` is left alone.
@@ -93,7 +107,8 @@ class TriangleBlock {
         bool hit = false;
         forEachLane(inside, [&](std::size_t lane) {
             const FoundByRay here = narrowHit(outcome, lane, ray);
-            if (!(here.best >= tMin && here.best <= found.best)) return;
+            const float farthest = kSearch.any ? found.best : found.best + found.tie;
+            if (!(here.best >= tMin && here.best <= farthest)) return;
             if (kSearch.filtered && !isHit(here, startTriangle)) return;
             if constexpr (kSearch.any) {
                 const bool passed = kSearch.filtered && scene_.clear != nullptr &&
@@ -101,11 +116,10 @@ class TriangleBlock {
                 found.passed |= passed;
                 if (passed) return;
                 found.best = -1;
+                hit = true;
             } else {
-                if (here.best == found.best && here.triangle >= found.triangle) return;
-                found = here;
+                hit |= keepHit(here, found);
             }
-            hit = true;
         });
         return hit;
     }

@@ -49,10 +49,10 @@ struct TriangleCorners {
 
 /// Tests a triangle against the ray, whose shear.kz is `Kz`; `hit` holds the closest so far (its t bounds the
 /// search) and is replaced when this one is closer, or as close and of lower index. A constant axis spares
-/// the choice of nine coordinates: see alongAxis().
-template <int Kz>
+/// the choice of nine coordinates: see alongAxis(). `noiseOf` gives the triangle's narrowNoise().
+template <int Kz, typename NoiseOf>
 [[gnu::always_inline]] inline bool testTriangle(const TriangleCorners& corners, const Ray& ray,
-                                                const RayShear& shear, Hit& hit) {
+                                                const RayShear& shear, Hit& hit, const NoiseOf& noiseOf) {
     constexpr int kx = (Kz + 1) % 3;
     constexpr int ky = (Kz + 2) % 3;
     // Origin minus corner, as leaf_test-inl.h has it: the other way round only the signs of zeros differ.
@@ -79,7 +79,7 @@ template <int Kz>
     const Vec3 q = corners.b.position();
     const Vec3 r = corners.c.position();
     const float sum = u * az + v * bz + w * cz;
-    const float noise = narrowNoise(p, q, r);
+    const float noise = noiseOf(corners);
     const PreciseHit at = noise > 0 && isDoubtful(sum, noise)
                               ? preciseHit(shearedRay(ray, shear), p, q, r)
                               : PreciseHit{sum * shear.minusSz / det, v / det, w / det};
@@ -90,13 +90,18 @@ template <int Kz>
     return true;
 }
 
+/// Of any triangle.
+inline float noiseByCorners(const TriangleCorners& corners) {
+    return narrowNoise(corners.a.position(), corners.b.position(), corners.c.position());
+}
+
 /// The same for triangle `index` of a mesh.
 template <int Kz>
 [[gnu::always_inline]] inline bool testTriangle(const Mesh& mesh, std::uint32_t index, const Ray& ray,
                                                 const RayShear& shear, Hit& hit) {
     const Triangle& t = mesh.triangles[index];
     return testTriangle<Kz>({mesh.vertices[t.v[0]], mesh.vertices[t.v[1]], mesh.vertices[t.v[2]], index}, ray,
-                            shear, hit);
+                            shear, hit, noiseByCorners);
 }
 
 /// Calls `work` with the ray's dominant axis as a constant.

@@ -71,12 +71,31 @@ std::size_t nearHits(const RaySpan& rays, const HitSpan& hits, float limit, std:
     return found;
 }
 
+std::size_t tiedHits(const HitSpan& hits, std::size_t count, std::uint32_t* indices) {
+    const hn::ScalableTag<std::int32_t> d;
+    const std::size_t lanes = hn::Lanes(d);
+    std::size_t found = 0;
+    const auto add = [&](std::size_t i) {
+        const std::uint32_t triangle = hits.triangle[i];
+        indices[found] = static_cast<std::uint32_t>(i);
+        found += triangle != kNoTriangle && (triangle & kTiedHit) != 0 ? 1 : 0;
+    };
+    std::size_t i = 0;
+    for (; i + lanes <= count; i += lanes) {
+        const auto triangle = hn::LoadU(d, reinterpret_cast<const std::int32_t*>(hits.triangle) + i);
+        if (hn::AllTrue(d, hn::Gt(triangle, hn::Set(d, -2)))) continue;
+        for (std::size_t k = i; k < i + lanes; ++k) add(k);
+    }
+    for (; i < count; ++i) add(i);
+    return found;
+}
+
 #if HWY_TARGET == HWY_SCALAR
 
 void closest(const KernelScene& scene, const RaySpan& rays, StreamScratch& /*scratch*/, const HitSpan& hits) {
     for (std::size_t i = 0; i < rays.count; ++i) {
         Hit hit;
-        findClosest(scene, rayOf(rays, i), hit, startOf(rays, i));
+        findNearest(scene, rayOf(rays, i), hit, startOf(rays, i));
         hits.t[i] = hit.t;
         hits.u[i] = hit.u;
         hits.v[i] = hit.v;
@@ -121,6 +140,7 @@ namespace rtcore {
 HWY_EXPORT(closest);
 HWY_EXPORT(any);
 HWY_EXPORT(nearHits);
+HWY_EXPORT(tiedHits);
 
 void traceClosest(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch,
                   const HitSpan& hits) {
@@ -129,6 +149,10 @@ void traceClosest(const KernelScene& scene, const RaySpan& rays, StreamScratch& 
 
 void traceAny(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch, std::uint8_t* occluded) {
     HWY_DYNAMIC_DISPATCH(any)(scene, rays, scratch, occluded);
+}
+
+std::size_t findTied(const HitSpan& hits, std::size_t count, std::uint32_t* indices) {
+    return HWY_DYNAMIC_DISPATCH(tiedHits)(hits, count, indices);
 }
 
 std::size_t findNear(const RaySpan& rays, const HitSpan& hits, float limit, std::uint32_t* indices) {

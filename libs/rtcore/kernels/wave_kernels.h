@@ -27,13 +27,17 @@ struct HitSpan {
     float *u, *v;
 };
 
-/// Finds the closest hits of all rays as single_ray.h defines them, but for the distances, which are the leaf
-/// test's own (watertight.h). The same bits by every instruction set.
+/// Finds the closest hits of all rays as findNearest() of single_ray.h does, kTiedHit included. The same
+/// distances by every instruction set, and where there are no ties the same bits.
 void traceClosest(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch, const HitSpan& hits);
 
 /// Any hit: 1 where there is one, else 0. With scene.clear, triangles that let light through do not count,
 /// and 2 stands where a ray passes one of them, or may do so.
 void traceAny(const KernelScene& scene, const RaySpan& rays, StreamScratch& scratch, std::uint8_t* occluded);
+
+/// Writes the indices of those hits that have kTiedHit, ascending; returns their number. `indices` has room
+/// for all.
+std::size_t findTied(const HitSpan& hits, std::size_t count, std::uint32_t* indices);
 
 /// Writes the indices of those hits that are nearer than `limit` scene units, ascending; returns their
 /// number. `indices` has room for all.

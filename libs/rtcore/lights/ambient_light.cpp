@@ -1,6 +1,7 @@
 #include "rtcore/lights/ambient_light.h"
 
 #include "rtcore/math/constants.h"
+#include "rtcore/scene/light_power.h"
 
 #include <algorithm>
 
@@ -14,15 +15,14 @@ constexpr float kUsualReach = 0.15F;
 /// around.
 constexpr float kFractionOfLights = 0.25F;
 
-/// What reaches a surface near the middle of the scene that faces the light.
+/// What reaches a surface near the middle of the scene that faces the light: as of a point light of its
+/// power.
 Colour irradianceNear(const Light& light, Vec3 middle, float diagonal) {
     if (!traitsOf(light).position) return light.intensity;
     // A light close to the middle must not count as if it lit the whole scene that brightly.
     const float distance =
         std::max({length(light.position - middle), diagonal * 0.25F, light.radius, 1e-18F});
-    const Colour facing = light.intensity / (distance * distance);
-    if (light.kind == LightKind::Point) return facing;
-    return facing * (0.5F - 0.25F * (light.cosInner + light.cosOuter)); // as a point light of its power
+    return light.intensity / (distance * distance) * meanIntensity(light);
 }
 
 Colour lightOf(const Scene& scene, const Box3& bounds) {

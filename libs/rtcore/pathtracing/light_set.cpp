@@ -1,6 +1,7 @@
 #include "rtcore/pathtracing/light_set.h"
 
 #include "rtcore/math/constants.h"
+#include "rtcore/scene/light_power.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,16 +43,8 @@ std::vector<std::uint8_t> stoodFor(const Scene& scene) {
 
 /// The luminance that a light gives off, W; of a directional one what it throws on a disc of radius `reach`.
 double powerOf(const Light& light, double reach) {
-    const double intensity = luminance(light.intensity);
-    switch (traitsOf(light).beam) {
-    case Beam::Even:
-        return traitsOf(light).position ? 4 * kPi * intensity : kPi * reach * reach * intensity;
-    case Beam::Cone:
-        return kPi * intensity * (2 - double{light.cosInner} - double{light.cosOuter});
-    case Beam::Cosine:
-        break;
-    }
-    return kPi * intensity;
+    const double area = traitsOf(light).position ? 1 : kPi * reach * reach;
+    return powerFactor<double>(light) * area * luminance(light.intensity);
 }
 
 } // namespace

@@ -96,7 +96,7 @@ void sampleLights(const NextEventRows& rows, const SurfaceWave& s, const LightSa
                   const EmitterHits& hits) {
     for (std::size_t i = 0; i < s.size(); i += lanes()) {
         Mask used = hasTrait(load(s.traits + i), traits::kPoint);
-        Uint visit = 0U;
+        Visit<Uint> visit{0U, 0U};
         if (rows.scatters != nullptr) {
             const Uint scatters = load(rows.scatters + i) & Uint(path_state::kScatters);
             used = used & (toInt(scatters) < static_cast<std::int32_t>(rows.mostScatters + 1));

@@ -14,10 +14,25 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// Tells the points of a path apart, in 24 bits: how often it has scattered, and PathQueue::bounces.
+/// Tells the points of a path apart, all of them: how often it has scattered, been mirrored or bent, and
+/// passed straight through.
 template <typename Bits>
-HWY_INLINE Bits visitOf(Bits scatters, Bits bounces) {
-    return (scatters & Bits(0x3FFU)) | (bounces & Bits(0x3FFU)) << 10 | (bounces >> 16 & Bits(0xFU)) << 20;
+struct Visit {
+    Bits usual;  ///< 24 bits, which nearly all paths can do with
+    Bits beyond; ///< what does not fit into these; else 0
+};
+/// `scatters` < 2^16; `bounces`: PathQueue::bounces.
+template <typename Bits>
+HWY_INLINE Visit<Bits> visitOf(Bits scatters, Bits bounces) {
+    const Bits depth = bounces & Bits(0xFFFFU), passes = bounces >> 16 & Bits(0x7FFFU);
+    return {(scatters & Bits(0x3FFU)) | (depth & Bits(0x3FFU)) << 10 | (passes & Bits(0xFU)) << 20,
+            scatters >> 10 | depth >> 10 << 6 | passes >> 4 << 12};
+}
+
+/// The name of the numbers that a pixel's paths use there for `dimension`.
+template <typename Bits>
+HWY_INLINE Bits nameOfNumbers(Bits pixel, SampleDimension dimension, const Visit<Bits>& visit) {
+    return nameOfUse(pixel ^ mixBits(visit.beyond), visit.usual | Bits(useBits(dimension, 0)));
 }
 
 struct PathName {
@@ -36,9 +51,9 @@ struct PathNumbers {
     Uint bitsOfU, bitsOfV;
 };
 
-/// A pair for one use at the points that visitOf() tells.
-HWY_INLINE PathNumbers numbersFor(const PathName& name, SampleDimension dimension, Uint visit) {
-    const auto pair = pairInSequence<Float>(name.pixel, name.sub, visit | useBits(dimension, 0));
+/// A pair for one use at those points.
+HWY_INLINE PathNumbers numbersFor(const PathName& name, SampleDimension dimension, const Visit<Uint>& visit) {
+    const auto pair = owenPair(name.sub, nameOfNumbers(name.pixel, dimension, visit));
     return {unitFloat(pair.u), unitFloat(pair.v), pair.u, pair.v};
 }
 

@@ -17,8 +17,8 @@ float numberFor(const PathPoints::Task& task, const Wave& wave, std::size_t i, S
     const std::uint32_t sample = wave.paths.sample(i);
     const std::uint32_t scatters =
         task.paths != nullptr ? task.paths->scattered().state[i] & path_state::kScatters : 0U;
-    const std::uint32_t visit = HWY_NAMESPACE::visitOf(scatters, wave.paths.bounces(i));
-    const std::uint32_t name = nameOfUse(task.names.pixel[sample], visit | useBits(dimension, 0));
+    const auto visit = HWY_NAMESPACE::visitOf(scatters, wave.paths.bounces(i));
+    const std::uint32_t name = HWY_NAMESPACE::nameOfNumbers(task.names.pixel[sample], dimension, visit);
     return unitFloat(owenPair(task.names.sub[sample], name).u);
 }
 

@@ -79,7 +79,7 @@ std::size_t scatterAll(const ScatterRows& rows, const SurfaceWave& s, const Batc
         const PointLobes lobes = lobesOf(rows.materials, s, i, open);
         if (none(lobes.drawable)) continue;
         const PathName name = pathName(rows.names, paths == nullptr ? nullptr : paths->sample, i, open);
-        const Uint visit = visitOf(scatters, past.bounces);
+        const Visit<Uint> visit = visitOf(scatters, past.bounces);
         const PathNumbers lobe = numbersFor(name, SampleDimension::Lobe, visit);
         const PathNumbers place = numbersFor(name, SampleDimension::Direction, visit);
         const DrawnWay way = drawWay(lobes, lobe.u, {place.u, place.v});

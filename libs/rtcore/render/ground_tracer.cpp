@@ -18,10 +18,8 @@ void GroundTracer::intersect(RayKind kind, const RayWave& rays, HitWave& hits) c
         if (!t || !(*t >= ray.tMin && *t <= ray.tMax) || (hits.isHit(i) && hits.t[i] <= *t)) continue;
         const auto point = pointOnGround(*ground_, ray.origin + ray.direction * *t);
         if (!point) continue;
-        hits.t[i] = *t;
-        hits.triangle[i] = first_ + point->triangle;
-        hits.u[i] = point->u;
-        hits.v[i] = point->v;
+        hits.set(i, {*t, first_ + point->triangle, point->u, point->v});
+        if (!hits.clearance.empty()) hits.clearance[i] = 0;
     }
 }
 

@@ -1,26 +1,17 @@
 #include "rtcore/scene/closed_surfaces.h"
 
+#include "rtcore/scene/weld.h"
+
 #include <algorithm>
-#include <numeric>
+#include <cmath>
+#include <unordered_map>
 #include <utility>
 
 namespace rtcore {
 
 namespace {
 
-/// Disjoint sets with path halving.
-class Parts {
-  public:
-    explicit Parts(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
-    std::uint32_t find(std::uint32_t i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void join(std::uint32_t a, std::uint32_t b) { parent_[find(a)] = find(b); }
-
-  private:
-    std::vector<std::uint32_t> parent_;
-};
+using Indices = std::vector<std::uint32_t>;
 
 /// One side of one triangle: its end points ascending, and whether the triangle runs along them or against.
 struct HalfEdge {
@@ -31,14 +22,19 @@ struct HalfEdge {
     bool sameEdge(const HalfEdge& other) const { return low == other.low && high == other.high; }
 };
 
-std::vector<HalfEdge> halfEdges(const Mesh& mesh, const std::vector<std::uint32_t>& triangles) {
+bool isDegenerate(const std::uint32_t* corners) {
+    return corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0];
+}
+
+/// Of triangles with three corners each, or of those alone whose corners all differ.
+std::vector<HalfEdge> halfEdges(std::span<const std::uint32_t> corners, bool degenerateOnes) {
     std::vector<HalfEdge> edges;
-    edges.reserve(triangles.size() * 3);
-    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-        const Triangle& t = mesh.triangles[triangles[i]];
+    edges.reserve(corners.size());
+    for (std::uint32_t i = 0; i < corners.size() / 3; ++i) {
+        const std::uint32_t* const v = &corners[3 * std::size_t{i}];
+        if (!degenerateOnes && isDegenerate(v)) continue;
         for (int corner = 0; corner < 3; ++corner) {
-            const std::uint32_t a = t.v[corner];
-            const std::uint32_t b = t.v[(corner + 1) % 3];
+            const std::uint32_t a = v[corner], b = v[(corner + 1) % 3];
             edges.push_back({std::min(a, b), std::max(a, b), i, a < b});
         }
     }
@@ -48,38 +44,185 @@ std::vector<HalfEdge> halfEdges(const Mesh& mesh, const std::vector<std::uint32_
     return edges;
 }
 
-} // namespace
+/// What connected triangles are like.
+struct Closing {
+    DisjointSets parts;
+    std::vector<std::uint32_t> openEdges; ///< by triangle: those of its edges, of which it is the first
 
-ClosedSurfaces findClosedSurfaces(const Mesh& mesh, std::span<const Material> materials) {
-    if (std::none_of(materials.begin(), materials.end(), isTransparent)) return nullptr;
-    std::vector<std::uint32_t> transparent;
-    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-        if (isTransparent(materials[mesh.shading[i].material])) transparent.push_back(i);
+    explicit Closing(std::size_t triangles) : parts(triangles), openEdges(triangles) {}
+
+    /// By triangle, whether its part has an open edge.
+    std::vector<std::uint8_t> open() {
+        std::vector<std::uint8_t> part(openEdges.size()), result(openEdges.size());
+        for (std::uint32_t i = 0; i < openEdges.size(); ++i) {
+            if (openEdges[i] != 0) part[parts.find(i)] = 1;
+        }
+        for (std::uint32_t i = 0; i < openEdges.size(); ++i) result[i] = part[parts.find(i)];
+        return result;
     }
-    if (transparent.empty()) return nullptr;
+};
 
-    const std::vector<HalfEdge> edges = halfEdges(mesh, transparent);
-    Parts parts(transparent.size());
-    std::vector<std::uint8_t> openEdge(transparent.size());
+Closing closingOf(std::size_t triangles, const std::vector<HalfEdge>& edges) {
+    Closing closing(triangles);
     for (std::size_t first = 0; first < edges.size();) {
         std::size_t last = first;
         while (last < edges.size() && edges[last].sameEdge(edges[first])) ++last;
         const bool paired = last - first == 2 && edges[first].forward != edges[first + 1].forward;
-        for (std::size_t i = first; i < last; ++i) {
-            parts.join(edges[i].triangle, edges[first].triangle);
-            if (!paired) openEdge[edges[i].triangle] = 1;
-        }
+        for (std::size_t i = first; i < last; ++i)
+            closing.parts.join(edges[i].triangle, edges[first].triangle);
+        if (!paired) ++closing.openEdges[edges[first].triangle];
         first = last;
     }
-    std::vector<std::uint8_t> openPart(transparent.size());
-    for (std::uint32_t i = 0; i < transparent.size(); ++i) {
-        if (openEdge[i] != 0) openPart[parts.find(i)] = 1;
+    return closing;
+}
+
+/// Triangles of a mesh with points of their own: those of the mesh that they use, each once.
+struct Piece {
+    Piece(const Mesh& mesh, Indices which) : triangles(std::move(which)) {
+        constexpr std::uint32_t kUnused = 0xFFFFFFFFU;
+        Indices number(mesh.vertices.size(), kUnused);
+        corners.reserve(3 * triangles.size());
+        for (const std::uint32_t t : triangles) {
+            for (const std::uint32_t v : mesh.triangles[t].v) {
+                if (number[v] == kUnused) {
+                    number[v] = static_cast<std::uint32_t>(points.size());
+                    points.push_back(mesh.vertices[v].position());
+                }
+                corners.push_back(number[v]);
+            }
+        }
     }
+    /// Points that differ by rounding alone become one.
+    void weld() {
+        DisjointSets same = weldPoints(points, corners);
+        for (std::uint32_t& corner : corners) corner = same.find(corner);
+    }
+    Vec3d point(std::size_t triangle, std::size_t corner) const {
+        const Vec3 p = points[corners[3 * triangle + corner]];
+        return {p.x, p.y, p.z};
+    }
+
+    Indices triangles; ///< of the mesh
+    Indices corners;   ///< of each three
+    std::vector<Vec3> points;
+};
+
+/// By triangle, whether its part encloses next to nothing: two sheets back to back.
+std::vector<std::uint8_t> emptyParts(const Piece& piece, DisjointSets& parts) {
+    constexpr double kThinnest = 4e-6; // of the size of its surface
+    struct Sum {
+        double volume = 0, area = 0;
+    };
+    std::vector<Sum> sums(piece.triangles.size());
+    for (std::uint32_t i = 0; i < sums.size(); ++i) {
+        const std::uint32_t part = parts.find(i);
+        const Vec3d origin = piece.point(part, 0);
+        const Vec3d a = piece.point(i, 0) - origin, b = piece.point(i, 1) - origin,
+                    c = piece.point(i, 2) - origin;
+        sums[part].volume += dot(a, cross(b, c)) / 6;
+        sums[part].area += length(cross(b - a, c - a)) / 2;
+    }
+    std::vector<std::uint8_t> empty(sums.size());
+    for (std::uint32_t i = 0; i < sums.size(); ++i) {
+        const Sum& sum = sums[parts.find(i)];
+        empty[i] = std::fabs(sum.volume) <= kThinnest * sum.area * std::sqrt(sum.area) ? 1 : 0;
+    }
+    return empty;
+}
+
+/// The glass that is open, and its edges once it is welded.
+struct OpenPiece {
+    Piece piece;
+    Closing closing;
+    std::vector<std::uint8_t> open;
+};
+
+/// Triangles without edges of their own belong to what has their corners.
+void joinDegenerateOnes(const Piece& piece, DisjointSets& parts) {
+    Indices owner(piece.points.size());
+    for (std::uint32_t i = 0; i < piece.corners.size(); ++i) owner[piece.corners[i]] = i / 3;
+    for (std::uint32_t i = 0; i < piece.triangles.size(); ++i) {
+        const std::uint32_t* const v = &piece.corners[3 * std::size_t{i}];
+        if (isDegenerate(v)) {
+            for (int corner = 0; corner < 3; ++corner) parts.join(i, owner[v[corner]]);
+        }
+    }
+}
+
+/// Of these triangles those that do not close when what differs by rounding is one.
+OpenPiece openWhenWelded(const Mesh& mesh, Indices triangles) {
+    Piece piece(mesh, std::move(triangles));
+    piece.weld();
+    Closing closing = closingOf(piece.triangles.size(), halfEdges(piece.corners, false));
+    joinDegenerateOnes(piece, closing.parts);
+    std::vector<std::uint8_t> open = closing.open();
+    const std::vector<std::uint8_t> empty = emptyParts(piece, closing.parts);
+    for (std::size_t i = 0; i < open.size(); ++i) open[i] = open[i] != 0 || empty[i] != 0 ? 1 : 0;
+    return {std::move(piece), std::move(closing), std::move(open)};
+}
+
+/// Of all transparent triangles those that are open as they are.
+struct AsTheyAre {
+    Indices transparent;
+    std::vector<std::uint8_t> open;
+
+    AsTheyAre(const Mesh& mesh, std::span<const Material> materials) {
+        if (std::none_of(materials.begin(), materials.end(), isTransparent)) return;
+        for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+            if (isTransparent(materials[mesh.shading[i].material])) transparent.push_back(i);
+        }
+        Indices corners;
+        corners.reserve(3 * transparent.size());
+        for (const std::uint32_t t : transparent)
+            corners.insert(corners.end(), mesh.triangles[t].v, mesh.triangles[t].v + 3);
+        open = closingOf(transparent.size(), halfEdges(corners, true)).open();
+    }
+    /// Those of them that are glass.
+    Indices openGlass(const Mesh& mesh, std::span<const Material> materials) const {
+        Indices glass;
+        for (std::size_t i = 0; i < transparent.size(); ++i) {
+            if (open[i] != 0 && materials[mesh.shading[transparent[i]].material].opacity < 1)
+                glass.push_back(transparent[i]);
+        }
+        return glass;
+    }
+};
+
+} // namespace
+
+ClosedSurfaces findClosedSurfaces(const Mesh& mesh, std::span<const Material> materials) {
+    const AsTheyAre given(mesh, materials);
+    if (given.transparent.empty()) return nullptr;
     std::vector<std::uint8_t> closed(mesh.triangles.size());
-    for (std::uint32_t i = 0; i < transparent.size(); ++i) {
-        closed[transparent[i]] = openPart[parts.find(i)] == 0 ? 1 : 0;
+    for (std::size_t i = 0; i < given.transparent.size(); ++i)
+        closed[given.transparent[i]] = given.open[i] == 0 ? 1 : 0;
+    if (Indices glass = given.openGlass(mesh, materials); !glass.empty()) {
+        const OpenPiece rest = openWhenWelded(mesh, std::move(glass));
+        for (std::size_t i = 0; i < rest.open.size(); ++i)
+            closed[rest.piece.triangles[i]] = rest.open[i] == 0 ? 1 : 0;
     }
     return std::make_shared<const std::vector<std::uint8_t>>(std::move(closed));
+}
+
+std::vector<OpenGlass> findOpenGlass(const Model& model, std::span<const Material> materials) {
+    Indices glass = AsTheyAre(model.mesh, materials).openGlass(model.mesh, materials);
+    if (glass.empty()) return {};
+    const OpenPiece rest = openWhenWelded(model.mesh, std::move(glass));
+    std::vector<OpenGlass> found;
+    std::unordered_map<std::string_view, std::size_t> known;
+    auto part = model.parts.begin();
+    for (std::size_t i = 0; i < rest.open.size(); ++i) {
+        if (rest.open[i] == 0) continue;
+        const std::uint32_t t = rest.piece.triangles[i];
+        while (part != model.parts.end() && part->firstTriangle + part->triangleCount <= t) ++part;
+        const bool inPart = part != model.parts.end() && part->firstTriangle <= t;
+        const std::string_view name = inPart ? model.name(part->nameOffset) : std::string_view();
+        const auto [entry, isNew] = known.try_emplace(name, found.size());
+        if (isNew) found.push_back({name});
+        ++found[entry->second].triangles;
+        found[entry->second].openEdges += rest.closing.openEdges[i];
+    }
+    return found;
 }
 
 } // namespace rtcore

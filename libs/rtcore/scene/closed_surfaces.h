@@ -4,20 +4,34 @@
 
 #include "rtcore/scene/material.h"
 #include "rtcore/scene/mesh.h"
+#include "rtcore/scene/model.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace rtcore {
 
 /// One value per triangle, immutable, shared by all copies of a scene. 1 where the triangle belongs to a part
-/// of connected transparent triangles in which each edge joins exactly two of them, oppositely oriented.
-/// Null when no material is transparent.
+/// of connected transparent triangles in which each edge joins exactly two of them, oppositely oriented; or
+/// to one of glass that does so, and encloses more than rounding, once corners are one that differ by
+/// rounding alone (weld.h). Null when no material is transparent.
 using ClosedSurfaces = std::shared_ptr<const std::vector<std::uint8_t>>;
 
 /// Degenerate triangles count like others. Takes time and memory of the transparent triangles only.
 ClosedSurfaces findClosedSurfaces(const Mesh& mesh, std::span<const Material> materials);
+
+/// Glass that bounds no solid.
+struct OpenGlass {
+    std::string_view part;     ///< the model's name of it, which must outlive this; may be ""
+    std::size_t triangles = 0; ///< of glass that are open
+    std::size_t openEdges = 0; ///< which do not join two of them, oppositely oriented
+    friend bool operator==(const OpenGlass&, const OpenGlass&) = default;
+};
+/// By name, in the order of the model's parts; triangles outside of all parts count as one without a name.
+std::vector<OpenGlass> findOpenGlass(const Model& model, std::span<const Material> materials);
 
 } // namespace rtcore

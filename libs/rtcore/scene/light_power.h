@@ -6,21 +6,26 @@
 
 namespace rtcore {
 
-/// All that a light of intensity 1 gives off, W: its integral over all directions. A spot's is that of its
-/// cone, with half of its rim, by the integral of the smoothstep. Of a directional light, which has no end:
-/// 1, the irradiance on a surface that faces it, W/m^2.
-inline float powerFactor(const Light& light) {
-    const LightTraits& traits = traitsOf(light);
-    if (!traits.position) return 1;
-    switch (traits.beam) {
+/// The intensity of a light that has a position, as a fraction of `Light::intensity`: its mean over all
+/// directions. A spot's is that of its cone, with half of its rim, by the integral of the smoothstep.
+template <typename F = float>
+F meanIntensity(const Light& light) {
+    switch (traitsOf(light).beam) {
     case Beam::Cosine:
-        return kPi;
+        return F(0.25);
     case Beam::Cone:
-        return 2 * kPi * (1 - 0.5F * (light.cosInner + light.cosOuter));
+        return F(0.5) - F(0.25) * (F(light.cosInner) + F(light.cosOuter));
     case Beam::Even:
         break;
     }
-    return 4 * kPi;
+    return 1;
+}
+
+/// All that a light of intensity 1 gives off, W: its integral over all directions. Of a directional light,
+/// which has no end: 1, the irradiance on a surface that faces it, W/m^2.
+template <typename F = float>
+F powerFactor(const Light& light) {
+    return traitsOf(light).position ? 4 * kPi * meanIntensity<F>(light) : 1;
 }
 
 } // namespace rtcore

@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t kWaveSize = 16384;
 /// Thin walls and holes that a path may pass; it bounds the work of a hostile model.
 constexpr std::uint16_t kMaxPasses = 1000;
+static_assert(kMaxPasses < 0x7FFF, "PathQueue::bounces has 15 bits for them");
 
 /// `side` is the normal on the side that the ray leaves to.
 Ray rayFrom(const Surface& s, Vec3 side, Vec3 direction) {

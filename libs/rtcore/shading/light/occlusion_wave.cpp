@@ -79,7 +79,7 @@ void OcclusionWave::sumHit(const RayWave& rays, std::size_t i) {
     visible += weight * solid * std::min(travelled / light_.distance, 1.0F);
     if (solid >= 1) return;
     const float passing = weight * (1 - solid);
-    const Surface surface = shapeAt(*scene_, ray.direction, hit);
+    const Surface surface = shapeAt(*scene_, ray.direction, hit, hits_.clearanceOf(i));
     const Ray rest{surface.position - surface.geometricNormal * surface.clearance, 0, ray.direction,
                    light_.distance - travelled};
     if (rest.tMax > 0) {

@@ -5,6 +5,7 @@
 #include "rtcore/shading/surface/surface.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace rtcore {
@@ -86,7 +87,9 @@ void ShadowTracer::startLayers(const RayWave& rays) {
 void ShadowTracer::goOn(std::size_t ray, const Surface& surface, const Hit& hit) {
     Ray rest = current_.ray(ray);
     rest.origin = surface.position - surface.geometricNormal * surface.clearance;
-    rest.tMax = rest.tMax - hit.t;
+    // The step off each surface counts: else behind many of them a ray would go on into the light itself.
+    const float step = surface.clearance * std::fabs(dot(surface.geometricNormal, rest.direction));
+    rest.tMax = rest.tMax - hit.t - step;
     if (!(rest.tMax > 0)) return;
     next_.push(rest);
     nextIndex_.push_back(currentIndex_[ray]);
@@ -106,7 +109,7 @@ const std::vector<LightEnd>& ShadowTracer::ends(const RayWave& rays) {
             const std::uint32_t index = currentIndex_[i];
             travelled_[index] += hit.t;
             if (layer == 0) ends_[index].clear = hit.t;
-            const Surface surface = shapeAt(*scene_, current_.ray(i).direction, hit);
+            const Surface surface = shapeAt(*scene_, current_.ray(i).direction, hit, hits_.clearanceOf(i));
             const Colour left = ends_[index].tint * throughSurface(surface, hit).all;
             if (isBlack(left)) {
                 ends_[index].distance = travelled_[index];
@@ -141,7 +144,7 @@ void ShadowTracer::traceTinted(const Light* fogLight, RayStatistics& statistics)
                 continue;
             }
             const Hit hit = hits_.hit(i);
-            const Surface surface = shapeAt(*scene_, ray.direction, hit);
+            const Surface surface = shapeAt(*scene_, ray.direction, hit, hits_.clearanceOf(i));
             const Passing passing = throughSurface(surface, hit);
             arriving *= passing.all;
             unbent *= passing.unbent;

@@ -83,9 +83,11 @@ Surface surfaceAt(const Scene& scene, bool textures, Vec3 direction, const Hit& 
     return s;
 }
 
-Surface shapeAt(const Scene& scene, Vec3 direction, const Hit& hit) {
+Surface shapeAt(const Scene& scene, Vec3 direction, const Hit& hit, float clearance) {
     bool turned = false;
-    return shapeOf(scene, direction, hit, turned);
+    Surface s = shapeOf(scene, direction, hit, turned);
+    s.clearance = std::max(s.clearance, clearance);
+    return s;
 }
 
 void addMaterial(const Scene& scene, bool textures, const Hit& hit, bool turned, Surface& s) {

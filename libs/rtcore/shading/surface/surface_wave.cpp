@@ -197,6 +197,10 @@ void SurfaceWave::fill(const Mesh& mesh, const MaterialTable& materials, const R
         notPlainCount_ +=
             HWY_DYNAMIC_DISPATCH(fillBlock)(sources, block, first, *this, notPlain_.data() + notPlainCount_);
     }
+    if (hits.clearance.empty()) return;
+    for (std::size_t i = 0; i < size_; ++i) {
+        if (hits.isHit(i)) clearance[i] = std::max(clearance[i], hits.clearance[i]);
+    }
 }
 
 } // namespace rtcore
