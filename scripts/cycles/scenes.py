@@ -102,6 +102,27 @@ def sky():
     return scene
 
 
+def sunny_sky(width=2048):
+    """A sun of its true size, some ten texels that shine as a real one does over a sky, as photographs have it."""
+    height = width // 2
+    up = numpy.cos(math.pi * (numpy.arange(height) + 0.5) / height)[:, None]
+    turn = 2 * math.pi * ((numpy.arange(width) + 0.5) / width - 0.5)[None, :]
+    flat = numpy.sqrt(1 - up * up)
+    middle = numpy.array((0.48, 0.62, 0.62))
+    cosine = sum(a * m for a, m in zip((flat * numpy.sin(turn), up, -flat * numpy.cos(turn)),
+                                       middle / numpy.linalg.norm(middle)))
+    sun = (cosine > math.cos(math.radians(0.27)))[..., None] * (40000.0, 36000.0, 30000.0)
+    blue = numpy.where(up + 0 * turn > 0, 0.6 - 0.3 * up, 0.25)[..., None] * (0.5, 0.7, 1.0)
+    return (sun + blue).astype(numpy.float32)
+
+
+def sun():
+    """The scene of `sky` under a sun."""
+    scene = sky()
+    scene.sky = sunny_sky()
+    return scene
+
+
 def room(scene, panel):
     """A matte room under a panel in its ceiling that emits."""
     x, y, z = 3.0, 3.0, 3.0
@@ -151,6 +172,17 @@ def metals():
     return scene
 
 
+def whites():
+    """Balls of white rough metal on a floor of it, under a rectangle."""
+    scene = Scene((0.0, 1.2, 4.0), (0.0, 0.1, 0.0), 55.0, bounces=24, caustics=True)
+    quad(scene, scene.material(metal=(1.0, 1.0, 1.0), roughness=0.5), (-5, 0, 5), (5, 0, 5), (5, 0, -5), (-5, 0, -5))
+    for i, roughness in enumerate((0.2, 0.35, 0.7, 1.0)):
+        ball(scene, scene.material(metal=(1.0, 1.0, 1.0), roughness=roughness), (-1.5 + i, 0.45, 0.3), 0.42)
+    scene.lights = [Light("rectangle", (20.0, 20.0, 20.0), position=(0.0, 2.0, -3.0), direction=(0.0, -0.3, 1.0),
+                          size=(1.5, 1.0))]
+    return scene
+
+
 SCENES = {
     "plane-point": lambda: plane(Light("point", (4.0, 3.0, 2.0), **PLACE)),
     "plane-directional": lambda: plane(Light("directional", (3.0, 2.0, 1.0), direction=(-0.3, -1.0, 0.2))),
@@ -158,7 +190,8 @@ SCENES = {
     "plane-rectangle": lambda: plane(Light("rectangle", (4.0, 3.0, 2.0), size=(1.2, 0.6), **PLACE)),
     "plane-emission": plane_emission,
     "plane-background": lambda: plane(background=(0.7, 0.5, 0.3)),
-    "cube": cube, "sky": sky, "mirrors": mirrors, "glass": glass, "metals": metals,
+    "cube": cube, "sky": sky, "sun": sun, "mirrors": mirrors, "glass": glass, "metals": metals,
+    "whites": whites,
 }
 
 

@@ -1,8 +1,6 @@
-// Directions drawn from a table of cells of the sphere, over the number F: float or Float. Included once for
+// Directions drawn by the brightness of an environment, over the number F: float or Float. Included once for
 // each instruction set, inside the loop of foreach_target.h, or alone.
-#include "rtcore/lights/environment_draw.h"
-#include "rtcore/math/octahedron-inl.h"
-#include "rtcore/sampling/alias-inl.h"
+#include "rtcore/lights/environment_cells-inl.h"
 
 #if defined(RTCORE_LIGHTS_ENVIRONMENT_DRAW_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RTCORE_LIGHTS_ENVIRONMENT_DRAW_INL_H_
@@ -21,32 +19,87 @@ struct DirectionDraw {
     F density;           ///< by solid angle
 };
 
-/// Solid angle over area of the unfolded square, 0..1 each way, at a unit vector. (With the sum s of the
-/// sizes of its components it is d = s p, p on the octahedron; a face lies 1 / sqrt(3) away, and its area is
-/// sqrt(3) times that of the square of side 2 that it unfolds to.)
+/// Which of `count` intervals a number falls into, and where in it.
 template <typename F>
-HWY_INLINE F octahedronScale(Vec3Of<F> unit) {
-    const F sum = abs(unit.x) + abs(unit.y) + abs(unit.z);
-    return 4.0F * (sum * sum * sum);
+struct IntervalDraw {
+    IntOf<F> index;
+    F inside; ///< 0..1
+};
+/// `starts`: of the intervals from `first` on, then the end of the last. `number` lies in them.
+template <typename F>
+HWY_INLINE IntervalDraw<F> drawInterval(const std::uint32_t* starts, IntOf<F> first, int count,
+                                        UintOf<F> number) {
+    int step = 1;
+    while (step < count) step *= 2;
+    IntOf<F> index(0), last(count);
+    for (step /= 2; step > 0; step /= 2) {
+        const IntOf<F> middle = index + IntOf<F>(step);
+        const IntOf<F> some = select(middle < last, middle, last);
+        const auto behind = number < gather(starts, first + some);
+        index = select(behind, index, some);
+    }
+    const UintOf<F> start = gather(starts, first + index), end = gather(starts + 1, first + index);
+    return {index, (toFloat(toInt(number - start)) + 0.5F) / toFloat(toInt(end - start))};
+}
+/// The length of an interval, of all of them 2^EnvironmentRows::kBits.
+template <typename F>
+HWY_INLINE F intervalLength(const std::uint32_t* starts, IntOf<F> index) {
+    return toFloat(toInt(gather(starts + 1, index) - gather(starts, index)));
+}
+
+/// Brightness at the corners of a cell.
+template <typename F>
+struct CellCorners {
+    F upperLeft, upperRight, lowerLeft, lowerRight;
+
+    HWY_INLINE F left(F down) const { return upperLeft + down * (lowerLeft - upperLeft); }
+    HWY_INLINE F right(F down) const { return upperRight + down * (lowerRight - upperRight); }
+    HWY_INLINE F mean() const { return (upperLeft + upperRight + lowerLeft + lowerRight) * 0.25F; }
+};
+template <typename F>
+HWY_INLINE CellCorners<F> cornersOf(const EnvironmentRows& rows, F row, IntOf<F> column) {
+    // Of an image there is one row of corners more than of cells.
+    const F ofCorners = row + imageOfRow<F>(rows, row);
+    const float* const upper = rows.corners;
+    const float* const lower = upper + rows.columns + 1;
+    const IntOf<F> at = truncate(ofCorners) * IntOf<F>(rows.columns + 1) + column;
+    return {gather(upper, at), gather(upper + 1, at), gather(lower, at), gather(lower + 1, at)};
+}
+
+/// Distributes 0..1 by a density that goes from `from` to `to`, which are above 0.
+template <typename F>
+HWY_INLINE F drawLinear(F number, F from, F to) {
+    const F square = from * from + number * (to * to - from * from);
+    return min(number * (from + to) / (from + sqrt(square)), F(1));
 }
 
 /// EnvironmentDraw::density().
 template <typename F>
 HWY_INLINE F environmentDensity(const EnvironmentRows& rows, Vec3Of<F> direction) {
-    const IntOf<F> cell = octahedronTexel<F>(direction, rows.side);
-    const auto cells = static_cast<float>(rows.side * rows.side);
-    return probabilityOf<F>(rows.cells, toUint(cell)) * cells / octahedronScale<F>(direction);
+    const CellPoint<F> point = pointOfDirection<F>(rows, direction);
+    const IntOf<F> row = truncate(point.row), column = truncate(point.column);
+    const F ofRow = intervalLength<F>(rows.rowStarts, row);
+    const F ofCell = intervalLength<F>(rows.columnStarts, row * IntOf<F>(rows.columns + 1) + column);
+    const CellCorners<F> corners = cornersOf<F>(rows, point.row, column);
+    const F left = corners.left(point.down), right = corners.right(point.down);
+    const F here = left + point.right * (right - left);
+    constexpr float kUnit = 1.0F / (1U << EnvironmentRows::kBits);
+    return ofRow * kUnit * (ofCell * kUnit) * point.perSolidAngle * (here / corners.mean());
 }
 
 /// EnvironmentDraw::draw().
 template <typename F>
-HWY_INLINE DirectionDraw<F> drawEnvironment(const EnvironmentRows& rows, F u, F v, UintOf<F> bits) {
-    const UintOf<F> cell = drawIndex<F>(rows.cells, bits);
-    const auto column = toInt(cell & UintOf<F>(static_cast<std::uint32_t>(rows.side - 1)));
-    const auto row = toInt(cell >> rows.sideBits);
-    const float step = 1 / static_cast<float>(rows.side);
-    const Vec3Of<F> folded = octahedronDirection<F>((toFloat(column) + u) * step, (toFloat(row) + v) * step);
-    const Vec3Of<F> direction = folded / sqrt(dot(folded, folded));
+HWY_INLINE DirectionDraw<F> drawEnvironment(const EnvironmentRows& rows, UintOf<F> across, UintOf<F> down) {
+    constexpr int kUnused = 32 - EnvironmentRows::kBits;
+    const auto row = drawInterval<F>(rows.rowStarts, IntOf<F>(0), rows.allRows, down >> kUnused);
+    const auto column = drawInterval<F>(rows.columnStarts, row.index * IntOf<F>(rows.columns + 1),
+                                        rows.columns, across >> kUnused);
+    const F ofRow = toFloat(row.index);
+    const CellCorners<F> corners = cornersOf<F>(rows, ofRow, column.index);
+    const F y = drawLinear<F>(row.inside, corners.upperLeft + corners.upperRight,
+                              corners.lowerLeft + corners.lowerRight);
+    const F x = drawLinear<F>(column.inside, corners.left(y), corners.right(y));
+    const Vec3Of<F> direction = directionOfPoint<F>(rows, ofRow, toFloat(column.index), x, y);
     return {direction, environmentDensity<F>(rows, direction)};
 }
 

@@ -1,13 +1,13 @@
 #include "rtcore/lights/environment_draw.h"
 
-#include "rtcore/lights/brightest_cells.h"
 #include "rtcore/lights/environment_draw-inl.h"
+#include "rtcore/simd/portable_math.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
-#include <vector>
+#include <span>
 
 namespace rtcore {
 
@@ -15,43 +15,76 @@ namespace {
 
 namespace plain = HWY_NAMESPACE;
 
-constexpr int kLeastSide = 64, kMostSide = 2048;
-/// Of the mean luminance: cells count as at least that bright, so that rays in all directions have a density.
-constexpr double kLeastBrightness = 1e-3;
-
-/// At most as many cells as there are texels, but for small images.
-int sideFor(const BackgroundLight& light) {
-    if (light.environment == nullptr) return kLeastSide;
-    double texels = 0;
-    for (const HdrImage& image : light.environment->images())
-        texels += static_cast<double>(image.width - 2) * (image.height - 2);
-    const auto side = static_cast<unsigned>(std::min<double>(std::sqrt(texels), kMostSide));
-    return std::max(static_cast<int>(std::bit_floor(side)), kLeastSide);
+/// How bright corners count that are so bright, both in means of the luminance: less by half a mean, since
+/// what comes from all sides is found by scattered rays, too (Karlik, Sik, Vivoda, Skrivan and Krivanek 2019,
+/// "MIS Compensation"). Some light is found by these rays alone, as that through windows and glass: so none
+/// counts as less than a quarter of itself. And rays in all directions have a density.
+double drawnBrightness(double brightness) {
+    constexpr double kFoundOtherwise = 0.5, kLeastFraction = 0.25, kLeast = 1e-3;
+    return std::max({brightness - kFoundOtherwise, kLeastFraction * brightness, kLeast});
 }
 
-/// Times the solid angles of the cells, but for a common factor.
-std::vector<double> weightsOf(const std::vector<float>& brightness, int side, double least) {
-    std::vector<double> weights;
-    weights.reserve(brightness.size());
-    const float step = 1 / static_cast<float>(side);
-    std::size_t i = 0;
-    for (int row = 0; row < side; ++row) {
-        for (int column = 0; column < side; ++column, ++i) {
-            const Vec3 middle = plain::octahedronDirection<float>((static_cast<float>(column) + 0.5F) * step,
-                                                                  (static_cast<float>(row) + 0.5F) * step);
-            const auto square = static_cast<double>(dot(middle, middle));
-            const double solidAngle = 1 / (square * std::sqrt(square));
-            weights.push_back(std::max(static_cast<double>(brightness[i]), least) * solidAngle);
+/// Of a side of `texels` with a border of one around it: which two its k-th corner lies in the middle of, at
+/// the edges of the image, or the one in whose middle it lies; and where that is, 0..1.
+struct CornerPlace {
+    int first, second;
+    double position;
+
+    CornerPlace(int k, int texels)
+        : first(k == texels + 1 ? texels : k), second(k == 0 ? 1 : k),
+          position(std::clamp(k - 0.5, 0.0, static_cast<double>(texels)) / texels) {}
+};
+
+/// Solid angle over area of a face of side 1, as six of them are seen: 1 where it does not matter.
+double faceScale(bool cube, double s, double t) {
+    if (!cube) return 1;
+    const double x = 2 * s - 1, y = 2 * t - 1, square = 1 + x * x + y * y;
+    return 1 / (square * std::sqrt(square));
+}
+
+/// What is seen at the corners of all cells, in means.
+void addCorners(const HdrImage& padded, bool cube, double mean, std::vector<float>& corners) {
+    const int width = padded.width - 2, height = padded.height - 2;
+    for (int y = 0; y < padded.height; ++y) {
+        const CornerPlace down(y, height);
+        for (int x = 0; x < padded.width; ++x) {
+            const CornerPlace right(x, width);
+            const Colour seen = (padded.at(right.first, down.first) + padded.at(right.second, down.first) +
+                                 padded.at(right.first, down.second) + padded.at(right.second, down.second)) *
+                                0.25F;
+            const double brightness = std::fabs(static_cast<double>(luminance(seen))) / mean;
+            const double scale = faceScale(cube, right.position, down.position);
+            corners.push_back(static_cast<float>(drawnBrightness(brightness) * scale));
         }
     }
-    return weights;
 }
 
-std::vector<float> brightnessOf(const BackgroundLight& light, int side) {
-    if (light.environment != nullptr)
-        return brightestAround(brightestInCells(*light.environment, side), side);
-    return std::vector<float>(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 1.0F);
+/// 1 - cosine where rows of cells begin that lie on a sphere, and where the last one ends.
+std::vector<float> depthsOf(int height) {
+    std::vector<float> depths;
+    for (int k = 0; k <= height + 1; ++k) {
+        const double sine = portableSinOfDegrees(90 * CornerPlace(k, height).position);
+        depths.push_back(static_cast<float>(2 * sine * sine));
+    }
+    return depths;
 }
+
+/// Appends where intervals begin that share out 2^kBits: one unit for each, the rest by weight.
+void addStarts(std::span<const double> weights, std::vector<std::uint32_t>& starts) {
+    double all = 0;
+    for (const double weight : weights) all += weight;
+    const double rest =
+        static_cast<double>(1U << EnvironmentRows::kBits) - static_cast<double>(weights.size());
+    double before = 0;
+    std::uint32_t units = 0;
+    for (const double weight : weights) {
+        starts.push_back(static_cast<std::uint32_t>(std::min(before / all, 1.0) * rest) + units++);
+        before += weight;
+    }
+    starts.push_back(1U << EnvironmentRows::kBits);
+}
+
+float lengthOf(int cell, int cells) { return plain::cellSpan<float>(static_cast<float>(cell), cells).length; }
 
 } // namespace
 
@@ -59,16 +92,87 @@ void EnvironmentDraw::prepare(const BackgroundLight& light) {
     *this = {};
     const auto mean = static_cast<double>(luminance(light.mean()));
     if (!(mean > 0) || !std::isfinite(mean)) return;
-    side_ = sideFor(light);
-    sideBits_ = std::countr_zero(static_cast<unsigned>(side_));
     scalarIrradiance_ = 4 * std::numbers::pi * mean;
-    const double scale =
-        light.environment != nullptr ? static_cast<double>(light.environment->intensity) : mean;
-    table_ = AliasTable(weightsOf(brightnessOf(light, side_), side_, kLeastBrightness * mean / scale));
+    if (light.environment == nullptr) {
+        takeImages(Environment::fromEquirectangular(HdrImage(1, 1, light.even), ""), mean);
+    } else {
+        takeImages(*light.environment, mean / static_cast<double>(light.environment->intensity));
+    }
+    shareOut();
 }
 
-DrawnDirection EnvironmentDraw::draw(SquarePoint point, std::uint32_t bits) const {
-    const auto drawn = plain::drawEnvironment<float>(rows(), point.u, point.v, bits);
+/// `mean`: of the images' luminance.
+void EnvironmentDraw::takeImages(const Environment& environment, double mean) {
+    const std::span<const HdrImage> images = environment.images();
+    cube_ = environment.isCube();
+    columns_ = images[0].width - 1;
+    rows_ = images[0].height - 1;
+    corners_.reserve(images.size() * static_cast<std::size_t>(columns_ + 1) *
+                     static_cast<std::size_t>(rows_ + 1));
+    for (const HdrImage& image : images) addCorners(image, cube_, mean, corners_);
+    const auto addAxis = [&](Vec3 ofImage) {
+        const Vec3 axis = environment.turned(ofImage);
+        axes_.insert(axes_.end(), {axis.x, axis.y, axis.z});
+    };
+    if (!cube_) {
+        depths_ = depthsOf(images[0].height - 2);
+        for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) addAxis(axis);
+    }
+    for (int face = 0; cube_ && face < 6; ++face) {
+        const Vec3 middle = cubeDirection(face, 0.5F, 0.5F);
+        addAxis(middle);
+        addAxis(cubeDirection(face, 1, 0.5F) - middle);
+        addAxis(cubeDirection(face, 0.5F, 1) - middle);
+    }
+}
+
+/// Of a row of cells: its solid angle over its width, but for a common factor.
+float EnvironmentDraw::heightOf(int row) const {
+    if (cube_) return lengthOf(row, rows_);
+    const auto edges = plain::rowDepths<float>(rows(), static_cast<float>(row));
+    return edges.end - edges.start;
+}
+
+/// The probabilities of rows and columns.
+void EnvironmentDraw::shareOut() {
+    const auto columns = static_cast<std::size_t>(columns_);
+    const std::size_t images = axes_.size() / 9;
+    std::vector<double> ofRows, ofCells(columns);
+    std::vector<float> widths(columns);
+    for (std::size_t x = 0; x < columns; ++x) widths[x] = lengthOf(static_cast<int>(x), columns_);
+    columnStarts_.reserve(images * static_cast<std::size_t>(rows_) * (columns + 1));
+    const float* upper = corners_.data();
+    for (std::size_t image = 0; image < images; ++image, upper += columns + 1) {
+        for (int y = 0; y < rows_; ++y, upper += columns + 1) {
+            const float* const lower = upper + columns + 1;
+            double sum = 0;
+            for (std::size_t x = 0; x < columns; ++x) {
+                ofCells[x] = (static_cast<double>(upper[x]) + static_cast<double>(upper[x + 1]) +
+                              static_cast<double>(lower[x]) + static_cast<double>(lower[x + 1])) *
+                             static_cast<double>(widths[x]);
+                sum += ofCells[x];
+            }
+            addStarts(ofCells, columnStarts_);
+            ofRows.push_back(sum * static_cast<double>(heightOf(y)));
+        }
+    }
+    addStarts(ofRows, rowStarts_);
+}
+
+EnvironmentRows EnvironmentDraw::rows() const {
+    return {cube_,
+            columns_,
+            rows_,
+            static_cast<int>(rowStarts_.size()) - 1,
+            axes_.data(),
+            depths_.data(),
+            corners_.data(),
+            rowStarts_.data(),
+            columnStarts_.data()};
+}
+
+DrawnDirection EnvironmentDraw::draw(std::uint32_t across, std::uint32_t down) const {
+    const auto drawn = plain::drawEnvironment<float>(rows(), across, down);
     return {drawn.direction, drawn.density};
 }
 

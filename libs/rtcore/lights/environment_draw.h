@@ -3,18 +3,26 @@
 #pragma once
 
 #include "rtcore/lights/background_light.h"
-#include "rtcore/sampling/alias_table.h"
-#include "rtcore/sampling/sample_id.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace rtcore {
 
-/// What vector code reads, see environment_draw-inl.h.
+/// What vector code reads, see environment_draw-inl.h. Images are cut into cells at the middles of their
+/// texels, so that a bilinear lookup is one bilinear function in each of them; those at edges are half as
+/// wide. Rows count through all images.
 struct EnvironmentRows {
-    AliasRows cells;  ///< of the unfolded octahedron (math/octahedron-inl.h), row by row
-    int side = 0;     ///< cells each way, a power of two
-    int sideBits = 0; ///< its logarithm
+    static constexpr int kBits = 30; ///< of random numbers and intervals
+
+    bool cube = false;              ///< of six images, else one of the whole sphere
+    int columns = 0, rows = 0;      ///< cells each way of an image; one more than texels
+    int allRows = 0;                ///< of all images
+    const float* axes = nullptr;    ///< of each image's x, y and z; of a face: its middle, right, down
+    const float* depths = nullptr;  ///< of a sphere: 1 - cosine of the angle from the pole, where rows begin
+    const float* corners = nullptr; ///< brightness at the cells' corners, image by image, row by row
+    /// Intervals whose lengths, over 2^kBits, are the probabilities of rows, and of columns within each row.
+    const std::uint32_t *rowStarts = nullptr, *columnStarts = nullptr;
 };
 
 struct DrawnDirection {
@@ -22,33 +30,42 @@ struct DrawnDirection {
     float density = 0; ///< by solid angle
 };
 
-/// A table of cells of the sphere, about as many as the image has texels. A cell's weight is its solid angle
-/// times the *largest* luminance in it and its 8 neighbours: filtered lookups show a bright texel in cells
-/// around it too, and with the cell's own light as weight these would be drawn far too rarely.
+/// Draws by the luminance of the bilinear image itself: a row of cells by the integral of all in it, a cell
+/// of it by its own, a place in the cell by the bilinear function between its corners. So all of the light of
+/// an image has the same weight, whether it comes from a sky or from one texel, and nothing is lost: where
+/// the image is not black, neither are the corners of its cell. What is looked up unfiltered is up to 4 times
+/// as bright as between the corners. Negative light counts by its size.
 ///
-/// Immutable once prepared; safe from many threads. 12 bytes for each cell, of which there are at most 2^22.
+/// Immutable once prepared; safe from many threads. 8 bytes for each texel.
 class EnvironmentDraw {
   public:
-    /// Takes some 10^-7 s for each cell, on one thread; the same on every machine. Black light makes it
-    /// empty.
+    /// Takes some 10^-8 s for each texel, on one thread; the same on every machine. Black light makes it
+    /// empty, and so do texels that are not finite.
     void prepare(const BackgroundLight& light);
 
     /// Nothing shines.
-    bool empty() const { return table_.empty(); }
+    bool empty() const { return rowStarts_.empty(); }
 
-    /// There is light. `bits`: 32 random ones. What shines from there is BackgroundLight::radiance() of it.
-    DrawnDirection draw(SquarePoint point, std::uint32_t bits) const;
+    /// There is light. `across`, `down`: 32 random bits each, a point of the square: directions are as evenly
+    /// spread as such points are. What shines from there is BackgroundLight::radiance() of it.
+    DrawnDirection draw(std::uint32_t across, std::uint32_t down) const;
     /// The density by solid angle with which draw() finds a direction, above 0 for all of them: of one it
     /// gave the same number to the bit. `direction`: of unit length. 0 when empty.
     float density(Vec3 direction) const;
 
     /// Luminance of the light from all directions: the integral of the radiance over the sphere.
     double scalarIrradiance() const { return scalarIrradiance_; }
-    EnvironmentRows rows() const { return {table_.rows(), side_, sideBits_}; }
+    EnvironmentRows rows() const;
 
   private:
-    AliasTable table_;
-    int side_ = 0, sideBits_ = 0;
+    void takeImages(const Environment& environment, double mean);
+    float heightOf(int row) const;
+    void shareOut();
+
+    bool cube_ = false;
+    int columns_ = 0, rows_ = 0;
+    std::vector<float> axes_, depths_, corners_;
+    std::vector<std::uint32_t> rowStarts_, columnStarts_;
     double scalarIrradiance_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #define HWY_TARGET_INCLUDE "rtcore/pathtracing/light_hits.cpp"
 #include "rtcore/simd/foreach_target.h"
 
+#include "rtcore/lights/environment_draw-inl.h"
 #include "rtcore/lights/light_draw-inl.h"
 #include "rtcore/pathtracing/light_shares-inl.h"
 #include "rtcore/pathtracing/path_weights-inl.h"
@@ -85,6 +86,17 @@ void meetLights(const LightRows& rows, LightFinding finding, const ScatterState&
     }
 }
 
+void densitiesOf(const EnvironmentRows& surroundings, const RayWave& rays, const std::uint32_t* traits,
+                 float* densities) {
+    const std::size_t count = rays.size();
+    for (std::size_t i = 0; i < count; i += lanes()) {
+        if (none(load(traits + i) == Uint(0U))) continue;
+        const Float3 direction{loadRest(rays.dx.data(), i, count), loadRest(rays.dy.data(), i, count),
+                               loadRest(rays.dz.data(), i, count)};
+        store(environmentDensity<Float>(surroundings, direction), densities + i);
+    }
+}
+
 } // namespace HWY_NAMESPACE
 } // namespace rtcore
 HWY_AFTER_NAMESPACE();
@@ -95,11 +107,16 @@ namespace rtcore {
 namespace plain = HWY_NAMESPACE;
 
 HWY_EXPORT(meetLights);
+HWY_EXPORT(densitiesOf);
 
 void addLightHits(const LightRows& lights, LightFinding finding, PathBatch& batch, Wave& wave) {
     PathQueue& queue = batch.queue;
     const HitRays hits{*wave.rays, wave.hits.t.data(), wave.surfaces.traits, queue.weights()};
     HWY_DYNAMIC_DISPATCH(meetLights)(lights, finding, batch.scattered(), hits, wave.surfaces.added);
+}
+
+void densitiesOfEscaped(const EnvironmentRows& surroundings, const Wave& wave, float* densities) {
+    HWY_DYNAMIC_DISPATCH(densitiesOf)(surroundings, *wave.rays, wave.surfaces.traits, densities);
 }
 
 float probabilityOfEmitters(const LightRows& lights, const PathBatch& batch, std::size_t i) {

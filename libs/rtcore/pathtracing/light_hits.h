@@ -13,6 +13,10 @@ namespace rtcore {
 /// power heuristic against next event. The wave is that of the batch.
 void addLightHits(const LightRows& lights, LightFinding finding, PathBatch& batch, Wave& wave);
 
+/// EnvironmentDraw::density() of the directions of those rays of the wave that meet no surface, into
+/// `densities`: room for a block more. The others become undefined.
+void densitiesOfEscaped(const EnvironmentRows& surroundings, const Wave& wave, float* densities);
+
 /// With which probability the point that the ray `i` of the batch was scattered at sampled the emitters, or
 /// the surroundings.
 float probabilityOfEmitters(const LightRows& lights, const PathBatch& batch, std::size_t i);

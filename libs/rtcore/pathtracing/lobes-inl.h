@@ -52,10 +52,12 @@ HWY_INLINE PointLobes lobesOf(const MaterialRow* rows, const SurfaceWave& s, std
     const Float mirrored = selectOrZero(mirrors, max(luminance<Float>(loadAt(s.specular, i)), 0.0F));
     Float3 albedo = lobes.phong.diffuse * kPi + lobes.phong.specular;
     if (any(lobes.metallic)) {
-        lobes.metal = {lobes.phong.diffuse * kPi, loadAt(s.straight, i), loadAt(s.grazing, i),
-                       loadAt(s.gloss, i), load(s.alpha + i)};
+        const Float3 gloss = loadAt(s.gloss, i), further = loadAt(s.further, i);
+        lobes.metal = {
+            lobes.phong.diffuse * kPi, loadAt(s.straight, i), loadAt(s.grazing, i), gloss - further, further,
+            load(s.alpha + i)};
         lobes.metalViewer = liftedViewer<Float>(lobes.toViewer, lobes.normal);
-        albedo = select(lobes.metallic, lobes.metal.diffuse + lobes.metal.glossAlbedo, albedo);
+        albedo = select(lobes.metallic, lobes.metal.diffuse + gloss, albedo);
     }
     const Float scattered = max(luminance<Float>(loadAt(s.weight, i) * albedo), 0.0F);
     const Float both = mirrored + scattered;
@@ -109,7 +111,9 @@ HWY_INLINE DrawnWay drawWay(const PointLobes& lobes, Float lobe, SquarePointOf<F
     const Float cosine = dot(lobes.normal, lobes.toViewer);
     Float gloss = phongProbability<Float>(lobes.phong, cosine);
     if (any(lobes.metallic)) gloss = select(lobes.metallic, glossProbability<Float>(lobes.metal), gloss);
-    return {direction, mirrored, !(rest < gloss)};
+    // What metal scatters further is drawn as matte surfaces are, and is none.
+    const Mask matte = without(!(rest < gloss), lobes.metallic & isZero(lobes.metal.diffuse));
+    return {direction, mirrored, matte};
 }
 
 } // namespace HWY_NAMESPACE

@@ -79,9 +79,8 @@ HWY_INLINE GroupSample sampleOfEmitters(const EmitterRows& rows, Float3 position
     return {toLight, Float3{}, distance * 0.9999F, selectOrZero(apart & isFinite(density), density)};
 }
 
-HWY_INLINE GroupSample sampleOfSurroundings(const EnvironmentRows& rows, const PathNumbers& place,
-                                            Uint bits) {
-    const DirectionDraw<Float> draw = drawEnvironment<Float>(rows, place.u, place.v, bits);
+HWY_INLINE GroupSample sampleOfSurroundings(const EnvironmentRows& rows, const PathNumbers& place) {
+    const DirectionDraw<Float> draw = drawEnvironment<Float>(rows, place.bitsOfU, place.bitsOfV);
     return {draw.direction, Float3{}, std::numeric_limits<float>::max(), draw.density};
 }
 
@@ -128,7 +127,7 @@ void sampleLights(const NextEventRows& rows, const SurfaceWave& s, const LightSa
                 take(sample, these,
                      sampleOfEmitters(rows.emitters, start, place, choice.bitsOfV, hits, i, these));
             } else {
-                take(sample, these, sampleOfSurroundings(rows.surroundings, place, choice.bitsOfV));
+                take(sample, these, sampleOfSurroundings(rows.surroundings, place));
             }
             rest = without(rest, these);
         }

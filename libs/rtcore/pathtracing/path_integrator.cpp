@@ -150,6 +150,10 @@ void PathIntegrator::addSurroundings() {
     if (paths_ == nullptr && environment == nullptr && isBlack(seen)) return;
     if (paths_ != nullptr && lights_->surroundings().empty()) return;
     const float* const transmittance = fog_.on() ? fog_.rays().transmittance : nullptr;
+    if (paths_ != nullptr) {
+        densities_.resize(wave_.size() + kWaveBlock);
+        densitiesOfEscaped(lights_->surroundings().rows(), wave_, densities_.data());
+    }
     for (std::size_t i = 0; i < wave_.size(); ++i) {
         if (wave_.surfaces.traits[i] != 0) continue;
         const Vec3 direction = wave_.direction(i);
@@ -159,7 +163,7 @@ void PathIntegrator::addSurroundings() {
         Colour radiance = scattered || environment != nullptr ? background.radiance(direction) : seen;
         if (scattered) {
             const float share = probabilityOfSurroundings(rows_, *paths_, i);
-            radiance = radiance * weightOfHit(i, share * lights_->surroundings().density(direction));
+            radiance = radiance * weightOfHit(i, share * densities_[i]);
         }
         if (transmittance != nullptr) radiance = radiance * transmittance[i];
         if (!isBlack(radiance)) addTo(i, wave_.paths.path(i).weight * radiance);

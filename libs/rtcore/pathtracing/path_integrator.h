@@ -95,6 +95,7 @@ class PathIntegrator {
     PathBatch* paths_ = nullptr; ///< of the wave's rays; null for those of the camera
     SampleSums sums_;
     std::vector<std::uint32_t> pixelNames_, subs_;
+    std::vector<float> densities_; ///< of rays that leave the scene, by next event
     FogWave fog_;
     WaveLighting fogLighting_;
     PathPoints points_;

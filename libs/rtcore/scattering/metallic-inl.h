@@ -1,5 +1,6 @@
-// The metallic-roughness model of glTF 2 as two lobes that lose no light, over the number F: float or Float.
+// The metallic-roughness model of glTF 2 as lobes that lose no light, over the number F: float or Float.
 // Included once for each instruction set, inside the loop of foreach_target.h, or alone.
+#include "rtcore/scattering/further_facets-inl.h"
 #include "rtcore/scattering/ggx-inl.h"
 #include "rtcore/scattering/ggx_albedo-inl.h"
 #include "rtcore/scattering/lambert-inl.h"
@@ -15,6 +16,9 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
+/// Factors that stand for what a lobe lacks divide by no less.
+inline constexpr float kLeastAlbedo = 1e-3F;
+
 /// Each channel that is below 0 becomes 0.
 template <typename F>
 HWY_INLINE Vec3Of<F> atLeastZero(Vec3Of<F> v) {
@@ -27,17 +31,17 @@ struct MetallicLobes {
     Vec3Of<F> diffuse;           ///< albedo
     Vec3Of<F> straight, grazing; ///< factors on the GGX lobe for facets seen straight on and at right angles
     Vec3Of<F> glossAlbedo;       ///< of the GGX lobe, for even light
+    Vec3Of<F> further;           ///< albedo of what leaves metal by furtherShape()
     F alpha;
 };
 
-/// The factor on a GGX lobe that puts back what is scattered from facet to facet before it leaves: of even
-/// light one reflection takes `once`, and of the rest each further one the mean over all angles of Schlick's
-/// curve (Kulla and Conty 2017, "Revisiting physically based shading", for the albedo; as a factor, so that
-/// directions are drawn as before: Turquin 2019, "Practical multiple scattering compensation"). Perfect
-/// mirrors give off all that they get.
+/// Where the gloss is faint, the factor on a GGX lobe that puts back what is scattered from facet to facet
+/// before it leaves: of even light one reflection takes `once`, and of the rest each further one the mean
+/// over all angles of Schlick's curve (Kulla and Conty 2017, "Revisiting physically based shading", for the
+/// albedo; as a factor, so that directions are drawn as before: Turquin 2019, "Practical multiple scattering
+/// compensation"). Perfect mirrors give off all that they get.
 template <typename F>
 HWY_INLINE F factorOfFurtherFacets(const GgxAlbedo<F>& albedo, F reflectance) {
-    constexpr float kLeastAlbedo = 1e-3F;
     const F once = reflectance * albedo.straight + albedo.grazing;
     const F rest = 1.0F - albedo.straight - albedo.grazing;
     const F further = reflectance + (1.0F - reflectance) * (1.0F / 21.0F);
@@ -58,18 +62,24 @@ template <typename F>
 HWY_INLINE MetallicLobes<F> metallicLobes(const GgxAlbedoTable& table, Vec3Of<F> base, F metallic,
                                           F roughness, Vec3Of<F> reflectance, F cosine) {
     const GgxAlbedo<F> albedo = ggxAlbedo<F>(table, cosine, roughness);
-    const F isDielectric = 1.0F - metallic;
+    const F isDielectric = 1.0F - metallic, alpha = ggxAlpha<F>(roughness);
     const Vec3Of<F> white = broadcast<F>(kWhite);
     const Vec3Of<F> dielectric = factorOfFurtherFacets<F>(albedo, reflectance);
     const Vec3Of<F> glossOfDielectric = (reflectance * albedo.straight + white * albedo.grazing) * dielectric;
-    const Vec3Of<F> metal = factorOfFurtherFacets<F>(albedo, base) * metallic;
+    const Vec3Of<F> further = Vec3Of<F>{furtherAlbedo<F>(albedo, alpha, cosine, base.x),
+                                        furtherAlbedo<F>(albedo, alpha, cosine, base.y),
+                                        furtherAlbedo<F>(albedo, alpha, cosine, base.z)} *
+                              metallic;
+    const F near = nearFraction<F>(alpha, cosine);
     const Vec3Of<F> other = dielectric * isDielectric;
     MetallicLobes<F> lobes;
     lobes.diffuse = base * atLeastZero<F>(white - glossOfDielectric) * isDielectric;
-    lobes.straight = base * metal + other * reflectance;
-    lobes.grazing = metal + other;
+    lobes.straight =
+        base * metallic + further * (near / max(albedo.straight, F(kLeastAlbedo))) + other * reflectance;
+    lobes.grazing = white * metallic + other;
+    lobes.further = further * (1.0F - near);
     lobes.glossAlbedo = lobes.straight * albedo.straight + lobes.grazing * albedo.grazing;
-    lobes.alpha = ggxAlpha<F>(roughness);
+    lobes.alpha = alpha;
     return lobes;
 }
 
@@ -80,10 +90,11 @@ HWY_INLINE Vec3Of<F> glossFactor(Vec3Of<F> straight, Vec3Of<F> grazing, F cosine
     return straight + (grazing - straight) * (x * x * x * x * x);
 }
 
-/// The probability that drawMetallic() follows the glossy lobe: its part of all that is scattered.
+/// The probability that drawMetallic() follows the GGX lobe: its part of all that is scattered.
 template <typename F>
 HWY_INLINE F glossProbability(const MetallicLobes<F>& lobes) {
-    const F gloss = luminance<F>(lobes.glossAlbedo), all = gloss + luminance<F>(lobes.diffuse);
+    const F gloss = luminance<F>(lobes.glossAlbedo);
+    const F all = gloss + luminance<F>(lobes.diffuse) + luminance<F>(lobes.further);
     return selectOrZero(all > 0.0F, gloss / all);
 }
 
@@ -94,10 +105,11 @@ HWY_INLINE Scattering<F> scatterMetallic(const MetallicLobes<F>& lobes, Vec3Of<F
     const GgxScattering<F> gloss = scatterGgx<F>(normal, toViewer, toLight, lobes.alpha);
     const F cosine = dot(normal, toLight);
     const Vec3Of<F> factor = glossFactor<F>(lobes.straight, lobes.grazing, gloss.fresnelCosine);
+    const Vec3Of<F> wide = lobes.diffuse + lobes.further * furtherShape<F>(lobes.alpha, cosine);
     const F probability = glossProbability<F>(lobes);
     const auto above = cosine > 0.0F;
     return {
-        selectOrZero(above, lobes.diffuse * F(kLambertLobe) + factor * gloss.lobe),
+        selectOrZero(above, wide * F(kLambertLobe) + factor * gloss.lobe),
         selectOrZero(above, (1.0F - probability) * lambertDensity<F>(cosine) + probability * gloss.density)};
 }
 

@@ -66,10 +66,11 @@ void completeMetallic(const MetallicTask& task, const SurfaceWave& s) {
             lobes.straight = select(narrow, Float3{}, lobes.straight);
             lobes.grazing = select(narrow, Float3{}, lobes.grazing);
         }
-        const Float3 gloss = lobes.glossAlbedo * (1.0F - share);
+        const Float3 gloss = lobes.glossAlbedo * (1.0F - share) + lobes.further;
         storeAt(lobes.straight, s.straight, i);
         storeAt(lobes.grazing, s.grazing, i);
         storeAt(gloss, s.gloss, i);
+        storeAt(lobes.further, s.further, i);
         store(lobes.alpha, s.alpha + i);
         storeAt(select(used, lobes.diffuse / kPi, diffuse), s.diffuse, i);
         if (task.emitted == nullptr) continue;

@@ -3,10 +3,13 @@
 
 #include "estimates.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace rtcore {
@@ -27,8 +30,9 @@ HdrImage imageOf(int width, int height, Radiance radiance) {
 }
 
 DrawnDirection drawOne(const EnvironmentDraw& draws, test::Random& random) {
-    const float u = random.number(0, 1), v = random.number(0, 1);
-    return draws.draw({u, v}, random.index(std::size_t{1} << 32U));
+    const auto bits = [&] { return static_cast<std::uint32_t>(random.index(std::size_t{1} << 32U)); };
+    const std::uint32_t across = bits();
+    return draws.draw(across, bits());
 }
 
 /// Of f over all the light, by drawn directions.
@@ -135,29 +139,147 @@ TEST(EnvironmentDraw, LosesNoLightOfUnfilteredImages) {
     expectMean(e, static_cast<double>(environment.meanRadiance().g) * 4 * kPiExact + 1e-9, 0.02);
 }
 
-/// Bright and dark in a fine mixture.
-Environment motley() {
-    test::Random random(7);
-    return Environment::fromEquirectangular(
-        imageOf(128, 64, [&](int, int) { return std::pow(10.0F, random.number(-3, 1)); }), "");
+/// An image whose texels are brighter and darker without order, by up to 10^4.
+HdrImage motleyImage(int width, int height) {
+    test::Random random(static_cast<unsigned>(width * 100 + height));
+    return imageOf(width, height, [&](int, int) { return std::pow(10.0F, random.number(-3, 1)); });
+}
+Environment motleyCube(int side) {
+    std::array<HdrImage, 6> faces;
+    for (int face = 0; face < 6; ++face) faces[static_cast<std::size_t>(face)] = motleyImage(side, side);
+    faces[3].at(0, 0) = kWhite * 300.0F;
+    return Environment::fromCube(faces, "");
+}
+
+/// Of a function of the direction over the sphere, by the middles of parts of the same solid angle.
+template <typename Function>
+double overSphere(int rings, Function f) {
+    double sum = 0;
+    for (int i = 0; i < rings; ++i) {
+        const double y = 1 - (2 * i + 1.0) / rings, ring = std::sqrt(1 - y * y);
+        for (int k = 0; k < 2 * rings; ++k) {
+            const double turn = (k + 0.5) * kPiExact / rings;
+            sum += f(Vec3{static_cast<float>(ring * std::cos(turn)), static_cast<float>(y),
+                          static_cast<float>(ring * std::sin(turn))});
+        }
+    }
+    return sum * 2 * kPiExact / (rings * static_cast<double>(rings));
 }
 
 TEST(EnvironmentDraw, HasADensityThatIntegratesToOne) {
-    const Environment environment = motley();
-    EnvironmentDraw draws;
-    draws.prepare({&environment, {}, TexelFilter::Bilinear});
-    test::Random random(2);
-    Estimate integral;
-    for (int i = 0; i < 200000; ++i) {
-        const float density = draws.density(test::uniformDirection(random));
-        ASSERT_GT(density, 0);
-        integral.add(static_cast<double>(density) * 4 * kPiExact);
+    std::vector<Environment> environments;
+    for (const auto& [width, height] :
+         std::vector<std::pair<int, int>>{{1, 1}, {2, 1}, {1, 2}, {3, 2}, {7, 5}, {24, 12}, {13, 9}})
+        environments.push_back(Environment::fromEquirectangular(motleyImage(width, height), ""));
+    for (const int side : {1, 2, 7}) environments.push_back(motleyCube(side));
+    for (Environment& environment : environments) {
+        for (const float turn : {0.0F, 50.0F}) {
+            SCOPED_TRACE(testing::Message() << (environment.isCube() ? "cube " : "sphere ")
+                                            << environment.resolution() << ", " << turn);
+            environment.turn(turn, normalize(Vec3{1, 2, 3}));
+            EnvironmentDraw draws;
+            draws.prepare({&environment, {}, TexelFilter::Bilinear});
+            float least = 1;
+            const double all = overSphere(300, [&](Vec3 d) {
+                const float density = draws.density(d);
+                least = std::min(least, density);
+                return static_cast<double>(density);
+            });
+            EXPECT_NEAR(all, 1, 1e-3);
+            EXPECT_GT(least, 0);
+        }
     }
-    expectMean(integral, 1);
+}
+
+/// What directions from which light comes weigh, over the mean.
+Estimate weightsOf(const Environment& environment, TexelFilter filter, float& most) {
+    const BackgroundLight light{&environment, {}, filter};
+    EnvironmentDraw draws;
+    draws.prepare(light);
+    test::Random random(5);
+    Estimate weights;
+    most = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const DrawnDirection d = drawOne(draws, random);
+        const float weight =
+            luminance(light.radiance(d.direction)) / d.density / static_cast<float>(draws.scalarIrradiance());
+        weights.add(static_cast<double>(weight));
+        most = std::max(most, weight);
+    }
+    return weights;
+}
+
+// A density that follows the image gives what is bright the same weight: there is nothing to average. What is
+// dimmer than the mean is drawn more rarely, but not without end.
+TEST(EnvironmentDraw, BrightLightHasTheSameWeight) {
+    float most = 0;
+    for (const auto& [column, row] : std::vector<std::pair<int, int>>{{77, 40}, {0, 64}, {255, 90}}) {
+        const HdrImage sun =
+            imageOf(256, 128, [&](int x, int y) { return x == column && y == row ? 1e5 : 0; });
+        const Environment environment = Environment::fromEquirectangular(sun, "");
+        EXPECT_LT(weightsOf(environment, TexelFilter::Bilinear, most).variance(), 3e-3);
+        EXPECT_LT(most, 1.2F);
+        weightsOf(environment, TexelFilter::Nearest, most);
+        EXPECT_LT(most, 4.5F);
+    }
+    std::array<HdrImage, 6> faces;
+    for (HdrImage& face : faces) face = HdrImage(64, 64);
+    faces[2].at(0, 20) = kWhite * 1e5F;
+    const Environment cube = Environment::fromCube(faces, "");
+    EXPECT_LT(weightsOf(cube, TexelFilter::Bilinear, most).variance(), 3e-3);
+}
+
+TEST(EnvironmentDraw, NoWeightIsLarge) {
+    float most = 0;
+    for (const auto& [width, height] :
+         std::vector<std::pair<int, int>>{{1, 1}, {2, 1}, {1, 2}, {3, 2}, {7, 5}, {200, 99}}) {
+        const Environment environment = Environment::fromEquirectangular(motleyImage(width, height), "");
+        weightsOf(environment, TexelFilter::Bilinear, most);
+        EXPECT_LT(most, 4.2F) << width << " x " << height;
+        weightsOf(environment, TexelFilter::Nearest, most);
+        EXPECT_LT(most, 16) << width << " x " << height;
+    }
+    for (const int side : {1, 2, 40}) {
+        weightsOf(motleyCube(side), TexelFilter::Bilinear, most);
+        EXPECT_LT(most, 6) << side;
+    }
+}
+
+/// The standard deviation of the irradiance on a floor by 64 directions, over its mean.
+double noiseOfFloor(const Environment& environment) {
+    const BackgroundLight light{&environment, {}, TexelFilter::Bilinear};
+    EnvironmentDraw draws;
+    draws.prepare(light);
+    test::Random random(6);
+    Estimate pixels;
+    for (int pixel = 0; pixel < 1000; ++pixel) {
+        double sum = 0;
+        for (int i = 0; i < 64; ++i) {
+            const DrawnDirection d = drawOne(draws, random);
+            sum += static_cast<double>(luminance(light.radiance(d.direction)) *
+                                       std::max(d.direction.y, 0.0F) / d.density);
+        }
+        pixels.add(sum / 64);
+    }
+    return std::sqrt(pixels.variance()) / pixels.mean();
+}
+
+TEST(EnvironmentDraw, SunsInImagesAreNoNoise) {
+    const auto sky = [](double bright, double x, double y) {
+        return [=](int column, int row) {
+            const double across = (column + 0.5 - x) * std::sin(y / 512 * kPiExact), down = row + 0.5 - y;
+            return across * across + down * down < 2.5 ? bright : 0.02;
+        };
+    };
+    EXPECT_LT(noiseOfFloor(Environment::fromEquirectangular(imageOf(1024, 512, sky(4e4, 300, 150)), "")),
+              0.04);
+    EXPECT_LT(noiseOfFloor(Environment::fromEquirectangular(
+                  imageOf(1024, 512, [](int x, int y) { return x == 20 && y == 100 ? 1e5 : 0; }), "")),
+              0.02);
 }
 
 TEST(EnvironmentDraw, DrawsDirectionsWithTheDensityThatItTells) {
-    const Environment environment = motley();
+    const Environment environment = Environment::fromEquirectangular(motleyImage(128, 64), "");
     EnvironmentDraw draws;
     draws.prepare({&environment, {}, TexelFilter::Bilinear});
     test::Random random(3);
@@ -185,12 +307,12 @@ TEST(EnvironmentDraw, OfAnEvenBackgroundIsEven) {
     EXPECT_NEAR(draws.scalarIrradiance(), 4 * kPiExact * static_cast<double>(luminance(light.even)), 1e-5);
     test::Random random(4);
     for (int i = 0; i < 1000; ++i)
-        EXPECT_NEAR(draws.density(random.unitVector()) * 4 * std::numbers::pi_v<float>, 1, 0.12);
+        EXPECT_NEAR(draws.density(random.unitVector()) * 4 * std::numbers::pi_v<float>, 1, 1e-5);
 }
 
 TEST(EnvironmentDraw, IsEmptyWhereNothingShines) {
     const Environment black = Environment::fromEquirectangular(HdrImage(8, 4), "");
-    Environment off = motley();
+    Environment off = Environment::fromEquirectangular(motleyImage(8, 4), "");
     off.intensity = 0;
     for (const BackgroundLight& light :
          {BackgroundLight{&black, {}, TexelFilter::Bilinear}, BackgroundLight{},

@@ -24,6 +24,7 @@
 #include "rtcore/lights/emitters-inl.h"
 #include "rtcore/lights/environment_draw-inl.h"
 #include "rtcore/lights/light_draw-inl.h"
+#include "rtcore/math/octahedron-inl.h"
 #include "rtcore/math/triangle-inl.h"
 #include "rtcore/post/tone_map-inl.h"
 #include "rtcore/sampling/alias-inl.h"
@@ -75,10 +76,27 @@ inline const AliasTable& someTable() {
     return table;
 }
 
-/// Of 4 x 4 directions, and of the five triangles in it.
-inline EnvironmentRows someDirections() {
-    static const AliasTable table(std::vector<double>{3, 1, 1, 0.125, 7, 1e-9, 2, 2, 5, 1, 2, 3, 4, 5, 6, 7});
-    return {table.rows(), 4, 2};
+inline HdrImage someTexels(int width, int height) {
+    HdrImage image(width, height);
+    for (std::size_t i = 0; i < image.pixels.size(); ++i)
+        image.pixels[i] = {static_cast<float>(i * i % 7), 1, static_cast<float>(i % 3)};
+    return image;
+}
+/// Of an image of the sphere, or of a cube's faces.
+inline EnvironmentDraw drawFrom(Environment environment) {
+    environment.turn(33, {0, 0.6F, 0.8F});
+    EnvironmentDraw draws;
+    draws.prepare({&environment, {}, TexelFilter::Bilinear});
+    return draws;
+}
+inline EnvironmentRows someDirections(bool cube) {
+    static const EnvironmentDraw ofSphere = drawFrom(Environment::fromEquirectangular(someTexels(5, 3), ""));
+    static const EnvironmentDraw ofCube = [] {
+        std::array<HdrImage, 6> faces;
+        faces.fill(someTexels(3, 3));
+        return drawFrom(Environment::fromCube(faces, ""));
+    }();
+    return (cube ? ofCube : ofSphere).rows();
 }
 inline EmitterRows someTriangles() {
     static constexpr std::uint32_t kNumbers[] = {1, 0, 4, 2, 3};
@@ -226,9 +244,12 @@ HWY_INLINE void calculate(Formulas formulas, const F* x, Results<F>& out) {
         addDraws<LightKind::Spot, F>(a, b, x[14], x[15], out);
         break;
     case Formulas::Directions: {
-        const DirectionDraw<F> draw = drawEnvironment<F>(someDirections(), x[14], x[15], bitsOf(x[9]));
-        out.add(draw.direction), out.add(draw.density);
-        out.add(environmentDensity<F>(someDirections(), a));
+        for (const bool cube : {false, true}) {
+            const DirectionDraw<F> draw =
+                drawEnvironment<F>(someDirections(cube), bitsOf(x[9]), bitsOf(x[10]));
+            out.add(draw.direction), out.add(draw.density);
+            out.add(environmentDensity<F>(someDirections(cube), a));
+        }
         out.add(octahedronDirection<F>(x[14], x[15]));
         out.add(fastAtan2<F>(x[10], x[11]));
         const auto circle = fastCircle<F>(x[12]);
@@ -277,6 +298,7 @@ HWY_INLINE void calculate(Formulas formulas, const F* x, Results<F>& out) {
         out.add(lobes.diffuse);
         out.add(lobes.straight);
         out.add(lobes.grazing);
+        out.add(lobes.further);
         out.add(glossProbability<F>(lobes));
         const auto scattering = scatterMetallic<F>(lobes, b, c, a);
         out.add(scattering.reflectance);

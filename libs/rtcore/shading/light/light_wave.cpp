@@ -62,17 +62,18 @@ HWY_INLINE Float3 roughReflectance(const MaterialRow* rows, const std::uint32_t*
     return selectOrZero(rough, ofPoints.get(&MaterialRow::specular) * reflected);
 }
 
-/// Reflectance of the GGX lobe of points of the metallic-roughness model; zero of others.
+/// Reflectance of the gloss of points of the metallic-roughness model; zero of others.
 template <LightKind kind>
 HWY_INLINE Float3 metallicReflectance(const SurfaceWave& s, std::size_t i, Mask metallic,
                                       const LightSample<Float>& arriving, Float3 normal) {
     Float alpha = load(s.alpha + i);
+    const Float wide = furtherShape<Float>(alpha, dot(normal, arriving.toLight)) * kLambertLobe;
     if constexpr (isAreaLight(kind)) alpha = widenedAlpha<Float>(alpha, arriving.spread);
     const Float3 viewer = liftedViewer<Float>(loadAt(s.toViewer, i), normal);
     const GgxScattering<Float> gloss = scatterGgx<Float>(normal, viewer, arriving.toLight, alpha);
     const Float3 factor =
         glossFactor<Float>(loadAt(s.straight, i), loadAt(s.grazing, i), gloss.fresnelCosine);
-    return selectOrZero(metallic, factor * gloss.lobe);
+    return selectOrZero(metallic, factor * gloss.lobe + loadAt(s.further, i) * wide);
 }
 
 template <LightKind kind>

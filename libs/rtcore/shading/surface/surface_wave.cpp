@@ -162,9 +162,9 @@ class LastRays {
 void SurfaceWave::resize(std::size_t count, bool metallic) {
     size_ = count;
     ArraysOf3* const vectors[] = {&position, &geometricNormal, &shadingNormal, &toViewer, &diffuse, &weight,
-                                  &specular, &added,           &straight,      &grazing,  &gloss};
-    straight = grazing = gloss = {};
-    const std::size_t used = std::size(vectors) - (metallic ? 0 : 3);
+                                  &specular, &added,           &straight,      &grazing,  &gloss,   &further};
+    straight = grazing = gloss = further = {};
+    const std::size_t used = std::size(vectors) - (metallic ? 0 : 4);
     memory_.resize(3 * used + (metallic ? 2 : 1), count);
     std::size_t next = 0;
     for (ArraysOf3* const v : std::span(vectors).first(used)) {

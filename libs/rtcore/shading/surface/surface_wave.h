@@ -35,9 +35,10 @@ class SurfaceWave {
     ArraysOf3 shadingNormal;    ///< unit, as in Surface
     ArraysOf3 toViewer;         ///< unit
     ArraysOf3 diffuse;          ///< albedo / pi
-    /// Where traits have kMetallic: factors on the GGX lobe, its albedo beside what is mirrored, and alpha
-    /// (MetallicLobes). Null where no material is of that model.
-    ArraysOf3 straight, grazing, gloss;
+    /// Where traits have kMetallic: factors on the GGX lobe, the albedo of all gloss beside what is mirrored,
+    /// which part of it is scattered further, and alpha (MetallicLobes). Null where no material is of that
+    /// model.
+    ArraysOf3 straight, grazing, gloss, further;
     float* alpha = nullptr;
     ArraysOf3 weight; ///< throughput of the path up to here: the fraction of scattered light that reaches the
                       ///< sample
