@@ -2,14 +2,14 @@
 # The checks that take too long for every run; their output belongs into the note that closes an issue.
 #   scripts/check-long.sh [formulas] [leaks] [leaving] [trees] [waves] [oracle] [mutations] [scn] [kills] [formats] [ipc] [server]
 #                         [reaction] [soak] [edits] [scenes] [preview] [window] [walks] [tutorial] [models] [sanitizers] [mutants]
-#                         [bridge] [web] [arm64]
+#                         [bridge] [web] [farm] [arm64]
 # Without arguments: all. RT_ISA chooses the instruction set of the kernels.
 set -eu
 cd "$(dirname "$0")/.."
 scripts/build.sh
 [ $# -gt 0 ] ||
     set -- formulas leaks leaving trees waves oracle mutations scn kills formats ipc server reaction soak edits scenes preview window \
-        walks tutorial models sanitizers mutants bridge web arm64
+        walks tutorial models sanitizers mutants bridge web farm arm64
 release=build/release/bin
 for check in "$@"; do
     echo "== $check"
@@ -156,6 +156,13 @@ for check in "$@"; do
         scripts/check-mutants.sh
         scripts/check_kernel_mutants.py
         scripts/check_bridge_mutants.py
+        ;;
+    farm)
+        # A cluster of two nodes (root, slurm-wlm, munge, ffmpeg; skipped without), and each name alone in each of three places.
+        ctest --preset release -R '^farm[.](slurm|parallel)$' --output-on-failure
+        for engine in slurm parallel; do
+            tests/farm/names_test.sh "$PWD/$release/Renderer" "$PWD" "$engine" apart || [ $? = 77 ]
+        done
         ;;
     arm64)
         # Root, and the network for the first time; skipped without.

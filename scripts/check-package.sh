@@ -1,5 +1,6 @@
 #!/bin/sh
-# Makes the .deb of build/release, unpacks it into a folder of its own, and tries each program from there.
+# Makes the .deb of build/release under a strict umask, unpacks it into a folder of its own, and tries each program from
+# there, as a user without rights.
 #   scripts/check-package.sh [--chroot]
 # --chroot: installs it in a clean Debian 12 as well (root, debootstrap, the network; three to four minutes).
 set -eu
@@ -30,7 +31,7 @@ cmake --build build/release --target programs >"$work/build.log" 2>&1 || {
     tail -n 20 "$work/build.log" >&2
     fail "the programs cannot be built"
 }
-(cd build/release && cpack -G DEB -B "$work/package") >"$work/cpack.log" 2>&1 || {
+(umask 077 && cd build/release && cpack -G DEB -B "$work/package") >"$work/cpack.log" 2>&1 || {
     cat "$work/cpack.log" >&2
     fail "cpack failed"
 }
@@ -46,6 +47,10 @@ done
 for field in Maintainer Section Description Recommends Suggests; do
     [ -n "$(dpkg-deb -f "$package" $field)" ] || fail "the field $field is empty"
 done
+
+closed=$(dpkg-deb -c "$package" | grep -v '^\(drwxr-xr-x\|-rwxr-xr-x\|-rw-r--r--\|lrwxrwxrwx\) root/root ' || true)
+[ -z "$closed" ] || fail "not for everybody to read:
+$closed"
 
 # Tries the programs of a prefix: try PREFIX, as they run in a folder of their own.
 cat >"$work/try.sh" <<'EOF'
@@ -98,7 +103,14 @@ mkdir -m 700 "$work/run"
 dpkg-deb -x "$package" "$work/root"
 desktop=$work/root/usr/share/applications/rtsuite.desktop
 if [ -f "$desktop" ] && command -v desktop-file-validate >/dev/null 2>&1; then desktop-file-validate "$desktop"; fi
-sh "$work/try.sh" "$work/root/usr" "$work/run" || fail "a program of the unpacked package failed"
+as_user=""
+if [ "$(id -u)" -eq 0 ]; then
+    chmod 755 "$work"
+    chown nobody "$work/run"
+    as_user="setpriv --reuid=nobody --regid=nogroup --clear-groups env HOME=$work/run"
+fi
+# shellcheck disable=SC2086
+$as_user sh "$work/try.sh" "$work/root/usr" "$work/run" || fail "a program of the unpacked package failed"
 say "every program works from the unpacked package"
 
 if command -v lintian >/dev/null 2>&1; then

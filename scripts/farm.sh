@@ -29,15 +29,23 @@ them all. Frames that are there already are not rendered again.
 Exit codes: 0 done, or submitted; 1 frames are missing; 2 wrong usage; 66 no such file; 69 no such engine.
 TEXT
 }
+tell() { printf 'farm: %s\n' "$1"; }
 fail() { # CODE MESSAGE
-    echo "farm: $2" >&2
+    tell "$2" >&2
     exit "$1"
 }
-absolute() { case $1 in /*) echo "$1" ;; *) echo "$PWD/$1" ;; esac; }
-# For the shell that runs a command line again.
-quoted() { printf "'%s' " "$(printf %s "$1" | sed "s/'/'\\\\''/g")"; }
+# shellcheck source=scripts/names.sh
+. "$(dirname "$0")/names.sh"
+# What arithmetic of the shell takes: no leading zero, nothing that overflows.
+check_number() { # OPTION VALUE LEAST
+    case $2 in
+        '' | *[!0-9]* | 0?* | ??????????*) ;;
+        *) if [ "$2" -ge "$3" ]; then return; fi ;;
+    esac
+    fail 2 "$1=$2: give a whole number from $3 to 999999999"
+}
 
-scene="" list="" output="" video="" engine="" parts="" retries=5 log="" renderer="" hosts="" wait=no
+scene="" list="" output="" video="" engine="" parts=own retries=5 log="" renderer="" hosts="" wait=no
 sbatch_options="" renderer_options=""
 [ $# -gt 0 ] || { usage >&2; exit 2; }
 while [ $# -gt 0 ]; do
@@ -50,16 +58,16 @@ while [ $# -gt 0 ]; do
         -o | --output) [ $# -gt 1 ] || fail 2 "$1 needs a value"; output=$2; shift ;;
         --output=*) output=$value ;;
         --video=*) video=$value ;;
-        --integrator=* | --samples=*) renderer_options="$renderer_options$(quoted "$1")" ;;
+        --integrator=* | --samples=*) renderer_options="$renderer_options $(quoted "$1")" ;;
         --engine=*) engine=$value ;;
         --parts=*) parts=$value ;;
         --retries=*) retries=$value ;;
         --log=*) log=$value ;;
         --renderer=*) renderer=$value ;;
-        --sbatch=*) sbatch_options="$sbatch_options$(quoted "$value")" ;;
+        --sbatch=*) sbatch_options="$sbatch_options $(quoted "$value")" ;;
         --hosts=*) hosts=$value ;;
         --wait) wait=yes ;;
-        --) shift; for option in "$@"; do renderer_options="$renderer_options$(quoted "$option")"; done; break ;;
+        --) shift; for option in "$@"; do renderer_options="$renderer_options $(quoted "$option")"; done; break ;;
         -*) fail 2 "$1: there is no such option; farm.sh --help lists them" ;;
         *) if [ -z "$scene" ]; then scene=$1; elif [ -z "$list" ]; then list=$1; else fail 2 "$1: too many files"; fi ;;
     esac
@@ -68,11 +76,9 @@ done
 
 [ -n "$list" ] || fail 2 "give a scene and a list of .cam files"
 [ -n "$output" ] || fail 2 "say where the frames go: -o out/####.png"
-case $output in *'#'*) ;; *) fail 2 "$output: the name needs #### for the number of the frame" ;; esac
-for number in "$retries" "${parts:-1}"; do
-    case $number in '' | *[!0-9]*) fail 2 "$number is no whole number" ;; esac
-done
-[ "${parts:-1}" -gt 0 ] || fail 2 "--parts must be at least 1"
+case ${output##*/} in *'#'*) ;; *) fail 2 "$output: the name needs #### for the number of the frame" ;; esac
+check_number --retries "$retries" 0
+[ "$parts" = own ] || check_number --parts "$parts" 1
 for file in "$scene" "$list"; do [ -f "$file" ] || fail 66 "$file: there is no such file"; done
 if [ -z "$renderer" ]; then
     renderer=$(cd "$(dirname "$0")/.." && pwd)/build/release/bin/Renderer
@@ -89,36 +95,46 @@ case $engine in
     *) fail 2 "$engine: the engines are slurm and parallel" ;;
 esac
 
-scene=$(absolute "$scene") list=$(absolute "$list") output=$(absolute "$output") renderer=$(absolute "$renderer")
-frames=$(grep -cv '^[[:space:]]*\(#.*\)\{0,1\}$' "$list") || fail 65 "$list: it names no .cam file"
-if [ -z "$parts" ]; then
+for name in scene list output renderer; do absolute $name; done
+[ -z "$video" ] || absolute video
+frames=$(LC_ALL=C grep -cv '^[[:space:]]*\(#.*\)\{0,1\}$' "$list") || fail 65 "$list: it names no .cam file"
+if [ "$parts" = own ]; then
     parts=$(((frames + 7) / 8))
     [ "$parts" -le 500 ] || parts=500
 fi
 [ "$parts" -le "$frames" ] || parts=$frames
-folder=$(dirname "$output")
-log=$(absolute "${log:-$folder/farm-log}")
+folder=${output%/*}/
+log=${log:-${folder}farm-log}
+absolute log
 mkdir -p "$folder" "$log"
 
-render="$(quoted "$renderer")$(quoted "$scene")-l $(quoted "$list")-o $(quoted "$output")$renderer_options--progress=plain"
-verify="$(quoted "$renderer")$(quoted "$scene")-l $(quoted "$list")-o $(quoted "$output")--verify"
-finish="$verify"
+frames_of="$(quoted "$renderer") $(quoted "$scene") -l $(quoted "$list") -o $(quoted "$output")"
+render="$frames_of$renderer_options --progress=plain"
+verify="$frames_of --verify"
+# Where options of the Renderer name files, they do so from here.
+here="cd $(quoted "$PWD") 2>/dev/null"
+finish="$here; $verify"
 # The film takes the frames as they are.
-[ -z "$video" ] || finish="$verify && $render --video=$(quoted "$(absolute "$video")")"
+[ -z "$video" ] || finish="$finish && $render --video=$(quoted "$video")"
 
 # Whether frame files are missing, by what --verify says.
 missing() { sh -c "$verify" 2>/dev/null | wc -l; }
 
+# To parallel a name in the command, or in --results, is a template, of which {= =} is a program: none stands there. The
+# part is a script in the folder of the log, where parallel is started and, by --workdir, what it starts on other machines.
 by_parallel() {
-    journal=$log/journal
-    [ -z "$hosts" ] || set -- "$@" -S "$hosts"
+    printf '%s\n' "$here; $render --chunk=\$1/$parts --requeue" >"$log/part.sh"
+    [ -z "$hosts" ] || set -- "$@" -S "$hosts" --workdir=.
     [ ! -t 2 ] || set -- "$@" --bar
     # What was stopped (75) or failed is tried again; a part that was rendered yesterday is quickly skipped.
-    rm -f "$journal"
-    parallel "$@" --will-cite --jobs 1 --retries "$((retries + 1))" --joblog "$journal" --results "$log/part-{}" \
-        "$render --chunk={}/$parts --requeue" ::: $(seq "$parts") >/dev/null || true
+    (
+        cd "$log"
+        rm -f journal
+        seq "$parts" | parallel "$@" --will-cite --jobs 1 --retries "$((retries + 1))" --joblog journal \
+            --results part-{} sh part.sh {} >/dev/null || true
+    )
     sh -c "$finish" || fail 1 "frames are missing; $log tells why; go on by the same command"
-    echo "farm: $frames frames are there: $output"
+    tell "$frames frames are there: $output"
 }
 
 # A part that was stopped (75) goes back into the queue: by the cluster itself where it is set up so (RequeueExit), else
@@ -126,6 +142,8 @@ by_parallel() {
 part_script() {
     cat <<TEXT
 #!/bin/sh
+exec >>$(quoted "$log")/part-\$SLURM_ARRAY_TASK_ID.log 2>&1
+$here
 trap 'kill -TERM \$child 2>/dev/null' TERM INT
 $render --chunk=\$SLURM_ARRAY_TASK_ID/$parts --requeue --threads=\${SLURM_CPUS_ON_NODE:-0} &
 child=\$!
@@ -136,6 +154,7 @@ while true; do
 done
 # Stopped before it could say so.
 [ \$code != 143 ] || code=75
+[ \$code -lt 128 ] || echo "ended by signal \$((code - 128))"
 if [ \$code = 75 ]; then
     if [ "\${SLURM_RESTART_COUNT:-0}" -ge $retries ]; then exit 1; fi
     if ! scontrol show config | grep -q '^RequeueExit *=.*\b75\b'; then
@@ -146,23 +165,26 @@ exit \$code
 TEXT
 }
 
+# To sbatch the name of a log is a pattern, too, which not every name can be written as: a job opens its own.
 by_slurm() {
-    name=$(basename "$list")
-    array=$(part_script | eval "sbatch --parsable --requeue --open-mode=append --job-name=$(quoted "render $name") \
-        --array=1-$parts --chdir=$(quoted "$folder") --output=$(quoted "$log/part-%a.log") $sbatch_options" | cut -d ';' -f 1)
-    end=$(printf '#!/bin/sh\n%s\n' "$finish" | eval "sbatch --parsable --job-name=$(quoted "finish $name") \
-        --dependency=afterany:$array --chdir=$(quoted "$folder") --output=$(quoted "$log/finish.log") \
-        $sbatch_options" | cut -d ';' -f 1)
-    echo "farm: $frames frames in $parts parts: job $array; then $end verifies them; $log has what they say"
+    name=$(printf %s "${list##*/}" | tr -c '[:alnum:]._-' _)
+    eval "set -- --parsable --chdir=/ --output=/dev/null$sbatch_options"
+    array=$(part_script | sbatch --requeue --open-mode=append --job-name="render $name" --array="1-$parts" \
+        "$@" | cut -d ';' -f 1)
+    [ -n "$array" ] || fail 1 "sbatch did not take the parts"
+    end=$(printf '#!/bin/sh\nexec >%s 2>&1\n%s\n' "$(quoted "$log/finish.log")" "$finish" |
+        sbatch --job-name="finish $name" --dependency="afterany:$array" "$@" | cut -d ';' -f 1)
+    [ -n "$end" ] || fail 1 "sbatch did not take the end; scancel $array ends the parts"
+    tell "$frames frames in $parts parts: job $array; then $end verifies them; $log has what they say"
     [ "$wait" = yes ] || return 0
     while squeue --noheader --job="$end" 2>/dev/null | grep -q .; do
         left=$(missing)
-        echo "farm: $((frames - left)) of $frames frames"
+        tell "$((frames - left)) of $frames frames"
         sleep 2
     done
     [ "$(missing)" = 0 ] || fail 1 "frames are missing; $log tells why; go on by the same command"
-    if [ -n "$video" ] && [ ! -s "$(absolute "$video")" ]; then fail 1 "there is no film; $log/finish.log tells why"; fi
-    echo "farm: $frames frames are there: $output"
+    if [ -n "$video" ] && [ ! -s "$video" ]; then fail 1 "there is no film; $log/finish.log tells why"; fi
+    tell "$frames frames are there: $output"
 }
 
 "by_$engine"

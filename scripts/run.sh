@@ -17,10 +17,12 @@ case ${1:-} in
         ;;
 esac
 scene=${1:-$here/data/nave/nave.scn}
-case $scene in /*) ;; *) scene=$PWD/$scene ;; esac
+# shellcheck source=scripts/names.sh
+. "$here/scripts/names.sh"
+absolute scene
 must_exist() {
     [ -f "$scene" ] && return
-    echo "run: $scene: there is no such file" >&2
+    printf 'run: %s: there is no such file\n' "$scene" >&2
     exit 66
 }
 # Before minutes of building; what is in data/ is made by it.
@@ -43,12 +45,14 @@ tree() {
 
 # What is opened: the tree in place of the model. A .scn of data/ is copied with it; its other files stay where they are.
 folder=$(dirname "$scene")
+# As a text of a .scn, by sed.
+in_text() { printf %s "$1" | sed -e 's/["\\]/\\&/g' -e 's/[\\&#]/\\&/g'; }
 case $scene in
     "$here"/data/*.scn)
         model=$(sed -n 's/^ *model *= *"\(.*\)".*/\1/p' "$scene" | head -n 1)
         tree "$folder/$model"
-        sed -e "s|^model *=.*|model = \"$output/$name.bsp\"|" \
-            -e "s|^\(settings\) *= *\"|\1 = \"$folder/|" -e "s|^\(equirectangular\) *= *\"|\1 = \"$folder/|" \
+        sed -e "s#^model *=.*#model = \"$(in_text "$output/$name.bsp")\"#" \
+            -e "s#^\(settings\|equirectangular\) *= *\"#\1 = \"$(in_text "$folder")/#" \
             "$scene" >"$output/$name.scn"
         scene=$output/$name.scn
         ;;
@@ -115,6 +119,6 @@ server=""
 echo
 ffmpeg=""
 command -v ffmpeg >/dev/null 2>&1 || ffmpeg=", once ffmpeg is installed (apt-get install ffmpeg)"
-echo "The walk is recorded in $output/$name.lst; this makes a film of it$ffmpeg:"
-echo "  $bin/Renderer $scene -l $output/$name.lst --video $output/$name.mp4 --width 640 --height 360"
-echo "The picture is $output/$name.png"
+printf '%s\n' "The walk is recorded in $output/$name.lst; this makes a film of it$ffmpeg:" \
+    "  $(quoted "$bin/Renderer") $(quoted "$scene") -l $(quoted "$output/$name.lst") --video $(quoted "$output/$name.mp4") -w 640 -h 360" \
+    "The picture is $output/$name.png"

@@ -15,6 +15,7 @@
 #include "rtcore/accel/validation.h"
 #include "rtcore/io/bsp/bsp_checksum.h"
 #include "rtcore/io/bsp/bsp_file.h"
+#include "rtcore/io/bsp/bsp_layout.h"
 #include "rtcore/io/images/image_format.h"
 #include "rtcore/io/import/model_import.h"
 #include "rtcore/platform/error.h"
@@ -26,6 +27,7 @@
 #include <cctype>
 #include <chrono>
 #include <fstream>
+#include <optional>
 #include <span>
 #include <string>
 #include <system_error>
@@ -78,13 +80,31 @@ void checkOutput(const std::filesystem::path& input, const std::filesystem::path
     }
 }
 
-// What the .bsp is made from; refuses a .bsp.
+[[noreturn]] void refuseInput(const BuilderOptions& options, const char* reason) {
+    throw rtcore::FileError(rtcore::FailureKind::BadData, options.input.string(), reason);
+}
+
+void refuseBsp(const BuilderOptions& options) {
+    if (rtcore::isBsp(rtcore::InputFile(options.input).head(rtcore::kBspMagic.size())))
+        refuseInput(options, "this is a .bsp file already; build from the model that it was made of");
+}
+
+// Tells a file from what takes its place, or is written into it.
+struct FileState {
+    std::optional<rtcore::FileIdentity> file;
+    std::uintmax_t size;
+    std::filesystem::file_time_type written;
+    friend bool operator==(const FileState&, const FileState&) = default;
+};
+FileState stateOf(const std::filesystem::path& path) {
+    std::error_code unknown;
+    return {rtcore::identityOf(path), std::filesystem::file_size(path, unknown),
+            std::filesystem::last_write_time(path, unknown)};
+}
+
+// What the .bsp is made from.
 rtcore::BspIdentity identify(const BuilderOptions& options) {
     const rtcore::FileBytes file = rtcore::openFileBytes(options.input);
-    if (rtcore::isBsp(file.bytes)) {
-        throw rtcore::FileError(rtcore::FailureKind::BadData, options.input.string(),
-                                "this is a .bsp file already; build from the model that it was made of");
-    }
     return {file.bytes.size(), rtcore::crc32Of(file.bytes), buildOptionsHash(options)};
 }
 
@@ -95,8 +115,13 @@ class Builder {
 
     app::ExitCode run() {
         checkOutput(options_.input, options_.output);
-        const rtcore::BspIdentity identity = identify(options_);
+        refuseBsp(options_);
+        const FileState imported = stateOf(options_.input);
         import();
+        // All of the file is read for it, and so only where it is a model.
+        const rtcore::BspIdentity identity = identify(options_);
+        if (stateOf(options_.input) != imported)
+            refuseInput(options_, "it was changed while it was read; build again");
         buildTree();
         write(identity);
         return tell();

@@ -14,7 +14,7 @@ write_film() {
     done
 }
 wrong() {
-    echo "wrong: $1" >&2
+    printf 'wrong: %s\n' "$1" >&2
     exit 1
 }
 # All frames are there, whole, and the same as without a farm.

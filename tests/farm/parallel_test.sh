@@ -24,4 +24,10 @@ mv "$work/lost.cam" "$work/7.cam"
 submit || wrong "the film cannot be completed"
 check_frames
 "$farm" "$scene" "$work/film.lst" -o "$work/out/one.png" 2>/dev/null && wrong "a name without a number was taken"
+for number in 0 -1 1.5 08 x '' 2147483648 99999999999999999999 18446744073709551617; do
+    code=0
+    "$farm" "$scene" "$work/film.lst" -o "$work/out/####.png" --engine=parallel --parts="$number" 2>"$work/said" || code=$?
+    [ "$code" = 2 ] && [ "$(wc -l <"$work/said")" = 1 ] && grep -q '^farm: --parts=' "$work/said" ||
+        wrong "--parts=$number is answered by $(cat "$work/said")"
+done
 echo "all frames by GNU parallel"

@@ -113,4 +113,18 @@ check_frames
 [ -s "$work/film.mp4" ] || wrong "there is no film"
 [ "$(ffprobe -v error -count_frames -show_entries stream=nb_read_frames -of csv=p=0 "$work/film.mp4")" = "$frames" ] ||
     wrong "the film has not $frames frames"
+
+# Folders whose names sbatch would read as patterns, or take options from.
+for name in '%a %j %% $(touch RAN)' 'a\b\t' "it's
+#SBATCH --wrap=touch RAN
+"; do
+    mkdir "$work/$name"
+    cp "$work/0.cam" "$2/data/tiny/"* "$work/$name"
+    echo 0.cam >"$work/$name/$name"
+    "$farm" "$work/$name/tiny.scn" "$work/$name/$name" -o "$work/$name/$name####.png" --engine=slurm --renderer="$renderer" \
+        --wait -- -w 4 -h 3 >"$work/farm.log" 2>&1 || wrong "the farm fails in $name: $(cat "$work/farm.log")"
+    [ -s "$work/$name/${name}0001.png" ] || wrong "no frame in $name"
+    [ -s "$work/$name/farm-log/part-1.log" ] || wrong "no log in $name"
+done
+[ -z "$(find "$work" -name 'RAN*')" ] || wrong "a name ran"
 echo "all $frames frames and the film, in spite of a dead node"

@@ -92,6 +92,31 @@ TEST_F(Failures, ATruncatedBsp) {
     expect(test::renderer({file("half.bsp"), "-o", file("a.png")}), 65, "half.bsp");
 }
 
+// Of what was never written nothing is read: neither a checksum nor a model.
+TEST_F(Failures, FilesOfHolesAreRefusedByBothProgramsAlike) {
+    test::writeRoom(folder / "room.obj");
+    ASSERT_EQ(test::bspBuilder({file("room.obj"), file("room.bsp")}).exitCode, 0);
+    const std::string bsp = test::readBytes(folder / "room.bsp");
+    const std::string ply = "ply\nformat binary_little_endian 1.0\nelement vertex 5000000000\nproperty float x\n"
+                            "property float y\nproperty float z\nelement face 1\n"
+                            "property list uchar int vertex_indices\nend_header\n";
+    for (const auto& [name, head] : std::initializer_list<std::pair<const char*, std::string>>{
+             {"holes.ply", ply}, {"holes.stl", "x"}, {"holes.obj", "v 0 0 0\n"}, {"holes.bsp", bsp}}) {
+        test::writeText(folder / name, head);
+        std::filesystem::resize_file(folder / name, 60'000'000'000);
+        const std::string reason = file(name) + ": of its 60000 MB hardly any were ever written";
+        expect(test::renderer({file(name), "-o", file("a.png")}), 65, reason);
+        expect(test::bspBuilder({file(name), file("a.bsp")}), 65, reason);
+        // Short enough to be read: what the head says decides before a checksum does.
+        if (std::string(name) != "holes.ply") continue;
+        std::filesystem::resize_file(folder / name, 3'000'000'000);
+        for (const auto& result : {test::renderer({file(name), "-o", file("a.png")}),
+                                   test::bspBuilder({file(name), file("a.bsp")})})
+            expect(result, 65, "its head promises 5000000000 elements 'vertex', for which it has no room");
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.bsp"));
+}
+
 TEST_F(Failures, ABspIsNoInputForBspBuilder) {
     test::writeRoom(folder / "room.obj");
     ASSERT_EQ(test::bspBuilder({file("room.obj"), file("room.bsp")}).exitCode, 0);

@@ -74,6 +74,22 @@ struct Opened {
     std::size_t size; ///< as the system states it; 0 for what is no regular file
 };
 
+/// Checking what is in a file of many gigabytes takes minutes, also where nothing ever was: a file that little of
+/// was written is what a copy leaves behind that was stopped.
+void refuseHoles(const fs::path& path, const Descriptor& file, const struct stat& status) {
+    constexpr off_t kLong = off_t{4} << 30;
+    constexpr off_t kBlock = 512;  // of st_blocks
+    constexpr off_t kPacked = 64;  // more than file systems save that pack files
+    if (status.st_size <= kLong || status.st_blocks * kBlock >= status.st_size / kPacked) return;
+    const bool full = ::lseek(file.get(), 0, SEEK_HOLE) == status.st_size; // some count no blocks
+    if (::lseek(file.get(), 0, SEEK_SET) != 0) failReading(path, errno);
+    if (full) return;
+    refuse(path,
+           fmt::format("of its {} MB hardly any were ever written; copy or export it again",
+                       status.st_size / 1'000'000),
+           FailureKind::BadData);
+}
+
 Opened openForReading(const fs::path& path) {
     // Opening must not wait: a pipe without a writer would block the program for ever.
     Descriptor file(openRetrying(path, O_RDONLY | O_NONBLOCK));
@@ -82,6 +98,7 @@ Opened openForReading(const fs::path& path) {
     if (::fstat(file.get(), &status) != 0) failReading(path, errno);
     if (S_ISDIR(status.st_mode)) failReading(path, EISDIR);
     const bool regular = S_ISREG(status.st_mode);
+    if (regular) refuseHoles(path, file, status);
     if (!regular && regularFilesOnly()) refuse(path, "it is no regular file; give a file");
     constexpr int kMilliseconds = 10'000;
     if (S_ISFIFO(status.st_mode) && !waitUntilReady(file.get(), POLLIN, kMilliseconds))

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include <cerrno>
 #include <charconv>
 #include <cstdint>
 #include <cstdlib>
@@ -31,18 +32,22 @@ void sweep(const fs::path& parent, const std::string& prefix) {
     }
 }
 
-fs::path create(const fs::path& parent, const std::string& prefix) {
-    sweep(parent, prefix);
-    std::string name = (parent / fmt::format("{}{}-XXXXXX", prefix, processId())).string();
-    if (::mkdtemp(name.data()) != nullptr) return name;
-    throw FileError(FailureKind::CannotWrite, parent.string(),
-                    "no folder can be made here; free some space or set TMPDIR to another folder");
-}
-
 fs::path commonParent() {
     std::error_code error;
     const fs::path folder = fs::temp_directory_path(error);
     return error ? "/tmp" : folder;
+}
+
+fs::path create(const fs::path& parent, const std::string& prefix) {
+    sweep(parent, prefix);
+    std::string name = (parent / fmt::format("{}{}-XXXXXX", prefix, processId())).string();
+    if (::mkdtemp(name.data()) != nullptr) return name;
+    const std::string reason = std::generic_category().message(errno);
+    // TMPDIR names the folder for temporary files, and no other.
+    const char* const remedy = parent == commonParent() ? "free some space or set TMPDIR to another folder"
+                                                        : "check its permissions, or name another place";
+    throw FileError(FailureKind::CannotWrite, parent.string(),
+                    fmt::format("no folder can be made here: {}; {}", reason, remedy));
 }
 
 } // namespace

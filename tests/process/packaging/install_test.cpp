@@ -1,4 +1,5 @@
-/// The installed programs, in a folder that was moved since: everything is found relative to the program.
+/// The installed programs, in a folder that was moved since: everything is found relative to the program, and is
+/// everybody's to read, whatever the umask of who installed it.
 #include "process/sample_scene.h"
 #include "support/ipc_instance.h"
 
@@ -17,14 +18,28 @@ constexpr bool kHasBridge = true;
 constexpr bool kHasBridge = false;
 #endif
 
+void expectOpenToAll(const fs::path& prefix) {
+    constexpr auto kRead = fs::perms::owner_read | fs::perms::group_read | fs::perms::others_read;
+    constexpr auto kRun = fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec;
+    EXPECT_EQ(fs::status(prefix).permissions(), kRead | kRun | fs::perms::owner_write);
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(prefix)) {
+        const fs::path place = entry.path().parent_path().filename();
+        const bool runs = entry.is_directory() || place == "bin" || entry.path().filename() == "rtimport";
+        const auto wanted = kRead | fs::perms::owner_write | (runs ? kRun : fs::perms::none);
+        EXPECT_EQ(entry.status().permissions(), wanted) << entry.path();
+    }
+}
+
 TEST(Installation, WorksWhereverItIsMoved) {
     const IpcInstance instance;
     const TemporaryFolder& folder = instance.folder();
     const ProgramResult installed =
-        runProgram(RT_CMAKE, {"--install", RT_BUILD_FOLDER, "--prefix", (folder / "first").string()});
+        runProgram("/bin/sh", {"-c", "umask 077 && exec \"$@\"", "sh", RT_CMAKE, "--install", RT_BUILD_FOLDER,
+                               "--prefix", (folder / "first").string()});
     ASSERT_EQ(installed.exitCode, 0) << installed.error;
     fs::rename(folder / "first", folder / "moved here");
     const fs::path prefix = folder / "moved here", bin = prefix / "bin";
+    expectOpenToAll(prefix);
 
     for (const char* program : {"BSPBuilder", "CUI", "RTServer", "Renderer"})
         EXPECT_TRUE(fs::exists(bin / program)) << program;

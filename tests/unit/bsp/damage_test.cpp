@@ -4,6 +4,8 @@
 #include <array>
 #include <limits>
 
+#include <sys/mman.h>
+
 using test::Bytes;
 
 namespace {
@@ -51,6 +53,40 @@ TEST(BspDamage, BytesBehindTheEndAreRefused) {
     Bytes bytes = test::sampleFile(3, 6);
     bytes.push_back(std::byte{0});
     expectRefusal(bytes, "longer than it should be");
+}
+
+// A terabyte, of which all but the beginning may not be touched.
+TEST(BspDamage, WhatTheHeadGivesAwayIsRefusedBeforeTheRestIsRead) {
+    constexpr std::size_t kSize = std::size_t{1} << 40, kReadable = 65536;
+    void* const room =
+        ::mmap(nullptr, kSize, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    ASSERT_NE(room, MAP_FAILED);
+    const std::shared_ptr<void> owner(room, [](void* memory) { ::munmap(memory, kSize); });
+    ASSERT_EQ(::mprotect(room, kReadable, PROT_READ | PROT_WRITE), 0);
+    const Bytes sample = test::sampleFile(5, 6);
+    const auto said = [&](const test::FileTable& table) {
+        std::memcpy(room, sample.data(), sample.size());
+        std::memcpy(static_cast<std::byte*>(room) + sizeof table.head, table.sections.data(),
+                    table.sections.size() * sizeof(rtcore::BspSectionEntry));
+        rtcore::BspHead head = table.head;
+        head.fileSize = kSize;
+        head.headCrc = rtcore::headCrcOf(head);
+        std::memcpy(room, &head, sizeof head);
+        try {
+            rtcore::readBsp({{static_cast<const std::byte*>(room), kSize}, owner}, "long.bsp");
+        } catch (const rtcore::FileError& error) {
+            return std::string(error.what());
+        }
+        return std::string("accepted");
+    };
+    test::FileTable table = test::tableOf(sample);
+    EXPECT_NE(said(table).find("the last section does not end with the file"), std::string::npos);
+    table.sections.front().count = kSize;
+    EXPECT_NE(said(table).find("ends behind the end of the file"), std::string::npos);
+    table = test::tableOf(sample);
+    table.sections.back().name = table.sections.front().name;
+    table.sections.back().count = (kSize - table.sections.back().offset) / table.sections.back().elementSize;
+    EXPECT_NE(said(table).find("two sections have the same name"), std::string::npos);
 }
 
 TEST(BspDamage, AFileOnDiskIsCheckedAsOneInMemory) {

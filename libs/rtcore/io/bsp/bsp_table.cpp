@@ -50,6 +50,7 @@ class TableReader {
         checkSections(end);
         checkNames();
         table_.bounds = boundsOf();
+        checkPayload(); // reads all of the file, and so comes last
         return std::move(table_);
     }
 
@@ -108,6 +109,9 @@ class TableReader {
         require(head_.fileSize >= bytes_.size(), "the file is longer than it should be");
         require(head_.fileSize <= bytes_.size(), "the file is cut off");
         require(head_.hasTree <= 1, "header: its flags make no sense");
+    }
+
+    void checkPayload() const {
         require(crc32Of(bytes_.subspan(head_.headSize)) == head_.payloadCrc,
                 "the sections are damaged (their checksum differs)");
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <unordered_set>
 #include <utility>
 
 namespace rtcore {
@@ -72,9 +73,7 @@ class HeaderReader {
         PlyElement element{std::string(words[1]), 0, {}};
         const char* const end = words[2].data() + words[2].size();
         const auto [last, error] = std::from_chars(words[2].data(), end, element.count);
-        const bool twice = std::any_of(header_.elements.begin(), header_.elements.end(),
-                                       [&](const PlyElement& other) { return other.name == element.name; });
-        if (error != std::errc() || last != end || twice) return false;
+        if (error != std::errc() || last != end || !names_.insert(element.name).second) return false;
         header_.elements.push_back(std::move(element));
         return true;
     }
@@ -90,6 +89,7 @@ class HeaderReader {
     }
 
     PlyHeader header_;
+    std::unordered_set<std::string> names_; ///< of elements
     bool hasFormat_ = false;
 };
 
@@ -132,16 +132,16 @@ std::optional<PlyHeader> readPlyHeader(std::string_view head) {
     }
 }
 
-bool endsInPlyHeader(std::string_view file) {
+bool endsInPlyHeader(std::string_view text) {
     constexpr std::string_view kMagic = "ply";
     constexpr std::string_view kLineEnds = "\r\n";
-    if (!file.starts_with(kMagic)) return false;
-    if (file.size() > kMagic.size() && kLineEnds.find(file[kMagic.size()]) == std::string_view::npos)
+    if (!text.starts_with(kMagic)) return false;
+    if (text.size() > kMagic.size() && kLineEnds.find(text[kMagic.size()]) == std::string_view::npos)
         return false;
     for (std::size_t at = 0;;) {
-        const std::size_t end = file.find_first_of(kLineEnds, at);
+        const std::size_t end = text.find_first_of(kLineEnds, at);
         if (end == std::string_view::npos) return true;
-        const Words words = wordsOf(file.substr(at, end - at));
+        const Words words = wordsOf(text.substr(at, end - at));
         if (words.size() == 1 && words[0] == "end_header") return false;
         at = end + 1;
     }
