@@ -31,12 +31,12 @@ void sweep(const fs::path& parent, const std::string& prefix) {
     }
 }
 
-fs::path create(const fs::path& parent, const std::string& prefix) {
+fs::path create(const fs::path& parent, const std::string& prefix, const char* remedy) {
     sweep(parent, prefix);
     std::string name = (parent / fmt::format("{}{}-XXXXXX", prefix, processId())).string();
     if (::mkdtemp(name.data()) != nullptr) return name;
     throw FileError(FailureKind::CannotWrite, parent.string(),
-                    "no folder can be made here; free some space or set TMPDIR to another folder");
+                    std::string("no folder can be made here; free some space or ") + remedy);
 }
 
 fs::path commonParent() {
@@ -47,10 +47,12 @@ fs::path commonParent() {
 
 } // namespace
 
-TemporaryFolder::TemporaryFolder(const std::string& prefix) : TemporaryFolder(commonParent(), prefix) {}
+TemporaryFolder::TemporaryFolder(const std::string& prefix)
+    : path_(create(commonParent(), prefix, "set TMPDIR to another folder")),
+      name_(path_.string(), TemporaryKind::Folder) {}
 
 TemporaryFolder::TemporaryFolder(const fs::path& parent, const std::string& prefix)
-    : path_(create(parent, prefix)), name_(path_.string(), TemporaryKind::Folder) {}
+    : path_(create(parent, prefix, "choose another folder")), name_(path_.string(), TemporaryKind::Folder) {}
 
 TemporaryFolder::~TemporaryFolder() {
     std::error_code ignored;
