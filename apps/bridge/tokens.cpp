@@ -24,9 +24,12 @@ bool isToken(const std::string& text) {
 
 /// What the file holds takes the place of `tokens`; where there is none they are written to it.
 void keepTokens(const std::string& path, Tokens& tokens) {
-    const std::optional<std::string> text = app::readPrivateFile(path);
-    if (!text) return app::writePrivateFile(path, fmt::format("{}\n{}\n", tokens.driver, tokens.viewer));
-    std::istringstream lines(*text);
+    std::optional<std::string> text = app::readPrivateFile(path);
+    if (!text) {
+        if (app::writePrivateFile(path, fmt::format("{}\n{}\n", tokens.driver, tokens.viewer))) return;
+        text = app::readPrivateFile(path); // another bridge was quicker
+    }
+    std::istringstream lines(text.value_or(""));
     std::getline(lines, tokens.driver);
     std::getline(lines, tokens.viewer);
     if (isToken(tokens.driver) && isToken(tokens.viewer) && tokens.driver != tokens.viewer) return;

@@ -6,12 +6,12 @@
 
 #include <algorithm>
 #include <thread>
+#include <utility>
 
 namespace cui {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
 using namespace std::chrono_literals;
 
 constexpr auto kSlice = 100ms; ///< after which a signal is heeded
@@ -24,16 +24,21 @@ ipc::Client& Conversation::client() {
     return *client_;
 }
 
-ipc::Reply Conversation::ask(std::string_view command, std::chrono::nanoseconds work) {
-    const Clock::time_point deadline = Clock::now() + timeout_ + work;
+// 0: it took none in time.
+ipc::Ticket Conversation::send(std::string_view command, Clock::time_point deadline) {
     ipc::Ticket ticket = 0;
-    while (true) {
-        const ipc::SendStatus sent = client().send(command, &ticket);
-        if (sent == ipc::SendStatus::Sent) break;
+    while (client().send(command, &ticket) != ipc::SendStatus::Sent) {
         app::throwIfStopped();
-        if (Clock::now() >= deadline) return {};
+        if (Clock::now() >= deadline) return 0;
         std::this_thread::sleep_for(1ms);
     }
+    return ticket;
+}
+
+ipc::Reply Conversation::ask(std::string_view command, std::chrono::nanoseconds work) {
+    const Clock::time_point deadline = Clock::now() + timeout_ + work;
+    const ipc::Ticket ticket = send(command, deadline);
+    if (ticket == 0) return {};
     while (true) {
         const auto left = std::clamp<Clock::duration>(deadline - Clock::now(), 0ns, kSlice);
         ipc::Reply reply = client().wait(ticket, left);
@@ -43,7 +48,29 @@ ipc::Reply Conversation::ask(std::string_view command, std::chrono::nanoseconds 
 }
 
 std::string Conversation::request(std::string_view command, std::chrono::nanoseconds work) {
-    const ipc::Reply reply = ask(command, work);
+    return textOf(ask(command, work));
+}
+
+std::string Conversation::attend(std::string_view command, const LongWork& work) {
+    Clock::time_point deadline = Clock::now() + timeout_;
+    const ipc::Ticket ticket = send(command, deadline);
+    if (ticket == 0) return textOf({});
+    bool givenUp = false;
+    while (true) {
+        const ipc::Reply reply = client().wait(ticket, 2 * kSlice);
+        const bool open = reply.status == ipc::ReplyStatus::TimedOut;
+        if (!open) app::throwIfStopped();
+        if (!open || Clock::now() >= deadline) return textOf(reply);
+        if (app::stopRequested()) {
+            if (!std::exchange(givenUp, true)) client().send(work.giveUp);
+            continue;
+        }
+        work.show(request(work.progress));
+        deadline = Clock::now() + timeout_;
+    }
+}
+
+std::string Conversation::textOf(const ipc::Reply& reply) const {
     const std::string server = "the server '" + instance_ + "' ";
     switch (reply.status) {
     case ipc::ReplyStatus::Done:

@@ -9,12 +9,15 @@
 #include "common/cli/command_line.h"
 #include "common/cli/help_text.h"
 #include "common/cli/instance_option.h"
+#include "common/commands/command_lines.h"
 #include "common/commands/command_lookup.h"
+#include "common/commands/pack_words.h"
 #include "common/commands/quoting.h"
 #include "common/process/ipc_exit_code.h"
 #include "common/process/message.h"
 #include "common/process/stop.h"
 #include "common/process/terminal.h"
+#include "common/progress/progress.h"
 
 #include "ipc/endpoint/instances.h"
 #include "ipc/endpoint/viewer.h"
@@ -24,6 +27,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
@@ -65,7 +69,8 @@ class Run {
         }
         const std::string text = app::joinWords(line);
         if (spec->id == CommandId::Exit || spec->id == CommandId::Quit) return conversation_.quit(text);
-        const std::string answer = conversation_.request(text, work);
+        const std::string answer =
+            spec->id == CommandId::Pack ? packed(text) : conversation_.request(text, work);
         if (!answer.empty()) app::writeLines(answer + "\n");
     }
 
@@ -89,6 +94,18 @@ class Run {
         if (line.size() <= kTime) return 0ms;
         return std::chrono::milliseconds(
             std::max<std::int64_t>(app::parseInteger(line[kTime]).value_or(1), 1));
+    }
+
+    std::string packed(const std::string& command) {
+        std::atomic<double> fraction{0};
+        const bool terminal = app::terminalColumns().has_value();
+        app::Progress progress(std::string(cuiSpec().name),
+                               terminal ? app::ProgressStyle::Bar : app::ProgressStyle::None);
+        const app::ProgressScope scope(progress, {"packing", [&] { return fraction.load(); }});
+        return conversation_.attend(
+            command, {app::command::packProgress(), app::command::packStop(), [&](const std::string& answer) {
+                          fraction = app::packedFraction(answer).value_or(fraction);
+                      }});
     }
 
     void runHere(const app::CommandSpec& spec, Words arguments) {

@@ -21,7 +21,11 @@ bool isEnd(const ipc::Command& command) { return command.text == "quit" || comma
 CommandService::CommandService(ServerState& state, Messages& messages, Surroundings surroundings)
     : state_(state), messages_(messages), around_(std::move(surroundings)), requests_(around_.replies) {}
 
-CommandService::~CommandService() { sideWork_.waitFor(kPatience); }
+CommandService::~CommandService() {
+    longWork_.stopWhere([](const ipc::Command&) { return true; });
+    sideWork_.waitFor(kPatience);
+    longWork_.waitFor(kPatience);
+}
 
 // --- Running ---
 
@@ -66,6 +70,9 @@ std::optional<std::string> CommandService::begin(const ipc::Command& command, Re
         sideWork_.start(command, std::move(result.work));
         served = Served::Beside;
         break;
+    case ReplyWhen::Apart:
+        longWork_.start(command, std::move(result.work), std::move(result.stop));
+        break;
     case ReplyWhen::WhenIdle:
         requests_.addForIdle(command);
         break;
@@ -84,6 +91,12 @@ void CommandService::finishSideWork() {
         answerBy(done.command, [&] { return std::optional(done.finish()); });
         commands_.resume(done.command.client);
     }
+    // A client that has left, by Ctrl-C for example, takes no answer any more.
+    longWork_.stopWhere([this](const ipc::Command& command) {
+        return command.wantsAnswer && !around_.replies.isConnected(command);
+    });
+    for (const SideWork::Done& done : longWork_.takeDone())
+        answerBy(done.command, [&] { return std::optional(done.finish()); });
 }
 
 // --- Answering ---
@@ -156,7 +169,7 @@ Arrivals CommandService::addDuringFrame(std::vector<ipc::Command> commands) {
         arrivals.change = arrivals.change || (!tells && !waits && !commands_.hasMore(command.client));
         commands_.add(std::move(command));
     }
-    arrivals.change = arrivals.change || sideWork_.anyDone();
+    arrivals.change = arrivals.change || sideWork_.anyDone() || longWork_.anyDone();
     arrivals.obstructed = commands_.obstructs();
     return arrivals;
 }

@@ -32,7 +32,7 @@ class CommandService {
     };
     /// All must outlive it.
     CommandService(ServerState& state, Messages& messages, Surroundings surroundings);
-    /// Waits a little for files that are being written.
+    /// Gives long work up, and waits a little for files that are being written.
     ~CommandService();
     CommandService(const CommandService&) = delete;
     CommandService& operator=(const CommandService&) = delete;
@@ -45,7 +45,7 @@ class CommandService {
     void add(std::vector<ipc::Command> commands);
     /// Takes commands and runs all that can be run now, those that wait for a frame included.
     void serve(std::vector<ipc::Command> commands);
-    /// Answers what is done beside the server.
+    /// Answers what is done beside the server, and gives up long work whose client has left.
     void finishSideWork();
     /// A load is over, by that failure if any.
     void loaded(const std::optional<Failure>& failure);
@@ -60,6 +60,7 @@ class CommandService {
     bool waits() const { return commands_.waits(); }
     bool hasNew() const { return commands_.hasNew(); }
     bool worksBeside() const { return sideWork_.underWay(); }
+    bool worksApart() const { return longWork_.underWay(); }
 
     // --- While a frame is drawn ---
 
@@ -82,6 +83,7 @@ class CommandService {
     CommandBook commands_;
     Requests requests_;
     SideWork sideWork_;
+    SideWork longWork_; ///< no client's further commands wait for it
 };
 
 } // namespace rtserver

@@ -39,13 +39,15 @@ enum class ReplyWhen {
     WhenLoaded,   ///< when the scene stands
     WhenReleased, ///< when the key is up again
     Beside,       ///< when the work is done, which touches files and goes on beside the server
+    Apart,        ///< the same for long work: what the client sends meanwhile does not wait for it
 };
 
 struct Result {
     ReplyWhen when = ReplyWhen::Done;
     std::string answer = {};
     std::uint64_t press = 0; ///< of Keyboard::pressFor(), for WhenReleased
-    Work work = {};          ///< for Beside; what it returns gives the answer
+    Work work = {};          ///< for Beside and Apart; what it returns gives the answer
+    StopFlag stop = {};      ///< for Apart: gives the work up
 };
 
 /// What becomes of a command that comes while a long frame is drawn: what Tells only reads the state, so

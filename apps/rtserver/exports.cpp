@@ -1,5 +1,8 @@
 #include "rtserver/exports.h"
 
+#include "rtserver/material_tables.h"
+
+#include "rtcore/io/text/pattern.h"
 #include "rtcore/scene/part_list.h"
 #include "rtcore/settings/settings_table.h"
 #include "rtcore/sky/scene_sky.h"
@@ -24,21 +27,7 @@ rtcore::SceneFile descriptionOf(const World& world) {
     return file;
 }
 
-bool isPattern(std::string_view name) { return name.find_first_of("*?") != std::string_view::npos; }
-
-// By name where that is one's own: it stays when the model's file changes.
-void addModelEdits(const rtcore::Scene& scene, rtcore::SceneFile& file) {
-    const auto nameOf = [&](const rtcore::Material& m) { return scene.model.name(m.nameOffset); };
-    for (rtcore::MaterialOverride edit : scene.materialEdits) {
-        const std::string_view name = nameOf(scene.materials[static_cast<std::size_t>(*edit.number) - 1]);
-        const auto same = [&](const rtcore::Material& m) { return nameOf(m) == name; };
-        const bool own = std::count_if(scene.materials.begin(), scene.materials.end(), same) == 1;
-        if (own && !name.empty() && !isPattern(name)) {
-            edit.number.reset();
-            edit.pattern = name;
-        }
-        file.materials.push_back(std::move(edit));
-    }
+void addHiddenParts(const rtcore::Scene& scene, rtcore::SceneFile& file) {
     file.parts.clear();
     if (scene.hiddenParts == nullptr) return;
     const std::vector<rtcore::NamedPart> parts = rtcore::namedParts(scene.model);
@@ -49,7 +38,7 @@ void addModelEdits(const rtcore::Scene& scene, rtcore::SceneFile& file) {
     if (most) file.parts.push_back({"*", {}, true});
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (isHidden(parts[i], scene.hiddenParts) == most) continue;
-        if (parts[i].name.empty() || isPattern(parts[i].name))
+        if (parts[i].name.empty() || rtcore::isPattern(parts[i].name))
             file.parts.push_back({"", static_cast<int>(i) + 1, !most});
         else
             file.parts.push_back({std::string(parts[i].name), {}, !most});
@@ -83,9 +72,10 @@ rtcore::SceneFile describe(const ServerState& state) {
     if (const auto sun = rtcore::sunOf(scene))
         file.sun = {scene.lightNotes[*sun].id, scene.lights[*sun].on != 0};
     else
-        file.sun = {0, !scene.sky}; // taken away, it comes back switched off
+        file.sun = {scene.sky ? rtcore::nextLightId(scene) : 0, !scene.sky}; // removed, it comes back off
     file.environments = scene.environmentFiles;
-    addModelEdits(scene, file);
+    addMaterialEdits(scene, file.materials);
+    addHiddenParts(scene, file);
     file.cameraFile.reset();
     file.camera = state.camera();
     file.camera->nameOffset = 0;

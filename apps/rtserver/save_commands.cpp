@@ -4,14 +4,20 @@
 #include "rtserver/scene_pack.h"
 #include "rtserver/scene_saving.h"
 
+#include "common/commands/pack_words.h"
+
 #include "rtcore/io/text/cam.h"
+#include "rtcore/platform/error.h"
 #include "rtcore/settings/nearest_name.h"
 #include "rtcore/settings/utf8.h"
 
 #include <fmt/core.h>
 
 #include <array>
+#include <exception>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -49,16 +55,63 @@ Result save(const Call& call) {
 
 Result saveAs(const Call& call) { return saveTo(call, pathOf(call[0]), call.size() > 1); }
 
+// --- Packing ---
+
+ScenePack packOf(const ServerState& state, bool outside) {
+    const rtcore::LoadedScene& loaded = state.world().loaded;
+    ScenePack pack{.scene = savedSceneOf(state),
+                   .source = state.world().source,
+                   .modelFiles = loaded.modelFiles,
+                   .contents = {},
+                   .outside = outside};
+    if (!loaded.sceneFile) return pack;
+    for (const auto& file : {loaded.sceneFile->settings, loaded.sceneFile->cameraFile})
+        if (file) pack.contents.push_back(*file);
+    return pack;
+}
+
+std::string answerOf(const PackedScene& packed) {
+    std::string text = fmt::format("{} files", packed.files);
+    for (const fs::path& file : packed.leftOut)
+        text += "\nleft out, since nothing of it is used: " + rtcore::printable(file.string());
+    return text;
+}
+
 Result pack(const Call& call) {
-    const World& world = call.state.world();
-    ScenePack scene{.scene = savedSceneOf(call.state),
-                    .modelFiles = world.loaded.modelFiles,
-                    .name = world.source.stem().string()};
-    return {.when = ReplyWhen::Beside,
-            .work = [path = pathOf(call[0]), scene = std::move(scene)]() -> Finish {
-                const int files = packScene(path, scene);
-                return [files] { return fmt::format("{} files", files); };
-            }};
+    ServerState& state = call.state;
+    if (state.packing)
+        throw rtcore::FileError(rtcore::FailureKind::TryAgain, "",
+                                "a pack is being made already; wait for it, or give it up by 'pack stop'");
+    const fs::path path = pathOf(call[0]);
+    ScenePack scene = packOf(state, call.size() > 1);
+    const auto progress = std::make_shared<PackProgress>();
+    state.packing = progress;
+    return {.when = ReplyWhen::Apart,
+            .work = [path, scene = std::move(scene), progress, &state]() -> Finish {
+                std::exception_ptr failure;
+                PackedScene packed;
+                try {
+                    packed = packScene(path, scene, *progress);
+                } catch (...) {
+                    failure = std::current_exception();
+                }
+                return [packed, failure, &state] {
+                    state.packing.reset();
+                    if (failure) std::rethrow_exception(failure);
+                    return answerOf(packed);
+                };
+            },
+            .stop = {progress, &progress->stop}};
+}
+
+Result packProgress(const Call& call) {
+    const std::shared_ptr<PackProgress>& packing = call.state.packing;
+    return {.answer = app::packProgressText(packing ? std::optional(packing->fraction()) : std::nullopt)};
+}
+
+Result stopPacking(const Call& call) {
+    if (call.state.packing) call.state.packing->stop = true;
+    return {};
 }
 
 // --- Bookmarks ---
@@ -136,6 +189,8 @@ constexpr std::array kSaveFunctions{
     CommandFunction{app::CommandId::Save, save},
     CommandFunction{app::CommandId::SaveAs, saveAs},
     CommandFunction{app::CommandId::Pack, pack},
+    CommandFunction{app::CommandId::PackProgress, packProgress},
+    CommandFunction{app::CommandId::PackStop, stopPacking},
     CommandFunction{app::CommandId::Bookmarks, bookmarks},
     CommandFunction{app::CommandId::BookmarkAdd, addBookmark},
     CommandFunction{app::CommandId::BookmarkGo, goToBookmark},

@@ -1,13 +1,21 @@
 #include "rtserver/scene_pack.h"
 
-#include "rtcore/io/import/model_import.h"
+#include "rtserver/packed_files.h"
+#include "rtserver/packed_model.h"
+
+#include "common/commands/pack_words.h"
+
+#include "rtcore/io/images/image_file.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/paths.h"
 #include "rtcore/platform/temporary_folder.h"
 
 #include <algorithm>
-#include <map>
+#include <functional>
+#include <optional>
 #include <set>
 #include <system_error>
+#include <utility>
 
 namespace rtserver {
 
@@ -20,115 +28,6 @@ using Paths = std::vector<fs::path>;
     throw rtcore::FileError(rtcore::FailureKind::CannotWrite, path.string(), "cannot be written: " + why);
 }
 
-Paths normal(const Paths& files) {
-    Paths all;
-    for (const fs::path& file : files) all.push_back(fs::absolute(file).lexically_normal());
-    return all;
-}
-
-Paths filesOfImport(const fs::path& model) {
-    const rtcore::ImportReport report = rtcore::importModel(model).report;
-    return normal(Paths(report.files.begin(), report.files.end()));
-}
-
-/// The folder that all are in or below.
-fs::path commonFolder(const Paths& files) {
-    fs::path common = files.front().parent_path();
-    for (const fs::path& file : files) {
-        const auto ends = std::mismatch(common.begin(), common.end(), file.begin(), file.end());
-        fs::path shared;
-        for (auto part = common.begin(); part != ends.first; ++part) shared /= *part;
-        common = shared;
-    }
-    return common;
-}
-
-std::set<fs::path> seenFrom(const fs::path& folder, const Paths& files) {
-    std::set<fs::path> all;
-    for (const fs::path& file : files) all.insert(file.lexically_relative(folder));
-    return all;
-}
-
-class Packer {
-  public:
-    explicit Packer(fs::path root) : root_(std::move(root)) {}
-
-    int files() const { return static_cast<int>(copies_.size()); }
-
-    /// Copies a file into a folder of the pack, under a name that is free there; once, however often it is
-    /// asked for.
-    fs::path take(const fs::path& file, const char* folder) {
-        const fs::path source = fs::absolute(file).lexically_normal();
-        const auto known = copies_.find(source);
-        if (known != copies_.end()) return known->second;
-        fs::path target = root_ / folder / source.filename();
-        for (int number = 2; fs::exists(target); ++number)
-            target.replace_filename(source.stem().string() + '-' + std::to_string(number) +
-                                    source.extension().string());
-        return copy(source, target);
-    }
-
-    /// Copies the model's files as they stand to each other. Returns the model's path there.
-    fs::path takeModel(const fs::path& model, Paths files) {
-        const fs::path source = fs::absolute(model).lexically_normal();
-        if (files.empty()) files = filesOfImport(source);
-        files = normal(files);
-        files.push_back(source);
-        const fs::path from = commonFolder(files), to = root_ / "model";
-        for (const fs::path& file : files) {
-            if (copies_.count(file) == 0) copy(file, to / file.lexically_relative(from));
-        }
-        const fs::path packed = copies_.at(source);
-        if (source.extension() != ".bsp") checkImport(packed, seenFrom(from, files));
-        return packed;
-    }
-
-  private:
-    fs::path copy(const fs::path& source, const fs::path& target) {
-        fs::create_directories(target.parent_path());
-        fs::copy_file(source, target);
-        return copies_[source] = target;
-    }
-
-    /// Whether the packed model is read from the pack alone.
-    void checkImport(const fs::path& packed, const std::set<fs::path>& expected) const {
-        Paths files = filesOfImport(packed);
-        files.push_back(packed);
-        const std::set<fs::path> found = seenFrom(root_ / "model", files);
-        for (const fs::path& file : found) {
-            if (!file.empty() && *file.begin() == "..")
-                throw rtcore::FileError(rtcore::FailureKind::BadData, packed.filename().string(),
-                                        "names " + (root_ / "model" / file).lexically_normal().string() +
-                                            " by its absolute path, which no copy of the model would find; "
-                                            "export it with relative "
-                                            "ones, or make a .bsp of it by BSPBuilder and pack that");
-        }
-        for (const fs::path& file : expected) {
-            if (found.count(file) == 0)
-                throw rtcore::FileError(rtcore::FailureKind::BadData, packed.filename().string(),
-                                        "its copy does not find " + file.string() +
-                                            "; make a .bsp of it by BSPBuilder and pack that");
-        }
-    }
-
-    fs::path root_;
-    std::map<fs::path, fs::path> copies_; ///< by source
-};
-
-void fill(Packer& packer, ScenePack& pack, const fs::path& root) {
-    rtcore::SceneFile& scene = pack.scene;
-    scene.output.reset();
-    scene.model = packer.takeModel(scene.model, pack.modelFiles);
-    for (rtcore::MaterialOverride& material : scene.materials) {
-        if (material.diffuseTexture)
-            material.diffuseTexture = packer.take(*material.diffuseTexture, "textures");
-    }
-    for (rtcore::EnvironmentFile& environment : scene.environments) {
-        for (fs::path& file : environment.files) file = packer.take(file, "environments");
-    }
-    rtcore::writeSceneFile(root / (pack.name + ".scn"), scene);
-}
-
 void refuseFull(const fs::path& folder) {
     std::error_code none;
     if (!fs::is_directory(folder.parent_path(), none))
@@ -137,21 +36,114 @@ void refuseFull(const fs::path& folder) {
         failPacking(folder, "it is there already, and not empty; name another folder");
 }
 
+/// All that the scene names; what the pack may hold.
+Paths filesOf(const ScenePack& pack) {
+    Paths all = pack.modelFiles;
+    all.push_back(pack.scene.model);
+    for (const rtcore::MaterialOverride& material : pack.scene.materials) {
+        if (material.diffuseTexture) all.push_back(*material.diffuseTexture);
+    }
+    for (const rtcore::EnvironmentFile& environment : pack.scene.environments)
+        all.insert(all.end(), environment.files.begin(), environment.files.end());
+    return all;
+}
+
+/// Where the names lead is compared, not the names.
+bool isBelow(const fs::path& folder, const fs::path& file) {
+    std::error_code none; // where it is not known, it is elsewhere
+    const fs::path seen = fs::weakly_canonical(file, none).lexically_relative(folder);
+    return !seen.empty() && *seen.begin() != "..";
+}
+
+void refuseOutside(const ScenePack& pack) {
+    const fs::path folder = fs::canonical(rtcore::plainPath(pack.source).parent_path());
+    Paths all = filesOf(pack), outside;
+    all.insert(all.end(), pack.contents.begin(), pack.contents.end());
+    for (const fs::path& file : all) {
+        const fs::path plain = rtcore::plainPath(file);
+        if (!isBelow(folder, plain)) outside.push_back(plain);
+    }
+    std::sort(outside.begin(), outside.end());
+    outside.erase(std::unique(outside.begin(), outside.end()), outside.end());
+    if (!outside.empty())
+        throw rtcore::FileError(rtcore::FailureKind::BadData, folder.string(), app::packRefusal(outside));
+}
+
+void countBytes(const ScenePack& pack, PackProgress& progress) {
+    std::error_code none;
+    std::set<fs::path> files;
+    for (const fs::path& file : filesOf(pack)) files.insert(rtcore::plainPath(file));
+    for (const fs::path& file : files) {
+        const std::uintmax_t size = fs::file_size(file, none);
+        if (!none) progress.all += 2 * size;
+    }
+}
+
+/// The copy of a file that `decode` reads as an image; nothing when it is none.
+std::optional<fs::path> takeImage(const fs::path& file, const char* folder, PackedFiles& pack,
+                                  const std::function<void(const fs::path&)>& decode) {
+    if (!fs::is_regular_file(file)) {
+        pack.noteMissing(file);
+        return std::nullopt;
+    }
+    const fs::path copy = pack.take(file, folder);
+    try {
+        decode(copy);
+        pack.progress().done += fs::file_size(copy);
+        return copy;
+    } catch (const rtcore::FileError& error) {
+        if (error.kind == rtcore::FailureKind::Stopped) throw;
+        pack.leaveOut(copy);
+        return std::nullopt;
+    }
+}
+
+void takeEnvironment(rtcore::EnvironmentFile& environment, PackedFiles& pack) {
+    for (fs::path& file : environment.files) {
+        const auto copy = takeImage(file, "environments", pack,
+                                    [](const fs::path& image) { (void)rtcore::readHdrImage(image); });
+        if (!copy)
+            throw rtcore::FileError(rtcore::FailureKind::BadData, file.string(),
+                                    "it is no image any more; choose another environment map");
+        file = *copy;
+    }
+}
+
+void fill(PackedFiles& files, ScenePack& pack, const std::string& name) {
+    rtcore::SceneFile& scene = pack.scene;
+    scene.output.reset();
+    scene.model = packModel(scene.model, pack.modelFiles, files);
+    for (rtcore::MaterialOverride& material : scene.materials) {
+        if (material.diffuseTexture)
+            material.diffuseTexture =
+                takeImage(*material.diffuseTexture, "textures", files,
+                          [](const fs::path& image) { (void)rtcore::readLdrImage(image); });
+    }
+    for (rtcore::EnvironmentFile& environment : scene.environments) takeEnvironment(environment, files);
+    const fs::path written = files.root() / name;
+    rtcore::writeSceneFile(written, scene);
+    fs::permissions(written, fs::status(pack.source).permissions() & fs::status(written).permissions());
+}
+
 } // namespace
 
-int packScene(const fs::path& path, ScenePack pack) {
-    const fs::path normalized = path.lexically_normal();
-    const fs::path folder = normalized.has_filename() ? normalized : normalized.parent_path(); // "a/"
+PackedScene packScene(const fs::path& path, ScenePack pack, PackProgress& progress) {
+    const fs::path plain = rtcore::plainPath(path);
+    const fs::path folder = plain.has_filename() ? plain : plain.parent_path(); // "a/"
     refuseFull(folder);
     try {
+        if (pack.modelFiles.empty()) pack.modelFiles = companionsOf(pack.scene.model, progress);
+        if (!pack.outside) refuseOutside(pack);
+        countBytes(pack, progress);
         // Its own mode is private; that of the folder in it is any folder's.
         const rtcore::TemporaryFolder workshop(folder.parent_path(), ".rtsuite-pack-");
         const fs::path root = workshop.path() / "pack";
         fs::create_directory(root);
-        Packer packer(root);
-        fill(packer, pack, root);
+        PackedFiles files(root, progress);
+        fill(files, pack, pack.source.stem().string() + ".scn");
+        throwIfStopped(progress);
         fs::rename(root, folder);
-        return packer.files() + 1;
+        return {files.count() + 1, files.leftOut()};
     } catch (const fs::filesystem_error& error) {
         failPacking(folder, error.code().message() + " (" + error.path1().string() + ")");
     }

@@ -3,14 +3,13 @@
 #include "common/cli/command_line.h"
 
 #include "rtcore/io/text/written_mark.h"
+#include "rtcore/platform/backups.h"
 #include "rtcore/platform/error.h"
-#include "rtcore/platform/files.h"
 #include "rtcore/settings/nearest_name.h"
 
-#include <array>
-#include <cstddef>
-#include <span>
+#include <optional>
 #include <string>
+#include <system_error>
 
 namespace rtserver {
 
@@ -18,8 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void keepOld(const fs::path& path, bool replace) {
-    if (!rtcore::isWrittenByHand(path)) return;
+/// The name under which the old file is kept, where it is one by hand.
+std::optional<fs::path> keepOld(const fs::path& path, bool replace) {
+    if (!rtcore::isWrittenByHand(path)) return std::nullopt;
     if (!replace) {
         throw rtcore::FileError(
             rtcore::FailureKind::CannotWrite, path.string(),
@@ -27,9 +27,7 @@ void keepOld(const fs::path& path, bool replace) {
             "add 'replace', then it is kept as " +
                 rtcore::inQuotes(path.filename().string() + "~"));
     }
-    const rtcore::FileBytes old = rtcore::openFileBytes(path);
-    const std::array<std::span<const std::byte>, 1> pieces{old.bytes};
-    rtcore::writeFileAtomically(path.string() + "~", pieces);
+    return rtcore::keepBackup(path);
 }
 
 } // namespace
@@ -38,8 +36,14 @@ void saveScene(const fs::path& path, const rtcore::SceneFile& scene, bool replac
     if (path.extension() != ".scn")
         throw app::UsageError("a scene is saved as a .scn file, not as " +
                               rtcore::inQuotes(path.filename().string()));
-    keepOld(path, replace);
-    rtcore::writeSceneFile(path, scene);
+    const std::optional<fs::path> old = keepOld(path, replace);
+    try {
+        rtcore::writeSceneFile(path, scene);
+    } catch (...) {
+        std::error_code ignored;
+        if (old) fs::remove(*old, ignored); // the file itself is there
+        throw;
+    }
 }
 
 } // namespace rtserver

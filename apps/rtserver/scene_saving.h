@@ -8,7 +8,7 @@
 namespace rtserver {
 
 /// Replaces `path` by the scene, whole or not at all. A file there that no program of the suite wrote, or
-/// that was changed by hand since, is refused unless `replace`; then it is kept as `path` with ~ behind it.
+/// that was changed by hand since, is refused unless `replace`; then it is kept (keepBackup()).
 /// Throws app::UsageError for a name that does not end in .scn, and FileError CannotWrite, with the old file
 /// as it was.
 void saveScene(const std::filesystem::path& path, const rtcore::SceneFile& scene, bool replace);

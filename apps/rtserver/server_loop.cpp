@@ -189,7 +189,7 @@ void ServerLoop::sleep() {
     const bool draws = drawing_.wantsFrame(commands_.waits());
     if (drawing_.changeWaits() || commands_.hasNew() || (draws && drawing_.due() <= now)) return;
     if (commands_.waits() && state_.ready() && !draws) return; // their frame is there
-    Clock::duration time = upkeep_.works() ? kSleepAtWork : kSleep;
+    Clock::duration time = upkeep_.works() || commands_.worksApart() ? kSleepAtWork : kSleep;
     if (ready && !state_.atRest() && !frames().stale(state_)) time = std::min(time, kMotionStep);
     if (commands_.worksBeside()) time = std::min(time, kSideWorkStep);
     if (draws) time = std::min(time, drawing_.due() - now);

@@ -4,6 +4,7 @@
 #include "rtserver/edit_history.h"
 #include "rtserver/keyboard.h"
 #include "rtserver/messages.h"
+#include "rtserver/pack_progress.h"
 #include "rtserver/playback.h"
 #include "rtserver/recording.h"
 #include "rtserver/server_options.h"
@@ -193,6 +194,7 @@ class ServerState {
     void stopPlaying();
 
     bool paused = false;
+    std::shared_ptr<PackProgress> packing; ///< of the pack that is being made; null: none is
     double frameSeconds = 0; ///< what a frame may take while something moves: fewer pixels then; 0: any time
     bool idles = true;       ///< false: every frame is drawn, though it equals the last
 

@@ -21,12 +21,18 @@ Finish resultOf(DetachedTask<Finish>& task) {
 
 } // namespace
 
-void SideWork::start(const ipc::Command& command, Work work) {
+void SideWork::start(const ipc::Command& command, Work work, StopFlag stop) {
     if (jobs_.size() >= kMost) {
         throw rtcore::FileError(rtcore::FailureKind::TryAgain, "",
                                 "too many commands before it wait for files that do not answer");
     }
-    jobs_.emplace_back(command, std::move(work));
+    jobs_.emplace_back(command, std::move(work), std::move(stop));
+}
+
+void SideWork::stopWhere(const std::function<bool(const ipc::Command&)>& unwanted) const {
+    for (const Job& job : jobs_) {
+        if (job.stop && unwanted(job.command)) *job.stop = true;
+    }
 }
 
 bool SideWork::anyDone() const {

@@ -5,9 +5,11 @@
 
 #include "ipc/endpoint/server.h"
 
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <list>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,13 +20,17 @@ namespace rtserver {
 using Finish = std::function<std::string()>;
 /// In a thread of its own: owns what it uses.
 using Work = std::function<Finish()>;
+/// Set by the server's thread: the work is wanted no more, and ends soon. May be null.
+using StopFlag = std::shared_ptr<std::atomic<bool>>;
 
 /// One thread.
 class SideWork {
   public:
     /// Throws rtcore::FileError TryAgain when too many are under way, which then wait for something that
     /// does not come.
-    void start(const ipc::Command& command, Work work);
+    void start(const ipc::Command& command, Work work, StopFlag stop = {});
+    /// Gives up the work for commands of which `unwanted` says so.
+    void stopWhere(const std::function<bool(const ipc::Command&)>& unwanted) const;
     bool underWay() const { return !jobs_.empty(); }
     bool anyDone() const;
 
@@ -38,9 +44,11 @@ class SideWork {
 
   private:
     struct Job {
-        Job(const ipc::Command& of, Work work) : command(of), task(std::move(work)) {}
+        Job(const ipc::Command& of, Work work, StopFlag flag)
+            : command(of), task(std::move(work)), stop(std::move(flag)) {}
         ipc::Command command;
         DetachedTask<Finish> task;
+        StopFlag stop;
     };
     std::list<Job> jobs_;
 };

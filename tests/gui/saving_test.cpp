@@ -240,6 +240,22 @@ TEST_F(SavingTest, APackHasAllThatTheSceneNeeds) {
     EXPECT_EQ(window->editor().scene(), file("lit.scn"));
 }
 
+TEST_F(SavingTest, APackAsksForFilesFromElsewhereByTheirNames) {
+    ASSERT_TRUE(QDir().mkpath(file("scene")));
+    for (const char* name : {"lit.scn", "room.obj"})
+        ASSERT_TRUE(QFile::rename(file(name), file(std::string("scene/") + name)));
+    ASSERT_TRUE(QFile::link(file("sky.ppm"), file("scene/sky.ppm")));
+    ASSERT_NO_FATAL_FAILURE(open("scene/lit.scn"));
+    action(ActionId::Pack)->trigger();
+    ASSERT_NO_FATAL_FAILURE(choose("packed"));
+    ASSERT_TRUE(comes([&] { return question() != nullptr; }));
+    EXPECT_TRUE(question()->text().contains(file("sky.ppm"))) << question()->text().toStdString();
+    EXPECT_EQ(question()->textFormat(), Qt::PlainText);
+    EXPECT_FALSE(QFileInfo::exists(file("packed")));
+    ASSERT_NO_FATAL_FAILURE(answer("Pack them"));
+    ASSERT_TRUE(comes([&] { return QFileInfo::exists(file("packed/environments/sky.ppm")); }));
+}
+
 TEST_F(SavingTest, ShortcutsFollowTheScheme) {
     EXPECT_EQ(action(ActionId::Save)->shortcut(), QKeySequence(QStringLiteral("Ctrl+S")));
     window->preferences().set(pref::shortcuts, QStringLiteral("thesis"));

@@ -96,6 +96,8 @@ CommandUse commandUse(app::CommandId id) {
     case Save:
     case SaveAs:
     case Pack:
+    case PackProgress:
+    case PackStop:
     case ExportCamera:
     case ExportScene:
     case ExportVideoStart:

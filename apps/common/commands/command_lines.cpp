@@ -187,7 +187,11 @@ std::string saveAs(const std::string& path, bool replace) {
     return replace ? line(CommandId::SaveAs, path, "replace") : line(CommandId::SaveAs, path);
 }
 
-std::string pack(const std::string& folder) { return line(CommandId::Pack, folder); }
+std::string pack(const std::string& folder, bool outside) {
+    return outside ? line(CommandId::Pack, folder, "outside") : line(CommandId::Pack, folder);
+}
+std::string packProgress() { return line(CommandId::PackProgress); }
+std::string packStop() { return line(CommandId::PackStop); }
 std::string exportCamera(const std::string& path) { return line(CommandId::ExportCamera, path); }
 
 std::string exportCamera(const std::string& path, int width, int height, int antialiasing, int bloom) {

@@ -115,7 +115,9 @@ std::string loadScene(const std::string& path, const std::string& cachedModel = 
 std::string loadSet(const std::string& path);
 std::string save(bool replace);
 std::string saveAs(const std::string& path, bool replace);
-std::string pack(const std::string& folder);
+std::string pack(const std::string& folder, bool outside = false);
+std::string packProgress();
+std::string packStop();
 std::string exportCamera(const std::string& path);
 std::string exportCamera(const std::string& path, int width, int height, int antialiasing, int bloom);
 std::string exportScene(const std::string& path);

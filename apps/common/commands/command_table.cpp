@@ -358,9 +358,9 @@ std::vector<CommandSpec> fileCommands() {
              "Lights, materials, environment, camera, bookmarks, up axis, unit and settings; `state` says "
              "whether there is something to save. A setting that was changed holds for stills, too, the "
              "others of `[still]` stay. A file that was written or changed by hand has comments and a layout "
-             "that would be lost: it is refused, and with `replace` kept as `name.scn~`. A model is no "
-             "scene: "
-             "`save as`"},
+             "that would be lost: it is refused, and with `replace` kept as `name.scn~`, or `name.scn~2` "
+             "and so on where that is taken: 99 old versions at most. The new file is for the same users as "
+             "the old one. A model is no scene: `save as`"},
         {.id = CommandId::SaveAs,
          .name = "save as",
          .arguments = {path({"scn"}), maybe(choice("replace"))},
@@ -368,7 +368,7 @@ std::vector<CommandSpec> fileCommands() {
          .help = "the same into another .scn file, which is the scene's own from now on"},
         {.id = CommandId::Pack,
          .name = "pack",
-         .arguments = {text("FOLDER", Path)},
+         .arguments = {text("FOLDER", Path), maybe(choice("outside"))},
          .effect = Waits,
          .help =
              "copy the scene with all files that it needs into a new folder, which can be moved, and print "
@@ -376,7 +376,23 @@ std::vector<CommandSpec> fileCommands() {
          .more =
              "The folder must not exist or be empty. It gets the `.scn`, the model with what it names in "
              "`model`, and `textures` and `environments` of the scene; all paths are relative. It is there "
-             "with all of it, or not at all. A model that names files by absolute paths is refused"},
+             "with all of it, or not at all. A model that names files by absolute paths is refused. So are "
+             "files that lie outside of the folder of the scene, or of a model that is shown by itself, "
+             "all links followed: the answer names them, and `outside` takes them along. What is no image, "
+             "and what the model is the same without, is left out and named. It is the scene of the moment "
+             "at which the command came: it may be edited meanwhile, and other commands are answered. "
+             "Ctrl-C gives the pack up"},
+        {.id = CommandId::PackProgress,
+         .name = "pack progress",
+         .effect = Tells,
+         .needsScene = false,
+         .help = "print how much of the pack that is being made is done, or off",
+         .more = "`on 37 %`. A folder of that name is `./progress`"},
+        {.id = CommandId::PackStop,
+         .name = "pack stop",
+         .effect = Steers,
+         .needsScene = false,
+         .help = "give up the pack that is being made; nothing of it stays"},
         {.id = CommandId::ExportCamera,
          .name = "export camera",
          .arguments = {path({"cam"}), maybe(whole("WIDTH")), maybe(whole("HEIGHT")),

@@ -61,6 +61,8 @@ enum class CommandId {
     Save,
     SaveAs,
     Pack,
+    PackProgress,
+    PackStop,
     ExportCamera,
     ExportScene,
     ExportVideoStart,

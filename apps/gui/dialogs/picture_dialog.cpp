@@ -1,5 +1,6 @@
 #include "gui/dialogs/picture_dialog.h"
 
+#include "gui/models/output_file.h"
 #include "gui/view/picture_view.h"
 
 #include <QAction>
@@ -10,10 +11,8 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QHBoxLayout>
-#include <QImageWriter>
 #include <QLabel>
 #include <QMessageBox>
-#include <QSaveFile>
 #include <QScreen>
 #include <QToolButton>
 #include <QUrl>
@@ -105,17 +104,9 @@ void PictureDialog::showState() {
 
 QString PictureDialog::saveTo(const QString& path) const {
     if (QFileInfo(path) == QFileInfo(file_)) return {};
-    QSaveFile out(path);
-    if (!out.open(QIODevice::WriteOnly)) return out.errorString();
-    if (extensionOf(path) == extensionOf(file_)) {
-        QFile in(file_);
-        if (!in.open(QIODevice::ReadOnly)) return in.errorString();
-        out.write(in.readAll());
-    } else {
-        QImageWriter writer(&out, extensionOf(path).toLatin1());
-        if (!writer.write(picture_)) return writer.errorString();
-    }
-    return out.commit() ? QString() : out.errorString();
+    if (extensionOf(path) != extensionOf(file_)) return writeOutput(path, picture_);
+    QFile in(file_);
+    return in.open(QIODevice::ReadOnly) ? writeOutput(path, in.readAll()) : in.errorString();
 }
 
 void PictureDialog::saveAs() {

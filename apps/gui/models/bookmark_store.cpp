@@ -1,5 +1,7 @@
 #include "gui/models/bookmark_store.h"
 
+#include "common/process/private_files.h"
+
 #include <QBuffer>
 #include <QCryptographicHash>
 #include <QDir>
@@ -30,7 +32,9 @@ QString nameOf(const QString& file) {
 
 QString save(const QString& path, const QByteArray& bytes) {
     QSaveFile file(path);
-    const bool done = file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit();
+    const bool open = file.open(QIODevice::WriteOnly) &&
+                      file.setPermissions(QFileDevice::ReadOwner | QFileDevice::WriteOwner);
+    const bool done = open && file.write(bytes) == bytes.size() && file.commit();
     return done ? QString() : BookmarkStore::tr("%1 cannot be written: %2").arg(path, file.errorString());
 }
 
@@ -130,7 +134,8 @@ QString BookmarkStore::add(const QString& name, const QByteArray& camera, const 
 // The image first: a camera without one would stay so.
 QString BookmarkStore::write(const BookmarkFiles& files) {
     if (folder_.isEmpty()) return tr("No scene is shown.");
-    if (!QDir().mkpath(folder_)) return tr("%1 cannot be written: %2").arg(folder_, tr("no such folder"));
+    for (const QString& folder : {root_, folder_}) app::makePrivateFolder(folder.toStdString());
+    if (!QFileInfo(folder_).isDir()) return tr("%1 cannot be written: %2").arg(folder_, tr("no such folder"));
     if (!files.picture.isEmpty()) {
         const QString trouble = save(path(files.file, ".png"), files.picture);
         if (!trouble.isEmpty()) return trouble;

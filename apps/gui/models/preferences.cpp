@@ -1,5 +1,7 @@
 #include "gui/models/preferences.h"
 
+#include "common/process/private_files.h"
+
 #include <QDir>
 #include <QFileInfo>
 #include <QStandardPaths>
@@ -12,7 +14,10 @@ constexpr qsizetype kMostRecent = 10;
 
 Preferences::Preferences(QObject* parent)
     : QObject(parent), settings_(QSettings::IniFormat, QSettings::UserScope, QStringLiteral("rtsuite"),
-                                 QStringLiteral("GUI")) {}
+                                 QStringLiteral("GUI")) {
+    app::makePrivateFolder(QFileInfo(settings_.fileName()).absolutePath().toStdString());
+    app::makePrivateFile(settings_.fileName().toStdString()); // which keeps its mode when it is written
+}
 
 QStringList Preferences::recentFiles() const {
     QStringList files = get(pref::recentFiles);

@@ -2,6 +2,7 @@
 
 #include "gui/dialogs/export_camera_dialog.h"
 #include "gui/dialogs/recording_dialog.h"
+#include "gui/models/output_file.h"
 #include "gui/operations/actions.h"
 #include "gui/operations/scene_editor.h"
 #include "gui/session/session.h"
@@ -107,8 +108,9 @@ void CameraOperations::takeScreenshot() {
         const PictureOrigin origin = context_.view.origin();
         QImage picture = context_.view.picture();
         describe(picture, origin);
-        return tell(picture.save(path), tr("The image was written to %1 (%2).").arg(path, originText(origin)),
-                    tr("%1 cannot be written.").arg(path));
+        const QString trouble = writeOutput(path, picture);
+        return tell(trouble.isEmpty(), tr("The image was written to %1 (%2).").arg(path, originText(origin)),
+                    trouble);
     }
     const QString written = tr("The live frame was written to %1.").arg(path);
     context_.session.send(command::screenshot(path.toStdString()), this,

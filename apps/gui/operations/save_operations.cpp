@@ -6,6 +6,7 @@
 #include "gui/view/frame_view.h"
 #include "gui/view/notice_bar.h"
 
+#include "common/commands/pack_words.h"
 #include "common/process/stop.h"
 
 #include "rtcore/io/text/written_mark.h"
@@ -16,6 +17,7 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QTimer>
 
 namespace gui {
 
@@ -35,7 +37,12 @@ bool isByHand(const QString& path) {
 } // namespace
 
 SaveOperations::SaveOperations(const GuiContext& context, QObject* parent)
-    : QObject(parent), context_(context) {
+    : QObject(parent), context_(context), stopPacking_(new QAction(tr("&Stop packing"), this)),
+      packProgress_(new QTimer(this)) {
+    constexpr int kProgressStep = 300; // milliseconds
+    packProgress_->setInterval(kProgressStep);
+    connect(packProgress_, &QTimer::timeout, this, &SaveOperations::showPackProgress);
+    connect(stopPacking_, &QAction::triggered, this, [this] { context_.session.send(command::packStop()); });
     context_.actions.on(ActionId::Save, [this] { save(); });
     context_.actions.on(ActionId::SaveAs, [this] { saveAs(); });
     context_.actions.on(ActionId::Pack, [this] { pack(); });
@@ -118,16 +125,51 @@ void SaveOperations::pack() {
     dialog->setLabelText(QFileDialog::Accept, tr("&Pack"));
     dialog->setOption(QFileDialog::DontConfirmOverwrite);
     dialog->selectFile(scene.completeBaseName() + QStringLiteral("-packed"));
-    connect(dialog, &QFileDialog::fileSelected, this, &SaveOperations::packInto);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) { packInto(path, false); });
     dialog->open();
 }
 
-void SaveOperations::packInto(const QString& folder) {
+void SaveOperations::packInto(const QString& folder, bool outside) {
     emit aboutToSave();
-    context_.view.tell(tr("Packing into “%1”…").arg(folder));
-    context_.session.send(command::pack(folder.toStdString()), this, [this, folder](const Answer& answer) {
-        context_.view.tell(answer.done ? tr("Packed into “%1”.").arg(folder) : QString());
-        if (!answer.done) context_.notice.explain(answer.text, {});
+    const QString packing = tr("Packing into “%1”…").arg(folder);
+    context_.notice.explain(packing, {stopPacking_});
+    packProgress_->start();
+    context_.session.send(command::pack(folder.toStdString(), outside), this,
+                          [this, folder, packing](const Answer& answer) {
+                              packProgress_->stop();
+                              if (context_.notice.text() == packing) context_.notice.hide();
+                              onPacked(answer, folder);
+                          });
+}
+
+void SaveOperations::onPacked(const Answer& answer, const QString& folder) {
+    context_.view.tell(answer.done ? tr("Packed into “%1”.").arg(folder) : QString());
+    if (const auto files = app::refusedFiles(answer.text.toStdString()))
+        return confirmOutside(QString::fromStdString(*files), folder);
+    // What was left out stands in lines of its own.
+    const QString more = answer.done ? answer.text.section(QLatin1Char('\n'), 1) : answer.text;
+    if (!more.isEmpty()) context_.notice.explain(more, {});
+}
+
+void SaveOperations::confirmOutside(const QString& files, const QString& folder) {
+    auto* box = new QMessageBox(QMessageBox::Question, tr("Pack files from elsewhere"),
+                                tr("The scene names files outside of its folder. With them, the pack "
+                                   "shows them to all who get it:\n\n%1")
+                                    .arg(files),
+                                QMessageBox::NoButton, &context_.window);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setTextFormat(Qt::PlainText);
+    const QPushButton* yes = box->addButton(tr("&Pack them, too"), QMessageBox::AcceptRole);
+    box->setDefaultButton(box->addButton(QMessageBox::Cancel));
+    connect(yes, &QPushButton::clicked, this, [this, folder] { packInto(folder, true); });
+    box->open();
+}
+
+void SaveOperations::showPackProgress() {
+    context_.session.send(command::packProgress(), this, [this](const Answer& answer) {
+        const auto fraction = app::packedFraction(answer.text.toStdString());
+        if (fraction && packProgress_->isActive())
+            context_.view.tell(tr("Packing: %1 %").arg(qRound(100 * *fraction)));
     });
 }
 

@@ -11,7 +11,9 @@
 #include <optional>
 #include <string>
 
+class QAction;
 class QMessageBox;
+class QTimer;
 
 namespace gui {
 
@@ -43,12 +45,17 @@ class SaveOperations : public QObject {
     void write(const QString& path, bool replace, const Then& then);
     void onSaved(const Answer& answer, const QString& path, const Then& then);
     void pack();
-    void packInto(const QString& folder);
+    void packInto(const QString& folder, bool outside);
+    void onPacked(const Answer& answer, const QString& folder);
+    void confirmOutside(const QString& files, const QString& folder);
+    void showPackProgress();
     void ask(const Then& go);
     bool wouldLose() const;
     bool othersWatch() const;
 
     GuiContext context_;
+    QAction* stopPacking_; ///< offered while a pack is made
+    QTimer* packProgress_;
     QPointer<QMessageBox> question_;
     std::optional<int> discarded_; ///< edits that the user gave up
 };

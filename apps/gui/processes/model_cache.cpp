@@ -1,7 +1,9 @@
 #include "gui/processes/model_cache.h"
 
-#include "gui/processes/detach.h"
 #include "gui/processes/programs.h"
+
+#include "common/process/background.h"
+#include "common/process/private_files.h"
 
 #include "rtcore/io/import/model_import.h"
 #include "rtcore/io/text/scn.h"
@@ -130,12 +132,16 @@ void ModelCache::keep(const QString& scene) {
     const QString bsp = fileFor(*source);
     if (QFileInfo::exists(bsp) || bsp == building_) return;
     stop();
-    QDir().mkpath(cacheFolder().path());
+    app::makePrivateFolder(cacheFolder().path().toStdString());
     building_ = bsp;
     builder_ = new QProcess(this);
     builder_->setStandardOutputFile(QProcess::nullDevice());
     builder_->setStandardErrorFile(printedFor(bsp));
-    startInBackground(*builder_);
+    builder_->setChildProcessModifier([] {
+        app::lowerPriority();
+        app::keepOthersOut();
+    });
+    app::makePrivateFile(printedFor(bsp).toStdString());
     connect(builder_, &QProcess::finished, this, [this, bsp] { finish(bsp); });
     QStringList words{
         source->path, bsp, QStringLiteral("--progress=none"),

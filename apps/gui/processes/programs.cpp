@@ -1,5 +1,7 @@
 #include "gui/processes/programs.h"
 
+#include "common/process/private_files.h"
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
@@ -15,7 +17,7 @@ QString programPath(const QString& name) {
 QString logPath(const QString& name) {
     const QString folder =
         QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + QStringLiteral("/rtsuite");
-    QDir().mkpath(folder);
+    app::makePrivateFolder(folder.toStdString());
     return QStringLiteral("%1/%2.log").arg(folder, name);
 }
 

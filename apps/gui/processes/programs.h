@@ -8,8 +8,8 @@ namespace gui {
 /// "RTServer" -> its path: beside this program, else in PATH; empty when it is nowhere.
 QString programPath(const QString& name);
 
-/// A file that a new process of that name may write; its folder exists. Throws nothing: the file may turn out
-/// not to be writable.
+/// A file that a new process of that name may write; its folder exists, for this user alone. Throws nothing:
+/// the file may turn out not to be writable.
 QString logPath(const QString& name);
 
 /// Of this session, where there is such a thing: what a killed window leaves there goes with it. Else the

@@ -3,6 +3,8 @@
 #include "gui/processes/detach.h"
 #include "gui/processes/programs.h"
 
+#include "common/process/private_files.h"
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
@@ -58,6 +60,7 @@ void ServerProcess::start(const ServerRequest& request) {
     stopping_ = false;
     logFile_ = logPath(QStringLiteral("RTServer-") + request.instance);
     QFile::remove(logFile_);
+    app::makePrivateFile(logFile_.toStdString());
     const QString program = programPath(QStringLiteral("RTServer"));
     if (program.isEmpty()) {
         const QString text = tr("The program RTServer was found neither beside this one nor in PATH.");

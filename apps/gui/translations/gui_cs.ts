@@ -1195,10 +1195,6 @@ Alt+%2</translation>
         <translation>Kamery (*.cam);;Všechny soubory (*)</translation>
     </message>
     <message>
-        <source>%1 cannot be written.</source>
-        <translation>Soubor %1 nelze zapsat.</translation>
-    </message>
-    <message>
         <source>The camera was copied.</source>
         <translation>Kamera byla zkopírována.</translation>
     </message>
@@ -2812,6 +2808,30 @@ Alt+%2</translation>
     <message>
         <source>&amp;Pack</source>
         <translation>Za&amp;balit</translation>
+    </message>
+    <message>
+        <source>&amp;Stop packing</source>
+        <translation>&amp;Zastavit balení</translation>
+    </message>
+    <message>
+        <source>Pack files from elsewhere</source>
+        <translation>Zabalit soubory odjinud</translation>
+    </message>
+    <message>
+        <source>The scene names files outside of its folder. With them, the pack shows them to all who get it:
+
+%1</source>
+        <translation>Scéna jmenuje soubory mimo svou složku. S nimi je balík ukáže všem, kdo ho dostanou:
+
+%1</translation>
+    </message>
+    <message>
+        <source>&amp;Pack them, too</source>
+        <translation>Za&amp;balit i je</translation>
+    </message>
+    <message>
+        <source>Packing: %1 %</source>
+        <translation>Balení: %1 %</translation>
     </message>
 </context>
 <context>

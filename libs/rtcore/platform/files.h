@@ -86,9 +86,12 @@ std::string readTextFile(const std::filesystem::path& path, std::size_t limit = 
 
 /// Writes a file so that `path` always names the old content or all of the new: into a temporary file beside
 /// it, flushed to the disk, then renamed. `write` gets the name of the temporary file, which exists and is
-/// empty. When `write` throws, the temporary file is removed and the exception passes on. Follows a symbolic
-/// link at `path`. A path that is no regular file (/dev/stdout, a pipe) is written to directly. Throws
-/// FileError: CannotWrite, with the system's reason; Stopped (file_waits.h).
+/// empty. When `write` throws, the temporary file is removed and the exception passes on. A file that is
+/// replaced hands on its mode, its access list and, where the system allows it, owner and group; no user may
+/// do more with the new file than with the old one. A new file has mode 0666 less the umask. Follows symbolic
+/// links, but those that other users put into a folder where everybody may write. A path that is no regular
+/// file (/dev/stdout, a pipe) is written to directly. Throws FileError: CannotWrite, with the reason; Stopped
+/// (file_waits.h).
 void replaceFile(const std::filesystem::path& path,
                  const std::function<void(const std::filesystem::path& temporary)>& write);
 

@@ -2,12 +2,13 @@
 
 #include "rtcore/platform/descriptor_posix.h"
 #include "rtcore/platform/error.h"
-#include "rtcore/platform/temporary_names.h"
+#include "rtcore/platform/file_rights_posix.h"
+#include "rtcore/platform/output_links_posix.h"
+#include "rtcore/platform/sibling_file_posix.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <ctime>
-#include <random>
 #include <string_view>
 #include <system_error>
 
@@ -22,48 +23,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view kTemporaryPrefix = ".rtsuite-";
-constexpr std::size_t kTemporaryDigits = 16;
-constexpr std::string_view kHexDigits = "0123456789abcdef";
-
-std::string reason(int error) { return std::generic_category().message(error); }
-
-[[noreturn]] void failWriting(const fs::path& path, int error) {
-    const char* advice = error == ENOSPC || error == EDQUOT                    ? "; free some space there"
-                         : error == ENOENT || error == ENOTDIR                 ? "; make its folder first"
-                         : error == EACCES || error == EPERM || error == EROFS ? "; choose another folder"
-                         : error == EISDIR                                     ? "; name a file in it"
-                         : error == ENAMETOOLONG                               ? "; choose a shorter name"
-                                                                               : "";
-    throw FileError(FailureKind::CannotWrite, path.string(), "cannot be written: " + reason(error) + advice);
-}
-
-/// An unused name beside `target`, with its extension (writers of images go by it).
-fs::path freshName(const fs::path& target) {
-    thread_local std::random_device device;
-    std::string name(kTemporaryPrefix);
-    for (std::size_t word = 0; word < kTemporaryDigits / 8; ++word) {
-        unsigned bits = device();
-        for (int i = 0; i < 8; ++i, bits >>= 4U) name += kHexDigits[bits & 15U];
-    }
-    const std::string extension = target.extension().string();
-    return target.parent_path() / (extension.size() <= 32 ? name + extension : name);
-}
-
-/// Where a chain of symbolic links ends; the end need not exist. Throws when the chain is a circle.
-fs::path followLinks(fs::path path) {
-    for (int i = 0; i < 40; ++i) {
-        std::error_code error;
-        const fs::path next = fs::read_symlink(path, error);
-        if (error) return path;
-        path = path.parent_path() / next;
-        // Links of /proc/self/fd name files that are open: only they can be written, the names lead
-        // elsewhere.
-        if (path.string().starts_with("/proc/")) return path;
-    }
-    failWriting(path, ELOOP);
-}
-
 /// What replacing would destroy or miss: devices, pipes, and the files behind /dev/stdout.
 bool wantsDirectWriting(const fs::path& path) {
     const std::string name = path.string();
@@ -72,56 +31,12 @@ bool wantsDirectWriting(const fs::path& path) {
     return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
 }
 
-void flushFile(const fs::path& shown, const fs::path& file) {
-    const Descriptor opened(openRetrying(file, O_RDONLY));
-    if (!opened.valid()) failWriting(shown, errno);
-    // Some file systems know no flushing, and say so by these two.
-    if (::fsync(opened.get()) != 0 && errno != EINVAL && errno != ENOTSUP) failWriting(shown, errno);
-}
-
 /// Makes the rename last through a power failure. The new content stands already: a failure here changes
 /// nothing.
 void flushFolder(const fs::path& file) {
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
     const Descriptor opened(openRetrying(folder, O_RDONLY | O_DIRECTORY));
     if (opened.valid()) ::fsync(opened.get());
-}
-
-/// A file that is created here and removed again unless it has been renamed. Its lock tells other processes
-/// that it is still being written.
-class SiblingFile {
-  public:
-    SiblingFile(const fs::path& shown, const fs::path& target)
-        : path_(freshName(target)), name_(path_.string()),
-          // Mode 0666 less the umask, as any program's new file.
-          lock_(openRetrying(path_, O_WRONLY | O_CREAT | O_EXCL, 0666)) {
-        if (!lock_.valid()) failWriting(shown, errno);
-        ::flock(lock_.get(), LOCK_EX | LOCK_NB);
-    }
-    ~SiblingFile() {
-        if (!renamed_) ::unlink(path_.c_str());
-    }
-    SiblingFile(const SiblingFile&) = delete;
-    SiblingFile& operator=(const SiblingFile&) = delete;
-    const fs::path& path() const { return path_; }
-    void renameTo(const fs::path& shown, const fs::path& target) {
-        if (::rename(path_.c_str(), target.c_str()) != 0) failWriting(shown, errno);
-        renamed_ = true;
-    }
-
-  private:
-    fs::path path_;
-    TemporaryName name_;
-    Descriptor lock_;
-    bool renamed_ = false;
-};
-
-/// Whether freshName() makes such names.
-bool isTemporaryName(std::string_view name) {
-    if (!name.starts_with(kTemporaryPrefix)) return false;
-    name.remove_prefix(kTemporaryPrefix.size());
-    const std::size_t digits = std::min(name.find_first_not_of(kHexDigits), name.size());
-    return digits == kTemporaryDigits && (name.size() == digits || name[digits] == '.');
 }
 
 /// A file of this user that has not been written for so long and whose lock is free. On a file system without
@@ -163,10 +78,12 @@ void replaceFile(const fs::path& path, const std::function<void(const fs::path&)
     }
     std::error_code ignored;
     if (fs::is_directory(target, ignored)) failWriting(path, EISDIR);
-    SiblingFile temporary(path, target);
+    // Of a file that is replaced no other user sees anything before it has that one's rights.
+    const mode_t mode = rightsOf(target) ? 0600 : 0666;
+    SiblingFile temporary(path, target, mode);
     write(temporary.path());
-    flushFile(path, temporary.path());
-    temporary.renameTo(path, target);
+    temporary.complete(target);
+    temporary.renameTo(target);
     flushFolder(target);
 }
 

@@ -20,17 +20,6 @@ MaterialOverride& editOf(Scene& scene, std::size_t index) {
     return *edits.insert(at, none);
 }
 
-Material edited(const Model& model, Material material, const MaterialOverride& edit) {
-    TextureMeans means;
-    if (edit.needsMeans()) {
-        means = roughnessMeans(model, material);
-        if (material.diffuseTexture != kNoTexture && edit.textures.value_or(true))
-            means.diffuse = textureMean(model, material.diffuseTexture);
-    }
-    edit.applyTo(material, means);
-    return material;
-}
-
 ImageSummary summaryOf(const Model& model, std::uint32_t texture) {
     const Texture& t = model.textures[texture];
     return summarise(model.texels.subspan(t.firstTexel, std::size_t{t.width} * t.height));
@@ -50,11 +39,22 @@ TextureMeans roughnessMeans(const Model& model, const Material& material) {
     return means;
 }
 
+Material changedMaterial(const Model& model, Material material, const MaterialOverride& change) {
+    TextureMeans means;
+    if (change.needsMeans()) {
+        means = roughnessMeans(model, material);
+        if (material.diffuseTexture != kNoTexture && change.textures.value_or(true))
+            means.diffuse = textureMean(model, material.diffuseTexture);
+    }
+    change.applyTo(material, means);
+    return material;
+}
+
 void editMaterial(Scene& scene, std::span<const Material> loaded, std::size_t index,
                   const MaterialOverride& change) {
     MaterialOverride& edit = editOf(scene, index);
     edit.add(change);
-    scene.materials[index] = edited(scene.model, loaded[index], edit);
+    scene.materials[index] = changedMaterial(scene.model, loaded[index], edit);
 }
 
 void resetMaterial(Scene& scene, std::span<const Material> loaded, std::size_t index) {

@@ -14,6 +14,9 @@ Colour textureMean(const Model& model, std::uint32_t texture);
 /// Of the material's texture of roughness and metal.
 TextureMeans roughnessMeans(const Model& model, const Material& material);
 
+/// The material as `change` makes it, but for the path of a texture.
+Material changedMaterial(const Model& model, Material material, const MaterialOverride& change);
+
 /// Adds `change` (without a texture's path) to what edits made of a material; `loaded` are the materials as
 /// the files have them. `index` counts from 0. Scene::closed is to be made again by closeSurfaces().
 void editMaterial(Scene& scene, std::span<const Material> loaded, std::size_t index,

@@ -18,8 +18,9 @@ TEST(ImportReport, SurvivesTheWay) {
     addWarning(report, "another");
     addFile(report, "/a b/c.obj");
     addFile(report, "/a b/ c.png ");
+    addImage(report, "/a b/d.png");
     addFile(report, "/a b/c.obj");
-    EXPECT_EQ(report.files.size(), 2U);
+    EXPECT_EQ(report.files.size(), 3U);
     EXPECT_EQ(readReport("alive\nalive\n" + writeReport(report)), report);
 }
 

@@ -231,8 +231,22 @@ TEST_F(Saving, WhatWasWrittenByHandIsAskedForAndKept) {
     std::ofstream(folder / "b.scn") << changed;
     EXPECT_EQ(refusal("save").code, 73) << "changed by hand since";
     answer("save replace");
-    EXPECT_EQ(text("b.scn~"), changed);
+    EXPECT_EQ(text("b.scn~"), hand);
+    EXPECT_EQ(text("b.scn~2"), changed);
     EXPECT_TRUE(nothingLeftBeside());
+}
+
+TEST_F(Saving, OldVersionsStayPrivateAndGoThroughNoLink) {
+    std::ofstream(folder / "b.scn") << "by hand";
+    std::ofstream(folder / "precious") << "somebody's";
+    const auto mine = std::filesystem::perms::owner_read | std::filesystem::perms::owner_write;
+    std::filesystem::permissions(folder / "b.scn", mine);
+    std::filesystem::create_symlink("precious", folder / "b.scn~");
+    answer("save as DIR/b.scn replace");
+    EXPECT_EQ(text("precious"), "somebody's");
+    EXPECT_EQ(text("b.scn~2"), "by hand");
+    for (const char* name : {"b.scn", "b.scn~2"})
+        EXPECT_EQ(std::filesystem::status(folder / name).permissions(), mine) << name;
 }
 
 TEST_F(Saving, OverTheModelIsRefused) {
@@ -281,6 +295,13 @@ TEST_F(Saving, AFullDiskLeavesTheOldFile) {
     EXPECT_TRUE(nothingLeftBeside());
     answer("save");
     EXPECT_FALSE(modified());
+    std::ofstream(folder / "c.scn") << "by hand";
+    {
+        const FullDisk disk;
+        EXPECT_EQ(refusal("save as DIR/c.scn replace").code, 73);
+    }
+    EXPECT_EQ(text("c.scn"), "by hand");
+    EXPECT_FALSE(exists("c.scn~")) << "it is there under its own name";
 }
 
 } // namespace

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 
 namespace {
@@ -243,6 +245,20 @@ TEST(ScnRoundTrip, PathsBelowTheSceneAreWrittenRelative) {
     EXPECT_NE(text.find("output = \"c.png\"\n"), std::string::npos) << text;
     EXPECT_EQ(rtcore::readSceneFile(folder / "x.scn").model, scene.model);
     EXPECT_EQ(rtcore::readSceneFile(folder / "x.scn").settings, scene.settings);
+}
+
+TEST(ScnRoundTrip, PathsUpwardsBehindALinkStayWhatTheyAre) {
+    const test::TemporaryFolder folder;
+    std::filesystem::create_directories(folder / "there/below");
+    std::filesystem::create_directories(folder / "here");
+    std::filesystem::create_directory_symlink(folder / "there/below", folder / "here/link");
+    SceneFile scene;
+    scene.model = folder / "here/link/../a.obj"; // there/a.obj
+    for (const char* name : {"there/a.obj", "here/a.obj"}) {
+        rtcore::writeSceneFile(folder / "here/x.scn", scene);
+        EXPECT_EQ(rtcore::readSceneFile(folder / "here/x.scn").model, scene.model) << name;
+        std::ofstream(folder / name) << "v 0 0 0";
+    }
 }
 
 TEST(ScnRoundTrip, PathsOfASceneInTheCurrentFolderAreRelativeToIt) {

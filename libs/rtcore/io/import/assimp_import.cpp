@@ -9,6 +9,7 @@
 #include "rtcore/io/import/polygon.h"
 #include "rtcore/io/import/unread_content.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/paths.h"
 #include "rtcore/scene/up_axis.h"
 
 #include <assimp/DefaultIOSystem.h>
@@ -246,7 +247,7 @@ class NotingFiles : public Assimp::DefaultIOSystem {
     explicit NotingFiles(std::shared_ptr<std::vector<std::string>> files) : files_(std::move(files)) {}
     Assimp::IOStream* Open(const char* file, const char* mode) override {
         Assimp::IOStream* const stream = DefaultIOSystem::Open(file, mode);
-        if (stream != nullptr) files_->push_back(std::filesystem::absolute(file).lexically_normal().string());
+        if (stream != nullptr) files_->push_back(plainPath(file).string());
         return stream;
     }
 

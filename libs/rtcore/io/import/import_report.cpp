@@ -18,6 +18,16 @@ std::string printable(std::string text) {
     return text.substr(0, 500);
 }
 
+void addOnce(std::vector<std::string>& paths, const std::string& path) {
+    if (std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(path);
+}
+
+void writePaths(std::ostream& out, const char* name, const std::vector<std::string>& paths) {
+    for (const std::string& path : paths) {
+        if (path.find('\n') == std::string::npos) out << name << ' ' << path << '\n';
+    }
+}
+
 } // namespace
 
 void addWarning(ImportReport& report, const std::string& text) {
@@ -27,9 +37,11 @@ void addWarning(ImportReport& report, const std::string& text) {
     report.warnings.push_back(known.size() < kMaxWarnings ? line : kMore);
 }
 
-void addFile(ImportReport& report, const std::string& path) {
-    auto& known = report.files;
-    if (std::find(known.begin(), known.end(), path) == known.end()) known.push_back(path);
+void addFile(ImportReport& report, const std::string& path) { addOnce(report.files, path); }
+
+void addImage(ImportReport& report, const std::string& path) {
+    addOnce(report.files, path);
+    addOnce(report.images, path);
 }
 
 std::string writeReport(const ImportReport& report) {
@@ -40,9 +52,8 @@ std::string writeReport(const ImportReport& report) {
         << "unconnected " << report.unconnectedTriangles << '\n'
         << "equal " << report.equalTriangles << '\n';
     for (const std::string& warning : report.warnings) out << "warning " << warning << '\n';
-    for (const std::string& file : report.files) {
-        if (file.find('\n') == std::string::npos) out << "file " << file << '\n';
-    }
+    writePaths(out, "file", report.files);
+    writePaths(out, "image", report.images);
     return out.str();
 }
 
@@ -63,6 +74,7 @@ ImportReport readReport(const std::string& text) {
         if (name == "equal") report.equalTriangles = count;
         if (name == "warning") addWarning(report, value);
         if (name == "file") addFile(report, value);
+        if (name == "image") addImage(report, value);
     }
     return report;
 }

@@ -18,7 +18,8 @@ struct ImportReport {
     std::uint64_t unconnectedTriangles = 0; ///< name vertices that do not exist: dropped
     std::uint64_t equalTriangles = 0;       ///< the third and further of equal ones: dropped
     std::vector<std::string> warnings;      ///< sentences for the user, without a file name
-    std::vector<std::string> files;         ///< all that was read, absolute: the model, buffers, images
+    std::vector<std::string> files;         ///< all that was opened, absolute: the model, buffers, images
+    std::vector<std::string> images;        ///< those of `files` that were decoded as images
 
     friend bool operator==(const ImportReport&, const ImportReport&) = default;
 };
@@ -28,6 +29,7 @@ void addWarning(ImportReport& report, const std::string& text);
 
 /// A file that is there already is not repeated.
 void addFile(ImportReport& report, const std::string& path);
+void addImage(ImportReport& report, const std::string& path); ///< to both lists
 
 /// Lines "name value". A file whose name holds a line break is left out.
 std::string writeReport(const ImportReport& report);

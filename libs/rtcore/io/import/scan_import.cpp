@@ -9,6 +9,7 @@
 #include "rtcore/io/import/stl_file.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
+#include "rtcore/platform/paths.h"
 
 #include <fmt/core.h>
 
@@ -85,7 +86,7 @@ std::optional<FileImport> importScan(const std::filesystem::path& path, const Fi
     FileImport import;
     import.report.origin = {scan->format, exporterNotes(path), {}, {}};
     import.report.ignoredPrimitives = scan->mesh.ignoredPrimitives;
-    addFile(import.report, std::filesystem::absolute(path).lexically_normal().string());
+    addFile(import.report, plainPath(path).string());
     addMaterial(scan->material, path, options, import);
 
     MeshAssembler assembler;

@@ -3,6 +3,7 @@
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/io/import/texture_files.h"
 #include "rtcore/platform/error.h"
+#include "rtcore/platform/paths.h"
 
 #include <algorithm>
 #include <utility>
@@ -30,7 +31,7 @@ const std::string& TextureStore::keyOf(const std::string& name) {
     if (embedded_.has(name)) {
         entry->second = "<" + name; // no path begins like this: they are made absolute below
     } else if (const auto path = findTextureFile(folder_, name)) {
-        entry->second = std::filesystem::absolute(*path).lexically_normal().string();
+        entry->second = plainPath(*path).string();
     } else {
         missing_.push_back(name);
     }
@@ -60,6 +61,7 @@ std::optional<LdrImage> TextureStore::read(const std::string& name, const std::s
         const bool embedded = key[0] == '<';
         if (!embedded) addFile(report_, key);
         LdrImage image = embedded ? embedded_.decode(name) : readLdrImage(key);
+        if (!image.empty() && !embedded) addImage(report_, key);
         if (!image.empty()) return image;
         addWarning(report_, "texture '" + name + "' is empty; its material is plain");
     } catch (const FileError& error) {

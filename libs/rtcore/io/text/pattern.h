@@ -10,4 +10,7 @@ namespace rtcore {
 /// Time at most the product of the lengths; does not allocate.
 bool matchesPattern(std::string_view pattern, std::string_view name);
 
+/// Whether it stands for other names than itself.
+inline bool isPattern(std::string_view text) { return text.find_first_of("*?") != std::string_view::npos; }
+
 } // namespace rtcore

@@ -3,6 +3,7 @@
 #include "rtcore/io/text/toml_guard.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
+#include "rtcore/platform/paths.h"
 
 #include <array>
 #include <cstdint>
@@ -49,12 +50,9 @@ std::string pathToUtf8(const std::filesystem::path& path) {
 
 std::filesystem::path pathSeenFrom(const std::filesystem::path& folder, const std::filesystem::path& path) {
     if (path.empty()) return path;
-    const auto absolute = [](const std::filesystem::path& p) {
-        return std::filesystem::absolute(p).lexically_normal();
-    };
-    const std::filesystem::path whole = absolute(path);
+    const std::filesystem::path whole = plainPath(path);
     // The folder of a file without one is the current folder.
-    const std::filesystem::path from = folder.empty() ? std::filesystem::current_path() : absolute(folder);
+    const std::filesystem::path from = folder.empty() ? std::filesystem::current_path() : plainPath(folder);
     std::filesystem::path relative = whole.lexically_relative(from);
     const bool below = !relative.empty() && *relative.begin() != ".." && relative != ".";
     return below ? relative : whole;
