@@ -5,7 +5,7 @@
 #include "rtcore/io/text/written_mark.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/files.h"
-#include "rtcore/settings/nearest_name.h"
+#include "rtcore/settings/plain_text.h"
 
 #include <array>
 #include <cstddef>
