@@ -1,6 +1,6 @@
 #!/bin/sh
-# The layout of the code by clang-format 14, the words of docs/style.md, the rooms that may call the system, the files that
-# the bridge opens and the syntax of the scripts; with --tidy also clang-tidy over the release build (takes a while).
+# The layout of the code by clang-format 14, the words of docs/style.md, the rooms that may call the system, what the window
+# shows as plain text, the files that the bridge opens and the syntax of the scripts; with --tidy also clang-tidy over the release build (takes a while).
 #   scripts/check-style.sh [--tidy]
 set -eu
 cd "$(dirname "$0")/.."
@@ -14,6 +14,8 @@ scripts/check_words.py
 echo "check-style: the words are those of docs/style.md"
 scripts/check_system_headers.py
 echo "check-style: system headers are included in their rooms only"
+scripts/check_plain_text.py
+echo "check-style: the window takes no text for markup"
 if git grep -nE '\b[io]?fstream\b|\b(fopen|open|read[A-Za-z]*(File|Text)|write[A-Za-z]*File|use_[a-z_]*file)\(' -- \
     'apps/bridge/*.cpp' 'apps/bridge/*.h' | grep -vE '^apps/bridge/(tokens|net/tls)\.cpp:|acceptor\.open\('; then
     echo "check-style: the bridge opens no file but those of its tokens and its certificate" >&2

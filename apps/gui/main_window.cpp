@@ -1,6 +1,7 @@
 #include "gui/main_window.h"
 
 #include "gui/models/installed_skies.h"
+#include "gui/models/plain_text.h"
 #include "gui/operations/actions.h"
 #include "gui/operations/bookmark_operations.h"
 #include "gui/operations/camera_operations.h"
@@ -18,9 +19,12 @@
 #include "gui/operations/share_operations.h"
 #include "gui/operations/surroundings_operations.h"
 #include "gui/operations/up_and_unit_operations.h"
+#include "gui/view/button_keys.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/full_screen.h"
 #include "gui/view/notice_bar.h"
+#include "gui/view/plain_widgets.h"
+#include "gui/view/screen_fit.h"
 
 #include <QAction>
 #include <QCloseEvent>
@@ -39,6 +43,9 @@ MainWindow::MainWindow(const QString& instance, QWidget* parent)
     : QMainWindow(parent), view_(new FrameView(session_)), fullScreen_(new FullScreen(*this)),
       notice_(new NoticeBar), actions_(new Actions(*this, preferences_)) {
     loadResources();
+    new PlainLabels(this);
+    new ButtonKeys(this);
+    new ScreenFit(this);
     setWindowIcon(QIcon(QStringLiteral(":/gui.png")));
     layOut();
     const GuiContext context{*this,  session_,     keeper_,  preferences_, *actions_,
@@ -92,14 +99,15 @@ void MainWindow::restoreGeometryAndState() {
     resize(view_->sizeHint());
     restoreGeometry(preferences_.get(pref::geometry));
     restoreState(preferences_.get(pref::windowState));
+    fitIntoScreen(*this); // a first one on a scaled screen, and one whose preferences are damaged
 }
 
 void MainWindow::showTitle() {
-    const QString name = tr("rtsuite");
     const QString shown = session_.live() && !editor_.scene().isEmpty() ? editor_.scene() : keeper_.scene();
     const QString scene = QFileInfo(shown).fileName();
     const QString what = scene.isEmpty() && session_.live() ? session_.instance() : scene;
-    setWindowTitle(what.isEmpty() ? name : QStringLiteral("%1[*] – %2").arg(what, name));
+    if (what.isEmpty()) return setWindowTitle(tr("rtsuite"));
+    setWindowTitle(plainTitle(what) + QStringLiteral("[*] – ") + tr("rtsuite"));
 }
 
 void MainWindow::open(const QString& path) { connection_->open(path); }

@@ -3,7 +3,7 @@
 #include "common/cli/command_line.h"
 
 #include "rtcore/motion/key_codes.h"
-#include "rtcore/settings/nearest_name.h"
+#include "rtcore/settings/plain_text.h"
 
 #include <optional>
 

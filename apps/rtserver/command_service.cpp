@@ -1,6 +1,6 @@
 #include "rtserver/command_service.h"
 
-#include "rtcore/settings/nearest_name.h"
+#include "rtcore/settings/plain_text.h"
 
 #include <chrono>
 #include <cstddef>

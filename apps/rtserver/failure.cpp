@@ -7,6 +7,7 @@
 #include "ipc/platform/error.h"
 
 #include "rtcore/platform/error.h"
+#include "rtcore/settings/plain_text.h"
 
 #include <new>
 #include <stdexcept>
@@ -28,7 +29,8 @@ app::ExitCode exitCodeOf(const std::exception& error) {
 
 Failure failureOf(const std::exception& error) {
     const bool memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
-    return {static_cast<int>(exitCodeOf(error)), memory ? "not enough memory" : error.what()};
+    return {static_cast<int>(exitCodeOf(error)),
+            memory ? "not enough memory" : rtcore::printable(error.what())};
 }
 
 } // namespace rtserver

@@ -7,6 +7,8 @@
 #include "common/cli/command_line.h"
 
 #include "rtcore/io/text/scn_sections.h"
+#include "rtcore/settings/plain_text.h"
+#include "rtcore/settings/utf8.h"
 
 #include <fmt/core.h>
 
@@ -34,13 +36,14 @@ Result listLights(const Call& call) {
     std::string text;
     for (const app::ReportedLight& light : lightsOf(call.state))
         text += fmt::format("{}{} {}{}{}", text.empty() ? "" : "\n", light.id, light.on ? "on" : "off",
-                            light.name.empty() ? "" : " ", light.name);
+                            light.name.empty() ? "" : " ", rtcore::printable(light.name));
     return {.answer = std::move(text)};
 }
 
 Result describe(const Call& call) {
     const rtcore::Scene& scene = *call.state.scene();
-    const LightDescription light = rtcore::describeLight(scene, call.state.lightOf(integer(call[0])));
+    LightDescription light = rtcore::describeLight(scene, call.state.lightOf(integer(call[0])));
+    if (rtcore::findInvalidUtf8(light.name) != std::string::npos) light.name = rtcore::printable(light.name);
     rtcore::TomlWriter writer;
     rtcore::writeLight(writer, light);
     const char* const unit = traitsOf(light.light).position ? "W" : "W/m2";
@@ -195,6 +198,8 @@ Result angles(const Call& call) {
 }
 
 Result rename(const Call& call) {
+    if (rtcore::findInvalidUtf8(call[1]) != std::string::npos)
+        throw std::invalid_argument("the name of a light is a text in UTF-8");
     return change(call, [&](LightDescription& light) { light.name = call[1]; });
 }
 

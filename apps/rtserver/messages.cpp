@@ -5,7 +5,7 @@
 #include "common/process/message.h"
 #include "common/process/terminal.h"
 
-#include "rtcore/settings/nearest_name.h"
+#include "rtcore/settings/plain_text.h"
 
 #include <fmt/core.h>
 

@@ -8,7 +8,7 @@
 #include "rtcore/io/text/scn.h"
 #include "rtcore/scene/material_edit.h"
 #include "rtcore/scene/metallic_roughness.h"
-#include "rtcore/settings/nearest_name.h"
+#include "rtcore/settings/plain_text.h"
 
 #include <fmt/core.h>
 

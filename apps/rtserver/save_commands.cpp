@@ -8,11 +8,12 @@
 
 #include "rtcore/io/text/cam.h"
 #include "rtcore/platform/error.h"
-#include "rtcore/settings/nearest_name.h"
+#include "rtcore/settings/plain_text.h"
 #include "rtcore/settings/utf8.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <exception>
 #include <filesystem>
@@ -116,8 +117,13 @@ Result stopPacking(const Call& call) {
 
 // --- Bookmarks ---
 
+// Clients know it by the name that lists and the state tell.
 rtcore::SceneBookmarks::iterator named(rtcore::SceneBookmarks& bookmarks, const std::string& name) {
-    const auto found = rtcore::findBookmark(bookmarks, name);
+    auto found = rtcore::findBookmark(bookmarks, name);
+    if (found == bookmarks.end())
+        found = std::ranges::find_if(std::as_const(bookmarks), [&](const rtcore::SceneBookmark& each) {
+            return rtcore::printable(each.name) == name;
+        });
     if (found == bookmarks.end())
         throw std::invalid_argument("the scene has no bookmark " + rtcore::inQuotes(name));
     return bookmarks.begin() + (found - bookmarks.cbegin());

@@ -5,7 +5,8 @@
 #include "rtcore/io/text/written_mark.h"
 #include "rtcore/platform/backups.h"
 #include "rtcore/platform/error.h"
-#include "rtcore/settings/nearest_name.h"
+#include "rtcore/platform/files.h"
+#include "rtcore/settings/plain_text.h"
 
 #include <optional>
 #include <string>

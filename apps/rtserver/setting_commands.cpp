@@ -4,6 +4,7 @@
 
 #include "ipc/layout/limits.h"
 
+#include "rtcore/settings/plain_text.h"
 #include "rtcore/settings/settings_table.h"
 
 #include <fmt/core.h>
@@ -50,8 +51,8 @@ Result defaults(const Call& call) {
     return {};
 }
 
-Result undo(const Call& call) { return {.answer = call.state.undo()}; }
-Result redo(const Call& call) { return {.answer = call.state.redo()}; }
+Result undo(const Call& call) { return {.answer = rtcore::printable(call.state.undo())}; }
+Result redo(const Call& call) { return {.answer = rtcore::printable(call.state.redo())}; }
 
 Result settings(const Call& call) {
     std::string text;
@@ -74,7 +75,7 @@ Result environment(const Call& call) {
 }
 
 std::string numbered(std::size_t index, const std::string& state, const std::string& name) {
-    return fmt::format("{} {}{}{}\n", index + 1, state, name.empty() ? "" : " ", name);
+    return fmt::format("{} {}{}{}\n", index + 1, state, name.empty() ? "" : " ", rtcore::printable(name));
 }
 
 Result withoutLastEnd(std::string text) {

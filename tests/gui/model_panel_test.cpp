@@ -139,6 +139,30 @@ TEST_F(ModelPanelTest, ARightClickSelectsMarksAndOffersToHide) {
     for (QMenu* menu : window->findChildren<QMenu*>()) menu->close();
 }
 
+// The lists are read when the panel is seen for the first time.
+TEST_F(ModelPanelTest, WhatWasClickedIsSelectedWhenThePanelOpens) {
+    window->close();
+    window.emplace(name());
+    window->preferences().set(pref::followWindowSize, false);
+    window->resize(1000, 700);
+    window->show();
+    window->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&*window));
+    window->actions()[ActionId::ModelPanel]->setChecked(false);
+    panel().parentWidget()->hide();
+    window->open(file("m.scn"));
+    ASSERT_TRUE(shows(window->session()));
+    ASSERT_EQ(panel().parts().topLevelItemCount(), 0) << "not read yet";
+    pick(0.5, 0.5);
+    ASSERT_TRUE(comes([&] { return menuAction("&Hide") != nullptr; }));
+    for (QMenu* menu : window->findChildren<QMenu*>()) menu->close();
+    QTest::keyClick(&window->view(), Qt::Key_F8);
+    ASSERT_TRUE(comes([&] { return panel().chosenParts() == QStringList{QStringLiteral("2")}; }));
+    ASSERT_TRUE(comes([&] { return panel().chosenMaterial() == 2; }));
+    EXPECT_TRUE(comes([&] { return panel().fields().isEnabled(); }));
+    EXPECT_FALSE(window->view().mark().isNull()) << "the part is outlined still";
+}
+
 TEST_F(ModelPanelTest, FieldsChangeTheChosenMaterial) {
     EXPECT_FALSE(panel().fields().isEnabled());
     panel().materials().setCurrentItem(panel().materials().topLevelItem(1));

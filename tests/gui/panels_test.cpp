@@ -37,7 +37,9 @@
 #include <QToolButton>
 #include <QWheelEvent>
 
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace {
 
@@ -159,6 +161,68 @@ TEST_F(PanelsTest, AKeyLeadsToAPanelAndEscBack) {
     ASSERT_TRUE(comes([&] { return action(ActionId::Undo)->isEnabled(); }));
     QTest::keyClick(&depth, Qt::Key_Z, Qt::ControlModifier);
     EXPECT_TRUE(becomes("maxDepth", "5"));
+}
+
+// Whichever panel, beside others or as a tab before them, by its key or by its own button.
+TEST_F(PanelsTest, AClosedPanelGivesTheKeysBackToTheImage) {
+    open();
+    const std::array keys{
+        std::pair{Qt::Key_F5, Qt::KeyboardModifiers()}, std::pair{Qt::Key_F6, Qt::KeyboardModifiers()},
+        std::pair{Qt::Key_F7, Qt::KeyboardModifiers()}, std::pair{Qt::Key_F8, Qt::KeyboardModifiers()},
+        std::pair{Qt::Key_J, Qt::KeyboardModifiers(Qt::ControlModifier)}};
+    const auto focusIsInImage = [&] { return QApplication::focusWidget() == &window->view(); };
+    for (const bool others : {false, true}) {
+        for (const auto& [key, modifiers] : keys) {
+            SCOPED_TRACE(key);
+            QTest::keyClick(&*window, key, modifiers);
+            ASSERT_TRUE(comes([&] { return !focusIsInImage(); }));
+            QTest::keyClick(QApplication::focusWidget(), key, modifiers);
+            ASSERT_TRUE(comes(focusIsInImage));
+            if (others) QTest::keyClick(&*window, key, modifiers); // stays, behind or beside the next
+        }
+    }
+    for (QDockWidget* dock : window->findChildren<QDockWidget*>()) {
+        dock->widget()->setFocus();
+        dock->close();
+        ASSERT_TRUE(comes(focusIsInImage)) << dock->objectName().toStdString();
+    }
+    const QString before = camera();
+    QTest::keyPress(QApplication::focusWidget(), Qt::Key_W);
+    EXPECT_TRUE(comes([&] { return camera() != before; }));
+    QTest::keyRelease(QApplication::focusWidget(), Qt::Key_W);
+}
+
+TEST_F(PanelsTest, OneKeyHidesAllPanelsAndBringsThemBack) {
+    const auto shown = [&] {
+        QStringList names;
+        for (const QDockWidget* dock : window->findChildren<QDockWidget*>())
+            if (!dock->isHidden()) names.append(dock->objectName());
+        names.sort();
+        return names;
+    };
+    QTest::keyClick(&*window, Qt::Key_F4);
+    EXPECT_EQ(shown(), (QStringList{QStringLiteral("bookmarks"), QStringLiteral("lights"),
+                                    QStringLiteral("model"), QStringLiteral("settings")}));
+    QTest::keyClick(&*window, Qt::Key_F4);
+    EXPECT_EQ(shown(), QStringList());
+    QTest::keyClick(&*window, Qt::Key_F6);
+    QTest::keyClick(&*window, Qt::Key_F5);
+    QTest::keyClick(&*window, Qt::Key_J, Qt::ControlModifier);
+    const QStringList some{QStringLiteral("jobs"), QStringLiteral("lights"), QStringLiteral("settings")};
+    ASSERT_EQ(shown(), some);
+    ASSERT_TRUE(comes([&] { return lights().parentWidget()->visibleRegion().isEmpty(); })) << "behind";
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_F4);
+    EXPECT_EQ(shown(), QStringList());
+    EXPECT_EQ(QApplication::focusWidget(), &window->view());
+    for (const ActionId id : {ActionId::SettingsPanel, ActionId::LightsPanel, ActionId::Jobs})
+        EXPECT_FALSE(action(id)->isChecked());
+    QTest::keyClick(&*window, Qt::Key_F4);
+    EXPECT_EQ(shown(), some);
+    EXPECT_TRUE(action(ActionId::Jobs)->isChecked());
+    EXPECT_TRUE(comes([&] {
+        return lights().parentWidget()->visibleRegion().isEmpty() &&
+               !settings().parentWidget()->visibleRegion().isEmpty();
+    })) << "the same one in front";
 }
 
 TEST_F(PanelsTest, ManyStepsInAMomentAreOneStepBack) {

@@ -91,6 +91,56 @@ TEST_F(RestTest, WhatIsShownIsSavedAndSaysHowItWasMade) {
     EXPECT_EQ(window->view().told(), QStringLiteral("The live frame was copied."));
 }
 
+// One sees the light that one is about to edit.
+TEST_F(RestTest, StaysWhenAPanelOpensUntilThereIsOneAsGood) {
+    window->resize(900, 500);
+    constexpr int kSamples = 12;
+    ASSERT_NO_FATAL_FAILURE(openByPaths(kSamples));
+    ASSERT_TRUE(comes([&] { return samples() == kSamples && !window->view().fades(); }));
+    const QImage before = window->view().picture();
+    bool lost = false, worse = false;
+    const auto watch = [&] {
+        lost = lost || window->view().showsLive();
+        worse = worse || samples() < kSamples;
+    };
+    QObject::connect(&window->session(), &Session::frameChanged, &window->view(), watch);
+    action(ActionId::LightsPanel)->trigger();
+    ASSERT_TRUE(comes([&] {
+        watch();
+        return window->view().picture().size() != before.size();
+    }));
+    EXPECT_FALSE(lost);
+    EXPECT_FALSE(worse);
+    EXPECT_EQ(window->view().picture().size(), status().resolution);
+    EXPECT_LT(window->view().picture().width(), before.width());
+}
+
+TEST_F(RestTest, WhatIsKeptOverAChangeOfSizeGoesWithTheFirstEditOrMovement) {
+    window->resize(900, 500);
+    ASSERT_NO_FATAL_FAILURE(openByPaths(1 << 20));
+    const auto keepOne = [&] {
+        ASSERT_TRUE(comes([&] { return !window->view().showsLive() && samples() >= 8; }));
+        const QSize size = status().resolution;
+        action(ActionId::LightsPanel)->trigger();
+        ASSERT_TRUE(comes([&] { return status().resolution != size; }));
+        QTest::qWait(50);
+        ASSERT_FALSE(window->view().showsLive());
+        ASSERT_EQ(window->view().picture().size(), size);
+    };
+    ASSERT_NO_FATAL_FAILURE(keepOne());
+    window->editor().setSetting(QStringLiteral("shadows"), QStringLiteral("false"));
+    EXPECT_TRUE(window->view().showsLive()) << "at once";
+    ASSERT_NO_FATAL_FAILURE(keepOne());
+    QTest::keyClick(&window->view(), Qt::Key_W);
+    EXPECT_TRUE(window->view().showsLive());
+    ASSERT_NO_FATAL_FAILURE(keepOne());
+    ASSERT_TRUE(ask(window->session(), std::string("camera turn 20 0")).done);
+    EXPECT_TRUE(comes([&] { return window->view().showsLive(); })) << "by another client";
+    ASSERT_NO_FATAL_FAILURE(keepOne());
+    ASSERT_TRUE(ask(window->session(), std::string("set reflections false")).done);
+    EXPECT_TRUE(comes([&] { return window->view().showsLive(); })) << "an edit of another client";
+}
+
 class FadeTest : public GuiTest {
   protected:
     void SetUp() override {

@@ -47,6 +47,61 @@ class SkyTest : public test::WindowFixture {
     }
 };
 
+/// Types over the whole of a field, as a user would.
+void typeOver(QAbstractSpinBox& field, const QString& text, Qt::Key end = Qt::Key_Tab) {
+    field.setFocus();
+    QTest::keyClick(&field, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(&field, text);
+    QTest::keyClick(&field, end);
+}
+
+TEST_F(SkyTest, ATimeAndADateMayBeTypedAsAWhole) {
+    openAndRest("lit.scn");
+    action(ActionId::LightsPanel)->trigger();
+    fields().sky().click();
+    ASSERT_TRUE(edits(1));
+    ASSERT_TRUE(comes([&] { return fields().time().isVisible(); }));
+    const auto is = [&](int hour, int minute) {
+        return comes([&] { return state().sky->date->second == (60 * hour + minute) * 60; }) &&
+               fields().time().text() == QTime(hour, minute).toString(QStringLiteral("HH:mm"));
+    };
+    typeOver(fields().time(), QStringLiteral("17:00"));
+    EXPECT_TRUE(is(17, 0)) << fields().time().text().toStdString();
+    EXPECT_FALSE(fields().time().hasFocus());
+    typeOver(fields().time(), QStringLiteral("7:05"), Qt::Key_Return);
+    EXPECT_TRUE(is(7, 5));
+    typeOver(fields().time(), QStringLiteral("1730"));
+    EXPECT_TRUE(is(17, 30));
+    typeOver(fields().time(), QStringLiteral("9"));
+    EXPECT_TRUE(is(9, 0));
+    for (const char* wrong : {"25:00", "noon", "12:99", ":"}) {
+        typeOver(fields().time(), QLatin1String(wrong));
+        EXPECT_EQ(fields().time().text(), QStringLiteral("09:00")) << wrong << ": the value before";
+    }
+    fields().time().setFocus();
+    QTest::keyClick(&fields().time(), Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClick(&fields().time(), Qt::Key_Delete);
+    QTest::keyClicks(&fields().time(), QStringLiteral("6.15"));
+    fields().latitude().setFocus(); // a click elsewhere
+    EXPECT_TRUE(is(6, 15));
+    fields().time().setFocus();
+    QTest::keyClick(&fields().time(), Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(&fields().time(), QStringLiteral("22:00"));
+    QTest::keyClick(&fields().time(), Qt::Key_Escape);
+    EXPECT_EQ(fields().time().text(), QStringLiteral("06:15"));
+    typeOver(fields().date(), QStringLiteral("2024-02-29"));
+    EXPECT_TRUE(comes([&] { return state().sky->date->month == 2 && state().sky->date->day == 29; }));
+    typeOver(fields().date(), QStringLiteral("2023-02-29"));
+    EXPECT_EQ(fields().date().date(), QDate(2024, 2, 29));
+    typeOver(fields().date(), QStringLiteral("20251224"));
+    EXPECT_TRUE(comes([&] { return state().sky->date->year == 2025 && state().sky->date->day == 24; }));
+    // By its parts as ever.
+    fields().time().setFocus();
+    fields().time().setCurrentSection(QDateTimeEdit::MinuteSection);
+    QTest::keyClick(&fields().time(), Qt::Key_Up);
+    EXPECT_TRUE(is(6, 16));
+}
+
 TEST_F(SkyTest, FieldsReachTheServerAndFollowIt) {
     openAndRest("lit.scn");
     action(ActionId::LightsPanel)->trigger();

@@ -2,8 +2,11 @@
 #include "gui/window_support.h"
 
 #include "gui/models/example_scenes.h"
+#include "gui/view/input_capture.h"
 #include "gui/view/start_page.h"
 
+#include <QFileDialog>
+#include <QLabel>
 #include <QPushButton>
 
 #include <filesystem>
@@ -27,7 +30,7 @@ class StartPageTest : public WindowFixture {
 
 TEST_F(StartPageTest, IsThereUntilAServerIsAndWhenItWasLeft) {
     EXPECT_TRUE(page().isVisible());
-    EXPECT_NE(button(QStringLiteral("&Open a scene or a model…")), nullptr);
+    EXPECT_NE(button(QStringLiteral("Open a scene or a &model…")), nullptr);
     open();
     EXPECT_FALSE(page().isVisible());
     action(ActionId::Disconnect)->trigger();
@@ -37,6 +40,38 @@ TEST_F(StartPageTest, IsThereUntilAServerIsAndWhenItWasLeft) {
     recent->click();
     EXPECT_TRUE(shows(window->session()));
     EXPECT_FALSE(page().isVisible());
+}
+
+TEST_F(StartPageTest, ReturnPressesTheButtonThatHasTheFocus) {
+    int asked = 0;
+    QObject::connect(&page(), &StartPage::chooseWanted, [&] { ++asked; });
+    QPushButton* choose = button(QStringLiteral("Open a scene or a &model…"));
+    ASSERT_NE(choose, nullptr);
+    const auto dialog = [&] { return window->findChild<QFileDialog*>(); };
+    for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter, Qt::Key_Space}) {
+        choose->setFocus();
+        QTest::keyClick(choose, key);
+        ASSERT_TRUE(comes([&] { return dialog() != nullptr; }));
+        dialog()->reject();
+        ASSERT_TRUE(comes([&] { return dialog() == nullptr; }));
+    }
+    EXPECT_EQ(asked, 3);
+    EXPECT_FALSE(window->view().input().captured()) << "Return is not the image's, too";
+}
+
+TEST_F(StartPageTest, HasTheColoursOfTheTheme) {
+    const auto lightness = [&] {
+        const QImage image = button(QStringLiteral("Open a scene or a &model…"))->grab().toImage();
+        return image.pixelColor(8, image.height() / 2).lightness();
+    };
+    window->preferences().set(pref::theme, QStringLiteral("light"));
+    EXPECT_TRUE(comes([&] { return lightness() > 180; }));
+    window->preferences().set(pref::theme, QStringLiteral("dark"));
+    EXPECT_TRUE(comes([&] { return lightness() < 100; })) << lightness();
+    for (const QLabel* label : page().findChildren<QLabel*>())
+        EXPECT_GT(label->palette().color(QPalette::WindowText).lightness(), 180)
+            << "on the viewport's dark ground";
+    window->preferences().set(pref::theme, QStringLiteral("system"));
 }
 
 TEST_F(StartPageTest, LeavesASmallWindowSmall) {

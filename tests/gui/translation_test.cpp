@@ -6,16 +6,22 @@
 #include "gui/dialogs/recording_dialog.h"
 #include "gui/dialogs/share_dialog.h"
 #include "gui/dialogs/start_server_dialog.h"
+#include "gui/main_window.h"
 #include "gui/models/action_table.h"
 #include "gui/models/bookmark_store.h"
+#include "gui/operations/actions.h"
+#include "gui/view/notice_bar.h"
+#include "gui/view/start_page.h"
 
 #include "gui/gui_support.h"
 #include "gui/translation_file.h"
 
 #include <QAbstractButton>
+#include <QAction>
 #include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QLabel>
+#include <QMenuBar>
 #include <QRegularExpression>
 #include <QTabBar>
 #include <QTabWidget>
@@ -102,6 +108,25 @@ TEST_P(LanguageTest, EachMenuHasEachMnemonicOnce) {
         EXPECT_FALSE(mnemonic(actionText(row)).isNull()) << row.text;
         once(seen[row.menu], actionText(row), row.text);
     }
+}
+
+// All that Alt and a letter may mean at one time: menus, the start page, panels, the notice.
+TEST_P(LanguageTest, TheWindowHasEachMnemonicOnce) {
+    MainWindow window(name());
+    window.resize(900, 640);
+    window.show();
+    for (const ActionId id : {ActionId::SettingsPanel, ActionId::LightsPanel, ActionId::ModelPanel,
+                              ActionId::BookmarksPanel, ActionId::Jobs})
+        window.actions()[id]->trigger();
+    window.notice().explain(QStringLiteral("why"),
+                            {window.actions()[ActionId::RestartServer], window.actions()[ActionId::ServerLog],
+                             window.actions()[ActionId::Open]});
+    QSet<QChar> seen;
+    for (const QAction* menu : window.menuBar()->actions()) once(seen, menu->text(), "menu bar");
+    EXPECT_GT(seen.size(), 6);
+    checkPage(window, seen);
+    ASSERT_NE(window.findChild<StartPage*>(), nullptr);
+    EXPECT_TRUE(window.findChild<StartPage*>()->isVisible());
 }
 
 TEST_P(LanguageTest, EachDialogHasEachMnemonicOnce) {

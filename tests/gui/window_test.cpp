@@ -1,6 +1,7 @@
 /// The whole window with a real server.
 #include "gui/window_support.h"
 
+#include "gui/dialogs/recording_dialog.h"
 #include "gui/view/input_capture.h"
 
 #include <QClipboard>
@@ -10,6 +11,7 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QPushButton>
+#include <QScreen>
 #include <QSignalSpy>
 
 #include <csignal>
@@ -219,6 +221,43 @@ TEST_F(WindowTest, ASceneThatCannotBeLoadedIsNotLoadingAnyMore) {
     EXPECT_TRUE(window->view().told().contains(QStringLiteral("broken.obj")));
     ASSERT_TRUE(comes([&] { return window->notice().text().contains(QStringLiteral("broken.obj")); }));
     EXPECT_EQ(window->view().told(), QString());
+}
+
+TEST_F(WindowTest, TheRecordingDialogLeavesWithItsScene) {
+    std::filesystem::copy_file(folder() / "room.obj", folder() / "other.obj");
+    open();
+    ASSERT_TRUE(comes([&] { return !window->editor().scene().isEmpty(); }));
+    action(ActionId::Recording)->trigger();
+    const auto dialog = [&] { return window->findChild<RecordingDialog*>(); };
+    ASSERT_NE(dialog(), nullptr);
+    window->editor().refresh();
+    QTest::qWait(300);
+    EXPECT_NE(dialog(), nullptr) << "of this scene";
+    window->open(file("other.obj"));
+    EXPECT_TRUE(comes([&] { return dialog() == nullptr; }));
+    action(ActionId::Recording)->trigger();
+    EXPECT_NE(dialog(), nullptr);
+}
+
+TEST_F(WindowTest, AFirstWindowAndADamagedOneFitIntoTheScreen) {
+    const QRect room = window->screen()->availableGeometry();
+    const QByteArray good = window->saveGeometry();
+    window->preferences().set(pref::geometry, QByteArray());
+    const auto fits = [&] {
+        MainWindow other(name());
+        EXPECT_LE(other.width(), room.width());
+        EXPECT_LE(other.height(), room.height());
+        EXPECT_TRUE(!other.testAttribute(Qt::WA_Moved) || room.contains(other.geometry()));
+        return !testing::Test::HasFailure();
+    };
+    EXPECT_TRUE(fits());
+    // Each byte of it spoilt.
+    for (qsizetype at = 0; at < good.size(); ++at) {
+        QByteArray spoilt = good;
+        spoilt[at] = '\x7f';
+        window->preferences().set(pref::geometry, spoilt);
+        ASSERT_TRUE(fits()) << "byte " << at;
+    }
 }
 
 TEST_F(WindowTest, TheWheelChangesTheSpeed) {

@@ -65,6 +65,9 @@ TEST_F(PageModules, LinksAndBookmarksAreChecked) {
         with("bookmarks.js",
              "m.checked([{name: 'a', view: Array(10).fill(1), image: 'https://elsewhere/x.png'}])[0].image"),
         "");
+    EXPECT_EQ(with("bookmarks.js", "m.checked([{name: 'a\\u202ab\\u200f\\u0007\\u2066c', "
+                                   "view: Array(10).fill(1)}])[0].name"),
+              "abc");
 }
 
 // Sticks of thumbs and of gamepads.

@@ -6,7 +6,7 @@
 
 namespace bridge {
 
-/// Without control characters, 40 characters at most; `given` is UTF-8.
+/// rtcore::withoutControls(), 40 characters at most.
 std::string plainName(std::string_view given);
 
 } // namespace bridge

@@ -1,6 +1,6 @@
 #include "common/cli/isa_option.h"
 
-#include "rtcore/settings/nearest_name.h"
+#include "rtcore/settings/plain_text.h"
 #include "rtcore/simd/instruction_set.h"
 
 namespace app {

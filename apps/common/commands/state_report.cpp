@@ -7,7 +7,7 @@
 #include "rtcore/io/text/toml_parser.h"
 #include "rtcore/io/text/toml_writer.h"
 #include "rtcore/scene/up_axis.h"
-#include "rtcore/settings/nearest_name.h"
+#include "rtcore/settings/plain_text.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -63,6 +63,12 @@ void writeLights(rtcore::TomlWriter& writer, const std::vector<ReportedLight>& l
     }
 }
 
+std::vector<std::string> printableOf(const std::vector<std::string>& names) {
+    std::vector<std::string> all;
+    for (const std::string& name : names) all.push_back(rtcore::printable(name));
+    return all;
+}
+
 std::string format(const StateReport& state, const Extent& extent) {
     rtcore::TomlWriter writer;
     writer.add("version", kVersion);
@@ -71,7 +77,7 @@ std::string format(const StateReport& state, const Extent& extent) {
     writer.add("redo", rtcore::printable(state.redo));
     writer.add("edits", state.edits);
     writer.add("modified", state.modified);
-    if (extent.names) writer.add("bookmarks", state.bookmarks);
+    if (extent.names) writer.add("bookmarks", printableOf(state.bookmarks));
     writer.add("up", rtcore::axisName(state.up));
     writer.add("metresPerUnit", state.metresPerUnit);
     writeLights(writer, state.lights, extent);

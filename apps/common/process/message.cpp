@@ -2,7 +2,7 @@
 
 #include "common/process/terminal.h"
 
-#include "rtcore/settings/nearest_name.h"
+#include "rtcore/settings/plain_text.h"
 
 #include <new>
 #include <string>

@@ -10,7 +10,7 @@
 #include "rtcore/platform/file_waits.h"
 #include "rtcore/platform/files.h"
 #include "rtcore/platform/processes.h"
-#include "rtcore/settings/nearest_name.h"
+#include "rtcore/settings/plain_text.h"
 
 #include <algorithm>
 #include <atomic>

@@ -2,7 +2,7 @@
 
 #include "common/settings/named_numbers.h"
 
-#include "rtcore/settings/nearest_name.h"
+#include "rtcore/settings/plain_text.h"
 
 #include <fmt/core.h>
 

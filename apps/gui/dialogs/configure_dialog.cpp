@@ -1,8 +1,10 @@
 #include "gui/dialogs/configure_dialog.h"
 
+#include "gui/dialogs/fields.h"
 #include "gui/dialogs/file_field.h"
 #include "gui/dialogs/key_bindings_page.h"
 #include "gui/session/session.h"
+#include "gui/view/plain_widgets.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -128,8 +130,8 @@ void ConfigureDialog::addLanguage(QFormLayout& form) {
     box->addItem(QStringLiteral("English"), QStringLiteral("en"));
     box->addItem(QStringLiteral("Čeština"), QStringLiteral("cs"));
     box->setCurrentIndex(qMax(0, box->findData(preferences_.get(pref::language))));
-    box->setToolTip(tr("Holds from the next start of the window"));
     form.addRow(tr("&Language:"), box);
+    form.addRow(QString(), wrappedLabel(tr("The language holds from the next start of the window.")));
     stores_.append([this, box] { preferences_.set(pref::language, box->currentData().toString()); });
 }
 

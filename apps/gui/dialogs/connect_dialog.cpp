@@ -1,8 +1,10 @@
 #include "gui/dialogs/connect_dialog.h"
 
+#include "gui/models/plain_text.h"
+#include "gui/view/plain_widgets.h"
+
 #include <QDialogButtonBox>
 #include <QHeaderView>
-#include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 #include <QTreeWidget>
@@ -22,7 +24,8 @@ QTreeWidgetItem* rowOf(const RunningServer& server) {
     auto* row = new QTreeWidgetItem({server.instance, QString::number(server.process),
                                      server.trouble.isEmpty() ? size : ConnectDialog::tr("does not suit"),
                                      QLocale().toString(server.polygons), QString::number(server.clients)});
-    for (int column = 0; column < row->columnCount(); ++column) row->setToolTip(column, server.trouble);
+    for (int column = 0; column < row->columnCount(); ++column)
+        row->setToolTip(column, plainTip(server.trouble));
     for (const int column : {1, 3, 4}) row->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     row->setDisabled(!server.trouble.isEmpty());
     return row;
@@ -40,7 +43,7 @@ ConnectDialog::ConnectDialog(const QString& present, QWidget* parent)
     list_->setAccessibleName(tr("Servers"));
     list_->header()->setStretchLastSection(false);
     list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-    auto* label = new QLabel(tr("&Servers that run on this machine:"));
+    auto* label = new PlainLabel(tr("&Servers that run on this machine:"));
     label->setBuddy(list_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
     connect_ = buttons->addButton(tr("&Connect"), QDialogButtonBox::AcceptRole);

@@ -1,7 +1,8 @@
 #include "gui/dialogs/fields.h"
 
+#include "gui/view/plain_widgets.h"
+
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QSpinBox>
 
 namespace gui {
@@ -24,10 +25,10 @@ QWidget* rowOfFields(std::initializer_list<QWidget*> fields) {
     return row;
 }
 
-QWidget* sign(const QString& text) { return new QLabel(text); }
+QWidget* sign(const QString& text) { return new PlainLabel(text); }
 
-QLabel* wrappedLabel(const QString& text) {
-    auto* label = new QLabel(text);
+PlainLabel* wrappedLabel(const QString& text) {
+    auto* label = new PlainLabel(text);
     label->setWordWrap(true);
     return label;
 }

@@ -5,11 +5,12 @@
 
 #include <initializer_list>
 
-class QLabel;
 class QSpinBox;
 class QWidget;
 
 namespace gui {
+
+class PlainLabel;
 
 /// A field for a whole number.
 QSpinBox* numberField(int minimum, int maximum, int value, const QString& accessibleName);
@@ -21,6 +22,6 @@ QWidget* rowOfFields(std::initializer_list<QWidget*> fields);
 QWidget* sign(const QString& text);
 
 /// Sentences, over as many lines as they take.
-QLabel* wrappedLabel(const QString& text = {});
+PlainLabel* wrappedLabel(const QString& text = {});
 
 } // namespace gui

@@ -1,6 +1,8 @@
 #include "gui/dialogs/job_dialog.h"
 
+#include "gui/dialogs/fields.h"
 #include "gui/dialogs/option_fields.h"
+#include "gui/view/plain_widgets.h"
 
 #include "common/cli/command_line.h"
 
@@ -50,9 +52,8 @@ void alignLabel(QLabel& label, const QFormLayout& with) {
 
 JobDialog::JobDialog(const app::ProgramSpec& spec, const QStringList& own, QWidget* parent)
     : QDialog(parent), spec_(spec), form_(new QFormLayout), further_(new OptionFields(spec, own)),
-      command_(new QLineEdit), trouble_(new QLabel) {
+      command_(new QLineEdit), trouble_(wrappedLabel()) {
     setAttribute(Qt::WA_DeleteOnClose);
-    trouble_->setWordWrap(true);
     auto* column = new QVBoxLayout(this);
     column->addLayout(form_);
 }

@@ -16,6 +16,7 @@ class QPushButton;
 namespace gui {
 
 class OptionFields;
+class PlainLabel;
 
 class JobDialog : public QDialog {
     Q_OBJECT
@@ -53,7 +54,8 @@ class JobDialog : public QDialog {
     QFormLayout* form_;
     OptionFields* further_;
     QLineEdit* command_;
-    QLabel *commandLabel_ = nullptr, *trouble_;
+    QLabel* commandLabel_ = nullptr;
+    PlainLabel* trouble_;
     QPushButton* accept_ = nullptr;
 };
 

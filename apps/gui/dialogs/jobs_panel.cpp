@@ -1,6 +1,8 @@
 #include "gui/dialogs/jobs_panel.h"
 
+#include "gui/models/plain_text.h"
 #include "gui/processes/job_queue.h"
+#include "gui/view/plain_widgets.h"
 #include "gui/view/progress_delegate.h"
 
 #include <QDesktopServices>
@@ -9,7 +11,6 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QImageReader>
-#include <QLabel>
 #include <QPlainTextEdit>
 #include <QScrollBar>
 #include <QSplitter>
@@ -37,8 +38,8 @@ QPixmap readSmall(const QString& file, const QSize& room, double ratio) {
 } // namespace
 
 JobsPanel::JobsPanel(JobQueue& queue, QWidget* parent)
-    : QWidget(parent), queue_(queue), table_(new QTreeView), picture_(new QLabel), message_(new QLabel),
-      log_(new QPlainTextEdit) {
+    : QWidget(parent), queue_(queue), table_(new QTreeView), picture_(new PlainLabel),
+      message_(new PlainLabel), log_(new QPlainTextEdit) {
     makeTable();
     setFocusProxy(table_);
     picture_->setFixedSize(kPictureWide, kPictureHigh);
@@ -102,7 +103,7 @@ void JobsPanel::makeTable() {
 QToolButton* JobsPanel::addButton(const QString& text, const QString& tip, void (JobsPanel::*act)()) {
     auto* button = new QToolButton;
     button->setText(text);
-    button->setToolTip(tip);
+    button->setToolTip(plainTip(tip));
     button->setAccessibleName(tip);
     button->setFocusPolicy(Qt::TabFocus);
     connect(button, &QToolButton::clicked, this, act);

@@ -6,7 +6,6 @@
 
 #include <QWidget>
 
-class QLabel;
 class QPlainTextEdit;
 class QToolButton;
 class QTreeView;
@@ -14,6 +13,7 @@ class QTreeView;
 namespace gui {
 
 class JobQueue;
+class PlainLabel;
 
 class JobsPanel : public QWidget {
     Q_OBJECT
@@ -46,7 +46,7 @@ class JobsPanel : public QWidget {
 
     JobQueue& queue_;
     QTreeView* table_;
-    QLabel *picture_, *message_;
+    PlainLabel *picture_, *message_;
     QPlainTextEdit* log_;
     QToolButton *show_, *folder_, *up_, *down_, *cancel_, *again_, *remove_, *clear_;
     quint64 detailed_ = 0; ///< whose result picture_ shows

@@ -1,9 +1,11 @@
 #include "gui/dialogs/key_bindings_page.h"
 
+#include "gui/dialogs/fields.h"
+#include "gui/view/plain_widgets.h"
+
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLabel>
 #include <QPushButton>
 #include <QSet>
 #include <QSpinBox>
@@ -44,17 +46,15 @@ void setNumbered(QSpinBox& box, bool numbered) {
 } // namespace
 
 KeyBindingsPage::KeyBindingsPage(QWidget* parent)
-    : QWidget(parent), table_(new QTableWidget(0, 3)), trouble_(new QLabel) {
+    : QWidget(parent), table_(new QTableWidget(0, 3)), trouble_(wrappedLabel()) {
     table_->setHorizontalHeaderLabels({tr("Keys"), tr("Action"), tr("Number")});
     table_->horizontalHeader()->setSectionResizeMode(Action, QHeaderView::Stretch);
     table_->verticalHeader()->hide();
     table_->setAccessibleName(tr("Key bindings"));
     table_->setTabKeyNavigation(false);
-    trouble_->setWordWrap(true);
-    auto* hint =
-        new QLabel(tr("A key is written by its name: W, 7, Space, Left, CapsLock. M+3 acts when 3 is pressed "
-                      "while M is down."));
-    hint->setWordWrap(true);
+    auto* hint = wrappedLabel(
+        tr("A key is written by its name: W, 7, Space, Left, CapsLock. M+3 acts when 3 is pressed "
+           "while M is down."));
     auto* add = new QPushButton(tr("&Add"));
     auto* remove = new QPushButton(tr("&Remove"));
     auto* defaults = new QPushButton(tr("&Defaults"));

@@ -5,10 +5,11 @@
 
 #include <QWidget>
 
-class QLabel;
 class QTableWidget;
 
 namespace gui {
+
+class PlainLabel;
 
 class KeyBindingsPage : public QWidget {
     Q_OBJECT
@@ -30,7 +31,7 @@ class KeyBindingsPage : public QWidget {
     void check();
 
     QTableWidget* table_;
-    QLabel* trouble_;
+    PlainLabel* trouble_;
     bool filling_ = false;
 };
 

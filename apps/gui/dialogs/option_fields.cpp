@@ -2,11 +2,11 @@
 
 #include "gui/dialogs/file_field.h"
 #include "gui/models/option_names.h"
+#include "gui/view/plain_widgets.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
-#include <QLabel>
 #include <QLineEdit>
 #include <QProcess>
 
@@ -38,8 +38,7 @@ OptionFields::OptionFields(const app::ProgramSpec& spec, const QStringList& with
         bool titled = false;
         for (const app::Option& option : group.options) {
             if (option.answers || without.contains(QString::fromStdString(option.name))) continue;
-            if (!std::exchange(titled, true))
-                form->addRow(new QLabel(QStringLiteral("<b>%1</b>").arg(optionGroupTitle(group))));
+            if (!std::exchange(titled, true)) form->addRow(headingLabel(optionGroupTitle(group)));
             addField(*form, option);
         }
     }
@@ -57,7 +56,7 @@ void OptionFields::addField(QFormLayout& form, const app::Option& option) {
     if (isSwitch) return form.addRow(QString(), field);
     field->setAccessibleName(optionLabel(option));
     form.addRow(optionLabel(option) + QLatin1Char(':'), field);
-    form.labelForField(field)->setToolTip(field->toolTip());
+    form.labelForField(field)->setToolTip(optionTip(option));
 }
 
 QWidget* OptionFields::makeSwitch(const app::Option& option) {

@@ -1,7 +1,9 @@
 #include "gui/dialogs/picture_dialog.h"
 
 #include "gui/models/output_file.h"
+#include "gui/models/plain_text.h"
 #include "gui/view/picture_view.h"
+#include "gui/view/plain_widgets.h"
 
 #include <QAction>
 #include <QClipboard>
@@ -11,7 +13,6 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QMessageBox>
 #include <QScreen>
 #include <QToolButton>
@@ -29,10 +30,10 @@ QString extensionOf(const QString& path) { return QFileInfo(path).suffix().toLow
 } // namespace
 
 PictureDialog::PictureDialog(const QString& file, QWidget* parent)
-    : QDialog(parent), file_(file), picture_(file), view_(new PictureView), state_(new QLabel) {
+    : QDialog(parent), file_(file), picture_(file), view_(new PictureView), state_(new PlainLabel) {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowFlag(Qt::WindowMaximizeButtonHint);
-    setWindowTitle(QFileInfo(file).fileName());
+    setWindowTitle(plainTitle(QFileInfo(file).fileName()));
     view_->setAccessibleName(tr("Image %1").arg(QFileInfo(file).fileName()));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -62,9 +63,8 @@ void PictureDialog::addButton(QHBoxLayout& row, const QString& text, const QStri
                               const QList<QKeySequence>& keys, Act act) {
     auto* action = new QAction(text, this);
     action->setShortcuts(keys);
-    action->setToolTip(
-        keys.isEmpty() ? tip
-                       : QStringLiteral("%1 (%2)").arg(tip, keys.first().toString(QKeySequence::NativeText)));
+    const QString key = keys.isEmpty() ? QString() : keys.first().toString(QKeySequence::NativeText);
+    action->setToolTip(plainTip(key.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, key)));
     connect(action, &QAction::triggered, this, act);
     auto* button = new QToolButton;
     button->setDefaultAction(action);
@@ -117,9 +117,9 @@ void PictureDialog::saveAs() {
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         const QString trouble = saveTo(path);
         if (trouble.isEmpty()) return;
-        auto* box = new QMessageBox(QMessageBox::Warning, tr("Save image"),
-                                    tr("%1 was not written: %2").arg(path, trouble), QMessageBox::Ok, this);
-        box->setAttribute(Qt::WA_DeleteOnClose);
+        auto* box = plainBox(QMessageBox::Warning, tr("Save image"),
+                             tr("%1 was not written: %2").arg(path, trouble), this);
+        box->addButton(QMessageBox::Ok);
         box->open();
     });
     dialog->open();

@@ -5,11 +5,11 @@
 #include <QImage>
 
 class QHBoxLayout;
-class QLabel;
 
 namespace gui {
 
 class PictureView;
+class PlainLabel;
 
 class PictureDialog : public QDialog {
     Q_OBJECT
@@ -34,7 +34,7 @@ class PictureDialog : public QDialog {
     QString file_;
     QImage picture_;
     PictureView* view_;
-    QLabel* state_;
+    PlainLabel* state_;
 };
 
 } // namespace gui

@@ -1,12 +1,13 @@
 #include "gui/dialogs/recording_dialog.h"
 
+#include "gui/dialogs/fields.h"
 #include "gui/dialogs/file_field.h"
 #include "gui/models/preferences.h"
+#include "gui/view/plain_widgets.h"
 
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QFormLayout>
-#include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 #include <QRegularExpression>
@@ -17,20 +18,18 @@ RecordingDialog::RecordingDialog(Session& session, const QString& folder, QWidge
     : QDialog(parent), session_(session), path_(new FileField(FileField::Kind::Save, tr("List of cameras"),
                                                               tr("Lists (*.lst *.txt);;All files (*)"))),
       button_(new QPushButton), play_(new QPushButton(tr("P&lay"))),
-      film_(new QPushButton(tr("Render as &film…"))), state_(new QLabel) {
+      film_(new QPushButton(tr("Render as &film…"))), state_(wrappedLabel()) {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Recording"));
-    state_->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     buttons->addButton(button_, QDialogButtonBox::ActionRole);
     buttons->addButton(play_, QDialogButtonBox::ActionRole);
     buttons->addButton(film_, QDialogButtonBox::ActionRole);
     connect(play_, &QPushButton::clicked, this, &RecordingDialog::play);
     connect(film_, &QPushButton::clicked, this, [this] { emit filmWanted(path_->path()); });
-    auto* hint = new QLabel(tr("From Start to Stop the camera, the exposure and the lights are written 30 "
-                               "times a second: .cam files "
-                               "and their list, which the Renderer makes a film of."));
-    hint->setWordWrap(true);
+    auto* hint = wrappedLabel(tr("From Start to Stop the camera, the exposure and the lights are written 30 "
+                                 "times a second: .cam files "
+                                 "and their list, which the Renderer makes a film of."));
     auto* form = new QFormLayout(this);
     form->addRow(hint);
     form->addRow(tr("&Path:"), path_);

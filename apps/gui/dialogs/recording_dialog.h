@@ -8,12 +8,12 @@
 #include <QElapsedTimer>
 #include <QTimer>
 
-class QLabel;
 class QPushButton;
 
 namespace gui {
 
 class FileField;
+class PlainLabel;
 
 class RecordingDialog : public QDialog {
     Q_OBJECT
@@ -39,7 +39,7 @@ class RecordingDialog : public QDialog {
     Session& session_;
     FileField* path_;
     QPushButton *button_, *play_, *film_;
-    QLabel* state_;
+    PlainLabel* state_;
     QTimer timer_; ///< while a recording runs: its time is shown
     QElapsedTimer clock_;
     bool live_ = false, recording_ = false;

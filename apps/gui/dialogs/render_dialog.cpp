@@ -4,6 +4,7 @@
 #include "gui/dialogs/file_field.h"
 #include "gui/dialogs/option_fields.h"
 #include "gui/models/option_names.h"
+#include "gui/processes/private_folder.h"
 #include "gui/processes/programs.h"
 
 #include "renderer/film_format.h"
@@ -14,10 +15,8 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QFormLayout>
-#include <QLabel>
 #include <QLineEdit>
 #include <QSpinBox>
-#include <QTemporaryDir>
 
 namespace gui {
 
@@ -59,7 +58,7 @@ QString pictureFilter() {
 
 RenderDialog::RenderDialog(const RenderContext& context, QWidget* parent)
     : JobDialog(renderer::rendererSpec(), ownOptions(), parent), live_(context.live),
-      proposedOutput_(context.output), files_(std::make_shared<QTemporaryDir>()) {
+      proposedOutput_(context.output), files_(std::make_shared<PrivateFolder>("job")) {
     setWindowTitle(tr("Render"));
     makeFields(context);
     layOut();
@@ -111,8 +110,8 @@ void RenderDialog::makeFields(const RenderContext& context) {
     integratorRow_ = rowOfFields({integrator_, samples_});
     newNoise_ = new QCheckBox(tr("&New noise in each frame"));
     newNoise_->setChecked(true);
-    newNoise_->setToolTip(tr("<qt>Noise that stands still in a film looks like dirt on the glass.<br>"
-                             "<code>path.seedPerFrame</code></qt>"));
+    newNoise_->setToolTip(tr("Noise that stands still in a film looks like dirt on the glass.") +
+                          QStringLiteral("\npath.seedPerFrame"));
     antialiasing_ = numberField(0, kMostSamples, context.antialiasing, tr("Anti-aliasing"));
     antialiasing_->setSpecialValueText(tr("from scene"));
     occlusion_ = new QComboBox;
@@ -228,7 +227,7 @@ bool RenderDialog::sceneOfServer() const {
     return source() == Source::View || (source() == Source::List && live_ && scene_->path().isEmpty());
 }
 
-QString RenderDialog::exported(const QString& name) const { return files_->filePath(name); }
+QString RenderDialog::exported(const QString& name) const { return files_->file(name); }
 QString RenderDialog::sceneFile() const {
     return sceneOfServer() ? exported(QStringLiteral("view.scn")) : scene_->path();
 }
@@ -300,8 +299,7 @@ QString RenderDialog::missing() const {
     } else if (output_->path().isEmpty()) {
         return tr("Name the file to write.");
     }
-    if (!files_->isValid()) return files_->errorString();
-    return {};
+    return files_->trouble();
 }
 
 // A film before its images.

@@ -11,7 +11,6 @@ class QCheckBox;
 class QComboBox;
 class QLineEdit;
 class QSpinBox;
-class QTemporaryDir;
 
 namespace gui {
 
@@ -69,7 +68,7 @@ class RenderDialog : public JobDialog {
 
     const bool live_;
     const QString proposedOutput_;
-    std::shared_ptr<QTemporaryDir> files_; ///< for what the server writes
+    std::shared_ptr<PrivateFolder> files_; ///< for what the server writes
     QComboBox* source_;
     FileField *scene_, *camera_, *list_, *output_, *film_, *settings_;
     QLineEdit* frames_;

@@ -2,12 +2,12 @@
 
 #include "gui/dialogs/fields.h"
 #include "gui/dialogs/qr_dialog.h"
+#include "gui/view/plain_widgets.h"
 #include "gui/view/qr_code.h"
 
 #include <QClipboard>
 #include <QGridLayout>
 #include <QGuiApplication>
-#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSysInfo>
@@ -56,17 +56,16 @@ ShareLinksPage::ShareLinksPage(QWidget* parent)
                       tr("For any number of visitors who only look.")})),
       way_(wrappedLabel()), visitors_(wrappedLabel()), told_(wrappedLabel()) {
     column_->setContentsMargins(0, 0, 0, 0);
-    for (QLabel* label : {way_, visitors_, told_}) column_->addWidget(label);
+    for (PlainLabel* label : {way_, visitors_, told_}) column_->addWidget(label);
     column_->addStretch();
     way_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    visitors_->setTextFormat(Qt::PlainText); // names are theirs
     visitors_->setAccessibleName(tr("Visitors"));
 }
 
 ShareLinksPage::Row ShareLinksPage::addRow(const RowTexts& texts) {
     const Row row{new QWidget, new QLineEdit, wrappedLabel(texts.meaning), new QPushButton(texts.code)};
     const QString name = QString(texts.title).remove(QLatin1Char('&')).remove(QLatin1Char(':'));
-    auto* label = new QLabel(texts.title);
+    auto* label = new PlainLabel(texts.title);
     label->setBuddy(row.link);
     row.link->setReadOnly(true);
     row.link->setAccessibleName(name);

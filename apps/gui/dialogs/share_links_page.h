@@ -6,12 +6,13 @@
 
 #include <QWidget>
 
-class QLabel;
 class QLineEdit;
 class QPushButton;
 class QVBoxLayout;
 
 namespace gui {
+
+class PlainLabel;
 
 class ShareLinksPage : public QWidget {
     Q_OBJECT
@@ -30,7 +31,7 @@ class ShareLinksPage : public QWidget {
     struct Row {
         QWidget* box;
         QLineEdit* link;
-        QLabel* meaning;
+        PlainLabel* meaning;
         QPushButton* code; ///< shows the link as a QR code
     };
     struct RowTexts {
@@ -40,9 +41,9 @@ class ShareLinksPage : public QWidget {
 
     QVBoxLayout* column_;
     Row driver_, viewer_;
-    QLabel* way_; ///< how other machines get there
-    QLabel* visitors_;
-    QLabel* told_;
+    PlainLabel* way_; ///< how other machines get there
+    PlainLabel* visitors_;
+    PlainLabel* told_;
 };
 
 } // namespace gui

@@ -3,12 +3,12 @@
 #include "gui/dialogs/fields.h"
 #include "gui/dialogs/file_field.h"
 #include "gui/models/preferences.h"
+#include "gui/view/plain_widgets.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFileInfo>
 #include <QFormLayout>
-#include <QLabel>
 
 namespace gui {
 

@@ -9,11 +9,11 @@
 class QCheckBox;
 class QComboBox;
 class QFormLayout;
-class QLabel;
 
 namespace gui {
 
 class FileField;
+class PlainLabel;
 class Preferences;
 
 class SharePlanPage : public QWidget {
@@ -44,8 +44,8 @@ class SharePlanPage : public QWidget {
     FileField* key_;
     QCheckBox* drive_;
     QCheckBox* edit_;
-    QLabel* hint_;
-    QLabel* trouble_;
+    PlainLabel* hint_;
+    PlainLabel* trouble_;
     QFormLayout* form_;
 };
 

@@ -4,6 +4,7 @@
 #include "gui/dialogs/file_field.h"
 #include "gui/processes/programs.h"
 #include "gui/session/server_list.h"
+#include "gui/view/plain_widgets.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -11,7 +12,6 @@
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QFormLayout>
-#include <QLabel>
 #include <QLineEdit>
 #include <QProcess>
 #include <QPushButton>
@@ -47,8 +47,7 @@ StartServerDialog::StartServerDialog(Preferences& preferences, const QString& in
     keep_ = new QCheckBox(tr("&Keep the server running when the window closes"));
     smooth_ = new QCheckBox(tr("Fewer &pixels while something moves, so that it moves smoothly"));
     keep_->setChecked(preferences.get(pref::keepServers));
-    trouble_ = new QLabel;
-    trouble_->setWordWrap(true);
+    trouble_ = wrappedLabel();
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Start new server"));
     build(instance);

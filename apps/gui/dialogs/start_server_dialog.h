@@ -9,7 +9,6 @@
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
-class QLabel;
 class QLineEdit;
 class QPushButton;
 class QSpinBox;
@@ -17,6 +16,7 @@ class QSpinBox;
 namespace gui {
 
 class FileField;
+class PlainLabel;
 
 class StartServerDialog : public QDialog {
     Q_OBJECT
@@ -48,7 +48,7 @@ class StartServerDialog : public QDialog {
     QSpinBox *width_, *height_, *threads_;
     QDoubleSpinBox* limit_;
     QCheckBox *smooth_, *keep_;
-    QLabel* trouble_;
+    PlainLabel* trouble_;
     QPushButton* start_;
 };
 

@@ -1,8 +1,9 @@
 #include "gui/dialogs/statistics_dialog.h"
 
+#include "gui/view/plain_widgets.h"
+
 #include <QDialogButtonBox>
 #include <QFormLayout>
-#include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 
@@ -47,8 +48,8 @@ StatisticsDialog::StatisticsDialog(Session& session, std::function<double()> del
     refresh();
 }
 
-void StatisticsDialog::addRow(QFormLayout& form, const QString& name, QLabel*& value) {
-    value = new QLabel;
+void StatisticsDialog::addRow(QFormLayout& form, const QString& name, PlainLabel*& value) {
+    value = new PlainLabel;
     value->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     value->setAccessibleName(name);
     form.addRow(name + QLatin1Char(':'), value);

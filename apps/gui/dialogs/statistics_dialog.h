@@ -10,9 +10,10 @@
 #include <functional>
 
 class QFormLayout;
-class QLabel;
 
 namespace gui {
+
+class PlainLabel;
 
 class StatisticsDialog : public QDialog {
     Q_OBJECT
@@ -24,14 +25,14 @@ class StatisticsDialog : public QDialog {
                      QWidget* parent = nullptr);
 
   private:
-    void addRow(QFormLayout& form, const QString& name, QLabel*& value);
+    void addRow(QFormLayout& form, const QString& name, PlainLabel*& value);
     void refresh();
     QString stateName() const;
 
     Session& session_;
     std::function<double()> delay_;
     std::function<QString()> origin_;
-    QLabel *server_, *state_, *frames_, *frameTime_, *shown_, *delayed_, *image_, *rays_, *resolution_,
+    PlainLabel *server_, *state_, *frames_, *frameTime_, *shown_, *delayed_, *image_, *rays_, *resolution_,
         *polygons_, *mode_, *eye_, *exposure_;
     QTimer timer_;
     QElapsedTimer clock_;

@@ -117,6 +117,8 @@ constexpr ActionRow kRows[]{
               Checkable},
     ActionRow{ActionId::BookmarksPanel, MenuId::Display, TEXT("&Bookmarks panel"),
               TEXT("Views that you keep"), "F7", Checkable},
+    ActionRow{ActionId::AllPanels, MenuId::Display, TEXT("All &panels"),
+              TEXT("Hide all panels, and show them again"), "F4"},
     ActionRow{ActionId::FullScreen, MenuId::Display, TEXT("F&ull screen"), TEXT("Use the whole screen"),
               "F11", Checkable | SeparatorBefore},
 

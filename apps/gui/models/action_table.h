@@ -54,6 +54,7 @@ enum class ActionId {
     LightsPanel,
     ModelPanel,
     BookmarksPanel,
+    AllPanels,
     FullScreen,
     ProgressiveRendering,
     GlobalIllumination,

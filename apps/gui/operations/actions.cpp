@@ -2,6 +2,7 @@
 
 #include "gui/models/example_scenes.h"
 #include "gui/models/installed_skies.h"
+#include "gui/models/plain_text.h"
 
 #include <QAction>
 #include <QFileInfo>
@@ -14,7 +15,7 @@ Actions::Actions(QWidget& window, Preferences& preferences) : QObject(&window), 
     for (const ActionRow& row : actionTable()) {
         auto* action = new QAction(actionText(row), this);
         action->setStatusTip(actionTip(row));
-        action->setToolTip(actionTip(row));
+        action->setToolTip(plainTip(actionTip(row)));
         action->setCheckable(row.has(Checkable));
         action->setMenuRole(QAction::NoRole);
         window.addAction(action);
@@ -68,7 +69,7 @@ void Actions::addExamples(QMenu& menu) {
     if (scenes.isEmpty()) return;
     QMenu* examples = menu.addMenu(tr("Exam&ples"));
     for (const ExampleScene& each : scenes) {
-        QAction* entry = examples->addAction(each.name);
+        QAction* entry = examples->addAction(plainEntry(each.name));
         entry->setStatusTip(each.path);
         connect(entry, &QAction::triggered, this, [this, path = each.path] { emit recentChosen(path); });
     }
@@ -79,7 +80,7 @@ void Actions::addSkies(QMenu& menu) {
     if (skies.isEmpty()) return;
     skies_ = menu.addMenu(tr("Environment of the &programs"));
     for (const InstalledSky& each : skies) {
-        QAction* entry = skies_->addAction(each.name);
+        QAction* entry = skies_->addAction(plainEntry(each.name));
         entry->setStatusTip(each.path);
         connect(entry, &QAction::triggered, this, [this, path = each.path] { emit skyChosen(path); });
     }
@@ -90,9 +91,9 @@ void Actions::fillRecent() {
     recent_->clear();
     const QStringList files = preferences_.recentFiles();
     for (const QString& path : files) {
-        QAction* entry = recent_->addAction(QFileInfo(path).fileName());
-        entry->setStatusTip(path);
-        entry->setToolTip(path);
+        QAction* entry = recent_->addAction(plainEntry(QFileInfo(path).fileName()));
+        entry->setStatusTip(plainText(path));
+        entry->setToolTip(plainTip(path));
         connect(entry, &QAction::triggered, this, [this, path] { emit recentChosen(path); });
     }
     if (!files.isEmpty()) {

@@ -91,6 +91,11 @@ void CameraOperations::record() {
         recording_ =
             new RecordingDialog(context_.session, context_.preferences.picturesFolder(), &context_.window);
         connect(recording_, &RecordingDialog::filmWanted, this, &CameraOperations::filmWanted);
+        // Its list, and the place that it proposes, are of the scene that was shown.
+        connect(&context_.editor, &SceneEditor::sceneChanged, recording_,
+                [this, scene = context_.editor.scene()] {
+                    if (context_.editor.scene() != scene) recording_->close();
+                });
     }
     recording_->show();
     recording_->raise();

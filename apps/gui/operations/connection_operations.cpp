@@ -9,6 +9,7 @@
 #include "gui/processes/server_keeper.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/notice_bar.h"
+#include "gui/view/plain_widgets.h"
 #include "gui/view/start_page.h"
 
 #include <QAction>
@@ -16,7 +17,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
-#include <QMessageBox>
 #include <QPushButton>
 
 #include <utility>
@@ -174,11 +174,10 @@ void ConnectionOperations::configureServer() {
 // Its key is beside those that move.
 void ConnectionOperations::askToStop() {
     if (question_ != nullptr) return question_->raise();
-    question_ = new QMessageBox(
+    question_ = plainBox(
         QMessageBox::Question, tr("Stop server"),
         tr("End the server “%1”? All windows connected to it lose it.").arg(context_.session.instance()),
-        QMessageBox::NoButton, &context_.window);
-    question_->setAttribute(Qt::WA_DeleteOnClose);
+        &context_.window);
     const QPushButton* stop = question_->addButton(tr("&Stop"), QMessageBox::AcceptRole);
     question_->setDefaultButton(question_->addButton(QMessageBox::Cancel));
     connect(stop, &QPushButton::clicked, this, [this] { context_.keeper.stop(); });

@@ -5,10 +5,12 @@
 #include "gui/dialogs/picture_dialog.h"
 #include "gui/dialogs/render_dialog.h"
 #include "gui/operations/actions.h"
+#include "gui/operations/panel_operations.h"
 #include "gui/processes/server_keeper.h"
 #include "gui/session/session.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/notice_bar.h"
+#include "gui/view/plain_widgets.h"
 
 #include "common/process/stop.h"
 
@@ -18,9 +20,7 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QMainWindow>
-#include <QMessageBox>
 #include <QPushButton>
-#include <QShortcut>
 #include <QUrl>
 
 namespace gui {
@@ -46,8 +46,7 @@ void JobOperations::makeDock() {
         dock_->setVisible(on);
         if (on) panel_->setFocus(Qt::ShortcutFocusReason);
     });
-    auto* back = new QShortcut(Qt::Key_Escape, dock_, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
-    connect(back, &QShortcut::activated, &context_.view, qOverload<>(&QWidget::setFocus));
+    leadBack(*dock_, context_.view);
     connect(dock_, &QDockWidget::visibilityChanged, action,
             [this, action] { action->setChecked(!dock_->isHidden()); });
 }
@@ -137,10 +136,9 @@ bool JobOperations::mayClose() {
         question_->raise();
         return false;
     }
-    question_ = new QMessageBox(QMessageBox::Question, tr("Jobs are not finished"),
-                                tr("Unfinished jobs: %n. Stop and close?", nullptr, queue_.unfinished()),
-                                QMessageBox::NoButton, &context_.window);
-    question_->setAttribute(Qt::WA_DeleteOnClose);
+    question_ =
+        plainBox(QMessageBox::Question, tr("Jobs are not finished"),
+                 tr("Unfinished jobs: %n. Stop and close?", nullptr, queue_.unfinished()), &context_.window);
     QPushButton* stop = question_->addButton(tr("&Stop and close"), QMessageBox::AcceptRole);
     question_->setDefaultButton(question_->addButton(tr("&Keep running"), QMessageBox::RejectRole));
     connect(stop, &QPushButton::clicked, this, [this] {

@@ -119,7 +119,6 @@ void ModelOperations::refresh() {
     }
     askParts(1, {});
     askMaterials(1, {});
-    askFields();
 }
 
 void ModelOperations::askParts(int from, const QList<PartRow>& before) {
@@ -133,7 +132,10 @@ void ModelOperations::askParts(int from, const QList<PartRow>& before) {
 void ModelOperations::askMaterials(int from, const QList<MaterialRow>& before) {
     context_.session.send(command::materials(from), this, [this, before](const Answer& answer) {
         const QList<MaterialRow> more = answer.done ? readMaterials(answer.text) : QList<MaterialRow>();
-        if (more.isEmpty()) return panel_->showMaterials(before);
+        if (more.isEmpty()) {
+            panel_->showMaterials(before);
+            return askFields();
+        }
         askMaterials(more.last().number + 1, before + more);
     });
 }

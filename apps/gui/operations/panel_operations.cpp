@@ -1,5 +1,6 @@
 #include "gui/operations/panel_operations.h"
 
+#include "gui/models/plain_text.h"
 #include "gui/models/preferences.h"
 #include "gui/operations/actions.h"
 #include "gui/operations/scene_editor.h"
@@ -11,6 +12,8 @@
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QShortcut>
+
+#include <algorithm>
 
 namespace gui {
 
@@ -26,6 +29,15 @@ void focusFirst(const QWidget& panel) {
 bool isBehindAnother(const QDockWidget& dock) { return dock.isVisible() && dock.visibleRegion().isEmpty(); }
 
 } // namespace
+
+// Without this the keys would go on to a field of another panel, or nowhere.
+void leadBack(QDockWidget& dock, FrameView& view) {
+    auto* back = new QShortcut(Qt::Key_Escape, &dock, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
+    QObject::connect(back, &QShortcut::activated, &view, qOverload<>(&QWidget::setFocus));
+    QObject::connect(&dock, &QDockWidget::visibilityChanged, &view, [&dock, &view] {
+        if (dock.isHidden()) view.setFocus();
+    });
+}
 
 QDockWidget* addPanel(const GuiContext& context, QWidget* panel, const QString& title, const QString& name,
                       ActionId action) {
@@ -52,8 +64,7 @@ QDockWidget* addPanel(const GuiContext& context, QWidget* panel, const QString& 
         dock->raise();
         focusFirst(*panel);
     });
-    auto* back = new QShortcut(Qt::Key_Escape, dock, nullptr, nullptr, Qt::WidgetWithChildrenShortcut);
-    QObject::connect(back, &QShortcut::activated, &context.view, qOverload<>(&QWidget::setFocus));
+    leadBack(*dock, context.view);
     QObject::connect(dock->toggleViewAction(), &QAction::toggled, toggle, &QAction::setChecked);
     return dock;
 }
@@ -62,8 +73,29 @@ PanelOperations::PanelOperations(const GuiContext& context, QObject* parent)
     : QObject(parent), context_(context) {
     addSettings();
     addUndo();
+    context_.actions.on(ActionId::AllPanels, [this] { switchAll(); });
     connect(&context_.editor, &SceneEditor::refused, this,
             [this](const QString& text) { context_.notice.explain(text, {}); });
+}
+
+// What was hidden comes back as it was; at first that is every panel but the jobs.
+void PanelOperations::switchAll() {
+    const QList<QDockWidget*> all = context_.window.findChildren<QDockWidget*>();
+    QList<QDockWidget*> shown = all;
+    shown.removeIf([](const QDockWidget* dock) { return dock->isHidden(); });
+    if (!shown.isEmpty()) {
+        std::stable_partition(shown.begin(), shown.end(),
+                              [](const QDockWidget* dock) { return isBehindAnother(*dock); });
+        hidden_ = shown;
+        for (QDockWidget* dock : shown) dock->hide();
+        return;
+    }
+    if (hidden_.isEmpty()) {
+        hidden_ = all;
+        hidden_.removeIf([](const QDockWidget* dock) { return dock->objectName() == QLatin1String("jobs"); });
+    }
+    for (QDockWidget* dock : hidden_) dock->show();
+    for (QDockWidget* dock : hidden_) dock->raise();
 }
 
 void PanelOperations::addSettings() {
@@ -98,7 +130,7 @@ void PanelOperations::showUndo() {
         QAction* action = context_.actions[id];
         action->setEnabled(!what.isEmpty());
         const QString text = actionText(actionRow(id));
-        action->setText(what.isEmpty() ? text : tr("%1: %2").arg(text, what));
+        action->setText(what.isEmpty() ? text : tr("%1: %2").arg(text, plainEntry(what)));
     };
     show(ActionId::Undo, context_.editor.undoText());
     show(ActionId::Redo, context_.editor.redoText());

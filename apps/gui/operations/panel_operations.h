@@ -1,8 +1,9 @@
-/// The panel for settings, and what takes changes back.
+/// The panel for settings, what all panels have in common, and what takes changes back.
 #pragma once
 
 #include "gui/operations/gui_context.h"
 
+#include <QList>
 #include <QObject>
 
 class QDockWidget;
@@ -11,9 +12,13 @@ class QWidget;
 namespace gui {
 
 enum class ActionId;
+class FrameView;
+
+/// Esc leads from the panel back to the image, and so does closing it, in whatever way.
+void leadBack(QDockWidget& dock, FrameView& view);
 
 /// A panel at the right of the window, hidden at first, shown and hidden by a checkable action, which brings
-/// one that is behind another to the front; Esc leads from it back to the image.
+/// one that is behind another to the front. It leads back.
 QDockWidget* addPanel(const GuiContext& context, QWidget* panel, const QString& title, const QString& name,
                       ActionId action);
 
@@ -27,8 +32,10 @@ class PanelOperations : public QObject {
     void addSettings();
     void addUndo();
     void showUndo();
+    void switchAll();
 
     GuiContext context_;
+    QList<QDockWidget*> hidden_; ///< by switchAll(); those in front last
 };
 
 } // namespace gui

@@ -1,6 +1,7 @@
 #include "gui/operations/render_operations.h"
 
 #include "gui/operations/actions.h"
+#include "gui/operations/scene_editor.h"
 #include "gui/processes/server_keeper.h"
 #include "gui/session/session.h"
 #include "gui/view/frame_view.h"
@@ -8,6 +9,8 @@
 #include "gui/view/notice_bar.h"
 
 #include <QLocale>
+
+#include <utility>
 
 namespace gui {
 
@@ -44,6 +47,12 @@ void RenderOperations::listen() {
     connect(&context_.session, &Session::statusChanged, this, &RenderOperations::onStatus);
     connect(&context_.session, &Session::frameChanged, this, &RenderOperations::onFrame);
     connect(&context_.preferences, &Preferences::changed, this, &RenderOperations::onPreferences);
+    connect(&context_.editor, &SceneEditor::sending, this, [this] {
+        if (kept_) interrupt();
+    });
+    connect(&context_.editor, &SceneEditor::stateChanged, this, [this] {
+        if (kept_ && context_.editor.state().edits != edits_) interrupt();
+    });
     connect(&rest_, &QTimer::timeout, this, &RenderOperations::renderProgressively);
     connect(&preview_, &PreviewProcess::refined, this, &RenderOperations::onRefined);
     connect(&preview_, &PreviewProcess::failed, this, &RenderOperations::onFailed);
@@ -77,23 +86,41 @@ void RenderOperations::render(const StillQuality& quality) {
     rest_.stop();
     settled_ = true;
     const ServerStatus& status = context_.session.status();
-    moment_ = {status.view, context_.session.frameNumber(), status.idle};
+    moment_ = {status.view, status.resolution, context_.session.frameNumber(), status.idle};
     rendered_ = quality;
     preview_.render(quality);
 }
 
 void RenderOperations::interrupt() {
-    preview_.cancel();
+    kept_.reset();
     context_.view.showLive();
+    beginAgain();
+}
+
+void RenderOperations::beginAgain() {
+    preview_.cancel();
     settled_ = false;
     rest_.start();
     showActivity();
 }
 
+// As when a panel opens. The view is that of before, but for the angle, which follows the sides of the frame.
+void RenderOperations::onResize() {
+    const View before = std::exchange(moment_.view, context_.session.status().view);
+    moment_.size = context_.session.status().resolution;
+    const bool same = before.eye == moment_.view.eye && before.forward == moment_.view.forward &&
+                      before.up == moment_.view.up;
+    if (!same || context_.view.showsLive()) return interrupt();
+    if (!kept_) edits_ = context_.editor.state().edits;
+    kept_ = context_.view.origin();
+    beginAgain();
+}
+
 void RenderOperations::onStatus() {
     const ServerStatus& status = context_.session.status();
-    const bool left = status.view != moment_.view || (moment_.idle && !status.idle);
-    if (settled_ && left) return interrupt();
+    if ((settled_ || kept_) && status.resolution != moment_.size) return onResize();
+    const bool moved = status.view != moment_.view;
+    if (settled_ ? moved || (moment_.idle && !status.idle) : kept_ && moved) return interrupt();
     if (!settled_ && mayRenderProgressively() && !rest_.isActive()) rest_.start();
 }
 
@@ -112,6 +139,9 @@ void RenderOperations::onPreferences() {
 // --- What ---
 
 void RenderOperations::onRefined(const QImage& picture, bool last, const PictureOrigin& origin) {
+    const bool worse = kept_ && (origin.paths != kept_->paths || origin.samples < kept_->samples);
+    if (worse && !last) return showActivity();
+    kept_.reset();
     context_.view.showPicture(picture, origin);
     if (last && quick_) context_.view.tell(tr("Refined. The next movement shows the live frame again."));
     showActivity();

@@ -6,7 +6,10 @@
 #include "gui/processes/preview_process.h"
 
 #include <QObject>
+#include <QSize>
 #include <QTimer>
+
+#include <optional>
 
 namespace gui {
 
@@ -24,6 +27,10 @@ class RenderOperations : public QObject {
     bool mayRenderProgressively() const;
     /// The image is, or will be, out of date: back to the live frames, in this very moment.
     void interrupt();
+    /// Only the size of the frame is another one: the image stays until there is one as good of that size, or
+    /// something moves or is edited.
+    void onResize();
+    void beginAgain();
     void onStatus();
     void onFrame();
     void onPreferences();
@@ -35,6 +42,7 @@ class RenderOperations : public QObject {
     /// What an image is an image of.
     struct Moment {
         View view;
+        QSize size;
         quint64 frame = 0;
         bool idle = false; ///< else the server draws the same frame again and again
     };
@@ -45,7 +53,9 @@ class RenderOperations : public QObject {
     bool quick_ = false;   ///< the image was asked for; else it is a progressive one
     bool settled_ = false; ///< this moment is rendered, is being rendered, or cannot be
     Moment moment_;
-    StillQuality rendered_; ///< of the last image
+    std::optional<PictureOrigin> kept_; ///< of the image that is still shown, of another size
+    int edits_ = 0;                     ///< of the scene when it was kept
+    StillQuality rendered_;             ///< of the last image
 };
 
 } // namespace gui

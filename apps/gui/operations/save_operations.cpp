@@ -5,6 +5,7 @@
 #include "gui/processes/server_keeper.h"
 #include "gui/view/frame_view.h"
 #include "gui/view/notice_bar.h"
+#include "gui/view/plain_widgets.h"
 
 #include "common/commands/pack_words.h"
 #include "common/process/stop.h"
@@ -15,7 +16,6 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QTimer>
 
@@ -79,13 +79,11 @@ void SaveOperations::saveTo(const QString& path, const Then& then) {
 
 void SaveOperations::confirmReplacing(const QString& path, const Then& replace) {
     const QString name = QFileInfo(path).fileName();
-    auto* box =
-        new QMessageBox(QMessageBox::Question, tr("Replace a file"),
-                        tr("“%1” was written or changed by hand. Its comments and its layout are lost "
-                           "when it is saved. The old file is kept as “%1~”.")
-                            .arg(name),
-                        QMessageBox::NoButton, &context_.window);
-    box->setAttribute(Qt::WA_DeleteOnClose);
+    auto* box = plainBox(QMessageBox::Question, tr("Replace a file"),
+                         tr("“%1” was written or changed by hand. Its comments and its layout are lost "
+                            "when it is saved. The old file is kept as “%1~”.")
+                             .arg(name),
+                         &context_.window);
     const QPushButton* yes = box->addButton(tr("&Replace"), QMessageBox::AcceptRole);
     const QPushButton* other = box->addButton(tr("Save &as…"), QMessageBox::ActionRole);
     box->setDefaultButton(box->addButton(QMessageBox::Cancel));
@@ -191,11 +189,9 @@ bool SaveOperations::wouldLose() const {
 
 void SaveOperations::ask(const Then& go) {
     if (question_ != nullptr) return question_->raise();
-    question_ =
-        new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
-                        tr("Save the changes of “%1”?").arg(QFileInfo(context_.editor.scene()).fileName()),
-                        QMessageBox::NoButton, &context_.window);
-    question_->setAttribute(Qt::WA_DeleteOnClose);
+    question_ = plainBox(QMessageBox::Question, tr("Unsaved changes"),
+                         tr("Save the changes of “%1”?").arg(QFileInfo(context_.editor.scene()).fileName()),
+                         &context_.window);
     QPushButton* save = question_->addButton(tr("&Save"), QMessageBox::AcceptRole);
     const QPushButton* discard = question_->addButton(tr("&Discard"), QMessageBox::DestructiveRole);
     question_->addButton(QMessageBox::Cancel);

@@ -84,10 +84,15 @@ void SceneEditor::take(const SceneState& state, QString scene) {
 
 // --- Edits ---
 
+void SceneEditor::beginChange() {
+    ++changes_;
+    emit sending();
+}
+
 void SceneEditor::setSetting(const QString& name, const QString& value) {
     Sending& sending = sending_[name];
     if (!sending.underWay && state_.settings.value(name) == value) return;
-    ++changes_;
+    beginChange();
     sending.next = value;
     if (!sending.underWay) sendSetting(name);
 }
@@ -122,7 +127,7 @@ void SceneEditor::onRefusal(const Answer& answer) {
 }
 
 void SceneEditor::edit(const std::string& line, std::function<void(const Answer&)> done) {
-    ++changes_;
+    beginChange();
     session_.send(line, this, [this, done = std::move(done)](const Answer& answer) {
         ++changes_;
         done ? done(answer) : onRefusal(answer);
@@ -139,7 +144,7 @@ void SceneEditor::follow(const QString& step, const std::string& line, std::opti
     following.next = line;
     lastSet_ = step;
     sinceSet_.restart();
-    ++changes_;
+    beginChange();
     if (!following.underWay) sendFollowing(step);
 }
 

@@ -56,6 +56,8 @@ class SceneEditor : public QObject {
     void doOwn(QUndoCommand* step);
 
   signals:
+    /// A change of the user's is on its way.
+    void sending();
     /// What undo() and redo() would do included.
     void stateChanged();
     void sceneChanged();
@@ -67,6 +69,7 @@ class SceneEditor : public QObject {
     void look();
     void ask();
     void take(const SceneState& state, QString scene);
+    void beginChange();
     void sendSetting(const QString& name);
     void onSetting(const QString& name, const QString& value, const Answer& answer);
     void sendFollowing(const QString& step);

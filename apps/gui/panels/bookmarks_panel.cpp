@@ -1,5 +1,7 @@
 #include "gui/panels/bookmarks_panel.h"
 
+#include "gui/models/plain_text.h"
+
 #include <QAction>
 #include <QGridLayout>
 #include <QListWidget>
@@ -44,9 +46,9 @@ QAction* addKey(QWidget& widget, const QKeySequence& key) {
 } // namespace
 
 BookmarksPanel::BookmarksPanel(QWidget* parent)
-    : QWidget(parent), list_(new QListWidget), add_(new QPushButton(tr("&Add"))),
-      go_(new QPushButton(tr("&Go"))), rename_(new QPushButton(tr("Re&name"))),
-      delete_(new QPushButton(tr("De&lete"))) {
+    : QWidget(parent), list_(new QListWidget), add_(new QPushButton(tr("Add"))),
+      go_(new QPushButton(tr("Go"))), rename_(new QPushButton(tr("Rename"))),
+      delete_(new QPushButton(tr("Delete"))) {
     list_->setAccessibleName(tr("Bookmarks"));
     list_->setIconSize(kThumbnail);
     list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
@@ -89,7 +91,7 @@ void BookmarksPanel::show(const QList<BookmarkRow>& rows) {
     for (int i = 0; i < rows.size(); ++i) {
         auto* item = new QListWidgetItem(iconOf(rows[i].picture, devicePixelRatioF()), rows[i].name, list_);
         item->setFlags(item->flags() | Qt::ItemIsEditable);
-        item->setToolTip(i < 9 ? tr("%1\nAlt+%2").arg(rows[i].name).arg(i + 1) : rows[i].name);
+        item->setToolTip(plainTip(i < 9 ? tr("%1\nAlt+%2").arg(rows[i].name).arg(i + 1) : rows[i].name));
         names_.append(rows[i].name);
     }
     list_->setCurrentRow(std::min(std::max(current, 0), list_->count() - 1));

@@ -1,5 +1,6 @@
 #include "gui/panels/light_fields.h"
 
+#include "gui/models/plain_text.h"
 #include "gui/panels/value_box.h"
 
 #include "common/commands/command_lines.h"
@@ -13,7 +14,6 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -97,7 +97,7 @@ QWidget* LightFields::row(const QString& label, std::initializer_list<QWidget*> 
 QPushButton* LightFields::button(const QString& text, const QString& tip, const char* step,
                                  std::string (*line)(int)) {
     auto* made = new QPushButton(text);
-    made->setToolTip(tip);
+    made->setToolTip(plainTip(tip));
     connect(made, &QPushButton::clicked, this, [this, step, line] { send(step, line(light_.id)); });
     return made;
 }
@@ -127,7 +127,7 @@ LightFields::Vector LightFields::vectorFields(const QString& name, double most) 
     for (std::size_t i = 0; i < fields.size(); ++i) {
         fields.at(i) = new ValueBox(-most, most);
         fields.at(i)->setAccessibleName(name + QLatin1Char(' ') + QChar(kAxes.at(i)));
-        fields.at(i)->setToolTip(fields.at(i)->accessibleName());
+        fields.at(i)->setToolTip(plainTip(fields.at(i)->accessibleName()));
         fields.at(i)->setMinimumWidth(48);
         fields.at(i)->setButtonSymbols(QAbstractSpinBox::NoButtons);
     }
@@ -207,7 +207,8 @@ void LightFields::addShape() {
     size_[1]->setAccessibleName(tr("Height"));
     angles_[0]->setAccessibleName(tr("Angle of full brightness"));
     angles_[1]->setAccessibleName(tr("Angle where it ends"));
-    for (ValueBox* box : {size_[0], size_[1], angles_[0], angles_[1]}) box->setToolTip(box->accessibleName());
+    for (ValueBox* box : {size_[0], size_[1], angles_[0], angles_[1]})
+        box->setToolTip(plainTip(box->accessibleName()));
     sizeRow_ = row(tr("Size"), {size_[0], size_[1]});
     anglesRow_ = row(tr("Angles"), {angles_[0], angles_[1]});
     for (ValueBox* box : size_) {

@@ -1,5 +1,6 @@
 #include "gui/panels/lights_panel.h"
 
+#include "gui/models/plain_text.h"
 #include "gui/panels/column_area.h"
 #include "gui/panels/light_fields.h"
 #include "gui/panels/sky_fields.h"
@@ -33,9 +34,6 @@ QGroupBox* addBox(const QString& title, QVBoxLayout& column) {
     return box;
 }
 
-// '&' is a letter here.
-QString plain(QString name) { return name.replace(QLatin1Char('&'), QLatin1String("&&")); }
-
 } // namespace
 
 LightsPanel::LightsPanel(QAction* marks, QAction* openMap, QWidget* parent)
@@ -60,7 +58,7 @@ void LightsPanel::makeEnvironments(QVBoxLayout& column, QAction* openMap) {
     auto* inside = static_cast<QVBoxLayout*>(box->layout());
     inside->addLayout(environmentList_);
     auto* open = new QPushButton(tr("Environment map…"));
-    open->setToolTip(openMap->toolTip());
+    open->setToolTip(plainTip(openMap->toolTip()));
     open->setEnabled(openMap->isEnabled());
     connect(open, &QPushButton::clicked, openMap, &QAction::trigger);
     connect(openMap, &QAction::changed, open, [open, openMap] { open->setEnabled(openMap->isEnabled()); });
@@ -88,7 +86,7 @@ void LightsPanel::makeLights(QVBoxLayout& column, QAction* marks) {
     for (QPushButton* button : {add, copy_, remove_}) row->addWidget(button);
     static_cast<QVBoxLayout*>(box->layout())->addLayout(row);
     auto* shown = new QCheckBox(tr("Marks in the image"));
-    shown->setToolTip(marks->toolTip());
+    shown->setToolTip(plainTip(marks->toolTip()));
     shown->setChecked(marks->isChecked());
     connect(shown, &QCheckBox::clicked, marks, &QAction::trigger);
     connect(marks, &QAction::toggled, shown, &QCheckBox::setChecked);
@@ -122,7 +120,7 @@ void LightsPanel::showLights(const QList<ShownLight>& lights) {
         item->setText(lightText(light));
         item->setData(kId, light.id);
         item->setCheckState(light.on ? Qt::Checked : Qt::Unchecked);
-        item->setToolTip(light.id <= 9 ? tr("Key: %1").arg(light.id) : QString());
+        item->setToolTip(plainTip(light.id <= 9 ? tr("Key: %1").arg(light.id) : QString()));
     }
     const int rows = std::clamp(list_->count(), kFewest, kMost);
     list_->setFixedHeight(rows * std::max(list_->sizeHintForRow(0), list_->fontMetrics().height() + 4) + 6);
@@ -163,9 +161,9 @@ void LightsPanel::showEnvironments(const QList<NamedSwitch>& environments) {
         const QString number = QString::number(i + 1); // as on the keys
         QAbstractButton* button = environments_->button(i);
         const QString name = environments[i].name.isEmpty() ? tr("Map %1").arg(number) : environments[i].name;
-        button->setText(plain(name));
+        button->setText(plainEntry(name));
         button->setAccessibleName(name);
-        button->setToolTip(i >= 9 ? QString() : tr("Keys: M and %1").arg(number));
+        button->setToolTip(plainTip(i >= 9 ? QString() : tr("Keys: M and %1").arg(number)));
         button->setChecked(environments[i].on);
     }
 }

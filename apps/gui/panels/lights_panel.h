@@ -12,7 +12,6 @@ class QAbstractButton;
 class QAction;
 class QButtonGroup;
 class QGroupBox;
-class QLabel;
 class QListWidget;
 class QListWidgetItem;
 class QPushButton;

@@ -1,5 +1,6 @@
 #include "gui/panels/material_fields.h"
 
+#include "gui/models/plain_text.h"
 #include "gui/panels/value_box.h"
 
 #include "rtcore/math/colour.h"
@@ -42,8 +43,8 @@ void paint(QPushButton& button, const std::array<float, 3>& linear) {
 } // namespace
 
 MaterialFields::MaterialFields(QWidget* parent)
-    : QWidget(parent), textures_(new QCheckBox(tr("&Textures"))), flip_(new QCheckBox(tr("&Upside down"))),
-      reset_(new QPushButton(tr("&As in the file"))) {
+    : QWidget(parent), textures_(new QCheckBox(tr("Textures"))), flip_(new QCheckBox(tr("Upside down"))),
+      reset_(new QPushButton(tr("As in the file"))) {
     auto* form = new QFormLayout(this);
     form->setContentsMargins(0, 0, 0, 0);
     colour_ = addColour(QStringLiteral("diffuse"), tr("Colour"), &MaterialState::diffuse);
@@ -85,7 +86,7 @@ QPushButton* MaterialFields::addColour(const QString& key, const QString& text,
     connect(button, &QPushButton::clicked, this, [this, key, text, value] {
         auto* dialog = new QColorDialog(colourOf(state_.*value), window());
         dialog->setAttribute(Qt::WA_DeleteOnClose);
-        dialog->setWindowTitle(text);
+        dialog->setWindowTitle(plainTitle(text));
         connect(dialog, &QColorDialog::currentColorChanged, this,
                 [this, key](const QColor& colour) { emit colourEdited(key, linearOf(colour)); });
         const std::array<float, 3> before = state_.*value;

@@ -1,5 +1,6 @@
 #include "gui/panels/model_panel.h"
 
+#include "gui/models/plain_text.h"
 #include "gui/panels/column_area.h"
 #include "gui/panels/material_fields.h"
 
@@ -118,12 +119,14 @@ void ModelPanel::showParts(const QList<PartRow>& parts) {
             item = itemOf(row.name);
             item->setData(0, kNumber, row.number);
             if (row.name.isEmpty()) item->setText(0, shownName(row.name, row.number));
-            item->setToolTip(0, tr("%1: %2 triangles")
-                                    .arg(shownName(row.name, row.number), QLocale().toString(row.triangles)));
+            item->setToolTip(
+                0, plainTip(tr("%1: %2 triangles")
+                                .arg(shownName(row.name, row.number), QLocale().toString(row.triangles))));
         }
         item->setCheckState(0, row.hidden ? Qt::Unchecked : Qt::Checked);
     }
     for (int i = 0; i < parts_->topLevelItemCount(); ++i) checkGroups(*parts_->topLevelItem(i));
+    if (wantedPart_ != 0) selectPart(wantedPart_);
 }
 
 void ModelPanel::showMaterials(const QList<MaterialRow>& materials) {
@@ -143,20 +146,23 @@ void ModelPanel::showMaterials(const QList<MaterialRow>& materials) {
         item->setFont(0, font);
         item->setToolTip(0, row.edited ? tr("Changed") : QString());
     }
+    if (wantedMaterial_ != 0) selectMaterial(wantedMaterial_);
 }
 
 void ModelPanel::selectPart(int number) {
     const QSignalBlocker quiet(parts_);
     parts_->clearSelection();
-    if (QTreeWidgetItem* item = byNumber_.value(number)) {
-        parts_->setCurrentItem(item);
-        parts_->scrollToItem(item);
-    }
+    QTreeWidgetItem* item = byNumber_.value(number);
+    wantedPart_ = item == nullptr ? number : 0;
+    if (item == nullptr) return;
+    parts_->setCurrentItem(item);
+    parts_->scrollToItem(item);
 }
 
 void ModelPanel::selectMaterial(int number) {
     const QSignalBlocker quiet(materials_);
     QTreeWidgetItem* item = materials_->topLevelItem(number - 1);
+    wantedMaterial_ = item == nullptr ? number : 0;
     materials_->setCurrentItem(item);
     if (item != nullptr) materials_->scrollToItem(item);
 }

@@ -25,7 +25,7 @@ class ModelPanel : public QWidget {
     // They emit nothing.
     void showParts(const QList<PartRow>& parts);
     void showMaterials(const QList<MaterialRow>& materials);
-    /// 0: none.
+    /// 0: none. One that is not in the list yet is selected once it is.
     void selectPart(int number);
     void selectMaterial(int number);
 
@@ -56,6 +56,7 @@ class ModelPanel : public QWidget {
     QList<MaterialRow> materialRows_;
     QHash<QString, QTreeWidgetItem*> byPath_;
     QHash<int, QTreeWidgetItem*> byNumber_;
+    int wantedPart_ = 0, wantedMaterial_ = 0; ///< to be selected when they come; 0: none
 };
 
 } // namespace gui

@@ -1,10 +1,12 @@
 #include "gui/panels/settings_panel.h"
 
+#include "gui/models/plain_text.h"
 #include "gui/models/scene_state.h"
 #include "gui/models/setting_labels.h"
 #include "gui/panels/column_area.h"
 #include "gui/panels/fold_box.h"
 #include "gui/panels/value_box.h"
+#include "gui/view/plain_widgets.h"
 
 #include "rtcore/settings/settings_table.h"
 
@@ -71,7 +73,7 @@ void alignLabels(QWidget& column) {
 
 } // namespace
 
-SettingsPanel::SettingsPanel(QWidget* parent) : QWidget(parent), defaults_(new QPushButton(tr("&Defaults"))) {
+SettingsPanel::SettingsPanel(QWidget* parent) : QWidget(parent), defaults_(new QPushButton(tr("Defaults"))) {
     auto* column = new QWidget;
     auto* groups = new QVBoxLayout(column);
     groups->setSpacing(2);
@@ -139,8 +141,8 @@ void SettingsPanel::addSetting(const Setting& setting, const QString& group, QFo
     field->addWidget(editor, 1);
     field->addWidget(reset);
     if (setting.type == SettingType::Boolean) return form.addRow(field);
-    auto* sign = new QLabel(settingLabel(setting.name) + QLatin1Char(':'));
-    sign->setToolTip(editor->toolTip());
+    auto* sign = new PlainLabel(settingLabel(setting.name) + QLatin1Char(':'));
+    sign->setToolTip(settingTip(setting));
     sign->setBuddy(editor);
     form.addRow(sign, field);
 }
@@ -151,7 +153,7 @@ QToolButton* SettingsPanel::makeReset(const Setting& setting, const QString& usu
     button->setAutoRaise(true);
     button->setFocusPolicy(Qt::TabFocus);
     button->setAccessibleName(tr("Default of %1").arg(fullName(setting)));
-    button->setToolTip(tr("Back to the default: %1").arg(settingValueText(setting, usual)));
+    button->setToolTip(plainTip(tr("Back to the default: %1").arg(settingValueText(setting, usual))));
     QSizePolicy policy = button->sizePolicy();
     policy.setRetainSizeWhenHidden(true); // fields keep their width
     button->setSizePolicy(policy);

@@ -1,5 +1,7 @@
 #include "gui/panels/sky_fields.h"
 
+#include "gui/models/plain_text.h"
+#include "gui/panels/typed_edit.h"
 #include "gui/panels/value_box.h"
 
 #include "common/commands/command_lines.h"
@@ -9,12 +11,10 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDateEdit>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QSlider>
-#include <QTimeEdit>
 
 namespace gui {
 
@@ -98,7 +98,7 @@ void SkyFields::addTime() {
     hour_->setRange(0, kDay / kSliderStep);
     hour_->setPageStep(3600 / kSliderStep);
     hour_->setValue(kDay / 2 / kSliderStep);
-    time_ = new QTimeEdit;
+    time_ = new TimeBox;
     time_->setAccessibleName(tr("Time"));
     time_->setDisplayFormat(QStringLiteral("HH:mm"));
     timeRow_ = new QWidget;
@@ -112,7 +112,7 @@ void SkyFields::addTime() {
     connect(time_, &QTimeEdit::timeChanged, this, [this](const QTime& time) {
         send("sky hour", command::skyHour(time.msecsSinceStartOfDay() / 3.6e6));
     });
-    date_ = new QDateEdit;
+    date_ = new DateBox;
     date_->setAccessibleName(tr("Date"));
     date_->setCalendarPopup(true);
     date_->setDisplayFormat(QStringLiteral("yyyy-MM-dd"));
@@ -148,7 +148,7 @@ void SkyFields::addDirection() {
         direction_.at(i) = new ValueBox(-1e9, 1e9);
         direction_.at(i)->setAccessibleName(tr("Direction to the sun") + QLatin1Char(' ') +
                                             QChar(kNames.at(i)));
-        direction_.at(i)->setToolTip(direction_.at(i)->accessibleName());
+        direction_.at(i)->setToolTip(plainTip(direction_.at(i)->accessibleName()));
         direction_.at(i)->setMinimumWidth(48);
         direction_.at(i)->setButtonSymbols(QAbstractSpinBox::NoButtons);
         row->addWidget(direction_.at(i), 1);

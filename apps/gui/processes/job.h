@@ -7,16 +7,16 @@
 #include <memory>
 #include <optional>
 
-class QTemporaryDir;
-
 namespace gui {
+
+class PrivateFolder;
 
 struct JobRequest {
     QString title;                        ///< for people: "nave.png"
     QString program;                      ///< "Renderer", "BSPBuilder"
     QStringList arguments;                ///< without what the queue adds: progress, parent
     QString result;                       ///< the file that it makes; #### stands for the numbers of frames
-    std::shared_ptr<QTemporaryDir> files; ///< private input; lives as long as the job; may be null
+    std::shared_ptr<PrivateFolder> files; ///< private input; lives as long as the job; may be null
 };
 
 enum class JobState { Waiting, Running, Stopping, Done, Failed, Cancelled };

@@ -1,5 +1,6 @@
 #include "gui/processes/job_queue.h"
 
+#include "gui/models/plain_text.h"
 #include "gui/processes/job_process.h"
 
 #include "bspbuilder/builder_spec.h"
@@ -251,12 +252,13 @@ QVariant JobQueue::data(const QModelIndex& index, int role) const {
         return runs && job.fraction ? QVariant(*job.fraction) : QVariant();
     }
     if (role == Qt::ToolTipRole)
-        return job.message.isEmpty() ? commandText(job.request.program, job.request.arguments) : job.message;
+        return plainTip(job.message.isEmpty() ? commandText(job.request.program, job.request.arguments)
+                                              : job.message);
     if (role != Qt::DisplayRole && role != Qt::AccessibleTextRole) return {};
     constexpr double kPercent = 100;
     switch (index.column()) {
     case Title:
-        return job.request.title;
+        return plainText(job.request.title);
     case State:
         return stateText(job);
     case Progress:

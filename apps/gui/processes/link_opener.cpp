@@ -1,9 +1,9 @@
 #include "gui/processes/link_opener.h"
 
-#include "gui/processes/programs.h"
+#include "gui/processes/private_folder.h"
 
 #include <QDesktopServices>
-#include <QTemporaryFile>
+#include <QFile>
 #include <QUrl>
 
 namespace gui {
@@ -12,16 +12,16 @@ LinkOpener::LinkOpener() = default;
 LinkOpener::~LinkOpener() = default;
 
 bool LinkOpener::open(const QString& link) {
-    page_ = std::make_unique<QTemporaryFile>(sessionFolder() + QStringLiteral("/rtsuite-link-XXXXXX.html"));
+    folder_ = std::make_unique<PrivateFolder>("link");
+    QFile page(folder_->file(QStringLiteral("link.html")));
     const QString text = QStringLiteral("<!doctype html><meta charset=\"utf-8\">"
                                         "<meta http-equiv=\"refresh\" content=\"0;url=%1\">"
                                         "<title>rtsuite</title><a href=\"%1\">rtsuite</a>\n")
                              .arg(link.toHtmlEscaped());
-    if (!page_->open() || page_->write(text.toUtf8()) < 0) return false;
-    page_->close();
-    return QDesktopServices::openUrl(QUrl::fromLocalFile(page_->fileName()));
+    if (!page.open(QIODevice::WriteOnly) || page.write(text.toUtf8()) < 0 || !page.flush()) return false;
+    return QDesktopServices::openUrl(QUrl::fromLocalFile(page.fileName()));
 }
 
-void LinkOpener::forget() { page_.reset(); }
+void LinkOpener::forget() { folder_.reset(); }
 
 } // namespace gui

@@ -5,9 +5,9 @@
 
 #include <memory>
 
-class QTemporaryFile;
-
 namespace gui {
+
+class PrivateFolder;
 
 /// By a page that this user alone can read and that leads on: command lines of browsers can be read by other
 /// users of the machine.
@@ -21,7 +21,7 @@ class LinkOpener {
     void forget(); ///< removes the page
 
   private:
-    std::unique_ptr<QTemporaryFile> page_;
+    std::unique_ptr<PrivateFolder> folder_;
 };
 
 } // namespace gui

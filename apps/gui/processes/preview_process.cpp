@@ -2,6 +2,7 @@
 
 #include "gui/processes/detach.h"
 #include "gui/processes/model_cache.h"
+#include "gui/processes/private_folder.h"
 #include "gui/processes/programs.h"
 #include "gui/session/server_list.h"
 
@@ -11,7 +12,6 @@
 #include <QDateTime>
 #include <QFile>
 #include <QProcess>
-#include <QTemporaryDir>
 
 #include <chrono>
 #include <utility>
@@ -65,14 +65,13 @@ PreviewProcess::~PreviewProcess() {
 qint64 PreviewProcess::process() const { return process_ == nullptr ? 0 : process_->processId(); }
 
 QString PreviewProcess::file(const QString& extension) const {
-    return folder_->filePath(QStringLiteral("%1.%2").arg(run_).arg(extension));
+    return folder_->file(QStringLiteral("%1.%2").arg(run_).arg(extension));
 }
 
 void PreviewProcess::render(const StillQuality& quality) {
     cancel();
-    if (folder_ == nullptr)
-        folder_ = std::make_unique<QTemporaryDir>(sessionFolder() + QStringLiteral("/rtsuite-view-XXXXXX"));
-    if (!folder_->isValid()) return fail(std::exchange(folder_, nullptr)->errorString());
+    if (folder_ == nullptr) folder_ = std::make_unique<PrivateFolder>("view");
+    if (!folder_->trouble().isEmpty()) return fail(std::exchange(folder_, nullptr)->trouble());
     active_ = true;
     tries_ = 0;
     quality_ = quality;

@@ -14,11 +14,11 @@
 #include <optional>
 
 class QProcess;
-class QTemporaryDir;
 
 namespace gui {
 
 class ModelCache;
+class PrivateFolder;
 
 /// One image at a time. Nothing waits but the destructor.
 class PreviewProcess : public QObject {
@@ -63,7 +63,7 @@ class PreviewProcess : public QObject {
     bool active_ = false;
     int tries_ = 0; ///< of the image under way
     double progress_ = 0;
-    std::unique_ptr<QTemporaryDir> folder_;
+    std::unique_ptr<PrivateFolder> folder_;
     QProcess* process_ = nullptr;
     std::optional<PreviewReader> reader_;
     QTimer timer_;

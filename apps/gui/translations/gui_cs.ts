@@ -962,6 +962,14 @@
         <source>Let others look at it, and walk in it, in web pages</source>
         <translation>Ostatní se mohou dívat a chodit na webových stránkách</translation>
     </message>
+    <message>
+        <source>All &amp;panels</source>
+        <translation>Všechny &amp;panely</translation>
+    </message>
+    <message>
+        <source>Hide all panels, and show them again</source>
+        <translation>Skrýt všechny panely a zase je ukázat</translation>
+    </message>
 </context>
 <context>
     <name>gui::AboutDialog</name>
@@ -1044,22 +1052,6 @@ Qt %1</translation>
 <context>
     <name>gui::BookmarksPanel</name>
     <message>
-        <source>&amp;Add</source>
-        <translation>&amp;Přidat</translation>
-    </message>
-    <message>
-        <source>&amp;Go</source>
-        <translation>Pře&amp;jít</translation>
-    </message>
-    <message>
-        <source>Re&amp;name</source>
-        <translation>Přej&amp;menovat</translation>
-    </message>
-    <message>
-        <source>De&amp;lete</source>
-        <translation>&amp;Smazat</translation>
-    </message>
-    <message>
         <source>Bookmarks</source>
         <translation>Záložky</translation>
     </message>
@@ -1084,6 +1076,22 @@ Qt %1</translation>
 Alt+%2</source>
         <translation>%1
 Alt+%2</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Přidat</translation>
+    </message>
+    <message>
+        <source>Go</source>
+        <translation>Přejít</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Přejmenovat</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Smazat</translation>
     </message>
 </context>
 <context>
@@ -1310,10 +1318,6 @@ Alt+%2</translation>
         <translation>&amp;Vzhled:</translation>
     </message>
     <message>
-        <source>Holds from the next start of the window</source>
-        <translation>Platí od příštího spuštění okna</translation>
-    </message>
-    <message>
         <source>&amp;Language:</source>
         <translation>&amp;Jazyk:</translation>
     </message>
@@ -1396,6 +1400,10 @@ Alt+%2</translation>
     <message>
         <source>Global illumination, sam&amp;ples:</source>
         <translation>&amp;Globální osvětlení, vzorků:</translation>
+    </message>
+    <message>
+        <source>The language holds from the next start of the window.</source>
+        <translation>Jazyk platí od příštího spuštění okna.</translation>
     </message>
 </context>
 <context>
@@ -2148,18 +2156,6 @@ Alt+%2</translation>
 <context>
     <name>gui::MaterialFields</name>
     <message>
-        <source>&amp;Textures</source>
-        <translation>&amp;Textury</translation>
-    </message>
-    <message>
-        <source>&amp;Upside down</source>
-        <translation>&amp;Vzhůru nohama</translation>
-    </message>
-    <message>
-        <source>&amp;As in the file</source>
-        <translation>&amp;Jako v souboru</translation>
-    </message>
-    <message>
         <source>Colour</source>
         <translation>Barva</translation>
     </message>
@@ -2194,6 +2190,18 @@ Alt+%2</translation>
     <message>
         <source>Take all changes of this material back</source>
         <translation>Vrátit všechny změny tohoto materiálu</translation>
+    </message>
+    <message>
+        <source>Textures</source>
+        <translation>Textury</translation>
+    </message>
+    <message>
+        <source>Upside down</source>
+        <translation>Vzhůru nohama</translation>
+    </message>
+    <message>
+        <source>As in the file</source>
+        <translation>Jako v souboru</translation>
     </message>
 </context>
 <context>
@@ -2712,8 +2720,8 @@ Alt+%2</translation>
         <translation>Nový š&amp;um v každém snímku</translation>
     </message>
     <message>
-        <source>&lt;qt&gt;Noise that stands still in a film looks like dirt on the glass.&lt;br&gt;&lt;code&gt;path.seedPerFrame&lt;/code&gt;&lt;/qt&gt;</source>
-        <translation>&lt;qt&gt;Šum, který ve filmu stojí, vypadá jako špína na skle.&lt;br&gt;&lt;code&gt;path.seedPerFrame&lt;/code&gt;&lt;/qt&gt;</translation>
+        <source>Noise that stands still in a film looks like dirt on the glass.</source>
+        <translation>Šum, který ve filmu stojí, vypadá jako špína na skle.</translation>
     </message>
     <message>
         <source>Inte&amp;grator:</source>
@@ -2886,10 +2894,6 @@ Alt+%2</translation>
 <context>
     <name>gui::SettingsPanel</name>
     <message>
-        <source>&amp;Defaults</source>
-        <translation>&amp;Výchozí</translation>
-    </message>
-    <message>
         <source>All settings but the size as they are without any file</source>
         <translation>Všechna nastavení kromě velikosti jako bez souborů</translation>
     </message>
@@ -2900,6 +2904,10 @@ Alt+%2</translation>
     <message>
         <source>Back to the default: %1</source>
         <translation>Zpět na výchozí hodnotu: %1</translation>
+    </message>
+    <message>
+        <source>Defaults</source>
+        <translation>Výchozí</translation>
     </message>
 </context>
 <context>
@@ -3228,14 +3236,6 @@ Alt+%2</translation>
 <context>
     <name>gui::StartPage</name>
     <message>
-        <source>&amp;Open a scene or a model…</source>
-        <translation>&amp;Otevřít scénu nebo model…</translation>
-    </message>
-    <message>
-        <source>Connect to a running &amp;server…</source>
-        <translation>Připojit k běžícímu &amp;serveru…</translation>
-    </message>
-    <message>
         <source>Open</source>
         <translation>Otevřít</translation>
     </message>
@@ -3262,6 +3262,14 @@ Dvojklik se podívá na místo. F1 ukáže všechny klávesy.</translation>
     <message>
         <source>Recent</source>
         <translation>Naposledy otevřené</translation>
+    </message>
+    <message>
+        <source>Open a scene or a &amp;model…</source>
+        <translation>Otevřít scénu nebo &amp;model…</translation>
+    </message>
+    <message>
+        <source>Connect to a &amp;running server…</source>
+        <translation>Připojit k &amp;běžícímu serveru…</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #include "gui/view/frame_view.h"
 
+#include "gui/models/plain_text.h"
 #include "gui/view/input_capture.h"
 #include "gui/view/overlay.h"
 
@@ -72,7 +73,7 @@ void FrameView::setShowOverlay(bool on) {
 }
 
 void FrameView::tell(const QString& text) {
-    told_ = text;
+    told_ = plainText(text);
     tellTimer_.start(kTellFor);
     update();
 }

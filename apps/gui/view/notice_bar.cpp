@@ -1,8 +1,9 @@
 #include "gui/view/notice_bar.h"
 
+#include "gui/view/plain_widgets.h"
+
 #include <QAction>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QPushButton>
 
 namespace gui {
@@ -16,7 +17,7 @@ void addButton(QHBoxLayout* row, QPushButton* button) {
 
 } // namespace
 
-NoticeBar::NoticeBar(QWidget* parent) : QFrame(parent), label_(new QLabel), buttons_(new QHBoxLayout) {
+NoticeBar::NoticeBar(QWidget* parent) : QFrame(parent), label_(new PlainLabel), buttons_(new QHBoxLayout) {
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
     setAccessibleName(tr("Notice"));
@@ -29,13 +30,15 @@ NoticeBar::NoticeBar(QWidget* parent) : QFrame(parent), label_(new QLabel), butt
 }
 
 void NoticeBar::explain(const QString& text, const QList<QAction*>& actions) {
+    text_ = text;
     label_->setText(text);
     while (QLayoutItem* item = buttons_->takeAt(0)) {
         item->widget()->deleteLater();
         delete item;
     }
     for (QAction* action : actions) {
-        auto* button = new QPushButton(action->text());
+        // Its mnemonic belongs to the menu.
+        auto* button = new QPushButton(action->text().remove(QLatin1Char('&')));
         connect(button, &QPushButton::clicked, this, &QWidget::hide);
         connect(button, &QPushButton::clicked, action, &QAction::trigger);
         addButton(buttons_, button);
@@ -45,7 +48,5 @@ void NoticeBar::explain(const QString& text, const QList<QAction*>& actions) {
     addButton(buttons_, close);
     setVisible(true);
 }
-
-QString NoticeBar::text() const { return label_->text(); }
 
 } // namespace gui

@@ -5,11 +5,12 @@
 #include <QList>
 
 class QHBoxLayout;
-class QLabel;
 class QPushButton;
 class QAction;
 
 namespace gui {
+
+class PlainLabel;
 
 class NoticeBar : public QFrame {
     Q_OBJECT
@@ -18,10 +19,11 @@ class NoticeBar : public QFrame {
     explicit NoticeBar(QWidget* parent = nullptr);
     /// Each action becomes a button; a button to close the bar is always there.
     void explain(const QString& text, const QList<QAction*>& actions);
-    QString text() const;
+    const QString& text() const { return text_; } ///< as it was given
 
   private:
-    QLabel* label_;
+    QString text_;
+    PlainLabel* label_;
     QHBoxLayout* buttons_;
 };
 

@@ -1,9 +1,11 @@
 #include "gui/view/start_page.h"
 
+#include "gui/models/plain_text.h"
+#include "gui/view/plain_widgets.h"
+
 #include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QLayoutItem>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -14,12 +16,6 @@ namespace {
 
 constexpr qsizetype kMostShown = 5;
 constexpr int kBetweenParts = 16, kBetweenColumns = 40;
-
-QLabel* heading(const QString& text) {
-    auto* label = new QLabel(QStringLiteral("<b>%1</b>").arg(text.toHtmlEscaped()));
-    label->setTextFormat(Qt::RichText);
-    return label;
-}
 
 QWidget* part(QVBoxLayout*& column) {
     auto* widget = new QWidget;
@@ -33,25 +29,27 @@ QWidget* part(QVBoxLayout*& column) {
 StartPage::StartPage(const QList<ExampleScene>& examples, const QStringList& recent, QWidget* parent)
     : QWidget(parent) {
     // On the viewport's own dark ground, whatever the theme.
-    setStyleSheet(QStringLiteral("QLabel { color: #d8dade; }"));
+    QPalette colours;
+    colours.setColor(QPalette::WindowText, QColor(0xd8, 0xda, 0xde));
+    setPalette(colours);
     recentPart_ = part(recent_);
 
-    auto* open = new QPushButton(tr("&Open a scene or a model…"));
-    auto* join = new QPushButton(tr("Connect to a running &server…"));
+    auto* open = new QPushButton(tr("Open a scene or a &model…"));
+    auto* join = new QPushButton(tr("Connect to a &running server…"));
     connect(open, &QPushButton::clicked, this, &StartPage::chooseWanted);
     connect(join, &QPushButton::clicked, this, &StartPage::connectWanted);
     QVBoxLayout* files = nullptr;
     QWidget* filesPart = part(files);
-    files->addWidget(heading(tr("Open")));
+    files->addWidget(headingLabel(tr("Open")));
     files->addWidget(open);
-    files->addWidget(new QLabel(tr("or drop a file here")));
+    files->addWidget(new PlainLabel(tr("or drop a file here")));
     files->addWidget(join);
 
     auto* scenes = new QVBoxLayout;
     if (!examples.isEmpty()) {
         QVBoxLayout* column = nullptr;
         scenes->addWidget(part(column));
-        column->addWidget(heading(tr("Examples")));
+        column->addWidget(headingLabel(tr("Examples")));
         for (const ExampleScene& each : examples) addScene(*column, each.name, each.path);
     }
     scenes->addWidget(recentPart_);
@@ -64,20 +62,20 @@ StartPage::StartPage(const QList<ExampleScene>& examples, const QStringList& rec
     columns->addLayout(left);
     columns->addLayout(scenes);
 
-    auto* walking = new QLabel(tr("Click into the image: the mouse looks around, W A S D move. Esc releases "
-                                  "both.\nF walks on the ground: Shift runs, Space jumps, C crouches. "
-                                  "F again flies.\nDouble-click to look somewhere. F1 shows all keys."));
+    auto* walking =
+        new PlainLabel(tr("Click into the image: the mouse looks around, W A S D move. Esc releases "
+                          "both.\nF walks on the ground: Shift runs, Space jumps, C crouches. "
+                          "F again flies.\nDouble-click to look somewhere. F1 shows all keys."));
     auto* page = new QVBoxLayout(this);
     page->addLayout(columns);
-    page->addWidget(heading(tr("To walk")));
+    page->addWidget(headingLabel(tr("To walk")));
     page->addWidget(walking);
     setRecent(recent);
 }
 
 void StartPage::addScene(QVBoxLayout& column, const QString& text, const QString& path) {
-    QString label = text;
-    auto* button = new QPushButton(label.replace(QLatin1Char('&'), QLatin1String("&&")));
-    button->setToolTip(QDir::toNativeSeparators(path));
+    auto* button = new QPushButton(plainEntry(text));
+    button->setToolTip(plainTip(QDir::toNativeSeparators(path)));
     connect(button, &QPushButton::clicked, this, [this, path] { emit openWanted(path); });
     column.addWidget(button);
 }
@@ -89,7 +87,7 @@ void StartPage::setRecent(const QStringList& files) {
     }
     recentPart_->setVisible(!files.isEmpty());
     if (files.isEmpty()) return;
-    recent_->addWidget(heading(tr("Recent")));
+    recent_->addWidget(headingLabel(tr("Recent")));
     for (const QString& path : files.mid(0, kMostShown)) addScene(*recent_, QFileInfo(path).fileName(), path);
 }
 

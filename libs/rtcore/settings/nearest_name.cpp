@@ -1,7 +1,5 @@
 #include "rtcore/settings/nearest_name.h"
 
-#include "rtcore/settings/utf8.h"
-
 #include <algorithm>
 #include <vector>
 
@@ -16,19 +14,6 @@ char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + '
 std::string_view lastPart(std::string_view name) {
     const auto dot = name.rfind('.');
     return dot == std::string_view::npos ? name : name.substr(dot + 1);
-}
-
-/// Of the sets C0 and C1, which terminals obey, or delete.
-bool isControl(std::string_view character) {
-    const auto first = static_cast<unsigned char>(character[0]);
-    if (character.size() == 1) return first < 0x20 || first == 0x7F;
-    return character.size() == 2 && first == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0;
-}
-
-/// Where the text may be cut without cutting a UTF-8 sequence.
-std::size_t cutBefore(std::string_view text, std::size_t length) {
-    while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) --length;
-    return length;
 }
 
 } // namespace
@@ -76,29 +61,6 @@ std::string_view nearestName(std::string_view name, std::span<const std::string_
     }
     return nearest;
 }
-
-std::string printable(std::string_view text, std::size_t limit) {
-    constexpr std::string_view digits = "0123456789abcdef";
-    const bool shortened = text.size() > limit;
-    if (shortened) text = text.substr(0, cutBefore(text, limit));
-    std::string result;
-    while (!text.empty()) {
-        const std::size_t length = utf8Length(text);
-        const std::string_view character = text.substr(0, std::max<std::size_t>(length, 1));
-        text.remove_prefix(character.size());
-        if (length > 0 && !isControl(character)) {
-            result += character;
-            continue;
-        }
-        for (const char c : character) {
-            const auto byte = static_cast<unsigned char>(c);
-            result += {'\\', 'x', digits[byte >> 4U], digits[byte & 15U]};
-        }
-    }
-    return shortened ? result + "..." : result;
-}
-
-std::string inQuotes(std::string_view text) { return "'" + printable(text, kLongestName) + "'"; }
 
 std::string unknownNameMessage(std::string_view what, std::string_view name,
                                std::span<const std::string_view> known) {

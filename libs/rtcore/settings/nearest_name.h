@@ -1,6 +1,8 @@
 /// What the user may have meant: suggestions for misspelt names in files and on command lines.
 #pragma once
 
+#include "rtcore/settings/plain_text.h"
+
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,12 +17,6 @@ std::size_t editDistance(std::string_view a, std::string_view b);
 /// The member of `known` that is nearest to `name`, or "" when none is near (more than half of the letters
 /// differ) or `name` is longer than any name. A dotted name is also found by its last part alone.
 std::string_view nearestName(std::string_view name, std::span<const std::string_view> known);
-
-/// `text` fit for a message on one line, and for a terminal: control characters, and what is no UTF-8, as
-/// `\xNN`; cut to `limit` bytes and "..." when longer. What is printable stays as it is.
-std::string printable(std::string_view text, std::size_t limit = std::string_view::npos);
-/// The same for a name, in single quotes.
-std::string inQuotes(std::string_view text);
 
 /// Says that `name` is none of `known`, with the nearest one, or with all of them when none is near:
 ///   unknown key 'eey'; did you mean 'eye'?

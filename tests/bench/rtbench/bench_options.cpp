@@ -3,7 +3,7 @@
 #include "common/cli/import_options.h"
 #include "common/cli/isa_option.h"
 
-#include "rtcore/settings/nearest_name.h"
+#include "rtcore/settings/plain_text.h"
 #include "rtcore/simd/instruction_set.h"
 
 #include <algorithm>

@@ -106,6 +106,7 @@ TEST(PlainName, HasNoControlCharactersAndFortyAtMost) {
     EXPECT_EQ(bridge::plainName("An\nna\x7F\x01"), "Anna");
     EXPECT_EQ(bridge::plainName("\u009b31mA\u0085n\u202en\u2066a\u2069 \u00a0\u2013"), "31mAnna \u00a0\u2013")
         << "what rules terminals and directions";
+    EXPECT_EQ(bridge::plainName("\u200eA\u200fn\u061cn\u2028a\xff"), "Anna") << "or is no text";
     EXPECT_EQ(bridge::plainName(std::string(100, 'x')).size(), 40U);
     std::string accents;
     for (int i = 0; i < 50; ++i) accents += "\u00e9";

@@ -26,8 +26,9 @@ Vec3 point(Random& random) { return {random.number(), random.number(), random.nu
 
 /// With quotes, backslashes, control characters and letters of two to four bytes; never empty.
 std::string awkwardName(Random& random) {
-    constexpr std::array<std::string_view, 14> pieces{
-        "a", "\"", "\\", "\n", "\t", "\x01", "\x7F", "\u00e4", "\u20ac", "\U0001F4A1", "'", " ", "\r", "#"};
+    constexpr std::array<std::string_view, 17> pieces{
+        "a",          "\"", "\\", "\n", "\t", "\x01",   "\x7F",   "\u00e4", "\u20ac",
+        "\U0001F4A1", "'",  " ",  "\r", "#",  "\u009b", "\u202e", "\u2028"};
     std::string name;
     for (std::size_t n = 1 + random.below(12); n > 0; --n) name += pieces.at(random.below(pieces.size()));
     return name;

@@ -3,6 +3,8 @@ import { forGood } from "./storage.js";
 
 export const MOST = 200;
 const MOST_NAME = 40;
+/** What no name needs, and what would rule the text around it: controls, ends of lines, marks of direction. */
+const CONTROLS = /[\p{Cc}\p{Bidi_Control}\u2028\u2029]/gu;
 
 const key = (instance, scene) => `rt.bookmarks.${instance}.${scene}`;
 
@@ -11,7 +13,7 @@ export function checked(list) {
     if (!Array.isArray(list)) return [];
     const number = (value) => typeof value === "number" && Number.isFinite(value);
     return list.filter((one) => one && typeof one.name === "string" && Array.isArray(one.view) && one.view.length === 10 && one.view.every(number))
-        .map(({ name, view, image }) => ({ name: name.slice(0, MOST_NAME), view,
+        .map(({ name, view, image }) => ({ name: name.replace(CONTROLS, "").slice(0, MOST_NAME), view,
             image: typeof image === "string" && /^data:image\/(jpeg|png);base64,[\w+/=]+$/.test(image) ? image : "" })).slice(0, MOST);
 }
 

@@ -1,6 +1,6 @@
 #include "rtcore/io/text/camera_section.h"
 #include "rtcore/io/text/scn_sections.h"
-#include "rtcore/settings/nearest_name.h"
+#include "rtcore/settings/plain_text.h"
 
 #include <algorithm>
 

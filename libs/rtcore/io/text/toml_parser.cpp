@@ -3,7 +3,7 @@
 #include "rtcore/io/text/text_file.h"
 #include "rtcore/io/text/toml_guard.h"
 #include "rtcore/platform/error.h"
-#include "rtcore/settings/nearest_name.h"
+#include "rtcore/settings/plain_text.h"
 #include "rtcore/settings/utf8.h"
 
 #include <toml++/toml.h>

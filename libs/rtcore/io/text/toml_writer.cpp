@@ -1,11 +1,15 @@
 #include "rtcore/io/text/toml_writer.h"
 
 #include "rtcore/settings/number_text.h"
+#include "rtcore/settings/plain_text.h"
+#include "rtcore/settings/utf8.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <optional>
 
 namespace rtcore {
 
@@ -27,8 +31,9 @@ std::string threeNumbers(float a, float b, float c) {
     return fmt::format("[{}, {}, {}]", tomlNumber(a), tomlNumber(b), tomlNumber(c));
 }
 
-std::string escaped(char c) {
-    switch (c) {
+/// One character; what terminals obey, too, is written by its number.
+std::string escaped(std::string_view character) {
+    switch (character[0]) {
     case '"':
         return "\\\"";
     case '\\':
@@ -42,10 +47,8 @@ std::string escaped(char c) {
     default:
         break;
     }
-    constexpr std::string_view digits = "0123456789ABCDEF";
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x20 && byte != 0x7F) return {c};
-    return {'\\', 'u', '0', '0', digits[byte >> 4U], digits[byte & 15U]};
+    const std::optional<unsigned> control = controlCode(character);
+    return control ? fmt::format("\\u{:04X}", *control) : std::string(character);
 }
 
 } // namespace
@@ -60,7 +63,12 @@ std::string tomlNumber(float value) {
 
 std::string tomlString(std::string_view text) {
     std::string result = "\"";
-    for (const char c : text) result += escaped(c);
+    while (!text.empty()) {
+        const std::size_t length = utf8Length(text);
+        const std::string_view character = text.substr(0, std::max<std::size_t>(length, 1));
+        result += length > 0 ? escaped(character) : std::string(character);
+        text.remove_prefix(character.size());
+    }
     return result + "\"";
 }
 

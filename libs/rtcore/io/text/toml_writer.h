@@ -17,7 +17,8 @@ namespace rtcore {
 std::string tomlNumber(double value);
 /// The fewest digits that a reader by way of double turns into the same float.
 std::string tomlNumber(float value);
-/// In double quotes, with quotes, backslashes and control characters escaped.
+/// In double quotes, with quotes, backslashes and what has a controlCode() escaped. What is no UTF-8 stays,
+/// and no reader takes it.
 std::string tomlString(std::string_view text);
 
 /// Line by line, in the order of the calls.

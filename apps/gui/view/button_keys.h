@@ -1,0 +1,17 @@
+/// What presses a button: outside dialogs, too, Return does, not Space alone.
+#pragma once
+
+#include <QObject>
+
+namespace gui {
+
+/// An event filter of the application; works until it is deleted.
+class ButtonKeys : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit ButtonKeys(QObject* parent = nullptr);
+    bool eventFilter(QObject* watched, QEvent* event) override;
+};
+
+} // namespace gui
