@@ -70,12 +70,12 @@ MUTANTS = [
          "setting.maximum"),
     ]),
     ("requests: edits of others are taken back", [
-        ("control/own_edits.h", "return !busy() && !done_.empty() && done_.back() == Edit{by, edits, label};",
-         "return !busy() && !done_.empty();"),
+        ("control/own_edits.h", "edit.person == static_cast<int>(by);",
+         "true;"),
     ]),
     ("requests: an edit that changed nothing is one's own", [
-        ("control/own_edits.h", "if (edits > before_ && edits <= before_ + made_)",
-         "if (made_ > 0)"),
+        ("control/own_edits.h", "edit.person != 0 && edit.person == static_cast<int>(by);",
+         "edit.number != 0;"),
     ]),
     ("requests: several undos are taken at once", [
         ("control/own_edits.h", "bool busy() const { return underWay_ > 0 || unread_; }",
@@ -94,8 +94,16 @@ MUTANTS = [
          "if (false) {"),
     ]),
     ("requests: edits that mend heavy frames are set back", [
-        ("control/room_requests.cpp", "if (hasStatus_ && status_.frameSeconds > kLongFrame) return;",
+        ("control/room_requests.cpp", "if (hasStatus_ && longestFrame(status_) > kLongFrame) return;",
          ""),
+    ]),
+    ("requests: whole frames may last", [
+        ("control/room_requests.cpp", "return std::max(status.frameSeconds, status.wholeSeconds);",
+         "return status.frameSeconds;"),
+    ]),
+    ("requests: what was quick is watched for ever", [
+        ("control/room_requests.cpp", "return moving_ == 0 && status_.idle != 0 &&",
+         "return false &&"),
     ]),
     ("input: what was tapped without a server goes to the next one", [
         ("control/command_link.cpp", "taps.clear(); right = up = 0;",
@@ -121,21 +129,45 @@ MUTANTS = [
         ("net/doorkeeper.cpp", "given.size() == token.size() && !token.empty() ? 0 : 1;",
          "!token.empty() ? 0 : 1;"),
     ]),
-    ("door: wrong tokens may be tried for ever", [
-        ("net/doorkeeper.cpp", "return times.size() >= kMostWrong &&",
-         "return times.size() > 1000 * kMostWrong &&"),
+    ("door: a driver's link is good again", [
+        ("admission.cpp", "used_.push_back(std::exchange(tokens_.driver, newToken()));",
+         ""),
+    ]),
+    ("door: a page that was left may come back for ever", [
+        ("admission.cpp", "each.pages == 0 && now > each.until;",
+         "false;"),
+    ]),
+    ("door: a page that is loaded again is another one", [
+        ("admission.cpp", "now + (inOrder ? kLoadedAgain : kLost)",
+         "now - 1"),
+    ]),
+    ("door: a refused hello uses the link up", [
+        ("visitor.cpp", "if (right == Right::None) {",
+         "hub_.enter(token); if (right == Right::None) {"),
+    ]),
+    ("door: a request may have a body", [
+        ("net/http_connection-inl.h", "request.count(http::field::transfer_encoding) +",
+         ""),
+    ]),
+    ("door: parts of messages are not counted", [
+        ("net/receiving_limit.h", "over_ = true;",
+         ""),
+    ]),
+    ("door: a message may never end", [
+        ("net/receiving_limit.h", "&& unfinished_ <= mostUnfinished_",
+         ""),
     ]),
     ("door: messages are not counted", [
         ("net/http_connection-inl.h", "return tellClosed(); } if (!bucket_.take(steadySeconds()))",
          "return tellClosed(); } if (false)"),
     ]),
-    ("door: an address may send any number at once", [
-        ("hub.cpp", "newcomers(address).size() >= kMostNewcomers &&",
-         "false &&"),
-    ]),
     ("door: the silent keep their places", [
-        ("visitor.cpp", "now - began_ > patience ||",
-         ""),
+        ("hub.cpp", "visitors_ < options_.clients || makeRoom();",
+         "visitors_ < options_.clients;"),
+    ]),
+    ("door: whoever came first makes room", [
+        ("net/doorkeeper.cpp", "return static_cast<std::size_t>(most - addresses.begin());",
+         "return 0;"),
     ]),
     ("door: a close may last for ever", [
         ("net/http_connection-inl.h", "if (!error && self) self->abandon();",

@@ -94,7 +94,10 @@ app::OptionGroup permissionOptions() {
          {.name = "token-file",
           .value = ValueKind::Text,
           .argument = "FILE",
-          .help = "keep the links: tokens are read from this file, or written to it [new ones each time]"},
+          .help = "keep the links: tokens are read from this file, or written to it [new ones each time]",
+          .more =
+              "The driver's is good again and again then: for programs, and where no browser's history is "
+              "read by others"},
          {.name = "lock",
           .value = ValueKind::Text,
           .argument = "NAME,...",
@@ -241,7 +244,7 @@ const app::ProgramSpec& bridgeSpec() {
     static const app::ProgramSpec spec{
         .name = "RTBridge",
         .purpose = "Shows what an RTServer renders in web pages, in which one walks. Prints the links, which "
-                   "hold tokens.",
+                   "hold tokens; the driver's is good once, and the next one is printed then.",
         .positionals = {},
         .groups = {serverOptions(), addressOptions(), permissionOptions(), runningOptions()},
         .examples = {{"RTBridge", "beside a running server; open the link that it prints"},

@@ -16,6 +16,8 @@
 
 #include <fmt/core.h>
 
+#include <utility>
+
 namespace bridge {
 
 namespace {
@@ -60,14 +62,19 @@ std::string pageAddress(const BridgeOptions& options, std::uint16_t port) {
     return std::string(options.names.tls ? "https://" : "http://") + hostWithPort(host, port) + "/";
 }
 
-void printLinks(const BridgeOptions& options, const Tokens& tokens, std::uint16_t port) {
-    const std::string page = pageAddress(options, port);
+std::string driverLine(const BridgeOptions& options, const std::string& token, std::uint16_t port) {
+    return fmt::format("Driver: {}#t={}\n", pageAddress(options, port), token);
+}
+
+std::string linkLines(const BridgeOptions& options, const Tokens& tokens, std::uint16_t port) {
     std::string text;
     if (!options.listen.socketPath.empty())
         text += fmt::format("Tunnel: ssh -L 8931:{} {}\n", options.listen.socketPath, app::hostName());
-    if (!tokens.driver.empty()) text += fmt::format("Driver: {}#t={}\n", page, tokens.driver);
-    text += fmt::format("Viewer: {}#t={}\n", page, tokens.viewer);
-    app::writeOutput(text);
+    if (!tokens.driver.empty()) text += driverLine(options, tokens.driver, port);
+    text += fmt::format("Viewer: {}#t={}\n", pageAddress(options, port), tokens.viewer);
+    if (!tokens.driver.empty() && !tokens.lasting)
+        text += "The driver's link is good once; the next one follows here.\n";
+    return text;
 }
 
 /// One run, with all that lives as long.
@@ -86,8 +93,9 @@ class Serving {
         if (options_.start) started_ = startServer(*options_.start, options_.instances.front());
         server_ = std::make_unique<HttpServer>(options_.listen, options_.names, options_.tls, handlers());
         server_->addHosts(hostsOf(options_.listen, server_->port(), options_.names.tls));
-        hub_ = std::make_unique<Hub>(options_, tokens_,
-                                     [this](std::function<void()> work) { server_->post(std::move(work)); });
+        hub_ = std::make_unique<Hub>(
+            options_, tokens_, [this](std::function<void()> work) { server_->post(std::move(work)); },
+            [this](const std::string& driver) { untold_ += driverLine(options_, driver, server_->port()); });
     }
     ~Serving() {
         // The rooms' threads post to the server, whose sockets tell the rooms.
@@ -98,7 +106,7 @@ class Serving {
     Serving& operator=(const Serving&) = delete;
 
     app::ExitCode run() {
-        printLinks(options_, tokens_, server_->port());
+        app::writeOutput(linkLines(options_, tokens_, server_->port()));
         server_->every(0.05, [this] { tick(); });
         if (options_.watch) server_->every(1, [this] { printWatch(); });
         server_->run();
@@ -110,7 +118,7 @@ class Serving {
         return {.opened = [this](const std::shared_ptr<Outlet>& outlet) { return hub_->opened(outlet); },
                 .answer = [this](std::string_view path, std::string_view bearer,
                                  const std::string& address) { return hub_->answer(path, bearer, address); },
-                .entry = [this](const std::string& address) { return hub_->entry(address); },
+                .enters = [this] { return hub_->enters(); },
                 .refused = [this](const char* reason,
                                   const std::string& address) { hub_->refused(reason, address); }};
     }
@@ -118,6 +126,7 @@ class Serving {
     void tick() {
         if (app::takeRenewalRequest()) renew();
         hub_->tick();
+        tellLinks();
         if (started_ && started_->ended() && !app::stopRequested()) {
             if (ending_ == 0) app::printMessage("RTBridge", "the server has ended");
             code_ = *started_->ended() == 0 ? app::ExitCode::Done
@@ -141,7 +150,16 @@ class Serving {
             return app::printMessage("RTBridge", std::string(error.what()) + "; the links stay");
         }
         hub_->renew(tokens_);
-        printLinks(options_, tokens_, server_->port());
+        untold_ = linkLines(options_, tokens_, server_->port());
+    }
+    /// They wait for a reader that takes none just now; one that is gone ends nothing.
+    void tellLinks() {
+        if (untold_.empty() || !app::outputTakesMore()) return;
+        try {
+            app::writeOutput(std::exchange(untold_, {}));
+        } catch (const rtcore::FileError& error) {
+            app::printMessage("RTBridge", std::string(error.what()) + "; SIGUSR1 makes new links");
+        }
     }
     /// Pages are told; a moment later it is over.
     void end() {
@@ -156,6 +174,7 @@ class Serving {
     std::unique_ptr<HttpServer> server_;
     std::unique_ptr<Hub> hub_;
     app::ExitCode code_ = app::ExitCode::Done;
+    std::string untold_; ///< links that are still to be printed
     int ending_ = 0;
 };
 

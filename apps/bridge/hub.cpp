@@ -16,9 +16,10 @@ namespace bridge {
 
 using nlohmann::json;
 
-Hub::Hub(const BridgeOptions& options, Tokens tokens, const Post& post)
-    : options_(options), tokens_(std::move(tokens)), settings_(settingsTableJson(options.limits)),
-      began_(nowSeconds()) {
+Hub::Hub(const BridgeOptions& options, const Tokens& tokens, const Post& post,
+         std::function<void(const std::string& driver)> linkUsed)
+    : options_(options), admission_(tokens), linkUsed_(std::move(linkUsed)),
+      settings_(settingsTableJson(options.limits)), began_(nowSeconds()) {
     StreamOptions stream = options.stream;
     stream.mostBits /= static_cast<double>(options.instances.size());
     for (const std::string& name : options.instances)
@@ -36,42 +37,22 @@ std::shared_ptr<Receiver> Hub::opened(const std::shared_ptr<Outlet>& outlet) {
     return visitor;
 }
 
-std::vector<std::shared_ptr<Visitor>> Hub::newcomers(const std::string& address) const {
-    std::vector<std::shared_ptr<Visitor>> all;
+/// Those that have not said hello, or leave, hold no place that another one needs.
+bool Hub::makeRoom() {
+    std::vector<std::shared_ptr<Visitor>> newcomers;
+    std::vector<std::string> addresses;
     for (const auto& each : came_) {
-        const auto visitor = each.lock();
-        if (visitor && visitor->isNewcomer() && (address.empty() || visitor->address() == address))
-            all.push_back(visitor);
+        auto visitor = each.lock();
+        if (!visitor || !visitor->isNewcomer()) continue;
+        addresses.push_back(visitor->address());
+        newcomers.push_back(std::move(visitor));
     }
-    return all;
-}
-
-bool Hub::makeRoom(const std::string& address, double patience) {
-    const auto all = newcomers(address);
-    const auto first = std::ranges::find_if(
-        all, [&, now = nowSeconds()](const auto& each) { return each->givesWay(now, patience); });
-    if (first == all.end()) return false;
-    (*first)->drop();
+    if (newcomers.empty()) return false;
+    newcomers[leastWelcome(addresses)]->drop();
     return true;
 }
 
-Entry Hub::entry(const std::string& address) {
-    constexpr std::size_t kMostNewcomers = 8;
-    constexpr double kPatience = 1;
-    if (wrong_.shutOut(address, nowSeconds())) return Entry::WrongTokens;
-    // All visitors of a proxy have its address; there the oldest newcomer gives way once all places are
-    // taken.
-    const bool shared = isShared(address) && (options_.origin || address == "unix");
-    if (!shared && newcomers(address).size() >= kMostNewcomers && !makeRoom(address, kPatience))
-        return Entry::Crowded;
-    if (visitors_ >= options_.clients && !makeRoom("", shared ? 0 : kPatience)) return Entry::Full;
-    return Entry::Free;
-}
-
-void Hub::wrongToken(const std::string& address) {
-    wrong_.add(address, nowSeconds());
-    refused("token", address);
-}
+bool Hub::enters() { return visitors_ < options_.clients || makeRoom(); }
 
 void Hub::refused(const char* reason, const std::string& address) {
     ++refused_[reason];
@@ -88,10 +69,15 @@ void Hub::noteServers() {
     }
 }
 
-Hub::Right Hub::rightOf(std::string_view token) const {
-    const bool drives = sameToken(token, tokens_.driver), views = sameToken(token, tokens_.viewer);
-    return drives ? Right::Drive : views ? Right::View : Right::None;
+Right Hub::rightOf(std::string_view token) { return admission_.rightOf(token, nowSeconds()); }
+
+std::string Hub::enter(std::string_view token) {
+    Admission::Entered entered = admission_.enter(token, nowSeconds());
+    if (entered.linkUsed) linkUsed_(admission_.links().driver);
+    return std::move(entered.own);
 }
+
+void Hub::left(std::string_view own, bool inOrder) { admission_.left(own, inOrder, nowSeconds()); }
 
 Room* Hub::room(const std::string& name) {
     if (name.empty()) return rooms_.front().get();
@@ -109,24 +95,26 @@ std::string Hub::instanceList() const {
     return list;
 }
 
-json Hub::welcome(const Room& room, SessionId id, Right right) const {
+json Hub::welcome(const Room& room, SessionId id, Right right, const std::string& own) const {
     constexpr int kMessage = 4096, kRequests = 4;
     constexpr double kMs = 1000;
-    return {{"event", "welcome"},
-            {"v", 1},
-            {"version", app::suiteVersion()},
-            {"you", id},
-            {"instance", room.instance()},
-            {"instances", options_.instances},
-            {"mayDrive", right == Right::Drive},
-            {"limits",
-             {{"maxPixels", options_.limits.maxPixels},
-              {"message", kMessage},
-              {"requests", kRequests},
-              {"heartbeat", InputState::kHeartbeat * kMs}}},
-            {"locked", options_.limits.locked},
-            {"rungs", rungs_},
-            {"settings", settings_}};
+    json welcome{{"event", "welcome"},
+                 {"v", 1},
+                 {"version", app::suiteVersion()},
+                 {"you", id},
+                 {"instance", room.instance()},
+                 {"instances", options_.instances},
+                 {"mayDrive", right == Right::Drive},
+                 {"limits",
+                  {{"maxPixels", options_.limits.maxPixels},
+                   {"message", kMessage},
+                   {"requests", kRequests},
+                   {"heartbeat", InputState::kHeartbeat * kMs}}},
+                 {"locked", options_.limits.locked},
+                 {"rungs", rungs_},
+                 {"settings", settings_}};
+    if (!own.empty()) welcome["token"] = own;
+    return welcome;
 }
 
 void Hub::tick() {
@@ -137,8 +125,8 @@ void Hub::tick() {
         if (const auto visitor = each.lock()) visitor->tick(nowSeconds());
 }
 
-void Hub::renew(Tokens tokens) {
-    tokens_ = std::move(tokens);
+void Hub::renew(const Tokens& tokens) {
+    admission_ = Admission(tokens);
     for (const auto& each : outlets_)
         if (const auto outlet = each.lock()) outlet->close(CloseCode::BadToken, "the links were renewed");
 }
@@ -175,10 +163,8 @@ HttpAnswer Hub::answer(std::string_view path, std::string_view bearer, const std
                      : HttpAnswer{503, "text/plain; charset=utf-8", "no server\n"};
     }
     if (path != "/status" && path != "/metrics") return {};
-    if (wrong_.shutOut(address, nowSeconds()))
-        return {429, "text/plain; charset=utf-8", "too many wrong tokens; wait for a minute\n"};
-    if (rightOf(bearer) == Right::None) {
-        if (!bearer.empty()) wrongToken(address);
+    if (const Right right = rightOf(bearer); right != Right::View && right != Right::Drive) {
+        if (!bearer.empty()) refused("token", address);
         return {401, "text/plain; charset=utf-8", "a token is needed: Authorization: Bearer TOKEN\n"};
     }
     if (path == "/status")

@@ -2,12 +2,13 @@
 /// sockets.
 #pragma once
 
+#include "bridge/admission.h"
 #include "bridge/bridge_options.h"
 #include "bridge/control/room.h"
 #include "bridge/report/journal.h"
 #include "bridge/report/watch.h"
-#include "bridge/tokens.h"
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -20,28 +21,31 @@ class Visitor;
 
 class Hub {
   public:
-    Hub(const BridgeOptions& options, Tokens tokens, const Post& post);
+    /// `linkUsed` is told the driver's next link's token.
+    Hub(const BridgeOptions& options, const Tokens& tokens, const Post& post,
+        std::function<void(const std::string& driver)> linkUsed);
 
     std::shared_ptr<Receiver> opened(const std::shared_ptr<Outlet>& outlet);
     /// A line for each instance, for a terminal.
     std::string watchLines();
     HttpAnswer answer(std::string_view path, std::string_view bearer, const std::string& address);
-    /// Of the next WebSocket from there. Others that wait without a word make room for it.
-    Entry entry(const std::string& address);
+    /// Whether there is a place for the next WebSocket. Another one without a word makes room for it.
+    bool enters();
     void refused(const char* reason, const std::string& address);
     void tick();
 
     /// All pages are closed; the old links lead nowhere.
-    void renew(Tokens tokens);
+    void renew(const Tokens& tokens);
     void end();
 
     // For visitors.
-    enum class Right { None, View, Drive };
-    Right rightOf(std::string_view token) const;
-    void wrongToken(const std::string& address);
+    Right rightOf(std::string_view token);
+    /// A page comes in by a token that has a right. Its own one then, for left(); "" without.
+    std::string enter(std::string_view token);
+    void left(std::string_view own, bool inOrder);
     Room* room(const std::string& name); ///< "": the first; null: none
     SessionId newId() { return ++lastId_; }
-    nlohmann::json welcome(const Room& room, SessionId id, Right right) const;
+    nlohmann::json welcome(const Room& room, SessionId id, Right right, const std::string& own) const;
     std::string instanceList() const;
     void visitorCame() { ++visitors_; }
     void visitorLeft() { --visitors_; }
@@ -50,18 +54,17 @@ class Hub {
   private:
     nlohmann::json status() const;
     std::vector<RoomFigures> figures() const;
-    std::vector<std::shared_ptr<Visitor>> newcomers(const std::string& address) const; ///< "": of all
-    bool makeRoom(const std::string& address, double patience);
+    bool makeRoom();
     void noteServers();
 
     const BridgeOptions& options_;
-    Tokens tokens_;
+    Admission admission_;
+    std::function<void(const std::string& driver)> linkUsed_;
     std::vector<std::unique_ptr<Room>> rooms_;
     nlohmann::json settings_, rungs_;
     Watch watch_;
     Journal journal_;
     std::map<std::string, ServerState> noted_; ///< of each instance, in the journal
-    WrongTokens wrong_;
     std::map<std::string, std::uint64_t> refused_;
     std::size_t visitors_ = 0;
     SessionId lastId_ = 0;

@@ -42,8 +42,9 @@ void keepTokens(const std::string& path, Tokens& tokens) {
 } // namespace
 
 Tokens openTokens(const std::optional<std::filesystem::path>& file, bool viewOnly) {
-    Tokens tokens{newToken(), newToken()};
+    Tokens tokens{.driver = newToken(), .viewer = newToken()};
     if (file) keepTokens(file->string(), tokens);
+    tokens.lasting = file.has_value();
     if (viewOnly) tokens.driver.clear();
     return tokens;
 }

@@ -10,6 +10,7 @@ namespace bridge {
 struct Tokens {
     std::string driver; ///< "": there is none
     std::string viewer;
+    bool lasting = false; ///< of a file: the driver's link is good again and again
 };
 
 /// New ones; with a file those in it, two lines, or new ones that are written to it, mode 0600. Throws

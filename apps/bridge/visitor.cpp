@@ -61,21 +61,28 @@ void Visitor::hello(std::string_view text) {
     const auto version = message.find("v");
     if (version == message.end() || !version->is_number_integer() || *version != 1)
         return close(CloseCode::OtherVersion, "this bridge speaks version 1");
-    const Hub::Right right = hub_.rightOf(textOf(message, "token"));
-    if (right == Hub::Right::None) {
-        hub_.wrongToken(outlet->address());
+    const std::string token = textOf(message, "token");
+    const Right right = hub_.rightOf(token);
+    if (right == Right::Used) {
+        hub_.refused("used", address_);
+        return close(CloseCode::UsedLink,
+                     "this driver's link was used before; it is good once, for one page");
+    }
+    if (right == Right::None) {
+        hub_.refused("token", address_);
         return close(CloseCode::BadToken, "the token is wrong; open the link that the bridge printed last");
     }
     Room* const room = hub_.room(textOf(message, "instance"));
     if (room == nullptr) return close(CloseCode::NoInstance, hub_.instanceList());
     room_ = room;
     id_ = hub_.newId();
+    own_ = hub_.enter(token);
     const std::string name = plainName(textOf(message, "name"));
-    person_ = fmt::format("{}: {} {}{}", room->instance(), right == Hub::Right::Drive ? "driver" : "viewer",
-                          id_, name.empty() ? "" : ", " + name + ",");
+    person_ = fmt::format("{}: {} {}{}", room->instance(), right == Right::Drive ? "driver" : "viewer", id_,
+                          name.empty() ? "" : ", " + name + ",");
     hub_.note(fmt::format("{} came from {}", person_, address_));
-    room->join(id_, name, right == Hub::Right::Drive, viewOf(message), outlet,
-               hub_.welcome(*room, id_, right));
+    room->join(id_, name, right == Right::Drive, viewOf(message), outlet,
+               hub_.welcome(*room, id_, right, own_));
 }
 
 void Visitor::ponged(double seconds) {
@@ -86,21 +93,19 @@ void Visitor::writable() {
     if (room_ != nullptr) room_->writable(id_);
 }
 
-void Visitor::leaves() {
+void Visitor::leaves() { leaveRoom(true); }
+
+void Visitor::leaveRoom(bool inOrder) {
     if (room_ == nullptr) return;
     std::exchange(room_, nullptr)->leave(id_);
+    hub_.left(own_, inOrder);
     hub_.note(fmt::format("{} left after {:.0f} s", person_, nowSeconds() - began_));
 }
 
 void Visitor::closed() {
     isClosed_ = true;
-    leaves();
+    leaveRoom(false);
     hub_.visitorLeft();
-}
-
-bool Visitor::givesWay(double now, double patience) const {
-    const auto outlet = outlet_.lock();
-    return isNewcomer() && (now - began_ > patience || !outlet || outlet->closing());
 }
 
 void Visitor::drop() {

@@ -26,17 +26,17 @@ class Visitor : public Receiver {
     const std::string& address() const { return address_; }
     /// It has a place, but is in no room: it has not said hello, or leaves.
     bool isNewcomer() const { return room_ == nullptr && !isClosed_; }
-    /// A newcomer that others may have the place of: longer there than `patience`, or closing.
-    bool givesWay(double now, double patience) const;
-    void drop();
+    void drop(); ///< at once, without a word
 
   private:
     void hello(std::string_view message);
     void close(CloseCode code, const std::string& reason);
+    void leaveRoom(bool inOrder);
 
     Hub& hub_;
     std::weak_ptr<Outlet> outlet_; ///< which holds this
     std::string address_, person_; ///< for the journal
+    std::string own_;              ///< token; "": none
     Room* room_ = nullptr;         ///< null: before `hello`, and at the end
     SessionId id_ = 0;
     bool isClosed_ = false;

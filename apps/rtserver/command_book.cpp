@@ -52,6 +52,15 @@ std::vector<const ipc::Command*> CommandBook::ofClientsWith(std::size_t number) 
     return found;
 }
 
+void CommandBook::forgetWaiting(const std::function<bool(const ipc::Command&)>& forgotten) {
+    std::vector<std::uint64_t> clients;
+    for (const std::uint64_t client : waiting_) {
+        const auto first = std::ranges::find(pending_, client, &ipc::Command::client);
+        if (first != pending_.end() && forgotten(*first)) clients.push_back(client);
+    }
+    takeFirst(std::move(clients));
+}
+
 std::vector<ipc::Command> CommandBook::takeWaiting() { return takeFirst(waiting_); }
 
 bool CommandBook::obstructs() const { return !obstructed().empty(); }

@@ -41,6 +41,8 @@ class CommandBook {
     bool isBeside(std::uint64_t client) const;
     /// As of the last serve(): a command waits to be run again.
     bool waits() const { return !waiting_.empty(); }
+    /// Takes those out that are to be forgotten, so that no frame is held for them.
+    void forgetWaiting(const std::function<bool(const ipc::Command&)>& forgotten);
     /// Takes those out: one of each client that waits.
     std::vector<ipc::Command> takeWaiting();
     /// Clients that wait have sent more, which waits behind.

@@ -7,6 +7,7 @@
 #include "common/cli/input_files.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -18,6 +19,7 @@ struct Call {
     ServerState& state;
     Host& host;
     std::span<const std::string> arguments;
+    std::uint64_t client = 0; ///< of ipc::Command
 
     const std::string& operator[](std::size_t i) const { return arguments[i]; }
     std::size_t size() const { return arguments.size(); }

@@ -12,6 +12,7 @@ namespace rtserver {
 namespace {
 
 constexpr auto kPatience = std::chrono::seconds(1); ///< for files that are being written when the server ends
+constexpr const char* kPaused = "the server was paused";
 constexpr std::size_t kMostPending = 64; ///< of a client; then its further commands stay in its queue
 
 bool isEnd(const ipc::Command& command) { return command.text == "quit" || command.text == "exit"; }
@@ -47,6 +48,9 @@ void CommandService::serve(std::vector<ipc::Command> commands) {
         if (isEnd(command) && commands_.isBeside(command.client)) around_.host.quit();
     }
     add(std::move(commands));
+    commands_.forgetWaiting([this](const ipc::Command& command) {
+        return command.wantsAnswer && !around_.replies.isConnected(command);
+    });
     commands_.serve([this](const ipc::Command& command) {
         return around_.host.quits() ? Served::Again : serveOne(command);
     });
@@ -54,7 +58,9 @@ void CommandService::serve(std::vector<ipc::Command> commands) {
 
 Served CommandService::serveOne(const ipc::Command& command) {
     Served served = Served::Done;
-    answerBy(command, [&] { return begin(command, runCommand(command.text, state_, around_.host), served); });
+    answerBy(command, [&] {
+        return begin(command, runCommand(command.text, state_, around_.host, command.client), served);
+    });
     return served;
 }
 
@@ -121,15 +127,15 @@ void CommandService::loaded(const std::optional<Failure>& failure) {
 }
 
 void CommandService::answerRequests(bool idle) {
+    const auto release = [this](std::uint64_t press) { state_.keyboard().endPress(press); };
     if (requests_.waitForKeys()) {
         around_.publishStatus();
         requests_.answerReleased([this](std::uint64_t press) { return state_.keyboard().isDown(press); },
-                                 [this](std::uint64_t press) { state_.keyboard().endPress(press); });
+                                 release);
     }
-    if (state_.paused || !state_.idles) {
-        requests_.refuseIdle(app::ExitCode::Failed,
-                             state_.paused ? "the server was paused" : "idling was turned off");
-    }
+    if (state_.paused) requests_.refuseKeys(app::ExitCode::Failed, kPaused, release);
+    if (state_.paused || !state_.idles)
+        requests_.refuseIdle(app::ExitCode::Failed, state_.paused ? kPaused : "idling was turned off");
     if (!idle || !requests_.waitForIdle()) return;
     around_.publishStatus();
     requests_.idle();
@@ -177,7 +183,8 @@ Arrivals CommandService::addDuringFrame(std::vector<ipc::Command> commands) {
 // The status stays as it is: it tells of the frame that is drawn, too.
 void CommandService::tell(const ipc::Command& command) {
     try {
-        around_.replies.answer(command, runCommand(command.text, state_, around_.host).answer);
+        around_.replies.answer(command,
+                               runCommand(command.text, state_, around_.host, command.client).answer);
     } catch (const std::exception& error) {
         refuseFor(command, error);
     }

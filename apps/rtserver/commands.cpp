@@ -48,12 +48,38 @@ std::string stepLabel(const app::CommandSpec& command, std::span<const std::stri
     }
 }
 
+/// What stands before an edit: `by PERSON`, `also`.
+struct Prefixes {
+    int person = 0;
+    bool goesOn = false;
+};
+
+/// Cuts them off `words`; `found` is the command behind them then.
+Prefixes takePrefixes(std::vector<std::string>& words, app::FoundCommand& found) {
+    Prefixes prefixes;
+    while (found.command->id == app::CommandId::Also || found.command->id == app::CommandId::By) {
+        const app::CommandSpec& prefix = *found.command;
+        const bool isBy = prefix.id == app::CommandId::By;
+        app::checkArguments(prefix, std::span(words).subspan(found.words));
+        if (isBy) prefixes.person = integer(words[1]);
+        prefixes.goesOn = prefixes.goesOn || !isBy;
+        words.erase(words.begin(), words.begin() + (isBy ? 2 : 1));
+        found = app::findCommand(words);
+        const bool again = found.command->id == app::CommandId::Also && isBy;
+        if (!found.command->edits && !again)
+            throw app::UsageError(std::string(prefix.name) + " is for edits; " +
+                                  std::string(found.command->name) + " is none");
+    }
+    return prefixes;
+}
+
 // What is done beside the server changes something at its end.
-Result runEdit(const Call& call, const app::CommandSpec& command, bool goesOn) {
-    const auto asStep = [&state = call.state, label = stepLabel(command, call.arguments), goesOn](auto act) {
+Result runEdit(const Call& call, const app::CommandSpec& command, const Prefixes& prefixes) {
+    const auto asStep = [&state = call.state, label = stepLabel(command, call.arguments),
+                         by = EditAuthor{call.client, prefixes.person}, goesOn = prefixes.goesOn](auto act) {
         Shown before = state.shown();
         auto result = act();
-        state.keepStep(label, std::move(before), goesOn);
+        state.keepStep(label, std::move(before), by, goesOn);
         return result;
     };
     Result result = asStep([&] { return functionOf(command.id)(call); });
@@ -66,27 +92,22 @@ Result runEdit(const Call& call, const app::CommandSpec& command, bool goesOn) {
 
 } // namespace
 
-bool hasFunction(app::CommandId id) { return id == app::CommandId::Also || functionOf(id) != nullptr; }
+bool hasFunction(app::CommandId id) {
+    return id == app::CommandId::Also || id == app::CommandId::By || functionOf(id) != nullptr;
+}
 
-Result runCommand(std::string_view text, ServerState& state, Host& host) {
+Result runCommand(std::string_view text, ServerState& state, Host& host, std::uint64_t client) {
     std::vector<std::string> words = app::splitWords(text);
     app::FoundCommand found = app::findCommand(words);
-    const bool goesOn = found.command->id == app::CommandId::Also;
-    if (goesOn) {
-        app::checkArguments(*found.command, std::span(words).subspan(found.words));
-        words.erase(words.begin());
-        found = app::findCommand(words);
-        if (!found.command->edits)
-            throw app::UsageError("also is for edits; " + std::string(found.command->name) + " is none");
-    }
+    const Prefixes prefixes = takePrefixes(words, found);
     const app::CommandSpec& command = *found.command;
     if (command.runner != app::Runner::Server)
         throw app::UsageError(std::string(command.name) + " is what CUI does itself, not the server");
     const std::span<const std::string> arguments = std::span(words).subspan(found.words);
     app::checkArguments(command, arguments);
     if (command.needsScene && !state.ready()) return {.when = ReplyWhen::Again};
-    const Call call{state, host, arguments};
-    return command.edits ? runEdit(call, command, goesOn) : functionOf(command.id)(call);
+    const Call call{state, host, arguments, client};
+    return command.edits ? runEdit(call, command, prefixes) : functionOf(command.id)(call);
 }
 
 app::CommandEffect effectOf(std::string_view text) {

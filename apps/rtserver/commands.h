@@ -56,8 +56,9 @@ struct Result {
 app::CommandEffect effectOf(std::string_view text);
 
 /// Throws app::UsageError (no such command, wrong arguments), rtcore::FileError, ipc::Error, and other
-/// exceptions with a text for the user. Commands that need a scene give Again until there is one.
-Result runCommand(std::string_view text, ServerState& state, Host& host);
+/// exceptions with a text for the user. Commands that need a scene give Again until there is one. `client`:
+/// of ipc::Command, for those to whom it makes a difference.
+Result runCommand(std::string_view text, ServerState& state, Host& host, std::uint64_t client = 0);
 
 /// Whether runCommand() has a function for it: all that are the server's.
 bool hasFunction(app::CommandId id);

@@ -59,12 +59,19 @@ bool placesOnlyTheCamera(const EditStep& step) {
 void EditHistory::add(EditStep step, bool goesOn) {
     if (!changesAnything(step)) return;
     steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(done_), steps_.end());
-    if (goesOn && last() != nullptr && last()->label == step.label) return joinToLast(std::move(step.after));
+    if (goesOn && continues(step)) return joinToLast(std::move(step.after));
     step.state = stateBehind(step, state());
+    step.number = ++numbers_;
     steps_.push_back(std::move(step));
     forgetFirst();
     done_ = steps_.size();
     if (done_ > kStepsWithMaps) dropSkyMaps(steps_[done_ - 1 - kStepsWithMaps]);
+}
+
+// Commands of a shell are clients of their own each, and say nothing of persons.
+bool EditHistory::continues(const EditStep& step) const {
+    if (last() == nullptr || last()->label != step.label || last()->by.person != step.by.person) return false;
+    return step.by.person == 0 || last()->by.client == step.by.client;
 }
 
 std::uint64_t EditHistory::stateBehind(const EditStep& step, std::uint64_t before) {

@@ -24,11 +24,20 @@ struct Shown {
     std::shared_ptr<const rtcore::SceneBookmarks> bookmarks;
 };
 
+/// Who made an edit.
+struct EditAuthor {
+    std::uint64_t client = 0; ///< of ipc::Command; 0: a key
+    int person = 0;           ///< whom that client serves, as it says; 0: it does not say
+    friend bool operator==(const EditAuthor&, const EditAuthor&) = default;
+};
+
 struct EditStep {
     std::string label; ///< the command that does it, without its values: "set maxDepth", "light 2", "load
                        ///< camera altar"
     Shown before, after;
+    EditAuthor by = {};
     std::uint64_t state = 0; ///< EditHistory::state() behind it
+    int number = 0;          ///< none is given twice, over clear(), too
 };
 
 /// Of each step, whether it changed the scene, the settings, the camera, the up axis or the unit, the
@@ -46,7 +55,8 @@ bool placesOnlyTheCamera(const EditStep& step);
 /// back. One thread.
 class EditHistory {
   public:
-    /// `goesOn`: it belongs to the last step, if that has the same label: one gesture of many edits.
+    /// `goesOn`: it belongs to the last step, if that has the same label: one gesture of many edits. Not
+    /// where another person made that.
     void add(EditStep step, bool goesOn);
     void clear();
 
@@ -67,6 +77,7 @@ class EditHistory {
     std::uint64_t firstState() const { return first_; }
 
   private:
+    bool continues(const EditStep& step) const;
     void joinToLast(Shown after);
     std::uint64_t stateBehind(const EditStep& step, std::uint64_t before);
     void forgetFirst();
@@ -75,6 +86,7 @@ class EditHistory {
     std::size_t done_ = 0; ///< steps from here on were taken back
     std::uint64_t forgotten_ = 0;
     std::uint64_t newest_ = 0;
+    int numbers_ = 0;                    ///< that were given
     std::uint64_t base_ = 0, first_ = 0; ///< states before the first step that is kept, and at clear()
 };
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <new>
 #include <utility>
 
@@ -51,6 +52,11 @@ bool FrameDrawing::idle() const {
            state_.atRest() && !upkeep_.loads();
 }
 
+double FrameDrawing::wholeSeconds() const {
+    if (!tracesWhole_) return wholeSeconds_;
+    return std::max(wholeSeconds_, std::chrono::duration<double>(Clock::now() - begun_).count());
+}
+
 bool FrameDrawing::takeChange() { return std::exchange(arrivals_.change, false); }
 
 SceneUpkeep::Pace FrameDrawing::pace() {
@@ -69,6 +75,7 @@ FrameDrawing::Drawn FrameDrawing::draw(bool waitedFor) {
     try {
         return drawFrame(waitedFor);
     } catch (const std::bad_alloc&) {
+        tracesWhole_ = false;
         if (!drewWhole_) throw; // there is nothing to go back to
         return goBack();
     }
@@ -93,7 +100,9 @@ FrameDrawing::Drawn FrameDrawing::drawFrame(bool waitedFor) {
 // What an edit does to the time of a frame is learned from frames, within few of them; but of another scene
 // nothing is known.
 void FrameDrawing::noticeScene() {
-    if (scheduled_.take(state_.revisions()).has(rtcore::Change::Scene)) schedule_.forget();
+    if (!scheduled_.take(state_.revisions()).has(rtcore::Change::Scene)) return;
+    schedule_.forget();
+    wholeSeconds_ = 0;
 }
 
 FrameSchedule::Demand FrameDrawing::demand(bool waitedFor, const rtcore::ShadowMaps* maps) {
@@ -115,6 +124,7 @@ FrameDrawing::Outcome FrameDrawing::trace(bool waitedFor) {
     const rtcore::ShadowMaps* const maps = upkeep_.shadowMaps();
     const FrameDetail detail = schedule_.begin(demand(waitedFor, maps));
     begun_ = Clock::now();
+    tracesWhole_ = detail.whole();
     stepDue_ = begun_ + pacer_.interval();
     arrivals_ = {};
     rtcore::RenderControl control;
@@ -123,7 +133,9 @@ FrameDrawing::Outcome FrameDrawing::trace(bool waitedFor) {
         const FrameGuard::Watch watch(guard_, control.cancel);
         done = frames_.trace(state_, detail, maps, control);
     }
+    tracesWhole_ = false;
     if (guardError_) std::rethrow_exception(std::exchange(guardError_, nullptr));
+    if (done && detail.whole()) wholeSeconds_ = frames_.seconds();
     if (done) return Outcome::Published;
     schedule_.left(Clock::now() - begun_);
     return arrivals_.obstructed ? Outcome::Obstructed : Outcome::Left;

@@ -68,6 +68,9 @@ class FrameDrawing {
     void prepareToMove() { frames_.keepLight(state_); }
 
     const FrameMaker& frames() const { return frames_; }
+    /// What a frame of all pixels and samples takes: the last one, or the one that is traced, so far. 0:
+    /// there was none of this scene. May be called by Outlets::poll.
+    double wholeSeconds() const;
     double framesPerSecond() const { return pacer_.framesPerSecond(Clock::now()); }
     SceneUpkeep::Pace pace();
 
@@ -93,6 +96,8 @@ class FrameDrawing {
     rtcore::Subscription scheduled_; ///< what the schedule knows of the state
     rtcore::RenderSettings drawn_;   ///< of the last whole frame
     bool drewWhole_ = false;         ///< there was one
+    double wholeSeconds_ = 0;        ///< that it took to trace
+    bool tracesWhole_ = false;       ///< one is traced now
     bool wentBack_ = false;          ///< to those settings, for lack of memory, and none is there yet
     bool keepsImage_ = false;        ///< paused, with all of the last image there
 

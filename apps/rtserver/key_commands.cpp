@@ -13,6 +13,7 @@
 #include <array>
 #include <chrono>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 namespace rtserver {
@@ -25,6 +26,7 @@ Result press(const Call& call) {
         call.state.keyboard().press(key);
         return {};
     }
+    if (call.state.paused) throw std::runtime_error("the server is paused; resume it first");
     const std::uint64_t press =
         call.state.keyboard().pressFor(key, std::chrono::milliseconds(integer(call[1])));
     return {.when = ReplyWhen::WhenReleased, .press = press};

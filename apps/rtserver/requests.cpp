@@ -31,6 +31,14 @@ void Requests::refuseIdle(app::ExitCode code, const std::string& text) {
         replies_.refuse(command, static_cast<int>(code), text);
 }
 
+void Requests::refuseKeys(app::ExitCode code, const std::string& text,
+                          const std::function<void(std::uint64_t)>& release) {
+    for (const KeyRequest& request : std::exchange(keys_, {})) {
+        release(request.press);
+        replies_.refuse(request.command, static_cast<int>(code), text);
+    }
+}
+
 void Requests::answerReleased(const std::function<bool(std::uint64_t)>& down,
                               const std::function<void(std::uint64_t)>& release) {
     std::erase_if(keys_, [&](const KeyRequest& request) {

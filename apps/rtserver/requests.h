@@ -47,6 +47,9 @@ class Requests {
     void refuseIdle(app::ExitCode code, const std::string& text);
 
     bool waitForKeys() const { return !keys_.empty(); }
+    /// Their time does not go on: refuses each, and ends its press by `release`.
+    void refuseKeys(app::ExitCode code, const std::string& text,
+                    const std::function<void(std::uint64_t press)>& release);
     /// Answers those whose key is no longer `down`. A stopped or killed client holds no key: `release` is
     /// called for its press.
     void answerReleased(const std::function<bool(std::uint64_t press)>& down,

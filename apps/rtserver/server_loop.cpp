@@ -22,6 +22,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr Clock::duration kSleep = 200ms; ///< less than a step of ServerState::move() may last
 constexpr Clock::duration kSleepAtWork = 20ms;
+constexpr double kTold = 0.1;                  ///< seconds more of a whole frame that are told
 constexpr Clock::duration kMotionStep = 2ms;   ///< until a moving camera has moved
 constexpr Clock::duration kSideWorkStep = 2ms; ///< until a file that is written is asked for again
 
@@ -123,7 +124,16 @@ Arrivals ServerLoop::lookDuringFrame() {
     Arrivals arrivals = commands_.addDuringFrame(takeCommands());
     arrivals.change = keys_.add(server_.keys()) || arrivals.change;
     arrivals.end = arrivals.end || app::stopRequested() || orphaned();
+    tellWholeSeconds();
     return arrivals;
+}
+
+// The rest of the status is of the last turn.
+void ServerLoop::tellWholeSeconds() {
+    const double now = drawing_.wholeSeconds();
+    if (now - status_.wholeSeconds < kTold) return;
+    status_.wholeSeconds = now;
+    server_.setStatus(status_);
 }
 
 // --- What moves ---
@@ -176,11 +186,13 @@ void ServerLoop::publish(const ipc::FrameInfo& info, const rtcore::LdrImage& ima
 }
 
 void ServerLoop::publishStatus() {
-    server_.setStatus(statusOf(state_, frames(),
-                               {.progress = upkeep_.progress(),
-                                .framesPerSecond = drawing_.framesPerSecond(),
-                                .messages = messages_.count(),
-                                .idle = drawing_.idle()}));
+    status_ = statusOf(state_, frames(),
+                       {.progress = upkeep_.progress(),
+                        .framesPerSecond = drawing_.framesPerSecond(),
+                        .wholeSeconds = drawing_.wholeSeconds(),
+                        .messages = messages_.count(),
+                        .idle = drawing_.idle()});
+    server_.setStatus(status_);
 }
 
 void ServerLoop::sleep() {

@@ -68,10 +68,12 @@ class ServerLoop : private Host, private Replies {
     void publish(const ipc::FrameInfo& info, const rtcore::LdrImage& image);
     void record();
     void publishStatus();
+    void tellWholeSeconds();
     void sleep();
 
     const Options& options_;
     std::function<void()> onReady_; ///< called once
+    ipc::Status status_;            ///< that was told last
     ipc::Server server_;
     Messages messages_;
     ServerState state_;

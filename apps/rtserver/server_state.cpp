@@ -316,8 +316,8 @@ void ServerState::hideParts(rtcore::HiddenParts hidden) {
     publish(std::move(edited));
 }
 
-void ServerState::keepStep(std::string label, Shown before, bool goesOn) {
-    history_.add({std::move(label), std::move(before), shown()}, goesOn);
+void ServerState::keepStep(std::string label, Shown before, const EditAuthor& by, bool goesOn) {
+    history_.add({std::move(label), std::move(before), shown(), by}, goesOn);
 }
 
 // Windows change the size as well: it goes back only where it still is what the step made it.
@@ -336,17 +336,21 @@ void ServerState::makeOf(const EditStep& step, const Shown& from, const Shown& t
     if (changesCamera(step) || changesFrame(step)) setCamera(to.camera);
 }
 
-std::string ServerState::undo() {
+std::string ServerState::undo(std::optional<int> number) {
     const EditStep* const step = history_.last();
     if (step == nullptr) throw std::runtime_error("there is nothing to undo");
+    if (number && step->number != *number)
+        throw std::runtime_error(fmt::format("edit {} is not the last one", *number));
     makeOf(*step, step->after, step->before);
     history_.moveBack();
     return step->label;
 }
 
-std::string ServerState::redo() {
+std::string ServerState::redo(std::optional<int> number) {
     const EditStep* const step = history_.next();
     if (step == nullptr) throw std::runtime_error("there is nothing to redo");
+    if (number && step->number != *number)
+        throw std::runtime_error(fmt::format("edit {} is not the one that was taken back", *number));
     makeOf(*step, step->before, step->after);
     history_.moveForth();
     return step->label;

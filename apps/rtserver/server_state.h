@@ -139,11 +139,11 @@ class ServerState {
     Shown shown() const { return {scene_, settings_, camera_, frame(), bookmarks_}; }
     /// What changed since shown() was `before` is one step that can be taken back. `label` and `goesOn`: as
     /// in EditHistory.
-    void keepStep(std::string label, Shown before, bool goesOn = false);
-    /// The last step taken back, or made again; they return its label. Throw std::runtime_error where there
-    /// is none, and what setSettings() throws.
-    std::string undo();
-    std::string redo();
+    void keepStep(std::string label, Shown before, const EditAuthor& by = {}, bool goesOn = false);
+    /// The last step taken back, or made again, or that of a number alone; they return its label. Throw
+    /// std::runtime_error where there is none, and what setSettings() throws.
+    std::string undo(std::optional<int> number = {});
+    std::string redo(std::optional<int> number = {});
     const EditHistory& history() const { return history_; }
     /// Edits were made, or taken back, that the scene's file does not have. Where the camera stands is none.
     bool modified() const { return history_.state() != savedState_; }

@@ -3,6 +3,7 @@
 #include "rtserver/messages.h"
 #include "rtserver/server_state.h"
 
+#include "common/commands/key_restraint.h"
 #include "common/settings/settings_merge.h"
 
 #include "rtcore/motion/player.h"
@@ -50,7 +51,11 @@ void ServerState::press(const ipc::KeyState& clientKeys) {
     ipc::KeyState keys = clientKeys;
     keyboard_.collect(keys);
     const auto before = std::exchange(lastDown_, keys.down);
-    for (const rtcore::ActionTap& tap : bindings_.taps(keys.down, keys.presses, before)) apply(tap);
+    const auto withheld = [&](const rtcore::KeyBinding& binding) -> std::uint32_t {
+        const auto level = static_cast<std::size_t>(app::withheldFrom(binding.action));
+        return level == 0 ? 0 : clientKeys.restrained[level - 1][static_cast<std::size_t>(binding.key)];
+    };
+    for (const rtcore::ActionTap& tap : bindings_.taps(keys.down, keys.presses, before, withheld)) apply(tap);
     hold();
 }
 

@@ -11,6 +11,7 @@ ipc::Status statusOf(const ServerState& state, const FrameMaker& frames, const A
     status.recording = state.recording() ? 1 : 0;
     status.messages = activity.messages;
     status.framesPerSecond = activity.framesPerSecond;
+    status.wholeSeconds = activity.wholeSeconds;
     if (!state.ready()) return status;
     status.frameSeconds = frames.seconds();
     status.raysPerSecond = frames.seconds() > 0 ? static_cast<double>(frames.rays()) / frames.seconds() : 0;

@@ -14,6 +14,7 @@ namespace rtserver {
 struct Activity {
     float progress = 1; ///< of a scene that is being loaded, 0..1; 1 when there is none
     double framesPerSecond = 0;
+    double wholeSeconds = 0;    ///< see FrameDrawing::wholeSeconds()
     std::uint32_t messages = 0; ///< so far
     bool idle = false;          ///< see FrameDrawing::idle()
 };

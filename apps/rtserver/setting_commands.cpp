@@ -51,8 +51,11 @@ Result defaults(const Call& call) {
     return {};
 }
 
-Result undo(const Call& call) { return {.answer = rtcore::printable(call.state.undo())}; }
-Result redo(const Call& call) { return {.answer = rtcore::printable(call.state.redo())}; }
+std::optional<int> numberOf(const Call& call) {
+    return call.size() > 0 ? std::optional(integer(call[0])) : std::nullopt;
+}
+Result undo(const Call& call) { return {.answer = rtcore::printable(call.state.undo(numberOf(call)))}; }
+Result redo(const Call& call) { return {.answer = rtcore::printable(call.state.redo(numberOf(call)))}; }
 
 Result settings(const Call& call) {
     std::string text;
@@ -97,7 +100,7 @@ Result environments(const Call& call) {
 Result scene(const Call& call) { return {.answer = scenePathOf(call.state)}; }
 
 Result state(const Call& call) {
-    return {.answer = app::formatStateReport(stateReportOf(call.state), ipc::kMaxAnswerText)};
+    return {.answer = app::formatStateReport(stateReportOf(call.state, call.client), ipc::kMaxAnswerText)};
 }
 
 constexpr std::array kSettingFunctions{

@@ -50,7 +50,18 @@ std::vector<app::NamedSwitch> environmentsOf(const ServerState& state) {
     return all;
 }
 
-app::StateReport stateReportOf(const ServerState& state) {
+namespace {
+
+/// Of a step, as the asking client is told of it.
+app::ReportedEdit reportOf(const EditStep* step, std::uint64_t client) {
+    if (step == nullptr) return {};
+    const bool own = client != 0 && step->by.client == client;
+    return {step->number, own ? step->by.person : 0};
+}
+
+} // namespace
+
+app::StateReport stateReportOf(const ServerState& state, std::uint64_t client) {
     app::StateReport report{.scene = scenePathOf(state),
                             .up = state.scene()->up,
                             .metresPerUnit = state.metresPerUnit(),
@@ -64,6 +75,8 @@ app::StateReport stateReportOf(const ServerState& state) {
     const EditHistory& history = state.history();
     if (history.last() != nullptr) report.undo = history.last()->label;
     if (history.next() != nullptr) report.redo = history.next()->label;
+    report.undoEdit = reportOf(history.last(), client);
+    report.redoEdit = reportOf(history.next(), client);
     report.modified = state.modified();
     for (const rtcore::SceneBookmark& bookmark : state.bookmarks()) report.bookmarks.push_back(bookmark.name);
     report.edits = static_cast<int>(history.position());

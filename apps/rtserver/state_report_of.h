@@ -5,6 +5,7 @@
 
 #include "common/commands/state_report.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,6 @@ std::vector<app::ReportedLight> lightsOf(const ServerState& state);
 /// One without a name goes by its file.
 std::vector<app::NamedSwitch> environmentsOf(const ServerState& state);
 
-app::StateReport stateReportOf(const ServerState& state);
+app::StateReport stateReportOf(const ServerState& state, std::uint64_t client = 0);
 
 } // namespace rtserver

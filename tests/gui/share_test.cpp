@@ -159,6 +159,18 @@ TEST_F(ShareTest, TwoLinksLeadToThePageUntilItIsStopped) {
     EXPECT_NE(link(*by, "Driver's link").fragment(), driver.fragment()) << "old links lead nowhere";
 }
 
+TEST_F(ShareTest, ADriversLinkThatWasUsedGivesWayToTheNext) {
+    ShareDialog* const by = dialog();
+    ASSERT_NO_FATAL_FAILURE(share(*by));
+    EXPECT_TRUE(says(*by, "good once"));
+    const QUrl driver = link(*by, "Driver's link"), viewer = link(*by, "Viewer's link");
+    const PageVisitor first(driver);
+    EXPECT_TRUE(comes([&] { return link(*by, "Driver's link") != driver; }));
+    const PageVisitor second(link(*by, "Driver's link"));
+    EXPECT_TRUE(comes([&] { return says(*by, "Visitors at the moment: 2"); })) << allTexts(*by);
+    EXPECT_EQ(link(*by, "Viewer's link"), viewer);
+}
+
 TEST_F(ShareTest, LinksAreCopiedAndOpenedWithoutBeingSeenByOthers) {
     const Browser browser;
     ShareDialog* const by = dialog();

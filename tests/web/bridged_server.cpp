@@ -9,12 +9,13 @@ namespace test {
 
 namespace {
 
-/// The link behind "Driver: " in what the bridge printed; "" before it did.
+/// The last link behind "Driver: " in what the bridge printed; "" before it did.
 std::string linkIn(const std::string& output, const std::string& label) {
     std::istringstream lines(output);
+    std::string last;
     for (std::string line; std::getline(lines, line);)
-        if (line.rfind(label, 0) == 0 && !lines.eof()) return line.substr(label.size());
-    return {};
+        if (line.rfind(label, 0) == 0 && !lines.eof()) last = line.substr(label.size());
+    return last;
 }
 
 } // namespace
@@ -38,17 +39,29 @@ void BridgedServer::startBridge(const std::vector<std::string>& options) {
     if (std::none_of(words.begin(), words.end(),
                      [](const auto& word) { return word.starts_with("--listen="); }))
         words.emplace_back("--listen=127.0.0.1:0");
-    const std::filesystem::path output = folder() / ("links" + std::to_string(++bridges_) + ".txt");
+    links_ = folder() / ("links" + std::to_string(++bridges_) + ".txt");
     bridge_ = std::make_unique<RunningProgram>(
-        programPath("RTBridge"), words, ProgramSettings{.folder = folder().path(), .outputFile = output});
+        programPath("RTBridge"), words, ProgramSettings{.folder = folder().path(), .outputFile = links_});
     const bool told = eventually(
         [&] {
-            viewerLink_ = linkIn(readBytes(output), "Viewer: ");
+            viewerLink_ = linkIn(readBytes(links_), "Viewer: ");
             return !viewerLink_.empty();
         },
         20s);
-    ASSERT_TRUE(told) << readBytes(output);
-    driverLink_ = linkIn(readBytes(output), "Driver: ");
+    ASSERT_TRUE(told) << readBytes(links_);
+    driverLink_.clear();
+}
+
+std::string BridgedServer::driverLink() {
+    std::string newest;
+    EXPECT_TRUE(eventually(
+        [&] {
+            newest = linkIn(readBytes(links_), "Driver: ");
+            return newest != driverLink_;
+        },
+        10s))
+        << "the last one was not used";
+    return driverLink_ = newest;
 }
 
 WebPage BridgedServer::drive() {

@@ -57,7 +57,10 @@ class BridgedServer : public testing::Test {
     static std::string pngPixels(const std::filesystem::path& file);
     ipc::Client& client();
     Chromium& browser() { return *browser_; }
-    const std::string& driverLink() const { return driverLink_; }
+    /// Each is good once: another one each time, as soon as the last one was used.
+    std::string driverLink();
+    /// Of the page, without a token.
+    std::string address() const { return viewerLink_.substr(0, viewerLink_.find('#')); }
     const std::string& viewerLink() const { return viewerLink_; }
     /// "127.0.0.1:8931"
     std::string host() const;
@@ -72,6 +75,7 @@ class BridgedServer : public testing::Test {
     Chromium* browser_ = nullptr;
     std::unique_ptr<ipc::Client> client_;
     std::string driverLink_, viewerLink_;
+    std::filesystem::path links_; ///< what the bridge printed
     int bridges_ = 0, screenshots_ = 0;
 };
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,6 +39,7 @@ class Chromium {
     std::vector<Json> events(const std::string& session) const;
     /// All that were opened, with what they keep; their events are forgotten.
     void closePages();
+    const std::filesystem::path& profile() const { return profile_.path(); }
     void kill();
     bool killed() const { return process_->process() < 0; }
 

@@ -10,11 +10,10 @@ class RestingPage : public test::BridgedServer {
     /// At each of these rungs of moving frames the page shows the server's pixels at rest.
     void showsTheServersPixelsAt(const std::string& rungs) {
         const WebPage page = drive();
-        const std::string address = driverLink().substr(0, driverLink().find('#'));
         for (const char rung : rungs) {
             SCOPED_TRACE(rung);
             page.value(std::string("localStorage.setItem('rt.rung', '") + rung + "')");
-            page.open(address + "?" + rung);
+            page.open(address() + "?" + rung);
             ASSERT_TRUE(page.becomes(std::string("location.search === '?") + rung + "'"));
             ASSERT_TRUE(showsFrame(page));
             ask("camera turn 10 0");

@@ -61,7 +61,7 @@ TEST_P(FirstPage, IsLight) {
 
     // The second time next to nothing comes.
     const std::size_t again = page.events().size();
-    page.open(driverLink().substr(0, driverLink().find('#')));
+    page.open(address());
     ASSERT_TRUE(page.becomes("location.hash === '' && performance.now() > 0"));
     ASSERT_TRUE(showsFrame(page));
     browser().listen(std::chrono::milliseconds(200));

@@ -66,9 +66,15 @@ Json keyEvent(const std::string& code, const char* type) {
 
 WebPage::WebPage(Chromium& browser, const std::string& address,
                  const std::vector<std::pair<std::string, std::string>>& media)
-    : browser_(&browser), context_(browser.call("Target.createBrowserContext")["browserContextId"]),
+    : WebPage(browser, address, media, browser.call("Target.createBrowserContext")["browserContextId"]) {}
+
+WebPage::WebPage(Chromium& browser, const std::string& address,
+                 const std::vector<std::pair<std::string, std::string>>& media, const std::string& context)
+    : browser_(&browser), context_(context),
       target_(browser.call("Target.createTarget",
-                           {{"url", "about:blank"}, {"browserContextId", context_}})["targetId"]),
+                           context.empty()
+                               ? Json{{"url", "about:blank"}}
+                               : Json{{"url", "about:blank"}, {"browserContextId", context}})["targetId"]),
       session_(
           browser.call("Target.attachToTarget", {{"targetId", target_}, {"flatten", true}})["sessionId"]) {
     for (const char* domain : {"Page", "Runtime", "Log", "Audits", "Network"})

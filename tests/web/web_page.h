@@ -14,6 +14,10 @@ class WebPage {
     /// In storage of its own, as of another user. `media`: features by name, such as prefers-color-scheme.
     WebPage(Chromium& browser, const std::string& address,
             const std::vector<std::pair<std::string, std::string>>& media = {});
+    /// In the browser's own profile, which it keeps on its disk.
+    static WebPage ofProfile(Chromium& browser, const std::string& address) {
+        return {browser, address, {}, ""};
+    }
 
     Json call(const std::string& method, const Json& parameters = Json::object()) const;
     void open(const std::string& address) const;
@@ -39,6 +43,9 @@ class WebPage {
     std::vector<std::string> complaints() const;
 
   private:
+    WebPage(Chromium& browser, const std::string& address,
+            const std::vector<std::pair<std::string, std::string>>& media, const std::string& context);
+
     Chromium* browser_;
     std::string context_, target_, session_;
 };

@@ -36,8 +36,8 @@ std::uint32_t lastNumberOf(std::string_view lines, std::uint32_t otherwise) {
 } // namespace
 
 struct CommandLink::State {
-    State(std::string name, CommandLinkEvents take)
-        : instance(std::move(name)), events(std::move(take)), thread([this] { run(); }) {}
+    State(std::string name, app::KeyRestraint held, CommandLinkEvents take)
+        : instance(std::move(name)), restraint(held), events(std::move(take)), thread([this] { run(); }) {}
     ~State() {
         {
             const std::lock_guard lock(mutex);
@@ -80,6 +80,7 @@ struct CommandLink::State {
     }
 
     const std::string instance;
+    const app::KeyRestraint restraint;
     const CommandLinkEvents events;
 
     mutable std::mutex mutex;
@@ -171,7 +172,7 @@ bool CommandLink::State::findServer() {
     if (client) return true;
     if (LinkClock::now() - lastSearch < kSearch) return false;
     lastSearch = LinkClock::now();
-    client.emplace(instance, 0ns);
+    client.emplace(instance, 0ns, static_cast<std::uint32_t>(restraint));
     pressed.reset();
     return true;
 }
@@ -351,8 +352,8 @@ void CommandLink::State::fail(const std::string& why) {
     for (const Request& each : lost) each.done({ipc::ReplyStatus::NotSent, why});
 }
 
-CommandLink::CommandLink(std::string instance, CommandLinkEvents events)
-    : state_(std::make_unique<State>(std::move(instance), std::move(events))) {}
+CommandLink::CommandLink(std::string instance, app::KeyRestraint restraint, CommandLinkEvents events)
+    : state_(std::make_unique<State>(std::move(instance), restraint, std::move(events))) {}
 
 CommandLink::~CommandLink() = default;
 

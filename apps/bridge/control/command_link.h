@@ -4,6 +4,8 @@
 
 #include "bridge/stream/histogram.h"
 
+#include "common/commands/key_restraint.h"
+
 #include "ipc/endpoint/client.h"
 
 #include <bitset>
@@ -40,7 +42,7 @@ struct CommandFigures {
 /// lives.
 class CommandLink {
   public:
-    CommandLink(std::string instance, CommandLinkEvents events);
+    CommandLink(std::string instance, app::KeyRestraint restraint, CommandLinkEvents events);
     /// Releases the keys.
     ~CommandLink();
     CommandLink(const CommandLink&) = delete;

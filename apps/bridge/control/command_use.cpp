@@ -10,6 +10,7 @@ CommandUse commandUse(app::CommandId id) {
     case Messages:
     case CameraTurn:
     case Bindings:
+    case By:
         return CommandUse::Own;
     case Pause:
     case Resume:

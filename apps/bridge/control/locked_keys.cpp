@@ -11,9 +11,8 @@ namespace bridge {
 
 bool LockedKeys::isLocked(std::string_view name) const {
     const std::optional<rtcore::Action> action = rtcore::actionNamed(name);
-    if (action == rtcore::Action::ToggleBloom && limits_.isLocked("bloom.radius")) return true;
-    const bool moves = action && (rtcore::isHeld(*action) || action == rtcore::Action::ToggleWalk);
-    return !moves && limits_.isLocked("edits");
+    const app::KeyRestraint least = action ? app::withheldFrom(*action) : app::KeyRestraint::Edits;
+    return least != app::KeyRestraint::None && restraint() >= least;
 }
 
 void LockedKeys::read(std::string_view bindings) {

@@ -5,6 +5,8 @@
 #include "bridge/control/command_link.h"
 #include "bridge/stream/wire.h"
 
+#include "common/commands/key_restraint.h"
+
 #include <optional>
 #include <string_view>
 
@@ -17,7 +19,14 @@ class LockedKeys {
     explicit LockedKeys(const Limits& limits) : limits_(limits) {}
 
     /// Whether any could be.
-    bool possible() const { return limits_.isLocked("edits") || limits_.isLocked("bloom.radius"); }
+    bool possible() const { return restraint() != app::KeyRestraint::None; }
+    /// What the server is asked to hold itself: keys may have been bound to something else by now.
+    app::KeyRestraint restraint() const {
+        using app::KeyRestraint;
+        return limits_.isLocked("edits")          ? KeyRestraint::Edits
+               : limits_.isLocked("bloom.radius") ? KeyRestraint::Bloom
+                                                  : KeyRestraint::None;
+    }
     /// Lines such as "M+1 selectEnvironment 1".
     void read(std::string_view bindings);
     void forget() { locked_.reset(); }

@@ -1,93 +1,50 @@
-/// Which of the server's edits were made here, and by whom: each session takes only its own back. Pure.
+/// Which edit of the server a session takes back: its own last one, by the number that the server gave it.
+/// Pure.
 #pragma once
 
 #include "bridge/control/roles.h"
 
-#include <string>
-#include <utility>
-#include <vector>
+#include "common/commands/state_report.h"
 
 namespace bridge {
 
-/// The server counts its edits; one that was made here is known by its count and by what undo says of it,
-/// once the server has told its state after it. Until then nothing may be taken back: the last edit might be
-/// another client's. One thread.
+/// The server says for whom it made an edit, and takes back or makes again the one of a number or none. So
+/// nothing is counted here; but until it has told its state after a step, no other one is taken. One thread.
 class OwnEdits {
   public:
-    enum class Step { Edit, Undo, Redo };
-
-    /// A step goes to the server, whose last state told of so many edits.
-    void sent(int edits) {
-        if (!busy()) {
-            before_ = edits;
-            made_ = 0;
-        }
-        ++underWay_;
-    }
-    /// The answer to one that was sent().
-    void answered(SessionId by, Step step, bool done) {
+    /// A step goes to the server: an edit, undo or redo.
+    void sent() { ++underWay_; }
+    void answered() {
         --underWay_;
-        if (!done) return;
         unread_ = true;
-        if (step == Step::Edit) {
-            made_ = (editor_ == by ? made_ : 0) + 1;
-            editor_ = by;
-        } else {
-            before_ += step == Step::Undo ? -1 : 1;
-            step == Step::Undo ? moveLast(done_, undone_) : moveLast(undone_, done_);
-        }
     }
-    /// A state that the server told after all that is answered: its count, and what undo says.
-    void read(int edits, const std::string& label) {
-        if (underWay_ > 0 || !unread_) return;
-        unread_ = false;
-        // One that changed nothing is none of the server's; beyond ours there are another's.
-        if (edits > before_ && edits <= before_ + made_) made(editor_, edits, label);
+    /// The state that the server told last: what undo takes back, and what redo makes again.
+    void read(const app::ReportedEdit& undo, const app::ReportedEdit& redo) {
+        undo_ = undo;
+        redo_ = redo;
+        if (underWay_ == 0) unread_ = false;
     }
-    /// Steps are under way, or the state after them was not read yet.
     bool busy() const { return underWay_ > 0 || unread_; }
 
-    bool mayUndo(SessionId by, int edits, const std::string& label) const {
-        return !busy() && !done_.empty() && done_.back() == Edit{by, edits, label};
-    }
-    bool mayRedo(SessionId by, int edits, const std::string& label) const {
-        return !busy() && !undone_.empty() && undone_.back() == Edit{by, edits + 1, label};
-    }
-    /// Whether an edit may be joined to the last one, which that session made or is making.
-    bool mayGoOn(SessionId by, int edits, const std::string& label) const {
-        return busy() ? made_ == 0 || editor_ == by : mayUndo(by, edits, label);
-    }
+    bool mayUndo(SessionId by) const { return isOf(undo_, by); }
+    bool mayRedo(SessionId by) const { return isOf(redo_, by); }
+    int undo() const { return undo_.number; }
+    int redo() const { return redo_.number; }
+
     /// Of a server that is gone; answers to what was sent to it still come.
     void clear() {
-        done_.clear();
-        undone_.clear();
+        undo_ = redo_ = {};
         unread_ = false;
-        made_ = 0;
     }
 
   private:
-    struct Edit {
-        SessionId by;
-        int count;
-        std::string label;
-        friend bool operator==(const Edit&, const Edit&) = default;
-    };
-    void made(SessionId by, int edits, const std::string& label) {
-        std::erase_if(done_, [&](const Edit& each) { return each.count >= edits; });
-        undone_.clear();
-        done_.push_back({by, edits, label});
-    }
-    static void moveLast(std::vector<Edit>& from, std::vector<Edit>& to) {
-        if (from.empty()) return;
-        to.push_back(std::move(from.back()));
-        from.pop_back();
+    bool isOf(const app::ReportedEdit& edit, SessionId by) const {
+        return !busy() && edit.person != 0 && edit.person == static_cast<int>(by);
     }
 
-    std::vector<Edit> done_, undone_;
+    app::ReportedEdit undo_, redo_;
     int underWay_ = 0;
     bool unread_ = false;
-    int before_ = 0, made_ = 0; ///< edits of the server before those of `editor_`; how many those are
-    SessionId editor_ = 0;
 };
 
 } // namespace bridge

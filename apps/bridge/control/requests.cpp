@@ -300,7 +300,7 @@ PlannedCommand planRequest(const nlohmann::json& request, const RequestSurroundi
                            row.anyone,  spec.edits,
                            row.shape,   row.command == CommandId::Set ? words.front() : std::string()};
     const bool also = fields.has("also") && fields.boolean("also");
-    if (also && spec.edits && surroundings.goesOn) planned.line = "also " + planned.line;
+    if (also && spec.edits) planned.line = "also " + planned.line;
     return planned;
 }
 

@@ -41,7 +41,6 @@ struct RequestSurroundings {
     std::span<const std::string> bookmarks; ///< of the scene
     std::size_t lights = 0;                 ///< that it has
     bool sky = false;                       ///< that it has one
-    bool goesOn = false;                    ///< an edit may be joined to the last one
 };
 
 /// Throws Refused for an unknown name, a key that is missing, of another type or out of range, and what is

@@ -56,7 +56,7 @@ Room::Room(std::string instance, const Limits& limits, const StreamOptions& stre
         events.bindings = [this, later](std::string lines) {
             later([this, lines = std::move(lines)] { lockedKeys_.read(lines); });
         };
-    commands_ = std::make_unique<CommandLink>(instance_, std::move(events));
+    commands_ = std::make_unique<CommandLink>(instance_, lockedKeys_.restraint(), std::move(events));
 }
 
 Room::~Room() {
@@ -209,6 +209,7 @@ void Room::statusChanged(const ipc::Status& status) {
     watchOthers(status);
     if (status.frameSeconds != status_.frameSeconds) lastFrame_ = nowSeconds(); // pages may take none
     status_ = status;
+    statusAt_ = nowSeconds();
     hasStatus_ = true;
 }
 
@@ -232,18 +233,20 @@ void Room::noteOwnMovement() {
 
 void Room::stateChanged(const std::string& report) {
     const bool first = !facts_.known();
+    const app::ReportedEdit undo = facts_.undo(), redo = facts_.redo();
     if (!facts_.read(report)) return;
     const bool waited = edits_.busy();
-    edits_.read(facts_.edits(), facts_.undo());
-    if (facts_.changes().empty() && waited == edits_.busy()) return;
+    edits_.read(facts_.undo(), facts_.redo());
+    const bool same = undo == facts_.undo() && redo == facts_.redo() && waited == edits_.busy();
+    if (facts_.changes().empty() && same) return;
     for (auto& [id, session] : sessions_) sendState(session, first ? facts_.all() : facts_.changes());
 }
 
 void Room::sendState(Session& session, const json& content) {
     json event = content;
     event["event"] = "state";
-    event["mayUndo"] = edits_.mayUndo(session.id, facts_.edits(), facts_.undo());
-    event["mayRedo"] = edits_.mayRedo(session.id, facts_.edits(), facts_.redo());
+    event["mayUndo"] = edits_.mayUndo(session.id);
+    event["mayRedo"] = edits_.mayRedo(session.id);
     send(session, event);
 }
 

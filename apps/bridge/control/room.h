@@ -86,7 +86,7 @@ class Room {
     // Requests.
     void answer(Session& session, std::uint32_t id, bool ok, const std::string& text, nlohmann::json content);
     void request(Session& session, const nlohmann::json& request, std::uint32_t id);
-    void checkUndo(const Session& session, const PlannedCommand& planned) const;
+    std::string lineOf(const Session& session, const PlannedCommand& planned) const;
     void answered(SessionId id, std::uint32_t request, const PlannedCommand& planned,
                   const ipc::Reply& reply);
     void watchEdit(const PlannedCommand& planned);
@@ -120,13 +120,13 @@ class Room {
     FrameSet newest_;
     std::int64_t lastPublishedNs_ = 0;
     double frameTime_ = 1.0 / 30;
-    double lastFrame_ = 0, lastStatusSent_ = 0, lastElsewhere_ = -1e9;
+    double lastFrame_ = 0, statusAt_ = 0, lastStatusSent_ = 0, lastElsewhere_ = -1e9;
     std::array<std::uint64_t, kRungCount> framesSent_{};
     std::uint64_t partsSent_ = 0, bytesSent_ = 0, skippedBefore_ = 0;
     Histogram publishToSocket_;
     struct WatchedEdit {
         std::string back; ///< the command that brings back what was before
-        double since;     ///< the last time
+        double since;     ///< the last time that it was made
     };
     std::map<std::string, WatchedEdit> watched_; ///< by what it changed
     std::unique_ptr<FrameSource> frames_;

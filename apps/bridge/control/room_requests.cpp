@@ -11,14 +11,22 @@ using nlohmann::json;
 
 namespace {
 
-constexpr double kLongFrame = 5, kWatched = 15; // seconds
+constexpr double kLongFrame = 5, kSettled = 0.5; // seconds
+constexpr const char* kLastEdit = "the last edit";
 
-std::optional<OwnEdits::Step> stepOf(const PlannedCommand& planned) {
-    if (planned.id == app::CommandId::Undo) return OwnEdits::Step::Undo;
-    if (planned.id == app::CommandId::Redo) return OwnEdits::Step::Redo;
-    if (planned.edits) return OwnEdits::Step::Edit;
-    return {};
+bool isStep(const PlannedCommand& planned) {
+    return planned.edits || planned.id == app::CommandId::Undo || planned.id == app::CommandId::Redo;
 }
+
+/// What an edit is known by that may make frames last long; "": it is none.
+std::string watchedName(const PlannedCommand& planned) {
+    if (planned.id == app::CommandId::Bloom) return "bloom.radius";
+    if (planned.id == app::CommandId::Undo || planned.id == app::CommandId::Redo) return kLastEdit;
+    return planned.id == app::CommandId::Resolution ? "the size" : planned.setting;
+}
+
+/// A live frame is quick where the whole one, which follows at rest, is not.
+double longestFrame(const ipc::Status& status) { return std::max(status.frameSeconds, status.wholeSeconds); }
 
 } // namespace
 
@@ -33,24 +41,23 @@ void Room::answer(Session& session, std::uint32_t id, bool ok, const std::string
 
 void Room::request(Session& session, const json& content, std::uint32_t id) {
     constexpr int kMostRequests = 4;
-    const bool goesOn = edits_.mayGoOn(session.id, facts_.edits(), facts_.undo());
     const PlannedCommand planned =
-        planRequest(content, {limits_, facts_.bookmarks(), facts_.lights(), facts_.hasSky(), goesOn});
+        planRequest(content, {limits_, facts_.bookmarks(), facts_.lights(), facts_.hasSky()});
     if (!planned.anyone && !roles_.drives(session.id))
         throw Refused("only the driver may do that; ask to drive first");
     if (session.requests >= kMostRequests || (planned.anyone && !session.asked.take(nowSeconds())))
         throw Refused("too many requests at once");
     if (server_ && !hasServer()) throw Refused("there is no server");
-    checkUndo(session, planned);
+    const std::string line = lineOf(session, planned);
     watchEdit(planned);
-    if (stepOf(planned)) edits_.sent(facts_.edits());
+    if (isStep(planned)) edits_.sent();
     if (!planned.anyone) {
         ++moving_;
         noteOwnMovement();
     }
     roles_.touch(session.id, nowSeconds());
     ++session.requests;
-    commands_->request(planned.line,
+    commands_->request(line,
                        [this, alive = std::weak_ptr(alive_), by = session.id, id, planned](ipc::Reply reply) {
                            post_([this, alive, by, id, planned, reply = std::move(reply)] {
                                if (!alive.expired()) answered(by, id, planned, reply);
@@ -58,14 +65,16 @@ void Room::request(Session& session, const json& content, std::uint32_t id) {
                        });
 }
 
-void Room::checkUndo(const Session& session, const PlannedCommand& planned) const {
+/// The command as the server gets it: in the name of the session, and of its own edits only.
+std::string Room::lineOf(const Session& session, const PlannedCommand& planned) const {
     using app::CommandId;
-    const bool isStep = planned.id == CommandId::Undo || planned.id == CommandId::Redo;
-    if (isStep && edits_.busy()) throw Refused("the last edit is still under way");
-    if (planned.id == CommandId::Undo && !edits_.mayUndo(session.id, facts_.edits(), facts_.undo()))
-        throw Refused("the last edit is not yours");
-    if (planned.id == CommandId::Redo && !edits_.mayRedo(session.id, facts_.edits(), facts_.redo()))
-        throw Refused("there is no edit of yours to make again");
+    const bool undo = planned.id == CommandId::Undo, redo = planned.id == CommandId::Redo;
+    if ((undo || redo) && edits_.busy()) throw Refused("the last edit is still under way");
+    if (undo && !edits_.mayUndo(session.id)) throw Refused("the last edit is not yours");
+    if (redo && !edits_.mayRedo(session.id)) throw Refused("there is no edit of yours to make again");
+    if (undo) return app::command::undo(edits_.undo());
+    if (redo) return app::command::redo(edits_.redo());
+    return planned.edits ? app::command::by(static_cast<int>(session.id), planned.line) : planned.line;
 }
 
 void Room::answered(SessionId by, std::uint32_t id, const PlannedCommand& planned, const ipc::Reply& reply) {
@@ -74,7 +83,9 @@ void Room::answered(SessionId by, std::uint32_t id, const PlannedCommand& planne
         noteOwnMovement();
         --moving_;
     }
-    if (const auto step = stepOf(planned)) edits_.answered(by, *step, done);
+    if (isStep(planned)) edits_.answered();
+    if (const auto edit = watched_.find(watchedName(planned)); edit != watched_.end())
+        edit->second.since = nowSeconds();
     if (!planned.anyone) commands_->refresh();
     Session* const session = find(by);
     if (session == nullptr) return;
@@ -88,17 +99,21 @@ void Room::answered(SessionId by, std::uint32_t id, const PlannedCommand& planne
 
 void Room::watchEdit(const PlannedCommand& planned) {
     using app::CommandId;
-    if (hasStatus_ && status_.frameSeconds > kLongFrame) return; // it may be the edit that mends that
-    std::string name = planned.setting, back;
-    if (planned.id == CommandId::Bloom) name = "bloom.radius";
-    if (!name.empty()) {
-        const std::string before = facts_.settingText(name);
-        if (!before.empty()) back = app::command::set(name, before);
-    } else if (planned.id == CommandId::Resolution) {
-        name = "the size";
+    if (hasStatus_ && longestFrame(status_) > kLongFrame) return; // it may be the edit that mends that
+    if (planned.id == CommandId::Undo || planned.id == CommandId::Redo) {
+        const std::string back = planned.id == CommandId::Undo ? app::command::redo(edits_.undo())
+                                                               : app::command::undo(edits_.redo());
+        watched_[kLastEdit] = {back, nowSeconds()};
+        return;
+    }
+    const std::string name = watchedName(planned);
+    std::string back;
+    if (planned.id == CommandId::Resolution) {
         const std::string width = facts_.settingText("width"), height = facts_.settingText("height");
         if (!width.empty() && !height.empty())
             back = app::command::resolution(std::stoi(width), std::stoi(height));
+    } else if (const std::string before = name.empty() ? "" : facts_.settingText(name); !before.empty()) {
+        back = app::command::set(name, before);
     }
     if (back.empty()) return;
     // While a slider is drawn, the value from before that.
@@ -110,7 +125,7 @@ void Room::guardEdits() {
     const auto tooLong = [&](const WatchedEdit& edit) {
         const bool waits = now - edit.since > kLongFrame && lastFrame_ < edit.since && status_.idle == 0 &&
                            status_.paused == 0 && hasStatus_;
-        return waits || (lastFrame_ > edit.since && status_.frameSeconds > kLongFrame);
+        return waits || (statusAt_ > edit.since && longestFrame(status_) > kLongFrame);
     };
     const bool heavy = std::ranges::any_of(watched_, [&](const auto& each) { return tooLong(each.second); });
     if (heavy) {
@@ -124,7 +139,10 @@ void Room::guardEdits() {
             notice(session, "heavy", names + " was set back: a frame took more than 5 s");
         watched_.clear();
     }
-    std::erase_if(watched_, [&](const auto& each) { return now - each.second.since > kWatched; });
+    // The whole frame is there, and it was quick.
+    std::erase_if(watched_, [&](const auto& each) {
+        return moving_ == 0 && status_.idle != 0 && now - each.second.since > kSettled;
+    });
 }
 
 } // namespace bridge

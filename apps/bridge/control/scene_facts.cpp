@@ -134,9 +134,8 @@ bool SceneFacts::read(std::string_view report) {
         lights_ = state.lights.size();
         hasSky_ = state.sky.has_value();
         settings_ = state.settings;
-        undo_ = state.undo;
-        redo_ = state.redo;
-        edits_ = state.edits;
+        undo_ = state.undoEdit;
+        redo_ = state.redoEdit;
         known_ = true;
         return true;
     } catch (const std::exception&) { // of a server that is no RTServer
@@ -159,6 +158,7 @@ json statusJson(const ipc::Status& status) {
     return {{"event", "status"},
             {"fps", status.framesPerSecond},
             {"frameMs", status.frameSeconds * kMilliseconds},
+            {"wholeMs", status.wholeSeconds * kMilliseconds},
             {"rays", status.raysPerSecond},
             {"triangles", status.polygons},
             {"width", status.width},

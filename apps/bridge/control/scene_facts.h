@@ -31,9 +31,8 @@ class SceneFacts {
     const std::vector<std::string>& bookmarks() const { return bookmarks_; }
     std::size_t lights() const { return lights_; } ///< how many
     bool hasSky() const { return hasSky_; }
-    const std::string& undo() const { return undo_; }
-    const std::string& redo() const { return redo_; }
-    int edits() const { return edits_; }
+    const app::ReportedEdit& undo() const { return undo_; }
+    const app::ReportedEdit& redo() const { return redo_; }
     /// As text that the server reads; "": not known.
     std::string settingText(const std::string& name) const;
 
@@ -42,8 +41,7 @@ class SceneFacts {
     nlohmann::json all_ = nlohmann::json::object(), changes_ = nlohmann::json::object();
     std::vector<std::string> bookmarks_;
     std::vector<rtcore::SettingAssignment> settings_;
-    std::string undo_, redo_;
-    int edits_ = 0;
+    app::ReportedEdit undo_, redo_;
     std::size_t lights_ = 0;
     bool hasSky_ = false;
 };

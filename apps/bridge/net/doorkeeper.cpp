@@ -4,13 +4,11 @@
 #include "common/process/secrets.h"
 
 #include <array>
+#include <map>
 
 namespace bridge {
 
 namespace {
-
-constexpr double kMinute = 60;
-constexpr std::size_t kMostWrong = 10, kMostAddresses = 1000;
 
 std::string lower(std::string_view text) {
     std::string small(text);
@@ -86,26 +84,12 @@ OriginOption parseOrigin(const std::string& text) {
     return option;
 }
 
-bool isShared(std::string_view address) {
-    return address == "unix" || address.starts_with("127.") || address == "::1";
-}
-
-void WrongTokens::add(const std::string& address, double now) {
-    if (isShared(address)) return;
-    if (times_.size() >= kMostAddresses)
-        std::erase_if(times_, [&](const auto& each) { return now - each.second.back() > kMinute; });
-    if (times_.size() >= kMostAddresses) times_.clear();
-    std::deque<double>& times = times_[address];
-    times.push_back(now);
-    if (times.size() > kMostWrong) times.pop_front();
-}
-
-bool WrongTokens::shutOut(const std::string& address, double now) {
-    const auto found = times_.find(address);
-    if (found == times_.end()) return false;
-    const std::deque<double>& times = found->second;
-    return times.size() >= kMostWrong && times.back() - times.front() < kMinute &&
-           now - times.back() < kMinute;
+std::size_t leastWelcome(std::span<const std::string> addresses) {
+    std::map<std::string_view, std::size_t> counts;
+    for (const std::string& each : addresses) ++counts[each];
+    const auto most = std::ranges::max_element(
+        addresses, {}, [&](const std::string& address) { return counts.at(address); });
+    return static_cast<std::size_t>(most - addresses.begin());
 }
 
 std::string newToken() {

@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <deque>
-#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,11 +40,11 @@ OriginOption parseOrigin(const std::string& text);
 class TokenBucket {
   public:
     TokenBucket(double rate, double burst) : rate_(rate), burst_(burst), level_(burst) {}
-    bool take(double now) {
+    bool take(double now, double amount = 1) {
         if (last_ >= 0) level_ = std::min(burst_, level_ + rate_ * (now - last_));
         last_ = now;
-        if (level_ < 1) return false;
-        level_ -= 1;
+        if (level_ < amount) return false;
+        level_ -= amount;
         return true;
     }
 
@@ -53,19 +52,10 @@ class TokenBucket {
     double rate_, burst_, level_, last_ = -1;
 };
 
-/// Of the machine itself: proxies and tunnels share them.
-bool isShared(std::string_view address);
-
-/// Addresses that try tokens: ten wrong ones within a minute shut an address out for a minute. Not shared
-/// ones.
-class WrongTokens {
-  public:
-    void add(const std::string& address, double now);
-    bool shutOut(const std::string& address, double now);
-
-  private:
-    std::map<std::string, std::deque<double>> times_;
-};
+/// Whose place is given to the next one, where all are taken: the first of the address that has most of them.
+/// `addresses`: of those that have shown no token, as they came; at least one. So an address that opens
+/// connections without end, be it a proxy's or a NAT's, pushes out its own ones only.
+std::size_t leastWelcome(std::span<const std::string> addresses);
 
 /// 32 bytes of the system's, as base64url: 43 characters.
 std::string newToken();

@@ -5,8 +5,11 @@
 #include "bridge/net/http_state.h"
 #include "bridge/net/page_choice.h"
 #include "bridge/net/page_files.h"
+#include "bridge/net/receiving_limit.h"
 
+#include <boost/asio/post.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <boost/beast/core/basic_stream.hpp>
 #include <boost/beast/core/buffers_to_string.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
 #include <boost/beast/http.hpp>
@@ -30,6 +33,18 @@ constexpr auto kRequestTime = 10s, kSilence = 30s, kClosing = 5s, kEnding = 1s;
 constexpr std::size_t kMostMessage = 4096, kMostHeader = 8192, kMostQueued = 4U << 20;
 constexpr double kMessageRate = 250, kMessageBurst = 500;
 constexpr const char* kSubprotocol = "rtbridge.1";
+
+/// The bytes of so many messages of the largest size, and of their headers. Of one message that comes in
+/// parts of a byte, each in a record of TLS, a quarter is its own.
+constexpr double kMostBytes = kMostMessage + 128;
+constexpr std::size_t kMostUnfinished = 64 * kMostMessage;
+
+using CountedSocket =
+    boost::beast::basic_stream<asio::generic::stream_protocol, asio::any_io_executor, ReceivingLimit>;
+inline CountedSocket counted(StreamSocket socket) {
+    return {ReceivingLimit(kMessageRate * kMostBytes, kMessageBurst * kMostBytes, kMostUnfinished),
+            std::move(socket)};
+}
 
 inline double steadySeconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -103,7 +118,6 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
         socket_->async_close(why, [self = this->shared_from_this()](ErrorCode) { self->tellClosed(); });
         abandonLater();
     }
-    bool closing() const override { return closing_; }
     void drop() override {
         if (!receiver_) return;
         closing_ = true;
@@ -128,8 +142,15 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
         writeNext();
     }
 
+    ReceivingLimit& limit() { return boost::beast::get_lowest_layer(*socket_).rate_policy(); }
     void opened() {
+        limit().watchMessages([weak = this->weak_from_this(), executor = socket_->get_executor()] {
+            asio::post(executor, [weak] {
+                if (const auto self = weak.lock()) self->close(CloseCode::Flood, "too many bytes");
+            });
+        });
         socket_->control_callback([this](websocket::frame_type type, boost::beast::string_view) {
+            limit().messageCame();
             const bool asked = type == websocket::frame_type::pong && pinged_ > 0;
             if (asked) {
                 const double rtt = steadySeconds() - std::exchange(pinged_, 0);
@@ -152,6 +173,7 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
             closing_ = true;
             return tellClosed();
         }
+        limit().messageCame();
         if (!bucket_.take(steadySeconds())) close(CloseCode::Flood, "too many messages");
         if (!closing_ && receiver_) {
             const auto data = buffer_.cdata();
@@ -214,8 +236,7 @@ class WebSession : public Outlet, public std::enable_shared_from_this<WebSession
     /// once all others have ended with the connection.
     void abandon() {
         tellClosed();
-        ErrorCode ignored;
-        boost::beast::get_lowest_layer(*socket_).close(ignored);
+        boost::beast::get_lowest_layer(*socket_).close();
         deadline_.expires_after(kEnding);
         deadline_.async_wait([self = this->shared_from_this()](ErrorCode) { self->socket_.reset(); });
     }
@@ -257,9 +278,9 @@ class HttpConnection : public Pending, public std::enable_shared_from_this<HttpC
             read();
         }
     }
+    const std::string& address() const override { return address_; }
     void drop() override {
-        ErrorCode ignored;
-        if (stream_) boost::beast::get_lowest_layer(*stream_).close(ignored);
+        if (stream_) boost::beast::get_lowest_layer(*stream_).close();
     }
 
   private:
@@ -276,7 +297,7 @@ class HttpConnection : public Pending, public std::enable_shared_from_this<HttpC
         parser_.emplace();
         parser_->header_limit(kMostHeader);
         parser_->body_limit(0);
-        http::async_read(
+        http::async_read_header(
             *stream_, buffer_, *parser_,
             [self = this->shared_from_this()](ErrorCode error, std::size_t) { self->haveRead(error); });
     }
@@ -313,7 +334,8 @@ class HttpConnection : public Pending, public std::enable_shared_from_this<HttpC
 
     void respond(const Request& request) {
         const bool stays = request.keep_alive();
-        if (std::optional<Response> refusal = refusalOf(request)) return answer(std::move(*refusal), stays);
+        // What follows may be its body, which is no request.
+        if (std::optional<Response> refusal = refusalOf(request)) return answer(std::move(*refusal), false);
         std::string_view path = view(request.target()).substr(0, view(request.target()).find('?'));
         const std::string& prefix = shared_.names.prefix;
         if (!prefix.empty() && path.starts_with(prefix + "/")) path.remove_prefix(prefix.size());
@@ -343,7 +365,7 @@ class HttpConnection : public Pending, public std::enable_shared_from_this<HttpC
             response.set(http::field::allow, "GET, HEAD");
             return response;
         }
-        if (request.chunked() || request.count(http::field::content_length) > 0)
+        if (request.count(http::field::transfer_encoding) + request.count(http::field::content_length) > 0)
             return refuse(http::status::bad_request, "malformed", "a request has no body here\n");
         return {};
     }
@@ -385,23 +407,9 @@ class HttpConnection : public Pending, public std::enable_shared_from_this<HttpC
         http::token_list offered(request[http::field::sec_websocket_protocol]);
         if (!offered.exists(kSubprotocol))
             return refuse(http::status::bad_request, "protocol", "the protocol rtbridge.1 is expected\n");
-        switch (shared_.handlers.entry(address_)) {
-        case Entry::Free:
-            return {};
-        case Entry::WrongTokens:
-            return refuseForNow("tokens", "too many wrong tokens\n", "60");
-        case Entry::Crowded:
-            return refuseForNow("crowded", "too many connections at once\n", "1");
-        case Entry::Full:
-            break;
-        }
+        if (shared_.handlers.enters()) return {};
         return refuse(http::status::service_unavailable, "full",
                       "the bridge has as many viewers as it may\n");
-    }
-    Response refuseForNow(const char* reason, std::string text, const char* seconds) {
-        Response response = refuse(http::status::too_many_requests, reason, std::move(text));
-        response.set(http::field::retry_after, seconds);
-        return response;
     }
 
     void answer(Response response, bool stays) {
@@ -421,7 +429,7 @@ class HttpConnection : public Pending, public std::enable_shared_from_this<HttpC
     }
     void finish() {
         ErrorCode ignored;
-        boost::beast::get_lowest_layer(*stream_).shutdown(asio::socket_base::shutdown_send, ignored);
+        boost::beast::get_lowest_layer(*stream_).socket().shutdown(asio::socket_base::shutdown_send, ignored);
     }
 
     std::optional<Stream> stream_;

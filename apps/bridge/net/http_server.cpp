@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include <filesystem>
+#include <list>
 
 namespace bridge {
 
@@ -46,7 +47,9 @@ Tcp::acceptor listenTcp(asio::io_context& context, const ListenAddress& address)
 /// In a folder of this user alone; one that a dead bridge left is replaced.
 Local::acceptor listenLocal(asio::io_context& context, const std::string& path) {
     ErrorCode error;
-    Local::socket probe(context);
+    Local::socket probe(context, Local());
+    probe.native_non_blocking(true,
+                              error); // one that is stopped, with all its places taken, would not answer
     probe.connect(Local::endpoint(path), error);
     if (!error) refuseAddress(path, asio::error::make_error_code(asio::error::address_in_use));
     namespace fs = std::filesystem;
@@ -102,7 +105,7 @@ const char* typeOfPath(std::string_view path) {
 }
 
 void servePlain(StreamSocket socket, const std::string& address, HttpShared& shared) {
-    std::make_shared<HttpConnection<StreamSocket>>(std::move(socket), address, shared)->start();
+    std::make_shared<HttpConnection<CountedSocket>>(counted(std::move(socket)), address, shared)->start();
 }
 
 struct HttpServer::State {

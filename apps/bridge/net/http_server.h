@@ -31,21 +31,13 @@ struct HttpAnswer {
     std::string type = "text/plain; charset=utf-8", body = "not found\n";
 };
 
-/// Whether a WebSocket may open.
-enum class Entry : std::uint8_t {
-    Free,
-    WrongTokens, ///< 429: its address tried too many
-    Crowded,     ///< 429: too many of its address came at once
-    Full,        ///< 503
-};
-
 struct HttpHandlers {
     /// A WebSocket is open. The receiver lives until it is told closed().
     std::function<std::shared_ptr<Receiver>(const std::shared_ptr<Outlet>&)> opened;
     /// For paths that are no files of the page. `bearer`: of `Authorization`, or "".
     std::function<HttpAnswer(std::string_view path, std::string_view bearer, const std::string& address)>
         answer;
-    std::function<Entry(const std::string& address)> entry;
+    std::function<bool()> enters; ///< whether there is a place for another WebSocket; else 503
     std::function<void(const char* reason, const std::string& address)> refused; ///< counted, noted
 };
 

@@ -6,29 +6,28 @@
 #include <boost/asio/generic/stream_protocol.hpp>
 #include <boost/asio/io_context.hpp>
 
-#include <list>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace bridge {
 
 using StreamSocket = boost::asio::generic::stream_protocol::socket;
 
-/// A connection that is no session yet: the oldest ones make room for new ones.
+/// A connection that is no session yet.
 class Pending {
   public:
     virtual ~Pending() = default;
     virtual void drop() = 0;
+    virtual const std::string& address() const = 0;
 };
 
+/// Those there are, as they came; where there are too many one makes room for the next.
 class Waiting {
   public:
     void add(std::weak_ptr<Pending> connection) {
-        std::erase_if(connections_, [](const auto& each) { return each.expired(); });
+        if (connections_.size() >= kMost) makeRoom();
         connections_.push_back(std::move(connection));
-        while (connections_.size() > kMost) {
-            if (const auto oldest = connections_.front().lock()) oldest->drop();
-            connections_.pop_front();
-        }
     }
     void remove(const Pending* connection) {
         std::erase_if(connections_,
@@ -37,7 +36,17 @@ class Waiting {
 
   private:
     static constexpr std::size_t kMost = 256;
-    std::list<std::weak_ptr<Pending>> connections_;
+    void makeRoom() {
+        std::vector<std::string> addresses;
+        std::erase_if(connections_, [](const auto& each) { return each.expired(); });
+        for (const auto& each : connections_) addresses.push_back(each.lock()->address());
+        if (addresses.empty()) return;
+        const auto least = connections_.begin() + static_cast<std::ptrdiff_t>(leastWelcome(addresses));
+        const auto dropped = least->lock();
+        connections_.erase(least);
+        dropped->drop();
+    }
+    std::vector<std::weak_ptr<Pending>> connections_;
 };
 
 /// Lives as long as the HttpServer, whose io_context is destroyed first of all.

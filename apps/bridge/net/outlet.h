@@ -18,6 +18,7 @@ enum class CloseCode : std::uint16_t {
     BadMessage = 4002,
     BadToken = 4003,
     NoInstance = 4004,
+    UsedLink = 4005,
     Flood = 4008,
     Silent = 4009,
     OtherVersion = 4010,
@@ -37,7 +38,6 @@ class Outlet {
     virtual bool busy() const = 0;
     virtual void ping() = 0;
     virtual void close(CloseCode code, const std::string& reason) = 0;
-    virtual bool closing() const = 0;
     /// Ends it at once, without a word: the receiver is told before this returns.
     virtual void drop() = 0;
     virtual const std::string& address() const = 0; ///< "127.0.0.1", "unix"; for limits

@@ -72,6 +72,9 @@ std::string defaults() { return line(CommandId::Defaults); }
 std::string state() { return line(CommandId::State); }
 std::string undo() { return line(CommandId::Undo); }
 std::string redo() { return line(CommandId::Redo); }
+std::string undo(int edit) { return line(CommandId::Undo, edit); }
+std::string redo(int edit) { return line(CommandId::Redo, edit); }
+std::string by(int person, const std::string& edit) { return line(CommandId::By, person) + ' ' + edit; }
 std::string also(const std::string& edit) { return line(CommandId::Also) + ' ' + edit; }
 
 std::string light(int id, bool on) { return line(CommandId::Light, id, on ? "on" : "off"); }

@@ -35,6 +35,10 @@ std::string defaults();
 std::string state();
 std::string undo();
 std::string redo();
+std::string undo(int edit); ///< that one or none
+std::string redo(int edit);
+/// A line of one that edits, on behalf of a person of this client's, from 1.
+std::string by(int person, const std::string& edit);
 /// A line of one that edits, as part of the last edit.
 std::string also(const std::string& line);
 

@@ -211,17 +211,27 @@ std::vector<CommandSpec> editCommands() {
     return {
         {.id = CommandId::Undo,
          .name = "undo",
+         .arguments = {maybe(whole("EDIT", 1))},
          .help = "take the last edit back, whichever client or key made it, and print what it was",
          .more = "Edits are what changes settings, lights and environment, and commands that place the "
                  "camera; flying, walking and turning are none. The last 5,000 are kept until another scene "
                  "is shown, "
-                 "fewer of very large scenes"},
-        {.id = CommandId::Redo, .name = "redo", .help = "make the edit again that was taken back"},
+                 "fewer of very large scenes. EDIT, as `state` numbers them: that one or none"},
+        {.id = CommandId::Redo,
+         .name = "redo",
+         .arguments = {maybe(whole("EDIT", 1))},
+         .help = "make the edit again that was taken back"},
         {.id = CommandId::Also,
          .name = "also",
          .arguments = {text("COMMAND"), manyOf(text("ARGUMENT"))},
          .help = "run a command as part of the last edit, if that was of the same thing: one step of undo",
          .more = "`also set bloom.radius 8`: a value that follows a hand"},
+        {.id = CommandId::By,
+         .name = "by",
+         .arguments = {whole("PERSON", 1), text("COMMAND"), manyOf(text("ARGUMENT"))},
+         .help = "run an edit, also one with `also`, on behalf of one of those whom this client serves",
+         .more = "For programs: `state` tells the client whose the last edit is, and another's is never "
+                 "joined to it"},
     };
 }
 

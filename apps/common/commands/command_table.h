@@ -39,6 +39,7 @@ enum class CommandId {
     Undo,
     Redo,
     Also,
+    By,
     CameraGet,
     CameraSet,
     CameraOrthographic,

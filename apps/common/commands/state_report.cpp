@@ -75,6 +75,8 @@ std::string format(const StateReport& state, const Extent& extent) {
     writer.add("scene", rtcore::printable(state.scene));
     writer.add("undo", rtcore::printable(state.undo));
     writer.add("redo", rtcore::printable(state.redo));
+    writer.add("undoEdit", std::vector<int>{state.undoEdit.number, state.undoEdit.person});
+    writer.add("redoEdit", std::vector<int>{state.redoEdit.number, state.redoEdit.person});
     writer.add("edits", state.edits);
     writer.add("modified", state.modified);
     if (extent.names) writer.add("bookmarks", printableOf(state.bookmarks));
@@ -133,6 +135,12 @@ std::vector<ReportedLight> readLights(rtcore::StrictTable& root) {
     return lights;
 }
 
+ReportedEdit readEdit(rtcore::StrictTable& root, std::string_view key) {
+    const std::vector<int> pair = root.require(key, root.integers(key, 0, kMost));
+    if (pair.size() != 2) root.fail(key, "it takes an edit's number and its person");
+    return {pair[0], pair[1]};
+}
+
 } // namespace
 
 std::string formatStateReport(const StateReport& state, std::size_t most) {
@@ -156,6 +164,8 @@ StateReport parseStateReport(std::string_view text) {
     state.scene = root.require("scene", root.text("scene"));
     state.undo = root.require("undo", root.text("undo"));
     state.redo = root.require("redo", root.text("redo"));
+    state.undoEdit = readEdit(root, "undoEdit");
+    state.redoEdit = readEdit(root, "redoEdit");
     state.edits = root.require("edits", root.integer("edits", 0, kMost));
     state.modified = root.require("modified", root.boolean("modified"));
     state.bookmarks = root.texts("bookmarks").value_or(std::vector<std::string>());

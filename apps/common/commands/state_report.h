@@ -35,6 +35,13 @@ struct ReportedMap {
     friend bool operator==(const ReportedMap&, const ReportedMap&) = default;
 };
 
+/// Of an edit that undo takes back, or redo makes again.
+struct ReportedEdit {
+    int number = 0; ///< none is given twice while the server runs; 0: there is no such edit
+    int person = 0; ///< for whom the asking client made it, by the command `by`; 0: for none, or another did
+    friend bool operator==(const ReportedEdit&, const ReportedEdit&) = default;
+};
+
 struct StateReport {
     std::string scene;                     ///< absolute path of the scene or model
     rtcore::Vec3 up{0, 1, 0};              ///< one of the six axes
@@ -46,6 +53,7 @@ struct StateReport {
     rtcore::Camera camera;                           ///< nameOffset is 0
     std::vector<rtcore::SettingAssignment> settings; ///< all of them
     std::string undo = {}, redo = {};                ///< what these would do; "": there is nothing
+    ReportedEdit undoEdit = {}, redoEdit = {};       ///< the same edits
     std::vector<std::string> bookmarks = {};         ///< names; none where there are very many
     bool modified = false;                           ///< there is something to save, other than the camera
     int edits = 0;                                   ///< made and not taken back, since the scene was loaded

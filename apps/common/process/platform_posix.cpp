@@ -114,6 +114,11 @@ int writeAll(int stream, std::string_view bytes) noexcept {
     return 0;
 }
 
+bool takesMore(int number) noexcept {
+    pollfd stream{number, POLLOUT, 0};
+    return ::poll(&stream, 1, 0) == 1 && (stream.revents & POLLOUT) != 0;
+}
+
 } // namespace
 
 void installSignalHandlers() {
@@ -208,10 +213,8 @@ void writeLines(std::string_view lines) {
 
 void writeError(std::string_view text) noexcept { writeAll(STDERR_FILENO, text); }
 
-bool errorTakesMore() noexcept {
-    pollfd stream{STDERR_FILENO, POLLOUT, 0};
-    return ::poll(&stream, 1, 0) == 1 && (stream.revents & POLLOUT) != 0;
-}
+bool outputTakesMore() noexcept { return takesMore(STDOUT_FILENO); }
+bool errorTakesMore() noexcept { return takesMore(STDERR_FILENO); }
 
 std::uint64_t peakMemoryBytes() noexcept {
     rusage usage{};

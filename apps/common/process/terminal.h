@@ -19,8 +19,9 @@ void writeOutput(std::string_view bytes);
 void writeLines(std::string_view lines);
 void writeError(std::string_view text) noexcept;
 
-/// Whether a message of up to 4096 bytes would be written without waiting: false while the reader of stderr
-/// does not, and a pipe is full or a terminal stopped.
+/// Whether a message of up to 4096 bytes would be written without waiting: false while the reader of the
+/// stream does not, and a pipe is full or a terminal stopped.
+bool outputTakesMore() noexcept;
 bool errorTakesMore() noexcept;
 
 /// The most memory that this process has held so far.

@@ -88,12 +88,16 @@ ShareLinksPage::Row ShareLinksPage::addRow(const RowTexts& texts) {
         tell(tr("The link was copied."));
     });
     connect(open, &QPushButton::clicked, this, [this, link = row.link] { emit openWanted(link->text()); });
-    connect(row.code, &QPushButton::clicked, this,
-            [this, name, link = row.link] { (new QrDialog(name, link->text(), this))->open(); });
+    connect(row.code, &QPushButton::clicked, this, [this, name, link = row.link] {
+        auto* code = new QrDialog(name, link->text(), this);
+        connect(link, &QLineEdit::textChanged, code, &QDialog::close); // it was used
+        code->open();
+    });
     return row;
 }
 
 void ShareLinksPage::show(const BridgeRequest& request, const BridgeLinks& links) {
+    if (links.viewer != viewer_.link->text()) told_->clear();
     driver_.box->setVisible(!links.driver.isEmpty());
     set(*driver_.link, links.driver);
     set(*viewer_.link, links.viewer);
@@ -102,13 +106,14 @@ void ShareLinksPage::show(const BridgeRequest& request, const BridgeLinks& links
                              "materials. They cannot load or save anything, nor end the server.")
                         : tr("For visitors who may walk, one at a time. They cannot change, load or save "
                              "anything, nor end the server."));
+    driver_.meaning->setText(driver_.meaning->text() + QLatin1Char(' ') +
+                             tr("The link is good once, for one page; then the next one is shown here."));
     // A phone does not reach an address that only this machine knows.
     for (const Row& row : {driver_, viewer_})
         row.code->setVisible(hasQrCodes() && !request.address.isEmpty());
     const QString way = wayText(request, links);
     way_->setText(way);
     way_->setVisible(!way.isEmpty());
-    told_->clear();
 }
 
 void ShareLinksPage::show(const QList<Visitor>& visitors) { visitors_->setText(visitorsText(visitors)); }

@@ -45,7 +45,7 @@ class BridgeProcess : public QObject {
     const BridgeLinks& links() const { return links_; } ///< both empty until linksChanged()
 
   signals:
-    void linksChanged(); ///< first when pages can be opened
+    void linksChanged(); ///< first when pages can be opened; then when the driver's link was used
     /// It could not be started, or is gone. `text`: its own words why; empty after stop().
     void ended(const QString& text);
 

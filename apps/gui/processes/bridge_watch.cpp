@@ -38,9 +38,11 @@ BridgeWatch::BridgeWatch(QObject* parent) : QObject(parent) {
 BridgeWatch::~BridgeWatch() = default;
 
 void BridgeWatch::start(const QString& link) {
-    stop();
     const QUrl page(link);
-    token_ = page.fragment().section(QLatin1String("t="), 1).toUtf8();
+    const QByteArray token = page.fragment().section(QLatin1String("t="), 1).toUtf8();
+    if (network_ && token == token_) return;
+    stop();
+    token_ = token;
     status_ = page.adjusted(QUrl::RemoveFragment).resolved(QUrl(QStringLiteral("status")));
     network_ = std::make_unique<QNetworkAccessManager>();
     network_->setProxy(QNetworkProxy::NoProxy); // it is this machine

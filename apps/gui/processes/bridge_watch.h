@@ -32,7 +32,7 @@ class BridgeWatch : public QObject {
     explicit BridgeWatch(QObject* parent = nullptr);
     ~BridgeWatch() override;
 
-    /// By any of its links.
+    /// By the viewers' link: the driver's is good once. Nothing changes where it watches by that already.
     void start(const QString& link);
     void stop();
     const QList<Visitor>& visitors() const { return visitors_; }

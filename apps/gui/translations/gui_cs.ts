@@ -3007,6 +3007,10 @@ Alt+%2</translation>
         <source>Q&amp;R code</source>
         <translation>Q&amp;R kód</translation>
     </message>
+    <message>
+        <source>The link is good once, for one page; then the next one is shown here.</source>
+        <translation>Odkaz platí jednou, pro jednu stránku; potom je tu další.</translation>
+    </message>
 </context>
 <context>
     <name>gui::ShareOperations</name>

@@ -2,6 +2,8 @@
 
 #include "ipc/channel/shared_copy.h"
 
+#include <algorithm>
+
 namespace ipc {
 
 namespace {
@@ -41,7 +43,7 @@ void KeyWriter::repair(KeyBoard& board) const {
     for (std::size_t i = 0; i < down_.size(); ++i) keep(board.down[i], down_[i]);
 }
 
-void KeyReader::collect(const KeyBoard& board, KeyState& state) {
+void KeyReader::collect(const KeyBoard& board, KeyState& state, std::uint32_t restraint) {
     constexpr std::size_t kKeysOfWord = 64;
     for (std::size_t word = 0; word < kMaxKeys / kKeysOfWord; ++word) {
         // The press is counted before the bit is set, so that a reader that sees the key down sees its press,
@@ -51,6 +53,8 @@ void KeyReader::collect(const KeyBoard& board, KeyState& state) {
         for (std::size_t key = word * kKeysOfWord; key < (word + 1) * kKeysOfWord; ++key) {
             const std::uint32_t count = board.presses[key].load(std::memory_order_relaxed);
             state.presses[key] += count - seen_[key];
+            for (std::uint32_t level = 0; level < std::min(restraint, kKeyRestraints); ++level)
+                state.restrained[level][key] += count - seen_[key];
             seen_[key] = count;
         }
     }

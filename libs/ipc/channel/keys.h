@@ -27,8 +27,8 @@ class KeyWriter {
 /// One client's board as the server sees it.
 class KeyReader {
   public:
-    /// Adds what is down and what was pressed since the last call.
-    void collect(const KeyBoard& board, KeyState& state);
+    /// Adds what is down and what was pressed since the last call, by a client of such a restraint.
+    void collect(const KeyBoard& board, KeyState& state, std::uint32_t restraint = 0);
 
   private:
     std::array<std::uint32_t, kMaxKeys> seen_{};

@@ -19,12 +19,14 @@ int takeSlot(const Names& names, const Link& link) {
                                              names.instance(), kMaxClients));
 }
 
-Attachment::Attachment(const Names& names, const Link& link, int slot, const KeyWriter& keys)
+Attachment::Attachment(const Names& names, const Link& link, int slot, const KeyWriter& keys,
+                       std::uint32_t restraint)
     : block_(&link.block()), slot_(&block_->clients[slot]), tag_(randomTag()),
       sender_(names.queue(slot, tag_)) {
     faultPoint("queue made");
     slot_->clientProcess.store(processId(), std::memory_order_relaxed);
     slot_->wantsFrames.store(0, std::memory_order_relaxed);
+    slot_->keyRestraint.store(restraint, std::memory_order_relaxed);
     if (keeps("keys stay held")) keys.restore(slot_->keys);
     faultPoint("slot filled");
     slot_->clientTag.store(tag_, std::memory_order_release);

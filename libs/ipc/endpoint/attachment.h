@@ -14,8 +14,10 @@ int takeSlot(const Names& names, const Link& link);
 /// One thread. `link` must outlive it.
 class Attachment {
   public:
-    /// Makes a queue, then claims the slot with the keys that are down. Does not wait for the server.
-    Attachment(const Names& names, const Link& link, int slot, const KeyWriter& keys);
+    /// Makes a queue, then claims the slot with the keys that are down and their restraint. Does not wait for
+    /// the server.
+    Attachment(const Names& names, const Link& link, int slot, const KeyWriter& keys,
+               std::uint32_t restraint);
     /// Gives the slot back.
     ~Attachment();
     Attachment(const Attachment&) = delete;

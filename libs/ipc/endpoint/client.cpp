@@ -25,8 +25,9 @@ constexpr std::size_t kKeptAnswers = 1024;
 } // namespace
 
 struct Client::State {
-    State(const std::string& instance, Clock::time_point deadline)
-        : names(instance), link(openLink(names, Access::Write, deadline)), feed(names) {
+    State(const std::string& instance, Clock::time_point deadline, std::uint32_t keyRestraint)
+        : names(instance), link(openLink(names, Access::Write, deadline)), restraint(keyRestraint),
+          feed(names) {
         attach();
     }
 
@@ -35,7 +36,7 @@ struct Client::State {
         attachment.reset();
         if (slot < 0) slot = takeSlot(names, link);
         ++attachments;
-        attachment.emplace(names, link, slot, keys);
+        attachment.emplace(names, link, slot, keys, restraint);
     }
     void follow(Link next) {
         attachment.reset();
@@ -77,6 +78,7 @@ struct Client::State {
     Link link;
     int slot = -1; ///< ours, locked in the link; -1: none yet
     KeyWriter keys;
+    std::uint32_t restraint;
     std::optional<Attachment> attachment; ///< empty while attaching failed
     FrameFeed feed;
     std::uint64_t lastSequence = 0;
@@ -126,8 +128,8 @@ void Client::State::collectAnswers() {
     }
 }
 
-Client::Client(const std::string& instance, std::chrono::nanoseconds patience)
-    : state_(std::make_unique<State>(instance, Clock::now() + patience)) {}
+Client::Client(const std::string& instance, std::chrono::nanoseconds patience, std::uint32_t keyRestraint)
+    : state_(std::make_unique<State>(instance, Clock::now() + patience, keyRestraint)) {}
 
 Client::~Client() { state_->keys.releaseAll(state_->board()); }
 

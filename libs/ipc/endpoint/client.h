@@ -47,8 +47,10 @@ class Client {
   public:
     /// Waits up to `patience` for a server. Throws Error: BadName, NoServer, NoSlot, WrongVersion, NotYours,
     /// NoSpace, System.
+    /// `keyRestraint`: the higher, up to kKeyRestraints, the less the server lets its keys do.
     explicit Client(const std::string& instance = "default",
-                    std::chrono::nanoseconds patience = std::chrono::seconds(2));
+                    std::chrono::nanoseconds patience = std::chrono::seconds(2),
+                    std::uint32_t keyRestraint = 0);
     /// Releases its keys. Commands that the server has not taken yet may be lost: see flush.
     ~Client();
     Client(const Client&) = delete;

@@ -43,6 +43,7 @@ void ServedClient::adopt(int index, ClientSlot& slot, const Names& names, std::u
     unanswered_ = 0;
     waiting_.clear();
     keys_ = {};
+    restraint_ = slot.keyRestraint.load(std::memory_order_relaxed);
     inWindow_ = 0;
     slot.taken.store(0, std::memory_order_relaxed);
     slot.malformed.store(0, std::memory_order_relaxed);

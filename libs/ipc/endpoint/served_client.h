@@ -33,7 +33,7 @@ class ServedClient {
     void serve(ClientSlot& slot, std::uint64_t epoch, int limit, std::vector<Command>& commands);
     /// `code`: 0 done, else failed.
     void answer(ClientSlot& slot, const Command& command, std::uint32_t code, std::string_view text);
-    void collectKeys(const ClientSlot& slot, KeyState& state) { keys_.collect(slot.keys, state); }
+    void collectKeys(const ClientSlot& slot, KeyState& state) { keys_.collect(slot.keys, state, restraint_); }
     /// The queue is drained, the client served no more.
     void leave(ClientSlot& slot, std::uint64_t epoch, std::vector<Command>& commands);
 
@@ -55,6 +55,7 @@ class ServedClient {
     ReplyWriter replies_;
     std::deque<ReplyRecord> waiting_; ///< for room in the ring
     KeyReader keys_;
+    std::uint32_t restraint_ = 0; ///< as it was when the client came
     std::vector<std::byte> buffer_;
     std::uint64_t malformed_ = 0; ///< of all clients that this slot ever had
     Clock::time_point windowStart_;

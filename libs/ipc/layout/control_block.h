@@ -84,6 +84,7 @@ struct alignas(64) ClientSlot {
     std::atomic<std::uint64_t> clientTag;    ///< client, stored last: random, names its queue; 0 = no client
     std::atomic<std::int64_t> clientProcess; ///< client
     std::atomic<std::uint32_t> wantsFrames;  ///< client: 1 = ring my bell when a frame is published
+    std::atomic<std::uint32_t> keyRestraint; ///< client, before clientTag: 0..kKeyRestraints
     alignas(64) std::atomic<std::uint64_t> servedTag; ///< server: the tag that it serves
     std::atomic<std::uint64_t> droppedTag;            ///< server: the tag that it will not serve (again)
     std::atomic<DropReason> dropReason;               ///< server, stored before droppedTag

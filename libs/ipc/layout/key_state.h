@@ -12,8 +12,12 @@ namespace ipc {
 
 /// What is pressed, united over the clients.
 struct KeyState {
-    std::bitset<kMaxKeys> down;                    ///< down now
-    std::array<std::uint32_t, kMaxKeys> presses{}; ///< times pressed since the state was last asked for
+    using Presses = std::array<std::uint32_t, kMaxKeys>;
+    std::bitset<kMaxKeys> down; ///< down now
+    Presses presses{};          ///< times pressed since the state was last asked for
+    /// Of these the presses by clients of a restraint of 1 at least, and of 2: the higher, the less their
+    /// keys may do. What that is the server says.
+    std::array<Presses, kKeyRestraints> restrained{};
     bool held(int key) const { return down[static_cast<std::size_t>(key)]; }
     std::uint32_t pressed(int key) const { return presses[static_cast<std::size_t>(key)]; }
 };

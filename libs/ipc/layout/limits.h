@@ -6,10 +6,11 @@
 
 namespace ipc {
 
-inline constexpr std::uint32_t kProtocolVersion = 3;
+inline constexpr std::uint32_t kProtocolVersion = 4;
 
 inline constexpr int kMaxClients = 32;                    ///< clients that command, per server
 inline constexpr int kMaxKeys = 256;                      ///< key codes are 0..255
+inline constexpr std::uint32_t kKeyRestraints = 2;        ///< levels of a client's keys, beside 0
 inline constexpr std::size_t kMaxCommandText = 8192;      ///< bytes
 inline constexpr std::size_t kCommandQueueLength = 32;    ///< commands under way, per client
 inline constexpr std::size_t kReplyBytes = 65536;         ///< a client's reply area

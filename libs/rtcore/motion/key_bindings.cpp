@@ -70,14 +70,15 @@ ActionSet KeyBindings::held(const Down& down) const {
     return set;
 }
 
-std::vector<ActionTap> KeyBindings::taps(const Down& down, const Presses& presses, const Down& before) const {
+std::vector<ActionTap> KeyBindings::taps(const Down& down, const Presses& presses, const Down& before,
+                                         const Withheld& withheld) const {
     Down since = down | before;
     for (std::size_t key = 0; key < presses.size(); ++key) {
         if (presses[key] > 0) since.set(key);
     }
     std::vector<ActionTap> taps;
     for (const KeyBinding& b : bindings_) {
-        const std::uint32_t count = presses[static_cast<std::size_t>(b.key)];
+        const std::uint32_t count = presses[static_cast<std::size_t>(b.key)] - (withheld ? withheld(b) : 0);
         if (count == 0 || !fits(b, since)) continue;
         // An even number of presses of a switch is none; no key is pressed thousands of times between two
         // looks.

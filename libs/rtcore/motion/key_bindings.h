@@ -7,6 +7,7 @@
 #include <array>
 #include <bitset>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -48,8 +49,10 @@ class KeyBindings {
     /// What the presses since the last look do, in the order of the bindings; of actions that are held, one
     /// tap for each key that is up again, so that the shortest press moves. `before`: the keys that were down
     /// at the last look. A key that was down at any time since then counts as held with those that were
-    /// pressed.
-    std::vector<ActionTap> taps(const Down& down, const Presses& presses, const Down& before = {}) const;
+    /// pressed. `withheld`: how many of a binding's presses are to have no effect.
+    using Withheld = std::function<std::uint32_t(const KeyBinding&)>;
+    std::vector<ActionTap> taps(const Down& down, const Presses& presses, const Down& before = {},
+                                const Withheld& withheld = {}) const;
 
   private:
     bool fits(const KeyBinding& binding, const Down& down) const;

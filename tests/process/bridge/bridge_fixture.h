@@ -76,7 +76,7 @@ class FakeServer {
         const std::lock_guard lock(mutex_);
         return frame_;
     }
-    /// All but those that the bridge sends on its own account.
+    /// All but those that the bridge sends on its own account, and without for whom they are.
     std::vector<std::string> commands() {
         const std::lock_guard lock(mutex_);
         return commands_;
@@ -88,10 +88,16 @@ class FakeServer {
     /// Another client's edit. Of pages, it counts `set`, and what `undo` takes back.
     void edit(const std::string& label) {
         const std::lock_guard lock(mutex_);
-        count(label);
+        count(label, 0);
     }
-    /// What it says that a frame takes.
+    /// Another client's undo.
+    void undo() {
+        const std::lock_guard lock(mutex_);
+        takeBack();
+    }
+    /// What it says that a frame takes, and the whole one at rest.
     void tellFrameSeconds(double seconds) { frameSeconds_ = seconds; }
+    void tellWholeSeconds(double seconds) { wholeSeconds_ = seconds; }
     /// Instead of doing what it says; "": done.
     std::function<std::string(const std::string&)> onCommand = {};
     const std::string bindings =
@@ -135,6 +141,7 @@ class FakeServer {
         status.width = static_cast<std::uint32_t>(width_);
         status.height = static_cast<std::uint32_t>(height_);
         status.frameSeconds = frameSeconds_;
+        status.wholeSeconds = wholeSeconds_;
         status.idle = rate_ == 0 ? 1 : 0;
         status.eye[0] = static_cast<float>(rate_ > 0 && !improves_ ? frame_ : 0);
         server.setStatus(status);
@@ -153,29 +160,46 @@ class FakeServer {
         }
         for (const ipc::Command& command : server.takeCommands()) answer(server, command);
     }
-    void count(const std::string& label) {
-        labels_.push_back(label);
+    void count(const std::string& label, int person) {
+        edits_.push_back({label, {++numbers_, person}});
+        tellEdits();
+    }
+    void takeBack() {
+        edits_.pop_back();
         tellEdits();
     }
     void tellEdits() {
-        state_.edits = static_cast<int>(labels_.size());
-        state_.undo = labels_.empty() ? "" : labels_.back();
+        state_.edits = static_cast<int>(edits_.size());
+        state_.undo = edits_.empty() ? "" : edits_.back().label;
+        state_.undoEdit = edits_.empty() ? app::ReportedEdit() : edits_.back().edit;
     }
-    void follow(const std::string& command) {
-        if (command.starts_with("set ")) count(command.substr(0, command.rfind(' ')));
-        if (command != "undo" || labels_.empty()) return;
-        labels_.pop_back();
-        tellEdits();
+    /// False: it cannot.
+    bool follow(const std::string& command, int person) {
+        if (command.starts_with("set ")) count(command.substr(0, command.rfind(' ')), person);
+        if (!command.starts_with("undo ")) return true;
+        if (edits_.empty() || edits_.back().edit.number != std::stoi(command.substr(5))) return false;
+        takeBack();
+        return true;
+    }
+    /// Cuts `by PERSON` off.
+    static int takePerson(std::string& command) {
+        if (!command.starts_with("by ")) return 0;
+        const std::size_t end = command.find(' ', 3);
+        const int person = std::stoi(command.substr(3, end - 3));
+        command.erase(0, end + 1);
+        return person;
     }
     void answer(ipc::Server& server, const ipc::Command& command) {
         const std::lock_guard lock(mutex_);
         if (command.text == "state") return server.answer(command, app::formatStateReport(state_, 65520));
         if (command.text.starts_with("messages")) return server.answer(command);
         if (command.text == "bindings") return server.answer(command, bindings);
-        commands_.push_back(command.text);
+        std::string text = command.text;
+        const int person = takePerson(text);
+        commands_.push_back(text);
         if (silent_) return;
-        follow(command.text);
-        server.answer(command, onCommand ? onCommand(command.text) : "");
+        if (!follow(text, person)) return server.refuse(command, 1, "it is not the last edit");
+        server.answer(command, onCommand ? onCommand(text) : "");
     }
 
     std::mutex mutex_;
@@ -184,11 +208,16 @@ class FakeServer {
     std::array<std::uint32_t, 256> presses_{};
     std::vector<std::string> commands_;
     app::StateReport state_ = plainState();
-    std::vector<std::string> labels_;
+    struct Edit {
+        std::string label;
+        app::ReportedEdit edit;
+    };
+    std::vector<Edit> edits_;
+    int numbers_ = 0;
     int width_ = 320, height_ = 200;
     std::size_t frame_ = 0;
     bool showOne_ = false;
-    std::atomic<double> frameSeconds_ = 0;
+    std::atomic<double> frameSeconds_ = 0, wholeSeconds_ = 0;
     std::atomic<int> rate_ = 0, clients_ = 0;
     std::atomic<bool> running_ = false, stopping_ = false, improves_ = false, hangs_ = false, silent_ = false;
     std::thread thread_; // last

@@ -61,6 +61,15 @@ TEST_F(Door, RefusesRequestsThatAreNone) {
         {"GET / HTTP/1.1\r\n" + host + host + "\r\n", 400},
         {"GET http://127.0.0.1:%p/ HTTP/1.1\r\n" + host + "\r\n", 400},
         {"GET / HTTP/1.1\r\n" + host + "Transfer-Encoding: chunked\r\n\r\n0\r\n\r\n", 400},
+        {"GET / HTTP/1.1\r\n" + host + "Transfer-Encoding: xchunked\r\n\r\n", 400},
+        {"GET / HTTP/1.1\r\n" + host + "Transfer-Encoding: identity\r\n\r\n", 400},
+        {"GET / HTTP/1.1\r\n" + host + "Transfer-Encoding:\r\n\r\n", 400},
+        {"GET / HTTP/1.1\r\n" + host + "transfer-encoding:\r\n chunked\r\n\r\n0\r\n\r\n", 400},
+        {"GET / HTTP/1.1\r\n" + host + "Transfer-Encoding: x\r\nTransfer-Encoding: chunked\r\n\r\n", 400},
+        {"GET / HTTP/1.1\r\n" + host + "Transfer-Encoding: gzip, chunked\r\nContent-Length: 0\r\n\r\n", 400},
+        {"GET / HTTP/1.1\r\n" + host + "Content-Length: 0\r\n\r\n", 400},
+        {"HEAD / HTTP/1.1\r\n" + host + "Transfer-Encoding: xchunked\r\n\r\n", 400},
+        {"GET /ws HTTP/1.1\r\n" + host + "Transfer-Encoding: xchunked\r\n\r\n", 400},
         {"GET / HTTP/1.1\r\n" + host + "Content-Length: 3\r\n\r\nabc", 0},
         {"POST / HTTP/1.1\r\n" + host + "Content-Length: 0\r\n\r\n", 405},
         {"DELETE / HTTP/1.1\r\n" + host + "\r\n", 405},
@@ -155,6 +164,56 @@ TEST_F(Door, LocksOldLinksOutWhenTheFileOfTokensIsReadAgain) {
         [&] {
             return join("other-driver-other-driver")->request({{"do", "walk"}})["ok"] == true;
         }));
+}
+
+/// With links that are in no file.
+class OnceDoor : public BridgeTest {
+    void SetUp() override {
+        startServer();
+        const std::string output = (instance.folder() / "links").string();
+        bridge =
+            ChildProcess(std::string(RT_PROGRAM_FOLDER) + "/RTBridge",
+                         {"--instance=" + instance.name(), "--listen=127.0.0.1:0"}, {.outputFile = output});
+        ASSERT_TRUE(eventually([&] { return links().find("Viewer: ") != std::string::npos; }, 10s));
+        port = std::atoi(links().c_str() + links().find("127.0.0.1:") + 10);
+    }
+
+  protected:
+    /// The token behind the last line of that name.
+    std::string last(const std::string& name) const {
+        const std::string text = links();
+        const std::size_t start = text.find("#t=", text.rfind(name)) + 3;
+        return text.substr(start, text.find('\n', start) - start);
+    }
+    /// The close code; 0: it was let in.
+    int codeFor(const std::string& token, const nlohmann::json& more = nlohmann::json::object()) {
+        WebClient client(port);
+        client.hello(token, "", more);
+        return std::max(client.closeCode(700ms), 0);
+    }
+};
+
+TEST_F(OnceDoor, LetsOnePageInByEachDriversLink) {
+    const std::string link = last("Driver: ");
+    EXPECT_EQ(codeFor(link, {{"instance", "no"}}), 4004);
+    EXPECT_EQ(codeFor(link, {{"v", 2}}), 4010);
+    WebClient first(port);
+    first.hello(link);
+    const nlohmann::json welcome = first.event("welcome");
+    ASSERT_EQ(welcome["role"], "driver") << "those that were refused have not used it";
+    const std::string own = welcome.value("token", "");
+    EXPECT_EQ(own.size(), 43U);
+    EXPECT_EQ(codeFor(link), 4005);
+    EXPECT_TRUE(page("/status", "Authorization: Bearer " + link + "\r\n").starts_with("HTTP/1.1 401"));
+    EXPECT_TRUE(page("/status", "Authorization: Bearer " + own + "\r\n").starts_with("HTTP/1.1 200"));
+    ASSERT_TRUE(eventually([&] { return last("Driver: ") != link; })) << "the next one is printed";
+    EXPECT_EQ(links().find(own), std::string::npos);
+    const auto second = join(last("Driver: ").c_str());
+    EXPECT_EQ(second->request({{"do", "ask"}})["ok"], true);
+    WebClient again(port);
+    again.hello(own);
+    EXPECT_EQ(again.event("welcome")["token"], own) << "it was loaded again";
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(codeFor(last("Viewer: ")), 0) << "good for any number";
 }
 
 class UnixDoor : public BridgeTest {

@@ -1,10 +1,13 @@
 // The command line of RTBridge.
+#include "process/bridge/tls_tunnel.h"
 #include "support/run_program.h"
 #include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
+
+#include <sys/stat.h>
 
 namespace {
 
@@ -69,6 +72,48 @@ TEST(BridgeOptions, MissingScenesAndCertificatesAreTold) {
     const test::ProgramResult tls = test::runProgram(
         kBridge, {"--listen=127.0.0.1:0", "--tls-cert=/nowhere/a.pem", "--tls-key=/nowhere/b.pem"});
     EXPECT_EQ(tls.exitCode, 66) << tls.error;
+}
+
+// Neither a start that waits for what never comes, nor one that asks where nobody answers.
+TEST(BridgeOptions, CertificatesAreRegularFilesAndKeysNotEncrypted) {
+    test::TemporaryFolder folder;
+    const test::TlsPair pair = test::makeCertificate(folder.path());
+    if (pair.key.empty()) GTEST_SKIP() << "there is no openssl";
+    if (test::runProgram(kBridge, {"--version"}).output.find("OpenSSL: yes") == std::string::npos)
+        GTEST_SKIP() << "built without OpenSSL";
+    const std::string pipe = (folder / "pipe").string(), locked = (folder / "locked.pem").string(),
+                      old = (folder / "old.pem").string();
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    const std::vector<std::string> writing{"-in", pair.key, "-passout", "pass:secret", "-aes128", "-out"};
+    for (const auto& [command, file] : {std::pair("pkey", locked), std::pair("rsa", old)}) {
+        std::vector<std::string> words{command};
+        words.insert(words.end(), writing.begin(), writing.end());
+        words.push_back(file);
+        if (command == std::string("rsa")) words.emplace_back("-traditional");
+        ASSERT_EQ(test::runProgram(test::kOpenssl, words).exitCode, 0) << command;
+    }
+    const struct {
+        std::string certificate, key, named, why;
+        int code;
+    } rows[] = {{pipe, pair.key, pipe, "no regular file", 66},
+                {pair.certificate, pipe, pipe, "no regular file", 66},
+                {"/dev/zero", pair.key, "/dev/zero", "no regular file", 66},
+                {pair.certificate, folder.path().string(), folder.path().string(), "no regular file", 66},
+                {pair.key, pair.key, pair.key, "no certificate", 65},
+                {pair.certificate, pair.certificate, pair.certificate, "no key", 65},
+                {pair.certificate, locked, locked, "encrypted", 65},
+                {pair.certificate, old, old, "encrypted", 65}};
+    for (const auto& row : rows) {
+        const auto start = test::Clock::now();
+        const test::ProgramResult result = test::runProgram(
+            kBridge, {"--listen=127.0.0.1:0", "--tls-cert=" + row.certificate, "--tls-key=" + row.key},
+            {.timeoutSeconds = 20});
+        EXPECT_EQ(result.exitCode, row.code) << row.certificate << " " << row.key << ": " << result.error;
+        for (const std::string& words : {row.named, row.why})
+            EXPECT_NE(result.error.find(words), std::string::npos) << result.error;
+        EXPECT_EQ(result.error.find("pass phrase"), std::string::npos) << result.error;
+        EXPECT_LT(test::Clock::now() - start, std::chrono::seconds(10));
+    }
 }
 
 TEST(BridgeOptions, HelpAndManPageComeFromTheTable) {

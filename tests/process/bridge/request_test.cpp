@@ -81,7 +81,7 @@ TEST_F(Requests, UndoOnlyTheSessionsOwnEdit) {
     EXPECT_EQ(client->request({{"do", "set"}, {"name", "maxDepth"}, {"value", 3}})["ok"], true);
     ASSERT_TRUE(mayUndo(*client));
     EXPECT_EQ(client->request({{"do", "undo"}})["ok"], true);
-    EXPECT_EQ(server->commands(), (std::vector<std::string>{"set maxDepth 3", "undo"}));
+    EXPECT_EQ(server->commands(), (std::vector<std::string>{"set maxDepth 3", "undo 2"}));
 }
 
 TEST_F(Requests, UndoOnceHoweverOftenTheyAskAtOnce) {
@@ -95,7 +95,7 @@ TEST_F(Requests, UndoOnceHoweverOftenTheyAskAtOnce) {
     for (int k = 0; k < 3; ++k) done += client->event("answer")["ok"] == true ? 1 : 0;
     EXPECT_EQ(done, 1);
     EXPECT_EQ(client->request({{"do", "walk"}})["ok"], true);
-    EXPECT_EQ(server->commands(), (std::vector<std::string>{"set maxDepth 3", "undo", "walk"}));
+    EXPECT_EQ(server->commands(), (std::vector<std::string>{"set maxDepth 3", "undo 2", "walk"}));
 }
 
 TEST_F(Requests, ThatChangeNothingMakeNobodysEditOnesOwn) {
@@ -113,6 +113,21 @@ TEST_F(Requests, ThatChangeNothingMakeNobodysEditOnesOwn) {
     }
     EXPECT_EQ(client->request({{"do", "undo"}})["ok"], false);
     EXPECT_EQ(server->commands(), std::vector<std::string>{"light 3 on"});
+}
+
+// Of the same name, and as many as before.
+TEST_F(Requests, UndoNoEditThatAnotherClientMadeInItsPlace) {
+    const auto client = join();
+    EXPECT_FALSE(client->event("state").is_null());
+    EXPECT_EQ(client->request({{"do", "set"}, {"name", "maxDepth"}, {"value", 3}})["ok"], true);
+    ASSERT_TRUE(mayUndo(*client));
+    server->undo();
+    server->edit("set maxDepth");
+    EXPECT_EQ(client->request({{"do", "undo"}})["ok"], false) << "before anybody was told";
+    json told = client->event("state");
+    while (!told.is_null() && told["mayUndo"] != false) told = client->event("state");
+    EXPECT_FALSE(told.is_null());
+    EXPECT_EQ(client->request({{"do", "undo"}})["ok"], false);
 }
 
 TEST_F(Requests, ThatAreNoObjectsCloseTheConnection) {
@@ -194,6 +209,35 @@ TEST_F(Requests, WhatMakesFramesLastForSecondsIsSetBack) {
     EXPECT_EQ(commands[5], fmt::format("set maxDepth {}", before.maxDepth))
         << "the value from before the first";
     EXPECT_EQ(commands[6], fmt::format("resolution {} {}", before.width, before.height));
+}
+
+// The page is shown quick frames meanwhile, and it may walk for long before they are whole.
+TEST_F(Requests, WhatMakesWholeFramesLastForSecondsIsSetBack) {
+    const auto client = join();
+    EXPECT_FALSE(client->event("state").is_null());
+    server->move(20);
+    server->tellFrameSeconds(0.1);
+    EXPECT_EQ(client->request({{"do", "set"}, {"name", "maxDepth"}, {"value", 60}})["ok"], true);
+    std::this_thread::sleep_for(1s);
+    EXPECT_EQ(server->commands().size(), 1U);
+    server->tellWholeSeconds(5.5);
+    json notice = client->event("notice", 8s);
+    while (!notice.is_null() && notice["code"] != "heavy") notice = client->event("notice", 8s);
+    ASSERT_FALSE(notice.is_null());
+    ASSERT_TRUE(eventually([&] { return server->commands().size() == 2; }));
+    EXPECT_EQ(server->commands()[1], fmt::format("set maxDepth {}", rtcore::RenderSettings().maxDepth));
+}
+
+// It is not what another one makes heavy later.
+TEST_F(Requests, WhatWasQuickAtRestStays) {
+    const auto client = join();
+    EXPECT_FALSE(client->event("state").is_null());
+    EXPECT_EQ(client->request({{"do", "set"}, {"name", "maxDepth"}, {"value", 3}})["ok"], true);
+    std::this_thread::sleep_for(1500ms);
+    server->tellWholeSeconds(9);
+    server->move(20);
+    std::this_thread::sleep_for(500ms);
+    EXPECT_EQ(server->commands(), std::vector<std::string>{"set maxDepth 3"});
 }
 
 /// How many of these the bridge has read. The last one of them may have ended the connection: then there is

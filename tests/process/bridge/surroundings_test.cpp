@@ -4,7 +4,9 @@
 
 #include <fmt/core.h>
 
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
 
 namespace {
 
@@ -170,6 +172,29 @@ class UnixSocket : public BridgeTest {
   protected:
     std::string path() const { return (instance.folder() / "rts" / (instance.name() + ".web")).string(); }
 };
+
+// Its queue is full.
+TEST_F(UnixSocket, OfOneThatIsStoppedKeepsNoStartWaiting) {
+    bridge.kill();
+    std::filesystem::remove(path());
+    sockaddr_un where{};
+    where.sun_family = AF_UNIX;
+    path().copy(where.sun_path, sizeof where.sun_path - 1);
+    const auto open = [] { return ::socket(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0); };
+    const int stopped = open();
+    ASSERT_EQ(::bind(stopped, reinterpret_cast<const sockaddr*>(&where), sizeof where), 0);
+    ASSERT_EQ(::listen(stopped, 0), 0);
+    std::vector<RawSocket> waiting;
+    waiting.push_back(RawSocket::ofDescriptor(stopped));
+    for (bool full = false; !full;) {
+        const int each = open();
+        full = ::connect(each, reinterpret_cast<const sockaddr*>(&where), sizeof where) != 0;
+        waiting.push_back(RawSocket::ofDescriptor(each));
+    }
+    const ProgramResult second = runProgram(
+        kBridgeProgram, {"--instance=" + instance.name(), "--listen=unix"}, {.timeoutSeconds = 20});
+    EXPECT_EQ(second.exitCode, 75) << second.error;
+}
 
 TEST_F(UnixSocket, OfAKilledBridgeIsReplacedAndThatOfALivingOneIsNot) {
     const ProgramResult second = runProgram(

@@ -16,6 +16,8 @@ app::StateReport sample() {
                            .settings = rtcore::settingAssignments(rtcore::RenderSettings(), true),
                            .undo = "set bloom.radius",
                            .redo = "load camera \"a b\"",
+                           .undoEdit = {4, 7},
+                           .redoEdit = {6, 0},
                            .bookmarks = {"door", "by the \"altar\""},
                            .modified = true,
                            .edits = 3};

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -90,20 +92,20 @@ TEST(TokenBucket, LetsBurstsThroughAndFloodsNot) {
     EXPECT_EQ(taken, 750);
 }
 
-TEST(WrongTokens, ShutAnAddressOutForAMinute) {
-    bridge::WrongTokens wrong;
-    for (int i = 0; i < 9; ++i) wrong.add("10.0.0.1", i);
-    EXPECT_FALSE(wrong.shutOut("10.0.0.1", 9));
-    wrong.add("10.0.0.1", 9);
-    EXPECT_TRUE(wrong.shutOut("10.0.0.1", 10));
-    EXPECT_FALSE(wrong.shutOut("10.0.0.2", 10));
-    EXPECT_FALSE(wrong.shutOut("10.0.0.1", 70));
+TEST(TokenBucket, TakesAmounts) {
+    bridge::TokenBucket bucket(100, 1000);
+    EXPECT_FALSE(bucket.take(0, 1001));
+    EXPECT_TRUE(bucket.take(0, 1000));
+    EXPECT_FALSE(bucket.take(1, 101));
+    EXPECT_TRUE(bucket.take(1, 100));
 }
 
-TEST(WrongTokens, NeverShutOutTheMachineItself) {
-    bridge::WrongTokens wrong;
-    for (int i = 0; i < 100; ++i) wrong.add("127.0.0.1", 0.01 * i);
-    EXPECT_FALSE(wrong.shutOut("127.0.0.1", 1)) << "others come by the same tunnel or proxy";
+// One that opens connections without end pushes out its own ones.
+TEST(Newcomers, ThatMakeRoomAreOfTheAddressThatHasMost) {
+    const std::vector<std::string> crowd{"a", "b", "c", "b", "a", "b"};
+    EXPECT_EQ(bridge::leastWelcome(crowd), 1U);
+    EXPECT_EQ(bridge::leastWelcome(std::vector<std::string>{"a"}), 0U);
+    EXPECT_EQ(bridge::leastWelcome(std::vector<std::string>{"a", "b"}), 0U) << "else the first one";
 }
 
 TEST(Tokens, AreLongAndNeverTheSame) {

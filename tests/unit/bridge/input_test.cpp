@@ -33,73 +33,29 @@ TEST(InputState, ReleasesAllAfterHalfASecondOfSilence) {
     EXPECT_FALSE(input.expire(2)) << "told once";
 }
 
-using Step = bridge::OwnEdits::Step;
-
-TEST(OwnEdits, TakeBackOnlyWhatTheSessionItselfDid) {
+TEST(OwnEdits, AreTakenBackByTheirNumber) {
     bridge::OwnEdits edits;
-    edits.sent(0);
-    EXPECT_FALSE(edits.mayUndo(7, 0, "")) << "it is under way";
-    edits.answered(7, Step::Edit, true);
+    edits.sent();
+    EXPECT_FALSE(edits.mayUndo(7)) << "it is under way";
+    edits.read({3, 7}, {});
+    EXPECT_FALSE(edits.mayUndo(7)) << "of a state before its answer";
+    edits.answered();
     EXPECT_TRUE(edits.busy()) << "the state is not read";
-    edits.read(1, "set maxDepth");
-    EXPECT_TRUE(edits.mayUndo(7, 1, "set maxDepth"));
-    EXPECT_FALSE(edits.mayUndo(8, 1, "set maxDepth")) << "another session";
-    EXPECT_FALSE(edits.mayUndo(7, 2, "light 1")) << "somebody else's edit came after it";
-    edits.sent(1);
-    edits.answered(7, Step::Undo, true);
-    EXPECT_FALSE(edits.mayRedo(7, 0, "set maxDepth"));
-    edits.read(0, "");
-    EXPECT_FALSE(edits.mayUndo(7, 0, ""));
-    EXPECT_TRUE(edits.mayRedo(7, 0, "set maxDepth"));
-    edits.sent(0);
-    edits.answered(7, Step::Redo, true);
-    edits.read(1, "set maxDepth");
-    EXPECT_TRUE(edits.mayUndo(7, 1, "set maxDepth"));
-}
-
-TEST(OwnEdits, JoinEditsOfOneGesture) {
-    bridge::OwnEdits edits;
-    for (int k = 0; k < 2; ++k) {
-        EXPECT_EQ(edits.mayGoOn(7, k, "set bloom.radius"), k == 1);
-        edits.sent(k);
-        EXPECT_TRUE(edits.mayGoOn(7, k, "set bloom.radius"));
-        edits.answered(7, Step::Edit, true);
-        edits.read(1, "set bloom.radius");
-    }
-    EXPECT_FALSE(edits.mayGoOn(8, 1, "set bloom.radius"));
-    edits.sent(1);
-    edits.answered(7, Step::Undo, true);
-    edits.read(0, "");
-    EXPECT_FALSE(edits.mayUndo(7, 1, "set bloom.radius"));
-}
-
-TEST(OwnEdits, AreNoneThatChangeNothingOrThatOthersMadeMeanwhile) {
-    bridge::OwnEdits edits;
-    edits.sent(3);
-    edits.answered(7, Step::Edit, true);
-    edits.read(3, "light 2");
-    EXPECT_FALSE(edits.mayUndo(7, 3, "light 2")) << "it changed nothing";
-    edits.read(4, "light 5");
-    EXPECT_FALSE(edits.mayUndo(7, 4, "light 5")) << "another's, later";
-    edits.sent(4);
-    edits.answered(7, Step::Edit, true);
-    edits.read(6, "light 6");
-    EXPECT_FALSE(edits.mayUndo(7, 6, "light 6")) << "two, of which one is another's";
-    edits.sent(6);
-    edits.answered(7, Step::Edit, false);
-    edits.read(7, "light 7");
-    EXPECT_FALSE(edits.mayUndo(7, 7, "light 7")) << "it was refused";
-}
-
-TEST(OwnEdits, MayBeTakenBackMoreOftenThanTheyWereMade) {
-    bridge::OwnEdits edits;
-    for (const Step step : {Step::Undo, Step::Redo, Step::Redo}) {
-        edits.sent(0);
-        edits.answered(7, step, true);
-        edits.read(0, "");
-    }
-    EXPECT_FALSE(edits.mayUndo(7, 0, ""));
-    EXPECT_FALSE(edits.mayRedo(7, 0, ""));
+    edits.read({4, 7}, {});
+    EXPECT_TRUE(edits.mayUndo(7));
+    EXPECT_EQ(edits.undo(), 4);
+    EXPECT_FALSE(edits.mayUndo(8)) << "another session";
+    EXPECT_FALSE(edits.mayRedo(7));
+    edits.read({5, 0}, {});
+    EXPECT_FALSE(edits.mayUndo(7)) << "another client's edit came after it";
+    EXPECT_FALSE(edits.mayUndo(0)) << "nobody's";
+    edits.read({2, 8}, {4, 7});
+    EXPECT_TRUE(edits.mayUndo(8));
+    EXPECT_TRUE(edits.mayRedo(7));
+    EXPECT_EQ(edits.redo(), 4);
+    edits.clear();
+    EXPECT_FALSE(edits.mayUndo(8));
+    EXPECT_FALSE(edits.mayRedo(7));
 }
 
 TEST(PlainName, HasNoControlCharactersAndFortyAtMost) {

@@ -21,7 +21,7 @@ using nlohmann::json;
 const std::vector<std::string> kBookmarks{"altar", "a \"name\" \\ with; words"};
 
 std::string lineOf(const json& request, const Limits& limits = {}) {
-    return bridge::planRequest(request, {limits, kBookmarks, 0, false, true}).line;
+    return bridge::planRequest(request, {limits, kBookmarks}).line;
 }
 
 std::string refusalOf(const json& request, const Limits& limits = {}) {
@@ -69,9 +69,6 @@ TEST(Requests, BecomeLinesOfTheServersCommands) {
         "camera set 0 1 2 0 0 -1 70 0 1 0");
     EXPECT_EQ(lineOf({{"do", "set"}, {"name", "bloom.radius"}, {"value", 8}, {"also", true}}),
               "also set bloom.radius 8");
-    const json goesOn{{"do", "set"}, {"name", "bloom.radius"}, {"value", 8}, {"also", true}};
-    EXPECT_EQ(bridge::planRequest(goesOn, {Limits(), kBookmarks}).line, "set bloom.radius 8")
-        << "the last edit is another's";
     EXPECT_EQ(lineOf({{"do", "set"}, {"name", "exposure.mode"}, {"value", "fixed"}}),
               "set exposure.mode fixed");
     EXPECT_EQ(lineOf({{"do", "light"}, {"light", 3}, {"on", false}}), "light 3 off");

@@ -42,6 +42,20 @@ TEST(Keys, UniteOverClients) {
     EXPECT_EQ(state.down.count(), 2u);
 }
 
+TEST(Keys, OfRestrainedClientsAreToldApart) {
+    KeyBoard boards[3]{};
+    KeyWriter writer;
+    KeyState state;
+    for (std::uint32_t restraint = 0; restraint < 3; ++restraint) {
+        writer.press(&boards[restraint], 7);
+        KeyReader().collect(boards[restraint], state, restraint);
+    }
+    EXPECT_EQ(state.pressed(7), 3U);
+    EXPECT_EQ(state.restrained[0][7], 2U) << "of the first level and more";
+    EXPECT_EQ(state.restrained[1][7], 1U);
+    EXPECT_EQ(state.restrained[1][8], 0U);
+}
+
 TEST(Keys, UnknownCodesAreIgnored) {
     KeyBoard board{};
     KeyWriter writer;

@@ -3,6 +3,8 @@
 #include "command_room.h"
 #include "told_clients.h"
 
+#include "rtserver/state_report_of.h"
+
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -73,6 +75,75 @@ TEST_F(CommandServiceTest, WhatNeedsAFrameIsRunAgain) {
     serve({});
     EXPECT_EQ(told.take(), (Lines{inFolder("screenshot DIR/b.png: live frame, 32 x 24"), "ping: pong"}));
     EXPECT_TRUE(exists("b.png"));
+}
+
+// No frame is held for it; but what wants no answer is done all the same.
+TEST_F(CommandServiceTest, WhatWaitsForAFrameIsForgottenWithItsClient) {
+    serve({"screenshot DIR/b.png"});
+    service.serve({commandOf(inFolder("screenshot DIR/c.png"), 2, false)});
+    told.gone = 1;
+    serve({});
+    EXPECT_TRUE(service.waits());
+    drawFrame();
+    serve({});
+    finishFiles();
+    EXPECT_FALSE(service.waits());
+    EXPECT_FALSE(exists("b.png"));
+    EXPECT_TRUE(exists("c.png"));
+}
+
+TEST_F(CommandServiceTest, PausesEndPressesForATime) {
+    serve({"key press w 60000"});
+    state.move(0ms, {});
+    service.answerRequests(false);
+    EXPECT_EQ(told.take(), Lines{});
+    service.serve({commandOf("pause", 2)});
+    service.answerRequests(false);
+    EXPECT_EQ(told.take(), (Lines{"pause: ", "key press w 60000: 1 the server was paused"}));
+    EXPECT_TRUE(state.keyboard().down().none());
+    serve({"key press w 50"});
+    EXPECT_EQ(told.take(), Lines{"key press w 50: 1 the server is paused; resume it first"});
+    service.serve({commandOf("resume", 2)});
+    EXPECT_TRUE(state.keyboard().down().none()) << "nothing is pressed later";
+}
+
+TEST_F(CommandServiceTest, EditsAreOfAClientAndOfWhomItServes) {
+    service.serve({commandOf("by 7 set maxDepth 3", 2)});
+    const auto last = [&](std::uint64_t client) { return stateReportOf(state, client).undoEdit; };
+    const app::ReportedEdit first = last(2);
+    EXPECT_EQ(first.person, 7);
+    EXPECT_EQ(last(3), (app::ReportedEdit{first.number, 0})) << "another client is not told for whom";
+    service.serve({commandOf("undo", 3), commandOf("set maxDepth 3", 3)});
+    EXPECT_GT(last(2).number, first.number) << "no number comes again";
+    EXPECT_EQ(last(2).person, 0);
+    told.take();
+    service.serve(
+        {commandOf("undo " + std::to_string(first.number), 2), commandOf("also set maxDepth 4", 3)});
+    EXPECT_EQ(state.settings().maxDepth, 4) << "the other's edit stands";
+    ASSERT_EQ(told.lines.size(), 2U);
+    EXPECT_NE(told.take()[0].find("is not the last one"), std::string::npos);
+
+    const auto steps = [&] { return state.history().position(); };
+    const auto before = steps();
+    service.serve({commandOf("by 7 also set maxDepth 5", 2)});
+    EXPECT_EQ(steps(), before + 1) << "not joined to another's";
+    service.serve({commandOf("by 7 also set maxDepth 6", 2)});
+    EXPECT_EQ(steps(), before + 1);
+    service.serve({commandOf("by 8 also set maxDepth 7", 2)});
+    EXPECT_EQ(steps(), before + 2) << "another person of the same client";
+    service.serve({commandOf("also set maxDepth 8", 4)});
+    EXPECT_EQ(steps(), before + 3);
+    const app::ReportedEdit newest = last(4);
+    service.serve({commandOf("undo " + std::to_string(newest.number), 2)});
+    EXPECT_EQ(stateReportOf(state, 4).redoEdit.number, newest.number);
+    EXPECT_EQ(last(2).person, 8);
+    told.take();
+    for (const char* wrong :
+         {"by 0 set maxDepth 3", "by x set maxDepth 3", "by 3", "by 3 undo", "by 3 by 4 set maxDepth 3",
+          "also by 3 set maxDepth 3", "undo 0", "undo x", "redo 1 2"}) {
+        serve({wrong});
+        EXPECT_NE(told.take().at(0).find(": 2 "), std::string::npos) << wrong;
+    }
 }
 
 TEST_F(CommandServiceTest, WhatWaitsIsRefusedWhenThereIsNoMemory) {

@@ -42,6 +42,26 @@ class FrameDrawingTest : public test::ShownRoom {
                          0};
 };
 
+// Also where a quick one is shown first, and while it is not there yet.
+TEST_F(FrameDrawingTest, TellsWhatAWholeFrameTakes) {
+    EXPECT_EQ(drawing.wholeSeconds(), 0);
+    makeSlow();
+    double underWay = 0;
+    poll = [&] {
+        underWay = std::max(underWay, drawing.wholeSeconds());
+        return Arrivals{};
+    };
+    while (!drawing.frames().whole() || drawing.frames().stale(state)) draw();
+    const double took = drawing.wholeSeconds();
+    EXPECT_GT(took, 0);
+    EXPECT_DOUBLE_EQ(took, drawing.frames().seconds());
+    EXPECT_GT(underWay, 0);
+    change();
+    draw();
+    ASSERT_FALSE(drawing.frames().whole()) << "a quick one comes first";
+    EXPECT_GE(drawing.wholeSeconds(), took) << "that is no other whole one";
+}
+
 TEST_F(FrameDrawingTest, DrawsWhatTheStateShowsAndIdles) {
     fixExposure();
     EXPECT_TRUE(drawing.wantsFrame(false));

@@ -51,6 +51,37 @@ class ServerMotion : public test::ShownRoom {
     test::TemporaryFolder folder;
 };
 
+/// A press of each by a client of such a restraint.
+ipc::KeyState restrainedKeys(std::initializer_list<int> down, std::size_t restraint) {
+    ipc::KeyState state = keys(down);
+    for (std::size_t level = 0; level < restraint; ++level) state.restrained[level] = state.presses;
+    return state;
+}
+
+// Whatever they are bound to by now.
+TEST_F(ServerMotion, RestrainedKeysMoveAndEditNothing) {
+    const int radius = state.settings().bloom.radius;
+    const bool light = state.scene()->lights[0].on != 0;
+    state.setBindings(rtcore::KeyBindings(
+        std::vector<rtcore::KeyBinding>{{'K', rtcore::Action::ToggleBloom},
+                                        {'L', rtcore::Action::ToggleLight, rtcore::KeyNone, 1},
+                                        {'W', rtcore::Action::Forward}}));
+    state.move(1ms, restrainedKeys({'K', 'L', 'W'}, 2));
+    state.move(50ms, {});
+    EXPECT_EQ(state.settings().bloom.radius, radius);
+    EXPECT_EQ(state.scene()->lights[0].on != 0, light);
+    EXPECT_EQ(state.history().last(), nullptr);
+    EXPECT_TRUE(changes().has(Change::View)) << "but it moves";
+    state.move(1ms, restrainedKeys({'K', 'L'}, 1));
+    state.move(1ms, {});
+    EXPECT_EQ(state.settings().bloom.radius, radius);
+    EXPECT_NE(state.scene()->lights[0].on != 0, light) << "bloom alone is withheld";
+    ipc::KeyState both = restrainedKeys({'K'}, 2); // and another client's
+    both.presses['K'] += 1;
+    state.move(1ms, both);
+    EXPECT_NE(state.settings().bloom.radius, radius) << "the other one may";
+}
+
 TEST_F(ServerMotion, NothingMovesUntilAKeyIsPressed) {
     state.move(100ms, {});
     EXPECT_TRUE(state.atRest());

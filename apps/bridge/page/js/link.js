@@ -3,11 +3,11 @@
  */
 const FIRST_WAIT = 250, MOST_WAIT = 5000, REQUEST_MS = 30000;
 /** Close codes after which another try would end the same way. */
-const FINAL = new Set([4002, 4003, 4004, 4010]);
+const FINAL = new Set([4002, 4003, 4004, 4005, 4010]);
 
 export class Link extends EventTarget {
     /**
-     * @param {{open: Function, send: Function, check: Function}} stream where the connection is
+     * @param {{open: Function, send: Function, check: Function, close: Function}} stream where the connection is
      * @param {() => Object} hello what the first message says, without `do` and `v`
      */
     constructor(stream, hello) {
@@ -24,6 +24,9 @@ export class Link extends EventTarget {
         this.ended = false;
         addEventListener("online", () => this.hurry());
         document.addEventListener("visibilitychange", () => document.visibilityState === "visible" && this.hurry());
+        // A page that is left may be kept, with its connection, and be shown again: the bridge is told.
+        addEventListener("pagehide", () => this.stream.close());
+        addEventListener("pageshow", ({ persisted }) => persisted && this.again());
     }
 
     connect() {

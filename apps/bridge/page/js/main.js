@@ -27,6 +27,7 @@ import { startStream } from "./stream_start.js";
 import { Steps } from "./steps.js";
 import { followPreference, forThisTab, preference } from "./storage.js";
 import { number, t } from "./texts.js";
+import { Token } from "./token.js";
 import { Touch } from "./touch.js";
 import { keepAwake } from "./wake_lock.js";
 import { viewMessage } from "./wire.js";
@@ -67,11 +68,12 @@ const app = {
     },
 };
 
-// The token leaves the address at once: it stands in no history, and in no picture of the window.
+// The token leaves the address at once: it stands in no picture of the window. Browsers keep it nevertheless.
+const admission = new Token();
 let asked = null, wasOffered = false;
 function takeFragment() {
     const { token, view } = readFragment(location.hash);
-    if (token) forThisTab.set("rt.token", token);
+    if (token) admission.open(token);
     if (view) {
         asked = view;
         wasOffered = false;
@@ -87,7 +89,7 @@ addEventListener("hashchange", () => {
 
 const pixels = () => ({ w: Math.max(1, Math.round(canvas.clientWidth * devicePixelRatio)), h: Math.max(1, Math.round(canvas.clientHeight * devicePixelRatio)) });
 const stream = startStream(canvas, (what) => (what.drawn ? onDrawn(what) : link.heard(what)));
-const link = new Link(stream, () => ({ token: forThisTab.get("rt.token") ?? "", instance: forThisTab.get("rt.instance") ?? "", name: preference("name", ""),
+const link = new Link(stream, () => ({ token: admission.current, instance: forThisTab.get("rt.instance") ?? "", name: preference("name", ""),
     view: pixels(), codecs: ["jpeg", "png"] }));
 link.connect(); // what it says comes after the last line of this module
 app.edits = new Edits((what, keys) => link.request(what, keys), tellRefusal);
@@ -208,6 +210,7 @@ on("welcome", (welcome) => {
     driving.forget();
     if (app.welcome && app.welcome.instance !== welcome.instance) forgetServer();
     app.welcome = welcome;
+    admission.welcome(welcome.token);
     around.setLive(true);
     if (other) panels.empty();
     around.showWaiting("firstFrame");
@@ -292,7 +295,7 @@ on("notice", ({ code, text }) => {
 function heavyText(text) {
     const [, names] = /^(.+) was set back: /.exec(text) ?? [];
     if (!names) return text;
-    return t("heavy", names.split(", ").map((one) => (one === "the size" ? t("size") : settingLabel(one))).join(", "));
+    return t("heavy", names.split(", ").map((one) => ({ "the size": t("size"), "the last edit": t("lastEdit") })[one] ?? settingLabel(one)).join(", "));
 }
 
 on("lost", ({ code, reason, final }) => {
@@ -312,12 +315,16 @@ on("lost", ({ code, reason, final }) => {
     if (!final) return wasGreeted ? app.notices.show("link", t("lost"), { lasting: true, warn: true, stays: true, actions: [[t("tryAgain"), () => link.hurry()]] }) : around.showWaiting("connecting");
     around.showWaiting("");
     const reload = [t("reload"), () => location.reload()];
+    if (code === 4005 && admission.goBack()) {
+        app.notices.show("used", t("linkUsed"), { warn: true });
+        return link.again();
+    }
     if (code === 4004) {
         const names = reason.split(" ").filter(Boolean);
         return app.notices.show("link", t("noInstance"), { lasting: true, warn: true, actions: names.map((one) => [one, () => app.goTo(one)]) });
     }
-    const texts = { 4002: "malformed", 4003: forThisTab.get("rt.token") ? "tokenOld" : "noToken", 4010: "versionOld" };
-    app.notices.show("link", t(texts[code]), { lasting: true, warn: true, actions: code === 4003 ? [] : [reload] });
+    const texts = { 4002: "malformed", 4003: admission.current ? "tokenOld" : "noToken", 4005: "linkUsed", 4010: "versionOld" };
+    app.notices.show("link", t(texts[code]), { lasting: true, warn: true, actions: code === 4003 || code === 4005 ? [] : [reload] });
 });
 
 function letGo() {

@@ -29,6 +29,12 @@ function room(kind) {
                 return false;
             }
         },
+        remove(key) {
+            kept.delete(key);
+            try {
+                store(kind).removeItem(key);
+            } catch {} // it keeps nothing
+        },
     };
 }
 

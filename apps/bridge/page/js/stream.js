@@ -60,6 +60,7 @@ export class Stream {
         setTimeout(() => this.received === received && lose(), ANSWER_MS);
     }
 
+    /** Ends the connection, if there is one, and tells nothing of it. */
     close() {
         const { socket } = this;
         this.socket = null;

@@ -6,7 +6,7 @@ const VERSION_OLD = 4010; // a page without all its files is to be loaded anew
 /**
  * @param {HTMLCanvasElement} canvas
  * @param {(what: Object) => void} tell as the stream has it
- * @returns {{open: Function, send: Function, check: Function}} as the stream has them; a message that is sent is no longer
+ * @returns {{open: Function, send: Function, check: Function, close: Function}} as the stream has them; a message that is sent is no longer
  *     the sender's
  */
 export function startStream(canvas, tell) {
@@ -24,6 +24,7 @@ export function startStream(canvas, tell) {
             worker.postMessage(["open", ...words]);
         },
         check: () => worker.postMessage(["check"]),
+        close: () => worker.postMessage(["close"]),
         send: (message) => worker.postMessage(["send", message], typeof message === "string" ? [] : [message]),
     };
 }
