@@ -82,6 +82,7 @@ inline void addLights(rtcore::Scene& scene, const rtcore::Box3& bounds) {
     sun.kind = rtcore::LightKind::Directional;
     sun.direction = rtcore::normalize({-0.4F, -1, -0.3F});
     sun.intensity = {2, 1.8F, 1.5F};
+    sun.discSine = 0.01F;
     static_assert(rtcore::kLightKinds == 5, "one light of each kind");
     scene.lights = {ball, panel, bulb, spot, sun};
     scene.lightNames.assign(scene.lights.size(), "");

@@ -290,8 +290,17 @@ class Loader {
         addEnvironment(out_.scene, file, std::move(environment));
     }
 
-    void setSun(const SunDescription& sun) {
+    /// The light of the .scn that is its sun, as it was edited.
+    std::optional<std::size_t> editedSun() const {
+        if (!described_ || out_.sceneFile->sun.id == 0) return std::nullopt;
+        const auto light = lightWithId(out_.scene, out_.sceneFile->sun.id);
+        const bool fits = light && out_.scene.lights[*light].kind == LightKind::Directional;
+        return fits ? light : std::nullopt;
+    }
+
+    void setSun(const SunDescription& sun, std::optional<std::size_t> edited) {
         Scene& scene = out_.scene;
+        if (edited) return replaceSun(scene, *edited);
         const std::size_t light = *sunOf(scene);
         scene.lights[light].on = sun.on ? 1 : 0;
         if (sun.id > 0 && !lightWithId(scene, sun.id)) scene.lightNotes[light].id = sun.id;
@@ -301,6 +310,11 @@ class Loader {
     void takeSurroundings() {
         Scene& scene = out_.scene;
         const int active = scene.activeEnvironment;
+        auto edited = editedSun();
+        if (edited && (options_.surroundings.environment || options_.surroundings.sky)) {
+            eraseLight(scene, *edited); // it goes with the sky of the file
+            edited.reset();
+        }
         if (options_.surroundings.environment) {
             phase(LoadPhase::LoadingImages);
             OpenedEnvironment opened = openEnvironment(*options_.surroundings.environment);
@@ -308,7 +322,7 @@ class Loader {
             scene.activeEnvironment = static_cast<int>(scene.environments.size()) - 1;
         } else if (options_.surroundings.sky || described_) {
             setSky(scene, options_.surroundings.sky ? options_.surroundings.sky : described_);
-            if (described_) setSun(out_.sceneFile->sun);
+            if (described_) setSun(out_.sceneFile->sun, edited);
             if (!options_.surroundings.sky) scene.activeEnvironment = active;
         }
     }

@@ -24,7 +24,7 @@ HWY_INLINE F drawDensity(const Light& light, Vec3Of<F> origin, Vec3Of<F> directi
 }
 
 /// A sample of `light` seen from `position`: of area lights at u, v (0..1, without 1), a sphere by its cone,
-/// a rectangle by its solid angle; of others all there is.
+/// a rectangle by its solid angle, a directional light by its disc; of others all there is.
 template <LightKind kind, typename F>
 HWY_INLINE LightDraw<F> drawLight(const Light& light, Vec3Of<F> position, F u, F v) {
     if constexpr (kind == LightKind::Rectangle) {

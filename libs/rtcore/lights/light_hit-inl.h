@@ -1,5 +1,6 @@
 // Rays that meet area lights, over the number F: float or Float. No ray of the camera and of mirrors sees
-// them; scattered rays of the path tracer do, as the other way to find the light that sampleLight() samples.
+// those that have a place; scattered rays of the path tracer do, as the other way to find the light that
+// sampleLight() samples. Discs of directional lights are met by rays of every kind that leave the scene.
 // Included once for each instruction set, inside the loop of foreach_target.h, or alone.
 #include "rtcore/lights/light_sample-inl.h"
 
@@ -14,10 +15,12 @@ HWY_BEFORE_NAMESPACE();
 namespace rtcore {
 namespace HWY_NAMESPACE {
 
-/// The radiance of an area light's surface, where it is seen from its shining side.
+/// The radiance of an area light's surface, where it is seen from its shining side; of a directional light
+/// that of its disc (isDisc()).
 template <LightKind kind>
 HWY_INLINE Colour radianceOf(const Light& light) {
-    static_assert(isAreaLight(kind), "lights without a size have no radiance");
+    static_assert(isAreaLight(kind) || traitsOf(kind).disc, "lights without a size have no radiance");
+    if constexpr (traitsOf(kind).disc) return light.intensity / (kPi * light.discSine * light.discSine);
     if constexpr (kind == LightKind::Sphere) return light.intensity / (kPi * light.radius * light.radius);
     if constexpr (isFlatLight(kind)) return light.intensity / areaOfFlat<kind>(light);
 }
@@ -52,9 +55,18 @@ HWY_INLINE F hitFlat(const Light& light, Vec3Of<F> offset, Vec3Of<F> direction) 
     return select(meets, distance, F(std::numeric_limits<float>::infinity()));
 }
 
-/// The distance, above 0, at which a ray meets an area light; infinity where it misses, and of all other
-/// lights. A sphere is met from inside, too, a rectangle from its shining side alone. `direction`: of unit
-/// length.
+/// Whether a ray that leaves the scene meets the disc of a directional light. `direction`: of unit length.
+template <typename F>
+HWY_INLINE auto meetsDisc(const Light& light, Vec3Of<F> direction) {
+    const Vec3Of<F> axis = broadcast<F>(-light.direction);
+    const F along = dot(direction, axis);
+    const Vec3Of<F> aside = direction - axis * along;
+    return (along > 0.0F) & (dot(aside, aside) <= light.discSine * light.discSine);
+}
+
+/// The distance, above 0, at which a ray meets an area light that has a place; infinity where it misses, and
+/// of all other lights. A sphere is met from inside, too, a rectangle from its shining side alone.
+/// `direction`: of unit length.
 template <LightKind kind, typename F>
 HWY_INLINE F hitLight(const Light& light, Vec3Of<F> origin, Vec3Of<F> direction) {
     const Vec3Of<F> offset = broadcast<F>(light.position) - origin;
@@ -68,7 +80,8 @@ HWY_INLINE F hitLight(const Light& light, Vec3Of<F> origin, Vec3Of<F> direction)
 }
 
 /// The density by solid angle with which sampleLight(), given uniform u and v and all of the light, finds the
-/// direction of a ray that meets it at `distance`; 0 of lights that no ray meets. From inside of a sphere
+/// direction of a ray that meets it at `distance`, which does not count for a disc; 0 of lights that no ray
+/// meets. From inside of a sphere
 /// light it samples the half of all directions that its middle lies in: the density is 1 / (2 pi) there, 0 in
 /// the other half, which is left to rays that meet it.
 template <LightKind kind, typename F>
@@ -80,6 +93,10 @@ HWY_INLINE F sampleDensity(const Light& light, Vec3Of<F> origin, Vec3Of<F> direc
     } else if constexpr (isFlatLight(kind)) {
         const F front = -dot(direction, broadcast<F>(light.direction));
         return selectOrZero(front > 0.0F, distance * distance / (areaOfFlat<kind>(light) * front));
+    } else if constexpr (traitsOf(kind).disc) {
+        if (!isDisc(light)) return F(0);
+        const F cosine = max(-dot(direction, broadcast<F>(light.direction)), F(kLeastDiscCosine));
+        return cosine / (kPi * light.discSine * light.discSine);
     } else {
         return F(0);
     }

@@ -2,6 +2,7 @@
 // instruction set, inside the loop of foreach_target.h, or alone.
 #include "rtcore/math/constants.h"
 #include "rtcore/math/float3-inl.h"
+#include "rtcore/sampling/disc-inl.h"
 #include "rtcore/scene/light.h"
 #include "rtcore/simd/functions-inl.h"
 
@@ -101,6 +102,28 @@ HWY_INLINE LightSample<F> sampleSphere(const Light& light, Vec3Of<F> offset, con
             cone.sine * cone.sine * stratum.ofAll};
 }
 
+/// Of the cosine between a direction and the middle of a disc, where more of it counts as that: a disc that
+/// fills half of the sky has no infinite weight at its rim.
+inline constexpr float kLeastDiscCosine = 1e-3F;
+
+/// A stratum of a directional light. Of one with a disc it is uniform in the disc's projection on a surface
+/// that faces its middle, which each sample gives the same irradiance; the middle gives what a light without
+/// a size does.
+template <typename F>
+HWY_INLINE LightSample<F> sampleDirectional(const Light& light, const Stratum<F>& stratum) {
+    const Vec3 axis = -light.direction;
+    const F endless = std::numeric_limits<float>::max();
+    if (!isDisc(light)) return {broadcast<F>(axis), endless, broadcast<F>(light.intensity), F(0)};
+    const auto basis = basisAround(axis);
+    const Disc<F> disc = onDisc<F>(stratum.u, stratum.v);
+    const F x = disc.x * light.discSine, y = disc.y * light.discSine;
+    const F cosine = sqrt(max(1.0F - (x * x + y * y), F(kLeastDiscCosine * kLeastDiscCosine)));
+    const Vec3Of<F> toLight =
+        broadcast<F>(axis) * cosine + broadcast<F>(basis.tangent) * x + broadcast<F>(basis.bitangent) * y;
+    return {toLight, endless, broadcast<F>(light.intensity) * (stratum.weight / cosine),
+            F(light.discSine * light.discSine * stratum.ofAll)};
+}
+
 /// Of a flat light, which shines with the cosine: a point that is uniform by area, seen from the middle.
 template <LightKind kind, typename F>
 HWY_INLINE Vec3Of<F> pointOnFlat(const Light& light, F u, F v) {
@@ -119,10 +142,7 @@ template <LightKind kind, typename F>
 HWY_INLINE LightSample<F> sampleLight(const Light& light, Vec3Of<F> position,
                                       const Stratum<F>& stratum = wholeLight<kind, F>()) {
     constexpr LightTraits traits = traitsOf(kind);
-    if constexpr (!traits.position) {
-        return {broadcast<F>(-light.direction), F(std::numeric_limits<float>::max()),
-                broadcast<F>(light.intensity), F(0)};
-    }
+    if constexpr (!traits.position) return sampleDirectional<F>(light, stratum);
     Vec3Of<F> offset = broadcast<F>(light.position) - position;
     if constexpr (kind == LightKind::Sphere) return sampleSphere<F>(light, offset, stratum);
     constexpr bool flat = isFlatLight(kind);

@@ -47,7 +47,7 @@ HWY_INLINE Float3 lightMet(const LightRows& rows, LightFinding finding, std::uin
             const Float sampled =
                 drawDensity<kind, Float>(light, point, direction, select(met, distance, Float(1)));
             const Float probability =
-                probabilityOfLight(rows, k, point, loadAt(s.normal, i), load(s.total + i));
+                probabilityOfLight<Float>(rows, k, point, loadAt(s.normal, i), load(s.total + i));
             const Float weight = weightOfScatteredRay<Float>(finding, select(met, density, Float(1)),
                                                              select(met, sampled * probability, Float(0)));
             return selectOrZero(met, broadcast(radianceOf<kind>(light)) * weight);
@@ -78,7 +78,8 @@ void meetLights(const LightRows& rows, LightFinding finding, const ScatterState&
             const Float to = select(hit, from + loadRest(hits.distance, i, count),
                                     Float(std::numeric_limits<float>::max()));
             for (std::uint32_t k = 0; k < rows.lights; ++k) {
-                if (isAreaLight(rows.light[k])) sum += lightMet(rows, finding, k, s, i, direction, from, to);
+                if (isAreaLight(rows.light[k].kind))
+                    sum += lightMet(rows, finding, k, s, i, direction, from, to);
             }
             sum = selectOrZero(used, sum * loadAt(hits.weight, i));
         }
@@ -117,6 +118,19 @@ void addLightHits(const LightRows& lights, LightFinding finding, PathBatch& batc
 
 void densitiesOfEscaped(const EnvironmentRows& surroundings, const Wave& wave, float* densities) {
     HWY_DYNAMIC_DISPATCH(densitiesOf)(surroundings, *wave.rays, wave.surfaces.traits, densities);
+}
+
+Colour discSeen(const Light& light, Vec3 direction) {
+    if (!isDisc(light) || !plain::meetsDisc<float>(light, direction)) return {};
+    return plain::radianceOf<LightKind::Directional>(light);
+}
+
+float densityOfDisc(const LightRows& lights, const PathBatch& batch, std::size_t i, std::uint32_t k) {
+    const ScatterState& s = batch.scattered();
+    const Vec3 point = s.point.at(i), direction = batch.queue.rays.ray(i).direction;
+    const float sampled =
+        plain::drawDensity<LightKind::Directional, float>(lights.light[k], point, direction, 0);
+    return sampled * plain::probabilityOfLight<float>(lights, k, point, s.normal.at(i), s.total[i]);
 }
 
 float probabilityOfEmitters(const LightRows& lights, const PathBatch& batch, std::size_t i) {

@@ -1,5 +1,5 @@
-/// Area lights that scattered rays meet: the other way to find what next event samples. Lights are not seen
-/// by the camera, nor in mirrors and through glass that bends.
+/// Area lights that scattered rays meet: the other way to find what next event samples. Those that have a
+/// place are not seen by the camera, nor in mirrors and through glass that bends; discs are.
 #pragma once
 
 #include "rtcore/pathtracing/light_finding.h"
@@ -9,16 +9,21 @@
 
 namespace rtcore {
 
-/// Sets surfaces.added to what each ray of the wave meets of area lights before its surface, weighted by the
-/// power heuristic against next event. The wave is that of the batch.
+/// Sets surfaces.added to what each ray of the wave meets of area lights that have a place before its
+/// surface, weighted by the power heuristic against next event. The wave is that of the batch.
 void addLightHits(const LightRows& lights, LightFinding finding, PathBatch& batch, Wave& wave);
 
 /// EnvironmentDraw::density() of the directions of those rays of the wave that meet no surface, into
 /// `densities`: room for a block more. The others become undefined.
 void densitiesOfEscaped(const EnvironmentRows& surroundings, const Wave& wave, float* densities);
 
-/// With which probability the point that the ray `i` of the batch was scattered at sampled the emitters, or
-/// the surroundings.
+/// The radiance of the disc of a light, where a ray that leaves the scene meets it; else black.
+Colour discSeen(const Light& light, Vec3 direction);
+
+/// With which probability density the point that the ray `i` of the batch was scattered at sampled the light
+/// `k`, whose disc the ray meets; with which probability it sampled the emitters, or the surroundings.
+float densityOfDisc(const LightRows& lights, const PathBatch& batch, std::size_t i, std::uint32_t k);
+/// With which probability that point sampled the emitters, or the surroundings.
 float probabilityOfEmitters(const LightRows& lights, const PathBatch& batch, std::size_t i);
 float probabilityOfSurroundings(const LightRows& lights, const PathBatch& batch, std::size_t i);
 

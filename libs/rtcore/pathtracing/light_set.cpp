@@ -53,11 +53,13 @@ void LightSet::prepare(const Scene& scene, const RenderSettings& settings, const
                        std::span<const std::uint8_t> hidden) {
     const EmitterLight use = settings.path.emitters;
     lights_.clear();
+    discs_.clear();
     anyArea_ = false;
     for (const Light& light : scene.lights) {
         if (light.on == 0 || isBlack(light.intensity)) continue;
+        if (isDisc(light)) discs_.push_back(static_cast<std::uint32_t>(lights_.size()));
+        anyArea_ = anyArea_ || isAreaLight(light.kind);
         lights_.push_back(light);
-        anyArea_ = anyArea_ || isAreaLight(light);
     }
     dark_.assign(scene.materials.size(), use == EmitterLight::Off ? 1 : 0);
     if (use == EmitterLight::Automatic) dark_ = stoodFor(scene);

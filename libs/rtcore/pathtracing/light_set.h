@@ -48,8 +48,12 @@ class LightSet {
                  std::span<const std::uint8_t> hidden = {});
 
     /// A ray that was scattered may find some of the light.
-    bool anyToHit() const { return anyArea_ || !emitters_.empty() || !surroundings_.empty(); }
-    bool anyArea() const { return anyArea_; }
+    bool anyToHit() const {
+        return anyArea_ || !discs_.empty() || !emitters_.empty() || !surroundings_.empty();
+    }
+    bool anyArea() const { return anyArea_; } ///< that has a place
+    /// Which of the lights are seen as discs.
+    std::span<const std::uint32_t> discs() const { return discs_; }
 
     LightRows rows() const;
     std::span<const Light> lights() const { return lights_; }
@@ -64,6 +68,7 @@ class LightSet {
     void shareByPower(float reach);
 
     std::vector<Light> lights_;
+    std::vector<std::uint32_t> discs_;
     Emitters emitters_;
     EnvironmentDraw surroundings_;
     BackgroundLight background_;

@@ -21,10 +21,11 @@ namespace HWY_NAMESPACE {
 inline constexpr float kEvenShare = 0.25F;
 
 /// What the middle of a light would throw on a surface there, as luminance; 0 from below the surface.
-HWY_INLINE Float expectedOf(const Light& light, Float3 point, Float3 normal) {
+template <typename F>
+HWY_INLINE F expectedOf(const Light& light, Vec3Of<F> point, Vec3Of<F> normal) {
     return forKind(light.kind, [&]<LightKind kind>() HWY_ATTR {
-        const LightSample<Float> sample = sampleLight<kind, Float>(light, point);
-        const Float arriving = luminance<Float>(sample.irradiance) * max(dot(normal, sample.toLight), 0.0F);
+        const LightSample<F> sample = sampleLight<kind, F>(light, point);
+        const F arriving = luminance<F>(sample.irradiance) * max(dot(normal, sample.toLight), F(0));
         return selectOrZero(isFinite(arriving), arriving);
     });
 }
@@ -38,7 +39,7 @@ HWY_INLINE F expectedOfEmitters(const LightRows& rows, Vec3Of<F> point) {
 
 /// Of the group `group`, the same for all lanes.
 HWY_INLINE Float expectedOfGroup(const LightRows& rows, std::uint32_t group, Float3 point, Float3 normal) {
-    if (group < rows.lights) return expectedOf(rows.light[group], point, normal);
+    if (group < rows.lights) return expectedOf<Float>(rows.light[group], point, normal);
     if (group == rows.emitterGroup()) return expectedOfEmitters<Float>(rows, point);
     return rows.surroundingLight;
 }
@@ -59,10 +60,11 @@ HWY_INLINE float fixedProbability(const LightRows& rows, std::uint32_t group) {
 
 /// With which probability a point samples a light, the emitters or the surroundings, where all of them are
 /// expected to throw `total` on it.
-HWY_INLINE Float probabilityOfLight(const LightRows& rows, std::uint32_t k, Float3 point, Float3 normal,
-                                    Float total) {
+template <typename F>
+HWY_INLINE F probabilityOfLight(const LightRows& rows, std::uint32_t k, Vec3Of<F> point, Vec3Of<F> normal,
+                                F total) {
     if (rows.fixed) return fixedProbability(rows, k);
-    return probabilityOfShare<Float>(rows, expectedOf(rows.light[k], point, normal), total);
+    return probabilityOfShare<F>(rows, expectedOf<F>(rows.light[k], point, normal), total);
 }
 template <typename F>
 HWY_INLINE F probabilityOfEmitters(const LightRows& rows, Vec3Of<F> point, F total) {

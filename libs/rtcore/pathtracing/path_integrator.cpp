@@ -120,6 +120,7 @@ void PathIntegrator::addFound() {
         }
     }
     addSurroundings();
+    addDiscs();
     points_.complete({frame_, {pixelNames_.data(), subs_.data()}, limits_.caustics, paths_}, wave_, sums_,
                      next_);
     addEmission();
@@ -132,7 +133,8 @@ void PathIntegrator::addTo(std::size_t ray, Colour light) {
     sums_.add(wave_.paths.sample(ray), light);
 }
 
-/// Of emission or surroundings that the ray found, which next event samples with the density `sampled`.
+/// Of emission, surroundings or discs that the ray found, which next event samples with the density
+/// `sampled`.
 float PathIntegrator::weightOfHit(std::size_t ray, float sampled) const {
     if (paths_ == nullptr) return 1;
     const ScatterState& scattered = paths_->scattered();
@@ -167,6 +169,26 @@ void PathIntegrator::addSurroundings() {
         }
         if (transmittance != nullptr) radiance = radiance * transmittance[i];
         if (!isBlack(radiance)) addTo(i, wave_.paths.path(i).weight * radiance);
+    }
+}
+
+/// The discs of directional lights, where rays leave the scene. As the light that next event samples of them,
+/// what scattered rays find passes homogeneous fog.
+void PathIntegrator::addDiscs() {
+    for (const std::uint32_t k : lights_->discs()) {
+        const Light& light = rows_.light[k];
+        for (std::size_t i = 0; i < wave_.size(); ++i) {
+            if (wave_.surfaces.traits[i] != 0) continue;
+            Colour radiance = discSeen(light, wave_.direction(i));
+            if (isBlack(radiance)) continue;
+            const bool shared = paths_ != nullptr && paths_->scattered().density[i] > 0;
+            radiance = radiance * weightOfHit(i, shared ? densityOfDisc(rows_, *paths_, i, k) : 0);
+            if (fog_.on())
+                radiance = radiance * (shared ? fogLightTransmittance(fog_.medium(), light,
+                                                                      paths_->scattered().point.at(i))
+                                              : fog_.rays().transmittance[i]);
+            if (!isBlack(radiance)) addTo(i, wave_.paths.path(i).weight * radiance);
+        }
     }
 }
 
@@ -246,15 +268,21 @@ void PathIntegrator::takeShadows() {
             if (occluded[i] != 0) wave_.surfaces.added.set(shadowRays_.point[i], Colour{});
         }
     } else if (limits_.caustics) {
-        takePart([&](std::uint32_t of) { return of < rows_.lights; });
+        takePart([&](std::uint32_t of) { return !isSurrounding(of); });
         if (!part_.rays.empty()) tintBy(shadows_, shadows_.transmittance(part_.rays, statistics_));
-        takePart([&](std::uint32_t of) { return of >= rows_.lights; });
+        takePart([&](std::uint32_t of) { return isSurrounding(of); });
         if (!part_.rays.empty()) tintBy(opaqueGlass_, opaqueGlass_.transmittance(part_.rays, statistics_));
     } else {
         std::swap(part_, shadowRays_);
         tintBy(shadows_, shadows_.transmittance(part_.rays, statistics_));
         std::swap(part_, shadowRays_);
     }
+}
+
+/// Whether rays that glass has bent find the light of the group: all but lights that have a place, or no
+/// size.
+bool PathIntegrator::isSurrounding(std::uint32_t group) const {
+    return group >= rows_.lights || isDisc(rows_.light[group]);
 }
 
 /// The shadow rays to some groups of lights become part_.
@@ -273,15 +301,16 @@ void PathIntegrator::takePart(Wanted&& wanted) {
 
 /// Takes fog and shadows from the light of one group, to which part_ goes.
 void PathIntegrator::tint(std::uint32_t group) {
-    if (group < rows_.lights) {
-        tintBy(shadows_, shadows_.transmittance(part_.rays, lights_->lights()[group], statistics_));
-        return;
-    }
+    const Light* const light = group < rows_.lights ? &rows_.light[group] : nullptr;
+    if (light != nullptr && !(limits_.caustics && isSurrounding(group)))
+        return tintBy(shadows_, shadows_.transmittance(part_.rays, *light, statistics_));
     ShadowTracer& tracer = limits_.caustics ? opaqueGlass_ : shadows_;
     tintBy(tracer, tracer.transmittance(part_.rays, statistics_));
     for (std::size_t i = 0; i < part_.rays.size(); ++i) {
         const Ray ray = part_.rays.ray(i);
-        const float left = fogTransmittance(fog_.medium(), ray.origin, ray.direction, ray.tMax);
+        const float left = light != nullptr
+                               ? fogLightTransmittance(fog_.medium(), *light, ray.origin)
+                               : fogTransmittance(fog_.medium(), ray.origin, ray.direction, ray.tMax);
         const Colour added = wave_.surfaces.added.colourAt(part_.point[i]);
         wave_.surfaces.added.set(part_.point[i], added * left);
     }

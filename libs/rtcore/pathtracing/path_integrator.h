@@ -69,6 +69,7 @@ class PathIntegrator {
     void setWeights();
     void addFound();
     void addSurroundings();
+    void addDiscs();
     void addEmission();
     void addTo(std::size_t ray, Colour light);
     float weightOfHit(std::size_t ray, float sampled) const;
@@ -79,6 +80,7 @@ class PathIntegrator {
     template <typename Wanted>
     void takePart(Wanted&& wanted);
     void tint(std::uint32_t group);
+    bool isSurrounding(std::uint32_t group) const;
     void tintBy(const ShadowTracer& tracer, const std::vector<Colour>& arriving);
 
     FrameContext frame_;
@@ -102,8 +104,7 @@ class PathIntegrator {
     MetallicPoints metallic_;
     NextEvents events_;
     ShadowTracer shadows_;
-    ShadowTracer
-        opaqueGlass_; ///< where caustics count, they are the light of emitters and surroundings behind glass
+    ShadowTracer opaqueGlass_; ///< where caustics count, they are the light of what rays see behind glass
     ShadowRays shadowRays_, part_;
 };
 

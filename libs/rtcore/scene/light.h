@@ -14,7 +14,8 @@
 namespace rtcore {
 
 /// A sphere shines from its whole surface alike, a rectangle from its front with the cosine (Lambert). Lights
-/// of any kind are not seen themselves, neither directly nor in mirrors. The numbers stand in files.
+/// are not seen themselves, neither directly nor in mirrors, but for directional ones that are as large as
+/// the sun: their disc is, wherever nothing is before it. The numbers stand in files.
 enum class LightKind : std::uint32_t {
     Point = 0,
     Directional = 1,
@@ -40,10 +41,12 @@ struct Light {
     Vec3 right;       ///< rectangle: along its width; unit length, perpendicular to `direction`
     float width = 0;  ///< rectangle: scene units
     float height = 0; ///< rectangle: perpendicular to `right`
+    /// directional: sine of half the angle under which its disc is seen, 0..1; 0: it has no size
+    float discSine = 0;
 
     friend bool operator==(const Light&, const Light&) = default;
 };
-static_assert(std::is_trivially_copyable_v<Light> && sizeof(Light) == 80);
+static_assert(std::is_trivially_copyable_v<Light> && sizeof(Light) == 84);
 
 /// How the radiant intensity depends on the direction: not at all, in a spot's cone, or with the cosine.
 enum class Beam : std::uint8_t { Even, Cone, Cosine };
@@ -57,15 +60,16 @@ struct LightTraits {
     Beam beam;
     bool radius; ///< it is as big as its radius, which it needs
     bool sides;  ///< it has a width and a height
+    bool disc;   ///< it may be seen as a disc, endlessly far away
 };
 
 /// By LightKind.
 inline constexpr std::array<LightTraits, 5> kLightTraits{{
-    {"point", true, false, Beam::Even, false, false},
-    {"directional", false, true, Beam::Even, false, false},
-    {"spot", true, true, Beam::Cone, false, false},
-    {"sphere", true, false, Beam::Even, true, false},
-    {"rectangle", true, true, Beam::Cosine, false, true},
+    {"point", true, false, Beam::Even, false, false, false},
+    {"directional", false, true, Beam::Even, false, false, true},
+    {"spot", true, true, Beam::Cone, false, false, false},
+    {"sphere", true, false, Beam::Even, true, false, false},
+    {"rectangle", true, true, Beam::Cosine, false, true, false},
 }};
 inline constexpr std::size_t kLightKinds = kLightTraits.size();
 static_assert(static_cast<std::size_t>(LightKind::Last) + 1 == kLightKinds, "a row for each kind");
@@ -73,9 +77,14 @@ static_assert(static_cast<std::size_t>(LightKind::Last) + 1 == kLightKinds, "a r
 constexpr const LightTraits& traitsOf(LightKind kind) { return kLightTraits[static_cast<std::size_t>(kind)]; }
 constexpr const LightTraits& traitsOf(const Light& light) { return traitsOf(light.kind); }
 
-/// Whether it has a size, so that its shadows are soft.
+/// Whether it is a disc that is seen wherever a ray leaves the scene towards it, and not black.
+inline bool isDisc(const Light& light) {
+    return traitsOf(light).disc && light.discSine > 0 && !isBlack(light.intensity);
+}
+/// Whether all of the kind have a place and a size.
 constexpr bool isAreaLight(LightKind kind) { return traitsOf(kind).radius || traitsOf(kind).sides; }
-constexpr bool isAreaLight(const Light& light) { return isAreaLight(light.kind); }
+/// Whether it has a size, so that its shadows are soft.
+inline bool isAreaLight(const Light& light) { return isAreaLight(light.kind) || isDisc(light); }
 /// Whether it is an area light that lies in a plane and shines from its front.
 constexpr bool isFlatLight(LightKind kind) { return isAreaLight(kind) && traitsOf(kind).direction; }
 

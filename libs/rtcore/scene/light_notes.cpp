@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <vector>
 
 namespace rtcore {
 
@@ -13,6 +14,11 @@ int leastFree(const std::set<int>& taken, int from) {
     int id = from;
     while (taken.contains(id)) ++id;
     return id;
+}
+
+template <typename T>
+void eraseAt(std::vector<T>& list, std::size_t i) {
+    if (i < list.size()) list.erase(list.begin() + static_cast<std::ptrdiff_t>(i));
 }
 
 std::set<int> idsOf(const Scene& scene) {
@@ -39,6 +45,12 @@ std::optional<std::size_t> lightWithId(const Scene& scene, int id) {
     const auto found = std::ranges::find(scene.lightNotes, id, &LightNotes::id);
     if (found == scene.lightNotes.end()) return std::nullopt;
     return static_cast<std::size_t>(found - scene.lightNotes.begin());
+}
+
+void eraseLight(Scene& scene, std::size_t light) {
+    eraseAt(scene.lights, light);
+    eraseAt(scene.lightNames, light);
+    eraseAt(scene.lightNotes, light);
 }
 
 int nextLightId(const Scene& scene) {

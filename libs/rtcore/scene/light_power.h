@@ -28,4 +28,18 @@ F powerFactor(const Light& light) {
     return traitsOf(light).position ? 4 * kPi * meanIntensity<F>(light) : 1;
 }
 
+/// Lumens of a radiant watt, and lux of a watt per square metre, as the sky counts them (sky/atmosphere.h).
+inline constexpr double kLumensPerWatt = 683;
+
+/// What a light gives off where a scene unit has so many metres. `power`: its luminance times powerFactor(),
+/// which counts with distances in scene units: W per square metre of a square scene unit; what directional
+/// lights throw on a surface does not depend on distances.
+inline double radiantWatts(const Light& light, double power, double metresPerUnit) {
+    return traitsOf(light).position ? power * metresPerUnit * metresPerUnit : power;
+}
+/// The way back.
+inline double powerOfWatts(const Light& light, double watts, double metresPerUnit) {
+    return watts / radiantWatts(light, 1, metresPerUnit);
+}
+
 } // namespace rtcore

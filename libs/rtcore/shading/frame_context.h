@@ -21,6 +21,7 @@ struct FrameContext {
     const RayTracer* tracer = nullptr; ///< of the scene's mesh
     const RenderSettings* settings = nullptr;
     const MaterialTable* materials = nullptr;
+    bool discs = false;                     ///< a light that is on is seen as one (isDisc())
     const ShadowMaps* shadowMaps = nullptr; ///< shadows are looked up there; null: they are traced
     /// What is known of the points of primary rays, by sample, and gets what is found; empty: all is traced.
     std::span<LightVisibility> visibility;

@@ -26,6 +26,7 @@ struct RayArrays {
 struct MirrorLimits {
     std::uint32_t maxDepth;
     float minContribution;
+    bool discs; ///< FrameContext::discs
 };
 
 } // namespace rtcore
@@ -70,6 +71,14 @@ HWY_INLINE Float loadFew(const float* values, std::size_t count) {
     return load(some);
 }
 
+/// Marks rays that are mirrored where a lobe of the metallic-roughness model is asked about discs, too.
+HWY_INLINE Uint markedLobes(const SurfaceWave& s, std::size_t i, Mask specular, Uint bounces) {
+    const Mask metallic = specular & hasTrait(load(s.traits + i), traits::kMetallic);
+    if (none(metallic)) return bounces;
+    const Mask asked = metallic & (maxComponent(loadAt(s.straight, i) + loadAt(s.grazing, i)) > 0.0F);
+    return select(asked, bounces | Uint(kLobeBit), bounces);
+}
+
 /// Returns how many rays were appended. `distances` of the points along the wave's rays. `paths`: of the
 /// points, null for primary rays.
 std::size_t mirrorAll(const SurfaceWave& s, const float* distances, const PathArrays* paths,
@@ -104,7 +113,9 @@ std::size_t mirrorAll(const SurfaceWave& s, const float* distances, const PathAr
         const Float distance = loadFew(distances + i, s.size() - i);
         const Mask flat = isFlat<Float>(smooth, normal);
         some.store(sample, queue.sample + count);
-        some.store(bounces + 1U, queue.bounces + count);
+        Uint next = bounces + 1U;
+        if (limits.discs) next = markedLobes(s, i, specular, next & Uint(~kLobeBit));
+        some.store(next, queue.bounces + count);
         storeAt(extinction, some, queue.extinction, count);
         some.store(lengthAfter(length, distance, flat), queue.length + count);
         count += some.count();
@@ -135,13 +146,15 @@ void splitAtMirrors(const MaterialTable& materials, const SurfaceWave& surfaces,
     HWY_DYNAMIC_DISPATCH(splitAll)(materials.rows(), surfaces, emitted);
 }
 
-void addMirroredRays(const Wave& wave, const RenderSettings& settings, PathQueue& queue) {
+void addMirroredRays(const FrameContext& frame, const Wave& wave, PathQueue& queue) {
+    const RenderSettings& settings = *frame.settings;
     const SurfaceWave& surfaces = wave.surfaces;
     PathQueue* const paths = wave.paths.queue();
     const std::size_t before = queue.grow(surfaces.size() + kWaveBlock);
     const RayArrays to{queue.rays.origins().from(before), queue.rays.directions().from(before)};
     const PathArrays newPaths = pathsFrom(queue, before);
-    const MirrorLimits limits{static_cast<std::uint32_t>(settings.maxDepth), settings.minContribution};
+    const MirrorLimits limits{static_cast<std::uint32_t>(settings.maxDepth), settings.minContribution,
+                              frame.discs};
     PathArrays old{};
     if (paths != nullptr) old = pathsFrom(*paths, 0);
     const std::size_t count = HWY_DYNAMIC_DISPATCH(mirrorAll)(

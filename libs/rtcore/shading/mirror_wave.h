@@ -1,7 +1,7 @@
 /// The mirrored rays of a wave.
 #pragma once
 
-#include "rtcore/settings/render_settings.h"
+#include "rtcore/shading/frame_context.h"
 #include "rtcore/shading/paths/path_queue.h"
 #include "rtcore/shading/surface/material_table.h"
 #include "rtcore/shading/surface/surface_wave.h"
@@ -16,7 +16,8 @@ void splitAtMirrors(const MaterialTable& materials, const SurfaceWave& surfaces,
 
 /// Appends a mirrored ray to `queue` for each point with the trait kSpecular whose ray was mirrored or
 /// refracted less than settings.maxDepth times and matters (minContribution). The direction is bent back
-/// where a smooth normal would send it below the real surface.
-void addMirroredRays(const Wave& wave, const RenderSettings& settings, PathQueue& queue);
+/// where a smooth normal would send it below the real surface. Where a highlight stands for them, rays do not
+/// see the discs of lights (Path::lobeSeesDiscs).
+void addMirroredRays(const FrameContext& frame, const Wave& wave, PathQueue& queue);
 
 } // namespace rtcore

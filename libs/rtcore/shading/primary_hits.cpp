@@ -54,7 +54,7 @@ float imageDistance(float distance, float curvature) {
 /// How often a path was mirrored, refracted or went straight through.
 std::uint32_t bouncesOf(const Wave& wave, std::size_t i) {
     const std::uint32_t bounces = wave.paths.bounces(i);
-    return (bounces & 0xFFFFU) + ((bounces & ~kInsideBit) >> 16);
+    return (bounces & 0xFFFFU) + ((bounces & ~(kInsideBit | kLobeBit)) >> 16);
 }
 
 } // namespace

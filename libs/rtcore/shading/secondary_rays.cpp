@@ -78,7 +78,7 @@ void SecondaryRays::addTransparent(const Surface& surface, Colour transmitted, c
 }
 
 void SecondaryRays::makeSecondaryRays(const FrameContext& frame, const Wave& wave) {
-    if (frame.materials->anySecondary()) addMirroredRays(wave, *frame.settings, mirrored_);
+    if (frame.materials->anySecondary()) addMirroredRays(frame, wave, mirrored_);
     for (const Transparent& point : transparent_) refract(frame, point);
     transparent_.clear();
 }

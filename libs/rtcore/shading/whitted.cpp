@@ -1,6 +1,7 @@
 #include "rtcore/shading/whitted.h"
 
 #include "rtcore/lights/ambient_light.h"
+#include "rtcore/lights/light_hit-inl.h"
 #include "rtcore/shading/mirror_wave.h"
 #include "rtcore/shading/surface/emission.h"
 #include "rtcore/shading/surface/medium.h"
@@ -21,6 +22,8 @@ void WhittedIntegrator::begin(const Scene& scene, const RayTracer& tracer, const
     frame_.tracer = &tracer;
     frame_.settings = &settings;
     frame_.materials = &materials;
+    frame_.discs =
+        std::ranges::any_of(scene.lights, [](const Light& light) { return light.on != 0 && isDisc(light); });
     statistics_ = {};
     fog_.begin(fogMedium(scene, settings));
     lighting_.begin(frame_, fog_);
@@ -71,6 +74,7 @@ void WhittedIntegrator::traceWave() {
         fog_.dimWeights(wave_.surfaces);
     }
     addBackground();
+    if (frame_.discs) addDiscs();
     special_.complete(frame_, ambient_, wave_, sums_, secondary_);
     addEmission();
     if (hitParts_ != PrimaryHitParts::None) primaryHits_.take(wave_, frame_.scene->mesh());
@@ -122,6 +126,22 @@ void WhittedIntegrator::addBackground() {
         if (transmittance != nullptr) seen = seen * transmittance[i];
         const Path path = wave_.paths.path(i);
         sums_.add(path.sample, path.weight * seen);
+    }
+}
+
+/// The discs of directional lights, where rays leave the scene.
+void WhittedIntegrator::addDiscs() {
+    const float* const transmittance = fog_.on() ? fog_.rays().transmittance : nullptr;
+    for (const Light& light : frame_.scene->lights) {
+        if (light.on == 0 || !isDisc(light)) continue;
+        const Colour radiance = HWY_NAMESPACE::radianceOf<LightKind::Directional>(light);
+        for (std::size_t i = 0; i < wave_.size(); ++i) {
+            if (wave_.surfaces.traits[i] != 0 || (wave_.paths.bounces(i) & kLobeBit) != 0) continue;
+            if (!HWY_NAMESPACE::meetsDisc<float>(light, wave_.direction(i))) continue;
+            const float left = transmittance != nullptr ? transmittance[i] : 1.0F;
+            const Path path = wave_.paths.path(i);
+            sums_.add(path.sample, path.weight * radiance * left);
+        }
     }
 }
 

@@ -72,6 +72,7 @@ class WhittedIntegrator {
     void traceWave();
     void setWeights();
     void addBackground();
+    void addDiscs();
     void addEmission();
 
     FrameContext frame_;

@@ -1,6 +1,7 @@
 #include "rtcore/sky/atmosphere.h"
 
 #include "rtcore/math/constants.h"
+#include "rtcore/scene/light_power.h"
 #include "rtcore/simd/portable_math.h"
 
 #include <algorithm>
@@ -105,11 +106,10 @@ float airMassOf(float sinElevation) {
 /// What is seen of sunlight of which share(transmittance) comes through; lux.
 template <typename Share>
 Xyz illuminance(float airMass, float turbidity, Share share) {
-    constexpr double kLumens = 683; ///< for each watt
     Xyz sum{};
     for (int nanometres = kFirst; nanometres <= kLast; nanometres += kStep) {
         const double part = static_cast<double>(share(transmittanceOf(nanometres, airMass, turbidity)));
-        const double light = sunlight(nanometres) * part * kStep * kLumens;
+        const double light = sunlight(nanometres) * part * kStep * kLumensPerWatt;
         const Xyz seen = observer(nanometres);
         sum = {sum.x + light * seen.x, sum.y + light * seen.y, sum.z + light * seen.z};
     }

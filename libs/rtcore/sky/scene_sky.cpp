@@ -20,12 +20,7 @@ void changeEnvironment(Scene& scene, std::size_t i, Change change) {
 }
 
 void removeSky(Scene& scene) {
-    if (const auto sun = sunOf(scene)) {
-        scene.lights.erase(scene.lights.begin() + static_cast<std::ptrdiff_t>(*sun));
-        scene.lightNames.erase(scene.lightNames.begin() + static_cast<std::ptrdiff_t>(*sun));
-        if (*sun < scene.lightNotes.size())
-            scene.lightNotes.erase(scene.lightNotes.begin() + static_cast<std::ptrdiff_t>(*sun));
-    }
+    if (const auto sun = sunOf(scene)) eraseLight(scene, *sun);
     scene.environments.pop_back();
     if (std::cmp_equal(scene.activeEnvironment, scene.environments.size())) scene.activeEnvironment = 0;
     scene.sky.reset();
@@ -39,6 +34,7 @@ void addSky(Scene& scene, const Sky& sky) {
     scene.lights.push_back(made.sun);
     scene.lightNames.emplace_back(kSunName);
     numberLights(scene);
+    scene.lightNotes.back().ofSky = true;
     scene.sky = sky;
 }
 
@@ -55,6 +51,7 @@ void setSky(Scene& scene, const std::optional<Sky>& sky) {
     if (const auto sun = sunOf(scene)) {
         made.sun.on = scene.lights[*sun].on;
         scene.lights[*sun] = made.sun;
+        scene.lightNotes[*sun] = {.id = scene.lightNotes[*sun].id, .ofSky = true};
     }
     scene.sky = sky;
 }
@@ -65,11 +62,25 @@ std::optional<std::size_t> skyEnvironmentOf(const Scene& scene) {
 
 std::optional<std::size_t> sunOf(const Scene& scene) {
     if (!scene.sky) return std::nullopt;
-    for (std::size_t i = scene.lights.size(); i-- > 0;) {
-        const bool named = i < scene.lightNames.size() && scene.lightNames[i] == kSunName;
-        if (named && scene.lights[i].kind == LightKind::Directional) return i;
-    }
-    return std::nullopt;
+    const auto sun = std::ranges::find(scene.lightNotes, true, &LightNotes::ofSky);
+    if (sun == scene.lightNotes.end()) return std::nullopt;
+    return static_cast<std::size_t>(sun - scene.lightNotes.begin());
+}
+
+bool isSunEdited(const Scene& scene) {
+    const auto sun = sunOf(scene);
+    if (!sun) return false;
+    Light made = sunOfSky(*scene.sky, scene.up);
+    made.on = scene.lights[*sun].on;
+    return scene.lights[*sun] != made || scene.lightNotes[*sun].temperature > 0;
+}
+
+void replaceSun(Scene& scene, std::size_t light) {
+    const auto own = sunOf(scene);
+    numberLights(scene);
+    scene.lightNotes[light].ofSky = true;
+    if (own && *own != light) eraseLight(scene, *own);
+    moveSunBehind(scene);
 }
 
 std::shared_ptr<const Scene> withoutSkyMap(const std::shared_ptr<const Scene>& scene) {

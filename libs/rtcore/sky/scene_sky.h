@@ -13,15 +13,19 @@ inline constexpr const char* kSunName = "sun";
 
 /// Gives the scene that sky in place of its last one, or none: its environment, which stands behind those of
 /// files and becomes the active one when there was no sky, and its light, named "sun", which stands behind
-/// the others and is switched as the last one was; its ground, when it has one. Without a sky the first
-/// environment of files takes the place of that which was active. The sky is what is kept of them in files.
-/// Some 0.05 s.
+/// the others and is switched as the last one was; its ground, when it has one. Edits of the last sun are
+/// lost. Without a sky the first environment of files takes the place of that which was active. The sky is
+/// what is kept of them in files, and the sun where it was edited. Some 0.05 s.
 void setSky(Scene& scene, const std::optional<Sky>& sky);
 
 /// The number of the sky's environment and of its light; nothing when there is no sky, or its light was taken
-/// away.
+/// away or became another: it got another name or is of another kind.
 std::optional<std::size_t> skyEnvironmentOf(const Scene& scene);
 std::optional<std::size_t> sunOf(const Scene& scene);
+/// Whether the sky's light is not, but for being on or off, what the sky makes it.
+bool isSunEdited(const Scene& scene);
+/// Lets that light, a directional one, be the sky's in place of the one that it has.
+void replaceSun(Scene& scene, std::size_t light);
 
 /// A copy without the megabytes of its sky's map, to be kept for later and not to be rendered, and the way
 /// back, to the same bits. `like` may be null: where it has the same sky, its map is shared.

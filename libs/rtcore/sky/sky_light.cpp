@@ -27,13 +27,19 @@ std::vector<Vec2> azimuths() {
     return all;
 }
 
+float scaleOf(const Sky& sky) { return sky.strength / kLuminanceOfOne; }
+
+/// On a surface that faces it. `sun`: unit vector to it.
+Colour sunlightOf(const Sky& sky, Vec3 up, Vec3 sun) {
+    return sunIlluminance(dot(sun, up), sky.turbidity) * scaleOf(sky);
+}
+
 /// Draws the map. A texel that the horizon crosses has parts of sky and ground.
 class SkyPainter {
   public:
     SkyPainter(const Sky& sky, Vec3 up, Vec3 sun)
         : up_(up), sun_(sun), aboveHorizon_(onOrAbove(sun, up)), air_(dot(sun, up), sky.turbidity),
-          scale_(sky.strength / kLuminanceOfOne),
-          sunlight_(sunIlluminance(dot(sun, up), sky.turbidity) * scale_) {}
+          scale_(scaleOf(sky)), sunlight_(sunlightOf(sky, up, sun)) {}
 
     HdrImage paint() {
         HdrImage image(kSkyWidth, kHeight);
@@ -49,8 +55,6 @@ class SkyPainter {
         addGround(image, across);
         return image;
     }
-
-    Colour sunlight() const { return sunlight_; }
 
   private:
     /// The sun, or the point of the horizon below which it is.
@@ -105,16 +109,20 @@ class SkyPainter {
 
 } // namespace
 
-SkyLight skyLightOf(const Sky& sky, Vec3 up) {
+Light sunOfSky(const Sky& sky, Vec3 up) {
     const Vec3 sun = sunDirection(sky, up);
-    SkyPainter painter(sky, up, sun);
-    SkyLight result;
-    result.environment =
-        std::make_shared<const Environment>(Environment::fromEquirectangular(painter.paint(), "sky"));
-    result.sun.kind = LightKind::Directional;
-    result.sun.direction = sun * -1.0F;
-    result.sun.intensity = painter.sunlight();
-    return result;
+    Light light;
+    light.kind = LightKind::Directional;
+    light.direction = sun * -1.0F;
+    light.intensity = sunlightOf(sky, up, sun);
+    light.discSine = kSunSine;
+    return light;
+}
+
+SkyLight skyLightOf(const Sky& sky, Vec3 up) {
+    HdrImage map = SkyPainter(sky, up, sunDirection(sky, up)).paint();
+    return {std::make_shared<const Environment>(Environment::fromEquirectangular(std::move(map), "sky")),
+            sunOfSky(sky, up)};
 }
 
 } // namespace rtcore

@@ -18,10 +18,16 @@ inline constexpr float kGroundAlbedo = 0.2F;
 /// twice the width costs four times the time whenever the sun is moved.
 inline constexpr int kSkyWidth = 1024;
 
+/// Light::discSine of the sun, which is seen under 0.53 degrees.
+inline constexpr float kSunSine = 0.0046251060F;
+
 struct SkyLight {
     std::shared_ptr<const Environment> environment; ///< named "sky"; without the sun's disc
     Light sun;                                      ///< directional; black once it has set
 };
+
+/// The sun alone; a microsecond.
+Light sunOfSky(const Sky& sky, Vec3 up);
 
 /// In a scene whose up is one of the six axes. Some 0.05 s. The same bits on every processor.
 SkyLight skyLightOf(const Sky& sky, Vec3 up);

@@ -40,6 +40,18 @@ TEST(Cosine, RoundAnglesStayRound) {
         EXPECT_EQ(degreesOfCosine(cosineOfDegrees(degrees)), degrees);
 }
 
+TEST(HalfSine, ComesBackBitForBitAndRoundAnglesStayRound) {
+    test::Random random(32);
+    for (int i = 0; i < 2000; ++i) {
+        const float sine = std::pow(10.0F, -12 * random.share());
+        EXPECT_EQ(rtcore::sineOfHalf(rtcore::degreesOfHalfSine(sine)), sine) << sine;
+    }
+    for (const double degrees : {0.0, 0.001, 0.53, 0.533, 5.0, 45.0, 90.0, 180.0})
+        EXPECT_EQ(rtcore::degreesOfHalfSine(rtcore::sineOfHalf(degrees)), degrees);
+    EXPECT_EQ(rtcore::sineOfHalf(180), 1.0F);
+    EXPECT_EQ(rtcore::sineOfHalf(0), 0.0F);
+}
+
 TEST(Cosine, ArgumentsOutsideAreClamped) {
     EXPECT_NEAR(degreesOfCosine(2), 0, 1e-6);
     EXPECT_NEAR(degreesOfCosine(-2), 180, 1e-6);

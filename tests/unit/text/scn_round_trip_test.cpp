@@ -51,6 +51,7 @@ rtcore::LightDescription randomLight(Random& random) {
         light.height = random.positive();
     }
     light.intensity = positive(random);
+    if (traits.disc && random.flag()) light.discSine = random.share();
     if (traits.beam == rtcore::Beam::Cone) {
         light.cosOuter = random.share() - 0.5F;
         light.cosInner = light.cosOuter + 0.1F + 0.4F * random.share();

@@ -28,6 +28,28 @@ double roundedToDigits(double value, int digits) {
     return rounded;
 }
 
+/// The angle of 0..180 degrees with the fewest digits whose `function`, which rises or falls with it, is
+/// that.
+template <bool rises>
+double degreesOf(float wanted, float (*function)(double)) {
+    double low = 0, high = 180;
+    for (int step = 0; step < 80; ++step) { // bisection
+        const double middle = (low + high) / 2;
+        const float found = function(middle);
+        if (found == wanted) {
+            low = high = middle;
+            break;
+        }
+        ((found < wanted) == rises ? low : high) = middle;
+    }
+    const double angle = (low + high) / 2;
+    for (int digits = 1; digits < 17; ++digits) {
+        const double rounded = roundedToDigits(angle, digits);
+        if (rounded >= 0 && rounded <= 180 && function(rounded) == wanted) return rounded;
+    }
+    return angle;
+}
+
 } // namespace
 
 float cosineOfDegrees(double degrees) {
@@ -37,23 +59,18 @@ float cosineOfDegrees(double degrees) {
 
 double degreesOfCosine(float cosine) {
     if (cosine >= 1) return 0;
-    // Bisection: the cosine falls as the angle grows.
-    double low = 0, high = 180;
-    for (int step = 0; step < 80; ++step) {
-        const double middle = (low + high) / 2;
-        const float found = cosineOfDegrees(middle);
-        if (found == cosine) {
-            low = high = middle;
-            break;
-        }
-        (found > cosine ? low : high) = middle;
-    }
-    const double angle = (low + high) / 2;
-    for (int digits = 1; digits < 17; ++digits) {
-        const double rounded = roundedToDigits(angle, digits);
-        if (rounded >= 0 && rounded <= 180 && cosineOfDegrees(rounded) == cosine) return rounded;
-    }
-    return angle;
+    return degreesOf<false>(cosine, cosineOfDegrees);
+}
+
+float sineOfHalf(double degrees) {
+    constexpr double radians = std::numbers::pi / 180.0;
+    return static_cast<float>(sine(degrees / 2 * radians));
+}
+
+double degreesOfHalfSine(float value) {
+    if (value <= 0) return 0;
+    if (value >= 1) return 180;
+    return degreesOf<true>(value, sineOfHalf);
 }
 
 } // namespace rtcore

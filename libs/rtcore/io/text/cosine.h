@@ -1,4 +1,4 @@
-/// Cosines of angles in degrees, the same bits on every processor, and back.
+/// Cosines and sines of angles in degrees, the same bits on every processor, and back.
 #pragma once
 
 namespace rtcore {
@@ -10,5 +10,10 @@ float cosineOfDegrees(double degrees);
 /// (below: as near as doubles allow); the one with the fewest digits, as far as they are found. Clamps its
 /// argument.
 double degreesOfCosine(float cosine);
+
+/// sin of half of 0 <= degrees <= 180, evaluated in double; rises from 0 to 1.
+float sineOfHalf(double degrees);
+/// An angle with sineOfHalf(angle) == sine for every float in [0, 1], as degreesOfCosine().
+double degreesOfHalfSine(float sine);
 
 } // namespace rtcore

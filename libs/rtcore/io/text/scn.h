@@ -34,7 +34,7 @@ struct LightDescription {
 };
 
 /// The light number `i` of a scene whose lights are numbered, and the way back: it takes its place, or, one
-/// past the last, is added.
+/// past the last, is added. The light of a sky stays that while it keeps its name and its kind.
 LightDescription describeLight(const Scene& scene, std::size_t i);
 void putLight(Scene& scene, std::size_t i, const LightDescription& description);
 /// What shines: the intensity with the colour of the temperature.
@@ -42,7 +42,8 @@ Light tintedLight(const LightDescription& description);
 
 /// What a scene keeps of the light of its [sky].
 struct SunDescription {
-    int id = 0; ///< as in LightNotes; 0: the file says none
+    int id = 0; ///< as in LightNotes; 0: the file says none. A directional [[light]] that has it is the sun,
+                ///< as it was edited
     bool on = true;
     friend bool operator==(const SunDescription&, const SunDescription&) = default;
 };

@@ -17,6 +17,7 @@ constexpr auto kKinds = [] {
     return names;
 }();
 constexpr Limits kTemperature{.minimum = kLeastTemperature, .maximum = kMostTemperature};
+constexpr Limits kDiscAngle{.minimum = 0, .maximum = 180};
 constexpr Limits kHalfAngle{.minimum = 0, .maximum = 180};
 
 /// A direction that is of unit length but for rounding stays as it is, so that written directions read back
@@ -77,10 +78,12 @@ void putLight(Scene& scene, std::size_t i, const LightDescription& description) 
     scene.lights.resize(count);
     scene.lightNames.resize(count);
     scene.lightNotes.resize(count);
+    const bool isSun = scene.lightNotes[i].ofSky && description.name == scene.lightNames[i] &&
+                       description.light.kind == scene.lights[i].kind;
     scene.lights[i] = tintedLight(description);
     scene.lightNames[i] = description.name;
     scene.lightNotes[i] = {description.id, description.temperature,
-                           description.temperature > 0 ? description.light.intensity : Colour{}};
+                           description.temperature > 0 ? description.light.intensity : Colour{}, isSun};
 }
 
 LightDescription readLight(StrictTable& table) {
@@ -97,6 +100,7 @@ LightDescription readLight(StrictTable& table) {
     // Through double, since a cosine near 0 has more digits than an angle in floats.
     const Cone cone{table.preciseNumber("innerAngle", kHalfAngle),
                     table.preciseNumber("outerAngle", kHalfAngle)};
+    const auto angle = table.preciseNumber("angle", kDiscAngle);
     const Sides sides{table.vector("right"), table.number("width", kNotNegative),
                       table.number("height", kNotNegative)};
     const auto on = table.boolean("on");
@@ -118,6 +122,7 @@ LightDescription readLight(StrictTable& table) {
     if (traits.radius && !radius) table.require("radius", radius);
     if (traits.beam == Beam::Cone) setCone(table, cone, light);
     if (traits.sides) setSides(table, sides, light);
+    if (traits.disc) light.discSine = sineOfHalf(angle.value_or(0));
     light.on = on.value_or(true) ? 1 : 0;
     return result;
 }
@@ -143,6 +148,7 @@ void writeLight(TomlWriter& writer, const LightDescription& description) {
         writer.add("width", light.width);
         writer.add("height", light.height);
     }
+    if (light.discSine > 0) writer.add("angle", degreesOfHalfSine(light.discSine));
     writer.add("on", light.on != 0);
 }
 

@@ -38,7 +38,7 @@ HWY_INLINE Stratum<Float> strataOf(const LightStrata* strata, std::size_t i) {
 }
 
 /// Glossy reflectance: k_s times the Phong lobe, zero where there is none.
-template <LightKind kind>
+template <bool area>
 HWY_INLINE Float3 glossyReflectance(const MaterialRow* rows, const std::uint32_t* material, Mask glossy,
                                     const LightSample<Float>& arriving, Float3 normal, Float3 toViewer,
                                     Float cosine) {
@@ -49,7 +49,7 @@ HWY_INLINE Float3 glossyReflectance(const MaterialRow* rows, const std::uint32_t
     const Rows ofPoints(rows, material, seen);
     Float shininess = ofPoints.get(&MaterialRow::shininess);
     Float scale = ofPoints.get(&MaterialRow::lobeScale);
-    if constexpr (isAreaLight(kind)) widenLobe(arriving.spread, shininess, scale);
+    if constexpr (area) widenLobe(arriving.spread, shininess, scale);
     const Float reflected = phongLobe(select(seen, lobe, 1.0F), shininess, scale);
     return selectOrZero(seen, ofPoints.get(&MaterialRow::specular) * reflected);
 }
@@ -63,12 +63,12 @@ HWY_INLINE Float3 roughReflectance(const MaterialRow* rows, const std::uint32_t*
 }
 
 /// Reflectance of the gloss of points of the metallic-roughness model; zero of others.
-template <LightKind kind>
+template <bool area>
 HWY_INLINE Float3 metallicReflectance(const SurfaceWave& s, std::size_t i, Mask metallic,
                                       const LightSample<Float>& arriving, Float3 normal) {
     Float alpha = load(s.alpha + i);
     const Float wide = furtherShape<Float>(alpha, dot(normal, arriving.toLight)) * kLambertLobe;
-    if constexpr (isAreaLight(kind)) alpha = widenedAlpha<Float>(alpha, arriving.spread);
+    if constexpr (area) alpha = widenedAlpha<Float>(alpha, arriving.spread);
     const Float3 viewer = liftedViewer<Float>(loadAt(s.toViewer, i), normal);
     const GgxScattering<Float> gloss = scatterGgx<Float>(normal, viewer, arriving.toLight, alpha);
     const Float3 factor =
@@ -76,7 +76,8 @@ HWY_INLINE Float3 metallicReflectance(const SurfaceWave& s, std::size_t i, Mask 
     return selectOrZero(metallic, factor * gloss.lobe + loadAt(s.further, i) * wide);
 }
 
-template <LightKind kind>
+/// `area`: it has a size, to which highlights are widened.
+template <LightKind kind, bool area>
 HWY_INLINE std::size_t lightAll(const Light& light, const LightStrata* strata, const MaterialRow* rows,
                                 const SurfaceWave& s, const ShadowArrays* shadows,
                                 const KnownVisibility* known) {
@@ -107,13 +108,13 @@ HWY_INLINE std::size_t lightAll(const Light& light, const LightStrata* strata, c
             const Float3 toViewer = loadAt(s.toViewer, i);
             if (any(glossy)) {
                 weight +=
-                    glossyReflectance<kind>(rows, s.material + i, glossy, arriving, normal, toViewer, cosine);
+                    glossyReflectance<area>(rows, s.material + i, glossy, arriving, normal, toViewer, cosine);
             }
             if (any(rough))
                 weight += roughReflectance(rows, s.material + i, rough, cosine, dot(normal, toViewer));
         }
         const Mask metallic = lit & hasTrait(traits, traits::kMetallic);
-        if (any(metallic)) weight += metallicReflectance<kind>(s, i, metallic, arriving, normal);
+        if (any(metallic)) weight += metallicReflectance<area>(s, i, metallic, arriving, normal);
         weight *= cosine * terminatorFactor<Float>(geometricNormal, normal, geometric, cosine);
         const Float3 added = selectOrZero(lit, loadAt(s.weight, i) * weight * arriving.irradiance);
         storeAt(added, s.added, i);
@@ -137,7 +138,10 @@ std::size_t lightSurfaces(const Light& light, const LightStrata* strata, const M
                           const SurfaceWave& surfaces, const ShadowArrays* shadows,
                           const KnownVisibility* known) {
     return forKind(light.kind, [&]<LightKind kind>() HWY_ATTR {
-        return lightAll<kind>(light, strata, rows, surfaces, shadows, known);
+        if constexpr (traitsOf(kind).disc) {
+            if (isDisc(light)) return lightAll<kind, true>(light, strata, rows, surfaces, shadows, known);
+        }
+        return lightAll<kind, isAreaLight(kind)>(light, strata, rows, surfaces, shadows, known);
     });
 }
 

@@ -39,7 +39,7 @@ void addLight(const Light& light, const MaterialTable& materials, SurfaceWave& s
               const KnownVisibility* known = nullptr);
 /// The same for one stratum of an area light (isAreaLight()): the mean over uniformly distributed strata is
 /// its light. Spheres are sampled uniformly in the cone that they fill (Shirley, Wang and Zimmerman 1996),
-/// rectangles by area.
+/// rectangles by area, discs by their projection.
 void addLight(const Light& light, const LightStrata& strata, const MaterialTable& materials,
               SurfaceWave& surfaces, ShadowRays* shadows, const KnownVisibility* known = nullptr);
 

@@ -21,7 +21,8 @@ void PathQueue::push(const Ray& ray, const Path& path) {
     if (sample.size() < i + 1 + kWaveBlock) reserve(2 * i + kWaveBlock);
     rays.push(ray);
     sample[i] = path.sample;
-    bounces[i] = path.depth | std::uint32_t{path.passes} << 16 | (path.inside ? kInsideBit : 0);
+    bounces[i] = path.depth | std::uint32_t{path.passes} << 16 | (path.inside ? kInsideBit : 0) |
+                 (path.lobeSeesDiscs ? kLobeBit : 0);
     const float weights[] = {path.weight.r, path.weight.g, path.weight.b};
     const float extinctions[] = {path.extinction.r, path.extinction.g, path.extinction.b};
     for (std::size_t c = 0; c < 3; ++c) {
@@ -37,8 +38,9 @@ Path PathQueue::path(std::size_t i) const {
     path.weight = {weight[0][i], weight[1][i], weight[2][i]};
     path.extinction = {extinction[0][i], extinction[1][i], extinction[2][i]};
     path.depth = static_cast<std::uint16_t>(bounces[i]);
-    path.passes = static_cast<std::uint16_t>(bounces[i] >> 16 & 0x7FFFU);
+    path.passes = static_cast<std::uint16_t>(bounces[i] >> 16 & 0x3FFFU);
     path.inside = isInside(bounces[i]);
+    path.lobeSeesDiscs = (bounces[i] & kLobeBit) != 0;
     path.length = length[i];
     return path;
 }

@@ -12,18 +12,21 @@
 namespace rtcore {
 
 struct Path {
-    std::uint32_t sample = 0; ///< index of the primary ray it began with
-    Colour weight{1, 1, 1};   ///< throughput: the fraction of its radiance that reaches the sample
-    Colour extinction;        ///< of the solid that it is inside of, per scene unit
-    std::uint16_t depth = 0;  ///< mirrored or refracted so often
-    std::uint16_t passes = 0; ///< went straight through thin walls and holes so often; below 2^15
-    bool inside = false;      ///< of a transparent solid
+    std::uint32_t sample = 0;   ///< index of the primary ray it began with
+    Colour weight{1, 1, 1};     ///< throughput: the fraction of its radiance that reaches the sample
+    Colour extinction;          ///< of the solid that it is inside of, per scene unit
+    std::uint16_t depth = 0;    ///< mirrored or refracted so often
+    std::uint16_t passes = 0;   ///< went straight through thin walls and holes so often; below 2^14
+    bool inside = false;        ///< of a transparent solid
+    bool lobeSeesDiscs = false; ///< discs of lights count for the highlight of the surface that it was
+                                ///< mirrored at last: it does not see them
     /// How far from the primary ray's origin this one seems to begin, as seen along that: mirrors and
     /// panes that are flat only fold the way. Once a curved one has bent it, minus the way up to that.
     float length = 0;
 };
 
 inline constexpr std::uint32_t kInsideBit = 0x80000000U; ///< of PathQueue::bounces
+inline constexpr std::uint32_t kLobeBit = 0x40000000U;   ///< the same
 constexpr bool isInside(std::uint32_t bounces) { return (bounces & kInsideBit) != 0; }
 
 /// One array for each value, as vector code likes it: those of the paths have room for a block more than
@@ -31,7 +34,7 @@ constexpr bool isInside(std::uint32_t bounces) { return (bounces & kInsideBit) !
 struct PathQueue {
     RayWave rays;
     std::vector<std::uint32_t> sample;
-    std::vector<std::uint32_t> bounces; ///< depth in the lower 16 bits, passes in 15, inside in the highest
+    std::vector<std::uint32_t> bounces; ///< depth in the lower 16 bits, passes in 14, lobeSeesDiscs, inside
     std::vector<float> weight[3], extinction[3];
     std::vector<float> length;
 
