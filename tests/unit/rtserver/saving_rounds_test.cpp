@@ -62,7 +62,7 @@ class SavingRounds : public test::CommandRoom {
         return all;
     }
     /// All but the sun of a sky, which comes anew, and off where it was removed.
-    static std::vector<rtcore::Light> lamps(const rtcore::Scene& scene) {
+    static std::vector<rtcore::Light> lightsButTheSun(const rtcore::Scene& scene) {
         std::vector<rtcore::Light> lights(scene.lights.begin(), scene.lights.end());
         if (const auto sun = rtcore::sunOf(scene))
             lights.erase(lights.begin() + static_cast<std::ptrdiff_t>(*sun));
@@ -107,7 +107,7 @@ TEST_F(SavingRounds, GiveTheSameBytesAndTheSameScene) {
                                              "light kind 1 sphere",
                                              "light size 1 0.3",
                                              "light angles 1 20 50",
-                                             "light name 1 lamp",
+                                             "light name 1 red",
                                              "light move 1 at 0.1 3.3 0.7",
                                              "light aim 1 at 0.7 0 0.1",
                                              "sky on",
@@ -149,7 +149,7 @@ TEST_F(SavingRounds, GiveTheSameBytesAndTheSameScene) {
         const auto scene = state.scene();
         show(name("a"));
         EXPECT_EQ(materials(*state.scene()), materials(*scene)) << round;
-        EXPECT_EQ(lamps(*state.scene()), lamps(*scene)) << round;
+        EXPECT_EQ(lightsButTheSun(*state.scene()), lightsButTheSun(*scene)) << round;
         ASSERT_EQ(saved(name("b")), first) << round;
         for (const char* one : {"wall", "floor", "grass"})
             EXPECT_LE(count(first, std::string("[[material]]\nname = \"") + one + "\""), 1) << first;
