@@ -51,6 +51,7 @@ class SampleModel {
             b.normals.push_back(rtcore::normalize(vector(1)));
             b.texcoords.push_back({number(-2, 3), number(-2, 3)});
             b.colours.push_back(colour(1));
+            b.alphas.push_back(0.25F * static_cast<float>(corner));
         }
         shading.material = static_cast<std::uint32_t>(random_() % b.materials.size());
         b.triangles.push_back(triangle);
@@ -74,15 +75,18 @@ class SampleModel {
             m.metallic = 0.5F * static_cast<float>(i);
             if (i == 2) m.metallicRoughnessTexture = 1;
             m.emissionLights = static_cast<std::uint32_t>(i % 2);
+            m.normalScale = 0.5F * static_cast<float>(i);
+            m.vertexAlpha = m.tintsEmission = m.frontOnly = static_cast<std::uint32_t>(i % 2);
+            if (i == 1) m.transmissionTexture = m.specularTexture = 1;
             buffers_.materials.push_back(m);
         }
     }
 
     void addTextures() {
         for (const std::uint32_t side : {2U, 5U}) {
-            buffers_.textures.push_back({buffers_.texels.size(), side, side + 1,
-                                         rtcore::TextureWrap::ClampToEdge,
-                                         rtcore::TextureWrap::MirroredRepeat});
+            buffers_.textures.push_back(
+                {buffers_.texels.size(), side, side + 1, rtcore::TextureWrap::ClampToEdge,
+                 rtcore::TextureWrap::MirroredRepeat, rtcore::TextureFilter::Nearest});
             for (std::uint32_t i = 0; i < side * (side + 1); ++i) {
                 const auto bits = static_cast<std::uint32_t>(random_());
                 buffers_.texels.push_back(

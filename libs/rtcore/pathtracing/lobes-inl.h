@@ -44,6 +44,7 @@ HWY_INLINE PointLobes lobesOf(const MaterialRow* rows, const SurfaceWave& s, std
     if (any(glossy)) {
         const Rows ofPoints(rows, s.material + i, glossy);
         lobes.phong.specular = selectOrZero(glossy, ofPoints.get(&MaterialRow::specular));
+        if (s.tint.x != nullptr) lobes.phong.specular = lobes.phong.specular * loadAt(s.tint, i);
         lobes.phong.shininess = select(glossy, ofPoints.get(&MaterialRow::shininess), lobes.phong.shininess);
         lobes.phong.lobeScale = selectOrZero(glossy, ofPoints.get(&MaterialRow::lobeScale));
         lobes.phong.roughScale = selectOrZero(glossy, ofPoints.get(&MaterialRow::roughScale));

@@ -90,6 +90,7 @@ Colour PathPoints::completeGeneral(const Task& task, Wave& wave, std::size_t i, 
     }
     surfaces.shadingNormal.set(i, s.shadingNormal);
     surfaces.diffuse.set(i, s.diffuse / kPi);
+    if (surfaces.tint.x != nullptr) surfaces.tint.set(i, s.specularTint);
     surfaces.weight.set(i, path.weight * split.scattered / kept);
     if (!isBlack(split.mirrored)) {
         surfaces.specular.set(i, path.weight * split.mirrored / kept);

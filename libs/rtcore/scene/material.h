@@ -50,15 +50,27 @@ struct Material {
     std::uint32_t metallicRoughnessTexture = kNoTexture; ///< green times `roughness`, blue times `metallic`
     std::uint32_t emissionLights = 0;                    ///< 1: what it emits lights other surfaces
     std::uint32_t flipTextures = 0;                      ///< 1: its textures are turned upside down
+    float normalScale = 1;                               ///< factor on how far the normal map leans
+    std::uint32_t vertexAlpha = 0;                       ///< 1: Mesh::alphas multiply the coverage
+    std::uint32_t tintsEmission = 0;                     ///< 1: colours of vertices multiply `emission`, too
+    std::uint32_t transmissionTexture = kNoTexture;      ///< red: factor on 1 - opacity
+    std::uint32_t specularTexture = kNoTexture;          ///< factor on `specular` and `mirror`; no roughness
+    std::uint32_t frontOnly = 0; ///< 1: the back faces of closed surfaces are holes, as those of culled ones
 
     friend bool operator==(const Material&, const Material&) = default;
 };
-static_assert(std::is_trivially_copyable_v<Material> && sizeof(Material) == 132);
+static_assert(std::is_trivially_copyable_v<Material> && sizeof(Material) == 156);
 
 /// It is one of the metallic-roughness model.
 inline bool hasRoughness(const Material& m) { return m.roughness != kNoRoughness; }
 
-/// A part of the light may pass, through the surface or through holes that an alpha texture cuts.
-inline bool isTransparent(const Material& m) { return m.opacity < 1 || m.alphaTexture != kNoTexture; }
+/// Its coverage varies: an alpha texture or alphas of vertices cut holes.
+inline bool hasHoles(const Material& m) { return m.alphaTexture != kNoTexture || m.vertexAlpha != 0; }
+
+/// A part of the light may pass, through the surface or through holes.
+inline bool isTransparent(const Material& m) { return m.opacity < 1 || hasHoles(m); }
+
+/// What passes is neither bent nor tinted, whatever the surface bounds: it only covers.
+inline bool isVeil(const Material& m) { return m.indexOfRefraction == 1 && m.transmission == kWhite; }
 
 } // namespace rtcore

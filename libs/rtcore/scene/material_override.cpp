@@ -24,7 +24,7 @@ void replace(std::optional<T>& value, const std::optional<T>& later) {
 
 void leaveOutTextures(Material& m) {
     m.diffuseTexture = m.alphaTexture = m.normalTexture = m.emissionTexture = kNoTexture;
-    m.metallicRoughnessTexture = kNoTexture;
+    m.metallicRoughnessTexture = m.transmissionTexture = m.specularTexture = kNoTexture;
 }
 
 } // namespace

@@ -29,7 +29,7 @@ struct Triangle {
 };
 static_assert(sizeof(Triangle) == 12);
 
-/// Indices into `normals`, `texcoords` and `colours` (one index for all three), and the material.
+/// Indices into `normals`, `texcoords`, `colours` and `alphas` (one index for all), and the material.
 struct ShadingTriangle {
     std::uint32_t v[3] = {0, 0, 0};
     std::uint32_t material = 0;
@@ -44,6 +44,7 @@ struct Mesh {
     std::span<const Vec3> normals;            ///< unit length
     std::span<const Vec2> texcoords; ///< empty, or as many as normals; (0,0) = lower left of the image
     std::span<const Colour> colours; ///< empty, or as many as normals; linear, multiplies the diffuse albedo
+    std::span<const float> alphas = {}; ///< empty, or as many as normals; 0..1 (Material::vertexAlpha)
 
     Vec3 position(std::uint32_t triangle, int corner) const {
         return vertices[triangles[triangle].v[corner]].position();

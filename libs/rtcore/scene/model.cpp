@@ -16,8 +16,8 @@ std::uint32_t ModelBuffers::addName(std::string_view name) {
 Model makeModel(ModelBuffers buffers) {
     const auto owned = std::make_shared<const ModelBuffers>(std::move(buffers));
     Model model;
-    model.mesh = {owned->vertices, owned->triangles, owned->shading,
-                  owned->normals,  owned->texcoords, owned->colours};
+    model.mesh = {owned->vertices,  owned->triangles, owned->shading, owned->normals,
+                  owned->texcoords, owned->colours,   owned->alphas};
     model.materials = owned->materials;
     model.textures = owned->textures;
     model.texels = owned->texels;

@@ -20,15 +20,20 @@ namespace rtcore {
 /// What lies beyond 0..1 of a texture coordinate.
 enum class TextureWrap : std::uint32_t { Repeat = 0, ClampToEdge = 1, MirroredRepeat = 2 };
 
+/// Between the middles of texels.
+enum class TextureFilter : std::uint32_t { Linear = 0, Nearest = 1 };
+
 /// One texture: rows from the top, in Model::texels from `firstTexel`. Textures that differ only in how they
-/// wrap share their texels.
+/// wrap and are filtered share their texels.
 struct Texture {
     std::uint64_t firstTexel = 0;
     std::uint32_t width = 0, height = 0;
     TextureWrap wrapU = TextureWrap::Repeat, wrapV = TextureWrap::Repeat;
+    TextureFilter filter = TextureFilter::Linear;
+    std::uint32_t unused = 0;
     friend bool operator==(const Texture&, const Texture&) = default;
 };
-static_assert(sizeof(Texture) == 24);
+static_assert(sizeof(Texture) == 32);
 
 /// A range of triangles that the model's author kept apart: one mesh under one node.
 struct ModelPart {
@@ -65,6 +70,7 @@ struct ModelBuffers {
     std::vector<Vec3> normals;
     std::vector<Vec2> texcoords;
     std::vector<Colour> colours;
+    std::vector<float> alphas;
     std::vector<Material> materials;
     std::vector<Texture> textures;
     std::vector<Rgba8> texels;

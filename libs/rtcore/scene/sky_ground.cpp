@@ -21,6 +21,7 @@ struct GroundedMesh {
     std::vector<Vec3> normals;
     std::vector<Vec2> texcoords;
     std::vector<Colour> colours;
+    std::vector<float> alphas;
 };
 
 /// With room for so many more.
@@ -43,6 +44,7 @@ void addSquare(GroundedMesh& to, const SkyGround& ground, std::uint32_t material
     to.normals.push_back(ground.up);
     if (!to.texcoords.empty()) to.texcoords.push_back({});
     if (!to.colours.empty()) to.colours.push_back(kWhite);
+    if (!to.alphas.empty()) to.alphas.push_back(1);
     for (const std::uint32_t third : {2U, 3U}) {
         to.triangles.push_back({{first, first + third - 1, first + third}});
         to.shading.push_back({{attribute, attribute, attribute}, material});
@@ -73,9 +75,10 @@ std::shared_ptr<const SkyGround> makeGround(const Model& model, Vec3 up, Colour 
     grounded->normals = copyOf(mesh.normals, 1);
     grounded->texcoords = copyOf(mesh.texcoords, 1);
     grounded->colours = copyOf(mesh.colours, 1);
+    grounded->alphas = copyOf(mesh.alphas, 1);
     addSquare(*grounded, *ground, sizeOf(model.materials));
-    ground->mesh = {grounded->vertices, grounded->triangles, grounded->shading,
-                    grounded->normals,  grounded->texcoords, grounded->colours};
+    ground->mesh = {grounded->vertices,  grounded->triangles, grounded->shading, grounded->normals,
+                    grounded->texcoords, grounded->colours,   grounded->alphas};
     ground->storage = std::move(grounded);
     return ground;
 }

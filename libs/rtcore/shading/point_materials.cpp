@@ -15,8 +15,8 @@ Surface surfaceOfPoint(const FrameContext& frame, const Wave& wave, std::size_t 
     s.shadingNormal = surfaces.shadingNormal.at(i);
     s.toViewer = surfaces.toViewer.at(i);
     s.fromInside = (surfaces.traits[i] & traits::kFromInside) != 0;
-    s.closed = scene.isClosed(hit.triangle);
     s.material = &scene.material(surfaces.material[i]);
+    s.closed = scene.isClosed(hit.triangle) && !isVeil(*s.material);
     const bool turned = (surfaces.traits[i] & traits::kTurned) != 0;
     addMaterial(scene, frame.settings->textures, hit, turned, s);
     return s;

@@ -56,6 +56,7 @@ Colour SpecialPoints::completeGeneral(const Task& task, std::size_t i) const {
     surfaces.shadingNormal.set(i, s.shadingNormal);
     surfaces.diffuse.set(i, s.diffuse / kPi);
     surfaces.weight.set(i, path.weight * split.scattered);
+    if (surfaces.tint.x != nullptr) surfaces.tint.set(i, s.specularTint);
     if (!isBlack(split.mirrored)) {
         surfaces.specular.set(i, path.weight * split.mirrored);
         surfaces.traits[i] |= traits::kSpecular;
@@ -64,7 +65,8 @@ Colour SpecialPoints::completeGeneral(const Task& task, std::size_t i) const {
     path.length = HWY_NAMESPACE::lengthAfter(path.length, t, straight);
     if (!isBlack(split.transmitted)) task.secondary.addTransparent(s, split.transmitted, path);
     if (hasRoughness(*s.material)) return path.weight * s.emission;
-    const Colour ambient = task.ambient * (s.diffuse + s.material->specular) * split.scattered;
+    const Colour glossy = s.material->specular * s.specularTint;
+    const Colour ambient = task.ambient * (s.diffuse + glossy) * split.scattered;
     return path.weight * (s.emission + ambient);
 }
 

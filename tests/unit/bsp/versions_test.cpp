@@ -243,8 +243,14 @@ TEST(BspVersions, WhatShorterElementsLackHasItsDefault) {
         m.metallic = 0;
         m.metallicRoughnessTexture = rtcore::kNoTexture;
         m.emissionLights = 0;
+        m.normalScale = 1;
+        m.vertexAlpha = m.tintsEmission = m.frontOnly = 0;
+        m.transmissionTexture = m.specularTexture = rtcore::kNoTexture;
     }
-    for (rtcore::Texture& t : expected.textures) t.wrapV = rtcore::TextureWrap::Repeat;
+    for (rtcore::Texture& t : expected.textures) {
+        t.wrapV = rtcore::TextureWrap::Repeat;
+        t.filter = rtcore::TextureFilter::Linear;
+    }
     for (rtcore::Camera& c : expected.cameras) {
         c.kind = rtcore::CameraKind::Perspective;
         c.orthographicWidth = c.aspect = 0;

@@ -124,7 +124,12 @@ TEST(GltfMaterial, AlphaModes) {
     EXPECT_EQ(ofGltf("{" + colour + R"(,"alphaMode":"MASK","alphaCutoff":0.2})").opacity, 1);
     const std::string smooth =
         R"("pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.25],"roughnessFactor":0.05})";
-    EXPECT_EQ(ofGltf("{" + smooth + R"(,"alphaMode":"BLEND"})").indexOfRefraction, 1.5F) << "a window";
+    const Material window = ofGltf("{" + smooth + R"(,"alphaMode":"BLEND"})");
+    EXPECT_TRUE(isVeil(window)) << "however smooth";
+    EXPECT_EQ(window.opacity, 0.25F);
+    EXPECT_EQ(window.frontOnly, 1U);
+    EXPECT_EQ(ofGltf("{" + smooth + R"(,"alphaMode":"BLEND","doubleSided":true})").frontOnly, 0U);
+    EXPECT_EQ(ofGltf("{" + smooth + "}").frontOnly, 0U);
 }
 
 TEST(GltfMaterial, Transmission) {

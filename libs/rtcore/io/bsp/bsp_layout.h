@@ -25,6 +25,7 @@ enum class BspSection : std::uint32_t {
     Normals,    ///< Vec3
     Texcoords,  ///< Vec2, none or one per normal
     Colours,    ///< Colour, none or one per normal
+    Alphas,     ///< float, none or one per normal
     Materials,  ///< Material, at least one
     Textures,   ///< Texture
     Texels,     ///< Rgba8
@@ -53,6 +54,7 @@ inline constexpr std::array kBspSectionKinds{
     BspSectionKind{"normals", sizeof(Vec3), 12},
     BspSectionKind{"texcoords", sizeof(Vec2), 8},
     BspSectionKind{"colours", sizeof(Colour), 12},
+    BspSectionKind{"alphas", sizeof(float), 4},
     BspSectionKind{"materials", sizeof(Material), 112},
     BspSectionKind{"textures", sizeof(Texture), 16},
     BspSectionKind{"texels", sizeof(Rgba8), 4},

@@ -79,9 +79,13 @@ class Reader {
 
     Model readModel() {
         Model model;
-        model.mesh = {view<Vertex>(BspSection::Vertices),         view<Triangle>(BspSection::Triangles),
-                      view<ShadingTriangle>(BspSection::Shading), view<Vec3>(BspSection::Normals),
-                      view<Vec2>(BspSection::Texcoords),          view<Colour>(BspSection::Colours)};
+        model.mesh = {view<Vertex>(BspSection::Vertices),
+                      view<Triangle>(BspSection::Triangles),
+                      view<ShadingTriangle>(BspSection::Shading),
+                      view<Vec3>(BspSection::Normals),
+                      view<Vec2>(BspSection::Texcoords),
+                      view<Colour>(BspSection::Colours),
+                      view<float>(BspSection::Alphas)};
         model.materials = view<Material>(BspSection::Materials);
         model.textures = view<Texture>(BspSection::Textures);
         model.texels = view<Rgba8>(BspSection::Texels);

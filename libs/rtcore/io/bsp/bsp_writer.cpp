@@ -32,6 +32,7 @@ std::array<Bytes, kBspSections> contentOf(const Model& model, const KdTree* tree
             std::as_bytes(mesh.normals),
             std::as_bytes(mesh.texcoords),
             std::as_bytes(mesh.colours),
+            std::as_bytes(mesh.alphas),
             std::as_bytes(model.materials),
             std::as_bytes(model.textures),
             std::as_bytes(model.texels),

@@ -45,8 +45,11 @@ const char* problemOf(const Material& m, const Model& model) {
     if (!within(m.roughness, 0, 1) && m.roughness != kNoRoughness) return "roughness is not in 0..1";
     if (!within(m.metallic, 0, 1)) return "metallic is not in 0..1";
     if (!isSwitch(m.emissionLights) || !isSwitch(m.flipTextures)) return "a switch is neither 0 nor 1";
-    for (const std::uint32_t t :
-         {m.diffuseTexture, m.alphaTexture, m.normalTexture, m.emissionTexture, m.metallicRoughnessTexture}) {
+    if (!within(m.normalScale, -kLargestNumber, kLargestNumber)) return "normalScale is out of range";
+    if (!isSwitch(m.vertexAlpha) || !isSwitch(m.tintsEmission) || !isSwitch(m.frontOnly))
+        return "a switch is neither 0 nor 1";
+    for (const std::uint32_t t : {m.diffuseTexture, m.alphaTexture, m.normalTexture, m.emissionTexture,
+                                  m.metallicRoughnessTexture, m.transmissionTexture, m.specularTexture}) {
         if (t != kNoTexture && t >= model.textures.size()) return "it names a texture that does not exist";
     }
     return m.nameOffset < model.strings.size() ? nullptr : "its name lies outside of the strings";
@@ -62,6 +65,7 @@ const char* problemOf(const Texture& t, const Model& model) {
     if (texels > kMaxImagePixels) return "it has too many texels";
     if (t.wrapU > TextureWrap::MirroredRepeat || t.wrapV > TextureWrap::MirroredRepeat)
         return "it wraps in no known way";
+    if (t.filter > TextureFilter::Nearest) return "it is filtered in no known way";
     const std::uint64_t available = model.texels.size();
     if (t.firstTexel > available || texels > available - t.firstTexel) return "it ends outside of the texels";
     return nullptr;

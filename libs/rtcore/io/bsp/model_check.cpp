@@ -90,6 +90,9 @@ Finding checkSizes(const Model& model) {
     if (!mesh.colours.empty() && mesh.colours.size() != mesh.normals.size()) {
         return "colours: there must be none or one per normal";
     }
+    if (!mesh.alphas.empty() && mesh.alphas.size() != mesh.normals.size()) {
+        return "alphas: there must be none or one per normal";
+    }
     if (model.materials.empty()) return "materials: there must be at least one";
     return {};
 }
@@ -122,6 +125,7 @@ Finding checkMesh(const Model& model) {
     if (Finding f = checkNumbers("vertices", floatsOf(mesh.vertices), 4, -most, most)) return f;
     if (Finding f = checkNumbers("texcoords", floatsOf(mesh.texcoords), 2, -most, most)) return f;
     if (Finding f = checkNumbers("colours", floatsOf(mesh.colours), 3, 0, most)) return f;
+    if (Finding f = checkNumbers("alphas", floatsOf(mesh.alphas), 1, 0, 1)) return f;
     return checkNormals(mesh.normals);
 }
 

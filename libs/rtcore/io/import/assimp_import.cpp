@@ -1,18 +1,18 @@
 #include "rtcore/io/import/assimp_import.h"
 
+#include "rtcore/io/import/assimp_files.h"
 #include "rtcore/io/import/assimp_parts.h"
 #include "rtcore/io/import/colour_decoder.h"
 #include "rtcore/io/import/exporter_notes.h"
+#include "rtcore/io/import/foreign_formats.h"
 #include "rtcore/io/import/geometry_finish.h"
 #include "rtcore/io/import/gltf_file.h"
 #include "rtcore/io/import/import_warnings.h"
 #include "rtcore/io/import/polygon.h"
 #include "rtcore/io/import/unread_content.h"
 #include "rtcore/platform/error.h"
-#include "rtcore/platform/paths.h"
 #include "rtcore/scene/up_axis.h"
 
-#include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/commonMetaData.h>
 #include <assimp/config.h>
@@ -24,6 +24,8 @@
 #include <cmath>
 #include <new>
 #include <optional>
+#include <ranges>
+#include <set>
 #include <utility>
 
 namespace rtcore {
@@ -87,8 +89,8 @@ class MeshReader {
     MeshReader(const FormatQuirks& quirks, ImportReport& report)
         : quirks_(quirks), report_(report), decode_(quirks.linearVertexColours) {}
 
-    /// Valid until the next call.
-    SourceMesh read(const aiMesh& mesh, const Affine& toWorld, const TexcoordUse& use) {
+    /// Valid until the next call. `alphas`: those of its colours count.
+    SourceMesh read(const aiMesh& mesh, const Affine& toWorld, const TexcoordUse& use, bool alphas) {
         SourceMesh out;
         readTriangles(mesh, toWorld.determinant() < 0);
         out.triangles = triangles_;
@@ -98,6 +100,7 @@ class MeshReader {
         if (mesh.mNormals != nullptr && !quirks_.facetNormals) out.normals = readNormals(mesh, toWorld);
         out.texcoords = readTexcoords(mesh, use);
         if (mesh.mColors[0] != nullptr) out.colours = readColours(mesh);
+        if (alphas) out.alphas = readAlphas(mesh);
         return out;
     }
 
@@ -188,6 +191,13 @@ class MeshReader {
         return colours_;
     }
 
+    std::span<const float> readAlphas(const aiMesh& mesh) {
+        alphas_.clear();
+        alphas_.reserve(mesh.mNumVertices);
+        for (unsigned i = 0; i < mesh.mNumVertices; ++i) alphas_.push_back(mesh.mColors[0][i].a);
+        return alphas_;
+    }
+
     const FormatQuirks& quirks_;
     ImportReport& report_;
     ColourDecoder decode_;
@@ -196,28 +206,51 @@ class MeshReader {
     std::vector<Vec3> positions_, normals_, corners_;
     std::vector<Vec2> texcoords_;
     std::vector<Colour> colours_;
+    std::vector<float> alphas_;
+};
+
+/// Whether the colours of its vertices say that they cover less than all.
+bool hasAlphas(const aiMesh& mesh, const std::optional<GltfFile>& gltf) {
+    if (mesh.mColors[0] == nullptr || !gltf || !gltf->countsWithAlpha.contains(mesh.mNumVertices))
+        return false;
+    return std::any_of(mesh.mColors[0], mesh.mColors[0] + mesh.mNumVertices,
+                       [](const aiColor4D& c) { return c.a < 1; });
+}
+
+/// What is known of the materials beside what Assimp hands over.
+struct MaterialSources {
+    const FormatQuirks& quirks;
+    const std::optional<GltfFile>& gltf;
+    MaterialTexts texts;
 };
 
 /// Model materials, in the order of the file, without those that no mesh uses.
 class Materials {
   public:
-    Materials(const aiScene& scene, const NodeWalk& walk, const FormatQuirks& quirks,
-              std::span<const float> emissiveStrengths, ModelBuffers& model, ImportReport& report,
+    Materials(const aiScene& scene, const NodeWalk& walk, const MaterialSources& from, FileImport& to,
               TextureStore& textures)
-        : numbers_(scene.mNumMaterials, kNoMaterial), uses_(scene.mNumMaterials) {
+        : numbers_(scene.mNumMaterials, kNoMaterial), uses_(scene.mNumMaterials),
+          alphas_(scene.mNumMaterials, 0), model_(&to.model) {
         std::vector<char> used(scene.mNumMaterials, 0);
         for (const Instance& i : walk.instances) {
-            const unsigned material = scene.mMeshes[i.mesh]->mMaterialIndex;
-            if (material < used.size()) used[material] = 1;
+            const aiMesh& mesh = *scene.mMeshes[i.mesh];
+            if (mesh.mMaterialIndex >= used.size()) continue;
+            used[mesh.mMaterialIndex] = 1;
+            if (hasAlphas(mesh, from.gltf)) alphas_[mesh.mMaterialIndex] = 1;
         }
         for (unsigned m = 0; m < scene.mNumMaterials; ++m) {
             if (used[m] == 0 || scene.mMaterials[m] == nullptr) continue;
-            SourceMaterial source = sourceMaterialOf(*scene.mMaterials[m], quirks);
-            if (m < emissiveStrengths.size()) source.emission = source.emission * emissiveStrengths[m];
-            uses_[m] = texcoordUseOf(*scene.mMaterials[m], report);
-            numbers_[m] = append(mapMaterial(source, textures), source.name, model);
+            const aiMaterial& material = *scene.mMaterials[m];
+            const MaterialText text = from.texts.of(material.GetName().C_Str(), m, scene.mNumMaterials);
+            SourceMaterial source = sourceMaterialOf(material, from.quirks, text);
+            if (from.gltf && m < from.gltf->emissiveStrengths.size())
+                source.emission = source.emission * from.gltf->emissiveStrengths[m];
+            source.vertexAlpha = alphas_[m] != 0;
+            uses_[m] = texcoordUseOf(material, text, to.report);
+            const Material mapped = mapMaterial(source, textures);
+            alphas_[m] = static_cast<char>(mapped.vertexAlpha);
+            numbers_[m] = append(mapped, source.name, to.model);
         }
-        model_ = &model;
     }
     std::uint32_t numberOf(unsigned material) {
         if (material < numbers_.size() && numbers_[material] != kNoMaterial) return numbers_[material];
@@ -227,6 +260,8 @@ class Materials {
     TexcoordUse texcoordUse(unsigned material) const {
         return material < uses_.size() ? uses_[material] : TexcoordUse{};
     }
+    /// Whether alphas of vertices count.
+    bool vertexAlpha(unsigned material) const { return material < alphas_.size() && alphas_[material] != 0; }
 
   private:
     static constexpr std::uint32_t kNoMaterial = 0xFFFFFFFFU;
@@ -237,38 +272,38 @@ class Materials {
     }
     std::vector<std::uint32_t> numbers_;
     std::vector<TexcoordUse> uses_;
+    std::vector<char> alphas_;
     std::uint32_t plain_ = kNoMaterial;
     ModelBuffers* model_ = nullptr;
 };
 
-/// Notes the files that Assimp reads.
-class NotingFiles : public Assimp::DefaultIOSystem {
-  public:
-    explicit NotingFiles(std::shared_ptr<std::vector<std::string>> files) : files_(std::move(files)) {}
-    Assimp::IOStream* Open(const char* file, const char* mode) override {
-        Assimp::IOStream* const stream = DefaultIOSystem::Open(file, mode);
-        if (stream != nullptr) files_->push_back(plainPath(file).string());
-        return stream;
-    }
+[[noreturn]] void refuseName(const std::string& ending) {
+    refuse("its name does not fit its content; rename it so that it ends in " + ending);
+}
 
-  private:
-    std::shared_ptr<std::vector<std::string>> files_;
-};
+/// An importer that is chosen by the name would take it for what it is not.
+void refuseMisnamed(const std::filesystem::path& path, const Assimp::Importer& importer) {
+    const std::string own = path.extension().string();
+    if (own.empty() || !importer.IsExtensionSupported(own)) return;
+    if (const auto ending = endingByContent(path)) refuseName(*ending);
+}
 
 /// Only parses: Assimp's own post-processing takes ten times as long as ours.
 const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path& path,
                          const std::optional<GltfFile>& gltf, ImportReport& report) {
     const auto files = std::make_shared<std::vector<std::string>>();
-    importer.SetIOHandler(new NotingFiles(files)); // which the importer owns from now on
+    importer.SetIOHandler(filesForAssimp(files)); // which the importer owns from now on
     // A file of lights or bones alone holds no surface: none is made up.
     importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_ANIMATIONS, false);
     importer.SetPropertyBool(AI_CONFIG_IMPORT_MD5_NO_ANIM_AUTOLOAD, true);
+    refuseMisnamed(path, importer);
     const aiScene* const scene = importer.ReadFile(path.string(), 0);
     for (const std::string& file : *files) addFile(report, file);
     if (scene != nullptr) return *scene;
     const std::string reason = importer.GetErrorString();
     if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
+    if (const auto ending = endingByContent(path)) refuseName(*ending);
     if (reason.find("No suitable reader") != std::string::npos) {
         refuse("no importer knows this format; convert it to glTF, OBJ, PLY or STL");
     }
@@ -277,10 +312,17 @@ const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path
         refuse("its geometry is in " + firstOf(gltf->missingBuffers) + (one ? ", which is" : ", which are") +
                " missing; put " + (one ? "it" : "them") + " beside the model's file");
     }
-    refuse(
-        "Assimp cannot read it: " + reason +
-        "; it is damaged or of a variant that Assimp does not know: open it in the program that wrote it and "
-        "export it again, as glTF or OBJ for example");
+    refuse("Assimp cannot read it: " + reason +
+           "; open it in the program that wrote it and export it again, as glTF or OBJ for example");
+}
+
+void refuseUnread(const GltfFile& gltf) {
+    if (gltf.unreadRequirements.empty()) return;
+    const std::string& first = gltf.unreadRequirements.front();
+    std::string others;
+    for (const std::string& name : gltf.unreadRequirements | std::views::drop(1)) others += " and " + name;
+    refuse("it needs " + first + others + ", which " + (others.empty() ? "is" : "are") + " not read; " +
+           remedyFor(first));
 }
 
 std::string formatOf(const Assimp::Importer& importer) {
@@ -338,12 +380,14 @@ void makeRoom(const aiScene& scene, const NodeWalk& walk, std::uint64_t memoryLi
 }
 
 /// Of what Assimp drops without a word, by what the file declares.
-void countDroppedTriangles(const GltfFile& gltf, const aiScene& scene, ImportReport& report) {
+void countDroppedTriangles(const GltfFile& gltf, const aiScene& scene, const NodeWalk& walk,
+                           ImportReport& report) {
+    std::set<unsigned> shown;
+    for (const Instance& instance : walk.instances) shown.insert(instance.mesh);
     std::uint64_t read = 0;
-    for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
-        const aiMesh* const mesh = scene.mMeshes[m];
-        for (unsigned f = 0; mesh != nullptr && f < mesh->mNumFaces; ++f)
-            read += mesh->mFaces[f].mNumIndices > 2 ? 1 : 0;
+    for (const unsigned m : shown) {
+        const aiMesh& mesh = *scene.mMeshes[m];
+        for (unsigned f = 0; f < mesh.mNumFaces; ++f) read += mesh.mFaces[f].mNumIndices > 2 ? 1 : 0;
     }
     if (gltf.triangles > read) report.unconnectedTriangles += gltf.triangles - read;
 }
@@ -392,6 +436,7 @@ std::string nameOf(const Instance& instance, const aiScene& scene) {
 FileImport importWithAssimp(const std::filesystem::path& path, const FileImportOptions& options) {
     const auto importer = std::make_shared<Assimp::Importer>();
     const std::optional<GltfFile> gltf = readGltfFile(path);
+    if (gltf) refuseUnread(*gltf);
     FileImport result;
     const aiScene& scene = readScene(*importer, path, gltf, result.report);
     options.alive();
@@ -404,12 +449,13 @@ FileImport importWithAssimp(const std::filesystem::path& path, const FileImportO
 
     const SceneEmbeddedPictures embedded(scene);
     TextureStore textures(result.model, result.report, path.parent_path(), embedded, options.alive);
-    const auto strengths = gltf ? gltf->emissiveStrengths : std::vector<float>();
-    Materials materials(scene, walk, quirks, strengths, result.model, result.report, textures);
+    Materials materials(scene, walk, {quirks, gltf, MaterialTexts(path)}, result, textures);
     MeshReader reader(quirks, result.report);
     for (const Instance& instance : walk.instances) {
         const aiMesh& mesh = *scene.mMeshes[instance.mesh];
-        SourceMesh source = reader.read(mesh, instance.toWorld, materials.texcoordUse(mesh.mMaterialIndex));
+        const bool alphas = materials.vertexAlpha(mesh.mMaterialIndex) && hasAlphas(mesh, gltf);
+        SourceMesh source =
+            reader.read(mesh, instance.toWorld, materials.texcoordUse(mesh.mMaterialIndex), alphas);
         if (source.triangles.empty()) continue;
         source.material = materials.numberOf(mesh.mMaterialIndex);
         const std::uint32_t first = assembler.triangleCount();
@@ -419,7 +465,7 @@ FileImport importWithAssimp(const std::filesystem::path& path, const FileImportO
         options.alive();
     }
     finishGeometry(assembler, options.creaseAngle, result);
-    if (gltf) countDroppedTriangles(*gltf, scene, result.report);
+    if (gltf) countDroppedTriangles(*gltf, scene, walk, result.report);
     refuseUseless(assembler, scene.mNumMeshes, result);
 
     warnOfLostTriangles(result.model, result.report);

@@ -5,6 +5,7 @@
 #include "rtcore/io/import/format_quirks.h"
 #include "rtcore/io/import/import_report.h"
 #include "rtcore/io/import/material_mapping.h"
+#include "rtcore/io/import/material_text.h"
 #include "rtcore/math/box.h"
 #include "rtcore/scene/model.h"
 
@@ -24,10 +25,12 @@ struct TexcoordUse {
     friend bool operator==(const TexcoordUse&, const TexcoordUse&) = default;
 };
 
-SourceMaterial sourceMaterialOf(const aiMaterial& material, const FormatQuirks& quirks);
+/// `text`: what stands in the file of this material.
+SourceMaterial sourceMaterialOf(const aiMaterial& material, const FormatQuirks& quirks,
+                                const MaterialText& text);
 /// Of the first image, the diffuse one if there is one: one record has one set of coordinates for all of
 /// its images.
-TexcoordUse texcoordUseOf(const aiMaterial& material, ImportReport& report);
+TexcoordUse texcoordUseOf(const aiMaterial& material, const MaterialText& text, ImportReport& report);
 
 class SceneEmbeddedPictures : public EmbeddedPictures {
   public:

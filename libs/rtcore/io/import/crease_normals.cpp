@@ -218,6 +218,7 @@ class Smoother {
         model_.normals.push_back(normal);
         if (!model_.texcoords.empty()) model_.texcoords.push_back(Vec2(model_.texcoords[entry]));
         if (!model_.colours.empty()) model_.colours.push_back(Colour(model_.colours[entry]));
+        if (!model_.alphas.empty()) model_.alphas.push_back(float{model_.alphas[entry]});
         entry = added_.back().entry;
     }
 

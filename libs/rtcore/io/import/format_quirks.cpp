@@ -20,7 +20,9 @@ FormatQuirks quirksOf(const std::string& importer) {
         q.cameraAtNode = q.fovTimesAspect = q.framedAspect = q.metresAndYUp = true;
     }
     if (is("Stereolithography")) q.facetNormals = true;
-    if (is("Collada")) q.oneSpotAngle = q.mapReplacesDiffuse = q.framedAspect = q.metresAndYUp = true;
+    if (is("Collada"))
+        q.oneSpotAngle = q.mapReplacesDiffuse = q.framedAspect = q.metresAndYUp = q.indexByHabit = true;
+    if (is("Collada")) q.gouraudIsMatte = true;
     if (is("FBX")) q.mapReplacesDiffuse = q.ownAxes = true;
     if (is("3DS")) q.lightsInRoot = true;
     if (is("ASE")) q.cameraBackwards = true;

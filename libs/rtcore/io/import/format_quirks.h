@@ -19,6 +19,8 @@ struct FormatQuirks {
     bool metresAndYUp = false;        ///< by the format, or made so by Assimp from what the file says
     bool ownAxes = false;             ///< up axis and unit stand in the file; Assimp leaves both as they are
     bool mapReplacesDiffuse = false;  ///< a diffuse image stands in place of the diffuse colour
+    bool indexByHabit = false;        ///< exporters write an index of refraction for every material
+    bool gouraudIsMatte = false;      ///< shading model Gouraud stands for lambert, which has no highlight
     bool mapScalesEmission = false;   ///< a diffuse image multiplies the emission, too
 };
 

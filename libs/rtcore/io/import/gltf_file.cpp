@@ -8,6 +8,7 @@
 #include <array>
 #include <cstring>
 #include <string_view>
+#include <utility>
 
 namespace rtcore {
 
@@ -49,13 +50,51 @@ std::uint64_t trianglesOf(const Json& primitive, const Json& accessors) {
     return (mode == 5 || mode == 6) && count > 2 ? count - 2 : 0; // strip, fan
 }
 
+/// Of the nodes that the shown scene reaches; each once.
+std::set<std::size_t> shownMeshes(const Json& root) {
+    const Json &scenes = member(root, "scenes"), &nodes = member(root, "nodes");
+    const auto shown = root.value("scene", std::size_t{0});
+    std::set<std::size_t> meshes, visited;
+    std::vector<std::size_t> open;
+    const auto addAll = [&](const Json& numbers) {
+        for (const Json& number : numbers) open.push_back(number.get<std::size_t>());
+    };
+    if (shown < scenes.size()) addAll(member(scenes[shown], "nodes"));
+    while (!open.empty()) {
+        const std::size_t number = open.back();
+        open.pop_back();
+        if (number >= nodes.size() || !visited.insert(number).second) continue;
+        const Json& mesh = member(nodes[number], "mesh");
+        if (!mesh.is_null()) meshes.insert(mesh.get<std::size_t>());
+        addAll(member(nodes[number], "children"));
+    }
+    return meshes;
+}
+
+/// Without those that no node of the scene shows: they are not read.
 std::uint64_t declaredTriangles(const Json& root) {
     std::uint64_t triangles = 0;
-    for (const Json& mesh : member(root, "meshes")) {
-        for (const Json& primitive : mesh.at("primitives"))
+    for (const std::size_t mesh : shownMeshes(root)) {
+        for (const Json& primitive : member(root, "meshes").at(mesh).at("primitives"))
             triangles += trianglesOf(primitive, member(root, "accessors"));
     }
     return triangles;
+}
+
+/// Without those numbers of vertices of which some colours have an alpha and some have none.
+std::set<std::uint64_t> countsOfColoursWithAlpha(const Json& root) {
+    std::set<std::uint64_t> with, without;
+    const Json& accessors = member(root, "accessors");
+    for (const Json& mesh : member(root, "meshes")) {
+        for (const Json& primitive : mesh.at("primitives")) {
+            const Json& colour = member(primitive.at("attributes"), "COLOR_0");
+            if (colour.is_null()) continue;
+            const bool alpha = accessors.at(colour.get<std::size_t>()).value("type", "") == "VEC4";
+            (alpha ? with : without).insert(countOf(accessors, colour));
+        }
+    }
+    for (const std::uint64_t count : without) with.erase(count);
+    return with;
 }
 
 std::vector<std::string> missingBuffersOf(const Json& root, const std::filesystem::path& folder) {
@@ -78,8 +117,8 @@ std::vector<float> emissiveStrengthsOf(const Json& root) {
     return strengths;
 }
 
-std::vector<std::string> ignoredExtensionsOf(const Json& root) {
-    // Those behind the compression do not change what is seen.
+/// Those behind the compression do not change what is seen.
+bool isKnown(const std::string& extension) {
     static constexpr std::array kKnown{"KHR_lights_punctual",
                                        "KHR_materials_emissive_strength",
                                        "KHR_materials_ior",
@@ -95,15 +134,42 @@ std::vector<std::string> ignoredExtensionsOf(const Json& root) {
                                        "KHR_xmp",
                                        "KHR_xmp_json_ld",
                                        "KHR_techniques_webgl"};
-    std::vector<std::string> ignored;
-    for (const Json& name : member(root, "extensionsUsed")) {
+    return std::find(kKnown.begin(), kKnown.end(), extension) != kKnown.end();
+}
+
+std::vector<std::string> unknownIn(const Json& extensions) {
+    std::vector<std::string> unknown;
+    for (const Json& name : extensions) {
         const auto extension = name.get<std::string>();
-        if (std::find(kKnown.begin(), kKnown.end(), extension) == kKnown.end()) ignored.push_back(extension);
+        if (!isKnown(extension)) unknown.push_back(extension);
     }
-    return ignored;
+    return unknown;
+}
+
+/// What materials require is left out like what they only use: the rest of the model is as it should be.
+std::vector<std::string> unreadRequirementsOf(const Json& root) {
+    std::vector<std::string> unread = unknownIn(member(root, "extensionsRequired"));
+    std::erase_if(unread, [](const std::string& name) { return name.starts_with("KHR_materials_"); });
+    return unread;
 }
 
 } // namespace
+
+std::string remedyFor(const std::string& extension) {
+    using Row = std::pair<std::string_view, std::string_view>;
+    static constexpr std::array kRemedies{
+        Row{"KHR_mesh_quantization", "export without it (gltfpack -noq, without -c and -cc)"},
+        Row{"EXT_meshopt_compression", "export without it (gltfpack without -c and -cc)"},
+        Row{"KHR_meshopt_compression", "export without it (gltfpack without -c and -cc)"},
+        Row{"KHR_texture_basisu", "export with images of PNG or JPEG (gltfpack without -tc and -tu)"},
+        Row{"EXT_texture_webp", "export with images of PNG or JPEG (gltfpack without -tw)"},
+        Row{"EXT_texture_avif", "export with images of PNG or JPEG"},
+        Row{"MSFT_texture_dds", "export with images of PNG or JPEG"},
+        Row{"EXT_mesh_gpu_instancing", "export with a node for each instance (gltfpack without -mi)"}};
+    for (const auto& [name, remedy] : kRemedies)
+        if (extension == name) return std::string(remedy);
+    return "export without it";
+}
 
 std::optional<GltfFile> readGltfFile(const std::filesystem::path& path) {
     const FileBytes file = openFileBytes(path);
@@ -112,9 +178,13 @@ std::optional<GltfFile> readGltfFile(const std::filesystem::path& path) {
     try {
         const Json root = Json::parse(text);
         if (member(member(root, "asset"), "version").get<std::string>().substr(0, 1) != "2") return {};
-        return GltfFile{missingBuffersOf(root, path.parent_path()), emissiveStrengthsOf(root),
-                        ignoredExtensionsOf(root), member(root, "asset").value("generator", ""),
-                        declaredTriangles(root)};
+        return GltfFile{missingBuffersOf(root, path.parent_path()),
+                        emissiveStrengthsOf(root),
+                        unknownIn(member(root, "extensionsUsed")),
+                        unreadRequirementsOf(root),
+                        member(root, "asset").value("generator", ""),
+                        declaredTriangles(root),
+                        countsOfColoursWithAlpha(root)};
     } catch (const Json::exception&) {
         return {};
     }

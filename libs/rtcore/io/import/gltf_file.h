@@ -4,18 +4,26 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace rtcore {
 
 struct GltfFile {
-    std::vector<std::string> missingBuffers;    ///< files that it names and that are not there
-    std::vector<float> emissiveStrengths;       ///< by material; KHR_materials_emissive_strength
-    std::vector<std::string> ignoredExtensions; ///< that it uses, and that change what is seen
-    std::string generator;                      ///< the program that wrote it; may be ""
-    std::uint64_t triangles = 0;                ///< of all meshes, as their primitives declare them
+    std::vector<std::string> missingBuffers;     ///< files that it names and that are not there
+    std::vector<float> emissiveStrengths;        ///< by material; KHR_materials_emissive_strength
+    std::vector<std::string> ignoredExtensions;  ///< that it uses, and that change what is seen
+    std::vector<std::string> unreadRequirements; ///< extensions without which it cannot be read
+    std::string generator;                       ///< the program that wrote it; may be ""
+    std::uint64_t triangles =
+        0; ///< of the meshes of the scene that is shown, as their primitives declare them
+    /// Numbers of vertices; colours of primitives with so many have an alpha.
+    std::set<std::uint64_t> countsWithAlpha;
 };
+
+/// What to do about such an extension, as the end of a sentence.
+std::string remedyFor(const std::string& extension);
 
 /// Nothing when it is no glTF 2 (.gltf or .glb, by content), or its JSON is damaged.
 std::optional<GltfFile> readGltfFile(const std::filesystem::path& path);

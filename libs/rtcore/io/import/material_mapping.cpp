@@ -21,31 +21,42 @@ void makeVeil(Material& m, float opacity) {
     m.indexOfRefraction = 1;
 }
 
+/// Where there is something that it can multiply.
+void setSpecularMap(const SourceMaterial& s, Material& m, TextureStore& textures) {
+    if (!isBlack(m.specular) || !isBlack(m.mirror)) m.specularTexture = textures.texture(s.specularMap);
+}
+
 void makeGlass(Material& m, float opacity, float refraction) {
     m.opacity = opacity;
     m.indexOfRefraction = bounded(refraction, 1, 5, 1.5F);
 }
 
-void mapClassic(const SourceMaterial& s, Material& m) {
+void mapClassic(const SourceMaterial& s, Material& m, TextureStore& textures) {
     // Without an exponent there is no highlight: many formats default to a white one.
     if (s.shininess >= 1) {
         m.specular = unit(unit(s.specular) * bounded(s.specularStrength, 0, 1, 1));
         m.shininess = bounded(s.shininess, 1, 100000, 1);
     }
     m.mirror = unit(unit(s.reflective) * unit(s.reflectivity));
+    setSpecularMap(s, m, textures);
     const float opacity = unit(s.opacity, 1);
-    if (opacity < 1) makeGlass(m, opacity, std::max(s.refraction, 1.0F));
+    if (opacity >= 1) return;
+    // What only covers would not be seen at all where it covers nothing.
+    const bool bends = !s.indexByHabit || opacity == 0;
+    makeGlass(m, opacity, bends ? std::max(s.refraction, 1.0F) : 1.0F);
 }
+
+bool isGlassModel(int illumination) { return illumination == 4 || illumination == 6 || illumination == 7; }
 
 /// MTL's illum: 0 constant, 1 Lambert, 2 highlight, 3 mirror, 4 glass, 5 Fresnel mirror, 6 glass, 7 Fresnel
 /// glass, 8 and 9 as 3 and 4 without rays, so plain.
-void mapWavefront(const SourceMaterial& s, Material& m) {
+void mapWavefront(const SourceMaterial& s, Material& m, TextureStore& textures) {
     if (s.illumination >= 2 && s.shininess > 0) {
         m.specular = unit(s.specular);
         m.shininess = bounded(s.shininess, 1, 1000, 1);
     }
     // Opacity 0 with an opaque illumination model is Tr written the wrong way round ("d 1, Tr 1").
-    const bool glassModel = s.illumination == 4 || s.illumination == 6 || s.illumination == 7;
+    const bool glassModel = isGlassModel(s.illumination);
     float opacity = unit(s.opacity, 1);
     if (opacity == 0 && !glassModel) opacity = 1;
     // Maya writes illum 4 and Ni 1 for everything.
@@ -62,20 +73,20 @@ void mapWavefront(const SourceMaterial& s, Material& m) {
         m.mirror = unit(s.specular);
         m.fresnel = s.illumination == 5 || s.illumination == 7 ? 1 : 0;
     }
+    setSpecularMap(s, m, textures);
 }
 
-void mapTransparency(const SourceMaterial& s, Material& m, float roughness, Colour base) {
+/// glTF's alpha says how much the surface covers; what is beside it passes as if nothing were there, however
+/// smooth the surface is.
+void mapTransparency(const SourceMaterial& s, Material& m, Colour base) {
     const float alpha = s.alphaMode == AlphaMode::Blend ? unit(s.opacity, 1) : 1;
     const float passing = unit(s.transmissionFactor) * (1 - unit(s.metallic));
     if (passing > 0) {
-        makeGlass(m, alpha * (1 - passing), s.refraction > 1 ? s.refraction : 1.5F);
+        makeGlass(m, alpha * (1 - passing), s.refraction >= 1 ? s.refraction : 1.5F);
         m.transmission = unit(base) * unit(s.transmission);
         m.attenuationDistance = bounded(s.attenuationDistance, 0, 1e16F, 0);
-    } else if (alpha < 1 && roughness < 0.3F && s.diffuseMap.empty()) {
-        // Blended, smooth and plain: car windows and bottles from before there was
-        // KHR_materials_transmission.
-        makeGlass(m, alpha, s.refraction > 1 ? s.refraction : 1.5F);
-        m.transmission = unit(base);
+    } else if (alpha < 1 && isGlassModel(s.illumination)) {
+        makeGlass(m, alpha, s.refraction);
     } else if (alpha < 1) {
         makeVeil(m, alpha);
     }
@@ -83,11 +94,19 @@ void mapTransparency(const SourceMaterial& s, Material& m, float roughness, Colo
     if (hole && s.diffuseMap.empty()) makeVeil(m, 0);
 }
 
+/// What covers a part of what is behind it emits from that part alone.
+void coverEmission(const SourceMaterial& s, Material& m) {
+    const bool covers = s.unlit || s.rules == MaterialRules::MetallicRoughness ||
+                        s.rules == MaterialRules::SpecularGlossiness;
+    if (covers && m.opacity < 1 && isVeil(m)) m.emission = m.emission * m.opacity;
+}
+
 void mapMetallicRoughness(const SourceMaterial& s, Material& m, TextureStore& textures) {
     m.metallicRoughnessTexture = textures.texture(s.metallicRoughnessMap);
     setMetallicRoughness(m, m.diffuse, unit(s.metallic), unit(s.roughness, 1));
-    const auto map = textures.summary(s.metallicRoughnessMap);
-    mapTransparency(s, m, m.roughness * (map ? map->meanChannel[1] : 1), m.diffuse);
+    m.specular = kWhite * unit(s.reflectance);
+    mapTransparency(s, m, m.diffuse);
+    if (unit(s.transmissionFactor) > 0) m.transmissionTexture = textures.texture(s.transmissionMap);
 }
 
 void mapSpecularGlossiness(const SourceMaterial& s, Material& m, TextureStore& textures) {
@@ -99,7 +118,7 @@ void mapSpecularGlossiness(const SourceMaterial& s, Material& m, TextureStore& t
     }
     setMetallicRoughness(m, m.diffuse, 0, 1 - glossiness);
     m.specular = f0;
-    mapTransparency(s, m, m.roughness, m.diffuse);
+    mapTransparency(s, m, m.diffuse);
 }
 
 /// Black, or the grey that Assimp gives where a file says nothing: an image is meant to be seen.
@@ -108,6 +127,12 @@ bool diffuseIsUnset(Colour c) { return isBlack(c) || c == Colour{0.6F, 0.6F, 0.6
 void setPictures(const SourceMaterial& s, Material& m, TextureStore& textures) {
     m.diffuseTexture = textures.texture(s.diffuseMap);
     m.normalTexture = textures.texture(s.normalMap);
+    m.normalScale = bounded(s.normalScale, -1e6F, 1e6F, 1);
+    if (m.normalTexture == kNoTexture && !s.heightMap.empty()) {
+        const Relief relief = textures.relief(s.heightMap, bounded(s.heightScale, -1e6F, 1e6F, 1));
+        m.normalTexture = relief.texture;
+        m.normalScale = relief.scale;
+    }
     m.emissionTexture = textures.texture(s.emissionMap);
     const bool inDiffuse = s.alphaInDiffuseMap && s.alphaMap.empty();
     const SourceMap& alphaMap = inDiffuse ? s.diffuseMap : s.alphaMap;
@@ -116,8 +141,12 @@ void setPictures(const SourceMaterial& s, Material& m, TextureStore& textures) {
     if (!summary || !(inDiffuse ? summary->transparent : summary->transparent || summary->dark)) return;
     m.alphaTexture = textures.texture(alphaMap);
     m.alphaFromAlpha = summary->transparent ? 1 : 0;
-    if (s.alphaMode != AlphaMode::Mask) return;
-    // The cutoff is for texel times factor.
+}
+
+/// Of what varies over the surface.
+void setCutoff(const SourceMaterial& s, Material& m) {
+    if (s.alphaMode != AlphaMode::Mask || !hasHoles(m)) return;
+    // The cutoff is for what varies times the factor.
     const float factor = std::max(unit(s.opacity, 1), 1e-3F);
     m.alphaCutoff = std::clamp(unit(s.alphaCutoff, 0.5F) / factor, 1e-3F, 1.0F);
 }
@@ -129,7 +158,8 @@ void makeUnlit(Material& m, Colour colour) {
     m.fresnel = 0;
     m.roughness = kNoRoughness;
     m.metallic = 0;
-    m.metallicRoughnessTexture = kNoTexture;
+    m.metallicRoughnessTexture = m.specularTexture = kNoTexture;
+    m.tintsEmission = 1;
 }
 
 } // namespace
@@ -140,6 +170,8 @@ Material mapMaterial(const SourceMaterial& source, TextureStore& textures) {
     const auto light = [](float v) { return bounded(v, 0, 1e16F, 0); };
     m.emission = {light(source.emission.r), light(source.emission.g), light(source.emission.b)};
     setPictures(source, m, textures);
+    m.vertexAlpha = source.vertexAlpha && source.alphaMode != AlphaMode::Opaque ? 1 : 0;
+    setCutoff(source, m);
     const bool pbr =
         source.rules == MaterialRules::MetallicRoughness || source.rules == MaterialRules::SpecularGlossiness;
     const bool unset = source.mapReplacesDiffuse || (!pbr && diffuseIsUnset(m.diffuse));
@@ -150,10 +182,10 @@ Material mapMaterial(const SourceMaterial& source, TextureStore& textures) {
     const Colour colour = m.diffuse;
     switch (source.rules) {
     case MaterialRules::Classic:
-        mapClassic(source, m);
+        mapClassic(source, m, textures);
         break;
     case MaterialRules::Wavefront:
-        mapWavefront(source, m);
+        mapWavefront(source, m, textures);
         break;
     case MaterialRules::MetallicRoughness:
         mapMetallicRoughness(source, m, textures);
@@ -163,6 +195,10 @@ Material mapMaterial(const SourceMaterial& source, TextureStore& textures) {
         break;
     }
     if (source.unlit) makeUnlit(m, colour);
+    coverEmission(source, m);
+    const bool glass = m.opacity < 1 && !isVeil(m);
+    if (source.frontOnly && source.alphaMode == AlphaMode::Blend && isTransparent(m) && !glass)
+        m.frontOnly = 1;
     conserveEnergy(m);
     return m;
 }

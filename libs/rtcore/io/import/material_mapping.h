@@ -2,7 +2,7 @@
 #pragma once
 
 #include "rtcore/io/import/texture_store.h"
-#include "rtcore/scene/material.h"
+#include "rtcore/scene/metallic_roughness.h"
 
 #include <string>
 
@@ -33,12 +33,21 @@ struct SourceMaterial {
     int illumination = 2; ///< MTL's illum
     float metallic = 0, roughness = 1;
     float glossiness = 1;
-    float transmissionFactor = 0;  ///< KHR_materials_transmission
-    float attenuationDistance = 0; ///< KHR_materials_volume; 0 = none
+    float transmissionFactor = 0;               ///< KHR_materials_transmission
+    float attenuationDistance = 0;              ///< KHR_materials_volume; 0 = none
+    float reflectance = kDielectricReflectance; ///< straight on, of what is no metal; MetallicRoughness
     AlphaMode alphaMode = AlphaMode::Opaque;
     float alphaCutoff = 0.5F;
+    bool vertexAlpha = false;  ///< alphas of vertices multiply the opacity
+    bool frontOnly = false;    ///< its back faces are culled
+    bool indexByHabit = false; ///< `refraction` stands in every material, whether it is meant or not
 
     SourceMap diffuseMap, alphaMap, normalMap, emissionMap;
+    float normalScale = 1; ///< how far the normal map leans
+    SourceMap heightMap;   ///< in place of a normal map
+    float heightScale = 1;
+    SourceMap specularMap;           ///< multiplies `specular`; Classic and Wavefront
+    SourceMap transmissionMap;       ///< red multiplies `transmissionFactor`
     SourceMap metallicRoughnessMap;  ///< roughness in green, metal in blue
     SourceMap specularGlossinessMap; ///< glossiness in alpha; only its mean is used
     bool alphaInDiffuseMap = false;

@@ -23,9 +23,9 @@ constexpr std::size_t kMostTriangles = std::size_t{1} << 30;
 constexpr std::size_t kFewTriangles = 20'000;
 /// Triangles that are only copied.
 constexpr std::size_t kManyTriangles = 1'000'000;
-/// A mesh without normals, texture coordinates and colours.
+/// A mesh without normals, texture coordinates, colours and alphas.
 bool isPlain(const SourceMesh& mesh) {
-    return mesh.normals.empty() && mesh.texcoords.empty() && mesh.colours.empty();
+    return mesh.normals.empty() && mesh.texcoords.empty() && mesh.colours.empty() && mesh.alphas.empty();
 }
 
 /// In double, where differences and products of floats keep nearly all of their bits.
@@ -46,6 +46,8 @@ Colour finiteOrWhite(Colour c) {
     const auto clamped = [](float v) { return std::clamp(v, 0.0F, 1.0F) + 0.0F; };
     return {clamped(c.r), clamped(c.g), clamped(c.b)};
 }
+
+float finiteOrOne(float alpha) { return std::isfinite(alpha) ? std::clamp(alpha, 0.0F, 1.0F) + 0.0F : 1; }
 
 } // namespace
 
@@ -99,11 +101,12 @@ std::uint32_t MeshAssembler::vertexAt(Vec3 p) {
     return static_cast<std::uint32_t>(out_.vertices.size() - 1);
 }
 
-std::uint32_t MeshAssembler::appendEntry(std::uint32_t vertex, Vec3 normal, Vec2 texcoord, Colour colour) {
+std::uint32_t MeshAssembler::appendEntry(std::uint32_t vertex, const Attributes& of) {
     vertexOfEntry_.push_back(vertex);
-    out_.normals.push_back(normal);
-    if (hasTexcoords_) out_.texcoords.push_back(texcoord);
-    if (hasColours_) out_.colours.push_back(colour);
+    out_.normals.push_back(of.normal);
+    if (hasTexcoords_) out_.texcoords.push_back(of.texcoord);
+    if (hasColours_) out_.colours.push_back(of.colour);
+    if (hasAlphas_) out_.alphas.push_back(of.alpha);
     return static_cast<std::uint32_t>(out_.normals.size() - 1);
 }
 
@@ -111,24 +114,26 @@ std::uint32_t MeshAssembler::appendEntry(std::uint32_t vertex, Vec3 normal, Vec2
 std::uint32_t MeshAssembler::plainEntryFor(std::uint32_t vertex) {
     if (plainEntry_.size() <= vertex) plainEntry_.resize(out_.vertices.capacity(), IndexTable::kNone);
     std::uint32_t& entry = plainEntry_[vertex];
-    if (entry == IndexTable::kNone) entry = appendEntry(vertex, {}, {}, kWhite);
+    if (entry == IndexTable::kNone) entry = appendEntry(vertex, {});
     return entry;
 }
 
-std::uint32_t MeshAssembler::entryFor(std::uint32_t vertex, Vec3 normal, Vec2 texcoord, Colour colour) {
+std::uint32_t MeshAssembler::entryFor(std::uint32_t vertex, const Attributes& of) {
+    const auto& [normal, texcoord, colour, alpha] = of;
     std::uint64_t hash =
         mixedHash(mixedHash(vertex, bitsOfPair(normal.x, normal.y)), bitsOfPair(normal.z, texcoord.x));
-    hash = finishedHash(
-        mixedHash(mixedHash(hash, bitsOfPair(texcoord.y, colour.r)), bitsOfPair(colour.g, colour.b)));
+    hash = mixedHash(mixedHash(hash, bitsOfPair(texcoord.y, colour.r)), bitsOfPair(colour.g, colour.b));
+    if (hasAlphas_) hash = mixedHash(hash, bitsOfPair(alpha, 0));
+    hash = finishedHash(hash);
     const std::uint32_t known = entries_.find(hash, [&](std::uint32_t number) {
         const std::uint32_t i = hashedEntries_[number];
         return vertexOfEntry_[i] == vertex && out_.normals[i] == normal &&
                (!hasTexcoords_ || out_.texcoords[i] == texcoord) &&
-               (!hasColours_ || out_.colours[i] == colour);
+               (!hasColours_ || out_.colours[i] == colour) && (!hasAlphas_ || out_.alphas[i] == alpha);
     });
     if (known != IndexTable::kNone) return hashedEntries_[known];
     entries_.insert(hash, static_cast<std::uint32_t>(hashedEntries_.size()));
-    hashedEntries_.push_back(appendEntry(vertex, normal, texcoord, colour));
+    hashedEntries_.push_back(appendEntry(vertex, of));
     return hashedEntries_.back();
 }
 
@@ -211,9 +216,10 @@ std::uint32_t MeshAssembler::entryOfCorner(const SourceMesh& mesh, std::uint32_t
     std::uint32_t& entry = localEntry_[corner];
     if (entry != IndexTable::kNone) return entry;
     if (isPlain(mesh)) return entry = plainEntryFor(vertex);
-    return entry = entryFor(vertex, mesh.normals.empty() ? Vec3{} : normalize(mesh.normals[corner]),
-                            mesh.texcoords.empty() ? Vec2{} : finiteOrZero(mesh.texcoords[corner]),
-                            mesh.colours.empty() ? kWhite : finiteOrWhite(mesh.colours[corner]));
+    return entry = entryFor(vertex, {mesh.normals.empty() ? Vec3{} : normalize(mesh.normals[corner]),
+                                     mesh.texcoords.empty() ? Vec2{} : finiteOrZero(mesh.texcoords[corner]),
+                                     mesh.colours.empty() ? kWhite : finiteOrWhite(mesh.colours[corner]),
+                                     mesh.alphas.empty() ? 1 : finiteOrOne(mesh.alphas[corner])});
 }
 
 /// Those of vertices, so that others can follow.
@@ -226,7 +232,7 @@ void MeshAssembler::makeEntries() {
     entriesAreVertices_ = false;
 }
 
-/// The first mesh with texture coordinates or colours gives them to all that came before.
+/// The first mesh with texture coordinates, colours or alphas gives them to all that came before.
 void MeshAssembler::widen(const SourceMesh& mesh) {
     if (!mesh.texcoords.empty() && !hasTexcoords_) {
         hasTexcoords_ = true;
@@ -235,6 +241,10 @@ void MeshAssembler::widen(const SourceMesh& mesh) {
     if (!mesh.colours.empty() && !hasColours_) {
         hasColours_ = true;
         out_.colours.resize(out_.normals.size(), kWhite);
+    }
+    if (!mesh.alphas.empty() && !hasAlphas_) {
+        hasAlphas_ = true;
+        out_.alphas.resize(out_.normals.size(), 1);
     }
 }
 
@@ -276,6 +286,7 @@ void MeshAssembler::finish(ModelBuffers& model, float creaseAngle) {
     model.normals = std::move(out_.normals);
     model.texcoords = std::move(out_.texcoords);
     model.colours = std::move(out_.colours);
+    model.alphas = std::move(out_.alphas);
     vertexOfEntry_ = hashedEntries_ = plainEntry_ = {};
     firstOfEqual_ = localVertex_ = localEntry_ = {};
     vertices_ = entries_ = {};

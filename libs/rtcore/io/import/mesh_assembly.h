@@ -13,10 +13,11 @@ namespace rtcore {
 /// One mesh where it stands in the scene. All spans but `positions` and `triangles` may be empty, else they
 /// are as long as `positions`.
 struct SourceMesh {
-    std::span<const Vec3> positions = {};     ///< any floats
-    std::span<const Vec3> normals = {};       ///< any length; zero or not finite = to be computed
-    std::span<const Vec2> texcoords = {};     ///< (0, 0) = lower left of the image
-    std::span<const Colour> colours = {};     ///< linear
+    std::span<const Vec3> positions = {}; ///< any floats
+    std::span<const Vec3> normals = {};   ///< any length; zero or not finite = to be computed
+    std::span<const Vec2> texcoords = {}; ///< (0, 0) = lower left of the image
+    std::span<const Colour> colours = {}; ///< linear
+    std::span<const float> alphas = {};
     std::span<const Triangle> triangles = {}; ///< indices below positions.size(); the caller has checked
     std::uint32_t material = 0;
 };
@@ -53,8 +54,9 @@ class IndexTable {
 
 /// Welds vertices whose positions are equal (what is nearer to 0 than 1e-30 is 0), so that neighbours share
 /// them; keeps the order of triangles; drops and counts triangles without area and those with a coordinate
-/// that is no number or beyond 1e12. Entries of normals, texture coordinates and colours are shared where all
-/// of them are equal. By the threads of OpenMP for large meshes; the result does not depend on them.
+/// that is no number or beyond 1e12. Entries of normals, texture coordinates, colours and alphas are shared
+/// where all of them are equal. By the threads of OpenMP for large meshes; the result does not depend on
+/// them.
 class MeshAssembler {
   public:
     void reserve(std::size_t vertices, std::size_t triangles);
@@ -70,6 +72,13 @@ class MeshAssembler {
 
   private:
     enum class Use : std::uint8_t { Good, NonFinite, WithoutArea };
+    /// Of a corner.
+    struct Attributes {
+        Vec3 normal;
+        Vec2 texcoord;
+        Colour colour = kWhite;
+        float alpha = 1;
+    };
     std::vector<Use> measure(const SourceMesh& mesh);
     void addFirst(const SourceMesh& mesh, const std::vector<Use>& uses);
     void addFurther(const SourceMesh& mesh, const std::vector<Use>& uses);
@@ -78,8 +87,8 @@ class MeshAssembler {
     std::uint32_t vertexAt(Vec3 p);
     void tabulateVertices();
     std::uint32_t plainEntryFor(std::uint32_t vertex);
-    std::uint32_t appendEntry(std::uint32_t vertex, Vec3 normal, Vec2 texcoord, Colour colour);
-    std::uint32_t entryFor(std::uint32_t vertex, Vec3 normal, Vec2 texcoord, Colour colour);
+    std::uint32_t appendEntry(std::uint32_t vertex, const Attributes& attributes);
+    std::uint32_t entryFor(std::uint32_t vertex, const Attributes& attributes);
     std::uint32_t entryOfCorner(const SourceMesh& mesh, std::uint32_t corner, std::uint32_t vertex);
     void widen(const SourceMesh& mesh);
     void makeEntries();
@@ -94,7 +103,7 @@ class MeshAssembler {
     /// Of the mesh being added, by its own vertices; those of the model are kNone until a triangle needs
     /// them.
     std::vector<std::uint32_t> firstOfEqual_, localVertex_, localEntry_;
-    bool hasTexcoords_ = false, hasColours_ = false;
+    bool hasTexcoords_ = false, hasColours_ = false, hasAlphas_ = false;
     Box3 bounds_;
     std::uint64_t degenerate_ = 0, nonFinite_ = 0;
 };

@@ -21,8 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kGigabyte = 1'000'000'000;
 const std::string kRemedy =
-    "; the file is damaged or Assimp cannot read it: open it in the program that wrote it and "
-    "export it again, as glTF or OBJ for example";
+    "; open it in the program that wrote it and export it again, as glTF or OBJ for example";
 
 /// Says at once what no importer needs to be asked about.
 void refuseNoModel(const fs::path& path) {
@@ -58,7 +57,7 @@ std::string lastLine(std::string text) {
     throw FileError(kind, path.string(), message);
 }
 
-const std::string kRaise = " limit when the model is that large, else the file is damaged: export it again";
+const std::string kRaise = " limit when the model is that large, else simplify it or export it again";
 
 [[noreturn]] void refuseForMemory(const fs::path& path, const ProcessLimits& limits) {
     refuse(path,

@@ -74,7 +74,7 @@ void addMaterial(const char* name, const std::filesystem::path& path, const File
 }
 
 SourceMesh viewOf(const ScanMesh& mesh) {
-    return {mesh.positions, mesh.normals, mesh.texcoords, mesh.colours, mesh.triangles};
+    return {mesh.positions, mesh.normals, mesh.texcoords, mesh.colours, {}, mesh.triangles};
 }
 
 } // namespace

@@ -1,9 +1,12 @@
 #include "rtcore/io/import/texture_store.h"
 
 #include "rtcore/io/images/image_file.h"
+#include "rtcore/io/import/relief.h"
 #include "rtcore/io/import/texture_files.h"
 #include "rtcore/platform/error.h"
 #include "rtcore/platform/paths.h"
+
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <utility>
@@ -18,7 +21,7 @@ TextureStore::TextureStore(ModelBuffers& model, ImportReport& report, std::files
 std::uint32_t TextureStore::texture(const SourceMap& map) {
     if (map.empty()) return kNoTexture;
     Picture& picture = lookUp(map.name, true);
-    return picture.stored.width == 0 ? kNoTexture : wrapped(picture, map.wrapU, map.wrapV);
+    return picture.stored.width == 0 ? kNoTexture : used(picture, map);
 }
 
 std::optional<ImageSummary> TextureStore::summary(const SourceMap& map) {
@@ -42,17 +45,41 @@ TextureStore::Picture& TextureStore::lookUp(const std::string& name, bool keep) 
     const std::string& key = keyOf(name);
     Picture& picture = pictures_[key];
     const bool complete = picture.summary && (!keep || picture.stored.width != 0);
-    if (key.empty() || picture.unreadable || complete) return picture;
-    if (lastKey_ != key) {
-        auto image = read(name, key);
-        picture.unreadable = !image;
-        if (!image) return picture;
-        last_ = std::move(*image);
-        lastKey_ = key;
-    }
+    if (key.empty() || complete || !load(name, key, picture)) return picture;
     if (!picture.summary) picture.summary = summarise(last_.pixels);
     if (keep) append(last_, picture);
     return picture;
+}
+
+/// Makes it the image read last.
+bool TextureStore::load(const std::string& name, const std::string& key, Picture& picture) {
+    if (picture.unreadable) return false;
+    if (lastKey_ == key) return true;
+    auto image = read(name, key);
+    picture.unreadable = !image;
+    if (!image) return false;
+    last_ = std::move(*image);
+    lastKey_ = key;
+    return true;
+}
+
+Relief TextureStore::relief(const SourceMap& map, float scale) {
+    if (!summary(map)) return {};
+    const std::string key = keyOf(map.name);
+    const std::string use =
+        fmt::format("{} {} {} {}", static_cast<int>(map.wrapU), static_cast<int>(map.wrapV), scale, key);
+    KnownRelief& known = reliefs_[use];
+    if (known.picture.stored.width == 0 && !known.isNormals) {
+        if (!load(map.name, key, pictures_[key])) return {};
+        known.isNormals = holdsNormals(last_);
+        if (!known.isNormals) {
+            const NormalImage normals = normalsOfHeights(last_, {map.wrapU, map.wrapV, scale});
+            append(normals.image, known.picture);
+            known.scale = normals.scale;
+        }
+    }
+    if (known.isNormals) return {texture(map), scale};
+    return {used(known.picture, map), known.scale};
 }
 
 std::optional<LdrImage> TextureStore::read(const std::string& name, const std::string& key) {
@@ -76,10 +103,11 @@ void TextureStore::append(const LdrImage& image, Picture& picture) {
     model_.texels.insert(model_.texels.end(), image.pixels.begin(), image.pixels.end());
 }
 
-std::uint32_t TextureStore::wrapped(Picture& picture, TextureWrap u, TextureWrap v) {
+std::uint32_t TextureStore::used(Picture& picture, const SourceMap& map) {
     Texture texture = picture.stored;
-    texture.wrapU = u;
-    texture.wrapV = v;
+    texture.wrapU = map.wrapU;
+    texture.wrapV = map.wrapV;
+    texture.filter = map.filter;
     for (const std::uint32_t number : picture.textures) {
         if (model_.textures[number] == texture) return number;
     }

@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rtcore {
@@ -18,8 +19,15 @@ namespace rtcore {
 struct SourceMap {
     std::string name; ///< as it stands in the file; "" = none
     TextureWrap wrapU = TextureWrap::Repeat, wrapV = TextureWrap::Repeat;
+    TextureFilter filter = TextureFilter::Linear;
 
     bool empty() const { return name.empty(); }
+};
+
+/// A normal map, and the factor on how far it leans (Material::normalScale).
+struct Relief {
+    std::uint32_t texture = kNoTexture;
+    float scale = 1;
 };
 
 /// The images inside a model's file.
@@ -41,9 +49,13 @@ class TextureStore {
     TextureStore(ModelBuffers& model, ImportReport& report, std::filesystem::path folder,
                  const EmbeddedPictures& embedded, std::function<void()> alive);
 
-    /// The number of the texture, or kNoTexture when there is no such image. One image that wraps in
-    /// several ways is several textures, whose texels are stored once.
+    /// The number of the texture, or kNoTexture when there is no such image. One image that wraps or is
+    /// filtered in several ways is several textures, whose texels are stored once.
     std::uint32_t texture(const SourceMap& map);
+    /// Of an image of heights, which are multiplied by `scale`: the normals of its relief (relief.h). One
+    /// that holds normals already, as many programs write them in its place, is taken as it stands and leans
+    /// as far as `scale` says.
+    Relief relief(const SourceMap& map, float scale);
     /// Of the image; nothing when it cannot be had. Does not add a texture.
     std::optional<ImageSummary> summary(const SourceMap& map);
     /// Names of images that were asked for and are not there.
@@ -52,15 +64,16 @@ class TextureStore {
   private:
     struct Picture {
         Texture stored;                      ///< where its texels are; of no width before
-        std::vector<std::uint32_t> textures; ///< numbers: one for each way in which it wraps
+        std::vector<std::uint32_t> textures; ///< numbers: one for each way in which it is used
         std::optional<ImageSummary> summary;
         bool unreadable = false;
     };
     Picture& lookUp(const std::string& name, bool keep);
+    bool load(const std::string& name, const std::string& key, Picture& picture);
     const std::string& keyOf(const std::string& name);
     std::optional<LdrImage> read(const std::string& name, const std::string& key);
     void append(const LdrImage& image, Picture& picture);
-    std::uint32_t wrapped(Picture& picture, TextureWrap u, TextureWrap v);
+    std::uint32_t used(Picture& picture, const SourceMap& map);
 
     ModelBuffers& model_;
     ImportReport& report_;
@@ -70,6 +83,12 @@ class TextureStore {
     std::map<std::string, std::string>
         keys_; ///< by name: the path that it means, "<name" inside the file, or ""
     std::map<std::string, Picture> pictures_; ///< by key
+    struct KnownRelief {
+        Picture picture; ///< of normals; without texels where `isNormals`
+        float scale = 1; ///< Relief::scale
+        bool isNormals = false;
+    };
+    std::map<std::string, KnownRelief> reliefs_; ///< by key, how it wraps, and the scale
     LdrImage last_; ///< the image read last: often asked for its summary first, then kept
     std::string lastKey_;
     std::vector<std::string> missing_;

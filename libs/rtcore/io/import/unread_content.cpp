@@ -54,6 +54,19 @@ std::vector<std::string> missingMaterialLibraries(const std::filesystem::path& p
     return names;
 }
 
+std::vector<std::filesystem::path> materialLibraries(const std::filesystem::path& path) {
+    namespace fs = std::filesystem;
+    if (!hasEnding(path, ".obj")) return {};
+    std::vector<fs::path> found;
+    std::error_code error;
+    for (const std::string& name : librariesIn(textOf(openFileBytes(path)))) {
+        fs::path library = path.parent_path() / name;
+        if (!fs::is_regular_file(library, error)) library = fs::path(path).replace_extension(".mtl");
+        if (fs::is_regular_file(library, error)) found.push_back(std::move(library));
+    }
+    return found;
+}
+
 std::vector<std::string> unreadInCollada(const std::filesystem::path& path) {
     if (!hasEnding(path, ".dae")) return {};
     const FileBytes file = openFileBytes(path);

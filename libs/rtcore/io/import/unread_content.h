@@ -11,6 +11,9 @@ namespace rtcore {
 /// beside the model under its own name with .mtl. Nothing when the file is no .obj.
 std::vector<std::string> missingMaterialLibraries(const std::filesystem::path& path);
 
+/// Those that it does find, in the order in which the file names them.
+std::vector<std::filesystem::path> materialLibraries(const std::filesystem::path& path);
+
 /// Sentences about a Collada file (.dae): textures that do not repeat, orthographic cameras. Nothing when the
 /// file is no .dae.
 std::vector<std::string> unreadInCollada(const std::filesystem::path& path);

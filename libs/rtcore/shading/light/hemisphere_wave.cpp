@@ -36,8 +36,9 @@ void HemisphereWave::begin(const MaterialTable& materials, const Rays& rays) {
 Colour HemisphereWave::scattered(const SurfaceWave& surfaces, std::size_t point) const {
     const MaterialRow& row = materials_->rows()[surfaces.material[point]];
     const bool metallic = (surfaces.traits[point] & traits::kMetallic) != 0;
-    const Colour specular =
+    Colour specular =
         metallic ? surfaces.gloss.colourAt(point) : Colour{row.specular[0], row.specular[1], row.specular[2]};
+    if (!metallic && surfaces.tint.x != nullptr) specular *= surfaces.tint.colourAt(point);
     return surfaces.weight.colourAt(point) * (surfaces.diffuse.colourAt(point) * kPi + specular);
 }
 

@@ -37,29 +37,35 @@ HWY_INLINE Stratum<Float> strataOf(const LightStrata* strata, std::size_t i) {
     return {unit(strata->u, strata->du), unit(strata->v, strata->dv), strata->weight, strata->ofAll};
 }
 
+/// k_s of the points from `i` on.
+HWY_INLINE Float3 specularOf(const Rows& ofPoints, const SurfaceWave& s, std::size_t i) {
+    const Float3 specular = ofPoints.get(&MaterialRow::specular);
+    return s.tint.x == nullptr ? specular : specular * loadAt(s.tint, i);
+}
+
 /// Glossy reflectance: k_s times the Phong lobe, zero where there is none.
 template <bool area>
-HWY_INLINE Float3 glossyReflectance(const MaterialRow* rows, const std::uint32_t* material, Mask glossy,
+HWY_INLINE Float3 glossyReflectance(const MaterialRow* rows, const SurfaceWave& s, std::size_t i, Mask glossy,
                                     const LightSample<Float>& arriving, Float3 normal, Float3 toViewer,
                                     Float cosine) {
     const Float3 mirrored = normal * (2.0F * cosine) - arriving.toLight;
     const Float lobe = dot(mirrored, toViewer);
     const Mask seen = glossy & (lobe > 0.0F);
     if (none(seen)) return {};
-    const Rows ofPoints(rows, material, seen);
+    const Rows ofPoints(rows, s.material + i, seen);
     Float shininess = ofPoints.get(&MaterialRow::shininess);
     Float scale = ofPoints.get(&MaterialRow::lobeScale);
     if constexpr (area) widenLobe(arriving.spread, shininess, scale);
     const Float reflected = phongLobe(select(seen, lobe, 1.0F), shininess, scale);
-    return selectOrZero(seen, ofPoints.get(&MaterialRow::specular) * reflected);
+    return selectOrZero(seen, specularOf(ofPoints, s, i) * reflected);
 }
 
 /// Reflectance of the rough lobe; zero where there is none.
-HWY_INLINE Float3 roughReflectance(const MaterialRow* rows, const std::uint32_t* material, Mask rough,
+HWY_INLINE Float3 roughReflectance(const MaterialRow* rows, const SurfaceWave& s, std::size_t i, Mask rough,
                                    Float toLight, Float toViewer) {
-    const Rows ofPoints(rows, material, rough);
+    const Rows ofPoints(rows, s.material + i, rough);
     const Float reflected = roughLobe(toLight, toViewer, ofPoints.get(&MaterialRow::roughScale));
-    return selectOrZero(rough, ofPoints.get(&MaterialRow::specular) * reflected);
+    return selectOrZero(rough, specularOf(ofPoints, s, i) * reflected);
 }
 
 /// Reflectance of the gloss of points of the metallic-roughness model; zero of others.
@@ -107,11 +113,9 @@ HWY_INLINE std::size_t lightAll(const Light& light, const LightStrata* strata, c
         if (any(glossy | rough)) {
             const Float3 toViewer = loadAt(s.toViewer, i);
             if (any(glossy)) {
-                weight +=
-                    glossyReflectance<area>(rows, s.material + i, glossy, arriving, normal, toViewer, cosine);
+                weight += glossyReflectance<area>(rows, s, i, glossy, arriving, normal, toViewer, cosine);
             }
-            if (any(rough))
-                weight += roughReflectance(rows, s.material + i, rough, cosine, dot(normal, toViewer));
+            if (any(rough)) weight += roughReflectance(rows, s, i, rough, cosine, dot(normal, toViewer));
         }
         const Mask metallic = lit & hasTrait(traits, traits::kMetallic);
         if (any(metallic)) weight += metallicReflectance<area>(s, i, metallic, arriving, normal);

@@ -73,9 +73,9 @@ void OcclusionWave::sumHit(const RayWave& rays, std::size_t i) {
     const Ray ray = rays.ray(i);
     const Hit hit = hits_.hit(i);
     const float travelled = current_.travelled[i] + hit.t;
-    const Material& material = scene_->material(scene_->mesh().shading[hit.triangle].material);
-    float solid = coverageAt(*scene_, textures_, hit);
-    if (refractions_) solid *= material.opacity;
+    const bool fromInside = dot(scene_->mesh().geometricNormal(hit.triangle), ray.direction) > 0;
+    float solid = coverageAt(*scene_, textures_, hit, fromInside);
+    if (refractions_) solid *= opacityAt(*scene_, textures_, hit);
     visible += weight * solid * std::min(travelled / light_.distance, 1.0F);
     if (solid >= 1) return;
     const float passing = weight * (1 - solid);

@@ -171,13 +171,14 @@ float ShadowTracer::throughFog(const Surface& end, const Ray& ray, const Light& 
 
 ShadowTracer::Passing ShadowTracer::throughSurface(const Surface& surface, const Hit& hit) const {
     const Material& material = *surface.material;
-    const float coverage = coverageAt(*scene_, textures_, hit);
+    const float coverage = coverageAt(*scene_, textures_, hit, surface.fromInside);
+    const float opacity = refractions_ ? opacityAt(*scene_, textures_, hit) : 1.0F;
     Colour through{};
-    if (refractions_ && material.opacity < 1) {
+    if (opacity < 1) {
         // The outer angle on both faces: total reflection inside would make solids opaque to straight rays.
         const float reflected =
             fresnelDielectric(dot(surface.toViewer, surface.shadingNormal), material.indexOfRefraction);
-        through = kWhite * (1 - material.opacity);
+        through = kWhite * (1 - opacity);
         if (surface.closed) {
             through = through * (1 - reflected);
             if (!surface.fromInside) through *= tintOnEntering(material);

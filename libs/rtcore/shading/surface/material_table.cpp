@@ -11,22 +11,26 @@ namespace rtcore {
 
 namespace {
 
-std::uint32_t traitsOf(const Material& m, bool colours, const RenderSettings& settings) {
+std::uint32_t traitsOf(const Material& m, const Mesh& mesh, const RenderSettings& settings) {
+    const bool colours = !mesh.colours.empty();
     const auto used = [&](std::uint32_t texture) { return settings.textures && texture != kNoTexture; };
     std::uint32_t result = traits::kPoint;
     if (hasRoughness(m)) {
         result |= traits::kMetallic;
         if (used(m.metallicRoughnessTexture)) result |= traits::kVaried;
-        const bool opaque = !settings.refractions || m.opacity >= 1;
+        // What a veil covers mirrors as if it were opaque.
+        const bool covers = !settings.refractions || m.opacity >= 1 || isVeil(m);
         const bool smooth = m.roughness < kMirrorsBelow || used(m.metallicRoughnessTexture);
-        if (settings.reflections && opaque && smooth) result |= traits::kSharp;
+        if (settings.reflections && covers && smooth) result |= traits::kSharp;
     } else if (!isBlack(m.specular)) {
         if (m.shininess > 0) result |= traits::kGlossy;
         if (m.shininess < kLeastShininess) result |= traits::kRough;
     }
     if (colours || used(m.diffuseTexture)) result |= traits::kColoured;
-    if ((settings.refractions && !(m.opacity >= 1)) || used(m.alphaTexture) || used(m.normalTexture) ||
-        used(m.emissionTexture)) {
+    const bool varies = used(m.alphaTexture) || used(m.normalTexture) || used(m.emissionTexture) ||
+                        used(m.specularTexture) || (m.vertexAlpha != 0 && !mesh.alphas.empty()) ||
+                        (m.tintsEmission != 0 && colours);
+    if ((settings.refractions && !(m.opacity >= 1)) || varies) {
         result |= traits::kGeneral;
     }
     if (!hasRoughness(m) && settings.reflections && !isBlack(m.mirror * m.mirrorScale)) {
@@ -53,12 +57,12 @@ void MaterialTable::prepare(const Scene& scene, const RenderSettings& settings, 
     rows_.resize(scene.materials.size() + (scene.ground ? 1 : 0));
     clear_.resize(rows_.size());
     traits_ = 0;
-    anyEmission_ = tintedShadows_ = false;
-    const bool colours = !scene.mesh().colours.empty();
+    anyEmission_ = tintedShadows_ = anyTint_ = false;
+    const Mesh& mesh = scene.mesh();
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const Material& m = scene.material(static_cast<std::uint32_t>(i));
         MaterialRow& row = rows_[i];
-        row.traits = traitsOf(m, colours, settings);
+        row.traits = traitsOf(m, mesh, settings);
         const bool varies = hasRoughness(m);
         const Colour ambient = varies ? Colour{} : ambientLight * (m.diffuse + m.specular);
         const Colour emitted = m.emission + ambient;
@@ -77,8 +81,10 @@ void MaterialTable::prepare(const Scene& scene, const RenderSettings& settings, 
         row.roughness = m.roughness;
         row.metallic = m.metallic;
         anyEmission_ = anyEmission_ || !isBlack(emitted) || (varies && !isBlack(ambientLight));
-        const bool clear =
-            (settings.refractions && m.opacity < 1) || (settings.textures && m.alphaTexture != kNoTexture);
+        const bool clear = (settings.refractions && m.opacity < 1) ||
+                           (settings.textures && m.alphaTexture != kNoTexture) ||
+                           (m.vertexAlpha != 0 && !mesh.alphas.empty());
+        anyTint_ = anyTint_ || (settings.textures && m.specularTexture != kNoTexture);
         clear_[i] = clear ? 1 : 0;
         tintedShadows_ = tintedShadows_ || clear;
     }

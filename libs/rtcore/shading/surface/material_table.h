@@ -22,7 +22,7 @@ inline constexpr std::uint32_t kSpecular = 64;   ///< of points, not of material
 inline constexpr std::uint32_t kRough = 128;     ///< it has a rough lobe (phong.h)
 inline constexpr std::uint32_t kMetallic = 1024; ///< of the metallic-roughness model: has none of the lobes
                                                  ///< and mirrors above
-inline constexpr std::uint32_t kSharp = 2048;  ///< of these: opaque, and somewhere so smooth that it mirrors
+inline constexpr std::uint32_t kSharp = 2048; ///< of these: no glass, and somewhere so smooth that it mirrors
 inline constexpr std::uint32_t kVaried = 4096; ///< of these: a texture has roughness and metal
 /// Of points that vector code alone cannot shade: seen from behind; shading normal turned (surface.h).
 inline constexpr std::uint32_t kFromInside = 256, kTurned = 512;
@@ -62,6 +62,8 @@ class MaterialTable {
     bool anyMirror() const { return (traits_ & traits::kMirror) != 0; }
     bool anyMetallic() const { return (traits_ & traits::kMetallic) != 0; }
     bool anyVaried() const { return (traits_ & traits::kVaried) != 0; }
+    /// A texture has the colour of highlights.
+    bool anyTint() const { return anyTint_; }
     /// Mirrored rays may follow from points.
     bool anySecondary() const {
         return (traits_ & (traits::kMirror | traits::kGeneral | traits::kSharp)) != 0;
@@ -77,7 +79,7 @@ class MaterialTable {
     std::vector<MaterialRow> rows_; ///< by index of the material
     std::uint32_t traits_ = 0;      ///< of any
     std::vector<std::uint8_t> clear_;
-    bool anyEmission_ = false, tintedShadows_ = false;
+    bool anyEmission_ = false, tintedShadows_ = false, anyTint_ = false;
 };
 
 } // namespace rtcore

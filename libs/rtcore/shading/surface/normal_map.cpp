@@ -29,7 +29,8 @@ Tangents tangentsOf(const Mesh& mesh, std::uint32_t triangle) {
 
 } // namespace
 
-Vec3 mapNormal(const Scene& scene, const Texture& texture, std::uint32_t triangle, Vec2 uv, Vec3 normal) {
+Vec3 mapNormal(const Scene& scene, const Texture& texture, std::uint32_t triangle, Vec2 uv, Vec3 normal,
+               float scale) {
     if (scene.mesh().texcoords.empty()) return normal;
     const Tangents tangents = tangentsOf(scene.mesh(), triangle);
     const Vec3 right = normalize(tangents.right - normal * dot(tangents.right, normal));
@@ -37,7 +38,8 @@ Vec3 mapNormal(const Scene& scene, const Texture& texture, std::uint32_t triangl
     Vec3 up = cross(normal, right);
     if (dot(up, tangents.up) < 0) up = -up; // mirrored texture
     const Vec3 stored = sampleTexture(scene.model, texture, uv).stored;
-    const Vec3 bent = right * (2 * stored.x - 1) + up * (2 * stored.y - 1) + normal * (2 * stored.z - 1);
+    const Vec3 bent = right * ((2 * stored.x - 1) * scale) + up * ((2 * stored.y - 1) * scale) +
+                      normal * (2 * stored.z - 1);
     const Vec3 unit = normalize(bent);
     return dot(unit, normal) > 0 ? unit : normal;
 }

@@ -33,12 +33,37 @@ Vec2 texcoordAt(const Scene& scene, const ShadingTriangle& triangle, const Hit& 
     return scene.material(triangle.material).flipTextures != 0 ? Vec2{uv.x, 1 - uv.y} : uv;
 }
 
-float coverageOf(const Scene& scene, const Material& material, Vec2 uv) {
-    if (material.alphaTexture == kNoTexture) return 1;
+float textureAlpha(const Scene& scene, const Material& material, Vec2 uv) {
     const TextureSample s = sampleTexture(scene.model, scene.model.textures[material.alphaTexture], uv);
-    const float alpha = material.alphaFromAlpha != 0 ? s.alpha : s.stored.x;
+    return material.alphaFromAlpha != 0 ? s.alpha : s.stored.x;
+}
+
+float coverageOf(const Scene& scene, bool textures, const Hit& hit) {
+    const ShadingTriangle& shading = scene.mesh().shading[hit.triangle];
+    const Material& material = scene.material(shading.material);
+    const bool textured = textures && material.alphaTexture != kNoTexture;
+    const bool byVertex = material.vertexAlpha != 0 && !scene.mesh().alphas.empty();
+    if (!textured && !byVertex) return 1;
+    float alpha = textured ? textureAlpha(scene, material, texcoordAt(scene, shading, hit)) : 1;
+    if (byVertex) alpha *= interpolate(scene.mesh().alphas, shading, hit);
     if (material.alphaCutoff > 0) return alpha < material.alphaCutoff ? 0.0F : 1.0F;
     return alpha;
+}
+
+float opacityOf(const Scene& scene, const Material& material, Vec2 uv) {
+    const Texture& texture = scene.model.textures[material.transmissionTexture];
+    return 1 - (1 - material.opacity) * sampleTexture(scene.model, texture, uv).stored.x;
+}
+
+bool isCulled(const Scene& scene, const Material& material, const Hit& hit, bool fromInside) {
+    return material.frontOnly != 0 && fromInside && scene.isClosed(hit.triangle);
+}
+
+/// Of the vertices, where they multiply the emission.
+Colour emissionTint(const Scene& scene, const Material& material, const Hit& hit) {
+    const Mesh& mesh = scene.mesh();
+    if (material.tintsEmission == 0 || mesh.colours.empty()) return kWhite;
+    return interpolate(mesh.colours, mesh.shading[hit.triangle], hit);
 }
 
 Colour textureColour(const Scene& scene, std::uint32_t texture, Vec2 uv) {
@@ -70,7 +95,7 @@ Surface shapeOf(const Scene& scene, Vec3 direction, const Hit& hit, bool& turned
     if (none) s.shadingNormal = s.geometricNormal;
     turned = !none && behind != s.fromInside;
     if (turned) s.shadingNormal = -s.shadingNormal;
-    s.closed = scene.isClosed(hit.triangle);
+    s.closed = scene.isClosed(hit.triangle) && !isVeil(*s.material);
     return s;
 }
 
@@ -94,18 +119,25 @@ void addMaterial(const Scene& scene, bool textures, const Hit& hit, bool turned,
     const Material& material = *s.material;
     s.diffuse = diffuseAt(scene, textures, hit);
     s.emission = material.emission;
+    if (material.tintsEmission != 0) s.emission *= emissionTint(scene, material, hit);
+    s.opacity = material.opacity;
+    if (hasHoles(material) || material.frontOnly != 0)
+        s.coverage = coverageAt(scene, textures, hit, s.fromInside);
     if (!textures) return;
     const bool bumps = material.normalTexture != kNoTexture, emits = material.emissionTexture != kNoTexture;
-    if (!bumps && !emits && material.alphaTexture == kNoTexture) return;
+    const bool passes = material.transmissionTexture != kNoTexture;
+    const bool tints = material.specularTexture != kNoTexture;
+    if (!bumps && !emits && !passes && !tints) return;
     const Vec2 uv = texcoordAt(scene, scene.mesh().shading[hit.triangle], hit);
     if (bumps) {
         const Vec3 normal = turned ? -s.shadingNormal : s.shadingNormal;
-        const Vec3 bent =
-            mapNormal(scene, scene.model.textures[material.normalTexture], hit.triangle, uv, normal);
+        const Vec3 bent = mapNormal(scene, scene.model.textures[material.normalTexture], hit.triangle, uv,
+                                    normal, material.normalScale);
         s.shadingNormal = turned ? -bent : bent;
     }
     if (emits) s.emission *= textureColour(scene, material.emissionTexture, uv);
-    s.coverage = coverageOf(scene, material, uv);
+    if (passes) s.opacity = opacityOf(scene, material, uv);
+    if (tints) s.specularTint = textureColour(scene, material.specularTexture, uv);
 }
 
 Colour diffuseAt(const Scene& scene, bool textures, const Hit& hit) {
@@ -134,19 +166,24 @@ RoughnessFactors roughnessAt(const Scene& scene, const Hit& hit) {
 Colour emissionAt(const Scene& scene, bool textures, const Hit& hit) {
     const ShadingTriangle& shading = scene.mesh().shading[hit.triangle];
     const Material& material = scene.material(shading.material);
-    const bool plain = material.emissionTexture == kNoTexture && material.alphaTexture == kNoTexture;
-    if (!textures || plain) return material.emission;
-    const Vec2 uv = texcoordAt(scene, shading, hit);
-    const Colour emission = material.emission * coverageOf(scene, material, uv);
-    if (material.emissionTexture == kNoTexture) return emission;
-    return emission * textureColour(scene, material.emissionTexture, uv);
+    Colour emission = material.emission;
+    if (material.tintsEmission != 0) emission *= emissionTint(scene, material, hit);
+    if (hasHoles(material)) emission = emission * coverageOf(scene, textures, hit);
+    if (!textures || material.emissionTexture == kNoTexture) return emission;
+    return emission * textureColour(scene, material.emissionTexture, texcoordAt(scene, shading, hit));
 }
 
-float coverageAt(const Scene& scene, bool textures, const Hit& hit) {
+float coverageAt(const Scene& scene, bool textures, const Hit& hit, bool fromInside) {
+    const Material& material = scene.material(scene.mesh().shading[hit.triangle].material);
+    if (isCulled(scene, material, hit, fromInside)) return 0;
+    return hasHoles(material) ? coverageOf(scene, textures, hit) : 1;
+}
+
+float opacityAt(const Scene& scene, bool textures, const Hit& hit) {
     const ShadingTriangle& shading = scene.mesh().shading[hit.triangle];
     const Material& material = scene.material(shading.material);
-    if (!textures || material.alphaTexture == kNoTexture) return 1;
-    return coverageOf(scene, material, texcoordAt(scene, shading, hit));
+    if (!textures || material.transmissionTexture == kNoTexture) return material.opacity;
+    return opacityOf(scene, material, texcoordAt(scene, shading, hit));
 }
 
 } // namespace rtcore

@@ -15,17 +15,19 @@ struct Surface {
     Vec3 toViewer;        ///< unit
     Colour diffuse;       ///< albedo with texture and vertex colour
     Colour emission;      ///< radiance
-    float coverage = 1;   ///< under 1 where an alpha texture lets rays pass as if nothing were there
-    bool fromInside = false; ///< the viewer is behind the front side
-    bool closed = false;     ///< the surface bounds a solid
+    float opacity = 1;    ///< of the material, with texture
+    Colour specularTint{1, 1, 1}; ///< factor on the material's specular and mirror colours
+    float coverage = 1;           ///< under 1 where an alpha lets rays pass as if nothing were there
+    bool fromInside = false;      ///< the viewer is behind the front side
+    bool closed = false;          ///< the surface bounds a solid, in which light is bent or tinted
     const Material* material = nullptr;
 };
 
 /// `direction` is the ray's, of unit length. Safe from many threads, as are all of these.
 Surface surfaceAt(const Scene& scene, bool textures, Vec3 direction, const Hit& hit);
 
-/// Its shape and material alone, as if nothing were textured: all but diffuse, emission and coverage. Its
-/// clearance is at least `clearance`, that of HitWave.
+/// Its shape and material alone, as if nothing were textured: all but what addMaterial() adds. Its clearance is
+/// at least `clearance`, that of HitWave.
 Surface shapeAt(const Scene& scene, Vec3 direction, const Hit& hit, float clearance = 0);
 /// Adds the rest to such a surface. `turned`: its shading normal is minus the interpolated one.
 void addMaterial(const Scene& scene, bool textures, const Hit& hit, bool turned, Surface& surface);
@@ -44,7 +46,9 @@ RoughnessFactors roughnessAt(const Scene& scene, const Hit& hit);
 
 /// Only what a ray towards an emitter needs to know: the radiance given off, as far as no hole is there.
 Colour emissionAt(const Scene& scene, bool textures, const Hit& hit);
-/// Only what a shadow ray needs to know: the fraction of it that an alpha texture lets pass.
-float coverageAt(const Scene& scene, bool textures, const Hit& hit);
+/// Only what a shadow ray needs to know: how much of it an alpha lets meet the surface, from this side.
+float coverageAt(const Scene& scene, bool textures, const Hit& hit, bool fromInside);
+/// Of what meets the surface, how much does not pass.
+float opacityAt(const Scene& scene, bool textures, const Hit& hit);
 
 } // namespace rtcore

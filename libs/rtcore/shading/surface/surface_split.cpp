@@ -24,7 +24,7 @@ Colour mirroredOf(const Material& m, float cosine) {
 SurfaceSplit splitLight(const Surface& s, const RenderSettings& settings) {
     const Material& m = *s.material;
     const float cosine = std::max(dot(s.toViewer, s.shadingNormal), 0.0F);
-    const float opacity = settings.refractions ? m.opacity : 1.0F;
+    const float opacity = settings.refractions ? s.opacity : 1.0F;
     SurfaceSplit split;
     if (settings.reflections) {
         if (opacity < 1) {
@@ -32,7 +32,7 @@ SurfaceSplit splitLight(const Surface& s, const RenderSettings& settings) {
             const float r = fresnelDielectric(cosine, eta);
             split.mirrored = kWhite * (s.closed ? r : thinWallReflectance(r));
         } else {
-            split.mirrored = mirroredOf(m, cosine);
+            split.mirrored = mirroredOf(m, cosine) * s.specularTint;
         }
     }
     const Colour rest = kWhite - split.mirrored;

@@ -159,18 +159,22 @@ class LastRays {
 
 } // namespace
 
-void SurfaceWave::resize(std::size_t count, bool metallic) {
+void SurfaceWave::resize(std::size_t count, const MaterialTable& materials) {
     size_ = count;
-    ArraysOf3* const vectors[] = {&position, &geometricNormal, &shadingNormal, &toViewer, &diffuse, &weight,
-                                  &specular, &added,           &straight,      &grazing,  &gloss,   &further};
-    straight = grazing = gloss = further = {};
-    const std::size_t used = std::size(vectors) - (metallic ? 0 : 4);
-    memory_.resize(3 * used + (metallic ? 2 : 1), count);
+    const bool metallic = materials.anyMetallic(), tinted = materials.anyTint();
+    ArraysOf3* const always[] = {&position, &geometricNormal, &shadingNormal, &toViewer,
+                                 &diffuse,  &weight,          &specular,      &added};
+    ArraysOf3* const ofMetal[] = {&straight, &grazing, &gloss, &further};
+    const std::size_t vectors = std::size(always) + (metallic ? std::size(ofMetal) : 0) + (tinted ? 1 : 0);
+    memory_.resize(3 * vectors + (metallic ? 2 : 1), count);
     std::size_t next = 0;
-    for (ArraysOf3* const v : std::span(vectors).first(used)) {
-        *v = memory_.arraysOf3(next);
-        next += 3;
-    }
+    const auto place = [&](ArraysOf3& v, bool used) {
+        v = used ? memory_.arraysOf3(next) : ArraysOf3{};
+        next += used ? 3 : 0;
+    };
+    for (ArraysOf3* const v : always) place(*v, true);
+    for (ArraysOf3* const v : ofMetal) place(*v, metallic);
+    place(tint, tinted);
     clearance = memory_.array(next++);
     alpha = metallic ? memory_.array(next++) : nullptr;
     if (traits_.size() < count + kWaveBlock) {
@@ -184,7 +188,11 @@ void SurfaceWave::resize(std::size_t count, bool metallic) {
 
 void SurfaceWave::fill(const Mesh& mesh, const MaterialTable& materials, const RayWave& rays,
                        const HitWave& hits) {
-    resize(rays.size(), materials.anyMetallic());
+    resize(rays.size(), materials);
+    if (materials.anyTint()) {
+        const std::size_t room = (size_ + kWaveBlock - 1) / kWaveBlock * kWaveBlock;
+        for (float* const values : {tint.x, tint.y, tint.z}) std::fill_n(values, room, 1.0F);
+    }
     const SurfaceSources sources{mesh.vertices.data(), mesh.triangles.data(), mesh.shading.data(),
                                  mesh.normals.data(), materials.rows()};
     notPlainCount_ = 0;

@@ -40,13 +40,14 @@ class SurfaceWave {
     /// model.
     ArraysOf3 straight, grazing, gloss, further;
     float* alpha = nullptr;
+    ArraysOf3 tint;   ///< factor on the Phong lobes; null where no material has a texture of it
     ArraysOf3 weight; ///< throughput of the path up to here: the fraction of scattered light that reaches the
                       ///< sample
     ArraysOf3 specular; ///< weight of the mirrored ray, where traits have kSpecular
     ArraysOf3 added;    ///< radiance that the present light, emission or background adds to the sample
 
   private:
-    void resize(std::size_t count, bool metallic);
+    void resize(std::size_t count, const MaterialTable& materials);
 
     std::size_t size_ = 0;
     WaveMemory memory_;

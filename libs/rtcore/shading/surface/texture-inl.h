@@ -49,6 +49,14 @@ HWY_INLINE Taps<F> tapsAt(F coordinate, UintOf<F> size, UintOf<F> wrap) {
     return {texel(base), texel(base + 1), selectOrZero(finite, x - whole)};
 }
 
+/// Both the nearer of the two where `nearest` is set.
+template <typename F, typename M>
+HWY_INLINE Taps<F> sharpened(Taps<F> taps, M nearest) {
+    const UintOf<F> nearer = select(taps.fraction < 0.5F, taps.first, taps.second);
+    return {select(nearest, nearer, taps.first), select(nearest, nearer, taps.second),
+            select(nearest, F(0.0F), taps.fraction)};
+}
+
 /// Exact where both are equal, so that what is solid all over has no hole.
 template <typename V, typename F>
 HWY_INLINE V mix(V a, V b, F fraction) {

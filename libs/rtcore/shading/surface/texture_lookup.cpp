@@ -18,9 +18,12 @@ const std::array<float, 256> kLinear = [] {
     return t;
 }();
 
-plain::Taps<float> tapsAt(float coordinate, std::uint32_t size, TextureWrap wrap) {
-    if (wrap == TextureWrap::Repeat) return plain::tapsAt<true, float>(coordinate, size, 0);
-    return plain::tapsAt<false, float>(coordinate, size, static_cast<std::uint32_t>(wrap));
+plain::Taps<float> tapsAt(float coordinate, std::uint32_t size, TextureWrap wrap, TextureFilter filter) {
+    const plain::Taps<float> taps =
+        wrap == TextureWrap::Repeat
+            ? plain::tapsAt<true, float>(coordinate, size, 0)
+            : plain::tapsAt<false, float>(coordinate, size, static_cast<std::uint32_t>(wrap));
+    return filter == TextureFilter::Linear ? taps : plain::sharpened<float>(taps, true);
 }
 
 Colour colourOf(Rgba8 p) { return {kLinear[p.r], kLinear[p.g], kLinear[p.b]}; }
@@ -40,8 +43,8 @@ TextureSample mix(const TextureSample& a, const TextureSample& b, float fraction
 /// `valueOf` a texel, bilinear.
 template <typename ValueOf>
 auto lookUp(const Model& model, const Texture& texture, Vec2 uv, ValueOf&& valueOf) {
-    const plain::Taps<float> x = tapsAt(uv.x, texture.width, texture.wrapU);
-    const plain::Taps<float> y = tapsAt(1 - uv.y, texture.height, texture.wrapV);
+    const plain::Taps<float> x = tapsAt(uv.x, texture.width, texture.wrapU, texture.filter);
+    const plain::Taps<float> y = tapsAt(1 - uv.y, texture.height, texture.wrapV, texture.filter);
     const Rgba8* const texels = model.texels.data() + texture.firstTexel;
     const Rgba8* const upperRow = texels + std::uint64_t{y.first} * texture.width;
     const Rgba8* const lowerRow = texels + std::uint64_t{y.second} * texture.width;

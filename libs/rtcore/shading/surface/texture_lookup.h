@@ -1,4 +1,4 @@
-/// Texture lookups: bilinear, linear light.
+/// Texture lookups: bilinear or nearest (Texture::filter), linear light.
 #pragma once
 
 #include "rtcore/scene/model.h"

@@ -22,6 +22,8 @@ struct TextureBlock {
     bool repeats = true;                                 ///< all of them do
     alignas(64) float flip[kWaveBlock] = {};             ///< not 0: upside down
     bool flips = false;                                  ///< any of them is
+    alignas(64) std::uint32_t filter[kWaveBlock] = {};   ///< TextureFilter
+    bool linear = true;                                  ///< all of them are
     alignas(64) std::uint32_t texel[4][kWaveBlock] = {}; ///< which four: upper left, right, lower left, right
     alignas(64) float fraction[2][kWaveBlock] = {};      ///< of the right ones, of the lower ones
     alignas(64) float light[4][3][kWaveBlock] = {};      ///< of the four texels
@@ -45,11 +47,16 @@ HWY_INLINE void findTexelsOf(TextureBlock& block) {
                    load(block.corner[2][axis] + i) * v;
         };
         const Uint width = load(block.size[0] + i);
-        const Taps<Float> x = tapsAt<repeats, Float>(coordinate(0), width, load(block.wrap[0] + i));
+        Taps<Float> x = tapsAt<repeats, Float>(coordinate(0), width, load(block.wrap[0] + i));
         Float upwards = coordinate(1);
         if (block.flips) upwards = select(load(block.flip + i) != Float(0.0F), 1.0F - upwards, upwards);
-        const Taps<Float> y =
+        Taps<Float> y =
             tapsAt<repeats, Float>(1.0F - upwards, load(block.size[1] + i), load(block.wrap[1] + i));
+        if (!block.linear) {
+            const Mask nearest = load(block.filter + i) == static_cast<std::uint32_t>(TextureFilter::Nearest);
+            x = sharpened<Float>(x, nearest);
+            y = sharpened<Float>(y, nearest);
+        }
         const Uint upper = y.first * width, lower = y.second * width;
         store(upper + x.first, block.texel[0] + i);
         store(upper + x.second, block.texel[1] + i);
@@ -102,6 +109,8 @@ void texturedAlbedos(const Scene& scene, const HitWave& hits, std::span<const st
         block.wrap[1][i] = static_cast<std::uint32_t>(texture.wrapV);
         if (texture.wrapU != TextureWrap::Repeat || texture.wrapV != TextureWrap::Repeat)
             block.repeats = false;
+        block.filter[i] = static_cast<std::uint32_t>(texture.filter);
+        block.linear = block.linear && texture.filter == TextureFilter::Linear;
         block.flip[i] = material.flipTextures != 0 ? 1.0F : 0.0F;
         block.flips = block.flips || material.flipTextures != 0;
         block.u[i] = hits.u[hit];

@@ -1,0 +1,18 @@
+/// The files that Assimp opens beside the model's.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Assimp {
+class IOSystem;
+}
+
+namespace rtcore {
+
+/// Adds their absolute paths to `files`, and hands over material libraries as Assimp understands them
+/// (material_text.h). Whoever takes it deletes it, as Assimp::Importer does.
+Assimp::IOSystem* filesForAssimp(std::shared_ptr<std::vector<std::string>> files);
+
+} // namespace rtcore

@@ -1,0 +1,18 @@
+/// What files are that no reader takes, by their first bytes; asked before one of them tries.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace rtcore {
+
+/// What the file is, why it is not read, and what to do, as one sentence without a name; nothing where a
+/// reader may know it. Archives are read where a format is one by its ending (.3mf, .kmz, .zae, .ifczip).
+std::optional<std::string> unreadFormat(const std::filesystem::path& path);
+
+/// The ending, with its dot, that fits the first bytes of a file that is called otherwise; nothing where the
+/// name fits, or the bytes are those of no format that is known.
+std::optional<std::string> endingByContent(const std::filesystem::path& path);
+
+} // namespace rtcore
