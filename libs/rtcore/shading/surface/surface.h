@@ -26,8 +26,8 @@ struct Surface {
 /// `direction` is the ray's, of unit length. Safe from many threads, as are all of these.
 Surface surfaceAt(const Scene& scene, bool textures, Vec3 direction, const Hit& hit);
 
-/// Its shape and material alone, as if nothing were textured: all but what addMaterial() adds. Its clearance is
-/// at least `clearance`, that of HitWave.
+/// Its shape and material alone, as if nothing were textured: all but what addMaterial() adds. Its clearance
+/// is at least `clearance`, that of HitWave.
 Surface shapeAt(const Scene& scene, Vec3 direction, const Hit& hit, float clearance = 0);
 /// Adds the rest to such a surface. `turned`: its shading normal is minus the interpolated one.
 void addMaterial(const Scene& scene, bool textures, const Hit& hit, bool turned, Surface& surface);
