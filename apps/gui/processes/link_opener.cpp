@@ -18,7 +18,9 @@ bool LinkOpener::open(const QString& link) {
                                         "<meta http-equiv=\"refresh\" content=\"0;url=%1\">"
                                         "<title>rtsuite</title><a href=\"%1\">rtsuite</a>\n")
                              .arg(link.toHtmlEscaped());
-    if (!page.open(QIODevice::WriteOnly) || page.write(text.toUtf8()) < 0 || !page.flush()) return false;
+    const auto mine = QFileDevice::ReadOwner | QFileDevice::WriteOwner;
+    if (!page.open(QIODevice::WriteOnly, mine) || page.write(text.toUtf8()) < 0 || !page.flush())
+        return false;
     return QDesktopServices::openUrl(QUrl::fromLocalFile(page.fileName()));
 }
 
