@@ -111,6 +111,9 @@ for check in "$@"; do
         cmake --build --preset asan-ubsan --target test_rtserver
         RT_EDITS=${RT_EDITS:-10000} UBSAN_OPTIONS=print_stacktrace=1 \
             build/asan-ubsan/bin/test_rtserver --gtest_filter='RandomEdits.*'
+        # After so many states the scene that is exported shows the same bits.
+        RT_EDIT_STATES=${RT_EDIT_STATES:-200} UBSAN_OPTIONS=print_stacktrace=1 \
+            build/asan-ubsan/bin/test_rtserver --gtest_filter='SavedEdits.*'
         # So many of the window and of CUI at once, all taken back to the first bits.
         RT_EDITS=${RT_EDITS_AT_ONCE:-1000} QT_QPA_PLATFORM=offscreen \
             build/release/bin/test_gui --gtest_filter='EditsAtOnce.*'

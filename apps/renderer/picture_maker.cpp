@@ -233,6 +233,13 @@ void PictureMaker::tellOfPaths(const rtcore::PathRenderer& paths) {
                                     "numbers that are too large",
                                     dropped));
     }
+    const std::uint64_t clipped = paths.sums().clipped();
+    if (clipped > 0 && options_.verbose) {
+        progress_.print(
+            fmt::format("{} samples are brighter than {:.3g} and count as that: the image has less light "
+                        "than the scene",
+                        clipped, paths.sums().largest()));
+    }
     if (!options_.verbose || std::exchange(toldOfPaths_, true)) return;
     progress_.print(fmt::format("paths are lit by {} lights, {} emissive triangles{}",
                                 paths.lights().lights().size(), paths.lights().emitters().size(),

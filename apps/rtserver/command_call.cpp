@@ -9,7 +9,8 @@
 
 namespace rtserver {
 
-float number(const std::string& text) { return static_cast<float>(app::parseNumber(text).value()); }
+float number(const std::string& text) { return static_cast<float>(preciseNumber(text)); }
+double preciseNumber(const std::string& text) { return app::parseNumber(text).value(); }
 int integer(const std::string& text) { return static_cast<int>(app::parseInteger(text).value()); }
 bool flag(const std::string& text) { return text == "on"; }
 

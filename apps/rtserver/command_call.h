@@ -43,6 +43,7 @@ std::span<const CommandFunction> skyFunctions();
 // Arguments, read. They throw app::UsageError where the table could not tell.
 
 float number(const std::string& text);
+double preciseNumber(const std::string& text);
 int integer(const std::string& text);
 bool flag(const std::string& text); ///< on, off
 int keyOf(const std::string& name);

@@ -45,14 +45,16 @@ void addHiddenParts(const rtcore::Scene& scene, rtcore::SceneFile& file) {
     }
 }
 
-std::vector<rtcore::LightDescription> lightsOfScene(const rtcore::Scene& scene) {
-    std::vector<rtcore::LightDescription> lights;
+void addLights(const rtcore::Scene& scene, rtcore::SceneFile& file) {
     const auto sun = rtcore::sunOf(scene);
+    const bool skyBringsSun = !rtcore::isSunEdited(scene);
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        if (sun == i) continue; // the sky brings it
-        lights.push_back(rtcore::describeLight(scene, i));
+        if (sun != i || !skyBringsSun) file.lights.push_back(rtcore::describeLight(scene, i));
     }
-    return lights;
+    if (sun)
+        file.sun = {scene.lightNotes[*sun].id, scene.lights[*sun].on != 0};
+    else
+        file.sun = {scene.sky ? rtcore::nextLightId(scene) : 0, !scene.sky}; // removed, it comes back off
 }
 
 // All but the settings. Materials are those of the description and what was edited since; the rest is taken
@@ -68,11 +70,8 @@ rtcore::SceneFile describe(const ServerState& state) {
     if (world.import.flipTextures) file.flipTextures = *world.import.flipTextures;
     file.settings.reset();
     file.modelLights = file.defaultLight = false;
-    file.lights = lightsOfScene(scene);
-    if (const auto sun = rtcore::sunOf(scene))
-        file.sun = {scene.lightNotes[*sun].id, scene.lights[*sun].on != 0};
-    else
-        file.sun = {scene.sky ? rtcore::nextLightId(scene) : 0, !scene.sky}; // removed, it comes back off
+    file.lights.clear();
+    addLights(scene, file);
     file.environments = scene.environmentFiles;
     addMaterialEdits(scene, file.materials);
     addHiddenParts(scene, file);

@@ -9,6 +9,7 @@
 #include "rtcore/io/text/scn_sections.h"
 #include "rtcore/settings/plain_text.h"
 #include "rtcore/settings/utf8.h"
+#include "rtcore/scene/light_power.h"
 
 #include <fmt/core.h>
 
@@ -46,16 +47,28 @@ Result describe(const Call& call) {
     if (rtcore::findInvalidUtf8(light.name) != std::string::npos) light.name = rtcore::printable(light.name);
     rtcore::TomlWriter writer;
     rtcore::writeLight(writer, light);
-    const char* const unit = traitsOf(light.light).position ? "W" : "W/m2";
-    return {.answer = writer.text() + fmt::format("# {:.6g} {}", powerOf(light), unit)};
+    const bool placed = traitsOf(light.light).position;
+    const double watts =
+        rtcore::radiantWatts(light.light, double{powerOf(light)}, double{scene.metresPerUnit});
+    return {.answer = writer.text() + fmt::format("# {:.6g} {}, {:.6g} {}", watts, placed ? "W" : "W/m2",
+                                                  watts * rtcore::kLumensPerWatt, placed ? "lm" : "lx")};
 }
 
 // --- Places ---
 
+/// What is guessed of a unit counts where it makes the model as large as what electric lights light.
+std::optional<float> unitForLights(const rtcore::UpAndUnit& frame, float diagonal) {
+    constexpr float kSmallest = 1, kLargest = 10'000; // m
+    const float metres = diagonal * frame.metresPerUnit;
+    const bool counts =
+        frame.unitSaid != rtcore::Said::Guessed || (metres >= kSmallest && metres <= kLargest);
+    return counts ? std::optional(frame.metresPerUnit) : std::nullopt;
+}
+
 LightSurroundings surroundingsOf(const ServerState& state) {
     const rtcore::Box3 bounds = state.world().loaded.tree.bounds;
     const float size = bounds.diagonal();
-    return {bounds.centre(), size > 0 ? size : 1, -state.scene()->up};
+    return {bounds.centre(), size > 0 ? size : 1, -state.scene()->up, unitForLights(state.frame(), size)};
 }
 
 rtcore::LightKind kindOf(const std::string& name) {
@@ -178,8 +191,21 @@ Result temperature(const Call& call) {
     });
 }
 
+/// As powerOf() counts it.
+float powerOfWords(const Call& call, const rtcore::Light& light) {
+    const double value = preciseNumber(call[1]);
+    if (call.size() < 3) return static_cast<float>(value);
+    const std::string& unit = call[2];
+    const bool placed = traitsOf(light).position;
+    if (unit == (placed ? "lx" : "lm"))
+        throw std::invalid_argument(placed ? "lx is for directional lights; others give off lm or W"
+                                           : "a directional light has no lm; give lx, or W for W/m2");
+    const double watts = unit == "W" ? value : value / rtcore::kLumensPerWatt;
+    return static_cast<float>(rtcore::powerOfWatts(light, watts, double{call.state.metresPerUnit()}));
+}
+
 Result power(const Call& call) {
-    return change(call, [&](LightDescription& light) { setPower(light, number(call[1])); });
+    return change(call, [&](LightDescription& light) { setPower(light, powerOfWords(call, light.light)); });
 }
 
 Result kind(const Call& call) {
@@ -189,7 +215,8 @@ Result kind(const Call& call) {
 
 Result size(const Call& call) {
     return change(call, [&](LightDescription& light) {
-        setSize(light, number(call[1]), call.size() > 2 ? std::optional(number(call[2])) : std::nullopt);
+        setSize(light, preciseNumber(call[1]),
+                call.size() > 2 ? std::optional(preciseNumber(call[2])) : std::nullopt);
     });
 }
 

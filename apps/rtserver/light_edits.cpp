@@ -22,10 +22,17 @@ using rtcore::LightDescription;
 using rtcore::LightKind;
 using rtcore::Vec3;
 
-// Of a new light, in diagonals of the model.
-constexpr float kReach = 0.1F; ///< so far away it brings an irradiance of pi
-constexpr float kRadius = 0.01F, kBall = 0.002F, kWidth = 0.1F, kHeight = 0.05F;
+/// Of a new light.
+struct UsualSizes {
+    float radius, ball, width, height;
+};
+constexpr UsualSizes kUsualMetres{0.06F, 0.01F, 0.6F, 0.3F};
+constexpr UsualSizes kUsualDiagonals{0.01F, 0.002F, 0.1F,
+                                     0.05F}; ///< of the model, where the unit is not known
+constexpr double kUsualLumens = 800;
+constexpr float kReach = 0.1F;            ///< diagonals: so far away it brings an irradiance of pi, then
 constexpr float kInner = 25, kOuter = 35; ///< degrees
+constexpr double kMostDisc = 180;         ///< degrees
 
 [[noreturn]] void refuse(const Light& light, const char* what) {
     throw std::runtime_error(fmt::format("a {} light has no {}", traitsOf(light).name, what));
@@ -45,25 +52,34 @@ float squareDistance(Vec3 a, Vec3 b, const LightSurroundings& around) {
 void complete(Light& light, const LightSurroundings& around) {
     const Light usual;
     const rtcore::LightTraits& traits = traitsOf(light);
+    const UsualSizes& sizes = around.metresPerUnit ? kUsualMetres : kUsualDiagonals;
+    const float unit = around.metresPerUnit ? 1 / *around.metresPerUnit : around.size;
     if (!traits.position) {
         light.position = usual.position;
         light.radius = usual.radius;
     } else if (light.radius == 0) {
-        light.radius = (traits.radius ? kRadius : kBall) * around.size;
+        light.radius = (traits.radius ? sizes.radius : sizes.ball) * unit;
     }
     if (!traits.direction) light.direction = usual.direction;
     const bool cone = traits.beam == rtcore::Beam::Cone;
     light.cosInner = cone ? rtcore::cosineOfDegrees(double{kInner}) : usual.cosInner;
     light.cosOuter = cone ? rtcore::cosineOfDegrees(double{kOuter}) : usual.cosOuter;
     light.right = traits.sides ? basisAround(light.direction).tangent : usual.right;
-    light.width = traits.sides ? kWidth * around.size : usual.width;
-    light.height = traits.sides ? kHeight * around.size : usual.height;
+    light.width = traits.sides ? sizes.width * unit : usual.width;
+    light.height = traits.sides ? sizes.height * unit : usual.height;
+    if (!traits.disc) light.discSine = usual.discSine;
 }
 
 void scale(LightDescription& light, float factor) {
     const Colour scaled = light.light.intensity * factor;
     if (!isFinite(scaled)) throw std::invalid_argument("so much light cannot be counted");
     light.light.intensity = scaled;
+}
+
+void setDisc(Light& light, double degrees, bool another) {
+    if (another || degrees > kMostDisc)
+        throw std::invalid_argument("a directional light takes one angle, in degrees, at most 180");
+    light.discSine = rtcore::sineOfHalf(degrees);
 }
 
 } // namespace
@@ -77,6 +93,9 @@ LightDescription newLight(LightKind kind, const LightPlace& place, const LightSu
     const float reach = kReach * around.size;
     light.intensity = rtcore::kWhite * (traitsOf(kind).position ? kPi * reach * reach : kPi);
     complete(light, around);
+    if (around.metresPerUnit && traitsOf(kind).position)
+        setPower(result, static_cast<float>(rtcore::powerOfWatts(light, kUsualLumens / rtcore::kLumensPerWatt,
+                                                                 double{*around.metresPerUnit})));
     return result;
 }
 
@@ -130,17 +149,17 @@ void setKind(LightDescription& light, LightKind kind, const LightSurroundings& a
     light = changed;
 }
 
-void setSize(LightDescription& light, float size, std::optional<float> height) {
+void setSize(LightDescription& light, double size, std::optional<double> height) {
     const rtcore::LightTraits& traits = traitsOf(light.light);
-    if (!traits.position) refuse(light.light, "size");
+    if (traits.disc) return setDisc(light.light, size, height.has_value());
     if (traits.sides != height.has_value())
         throw std::invalid_argument(fmt::format("a {} light takes {}", traits.name,
                                                 traits.sides ? "WIDTH and HEIGHT" : "a radius alone"));
     if (traits.sides) {
-        light.light.width = size;
-        light.light.height = *height;
+        light.light.width = static_cast<float>(size);
+        light.light.height = static_cast<float>(*height);
     } else {
-        light.light.radius = size;
+        light.light.radius = static_cast<float>(size);
     }
 }
 

@@ -20,9 +20,11 @@ struct LightSurroundings {
     rtcore::Vec3 centre; ///< of the model
     float size = 1;      ///< its diagonal, scene units, above 0
     rtcore::Vec3 downwards{0, -1, 0};
+    std::optional<float> metresPerUnit = {}; ///< nothing: sizes and strengths follow the model's
 };
 
-/// A light as it is added: white, as strong as suits the model's size.
+/// A light as it is added: white, of 800 lm, and as large as electric lights are; a directional one throws pi
+/// W/m^2.
 rtcore::LightDescription newLight(rtcore::LightKind kind, const LightPlace& place,
                                   const LightSurroundings& around);
 
@@ -43,8 +45,9 @@ void setTemperature(rtcore::LightDescription& light, std::optional<float> kelvin
 /// Of the same power; between directional lights and others, of the same irradiance in the middle of the
 /// model. What the new kind needs and the old one lacked is as in a new light.
 void setKind(rtcore::LightDescription& light, rtcore::LightKind kind, const LightSurroundings& around);
-/// A rectangle takes two numbers, the others a radius; scene units, not negative.
-void setSize(rtcore::LightDescription& light, float size, std::optional<float> height);
+/// A rectangle takes two numbers, a directional light the angle under which its disc is seen, degrees; the
+/// others a radius. Scene units, not negative.
+void setSize(rtcore::LightDescription& light, double size, std::optional<double> height);
 /// Half-angles of a spot, degrees.
 void setAngles(rtcore::LightDescription& light, float inner, float outer);
 void setPosition(rtcore::LightDescription& light, rtcore::Vec3 position);

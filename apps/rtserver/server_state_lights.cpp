@@ -29,11 +29,6 @@ std::string idsOf(const rtcore::Scene& scene) {
     return fmt::format("numbers {} and {}", fmt::join(ids, ", "), last);
 }
 
-template <typename T>
-void eraseAt(std::vector<T>& list, std::size_t i) {
-    list.erase(list.begin() + static_cast<std::ptrdiff_t>(i));
-}
-
 /// But for which of them are on.
 bool sameLights(const rtcore::Scene& a, const rtcore::Scene& b) {
     return std::ranges::equal(a.lights, b.lights, [](rtcore::Light one, const rtcore::Light& other) {
@@ -81,9 +76,7 @@ void ServerState::removeLight(int id) {
     const std::size_t light = lightOf(id);
     rtcore::Scene edited = *scene_;
     edited.removedLightId = std::max(edited.removedLightId, id);
-    eraseAt(edited.lights, light);
-    eraseAt(edited.lightNames, light);
-    eraseAt(edited.lightNotes, light);
+    rtcore::eraseLight(edited, light);
     publish(std::move(edited));
 }
 

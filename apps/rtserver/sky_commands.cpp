@@ -10,7 +10,6 @@
 #include "common/cli/command_line.h"
 
 #include <array>
-#include <cstdlib>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -28,8 +27,6 @@ Result editSky(const Call& call, Change change) {
     return {};
 }
 
-double exactNumber(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
-
 rtcore::SunDate& dateOf(rtcore::Sky& sky) {
     if (!sky.date) sky.date.emplace();
     return *sky.date;
@@ -43,7 +40,7 @@ Result skySwitch(const Call& call) {
 
 Result skyHour(const Call& call) {
     return editSky(
-        call, [&](rtcore::Sky& sky) { dateOf(sky).second = rtcore::secondOfHour(exactNumber(call[0])); });
+        call, [&](rtcore::Sky& sky) { dateOf(sky).second = rtcore::secondOfHour(preciseNumber(call[0])); });
 }
 
 Result skyDate(const Call& call) {
@@ -60,9 +57,9 @@ Result skyDate(const Call& call) {
 Result skyPlace(const Call& call) {
     return editSky(call, [&](rtcore::Sky& sky) {
         rtcore::SunDate& date = dateOf(sky);
-        date.latitude = exactNumber(call[0]);
-        date.longitude = exactNumber(call[1]);
-        if (call.size() > 2) date.timeZone = exactNumber(call[2]);
+        date.latitude = preciseNumber(call[0]);
+        date.longitude = preciseNumber(call[1]);
+        if (call.size() > 2) date.timeZone = preciseNumber(call[2]);
     });
 }
 

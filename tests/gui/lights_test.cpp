@@ -7,6 +7,7 @@
 #include "gui/panels/column_area.h"
 #include "gui/panels/light_fields.h"
 #include "gui/panels/lights_panel.h"
+#include "gui/panels/power_field.h"
 #include "gui/panels/value_box.h"
 #include "gui/view/input_capture.h"
 #include "gui/view/light_handles.h"
@@ -66,9 +67,9 @@ TEST_F(LightsTest, FieldsOfTheSelectedLightReachTheServer) {
     fields.position(1).setValue(3.5);
     ASSERT_TRUE(edits(1));
     EXPECT_EQ(light(2).position, (rtcore::Vec3{4, 3.5F, 3}));
-    fields.power().setValue(200);
+    fields.power().value().setValue(200);
     ASSERT_TRUE(edits(2));
-    EXPECT_NEAR(fields.power().value(), 200, 0.01);
+    EXPECT_NEAR(fields.power().value().value(), 200, 0.01);
     fields.hasTemperature().click();
     ASSERT_TRUE(edits(3));
     EXPECT_EQ(lightOf(state(), 2)->description->temperature, 4000);
@@ -77,7 +78,7 @@ TEST_F(LightsTest, FieldsOfTheSelectedLightReachTheServer) {
     ASSERT_TRUE(edits(4));
     EXPECT_EQ(light(2).kind, rtcore::LightKind::Spot);
     EXPECT_TRUE(fields.angle(0).isVisible());
-    EXPECT_NEAR(fields.power().value(), 200, 0.01);
+    EXPECT_NEAR(fields.power().value().value(), 200, 0.01);
     fields.name().setText(QStringLiteral("a \"bulb\""));
     emit fields.name().editingFinished();
     ASSERT_TRUE(edits(5));
@@ -89,6 +90,49 @@ TEST_F(LightsTest, FieldsOfTheSelectedLightReachTheServer) {
     }
     EXPECT_EQ(light(2).position, (rtcore::Vec3{4, 5, 3}));
     EXPECT_EQ(light(2).kind, rtcore::LightKind::Point);
+}
+
+/// A light in a model of millimetres.
+TEST_F(LightsTest, FieldsAreInMetresAndLumens) {
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("units mm")).done);
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("light add sphere at 1000 2000 500")).done);
+    action(ActionId::LightsPanel)->trigger();
+    window->editor().refresh();
+    ASSERT_TRUE(comes([&] { return state().lights.size() == 3; }));
+    panel().select(3);
+    LightFields& fields = panel().fields();
+    EXPECT_EQ(fields.position(1).text(), QStringLiteral("2 m"));
+    EXPECT_EQ(fields.size(0).text(), QStringLiteral("0.06 m"));
+    EXPECT_EQ(fields.power().value().value(), 800);
+    EXPECT_EQ(fields.power().unit().currentText(), QStringLiteral("lm"));
+    fields.power().unit().setCurrentIndex(1);
+    EXPECT_NEAR(fields.power().value().value(), 800 / 683.0, 1e-4);
+    const int before = state().edits;
+    fields.power().value().setValue(5);
+    ASSERT_TRUE(edits(before + 1));
+    EXPECT_NEAR(light(3).intensity.g, 5e6F / 12.566371F, 10);
+    fields.position(0).setValue(2.5);
+    ASSERT_TRUE(edits(before + 2));
+    EXPECT_EQ(light(3).position, (rtcore::Vec3{2500, 2000, 500}));
+    fields.size(0).setValue(0.1);
+    ASSERT_TRUE(edits(before + 3));
+    EXPECT_EQ(light(3).radius, 100);
+}
+
+TEST_F(LightsTest, TheSizeOfADirectionalLightIsItsAngle) {
+    ASSERT_TRUE(ask(window->session(), QStringLiteral("light add directional")).done);
+    action(ActionId::LightsPanel)->trigger();
+    window->editor().refresh();
+    ASSERT_TRUE(comes([&] { return state().lights.size() == 3; }));
+    panel().select(3);
+    LightFields& fields = panel().fields();
+    EXPECT_TRUE(fields.size(0).isVisible());
+    EXPECT_FALSE(fields.size(1).isVisible());
+    EXPECT_EQ(fields.power().unit().currentText(), QStringLiteral("lx"));
+    fields.size(0).setValue(0.53);
+    ASSERT_TRUE(comes([&] { return light(3).discSine > 0; }));
+    EXPECT_NEAR(light(3).discSine, 0.004625F, 1e-6);
+    EXPECT_EQ(fields.size(0).text(), QStringLiteral("0.53°"));
 }
 
 TEST_F(LightsTest, FieldsFitIntoTheirPanel) {
@@ -117,10 +161,10 @@ TEST_F(LightsTest, WithoutAServerNothingIsToBeChanged) {
 TEST_F(LightsTest, ValuesThatFollowAHandAreOneStep) {
     panel().select(1);
     for (const double power : {100.0, 200.0, 300.0, 400.0}) {
-        panel().fields().power().setValue(power);
+        panel().fields().power().value().setValue(power);
         QTest::qWait(10);
     }
-    ASSERT_TRUE(comes([&] { return std::abs(light(1).intensity.g - 400 / 12.566371F) < 0.01F; }));
+    ASSERT_TRUE(comes([&] { return std::abs(light(1).intensity.g * 683 - 400 / 12.566371F) < 0.01F; }));
     EXPECT_EQ(state().edits, 1);
 }
 

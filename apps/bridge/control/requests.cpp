@@ -135,9 +135,14 @@ Words lightColour(Fields f, const RequestSurroundings&) {
 Words lightTemperature(Fields f, const RequestSurroundings&) {
     return wordList(f.whole("light"), f.isNull("kelvin") ? "none" : f.word("kelvin"));
 }
-Words lightPower(Fields f, const RequestSurroundings&) { return wordList(f.whole("light"), f.word("watts")); }
+Words lightPower(Fields f, const RequestSurroundings&) {
+    if (f.has("lumens")) return wordList(f.whole("light"), f.word("lumens"), "lm");
+    if (f.has("lux")) return wordList(f.whole("light"), f.word("lux"), "lx");
+    return wordList(f.whole("light"), f.word("watts"));
+}
 Words lightSize(Fields f, const RequestSurroundings&) {
     if (f.has("radius")) return wordList(f.whole("light"), f.word("radius"));
+    if (f.has("angle")) return wordList(f.whole("light"), f.word("angle"));
     return wordList(f.whole("light"), f.word("width"), f.word("height"));
 }
 Words lightAngles(Fields f, const RequestSurroundings&) {

@@ -29,7 +29,7 @@ json cameraJson(const rtcore::Camera& camera) {
             {"orthographic", orthographic ? camera.orthographicWidth : 0}};
 }
 
-void describe(json& row, const rtcore::LightDescription& description) {
+void describe(json& row, const rtcore::LightDescription& description, float metresPerUnit) {
     const rtcore::Light& light = description.light;
     const float most = rtcore::maxComponent(light.intensity);
     const rtcore::Colour colour = most > 0 ? light.intensity / most : rtcore::Colour{1, 1, 1};
@@ -38,20 +38,24 @@ void describe(json& row, const rtcore::LightDescription& description) {
     row["direction"] = vectorJson(light.direction);
     row["colour"] = {colour.r, colour.g, colour.b};
     row["temperature"] = description.temperature;
-    row["power"] = luminance(rtcore::tintedLight(description).intensity) * rtcore::powerFactor(light);
+    const float power = luminance(rtcore::tintedLight(description).intensity) * rtcore::powerFactor(light);
+    row["power"] = power;
+    row["lumens"] =
+        rtcore::kLumensPerWatt * rtcore::radiantWatts(light, double{power}, double{metresPerUnit});
     row["radius"] = light.radius;
     row["width"] = light.width;
     row["height"] = light.height;
+    row["angle"] = rtcore::degreesOfHalfSine(light.discSine);
     const bool spot = light.kind == rtcore::LightKind::Spot;
     row["inner"] = spot ? rtcore::degreesOfCosine(light.cosInner) : 0;
     row["outer"] = spot ? rtcore::degreesOfCosine(light.cosOuter) : 0;
 }
 
-json lightsJson(const std::vector<app::ReportedLight>& lights) {
+json lightsJson(const app::StateReport& state) {
     json rows = json::array();
-    for (const app::ReportedLight& light : lights) {
+    for (const app::ReportedLight& light : state.lights) {
         json row{{"id", light.id}, {"on", light.on}, {"name", light.name}};
-        if (light.description) describe(row, *light.description);
+        if (light.description) describe(row, *light.description, state.metresPerUnit);
         rows.push_back(std::move(row));
     }
     return rows;
@@ -111,7 +115,7 @@ json sceneJson(const app::StateReport& state) {
                {"metresPerUnit", state.metresPerUnit},
                {"values", valuesJson(state.settings)},
                {"camera", cameraJson(state.camera)},
-               {"lights", lightsJson(state.lights)},
+               {"lights", lightsJson(state)},
                {"environments", environmentsJson(state.environments)},
                {"map", nullptr},
                {"sky", skyJson(state)},

@@ -101,7 +101,9 @@ std::string lightColour(int id, const std::array<float, 3>& colour) {
 }
 std::string lightTemperature(int id, double kelvin) { return line(CommandId::LightTemperature, id, kelvin); }
 std::string lightNoTemperature(int id) { return line(CommandId::LightTemperature, id, "none"); }
-std::string lightPower(int id, double watts) { return line(CommandId::LightPower, id, watts); }
+std::string lightPower(int id, double power, const std::string& unit) {
+    return line(CommandId::LightPower, id, power, unit);
+}
 std::string lightSize(int id, double radius) { return line(CommandId::LightSize, id, radius); }
 std::string lightSize(int id, double width, double height) {
     return line(CommandId::LightSize, id, width, height);

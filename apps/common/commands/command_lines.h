@@ -59,8 +59,8 @@ std::string lightAimSeen(int id);
 std::string lightColour(int id, const std::array<float, 3>& colour); ///< linear
 std::string lightTemperature(int id, double kelvin);
 std::string lightNoTemperature(int id);
-std::string lightPower(int id, double watts);
-std::string lightSize(int id, double radius);
+std::string lightPower(int id, double power, const std::string& unit); ///< lm, lx, W
+std::string lightSize(int id, double radius); ///< or the angle of a directional light, degrees
 std::string lightSize(int id, double width, double height);
 std::string lightAngles(int id, double inner, double outer); ///< degrees
 

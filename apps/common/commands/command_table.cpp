@@ -489,8 +489,8 @@ std::vector<CommandSpec> lightCommands() {
          .help = "add a light, and print its number",
          .more = "Where: `here`, at the camera; `seen`, a little off the surface in the middle of the image, "
                  "or at RIGHT and DOWN, 0 to 1; `at X Y Z`. It shines as the camera looks, off the surface, "
-                 "or downwards; a directional one as the camera looks. An edit of lights but for switching "
-                 "them ends a recording"},
+                 "or downwards; a directional one as the camera looks. It gives off 800 lm, and a sphere has "
+                 "a radius of 6 cm. An edit of lights but for switching them ends a recording"},
         {.id = CommandId::LightCopy,
          .name = "light copy",
          .arguments = Arguments{whole("N", 1)} + somewhere("here|seen|at", true),
@@ -534,11 +534,14 @@ std::vector<CommandSpec> lightCommands() {
          .more = "A bulb has 2700, the sun 5800"},
         {.id = CommandId::LightPower,
          .name = "light power",
-         .arguments = {whole("N", 1), between("WATTS", 0, kMostNumber)},
+         .arguments = {whole("N", 1), between("POWER", 0, kMostNumber), maybe(choice("lm|W|lx"))},
          .effect = Changes,
          .edits = true,
-         .help = "all that a light gives off, W; a directional one: W/m2 on a surface that faces it",
-         .more = "Red, green and blue are weighted as their luminance is; lengths are scene units"},
+         .help =
+             "all that a light gives off, lumens, or radiant watts of 683 lumens each; a directional one: "
+             "lux or W/m2 on a surface that faces it",
+         .more = "`light power 2 800 lm`. Without a unit it is W where lengths are scene units. Red, green "
+                 "and blue are weighted as their luminance is"},
         {.id = CommandId::LightKind,
          .name = "light kind",
          .arguments = {whole("N", 1), choice(kLightKinds)},
@@ -551,7 +554,9 @@ std::vector<CommandSpec> lightCommands() {
                        maybe(number("HEIGHT", 0, kMostNumber))},
          .effect = Changes,
          .edits = true,
-         .help = "radius of a light, or width and height of a rectangle, scene units"},
+         .help = "radius of a light, or width and height of a rectangle, scene units; of a directional "
+                 "light the angle under which it is seen, degrees",
+         .more = "The sun has 0.53: shadows get soft edges, and mirrors show its disc"},
         {.id = CommandId::LightAngles,
          .name = "light angles",
          .arguments = {whole("N", 1), number("INNER", 0, 180), number("OUTER", 0, 180)},

@@ -1,6 +1,7 @@
 #include "gui/panels/light_fields.h"
 
 #include "gui/models/plain_text.h"
+#include "gui/panels/power_field.h"
 #include "gui/panels/value_box.h"
 
 #include "common/commands/command_lines.h"
@@ -27,15 +28,15 @@ namespace {
 
 namespace command = app::command;
 
-constexpr double kFar = 1e9, kMostPower = 1e15;
+constexpr double kFar = 1e9, kMostDegrees = 180;
 constexpr float kUsualTemperature = 4000;
 
 rtcore::Colour tintOf(const rtcore::LightDescription& light) { return tintedLight(light).intensity; }
 
-std::array<float, 3> numbers(const rtcore::Vec3& v) { return {v.x, v.y, v.z}; }
+QString metres() { return QStringLiteral(" m"); }
+QString degrees() { return QStringLiteral("°"); }
 
-// With the digits that one reads.
-double shown(float value) { return QString::number(static_cast<double>(value), 'g', 5).toDouble(); }
+std::array<float, 3> numbers(const rtcore::Vec3& v) { return {v.x, v.y, v.z}; }
 
 void set(ValueBox& box, double value) {
     if (static_cast<float>(box.value()) != static_cast<float>(value)) box.setValue(value);
@@ -137,12 +138,13 @@ LightFields::Vector LightFields::vectorFields(const QString& name, double most) 
 void LightFields::onVector(const Vector& fields, const char* step,
                            std::string (*line)(int, const std::array<float, 3>&),
                            rtcore::Vec3 rtcore::Light::*exact) {
+    const bool lengths = &fields == &position_;
     for (std::size_t i = 0; i < fields.size(); ++i) {
         connect(fields.at(i), &QDoubleSpinBox::valueChanged, this,
-                [this, i, step, line, exact](double value) {
+                [this, i, step, line, exact, lengths](double value) {
                     if (showing_ || !light_.description) return;
                     std::array<float, 3> vector = numbers(light_.description->light.*exact);
-                    vector.at(i) = static_cast<float>(value);
+                    vector.at(i) = static_cast<float>(lengths ? inUnits(value) : value);
                     // The next component may be changed before the server tells of this one.
                     light_.description->light.*exact = {vector[0], vector[1], vector[2]};
                     send(step, line(light_.id, vector));
@@ -152,6 +154,7 @@ void LightFields::onVector(const Vector& fields, const char* step,
 
 void LightFields::addPlace() {
     position_ = vectorFields(tr("Position"), kFar);
+    for (ValueBox* field : position_) field->setSuffix(metres());
     positionRow_ = row(tr("Position"), {position_[0], position_[1], position_[2]});
     onVector(position_, "light move", command::lightMove, &rtcore::Light::position);
     positionButtons_ =
@@ -189,33 +192,33 @@ void LightFields::addColour() {
         if (hasTemperature_->isChecked())
             send("light temperature", command::lightTemperature(light_.id, kelvin));
     });
-    power_ = new ValueBox(0, kMostPower);
-    power_->setAccessibleName(tr("Power"));
+    power_ = new PowerField;
     form_->addRow(tr("Power"), power_);
-    connect(power_, &QDoubleSpinBox::valueChanged, this, [this](double watts) {
-        if (watts > 0) send("light power", command::lightPower(light_.id, watts));
+    connect(power_, &PowerField::edited, this, [this](double value, const std::string& unit) {
+        send("light power", command::lightPower(light_.id, value, unit));
     });
 }
 
 void LightFields::addShape() {
     for (std::size_t i = 0; i < size_.size(); ++i) {
         size_.at(i) = new ValueBox(0, kFar);
-        angles_.at(i) = new ValueBox(0, 180);
-        angles_.at(i)->setSuffix(QStringLiteral("°"));
+        angles_.at(i) = new ValueBox(0, kMostDegrees);
+        angles_.at(i)->setSuffix(degrees());
     }
-    size_[0]->setAccessibleName(tr("Radius or width"));
     size_[1]->setAccessibleName(tr("Height"));
     angles_[0]->setAccessibleName(tr("Angle of full brightness"));
     angles_[1]->setAccessibleName(tr("Angle where it ends"));
-    for (ValueBox* box : {size_[0], size_[1], angles_[0], angles_[1]})
-        box->setToolTip(plainTip(box->accessibleName()));
+    for (ValueBox* box : {size_[1], angles_[0], angles_[1]}) box->setToolTip(plainTip(box->accessibleName()));
     sizeRow_ = row(tr("Size"), {size_[0], size_[1]});
     anglesRow_ = row(tr("Angles"), {angles_[0], angles_[1]});
     for (ValueBox* box : size_) {
         connect(box, &QDoubleSpinBox::valueChanged, this, [this] {
-            const bool sides = light_.description && traitsOf(light_.description->light).sides;
-            send("light size", sides ? command::lightSize(light_.id, size_[0]->value(), size_[1]->value())
-                                     : command::lightSize(light_.id, size_[0]->value()));
+            if (!light_.description) return;
+            const rtcore::LightTraits& traits = traitsOf(light_.description->light);
+            const double size = size_[0]->value();
+            send("light size", traits.sides
+                                   ? command::lightSize(light_.id, inUnits(size), inUnits(size_[1]->value()))
+                                   : command::lightSize(light_.id, traits.disc ? size : inUnits(size)));
         });
     }
     for (ValueBox* box : angles_) {
@@ -227,25 +230,48 @@ void LightFields::addShape() {
     }
 }
 
-void LightFields::show(const ShownLight& light) {
+// Without the digits of the unit's rounding.
+double LightFields::inUnits(double metres) const {
+    return QString::number(metres / static_cast<double>(metresPerUnit_), 'g', 7).toDouble();
+}
+
+void LightFields::showSize(const rtcore::Light& light) {
+    const rtcore::LightTraits& traits = traitsOf(light);
+    size_[0]->setMaximum(traits.disc ? kMostDegrees : kFar);
+    size_[0]->setSuffix(traits.disc ? degrees() : metres());
+    size_[1]->setSuffix(metres());
+    size_[0]->setAccessibleName(traits.disc    ? tr("Angle under which it is seen")
+                                : traits.sides ? tr("Width")
+                                               : tr("Radius"));
+    size_[0]->setToolTip(traits.disc ? tr("The sun has 0.53°; 0: shadows are sharp")
+                                     : size_[0]->accessibleName());
+    if (traits.disc)
+        set(*size_[0], rtcore::degreesOfHalfSine(light.discSine));
+    else
+        size_[0]->showRounded(inMetres(traits.sides ? light.width : light.radius));
+    size_[1]->showRounded(inMetres(light.height));
+    size_[1]->setVisible(traits.sides);
+}
+
+void LightFields::show(const ShownLight& light, float metresPerUnit) {
     light_ = light;
+    metresPerUnit_ = metresPerUnit;
     const rtcore::Light& shines = light.description->light;
     const rtcore::LightTraits& traits = traitsOf(shines);
     showing_ = true;
     if (!name_->hasFocus() || !name_->isModified()) name_->setText(light.name);
     kind_->setCurrentIndex(static_cast<int>(shines.kind));
     for (std::size_t i = 0; i < position_.size(); ++i) {
-        set(*position_.at(i), shown(numbers(shines.position).at(i)));
-        set(*direction_.at(i), shown(numbers(shines.direction).at(i)));
+        position_.at(i)->showRounded(inMetres(numbers(shines.position).at(i)));
+        direction_.at(i)->showRounded(static_cast<double>(numbers(shines.direction).at(i)));
     }
     const float temperature = light.description->temperature;
     hasTemperature_->setChecked(temperature > 0);
     temperature_->setEnabled(temperature > 0);
     set(*temperature_, static_cast<double>(temperature > 0 ? temperature : kUsualTemperature));
-    power_->setSuffix(traits.position ? QStringLiteral(" W") : QStringLiteral(" W/m²"));
-    set(*power_, shown(luminance(tintOf(*light.description)) * rtcore::powerFactor(shines)));
-    set(*size_[0], shown(traits.sides ? shines.width : shines.radius));
-    set(*size_[1], shown(shines.height));
+    const float power = luminance(tintOf(*light.description)) * rtcore::powerFactor(shines);
+    power_->show(shines, static_cast<double>(power), metresPerUnit);
+    showSize(shines);
     if (traits.beam == rtcore::Beam::Cone) {
         set(*angles_[0], rtcore::degreesOfCosine(shines.cosInner));
         set(*angles_[1], rtcore::degreesOfCosine(shines.cosOuter));
@@ -260,8 +286,6 @@ void LightFields::showRows(const rtcore::LightTraits& traits) {
     form_->setRowVisible(positionButtons_, traits.position);
     form_->setRowVisible(directionRow_, traits.direction);
     form_->setRowVisible(directionButtons_, traits.direction);
-    form_->setRowVisible(sizeRow_, traits.position);
-    size_[1]->setVisible(traits.sides);
     form_->setRowVisible(anglesRow_, traits.beam == rtcore::Beam::Cone);
 }
 

@@ -18,6 +18,7 @@ class QCheckBox;
 
 namespace gui {
 
+class PowerField;
 class ValueBox;
 
 /// The name of a kind of light, for users.
@@ -34,8 +35,8 @@ class LightFields : public QWidget {
   public:
     explicit LightFields(QWidget* parent = nullptr);
 
-    /// Emits nothing. `light` has a description.
-    void show(const ShownLight& light);
+    /// Emits nothing. `light` has a description. Lengths are shown in metres.
+    void show(const ShownLight& light, float metresPerUnit);
     using QWidget::show;
 
     // For tests.
@@ -43,7 +44,7 @@ class LightFields : public QWidget {
     QComboBox& kind() { return *kind_; }
     ValueBox& position(std::size_t axis) { return *position_.at(axis); }
     ValueBox& direction(std::size_t axis) { return *direction_.at(axis); }
-    ValueBox& power() { return *power_; }
+    PowerField& power() { return *power_; }
     QCheckBox& hasTemperature() { return *hasTemperature_; }
     ValueBox& temperature() { return *temperature_; }
     ValueBox& size(std::size_t i) { return *size_.at(i); }
@@ -67,19 +68,27 @@ class LightFields : public QWidget {
     QWidget* row(const QString& label, std::initializer_list<QWidget*> fields);
     QPushButton* button(const QString& text, const QString& tip, const char* step, std::string (*line)(int));
     void send(const char* step, const std::string& line);
+    void showSize(const rtcore::Light& light);
     void showRows(const rtcore::LightTraits& traits);
     void chooseColour();
     void showColour();
 
+    double inMetres(float length) const {
+        return static_cast<double>(length) * static_cast<double>(metresPerUnit_);
+    }
+    double inUnits(double metres) const;
+
     QFormLayout* form_;
     ShownLight light_;
+    float metresPerUnit_ = 1;
     bool showing_ = false; ///< what changes is not the user's
     QLineEdit* name_;
     QComboBox* kind_;
     Vector position_, direction_;
     QPushButton* colour_;
     QCheckBox* hasTemperature_;
-    ValueBox *temperature_, *power_;
+    ValueBox* temperature_;
+    PowerField* power_;
     std::array<ValueBox*, 2> size_, angles_;
     QWidget *positionRow_, *positionButtons_, *directionRow_, *directionButtons_, *sizeRow_, *anglesRow_;
 };

@@ -132,7 +132,7 @@ void LightsPanel::showSelected() {
     copy_->setEnabled(there);
     remove_->setEnabled(there);
     fields_->setVisible(there && light->description);
-    if (there && light->description) fields_->show(*light);
+    if (there && light->description) fields_->show(*light, metresPerUnit_);
 }
 
 void LightsPanel::select(int id) {
@@ -170,6 +170,7 @@ void LightsPanel::showEnvironments(const QList<NamedSwitch>& environments) {
 
 void LightsPanel::show(const SceneState& state) {
     shown_ = state.lights;
+    metresPerUnit_ = state.metresPerUnit;
     showLights(state.lights);
     showEnvironments(state.environments);
     sky_->show(state);

@@ -68,6 +68,11 @@ void ValueBox::stepBy(int steps) {
     selectAll();
 }
 
+void ValueBox::showRounded(double value) {
+    const double rounded = QString::number(value, 'g', 5).toDouble();
+    if (static_cast<float>(this->value()) != static_cast<float>(rounded)) setValue(rounded);
+}
+
 QSize ValueBox::sizeHint() const {
     QSize size = QAbstractSpinBox::sizeHint();
     size.setWidth(minimumSizeHint().width());

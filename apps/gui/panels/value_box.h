@@ -18,6 +18,9 @@ class ValueBox : public QDoubleSpinBox {
     /// A tenth of the value's power of ten.
     void stepBy(int steps) override;
     QSize sizeHint() const override;
+    /// Sets it to the value with the digits that one reads; leaves it where it is that value but for the
+    /// rounding of floats.
+    void showRounded(double value);
 
   private:
     QString bare(const QString& text) const; ///< without the unit

@@ -2030,10 +2030,6 @@ Alt+%2</translation>
         <translation>Výkon</translation>
     </message>
     <message>
-        <source>Radius or width</source>
-        <translation>Poloměr nebo šířka</translation>
-    </message>
-    <message>
         <source>Height</source>
         <translation>Výška</translation>
     </message>
@@ -2052,6 +2048,22 @@ Alt+%2</translation>
     <message>
         <source>Angles</source>
         <translation>Úhly</translation>
+    </message>
+    <message>
+        <source>Angle under which it is seen</source>
+        <translation>Úhel, pod kterým je vidět</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Šířka</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Poloměr</translation>
+    </message>
+    <message>
+        <source>The sun has 0.53°; 0: shadows are sharp</source>
+        <translation>Slunce má 0,53°; 0: stíny jsou ostré</translation>
     </message>
 </context>
 <context>
@@ -2406,6 +2418,21 @@ Alt+%2</translation>
     <message>
         <source>%1 was not written: %2</source>
         <translation>%1 nešlo zapsat: %2</translation>
+    </message>
+</context>
+<context>
+    <name>gui::PowerField</name>
+    <message>
+        <source>Power</source>
+        <translation>Výkon</translation>
+    </message>
+    <message>
+        <source>Unit of the power</source>
+        <translation>Jednotka výkonu</translation>
+    </message>
+    <message>
+        <source>Lumens, or radiant watts of 683 lumens each</source>
+        <translation>Lumeny, nebo zářivé watty po 683 lumenech</translation>
     </message>
 </context>
 <context>

@@ -139,6 +139,22 @@ TEST_F(SavedScene, ManyEditsGiveTheSameBits) {
     EXPECT_TRUE(shot("b.png") == image);
 }
 
+TEST_F(SavedScene, HasTheSunOfItsSkyAsItWasEdited) {
+    writeText(folder() / "sky.scn",
+              "version = 2\nmodel = 'in/room.obj'\n[camera]\neye = [0, 1.7, 6]\nlookAt = [0, 1.5, 0]\n"
+              "[sky]\ndirection = [1, 2, 1]\n[live]\nexposure.mode = 'fixed'\n");
+    start({}, "sky.scn");
+    const std::string before = shot("before.png");
+    ask({"light", "power", "1", "1"});
+    ask({"light", "size", "1", "3"});
+    EXPECT_TRUE(state().modified);
+    const std::string image = shot("a.png");
+    EXPECT_NE(image, before);
+    ask({"save", "as", "b.scn"});
+    ask({"exit"});
+    EXPECT_TRUE(rendered("b.scn") == image);
+}
+
 TEST_F(SavedScene, UneditedGivesTheStillOfTheFirst) {
     const std::string still = rendered("room.scn");
     start({}, "room.scn");

@@ -75,6 +75,10 @@ TEST(Requests, BecomeLinesOfTheServersCommands) {
     EXPECT_EQ(lineOf({{"do", "lightMove"}, {"light", 3}, {"to", "seen"}, {"x", 0.25}, {"y", 0.5}}),
               "light move 3 seen 0.25 0.5");
     EXPECT_EQ(lineOf({{"do", "lightAim"}, {"light", 3}, {"along", {0, -1, 0}}}), "light aim 3 along 0 -1 0");
+    EXPECT_EQ(lineOf({{"do", "lightPower"}, {"light", 3}, {"lumens", 800}}), "light power 3 800 lm");
+    EXPECT_EQ(lineOf({{"do", "lightPower"}, {"light", 3}, {"lux", 5000}}), "light power 3 5000 lx");
+    EXPECT_EQ(lineOf({{"do", "lightPower"}, {"light", 3}, {"watts", 5}}), "light power 3 5");
+    EXPECT_EQ(lineOf({{"do", "lightSize"}, {"light", 3}, {"angle", 0.53}}), "light size 3 0.53");
     EXPECT_EQ(lineOf({{"do", "lightTemperature"}, {"light", 3}, {"kelvin", nullptr}}),
               "light temperature 3 none");
     EXPECT_EQ(lineOf({{"do", "environment"}, {"number", nullptr}}), "environment none");

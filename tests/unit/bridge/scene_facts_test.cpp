@@ -44,7 +44,10 @@ TEST(SceneFacts, DescribeLights) {
     EXPECT_EQ(light["kind"], "spot");
     EXPECT_EQ(light["colour"], json({1.0, 0.5, 0.0}));
     EXPECT_EQ(light["outer"], 60);
-    EXPECT_GT(light["power"].get<double>(), 0);
+    const auto power = light["power"].get<double>(), unit = facts.all()["metresPerUnit"].get<double>();
+    EXPECT_GT(power, 0);
+    EXPECT_NEAR(light["lumens"].get<double>() / (683 * power * unit * unit), 1, 1e-6);
+    EXPECT_EQ(light["angle"], 0);
 }
 
 TEST(SceneFacts, TellOnlyWhatChanged) {

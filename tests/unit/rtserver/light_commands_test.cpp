@@ -219,10 +219,43 @@ TEST_F(LightCommands, SizesSuitTheKind) {
     EXPECT_EQ(refusal("light size 1 2").text, "a rectangle light takes WIDTH and HEIGHT");
     EXPECT_EQ(refusal("light angles 1 10 20").text, "a rectangle light has no cone");
     answer("light kind 1 directional");
-    EXPECT_EQ(refusal("light size 1 2").text, "a directional light has no size");
+    answer("light size 1 0.53");
+    EXPECT_EQ(light(1).light.discSine, rtcore::sineOfHalf(0.53));
+    EXPECT_EQ(refusal("light size 1 2 1").text,
+              "a directional light takes one angle, in degrees, at most 180");
+    EXPECT_EQ(refusal("light size 1 181").code, 2);
     answer("light kind 1 spot");
     EXPECT_EQ(refusal("light angles 1 30 20").text,
               "the inner angle must be below the outer one, by enough to tell them apart");
+}
+
+TEST_F(LightCommands, PowersHaveUnits) {
+    answer("units mm");
+    answer("light power 1 800 lm");
+    EXPECT_NEAR(powerOf(light(1)), 800 / 683.0 * 1e6, 1);
+    EXPECT_NE(answer("light get 1").find("\n# 1.1713 W, 800 lm"), std::string::npos) << answer("light get 1");
+    answer("light power 1 5 W");
+    EXPECT_NEAR(powerOf(light(1)), 5e6, 5);
+    answer("light power 1 5");
+    EXPECT_NEAR(powerOf(light(1)), 5, 1e-5) << "of scene units";
+    EXPECT_EQ(refusal("light power 1 5 lx").text, "lx is for directional lights; others give off lm or W");
+    answer("light kind 1 directional");
+    answer("light power 1 1366 lx");
+    EXPECT_NEAR(powerOf(light(1)), 2, 1e-5) << "whatever the unit";
+    EXPECT_EQ(refusal("light power 1 800 lm").text, "a directional light has no lm; give lx, or W for W/m2");
+    EXPECT_EQ(refusal("light power 1 800 cd").code, 2);
+}
+
+TEST_F(LightCommands, NewOnesAreAsLargeAndBrightAsElectricOnesByTheUnit) {
+    for (const auto& [unit, metres] : {std::pair{"m", 1.0}, std::pair{"mm", 0.001}, std::pair{"cm", 0.01}}) {
+        answer("units " + std::string(unit));
+        const std::string sphere = answer("light add sphere at 0 2 0"),
+                          panel = answer("light add rectangle at 0 2 0");
+        EXPECT_NEAR(light(std::stoi(sphere)).light.radius * metres, 0.06, 1e-6);
+        EXPECT_NEAR(light(std::stoi(panel)).light.width * metres, 0.6, 1e-6);
+        for (const std::string& added : {sphere, panel})
+            EXPECT_NE(answer("light get " + added).find(" 800 lm"), std::string::npos);
+    }
 }
 
 TEST_F(LightCommands, WrongPlacesAreRefused) {

@@ -37,7 +37,8 @@ export function lightsPanel(app) {
     function addFields() {
         const always = () => true;
         add(choice(of("LightFields", "Kind"), kinds(), (kind) => edit("lightKind", { kind })), always, ({ kind }) => kind);
-        add(numeric(of("LightFields", "Power"), (watts) => edit("lightPower", { watts }), { min: 0, slider: false, unit: "W" }), always, ({ power }) => power);
+        for (const [key, unit, when] of [["lumens", "lm", ({ kind }) => hasPlace(kind)], ["lux", "lx", ({ kind }) => !hasPlace(kind)]])
+            add(numeric(of("LightFields", "Power"), (much) => edit("lightPower", { [key]: much }), { min: 0, slider: false, unit }), when, ({ lumens }) => lumens);
         add(colour(of("LightFields", "Colour"), (value, goesOn) => edit("lightColour", { colour: value }, goesOn),
             { scaled: true, help: of("LightFields", "Choose a colour; the power stays") }), ({ temperature }) => !temperature, (one) => one.colour);
         add(toggle(of("LightFields", "Colour by temperature"), (on) => edit("lightTemperature", { kelvin: on ? 4000 : null })), always,
@@ -66,6 +67,9 @@ export function lightsPanel(app) {
     function addShape() {
         const sizes = { min: 0, slider: false }, rectangle = ({ kind }) => kind === "rectangle", spot = ({ kind }) => kind === "spot";
         add(numeric(of("LightFields", "Size"), (radius) => edit("lightSize", { radius }), sizes), ({ kind }) => kind === "sphere", ({ radius }) => radius);
+        add(numeric(of("LightFields", "Angle under which it is seen"), (angle, goesOn) => edit("lightSize", { angle }, goesOn),
+            { min: 0, max: 180, until: 5, unit: "°", help: of("LightFields", "The sun has 0.53°; 0: shadows are sharp") }), ({ kind }) => kind === "directional",
+        ({ angle }) => angle);
         add(numeric(of("Settings", "Width"), (width) => edit("lightSize", { width, height: light().height }), sizes), rectangle, ({ width }) => width);
         add(numeric(of("LightFields", "Height"), (height) => edit("lightSize", { width: light().width, height }), sizes), rectangle, ({ height }) => height);
         add(numeric(of("LightFields", "Angle of full brightness"),

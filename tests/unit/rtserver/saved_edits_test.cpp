@@ -1,0 +1,217 @@
+/// What is shown after edits and what the scene shows that is exported then: the same bits, and a state that
+/// goes on alike. RT_EDIT_STATES sets after how many random edits (check-long.sh: 200).
+#include "command_room.h"
+
+#include "common/commands/state_report.h"
+#include "rtcore/io/bsp/bsp_file.h"
+#include "rtcore/io/scene_loader.h"
+#include "rtcore/io/text/cosine.h"
+#include "rtcore/io/text/scn.h"
+#include "rtcore/render/frame_renderer.h"
+#include "rtcore/sky/scene_sky.h"
+#include "rtserver/exports.h"
+#include "rtserver/state_report_of.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace rtserver {
+namespace {
+
+/// The room under a sky, with an environment map, from files.
+class SavedEdits : public test::CommandRoom {
+  protected:
+    void SetUp() override {
+        const rtcore::LoadedScene room = test::makeRoom();
+        rtcore::writeBsp(folder / "room.bsp", room.scene.model, &room.tree, {});
+        std::ofstream(folder / "room.scn")
+            << "version = 2\nmodel = 'room.bsp'\n"
+               "[camera]\neye = [1.5, 1.4, 1]\nlookAt = [0, 0.5, -3]\n"
+               "[[light]]\nkind = 'sphere'\nposition = [1, 3, 1]\nradius = 0.3\nintensity = [2, 2, 2]\n"
+               "[[environment]]\nequirectangular = 'a.pfm'\n"
+               "[sky]\ndirection = [1, 2, 1]\n[live]\nwidth = 20\nheight = 14\nmaxDepth = 2\n";
+        options.settings = {};
+        show(state, folder / "room.scn");
+        changes();
+    }
+    static void show(ServerState& to, const std::filesystem::path& scene) {
+        to.show(std::make_unique<World>(rtcore::loadScene(scene), scene, rtcore::ImportOptions()));
+    }
+    int sun() const {
+        const auto light = rtcore::sunOf(*state.scene());
+        return light ? state.scene()->lightNotes[*light].id : 0;
+    }
+    static std::vector<rtcore::Colour> imageOf(const ServerState& shown) {
+        rtcore::RenderControl control;
+        rtcore::Frame frame;
+        control.threads = 1;
+        EXPECT_TRUE(rtcore::renderFrame({*shown.scene(), *shown.tracer(), shown.camera(), shown.settings()},
+                                        control, frame));
+        return frame.radiance.pixels;
+    }
+    /// Another server shows the exported scene.
+    void expectSaved(const std::string& after) {
+        SCOPED_TRACE(after);
+        rtcore::writeSceneFile(folder / "export.scn", sceneFileOf(state));
+        ServerState other{options, [](const rtcore::RenderSettings&) {}, messages};
+        show(other, folder / "export.scn");
+        EXPECT_TRUE(imageOf(other) == imageOf(state));
+        EXPECT_EQ(skyOf(other), skyOf(state));
+        EXPECT_EQ(other.scene()->materials, state.scene()->materials);
+        // A sky whose light was taken away comes back with one that is off.
+        if (state.scene()->sky && !rtcore::sunOf(*state.scene())) {
+            EXPECT_EQ(other.scene()->lights.size(), state.scene()->lights.size() + 1);
+            EXPECT_EQ(other.scene()->lights.back().on, 0U);
+            return;
+        }
+        EXPECT_EQ(other.scene()->lights, state.scene()->lights);
+        EXPECT_EQ(other.scene()->lightNames, state.scene()->lightNames);
+        EXPECT_EQ(other.scene()->lightNotes, state.scene()->lightNotes);
+    }
+    /// As a file has it: with a date the direction says nothing.
+    static std::optional<rtcore::Sky> skyOf(const ServerState& shown) {
+        std::optional<rtcore::Sky> sky = shown.scene()->sky;
+        if (sky && sky->date) sky->direction = {};
+        return sky;
+    }
+    bool modified() const { return stateReportOf(state).modified; }
+};
+
+TEST_F(SavedEdits, EachCommandOnTheSun) {
+    const std::string number = std::to_string(sun());
+    const auto before = imageOf(state);
+    EXPECT_EQ(state.scene()->lights[state.lightOf(sun())].discSine, rtcore::sineOfHalf(0.53));
+    expectSaved("nothing");
+    for (const char* edit : {"N off", "N on", "power N 1", "colour N 1 0.5 0.2", "temperature N 3000",
+                             "temperature N none", "aim N along 1 -1 -0.5", "size N 4", "N off", "N on",
+                             "name N sunlight", "kind N spot", "remove N"}) {
+        std::string line = "light " + std::string(edit);
+        line.replace(line.find(" N") + 1, 1, number);
+        state.noteSaved(folder / "room.scn", state.history().state());
+        ASSERT_FALSE(modified());
+        answer(line);
+        EXPECT_TRUE(modified()) << line;
+        expectSaved(line);
+    }
+    EXPECT_FALSE(imageOf(state) == before);
+}
+
+TEST_F(SavedEdits, AnEditOfTheSunIsToBeSavedAndTakenBack) {
+    const std::string number = std::to_string(sun());
+    const auto before = state.scene();
+    answer("light power " + number + " 1");
+    EXPECT_TRUE(modified());
+    const auto edited = state.scene()->lights;
+    EXPECT_NE(edited, before->lights);
+    answer("undo");
+    EXPECT_FALSE(modified());
+    EXPECT_EQ(state.scene()->lights, before->lights);
+    EXPECT_EQ(state.scene()->lightNotes, before->lightNotes);
+    answer("redo");
+    EXPECT_EQ(state.scene()->lights, edited);
+    expectSaved("redo");
+    answer("sky hour 9"); // gives its own light back
+    EXPECT_FALSE(rtcore::isSunEdited(*state.scene()));
+    expectSaved("sky hour");
+}
+
+TEST_F(SavedEdits, TheSunOfAFileGoesWithTheSkyOfTheFile) {
+    answer("light power " + std::to_string(sun()) + " 1");
+    rtcore::writeSceneFile(folder / "edited.scn", sceneFileOf(state));
+    rtcore::LoadOptions evening;
+    evening.surroundings.sky.emplace().direction = {1, 0.1F, 0};
+    evening.surroundings.sky->date.reset();
+    const rtcore::Scene own = rtcore::loadScene(folder / "room.scn", evening).scene;
+    EXPECT_EQ(rtcore::loadScene(folder / "edited.scn", evening).scene.lights, own.lights);
+    rtcore::LoadOptions map;
+    map.surroundings.environment = folder / "a.pfm";
+    EXPECT_EQ(rtcore::loadScene(folder / "edited.scn", map).scene.lights.size(), own.lights.size() - 1);
+}
+
+/// Commands of every kind that changes what is seen, in turns of chance.
+class RandomCommands {
+  public:
+    explicit RandomCommands(std::uint32_t seed) : random_(seed) {}
+    std::string next(const rtcore::Scene& scene) {
+        const std::vector<std::string> kinds = {
+            "light power " + light(scene) + " " + real(0.1, 5),
+            "light colour " + light(scene) + " " + real(0.1, 1) + " " + real(0.1, 1) + " " + real(0.1, 1),
+            "light temperature " + light(scene) + " " + (below(3) == 0 ? "none" : real(2000, 9000)),
+            "light aim " + light(scene) + " along " + vector(),
+            "light size " + light(scene) + " " + real(0.1, 3),
+            "light size " + light(scene) + " 1 " + real(0.1, 3),
+            "light kind " + light(scene) + " " + one({"point", "directional", "spot", "sphere", "rectangle"}),
+            "light name " + light(scene) + " " + one({"sun", "moon"}),
+            "light remove " + light(scene),
+            "light add " + one({"point", "directional", "spot", "sphere", "rectangle"}) + " at 1 2 " +
+                real(-1, 1),
+            "light copy " + light(scene),
+            "light " + light(scene) + " toggle",
+            "light move " + light(scene) + " at " + vector(),
+            "light angles " + light(scene) + " 20 " + real(25, 80),
+            "sky " + one({"on", "on", "off"}),
+            "sky hour " + real(7, 17),
+            "sky strength " + real(0.2, 2),
+            "sky direction " + vector(),
+            "sky north " + real(-90, 90),
+            "sky turbidity " + real(2, 9),
+            "sky ground " + one({"on", "off"}),
+            "material set 1 diffuse " + real(0, 1) + " " + real(0, 1) + " 0.5",
+            "material set 1 " + one({"roughness", "reflectivity", "opacity"}) + " " + real(0, 1),
+            "material reset 1",
+            "part " + one({"hide", "show"}) + " box",
+            "environment " + one({"1", "2", "none", "rotation 40", "strength 0.7", "open DIR/a.pfm"}),
+            "set " + one({"areaLights.samples 2", "skyLight.on true", "skyLight.on false", "shadows true",
+                          "integrator path", "integrator whitted", "path.bounces 1", "maxDepth 3"}),
+            "camera turn " + real(-5, 5) + " " + real(-3, 3),
+            "up " + one({"+y", "+y", "+z"}),
+            "units " + one({"m", "cm"}),
+            "look " + one({"sky", "studio", "headlight"}),
+            "undo",
+            "redo",
+        };
+        return kinds[below(static_cast<unsigned>(kinds.size()))];
+    }
+
+  private:
+    unsigned below(unsigned count) { return static_cast<unsigned>(random_() % count); }
+    std::string real(double low, double high) {
+        return std::to_string(low + (high - low) * below(1000) / 999);
+    }
+    std::string vector() { return real(-1, 1) + " " + real(-2, 2) + " " + real(-1, 1); }
+    std::string one(const std::vector<std::string>& words) {
+        return words[below(static_cast<unsigned>(words.size()))];
+    }
+    /// Every other time the sun.
+    std::string light(const rtcore::Scene& scene) {
+        const auto sun = rtcore::sunOf(scene);
+        if (scene.lights.empty()) return "1";
+        const bool wanted = sun && below(2) == 0;
+        const std::size_t i = wanted ? *sun : below(static_cast<unsigned>(scene.lights.size()));
+        return std::to_string(scene.lightNotes[i].id);
+    }
+    std::mt19937 random_;
+};
+
+TEST_F(SavedEdits, OfEveryKindGiveTheSameBits) {
+    const char* const wanted = std::getenv("RT_EDIT_STATES");
+    const int states = wanted != nullptr ? std::atoi(wanted) : 12;
+    RandomCommands commands(31415);
+    for (int i = 0; i < states && !HasFailure(); ++i) {
+        std::string done;
+        for (int k = 0; k < 5; ++k) {
+            const std::string line = commands.next(*state.scene());
+            if (refusal(line).code == 0) done += line + "; ";
+        }
+        expectSaved(std::to_string(i) + ": " + done);
+    }
+}
+
+} // namespace
+} // namespace rtserver
