@@ -97,9 +97,10 @@ TEST_F(Failures, FilesOfHolesAreRefusedByBothProgramsAlike) {
     test::writeRoom(folder / "room.obj");
     ASSERT_EQ(test::bspBuilder({file("room.obj"), file("room.bsp")}).exitCode, 0);
     const std::string bsp = test::readBytes(folder / "room.bsp");
-    const std::string ply = "ply\nformat binary_little_endian 1.0\nelement vertex 5000000000\nproperty float x\n"
-                            "property float y\nproperty float z\nelement face 1\n"
-                            "property list uchar int vertex_indices\nend_header\n";
+    const std::string ply =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 5000000000\nproperty float x\n"
+        "property float y\nproperty float z\nelement face 1\n"
+        "property list uchar int vertex_indices\nend_header\n";
     for (const auto& [name, head] : std::initializer_list<std::pair<const char*, std::string>>{
              {"holes.ply", ply}, {"holes.stl", "x"}, {"holes.obj", "v 0 0 0\n"}, {"holes.bsp", bsp}}) {
         test::writeText(folder / name, head);

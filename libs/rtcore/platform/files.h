@@ -23,7 +23,8 @@ struct FileBytes {
     std::shared_ptr<const void> owner;
 };
 /// Throws FileError: NoInput when the file is missing, a folder or unreadable, or a pipe without a writer
-/// for writing within 10 s; BadData for a file of more than 4 GB nearly all of which are holes; Stopped (file_waits.h).
+/// for writing within 10 s; BadData for a file of more than 4 GB nearly all of which are holes; Stopped
+/// (file_waits.h).
 FileBytes openFileBytes(const std::filesystem::path& path);
 
 /// A file that is looked into before it is read. Opened once: what was looked at is what is read.

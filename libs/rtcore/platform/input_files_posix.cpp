@@ -74,12 +74,12 @@ struct Opened {
     std::size_t size; ///< as the system states it; 0 for what is no regular file
 };
 
-/// Checking what is in a file of many gigabytes takes minutes, also where nothing ever was: a file that little of
-/// was written is what a copy leaves behind that was stopped.
+/// Checking what is in a file of many gigabytes takes minutes, also where nothing ever was: a file that
+/// little of was written is what a copy leaves behind that was stopped.
 void refuseHoles(const fs::path& path, const Descriptor& file, const struct stat& status) {
     constexpr off_t kLong = off_t{4} << 30;
-    constexpr off_t kBlock = 512;  // of st_blocks
-    constexpr off_t kPacked = 64;  // more than file systems save that pack files
+    constexpr off_t kBlock = 512; // of st_blocks
+    constexpr off_t kPacked = 64; // more than file systems save that pack files
     if (status.st_size <= kLong || status.st_blocks * kBlock >= status.st_size / kPacked) return;
     const bool full = ::lseek(file.get(), 0, SEEK_HOLE) == status.st_size; // some count no blocks
     if (::lseek(file.get(), 0, SEEK_SET) != 0) failReading(path, errno);

@@ -1,5 +1,5 @@
-/// The installed programs, in a folder that was moved since: everything is found relative to the program, and is
-/// everybody's to read, whatever the umask of who installed it.
+/// The installed programs, in a folder that was moved since: everything is found relative to the program, and
+/// is everybody's to read, whatever the umask of who installed it.
 #include "process/sample_scene.h"
 #include "support/ipc_instance.h"
 

@@ -58,8 +58,7 @@ TEST(BspDamage, BytesBehindTheEndAreRefused) {
 // A terabyte, of which all but the beginning may not be touched.
 TEST(BspDamage, WhatTheHeadGivesAwayIsRefusedBeforeTheRestIsRead) {
     constexpr std::size_t kSize = std::size_t{1} << 40, kReadable = 65536;
-    void* const room =
-        ::mmap(nullptr, kSize, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    void* const room = ::mmap(nullptr, kSize, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     ASSERT_NE(room, MAP_FAILED);
     const std::shared_ptr<void> owner(room, [](void* memory) { ::munmap(memory, kSize); });
     ASSERT_EQ(::mprotect(room, kReadable, PROT_READ | PROT_WRITE), 0);

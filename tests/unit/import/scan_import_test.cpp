@@ -316,7 +316,8 @@ TEST(ScanImport, APlyHeadOfManyLinesIsReadOrRefusedAtOnce) {
     const std::string whole = smallPly().text();
     const auto with = [&](int lines, const std::string& line) {
         std::string more;
-        for (int i = 0; i < lines; ++i) more += line + std::to_string(i) + (line == "element e" ? " 0\n" : "\n");
+        for (int i = 0; i < lines; ++i)
+            more += line + std::to_string(i) + (line == "element e" ? " 0\n" : "\n");
         return changed(whole, "end_header", more + "end_header");
     };
     for (const char* line : {"comment ", "property float p", "element e"}) {

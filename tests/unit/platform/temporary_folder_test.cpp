@@ -23,7 +23,18 @@ TEST(TemporaryFolder, IsOursAloneAndGoesWithAllThatIsInIt) {
         std::ofstream(path / "inner" / "file") << "text";
     }
     EXPECT_FALSE(fs::exists(path));
-    EXPECT_THROW(rtcore::TemporaryFolder(parent.path() / "none", "test-"), rtcore::FileError);
+}
+
+TEST(TemporaryFolder, TmpdirIsAdvisedOnlyWhereItCounts) {
+    const test::TemporaryFolder parent;
+    try {
+        rtcore::TemporaryFolder(parent.path() / "none", "test-");
+        ADD_FAILURE();
+    } catch (const rtcore::FileError& error) {
+        EXPECT_EQ(std::string(error.what()), (parent.path() / "none").string() +
+                                                 ": no folder can be made here: No such file or directory; "
+                                                 "check its permissions, or name another place");
+    }
 }
 
 TEST(TemporaryFolder, GoesWithItsKnownFilesAtASignal) {

@@ -43,7 +43,8 @@ inline constexpr std::size_t kMostPlyHeader = 262'144;
 /// kMostPlyHeader bytes, words that the format does not have, or the name of a texture.
 std::optional<PlyHeader> readPlyHeader(std::string_view head);
 
-/// Whether `text`, the beginning of a file, begins as a PLY file of any kind does, and ends before its head does.
+/// Whether `text`, the beginning of a file, begins as a PLY file of any kind does, and ends before its head
+/// does.
 bool endsInPlyHeader(std::string_view text);
 
 } // namespace rtcore

@@ -51,7 +51,8 @@ std::optional<Scan> readScan(const std::filesystem::path& path, const std::funct
     const auto header = readPlyHeader(text);
     if (header && isScan(*header))
         return Scan{readPly(file, *header, alive), "Stanford Polygon Library (PLY) Importer", ""};
-    // Assimp takes a tenth of a millisecond for a line of it, and looks for an end that is not there for ever.
+    // Assimp takes a tenth of a millisecond for a line of it, and looks for an end that is not there for
+    // ever.
     if (endsInPlyHeader(text))
         refuseDamaged(fmt::format("its head does not end within {} bytes", head.size()));
     if (!isNamedStl(path)) return {};
