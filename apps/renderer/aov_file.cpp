@@ -6,8 +6,8 @@
 
 namespace renderer {
 
-void writeAovs(const std::filesystem::path& path, const rtcore::HdrImage& radiance,
-               const rtcore::Aovs& aovs) {
+void writeAovs(const std::filesystem::path& path, const rtcore::HdrImage& radiance, const rtcore::Aovs& aovs,
+               std::span<const rtcore::ImageText> texts) {
     const rtcore::Colour& seen = radiance.pixels.front();
     const rtcore::AovPixel& first = aovs.pixels().front();
     constexpr std::size_t kStep = sizeof(rtcore::AovPixel) / sizeof(float);
@@ -28,7 +28,7 @@ void writeAovs(const std::filesystem::path& path, const rtcore::HdrImage& radian
         {"normal.Z", &first.normal.z, kStep},
         {"occlusion.Y", &first.visible, kStep},
     };
-    rtcore::writeExrChannels(path, radiance.width, radiance.height, channels);
+    rtcore::writeExrChannels(path, radiance.width, radiance.height, channels, texts);
 }
 
 } // namespace renderer

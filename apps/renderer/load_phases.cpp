@@ -1,5 +1,6 @@
 #include "renderer/load_phases.h"
 
+#include "common/settings/guess_text.h"
 #include "common/settings/settings_merge.h"
 
 #include "common/process/stop.h"
@@ -121,6 +122,9 @@ rtcore::LoadedScene loadWithProgress(const RendererOptions& options, app::Progre
     try {
         rtcore::LoadedScene loaded = rtcore::loadScene(options.scene, load);
         for (const std::string& warning : loaded.warnings) progress.print("warning: " + warning);
+        const std::string guess = app::guessText(loaded.frame);
+        if (!guess.empty() && options.progress != app::ProgressStyle::None)
+            progress.print(options.scene.filename().string() + ": " + guess);
         app::selectParts(options.selection, loaded.scene);
         app::selectLights(options.selection, loaded.scene);
         if (options.verbose) tellOpenGlass(loaded.scene, progress);

@@ -1,5 +1,6 @@
 #include "renderer/picture_maker.h"
 
+#include "common/settings/image_texts.h"
 #include "common/settings/settings_merge.h"
 #include "renderer/aov_file.h"
 #include "renderer/exposure_scale.h"
@@ -79,7 +80,7 @@ FrameReport PictureMaker::make(const FrameTask& task, int index, int count) {
     start = std::chrono::steady_clock::now();
     const rtcore::HdrImage& radiance = developer_.finish(frame_, settings, options_.threads);
     const float exposure = develop(task, radiance, settings);
-    write(task, radiance);
+    write(task, radiance, settings);
     // This must come last: a viewer that has seen it may end this process.
     if (preview_ != nullptr) preview_->finish(developed_, exposure);
     report.writeSeconds = app::secondsSince(start);
@@ -261,17 +262,19 @@ float PictureMaker::develop(const FrameTask& task, const rtcore::HdrImage& radia
     return exposure;
 }
 
-void PictureMaker::write(const FrameTask& task, const rtcore::HdrImage& radiance) {
+void PictureMaker::write(const FrameTask& task, const rtcore::HdrImage& radiance,
+                         const rtcore::RenderSettings& settings) {
+    const std::vector<rtcore::ImageText> texts = app::imageTexts(settings);
     for (const std::filesystem::path& output : task.outputs) {
         app::throwIfStopped();
         if (isStandardOutput(output)) {
-            app::writeOutput(asText(rtcore::encodeImage(developed_, options_.standardOutputFormat)));
+            app::writeOutput(asText(rtcore::encodeImage(developed_, options_.standardOutputFormat, texts)));
         } else if (options_.aovs && rtcore::isExr(output)) {
-            writeAovs(output, radiance, frame_.aovs);
+            writeAovs(output, radiance, frame_.aovs, texts);
         } else if (rtcore::isHdrFormat(output)) {
-            rtcore::writeHdrImage(output, radiance);
+            rtcore::writeHdrImage(output, radiance, texts);
         } else {
-            rtcore::writeImage(output, developed_);
+            rtcore::writeImage(output, developed_, texts);
         }
     }
 }

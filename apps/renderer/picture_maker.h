@@ -74,7 +74,8 @@ class PictureMaker {
     /// The exposure; nothing is done when no output is wanted.
     float develop(const FrameTask& task, const rtcore::HdrImage& radiance,
                   const rtcore::RenderSettings& settings);
-    void write(const FrameTask& task, const rtcore::HdrImage& radiance);
+    void write(const FrameTask& task, const rtcore::HdrImage& radiance,
+               const rtcore::RenderSettings& settings);
 
     rtcore::LoadedScene loaded_;
     std::vector<rtcore::Light> lights_; ///< as the scene has them, before a .cam switches any

@@ -112,19 +112,20 @@ Result zoom(const Call& call) {
     return {.answer = rtcore::settingText(extent)};
 }
 
+// Without an argument they only tell, and are no step of undo.
 Result up(const Call& call) {
-    if (call[0] == "auto") {
+    if (call.size() > 0 && call[0] == "auto") {
         call.state.guessFrame(true, false);
-    } else {
+    } else if (call.size() > 0) {
         call.state.setFrame(rtcore::axisNamed(call[0]), std::nullopt);
     }
     return {.answer = rtcore::describe(call.state.frame())};
 }
 
 Result units(const Call& call) {
-    if (call[0] == "auto") {
+    if (call.size() > 0 && call[0] == "auto") {
         call.state.guessFrame(false, true);
-    } else {
+    } else if (call.size() > 0) {
         const auto named = rtcore::unitNamed(call[0]);
         call.state.setFrame(std::nullopt, named ? *named : double{number(call[0])});
     }

@@ -2,6 +2,8 @@
 #include "rtserver/command_call.h"
 #include "rtserver/exports.h"
 
+#include "common/settings/image_texts.h"
+
 #include "rtcore/io/images/image_file.h"
 #include "rtcore/io/text/set.h"
 
@@ -16,6 +18,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace rtserver {
 
@@ -132,16 +135,19 @@ Result screenshot(const Call& call) {
     const std::filesystem::path path = pathOf(call[0]);
     if (!frameSuits(call)) return {.when = ReplyWhen::Again};
     const FrameMaker& frames = call.host.frames();
+    const std::vector<rtcore::ImageText> texts = app::imageTexts(call.state.settings());
     if (rtcore::isHdrFormat(path)) {
         if (!frames.hasRadiance())
             throw std::runtime_error("the server was paused in the midst of a frame; resume it first");
         const auto picture = std::make_shared<const rtcore::HdrImage>(frames.radiance());
         return writeBeside(
-            call, "", [path, picture] { rtcore::writeHdrImage(path, *picture); }, liveFrameText(*picture));
+            call, "", [path, picture, texts] { rtcore::writeHdrImage(path, *picture, texts); },
+            liveFrameText(*picture));
     }
     const auto picture = std::make_shared<const rtcore::LdrImage>(frames.image());
     return writeBeside(
-        call, "", [path, picture] { rtcore::writeImage(path, *picture); }, liveFrameText(*picture));
+        call, "", [path, picture, texts] { rtcore::writeImage(path, *picture, texts); },
+        liveFrameText(*picture));
 }
 
 constexpr std::array kFileFunctions{

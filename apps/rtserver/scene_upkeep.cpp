@@ -1,5 +1,7 @@
 #include "rtserver/scene_upkeep.h"
 
+#include "common/settings/guess_text.h"
+
 #include "rtcore/platform/file_waits.h"
 #include "rtcore/scene/up_axis.h"
 
@@ -56,9 +58,9 @@ void SceneUpkeep::show(std::unique_ptr<World> world) {
 
 void SceneUpkeep::tellFrame() {
     const rtcore::UpAndUnit& frame = state_.frame();
-    if (frame.upSaid != rtcore::Said::Guessed && frame.unitSaid != rtcore::Said::Guessed) return;
-    Messages::print(state_.title() + ": " + rtcore::describe(frame) +
-                    "; --up and --units, or 'up' and 'metresPerUnit' in a .scn, say it");
+    const std::string guess = app::guessText(frame);
+    if (guess.empty()) return;
+    Messages::print(state_.title() + ": " + guess);
     if (frame.unitSaid == rtcore::Said::Guessed && frame.metresPerUnit != 1)
         messages_.offer(fmt::format("{} m are taken for a unit ({}); 'units' sets another",
                                     frame.metresPerUnit, frame.unitWhy));

@@ -211,6 +211,10 @@ TEST(Messages, OfOneKindAreCounted) {
               "m.obj: 3 of 35 triangles are damaged\n"
               "m.obj: 22 textures are missing, so their materials are plain: 'a/b.png', ...\n"
               "c.obj: light 'a' of a/b: it is left out (and others like this: 1)");
+    EXPECT_EQ(text(warningsText(
+                  {QStringLiteral("/a.obj: 'x%2y' is new"), QStringLiteral("/a.obj: 'x%3y' is new")})),
+              "a.obj: 'x%2y' is new (and others like this: 1)")
+        << "a name is no place for a number";
     for (const char* kind : {"x", "y", "z"}) warnings.append(QLatin1String(kind));
     EXPECT_TRUE(warningsText(warnings).endsWith(QStringLiteral("x\nFurther warnings: 2")));
 }

@@ -75,6 +75,7 @@ TEST_F(RestTest, WhatIsShownIsSavedAndSaysHowItWasMade) {
     EXPECT_EQ(saved.convertToFormat(QImage::Format_RGB32), window->view().picture());
     EXPECT_EQ(saved.text(QStringLiteral("integrator")), QStringLiteral("path"));
     EXPECT_EQ(saved.text(QStringLiteral("samples")), QStringLiteral("3"));
+    EXPECT_TRUE(saved.text(QStringLiteral("Software")).startsWith(QStringLiteral("rtsuite ")));
     EXPECT_TRUE(window->view().told().contains(QStringLiteral("path tracing, samples per pixel: 3")))
         << window->view().told().toStdString();
 

@@ -2,6 +2,7 @@
 #include "process/sample_scene.h"
 
 #include "rtcore/io/images/image_file.h"
+#include "support/image_texts.h"
 
 #include <gtest/gtest.h>
 
@@ -54,6 +55,36 @@ TEST_F(Outputs, OneRenderingCanHaveSeveralFiles) {
     EXPECT_EQ(test::readBytes(folder / "a.ppm").rfind("P6", 0), 0U);
     EXPECT_EQ(test::filesIn(folder.path()),
               (std::vector<std::string>{"a.hdr", "a.png", "a.ppm", "room.obj"}));
+}
+
+TEST_F(Outputs, ImagesSayHowTheyWereMade) {
+    const auto textsOf = [&](const std::string& name) {
+        return test::imageTexts(test::readBytes(folder / name));
+    };
+    ASSERT_EQ(render({"-o", "a.png", "-o", "a.exr", "-a", "3"}).exitCode, 0);
+    test::Texts texts = textsOf("a.png");
+    EXPECT_TRUE(texts["Software"].starts_with("rtsuite ")) << texts["Software"];
+    EXPECT_EQ(texts["integrator"], "whitted");
+    EXPECT_EQ(texts["samples"], "9");
+    EXPECT_EQ(textsOf("a.exr"), texts);
+    EXPECT_EQ(test::imageTexts(render({"-o", "-", "-a", "3"}).output), texts);
+    ASSERT_EQ(render({"-o", "paths.exr", "--aovs", "--integrator=path", "--samples=5"}).exitCode, 0);
+    texts["integrator"] = "path";
+    texts["samples"] = "5";
+    EXPECT_EQ(textsOf("paths.exr"), texts);
+
+    test::writeCamera(folder / "a.cam", 0);
+    test::writeText(folder / "film.lst", "a.cam\na.cam\n");
+    for (const char* threads : {"1", "3"}) {
+        const std::string name = std::string("t") + threads + "f#.png",
+                          option = std::string("--threads=") + threads;
+        ASSERT_EQ(render({"-l", "film.lst", "-o", name, option}).exitCode, 0);
+        EXPECT_EQ(render({"-l", "film.lst", "-o", name, "--verify"}).exitCode, 0);
+    }
+    EXPECT_EQ(textsOf("t1f2.png")["samples"], "1");
+    for (const char* frame : {"f1.png", "f2.png"})
+        EXPECT_EQ(test::readBytes(folder / (std::string("t1") + frame)),
+                  test::readBytes(folder / (std::string("t3") + frame)));
 }
 
 TEST_F(Outputs, TheDebugSceneIsAModelThatCanBeRendered) {

@@ -68,9 +68,10 @@ void StatisticsDialog::refresh() {
     const ServerStatus& status = session_.status();
     constexpr double kMilli = 1e3, kMega = 1e6;
     const double seconds = static_cast<double>(clock_.restart()) / kMilli;
-    server_->setText(session_.live()
-                         ? tr("%1 (process %2)").arg(session_.instance()).arg(session_.serverProcess())
-                         : QStringLiteral("–"));
+    server_->setText(
+        session_.live()
+            ? tr("%1 (process %2)").arg(session_.instance(), QString::number(session_.serverProcess()))
+            : QStringLiteral("–"));
     state_->setText(stateName());
     frames_->setText(number(status.framesPerSecond, 1));
     frameTime_->setText(tr("%1 ms").arg(number(status.frameSeconds * kMilli, 1)));

@@ -38,7 +38,7 @@ QString reasonText(const QString& why) {
 
 QString countedText(const QString& first, qsizetype count) {
     const QString text = warningText(first);
-    return count == 1 ? text : tr("%1 (and others like this: %2)").arg(text).arg(count - 1);
+    return count == 1 ? text : tr("%1 (and others like this: %2)").arg(text, QString::number(count - 1));
 }
 
 } // namespace

@@ -2,6 +2,8 @@
 
 #include "gui/models/translated.h"
 
+#include "common/settings/image_texts.h"
+
 #include <QLocale>
 
 namespace gui {
@@ -15,10 +17,9 @@ QString originText(const PictureOrigin& origin) {
 }
 
 void describe(QImage& picture, const PictureOrigin& origin) {
-    picture.setText(QStringLiteral("Software"), QStringLiteral("rtsuite"));
-    picture.setText(QStringLiteral("integrator"),
-                    origin.paths ? QStringLiteral("path") : QStringLiteral("whitted"));
-    picture.setText(QStringLiteral("samples"), QString::number(origin.samples));
+    const auto integrator = origin.paths ? rtcore::Integrator::Path : rtcore::Integrator::Whitted;
+    for (const rtcore::ImageText& text : app::imageTexts(integrator, origin.samples))
+        picture.setText(QString::fromStdString(text.name), QString::fromStdString(text.text));
 }
 
 } // namespace gui

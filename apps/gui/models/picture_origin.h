@@ -18,8 +18,8 @@ QString samplesText(int samples);
 /// "path tracing, 37 samples per pixel" in the user's language.
 QString originText(const PictureOrigin& origin);
 
-/// Writes the origin into the texts that go into files which hold some (PNG): "Software", and the settings
-/// "integrator" and "samples" by their own names.
+/// Writes the origin into the texts that go into files which hold some (PNG), as all programs do
+/// (common/settings/image_texts.h).
 void describe(QImage& picture, const PictureOrigin& origin);
 
 } // namespace gui

@@ -158,8 +158,9 @@ void BookmarkOperations::keep(const QByteArray& camera, const QImage& picture) {
     refill();
     const int last = static_cast<int>(entries().size()) - 1;
     panel_->list().setCurrentRow(last);
-    context_.view.tell(last < kKeys ? tr("Bookmark “%1” added. Alt+%2 goes there.").arg(name).arg(last + 1)
-                                    : tr("Bookmark “%1” added.").arg(name));
+    context_.view.tell(
+        last < kKeys ? tr("Bookmark “%1” added. Alt+%2 goes there.").arg(name, QString::number(last + 1))
+                     : tr("Bookmark “%1” added.").arg(name));
 }
 
 void BookmarkOperations::go(int row) {

@@ -91,7 +91,8 @@ void BookmarksPanel::show(const QList<BookmarkRow>& rows) {
     for (int i = 0; i < rows.size(); ++i) {
         auto* item = new QListWidgetItem(iconOf(rows[i].picture, devicePixelRatioF()), rows[i].name, list_);
         item->setFlags(item->flags() | Qt::ItemIsEditable);
-        item->setToolTip(plainTip(i < 9 ? tr("%1\nAlt+%2").arg(rows[i].name).arg(i + 1) : rows[i].name));
+        item->setToolTip(
+            plainTip(i < 9 ? tr("%1\nAlt+%2").arg(rows[i].name, QString::number(i + 1)) : rows[i].name));
         names_.append(rows[i].name);
     }
     list_->setCurrentRow(std::min(std::max(current, 0), list_->count() - 1));

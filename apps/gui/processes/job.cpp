@@ -28,10 +28,18 @@ QString resultFile(const QString& result) {
     const QFileInfo info(result);
     if (result.isEmpty()) return {};
     if (!info.fileName().contains(QLatin1Char('#'))) return info.isFile() ? result : QString();
-    static const QRegularExpression run(QStringLiteral("#+(?!.*#)"));
-    const QString pattern = info.fileName().replace(run, QStringLiteral("*"));
-    const QStringList frames = info.dir().entryList({pattern}, QDir::Files, QDir::Time);
-    return frames.isEmpty() ? QString() : info.dir().filePath(frames.first());
+    // The last run of # is the number; all else is the name, whatever it means to a pattern.
+    const QString name = info.fileName();
+    const auto last = name.lastIndexOf(QLatin1Char('#'));
+    auto first = last;
+    while (first > 0 && name.at(first - 1) == QLatin1Char('#')) --first;
+    const QRegularExpression frame(QRegularExpression::anchoredPattern(
+        QRegularExpression::escape(name.left(first)) + QStringLiteral("\\d+") +
+        QRegularExpression::escape(name.mid(last + 1))));
+    for (const QString& each : info.dir().entryList(QDir::Files, QDir::Time)) {
+        if (frame.match(each).hasMatch()) return info.dir().filePath(each);
+    }
+    return {};
 }
 
 } // namespace gui

@@ -228,7 +228,9 @@ QString JobQueue::stateText(const Job& job) const {
     case JobState::Waiting:
         return tr("waiting");
     case JobState::Running:
-        if (job.frames > 1) return tr("%1 %2 of %3").arg(phaseText(job.phase)).arg(job.frame).arg(job.frames);
+        if (job.frames > 1)
+            return tr("%1 %2 of %3")
+                .arg(phaseText(job.phase), QString::number(job.frame), QString::number(job.frames));
         return job.phase.isEmpty() ? tr("starting") : phaseText(job.phase);
     case JobState::Stopping:
         return tr("stopping");

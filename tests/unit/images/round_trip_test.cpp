@@ -1,6 +1,7 @@
 #include "test_images.h"
 
 #include "rtcore/math/colour.h"
+#include "support/image_texts.h"
 #include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -205,6 +206,37 @@ TEST(Formats, ContentCountsNotTheName) {
     writeImage(folder / "a.png", image);
     std::filesystem::rename(folder / "a.png", folder / "a.jpg");
     EXPECT_EQ(readLdrImage(folder / "a.jpg").pixels, image.pixels);
+}
+
+std::string asText(const std::vector<std::byte>& bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+TEST(Formats, PngAndExrHoldTexts) {
+    const TemporaryFolder folder;
+    const LdrImage image = noiseImage(5, 5);
+    const std::vector<ImageText> texts{{"Software", "a program 1.0"}, {"samples", "16"}, {"empty", ""}};
+    const test::Texts expected{{"Software", "a program 1.0"}, {"samples", "16"}, {"empty", ""}};
+    const auto textsOf = [&](const char* name) {
+        return test::imageTexts(asText(test::loadBytes(folder / name)));
+    };
+    writeImage(folder / "a.png", image, texts);
+    EXPECT_EQ(textsOf("a.png"), expected);
+    EXPECT_EQ(readLdrImage(folder / "a.png").pixels, image.pixels);
+    EXPECT_EQ(encodeImage(image, "png", texts), test::loadBytes(folder / "a.png"));
+    writeImage(folder / "none.png", image);
+    EXPECT_EQ(textsOf("none.png"), test::Texts());
+    writeImage(folder / "a.jpg", image, texts);
+    writeImage(folder / "none.jpg", image);
+    EXPECT_EQ(test::loadBytes(folder / "a.jpg"), test::loadBytes(folder / "none.jpg"));
+    if (!isWritableFormat("a.exr")) GTEST_SKIP() << "this build has no OpenEXR";
+    const HdrImage linear(3, 2, {0.5F, 1, 2});
+    writeHdrImage(folder / "a.exr", linear, texts);
+    EXPECT_EQ(textsOf("a.exr"), expected);
+    EXPECT_EQ(readHdrImage(folder / "a.exr").pixels, linear.pixels);
+    const ImageChannel channel{"Y", &linear.pixels.front().r, 3};
+    writeExrChannels(folder / "b.exr", 3, 2, std::span(&channel, 1), texts);
+    EXPECT_EQ(textsOf("b.exr"), expected);
 }
 
 TEST(Memory, EncodedPicturesAreTheFilesContent) {

@@ -63,6 +63,8 @@ const std::vector<Case> kCases = {
     {"camera angle 80", {Change::View}},
     {"camera lens 50", {Change::View}},
     {"camera zoom 2", {Change::View}, "32.2"},
+    {"up", {}, "+y is up ("},
+    {"units", {}, "one unit is 1 m (guessed)"},
     {"up +y", {}, "+y is up (as you say); one unit is 1 m (guessed)"},
     {"units m", {}, "one unit is 1 m (as you say)"},
     {"focus 0.5 0.9", {Change::Setting}, "5"},
@@ -184,6 +186,18 @@ TEST_P(ACommand, AnswersAndChangesWhatItSays) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfTheTable, ACommand, testing::ValuesIn(kCases), nameOf);
+
+using Asking = test::CommandRoom;
+
+TEST_F(Asking, IsNoStepOfUndo) {
+    drawFrame();
+    const std::string up = run("up -x").answer;
+    EXPECT_EQ(run("up").answer, up);
+    EXPECT_EQ(run("units").answer, up);
+    run("undo");
+    EXPECT_NE(run("up").answer, up);
+    EXPECT_THROW(run("undo"), std::runtime_error);
+}
 
 struct Refusal {
     std::string line;

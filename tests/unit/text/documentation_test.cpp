@@ -1,4 +1,5 @@
 // docs/formats.md shows what the readers take, and all of it.
+#include "rtcore/io/bsp/bsp_layout.h"
 #include "rtcore/io/recording/camera_list.h"
 #include "rtcore/io/text/cam.h"
 #include "rtcore/io/text/scn.h"
@@ -129,6 +130,22 @@ TEST(FormatsDocument, NamesTheBoundsOfTheParser) {
     says("at most " + std::to_string(rtcore::kMaxTomlDepth) + " brackets within brackets,\n  " +
          std::to_string(rtcore::kMaxTomlDepth) + " parts in a dotted key, a million values");
     EXPECT_EQ(rtcore::kMaxTomlValues, 1'000'000U);
+}
+
+TEST(FormatsDocument, DescribesTheBspThatIsWritten) {
+    const auto says = [](const std::string& words) {
+        EXPECT_NE(document().find(words), std::string::npos) << words;
+    };
+    const std::string version = std::to_string(rtcore::kBspVersion);
+    says("\nVersion " + version + ". All numbers");
+    says("\n| 12 | 4 | version: " + version + " |\n");
+    says("\n| 16 | 4 | size of this head: " + std::to_string(sizeof(rtcore::BspHead)) + " |\n");
+    says("number of sections, at most " + std::to_string(rtcore::kMostBspSections));
+    says("Entry of the table, " + std::to_string(sizeof(rtcore::BspSectionEntry)) + " bytes");
+    for (std::uint32_t older = 2; older < rtcore::kBspVersion; ++older)
+        says("\n**Version " + std::to_string(older) + "** is still read.");
+    for (const rtcore::BspSectionKind& kind : rtcore::kBspSectionKinds)
+        says("\n| " + std::string(kind.name) + " | " + std::to_string(kind.elementSize) + " | ");
 }
 
 TEST(FormatsDocument, NamesTheRangesOfMaterials) {

@@ -28,8 +28,13 @@ Bytes encodeTga(const LdrImage& image, const std::string& name);
 Bytes encodeRare(const LdrImage& image, const std::string& name, const std::string& magickName);
 Bytes encodeRadiance(const HdrImage& image, const std::string& name);
 Bytes encodePfm(const HdrImage& image, const std::string& name);
-Bytes encodeExr(const HdrImage& image, const std::string& name); // float, ZIP
-Bytes encodeExr(int width, int height, std::span<const ImageChannel> channels, const std::string& name);
+Bytes encodeExr(const HdrImage& image, std::span<const ImageText> texts,
+                const std::string& name); // float, ZIP
+Bytes encodeExr(int width, int height, std::span<const ImageChannel> channels,
+                std::span<const ImageText> texts, const std::string& name);
+
+/// A whole PNG file, with these texts as well.
+Bytes withPngTexts(Bytes png, std::span<const ImageText> texts);
 
 /// Was this build made with them, and does ImageMagick have the coder?
 bool exrAvailable();

@@ -9,6 +9,7 @@
 #include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfStringAttribute.h>
 
 #include <algorithm>
 #include <cstring>
@@ -148,17 +149,19 @@ DecodedImage decodeExr(ByteSpan bytes, const std::string& name) {
     }
 }
 
-Bytes encodeExr(const HdrImage& image, const std::string& name) {
+Bytes encodeExr(const HdrImage& image, std::span<const ImageText> texts, const std::string& name) {
     const Colour* const first = image.pixels.data();
     const ImageChannel channels[] = {{"R", &first->r, 3}, {"G", &first->g, 3}, {"B", &first->b, 3}};
     static_assert(sizeof(Colour) == 3 * sizeof(float));
-    return encodeExr(image.width, image.height, channels, name);
+    return encodeExr(image.width, image.height, channels, texts, name);
 }
 
-Bytes encodeExr(int width, int height, std::span<const ImageChannel> channels, const std::string& name) {
+Bytes encodeExr(int width, int height, std::span<const ImageChannel> channels,
+                std::span<const ImageText> texts, const std::string& name) {
     try {
         Imf::Header header(width, height);
         header.compression() = Imf::ZIP_COMPRESSION;
+        for (const ImageText& text : texts) header.insert(text.name, Imf::StringAttribute(text.text));
         Imf::FrameBuffer frame;
         for (const ImageChannel& channel : channels) {
             header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
@@ -192,12 +195,12 @@ DecodedImage decodeExr(ByteSpan /*bytes*/, const std::string& name) {
     badImage(name, "this build reads no EXR; convert it to .hdr");
 }
 
-Bytes encodeExr(const HdrImage& /*image*/, const std::string& name) {
+Bytes encodeExr(const HdrImage& /*image*/, std::span<const ImageText> /*texts*/, const std::string& name) {
     cannotEncode(name, "this build writes no EXR; use .hdr or .pfm");
 }
 
 Bytes encodeExr(int /*width*/, int /*height*/, std::span<const ImageChannel> /*channels*/,
-                const std::string& name) {
+                std::span<const ImageText> /*texts*/, const std::string& name) {
     cannotEncode(name, "this build writes no EXR");
 }
 

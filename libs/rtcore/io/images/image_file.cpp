@@ -64,11 +64,13 @@ void checkEncodable(const Image<Pixel>& image, const std::string& name) {
     }
 }
 
-Bytes encodeHdr(const HdrImage& image, ImageFormat format, const std::string& name) {
+using Texts = std::span<const ImageText>;
+
+Bytes encodeHdr(const HdrImage& image, ImageFormat format, Texts texts, const std::string& name) {
     checkEncodable(image, name);
     switch (format) {
     case ImageFormat::Exr:
-        return encodeExr(image, name);
+        return encodeExr(image, texts, name);
     case ImageFormat::Radiance:
         return encodeRadiance(image, name);
     case ImageFormat::Pfm:
@@ -78,12 +80,12 @@ Bytes encodeHdr(const HdrImage& image, ImageFormat format, const std::string& na
     }
 }
 
-Bytes encodeLdr(const LdrImage& image, const FormatName* target, const std::string& name) {
+Bytes encodeLdr(const LdrImage& image, const FormatName* target, Texts texts, const std::string& name) {
     if (target == nullptr) cannotEncode(name, "unknown image format; known are " + writableFormats());
     checkEncodable(image, name);
     switch (target->format) {
     case ImageFormat::Png:
-        return encodePng(image, name);
+        return withPngTexts(encodePng(image, name), texts);
     case ImageFormat::Jpeg:
         return encodeJpeg(image, name);
     case ImageFormat::Bmp:
@@ -97,7 +99,7 @@ Bytes encodeLdr(const LdrImage& image, const FormatName* target, const std::stri
     case ImageFormat::Rare:
         return encodeRare(image, name, target->magickName);
     default:
-        return encodeHdr(toHdr(image), target->format, name);
+        return encodeHdr(toHdr(image), target->format, texts, name);
     }
 }
 
@@ -131,19 +133,19 @@ HdrImage decodeHdrImage(std::span<const std::byte> bytes, const std::string& nam
     return toHdr(decode(bytes, nameForErrors));
 }
 
-void writeImage(const std::filesystem::path& path, const LdrImage& image) {
-    replaceWith(path, encodeLdr(image, findFormat(extensionOf(path)), path.string()));
+void writeImage(const std::filesystem::path& path, const LdrImage& image, Texts texts) {
+    replaceWith(path, encodeLdr(image, findFormat(extensionOf(path)), texts, path.string()));
 }
 
-void writeHdrImage(const std::filesystem::path& path, const HdrImage& image) {
+void writeHdrImage(const std::filesystem::path& path, const HdrImage& image, Texts texts) {
     const FormatName* target = findFormat(extensionOf(path));
-    replaceWith(path,
-                encodeHdr(image, target != nullptr ? target->format : ImageFormat::Unknown, path.string()));
+    const ImageFormat format = target != nullptr ? target->format : ImageFormat::Unknown;
+    replaceWith(path, encodeHdr(image, format, texts, path.string()));
 }
 
 void writeExrChannels(const std::filesystem::path& path, int width, int height,
-                      std::span<const ImageChannel> channels) {
-    replaceWith(path, encodeExr(width, height, channels, path.string()));
+                      std::span<const ImageChannel> channels, Texts texts) {
+    replaceWith(path, encodeExr(width, height, channels, texts, path.string()));
 }
 
 bool isExr(const std::filesystem::path& path) {
@@ -171,8 +173,8 @@ std::string writableFormats() {
     return list;
 }
 
-std::vector<std::byte> encodeImage(const LdrImage& image, const std::string& format) {
-    return encodeLdr(image, findFormat(format), "output." + format);
+std::vector<std::byte> encodeImage(const LdrImage& image, const std::string& format, Texts texts) {
+    return encodeLdr(image, findFormat(format), texts, "output." + format);
 }
 
 } // namespace rtcore

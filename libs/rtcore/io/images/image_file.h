@@ -3,6 +3,7 @@
 /// allocated. No other program is ever started. Every function may be called from many threads at once.
 #pragma once
 
+#include "rtcore/io/images/image_text.h"
 #include "rtcore/scene/image.h"
 
 #include <cstddef>
@@ -28,12 +29,15 @@ LdrImage decodeLdrImage(std::span<const std::byte> bytes, const std::string& nam
 HdrImage decodeHdrImage(std::span<const std::byte> bytes, const std::string& nameForErrors);
 
 /// Replaces `path` (platform/files.h: all or nothing). Formats without alpha (JPEG, BMP, PPM) drop it; JPEG
-/// has quality 95. A linear format gets decoded sRGB. Throws FileError CannotWrite.
-void writeImage(const std::filesystem::path& path, const LdrImage& image);
+/// has quality 95. A linear format gets decoded sRGB. PNG and EXR get the texts, too; other formats hold
+/// none. Throws FileError CannotWrite.
+void writeImage(const std::filesystem::path& path, const LdrImage& image,
+                std::span<const ImageText> texts = {});
 
 /// Unclamped linear colour into .exr (32-bit float), .hdr (Radiance RGBE, negative parts become 0) or .pfm.
 /// Throws FileError CannotWrite, also for any other extension.
-void writeHdrImage(const std::filesystem::path& path, const HdrImage& image);
+void writeHdrImage(const std::filesystem::path& path, const HdrImage& image,
+                   std::span<const ImageText> texts = {});
 
 /// One float of each pixel, somewhere in memory.
 struct ImageChannel {
@@ -44,7 +48,7 @@ struct ImageChannel {
 
 /// Any channels into one .exr, as 32-bit float. Throws FileError CannotWrite.
 void writeExrChannels(const std::filesystem::path& path, int width, int height,
-                      std::span<const ImageChannel> channels);
+                      std::span<const ImageChannel> channels, std::span<const ImageText> texts = {});
 
 /// By extension, whatever its case: is it .exr?
 bool isExr(const std::filesystem::path& path);
@@ -56,6 +60,7 @@ std::string writableFormats();
 
 /// The bytes of a file of that format, an extension without its dot ("png", "ppm"), for writing to a pipe.
 /// Throws FileError CannotWrite.
-std::vector<std::byte> encodeImage(const LdrImage& image, const std::string& format);
+std::vector<std::byte> encodeImage(const LdrImage& image, const std::string& format,
+                                   std::span<const ImageText> texts = {});
 
 } // namespace rtcore
