@@ -7,9 +7,9 @@
 #include "common/cli/command_line.h"
 
 #include "rtcore/io/text/scn_sections.h"
+#include "rtcore/scene/light_power.h"
 #include "rtcore/settings/plain_text.h"
 #include "rtcore/settings/utf8.h"
-#include "rtcore/scene/light_power.h"
 
 #include <fmt/core.h>
 
