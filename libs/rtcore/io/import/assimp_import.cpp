@@ -288,6 +288,16 @@ void refuseMisnamed(const std::filesystem::path& path, const Assimp::Importer& i
     if (const auto ending = endingByContent(path)) refuseName(*ending);
 }
 
+/// What it requires and does not get, and what to do; "" where that is nothing.
+std::string needsOf(const GltfFile& gltf) {
+    if (gltf.unreadRequirements.empty()) return "";
+    const std::string& first = gltf.unreadRequirements.front();
+    std::string others;
+    for (const std::string& name : gltf.unreadRequirements | std::views::drop(1)) others += " and " + name;
+    return "it needs " + first + others + ", which " + (others.empty() ? "is" : "are") + " not read; " +
+           remedyFor(first);
+}
+
 /// Only parses: Assimp's own post-processing takes ten times as long as ours.
 const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path& path,
                          const std::optional<GltfFile>& gltf, ImportReport& report) {
@@ -303,6 +313,7 @@ const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path
     if (scene != nullptr) return *scene;
     const std::string reason = importer.GetErrorString();
     if (reason.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
+    if (const std::string needs = gltf ? needsOf(*gltf) : ""; !needs.empty()) refuse(needs);
     if (const auto ending = endingByContent(path)) refuseName(*ending);
     if (reason.find("No suitable reader") != std::string::npos) {
         refuse("no importer knows this format; convert it to glTF, OBJ, PLY or STL");
@@ -314,15 +325,6 @@ const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path
     }
     refuse("Assimp cannot read it: " + reason +
            "; open it in the program that wrote it and export it again, as glTF or OBJ for example");
-}
-
-void refuseUnread(const GltfFile& gltf) {
-    if (gltf.unreadRequirements.empty()) return;
-    const std::string& first = gltf.unreadRequirements.front();
-    std::string others;
-    for (const std::string& name : gltf.unreadRequirements | std::views::drop(1)) others += " and " + name;
-    refuse("it needs " + first + others + ", which " + (others.empty() ? "is" : "are") + " not read; " +
-           remedyFor(first));
 }
 
 std::string formatOf(const Assimp::Importer& importer) {
@@ -400,6 +402,8 @@ void warnOfFiles(const std::filesystem::path& path, const std::optional<GltfFile
                                " missing; what it describes is plain grey");
     }
     for (const std::string& sentence : unreadInCollada(path)) addWarning(report, sentence);
+    if (const std::string needs = gltf ? needsOf(*gltf) : ""; !needs.empty())
+        addWarning(report, needs + ": part of it is missing or wrong here");
     if (gltf && !gltf->ignoredExtensions.empty())
         addWarning(report, "ignored, since not supported: " + firstOf(gltf->ignoredExtensions));
 }
@@ -436,7 +440,7 @@ std::string nameOf(const Instance& instance, const aiScene& scene) {
 FileImport importWithAssimp(const std::filesystem::path& path, const FileImportOptions& options) {
     const auto importer = std::make_shared<Assimp::Importer>();
     const std::optional<GltfFile> gltf = readGltfFile(path);
-    if (gltf) refuseUnread(*gltf);
+    if (gltf && gltf->geometryUnread) refuse(needsOf(*gltf));
     FileImport result;
     const aiScene& scene = readScene(*importer, path, gltf, result.report);
     options.alive();

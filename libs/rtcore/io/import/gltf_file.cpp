@@ -153,6 +153,11 @@ std::vector<std::string> unreadRequirementsOf(const Json& root) {
     return unread;
 }
 
+bool storesPositions(const std::string& extension) {
+    return extension == "KHR_mesh_quantization" || extension == "EXT_meshopt_compression" ||
+           extension == "KHR_meshopt_compression";
+}
+
 } // namespace
 
 std::string remedyFor(const std::string& extension) {
@@ -178,10 +183,12 @@ std::optional<GltfFile> readGltfFile(const std::filesystem::path& path) {
     try {
         const Json root = Json::parse(text);
         if (member(member(root, "asset"), "version").get<std::string>().substr(0, 1) != "2") return {};
+        const std::vector<std::string> requirements = unreadRequirementsOf(root);
         return GltfFile{missingBuffersOf(root, path.parent_path()),
                         emissiveStrengthsOf(root),
                         unknownIn(member(root, "extensionsUsed")),
-                        unreadRequirementsOf(root),
+                        requirements,
+                        std::any_of(requirements.begin(), requirements.end(), storesPositions),
                         member(root, "asset").value("generator", ""),
                         declaredTriangles(root),
                         countsOfColoursWithAlpha(root)};

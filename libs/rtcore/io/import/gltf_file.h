@@ -11,13 +11,15 @@
 namespace rtcore {
 
 struct GltfFile {
-    std::vector<std::string> missingBuffers;     ///< files that it names and that are not there
-    std::vector<float> emissiveStrengths;        ///< by material; KHR_materials_emissive_strength
-    std::vector<std::string> ignoredExtensions;  ///< that it uses, and that change what is seen
-    std::vector<std::string> unreadRequirements; ///< extensions without which it cannot be read
-    std::string generator;                       ///< the program that wrote it; may be ""
-    std::uint64_t triangles =
-        0; ///< of the meshes of the scene that is shown, as their primitives declare them
+    std::vector<std::string> missingBuffers;    ///< files that it names and that are not there
+    std::vector<float> emissiveStrengths;       ///< by material; KHR_materials_emissive_strength
+    std::vector<std::string> ignoredExtensions; ///< that it uses, and that change what is seen
+    /// That it requires and that are not read; without those of materials, which are only ignored.
+    std::vector<std::string> unreadRequirements;
+    bool geometryUnread = false; ///< one of these says how positions are stored
+    std::string generator;       ///< the program that wrote it; may be ""
+    /// Of the meshes of the scene that is shown, as their primitives declare them.
+    std::uint64_t triangles = 0;
     /// Numbers of vertices; colours of primitives with so many have an alpha.
     std::set<std::uint64_t> countsWithAlpha;
 };
