@@ -162,7 +162,7 @@ void sendJunk(Visit& visit) {
     for (std::uint64_t sequence = 1; link->check() != ipc::LinkState::Gone; ++sequence) {
         if (!attachment || !attachment->accepted()) {
             attachment.reset();
-            attachment.emplace(names, *link, slot, keys);
+            attachment.emplace(names, *link, slot, keys, 0U);
         }
         std::vector<std::byte> message =
             ipc::encode({sequence, true, rubbish(visit, 100)}, link->epoch() + visit.below(2));
