@@ -10,7 +10,7 @@ namespace {
 using rtcore::Colour;
 using rtcore::LdrImage;
 using rtcore::Rgba8;
-using test::glowing;
+using test::emitting;
 using test::metallicRoughness;
 using test::QuadsFile;
 
@@ -74,7 +74,7 @@ TEST_F(MapsSeen, TransmissionIsThatOfTheTexture) {
     writeImage("i.png", 8, 8, halves);
     const std::string glass = ",\"extensions\":{\"KHR_materials_transmission\":{\"transmissionFactor\":1,"
                               "\"transmissionTexture\":{\"index\":0}}}";
-    QuadsFile file({{0, metallicRoughness("1,1,1,1", 0, glass)}, {-1, glowing()}});
+    QuadsFile file({{0, metallicRoughness("1,1,1,1", 0, glass)}, {-1, emitting()}});
     file.more = images() + ",\"extensionsUsed\":[\"KHR_materials_transmission\"]";
     test::writeText(folder / "m.gltf", file.text());
     for (const char* integrator : {"path", "whitted"}) {

@@ -8,7 +8,7 @@
 namespace {
 
 using rtcore::Colour;
-using test::glowing;
+using test::emitting;
 using test::metallicRoughness;
 using test::QuadsFile;
 
@@ -19,7 +19,7 @@ class MaterialsSeen : public test::SeenFiles {
     /// A square of the material in front of one of radiance 1.
     Colour over(const std::string& material, const std::string& integrator, const std::string& more = "",
                 const std::vector<float>& colour = {}) {
-        QuadsFile file({{0, material, colour}, {-1, glowing()}});
+        QuadsFile file({{0, material, colour}, {-1, emitting()}});
         file.more = more;
         test::writeText(folder / "m.gltf", file.text());
         return see("m.gltf", integrator, kStraight).mean();
@@ -68,7 +68,7 @@ TEST_F(MaterialsSeen, BlendedSurfacesOfOtherFormatsPassTheSame) {
     }
 }
 
-/// A box of alpha 0.2 around the eye's line, before a wall that glows on its right half.
+/// A box of alpha 0.2 around the eye's line, before a wall that emits on its right half.
 TEST_F(MaterialsSeen, ClosedBlendedSolidsNeitherBendNorHideWhatIsBehind) {
     test::writeText(folder / "m.mtl",
                     "newmtl veil\nKd 1 1 1\nd 0.2\nillum 2\nNi 1.45\nnewmtl wall\nKd 1 1 1\nillum 0\n");

@@ -102,7 +102,7 @@ inline std::string metallicRoughness(const std::string& base, float roughness, c
            "],\"metallicFactor\":0,\"roughnessFactor\":" + std::to_string(roughness) + "}" + more + "}";
 }
 /// Black, of radiance 1.
-inline std::string glowing() { return metallicRoughness("0,0,0,1", 1, ",\"emissiveFactor\":[1,1,1]"); }
+inline std::string emitting() { return metallicRoughness("0,0,0,1", 1, ",\"emissiveFactor\":[1,1,1]"); }
 
 /// Models in a folder, and images of them.
 class SeenFiles : public testing::Test {
