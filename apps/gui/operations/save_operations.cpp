@@ -150,13 +150,11 @@ void SaveOperations::onPacked(const Answer& answer, const QString& folder) {
 }
 
 void SaveOperations::confirmOutside(const QString& files, const QString& folder) {
-    auto* box = new QMessageBox(QMessageBox::Question, tr("Pack files from elsewhere"),
-                                tr("The scene names files outside of its folder. With them, the pack "
-                                   "shows them to all who get it:\n\n%1")
-                                    .arg(files),
-                                QMessageBox::NoButton, &context_.window);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setTextFormat(Qt::PlainText);
+    auto* box = plainBox(QMessageBox::Question, tr("Pack files from elsewhere"),
+                         tr("The scene names files outside of its folder. With them, the pack "
+                            "shows them to all who get it:\n\n%1")
+                             .arg(files),
+                         &context_.window);
     const QPushButton* yes = box->addButton(tr("&Pack them, too"), QMessageBox::AcceptRole);
     box->setDefaultButton(box->addButton(QMessageBox::Cancel));
     connect(yes, &QPushButton::clicked, this, [this, folder] { packInto(folder, true); });
