@@ -243,8 +243,8 @@ void LightFields::showSize(const rtcore::Light& light) {
     size_[0]->setAccessibleName(traits.disc    ? tr("Angle under which it is seen")
                                 : traits.sides ? tr("Width")
                                                : tr("Radius"));
-    size_[0]->setToolTip(plainTip(traits.disc ? tr("The sun has 0.53°; 0: shadows are sharp")
-                                              : size_[0]->accessibleName()));
+    size_[0]->setToolTip(
+        plainTip(traits.disc ? tr("The sun has 0.53°; 0: shadows are sharp") : size_[0]->accessibleName()));
     if (traits.disc)
         set(*size_[0], rtcore::degreesOfHalfSine(light.discSine));
     else
