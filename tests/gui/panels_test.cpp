@@ -609,14 +609,14 @@ TEST(LookTest, TheDirectionThroughACornerHasTheAngleOfTheField) {
 }
 
 TEST(SceneStateTest, AnswersAreRead) {
-    const QString answer =
-        QStringLiteral("version = 1\nscene = \"/a/b.scn\"\nup = \"+z\"\nmetresPerUnit = 0.01\n"
-                       "undo = \"set exposure.key\"\nredo = \"\"\nedits = 4\n"
-                       "modified = true\nbookmarks = [\"door\"]\n"
-                       "[lights]\non = [true, false]\nnames = [\"sun and moon\", \"\"]\nids = [3, 1]\n"
-                       "[environments]\non = [true, false]\nnames = [\"day\", \"night\"]\n"
-                       "[camera]\neye = [1.0, 2.0, 3.0]\nforward = [0.0, 0.0, -1.0]\n"
-                       "[settings]\nbloom = 0\nexposure.key = 0.18\n");
+    const QString answer = QStringLiteral(
+        "version = 1\nscene = \"/a/b.scn\"\nup = \"+z\"\nmetresPerUnit = 0.01\n"
+        "undo = \"set exposure.key\"\nredo = \"\"\nundoEdit = [4, 0]\nredoEdit = [0, 0]\nedits = 4\n"
+        "modified = true\nbookmarks = [\"door\"]\n"
+        "[lights]\non = [true, false]\nnames = [\"sun and moon\", \"\"]\nids = [3, 1]\n"
+        "[environments]\non = [true, false]\nnames = [\"day\", \"night\"]\n"
+        "[camera]\neye = [1.0, 2.0, 3.0]\nforward = [0.0, 0.0, -1.0]\n"
+        "[settings]\nbloom = 0\nexposure.key = 0.18\n");
     const std::optional<StateAnswer> read = readState(answer);
     ASSERT_TRUE(read);
     EXPECT_FALSE(readState(QStringLiteral("version = 1\n")));

@@ -19,6 +19,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kRest = 250ms; ///< between two taps of a key nothing is started
+constexpr auto kResize = 2s;  ///< a server that is asked for another size has it by then
 
 } // namespace
 
@@ -47,6 +48,7 @@ void RenderOperations::listen() {
     connect(&context_.session, &Session::statusChanged, this, &RenderOperations::onStatus);
     connect(&context_.session, &Session::frameChanged, this, &RenderOperations::onFrame);
     connect(&context_.preferences, &Preferences::changed, this, &RenderOperations::onPreferences);
+    connect(&context_.view, &FrameView::resolutionWanted, this, [this] { sizeAsked_.start(); });
     connect(&context_.editor, &SceneEditor::sending, this, [this] {
         if (kept_) interrupt();
     });
@@ -93,6 +95,7 @@ void RenderOperations::render(const StillQuality& quality) {
 
 void RenderOperations::interrupt() {
     kept_.reset();
+    sizeAsked_.invalidate();
     context_.view.showLive();
     beginAgain();
 }
@@ -111,22 +114,29 @@ void RenderOperations::onResize() {
     const bool same = before.eye == moment_.view.eye && before.forward == moment_.view.forward &&
                       before.up == moment_.view.up;
     if (!same || context_.view.showsLive()) return interrupt();
+    sizeAsked_.invalidate();
     if (!kept_) edits_ = context_.editor.state().edits;
     kept_ = context_.view.origin();
     beginAgain();
+}
+
+bool RenderOperations::resizes() const {
+    return sizeAsked_.isValid() && !sizeAsked_.hasExpired(std::chrono::milliseconds(kResize).count());
 }
 
 void RenderOperations::onStatus() {
     const ServerStatus& status = context_.session.status();
     if ((settled_ || kept_) && status.resolution != moment_.size) return onResize();
     const bool moved = status.view != moment_.view;
-    if (settled_ ? moved || (moment_.idle && !status.idle) : kept_ && moved) return interrupt();
+    const bool busy = moment_.idle && !status.idle && !resizes();
+    if (settled_ ? moved || busy : kept_ && moved) return interrupt();
     if (!settled_ && mayRenderProgressively() && !rest_.isActive()) rest_.start();
 }
 
 // A server at rest publishes nothing unless something has changed, be it for less time than it takes to see.
 void RenderOperations::onFrame() {
-    if (settled_ && moment_.idle && context_.session.frameNumber() != moment_.frame) interrupt();
+    const bool another = context_.session.frameNumber() != moment_.frame;
+    if (settled_ && moment_.idle && another && !resizes()) interrupt();
 }
 
 void RenderOperations::onPreferences() {

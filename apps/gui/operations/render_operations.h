@@ -5,6 +5,7 @@
 #include "gui/operations/gui_context.h"
 #include "gui/processes/preview_process.h"
 
+#include <QElapsedTimer>
 #include <QObject>
 #include <QSize>
 #include <QTimer>
@@ -30,6 +31,8 @@ class RenderOperations : public QObject {
     /// Only the size of the frame is another one: the image stays until there is one as good of that size, or
     /// something moves or is edited.
     void onResize();
+    /// The server has been asked for another size, and draws it before it says so.
+    bool resizes() const;
     void beginAgain();
     void onStatus();
     void onFrame();
@@ -49,7 +52,8 @@ class RenderOperations : public QObject {
 
     GuiContext context_;
     PreviewProcess preview_;
-    QTimer rest_;          ///< how long nothing has moved
+    QTimer rest_; ///< how long nothing has moved
+    QElapsedTimer sizeAsked_;
     bool quick_ = false;   ///< the image was asked for; else it is a progressive one
     bool settled_ = false; ///< this moment is rendered, is being rendered, or cannot be
     Moment moment_;
