@@ -123,8 +123,9 @@ rtcore::LoadedScene loadWithProgress(const RendererOptions& options, app::Progre
         rtcore::LoadedScene loaded = rtcore::loadScene(options.scene, load);
         for (const std::string& warning : loaded.warnings) progress.print("warning: " + warning);
         const std::string guess = app::guessText(loaded.frame);
-        if (!guess.empty() && options.progress != app::ProgressStyle::None)
-            progress.print(options.scene.filename().string() + ": " + guess);
+        const bool forPeople =
+            options.progress != app::ProgressStyle::None && options.progress != app::ProgressStyle::Json;
+        if (!guess.empty() && forPeople) progress.print(options.scene.filename().string() + ": " + guess);
         app::selectParts(options.selection, loaded.scene);
         app::selectLights(options.selection, loaded.scene);
         if (options.verbose) tellOpenGlass(loaded.scene, progress);

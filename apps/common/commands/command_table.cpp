@@ -229,7 +229,7 @@ std::vector<CommandSpec> editCommands() {
         {.id = CommandId::By,
          .name = "by",
          .arguments = {whole("PERSON", 1), text("COMMAND"), manyOf(text("ARGUMENT"))},
-         .help = "run an edit, also one with `also`, on behalf of one of those whom this client serves",
+         .help = "run an edit on behalf of one of those whom this client serves",
          .more = "For programs: `state` tells the client whose the last edit is, and another's is never "
                  "joined to it"},
     };

@@ -42,18 +42,20 @@ TEST_F(DamagedHeads, HarmNobody) {
                         kHttpTokens, 12);
     const auto honest = join();
     std::array<long, 6> answers{}; // by the first digit of the status; 0: none
+    long faults = 0;
     for (long i = 0; i < damagedTexts(); ++i) {
         RawSocket socket(port);
         socket.write(damaged.next() + "\r\n\r\n");
         const std::string answer = socket.read(200ms);
         ASSERT_TRUE(answer.empty() || answer.starts_with("HTTP/1.1 ")) << answer;
         ++answers.at(answer.empty() ? 0 : static_cast<std::size_t>(answer.at(9) - '0'));
+        if (answer.starts_with("HTTP/1.1 500")) ++faults;
         if (i % 100 != 0) continue;
         ASSERT_FALSE(honest->request({{"do", "walk"}}, 10s).is_null()) << "after head " << i;
     }
     EXPECT_GT(answers[1] + answers[2], 0) << "some damage does not matter";
     EXPECT_GT(answers[4], 0) << "some does";
-    EXPECT_EQ(answers[5], 0) << "none is the bridge's fault";
+    EXPECT_EQ(faults, 0);
     EXPECT_TRUE(eventually([&] { return WebClient(port).status() == 101; }, 20s)) << "others are let in";
 }
 

@@ -142,8 +142,9 @@ TEST_F(SavedScene, ManyEditsGiveTheSameBits) {
 TEST_F(SavedScene, HasTheSunOfItsSkyAsItWasEdited) {
     writeText(folder() / "sky.scn",
               "version = 2\nmodel = 'in/room.obj'\n[camera]\neye = [0, 1.7, 6]\nlookAt = [0, 1.5, 0]\n"
-              "[sky]\ndirection = [1, 2, 1]\n[live]\nexposure.mode = 'fixed'\n");
+              "[sky]\ndirection = [1, 2, 1]\n");
     start({}, "sky.scn");
+    ask({"set", "exposure.mode", "fixed"});
     const std::string before = shot("before.png");
     ask({"light", "power", "1", "1"});
     ask({"light", "size", "1", "3"});
