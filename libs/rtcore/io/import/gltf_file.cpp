@@ -184,9 +184,13 @@ std::optional<GltfFile> readGltfFile(const std::filesystem::path& path) {
         const Json root = Json::parse(text);
         if (member(member(root, "asset"), "version").get<std::string>().substr(0, 1) != "2") return {};
         const std::vector<std::string> requirements = unreadRequirementsOf(root);
+        std::vector<std::string> ignored = unknownIn(member(root, "extensionsUsed"));
+        std::erase_if(ignored, [&](const std::string& name) { // told once
+            return std::find(requirements.begin(), requirements.end(), name) != requirements.end();
+        });
         return GltfFile{missingBuffersOf(root, path.parent_path()),
                         emissiveStrengthsOf(root),
-                        unknownIn(member(root, "extensionsUsed")),
+                        ignored,
                         requirements,
                         std::any_of(requirements.begin(), requirements.end(), storesPositions),
                         member(root, "asset").value("generator", ""),

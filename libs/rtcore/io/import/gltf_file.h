@@ -11,9 +11,10 @@
 namespace rtcore {
 
 struct GltfFile {
-    std::vector<std::string> missingBuffers;    ///< files that it names and that are not there
-    std::vector<float> emissiveStrengths;       ///< by material; KHR_materials_emissive_strength
-    std::vector<std::string> ignoredExtensions; ///< that it uses, and that change what is seen
+    std::vector<std::string> missingBuffers; ///< files that it names and that are not there
+    std::vector<float> emissiveStrengths;    ///< by material; KHR_materials_emissive_strength
+    std::vector<std::string>
+        ignoredExtensions; ///< that it uses but does not require, and that change what is seen
     /// That it requires and that are not read; without those of materials, which are only ignored.
     std::vector<std::string> unreadRequirements;
     bool geometryUnread = false; ///< one of these says how positions are stored
