@@ -122,6 +122,7 @@ missing() { sh -c "$verify" 2>/dev/null | wc -l; }
 
 # To parallel a name in the command, or in --results, is a template, of which {= =} is a program: none stands there. The
 # part is a script in the folder of the log, where parallel is started and, by --workdir, what it starts on other machines.
+# There, parallel takes $SHELL for the shell, which services and containers may not have: it is told one.
 by_parallel() {
     printf '%s\n' "$here; $render --chunk=\$1/$parts --requeue" >"$log/part.sh"
     [ -z "$hosts" ] || set -- "$@" -S "$hosts" --workdir=.
@@ -130,7 +131,7 @@ by_parallel() {
     (
         cd "$log"
         rm -f journal
-        seq "$parts" | parallel "$@" --will-cite --jobs 1 --retries "$((retries + 1))" --joblog journal \
+        seq "$parts" | PARALLEL_SHELL=/bin/sh parallel "$@" --will-cite --jobs 1 --retries "$((retries + 1))" --joblog journal \
             --results part-{} sh part.sh {} >/dev/null || true
     )
     sh -c "$finish" || fail 1 "frames are missing; $log tells why; go on by the same command"

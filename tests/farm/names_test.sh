@@ -60,7 +60,7 @@ at_once() {
     last=$before
     before=$1
 }
-# On another machine, which is a shell in the home folder.
+# On another machine, which is a shell in the home folder, and tells nobody which.
 by_ssh() {
     cat >"$work/ssh" <<'TEXT'
 #!/bin/sh
@@ -73,7 +73,10 @@ TEXT
     chmod 755 "$work/ssh"
     hosts=1/other
     name="{= \`touch RAN\` =} \$(touch RAN) %a \\t @{[\`touch RAN\`]} ' \" {} {.}$line_end"
-    PARALLEL_SSH=$work/ssh submit "$name" "$name" "$name"
+    export PARALLEL_SSH="$work/ssh"
+    unset SHELL
+    submit "$name" "$name" "$name"
+    unset PARALLEL_SSH
     hosts=''
 }
 
