@@ -217,12 +217,13 @@ class BundleWalk {
         BundledPacket& packet = bundle_.packets[p];
         std::uint32_t candidates[BundledPacket::kBeams];
         findCandidates<true>(triangles, packet.along, packet.beams, candidates);
+        const Floats tie = hn::Set(FloatTag(), bundle_.slack[p] * kTieFraction);
         Mask changed = hn::FirstN(FloatTag(), 0);
         for (std::size_t b = 0; b < BundledPacket::kBeams; ++b) {
             if (candidates[b] == 0) continue;
             for (std::size_t k = 0; k < kBeamVectors; ++k) {
                 const std::size_t at = b * BundledPacket::kBeamRays + k * kLanes;
-                Found found = foundSoFar(packet, bundle_.slack[p], at);
+                Found found = foundSoFar(packet, tie, at);
                 test(candidates[b], at, found);
                 keep(found, packet, at);
                 changed = hn::Or(changed, found.changed);
@@ -240,7 +241,7 @@ class BundleWalk {
                 hn::Set(d, from[packet.along.kz]), hn::Load(d, packet.sx + at),
                 hn::Load(d, packet.sy + at),       hn::Load(d, packet.minusSz + at)};
     }
-    HWY_INLINE static Found foundSoFar(const BundledPacket& packet, float slack, std::size_t at) {
+    HWY_INLINE static Found foundSoFar(const BundledPacket& packet, Floats tie, std::size_t at) {
         const FloatTag d;
         return {hn::Load(d, packet.best + at),
                 hn::Load(IntTag(), packet.triangle + at),
@@ -249,7 +250,7 @@ class BundleWalk {
                 hn::Load(d, packet.det + at),
                 hn::FirstN(d, 0),
                 hn::FirstN(d, 0),
-                hn::Set(d, slack * kTieFraction),
+                tie,
                 startsAt(packet.startTriangle, at)};
     }
     HWY_INLINE static void keep(const Found& found, BundledPacket& packet, std::size_t at) {

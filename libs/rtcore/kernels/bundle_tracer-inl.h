@@ -111,8 +111,8 @@ class BundleTracer {
         }
         const Range& along = shape.direction[dominant];
         // As slackOf(): the largest is that of the shortest direction.
-        const float slack = kDistanceError * (far + coordinateSize(scene_.lo, scene_.hi)) /
-                            std::min(std::fabs(along.lo), std::fabs(along.hi));
+        const float slack =
+            kDistanceError * (far + scene_.size) / std::min(std::fabs(along.lo), std::fabs(along.hi));
         float begin = std::max(interval.lo - slack, 0.0F), end = interval.hi + slack;
         for (int axis = 0; axis < 3; ++axis) {
             const bool negative = bundle_.negative[axis];

@@ -137,7 +137,7 @@ HWY_INLINE float slackOf(const KernelScene& scene, const GroupShape& shape) {
         far += std::max(std::max(std::fabs(scene.lo[axis] - o.lo), std::fabs(scene.lo[axis] - o.hi)),
                         std::max(std::fabs(scene.hi[axis] - o.lo), std::fabs(scene.hi[axis] - o.hi)));
     }
-    return kDistanceError * (far + coordinateSize(scene.lo, scene.hi)) / shape.length();
+    return kDistanceError * (far + scene.size) / shape.length();
 }
 
 /// The same of a group whose directions may have nothing in common.

@@ -5,6 +5,7 @@
 #include "rtcore/accel/kd_tree.h"
 #include "rtcore/kernels/candidate_filter.h"
 #include "rtcore/kernels/narrow_triangles.h"
+#include "rtcore/kernels/rounding.h"
 #include "rtcore/scene/mesh.h"
 
 #include <cstdint>
@@ -18,7 +19,7 @@ struct KernelScene {
         : nodes(tree.nodes.data()), references(tree.references.data()), vertices(mesh.vertices.data()),
           triangles(mesh.triangles.data()), shading(mesh.shading.data()),
           records(inlineRecords), lo{tree.bounds.lo.x, tree.bounds.lo.y, tree.bounds.lo.z},
-          hi{tree.bounds.hi.x, tree.bounds.hi.y, tree.bounds.hi.z} {
+          hi{tree.bounds.hi.x, tree.bounds.hi.y, tree.bounds.hi.z}, size(coordinateSize(lo, hi)) {
         if (narrow == nullptr || narrow->bits.empty()) return;
         references = narrow->references.data();
         narrowBits = narrow->bits.data();
@@ -41,6 +42,7 @@ struct KernelScene {
     const std::uint8_t* clear = nullptr;
     CandidateFilter filter;
     float lo[3], hi[3]; ///< the root's cell; lo > hi: nothing to hit
+    float size;         ///< coordinateSize() of it
 };
 
 } // namespace rtcore

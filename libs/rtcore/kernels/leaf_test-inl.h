@@ -315,10 +315,12 @@ HWY_INLINE Mask keepHits(const Outcome& outcome, std::int32_t triangle, Floats t
     } else {
         // A triangle is met once more in each leaf that has it.
         const Ints index = hn::Set(di, triangle);
-        const Mask other = hn::RebindMask(d, hn::Ne(index, found.triangle));
-        hit = hn::And(hn::And(open, other), hn::Le(outcome.t, hn::Add(found.best, found.tie)));
-        const Mask tied = hn::Ge(outcome.t, hn::Sub(found.best, found.tie));
-        const Ints mark = hn::IfThenElseZero(hn::RebindMask(di, tied), hn::Set(di, kTied));
+        const Mask same = hn::RebindMask(d, hn::Eq(index, found.triangle));
+        // NaN, of two hits at infinity, is a tie.
+        const Floats behind = hn::Sub(outcome.t, found.best);
+        hit = hn::AndNot(hn::Or(same, hn::Gt(behind, found.tie)), open);
+        const Mask nearest = hn::Lt(behind, hn::Neg(found.tie));
+        const Ints mark = hn::IfThenZeroElse(hn::RebindMask(di, nearest), hn::Set(di, kTied));
         found.best = hn::IfThenElse(hit, hn::Min(outcome.t, found.best), found.best);
         found.triangle = hn::IfThenElse(hn::RebindMask(di, hit), hn::Or(index, mark), found.triangle);
         found.v = hn::IfThenElse(hit, outcome.v, found.v);
@@ -356,7 +358,7 @@ HWY_INLINE Mask testTriangle(const KernelScene& scene, const Corners& corners, c
     return keepHits<kSearch>(outcome, corners.triangle, tMin, inCell, found);
 }
 
-HWY_INLINE AlongAxis alongAxis(int kz) { return {(kz + 1) % 3, (kz + 2) % 3, kz}; }
+HWY_INLINE AlongAxis alongAxis(int kz) { return {kz == 2 ? 0 : kz + 1, kz == 0 ? 2 : kz - 1, kz}; }
 
 /// Tests the common triangle `i` of a leaf. For any hit `onHit` gets its corners where it was hit.
 template <Search kSearch, typename Along, typename OnHit>

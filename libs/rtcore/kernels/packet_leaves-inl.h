@@ -39,6 +39,12 @@ struct Packet {
     alignas(64) Array v, w, det;
     const std::uint32_t* startTriangle; ///< as RaySpan's; null: none starts on a triangle
     float slack;                        ///< the largest of all rays'
+    float tie;                          ///< as in Found
+
+    HWY_INLINE void setSlack(float largest) {
+        slack = largest;
+        tie = largest * kTieFraction;
+    }
 
     /// On ray `i`.
     HWY_INLINE Vec3 at(std::size_t i, float t) const {
@@ -272,7 +278,7 @@ class PacketLeaves {
                         hn::Zero(d),
                         hn::FirstN(d, 0),
                         hn::FirstN(d, 0),
-                        hn::Set(d, packet_.slack * kTieFraction),
+                        hn::Set(d, packet_.tie),
                         startsAt(packet_.startTriangle, at)};
             if constexpr (!kSearch.any) found.triangle = hn::Load(di, packet_.triangle + at);
             test(at, inCell, found);
@@ -342,22 +348,17 @@ class PacketLeaves {
     template <bool kNarrow>
     HWY_INLINE bool testRay(const TriangleBlock& block, std::size_t i) {
         ShearedRay ray{};
-        const int kz = kShared == Shared::Nothing ? axis_[i] : along_.kz;
-        ray.kx = (kz + 1) % 3;
-        ray.ky = (kz + 2) % 3;
-        ray.kz = kz;
+        const AlongAxis along = kShared == Shared::Nothing ? alongAxis(axis_[i]) : along_;
+        ray.kx = along.kx;
+        ray.ky = along.ky;
+        ray.kz = along.kz;
         ray.x = sheared_[0][i];
         ray.y = sheared_[1][i];
         ray.z = sheared_[2][i];
         ray.sx = sheared_[3][i];
         ray.sy = sheared_[4][i];
         ray.minusSz = sheared_[5][i];
-        FoundByRay found{packet_.best[i],
-                         kSearch.any ? kNone : packet_.triangle[i],
-                         0,
-                         0,
-                         0,
-                         packet_.slack * kTieFraction};
+        FoundByRay found{packet_.best[i], kSearch.any ? kNone : packet_.triangle[i], 0, 0, 0, packet_.tie};
         bool hit = false;
         if constexpr (kNarrow) {
             hit = block.testNarrow<kSearch>(ray, packet_.tMin[i], startOf(i), found);

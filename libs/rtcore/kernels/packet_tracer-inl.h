@@ -31,7 +31,7 @@ template <bool kAny>
 HWY_INLINE bool load(const KernelScene& scene, const RaySpan& rays, const GroupShape& shape,
                      std::size_t first, std::size_t count, Packet<kGroupVectors>& packet) {
     const FloatTag d;
-    packet.slack = shape.length() > 0 ? slackOf(scene, shape) : slackOfEach(scene, rays, first);
+    packet.setSlack(shape.length() > 0 ? slackOf(scene, shape) : slackOfEach(scene, rays, first));
     const Floats slack = hn::Set(d, packet.slack);
     Mask enters = hn::FirstN(d, 0);
     for (std::size_t i = 0; i < kGroup; i += kLanes) {

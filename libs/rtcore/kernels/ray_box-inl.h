@@ -58,7 +58,7 @@ HWY_INLINE Floats slackOf(const KernelScene& scene, const RayVector& ray) {
     };
     const Floats far = hn::Add(hn::Add(farthest(0, ray.ox), farthest(1, ray.oy)), farthest(2, ray.oz));
     const Floats length = hn::Max(hn::Max(hn::Abs(ray.dx), hn::Abs(ray.dy)), hn::Abs(ray.dz));
-    const Floats size = hn::Add(far, hn::Set(d, coordinateSize(scene.lo, scene.hi)));
+    const Floats size = hn::Add(far, hn::Set(d, scene.size));
     return hn::Div(hn::Mul(hn::Set(d, kDistanceError), size), length);
 }
 

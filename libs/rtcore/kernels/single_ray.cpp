@@ -40,7 +40,7 @@ float slackOf(const KernelScene& scene, const Ray& ray) {
         far += std::max(std::fabs(scene.lo[axis] - o), std::fabs(scene.hi[axis] - o));
         length = std::max(length, std::fabs(ray.direction[axis]));
     }
-    return kDistanceError * (far + coordinateSize(scene.lo, scene.hi)) / length;
+    return kDistanceError * (far + scene.size) / length;
 }
 
 /// The part of [tMin - slack, tMax + slack] inside the box, nothing of it behind the origin. 0 * infinity (a

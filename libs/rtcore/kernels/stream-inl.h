@@ -421,7 +421,7 @@ class OctantWalk {
                 shortStart_[i] = startOf(std::bit_cast<std::int32_t>(shortSlot_[i]));
             short_.startTriangle = shortStart_;
         }
-        short_.slack = slack_;
+        short_.setSlack(slack_);
         shortSize_ = to;
     }
 
