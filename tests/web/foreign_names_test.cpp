@@ -21,12 +21,12 @@ std::string quoted(const std::string& text) { return Json(text).dump(); }
 /// As a part of a model, whose name ends with the word.
 std::string inModel(const std::string& text) { return text.substr(0, text.find_first_of(" \n")); }
 
-// What stands beyond the page, of what cannot be scrolled to.
+// What stands beyond the page or beyond the image that it is over, of what cannot be scrolled to.
 constexpr const char* kOutside =
     R"([...document.querySelectorAll("body *")].filter((element) => element.checkVisibility() && !element.closest(".quiet"))
     .map((element) => [element, element.getBoundingClientRect()])
     .filter(([element, box]) => box.right > innerWidth + 0.5 || box.left < -0.5 ||
-        (element.closest("#stage") && (box.bottom > innerHeight + 0.5 || box.top < -0.5)))
+        (element.closest("#stage") && (box.bottom > document.getElementById("stage").clientHeight + 0.5 || box.top < -0.5)))
     .map(([element]) => element.outerHTML.slice(0, 90)).join("\n"))";
 
 // Marks of direction and controls in all that is shown or said, and what is laid out from right to left.
